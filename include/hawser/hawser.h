@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file hawser.h
+/// Everything public in one include.
+
+#include <hawser/def.h>
+#include <hawser/id.h>
+#include <hawser/inspect.h>
+#include <hawser/interactions.h>
+#include <hawser/math.h>
+#include <hawser/stats.h>
+#include <hawser/world.h>

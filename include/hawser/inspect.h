@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file inspect.h
+/// Read-only picture of the system that the last analysis produced, for plots and reports.
+
+#include <hawser/id.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace hawser {
+
+/// One node of the block graph: a body (positive pivots) or a kept interaction (negative).
+struct SystemNode {
+    BodyId body{};                ///< Valid for a body …
+    InteractionId interaction{};  ///< … or for a kept interaction.
+    std::int32_t size = 0;        ///< Scalars, 1-6.
+    std::int32_t front = -1;      ///< Front (supernode) in which it is eliminated.
+};
+
+/// The factored matrix as a block graph with its elimination order.
+struct SystemView {
+    std::vector<SystemNode> nodes;
+    std::vector<std::int32_t> edge_start;  ///< nodes + 1 offsets into `edges` (CSR).
+    std::vector<std::int32_t> edges;       ///< Neighbours of each node, ascending, both directions.
+    std::vector<std::int32_t> order;       ///< order[k] = node eliminated k-th.
+    std::vector<std::int32_t> front_parent;  ///< Elimination tree of the fronts; −1 at a root.
+    std::vector<std::int32_t> front_pivots;  ///< Pivot scalars of each front.
+    std::vector<std::int32_t> front_update;  ///< Update scalars (rows below the pivots).
+    std::vector<std::int32_t> body_island;  ///< Island of each body; −1 for those that do not move.
+    std::int64_t matrix_nnz = 0;            ///< Scalars of the lower triangle.
+    std::int64_t factor_nnz = 0;            ///< Scalars of L.
+    std::int64_t flops = 0;                 ///< Of one factorisation.
+    std::int64_t critical_flops = 0;        ///< On the longest path from a leaf to a root.
+};
+
+}  // namespace hawser

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file interactions.h
+/// The catalogue of interactions and the one definition struct that serves all of them.
+///
+/// A kind is described by a KindInfo: its name, how many bodies it couples, how many rows it
+/// adds, which of the geometric fields it reads and its named parameters with unit, default
+/// and range. The scene reader, the JSON Schema and the reference page are generated from
+/// this table, so adding a kind means: one file in `src/model/kinds/`, one line in
+/// HAWSER_INTERACTION_KINDS below.
+///
+/// Row conventions. A row has a violation g(x) [m or rad], a Jacobian G with ġ = G v, a
+/// compliance ε [m/N or rad/(N m)] and a damping time τ [s]. Its force f acts along Gᵀ and
+/// obeys, at rest, g = −ε f. A row with ε = 0 is a rigid constraint. Velocity rows (motors)
+/// have G v = u and a velocity compliance γ [m/s/N] instead.
+
+#include <hawser/id.h>
+#include <hawser/math.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace hawser {
+
+// clang-format off
+/// X(enumerator, "scene name"). The order is part of the state hash: append only.
+#define HAWSER_INTERACTION_KINDS(X)       \
+    X(Ball,           "ball")             \
+    X(Hinge,          "hinge")            \
+    X(Prismatic,      "prismatic")        \
+    X(Cylindrical,    "cylindrical")      \
+    X(Universal,      "universal")        \
+    X(Lock,           "lock")             \
+    X(Distance,       "distance")         \
+    X(Stretch,        "stretch")          \
+    X(WinchStretch,   "winch_stretch")    \
+    X(Bend,           "bend")             \
+    X(Twist,          "twist")            \
+    X(Hydrostatic,    "hydrostatic")      \
+    X(Hold,           "hold")             \
+    X(HingeMotor,     "hinge_motor")      \
+    X(SlideMotor,     "slide_motor")      \
+    X(ScalarMotor,    "scalar_motor")     \
+    X(HingeRange,     "hinge_range")      \
+    X(SlideRange,     "slide_range")
+// clang-format on
+
+enum class InteractionKind : std::uint8_t {
+#define HAWSER_X(id, name) id,
+    HAWSER_INTERACTION_KINDS(HAWSER_X)
+#undef HAWSER_X
+};
+inline constexpr int kInteractionKindCount = 0
+#define HAWSER_X(id, name) +1
+    HAWSER_INTERACTION_KINDS(HAWSER_X);
+#undef HAWSER_X
+
+inline constexpr int kMaxInteractionBodies = 3;
+inline constexpr int kMaxInteractionRows = 6;
+inline constexpr int kMaxInteractionParams = 8;
+
+/// Marks a field that takes its default from the kind's table.
+inline constexpr double kDefault = std::numeric_limits<double>::quiet_NaN();
+
+/// One named parameter of a kind.
+struct ParamInfo {
+    const char* name;    ///< As in scene files, e.g. "length".
+    const char* unit;    ///< SI, e.g. "m"; "1" without dimension.
+    double fallback;     ///< Value when not given; NaN = must be given.
+    double min;          ///< Smallest value accepted.
+    double max;          ///< Largest value accepted.
+    const char* doc;     ///< One sentence.
+    bool input = false;  ///< May be changed between steps (see World::add_input).
+};
+
+/// What a kind needs and does: the table row from which readers and documents are made.
+struct KindInfo {
+    InteractionKind kind{};
+    const char* name = "";                ///< As in scene files.
+    int bodies = 2;                       ///< Bodies coupled, 1-3; a fixed body counts.
+    int rows = 0;                         ///< Equations added, 1-6.
+    bool uses_points = true;              ///< Reads InteractionDef::point.
+    bool uses_frames = false;             ///< Reads InteractionDef::frame.
+    const char* row_units = "";           ///< One letter a row: m metre, r radian, v velocity row.
+    bool length_from_pose = false;        ///< "length" defaults to the initial distance.
+    std::span<const ParamInfo> params{};  ///< At most kMaxInteractionParams.
+    const char* doc = "";                 ///< What it does, in one or two sentences.
+};
+
+/// All kinds in the order of InteractionKind.
+[[nodiscard]] std::span<const KindInfo> interaction_kinds() noexcept;
+[[nodiscard]] const KindInfo& kind_info(InteractionKind kind) noexcept;
+/// @return nullptr when no kind has this name.
+[[nodiscard]] const KindInfo* find_kind(std::string_view name) noexcept;
+
+/// One interaction between 1-3 bodies. A definition: World::add_interaction copies it whole.
+struct InteractionDef {
+    std::string name;  ///< Unique in the world, or empty.
+    InteractionKind kind = InteractionKind::Ball;
+
+    /// Bodies in the kind's order; the first KindInfo::bodies are used.
+    std::array<BodyId, kMaxInteractionBodies> body{};
+
+    /// Attachment point in each body's frame, from its centre of mass [m]. Lumps ignore it.
+    std::array<Vec3, kMaxInteractionBodies> point{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+
+    /// Orientation of the joint frame in each body's frame; the joint's axis is its z.
+    std::array<Quat, kMaxInteractionBodies> frame{Quat::Identity(), Quat::Identity(),
+                                                  Quat::Identity()};
+
+    /// Compliance ε of each row [m/N or rad/(N m)]; for velocity rows γ [m/s/N or rad/s/(N m)].
+    /// kDefault: the kind's own (1e-12 for constraints, from EA, EI, … for elements). 0 = rigid.
+    std::array<double, kMaxInteractionRows> compliance = filled();
+
+    /// Damping time τ of each row [s]. kDefault: the kind's own (two steps for constraints).
+    std::array<double, kMaxInteractionRows> damping_time = filled();
+
+    /// Parameters in the order of KindInfo::params; kDefault = the table's default.
+    std::array<double, kMaxInteractionParams> params = filled8();
+
+    /// Set one parameter by its name. @throws DefError when the kind has no such parameter.
+    InteractionDef& set(std::string_view param, double value);
+    [[nodiscard]] double get(std::string_view param) const;
+
+   private:
+    static constexpr std::array<double, kMaxInteractionRows> filled() {
+        std::array<double, kMaxInteractionRows> a{};
+        a.fill(kDefault);
+        return a;
+    }
+    static constexpr std::array<double, kMaxInteractionParams> filled8() {
+        std::array<double, kMaxInteractionParams> a{};
+        a.fill(kDefault);
+        return a;
+    }
+};
+
+}  // namespace hawser

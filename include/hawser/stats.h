@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file stats.h
+/// What a step reports: status, times, residuals, energy, events.
+
+#include <hawser/id.h>
+
+#include <array>
+#include <cstdint>
+
+namespace hawser {
+
+/// Outcome of a step. Anything but `ok` leaves the state of the previous step in place.
+enum class Status : std::uint8_t {
+    ok,
+    wrong_pivot,    ///< A pivot had the wrong sign or was not finite: the model is singular.
+    not_finite,     ///< The solution or an input was not finite.
+    out_of_memory,  ///< Capacity could not grow.
+};
+[[nodiscard]] const char* to_string(Status status) noexcept;
+
+/// The stages of a step, in order. One name for code, timer, trace and documentation.
+enum class Stage : std::uint8_t {
+    prestep,
+    collide,
+    graph,
+    analyse,
+    assemble,
+    factor,
+    nonsmooth,
+    integrate
+};
+inline constexpr int kStageCount = 8;
+[[nodiscard]] const char* to_string(Stage stage) noexcept;
+
+enum class EventKind : std::uint8_t {
+    line_break,  ///< A stretch element exceeded its breaking load and parted. value: tension [N].
+    slack,       ///< A tension-only element went slack. value: 0.
+    taut,        ///< A slack element came under load. value: tension [N].
+    saturation,  ///< A motor or brake reached its force range. value: force [N or N m].
+    range,       ///< A joint left its range. value: coordinate [m or rad].
+    input_clamped,  ///< An input was outside its range. value: the value asked for.
+    warning,        ///< Residual above its limit. value: the residual.
+};
+inline constexpr int kEventKindCount = 7;
+[[nodiscard]] const char* to_string(EventKind kind) noexcept;
+
+struct Event {
+    double time = 0.0;  ///< End of the step in which it happened [s].
+    EventKind kind = EventKind::warning;
+    InteractionId interaction{};
+    double value = 0.0;
+};
+
+/// Mechanical energy, evaluated at the half-step position x̄ = (x_k + x_{k−1})/2 with v_k [J].
+struct Energy {
+    double kinetic = 0.0;
+    double gravity = 0.0;  ///< −Σ m g·x̄.
+    double elastic = 0.0;  ///< Σ g²/(2ε) over rows with compliance > 1e-11, hydrostatics included.
+    double applied = 0.0;  ///< Work done since the start by applied forces and torques.
+    double dissipated = 0.0;  ///< Energy taken since the start by body damping (drag).
+    [[nodiscard]] double mechanical() const noexcept { return kinetic + gravity + elastic; }
+};
+
+/// Figures of the last step.
+struct StepStats {
+    Status status = Status::ok;
+    std::int64_t step = 0;  ///< Steps taken so far.
+    double time = 0.0;      ///< End of the step [s].
+
+    std::array<double, kStageCount> stage_seconds{};  ///< Wall time by stage.
+    double step_seconds = 0.0;                        ///< Wall time of all stages.
+    double solver_seconds = 0.0;                      ///< Wall time, stages analyse to nonsmooth.
+    double solver_cpu_seconds = 0.0;  ///< CPU time of the slowest thread, same stages.
+
+    double momentum_residual = 0.0;    ///< ‖M v₊ − a − Gᵀλ‖_{M⁻¹} / max(‖a − M v_k‖_{M⁻¹}, floor).
+    double constraint_residual = 0.0;  ///< max |G v₊ + Σ λ − c| over rows [m/s or rad/s].
+    double violation_max = 0.0;        ///< Largest |g| of translational constraint rows [m].
+    InteractionId violation_worst{};   ///< Where.
+    double stretch_error_max = 0.0;    ///< Largest |l − l₀(1 + T/EA)| / l₀ over stretch elements.
+
+    std::int32_t bodies = 0;  ///< Bodies that move.
+    std::int32_t interactions = 0;
+    std::int32_t equations = 0;  ///< Velocity unknowns + rows of all interactions.
+    std::int32_t islands = 0;
+    std::int64_t matrix_nnz = 0;      ///< Scalars of the lower triangle of the factored matrix.
+    std::int64_t factor_nnz = 0;      ///< Scalars of L, diagonal included.
+    std::int64_t factor_flops = 0;    ///< Multiply-adds counted as two, of one factorisation.
+    std::int32_t factorisations = 0;  ///< In this step.
+    std::int32_t flips_left = 0;      ///< Tension-only rows whose status was still changing.
+    std::int64_t growths = 0;  ///< Times that capacity grew since the start (0 in a warm step).
+    std::array<std::int64_t, kEventKindCount> event_count{};  ///< Since the start, by kind.
+};
+
+}  // namespace hawser

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file world.h
+/// The world: bodies, interactions, and the step that moves them.
+///
+/// ```cpp
+/// hawser::World world({.step = 1.0 / 60.0});
+/// auto ground = world.add_body({.name = "ground", .kind = hawser::BodyKind::fixed});
+/// auto bob = world.add_body({.name = "bob", .kind = hawser::BodyKind::lump,
+///                            .position = {1, 0, 0}, .mass = 1.0});
+/// hawser::InteractionDef rod{.kind = hawser::InteractionKind::Distance, .body = {ground, bob}};
+/// world.add_interaction(rod.set("length", 1.0));
+/// while (world.time() < 10.0)
+///     if (world.step() != hawser::Status::ok) break;
+/// ```
+/// Set-up functions throw DefError; step() does not throw. A world is used by one thread at
+/// a time; different worlds are independent.
+
+#include <hawser/def.h>
+#include <hawser/id.h>
+#include <hawser/interactions.h>
+#include <hawser/math.h>
+#include <hawser/stats.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace hawser {
+
+struct SystemView;  // inspect.h
+
+class World {
+   public:
+    explicit World(const WorldDef& def = {});
+    ~World();
+    World(World&&) noexcept;
+    World& operator=(World&&) noexcept;
+    World(const World&) = delete;
+    World& operator=(const World&) = delete;
+
+    // --- Set-up -------------------------------------------------------------------------
+    /// @throws DefError on a duplicate name, a mass or inertia that is not positive definite,
+    ///         a value that is not finite.
+    BodyId add_body(const BodyDef& def);
+    /// @throws DefError on unknown bodies, no moving body, a parameter missing or out of range.
+    InteractionId add_interaction(const InteractionDef& def);
+    /// @throws DefError when the parameter cannot be driven or the name is taken.
+    InputId add_input(const InputDef& def);
+    /// Analyse now instead of in the first step. @throws std::bad_alloc.
+    void prepare();
+
+    // --- Stepping -----------------------------------------------------------------------
+    /// Advance by WorldDef::step. On a status other than ok the state is that of the last
+    /// good step.
+    Status step() noexcept;
+
+    [[nodiscard]] double time() const noexcept;  ///< [s].
+    [[nodiscard]] std::int64_t step_count() const noexcept;
+    [[nodiscard]] const StepStats& stats() const noexcept;
+    [[nodiscard]] Energy energy() const noexcept;  ///< Of the current state.
+    /// FNV-1a 64 over poses, velocities, multipliers, time, inputs, and the name of the
+    /// instruction set in use. Equal for any number of threads and after save/restore.
+    [[nodiscard]] std::uint64_t state_hash() const noexcept;
+    /// Events since the last call, oldest first; keeps the newest 65,536.
+    [[nodiscard]] std::vector<Event> take_events();
+
+    // --- Inputs and applied forces --------------------------------------------------------
+    [[nodiscard]] int input_count() const noexcept;
+    [[nodiscard]] const InputDef& input_def(InputId id) const;
+    [[nodiscard]] InputId find_input(std::string_view name) const noexcept;
+    [[nodiscard]] double input(InputId id) const;
+    /// Clamped to the range, with an event; @throws DefError when not finite.
+    void set_input(InputId id, double value);
+    /// Replace the applied force [N] and torque [N m], world frame.
+    void set_force(BodyId body, const Vec3& force, const Vec3& torque);
+
+    // --- Bodies ---------------------------------------------------------------------------
+    [[nodiscard]] int body_count() const noexcept;
+    [[nodiscard]] const BodyDef& body_def(BodyId id) const;  ///< As added.
+    [[nodiscard]] BodyId find_body(std::string_view name) const noexcept;
+    [[nodiscard]] Pose pose(BodyId id) const;       ///< At time().
+    [[nodiscard]] Twist velocity(BodyId id) const;  ///< At time() − h/2 (the scheme is staggered).
+    /// Move a body between steps; multipliers are kept. Velocity is used as it is (no staggering).
+    void set_pose(BodyId id, const Pose& pose);
+    void set_velocity(BodyId id, const Twist& twist);
+    /// World position of a point given in the body's frame, from its centre of mass [m].
+    [[nodiscard]] Vec3 world_point(BodyId id, const Vec3& local) const;
+
+    // --- Interactions -----------------------------------------------------------------------
+    [[nodiscard]] int interaction_count() const noexcept;
+    [[nodiscard]] const InteractionDef& interaction_def(
+        InteractionId id) const;  ///< Defaults filled in.
+    [[nodiscard]] InteractionId find_interaction(std::string_view name) const noexcept;
+    /// Force of each row in the last step, along Gᵀ [N or N m]; a stretch in tension has f < 0:
+    /// tension = −force(id)[0].
+    [[nodiscard]] std::span<const double> force(InteractionId id) const;
+    /// Violation g of each row at the current poses [m or rad]; 0 for velocity rows.
+    [[nodiscard]] std::array<double, kMaxInteractionRows> violation(InteractionId id) const;
+    /// False once a stretch element has parted.
+    [[nodiscard]] bool intact(InteractionId id) const;
+
+    // --- Save and restore -------------------------------------------------------------------
+    /// The whole dynamic state, warm start included. Restoring it in a world built from the
+    /// same definitions continues bit for bit.
+    [[nodiscard]] std::vector<std::byte> save() const;
+    /// @throws DefError when the bytes are damaged or belong to another world; the state is
+    ///         then unchanged.
+    void restore(std::span<const std::byte> bytes);
+
+    // --- Inspection -------------------------------------------------------------------------
+    [[nodiscard]] const WorldDef& settings() const noexcept;
+    [[nodiscard]] SystemView inspect() const;                 ///< See inspect.h.
+    [[nodiscard]] std::size_t memory_bytes() const noexcept;  ///< Held by state and solver.
+
+   private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Instruction set that the dispatcher chose: "sse2", "avx2" or "avx512". The environment
+/// variable HAWSER_ISA lowers it (never raises it beyond the processor).
+[[nodiscard]] const char* instruction_set() noexcept;
+
+/// Version of the library, e.g. "0.1.0".
+[[nodiscard]] const char* version() noexcept;
+
+}  // namespace hawser
