@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: Apache-2.0
+#
+# hawser-bench: a program apart from `hawser`, because it links foreign engines and GPL parts
+# of SuiteSparse. It is never installed. Each peer is used where it is found; the source sees
+# HAWSER_HAVE_<PEER> as 1 or 0.
+
+hawser_sources(bench_sources bench bench/peers)
+if(NOT bench_sources)
+    return()
+endif()
+
+find_package(PkgConfig QUIET)
+if(PKG_CONFIG_FOUND)
+    pkg_check_modules(ODE QUIET IMPORTED_TARGET ode)
+    # Bullet in double precision; the .pc file carries BT_USE_DOUBLE_PRECISION.
+    pkg_check_modules(BULLET QUIET IMPORTED_TARGET bullet-float64)
+endif()
+find_package(Simbody QUIET)
+find_package(CLI11 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+
+# The headers of Simbody 3.7 do not compile as C++20: files bench/peers/simbody*.cpp are C++17
+# and talk to the rest through plain C++17 headers. They are left out where Simbody is missing.
+set(simbody_sources ${bench_sources})
+list(FILTER simbody_sources INCLUDE REGEX "/bench/peers/simbody[^/]*\\.cpp$")
+if(simbody_sources)
+    list(REMOVE_ITEM bench_sources ${simbody_sources})
+endif()
+
+add_executable(hawser_bench ${bench_sources})
+set_target_properties(hawser_bench PROPERTIES OUTPUT_NAME hawser-bench)
+hawser_use(hawser_bench)
+target_include_directories(hawser_bench PRIVATE ${PROJECT_SOURCE_DIR}/bench)
+target_link_libraries(hawser_bench PRIVATE CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json)
+
+function(hawser_bench_peer name found)
+    if(found)
+        target_compile_definitions(hawser_bench PRIVATE HAWSER_HAVE_${name}=1)
+        target_link_libraries(hawser_bench PRIVATE ${ARGN})
+    else()
+        target_compile_definitions(hawser_bench PRIVATE HAWSER_HAVE_${name}=0)
+        message(STATUS "hawser-bench: ${name} not found, left out")
+    endif()
+endfunction()
+
+hawser_bench_peer(ODE "${ODE_FOUND}" PkgConfig::ODE)
+hawser_bench_peer(BULLET "${BULLET_FOUND}" PkgConfig::BULLET)
+if(Simbody_FOUND AND simbody_sources)
+    add_library(hawser_bench_simbody OBJECT ${simbody_sources})
+    hawser_settings(hawser_bench_simbody)
+    set_target_properties(hawser_bench_simbody PROPERTIES CXX_STANDARD 17)
+    target_include_directories(hawser_bench_simbody PRIVATE ${PROJECT_SOURCE_DIR}/bench)
+    target_include_directories(hawser_bench_simbody SYSTEM PRIVATE ${Simbody_INCLUDE_DIR})
+    target_sources(hawser_bench PRIVATE $<TARGET_OBJECTS:hawser_bench_simbody>)
+endif()
+hawser_bench_peer(SIMBODY "${Simbody_FOUND}" ${Simbody_LIBRARIES})
+
+foreach(peer IN ITEMS CHOLMOD UMFPACK LDL KLU METIS)
+    string(TOLOWER ${peer} lower)
+    find_path(${peer}_INCLUDE_DIR ${lower}.h PATH_SUFFIXES suitesparse)
+    find_library(${peer}_LIBRARY ${lower})
+    mark_as_advanced(${peer}_INCLUDE_DIR ${peer}_LIBRARY)
+    if(${peer}_INCLUDE_DIR AND ${peer}_LIBRARY)
+        target_include_directories(hawser_bench SYSTEM PRIVATE ${${peer}_INCLUDE_DIR})
+        hawser_bench_peer(${peer} TRUE ${${peer}_LIBRARY})
+    else()
+        hawser_bench_peer(${peer} FALSE)
+    endif()
+endforeach()
+target_include_directories(hawser_bench SYSTEM PRIVATE ${AMD_INCLUDE_DIR})
+target_link_libraries(hawser_bench PRIVATE AMD::AMD)

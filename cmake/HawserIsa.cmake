@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: Apache-2.0
+#
+# Run-time SIMD dispatch: each file src/<room>/isa/*.cpp is compiled once per instruction set,
+# with its code in `namespace hawser::HAWSER_ISA`. The library picks one at start.
+#
+# Such a file must not define anything outside that namespace, not even an instance of an
+# inline function of the standard library or of Eigen: the linker keeps one copy of each, and
+# the copy with AVX code would crash on a machine without AVX. scripts/check_isa_symbols.py
+# tests this on the object files.
+
+set(HAWSER_ISA_NAMES sse2 avx2 avx512)
+set(HAWSER_ISA_FLAGS_sse2 "")
+set(HAWSER_ISA_FLAGS_avx2 -mavx2 -mfma)
+set(HAWSER_ISA_FLAGS_avx512 -mavx512f -mavx512dq -mavx512vl -mavx512bw -mavx2 -mfma
+                            -mprefer-vector-width=512)
+
+function(hawser_add_isa_sources library)
+    file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/*/isa/*.cpp")
+    if(NOT sources)
+        return()
+    endif()
+    foreach(isa IN LISTS HAWSER_ISA_NAMES)
+        set(objects hawser_isa_${isa})
+        add_library(${objects} OBJECT ${sources})
+        hawser_settings(${objects})
+        target_include_directories(${objects} PRIVATE
+            ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
+        target_compile_definitions(${objects} PRIVATE
+            HAWSER_ISA=${isa} ${HAWSER_ABI_DEFINITIONS})
+        # -O3 in every preset: the kernels rely on the optimiser to become vector code.
+        target_compile_options(${objects} PRIVATE -O3 ${HAWSER_ISA_FLAGS_${isa}})
+        target_link_libraries(${objects} PRIVATE Eigen3::Eigen)
+        target_sources(${library} PRIVATE $<TARGET_OBJECTS:${objects}>)
+    endforeach()
+endfunction()

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: Apache-2.0
+#
+# One test executable per folder tests/<name>: hawser_test_<name>; its tests are called
+# <name>.Suite.case (`ctest -R '^factor\.'`) and labelled `fast` or `slow`. Files directly in
+# tests/ make hawser_test. Shared helpers are headers (and sources) in tests/support.
+# Tests run in the source folder: "scenes/x.json" opens. The environment names HAWSER_BIN_DIR,
+# the folder of the programs.
+
+find_package(GTest REQUIRED)
+find_package(rapidcheck QUIET)
+find_package(fmt QUIET)
+find_package(nlohmann_json QUIET)
+find_package(PNG QUIET)
+find_package(Python3 COMPONENTS Interpreter REQUIRED)
+include(GoogleTest)
+
+# Tests in these folders take long; sanitizer builds run those labelled `fast` only.
+set(HAWSER_SLOW_TESTS slow validate)
+
+hawser_sources(support_sources tests/support)
+if(support_sources)
+    add_library(hawser_test_support STATIC ${support_sources})
+    hawser_use(hawser_test_support)
+    target_include_directories(hawser_test_support PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+    target_link_libraries(hawser_test_support PUBLIC GTest::gtest)
+endif()
+
+function(hawser_add_test_executable target folder)
+    add_executable(${target} ${ARGN})
+    hawser_use(${target})
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+    foreach(library IN ITEMS hawser_test_support rapidcheck fmt::fmt PNG::PNG
+                             nlohmann_json::nlohmann_json)
+        if(TARGET ${library})
+            target_link_libraries(${target} PRIVATE ${library})
+        endif()
+    endforeach()
+    target_link_libraries(${target} PRIVATE AMD::AMD GTest::gtest GTest::gtest_main)
+
+    if(folder IN_LIST HAWSER_SLOW_TESTS)
+        set(label slow)
+    else()
+        set(label fast)
+    endif()
+    # PRE_TEST: a test that fails to start must fail in ctest, not break the build.
+    gtest_discover_tests(${target}
+        TEST_PREFIX ${folder}. DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+        WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
+        PROPERTIES LABELS ${label} TIMEOUT 600
+                   ENVIRONMENT "HAWSER_BIN_DIR=${PROJECT_BINARY_DIR}/bin")
+endfunction()
+
+hawser_sources(top_tests tests)
+if(top_tests)
+    hawser_add_test_executable(hawser_test top ${top_tests})
+endif()
+
+file(GLOB folders CONFIGURE_DEPENDS LIST_DIRECTORIES TRUE RELATIVE "${PROJECT_SOURCE_DIR}/tests"
+     "${PROJECT_SOURCE_DIR}/tests/*")
+list(REMOVE_ITEM folders support consumer)
+foreach(folder IN LISTS folders)
+    if(IS_DIRECTORY "${PROJECT_SOURCE_DIR}/tests/${folder}")
+        hawser_sources(sources tests/${folder})
+        if(sources)
+            hawser_add_test_executable(hawser_test_${folder} ${folder} ${sources})
+        endif()
+    endif()
+endforeach()
+
+# ---- checks of the build itself ----------------------------------------------------------------
+if(NOT HAWSER_SANITIZE)
+    foreach(isa IN ITEMS avx2 avx512)
+        if(TARGET hawser_isa_${isa})
+            add_test(NAME isa_symbols.${isa}
+                COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/check_isa_symbols.py"
+                        ${isa} $<TARGET_OBJECTS:hawser_isa_${isa}>
+                COMMAND_EXPAND_LISTS)
+            set_tests_properties(isa_symbols.${isa} PROPERTIES LABELS build)
+        endif()
+    endforeach()
+
+    add_test(NAME consumer
+        COMMAND ${CMAKE_COMMAND}
+            -DHAWSER_BINARY_DIR=${PROJECT_BINARY_DIR}
+            -DCONSUMER_SOURCE_DIR=${PROJECT_SOURCE_DIR}/tests/consumer
+            -DCXX_COMPILER=${CMAKE_CXX_COMPILER}
+            -P "${PROJECT_SOURCE_DIR}/tests/consumer/run.cmake")
+    set_tests_properties(consumer PROPERTIES LABELS build TIMEOUT 300)
+endif()

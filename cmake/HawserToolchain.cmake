@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: Apache-2.0
+#
+# Compiler, linker and warning settings of every target of this project.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+# Always: the static library can then go into a Python module or an FMU.
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+# Eigen aligns fixed-size types by the instruction set that the including file is compiled
+# for: a user's -mavx would change the layout of public types. 16 bytes fits every x86-64.
+set(HAWSER_ABI_DEFINITIONS EIGEN_MAX_ALIGN_BYTES=16)
+
+if(PROJECT_IS_TOP_LEVEL)
+    if(NOT CMAKE_BUILD_TYPE)
+        set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+    endif()
+    set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+    set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
+
+    # -g1 keeps function names and lines for profilers at little cost.
+    set(CMAKE_CXX_FLAGS_RELEASE "-O3 -g1 -DNDEBUG")
+    set(CMAKE_CXX_FLAGS_DEBUG "-Og -g")
+    set(CMAKE_CXX_FLAGS_RELASSERT "-O2 -g1")
+    set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1")
+
+    find_program(HAWSER_CCACHE ccache)
+    if(HAWSER_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+        set(CMAKE_CXX_COMPILER_LAUNCHER "${HAWSER_CCACHE}")
+    endif()
+    find_program(HAWSER_MOLD mold)
+    if(HAWSER_MOLD)
+        add_link_options(-fuse-ld=mold)
+    endif()
+
+    set(HAWSER_SANITIZE "" CACHE STRING "Value of -fsanitize= for all targets, or empty")
+    if(HAWSER_SANITIZE)
+        add_compile_options(-fsanitize=${HAWSER_SANITIZE} -fno-omit-frame-pointer
+                            -fno-sanitize-recover=all)
+        add_link_options(-fsanitize=${HAWSER_SANITIZE})
+        # Instrumentation hides initialisations from g++ 12 and it then warns falsely.
+        add_compile_options(-Wno-maybe-uninitialized)
+    endif()
+endif()
+
+option(HAWSER_WERROR "Treat warnings as errors" ${PROJECT_IS_TOP_LEVEL})
+
+# Warnings and code generation of one target.
+#
+# Floating point: no -ffast-math, no -march=native. Fused multiply-add is allowed where the
+# instruction set has it (-ffp-contract=fast); results therefore depend on the dispatched
+# instruction set, which is part of the state hash.
+function(hawser_settings target)
+    target_compile_options(${target} PRIVATE
+        -Wall -Wextra -Wpedantic -Wshadow $<$<BOOL:${HAWSER_WERROR}>:-Werror>
+        -ffp-contract=fast -fno-math-errno)
+endfunction()

@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: Apache-2.0
+#
+# Install Hawser to a fresh prefix, build the consumer against it, run it.
+set(work "${HAWSER_BINARY_DIR}/consumer")
+file(REMOVE_RECURSE "${work}")
+
+function(run)
+    execute_process(COMMAND ${ARGV} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+run(${CMAKE_COMMAND} --install "${HAWSER_BINARY_DIR}" --component library
+    --prefix "${work}/prefix")
+run(${CMAKE_COMMAND} -S "${CONSUMER_SOURCE_DIR}" -B "${work}/build" -G Ninja
+    -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
+    "-DCMAKE_PREFIX_PATH=${work}/prefix")
+run(${CMAKE_COMMAND} --build "${work}/build")
+run("${work}/build/consumer")
