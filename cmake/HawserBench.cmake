@@ -4,7 +4,7 @@
 # of SuiteSparse. It is never installed. Each peer is used where it is found; the source sees
 # HAWSER_HAVE_<PEER> as 1 or 0.
 
-hawser_sources(bench_sources bench bench/peers)
+hawser_sources(bench_sources bench)
 if(NOT bench_sources)
     return()
 endif()

@@ -50,7 +50,7 @@ function(hawser_add_test_executable target folder)
                    ENVIRONMENT "HAWSER_BIN_DIR=${PROJECT_BINARY_DIR}/bin")
 endfunction()
 
-hawser_sources(top_tests tests)
+file(GLOB top_tests CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/*.cpp")
 if(top_tests)
     hawser_add_test_executable(hawser_test top ${top_tests})
 endif()

@@ -2,8 +2,9 @@
 #include <hawser/version.h>
 
 #include <cstdio>
+#include <cstring>
 
 int main() {
-    std::printf("hawser %s\n", HAWSER_VERSION);
-    return 0;
+    std::printf("hawser %s\n", hawser::version());
+    return std::strcmp(hawser::version(), HAWSER_VERSION) == 0 ? 0 : 1;
 }

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <hawser/version.h>
+
+namespace hawser {
+
+const char* version() noexcept { return HAWSER_VERSION; }
+
+}  // namespace hawser
