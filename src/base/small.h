@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file small.h
+/// Three-vectors and 3×3 matrices for code that is compiled once per instruction set.
+///
+/// Everything here lives in `hawser::HAWSER_ISA`, a namespace of its own for each instruction
+/// set, so that the linker can never pick an AVX version of a shared inline function for a
+/// machine without AVX. For the same reason this code uses neither Eigen nor containers.
+
+#ifndef HAWSER_ISA
+#define HAWSER_ISA generic
+#endif
+
+namespace hawser::HAWSER_ISA {
+
+struct V3 {
+    double x, y, z;
+};
+
+inline V3 operator+(V3 a, V3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline V3 operator-(V3 a, V3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline V3 operator-(V3 a) { return {-a.x, -a.y, -a.z}; }
+inline V3 operator*(double s, V3 a) { return {s * a.x, s * a.y, s * a.z}; }
+inline double dot(V3 a, V3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline V3 cross(V3 a, V3 b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline double norm(V3 a) { return __builtin_sqrt(dot(a, a)); }
+inline V3 load3(const double* p) { return {p[0], p[1], p[2]}; }
+inline void store3(double* p, V3 a) {
+    p[0] = a.x;
+    p[1] = a.y;
+    p[2] = a.z;
+}
+inline void add3(double* p, V3 a) {
+    p[0] += a.x;
+    p[1] += a.y;
+    p[2] += a.z;
+}
+
+/// Row-major 3×3 matrix; a rotation's columns are the body's axes in the world frame.
+struct M3 {
+    double a[9];
+};
+
+inline V3 operator*(const M3& m, V3 v) {
+    return {m.a[0] * v.x + m.a[1] * v.y + m.a[2] * v.z, m.a[3] * v.x + m.a[4] * v.y + m.a[5] * v.z,
+            m.a[6] * v.x + m.a[7] * v.y + m.a[8] * v.z};
+}
+/// Transpose times vector: world to body.
+inline V3 tmul(const M3& m, V3 v) {
+    return {m.a[0] * v.x + m.a[3] * v.y + m.a[6] * v.z, m.a[1] * v.x + m.a[4] * v.y + m.a[7] * v.z,
+            m.a[2] * v.x + m.a[5] * v.y + m.a[8] * v.z};
+}
+inline M3 load9(const double* p) {
+    return {{p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]}};
+}
+/// Rotation matrix of a unit quaternion q = (w, x, y, z).
+inline M3 rotation(const double* q) {
+    const double w = q[0], x = q[1], y = q[2], z = q[3];
+    return {{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
+             2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
+             2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}};
+}
+/// R S Rᵀ for a full symmetric S given row-major.
+inline M3 congruence(const M3& r, const double* s) {
+    M3 t{}, o{};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            t.a[3 * i + j] =
+                r.a[3 * i] * s[j] + r.a[3 * i + 1] * s[3 + j] + r.a[3 * i + 2] * s[6 + j];
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            o.a[3 * i + j] = t.a[3 * i] * r.a[3 * j] + t.a[3 * i + 1] * r.a[3 * j + 1] +
+                             t.a[3 * i + 2] * r.a[3 * j + 2];
+    return o;
+}
+/// Solve a symmetric or general 3×3 system by Cramer's rule (well-conditioned Jacobians only).
+inline V3 solve3(const M3& m, V3 b) {
+    const V3 c0{m.a[0], m.a[3], m.a[6]}, c1{m.a[1], m.a[4], m.a[7]}, c2{m.a[2], m.a[5], m.a[8]};
+    const V3 k = cross(c1, c2);
+    const double inv = 1.0 / dot(c0, k);
+    return {inv * dot(b, k), inv * dot(c0, cross(b, c2)), inv * dot(c0, cross(c1, b))};
+}
+/// A unit vector perpendicular to the unit vector t, and t × it: a deterministic basis.
+inline void perpendicular(V3 t, V3& n1, V3& n2) {
+    const double ax = t.x < 0 ? -t.x : t.x, ay = t.y < 0 ? -t.y : t.y, az = t.z < 0 ? -t.z : t.z;
+    V3 e{0, 0, 0};
+    if (ax <= ay && ax <= az) e.x = 1;
+    else if (ay <= az) e.y = 1;
+    else e.z = 1;
+    n1 = e - dot(e, t) * t;
+    n1 = (1.0 / norm(n1)) * n1;
+    n2 = cross(t, n1);
+}
+
+}  // namespace hawser::HAWSER_ISA

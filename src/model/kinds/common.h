@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file common.h
+/// What an interaction kind looks like. A kind is one struct in one file:
+///
+/// ```
+/// struct Ball {
+///     static constexpr KindInfo kInfo{…};         // name, bodies, rows, parameters, text
+///     static constexpr int kBodies, kRows;        // the same numbers for the compiler
+///     static constexpr Geometry kGeometry;        // which geometric stiffness it has
+///     struct Data {…};                            // what evaluate() needs, doubles only
+///     static Data make(const InteractionDef&);    // set-up (HAWSER_KIND_SETUP only)
+///     static void defaults(const InteractionDef&, double h, RowSpec*);   // ε, τ of each row
+///     static void evaluate(const Data&, const BodyRef*, Rows<kBodies, kRows>&);
+/// };
+/// ```
+/// evaluate() gives the violation g and the Jacobian G of each row for the poses handed in:
+/// ġ_r = Σ_b G_r,b · (v_b, ω_b), everything in the world frame. A scalar body uses column 0.
+
+#include <hawser/interactions.h>
+
+#include "base/small.h"
+
+namespace hawser::HAWSER_ISA {
+
+/// Pose of one body as evaluate() sees it. Lumps and scalars have the identity rotation.
+struct BodyRef {
+    V3 x;             ///< Centre of mass [m]; scalar: x.x is the coordinate.
+    const double* r;  ///< Rotation matrix, row-major 3×3.
+    bool rotates;     ///< False for lumps: attachment points are ignored.
+
+    /// World vector of an attachment arm given in the body's frame [m].
+    [[nodiscard]] V3 arm(const double* local) const {
+        return rotates ? load9(r) * load3(local) : V3{0, 0, 0};
+    }
+};
+
+/// Rows of one interaction.
+template <int B, int R>
+struct Rows {
+    double g[R];        ///< Violation [m or rad]; for a velocity row the wanted speed u.
+    double J[B][R][6];  ///< Linear part, then angular part.
+
+    void set(int b, int r, V3 lin, V3 ang) {
+        double* p = J[b][r];
+        p[0] = lin.x;
+        p[1] = lin.y;
+        p[2] = lin.z;
+        p[3] = ang.x;
+        p[4] = ang.y;
+        p[5] = ang.z;
+    }
+};
+
+/// What is constant about a row.
+struct RowSpec {
+    double compliance = 1e-12;  ///< ε or γ.
+    double damping_time = 0.0;  ///< τ [s].
+    bool velocity = false;      ///< G v = u instead of g = 0.
+    bool gap = false;           ///< A translational constraint: counts in violation_max.
+    bool one_sided = false;     ///< Only pulls (λ ≤ 0).
+    bool range = false;         ///< Idle while inside its range.
+};
+
+/// Geometric stiffness: none; of the arms of a joint; of a line between two points.
+enum class Geometry : unsigned char { none, joint, line };
+
+inline constexpr double kConstraintCompliance = 1e-12;  ///< [m/N]: gap = 1e-12 × force at rest.
+
+inline double given(double value, double fallback) { return value == value ? value : fallback; }
+
+/// ε and τ of an ordinary constraint: the definition's, else 1e-12 and two steps.
+inline void constraint_rows(const InteractionDef& def, double h, int first, int count, bool gap,
+                            RowSpec* out) {
+    for (int r = first; r < first + count; ++r) {
+        out[r].compliance = given(def.compliance.data()[r], kConstraintCompliance);
+        out[r].damping_time = given(def.damping_time.data()[r], 2.0 * h);
+        out[r].gap = gap;
+    }
+}
+
+/// Three rows: point of body 1 minus point of body 0.
+template <int R>
+inline void point_rows(const BodyRef* b, V3 ra, V3 rb, Rows<2, R>& out) {
+    const V3 d = b[1].x + rb - b[0].x - ra;
+    const V3 e[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const double dd[3] = {d.x, d.y, d.z};
+    for (int r = 0; r < 3; ++r) {
+        out.g[r] = dd[r];
+        out.set(0, r, -e[r], -cross(ra, e[r]));
+        out.set(1, r, e[r], cross(rb, e[r]));
+    }
+}
+
+/// Row `r`: p·q = 0 for the axis p fixed in body 0 and q fixed in body 1.
+template <int R>
+inline void dot_row(V3 p, V3 q, int r, Rows<2, R>& out) {
+    const V3 c = cross(p, q);
+    out.g[r] = dot(p, q);
+    out.set(0, r, {0, 0, 0}, c);
+    out.set(1, r, {0, 0, 0}, -c);
+}
+
+/// Row `r`: the vector from point 0 to point 1 has no component along n, fixed in body 0.
+template <int R>
+inline void slide_row(V3 n, V3 ra, V3 rb, V3 d, int r, Rows<2, R>& out) {
+    out.g[r] = dot(n, d);
+    out.set(0, r, -n, -cross(ra + d, n));
+    out.set(1, r, n, cross(rb, n));
+}
+
+/// Columns of a joint frame (rotation matrix local to the body) in the world.
+struct Axes {
+    V3 x, y, z;
+};
+inline Axes axes(const BodyRef& b, const double* frame) {
+    const M3 r = load9(b.r);
+    return {r * V3{frame[0], frame[3], frame[6]}, r * V3{frame[1], frame[4], frame[7]},
+            r * V3{frame[2], frame[5], frame[8]}};
+}
+
+inline double arc(double s, double c) { return __builtin_atan2(s, c); }
+
+/// Twist of frame 1 against frame 0 about their common z [rad] and the axis of its rate.
+inline double twist(const Axes& a, const Axes& b, V3& axis) {
+    const double c = dot(a.z, b.z);
+    axis = (1.0 / (1.0 + c)) * (a.z + b.z);
+    return arc(dot(b.x, a.y) - dot(b.y, a.x), dot(b.x, a.x) + dot(b.y, a.y));
+}
+
+#ifdef HAWSER_KIND_SETUP
+inline void copy_point(const InteractionDef& d, int b, double* out) {
+    for (int i = 0; i < 3; ++i) out[i] = d.point[static_cast<std::size_t>(b)][i];
+}
+inline void copy_frame(const InteractionDef& d, int b, double* out) {
+    const Mat3 m = d.frame[static_cast<std::size_t>(b)].normalized().toRotationMatrix();
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) out[3 * i + j] = m(i, j);
+}
+#endif
+
+/// Data of the kinds that need both points and both frames.
+struct JointData {
+    double point[2][3];
+    double frame[2][9];
+#ifdef HAWSER_KIND_SETUP
+    static JointData of(const InteractionDef& d) {
+        JointData o{};
+        for (int b = 0; b < 2; ++b) {
+            copy_point(d, b, o.point[b]);
+            copy_frame(d, b, o.frame[b]);
+        }
+        return o;
+    }
+#endif
+};
+
+}  // namespace hawser::HAWSER_ISA

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file drives.h
+/// Hydrostatics, holds, motors and ranges: rows with a target.
+
+#include "model/kinds/common.h"
+
+namespace hawser::HAWSER_ISA::kinds {
+
+inline constexpr ParamInfo kHydrostaticParams[] = {
+    {"heave_stiffness", "N/m", kDefault, 1e-6, 1e15, "ρ g × waterplane area."},
+    {"roll_stiffness", "N m/rad", kDefault, 1e-6, 1e18, "About the body's x axis."},
+    {"pitch_stiffness", "N m/rad", kDefault, 1e-6, 1e18, "About the body's y axis."},
+    {"heave_damping", "N s/m", 0.0, 0.0, 1e15, "Linear damping in heave."},
+    {"roll_damping", "N m s/rad", 0.0, 0.0, 1e18, "Linear damping in roll."},
+    {"pitch_damping", "N m s/rad", 0.0, 0.0, 1e18, "Linear damping in pitch."},
+    {"rest_height", "m", kDefault, -1e6, 1e6, "Height of the body at rest; default: initial."}};
+
+/// Linear restoring of a floating body: heave, roll, pitch.
+struct Hydrostatic {
+    static constexpr int kBodies = 1, kRows = 3;
+    static constexpr Geometry kGeometry = Geometry::none;
+    static constexpr KindInfo kInfo{
+        .kind = InteractionKind::Hydrostatic, .name = "hydrostatic", .bodies = 1, .rows = 3,
+        .uses_points = false, .uses_frames = false, .row_units = "mrr",
+        .params = kHydrostaticParams,
+        .doc = "Linear hydrostatic restoring and damping of one floating body in heave, roll "
+               "and pitch; pair with gravity off, or with the weight in rest_height."};
+    struct Data {
+        double rest;
+    };
+    static void defaults(const InteractionDef& d, double, RowSpec* s) {
+        const double* p = d.params.data();
+        for (int r = 0; r < 3; ++r) {
+            s[r].compliance = given(d.compliance.data()[r], 1.0 / p[r]);
+            s[r].damping_time = given(d.damping_time.data()[r], p[3 + r] / p[r]);
+        }
+    }
+    static void evaluate(const Data& d, const BodyRef* b, Rows<1, 3>& out) {
+        const double* r = b[0].r;
+        const V3 x{r[0], r[3], r[6]}, y{r[1], r[4], r[7]}, up{0, 0, 1};
+        out.g[0] = b[0].x.z - d.rest;
+        out.set(0, 0, up, {0, 0, 0});
+        out.g[1] = y.z;
+        out.set(0, 1, {0, 0, 0}, cross(y, up));
+        out.g[2] = -x.z;
+        out.set(0, 2, {0, 0, 0}, -cross(x, up));
+    }
+#ifdef HAWSER_KIND_SETUP
+    static Data make(const InteractionDef& d) { return {d.params[6]}; }
+#endif
+};
+
+struct TargetData {
+    double target;
+};
+
+inline constexpr ParamInfo kHoldParams[] = {
+    {"target", "m or rad", kDefault, -1e9, 1e9, "Coordinate held; default: the initial one.",
+     true}};
+
+/// Holds a scalar body at a coordinate: a brake that does not slip.
+struct Hold {
+    static constexpr int kBodies = 1, kRows = 1;
+    static constexpr Geometry kGeometry = Geometry::none;
+    static constexpr KindInfo kInfo{
+        .kind = InteractionKind::Hold, .name = "hold", .bodies = 1, .rows = 1,
+        .uses_points = false, .uses_frames = false, .row_units = "m", .params = kHoldParams,
+        .doc = "Holds a scalar body (drum, spool) at a coordinate."};
+    using Data = TargetData;
+    static void defaults(const InteractionDef& d, double h, RowSpec* s) {
+        constraint_rows(d, h, 0, 1, false, s);
+    }
+    static void evaluate(const Data& d, const BodyRef* b, Rows<1, 1>& out) {
+        out.g[0] = b[0].x.x - d.target;
+        out.set(0, 0, {1, 0, 0}, {0, 0, 0});
+    }
+#ifdef HAWSER_KIND_SETUP
+    static Data make(const InteractionDef& d) { return {d.params[0]}; }
+#endif
+};
+
+inline constexpr ParamInfo kMotorParams[] = {
+    {"speed", "m/s or rad/s", 0.0, -1e6, 1e6, "Speed wanted.", true},
+    {"force_min", "N or N m", -1e30, -1e30, 1e30, "Smallest force or torque.", true},
+    {"force_max", "N or N m", 1e30, -1e30, 1e30, "Largest force or torque.", true}};
+
+inline void motor_rows(const InteractionDef& d, RowSpec* s) {
+    s[0].compliance = given(d.compliance.data()[0], kConstraintCompliance);
+    s[0].velocity = true;
+}
+
+struct MotorData {
+    double speed;
+    JointData joint;
+#ifdef HAWSER_KIND_SETUP
+    static MotorData of(const InteractionDef& d) { return {d.params[0], JointData::of(d)}; }
+#endif
+};
+
+/// Drives the angle of a hinge at a speed.
+struct HingeMotor {
+    static constexpr int kBodies = 2, kRows = 1;
+    static constexpr Geometry kGeometry = Geometry::none;
+    static constexpr KindInfo kInfo{
+        .kind = InteractionKind::HingeMotor, .name = "hinge_motor", .bodies = 2, .rows = 1,
+        .uses_points = false, .uses_frames = true, .row_units = "v", .params = kMotorParams,
+        .doc = "Turns body 1 against body 0 about z of frame 0 at a speed."};
+    using Data = MotorData;
+    static void defaults(const InteractionDef& d, double, RowSpec* s) { motor_rows(d, s); }
+    static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
+        const V3 z = axes(b[0], d.joint.frame[0]).z;
+        out.g[0] = d.speed;
+        out.set(0, 0, {0, 0, 0}, -z);
+        out.set(1, 0, {0, 0, 0}, z);
+    }
+#ifdef HAWSER_KIND_SETUP
+    static Data make(const InteractionDef& d) { return MotorData::of(d); }
+#endif
+};
+
+/// Drives a slider at a speed.
+struct SlideMotor {
+    static constexpr int kBodies = 2, kRows = 1;
+    static constexpr Geometry kGeometry = Geometry::none;
+    static constexpr KindInfo kInfo{
+        .kind = InteractionKind::SlideMotor, .name = "slide_motor", .bodies = 2, .rows = 1,
+        .uses_points = true, .uses_frames = true, .row_units = "v", .params = kMotorParams,
+        .doc = "Moves body 1 along z of frame 0 at a speed."};
+    using Data = MotorData;
+    static void defaults(const InteractionDef& d, double, RowSpec* s) { motor_rows(d, s); }
+    static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
+        const V3 ra = b[0].arm(d.joint.point[0]), rb = b[1].arm(d.joint.point[1]);
+        slide_row(axes(b[0], d.joint.frame[0]).z, ra, rb, b[1].x + rb - b[0].x - ra, 0, out);
+        out.g[0] = d.speed;
+    }
+#ifdef HAWSER_KIND_SETUP
+    static Data make(const InteractionDef& d) { return MotorData::of(d); }
+#endif
+};
+
+/// Drives a scalar body at a speed.
+struct ScalarMotor {
+    static constexpr int kBodies = 1, kRows = 1;
+    static constexpr Geometry kGeometry = Geometry::none;
+    static constexpr KindInfo kInfo{
+        .kind = InteractionKind::ScalarMotor, .name = "scalar_motor", .bodies = 1, .rows = 1,
+        .uses_points = false, .uses_frames = false, .row_units = "v", .params = kMotorParams,
+        .doc = "Turns a scalar body (drum) at a speed."};
+    using Data = TargetData;
+    static void defaults(const InteractionDef& d, double, RowSpec* s) { motor_rows(d, s); }
+    static void evaluate(const Data& d, const BodyRef*, Rows<1, 1>& out) {
+        out.g[0] = d.target;
+        out.set(0, 0, {1, 0, 0}, {0, 0, 0});
+    }
+#ifdef HAWSER_KIND_SETUP
+    static Data make(const InteractionDef& d) { return {d.params[0]}; }
+#endif
+};
+
+inline constexpr ParamInfo kRangeParams[] = {
+    {"min", "m or rad", kDefault, -1e9, 1e9, "Lower end of the range."},
+    {"max", "m or rad", kDefault, -1e9, 1e9, "Upper end of the range."}};
+
+struct RangeData {
+    double min, max;
+    JointData joint;
+#ifdef HAWSER_KIND_SETUP
+    static RangeData of(const InteractionDef& d) {
+        return {d.params[0], d.params[1], JointData::of(d)};
+    }
+#endif
+    /// How far outside [m or rad]: negative below, positive above, 0 inside.
+    [[nodiscard]] double outside(double q) const {
+        return q < min ? q - min : (q > max ? q - max : 0.0);
+    }
+};
+
+inline void range_rows(const InteractionDef& d, double h, RowSpec* s) {
+    constraint_rows(d, h, 0, 1, false, s);
+    s[0].range = true;
+}
+
+/// Range of a hinge's angle; idle inside.
+struct HingeRange {
+    static constexpr int kBodies = 2, kRows = 1;
+    static constexpr Geometry kGeometry = Geometry::none;
+    static constexpr KindInfo kInfo{
+        .kind = InteractionKind::HingeRange, .name = "hinge_range", .bodies = 2, .rows = 1,
+        .uses_points = false, .uses_frames = true, .row_units = "r", .params = kRangeParams,
+        .doc = "Range of the angle of frame 1 against frame 0 about z."};
+    using Data = RangeData;
+    static void defaults(const InteractionDef& d, double h, RowSpec* s) { range_rows(d, h, s); }
+    static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
+        V3 t;
+        out.g[0] = d.outside(twist(axes(b[0], d.joint.frame[0]), axes(b[1], d.joint.frame[1]), t));
+        out.set(0, 0, {0, 0, 0}, -t);
+        out.set(1, 0, {0, 0, 0}, t);
+    }
+#ifdef HAWSER_KIND_SETUP
+    static Data make(const InteractionDef& d) { return RangeData::of(d); }
+#endif
+};
+
+/// Range of a slider's travel; idle inside.
+struct SlideRange {
+    static constexpr int kBodies = 2, kRows = 1;
+    static constexpr Geometry kGeometry = Geometry::none;
+    static constexpr KindInfo kInfo{
+        .kind = InteractionKind::SlideRange, .name = "slide_range", .bodies = 2, .rows = 1,
+        .uses_points = true, .uses_frames = true, .row_units = "m", .params = kRangeParams,
+        .doc = "Range of the travel of body 1 along z of frame 0."};
+    using Data = RangeData;
+    static void defaults(const InteractionDef& d, double h, RowSpec* s) { range_rows(d, h, s); }
+    static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
+        const V3 ra = b[0].arm(d.joint.point[0]), rb = b[1].arm(d.joint.point[1]);
+        slide_row(axes(b[0], d.joint.frame[0]).z, ra, rb, b[1].x + rb - b[0].x - ra, 0, out);
+        out.g[0] = d.outside(out.g[0]);
+    }
+#ifdef HAWSER_KIND_SETUP
+    static Data make(const InteractionDef& d) { return RangeData::of(d); }
+#endif
+};
+
+}  // namespace hawser::HAWSER_ISA::kinds

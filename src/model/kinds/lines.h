@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file lines.h
+/// Elements of wires: distance, stretch, winch stretch, bend, twist.
+///
+/// Stretch: g = |x₁ − x₀| − l₀ with ε = l₀/EA, so that the force at rest is EA·strain.
+/// Bend: unit tangents e₁, e₂ of the two segments at a node, t their mean direction; the two
+/// rows are the components of e₂ − e₁ square to t, of size 2 sin(φ/2) for a bend angle φ, with
+/// ε = l̄/EI: the hinge stiffness EI/l̄ of a beam of constant bending stiffness.
+/// Source: Servin, Lacoursière, Nordfelth, Bodin, "Hybrid, multiresolution wires with massless
+/// frictional contacts" (2011).
+
+#include "model/kinds/common.h"
+
+namespace hawser::HAWSER_ISA::kinds {
+
+struct PointData {
+    double point[2][3];
+    double length;
+    double radius;  ///< Winch stretch only: metres of line per radian (or metre) of drum.
+};
+
+#ifdef HAWSER_KIND_SETUP
+inline PointData point_data(const InteractionDef& d, double length, double radius) {
+    PointData o{};
+    copy_point(d, 0, o.point[0]);
+    copy_point(d, 1, o.point[1]);
+    o.length = length;
+    o.radius = radius;
+    return o;
+}
+#endif
+
+/// Row 0: distance of the points minus the rest length. A zero distance pushes along x.
+template <int B>
+inline void line_row(const PointData& d, const BodyRef* b, double length, Rows<B, 1>& out) {
+    const V3 ra = b[0].arm(d.point[0]), rb = b[1].arm(d.point[1]);
+    const V3 u = b[1].x + rb - b[0].x - ra;
+    const double l = norm(u);
+    const V3 n = l > 1e-12 ? (1.0 / l) * u : V3{1, 0, 0};
+    out.g[0] = l - length;
+    out.set(0, 0, -n, -cross(ra, n));
+    out.set(1, 0, n, cross(rb, n));
+}
+
+inline constexpr ParamInfo kDistanceParams[] = {
+    {"length", "m", kDefault, 1e-9, 1e6, "Distance kept; default: the initial distance.", true}};
+
+/// A massless rigid rod between two points.
+struct Distance {
+    static constexpr int kBodies = 2, kRows = 1;
+    static constexpr Geometry kGeometry = Geometry::line;
+    static constexpr KindInfo kInfo{
+        .kind = InteractionKind::Distance, .name = "distance", .bodies = 2, .rows = 1,
+        .uses_points = true, .uses_frames = false, .row_units = "m", .length_from_pose = true,
+        .params = kDistanceParams,
+        .doc = "Keeps two points at a distance: a massless rod, or a spring of compliance "
+               "1/k when given one."};
+    using Data = PointData;
+    static void defaults(const InteractionDef& d, double h, RowSpec* s) {
+        constraint_rows(d, h, 0, 1, true, s);
+        // A spring's elongation is not a violation.
+        s[0].gap = s[0].compliance <= 1e-9;
+    }
+    static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
+        line_row(d, b, d.length, out);
+    }
+#ifdef HAWSER_KIND_SETUP
+    static Data make(const InteractionDef& d) { return point_data(d, d.params[0], 0.0); }
+#endif
+};
+
+inline constexpr ParamInfo kStretchParams[] = {
+    {"length", "m", kDefault, 1e-9, 1e6, "Unstretched length; default: the initial distance.",
+     true},
+    {"EA", "N", kDefault, 1e-3, 1e15, "Axial stiffness of the line."},
+    {"tension_only", "1", 1.0, 0.0, 1.0, "1: goes slack instead of pushing."},
+    {"breaking_load", "N", 1e30, 0.0, 1e30, "The element parts above this tension."}};
+
+inline void stretch_rows(const InteractionDef& d, double h, RowSpec* s) {
+    s[0].compliance = given(d.compliance.data()[0], d.params.data()[0] / d.params.data()[1]);
+    s[0].damping_time = given(d.damping_time.data()[0], 2.0 * h);
+    s[0].one_sided = d.params.data()[2] > 0.5;
+}
+
+/// A wire element between two lumps or attachment points.
+struct Stretch {
+    static constexpr int kBodies = 2, kRows = 1;
+    static constexpr Geometry kGeometry = Geometry::line;
+    static constexpr KindInfo kInfo{
+        .kind = InteractionKind::Stretch, .name = "stretch", .bodies = 2, .rows = 1,
+        .uses_points = true, .uses_frames = false, .row_units = "m", .length_from_pose = true,
+        .params = kStretchParams,
+        .doc = "Axial stiffness of a wire element, compliance length/EA."};
+    using Data = PointData;
+    static void defaults(const InteractionDef& d, double h, RowSpec* s) { stretch_rows(d, h, s); }
+    static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
+        line_row(d, b, d.length, out);
+    }
+#ifdef HAWSER_KIND_SETUP
+    static Data make(const InteractionDef& d) { return point_data(d, d.params[0], 0.0); }
+#endif
+};
+
+inline constexpr ParamInfo kWinchStretchParams[] = {
+    {"length", "m", kDefault, 1e-9, 1e6,
+     "Unstretched length at drum coordinate 0; default: the initial distance.", true},
+    {"EA", "N", kDefault, 1e-3, 1e15, "Axial stiffness of the line."},
+    {"tension_only", "1", 1.0, 0.0, 1.0, "1: goes slack instead of pushing."},
+    {"breaking_load", "N", 1e30, 0.0, 1e30, "The element parts above this tension."},
+    {"radius", "m", kDefault, -1e3, 1e3, "Line paid out per unit of drum coordinate."}};
+
+/// A stretch whose rest length a drum pays out: l = length + radius·θ.
+struct WinchStretch {
+    static constexpr int kBodies = 3, kRows = 1;
+    static constexpr Geometry kGeometry = Geometry::line;
+    static constexpr KindInfo kInfo{
+        .kind = InteractionKind::WinchStretch, .name = "winch_stretch", .bodies = 3, .rows = 1,
+        .uses_points = true, .uses_frames = false, .row_units = "m", .length_from_pose = true,
+        .params = kWinchStretchParams,
+        .doc = "Wire element from a fairlead whose rest length grows with the coordinate of a "
+               "scalar drum (third body)."};
+    using Data = PointData;
+    static void defaults(const InteractionDef& d, double h, RowSpec* s) { stretch_rows(d, h, s); }
+    static void evaluate(const Data& d, const BodyRef* b, Rows<3, 1>& out) {
+        line_row(d, b, d.length + d.radius * b[2].x.x, out);
+        out.set(2, 0, {-d.radius, 0, 0}, {0, 0, 0});
+    }
+#ifdef HAWSER_KIND_SETUP
+    static Data make(const InteractionDef& d) { return point_data(d, d.params[0], d.params[4]); }
+#endif
+};
+
+inline constexpr ParamInfo kBendParams[] = {
+    {"EI", "N m^2", kDefault, 1e-9, 1e15, "Bending stiffness of the line."},
+    {"length", "m", kDefault, 1e-9, 1e6, "Mean length of the two elements at the node."}};
+
+/// Bending resistance at the middle of three nodes.
+struct Bend {
+    static constexpr int kBodies = 3, kRows = 2;
+    static constexpr Geometry kGeometry = Geometry::none;
+    static constexpr KindInfo kInfo{
+        .kind = InteractionKind::Bend, .name = "bend", .bodies = 3, .rows = 2,
+        .uses_points = true, .uses_frames = false, .row_units = "rr", .params = kBendParams,
+        .doc = "Bending stiffness of a line at the middle one of three nodes in order."};
+    struct Data {
+        double point[3][3];
+    };
+    static void defaults(const InteractionDef& d, double h, RowSpec* s) {
+        for (int r = 0; r < 2; ++r) {
+            s[r].compliance = given(d.compliance.data()[r], d.params.data()[1] / d.params.data()[0]);
+            s[r].damping_time = given(d.damping_time.data()[r], 2.0 * h);
+        }
+    }
+    static void evaluate(const Data& d, const BodyRef* b, Rows<3, 2>& out) {
+        V3 arm[3], p[3];
+        for (int i = 0; i < 3; ++i) {
+            arm[i] = b[i].arm(d.point[i]);
+            p[i] = b[i].x + arm[i];
+        }
+        const V3 d1 = p[1] - p[0], d2 = p[2] - p[1];
+        const double i1 = 1.0 / (norm(d1) + 1e-300), i2 = 1.0 / (norm(d2) + 1e-300);
+        const V3 e1 = i1 * d1, e2 = i2 * d2;
+        V3 t = e1 + e2;
+        const double s = norm(t);
+        t = s > 1e-9 ? (1.0 / s) * t : e1;  // a wire folded back on itself
+        V3 n[2];
+        perpendicular(t, n[0], n[1]);
+        for (int r = 0; r < 2; ++r) {
+            out.g[r] = dot(n[r], e2 - e1);
+            const V3 a = i1 * (n[r] - dot(n[r], e1) * e1);  // −∂g/∂p0
+            const V3 c = i2 * (n[r] - dot(n[r], e2) * e2);  // ∂g/∂p2
+            out.set(0, r, a, cross(arm[0], a));
+            out.set(1, r, -a - c, -cross(arm[1], a + c));
+            out.set(2, r, c, cross(arm[2], c));
+        }
+    }
+#ifdef HAWSER_KIND_SETUP
+    static Data make(const InteractionDef& d) {
+        Data o{};
+        for (int b = 0; b < 3; ++b) copy_point(d, b, o.point[b]);
+        return o;
+    }
+#endif
+};
+
+inline constexpr ParamInfo kTwistParams[] = {
+    {"GJ", "N m^2", kDefault, 1e-9, 1e15, "Torsional stiffness of the line."},
+    {"length", "m", kDefault, 1e-9, 1e6, "Length over which the twist acts."}};
+
+/// Torsional stiffness between two rigid elements.
+struct Twist {
+    static constexpr int kBodies = 2, kRows = 1;
+    static constexpr Geometry kGeometry = Geometry::none;
+    static constexpr KindInfo kInfo{
+        .kind = InteractionKind::Twist, .name = "twist", .bodies = 2, .rows = 1,
+        .uses_points = false, .uses_frames = true, .row_units = "r", .params = kTwistParams,
+        .doc = "Torsional stiffness GJ/length about the common z axis of the two frames."};
+    using Data = JointData;
+    static void defaults(const InteractionDef& d, double h, RowSpec* s) {
+        s[0].compliance = given(d.compliance.data()[0], d.params.data()[1] / d.params.data()[0]);
+        s[0].damping_time = given(d.damping_time.data()[0], 2.0 * h);
+    }
+    static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
+        V3 t;
+        out.g[0] = twist(axes(b[0], d.frame[0]), axes(b[1], d.frame[1]), t);
+        out.set(0, 0, {0, 0, 0}, -t);
+        out.set(1, 0, {0, 0, 0}, t);
+    }
+#ifdef HAWSER_KIND_SETUP
+    static Data make(const InteractionDef& d) { return JointData::of(d); }
+#endif
+};
+
+}  // namespace hawser::HAWSER_ISA::kinds
