@@ -1,0 +1,15 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Write the scenes of the validation cases and of the benchmarks to scenes/.
+
+Usage: scripts/make_scenes.py        (standard library only; the files are committed)
+"""
+
+import scenes_benchmark
+import scenes_cables
+import scenes_mechanisms
+import scenes_scheme
+
+if __name__ == "__main__":
+    for module in (scenes_scheme, scenes_mechanisms, scenes_cables, scenes_benchmark):
+        module.main()
