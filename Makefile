@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+#
+# Shortcuts over CMake and scripts/. `make help` lists them.
+
+PRESET ?= release
+JOBS   ?= $(shell nproc)
+BIN    := build/$(PRESET)/bin
+DEMO   := out/demo
+CXX_FILES = git ls-files -co --exclude-standard '*.cpp' '*.h'
+
+.PHONY: help demo test build bench format format-check layers tidy check clean packages
+.NOTPARALLEL:
+
+help:
+	@echo "make demo      install what is missing, build, simulate the anchor lines of a rig, plot"
+	@echo "make test      install what is missing, build, run all tests"
+	@echo "make bench     build with the foreign engines installed, run the comparisons"
+	@echo "make build     build everything   (PRESET=$(PRESET); others: debug relassert asan-ubsan tsan)"
+	@echo "make format    format all C++ files; format-check only looks"
+	@echo "make layers    check include rules, licence lines, file lengths"
+	@echo "make tidy      clang-tidy on the files changed since origin/main"
+	@echo "make check     everything that continuous integration does (.ci/run)"
+	@echo "make clean     remove build/ and out/"
+
+packages:
+	@scripts/install_packages.sh build
+
+build/$(PRESET)/build.ninja:
+	@cmake --preset $(PRESET)
+
+build: packages build/$(PRESET)/build.ninja
+	@cmake --build build/$(PRESET) -j $(JOBS)
+
+demo: packages build/$(PRESET)/build.ninja
+	@cmake --build build/$(PRESET) -j $(JOBS) --target hawser_program
+	@mkdir -p $(DEMO)
+	$(BIN)/hawser run scenes/anchor_lines.json --duration 60 \
+	    --record $(DEMO)/anchor_lines.hwr --summary $(DEMO)/summary.json \
+	    --csv $(DEMO)/anchor_lines.csv
+	$(BIN)/hawser plot $(DEMO)/anchor_lines.hwr -o $(DEMO)
+	@echo
+	@echo "Results:  $(DEMO)/summary.json  $(DEMO)/anchor_lines.csv  $(DEMO)/anchor_lines.hwr"
+	@echo "Pictures:" && ls $(DEMO)/*.png $(DEMO)/*.svg | sed 's/^/  /'
+
+test: build
+	@ctest --test-dir build/$(PRESET) --output-on-failure --no-tests=error -j $(JOBS)
+
+bench:
+	@scripts/install_packages.sh build bench
+	@cmake --preset $(PRESET)
+	@cmake --build build/$(PRESET) -j $(JOBS) --target hawser_bench
+	$(BIN)/hawser-bench
+
+format:
+	@$(CXX_FILES) | xargs -r clang-format-19 -i
+
+format-check:
+	@$(CXX_FILES) | xargs -r clang-format-19 --dry-run -Werror
+
+layers:
+	@scripts/check_layers.py
+
+tidy: build
+	@scripts/tidy.py --build build/$(PRESET)
+
+check:
+	@.ci/run
+
+clean:
+	rm -rf build out

@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Check who includes whom, and a few rules that hold for every file.
+
+The table of layers is read from docs/architecture.md, section "Layers": each row names folders
+and the rooms of src/ that they may include besides themselves. Further rules:
+  - include/hawser includes the standard library, Eigen and itself only;
+  - rooms of the library include no foreign library but Eigen (and AMD in factor);
+  - in src/, own headers are spelled "room/file.h";
+  - every C++, Python, shell and CMake file names its licence in the first lines;
+  - no C++ file is longer than 400 lines;
+  - no file names a path of somebody's machine, and none asks for -march=native.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+TABLE = ROOT / "docs/architecture.md"
+MAX_LINES = 400
+LICENCE = "SPDX-License-Identifier: Apache-2.0"
+# Rooms above the library: they may use foreign libraries and only the public headers.
+USERS = {"scene", "observe"}
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
+# Headers of the C++ library have no dot and no slash.
+STANDARD = re.compile(r"^[a-z_0-9]+$")
+SYSTEM = re.compile(r"^(immintrin|x86intrin|cpuid|cxxabi|pthread|sched|unistd|time|errno|signal|"
+                    r"sys/[a-z]+|linux/[a-z]+)\.h$")
+MACHINE_PATH = re.compile(r"(?<![\w.])/(?:work|home/\w+|root)/")
+
+
+def read_table() -> dict[str, set[str]]:
+    """Folder -> rooms it may include, from the table under "## Layers"."""
+    section = TABLE.read_text(encoding="utf-8").split("\n## Layers\n", 1)[1].split("\n## ", 1)[0]
+    table: dict[str, set[str]] = {}
+    for line in section.splitlines():
+        cells = [c.strip() for c in line.strip().strip("|").split("|")]
+        if not line.startswith("|") or len(cells) != 2 or set(cells[0]) <= set("-: "):
+            continue
+        if cells[0] == "folder":
+            continue
+        names = re.findall(r"[a-z_]+", cells[1])
+        for folder in re.findall(r"[a-z_]+", cells[0]):
+            table[folder] = set(names)
+    return table
+
+
+def layer_of(path: str) -> str:
+    parts = path.split("/")
+    return parts[1] if parts[0] in ("src", "include") else parts[0]
+
+
+def check_include(path: str, kind: str, name: str, allowed: set[str], rooms: set[str]) -> str:
+    """What is wrong with one include, or the empty string."""
+    layer, top = layer_of(path), name.split("/")[0]
+    if path.startswith("include/"):
+        if kind == '"':
+            return "a public header includes with <hawser/...> only"
+        if top in ("hawser", "Eigen") or STANDARD.match(name):
+            return ""
+        return "a public header may include the standard library, Eigen and hawser only"
+    if kind == '"':
+        if top in rooms and "/" in name:
+            ok = top == layer or top in allowed or "all" in allowed
+            return "" if ok else f"{layer} may not include {top}"
+        if path.startswith("src/"):
+            return 'write "room/file.h"'
+        return ""
+    if top == "hawser":
+        return ""
+    if path.startswith("src/") and layer not in USERS:
+        own = layer == "factor" and name == "amd.h"
+        if not (own or top == "Eigen" or STANDARD.match(name) or SYSTEM.match(name)):
+            return "the library uses no foreign header but Eigen"
+    return ""
+
+
+def check_cxx(path: str, text: str, table: dict[str, set[str]]) -> list[str]:
+    found = []
+    lines = text.count("\n")
+    if lines > MAX_LINES:
+        found.append(f"{path}: {lines} lines, at most {MAX_LINES}")
+    layer = layer_of(path)
+    if path.startswith("src/") and layer not in table:
+        return found + [f"{path}: room {layer} is missing in the table of docs/architecture.md"]
+    rooms = {r for r in table if r not in ("apps", "python", "fmu", "tests", "bench", "all")}
+    for match in INCLUDE.finditer(text):
+        wrong = check_include(path, *match.groups(), table.get(layer, set()), rooms)
+        if wrong:
+            line = text.count("\n", 0, match.start()) + 1
+            found.append(f"{path}:{line}: {match.group(2)}: {wrong}")
+    return found
+
+
+def check_file(path: str, table: dict[str, set[str]]) -> list[str]:
+    try:
+        text = (ROOT / path).read_text(encoding="utf-8")
+    except (UnicodeDecodeError, FileNotFoundError, IsADirectoryError):
+        return []
+    found = []
+    name = pathlib.PurePath(path)
+    if name.suffix in (".cpp", ".h", ".py", ".sh", ".cmake") or name.name == "CMakeLists.txt":
+        if LICENCE not in "\n".join(text.splitlines()[:3]):
+            found.append(f"{path}: first lines lack '{LICENCE}'")
+    if name.suffix in (".cpp", ".h"):
+        found += check_cxx(path, text, table)
+    for match in MACHINE_PATH.finditer(text):
+        line = text.count("\n", 0, match.start()) + 1
+        found.append(f"{path}:{line}: path of one machine: {match.group(0)}")
+    if name.suffix in (".txt", ".cmake", ".json") and re.search(r"^[^#\n]*-march=native", text,
+                                                               re.MULTILINE):
+        found.append(f"{path}: asks for -march=native; use run-time dispatch")
+    return found
+
+
+def main() -> int:
+    table = read_table()
+    if len(table) < 10:
+        print(f"{TABLE}: the table of layers was not understood")
+        return 1
+    files = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, check=True,
+                           capture_output=True, text=True).stdout.splitlines()
+    found = [line for path in sorted(set(files)) for line in check_file(path, table)]
+    print(*found, sep="\n", end="\n" if found else "")
+    print(f"layers: {len(files)} files checked, {len(found)} findings")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

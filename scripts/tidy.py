@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Run clang-tidy on the C++ files that changed.
+
+usage: tidy.py [--build DIR] [--base REF] [--all] [--budget SECONDS] [FILE...]
+
+Changed means: since the merge base with origin/main, or in the last commit where HEAD is that
+base, and in the work tree. A changed header is checked through the source files that carry its
+name or include it directly. Files left when the budget is spent are named; they are not an
+error, so that one large change cannot break the time limit of continuous integration.
+"""
+import argparse
+import concurrent.futures
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import time
+
+TOOL = "clang-tidy-19"
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+
+def git(*arguments: str) -> list[str]:
+    """Lines that git prints; none if it fails."""
+    done = subprocess.run(["git", *arguments], cwd=ROOT, capture_output=True, text=True)
+    return done.stdout.split("\n")[:-1] if done.returncode == 0 else []
+
+
+def base_commit(given: str | None) -> str | None:
+    if given:
+        return given
+    head = git("rev-parse", "HEAD")
+    base = git("merge-base", "HEAD", "origin/main")
+    if base and base != head:
+        return base[0]
+    before = git("rev-parse", "--verify", "HEAD~1")
+    return before[0] if before else None
+
+
+def changed_files(base: str | None) -> set[str]:
+    if base is None:
+        return set(git("ls-files"))
+    return set(git("diff", "--name-only", "--diff-filter=d", base))
+
+
+def sources_to_check(changed: set[str], compiled: list[str]) -> list[str]:
+    """Compiled sources that changed, or whose direct includes or own header changed."""
+    headers = {name for name in changed if name.endswith(".h")}
+    spelled = {h.split("/", 1)[1] for h in headers if "/" in h}
+    chosen = []
+    for source in compiled:
+        text = (ROOT / source).read_text(encoding="utf-8")
+        own = str(pathlib.PurePath(source).with_suffix(".h"))
+        includes = any(f'"{s}"' in text or f"<{s}>" in text for s in spelled)
+        if source in changed or own in headers or includes:
+            chosen.append(source)
+    # Changed files first: they matter most when the budget ends.
+    return sorted(chosen, key=lambda s: (s not in changed, s))
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--build", default="build/release", help="folder of compile_commands.json")
+    parser.add_argument("--base", help="compare with this commit")
+    parser.add_argument("--all", action="store_true", help="check every compiled file")
+    parser.add_argument("--budget", type=float, default=1e9, help="start no file after this [s]")
+    parser.add_argument("files", nargs="*")
+    options = parser.parse_args()
+
+    commands = json.loads((ROOT / options.build / "compile_commands.json").read_text())
+    compiled = sorted({os.path.relpath(c["file"], ROOT) for c in commands})
+    compiled = [c for c in compiled if not c.startswith(("..", "build/"))]
+    if options.files:
+        todo = [f for f in compiled if f in options.files]
+    elif options.all:
+        todo = compiled
+    else:
+        todo = sources_to_check(changed_files(base_commit(options.base)), compiled)
+
+    start = time.monotonic()
+
+    def check(path: str) -> tuple[str, int | None, str]:
+        if time.monotonic() - start > options.budget:
+            return path, None, ""
+        done = subprocess.run([TOOL, "--quiet", "-p", options.build, path], cwd=ROOT,
+                              capture_output=True, text=True)
+        return path, done.returncode, done.stdout + (done.stderr if done.returncode else "")
+
+    failed, skipped = [], []
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for path, status, output in pool.map(check, todo):
+            if status is None:
+                skipped.append(path)
+            elif status != 0:
+                failed.append(path)
+                print(output)
+    if skipped:
+        print(f"not checked, {options.budget:.0f} s were spent:", *skipped, sep="\n  ")
+    print(f"clang-tidy: {len(todo) - len(skipped)} files checked, {len(failed)} with findings, "
+          f"{len(skipped)} not checked, {time.monotonic() - start:.0f} s")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
