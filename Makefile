@@ -55,7 +55,8 @@ format:
 	@$(CXX_FILES) | xargs -r clang-format-19 -i
 
 format-check:
-	@$(CXX_FILES) | xargs -r clang-format-19 --dry-run -Werror
+	@$(CXX_FILES) | xargs -r clang-format-19 --dry-run -Werror --ferror-limit=1 || \
+	    { echo "run: make format"; false; }
 
 layers:
 	@scripts/check_layers.py

@@ -79,6 +79,10 @@ if(NOT HAWSER_SANITIZE)
         endif()
     endforeach()
 
+    add_test(NAME scripts
+        COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/scripts/test_scripts.py")
+    set_tests_properties(scripts PROPERTIES LABELS build)
+
     add_test(NAME consumer
         COMMAND ${CMAKE_COMMAND}
             -DHAWSER_BINARY_DIR=${PROJECT_BINARY_DIR}

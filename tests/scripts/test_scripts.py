@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The checking scripts must find what they are there to find."""
+import importlib.util
+import pathlib
+import unittest
+
+SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
+
+
+def load(name: str):
+    spec = importlib.util.spec_from_file_location(name, SCRIPTS / f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+layers = load("check_layers")
+symbols = load("check_isa_symbols")
+
+
+class Layers(unittest.TestCase):
+    def setUp(self):
+        self.table = layers.read_table()
+
+    def findings(self, path: str, *includes: str) -> int:
+        text = "".join(f"#include {i}\n" for i in includes)
+        return len(layers.check_cxx(path, text, self.table))
+
+    def test_table_is_complete(self):
+        rooms = "base runtime graph factor model nonsmooth collide assembly wire marine stepper " \
+                "world scene observe apps tests bench"
+        self.assertEqual(set(rooms.split()), set(self.table))
+        self.assertEqual(self.table["base"], set())
+        self.assertEqual(self.table["nonsmooth"], {"base", "factor"})
+
+    def test_allowed(self):
+        self.assertEqual(self.findings("src/factor/a.cpp", '"factor/a.h"', '"base/memory.h"',
+                                       "<hawser/id.h>", "<amd.h>", "<vector>", "<Eigen/Core>"), 0)
+        self.assertEqual(self.findings("src/scene/a.cpp", '"base/check.h"', "<fmt/core.h>"), 0)
+        self.assertEqual(self.findings("apps/cli/a.cpp", '"scene/scene.h"', '"options.h"'), 0)
+        self.assertEqual(self.findings("tests/factor/a.cpp", '"stepper/step.h"'), 0)
+
+    def test_refused(self):
+        self.assertEqual(self.findings("src/factor/a.cpp", '"model/bodies.h"'), 1)
+        self.assertEqual(self.findings("src/base/a.cpp", '"model/bodies.h"'), 1)
+        self.assertEqual(self.findings("src/scene/a.cpp", '"world/world.h"'), 1)
+        self.assertEqual(self.findings("apps/cli/a.cpp", '"model/bodies.h"'), 1)
+        self.assertEqual(self.findings("src/model/a.cpp", '"bodies.h"'), 1)
+        self.assertEqual(self.findings("src/model/a.cpp", "<fmt/core.h>"), 1)
+        self.assertEqual(self.findings("src/model/a.cpp", "<amd.h>"), 1)
+        self.assertEqual(self.findings("src/unknown/a.cpp"), 1)
+
+    def test_public_headers(self):
+        self.assertEqual(self.findings("include/hawser/a.h", "<hawser/id.h>", "<vector>"), 0)
+        self.assertEqual(self.findings("include/hawser/a.h", '"base/check.h"'), 1)
+        self.assertEqual(self.findings("include/hawser/a.h", "<fmt/core.h>"), 1)
+
+    def test_length(self):
+        text = "\n" * (layers.MAX_LINES + 1)
+        self.assertEqual(len(layers.check_cxx("src/base/a.cpp", text, self.table)), 1)
+
+    def test_machine_path(self):
+        self.assertTrue(layers.MACHINE_PATH.search('open("/' + 'home/ann/scene.json")'))
+        self.assertFalse(layers.MACHINE_PATH.search("build/release/work/x"))
+
+
+class IsaSymbols(unittest.TestCase):
+    def test_own(self):
+        for name in ("hawser::avx2::factor(double*, int)",
+                     "void hawser::avx2::rank<6>(double*)",
+                     "guard variable for hawser::avx2::table()::t",
+                     "typeinfo for hawser::avx2::Kernel"):
+            self.assertTrue(symbols.allowed("avx2", name), name)
+
+    def test_foreign(self):
+        for name in ("std::vector<double, std::allocator<double> >::push_back(double const&)",
+                     "Eigen::internal::gebp<hawser::avx2::X>(double)",
+                     "hawser::model::rows()",
+                     "hawser::avx512::factor(double*, int)",
+                     "void std::swap<hawser::avx2::X>(hawser::avx2::X&, hawser::avx2::X&)"):
+            self.assertFalse(symbols.allowed("avx2", name), name)
+
+
+if __name__ == "__main__":
+    unittest.main()
