@@ -45,6 +45,5 @@ const char* to_string(Isa isa) noexcept {
 namespace hawser {
 
 const char* instruction_set() noexcept { return base::to_string(base::isa()); }
-const char* version() noexcept { return "0.1.0"; }
 
 }  // namespace hawser

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <hawser/version.h>
+#include <hawser/world.h>
 
 namespace hawser {
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <hawser/hawser.h>
 #include <hawser/version.h>
 
 #include <cstdio>
