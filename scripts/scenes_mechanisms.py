@@ -118,7 +118,7 @@ def andrews_squeezer():
               hinge("a7", "world", "k7", [xa, ya, 0], z),
               {"name": "spring", "kind": "stretch", "bodies": ["world", "k3"],
                "points": [[xc, yc, 0], [sd - sb, sa - sc, 0]], "length": l0, "EA": c0 * l0,
-               "axial_damping": 0, "tension_only": 0}]
+               "damping_time": 0, "tension_only": 0}]
     write({
         "name": "andrews_squeezer",
         "description": "Andrews' squeezing mechanism: seven bodies in a plane, three loops, a "

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file validate_cases.h
+/// The validation cases. Each opens its scenes, runs them and writes into the report.
+
+#include "validate_report.h"
+
+namespace hawser::cli {
+
+// validate_pendulum.cpp
+void case_pendulum_period(Report& report);
+void case_pendulum_a01(Report& report);
+// validate_mechanisms.cpp
+void case_n_four_bar(Report& report);
+void case_andrews(Report& report);
+void case_bricard(Report& report);
+void case_slider_crank(Report& report);
+// validate_spin.cpp
+void case_dzhanibekov(Report& report);
+void case_heavy_top(Report& report);
+// validate_cables.cpp
+void case_catenary(Report& report);
+void case_hanging_chain(Report& report);
+void case_taut_string(Report& report);
+// validate_momentum.cpp
+void case_momentum(Report& report);
+// validate_beams.cpp
+void case_beams(Report& report);
+void case_euler_column(Report& report);
+// validate_scheme.cpp
+void case_static_violation(Report& report);
+void case_violation_decay(Report& report);
+void case_linear_invariant(Report& report);
+void case_linear_stability(Report& report);
+void case_curvature_violation(Report& report);
+void case_order(Report& report);
+void case_energy_loss(Report& report);
+
+}  // namespace hawser::cli
