@@ -103,7 +103,7 @@ void case_andrews(Report& report) {
                         for (const double angle : squeezer(step)) result.push_back({angle});
                         return result;
                     },
-                    {2e-6, 1e-6, 5e-7, 2.5e-7});
+                    {{2e-6, 1e-6, 5e-7, 2.5e-7}, 3});
 }
 
 void case_bricard(Report& report) {

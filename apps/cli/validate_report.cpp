@@ -65,14 +65,14 @@ Check& Report::compare(std::string quantity, std::vector<double> reference,
 }
 
 void Report::converge(const std::vector<Target>& targets,
-                      const std::function<Result(double)>& simulate,
-                      const std::vector<double>& steps) {
+                      const std::function<Result(double)>& simulate, const Steps& study) {
+    const std::vector<double>& steps = study.steps;
     std::vector<Result> results;
     for (const double step : steps) results.push_back(simulate(step));
     for (std::size_t q = 0; q < targets.size(); ++q) {
         const Target& t = targets[q];
-        Check& c =
-            compare(t.quantity, t.reference, results.back().at(q), t.tolerance, t.reason, t.scale);
+        Check& c = compare(t.quantity, t.reference, results[study.judged].at(q), t.tolerance,
+                           t.reason, t.scale);
         c.steps = steps;
         c.least_order = t.least_order;
         for (const Result& r : results) {

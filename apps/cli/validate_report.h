@@ -3,7 +3,6 @@
 /// @file validate_report.h
 /// What a validation case writes its results into.
 
-#include <array>
 #include <functional>
 #include <limits>
 #include <string>
@@ -43,8 +42,17 @@ struct Target {
     std::string reason = "relative, second order";
 };
 
-/// Three halvings to h = 1/960 s.
-inline constexpr std::array<double, 4> kHalvings{1.0 / 120, 1.0 / 240, 1.0 / 480, 1.0 / 960};
+/// Steps of a convergence study, each half of the one before, and which one the error is taken
+/// from; the order is the least of the halvings.
+struct Steps {
+    std::vector<double> steps;
+    std::size_t judged = 0;
+};
+/// Error at h = 1/960 s, order over three halvings about it.
+inline const Steps kAbout960{{1.0 / 480, 1.0 / 960, 1.0 / 1920, 1.0 / 3840}, 1};
+/// The same error, order over three coarser halvings: where finer ones drown in the resolution
+/// of the measurement.
+inline const Steps kTo960{{1.0 / 120, 1.0 / 240, 1.0 / 480, 1.0 / 960}, 3};
 
 class Report {
   public:
@@ -57,7 +65,7 @@ class Report {
     /// Run `simulate` at each step and compare every quantity, with the observed order.
     void converge(const std::vector<Target>& targets,
                   const std::function<Result(double step)>& simulate,
-                  const std::vector<double>& steps = {kHalvings.begin(), kHalvings.end()});
+                  const Steps& steps = kAbout960);
 
     /// A case that threw.
     void fail(std::string message);

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs `hawser validate` as a user does and reads its JSON.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string program() {
+    const char* folder = std::getenv("HAWSER_BIN_DIR");
+    return (fs::path(folder != nullptr ? folder : "build/release/bin") / "hawser").string();
+}
+
+/// A folder of its own, removed at the end.
+struct Scratch {
+    fs::path path = fs::temp_directory_path() / fmt::format("hawser_validate_{}", ::getpid());
+    Scratch() { fs::create_directories(path); }
+    ~Scratch() {
+        std::error_code ignored;
+        fs::remove_all(path, ignored);
+    }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+};
+
+struct Outcome {
+    int code = -1;
+    nlohmann::json results;
+};
+
+Outcome validate(const std::string& cases, const std::string& environment = "") {
+    const Scratch scratch;
+    const fs::path file = scratch.path / "results.json";
+    const std::string command =
+        fmt::format("{} '{}' validate {} --json '{}' > '{}' 2>&1", environment, program(), cases,
+                    file.string(), (scratch.path / "log.txt").string());
+    const int status = std::system(command.c_str());
+    Outcome outcome;
+    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    if (fs::exists(file)) outcome.results = nlohmann::json::parse(std::ifstream(file));
+    return outcome;
+}
+
+void expect_pass(const std::string& cases, std::size_t least_checks) {
+    const Outcome outcome = validate(cases);
+    EXPECT_EQ(outcome.code, 0);
+    ASSERT_TRUE(outcome.results.contains("checks"));
+    EXPECT_GE(outcome.results["checks"].size(), least_checks);
+    for (const auto& check : outcome.results["checks"]) {
+        EXPECT_TRUE(check["passed"].get<bool>()) << check.dump(2);
+    }
+}
+
+}  // namespace
+
+TEST(Validate, pendulum) { expect_pass("pendulum a01", 7); }
+TEST(Validate, mechanisms) { expect_pass("n_four_bar bricard slider_crank", 11); }
+TEST(Validate, spinning_bodies) { expect_pass("dzhanibekov heavy_top", 4); }
+TEST(Validate, catenary) { expect_pass("catenary", 4); }
+TEST(Validate, taut_string) { expect_pass("14", 3); }
+TEST(Validate, beams) { expect_pass("beams", 4); }
+TEST(Validate, momentum) { expect_pass("momentum", 3); }
+TEST(Validate, scheme) { expect_pass("A.2.1 A.2.2 A.2.3 A.2.4 A.2.5 A.2.6 A.2.7", 20); }
+
+TEST(Validate, unknown_case_is_refused) { EXPECT_EQ(validate("no_such_case").code, 2); }
+
+// A scene that is not what the case describes must be noticed: the rod is 1 % too long.
+TEST(Validate, notices_a_wrong_scene) {
+    const fs::path folder = fs::temp_directory_path() / fmt::format("hawser_wrong_{}", ::getpid());
+    fs::create_directories(folder);
+    std::ifstream in("scenes/pendulum.json");
+    std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    const std::string right = "\"length\": 1,", start = "[-1, 0, 0]";
+    ASSERT_NE(text.find(right), std::string::npos);
+    ASSERT_NE(text.find(start), std::string::npos);
+    text.replace(text.find(right), right.size(), "\"length\": 1.01,");
+    text.replace(text.find(start), start.size(), "[-1.01, 0, 0]");
+    std::ofstream(folder / "pendulum.json") << text;
+    const Outcome outcome = validate("a01", "HAWSER_SCENES='" + folder.string() + "'");
+    EXPECT_EQ(outcome.code, 3);
+    ASSERT_TRUE(outcome.results.contains("checks"));
+    EXPECT_FALSE(outcome.results["passed"].get<bool>());
+    fs::remove_all(folder);
+}
