@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/error.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hawser::scene {
+namespace {
+
+std::string compose(const std::string& file, const std::string& path, const std::string& message) {
+    return path.empty() ? file + ": " + message : file + ": " + path + ": " + message;
+}
+
+// Names longer than this are not compared: the cost grows with the square.
+constexpr std::size_t kLongestCompared = 64;
+constexpr std::size_t kLongestList = 24;
+
+}  // namespace
+
+SceneError::SceneError(std::string file_, std::string path_, const std::string& message)
+    : std::runtime_error(compose(file_, path_, message)),
+      file(std::move(file_)),
+      path(std::move(path_)) {}
+
+std::string pointer_token(std::string_view key) {
+    std::string token = "/";
+    for (const char c : key) {
+        if (c == '~') {
+            token += "~0";
+        } else if (c == '/') {
+            token += "~1";
+        } else {
+            token += c;
+        }
+    }
+    return token;
+}
+
+Place Place::operator/(std::string_view key) const { return {file, path + pointer_token(key)}; }
+
+Place Place::operator/(std::size_t index) const {
+    return {file, path + "/" + std::to_string(index)};
+}
+
+void refuse(const Place& place, const std::string& message) {
+    throw SceneError(place.file, place.path, message);
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    const std::size_t width = b.size() + 1;
+    std::vector<std::size_t> before(width);
+    std::vector<std::size_t> above(width);
+    std::vector<std::size_t> row(width);
+    for (std::size_t j = 0; j < width; ++j) {
+        above[j] = j;
+    }
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        row[0] = i;
+        for (std::size_t j = 1; j < width; ++j) {
+            const bool same = a[i - 1] == b[j - 1];
+            row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same ? 0U : 1U)});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+                row[j] = std::min(row[j], before[j - 2] + 1);
+            }
+        }
+        std::swap(before, above);
+        std::swap(above, row);
+    }
+    return above[b.size()];
+}
+
+std::string suggestion(std::string_view name, std::span<const std::string> known) {
+    const std::string* best = nullptr;
+    // A third of the letters may differ; a name further away is more likely another thing.
+    std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
+    if (name.size() <= kLongestCompared) {
+        for (const std::string& candidate : known) {
+            const std::size_t gap = candidate.size() > name.size()
+                                        ? candidate.size() - name.size()
+                                        : name.size() - candidate.size();
+            if (gap >= best_distance) {
+                continue;
+            }
+            const std::size_t distance = edit_distance(name, candidate);
+            if (distance < best_distance) {
+                best_distance = distance;
+                best = &candidate;
+            }
+        }
+    }
+    if (best != nullptr) {
+        return "; did you mean " + quoted(*best) + "?";
+    }
+    if (known.empty() || known.size() > kLongestList) {
+        return "";
+    }
+    std::string list = "; known: ";
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        list += (i == 0 ? "" : ", ") + known[i];
+    }
+    return list;
+}
+
+std::string quoted(std::string_view text) {
+    constexpr std::size_t kShown = 60;
+    std::string shown(text.substr(0, kShown));
+    if (text.size() > kShown) {
+        shown += "…";
+    }
+    return "\"" + shown + "\"";
+}
+
+}  // namespace hawser::scene

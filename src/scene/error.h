@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file error.h
+/// Where a value stands in a file, how a mistake is reported, and the nearest valid name.
+
+#include "scene/scene.h"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hawser::scene {
+
+/// A place in a file: the file and a JSON pointer into it.
+struct Place {
+    std::string file;
+    std::string path;  ///< JSON pointer; "" is the document.
+
+    [[nodiscard]] Place operator/(std::string_view key) const;
+    [[nodiscard]] Place operator/(std::size_t index) const;
+};
+
+/// One reference token of a JSON pointer, with its leading slash (RFC 6901, section 3).
+[[nodiscard]] std::string pointer_token(std::string_view key);
+
+/// @throws SceneError always.
+[[noreturn]] void refuse(const Place& place, const std::string& message);
+
+/// Smallest number of insertions, deletions, replacements and swaps of neighbours that turns
+/// one text into the other (optimal string alignment).
+[[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
+
+/// Ending of a message about a name that does not exist: `; did you mean "x"?` where a known
+/// name is near, else the list of known names when it is short, else nothing.
+[[nodiscard]] std::string suggestion(std::string_view name, std::span<const std::string> known);
+
+/// Text in double quotes, shortened when long, for messages.
+[[nodiscard]] std::string quoted(std::string_view text);
+
+}  // namespace hawser::scene

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file format.h
+/// Scene format version 1 as shapes. What an interaction accepts comes from the table of
+/// kinds (hawser/interactions.h), everything else from format.cpp.
+
+#include "scene/shape.h"
+
+namespace hawser::scene {
+
+inline constexpr int kFormatVersion = 1;
+/// Bodies, cable elements and interactions that one scene may have, copies included.
+inline constexpr std::size_t kMaxElements = 2'000'000;
+inline constexpr int kMaxCopies = 1000;
+inline constexpr int kMaxIncludeDepth = 8;
+inline constexpr int kMaxInstanceDepth = 8;
+
+struct Format {
+    ShapePtr scene;  ///< A whole scene file.
+    ShapePtr part;   ///< A file that is included.
+    ShapePtr state;  ///< A state file.
+
+    ShapePtr line_type;
+    ShapePtr bodies;  ///< The lists of a scene, and of a template once its parameters are in.
+    ShapePtr interactions;
+    ShapePtr cables;
+    ShapePtr instances;
+    ShapePtr inputs;
+};
+
+[[nodiscard]] const Format& format();
+
+/// Shape of one interaction, by kind. See format_kinds.cpp.
+[[nodiscard]] ShapePtr interaction_shape();
+
+/// Short ways to write shapes.
+namespace make {
+[[nodiscard]] ShapePtr number(std::string what, double min, double max);
+[[nodiscard]] ShapePtr positive(std::string what, double max);
+[[nodiscard]] ShapePtr integer(std::string what, double min, double max);
+[[nodiscard]] ShapePtr boolean(std::string what);
+[[nodiscard]] ShapePtr text(std::string what);
+[[nodiscard]] ShapePtr name(std::string what);
+[[nodiscard]] ShapePtr word(std::string what, std::vector<std::string> words);
+[[nodiscard]] ShapePtr list(std::string what, ShapePtr item, std::size_t min_items,
+                            std::size_t max_items = std::numeric_limits<std::size_t>::max());
+[[nodiscard]] ShapePtr vector3(std::string what);
+[[nodiscard]] ShapePtr map(std::string what, ShapePtr item);
+[[nodiscard]] ShapePtr choice(std::string what, std::vector<ShapePtr> options);
+[[nodiscard]] ShapePtr object(std::string id, std::string what, std::string doc,
+                              std::vector<Field> fields,
+                              std::vector<std::vector<std::string>> alternatives = {});
+[[nodiscard]] ShapePtr literal(const ShapePtr& shape);
+}  // namespace make
+
+}  // namespace hawser::scene

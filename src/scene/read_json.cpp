@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/read_json.h"
+
+#include <fstream>
+#include <set>
+#include <vector>
+
+namespace hawser::scene {
+namespace {
+
+/// First pass over the text: everything that the parser alone would let through.
+class LimitChecker : public nlohmann::json_sax<Json> {
+   public:
+    explicit LimitChecker(std::string file) : place_{std::move(file), ""} {}
+
+    bool null() override { return next(); }
+    bool boolean(bool) override { return next(); }
+    bool number_integer(number_integer_t) override { return next(); }
+    bool number_unsigned(number_unsigned_t) override { return next(); }
+    bool number_float(number_float_t, const string_t&) override { return next(); }
+    bool string(string_t&) override { return next(); }
+    bool binary(binary_t&) override { return next(); }
+    bool start_object(std::size_t) override { return open(true); }
+    bool start_array(std::size_t) override { return open(false); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+
+    bool key(string_t& name) override {
+        Level& level = levels_.back();
+        level.key = name;
+        if (!level.keys.insert(name).second) {
+            refuse(here(), "the key " + quoted(name) + " is given twice in this object");
+        }
+        return true;
+    }
+
+    bool parse_error(std::size_t, const std::string&, const Json::exception& error) override {
+        std::string message = error.what();
+        // "[json.exception.parse_error.101] parse error at line 3, column 7: …"
+        if (const auto end = message.find("] "); end != std::string::npos) {
+            message.erase(0, end + 2);
+        }
+        refuse({place_.file, ""}, message + (levels_.empty() ? "" : "; near " + here().path));
+    }
+
+   private:
+    struct Level {
+        bool object = false;
+        std::size_t index = 0;  ///< Entries begun, of an array.
+        std::string key;
+        std::set<std::string> keys;
+    };
+
+    bool next() {
+        if (!levels_.empty()) {
+            ++levels_.back().index;
+        }
+        return true;
+    }
+    bool open(bool object) {
+        if (levels_.size() >= kMaxNesting) {
+            refuse(here(), "nested more than " + std::to_string(kMaxNesting) + " levels deep");
+        }
+        levels_.push_back({.object = object, .index = 0, .key = {}, .keys = {}});
+        return true;
+    }
+    bool close() {
+        levels_.pop_back();
+        return next();
+    }
+    [[nodiscard]] Place here() const {
+        Place place = place_;
+        for (const Level& level : levels_) {
+            if (!level.object) {
+                place = place / level.index;
+            } else if (!level.keys.empty()) {
+                place = place / level.key;
+            }
+        }
+        return place;
+    }
+
+    Place place_;
+    std::vector<Level> levels_;
+};
+
+}  // namespace
+
+Json parse_json(std::string_view text, const std::string& file) {
+    if (text.size() > kMaxFileBytes) {
+        refuse({file, ""}, "larger than 64 MiB");
+    }
+    LimitChecker checker(file);
+    Json::sax_parse(text.begin(), text.end(), &checker);
+    return Json::parse(text.begin(), text.end());
+}
+
+Json read_json_file(const std::filesystem::path& file) {
+    const Place place{file.string(), ""};
+    std::error_code failure;
+    if (!std::filesystem::is_regular_file(file, failure)) {
+        refuse(place, "no such file");
+    }
+    const auto size = std::filesystem::file_size(file, failure);
+    if (failure) {
+        refuse(place, "cannot be read: " + failure.message());
+    }
+    if (size > kMaxFileBytes) {
+        refuse(place, "larger than 64 MiB");
+    }
+    std::ifstream stream(file, std::ios::binary);
+    std::string text(static_cast<std::size_t>(size), '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (!stream) {
+        refuse(place, "cannot be read");
+    }
+    return parse_json(text, place.file);
+}
+
+std::filesystem::path resolve_inside(const std::filesystem::path& root,
+                                     const std::filesystem::path& base, const std::string& name,
+                                     const Place& place) {
+    const std::filesystem::path given(name);
+    if (name.empty() || given.is_absolute()) {
+        refuse(place, "expected a file name relative to this file, found " + quoted(name));
+    }
+    std::error_code failure;
+    const auto real_root =
+        std::filesystem::weakly_canonical(root.empty() ? "." : root, failure);
+    const auto file = std::filesystem::weakly_canonical(
+        (base.empty() ? std::filesystem::path(".") : base) / given, failure);
+    if (failure) {
+        refuse(place, "the file name " + quoted(name) + " cannot be used: " + failure.message());
+    }
+    const auto inside = file.lexically_relative(real_root);
+    if (inside.empty() || *inside.begin() == "..") {
+        refuse(place, "the file " + quoted(name) + " lies outside the folder of the scene; " +
+                          "move it into that folder or below");
+    }
+    if (!std::filesystem::is_regular_file(file, failure)) {
+        refuse(place, "there is no file " + quoted(name) + " (looked for " + file.string() + ")");
+    }
+    return (base / given).lexically_normal();
+}
+
+std::string describe(const Json& value) {
+    switch (value.type()) {
+        case Json::value_t::object:
+            return "an object";
+        case Json::value_t::array:
+            return "an array of " + std::to_string(value.size());
+        case Json::value_t::string:
+            return quoted(value.get_ref<const std::string&>());
+        default:
+            return value.dump();
+    }
+}
+
+}  // namespace hawser::scene

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file shape.h
+/// The format as data: one description from which the checker, the JSON Schema and the
+/// reference page are made, so that the three cannot disagree.
+
+#include "scene/read_json.h"
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hawser::scene {
+
+struct Shape;
+using ShapePtr = std::shared_ptr<const Shape>;
+
+/// One key of an object.
+struct Field {
+    std::string name;
+    ShapePtr shape;
+    bool required = false;
+    std::string fallback;  ///< Default, in words or digits, for the documents.
+    std::string unit;      ///< SI; "" = none.
+    std::string doc;
+};
+
+/// What a value must look like.
+struct Shape {
+    enum class Type {
+        any,      ///< Anything.
+        number,   ///< Finite, in [min, max] or (min, max].
+        integer,  ///< Written without a decimal point, in [min, max].
+        boolean,
+        text,       ///< A string of 1 to 4096 bytes.
+        name,       ///< A name that the scene defines: is_valid_name().
+        word,       ///< One of `words`.
+        list,       ///< Array of `item`, between min_items and max_items.
+        object,     ///< `fields` and no others.
+        map,        ///< Object with keys of the reader's choice, all values `item`.
+        choice,     ///< One of `options`.
+        switched,   ///< Object whose field `key` selects one of `cases`.
+    };
+    Type type = Type::any;
+    std::string id;    ///< Name of the definition in the schema; "" = written in place.
+    std::string what;  ///< In words, for messages: "a length in metres".
+    std::string doc;
+
+    double min = -std::numeric_limits<double>::infinity();
+    double max = std::numeric_limits<double>::infinity();
+    bool above_min = false;  ///< min itself is refused.
+
+    std::vector<std::string> words;
+
+    ShapePtr item;
+    std::size_t min_items = 0;
+    std::size_t max_items = std::numeric_limits<std::size_t>::max();
+
+    std::vector<Field> fields;
+    /// Sets of fields of which at most one may be given.
+    std::vector<std::vector<std::string>> alternatives;
+
+    std::vector<ShapePtr> options;
+
+    std::string key;
+    std::vector<std::pair<std::string, ShapePtr>> cases;
+
+    /// Inside, any scalar or list may be a string with "${parameter}" (templates).
+    bool holds_placeholders = false;
+    /// Not replaced by a placeholder even in a template.
+    bool literal = false;
+};
+
+/// The first mistake in a value.
+struct Problem {
+    std::string path;  ///< JSON pointer from the value that was checked.
+    std::string message;
+};
+
+/// Compare a value with a shape. @return nothing when it fits.
+[[nodiscard]] std::optional<Problem> find_problem(const Json& value, const Shape& shape,
+                                                  bool placeholders = false);
+
+/// @throws SceneError naming the place of the first mistake.
+void check_shape(const Json& value, const Shape& shape, const Place& place);
+
+/// Letters, digits and `_ . + -`, starting with a letter, digit or `_`, at most 100.
+/// (`/` and `:` are kept for generated names.)
+[[nodiscard]] bool is_valid_name(const std::string& name);
+inline constexpr const char* kNamePattern = "^[A-Za-z0-9_][A-Za-z0-9_.+-]{0,99}$";
+
+/// True for a string that holds "${".
+[[nodiscard]] bool is_placeholder(const Json& value);
+
+/// The same shape with the insides of a template.
+[[nodiscard]] ShapePtr with_placeholders(const ShapePtr& shape);
+
+}  // namespace hawser::scene
