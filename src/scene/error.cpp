@@ -17,10 +17,11 @@ constexpr std::size_t kLongestList = 24;
 
 }  // namespace
 
-SceneError::SceneError(std::string file_, std::string path_, const std::string& message)
-    : std::runtime_error(compose(file_, path_, message)),
+SceneError::SceneError(std::string file_, std::string path_, std::string message_)
+    : std::runtime_error(compose(file_, path_, message_)),
       file(std::move(file_)),
-      path(std::move(path_)) {}
+      path(std::move(path_)),
+      message(std::move(message_)) {}
 
 std::string pointer_token(std::string_view key) {
     std::string token = "/";

@@ -33,6 +33,10 @@ struct Format {
 /// Shape of one interaction, by kind. See format_kinds.cpp.
 [[nodiscard]] ShapePtr interaction_shape();
 
+/// True for a parameter whose default is read off the pose in which the scene describes the
+/// bodies: the distance of two points, the height of a ship, the coordinate of a drum.
+[[nodiscard]] bool taken_from_pose(const KindInfo& kind, std::string_view param);
+
 /// Short ways to write shapes.
 namespace make {
 [[nodiscard]] ShapePtr number(std::string what, double min, double max);

@@ -22,7 +22,7 @@ ShapePtr per_row(const std::string& what, int rows) {
 }
 
 Field parameter_field(const KindInfo& kind, const ParamInfo& param) {
-    const bool from_pose = kind.length_from_pose && std::string(param.name) == "length";
+    const bool from_pose = taken_from_pose(kind, param.name);
     Field field;
     field.name = param.name;
     field.shape = make::number(fmt::format("a number [{}]", param.unit), param.min, param.max);
@@ -30,7 +30,7 @@ Field parameter_field(const KindInfo& kind, const ParamInfo& param) {
     field.unit = param.unit;
     field.doc = param.doc;
     if (from_pose) {
-        field.fallback = "the initial distance";
+        field.fallback = "the initial value";
     } else if (!std::isnan(param.fallback)) {
         field.fallback = fmt::format("{}", param.fallback);
     }
@@ -91,6 +91,12 @@ ShapePtr kind_shape(const KindInfo& kind) {
 }
 
 }  // namespace
+
+bool taken_from_pose(const KindInfo& kind, std::string_view param) {
+    return (kind.length_from_pose && param == "length") ||
+           (kind.kind == InteractionKind::Hydrostatic && param == "rest_height") ||
+           (kind.kind == InteractionKind::Hold && param == "target");
+}
 
 ShapePtr interaction_shape() {
     auto shape = std::make_shared<Shape>();

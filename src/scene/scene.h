@@ -24,11 +24,12 @@ namespace hawser::scene {
 /// A scene that was refused. what() reads "file: path: message", followed by the nearest valid
 /// name or another remedy where there is one.
 struct SceneError : std::runtime_error {
-    SceneError(std::string file_, std::string path_, const std::string& message);
+    SceneError(std::string file_, std::string path_, std::string message_);
 
     std::string file;  ///< File (or name for messages) in which the mistake is.
     std::string path;  ///< JSON pointer into that file, such as "/bodies/3/mass"; "" for the
                        ///< document as a whole.
+    std::string message;  ///< What is wrong and what would be right.
 };
 
 /// Changes to a scene that the caller asks for. They are part of the resolved text.
@@ -46,12 +47,18 @@ struct Options {
 struct Cable {
     std::string name;
     std::string line_type;      ///< Name of its line type; "" if given in place.
-    std::vector<BodyId> nodes;  ///< In order, the bodies at both ends included; for links: the
-                                ///< first end, every link, the last end.
+    std::vector<BodyId> nodes;  ///< In order, the bodies at both ends included ("world" for an
+                                ///< end fixed there); for links: the first end, every link, the
+                                ///< last end. A free end has no body of its own with links.
     std::vector<InteractionId> stretch;  ///< In order; for links the ball joints.
+    bool links = false;                  ///< Rigid links instead of lumps.
+    Vec3 from_point{0.0, 0.0, 0.0};      ///< Attachment in the frame of nodes.front() [m].
+    Vec3 to_point{0.0, 0.0, 0.0};        ///< Attachment in the frame of nodes.back() [m].
     double EA = 0.0;                     ///< Axial stiffness [N]; 0 for links without one.
     double breaking_load = 0.0;          ///< [N]; 0 = not given.
     double length = 0.0;                 ///< Unstretched length [m].
+    double diameter = 0.0;               ///< For pictures [m]; 0 = not given.
+    std::string color;                   ///< For pictures; "" = not given.
 };
 
 /// A scene, ready to run.
@@ -68,6 +75,8 @@ struct Scene {
     std::vector<Cable> cables;
     std::vector<std::string> plot_tensions;  ///< Cables whose tension is worth a curve.
     std::vector<std::string> plot_motions;   ///< Bodies whose motion is worth a curve.
+    /// Lower and upper corner of what pictures show [m]; empty: everything.
+    std::vector<Vec3> plot_view_box;
 };
 
 /// Read a scene file. @throws SceneError.
@@ -77,5 +86,9 @@ struct Scene {
 /// `name_for_messages` taken as a path. @throws SceneError.
 [[nodiscard]] Scene load_text(std::string_view text, const std::string& name_for_messages,
                               const Options& options = {});
+
+/// The present pose and velocity of every moving body, as a state file (docs/scenes.md) that
+/// a scene names under "state".
+[[nodiscard]] std::string state_text(const Scene& scene);
 
 }  // namespace hawser::scene

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/description.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <array>
+#include <cmath>
+
+namespace hawser::scene {
+namespace {
+
+constexpr std::array<const char*, 5> kKindWords = {"rigid", "lump", "scalar", "fixed",
+                                                   "kinematic"};
+
+BodyKind kind_of(const std::string& word) {
+    for (std::size_t i = 0; i < kKindWords.size(); ++i) {
+        if (word == kKindWords[i]) {
+            return static_cast<BodyKind>(i);
+        }
+    }
+    return BodyKind::rigid;
+}
+
+bool is_moving(BodyKind kind) {
+    return kind == BodyKind::rigid || kind == BodyKind::lump || kind == BodyKind::scalar;
+}
+
+Vec3 damping_of(const Json& body, const char* key) {
+    const auto entry = body.find(key);
+    if (entry == body.end()) {
+        return Vec3::Zero();
+    }
+    return entry->is_array() ? vector_of(*entry) : Vec3::Constant(entry->get<double>());
+}
+
+/// Moments of a solid cylinder of mass m and half sizes for pictures, axis along x, y or z.
+void set_cylinder(BodyDef& def, double radius, double length, char axis) {
+    const int along = axis == 'x' ? 0 : axis == 'y' ? 1 : 2;
+    const double across = def.mass * (3.0 * radius * radius + length * length) / 12.0;
+    Vec3 moments = Vec3::Constant(across);
+    moments[along] = def.mass * radius * radius / 2.0;
+    def.inertia = moments.asDiagonal();
+    def.half_size = Vec3::Constant(radius);
+    def.half_size[along] = length / 2.0;
+}
+
+void set_inertia_matrix(BodyDef& def, const Json& value, const Place& place) {
+    if (value[0].is_array()) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            def.inertia.row(static_cast<Eigen::Index>(i)) = vector_of(value[i]);
+        }
+    } else {
+        def.inertia = vector_of(value).asDiagonal();
+    }
+    const double size = def.inertia.cwiseAbs().maxCoeff();
+    if ((def.inertia - def.inertia.transpose()).cwiseAbs().maxCoeff() > 1e-9 * size) {
+        refuse(place, "an inertia must be symmetric");
+    }
+    // Eigenvalues relative to the largest: a moment 1e-12 of another is round-off, not a body.
+    const Eigen::SelfAdjointEigenSolver<Mat3> eigen(def.inertia, Eigen::EigenvaluesOnly);
+    if (!(eigen.eigenvalues().minCoeff() > 1e-12 * size)) {
+        refuse(place, "an inertia must be positive definite; all three principal moments must be "
+                      "greater than zero");
+    }
+}
+
+void set_extent(BodyDef& def, const Json& body, const Place& place) {
+    if (const auto box = body.find("box"); box != body.end()) {
+        const Vec3 s = vector_of(*box);
+        const Vec3 q = s.cwiseProduct(s);
+        const Vec3 moments(q.y() + q.z(), q.x() + q.z(), q.x() + q.y());
+        def.inertia = (def.mass / 3.0 * moments).asDiagonal();
+        def.half_size = s;
+    } else if (const auto rod = body.find("cylinder"); rod != body.end()) {
+        set_cylinder(def, (*rod)["radius"].get<double>(), (*rod)["length"].get<double>(),
+                     text_or(*rod, "axis", "x").front());
+    } else if (body.contains("sphere")) {
+        const double r = body["sphere"].get<double>();
+        def.inertia = Vec3::Constant(0.4 * def.mass * r * r).asDiagonal();
+        def.half_size = Vec3::Constant(r);
+    } else if (body.contains("inertia")) {
+        set_inertia_matrix(def, body["inertia"], place / "inertia");
+    } else if (def.kind == BodyKind::rigid) {
+        refuse(place, "a rigid body needs \"inertia\", \"box\", \"cylinder\" or \"sphere\"");
+    }
+    def.half_size = vector_or(body, "half_size", def.half_size);
+}
+
+/// Keys that would be read and then have no effect.
+void refuse_useless(const Json& body, BodyKind kind, const Place& place) {
+    std::vector<const char*> useless;
+    if (kind == BodyKind::lump || kind == BodyKind::scalar) {
+        useless = {"inertia", "torque", "angular_velocity", "angular_damping", "orientation",
+                   "euler_deg"};
+    } else if (kind == BodyKind::fixed) {
+        useless = {"velocity", "angular_velocity", "force", "torque"};
+    } else if (kind == BodyKind::kinematic) {
+        useless = {"force", "torque"};
+    }
+    for (const char* key : useless) {
+        if (body.contains(key)) {
+            refuse(place / key, std::string("has no meaning for a body of kind ") +
+                                    kKindWords[static_cast<std::size_t>(kind)]);
+        }
+    }
+}
+
+/// A scalar body has a coordinate, not a place: the frame leaves it alone.
+void set_scalar(BodyDef& def, const Json& body, const Place& place) {
+    for (const char* key : {"position", "velocity", "force"}) {
+        const Vec3 value = vector_or(body, key, Vec3::Zero());
+        if (value.y() != 0.0 || value.z() != 0.0) {
+            refuse(place / key, "a scalar body has one coordinate; y and z must be 0");
+        }
+    }
+    def.position = vector_or(body, "position", Vec3::Zero());
+    def.velocity = vector_or(body, "velocity", Vec3::Zero());
+    def.force = vector_or(body, "force", Vec3::Zero());
+    def.gravity = false;
+    if (body.value("gravity", false)) {
+        refuse(place / "gravity", "a scalar body has no weight");
+    }
+}
+
+void set_motion(BodyDef& def, const Json& body, const Frame& frame, const Place& place) {
+    def.position = frame.point(vector_or(body, "position", Vec3::Zero()));
+    def.orientation = (frame.orientation * orientation_of(body, place)).normalized();
+    def.velocity = frame.velocity_at(def.position) +
+                   frame.direction(vector_or(body, "velocity", Vec3::Zero()));
+    def.angular_velocity = frame.angular_velocity +
+                           frame.direction(vector_or(body, "angular_velocity", Vec3::Zero()));
+    if (def.kind == BodyKind::lump) {
+        def.orientation = Quat::Identity();
+        def.angular_velocity.setZero();
+    } else if (def.kind == BodyKind::fixed) {
+        def.velocity.setZero();
+        def.angular_velocity.setZero();
+    }
+    def.force = frame.direction(vector_or(body, "force", Vec3::Zero()));
+    def.torque = frame.direction(vector_or(body, "torque", Vec3::Zero()));
+    def.gravity = body.value("gravity", true);
+}
+
+BodyDef read_body(const Json& body, const Scope& scope, const Place& place) {
+    BodyDef def;
+    def.name = scope.prefix + body["name"].get<std::string>();
+    def.kind = kind_of(text_or(body, "kind", "rigid"));
+    def.mass = number_or(body, "mass", 0.0);
+    if (body["name"] == "world" || scope.bound.contains(body["name"].get<std::string>())) {
+        refuse(place / "name", "the name " + describe(body["name"]) + " is taken: it stands for "
+                               "a body outside");
+    }
+    if (is_moving(def.kind) && !body.contains("mass")) {
+        refuse(place, "a body of kind " + text_or(body, "kind", "rigid") +
+                          " needs the key \"mass\"");
+    }
+    refuse_useless(body, def.kind, place);
+    set_extent(def, body, place);
+    if (def.kind == BodyKind::scalar) {
+        set_scalar(def, body, place);
+    } else {
+        set_motion(def, body, scope.frame, place);
+    }
+    def.linear_damping = damping_of(body, "linear_damping");
+    def.angular_damping = damping_of(body, "angular_damping");
+    return def;
+}
+
+}  // namespace
+
+void expand_bodies(Description& out, const Scope& scope) {
+    const auto list = scope.content->find("bodies");
+    if (list == scope.content->end()) {
+        return;
+    }
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        const Place place = scope.place / "bodies" / i;
+        BodyDef def = read_body((*list)[i], scope, place);
+        out.add_body(std::move(def), out.keep(place));
+    }
+}
+
+}  // namespace hawser::scene

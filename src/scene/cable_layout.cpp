@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/cable_layout.h"
+
+#include "scene/catenary.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace hawser::scene {
+namespace {
+
+/// How much the distance of two nodes of a chain of rigid links may differ from the length of
+/// a link: room for a small initial zig-zag, not for another length.
+constexpr double kLinkMismatch = 0.01;
+
+const Json& line_type_of(const Json& cable, const Document& document, const Place& place) {
+    const Json& line = cable["line_type"];
+    if (line.is_object()) {
+        return line;
+    }
+    const auto& name = line.get_ref<const std::string&>();
+    std::vector<std::string> known;
+    if (const auto types = document.root.find("line_types"); types != document.root.end()) {
+        if (const auto entry = types->find(name); entry != types->end()) {
+            return *entry;
+        }
+        for (const auto& [key, value] : types->items()) {
+            known.push_back(key);
+        }
+    }
+    refuse(place / "line_type", "there is no line type " + quoted(name) + suggestion(name, known));
+}
+
+void read_line_type(CableLayout& c, const Json& cable, const Document& document,
+                    const Place& place) {
+    const Json& line = line_type_of(cable, document, place);
+    if (cable["line_type"].is_string()) {
+        c.line_name = cable["line_type"].get<std::string>();
+    }
+    c.mass_per_length = line["mass_per_length"].get<double>();
+    c.EA = number_or(line, "EA", 0.0);
+    c.EI = number_or(line, "EI", 0.0);
+    c.breaking_load = number_or(line, "breaking_load", 0.0);
+    c.axial_damping = number_or(line, "axial_damping", kDefault);
+    c.drag = number_or(line, "drag", 0.0);
+    c.submerged_factor = number_or(line, "submerged_factor", 1.0);
+    c.diameter = number_or(line, "diameter", 0.0);
+    c.color = text_or(line, "color", "");
+    c.radius = number_or(cable, "radius", 0.5 * c.diameter);
+    if (!c.links && !(c.EA > 0.0)) {
+        refuse(place / "line_type", "a cable of lumps needs \"EA\" in its line type");
+    }
+    if (c.links && !(c.radius > 0.0)) {
+        refuse(place, "a cable of links needs \"radius\", or \"diameter\" in its line type");
+    }
+}
+
+CableEnd read_end(Description& out, const Scope& scope, const Json& json, bool links,
+                  const Place& place) {
+    CableEnd end;
+    if (json.contains("at")) {
+        end.kind = CableEnd::Kind::fixed;
+        end.world = scope.frame.point(vector_of(json["at"]));
+        if (links) {
+            end.body = out.world_body();
+            end.local = end.world;
+        }
+        return end;
+    }
+    if (json.contains("free")) {
+        end.kind = CableEnd::Kind::free;
+        end.world = scope.frame.point(vector_of(json["free"]));
+        end.velocity = scope.frame.velocity_at(end.world);
+        return end;
+    }
+    if (!json.contains("body")) {
+        refuse(place, "a cable end needs \"body\", \"at\" or \"free\"");
+    }
+    end.body = resolve_body(out, scope, json["body"].get<std::string>(), place / "body");
+    end.local = vector_or(json, "point", Vec3::Zero());
+    const BodyDef& body = out.body(end.body);
+    if (body.kind == BodyKind::scalar) {
+        refuse(place / "body", "the scalar body " + quoted(body.name) +
+                                   " has no place; name it as the drum of a \"winch\"");
+    }
+    if (body.kind == BodyKind::lump && !end.local.isZero(0.0)) {
+        refuse(place / "point", "the lump " + quoted(body.name) + " is a point");
+    }
+    end.world = out.world_point(end.body, end.local);
+    end.velocity = out.frame_of(end.body).velocity_at(end.world);
+    return end;
+}
+
+/// With a winch the cable starts at the fairlead; "from" may then name the drum.
+void read_ends(CableLayout& c, Description& out, const Scope& scope, const Scope& to_scope,
+               const Json& cable, const Place& place) {
+    const Json* from = cable.contains("from") ? &cable["from"] : nullptr;
+    Place from_place = place / "from";
+    if (const auto winch = cable.find("winch"); winch != cable.end()) {
+        const Place at = place / "winch";
+        if (c.links) {
+            refuse(at, "a cable of links cannot be paid out; use \"as\": \"lumps\"");
+        }
+        const std::string drum = (*winch)["drum"].get<std::string>();
+        c.drum = resolve_body(out, scope, drum, at / "drum");
+        if (out.body(c.drum).kind != BodyKind::scalar) {
+            refuse(at / "drum", "the body " + quoted(drum) + " is not of kind scalar");
+        }
+        c.drum_radius = (*winch)["radius"].get<double>();
+        if (winch->contains("fairlead")) {
+            if (from != nullptr && from->value("body", "") != drum) {
+                refuse(at / "fairlead", "the cable starts at \"from\" already; leave one out");
+            }
+            from = &(*winch)["fairlead"];
+            from_place = at / "fairlead";
+        }
+    }
+    if (from == nullptr) {
+        refuse(place, "a cable needs the key \"from\" (a cable end)");
+    }
+    c.from = read_end(out, scope, *from, c.links, from_place);
+    c.to = read_end(out, to_scope, cable["to"], c.links, place / "to");
+}
+
+double along(const std::vector<Vec3>& nodes) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < nodes.size(); ++i) {
+        length += (nodes[i] - nodes[i - 1]).norm();
+    }
+    return length;
+}
+
+void read_elements(CableLayout& c, const Description& out, const Json& cable,
+                   const Place& place) {
+    const auto points = cable.find("points");
+    const bool counted = cable.contains("elements");
+    if (!counted && points == cable.end()) {
+        refuse(place, "a cable needs the key \"elements\" (their number)");
+    }
+    c.elements = counted ? cable["elements"].get<std::size_t>() : points->size() + 1;
+    if (points != cable.end() && points->size() + 1 != c.elements) {
+        refuse(place / "points", fmt::format("expected {} points, one fewer than the elements, "
+                                             "found {}",
+                                             c.elements - 1, points->size()));
+    }
+    if (out.bodies.size() + c.elements > kMaxElements) {
+        refuse(place / "elements",
+               fmt::format("the scene would have more than {} bodies", kMaxElements));
+    }
+}
+
+void place_nodes(CableLayout& c, const Description& out, const Scope& scope, const Json& cable,
+                 const Place& place) {
+    const Vec3& a = c.from.world;
+    const Vec3& b = c.to.world;
+    const auto n = static_cast<double>(c.elements);
+    const auto points = cable.find("points");
+    c.length = number_or(cable, "length", (b - a).norm());
+    if (text_or(cable, "shape", "straight") == "catenary") {
+        if (out.settings.gravity.isZero(0.0)) {
+            refuse(place / "shape", "a catenary needs gravity");
+        }
+        auto hanging =
+            hang(a, b, c.length, static_cast<int>(c.elements), out.settings.gravity);
+        if (!hanging) {
+            refuse(place / "shape",
+                   fmt::format("no catenary of {} m in {} elements joins the ends, {:.6g} m "
+                               "apart; the length must not be less than the distance, and the "
+                               "ends must not be nearly on one vertical",
+                               c.length, c.elements, (b - a).norm()));
+        }
+        c.nodes = std::move(*hanging);
+    } else {
+        c.nodes.resize(c.elements + 1);
+        for (std::size_t i = 0; i <= c.elements; ++i) {
+            c.nodes[i] = a + (b - a) * (static_cast<double>(i) / n);
+        }
+        c.nodes.back() = b;
+        for (std::size_t i = 1; points != cable.end() && i < c.elements; ++i) {
+            c.nodes[i] = scope.frame.point(vector_of((*points)[i - 1]));
+        }
+        if (points != cable.end() && !cable.contains("length")) {
+            c.length = along(c.nodes);
+        }
+    }
+    if (const auto offsets = cable.find("offsets"); offsets != cable.end()) {
+        if (offsets->size() + 1 != c.elements) {
+            refuse(place / "offsets",
+                   fmt::format("expected {} offsets, one fewer than the elements, found {}",
+                               c.elements - 1, offsets->size()));
+        }
+        for (std::size_t i = 1; i < c.elements; ++i) {
+            c.nodes[i] += scope.frame.direction(vector_of((*offsets)[i - 1]));
+        }
+    }
+}
+
+void check_lengths(CableLayout& c, const Place& place) {
+    // The smallest length that a stretch accepts.
+    constexpr double kShortest = 1e-9;
+    c.element = c.length / static_cast<double>(c.elements);
+    if (!(c.element >= kShortest)) {
+        refuse(place, fmt::format("its elements would be {} m long; the ends coincide or "
+                                  "\"elements\" is too large",
+                                  c.element));
+    }
+    for (std::size_t i = 0; i < c.elements; ++i) {
+        const double distance = (c.nodes[i + 1] - c.nodes[i]).norm();
+        if (!(distance > kShortest)) {
+            refuse(place, fmt::format("the nodes {} and {} coincide", i, i + 1));
+        }
+        if (c.links && std::abs(distance - c.element) > kLinkMismatch * c.element) {
+            refuse(place, fmt::format("the nodes {} and {} lie {:.6g} m apart, but a rigid link "
+                                      "is {:.6g} m long; change \"length\" or the shape",
+                                      i, i + 1, distance, c.element));
+        }
+    }
+}
+
+}  // namespace
+
+CableLayout lay_out_cable(Description& out, const Scope& scope, const Scope& to_scope,
+                          const Json& cable, const Document& document, const Place& place) {
+    CableLayout c;
+    c.name = scope.prefix + cable["name"].get<std::string>();
+    if (out.has_cable(c.name)) {
+        refuse(place / "name", "the cable " + quoted(c.name) + " exists already");
+    }
+    c.links = text_or(cable, "as", "lumps") == "links";
+    c.tension_only = cable.value("tension_only", true);
+    c.joint_compliance = number_or(cable, "compliance", out.default_compliance);
+    c.joint_damping_time = number_or(cable, "damping_time", out.default_damping_time);
+    read_line_type(c, cable, document, place);
+    read_ends(c, out, scope, to_scope, cable, place);
+    read_elements(c, out, cable, place);
+    place_nodes(c, out, scope, cable, place);
+    check_lengths(c, place);
+    return c;
+}
+
+}  // namespace hawser::scene

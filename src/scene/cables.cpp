@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/cable_layout.h"
+
+#include <cmath>
+
+namespace hawser::scene {
+namespace {
+
+/// Bodies and interactions of one laid-out cable.
+class Builder {
+   public:
+    Builder(Description& out, const CableLayout& layout, const Place& place)
+        : out_(out), c_(layout), place_(out.keep(place)), at_(place) {
+        cable_.name = c_.name;
+        cable_.line_type = c_.line_name;
+        cable_.links = c_.links;
+        cable_.EA = c_.EA;
+        cable_.breaking_load = c_.breaking_load;
+        cable_.length = c_.length;
+        cable_.diameter = c_.diameter;
+        cable_.color = c_.color;
+        cable_.from_point = c_.from.local;
+        cable_.to_point = c_.to.local;
+    }
+
+    void build() {
+        c_.links ? build_links() : build_lumps();
+        out_.add_cable(std::move(cable_), at_);
+    }
+
+   private:
+    [[nodiscard]] std::string part(const char* what, std::size_t i) const {
+        return c_.name + "/" + what + std::to_string(i);
+    }
+
+    /// Velocity of node i: between the velocities of the ends.
+    [[nodiscard]] Vec3 node_velocity(std::size_t i) const {
+        const double s = static_cast<double>(i) / static_cast<double>(c_.elements);
+        return (1.0 - s) * c_.from.velocity + s * c_.to.velocity;
+    }
+
+    /// Buoyancy as a constant force: the world has one gravity for all.
+    [[nodiscard]] Vec3 buoyancy(double mass) const {
+        return mass * (c_.submerged_factor - 1.0) * out_.settings.gravity;
+    }
+
+    // --- Lumps -------------------------------------------------------------------------------
+
+    BodyId node(std::size_t i) {
+        const bool first = i == 0;
+        const bool last = i == c_.elements;
+        const CableEnd& end = first ? c_.from : c_.to;
+        if ((first || last) && end.kind == CableEnd::Kind::body) {
+            return end.body;
+        }
+        BodyDef def;
+        def.name = part("", i);
+        def.position = c_.nodes[i];
+        if ((first || last) && end.kind == CableEnd::Kind::fixed) {
+            def.kind = BodyKind::fixed;
+            return out_.add_body(std::move(def), place_);
+        }
+        // A free end carries half an element.
+        const double share = first || last ? 0.5 * c_.element : c_.element;
+        def.kind = BodyKind::lump;
+        def.velocity = node_velocity(i);
+        def.mass = c_.mass_per_length * share;
+        def.linear_damping = Vec3::Constant(c_.drag * share);
+        def.force = buoyancy(def.mass);
+        return out_.add_body(std::move(def), place_);
+    }
+
+    [[nodiscard]] Vec3 point(std::size_t i) const {
+        return i == 0 ? c_.from.local : i == c_.elements ? c_.to.local : Vec3::Zero();
+    }
+
+    void add_stretch(std::size_t i) {
+        const bool winch = i == 0 && c_.drum.valid();
+        InteractionDef def;
+        def.name = part("s", i);
+        def.kind = winch ? InteractionKind::WinchStretch : InteractionKind::Stretch;
+        def.body = {cable_.nodes[i], cable_.nodes[i + 1], winch ? c_.drum : BodyId{}};
+        def.point = {point(i), point(i + 1), Vec3::Zero()};
+        def.set("length", c_.element);
+        def.set("EA", c_.EA);
+        def.set("tension_only", c_.tension_only ? 1.0 : 0.0);
+        if (c_.breaking_load > 0.0) {
+            def.set("breaking_load", c_.breaking_load);
+        }
+        if (winch) {
+            def.set("radius", c_.drum_radius);
+        }
+        if (!std::isnan(c_.axial_damping)) {
+            // Fraction ζ of critical of the highest axial mode, ω = 2c/l with c = √(EA/ρ).
+            def.damping_time[0] =
+                c_.axial_damping * c_.element * std::sqrt(c_.mass_per_length / c_.EA);
+        }
+        cable_.stretch.push_back(out_.add_interaction(std::move(def), place_));
+    }
+
+    void add_bend(std::size_t i) {
+        InteractionDef def;
+        def.name = part("b", i);
+        def.kind = InteractionKind::Bend;
+        def.body = {cable_.nodes[i - 1], cable_.nodes[i], cable_.nodes[i + 1]};
+        def.point = {point(i - 1), point(i), point(i + 1)};
+        def.set("EI", c_.EI);
+        def.set("length", c_.element);
+        out_.add_interaction(std::move(def), place_);
+    }
+
+    void build_lumps() {
+        for (std::size_t i = 0; i <= c_.elements; ++i) {
+            cable_.nodes.push_back(node(i));
+        }
+        for (std::size_t i = 0; i < c_.elements; ++i) {
+            add_stretch(i);
+        }
+        for (std::size_t i = 1; c_.EI > 0.0 && i < c_.elements; ++i) {
+            // Both ends of a loop of two elements on one body: nothing to bend.
+            if (cable_.nodes[i - 1] != cable_.nodes[i + 1]) {
+                add_bend(i);
+            }
+        }
+    }
+
+    // --- Links -------------------------------------------------------------------------------
+
+    BodyId add_link(std::size_t i) {
+        const Vec3 along = c_.nodes[i + 1] - c_.nodes[i];
+        const double length = along.norm();
+        BodyDef def;
+        def.name = part("", i);
+        def.position = 0.5 * (c_.nodes[i] + c_.nodes[i + 1]);
+        def.orientation = Quat::FromTwoVectors(Vec3::UnitX(), along);
+        const Vec3 difference = node_velocity(i + 1) - node_velocity(i);
+        def.velocity = 0.5 * (node_velocity(i) + node_velocity(i + 1));
+        def.angular_velocity = along.cross(difference) / (length * length);
+        def.mass = c_.mass_per_length * c_.element;
+        const double r2 = c_.radius * c_.radius;
+        const double across = def.mass * (3.0 * r2 + c_.element * c_.element) / 12.0;
+        def.inertia = Vec3(def.mass * r2 / 2.0, across, across).asDiagonal();
+        def.half_size = {0.5 * c_.element, c_.radius, c_.radius};
+        def.linear_damping = Vec3::Constant(c_.drag * c_.element);
+        def.force = buoyancy(def.mass);
+        return out_.add_body(std::move(def), place_);
+    }
+
+    void add_joint(std::size_t i) {
+        const auto half = [&](std::size_t link) {
+            return 0.5 * (c_.nodes[link + 1] - c_.nodes[link]).norm();
+        };
+        InteractionDef def;
+        def.name = part("j", i);
+        def.kind = InteractionKind::Ball;
+        def.body[0] = i == 0 ? c_.from.body : links_[i - 1];
+        def.point[0] = i == 0 ? c_.from.local : Vec3(half(i - 1), 0.0, 0.0);
+        def.body[1] = i == c_.elements ? c_.to.body : links_[i];
+        def.point[1] = i == c_.elements ? c_.to.local : Vec3(-half(i), 0.0, 0.0);
+        for (std::size_t r = 0; r < 3; ++r) {
+            def.compliance[r] = c_.joint_compliance;
+            def.damping_time[r] = c_.joint_damping_time;
+        }
+        cable_.stretch.push_back(out_.add_interaction(std::move(def), place_));
+    }
+
+    void build_links() {
+        const bool from_free = c_.from.kind == CableEnd::Kind::free;
+        const bool to_free = c_.to.kind == CableEnd::Kind::free;
+        for (std::size_t i = 0; i < c_.elements; ++i) {
+            links_.push_back(add_link(i));
+        }
+        if (!from_free) {
+            cable_.nodes.push_back(c_.from.body);
+        }
+        cable_.nodes.insert(cable_.nodes.end(), links_.begin(), links_.end());
+        if (!to_free) {
+            cable_.nodes.push_back(c_.to.body);
+        }
+        const std::size_t end = c_.elements + (to_free ? 0 : 1);
+        for (std::size_t i = from_free ? 1 : 0; i < end; ++i) {
+            add_joint(i);
+        }
+    }
+
+    Description& out_;
+    const CableLayout& c_;
+    int place_;
+    Place at_;
+    Cable cable_;
+    std::vector<BodyId> links_;
+};
+
+}  // namespace
+
+void expand_cable(Description& out, const Scope& scope, const Scope& to_scope, const Json& cable,
+                  const Document& document, const Place& place) {
+    const CableLayout layout = lay_out_cable(out, scope, to_scope, cable, document, place);
+    Builder(out, layout, place).build();
+}
+
+}  // namespace hawser::scene

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/description.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace hawser::scene {
+namespace {
+
+void refuse_taken(const char* what, const std::string& name, const Place& place,
+                  const Place& first) {
+    refuse(place, fmt::format("{} {} exists already, from {}", what, quoted(name),
+                              first.file == place.file ? first.path
+                                                       : first.file + ": " + first.path));
+}
+
+void refuse_too_many(std::size_t count, const char* what, const Place& place) {
+    if (count >= kMaxElements) {
+        refuse(place, fmt::format("the scene has more than {} {}", kMaxElements, what));
+    }
+}
+
+}  // namespace
+
+int Description::keep(const Place& place) {
+    places_.push_back(place);
+    return static_cast<int>(places_.size()) - 1;
+}
+
+BodyId Description::add_body(BodyDef def, int place) {
+    const auto index = static_cast<std::int32_t>(bodies.size());
+    const Place& at = places_[static_cast<std::size_t>(place)];
+    refuse_too_many(bodies.size(), "bodies", at);
+    if (!def.name.empty()) {
+        const auto [entry, added] = body_names_.emplace(def.name, index);
+        if (!added) {
+            refuse_taken("the body", def.name, at,
+                         body_place(static_cast<std::size_t>(entry->second)));
+        }
+    }
+    bodies.push_back(std::move(def));
+    body_at_.push_back(static_cast<std::size_t>(place));
+    return BodyId{index};
+}
+
+InteractionId Description::add_interaction(InteractionDef def, int place) {
+    const auto index = static_cast<std::int32_t>(interactions.size());
+    const Place& at = places_[static_cast<std::size_t>(place)];
+    refuse_too_many(interactions.size() / 2, "interactions (twice)", at);
+    if (!def.name.empty()) {
+        const auto [entry, added] = interaction_names_.emplace(def.name, index);
+        if (!added) {
+            refuse_taken("the interaction", def.name, at,
+                         interaction_place(static_cast<std::size_t>(entry->second)));
+        }
+    }
+    interactions.push_back(std::move(def));
+    interaction_at_.push_back(static_cast<std::size_t>(place));
+    return InteractionId{index};
+}
+
+void Description::add_input(InputDef def, int place) {
+    const auto index = static_cast<std::int32_t>(inputs.size());
+    const auto [entry, added] = input_names_.emplace(def.name, index);
+    if (!added) {
+        refuse_taken("the input", def.name, places_[static_cast<std::size_t>(place)],
+                     input_place(static_cast<std::size_t>(entry->second)));
+    }
+    inputs.push_back(std::move(def));
+    input_at_.push_back(static_cast<std::size_t>(place));
+}
+
+void Description::add_cable(Cable cable, const Place& place) {
+    const auto index = static_cast<std::int32_t>(cables.size());
+    if (!cable_names_.emplace(cable.name, index).second) {
+        refuse(place, "the cable " + quoted(cable.name) + " exists already");
+    }
+    cables.push_back(std::move(cable));
+}
+
+BodyId Description::find_body(const std::string& name) const {
+    const auto entry = body_names_.find(name);
+    return entry == body_names_.end() ? BodyId{} : BodyId{entry->second};
+}
+
+InteractionId Description::find_interaction(const std::string& name) const {
+    const auto entry = interaction_names_.find(name);
+    return entry == interaction_names_.end() ? InteractionId{} : InteractionId{entry->second};
+}
+
+bool Description::has_cable(const std::string& name) const {
+    return cable_names_.contains(name);
+}
+
+BodyId Description::world_body() {
+    if (!world_.valid()) {
+        BodyDef def;
+        def.name = "world";
+        def.kind = BodyKind::fixed;
+        world_ = add_body(std::move(def), keep({}));
+    }
+    return world_;
+}
+
+Vec3 Description::world_point(BodyId id, const Vec3& local) const {
+    const BodyDef& b = body(id);
+    return b.kind == BodyKind::lump ? b.position : Vec3(b.position + b.orientation * local);
+}
+
+Frame Description::frame_of(BodyId id) const {
+    const BodyDef& b = body(id);
+    return {b.position, b.orientation, b.velocity, b.angular_velocity};
+}
+
+BodyId resolve_body(Description& out, const Scope& scope, const std::string& name,
+                    const Place& place) {
+    if (const auto bound = scope.bound.find(name); bound != scope.bound.end()) {
+        return bound->second == "world" ? out.world_body() : out.find_body(bound->second);
+    }
+    if (name == "world") {
+        return out.world_body();
+    }
+    const BodyId id = out.find_body(scope.prefix + name);
+    if (id.valid()) {
+        return id;
+    }
+    std::vector<std::string> known{"world"};
+    for (const auto& [local, full] : scope.bound) {
+        known.push_back(local);
+    }
+    for (const BodyDef& body : out.bodies) {
+        if (body.name.starts_with(scope.prefix)) {
+            known.push_back(body.name.substr(scope.prefix.size()));
+        }
+    }
+    refuse(place, "there is no body " + quoted(name) + suggestion(name, known));
+}
+
+Vec3 vector_of(const Json& value) {
+    return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+}
+
+Vec3 vector_or(const Json& object, const char* key, const Vec3& fallback) {
+    const auto entry = object.find(key);
+    return entry == object.end() ? fallback : vector_of(*entry);
+}
+
+double number_or(const Json& object, const char* key, double fallback) {
+    const auto entry = object.find(key);
+    return entry == object.end() ? fallback : entry->get<double>();
+}
+
+std::string text_or(const Json& object, const char* key, const char* fallback) {
+    const auto entry = object.find(key);
+    return entry == object.end() ? fallback : entry->get<std::string>();
+}
+
+Quat quaternion_of(const Json& value, const Place& place) {
+    const Quat q(value[0].get<double>(), value[1].get<double>(), value[2].get<double>(),
+                 value[3].get<double>());
+    // Hand-written quaternions are near unit length; anything else is a slip.
+    if (std::abs(q.norm() - 1.0) > 1e-2) {
+        refuse(place, fmt::format("expected a unit quaternion [w, x, y, z], found one of length "
+                                  "{}",
+                                  q.norm()));
+    }
+    return q.normalized();
+}
+
+Quat orientation_of(const Json& object, const Place& place) {
+    if (const auto q = object.find("orientation"); q != object.end()) {
+        return quaternion_of(*q, place / "orientation");
+    }
+    const auto euler = object.find("euler_deg");
+    if (euler == object.end()) {
+        return Quat::Identity();
+    }
+    const Vec3 angle = vector_of(*euler) * (std::numbers::pi / 180.0);
+    return Quat(Eigen::AngleAxisd(angle.z(), Vec3::UnitZ()) *
+                Eigen::AngleAxisd(angle.y(), Vec3::UnitY()) *
+                Eigen::AngleAxisd(angle.x(), Vec3::UnitX()));
+}
+
+}  // namespace hawser::scene

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file description.h
+/// A scene as flat lists of definitions, before it becomes a world. Bodies and interactions
+/// refer to one another by their index here, which is also their index in the world.
+
+#include "scene/document.h"
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace hawser::scene {
+
+/// Where a template's own coordinates lie in the world, and how that place moves.
+struct Frame {
+    Vec3 position{0.0, 0.0, 0.0};
+    Quat orientation = Quat::Identity();
+    Vec3 velocity{0.0, 0.0, 0.0};
+    Vec3 angular_velocity{0.0, 0.0, 0.0};
+
+    [[nodiscard]] Vec3 point(const Vec3& local) const { return position + orientation * local; }
+    [[nodiscard]] Vec3 direction(const Vec3& local) const { return orientation * local; }
+    /// Velocity of the frame at a world point.
+    [[nodiscard]] Vec3 velocity_at(const Vec3& world) const {
+        return velocity + angular_velocity.cross(world - position);
+    }
+};
+
+class Description {
+   public:
+    WorldDef settings;
+    double duration = 10.0;
+    double default_compliance = kDefault;
+    double default_damping_time = kDefault;
+
+    std::vector<BodyDef> bodies;
+    std::vector<InteractionDef> interactions;
+    std::vector<InputDef> inputs;
+    std::vector<Cable> cables;
+
+    /// Take a place to which several items refer. @return its number.
+    int keep(const Place& place);
+    [[nodiscard]] const Place& body_place(std::size_t i) const { return places_[body_at_[i]]; }
+    [[nodiscard]] const Place& interaction_place(std::size_t i) const {
+        return places_[interaction_at_[i]];
+    }
+    [[nodiscard]] const Place& input_place(std::size_t i) const { return places_[input_at_[i]]; }
+
+    /// @throws SceneError when the name is taken or there are too many.
+    BodyId add_body(BodyDef def, int place);
+    InteractionId add_interaction(InteractionDef def, int place);
+    void add_input(InputDef def, int place);
+    void add_cable(Cable cable, const Place& place);
+
+    [[nodiscard]] BodyId find_body(const std::string& name) const;
+    [[nodiscard]] InteractionId find_interaction(const std::string& name) const;
+    [[nodiscard]] bool has_cable(const std::string& name) const;
+    /// The fixed body "world", added when first asked for.
+    BodyId world_body();
+    [[nodiscard]] BodyId world_body_if_any() const { return world_; }
+
+    [[nodiscard]] const BodyDef& body(BodyId id) const {
+        return bodies[static_cast<std::size_t>(id.index)];
+    }
+    /// World position of a point of a body.
+    [[nodiscard]] Vec3 world_point(BodyId id, const Vec3& local) const;
+    [[nodiscard]] Frame frame_of(BodyId id) const;
+
+   private:
+    std::vector<Place> places_;
+    std::vector<std::size_t> body_at_, interaction_at_, input_at_;
+    std::unordered_map<std::string, std::int32_t> body_names_, interaction_names_, input_names_,
+        cable_names_;
+    BodyId world_;
+};
+
+/// Part of the scene in which names are local: the scene itself or one instance.
+struct Scope {
+    const Json* content = nullptr;  ///< Object with the lists "bodies", "cables", …
+    Place place;                    ///< Of `content`.
+    std::string prefix;             ///< Of all names made here, such as "port_crane/".
+    Frame frame;
+    std::unordered_map<std::string, std::string> bound;  ///< Local body name -> full name.
+};
+
+/// Body with this local name. @throws SceneError with the nearest name.
+[[nodiscard]] BodyId resolve_body(Description& out, const Scope& scope, const std::string& name,
+                                  const Place& place);
+
+/// Fill the description with everything in the document; see expand.cpp.
+void expand(Description& out, const Document& document);
+
+/// Bodies of one scope (bodies.cpp).
+void expand_bodies(Description& out, const Scope& scope);
+/// Interactions of one scope (interactions.cpp).
+void expand_interactions(Description& out, const Scope& scope);
+/// One cable (cables.cpp). `to_scope` is where the name of its last end is looked up.
+void expand_cable(Description& out, const Scope& scope, const Scope& to_scope, const Json& cable,
+                  const Document& document, const Place& place);
+/// Inputs of one scope (inputs.cpp).
+void expand_inputs(Description& out, const Scope& scope);
+/// Start from the stored state (state.cpp): bodies of copy 0, or the cables that join copies.
+void apply_state(Description& out, const Document& document);
+/// Copies of everything so far, and the cables that join them (repeat.cpp).
+void expand_copies(Description& out, const Document& document);
+
+/// Replace "${name}" in every string by the parameter (templates.cpp).
+[[nodiscard]] Json substitute(const Json& value, const Json& parameters, const Place& place);
+
+// --- Reading values whose shape has been checked -------------------------------------------
+[[nodiscard]] Vec3 vector_of(const Json& value);
+[[nodiscard]] Vec3 vector_or(const Json& object, const char* key, const Vec3& fallback);
+[[nodiscard]] double number_or(const Json& object, const char* key, double fallback);
+[[nodiscard]] std::string text_or(const Json& object, const char* key, const char* fallback);
+/// "orientation" or "euler_deg" of an object. @throws SceneError for a zero quaternion.
+[[nodiscard]] Quat orientation_of(const Json& object, const Place& place);
+[[nodiscard]] Quat quaternion_of(const Json& value, const Place& place);
+
+}  // namespace hawser::scene

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/document.h"
+
+#include <algorithm>
+#include <set>
+
+namespace hawser::scene {
+namespace {
+
+/// Gathers line types and templates of included files.
+class Includer {
+   public:
+    Includer(Document& document, std::filesystem::path root_folder)
+        : document_(document), root_folder_(std::move(root_folder)) {}
+
+    /// Merge what `content`, read from `file`, includes; the entries of `content` itself too
+    /// unless it is the scene.
+    void merge(const Json& content, const std::filesystem::path& file, int depth) {
+        const Place place{file.string(), ""};
+        if (depth > 0) {
+            take(content, "line_types", place, document_.line_types);
+            take(content, "templates", place, document_.templates);
+        }
+        const auto list = content.find("include");
+        if (list == content.end()) {
+            return;
+        }
+        for (std::size_t i = 0; i < list->size(); ++i) {
+            const Place entry = place / "include" / i;
+            include((*list)[i].get<std::string>(), file, depth, entry);
+        }
+    }
+
+   private:
+    void include(const std::string& name, const std::filesystem::path& from, int depth,
+                 const Place& entry) {
+        if (depth >= kMaxIncludeDepth) {
+            refuse(entry, "includes are nested more than " + std::to_string(kMaxIncludeDepth) +
+                              " deep");
+        }
+        const auto file = resolve_inside(root_folder_, from.parent_path(), name, entry);
+        const auto key = std::filesystem::weakly_canonical(file).string();
+        if (std::find(open_.begin(), open_.end(), key) != open_.end()) {
+            refuse(entry, "the file " + quoted(name) + " includes itself, directly or through "
+                          "others");
+        }
+        if (!done_.insert(key).second) {
+            return;  // Reached twice by different routes: its entries are there already.
+        }
+        const Json content = read_json_file(file);
+        check_shape(content, *format().part, {file.string(), ""});
+        open_.push_back(key);
+        merge(content, file, depth + 1);
+        open_.pop_back();
+    }
+
+    void take(const Json& content, const char* what, const Place& place,
+              std::map<std::string, Place, std::less<>>& places) {
+        const auto entries = content.find(what);
+        if (entries == content.end()) {
+            return;
+        }
+        for (const auto& [name, value] : entries->items()) {
+            const Place at = place / what / name;
+            if (document_.root.contains(what) && document_.root[what].contains(name)) {
+                const auto other = places.find(name);
+                refuse(at, quoted(name) + " is already defined in " +
+                               (other == places.end() ? document_.place.file
+                                                      : other->second.file));
+            }
+            document_.root[what][name] = value;
+            places.emplace(name, at);
+        }
+    }
+
+    Document& document_;
+    std::filesystem::path root_folder_;
+    std::vector<std::string> open_;
+    std::set<std::string> done_;
+};
+
+void apply_options(Document& document, const Options& options) {
+    Json& root = document.root;
+    const bool changed =
+        !options.set.empty() || options.step || options.form || options.scale != 1;
+    if (!changed) {
+        return;
+    }
+    for (const std::string& option : options.set) {
+        apply_override(root, option, document.place);
+    }
+    if (options.step) {
+        root["settings"]["step"] = *options.step;
+    }
+    if (options.form) {
+        const char* const words[] = {"auto", "saddle", "condensed"};
+        root["settings"]["form"] = words[static_cast<std::size_t>(*options.form)];
+    }
+    if (options.scale != 1) {
+        if (!root.contains("repeat")) {
+            refuse(document.place,
+                   "this scene cannot be scaled; it needs the key \"repeat\" with the offset "
+                   "from one copy to the next");
+        }
+        root["repeat"]["copies"] = options.scale;
+    }
+    check_shape(root, *format().scene, document.place);
+}
+
+void read_state(Document& document, const std::filesystem::path& file) {
+    const auto state = document.root.find("state");
+    if (state == document.root.end()) {
+        return;
+    }
+    const Place place = document.place / "state";
+    document.state = place / "bodies";
+    if (state->contains("bodies")) {
+        return;
+    }
+    if (!state->contains("file")) {
+        refuse(place, "needs the key \"file\" or \"bodies\"");
+    }
+    const auto stored = resolve_inside(file.parent_path(), file.parent_path(),
+                                       (*state)["file"].get<std::string>(), place / "file");
+    Json content = read_json_file(stored);
+    const Place stored_place{stored.string(), ""};
+    check_shape(content, *format().state, stored_place);
+    *state = Json{{"bodies", std::move(content["bodies"])}};
+    document.state = stored_place / "bodies";
+}
+
+}  // namespace
+
+Document make_document(Json root, const std::filesystem::path& file, const Options& options) {
+    Document document{.root = std::move(root),
+                      .place = {file.string(), ""},
+                      .line_types = {},
+                      .templates = {},
+                      .state = {}};
+    check_shape(document.root, *format().scene, document.place);
+    const Json original = document.root.contains("include")
+                              ? Json{{"include", document.root["include"]}}
+                              : Json::object();
+    Includer(document, file.parent_path()).merge(original, file, 0);
+    document.root.erase("$schema");
+    document.root.erase("include");
+    apply_options(document, options);
+    read_state(document, file);
+    return document;
+}
+
+}  // namespace hawser::scene

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file document.h
+/// From a parsed file to one self-contained document: includes merged, options applied, the
+/// stored state read in, the shape checked.
+
+#include "scene/format.h"
+
+#include <map>
+#include <string>
+
+namespace hawser::scene {
+
+struct Document {
+    Json root;    ///< Self-contained.
+    Place place;  ///< Of the scene itself.
+    /// Where the entries that came from other files stand, by name.
+    std::map<std::string, Place, std::less<>> line_types;
+    std::map<std::string, Place, std::less<>> templates;
+    Place state;  ///< Of the state's "bodies".
+};
+
+/// @throws SceneError.
+[[nodiscard]] Document make_document(Json root, const std::filesystem::path& file,
+                                     const Options& options);
+
+/// Apply one "path=value" (see Options::set). @throws SceneError.
+void apply_override(Json& root, const std::string& option, const Place& place);
+
+}  // namespace hawser::scene

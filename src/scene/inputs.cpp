@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/description.h"
+
+namespace hawser::scene {
+namespace {
+
+InteractionId resolve_interaction(const Description& out, const Scope& scope,
+                                  const std::string& name, const Place& place) {
+    const InteractionId id = out.find_interaction(scope.prefix + name);
+    if (id.valid()) {
+        return id;
+    }
+    std::vector<std::string> known;
+    for (const InteractionDef& def : out.interactions) {
+        if (!def.name.empty() && def.name.starts_with(scope.prefix)) {
+            known.push_back(def.name.substr(scope.prefix.size()));
+        }
+    }
+    refuse(place, "there is no interaction " + quoted(name) + suggestion(name, known));
+}
+
+std::string resolve_param(const KindInfo& kind, const std::string& name, const Place& place) {
+    std::vector<std::string> known;
+    for (const ParamInfo& param : kind.params) {
+        if (param.input && name == param.name) {
+            return name;
+        }
+        if (param.input) {
+            known.emplace_back(param.name);
+        }
+    }
+    if (known.empty()) {
+        refuse(place, std::string("a ") + kind.name + " has no parameter that an input may set");
+    }
+    refuse(place, std::string("a ") + kind.name + " has no parameter " + quoted(name) +
+                      " that an input may set" + suggestion(name, known));
+}
+
+int component_of(const std::string& word) {
+    const int axis = word.back() - 'x';
+    return word.starts_with("torque") ? 3 + axis : axis;
+}
+
+InputDef read_input(Description& out, const Scope& scope, const Json& json, const Place& place) {
+    InputDef def;
+    def.name = scope.prefix + json["name"].get<std::string>();
+    def.min = number_or(json, "min", def.min);
+    def.max = number_or(json, "max", def.max);
+    if (def.min > def.max) {
+        refuse(place / "min", "must not be greater than \"max\"");
+    }
+    if (json.contains("interaction")) {
+        def.interaction = resolve_interaction(out, scope, json["interaction"].get<std::string>(),
+                                              place / "interaction");
+        if (!json.contains("param")) {
+            refuse(place, "an input of an interaction needs the key \"param\"");
+        }
+        const auto index = static_cast<std::size_t>(def.interaction.index);
+        def.param = resolve_param(kind_info(out.interactions[index].kind),
+                                  json["param"].get<std::string>(), place / "param");
+        return def;
+    }
+    if (!json.contains("body") || !json.contains("component")) {
+        refuse(place, "an input needs \"interaction\" and \"param\", or \"body\" and "
+                      "\"component\"");
+    }
+    def.body = resolve_body(out, scope, json["body"].get<std::string>(), place / "body");
+    def.component = component_of(json["component"].get<std::string>());
+    const BodyKind kind = out.body(def.body).kind;
+    const bool takes = kind == BodyKind::rigid || (kind == BodyKind::lump && def.component < 3) ||
+                       (kind == BodyKind::scalar && def.component == 0);
+    if (!takes) {
+        refuse(place / "component", "this component does not act on a body of its kind");
+    }
+    return def;
+}
+
+}  // namespace
+
+void expand_inputs(Description& out, const Scope& scope) {
+    const auto list = scope.content->find("inputs");
+    if (list == scope.content->end()) {
+        return;
+    }
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        const Place place = scope.place / "inputs" / i;
+        InputDef def = read_input(out, scope, (*list)[i], place);
+        out.add_input(std::move(def), out.keep(place));
+    }
+}
+
+}  // namespace hawser::scene

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/description.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace hawser::scene {
+namespace {
+
+/// How far a lump may lie from the point at which it is attached [m]. Room for coordinates
+/// written with six decimals.
+constexpr double kLumpTolerance = 2e-6;
+
+/// Joints hold two points together: where is not something to leave to a default.
+bool needs_points(const KindInfo& kind) {
+    return kind.uses_points && kind.bodies == 2 && kind.rows >= 3;
+}
+
+/// A lock keeps the orientation that the bodies have; every other kind has an axis.
+bool needs_axis(const KindInfo& kind) {
+    return kind.uses_frames && kind.kind != InteractionKind::Lock;
+}
+
+/// Rows that hold exactly unless told otherwise, as against motors and springs.
+bool is_constraint(const KindInfo& kind) {
+    if (std::string_view(kind.row_units).find('v') != std::string_view::npos) {
+        return false;
+    }
+    for (const ParamInfo& param : kind.params) {
+        if (param.unit[0] == 'N') {
+            return false;  // A stiffness: the compliance follows from it.
+        }
+    }
+    return true;
+}
+
+Quat with_z_along(const Vec3& direction) {
+    // About the shortest arc from z; for −z half a turn about x.
+    const Vec3 z = direction.normalized();
+    const double w = 1.0 + z.z();
+    if (w < 1e-9) {
+        return Quat(0.0, 1.0, 0.0, 0.0);
+    }
+    return Quat(w, -z.y(), z.x(), 0.0).normalized();
+}
+
+Vec3 world_direction(const Json& value, const Scope& scope, const Place& place) {
+    const Vec3 axis = vector_of(value);
+    if (!(axis.norm() > 1e-9)) {
+        refuse(place, "a direction must not be zero");
+    }
+    return scope.frame.direction(axis);
+}
+
+/// One interaction on its way from JSON to InteractionDef.
+class Reader {
+   public:
+    Reader(Description& out, const Scope& scope, const Json& json, Place place)
+        : out_(out),
+          scope_(scope),
+          json_(json),
+          place_(std::move(place)),
+          kind_(*find_kind(json["kind"].get_ref<const std::string&>())) {}
+
+    InteractionDef read() {
+        def_.kind = kind_.kind;
+        if (json_.contains("name")) {
+            def_.name = scope_.prefix + json_["name"].get<std::string>();
+        }
+        read_bodies();
+        if (kind_.uses_points) {
+            read_points();
+        }
+        if (kind_.uses_frames) {
+            read_frames();
+        }
+        read_rows("compliance", def_.compliance, out_.default_compliance);
+        read_rows("damping_time", def_.damping_time, out_.default_damping_time);
+        read_params();
+        return def_;
+    }
+
+   private:
+    void read_bodies() {
+        const Json& names = json_["bodies"];
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const Place at = place_ / "bodies" / i;
+            def_.body[i] = resolve_body(out_, scope_, names[i].get<std::string>(), at);
+            for (std::size_t j = 0; j < i; ++j) {
+                if (def_.body[j] == def_.body[i]) {
+                    refuse(at, "the body " + describe(names[i]) + " is named twice");
+                }
+            }
+        }
+    }
+
+    void read_points() {
+        const bool at = json_.contains("at");
+        const bool points = json_.contains("points");
+        if (needs_points(kind_) && !at && !points) {
+            refuse(place_, std::string("a ") + kind_.name +
+                               " needs \"at\" (a world point) or \"points\" (one a body)");
+        }
+        for (std::size_t i = 0; i < bodies(); ++i) {
+            const BodyDef& body = out_.body(def_.body[i]);
+            if (body.kind == BodyKind::scalar) {
+                continue;  // A drum has a coordinate, not a place.
+            }
+            const Place where = at ? place_ / "at" : place_ / "points" / i;
+            if (at) {
+                const Vec3 world = scope_.frame.point(vector_of(json_["at"]));
+                def_.point[i] = body.orientation.conjugate() * (world - body.position);
+            } else if (points) {
+                def_.point[i] = vector_of(json_["points"][i]);
+            }
+            if (body.kind == BodyKind::lump) {
+                if (def_.point[i].norm() > kLumpTolerance) {
+                    refuse(where, fmt::format("the lump {} is a point, {:.6g} m away from here; "
+                                              "attach it at its position",
+                                              quoted(body.name), def_.point[i].norm()));
+                }
+                def_.point[i].setZero();
+            }
+        }
+    }
+
+    void read_frames() {
+        if (const auto frames = json_.find("frames"); frames != json_.end()) {
+            for (std::size_t i = 0; i < bodies(); ++i) {
+                def_.frame[i] = quaternion_of((*frames)[i], place_ / "frames" / i);
+            }
+            return;
+        }
+        const bool axis = json_.contains("axis");
+        const bool axes = json_.contains("axes");
+        if (needs_axis(kind_) && !axis && !axes) {
+            refuse(place_, std::string("a ") + kind_.name +
+                               " needs \"axis\" (a world direction), \"axes\" (one a body) or "
+                               "\"frames\"");
+        }
+        if (axis && kind_.kind == InteractionKind::Universal) {
+            refuse(place_ / "axis",
+                   "the two axes of a universal joint differ; give \"axes\", one a body");
+        }
+        for (std::size_t i = 0; i < bodies(); ++i) {
+            Quat world = scope_.frame.orientation;
+            if (axis) {
+                world = with_z_along(world_direction(json_["axis"], scope_, place_ / "axis"));
+            } else if (axes) {
+                world = with_z_along(
+                    world_direction(json_["axes"][i], scope_, place_ / "axes" / i));
+            }
+            def_.frame[i] =
+                (out_.body(def_.body[i]).orientation.conjugate() * world).normalized();
+        }
+    }
+
+    void read_rows(const char* key, std::array<double, kMaxInteractionRows>& rows,
+                   double fallback) {
+        const auto value = json_.find(key);
+        for (std::size_t r = 0; r < static_cast<std::size_t>(kind_.rows); ++r) {
+            if (value == json_.end()) {
+                rows[r] = is_constraint(kind_) ? fallback : kDefault;
+            } else {
+                rows[r] = value->is_array() ? (*value)[r].get<double>() : value->get<double>();
+            }
+        }
+    }
+
+    void read_params() {
+        for (std::size_t p = 0; p < kind_.params.size(); ++p) {
+            const char* name = kind_.params[p].name;
+            if (json_.contains(name)) {
+                def_.params[p] = json_[name].get<double>();
+            } else if (taken_from_pose(kind_, name)) {
+                def_.params[p] = value_of_pose(name);
+            }
+        }
+        if (json_.contains("min") && json_.contains("max") &&
+            json_["min"].get<double>() > json_["max"].get<double>()) {
+            refuse(place_ / "min", "must not be greater than \"max\"");
+        }
+    }
+
+    /// Read off where the scene describes the bodies, so that a stored state changes nothing.
+    double value_of_pose(std::string_view param) {
+        if (param == "rest_height") {
+            return out_.body(def_.body[0]).position.z();
+        }
+        if (param == "target") {
+            return out_.body(def_.body[0]).position.x();
+        }
+        const double length = (out_.world_point(def_.body[1], def_.point[1]) -
+                               out_.world_point(def_.body[0], def_.point[0]))
+                                  .norm();
+        // The smallest length that the kinds accept.
+        if (length < 1e-9) {
+            refuse(place_, "the two points coincide; give \"length\"");
+        }
+        return length;
+    }
+
+    [[nodiscard]] std::size_t bodies() const { return static_cast<std::size_t>(kind_.bodies); }
+
+    Description& out_;
+    const Scope& scope_;
+    const Json& json_;
+    Place place_;
+    const KindInfo& kind_;
+    InteractionDef def_;
+};
+
+}  // namespace
+
+void expand_interactions(Description& out, const Scope& scope) {
+    const auto list = scope.content->find("interactions");
+    if (list == scope.content->end()) {
+        return;
+    }
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        const Place place = scope.place / "interactions" / i;
+        InteractionDef def = Reader(out, scope, (*list)[i], place).read();
+        out.add_interaction(std::move(def), out.keep(place));
+    }
+}
+
+}  // namespace hawser::scene

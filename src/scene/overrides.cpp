@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/document.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace hawser::scene {
+namespace {
+
+[[noreturn]] void refuse_option(const Place& place, const std::string& option,
+                                const std::string& message) {
+    refuse(place, message + " (option " + quoted(option) + ")");
+}
+
+Json value_of(const std::string& text) {
+    if (Json::accept(text)) {
+        return Json::parse(text);
+    }
+    return text;
+}
+
+/// Anything else would not survive being written into the resolved text.
+bool is_plain(const std::string& text) {
+    return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
+}
+
+/// Entry of a list by the value of its "name", or by its index.
+Json* find_entry(Json& list, const std::string& word) {
+    for (Json& entry : list) {
+        if (entry.is_object() && entry.contains("name") && entry["name"] == word) {
+            return &entry;
+        }
+    }
+    std::size_t index = 0;
+    const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), index);
+    const bool whole = failure == std::errc() && end == word.data() + word.size();
+    return whole && index < list.size() ? &list[index] : nullptr;
+}
+
+std::vector<std::string> names_in(const Json& value) {
+    std::vector<std::string> names;
+    if (value.is_object()) {
+        for (const auto& [key, entry] : value.items()) {
+            names.push_back(key);
+        }
+    } else if (value.is_array()) {
+        for (const Json& entry : value) {
+            if (entry.is_object() && entry.contains("name") && entry["name"].is_string()) {
+                names.push_back(entry["name"].get<std::string>());
+            }
+        }
+    }
+    return names;
+}
+
+}  // namespace
+
+void apply_override(Json& root, const std::string& option, const Place& place) {
+    const auto equals = option.find('=');
+    if (equals == std::string::npos || equals == 0) {
+        refuse_option(place, option, "expected path=value, such as settings.step=0.01");
+    }
+    if (!is_plain(option)) {
+        refuse_option(place, "", "an option must be written in printable ASCII");
+    }
+    std::string rest = option.substr(0, equals);
+    Json* here = &root;
+    Place at = place;
+    while (!rest.empty()) {
+        // A name may hold dots: take the longest run of words that names something here.
+        Json* next = nullptr;
+        std::size_t end = rest.size();
+        while (true) {
+            const std::string word = rest.substr(0, end);
+            if (here->is_array()) {
+                next = find_entry(*here, word);
+            } else if (here->is_object() && here->contains(word)) {
+                next = &(*here)[word];
+            }
+            const auto dot = next != nullptr ? std::string::npos
+                             : end == 0      ? std::string::npos
+                                             : rest.rfind('.', end - 1);
+            if (dot == std::string::npos) {
+                break;
+            }
+            end = dot;
+        }
+        if (next == nullptr) {
+            end = std::min(rest.find('.'), rest.size());
+            const std::string word = rest.substr(0, end);
+            const bool may_add = here->is_null() || (here->is_object() &&
+                                                     (here == &root || end == rest.size()));
+            if (!may_add) {
+                refuse_option(at, option, "there is no " + quoted(word) + " here" +
+                                              suggestion(word, names_in(*here)));
+            }
+            // A key that the file leaves out; the check of the shape refuses unknown ones.
+            next = &(*here)[word];
+        }
+        const std::string word = rest.substr(0, end);
+        at = here->is_array() ? at / static_cast<std::size_t>(next - &here->front()) : at / word;
+        rest = end < rest.size() ? rest.substr(end + 1) : "";
+        here = next;
+    }
+    *here = value_of(option.substr(equals + 1));
+}
+
+}  // namespace hawser::scene

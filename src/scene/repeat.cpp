@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/description.h"
+
+#include <fmt/format.h>
+
+namespace hawser::scene {
+namespace {
+
+/// What of the description is copy 0.
+struct Extent {
+    std::size_t bodies, interactions, inputs, cables;
+};
+
+std::string copy_prefix(int copy) { return std::to_string(copy) + ":"; }
+
+void rename(std::string& name, const std::string& prefix) {
+    if (!name.empty()) {
+        name = prefix + name;
+    }
+}
+
+/// A stored state of this very copy, in place of the shifted state of copy 0.
+const Json* own_state(const Document& document, const std::string& name) {
+    const auto state = document.root.find("state");
+    if (state == document.root.end()) {
+        return nullptr;
+    }
+    const auto entry = (*state)["bodies"].find(name);
+    return entry == (*state)["bodies"].end() ? nullptr : &*entry;
+}
+
+void apply_own_state(BodyDef& def, const Document& document) {
+    const Json* state = own_state(document, def.name);
+    if (state == nullptr || def.kind == BodyKind::fixed) {
+        return;
+    }
+    def.position = vector_of((*state)["p"]);
+    def.velocity = vector_or(*state, "v", Vec3::Zero());
+    if (def.kind == BodyKind::rigid || def.kind == BodyKind::kinematic) {
+        def.angular_velocity = vector_or(*state, "w", Vec3::Zero());
+        if (state->contains("q")) {
+            def.orientation = quaternion_of((*state)["q"], document.state / def.name / "q");
+        }
+    }
+}
+
+class Copier {
+   public:
+    Copier(Description& out, const Document& document, const Json& repeat)
+        : out_(out),
+          document_(document),
+          place_(document.place / "repeat"),
+          repeat_(repeat),
+          offset_(vector_of(repeat["offset"])),
+          base_{out.bodies.size(), out.interactions.size(), out.inputs.size(),
+                out.cables.size()} {}
+
+    void run(int copies) {
+        const std::size_t total = base_.bodies * static_cast<std::size_t>(copies);
+        if (total > kMaxElements) {
+            refuse(place_, fmt::format("{} copies of {} bodies are more than {}", copies,
+                                       base_.bodies, kMaxElements));
+        }
+        if (offset_.isZero(0.0) && copies > 1) {
+            refuse(place_ / "offset", "must not be zero");
+        }
+        number_ = out_.keep(place_);
+        for (int copy = 1; copy < copies; ++copy) {
+            add_copy(copy);
+        }
+        for (int copy = 0; copy + 1 < copies; ++copy) {
+            add_joins(copy);
+        }
+    }
+
+   private:
+    void add_copy(int copy) {
+        const std::string prefix = copy_prefix(copy);
+        std::vector<BodyId> bodies(base_.bodies);
+        for (std::size_t i = 0; i < base_.bodies; ++i) {
+            const BodyId old{static_cast<std::int32_t>(i)};
+            if (old == out_.world_body_if_any()) {
+                bodies[i] = old;
+                continue;
+            }
+            BodyDef def = out_.bodies[i];
+            rename(def.name, prefix);
+            if (def.kind != BodyKind::scalar) {
+                def.position += copy * offset_;
+            }
+            apply_own_state(def, document_);
+            bodies[i] = out_.add_body(std::move(def), number_);
+        }
+        const auto mapped = [&](BodyId id) {
+            return id.valid() ? bodies[static_cast<std::size_t>(id.index)] : id;
+        };
+        const auto first = static_cast<std::int32_t>(out_.interactions.size());
+        for (std::size_t i = 0; i < base_.interactions; ++i) {
+            InteractionDef def = out_.interactions[i];
+            rename(def.name, prefix);
+            for (std::size_t b = 0; b < def.body.size(); ++b) {
+                // The world does not move along: shift the point on it instead.
+                if (def.body[b].valid() && def.body[b] == out_.world_body_if_any()) {
+                    def.point[b] += copy * offset_;
+                }
+                def.body[b] = mapped(def.body[b]);
+            }
+            out_.add_interaction(std::move(def), number_);
+        }
+        const auto shifted = [&](InteractionId id) {
+            return id.valid() ? InteractionId{first + id.index} : id;
+        };
+        for (std::size_t i = 0; i < base_.inputs; ++i) {
+            InputDef def = out_.inputs[i];
+            rename(def.name, prefix);
+            def.interaction = shifted(def.interaction);
+            def.body = mapped(def.body);
+            out_.add_input(std::move(def), number_);
+        }
+        for (std::size_t i = 0; i < base_.cables; ++i) {
+            Cable cable = out_.cables[i];
+            rename(cable.name, prefix);
+            const auto shift_end = [&](BodyId end, Vec3& point) {
+                if (end.valid() && end == out_.world_body_if_any()) {
+                    point += copy * offset_;
+                }
+            };
+            shift_end(cable.nodes.front(), cable.from_point);
+            shift_end(cable.nodes.back(), cable.to_point);
+            for (BodyId& node : cable.nodes) {
+                node = mapped(node);
+            }
+            for (InteractionId& element : cable.stretch) {
+                element = shifted(element);
+            }
+            out_.add_cable(std::move(cable), place_);
+        }
+    }
+
+    /// Cables from copy `copy` to the next.
+    void add_joins(int copy) {
+        const auto list = repeat_.find("joins");
+        if (list == repeat_.end()) {
+            return;
+        }
+        const Scope from = scope_of(copy);
+        const Scope to = scope_of(copy + 1);
+        for (std::size_t i = 0; i < list->size(); ++i) {
+            const std::size_t first = out_.bodies.size();
+            expand_cable(out_, from, to, (*list)[i], document_, place_ / "joins" / i);
+            for (std::size_t b = first; b < out_.bodies.size(); ++b) {
+                apply_own_state(out_.bodies[b], document_);
+            }
+        }
+    }
+
+    [[nodiscard]] Scope scope_of(int copy) const {
+        Scope scope;
+        scope.prefix = copy == 0 ? "" : copy_prefix(copy);
+        scope.frame.position = copy * offset_;
+        return scope;
+    }
+
+    Description& out_;
+    const Document& document_;
+    Place place_;
+    const Json& repeat_;
+    Vec3 offset_;
+    Extent base_;
+    int number_ = 0;
+};
+
+}  // namespace
+
+void expand_copies(Description& out, const Document& document) {
+    const auto repeat = document.root.find("repeat");
+    if (repeat == document.root.end()) {
+        return;
+    }
+    Copier(out, document, *repeat).run(repeat->value("copies", 1));
+}
+
+}  // namespace hawser::scene

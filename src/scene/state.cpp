@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/description.h"
+
+#include <set>
+
+namespace hawser::scene {
+namespace {
+
+bool is_moving(BodyKind kind) {
+    return kind == BodyKind::rigid || kind == BodyKind::lump || kind == BodyKind::scalar;
+}
+
+void set_state(BodyDef& def, const Json& state, const Place& place) {
+    def.position = vector_of(state["p"]);
+    def.velocity = vector_or(state, "v", Vec3::Zero());
+    if (def.kind == BodyKind::rigid || def.kind == BodyKind::kinematic) {
+        def.orientation = state.contains("q") ? quaternion_of(state["q"], place / "q")
+                                              : Quat::Identity();
+        def.angular_velocity = vector_or(state, "w", Vec3::Zero());
+    }
+}
+
+/// Names in a state that a scene of one copy does not have: "3:rig", or the nodes of a cable
+/// that joins copies.
+bool belongs_to_copies(const std::string& name, const Json& root) {
+    const auto repeat = root.find("repeat");
+    if (repeat == root.end()) {
+        return false;
+    }
+    if (name.find(':') != std::string::npos) {
+        return true;
+    }
+    const auto joins = repeat->find("joins");
+    if (joins == repeat->end()) {
+        return false;
+    }
+    for (const Json& join : *joins) {
+        if (name.starts_with(join["name"].get<std::string>() + "/")) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+void apply_state(Description& out, const Document& document) {
+    const auto state = document.root.find("state");
+    if (state == document.root.end()) {
+        return;
+    }
+    const Json& stored = (*state)["bodies"];
+    for (const auto& [name, value] : stored.items()) {
+        const Place place = document.state / name;
+        const BodyId id = out.find_body(name);
+        if (id.valid()) {
+            if (out.body(id).kind != BodyKind::fixed) {
+                set_state(out.bodies[static_cast<std::size_t>(id.index)], value, place);
+            }
+        } else if (!belongs_to_copies(name, document.root)) {
+            std::vector<std::string> known;
+            for (const BodyDef& body : out.bodies) {
+                known.push_back(body.name);
+            }
+            refuse(place, "the scene has no body " + quoted(name) + suggestion(name, known) +
+                              (known.size() > 24 ? "; settle the scene again if it changed" : ""));
+        }
+    }
+    for (const BodyDef& body : out.bodies) {
+        if (is_moving(body.kind) && !stored.contains(body.name)) {
+            refuse(document.state, "the state lacks the body " + quoted(body.name) +
+                                       "; settle the scene again");
+        }
+    }
+}
+
+std::string state_text(const Scene& scene) {
+    const auto list = [](const Vec3& v) { return Json{v.x(), v.y(), v.z()}; };
+    Json bodies = Json::object();
+    for (int i = 0; i < scene.world.body_count(); ++i) {
+        const BodyDef& def = scene.world.body_def(BodyId{i});
+        if (!is_moving(def.kind) || def.name.empty()) {
+            continue;
+        }
+        const Pose pose = scene.world.pose(BodyId{i});
+        const Twist twist = scene.world.velocity(BodyId{i});
+        Json entry{{"p", list(pose.position)}, {"v", list(twist.linear)}};
+        if (def.kind == BodyKind::rigid) {
+            const Quat& q = pose.orientation;
+            entry["q"] = {q.w(), q.x(), q.y(), q.z()};
+            entry["w"] = list(twist.angular);
+        }
+        bodies[def.name] = std::move(entry);
+    }
+    const Json state{{"version", kFormatVersion},
+                     {"scene", scene.name},
+                     {"time", scene.world.time()},
+                     {"bodies", std::move(bodies)}};
+    return state.dump(1) + "\n";
+}
+
+}  // namespace hawser::scene
