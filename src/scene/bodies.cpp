@@ -9,8 +9,7 @@
 namespace hawser::scene {
 namespace {
 
-constexpr std::array<const char*, 5> kKindWords = {"rigid", "lump", "scalar", "fixed",
-                                                   "kinematic"};
+constexpr std::array<const char*, 5> kKindWords = {"rigid", "lump", "scalar", "fixed", "kinematic"};
 
 BodyKind kind_of(const std::string& word) {
     for (std::size_t i = 0; i < kKindWords.size(); ++i) {
@@ -59,8 +58,9 @@ void set_inertia_matrix(BodyDef& def, const Json& value, const Place& place) {
     // Eigenvalues relative to the largest: a moment 1e-12 of another is round-off, not a body.
     const Eigen::SelfAdjointEigenSolver<Mat3> eigen(def.inertia, Eigen::EigenvaluesOnly);
     if (!(eigen.eigenvalues().minCoeff() > 1e-12 * size)) {
-        refuse(place, "an inertia must be positive definite; all three principal moments must be "
-                      "greater than zero");
+        refuse(place,
+               "an inertia must be positive definite; all three principal moments must be "
+               "greater than zero");
     }
 }
 
@@ -90,8 +90,8 @@ void set_extent(BodyDef& def, const Json& body, const Place& place) {
 void refuse_useless(const Json& body, BodyKind kind, const Place& place) {
     std::vector<const char*> useless;
     if (kind == BodyKind::lump || kind == BodyKind::scalar) {
-        useless = {"inertia", "torque", "angular_velocity", "angular_damping", "orientation",
-                   "euler_deg"};
+        useless = {"inertia",         "torque",      "angular_velocity",
+                   "angular_damping", "orientation", "euler_deg"};
     } else if (kind == BodyKind::fixed) {
         useless = {"velocity", "angular_velocity", "force", "torque"};
     } else if (kind == BodyKind::kinematic) {
@@ -127,8 +127,8 @@ void set_motion(BodyDef& def, const Json& body, const Frame& frame, const Place&
     def.orientation = (frame.orientation * orientation_of(body, place)).normalized();
     def.velocity = frame.velocity_at(def.position) +
                    frame.direction(vector_or(body, "velocity", Vec3::Zero()));
-    def.angular_velocity = frame.angular_velocity +
-                           frame.direction(vector_or(body, "angular_velocity", Vec3::Zero()));
+    def.angular_velocity =
+        frame.angular_velocity + frame.direction(vector_or(body, "angular_velocity", Vec3::Zero()));
     if (def.kind == BodyKind::lump) {
         def.orientation = Quat::Identity();
         def.angular_velocity.setZero();
@@ -147,12 +147,13 @@ BodyDef read_body(const Json& body, const Scope& scope, const Place& place) {
     def.kind = kind_of(text_or(body, "kind", "rigid"));
     def.mass = number_or(body, "mass", 0.0);
     if (body["name"] == "world" || scope.bound.contains(body["name"].get<std::string>())) {
-        refuse(place / "name", "the name " + describe(body["name"]) + " is taken: it stands for "
-                               "a body outside");
+        refuse(place / "name", "the name " + describe(body["name"]) +
+                                   " is taken: it stands for "
+                                   "a body outside");
     }
     if (is_moving(def.kind) && !body.contains("mass")) {
-        refuse(place, "a body of kind " + text_or(body, "kind", "rigid") +
-                          " needs the key \"mass\"");
+        refuse(place,
+               "a body of kind " + text_or(body, "kind", "rigid") + " needs the key \"mass\"");
     }
     refuse_useless(body, def.kind, place);
     set_extent(def, body, place);

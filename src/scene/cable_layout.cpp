@@ -29,7 +29,8 @@ const Json& line_type_of(const Json& cable, const Document& document, const Plac
             known.push_back(key);
         }
     }
-    refuse(place / "line_type", "there is no line type " + quoted(name) + suggestion(name, known));
+    refuse(place / "line_type",
+           "there is no line type " + in_quotes(name) + suggestion(name, known));
 }
 
 void read_line_type(CableLayout& c, const Json& cable, const Document& document,
@@ -81,11 +82,11 @@ CableEnd read_end(Description& out, const Scope& scope, const Json& json, bool l
     end.local = vector_or(json, "point", Vec3::Zero());
     const BodyDef& body = out.body(end.body);
     if (body.kind == BodyKind::scalar) {
-        refuse(place / "body", "the scalar body " + quoted(body.name) +
+        refuse(place / "body", "the scalar body " + in_quotes(body.name) +
                                    " has no place; name it as the drum of a \"winch\"");
     }
     if (body.kind == BodyKind::lump && !end.local.isZero(0.0)) {
-        refuse(place / "point", "the lump " + quoted(body.name) + " is a point");
+        refuse(place / "point", "the lump " + in_quotes(body.name) + " is a point");
     }
     end.world = out.world_point(end.body, end.local);
     end.velocity = out.frame_of(end.body).velocity_at(end.world);
@@ -105,7 +106,7 @@ void read_ends(CableLayout& c, Description& out, const Scope& scope, const Scope
         const std::string drum = (*winch)["drum"].get<std::string>();
         c.drum = resolve_body(out, scope, drum, at / "drum");
         if (out.body(c.drum).kind != BodyKind::scalar) {
-            refuse(at / "drum", "the body " + quoted(drum) + " is not of kind scalar");
+            refuse(at / "drum", "the body " + in_quotes(drum) + " is not of kind scalar");
         }
         c.drum_radius = (*winch)["radius"].get<double>();
         if (winch->contains("fairlead")) {
@@ -131,8 +132,7 @@ double along(const std::vector<Vec3>& nodes) {
     return length;
 }
 
-void read_elements(CableLayout& c, const Description& out, const Json& cable,
-                   const Place& place) {
+void read_elements(CableLayout& c, const Description& out, const Json& cable, const Place& place) {
     const auto points = cable.find("points");
     const bool counted = cable.contains("elements");
     if (!counted && points == cable.end()) {
@@ -161,8 +161,7 @@ void place_nodes(CableLayout& c, const Description& out, const Scope& scope, con
         if (out.settings.gravity.isZero(0.0)) {
             refuse(place / "shape", "a catenary needs gravity");
         }
-        auto hanging =
-            hang(a, b, c.length, static_cast<int>(c.elements), out.settings.gravity);
+        auto hanging = hang(a, b, c.length, static_cast<int>(c.elements), out.settings.gravity);
         if (!hanging) {
             refuse(place / "shape",
                    fmt::format("no catenary of {} m in {} elements joins the ends, {:.6g} m "
@@ -225,7 +224,7 @@ CableLayout lay_out_cable(Description& out, const Scope& scope, const Scope& to_
     CableLayout c;
     c.name = scope.prefix + cable["name"].get<std::string>();
     if (out.has_cable(c.name)) {
-        refuse(place / "name", "the cable " + quoted(c.name) + " exists already");
+        refuse(place / "name", "the cable " + in_quotes(c.name) + " exists already");
     }
     c.links = text_or(cable, "as", "lumps") == "links";
     c.tension_only = cable.value("tension_only", true);

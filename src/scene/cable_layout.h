@@ -10,10 +10,10 @@ namespace hawser::scene {
 struct CableEnd {
     enum class Kind { body, fixed, free };
     Kind kind = Kind::body;
-    BodyId body;                    ///< The world body for a fixed end of links.
-    Vec3 local{0.0, 0.0, 0.0};      ///< In the frame of `body` [m].
-    Vec3 world{0.0, 0.0, 0.0};      ///< [m].
-    Vec3 velocity{0.0, 0.0, 0.0};   ///< [m/s].
+    BodyId body;                   ///< The world body for a fixed end of links.
+    Vec3 local{0.0, 0.0, 0.0};     ///< In the frame of `body` [m].
+    Vec3 world{0.0, 0.0, 0.0};     ///< [m].
+    Vec3 velocity{0.0, 0.0, 0.0};  ///< [m/s].
 };
 
 struct CableLayout {
@@ -45,8 +45,8 @@ struct CableLayout {
 };
 
 /// @throws SceneError.
-[[nodiscard]] CableLayout lay_out_cable(Description& out, const Scope& scope,
-                                        const Scope& to_scope, const Json& cable,
-                                        const Document& document, const Place& place);
+[[nodiscard]] CableLayout lay_out_cable(Description& out, const Scope& scope, const Scope& to_scope,
+                                        const Json& cable, const Document& document,
+                                        const Place& place);
 
 }  // namespace hawser::scene

@@ -8,7 +8,7 @@ namespace {
 
 /// Bodies and interactions of one laid-out cable.
 class Builder {
-   public:
+  public:
     Builder(Description& out, const CableLayout& layout, const Place& place)
         : out_(out), c_(layout), place_(out.keep(place)), at_(place) {
         cable_.name = c_.name;
@@ -28,7 +28,7 @@ class Builder {
         out_.add_cable(std::move(cable_), at_);
     }
 
-   private:
+  private:
     [[nodiscard]] std::string part(const char* what, std::size_t i) const {
         return c_.name + "/" + what + std::to_string(i);
     }

@@ -11,9 +11,9 @@ namespace {
 
 void refuse_taken(const char* what, const std::string& name, const Place& place,
                   const Place& first) {
-    refuse(place, fmt::format("{} {} exists already, from {}", what, quoted(name),
-                              first.file == place.file ? first.path
-                                                       : first.file + ": " + first.path));
+    refuse(place,
+           fmt::format("{} {} exists already, from {}", what, in_quotes(name),
+                       first.file == place.file ? first.path : first.file + ": " + first.path));
 }
 
 void refuse_too_many(std::size_t count, const char* what, const Place& place) {
@@ -75,7 +75,7 @@ void Description::add_input(InputDef def, int place) {
 void Description::add_cable(Cable cable, const Place& place) {
     const auto index = static_cast<std::int32_t>(cables.size());
     if (!cable_names_.emplace(cable.name, index).second) {
-        refuse(place, "the cable " + quoted(cable.name) + " exists already");
+        refuse(place, "the cable " + in_quotes(cable.name) + " exists already");
     }
     cables.push_back(std::move(cable));
 }
@@ -90,9 +90,7 @@ InteractionId Description::find_interaction(const std::string& name) const {
     return entry == interaction_names_.end() ? InteractionId{} : InteractionId{entry->second};
 }
 
-bool Description::has_cable(const std::string& name) const {
-    return cable_names_.contains(name);
-}
+bool Description::has_cable(const std::string& name) const { return cable_names_.contains(name); }
 
 BodyId Description::world_body() {
     if (!world_.valid()) {
@@ -135,7 +133,7 @@ BodyId resolve_body(Description& out, const Scope& scope, const std::string& nam
             known.push_back(body.name.substr(scope.prefix.size()));
         }
     }
-    refuse(place, "there is no body " + quoted(name) + suggestion(name, known));
+    refuse(place, "there is no body " + in_quotes(name) + suggestion(name, known));
 }
 
 Vec3 vector_of(const Json& value) {

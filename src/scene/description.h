@@ -29,7 +29,7 @@ struct Frame {
 };
 
 class Description {
-   public:
+  public:
     WorldDef settings;
     double duration = 10.0;
     double default_compliance = kDefault;
@@ -68,7 +68,7 @@ class Description {
     [[nodiscard]] Vec3 world_point(BodyId id, const Vec3& local) const;
     [[nodiscard]] Frame frame_of(BodyId id) const;
 
-   private:
+  private:
     std::vector<Place> places_;
     std::vector<std::size_t> body_at_, interaction_at_, input_at_;
     std::unordered_map<std::string, std::int32_t> body_names_, interaction_names_, input_names_,

@@ -9,7 +9,7 @@ namespace {
 
 /// Gathers line types and templates of included files.
 class Includer {
-   public:
+  public:
     Includer(Document& document, std::filesystem::path root_folder)
         : document_(document), root_folder_(std::move(root_folder)) {}
 
@@ -31,18 +31,19 @@ class Includer {
         }
     }
 
-   private:
+  private:
     void include(const std::string& name, const std::filesystem::path& from, int depth,
                  const Place& entry) {
         if (depth >= kMaxIncludeDepth) {
-            refuse(entry, "includes are nested more than " + std::to_string(kMaxIncludeDepth) +
-                              " deep");
+            refuse(entry,
+                   "includes are nested more than " + std::to_string(kMaxIncludeDepth) + " deep");
         }
         const auto file = resolve_inside(root_folder_, from.parent_path(), name, entry);
         const auto key = std::filesystem::weakly_canonical(file).string();
         if (std::find(open_.begin(), open_.end(), key) != open_.end()) {
-            refuse(entry, "the file " + quoted(name) + " includes itself, directly or through "
-                          "others");
+            refuse(entry, "the file " + in_quotes(name) +
+                              " includes itself, directly or through "
+                              "others");
         }
         if (!done_.insert(key).second) {
             return;  // Reached twice by different routes: its entries are there already.
@@ -64,9 +65,8 @@ class Includer {
             const Place at = place / what / name;
             if (document_.root.contains(what) && document_.root[what].contains(name)) {
                 const auto other = places.find(name);
-                refuse(at, quoted(name) + " is already defined in " +
-                               (other == places.end() ? document_.place.file
-                                                      : other->second.file));
+                refuse(at, in_quotes(name) + " is already defined in " +
+                               (other == places.end() ? document_.place.file : other->second.file));
             }
             document_.root[what][name] = value;
             places.emplace(name, at);
@@ -81,8 +81,7 @@ class Includer {
 
 void apply_options(Document& document, const Options& options) {
     Json& root = document.root;
-    const bool changed =
-        !options.set.empty() || options.step || options.form || options.scale != 1;
+    const bool changed = !options.set.empty() || options.step || options.form || options.scale != 1;
     if (!changed) {
         return;
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/error.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -40,7 +42,7 @@ std::string pointer_token(std::string_view key) {
 Place Place::operator/(std::string_view key) const { return {file, path + pointer_token(key)}; }
 
 Place Place::operator/(std::size_t index) const {
-    return {file, path + "/" + std::to_string(index)};
+    return {file, fmt::format("{}/{}", path, index)};
 }
 
 void refuse(const Place& place, const std::string& message) {
@@ -76,9 +78,8 @@ std::string suggestion(std::string_view name, std::span<const std::string> known
     std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
     if (name.size() <= kLongestCompared) {
         for (const std::string& candidate : known) {
-            const std::size_t gap = candidate.size() > name.size()
-                                        ? candidate.size() - name.size()
-                                        : name.size() - candidate.size();
+            const std::size_t gap = candidate.size() > name.size() ? candidate.size() - name.size()
+                                                                   : name.size() - candidate.size();
             if (gap >= best_distance) {
                 continue;
             }
@@ -90,7 +91,7 @@ std::string suggestion(std::string_view name, std::span<const std::string> known
         }
     }
     if (best != nullptr) {
-        return "; did you mean " + quoted(*best) + "?";
+        return "; did you mean " + in_quotes(*best) + "?";
     }
     if (known.empty() || known.size() > kLongestList) {
         return "";
@@ -102,7 +103,7 @@ std::string suggestion(std::string_view name, std::span<const std::string> known
     return list;
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
     constexpr std::size_t kShown = 60;
     std::string shown(text.substr(0, kShown));
     if (text.size() > kShown) {

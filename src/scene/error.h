@@ -37,6 +37,6 @@ struct Place {
 [[nodiscard]] std::string suggestion(std::string_view name, std::span<const std::string> known);
 
 /// Text in double quotes, shortened when long, for messages.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string in_quotes(std::string_view text);
 
 }  // namespace hawser::scene

@@ -32,7 +32,7 @@ void with_note(const std::string& note, const Work& work) {
 }
 
 class Expander {
-   public:
+  public:
     Expander(Description& out, const Document& document) : out_(out), document_(document) {}
 
     void run() {
@@ -48,7 +48,7 @@ class Expander {
         }
     }
 
-   private:
+  private:
     static constexpr std::size_t kMaxInstances = 100'000;
 
     void add_bodies(InstanceScope item, int depth) {
@@ -87,11 +87,10 @@ class Expander {
         const Json& definition = find_template(name, place / "template");
         if (std::find(open_.begin(), open_.end(), name) != open_.end()) {
             refuse(place / "template",
-                   "the template " + quoted(name) + " uses itself, directly or through others");
+                   "the template " + in_quotes(name) + " uses itself, directly or through others");
         }
         if (depth >= kMaxInstanceDepth) {
-            refuse(place, fmt::format("templates are nested more than {} deep",
-                                      kMaxInstanceDepth));
+            refuse(place, fmt::format("templates are nested more than {} deep", kMaxInstanceDepth));
         }
         if (scopes_.size() >= kMaxInstances) {
             refuse(place, fmt::format("the scene has more than {} instances", kMaxInstances));
@@ -104,13 +103,12 @@ class Expander {
                    "the instance " + describe(instance["name"]) + " exists already");
         }
         const auto elsewhere = document_.templates.find(name);
-        scope.place = elsewhere != document_.templates.end()
-                          ? elsewhere->second
-                          : document_.place / "templates" / name;
+        scope.place = elsewhere != document_.templates.end() ? elsewhere->second
+                                                             : document_.place / "templates" / name;
         inner.note = fmt::format(" (in the instance {})",
-                                 quoted(scope.prefix.substr(0, scope.prefix.size() - 1)));
-        inner.content = std::make_unique<Json>(fill_in(definition, instance, scope.place, place,
-                                                       inner.note));
+                                 in_quotes(scope.prefix.substr(0, scope.prefix.size() - 1)));
+        inner.content =
+            std::make_unique<Json>(fill_in(definition, instance, scope.place, place, inner.note));
         scope.content = inner.content.get();
         set_frame(scope, instance, outer, place);
         bind(scope, instance, outer, place);
@@ -127,7 +125,7 @@ class Expander {
                 known.push_back(key);
             }
         }
-        refuse(place, "there is no template " + quoted(name) + suggestion(name, known));
+        refuse(place, "there is no template " + in_quotes(name) + suggestion(name, known));
     }
 
     /// The lists of the template with parameters in place, checked again.
@@ -142,12 +140,12 @@ class Expander {
             for (const auto& [key, value] : given->items()) {
                 const Place at = instance_place / "parameters" / key;
                 if (!parameters.contains(key)) {
-                    refuse(at, "the template has no parameter " + quoted(key) +
+                    refuse(at, "the template has no parameter " + in_quotes(key) +
                                    suggestion(key, known));
                 }
                 const Json& fallback = parameters[key];
-                const bool same = fallback.is_number() ? value.is_number()
-                                                       : fallback.type() == value.type();
+                const bool same =
+                    fallback.is_number() ? value.is_number() : fallback.type() == value.type();
                 if (!same) {
                     refuse(at, "expected a value like the default " + describe(fallback) +
                                    ", found " + describe(value));
@@ -157,11 +155,12 @@ class Expander {
         }
         Json content = Json::object();
         const Format& f = format();
-        const std::pair<const char*, const Shape*> lists[] = {{"bodies", f.bodies.get()},
-                                                              {"instances", f.instances.get()},
-                                                              {"cables", f.cables.get()},
-                                                              {"interactions", f.interactions.get()},
-                                                              {"inputs", f.inputs.get()}};
+        const std::pair<const char*, const Shape*> lists[] = {
+            {"bodies", f.bodies.get()},
+            {"instances", f.instances.get()},
+            {"cables", f.cables.get()},
+            {"interactions", f.interactions.get()},
+            {"inputs", f.inputs.get()}};
         with_note(note, [&] {
             for (const auto& [key, shape] : lists) {
                 if (definition.contains(key)) {
@@ -177,8 +176,8 @@ class Expander {
     void set_frame(Scope& scope, const Json& instance, const Scope& outer, const Place& place) {
         Frame base = outer.frame;
         if (instance.contains("on")) {
-            const BodyId on = resolve_body(out_, outer, instance["on"].get<std::string>(),
-                                           place / "on");
+            const BodyId on =
+                resolve_body(out_, outer, instance["on"].get<std::string>(), place / "on");
             if (out_.body(on).kind == BodyKind::scalar) {
                 refuse(place / "on", "a scalar body has no place");
             }

@@ -78,8 +78,8 @@ ShapePtr line_type() {
          {"diameter", positive("a length", 1e3), false, "", "m", "For pictures."},
          {"breaking_load", positive("a force", kMostForce), false, "never", "N",
           "An element parts above this tension."},
-         {"axial_damping", number("a fraction", 0.0, 10.0), false, "two steps of damping time",
-          "1", "Fraction of critical of the highest axial mode of an element."},
+         {"axial_damping", number("a fraction", 0.0, 10.0), false, "two steps of damping time", "1",
+          "Fraction of critical of the highest axial mode of an element."},
          {"drag", number("a damping per length", 0.0, kMostDamping), false, "0", "N s/m^2",
           "Linear drag per length."},
          {"submerged_factor", number("a factor", -1.0, 1.0), false, "1", "1",
@@ -130,24 +130,23 @@ ShapePtr body() {
 }
 
 ShapePtr cable_end() {
-    return object("cable_end", "a cable end", "Where a cable ends: on a body, in the world, or free.",
-                  {{"body", body_ref(), false, "", "", "Body to which the end is attached …"},
-                   {"point", vector3("a point"), false, "[0, 0, 0]", "m",
-                    "… at this point of its frame."},
-                   {"at", vector3("a point"), false, "", "m", "World point to which it is fixed."},
-                   {"free", vector3("a point"), false, "", "m",
-                    "World point at which a free end starts."}},
-                  {{"body", "at", "free"}, {"point", "at", "free"}});
+    return object(
+        "cable_end", "a cable end", "Where a cable ends: on a body, in the world, or free.",
+        {{"body", body_ref(), false, "", "", "Body to which the end is attached …"},
+         {"point", vector3("a point"), false, "[0, 0, 0]", "m", "… at this point of its frame."},
+         {"at", vector3("a point"), false, "", "m", "World point to which it is fixed."},
+         {"free", vector3("a point"), false, "", "m", "World point at which a free end starts."}},
+        {{"body", "at", "free"}, {"point", "at", "free"}});
 }
 
 ShapePtr cable() {
-    const ShapePtr winch = object(
-        "winch", "a winch", "A drum at the \"from\" end that pays the cable out.",
-        {{"drum", body_ref(), true, "", "", "Scalar body."},
-         {"radius", number("a radius", -1e3, 1e3), true, "", "m",
-          "Cable paid out per unit of drum coordinate."},
-         {"fairlead", cable_end(), false, "\"from\"", "",
-          "Where the cable leaves, if \"from\" names the drum or is not given."}});
+    const ShapePtr winch =
+        object("winch", "a winch", "A drum at the \"from\" end that pays the cable out.",
+               {{"drum", body_ref(), true, "", "", "Scalar body."},
+                {"radius", number("a radius", -1e3, 1e3), true, "", "m",
+                 "Cable paid out per unit of drum coordinate."},
+                {"fairlead", cable_end(), false, "\"from\"", "",
+                 "Where the cable leaves, if \"from\" names the drum or is not given."}});
     return object(
         "cable", "a cable", "A chain, wire or rope between two ends, cut into equal elements.",
         {{"name", name("a name"), true, "", "", "Unique among cables."},
@@ -180,22 +179,23 @@ ShapePtr cable() {
 
 ShapePtr input() {
     const ShapePtr bound = number("a number", -1e30, 1e30);
-    return object(
-        "input", "an input", "A number that may be changed while the scene runs.",
-        {{"name", name("a name"), true, "", "", "Unique among inputs."},
-         {"interaction", text("an interaction name"), false, "", "",
-          "Interaction whose parameter it sets …"},
-         {"param", text("a parameter"), false, "", "", "… and the parameter; or …"},
-         {"body", body_ref(), false, "", "", "… body whose applied force it sets …"},
-         {"component",
-          word("a component",
-               {"force_x", "force_y", "force_z", "torque_x", "torque_y", "torque_z"}),
-          false, "", "", "… and which component of it, world frame."},
-         {"min", bound, false, "-1e30", "", "Smallest value."},
-         {"max", bound, false, "1e30", "", "Largest value."},
-         {"description", text("a text"), false, "", "", "Remarks."}},
-        {{"interaction", "body"}, {"interaction", "component"}, {"param", "body"},
-         {"param", "component"}});
+    return object("input", "an input", "A number that may be changed while the scene runs.",
+                  {{"name", name("a name"), true, "", "", "Unique among inputs."},
+                   {"interaction", text("an interaction name"), false, "", "",
+                    "Interaction whose parameter it sets …"},
+                   {"param", text("a parameter"), false, "", "", "… and the parameter; or …"},
+                   {"body", body_ref(), false, "", "", "… body whose applied force it sets …"},
+                   {"component",
+                    word("a component",
+                         {"force_x", "force_y", "force_z", "torque_x", "torque_y", "torque_z"}),
+                    false, "", "", "… and which component of it, world frame."},
+                   {"min", bound, false, "-1e30", "", "Smallest value."},
+                   {"max", bound, false, "1e30", "", "Largest value."},
+                   {"description", text("a text"), false, "", "", "Remarks."}},
+                  {{"interaction", "body"},
+                   {"interaction", "component"},
+                   {"param", "body"},
+                   {"param", "component"}});
 }
 
 /// Value of a template's parameter.
@@ -225,17 +225,17 @@ ShapePtr instance() {
 }
 
 ShapePtr scene_template(const Format& format) {
-    return object("template", "a template", "A reusable group of bodies, such as a crane.",
-                  {{"description", text("a text"), false, "", "", "Remarks."},
-                   {"parameters", map("parameters by name", parameter()), false, "", "",
-                    "Names and defaults of what \"${name}\" stands for."},
-                   {"bodies", with_placeholders(format.bodies), false, "", "", "Bodies."},
-                   {"interactions", with_placeholders(format.interactions), false, "", "",
-                    "Interactions."},
-                   {"cables", with_placeholders(format.cables), false, "", "", "Cables."},
-                   {"inputs", with_placeholders(format.inputs), false, "", "", "Inputs."},
-                   {"instances", with_placeholders(format.instances), false, "", "",
-                    "Templates used inside."}});
+    return object(
+        "template", "a template", "A reusable group of bodies, such as a crane.",
+        {{"description", text("a text"), false, "", "", "Remarks."},
+         {"parameters", map("parameters by name", parameter()), false, "", "",
+          "Names and defaults of what \"${name}\" stands for."},
+         {"bodies", with_placeholders(format.bodies), false, "", "", "Bodies."},
+         {"interactions", with_placeholders(format.interactions), false, "", "", "Interactions."},
+         {"cables", with_placeholders(format.cables), false, "", "", "Cables."},
+         {"inputs", with_placeholders(format.inputs), false, "", "", "Inputs."},
+         {"instances", with_placeholders(format.instances), false, "", "",
+          "Templates used inside."}});
 }
 
 std::vector<Field> state_fields() {
@@ -286,14 +286,15 @@ ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
                  {"copies", integer("a number of copies", 1, kMaxCopies), false, "1", "",
                   "Copies in all; the option --scale sets it."}}),
          false, "", "", "Copies."},
-        {"state", object("state", "a state", "Pose and velocity in which the scene starts.",
-                         [] {
-                             auto all = state_fields();
-                             all.push_back({"file", text("a file name"), false, "", "",
-                                            "State file, relative to this one."});
-                             return all;
-                         }(),
-                         {{"file", "bodies"}}),
+        {"state",
+         object("state", "a state", "Pose and velocity in which the scene starts.",
+                [] {
+                    auto all = state_fields();
+                    all.push_back({"file", text("a file name"), false, "", "",
+                                   "State file, relative to this one."});
+                    return all;
+                }(),
+                {{"file", "bodies"}}),
          false, "", "", "Start from a stored state."},
         {"plot",
          object("plot", "a plot", "What pictures of the scene show.",

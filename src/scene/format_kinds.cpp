@@ -16,9 +16,9 @@ ShapePtr per_row(const std::string& what, int rows) {
     constexpr double kLargest = 1e12;
     const ShapePtr one = make::number(what, 0.0, kLargest);
     const auto count = static_cast<std::size_t>(rows);
-    return make::choice(fmt::format("{}, or {} of them, one a row", what, rows),
-                        {one, make::list(fmt::format("{} numbers, one a row", rows), one, count,
-                                         count)});
+    return make::choice(
+        fmt::format("{}, or {} of them, one a row", what, rows),
+        {one, make::list(fmt::format("{} numbers, one a row", rows), one, count, count)});
 }
 
 Field parameter_field(const KindInfo& kind, const ParamInfo& param) {
@@ -68,13 +68,13 @@ ShapePtr kind_shape(const KindInfo& kind) {
                           make::list(fmt::format("{} directions, one a body", kind.bodies),
                                      make::vector3("a direction"), count, count),
                           false, "", "1", "One world direction a body, z of its joint frame."});
-        fields.push_back(
-            {"frames",
-             make::list(fmt::format("{} orientations, one a body", kind.bodies),
-                        make::list("an orientation [w, x, y, z]",
-                                   make::number("a number", -1e6, 1e6), 4, 4),
-                        count, count),
-             false, "", "1", "Orientation [w, x, y, z] of the joint frame in each body's frame."});
+        fields.push_back({"frames",
+                          make::list(fmt::format("{} orientations, one a body", kind.bodies),
+                                     make::list("an orientation [w, x, y, z]",
+                                                make::number("a number", -1e6, 1e6), 4, 4),
+                                     count, count),
+                          false, "", "1",
+                          "Orientation [w, x, y, z] of the joint frame in each body's frame."});
         alternatives.push_back({"axis", "axes", "frames"});
     }
     const bool velocity = std::string(kind.row_units).find('v') != std::string::npos;

@@ -16,7 +16,7 @@ InteractionId resolve_interaction(const Description& out, const Scope& scope,
             known.push_back(def.name.substr(scope.prefix.size()));
         }
     }
-    refuse(place, "there is no interaction " + quoted(name) + suggestion(name, known));
+    refuse(place, "there is no interaction " + in_quotes(name) + suggestion(name, known));
 }
 
 std::string resolve_param(const KindInfo& kind, const std::string& name, const Place& place) {
@@ -32,7 +32,7 @@ std::string resolve_param(const KindInfo& kind, const std::string& name, const P
     if (known.empty()) {
         refuse(place, std::string("a ") + kind.name + " has no parameter that an input may set");
     }
-    refuse(place, std::string("a ") + kind.name + " has no parameter " + quoted(name) +
+    refuse(place, std::string("a ") + kind.name + " has no parameter " + in_quotes(name) +
                       " that an input may set" + suggestion(name, known));
 }
 
@@ -61,8 +61,9 @@ InputDef read_input(Description& out, const Scope& scope, const Json& json, cons
         return def;
     }
     if (!json.contains("body") || !json.contains("component")) {
-        refuse(place, "an input needs \"interaction\" and \"param\", or \"body\" and "
-                      "\"component\"");
+        refuse(place,
+               "an input needs \"interaction\" and \"param\", or \"body\" and "
+               "\"component\"");
     }
     def.body = resolve_body(out, scope, json["body"].get<std::string>(), place / "body");
     def.component = component_of(json["component"].get<std::string>());

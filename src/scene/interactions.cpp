@@ -55,7 +55,7 @@ Vec3 world_direction(const Json& value, const Scope& scope, const Place& place) 
 
 /// One interaction on its way from JSON to InteractionDef.
 class Reader {
-   public:
+  public:
     Reader(Description& out, const Scope& scope, const Json& json, Place place)
         : out_(out),
           scope_(scope),
@@ -81,7 +81,7 @@ class Reader {
         return def_;
     }
 
-   private:
+  private:
     void read_bodies() {
         const Json& names = json_["bodies"];
         for (std::size_t i = 0; i < names.size(); ++i) {
@@ -118,7 +118,7 @@ class Reader {
                 if (def_.point[i].norm() > kLumpTolerance) {
                     refuse(where, fmt::format("the lump {} is a point, {:.6g} m away from here; "
                                               "attach it at its position",
-                                              quoted(body.name), def_.point[i].norm()));
+                                              in_quotes(body.name), def_.point[i].norm()));
                 }
                 def_.point[i].setZero();
             }
@@ -148,11 +148,10 @@ class Reader {
             if (axis) {
                 world = with_z_along(world_direction(json_["axis"], scope_, place_ / "axis"));
             } else if (axes) {
-                world = with_z_along(
-                    world_direction(json_["axes"][i], scope_, place_ / "axes" / i));
+                world =
+                    with_z_along(world_direction(json_["axes"][i], scope_, place_ / "axes" / i));
             }
-            def_.frame[i] =
-                (out_.body(def_.body[i]).orientation.conjugate() * world).normalized();
+            def_.frame[i] = (out_.body(def_.body[i]).orientation.conjugate() * world).normalized();
         }
     }
 

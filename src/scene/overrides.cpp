@@ -9,7 +9,7 @@ namespace {
 
 [[noreturn]] void refuse_option(const Place& place, const std::string& option,
                                 const std::string& message) {
-    refuse(place, message + " (option " + quoted(option) + ")");
+    refuse(place, message + " (option " + in_quotes(option) + ")");
 }
 
 Json value_of(const std::string& text) {
@@ -88,11 +88,12 @@ void apply_override(Json& root, const std::string& option, const Place& place) {
         if (next == nullptr) {
             end = std::min(rest.find('.'), rest.size());
             const std::string word = rest.substr(0, end);
-            const bool may_add = here->is_null() || (here->is_object() &&
-                                                     (here == &root || end == rest.size()));
+            const bool may_add =
+                here->is_null() || (here->is_object() && (here == &root || end == rest.size()));
             if (!may_add) {
-                refuse_option(at, option, "there is no " + quoted(word) + " here" +
-                                              suggestion(word, names_in(*here)));
+                refuse_option(
+                    at, option,
+                    "there is no " + in_quotes(word) + " here" + suggestion(word, names_in(*here)));
             }
             // A key that the file leaves out; the check of the shape refuses unknown ones.
             next = &(*here)[word];

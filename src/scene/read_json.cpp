@@ -10,7 +10,7 @@ namespace {
 
 /// First pass over the text: everything that the parser alone would let through.
 class LimitChecker : public nlohmann::json_sax<Json> {
-   public:
+  public:
     explicit LimitChecker(std::string file) : place_{std::move(file), ""} {}
 
     bool null() override { return next(); }
@@ -29,7 +29,7 @@ class LimitChecker : public nlohmann::json_sax<Json> {
         Level& level = levels_.back();
         level.key = name;
         if (!level.keys.insert(name).second) {
-            refuse(here(), "the key " + quoted(name) + " is given twice in this object");
+            refuse(here(), "the key " + in_quotes(name) + " is given twice in this object");
         }
         return true;
     }
@@ -43,7 +43,7 @@ class LimitChecker : public nlohmann::json_sax<Json> {
         refuse({place_.file, ""}, message + (levels_.empty() ? "" : "; near " + here().path));
     }
 
-   private:
+  private:
     struct Level {
         bool object = false;
         std::size_t index = 0;  ///< Entries begun, of an array.
@@ -122,23 +122,23 @@ std::filesystem::path resolve_inside(const std::filesystem::path& root,
                                      const Place& place) {
     const std::filesystem::path given(name);
     if (name.empty() || given.is_absolute()) {
-        refuse(place, "expected a file name relative to this file, found " + quoted(name));
+        refuse(place, "expected a file name relative to this file, found " + in_quotes(name));
     }
     std::error_code failure;
-    const auto real_root =
-        std::filesystem::weakly_canonical(root.empty() ? "." : root, failure);
+    const auto real_root = std::filesystem::weakly_canonical(root.empty() ? "." : root, failure);
     const auto file = std::filesystem::weakly_canonical(
         (base.empty() ? std::filesystem::path(".") : base) / given, failure);
     if (failure) {
-        refuse(place, "the file name " + quoted(name) + " cannot be used: " + failure.message());
+        refuse(place, "the file name " + in_quotes(name) + " cannot be used: " + failure.message());
     }
     const auto inside = file.lexically_relative(real_root);
     if (inside.empty() || *inside.begin() == "..") {
-        refuse(place, "the file " + quoted(name) + " lies outside the folder of the scene; " +
+        refuse(place, "the file " + in_quotes(name) + " lies outside the folder of the scene; " +
                           "move it into that folder or below");
     }
     if (!std::filesystem::is_regular_file(file, failure)) {
-        refuse(place, "there is no file " + quoted(name) + " (looked for " + file.string() + ")");
+        refuse(place,
+               "there is no file " + in_quotes(name) + " (looked for " + file.string() + ")");
     }
     return (base / given).lexically_normal();
 }
@@ -150,7 +150,7 @@ std::string describe(const Json& value) {
         case Json::value_t::array:
             return "an array of " + std::to_string(value.size());
         case Json::value_t::string:
-            return quoted(value.get_ref<const std::string&>());
+            return in_quotes(value.get_ref<const std::string&>());
         default:
             return value.dump();
     }

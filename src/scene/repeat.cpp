@@ -45,15 +45,14 @@ void apply_own_state(BodyDef& def, const Document& document) {
 }
 
 class Copier {
-   public:
+  public:
     Copier(Description& out, const Document& document, const Json& repeat)
         : out_(out),
           document_(document),
           place_(document.place / "repeat"),
           repeat_(repeat),
           offset_(vector_of(repeat["offset"])),
-          base_{out.bodies.size(), out.interactions.size(), out.inputs.size(),
-                out.cables.size()} {}
+          base_{out.bodies.size(), out.interactions.size(), out.inputs.size(), out.cables.size()} {}
 
     void run(int copies) {
         const std::size_t total = base_.bodies * static_cast<std::size_t>(copies);
@@ -73,7 +72,7 @@ class Copier {
         }
     }
 
-   private:
+  private:
     void add_copy(int copy) {
         const std::string prefix = copy_prefix(copy);
         std::vector<BodyId> bodies(base_.bodies);

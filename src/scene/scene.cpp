@@ -57,7 +57,7 @@ void read_plot(Scene& scene, const Description& description, const Document& doc
             names.push_back((*list)[i].template get<std::string>());
             if (!exists(names.back())) {
                 refuse(place / key / i, std::string("there is no ") + what + " " +
-                                            quoted(names.back()) +
+                                            in_quotes(names.back()) +
                                             suggestion(names.back(), known()));
             }
         }
@@ -84,8 +84,7 @@ void read_plot(Scene& scene, const Description& description, const Document& doc
         });
     if (const auto box = plot->find("view_box"); box != plot->end()) {
         for (std::size_t i = 0; i < 6; i += 3) {
-            scene.plot_view_box.emplace_back((*box)[i].get<double>(),
-                                             (*box)[i + 1].get<double>(),
+            scene.plot_view_box.emplace_back((*box)[i].get<double>(), (*box)[i + 1].get<double>(),
                                              (*box)[i + 2].get<double>());
         }
         if (!(scene.plot_view_box[0].array() < scene.plot_view_box[1].array()).all()) {
@@ -96,8 +95,8 @@ void read_plot(Scene& scene, const Description& description, const Document& doc
 
 void check_options(const Options& options, const Place& place) {
     if (options.scale < 1 || options.scale > kMaxCopies) {
-        refuse(place, "the scale must be between 1 and " + std::to_string(kMaxCopies) +
-                          ", found " + std::to_string(options.scale));
+        refuse(place, "the scale must be between 1 and " + std::to_string(kMaxCopies) + ", found " +
+                          std::to_string(options.scale));
     }
     if (options.threads < 1) {
         refuse(place, "the number of threads must be at least 1");
@@ -110,8 +109,8 @@ Scene make_scene(Json root, const std::filesystem::path& file, const Options& op
     const Document document = make_document(std::move(root), file, options);
     Description description;
     expand(description, document);
-    const bool moves = std::any_of(
-        description.bodies.begin(), description.bodies.end(), [](const BodyDef& body) {
+    const bool moves =
+        std::any_of(description.bodies.begin(), description.bodies.end(), [](const BodyDef& body) {
             return body.kind != BodyKind::fixed && body.kind != BodyKind::kinematic;
         });
     if (!moves) {

@@ -26,9 +26,9 @@ namespace hawser::scene {
 struct SceneError : std::runtime_error {
     SceneError(std::string file_, std::string path_, std::string message_);
 
-    std::string file;  ///< File (or name for messages) in which the mistake is.
-    std::string path;  ///< JSON pointer into that file, such as "/bodies/3/mass"; "" for the
-                       ///< document as a whole.
+    std::string file;     ///< File (or name for messages) in which the mistake is.
+    std::string path;     ///< JSON pointer into that file, such as "/bodies/3/mass"; "" for the
+                          ///< document as a whole.
     std::string message;  ///< What is wrong and what would be right.
 };
 

@@ -86,7 +86,7 @@ Result list_problem(const Json& value, const Shape& shape, bool placeholders) {
     }
     for (std::size_t i = 0; i < value.size(); ++i) {
         if (auto problem = find_problem(value[i], *shape.item, placeholders)) {
-            return at("/" + std::to_string(i), std::move(problem));
+            return at(fmt::format("/{}", i), std::move(problem));
         }
     }
     return {};
@@ -100,7 +100,7 @@ Result alternatives_problem(const Json& value, const Shape& shape) {
                 continue;
             }
             if (first != nullptr) {
-                return wrong("give either " + quoted(*first) + " or " + quoted(name) +
+                return wrong("give either " + in_quotes(*first) + " or " + in_quotes(name) +
                              ", not both");
             }
             first = &name;
@@ -121,8 +121,8 @@ Result object_problem(const Json& value, const Shape& shape, bool placeholders) 
             for (const Field& f : shape.fields) {
                 known.push_back(f.name);
             }
-            return at(pointer_token(key), wrong(shape.what + " has no key " + quoted(key) +
-                                                suggestion(key, known)));
+            return at(pointer_token(key),
+                      wrong(shape.what + " has no key " + in_quotes(key) + suggestion(key, known)));
         }
         if (auto problem = find_problem(entry, *field->shape, placeholders)) {
             return at(pointer_token(key), std::move(problem));
@@ -130,7 +130,7 @@ Result object_problem(const Json& value, const Shape& shape, bool placeholders) 
     }
     for (const Field& field : shape.fields) {
         if (field.required && !value.contains(field.name)) {
-            return wrong(shape.what + " needs the key " + quoted(field.name) + " (" +
+            return wrong(shape.what + " needs the key " + in_quotes(field.name) + " (" +
                          field.shape->what + ")");
         }
     }
@@ -206,7 +206,7 @@ Result switched_problem(const Json& value, const Shape& shape, bool placeholders
     }
     const auto selector = value.find(shape.key);
     if (selector == value.end()) {
-        return wrong(shape.what + " needs the key " + quoted(shape.key));
+        return wrong(shape.what + " needs the key " + in_quotes(shape.key));
     }
     std::vector<std::string> known;
     for (const auto& [name, fields] : shape.cases) {
@@ -225,8 +225,8 @@ Result switched_problem(const Json& value, const Shape& shape, bool placeholders
 
 std::optional<Problem> find_problem(const Json& value, const Shape& shape, bool placeholders) {
     placeholders = placeholders || shape.holds_placeholders;
-    const bool container = shape.type == Type::object || shape.type == Type::map ||
-                           shape.type == Type::switched;
+    const bool container =
+        shape.type == Type::object || shape.type == Type::map || shape.type == Type::switched;
     if (placeholders && !shape.literal && !container && is_placeholder(value)) {
         return {};
     }
@@ -269,14 +269,12 @@ bool is_valid_name(const std::string& name) {
                c == '_';
     };
     return !name.empty() && name.size() <= kMaxName && letter(name.front()) &&
-           std::all_of(name.begin(), name.end(), [&](char c) {
-               return letter(c) || c == '.' || c == '+' || c == '-';
-           });
+           std::all_of(name.begin(), name.end(),
+                       [&](char c) { return letter(c) || c == '.' || c == '+' || c == '-'; });
 }
 
 bool is_placeholder(const Json& value) {
-    return value.is_string() &&
-           value.get_ref<const std::string&>().find("${") != std::string::npos;
+    return value.is_string() && value.get_ref<const std::string&>().find("${") != std::string::npos;
 }
 
 ShapePtr with_placeholders(const ShapePtr& shape) {

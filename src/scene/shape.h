@@ -36,14 +36,14 @@ struct Shape {
         number,   ///< Finite, in [min, max] or (min, max].
         integer,  ///< Written without a decimal point, in [min, max].
         boolean,
-        text,       ///< A string of 1 to 4096 bytes.
-        name,       ///< A name that the scene defines: is_valid_name().
-        word,       ///< One of `words`.
-        list,       ///< Array of `item`, between min_items and max_items.
-        object,     ///< `fields` and no others.
-        map,        ///< Object with keys of the reader's choice, all values `item`.
-        choice,     ///< One of `options`.
-        switched,   ///< Object whose field `key` selects one of `cases`.
+        text,      ///< A string of 1 to 4096 bytes.
+        name,      ///< A name that the scene defines: is_valid_name().
+        word,      ///< One of `words`.
+        list,      ///< Array of `item`, between min_items and max_items.
+        object,    ///< `fields` and no others.
+        map,       ///< Object with keys of the reader's choice, all values `item`.
+        choice,    ///< One of `options`.
+        switched,  ///< Object whose field `key` selects one of `cases`.
     };
     Type type = Type::any;
     std::string id;    ///< Name of the definition in the schema; "" = written in place.

@@ -14,8 +14,8 @@ void set_state(BodyDef& def, const Json& state, const Place& place) {
     def.position = vector_of(state["p"]);
     def.velocity = vector_or(state, "v", Vec3::Zero());
     if (def.kind == BodyKind::rigid || def.kind == BodyKind::kinematic) {
-        def.orientation = state.contains("q") ? quaternion_of(state["q"], place / "q")
-                                              : Quat::Identity();
+        def.orientation =
+            state.contains("q") ? quaternion_of(state["q"], place / "q") : Quat::Identity();
         def.angular_velocity = vector_or(state, "w", Vec3::Zero());
     }
 }
@@ -62,14 +62,14 @@ void apply_state(Description& out, const Document& document) {
             for (const BodyDef& body : out.bodies) {
                 known.push_back(body.name);
             }
-            refuse(place, "the scene has no body " + quoted(name) + suggestion(name, known) +
+            refuse(place, "the scene has no body " + in_quotes(name) + suggestion(name, known) +
                               (known.size() > 24 ? "; settle the scene again if it changed" : ""));
         }
     }
     for (const BodyDef& body : out.bodies) {
         if (is_moving(body.kind) && !stored.contains(body.name)) {
-            refuse(document.state, "the state lacks the body " + quoted(body.name) +
-                                       "; settle the scene again");
+            refuse(document.state,
+                   "the state lacks the body " + in_quotes(body.name) + "; settle the scene again");
         }
     }
 }

@@ -13,7 +13,7 @@ const Json& parameter(const std::string& name, const Json& parameters, const Pla
     for (const auto& [key, value] : parameters.items()) {
         known.push_back(key);
     }
-    refuse(place, "the template has no parameter " + quoted(name) + suggestion(name, known));
+    refuse(place, "the template has no parameter " + in_quotes(name) + suggestion(name, known));
 }
 
 Json substitute_text(const std::string& text, const Json& parameters, const Place& place) {
@@ -26,10 +26,9 @@ Json substitute_text(const std::string& text, const Json& parameters, const Plac
         }
         const auto close = text.find('}', open);
         if (close == std::string::npos) {
-            refuse(place, "\"${\" without \"}\" in " + quoted(text));
+            refuse(place, "\"${\" without \"}\" in " + in_quotes(text));
         }
-        const Json& value =
-            parameter(text.substr(open + 2, close - open - 2), parameters, place);
+        const Json& value = parameter(text.substr(open + 2, close - open - 2), parameters, place);
         if (open == 0 && close + 1 == text.size()) {
             return value;  // Alone: keeps its type.
         }
@@ -43,9 +42,9 @@ Json substitute_text(const std::string& text, const Json& parameters, const Plac
 
 Json substitute(const Json& value, const Json& parameters, const Place& place) {
     if (value.is_string()) {
-        return is_placeholder(value) ? substitute_text(value.get_ref<const std::string&>(),
-                                                       parameters, place)
-                                     : value;
+        return is_placeholder(value)
+                   ? substitute_text(value.get_ref<const std::string&>(), parameters, place)
+                   : value;
     }
     if (value.is_object()) {
         Json result = Json::object();
