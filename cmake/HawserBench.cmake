@@ -34,6 +34,9 @@ hawser_use(hawser_bench)
 target_include_directories(hawser_bench PRIVATE ${PROJECT_SOURCE_DIR}/bench)
 target_link_libraries(hawser_bench PRIVATE CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json)
 
+target_compile_definitions(hawser_bench PRIVATE
+    HAWSER_BENCH_REFERENCE="${PROJECT_SOURCE_DIR}/bench/peers/reference")
+
 function(hawser_bench_peer name found)
     if(found)
         target_compile_definitions(hawser_bench PRIVATE HAWSER_HAVE_${name}=1)
@@ -49,8 +52,13 @@ hawser_bench_peer(BULLET "${BULLET_FOUND}" PkgConfig::BULLET)
 if(Simbody_FOUND AND simbody_sources)
     add_library(hawser_bench_simbody OBJECT ${simbody_sources})
     hawser_settings(hawser_bench_simbody)
+    # Debian builds Simbody with assertions on, and its inline State classes have other members
+    # under NDEBUG: with it the program and the library disagree on their layout.
+    target_compile_options(hawser_bench_simbody PRIVATE -UNDEBUG)
     set_target_properties(hawser_bench_simbody PROPERTIES CXX_STANDARD 17)
     target_include_directories(hawser_bench_simbody PRIVATE ${PROJECT_SOURCE_DIR}/bench)
+    target_compile_definitions(hawser_bench_simbody PRIVATE ${HAWSER_ABI_DEFINITIONS})
+    target_link_libraries(hawser_bench_simbody PRIVATE Eigen3::Eigen)
     target_include_directories(hawser_bench_simbody SYSTEM PRIVATE ${Simbody_INCLUDE_DIR})
     target_sources(hawser_bench PRIVATE $<TARGET_OBJECTS:hawser_bench_simbody>)
 endif()

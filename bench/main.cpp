@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// hawser-bench: measurements that link foreign engines and libraries.
+#include "commands.h"
+
+#include <cstdio>
+#include <cstring>
+#include <exception>
+
+namespace {
+
+struct Command {
+    const char* name;
+    const char* description;
+    int (*run)(int argc, char** argv);
+};
+
+constexpr Command kCommands[] = {
+    {"peers", "our steps against other engines, on three scenes", hawser::bench::peers_command},
+};
+
+int usage(std::FILE* out, int code) {
+    std::fputs("usage: hawser-bench COMMAND [OPTIONS]\n\ncommands:\n", out);
+    for (const Command& c : kCommands) std::fprintf(out, "  %-8s %s\n", c.name, c.description);
+    std::fputs("\n'hawser-bench COMMAND --help' tells the options.\n", out);
+    return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 2)
+        return usage(stderr, 2);
+    if (std::strcmp(argv[1], "--help") == 0 || std::strcmp(argv[1], "-h") == 0)
+        return usage(stdout, 0);
+    for (const Command& c : kCommands) {
+        if (std::strcmp(argv[1], c.name) != 0)
+            continue;
+        try {
+            return c.run(argc - 1, argv + 1);
+        } catch (const std::exception& e) {
+            std::fprintf(stderr, "hawser-bench %s: %s\n", c.name, e.what());
+            return 1;
+        }
+    }
+    std::fprintf(stderr, "hawser-bench: unknown command '%s'\n", argv[1]);
+    return usage(stderr, 2);
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+/// @file
+/// What both Bullet runners share. Include before nothing else of Bullet: the library variant in
+/// use is the double-precision one (libBulletDynamics-float64), whose headers must be read with
+/// BT_USE_DOUBLE_PRECISION or every structure has the wrong layout.
+#pragma once
+
+#ifndef BT_USE_DOUBLE_PRECISION
+#define BT_USE_DOUBLE_PRECISION
+#endif
+#include "scenes.h"
+
+#include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
+#include <btBulletCollisionCommon.h>
+#include <btBulletDynamicsCommon.h>
+
+namespace hawser::bench {
+
+inline btVector3 to_bullet(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+inline btQuaternion to_bullet(const Quat& q) { return {q.x(), q.y(), q.z(), q.w()}; }
+inline Vec3 from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+inline Quat from_bullet(const btQuaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+
+/// The parts that every Bullet world needs and that idle here.
+struct BulletParts {
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher{&configuration};
+    btDbvtBroadphase broadphase;
+};
+
+/// A Bullet world that never looks for contacts.
+template <class World>
+class WithoutCollision : public World {
+public:
+    using World::World;
+    void performDiscreteCollisionDetection() override {}
+};
+
+}  // namespace hawser::bench

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+/// @file
+/// Comparison of engines on the scenes of scenes.h: one run, the search for the smallest number
+/// of substeps that holds, and runs of several engines alternated in blocks of frames.
+///
+/// *Holds* (meter.h): gap <= 1 mm, tension error <= 2 % rms, energy drift <= 1 % and, where the
+/// scene has a path to follow, path error <= 0.1 m, over the whole run.
+#pragma once
+
+#include "meter.h"
+#include "runner.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace hawser::bench {
+
+/// An engine that can be compared.
+struct Engine {
+    std::string name;
+    std::string description;
+    bool ours = false;          ///< One step per frame, no search.
+    std::function<std::unique_ptr<Runner>(const Scene&, int substeps)> make;  ///< Null: left out.
+};
+
+/// All engines this program was built with.
+[[nodiscard]] std::vector<Engine> engines();
+
+/// Engine by name; `name@2` takes the second tree layout of the scene for a reduced-coordinate
+/// engine. Throws std::invalid_argument with the known names.
+[[nodiscard]] Engine engine_by_name(const std::string& name);
+
+/// Outcome of one engine on one scene.
+struct PeerResult {
+    std::string engine, scene, settings;
+    int substeps = 0;              ///< Per frame of 1/60 s.
+    bool holds = false;
+    std::string why_not;           ///< First broken limit; empty if it holds.
+    std::string unchecked;         ///< What *holds* could not look at, for want of a reference.
+    double simulated = 0.0;        ///< Time that was simulated [s].
+    double ms_per_frame = 0.0;     ///< Median over frames, the first 60 left out [ms].
+    double ms_p99 = 0.0;           ///< 99th percentile of the same [ms].
+    Measures measures;
+    std::vector<double> frame_ms;  ///< Every frame, the first included [ms].
+};
+
+/// One engine on one scene, advanced frame by frame.
+class Trial {
+public:
+    Trial(const Engine& engine, const Scene& scene, const Reference& reference, int substeps,
+          double duration);
+
+    /// Simulates and measures one frame. False once it is over or no longer finite.
+    bool frame();
+
+    /// What the measures say so far; `why` set to the first broken limit if any.
+    [[nodiscard]] bool holds(std::string* why = nullptr) const;
+
+    [[nodiscard]] bool over() const { return frames_ >= total_ || !meter_.measures().finite; }
+    [[nodiscard]] PeerResult result() const;
+
+private:
+    const Scene& scene_;
+    const Reference& reference_;
+    std::string engine_;
+    std::unique_ptr<Runner> runner_;
+    Meter meter_;
+    std::vector<BodyState> before_, now_;
+    std::vector<Load> loads_;
+    std::vector<Vec3> tow_;
+    std::vector<double> frame_ms_;
+    int frames_ = 0, total_ = 0;
+};
+
+/// Limits of a search.
+struct SearchOptions {
+    double duration = 0.0;   ///< Simulated time [s]; 0 takes the scene's.
+    int max_substeps = 64;   ///< Largest number tried.
+    double budget = 60.0;    ///< Wall time of one run, measuring included [s].
+};
+
+/// One run, stopped at the first broken limit if `early_out`, or at the budget.
+[[nodiscard]] PeerResult run_peer(const Engine& engine, const Scene& scene, int substeps,
+                                  const Reference& reference, const SearchOptions& options,
+                                  bool early_out);
+
+/// Smallest number of substeps of 1-8, 10, 12, 16, 20, 24, 32, ... that holds, or the last
+/// attempt with the reason why it does not.
+[[nodiscard]] PeerResult smallest_that_holds(const Engine& engine, const Scene& scene,
+                                             const Reference& reference,
+                                             const SearchOptions& options,
+                                             const std::function<void(const PeerResult&)>& tell);
+
+/// Runs all trials to their end, `block` frames of each in turn, so that a disturbance of the
+/// machine falls on all of them.
+void alternate(std::vector<std::unique_ptr<Trial>>& trials, int block = 60);
+
+}  // namespace hawser::bench

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+/// @file
+/// What every compared simulator, ours included, shows to the comparison.
+///
+/// The comparison owns the clock, the loads and all measuring: a runner only builds a scene,
+/// advances it by one substep and tells where the bodies are. Gap, tension, energy and path are
+/// computed from those states by one code (meter.h), so that no engine judges itself.
+#pragma once
+
+#include "scenes.h"
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hawser::bench {
+
+/// A simulator with one scene loaded.
+class Runner {
+public:
+    virtual ~Runner() = default;
+    Runner() = default;
+    Runner(const Runner&) = delete;
+    Runner& operator=(const Runner&) = delete;
+
+    /// Substeps per frame of kFrame.
+    [[nodiscard]] virtual int substeps() const = 0;
+
+    /// Settings that a reader needs to repeat the run, in a few words.
+    [[nodiscard]] virtual std::string settings() const = 0;
+
+    /// Advance by kFrame / substeps().
+    ///
+    /// `loads` has one entry per body, evaluated at the present state (external_loads). A
+    /// simulator with load models of its own ignores it. Handing loads over may happen before
+    /// the returned time starts.
+    /// @returns wall time of the simulator [s].
+    virtual double substep(const std::vector<Load>& loads) = 0;
+
+    /// Poses and velocities of all bodies, in scene order.
+    virtual void read(std::vector<BodyState>& out) const = 0;
+
+    /// True if velocities belong half a substep before the poses: the energy is then taken at
+    /// the mean of the last two poses.
+    [[nodiscard]] virtual bool staggered() const { return false; }
+
+    /// Force of the tow line on every ship of Scene::towed, mean over the last substep [N].
+    /// Without it the force follows from the momentum balance of the ship.
+    virtual bool tow_force(std::vector<Vec3>& /*out*/) const { return false; }
+};
+
+/// Wall time of one call [s].
+template <class F>
+double seconds(F&& f) {
+    const auto t0 = std::chrono::steady_clock::now();
+    f();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
+}
+
+std::unique_ptr<Runner> make_ode(const Scene& scene, int substeps, bool quick);
+std::unique_ptr<Runner> make_bullet_impulse(const Scene& scene, int substeps);
+std::unique_ptr<Runner> make_bullet_featherstone(const Scene& scene, int substeps,
+                                                 const TreeLayout& layout);
+std::unique_ptr<Runner> make_simbody(const Scene& scene, int substeps, const TreeLayout& layout);
+
+/// Our own engine, one step per frame; null where this program is built without it.
+std::unique_ptr<Runner> make_ours(const Scene& scene);
+
+}  // namespace hawser::bench
