@@ -21,6 +21,7 @@ struct Options {
     SearchOptions search;
     int substeps = 0;
     std::string json_file;
+    std::string save_tension;
     std::string reference = HAWSER_BENCH_REFERENCE;
     bool verbose = false;
 };
@@ -73,7 +74,9 @@ json to_json(const PeerResult& r) {
             {"energy_drift_end", number(m.energy_end)},
             {"block_error_m", number(m.block_error)},
             {"mode_amplitude", number(m.mode_amplitude)},
-            {"frame_ms", r.frame_ms}};
+            {"frame_ms", r.frame_ms},
+            {"tension_times_s", r.tension_times},
+            {"tensions_N", r.tensions}};
 }
 
 Options parse(int argc, char** argv) {
@@ -101,6 +104,8 @@ Options parse(int argc, char** argv) {
     app.add_option("--reference", o.reference, "folder of reference trajectories")
         ->capture_default_str();
     app.add_option("--json", o.json_file, "write all measures and every frame's time here");
+    app.add_option("--save-tension", o.save_tension,
+                   "write FOLDER/<scene>.csv, the tow tensions of the first engine as a reference");
     app.add_flag("--verbose", o.verbose, "print every attempt of the search");
     try {
         app.parse(argc, argv);
@@ -146,6 +151,20 @@ std::vector<PeerResult> compare(const Scene& scene, const Options& o) {
     return results;
 }
 
+/// Tensions as a reference file (reference.h). Seven digits: 0.1 N of 500 kN.
+void save_tension(const PeerResult& r, const std::string& folder) {
+    const std::string path = folder + "/" + r.scene + ".csv";
+    std::ofstream out(path);
+    out << "t";
+    for (std::size_t k = 0; k < r.tensions.size(); ++k) out << ",tension_" << k + 1;
+    for (std::size_t i = 0; i < r.tension_times.size(); ++i) {
+        out << fmt::format("\n{:.9f}", r.tension_times[i]);
+        for (const auto& series : r.tensions) out << fmt::format(",{:.7g}", series[i]);
+    }
+    out << '\n';
+    if (!out) throw std::runtime_error("cannot write " + path);
+}
+
 void print_verdict(const std::vector<PeerResult>& results) {
     const PeerResult *ours = nullptr, *best = nullptr;
     for (const PeerResult& r : results) {
@@ -179,6 +198,8 @@ int peers_command(int argc, char** argv) {
             all.push_back(to_json(r));
         }
         print_verdict(results);
+        if (!o.save_tension.empty() && !results.empty() && !scene.towed.empty())
+            save_tension(results.front(), o.save_tension);
     }
     if (!o.json_file.empty()) {
         std::ofstream out(o.json_file);

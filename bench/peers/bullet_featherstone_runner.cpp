@@ -67,6 +67,7 @@ public:
     ~FeatherstoneRunner() override {
         for (auto& c : closures_) world_.removeMultiBodyConstraint(c.get());
         for (auto& t : trees_) world_.removeMultiBody(t.get());
+        if (ground_) world_.removeMultiBody(ground_.get());
     }
 
     int substeps() const override { return substeps_; }
@@ -165,19 +166,23 @@ private:
         const btVector3 arm_a = to_bullet(swap ? j.arm_b : j.arm_a);
         const btVector3 arm_b = to_bullet(swap ? j.arm_a : j.arm_b);
         const Place pa = place_[static_cast<std::size_t>(a)];
-        std::unique_ptr<btMultiBodyPoint2Point> c;
-        if (b == kWorld) {
-            c = std::make_unique<btMultiBodyPoint2Point>(
-                pa.tree, pa.link, static_cast<btRigidBody*>(nullptr), arm_a, arm_b);
-        } else {
-            const Place pb = place_[static_cast<std::size_t>(b)];
-            c = std::make_unique<btMultiBodyPoint2Point>(pa.tree, pa.link, pb.tree, pb.link, arm_a,
-                                                         arm_b);
-        }
+        // A null body instead of a tree that stands still makes a closure to the world drift.
+        const Place pb = b == kWorld ? Place{&ground(), -1} : place_[static_cast<std::size_t>(b)];
+        auto c = std::make_unique<btMultiBodyPoint2Point>(pa.tree, pa.link, pb.tree, pb.link,
+                                                          arm_a, arm_b);
         c->setMaxAppliedImpulse(BT_INFINITY);  // the default is 100 N s
         c->finalizeMultiDof();
         world_.addMultiBodyConstraint(c.get());
         closures_.push_back(std::move(c));
+    }
+
+    btMultiBody& ground() {
+        if (!ground_) {
+            ground_ = std::make_unique<btMultiBody>(0, 0.0, btVector3(0, 0, 0), true, false);
+            ground_->finalizeMultiDof();
+            world_.addMultiBody(ground_.get());
+        }
+        return *ground_;
     }
 
     const Scene& scene_;
@@ -188,6 +193,7 @@ private:
     btMultiBodyMLCPConstraintSolver mlcp_;
     TreeWorld world_;
     std::vector<std::unique_ptr<btMultiBody>> trees_;
+    std::unique_ptr<btMultiBody> ground_;
     std::vector<std::unique_ptr<btMultiBodyPoint2Point>> closures_;
     std::vector<Place> place_;
     std::map<const btMultiBody*, std::vector<std::pair<int, int>>> members_;

@@ -26,7 +26,7 @@ std::string number(const char* format, double value) {
 Meter::Meter(const Scene& scene, const Reference& reference, bool staggered)
     : scene_(scene), reference_(reference), staggered_(staggered),
       loaded_(scene.bodies.size(), 0), impulse_(scene.towed.size(), Vec3::Zero()),
-      substep_tension_(scene.towed.size()) {
+      substep_tension_(scene.towed.size()), tensions_(scene.towed.size()) {
     std::vector<BodyState> start;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         start.push_back(scene.bodies[i].start);
@@ -102,11 +102,14 @@ std::optional<double> Meter::reference_tension(std::size_t ship, double t) const
 }
 
 void Meter::measure_tension(double t) {
+    if (!scene_.towed.empty()) times_.push_back(t - 0.5 * frame_time_);
     for (std::size_t k = 0; k < scene_.towed.size(); ++k) {
         // The mean force of the frame belongs to its middle.
         const auto ref = reference_tension(k, t - 0.5 * frame_time_);
+        const double force = impulse_[k].norm() / frame_time_;
+        tensions_[k].push_back(force);
         if (ref && t - frame_time_ >= kSettle - 1e-9) {
-            const double force = impulse_[k].norm() / frame_time_, e = (force - *ref) / *ref;
+            const double e = (force - *ref) / *ref;
             sum_e2_ += e * e;
             sum_t_ += force;
             sum_t2_ += force * force;

@@ -61,6 +61,10 @@ public:
     /// Mechanical energy without the work of outer forces [J].
     [[nodiscard]] double energy(const std::vector<BodyState>& s) const;
 
+    /// Middle of every frame [s] and the mean tension at each towed ship in that frame [N].
+    [[nodiscard]] const std::vector<double>& tension_times() const { return times_; }
+    [[nodiscard]] const std::vector<std::vector<double>>& tensions() const { return tensions_; }
+
     [[nodiscard]] double largest_gap(const std::vector<BodyState>& s) const;
 
 private:
@@ -76,6 +80,8 @@ private:
     double energy_start_ = 0.0, work_ = 0.0, last_work_ = 0.0;
     std::vector<Vec3> impulse_;       ///< Of the tow line in this frame [N s].
     std::vector<std::vector<double>> substep_tension_;
+    std::vector<double> times_;
+    std::vector<std::vector<double>> tensions_;
     double frame_time_ = 0.0;
     double sum_e2_ = 0.0, sum_sub2_ = 0.0, sum_t_ = 0.0, sum_t2_ = 0.0, sum_ref_ = 0.0;
     int count_ = 0, count_sub_ = 0;

@@ -24,8 +24,16 @@ double percentile(const std::vector<double>& sorted, double p) {
     return sorted[static_cast<std::size_t>(std::lround(i))];
 }
 
-const TreeLayout& layout(const Scene& scene, std::size_t choice) {
-    return scene.layouts[std::min(choice, scene.layouts.size() - 1)];
+/// Layout number `choice` of the scene, counted from 1; 0 takes the one that was fastest for the
+/// engine: Bullet pays for the length of the trees between closures (the first layout), Simbody
+/// for the number of closures (the last of those with the fewest).
+const TreeLayout& layout(const Scene& scene, std::size_t choice, bool few_closures) {
+    const std::vector<TreeLayout>& all = scene.layouts;
+    if (choice > 0) return all[std::min(choice, all.size()) - 1];
+    std::size_t best = 0;
+    for (std::size_t i = 1; few_closures && i < all.size(); ++i)
+        if (all[i].closures.size() <= all[best].closures.size()) best = i;
+    return all[best];
 }
 
 std::vector<Engine> engines_with_layout(std::size_t choice) {
@@ -43,13 +51,13 @@ std::vector<Engine> engines_with_layout(std::size_t choice) {
                    [](const Scene& s, int n) { return make_bullet_impulse(s, n); }});
     all.push_back({"bullet-featherstone", "Bullet float64, Featherstone and Dantzig", false,
                    [choice](const Scene& s, int n) {
-                       return make_bullet_featherstone(s, n, layout(s, choice));
+                       return make_bullet_featherstone(s, n, layout(s, choice, false));
                    }});
 #endif
 #if HAWSER_HAVE_SIMBODY
     all.push_back({"simbody", "Simbody, reduced coordinates", false,
                    [choice](const Scene& s, int n) {
-                       return make_simbody(s, n, layout(s, choice));
+                       return make_simbody(s, n, layout(s, choice, true));
                    }});
 #endif
     (void)choice;
@@ -64,7 +72,7 @@ Engine engine_by_name(const std::string& name) {
     const std::size_t cut = name.find('@');
     std::size_t choice = 0;
     if (cut != std::string::npos)
-        choice = static_cast<std::size_t>(std::max(1, std::atoi(name.c_str() + cut + 1))) - 1;
+        choice = static_cast<std::size_t>(std::max(0, std::atoi(name.c_str() + cut + 1)));
     std::string known;
     for (Engine& e : engines_with_layout(choice)) {
         if (e.name == name.substr(0, cut)) {
@@ -132,6 +140,8 @@ PeerResult Trial::result() const {
     r.ms_per_frame = percentile(sorted, 0.5);
     r.ms_p99 = percentile(sorted, 0.99);
     r.frame_ms = frame_ms_;
+    r.tension_times = meter_.tension_times();
+    r.tensions = meter_.tensions();
     return r;
 }
 

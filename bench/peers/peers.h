@@ -43,6 +43,8 @@ struct PeerResult {
     double ms_p99 = 0.0;           ///< 99th percentile of the same [ms].
     Measures measures;
     std::vector<double> frame_ms;  ///< Every frame, the first included [ms].
+    std::vector<double> tension_times;           ///< Middle of every frame [s].
+    std::vector<std::vector<double>> tensions;   ///< Per towed ship, mean of every frame [N].
 };
 
 /// One engine on one scene, advanced frame by frame.
