@@ -20,7 +20,8 @@ constexpr Command kCommands[] = {
 
 int usage(std::FILE* out, int code) {
     std::fputs("usage: hawser-bench COMMAND [OPTIONS]\n\ncommands:\n", out);
-    for (const Command& c : kCommands) std::fprintf(out, "  %-8s %s\n", c.name, c.description);
+    for (const Command& c : kCommands)
+        std::fprintf(out, "  %-8s %s\n", c.name, c.description);
     std::fputs("\n'hawser-bench COMMAND --help' tells the options.\n", out);
     return code;
 }

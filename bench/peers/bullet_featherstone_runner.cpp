@@ -31,9 +31,9 @@ public:
     void solveConstraints(btContactSolverInfo& info) override {
         solveExternalForces(info);
         if (const int n = m_sortedMultiBodyConstraints.size(); n > 0)
-            m_multiBodyConstraintSolver->solveMultiBodyGroup(
-                nullptr, 0, nullptr, 0, nullptr, 0, &m_sortedMultiBodyConstraints[0], n, info,
-                nullptr, getDispatcher());
+            m_multiBodyConstraintSolver->solveMultiBodyGroup(nullptr, 0, nullptr, 0, nullptr, 0,
+                                                             &m_sortedMultiBodyConstraints[0], n,
+                                                             info, nullptr, getDispatcher());
         solveInternalConstraints(info);
     }
     void calculateSimulationIslands() override {}
@@ -51,7 +51,10 @@ struct Place {
 class FeatherstoneRunner final : public Runner {
 public:
     FeatherstoneRunner(const Scene& scene, int substeps, const TreeLayout& layout)
-        : scene_(scene), substeps_(substeps), layout_(layout), mlcp_(&dantzig_),
+        : scene_(scene),
+          substeps_(substeps),
+          layout_(layout),
+          mlcp_(&dantzig_),
           world_(&parts_.dispatcher, &parts_.broadphase, &mlcp_, &parts_.configuration) {
         world_.setGravity(btVector3(0, 0, -scene.gravity));
         btContactSolverInfo& info = world_.getSolverInfo();
@@ -61,13 +64,18 @@ public:
         // A warm start above 1000 N s makes btDantzigSolver report failure; it needs none.
         info.m_solverMode &= ~SOLVER_USE_WARMSTARTING;
         place_.resize(scene.bodies.size());
-        for (const auto& tree : spanning_forest(scene, layout)) add_tree(tree);
-        for (const int j : layout.closures) close(scene.joints[static_cast<std::size_t>(j)]);
+        for (const auto& tree : spanning_forest(scene, layout))
+            add_tree(tree);
+        for (const int j : layout.closures)
+            close(scene.joints[static_cast<std::size_t>(j)]);
     }
     ~FeatherstoneRunner() override {
-        for (auto& c : closures_) world_.removeMultiBodyConstraint(c.get());
-        for (auto& t : trees_) world_.removeMultiBody(t.get());
-        if (ground_) world_.removeMultiBody(ground_.get());
+        for (auto& c : closures_)
+            world_.removeMultiBodyConstraint(c.get());
+        for (auto& t : trees_)
+            world_.removeMultiBody(t.get());
+        if (ground_)
+            world_.removeMultiBody(ground_.get());
     }
 
     int substeps() const override { return substeps_; }
@@ -142,8 +150,7 @@ private:
             }
             const bool on_base = n.parent == kWorld;
             const Quat parent_q = on_base ? Quat::Identity() : body(n.parent).start.q;
-            const int parent =
-                on_base ? -1 : place_[static_cast<std::size_t>(n.parent)].link;
+            const int parent = on_base ? -1 : place_[static_cast<std::size_t>(n.parent)].link;
             const Body& b = body(n.body);
             tree->setupSpherical(link, b.mass, to_bullet(b.inertia), parent,
                                  to_bullet(Quat(b.start.q.conjugate() * parent_q)),
@@ -168,8 +175,8 @@ private:
         const Place pa = place_[static_cast<std::size_t>(a)];
         // A null body instead of a tree that stands still makes a closure to the world drift.
         const Place pb = b == kWorld ? Place{&ground(), -1} : place_[static_cast<std::size_t>(b)];
-        auto c = std::make_unique<btMultiBodyPoint2Point>(pa.tree, pa.link, pb.tree, pb.link,
-                                                          arm_a, arm_b);
+        auto c = std::make_unique<btMultiBodyPoint2Point>(pa.tree, pa.link, pb.tree, pb.link, arm_a,
+                                                          arm_b);
         c->setMaxAppliedImpulse(BT_INFINITY);  // the default is 100 N s
         c->finalizeMultiDof();
         world_.addMultiBodyConstraint(c.get());

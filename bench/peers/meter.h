@@ -21,16 +21,16 @@ inline constexpr double kSettle = 1.0;         ///< Tension counts after this ti
 
 /// What was measured so far. An empty optional: nothing to compare with.
 struct Measures {
-    double gap = 0.0;                       ///< Largest distance between joint ends [m].
-    std::optional<double> tension_error;    ///< rms of (T - T_ref) / T_ref, T the mean of a frame.
-    std::optional<double> substep_ripple;   ///< The same with the T of single substeps.
-    std::optional<double> tension_mean;     ///< (mean T - mean T_ref) / mean T_ref.
-    std::optional<double> tension_ripple;   ///< rms of T about its mean / mean T_ref.
-    std::optional<double> tension_worst;    ///< Largest |T - T_ref| / T_ref.
-    double energy_drift = 0.0;              ///< Of largest size, signed, relative.
-    double energy_end = 0.0;                ///< At the end of the run, signed, relative.
-    std::optional<double> block_error;      ///< Largest distance to the reference path [m].
-    std::optional<double> mode_amplitude;   ///< Sine mode over the last second / its start.
+    double gap = 0.0;                      ///< Largest distance between joint ends [m].
+    std::optional<double> tension_error;   ///< rms of (T - T_ref) / T_ref, T the mean of a frame.
+    std::optional<double> substep_ripple;  ///< The same with the T of single substeps.
+    std::optional<double> tension_mean;    ///< (mean T - mean T_ref) / mean T_ref.
+    std::optional<double> tension_ripple;  ///< rms of T about its mean / mean T_ref.
+    std::optional<double> tension_worst;   ///< Largest |T - T_ref| / T_ref.
+    double energy_drift = 0.0;             ///< Of largest size, signed, relative.
+    double energy_end = 0.0;               ///< At the end of the run, signed, relative.
+    std::optional<double> block_error;     ///< Largest distance to the reference path [m].
+    std::optional<double> mode_amplitude;  ///< Sine mode over the last second / its start.
     bool finite = true;
 };
 
@@ -76,9 +76,9 @@ private:
     const Reference& reference_;
     bool staggered_;
     Measures m_;
-    std::vector<char> loaded_;        ///< Bodies on which anything but gravity can act.
+    std::vector<char> loaded_;  ///< Bodies on which anything but gravity can act.
     double energy_start_ = 0.0, work_ = 0.0, last_work_ = 0.0;
-    std::vector<Vec3> impulse_;       ///< Of the tow line in this frame [N s].
+    std::vector<Vec3> impulse_;  ///< Of the tow line in this frame [N s].
     std::vector<std::vector<double>> substep_tension_;
     std::vector<double> times_;
     std::vector<std::vector<double>> tensions_;

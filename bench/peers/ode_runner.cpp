@@ -27,7 +27,8 @@ public:
         dWorldSetCFM(world_, kCfm);
         dWorldSetQuickStepNumIterations(world_, kQuickIterations);
         dWorldSetAutoDisableFlag(world_, 0);
-        for (const Body& b : scene.bodies) add_body(b);
+        for (const Body& b : scene.bodies)
+            add_body(b);
         for (const BallJoint& j : scene.joints) {
             dJointID id = dJointCreateBall(world_, nullptr);
             dJointAttach(id, body(j.a), body(j.b));

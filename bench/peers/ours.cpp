@@ -3,6 +3,8 @@
 
 namespace hawser::bench {
 
-std::unique_ptr<Runner> make_ours(const Scene& /*scene*/) { return nullptr; }
+std::unique_ptr<Runner> make_ours(const Scene& /*scene*/) {
+    return nullptr;
+}
 
 }  // namespace hawser::bench

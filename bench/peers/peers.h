@@ -20,7 +20,7 @@ namespace hawser::bench {
 struct Engine {
     std::string name;
     std::string description;
-    bool ours = false;          ///< One step per frame, no search.
+    bool ours = false;  ///< One step per frame, no search.
     std::function<std::unique_ptr<Runner>(const Scene&, int substeps)> make;  ///< Null: left out.
 };
 
@@ -34,17 +34,17 @@ struct Engine {
 /// Outcome of one engine on one scene.
 struct PeerResult {
     std::string engine, scene, settings;
-    int substeps = 0;              ///< Per frame of 1/60 s.
+    int substeps = 0;  ///< Per frame of 1/60 s.
     bool holds = false;
-    std::string why_not;           ///< First broken limit; empty if it holds.
-    std::string unchecked;         ///< What *holds* could not look at, for want of a reference.
-    double simulated = 0.0;        ///< Time that was simulated [s].
-    double ms_per_frame = 0.0;     ///< Median over frames, the first 60 left out [ms].
-    double ms_p99 = 0.0;           ///< 99th percentile of the same [ms].
+    std::string why_not;        ///< First broken limit; empty if it holds.
+    std::string unchecked;      ///< What *holds* could not look at, for want of a reference.
+    double simulated = 0.0;     ///< Time that was simulated [s].
+    double ms_per_frame = 0.0;  ///< Median over frames, the first 60 left out [ms].
+    double ms_p99 = 0.0;        ///< 99th percentile of the same [ms].
     Measures measures;
-    std::vector<double> frame_ms;  ///< Every frame, the first included [ms].
-    std::vector<double> tension_times;           ///< Middle of every frame [s].
-    std::vector<std::vector<double>> tensions;   ///< Per towed ship, mean of every frame [N].
+    std::vector<double> frame_ms;               ///< Every frame, the first included [ms].
+    std::vector<double> tension_times;          ///< Middle of every frame [s].
+    std::vector<std::vector<double>> tensions;  ///< Per towed ship, mean of every frame [N].
 };
 
 /// One engine on one scene, advanced frame by frame.
@@ -77,9 +77,9 @@ private:
 
 /// Limits of a search.
 struct SearchOptions {
-    double duration = 0.0;   ///< Simulated time [s]; 0 takes the scene's.
-    int max_substeps = 64;   ///< Largest number tried.
-    double budget = 60.0;    ///< Wall time of one run, measuring included [s].
+    double duration = 0.0;  ///< Simulated time [s]; 0 takes the scene's.
+    int max_substeps = 64;  ///< Largest number tried.
+    double budget = 60.0;   ///< Wall time of one run, measuring included [s].
 };
 
 /// One run, stopped at the first broken limit if `early_out`, or at the budget.

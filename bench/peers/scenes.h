@@ -21,10 +21,10 @@ inline constexpr int kWorld = -1;             ///< Body index that means the fix
 
 /// Pose and velocity of one body.
 struct BodyState {
-    Vec3 x = Vec3::Zero();        ///< Mass centre [m].
-    Quat q = Quat::Identity();    ///< Body frame to world.
-    Vec3 v = Vec3::Zero();        ///< Velocity of the mass centre [m/s].
-    Vec3 w = Vec3::Zero();        ///< Angular velocity, in the world frame [rad/s].
+    Vec3 x = Vec3::Zero();      ///< Mass centre [m].
+    Quat q = Quat::Identity();  ///< Body frame to world.
+    Vec3 v = Vec3::Zero();      ///< Velocity of the mass centre [m/s].
+    Vec3 w = Vec3::Zero();      ///< Angular velocity, in the world frame [rad/s].
 };
 
 /// A rigid body whose body axes are its principal axes.
@@ -38,17 +38,17 @@ struct Body {
 
 /// Ball joint that is closed at the start.
 struct BallJoint {
-    int a = kWorld;                ///< First body, or kWorld.
-    int b = kWorld;                ///< Second body, or kWorld.
-    Vec3 anchor = Vec3::Zero();    ///< Joint position at t = 0, in the world [m].
-    Vec3 arm_a = Vec3::Zero();     ///< Anchor in the frame of `a` (world position for kWorld) [m].
-    Vec3 arm_b = Vec3::Zero();     ///< Anchor in the frame of `b` (world position for kWorld) [m].
+    int a = kWorld;              ///< First body, or kWorld.
+    int b = kWorld;              ///< Second body, or kWorld.
+    Vec3 anchor = Vec3::Zero();  ///< Joint position at t = 0, in the world [m].
+    Vec3 arm_a = Vec3::Zero();   ///< Anchor in the frame of `a` (world position for kWorld) [m].
+    Vec3 arm_b = Vec3::Zero();   ///< Anchor in the frame of `b` (world position for kWorld) [m].
 };
 
 /// Force of constant size and direction on a mass centre.
 struct Thrust {
     int body = 0;
-    Vec3 force = Vec3::Zero();     ///< [N]
+    Vec3 force = Vec3::Zero();  ///< [N]
 };
 
 /// Linear hydrostatics of a hull about its starting height and the upright attitude.
@@ -57,37 +57,37 @@ struct Thrust {
 /// and pitch needs no choice of angles.
 struct Floating {
     int body = 0;
-    double heave_k = 0.0;          ///< [N/m]
-    double heave_c = 0.0;          ///< [N s/m]
-    double tilt_k = 0.0;           ///< Roll and pitch stiffness [N m/rad].
-    double tilt_c = 0.0;           ///< Roll and pitch damping [N m s/rad].
+    double heave_k = 0.0;  ///< [N/m]
+    double heave_c = 0.0;  ///< [N s/m]
+    double tilt_k = 0.0;   ///< Roll and pitch stiffness [N m/rad].
+    double tilt_c = 0.0;   ///< Roll and pitch damping [N m s/rad].
 };
 
 /// Joints left out of the spanning forest of an engine with reduced coordinates.
 struct TreeLayout {
     std::string name;
-    std::vector<int> closures;     ///< Joint indices that become loop closures.
+    std::vector<int> closures;  ///< Joint indices that become loop closures.
 };
 
 /// One scene. `bodies` and `joints` keep their order in every engine.
 struct Scene {
     std::string name;
-    std::string code;                    ///< S1, S2p or S3.
-    double gravity = 9.81;               ///< [m/s2], along -z.
-    double duration = 10.0;              ///< Length of the comparison [s].
+    std::string code;        ///< S1, S2p or S3.
+    double gravity = 9.81;   ///< [m/s2], along -z.
+    double duration = 10.0;  ///< Length of the comparison [s].
     std::vector<Body> bodies;
     std::vector<BallJoint> joints;
     std::vector<Thrust> thrusts;
     std::vector<Floating> floating;
-    std::vector<TreeLayout> layouts;     ///< First is the default.
-    int block = -1;                      ///< Body whose path is compared, or -1.
-    std::vector<int> towed;              ///< Ships whose tow tension is measured.
-    std::optional<double> tension;       ///< Exact tension at every entry of `towed` [N].
-    double energy_scale = 1.0;           ///< Energy that a drift is relative to [J].
-    int cable_first = -1;                ///< First link of the cable with a sine start, or -1.
+    std::vector<TreeLayout> layouts;  ///< First is the default.
+    int block = -1;                   ///< Body whose path is compared, or -1.
+    std::vector<int> towed;           ///< Ships whose tow tension is measured.
+    std::optional<double> tension;    ///< Exact tension at every entry of `towed` [N].
+    double energy_scale = 1.0;        ///< Energy that a drift is relative to [J].
+    int cable_first = -1;             ///< First link of the cable with a sine start, or -1.
     int cable_links = 0;
-    double sine = 0.0;                   ///< Amplitude of the sine start [m].
-    double sine_omega = 0.0;             ///< Angular frequency of that mode [rad/s].
+    double sine = 0.0;        ///< Amplitude of the sine start [m].
+    double sine_omega = 0.0;  ///< Angular frequency of that mode [rad/s].
 };
 
 /// S1: 100 links of 1 m and 10 kg, a block of 50 t, released straight at 20 degrees.
@@ -104,8 +104,8 @@ struct Scene {
 
 /// Force and torque on one mass centre, in the world frame.
 struct Load {
-    Vec3 force = Vec3::Zero();     ///< [N]
-    Vec3 torque = Vec3::Zero();    ///< [N m]
+    Vec3 force = Vec3::Zero();   ///< [N]
+    Vec3 torque = Vec3::Zero();  ///< [N m]
 };
 
 /// All loads but gravity on non-floating bodies: thrust, drag, hydrostatics.

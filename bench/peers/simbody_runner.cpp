@@ -16,8 +16,12 @@ namespace {
 // the rest of a step. A tenth of what is allowed (1 mm).
 constexpr double kProjectAt = 1e-4;  // [m], and [m/s] for velocities
 
-SimTK::Vec3 to_simbody(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-Vec3 from_simbody(const SimTK::Vec3& v) { return {v[0], v[1], v[2]}; }
+SimTK::Vec3 to_simbody(const Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+Vec3 from_simbody(const SimTK::Vec3& v) {
+    return {v[0], v[1], v[2]};
+}
 SimTK::Rotation to_simbody(const Quat& q) {
     return SimTK::Rotation(SimTK::Quaternion(q.w(), q.x(), q.y(), q.z()));
 }
@@ -25,12 +29,17 @@ SimTK::Rotation to_simbody(const Quat& q) {
 class SimbodyRunner final : public Runner {
 public:
     SimbodyRunner(const Scene& scene, int substeps, const TreeLayout& layout)
-        : scene_(scene), substeps_(substeps), layout_(layout), matter_(system_), forces_(system_),
+        : scene_(scene),
+          substeps_(substeps),
+          layout_(layout),
+          matter_(system_),
+          forces_(system_),
           discrete_(forces_, matter_) {
         system_.setUseUniformBackground(true);
         mobod_.resize(scene.bodies.size());
         for (const auto& tree : spanning_forest(scene, layout))
-            for (const TreeNode& n : tree) add(n);
+            for (const TreeNode& n : tree)
+                add(n);
         for (const int j : layout.closures) {
             const BallJoint& b = scene.joints[static_cast<std::size_t>(j)];
             SimTK::Constraint::Ball(at(b.a), to_simbody(b.arm_a), at(b.b), to_simbody(b.arm_b));
@@ -41,8 +50,7 @@ public:
             const BodyState& s = scene.bodies[i].start;
             if (mobod_[i].free)
                 at(static_cast<int>(i))
-                    .setQToFitTransform(state_,
-                                        SimTK::Transform(to_simbody(s.q), to_simbody(s.x)));
+                    .setQToFitTransform(state_, SimTK::Transform(to_simbody(s.q), to_simbody(s.x)));
         }
         system_.realize(state_, SimTK::Stage::Velocity);
     }
@@ -57,7 +65,8 @@ public:
         for (std::size_t i = 0; i < mobod_.size(); ++i) {
             const Body& b = scene_.bodies[i];
             Vec3 force = loads[i].force;
-            if (!b.afloat) force.z() -= b.mass * scene_.gravity;
+            if (!b.afloat)
+                force.z() -= b.mass * scene_.gravity;
             discrete_.setOneBodyForce(
                 state_, at(static_cast<int>(i)),
                 SimTK::SpatialVec(to_simbody(loads[i].torque), to_simbody(force)));
@@ -92,17 +101,17 @@ private:
     void add(const TreeNode& n) {
         const Body& b = scene_.bodies[static_cast<std::size_t>(n.body)];
         const SimTK::Body::Rigid rigid(SimTK::MassProperties(
-            b.mass, SimTK::Vec3(0),
-            SimTK::Inertia(b.inertia.x(), b.inertia.y(), b.inertia.z())));
+            b.mass, SimTK::Vec3(0), SimTK::Inertia(b.inertia.x(), b.inertia.y(), b.inertia.z())));
         Member& m = mobod_[static_cast<std::size_t>(n.body)];
         if (n.parent == kFree) {
-            m.index = SimTK::MobilizedBody::Free(matter_.updGround(), rigid).getMobilizedBodyIndex();
+            m.index =
+                SimTK::MobilizedBody::Free(matter_.updGround(), rigid).getMobilizedBodyIndex();
             m.free = true;
             return;
         }
-        const Quat parent_q =
-            n.parent == kWorld ? Quat::Identity()
-                               : scene_.bodies[static_cast<std::size_t>(n.parent)].start.q;
+        const Quat parent_q = n.parent == kWorld
+                                  ? Quat::Identity()
+                                  : scene_.bodies[static_cast<std::size_t>(n.parent)].start.q;
         const SimTK::Transform on_parent(to_simbody(Quat(parent_q.conjugate() * b.start.q)),
                                          to_simbody(n.arm_parent));
         m.index = SimTK::MobilizedBody::Ball(at(n.parent), on_parent, rigid,
@@ -114,11 +123,13 @@ private:
         system_.realize(state_, SimTK::Stage::Acceleration);
         const SimTK::Vector u = state_.getU() + h * state_.getUDot();
         matter_.multiplyByN(state_, false, u, qdot_);
-        // Time stands still: no force depends on it, and advancing it invalidates more of the state.
+        // Time stands still: no force depends on it, and advancing it invalidates more of the
+        // state.
         state_.updQ() += h * qdot_;
         state_.updU() = u;
         matter_.normalizeQuaternions(state_);
-        if (!layout_.closures.empty()) system_.project(state_, kProjectAt);
+        if (!layout_.closures.empty())
+            system_.project(state_, kProjectAt);
     }
 
     const Scene& scene_;
