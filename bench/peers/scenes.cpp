@@ -41,8 +41,7 @@ Body link(double mass, double radius, const Vec3& p, const Vec3& q) {
 }
 
 Vec3 in_frame(const Scene& s, int body, const Vec3& at) {
-    if (body == kWorld)
-        return at;
+    if (body == kWorld) return at;
     const BodyState& st = s.bodies[static_cast<std::size_t>(body)].start;
     return st.q.conjugate() * (at - st.x);
 }
@@ -107,12 +106,10 @@ std::vector<Vec3> hanging_nodes(const Vec3& p, const Vec3& q, int n, double l, d
         // d(fx)/d(t) = -t r3, d(fz)/dt = r3, dt/dh = -t/h, dt/dv = 1/h.
         const Eigen::Matrix2d jac{{c / h, -b / h}, {-b / h, a / h}};
         Eigen::Vector2d step = jac.inverse() * Eigen::Vector2d(fx, fz);
-        if (std::abs(step.x()) > 0.5 * h)
-            step *= 0.5 * h / std::abs(step.x());
+        if (std::abs(step.x()) > 0.5 * h) step *= 0.5 * h / std::abs(step.x());
         h -= step.x();
         v -= step.y();
-        if (std::hypot(fx, fz) < 1e-11 * total)
-            break;
+        if (std::hypot(fx, fz) < 1e-11 * total) break;
     }
     std::vector<Vec3> nodes{p};
     for (int i = 0; i < n; ++i) {
@@ -133,8 +130,7 @@ Scene heavy_hook() {
     const double angle = 20.0 * kPi / 180.0;
     const Vec3 dir(std::sin(angle), 0.0, -std::cos(angle));
     std::vector<Vec3> nodes;
-    for (int i = 0; i <= n; ++i)
-        nodes.push_back(i * dir);
+    for (int i = 0; i <= n; ++i) nodes.push_back(i * dir);
     // The block is body 100, after the links; joined half its size below the last node.
     Body block = box(50e3, Vec3::Ones(), (n + 1.0) * dir);
     block.start.q = along_x(dir);
@@ -166,7 +162,7 @@ Scene tow_zigzag() {
     std::vector<Vec3> nodes{Vec3::Zero()};
     double y0 = 0.0;
     for (int i = 1; i <= n; ++i) {
-        const double zigzag = i == n ? 0.0 : (i % 2 == 1 ? 1e-3 : -1e-3);
+        const double zigzag = i == n ? 0.0 : (i % 2 == 1 ? -1e-3 : 1e-3);
         const double y = i == n ? 0.0 : s.sine * std::sin(kPi * i / n) + zigzag;
         const double dx = std::sqrt(l * l - (y - y0) * (y - y0));
         nodes.push_back(nodes.back() + Vec3(dx, y - y0, 0.0));
@@ -243,8 +239,7 @@ Scene mooring() {
 Scene scene_by_name(const std::string& name) {
     for (Scene (*make)() : {heavy_hook, tow_zigzag, mooring}) {
         Scene s = make();
-        if (s.name == name || s.code == name)
-            return s;
+        if (s.name == name || s.code == name) return s;
     }
     throw std::invalid_argument("unknown scene '" + name +
                                 "': expected heavy_hook, tow_zigzag or mooring");
@@ -256,8 +251,7 @@ void external_loads(const Scene& scene, const std::vector<BodyState>& states,
         loads[i].force = -scene.bodies[i].drag * states[i].v;
         loads[i].torque.setZero();
     }
-    for (const Thrust& t : scene.thrusts)
-        loads[static_cast<std::size_t>(t.body)].force += t.force;
+    for (const Thrust& t : scene.thrusts) loads[static_cast<std::size_t>(t.body)].force += t.force;
     for (const Floating& f : scene.floating) {
         const auto i = static_cast<std::size_t>(f.body);
         const BodyState& st = states[i];
