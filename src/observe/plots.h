@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file plots.h
+/// Pictures of a recording.
+
+#include "observe/drawing.h"
+#include "observe/recording.h"
+#include "observe/series.h"
+
+#include <optional>
+
+namespace hawser::observe {
+
+/// Tension of the cables over time: the first end's as a line, the spread over the cable's
+/// elements as a band. Cables of very different tension get panels of their own.
+/// @return Nothing when the scene has no cables or the recording no frames.
+[[nodiscard]] std::optional<Drawing> plot_tensions(const Recording& recording,
+                                                   const Series& series);
+
+/// Displacement and rotation of bodies over time, one panel per direction.
+[[nodiscard]] std::optional<Drawing> plot_motions(const Recording& recording, const Series& series);
+
+/// Side view and top view of one frame: bodies as outlined boxes, cables as lines coloured by
+/// tension; the first frame and the paths of the plotted bodies in grey.
+[[nodiscard]] std::optional<Drawing> plot_views(const Recording& recording, const Series& series,
+                                                std::size_t frame_index);
+
+}  // namespace hawser::observe

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "observe/axes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace hawser::observe {
+
+Range range_of(std::span<const double> values) {
+    Range r{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (const double v : values) {
+        if (!std::isfinite(v)) continue;
+        r.low = std::min(r.low, v);
+        r.high = std::max(r.high, v);
+    }
+    return r.low <= r.high ? r : Range{};
+}
+
+Range widened(Range range, double share, double least) {
+    const double wanted = std::max(range.span() * (1.0 + 2.0 * share), least);
+    const double middle = 0.5 * (range.low + range.high);
+    return {middle - 0.5 * wanted, middle + 0.5 * wanted};
+}
+
+namespace {
+
+double tick_distance(Range range, int count) {
+    const double raw = range.span() / std::max(1, count);
+    if (!(raw > 0.0) || !std::isfinite(raw)) return 1.0;
+    const double power = std::pow(10.0, std::floor(std::log10(raw)));
+    // The step whose number of ticks comes closest to the one asked for.
+    const double ratio = raw / power;
+    return power * (ratio < 1.5 ? 1.0 : ratio < 3.5 ? 2.0 : ratio < 7.5 ? 5.0 : 10.0);
+}
+
+}  // namespace
+
+std::vector<double> ticks(Range range, int count) {
+    std::vector<double> out;
+    if (range.low > range.high) std::swap(range.low, range.high);
+    const double distance = tick_distance(range, count);
+    const double slack = 1e-9 * distance;
+    // A range far from zero but narrow beyond double precision has no ticks worth drawing.
+    const double first = std::ceil((range.low - slack) / distance);
+    for (int i = 0; i <= 2 * std::max(1, count) + 2; ++i) {
+        const double value = (first + i) * distance;
+        if (!(value <= range.high + slack)) break;
+        out.push_back(value == 0.0 ? 0.0 : value);
+    }
+    return out;
+}
+
+std::string tick_label(double value, double distance) {
+    const double largest = std::max(std::abs(value), distance);
+    if (distance > 0.0 && (largest >= 1e6 || distance < 1e-4)) {
+        std::string text = fmt::format("{:.2g}", value);
+        if (std::abs(value) < 1e-9 * distance) text = "0";
+        return text;
+    }
+    const int decimals =
+        distance > 0.0
+            ? std::clamp(static_cast<int>(-std::floor(std::log10(distance * 1.0001))), 0, 6)
+            : 2;
+    std::string text = fmt::format("{:.{}f}", value, decimals);
+    if (text.starts_with("-")) text = "−" + text.substr(1);
+    return text;
+}
+
+Unit readable_unit(double largest, const std::string& unit) {
+    static constexpr std::array<std::pair<double, const char*>, 6> kPrefixes{
+        {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1.0, ""}, {1e-3, "m"}, {1e-6, "µ"}}};
+    if (!std::isfinite(largest) || largest == 0.0) return {unit, 1.0};
+    // Metres stay metres up to kilometres of scene: nobody reads ship motions in km.
+    for (const auto& [size, prefix] : kPrefixes) {
+        if (unit == "m" && size > 1.0) continue;
+        if (std::abs(largest) >= size || size == 1e-6) return {prefix + unit, 1.0 / size};
+    }
+    return {unit, 1.0};
+}
+
+std::string with_unit(double value, const std::string& unit) {
+    const Unit u = readable_unit(value, unit);
+    const double shown = value * u.factor;
+    if (value != 0.0 && std::abs(shown) < 0.1) return fmt::format("{:.2e} {}", value, unit);
+    return fmt::format("{:.4g} {}", shown, u.name);
+}
+
+}  // namespace hawser::observe
