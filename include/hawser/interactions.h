@@ -86,6 +86,7 @@ struct KindInfo {
     bool uses_points = true;              ///< Reads InteractionDef::point.
     bool uses_frames = false;             ///< Reads InteractionDef::frame.
     const char* row_units = "";           ///< One letter a row: m metre, r radian, v velocity row.
+    int scalar_slot = -1;                 ///< Slot that must be a scalar body; others must not.
     bool length_from_pose = false;        ///< "length" defaults to the initial distance.
     std::span<const ParamInfo> params{};  ///< At most kMaxInteractionParams.
     const char* doc = "";                 ///< What it does, in one or two sentences.

@@ -10,6 +10,8 @@
 ///     static constexpr Geometry kGeometry;        // which geometric stiffness it has
 ///     struct Data {…};                            // what evaluate() needs, doubles only
 ///     static Data make(const InteractionDef&);    // set-up (HAWSER_KIND_SETUP only)
+///     static void complete(InteractionDef&, const Vec3* position);  // optional, likewise:
+///                                                 // defaults taken from the initial poses
 ///     static void defaults(const InteractionDef&, double h, RowSpec*);   // ε, τ of each row
 ///     static void evaluate(const Data&, const BodyRef*, Rows<kBodies, kRows>&);
 /// };

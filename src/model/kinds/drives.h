@@ -48,6 +48,9 @@ struct Hydrostatic {
     }
 #ifdef HAWSER_KIND_SETUP
     static Data make(const InteractionDef& d) { return {d.params[6]}; }
+    static void complete(InteractionDef& d, const Vec3* position) {
+        d.params[6] = given(d.params[6], position[0].z());
+    }
 #endif
 };
 
@@ -65,7 +68,7 @@ struct Hold {
     static constexpr Geometry kGeometry = Geometry::none;
     static constexpr KindInfo kInfo{
         .kind = InteractionKind::Hold, .name = "hold", .bodies = 1, .rows = 1,
-        .uses_points = false, .uses_frames = false, .row_units = "m", .params = kHoldParams,
+        .uses_points = false, .uses_frames = false, .row_units = "m", .scalar_slot = 0, .params = kHoldParams,
         .doc = "Holds a scalar body (drum, spool) at a coordinate."};
     using Data = TargetData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
@@ -77,6 +80,9 @@ struct Hold {
     }
 #ifdef HAWSER_KIND_SETUP
     static Data make(const InteractionDef& d) { return {d.params[0]}; }
+    static void complete(InteractionDef& d, const Vec3* position) {
+        d.params[0] = given(d.params[0], position[0].x());
+    }
 #endif
 };
 
@@ -145,7 +151,7 @@ struct ScalarMotor {
     static constexpr Geometry kGeometry = Geometry::none;
     static constexpr KindInfo kInfo{
         .kind = InteractionKind::ScalarMotor, .name = "scalar_motor", .bodies = 1, .rows = 1,
-        .uses_points = false, .uses_frames = false, .row_units = "v", .params = kMotorParams,
+        .uses_points = false, .uses_frames = false, .row_units = "v", .scalar_slot = 0, .params = kMotorParams,
         .doc = "Turns a scalar body (drum) at a speed."};
     using Data = TargetData;
     static void defaults(const InteractionDef& d, double, RowSpec* s) { motor_rows(d, s); }

@@ -116,7 +116,7 @@ struct WinchStretch {
     static constexpr Geometry kGeometry = Geometry::line;
     static constexpr KindInfo kInfo{
         .kind = InteractionKind::WinchStretch, .name = "winch_stretch", .bodies = 3, .rows = 1,
-        .uses_points = true, .uses_frames = false, .row_units = "m", .length_from_pose = true,
+        .uses_points = true, .uses_frames = false, .row_units = "m", .scalar_slot = 2, .length_from_pose = true,
         .params = kWinchStretchParams,
         .doc = "Wire element from a fairlead whose rest length grows with the coordinate of a "
                "scalar drum (third body)."};

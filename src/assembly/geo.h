@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file geo.h
+/// Geometric stiffness and relative-rotation damping of one interaction.
+///
+/// *Line* (distance, stretch): a tension T along the unit vector u, length l, resists
+/// transverse motion of the end points: K_g = (T/l)(E − u uᵀ) on their relative displacement.
+/// Without it a taut wire is stable only while h √(T/ρ) ≤ element length.
+///
+/// *Arms*: a force f on a body at arm r turns with the body: K = (f·r)E − r fᵀ on its rotation,
+/// symmetrised. In the plane of unit vectors r̂, f̂ at angle θ (c = cos θ) its eigenvalues, in
+/// units of |f||r|, are c (normal to the plane), (c + 1)/2 along d = r̂ − f̂ and (c − 1)/2 ≤ 0
+/// along s = r̂ + f̂. Projected to be positive semi-definite:
+///   c ≥ 0:  c (E − s sᵀ/|s|²) + d dᵀ/4        (regular at θ = 0, where d = 0)
+///   c < 0:  (c + 1)/2 · d dᵀ/|d|²
+/// Both enter conservatively: M̃ += (h²/4) K, a += (h²/4) K v. Sources: Tournier, Nesme,
+/// Gilles, Faure, "Stable constrained dynamics" (2015); Andrews, Teichmann, Kry, "Geometric
+/// stiffness for real-time constrained multibody dynamics" (2017); the conservative form is
+/// that of the trapezoidal rule.
+///
+/// *Damping* of joints between two rigid bodies: c = k_b h |f| min(|r₀|, |r₁|) on the relative
+/// rotation, numerical: it vanishes with h and leaves rigid rotation and angular momentum
+/// alone. M̃ += h c, a −= h c (ω₀ − ω₁).
+///
+/// Record (doubles): 0 w = (h²/4) T/l; 1-3 u; 4-6 r₀; 7-9 r₁; 10-15 (h²/4) P₀ and 16-21
+/// (h²/4) P₁ as xx xy xz yy yz zz; 22 h c; 23 unused.
+
+#include "assembly/view.h"
+#include "base/small.h"
+
+namespace hawser::HAWSER_ISA {
+
+inline V3 mul6(const double* s, V3 v) {
+    return {s[0] * v.x + s[1] * v.y + s[2] * v.z, s[1] * v.x + s[3] * v.y + s[4] * v.z,
+            s[2] * v.x + s[4] * v.y + s[5] * v.z};
+}
+inline M3 full6(const double* s) { return {{s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5]}}; }
+
+/// scale × projected arm stiffness of the force f at arm r.
+inline void arm_stiffness(V3 f, V3 r, double scale, double* out) {
+    const double nf = norm(f), nr = norm(r);
+    for (int i = 0; i < 6; ++i) out[i] = 0.0;
+    if (nf * nr < 1e-300) return;
+    const V3 fh = (1.0 / nf) * f, rh = (1.0 / nr) * r;
+    const V3 s = rh + fh, d = rh - fh;
+    const double c = dot(rh, fh), k = scale * nf * nr;
+    double e, ss, dd;  // K = e E − ss s sᵀ + dd d dᵀ
+    if (c >= 0) {
+        e = k * c;
+        ss = k * c / dot(s, s);
+        dd = 0.25 * k;
+    } else {
+        e = 0;
+        ss = 0;
+        dd = 0.5 * k * (c + 1.0) / dot(d, d);
+    }
+    out[0] = e - ss * s.x * s.x + dd * d.x * d.x;
+    out[1] = -ss * s.x * s.y + dd * d.x * d.y;
+    out[2] = -ss * s.x * s.z + dd * d.x * d.z;
+    out[3] = e - ss * s.y * s.y + dd * d.y * d.y;
+    out[4] = -ss * s.y * s.z + dd * d.y * d.z;
+    out[5] = e - ss * s.z * s.z + dd * d.z * d.z;
+}
+
+/// Linear and angular part of K v on slot `self` (0 or 1); `lin`, `ang` are the velocities of
+/// both slots. For the geometric part of M̃ v and, with damping = −1, of a.
+inline void geo_product(const double* rec, int self, const V3* lin, const V3* ang, double damping,
+                        V3& out_lin, V3& out_ang) {
+    const double side = self == 0 ? 1.0 : -1.0;
+    const V3 r0 = load3(rec + 4), r1 = load3(rec + 7), u = load3(rec + 1);
+    out_lin = {0, 0, 0};
+    out_ang = mul6(rec + 10 + 6 * self, ang[self]) + (side * damping * rec[22]) * (ang[0] - ang[1]);
+    if (rec[0] != 0.0) {
+        const V3 rel = lin[0] + cross(ang[0], r0) - lin[1] - cross(ang[1], r1);
+        const V3 t = (side * rec[0]) * (rel - dot(u, rel) * u);
+        out_lin = t;
+        out_ang = out_ang + cross(self == 0 ? r0 : r1, t);
+    }
+}
+
+}  // namespace hawser::HAWSER_ISA

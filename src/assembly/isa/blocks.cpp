@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Writes the blocks of the step's matrix into the solver's panels.
+///
+/// Contributions are listed by column of the matrix (see assembly/system.h), so that a range
+/// of columns can be written by one thread without touching another's, and every block is
+/// summed in a fixed order. Sizes are dispatched to unrolled code.
+#include "assembly/geo.h"
+#include "assembly/isa/rows.h"
+
+namespace hawser::HAWSER_ISA {
+namespace {
+
+using assembly::Op;
+using assembly::View;
+
+constexpr int kSlots = kMaxInteractionBodies;
+
+/// Columns of slot s in the packed Jacobian and the Jacobian's width.
+struct Slots {
+    int at[kSlots], dof[kSlots], width;
+};
+inline Slots slots(const View& view, std::int32_t id) {
+    Slots s{};
+    for (int b = 0; b < view.bodies[id]; ++b) {
+        s.at[b] = s.width;
+        s.dof[b] = view.dof[view.body[kSlots * id + b]];
+        s.width += s.dof[b];
+    }
+    return s;
+}
+
+/// out (DA × DB, column-major) += Σ_r w_r ja_r ᵀ jb_r.
+template <int DA, int DB>
+inline void outer(const double* ja, const double* jb, int width, const double* w, int rows,
+                  double* out, long ld) {
+    double acc[DB][DA] = {};
+    for (int r = 0; r < rows; ++r)
+        for (int j = 0; j < DB; ++j) {
+            const double s = w[r] * jb[r * width + j];
+            for (int i = 0; i < DA; ++i) acc[j][i] += ja[r * width + i] * s;
+        }
+    for (int j = 0; j < DB; ++j)
+        for (int i = 0; i < DA; ++i) out[j * ld + i] += acc[j][i];
+}
+
+void condense(const View& view, const Op& op, double* out) {
+    const Slots s = slots(view, op.id);
+    const double* jac = view.jacobian + view.jac_begin[op.id];
+    const double *ja = jac + s.at[op.a], *jb = jac + s.at[op.b];
+    const int rows = view.rows[op.id];
+    double w[kMaxInteractionRows];
+    for (int r = 0; r < rows; ++r)
+        w[r] = view.active[op.id] * view.inv_sigma[view.row_begin[op.id] + r];
+    switch (8 * s.dof[op.a] + s.dof[op.b]) {
+        case 8 * 3 + 3: outer<3, 3>(ja, jb, s.width, w, rows, out, op.ld); break;
+        case 8 * 6 + 6: outer<6, 6>(ja, jb, s.width, w, rows, out, op.ld); break;
+        case 8 * 3 + 6: outer<3, 6>(ja, jb, s.width, w, rows, out, op.ld); break;
+        case 8 * 6 + 3: outer<6, 3>(ja, jb, s.width, w, rows, out, op.ld); break;
+        case 8 * 1 + 1: outer<1, 1>(ja, jb, s.width, w, rows, out, op.ld); break;
+        case 8 * 1 + 3: outer<1, 3>(ja, jb, s.width, w, rows, out, op.ld); break;
+        case 8 * 3 + 1: outer<3, 1>(ja, jb, s.width, w, rows, out, op.ld); break;
+        case 8 * 1 + 6: outer<1, 6>(ja, jb, s.width, w, rows, out, op.ld); break;
+        case 8 * 6 + 1: outer<6, 1>(ja, jb, s.width, w, rows, out, op.ld); break;
+        default: break;
+    }
+}
+
+inline void add_matrix(double* out, long ld, const M3& m, double s) {
+    for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i) out[j * ld + i] += s * m.a[3 * i + j];
+}
+
+inline M3 skew(V3 r) { return {{0, -r.z, r.y, r.z, 0, -r.x, -r.y, r.x, 0}}; }
+
+inline M3 product(const M3& p, const M3& q) {
+    M3 o{};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            o.a[3 * i + j] =
+                p.a[3 * i] * q.a[j] + p.a[3 * i + 1] * q.a[3 + j] + p.a[3 * i + 2] * q.a[6 + j];
+    return o;
+}
+
+/// Blocks of geo.h: line part Aᵀ k A with A = ±[E, −r̂], arm part, damping.
+void geometric(const View& view, const Op& op, double* out) {
+    const double* rec = view.geo_record + static_cast<long>(assembly::kGeoSize) * view.geo[op.id];
+    const std::int32_t* body = view.body + kSlots * op.id;
+    const bool rigid_a = view.dof[body[op.a]] == 6, rigid_b = view.dof[body[op.b]] == 6;
+    const bool same = op.a == op.b;
+    const double sign = same ? 1.0 : -1.0;
+    if (rec[0] != 0.0) {
+        const V3 u = load3(rec + 1);
+        const double w = rec[0];
+        const M3 k{{w - w * u.x * u.x, -w * u.x * u.y, -w * u.x * u.z, -w * u.x * u.y,
+                    w - w * u.y * u.y, -w * u.y * u.z, -w * u.x * u.z, -w * u.y * u.z,
+                    w - w * u.z * u.z}};
+        add_matrix(out, op.ld, k, sign);
+        const M3 ra = skew(load3(rec + (op.a == 0 ? 4 : 7)));
+        const M3 rb = skew(load3(rec + (op.b == 0 ? 4 : 7)));
+        const M3 krb = product(k, rb);  // point velocity v − r̂ω: columns −k r̂
+        if (rigid_b) add_matrix(out + 3 * static_cast<long>(op.ld), op.ld, krb, -sign);
+        if (rigid_a) add_matrix(out + 3, op.ld, product(ra, k), sign);
+        if (rigid_a && rigid_b)
+            add_matrix(out + 3 * static_cast<long>(op.ld) + 3, op.ld, product(ra, krb), -sign);
+    }
+    if (rigid_a && rigid_b) {
+        double* corner = out + 3 * static_cast<long>(op.ld) + 3;
+        if (same) add_matrix(corner, op.ld, full6(rec + 10 + 6 * op.a), 1.0);
+        for (int i = 0; i < 3; ++i) corner[i * static_cast<long>(op.ld) + i] += sign * rec[22];
+    }
+}
+
+void body_block(const View& view, const Op& op, double* out) {
+    const double* block = view.body_block + static_cast<long>(assembly::kBodyBlock) * op.id;
+    const int dof = view.dof[op.id];
+    if (dof == 1) {
+        out[0] += block[0];
+        return;
+    }
+    add_matrix(out, op.ld, full6(block), 1.0);
+    if (dof == 6)
+        add_matrix(out + 3 * static_cast<long>(op.ld) + 3, op.ld, full6(block + 6), 1.0);
+}
+
+void kept(const View& view, const Op& op, double* out) {
+    const std::int32_t row = view.row_begin[op.id];
+    const int rows = view.rows[op.id];
+    if (op.kind == Op::kept_sigma) {
+        for (int r = 0; r < rows; ++r)
+            out[r * static_cast<long>(op.ld) + r] -= view.sigma[row + r];
+        return;
+    }
+    const Slots s = slots(view, op.id);
+    const int slot = op.kind == Op::kept_rows ? op.b : op.a;
+    const double* jac = view.jacobian + view.jac_begin[op.id] + s.at[slot];
+    const double on = view.active[op.id];
+    const long across = op.kind == Op::kept_rows ? 1 : op.ld;
+    const long along = op.kind == Op::kept_rows ? op.ld : 1;
+    for (int r = 0; r < rows; ++r)
+        for (int j = 0; j < s.dof[slot]; ++j)
+            out[r * across + j * along] += on * jac[r * s.width + j];
+}
+
+}  // namespace
+
+void gather_blocks(const View& view, const Op* ops, std::int64_t begin, std::int64_t end,
+                   double* panel) noexcept {
+    for (std::int64_t k = begin; k < end; ++k) {
+        const Op& op = ops[k];
+        double* out = panel + op.address;
+        switch (op.kind) {
+            case Op::condensed: condense(view, op, out); break;
+            case Op::geometric: geometric(view, op, out); break;
+            case Op::body_block: body_block(view, op, out); break;
+            default: kept(view, op, out); break;
+        }
+    }
+}
+
+}  // namespace hawser::HAWSER_ISA

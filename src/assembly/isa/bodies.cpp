@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Loops over bodies: their blocks, right-hand sides, residuals, and their motion.
+#include "assembly/geo.h"
+#include "assembly/isa/rows.h"
+
+namespace hawser::HAWSER_ISA {
+namespace {
+
+using assembly::kBodyBlock;
+using assembly::kGeoSize;
+using assembly::View;
+
+constexpr int kSlots = kMaxInteractionBodies;
+
+void store_sym(double* out, const M3& m) {
+    out[0] = m.a[0];
+    out[1] = m.a[1];
+    out[2] = m.a[2];
+    out[3] = m.a[4];
+    out[4] = m.a[5];
+    out[5] = m.a[8];
+}
+
+/// Drag D of a body in the world frame: R diag(d) Rᵀ.
+M3 world_diagonal(const double* r, const double* d) {
+    const double s[9] = {d[0], 0, 0, 0, d[1], 0, 0, 0, d[2]};
+    return congruence(load9(r), s);
+}
+
+bool any3(const double* d) { return d[0] != 0.0 || d[1] != 0.0 || d[2] != 0.0; }
+
+/// Angular velocity after h without torque, body frame: the Cayley form of the discrete
+/// Euler equations (Bou-Rabee, Marsden, "Hamilton-Pontryagin integrators on Lie groups", 2009)
+///   F(ω₊; +h) = F(ω; −h),  F(ω; s) = Iω + (s/2) ω × Iω + (s²/4)(ω·Iω) ω.
+/// Newton from ω; its Jacobian is well conditioned while h|ω| < 1. Fixed count: the same
+/// work, and the same bits, whatever the state.
+V3 free_rotation(const M3& inertia, V3 w, double h) {
+    const V3 iw = inertia * w;
+    const double half = 0.5 * h, quarter = 0.25 * h * h;
+    const V3 target = iw - half * cross(w, iw) + (quarter * dot(w, iw)) * w;
+    V3 u = w;
+    for (int n = 0; n < 4; ++n) {
+        const V3 iu = inertia * u;
+        const double e = dot(u, iu);
+        const V3 f = iu + half * cross(u, iu) + (quarter * e) * u - target;
+        // J = I + (h/2)(û I − (Iu)^) + (h²/4)(e E + 2 u (Iu)ᵀ), column by column.
+        M3 j;
+        const V3 basis[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        for (int c = 0; c < 3; ++c) {
+            const V3 ie{inertia.a[c], inertia.a[3 + c], inertia.a[6 + c]};
+            const V3 col = ie + half * (cross(u, ie) - cross(iu, basis[c])) +
+                           quarter * (e * basis[c] + (2.0 * dot(iu, basis[c])) * u);
+            j.a[c] = col.x;
+            j.a[3 + c] = col.y;
+            j.a[6 + c] = col.z;
+        }
+        u = u - solve3(j, f);
+    }
+    return u;
+}
+
+/// Velocity of a slot from a packed array; bodies without freedom use v_fixed.
+void slot_velocity(const View& view, const double* v, std::int32_t body, V3& lin, V3& ang) {
+    const int dof = view.dof[body];
+    const double* p = dof == 0 ? view.v_fixed + 6 * body : v + view.dof_begin[body];
+    lin = dof == 1 ? V3{0, 0, 0} : load3(p);
+    ang = dof == 6 || dof == 0 ? load3(p + 3) : V3{0, 0, 0};
+}
+
+/// Geometric part of M̃ v on one slot of an interaction; damping −1 gives that of a.
+void geo_on_slot(const View& view, std::int32_t id, int slot, const double* v, double damping,
+                 V3& lin, V3& ang) {
+    const std::int32_t* body = view.body + kSlots * id;
+    V3 l[2], w[2];
+    for (int b = 0; b < 2; ++b) slot_velocity(view, v, body[b], l[b], w[b]);
+    geo_product(view.geo_record + static_cast<long>(kGeoSize) * view.geo[id], slot, l, w, damping,
+                lin, ang);
+}
+
+/// out (dof entries) = block of M + hD times u.
+void block_times(const double* block, int dof, const double* u, double* out) {
+    if (dof == 1) {
+        out[0] = block[0] * u[0];
+        return;
+    }
+    store3(out, mul6(block, load3(u)));
+    if (dof == 6) store3(out + 3, mul6(block + 6, load3(u + 3)));
+}
+
+/// Column offset of a slot within the packed Jacobian, and its width.
+int slot_columns(const View& view, std::int32_t id, int slot, int& width) {
+    const std::int32_t* body = view.body + kSlots * id;
+    int at = 0;
+    width = 0;
+    for (int b = 0; b < view.bodies[id]; ++b) {
+        if (b == slot) at = width;
+        width += view.dof[body[b]];
+    }
+    return at;
+}
+
+/// out += Jᵀ y for one slot.
+void add_transposed(const View& view, std::int32_t id, int slot, int dof, const double* y,
+                    double* out) {
+    int width;
+    const int at = slot_columns(view, id, slot, width);
+    const double* jac = view.jacobian + view.jac_begin[id] + at;
+    for (int r = 0; r < view.rows[id]; ++r)
+        for (int j = 0; j < dof; ++j) out[j] += jac[r * width + j] * y[r];
+}
+
+/// r = a − M̃ v₊ + Jᵀ(λ + extra), where extra = Σ⁻¹ residual of condensed rows if wanted.
+void momentum_rhs(const View& view, std::int32_t body, bool with_condensed, double* out) {
+    const int dof = view.dof[body];
+    const double* v = view.v_new + view.dof_begin[body];
+    double mv[6];
+    block_times(view.body_block + static_cast<long>(kBodyBlock) * body, dof, v, mv);
+    for (int j = 0; j < dof; ++j) out[j] = view.a[view.dof_begin[body] + j] - mv[j];
+    for (std::int32_t k = view.incident_begin[body]; k < view.incident_begin[body + 1]; ++k) {
+        const std::int32_t id = view.incident_id[k], row = view.row_begin[id];
+        const int slot = view.incident_slot[k];
+        double y[kMaxInteractionRows];
+        const double on = view.active[id];
+        for (int r = 0; r < view.rows[id]; ++r) {
+            y[r] = view.lambda[row + r];
+            if (with_condensed) y[r] += view.inv_sigma[row + r] * view.residual[row + r];
+            y[r] *= on;
+        }
+        add_transposed(view, id, slot, dof, y, out);
+        if (view.geo[id] >= 0 && slot < 2) {
+            V3 lin, ang;
+            geo_on_slot(view, id, slot, view.v_new, 1.0, lin, ang);
+            if (dof >= 3) add3(out, -lin);
+            if (dof == 6) add3(out + 3, -ang);
+        }
+    }
+}
+
+}  // namespace
+
+void body_terms(const View& view, std::int32_t begin, std::int32_t end) noexcept {
+    const double h = view.h;
+    for (std::int32_t body = begin; body < end; ++body) {
+        const int dof = view.dof[body];
+        if (dof == 0) continue;
+        double* block = view.body_block + static_cast<long>(kBodyBlock) * body;
+        const double* v = view.v + view.dof_begin[body];
+        double* a = view.a + view.dof_begin[body];
+        const double* f = view.force + 6 * body;
+        const double* d = view.damping + 6 * body;
+        const double m = view.mass[body];
+        if (dof == 1) {
+            block[0] = m + h * d[0];
+            a[0] = m * v[0] + h * f[0];
+            continue;
+        }
+        M3 lin{{m, 0, 0, 0, m, 0, 0, 0, m}};
+        if (any3(d)) {
+            const M3 drag = world_diagonal(view.r + 9 * body, d);
+            for (int i = 0; i < 9; ++i) lin.a[i] += h * drag.a[i];
+        }
+        store_sym(block, lin);
+        const double w = view.weight[body] ? h * m : 0.0;
+        for (int i = 0; i < 3; ++i) a[i] = m * v[i] + h * f[i] + w * view.gravity[i];
+        if (dof == 6) {
+            const M3 r = load9(view.r + 9 * body);
+            const M3 inertia = load9(view.inertia + 9 * body);
+            M3 world = congruence(r, inertia.a);
+            const V3 free = r * free_rotation(inertia, tmul(r, load3(v + 3)), h);
+            store3(a + 3, world * free + h * load3(f + 3));
+            if (any3(d + 3)) {
+                const M3 drag = world_diagonal(view.r + 9 * body, d + 3);
+                for (int i = 0; i < 9; ++i) world.a[i] += h * drag.a[i];
+            }
+            store_sym(block + 6, world);
+        }
+        for (std::int32_t k = view.incident_begin[body]; k < view.incident_begin[body + 1]; ++k) {
+            const std::int32_t id = view.incident_id[k];
+            if (view.geo[id] < 0 || view.incident_slot[k] > 1) continue;
+            V3 gl, ga;
+            geo_on_slot(view, id, view.incident_slot[k], view.v, -1.0, gl, ga);
+            add3(a, gl);
+            if (dof == 6) add3(a + 3, ga);
+        }
+    }
+}
+
+void first_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept {
+    for (std::int32_t id = begin; id < end; ++id) {
+        const std::int32_t row = view.row_begin[id];
+        for (int r = 0; r < view.rows[id]; ++r) {
+            view.lambda[row + r] = 0.0;
+            view.residual[row + r] = view.active[id] * view.c[row + r];
+        }
+    }
+}
+
+void body_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept {
+    for (std::int32_t body = begin; body < end; ++body)
+        if (view.dof[body] > 0)
+            momentum_rhs(view, body, true, view.solution + view.body_offset[body]);
+}
+
+void add_solution(const View& view, std::int32_t begin, std::int32_t end) noexcept {
+    for (std::int32_t body = begin; body < end; ++body) {
+        const double* s = view.solution + view.body_offset[body];
+        double* v = view.v_new + view.dof_begin[body];
+        for (int j = 0; j < view.dof[body]; ++j) v[j] += s[j];
+    }
+}
+
+void body_norms(const View& view, std::int32_t begin, std::int32_t end,
+                assembly::Norms* norms) noexcept {
+    assembly::Norms n = *norms;
+    for (std::int32_t body = begin; body < end; ++body) {
+        const int dof = view.dof[body];
+        if (dof == 0) continue;
+        double* r = view.momentum + view.dof_begin[body];
+        momentum_rhs(view, body, false, r);
+        const double* block = view.body_block + static_cast<long>(kBodyBlock) * body;
+        const double* v = view.v + view.dof_begin[body];
+        const double* a = view.a + view.dof_begin[body];
+        double mv[6], diff[6];
+        const double* u = view.v_new + view.dof_begin[body];
+        const double* f = view.force + 6 * body;
+        block_times(block, dof, u, mv);  // (M + hD) v₊
+        for (int j = 0; j < dof; ++j) {
+            n.work += view.h * f[j] * u[j];
+            n.drag += u[j] * (mv[j] - (j < 3 ? view.mass[body] * u[j] : 0.0));
+        }
+        if (dof == 6) {
+            const M3 rot = load9(view.r + 9 * body), inertia = load9(view.inertia + 9 * body);
+            const V3 w = tmul(rot, load3(u + 3));
+            n.drag -= dot(w, inertia * w);
+        }
+        block_times(block, dof, v, mv);
+        for (int j = 0; j < dof; ++j) {
+            diff[j] = a[j] - mv[j];
+            n.finite += view.v_new[view.dof_begin[body] + j];
+        }
+        if (dof == 1) {
+            n.momentum += r[0] * r[0] / block[0];
+            n.impulse += diff[0] * diff[0] / block[0];
+            continue;
+        }
+        const M3 lin = full6(block);
+        n.momentum += dot(load3(r), solve3(lin, load3(r)));
+        n.impulse += dot(load3(diff), solve3(lin, load3(diff)));
+        if (dof == 6) {
+            const M3 ang = full6(block + 6);
+            n.momentum += dot(load3(r + 3), solve3(ang, load3(r + 3)));
+            n.impulse += dot(load3(diff + 3), solve3(ang, load3(diff + 3)));
+        }
+    }
+    *norms = n;
+}
+
+void integrate(const View& view, std::int32_t begin, std::int32_t end) noexcept {
+    const double h = view.h;
+    for (std::int32_t body = begin; body < end; ++body) {
+        const int dof = view.dof[body];
+        double* x = view.x + 3 * body;
+        if (dof == 0) continue;
+        double* v = view.v + view.dof_begin[body];
+        const double* u = view.v_new + view.dof_begin[body];
+        for (int j = 0; j < dof; ++j) v[j] = u[j];
+        if (dof == 1) {
+            x[0] += h * v[0];
+            continue;
+        }
+        add3(x, h * load3(v));
+        if (dof < 6) continue;
+        // q₊ = (1, hω/2)/|·| ⊗ q, ω in the world frame: the Cayley map.
+        double* q = view.q + 4 * body;
+        const V3 w = (0.5 * h) * load3(v + 3), p = load3(q + 1);
+        const V3 turned = p + q[0] * w + cross(w, p);
+        const double s = q[0] - dot(w, p);
+        const double inverse = 1.0 / __builtin_sqrt(s * s + dot(turned, turned));
+        q[0] = s * inverse;
+        store3(q + 1, inverse * turned);
+        const M3 m = rotation(q);
+        for (int i = 0; i < 9; ++i) view.r[9 * body + i] = m.a[i];
+    }
+}
+
+extern const assembly::Kernels kAssemblyKernels;
+const assembly::Kernels kAssemblyKernels = {evaluate,     body_terms, gather_blocks, first_rhs,
+                                            body_rhs,     kept_rhs,   add_solution,  row_update,
+                                            body_norms,   row_norms,  integrate};
+
+}  // namespace hawser::HAWSER_ISA

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Violation, Jacobian and right-hand side of every row; residuals and multipliers.
+#include "assembly/isa/rows.h"
+
+#include "assembly/geo.h"
+#include "model/kinds/all.h"
+
+namespace hawser::HAWSER_ISA {
+namespace {
+
+using assembly::View;
+
+constexpr int kSlots = kMaxInteractionBodies;
+
+/// Force on slot b at the joint's point: the first three rows are translations along ±E.
+template <class K>
+void geometry(const View& view, const typename K::Data& data, const BodyRef* refs, std::int32_t id,
+              const Rows<K::kBodies, K::kRows>& rows) {
+    const std::int32_t index = view.geo[id];
+    if (index < 0) return;
+    double* rec = view.geo_record + static_cast<long>(assembly::kGeoSize) * index;
+    for (int i = 0; i < assembly::kGeoSize; ++i) rec[i] = 0.0;
+    if (view.geometric_stiffness == 0.0 && view.rotation_damping == 0.0) return;
+    if (view.active[id] == 0.0) return;
+    const double scale = 0.25 * view.h * view.h * view.geometric_stiffness;
+    const double per_h = 1.0 / view.h;
+    const double* lambda = view.lambda + view.row_begin[id];
+    const V3 r0 = refs[0].arm(data.point[0]), r1 = refs[1].arm(data.point[1]);
+    V3 f1;  // force on body 1
+    if constexpr (K::kGeometry == Geometry::line) {
+        const V3 u = load3(rows.J[1][0]);
+        const double tension = -lambda[0] * per_h;
+        // Compression has a negative geometric stiffness: left out, so that M̃ stays positive.
+        if (!(tension > 0.0)) return;
+        const double length = norm(refs[1].x + r1 - refs[0].x - r0);
+        rec[0] = scale * tension / (length > 1e-9 ? length : 1e-9);
+        store3(rec + 1, u);
+        f1 = -tension * u;
+    } else {
+        f1 = per_h * load3(lambda);
+    }
+    store3(rec + 4, r0);
+    store3(rec + 7, r1);
+    const std::int32_t* body = view.body + kSlots * id;
+    const bool rigid0 = view.dof[body[0]] == 6, rigid1 = view.dof[body[1]] == 6;
+    if (rigid0) arm_stiffness(-f1, r0, scale, rec + 10);
+    if (rigid1) arm_stiffness(f1, r1, scale, rec + 16);
+    if (K::kGeometry == Geometry::joint && rigid0 && rigid1) {
+        const double n0 = norm(r0), n1 = norm(r1);
+        rec[22] = view.h * view.h * view.rotation_damping * norm(f1) * (n0 < n1 ? n0 : n1);
+    }
+}
+
+template <class K>
+void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_in,
+                   std::int32_t begin, std::int32_t end) {
+    constexpr int B = K::kBodies, R = K::kRows;
+    const auto* data = static_cast<const typename K::Data*>(data_in);
+    const double inv_h4 = 4.0 / view.h;
+    for (std::int32_t k = begin; k < end; ++k) {
+        const std::int32_t id = ids[k];
+        const std::int32_t* body = view.body + kSlots * id;
+        BodyRef refs[B];
+        for (int b = 0; b < B; ++b) {
+            const std::int32_t i = body[b];
+            refs[b] = {load3(view.x + 3 * i), view.r + 9 * i,
+                       view.dof[i] == 6 || view.dof[i] == 0};
+        }
+        Rows<B, R> rows;
+        K::evaluate(data[k], refs, rows);
+
+        // Speeds of the rows, and the packed Jacobian.
+        double speed[R] = {}, prescribed[R] = {};
+        int width = 0;
+        for (int b = 0; b < B; ++b) width += view.dof[body[b]];
+        double* out = view.jacobian + view.jac_begin[id];
+        int at = 0;
+        for (int b = 0; b < B; ++b) {
+            const std::int32_t i = body[b];
+            const int dof = view.dof[i];
+            if (dof == 0) {
+                const double* u = view.v_fixed + 6 * i;
+                for (int r = 0; r < R; ++r)
+                    for (int j = 0; j < 6; ++j) prescribed[r] += rows.J[b][r][j] * u[j];
+                continue;
+            }
+            const double* v = view.v + view.dof_begin[i];
+            auto pack = [&]<int N>() {
+                for (int r = 0; r < R; ++r)
+                    for (int j = 0; j < N; ++j) {
+                        const double value = rows.J[b][r][j];
+                        out[r * width + at + j] = value;
+                        speed[r] += value * v[j];
+                    }
+            };
+            if (dof == 6) pack.template operator()<6>();
+            else if (dof == 3) pack.template operator()<3>();
+            else pack.template operator()<1>();
+            at += dof;
+        }
+        const std::int32_t row = view.row_begin[id];
+        for (int r = 0; r < R; ++r) {
+            const double ups = view.upsilon[row + r];
+            if (view.row_flags[row + r] & 1) {  // velocity row
+                view.g[row + r] = 0.0;
+                view.c[row + r] = rows.g[r] - prescribed[r];
+            } else {
+                view.g[row + r] = rows.g[r];
+                view.c[row + r] =
+                    ups * (speed[r] + prescribed[r] - inv_h4 * rows.g[r]) - prescribed[r];
+            }
+        }
+        if (view.flags[id] & 2) view.active[id] = rows.g[0] != 0.0 ? 1.0 : 0.0;  // range
+        if (view.parted[id]) view.active[id] = 0.0;
+        if constexpr (K::kGeometry != Geometry::none)
+            geometry<K>(view, data[k], refs, id, rows);
+    }
+}
+
+}  // namespace
+
+void evaluate(const View& view, InteractionKind kind, const std::int32_t* ids, const void* data,
+              std::int32_t begin, std::int32_t end) noexcept {
+    with_kind(kind, [&]<class K>() { evaluate_kind<K>(view, ids, data, begin, end); });
+}
+
+void kept_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept {
+    for (std::int32_t id = begin; id < end; ++id) {
+        const std::int32_t offset = view.interaction_offset[id];
+        if (offset < 0) continue;
+        const std::int32_t row = view.row_begin[id];
+        for (int r = 0; r < view.rows[id]; ++r)
+            view.solution[offset + r] = view.residual[row + r];
+    }
+}
+
+void row_update(const View& view, std::int32_t begin, std::int32_t end) noexcept {
+    for (std::int32_t id = begin; id < end; ++id) {
+        const std::int32_t row = view.row_begin[id], offset = view.interaction_offset[id];
+        const std::int32_t* body = view.body + kSlots * id;
+        const int R = view.rows[id];
+        const double on = view.active[id];
+        const double* jac = view.jacobian + view.jac_begin[id];
+        double delta[kMaxInteractionRows] = {}, total[kMaxInteractionRows] = {};
+        int width = 0;
+        for (int b = 0; b < view.bodies[id]; ++b) width += view.dof[body[b]];
+        int at = 0;
+        for (int b = 0; b < view.bodies[id]; ++b) {
+            const int dof = view.dof[body[b]];
+            if (dof == 0) continue;
+            const double* dv = view.solution + view.body_offset[body[b]];
+            const double* v = view.v_new + view.dof_begin[body[b]];
+            for (int r = 0; r < R; ++r)
+                for (int j = 0; j < dof; ++j) {
+                    delta[r] += jac[r * width + at + j] * dv[j];
+                    total[r] += jac[r * width + at + j] * v[j];
+                }
+            at += dof;
+        }
+        for (int r = 0; r < R; ++r) {
+            double& lambda = view.lambda[row + r];
+            if (offset >= 0) lambda -= view.solution[offset + r];
+            else lambda += on * view.inv_sigma[row + r] * (view.residual[row + r] - delta[r]);
+            view.residual[row + r] =
+                on * (view.c[row + r] - total[r]) - view.sigma[row + r] * lambda;
+        }
+    }
+}
+
+void row_norms(const View& view, std::int32_t begin, std::int32_t end,
+               assembly::Norms* norms) noexcept {
+    assembly::Norms n = *norms;
+    for (std::int32_t id = begin; id < end; ++id) {
+        const std::int32_t row = view.row_begin[id];
+        for (int r = 0; r < view.rows[id]; ++r) {
+            const double residual = __builtin_fabs(view.residual[row + r]);
+            if (!(residual <= n.constraint)) n.constraint = residual;
+            n.finite += view.lambda[row + r];
+            const double gap = __builtin_fabs(view.g[row + r]);
+            if ((view.row_flags[row + r] & 2) && !(gap <= n.gap)) {
+                n.gap = gap;
+                n.gap_id = id;
+            }
+        }
+        if (view.inv_length[id] > 0.0 && view.active[id] != 0.0) {
+            // The force of the previous step belongs to the pose at which g was evaluated.
+            const double error = view.g[row] + view.epsilon[row] * view.force_of_row[row];
+            const double relative = __builtin_fabs(error) * view.inv_length[id];
+            if (!(relative <= n.stretch)) n.stretch = relative;
+        }
+    }
+    *norms = n;
+}
+
+}  // namespace hawser::HAWSER_ISA

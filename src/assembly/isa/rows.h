@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file rows.h
+/// Loops over interactions: evaluation and residuals.
+
+#include "assembly/view.h"
+#include "base/small.h"
+
+namespace hawser::HAWSER_ISA {
+
+void evaluate(const assembly::View&, InteractionKind, const std::int32_t*, const void*,
+              std::int32_t, std::int32_t) noexcept;
+void kept_rhs(const assembly::View&, std::int32_t, std::int32_t) noexcept;
+void row_update(const assembly::View&, std::int32_t, std::int32_t) noexcept;
+void row_norms(const assembly::View&, std::int32_t, std::int32_t, assembly::Norms*) noexcept;
+
+void body_terms(const assembly::View&, std::int32_t, std::int32_t) noexcept;
+void first_rhs(const assembly::View&, std::int32_t, std::int32_t) noexcept;
+void body_rhs(const assembly::View&, std::int32_t, std::int32_t) noexcept;
+void add_solution(const assembly::View&, std::int32_t, std::int32_t) noexcept;
+void body_norms(const assembly::View&, std::int32_t, std::int32_t, assembly::Norms*) noexcept;
+void integrate(const assembly::View&, std::int32_t, std::int32_t) noexcept;
+
+void gather_blocks(const assembly::View&, const assembly::Op*, std::int64_t, std::int64_t,
+                   double*) noexcept;
+
+}  // namespace hawser::HAWSER_ISA

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assembly/system.h"
+
+#include "factor/ordering.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::assembly {
+namespace {
+
+constexpr int kSlots = kMaxInteractionBodies;
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Diagonal of G M⁻¹ Gᵀ for one row, from a packed Jacobian and a sphere-like bound of the
+/// inverse inertia (its trace norm): an estimate for choosing forms, not for solving.
+double mobility(const model::Bodies& bodies, const model::Interactions& in, int id, int row) {
+    int width = 0;
+    for (int b = 0; b < in.bodies[at(id)]; ++b)
+        width += bodies.dof(in.body[at(kSlots * id + b)]);
+    const double* jac = &in.jacobian[at(in.jac_begin[at(id)] + row * width)];
+    double sum = 0.0;
+    for (int b = 0; b < in.bodies[at(id)]; ++b) {
+        const std::int32_t body = in.body[at(kSlots * id + b)];
+        const int dof = bodies.dof(body);
+        for (int j = 0; j < dof && j < 3; ++j) sum += jac[j] * jac[j] / bodies.mass[at(body)];
+        if (dof == 6) {
+            const double* inertia = &bodies.inertia[at(9 * body)];
+            const double least = std::min({inertia[0], inertia[4], inertia[8]});
+            for (int j = 3; j < 6; ++j) sum += jac[j] * jac[j] / least;
+        }
+        jac += dof;
+    }
+    return sum;
+}
+
+}  // namespace
+
+void System::analyse(const model::Bodies& bodies, model::Interactions& interactions,
+                     const WorldDef& def, int threads) {
+    dof_.resize(at(bodies.count()));
+    for (int b = 0; b < bodies.count(); ++b) dof_[at(b)] = static_cast<std::uint8_t>(bodies.dof(b));
+    reserve(bodies, interactions, threads);
+    build_incidence(bodies, interactions);
+    // The Jacobians at the current poses decide the forms.
+    interaction_offset_.assign(at(interactions.count()), -1);
+    body_offset_.assign(at(bodies.count()), -1);
+    const View v = view(const_cast<model::Bodies&>(bodies), interactions, def);
+    for (int k = 0; k < kInteractionKindCount; ++k) {
+        const model::Pool& pool = interactions.pool[at(k)];
+        kernels().evaluate(v, static_cast<InteractionKind>(k), pool.ids.data(), pool.data.data(), 0,
+                           static_cast<std::int32_t>(pool.ids.size()));
+    }
+    choose_forms(bodies, interactions, def);
+    build_pattern(bodies, interactions);
+    symbolic = factor::analyse(pattern, factor::order_nodes(pattern));
+    numeric.reserve(symbolic, threads);
+    solution_.assign(at(symbolic.scalars), 0.0);
+    for (int b = 0; b < bodies.count(); ++b)
+        if (node_of_body[at(b)] >= 0)
+            body_offset_[at(b)] = symbolic.node_offset[at(node_of_body[at(b)])];
+    for (int i = 0; i < interactions.count(); ++i)
+        if (node_of_interaction[at(i)] >= 0)
+            interaction_offset_[at(i)] = symbolic.node_offset[at(node_of_interaction[at(i)])];
+    build_ops(bodies, interactions);
+}
+
+void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) {
+    in.jacobian.resize(at(in.jac_size));
+    body_block_.resize(at(kBodyBlock * bodies.count()));
+    geo_record_.assign(at(kGeoSize) * at(in.geo_count), 0.0);
+    for (base::Array<double>* a : {&a_, &v_new_, &momentum_}) a->assign(at(bodies.dofs), 0.0);
+    one_sided.clear();
+    breakable.clear();
+    for (int i = 0; i < in.count(); ++i) {
+        if (in.flags[at(i)] & (model::kOneSided | model::kRange)) one_sided.push_back(i);
+        if (in.flags[at(i)] & model::kBreakable) breakable.push_back(i);
+    }
+}
+
+void System::build_incidence(const model::Bodies& bodies, const model::Interactions& in) {
+    incident_begin_.assign(at(bodies.count()) + 1, 0);
+    std::vector<std::int32_t> member_begin{0}, members;
+    for (int i = 0; i < in.count(); ++i) {
+        for (int b = 0; b < in.bodies[at(i)]; ++b) {
+            const std::int32_t body = in.body[at(kSlots * i + b)];
+            ++incident_begin_[at(body) + 1];
+            members.push_back(body);
+        }
+        member_begin.push_back(static_cast<std::int32_t>(members.size()));
+    }
+    for (int b = 0; b < bodies.count(); ++b) incident_begin_[at(b) + 1] += incident_begin_[at(b)];
+    incident_id_.resize(members.size());
+    incident_slot_.resize(members.size());
+    std::vector<std::int32_t> cursor(incident_begin_.begin(), incident_begin_.end() - 1);
+    for (int i = 0; i < in.count(); ++i)
+        for (int b = 0; b < in.bodies[at(i)]; ++b) {
+            const auto k = at(cursor[at(in.body[at(kSlots * i + b)])]++);
+            incident_id_[k] = i;
+            incident_slot_[k] = static_cast<std::uint8_t>(b);
+        }
+    std::vector<std::uint8_t> moves(dof_.begin(), dof_.end());
+    islands = graph::find_islands(moves, member_begin, members);
+}
+
+void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
+                          const WorldDef& def) {
+    kept_.assign(at(in.count()), 0);
+    const double h = def.step;
+    for (int i = 0; i < in.count(); ++i) {
+        bool keep = def.form == Form::saddle;
+        for (int r = 0; r < in.rows[at(i)]; ++r) {
+            const auto row = at(in.row_begin[at(i)] + r);
+            const double w = mobility(bodies, in, i, r);
+            const bool velocity = in.row_flags[row] & model::kRowVelocity;
+            double sigma = velocity ? in.epsilon[row] / h
+                                    : 4.0 * in.epsilon[row] * in.upsilon[row] / (h * h);
+            // A rigid row may repeat others (closed loops): a floor keeps the pivots' signs.
+            if (in.epsilon[row] == 0.0) sigma = 1e-9 * w;
+            if (sigma < 1e-300) sigma = 1e-300;
+            in.sigma[row] = sigma;
+            if (in.epsilon[row] == 0.0) keep = true;
+            if (def.form == Form::automatic && w > kSafeRatio * sigma) keep = true;
+        }
+        kept_[at(i)] = keep ? 1 : 0;
+        for (int r = 0; r < in.rows[at(i)]; ++r) {
+            const auto row = at(in.row_begin[at(i)] + r);
+            in.inv_sigma[row] = keep ? 0.0 : 1.0 / in.sigma[row];
+        }
+    }
+}
+
+void System::build_pattern(const model::Bodies& bodies, const model::Interactions& in) {
+    std::vector<std::int8_t> size, sign;
+    node_of_body.assign(at(bodies.count()), -1);
+    node_of_interaction.assign(at(in.count()), -1);
+    for (std::int32_t b : bodies.moving) {
+        node_of_body[at(b)] = static_cast<std::int32_t>(size.size());
+        size.push_back(static_cast<std::int8_t>(dof_[at(b)]));
+        sign.push_back(1);
+    }
+    for (int i = 0; i < in.count(); ++i)
+        if (kept_[at(i)]) {
+            node_of_interaction[at(i)] = static_cast<std::int32_t>(size.size());
+            size.push_back(static_cast<std::int8_t>(in.rows[at(i)]));
+            sign.push_back(-1);
+        }
+    std::vector<std::int32_t> from, to;
+    auto link = [&](std::int32_t a, std::int32_t b) {
+        if (a < 0 || b < 0) return;
+        from.push_back(a);
+        to.push_back(b);
+    };
+    for (int i = 0; i < in.count(); ++i)
+        for (int a = 0; a < in.bodies[at(i)]; ++a) {
+            const std::int32_t na = node_of_body[at(in.body[at(kSlots * i + a)])];
+            if (kept_[at(i)]) link(node_of_interaction[at(i)], na);
+            for (int b = a + 1; b < in.bodies[at(i)]; ++b)
+                if (!kept_[at(i)] || (in.geo[at(i)] >= 0 && b < 2))
+                    link(na, node_of_body[at(in.body[at(kSlots * i + b)])]);
+        }
+    pattern = factor::make_pattern(std::move(size), std::move(sign), from, to);
+}
+
+void System::build_ops(const model::Bodies& bodies, const model::Interactions& in) {
+    // Collect (column position, op), then sort by column: stable, so the order of summation
+    // is body block first, then interactions by id.
+    struct Entry {
+        std::int32_t column;
+        Op op;
+    };
+    std::vector<Entry> entries;
+    auto add = [&](std::int32_t row, std::int32_t column, Op op) {
+        const factor::BlockTarget t = symbolic.target(row, column);
+        op.address = t.address;
+        op.ld = t.ld;
+        entries.push_back({symbolic.position[at(column)], op});
+    };
+    for (std::int32_t b : bodies.moving)
+        add(node_of_body[at(b)], node_of_body[at(b)], {0, 0, b, Op::body_block, 0, 0});
+    for (std::int32_t i = 0; i < in.count(); ++i) {
+        const std::int32_t own = node_of_interaction[at(i)];
+        if (own >= 0) add(own, own, {0, 0, i, Op::kept_sigma, 0, 0});
+        for (int a = 0; a < in.bodies[at(i)]; ++a) {
+            const std::int32_t na = node_of_body[at(in.body[at(kSlots * i + a)])];
+            if (na < 0) continue;
+            const auto sa = static_cast<std::uint8_t>(a);
+            if (own >= 0) {
+                if (symbolic.position[at(own)] > symbolic.position[at(na)])
+                    add(own, na, {0, 0, i, Op::kept_rows, 0, sa});
+                else
+                    add(na, own, {0, 0, i, Op::kept_columns, sa, 0});
+            }
+            for (int b = 0; b < in.bodies[at(i)]; ++b) {
+                const std::int32_t nb = node_of_body[at(in.body[at(kSlots * i + b)])];
+                if (nb < 0 || symbolic.position[at(na)] < symbolic.position[at(nb)]) continue;
+                if (na == nb && a != b) continue;  // a body twice in one interaction is refused
+                const auto sb = static_cast<std::uint8_t>(b);
+                if (own < 0) add(na, nb, {0, 0, i, Op::condensed, sa, sb});
+                if (in.geo[at(i)] >= 0 && a < 2 && b < 2)
+                    add(na, nb, {0, 0, i, Op::geometric, sa, sb});
+            }
+        }
+    }
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const Entry& p, const Entry& q) { return p.column < q.column; });
+    ops.clear();
+    op_chunk.assign(1, 0);
+    constexpr std::int64_t kChunk = 512;
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+        const auto size = static_cast<std::int64_t>(ops.size());
+        if (k > 0 && entries[k].column != entries[k - 1].column && size - op_chunk.back() >= kChunk)
+            op_chunk.push_back(size);
+        ops.push_back(entries[k].op);
+    }
+    op_chunk.push_back(static_cast<std::int64_t>(ops.size()));
+}
+
+View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef& def) noexcept {
+    static_assert(sizeof(BodyKind) == 1);
+    View v{};
+    v.h = def.step;
+    for (int i = 0; i < 3; ++i) v.gravity[i] = def.gravity[i];
+    v.geometric_stiffness = def.geometric_stiffness;
+    v.rotation_damping = def.rotation_damping;
+    v.body_count = bodies.count();
+    v.interaction_count = in.count();
+    v.kind = reinterpret_cast<const std::uint8_t*>(bodies.kind.data());
+    v.dof = dof_.data();
+    v.dof_begin = bodies.dof_begin.data();
+    v.x = bodies.x.data();
+    v.q = bodies.q.data();
+    v.r = bodies.r.data();
+    v.v = bodies.v.data();
+    v.v_fixed = bodies.v_fixed.data();
+    v.mass = bodies.mass.data();
+    v.inertia = bodies.inertia.data();
+    v.force = bodies.force.data();
+    v.damping = bodies.damping.data();
+    v.weight = bodies.weight.data();
+    v.body_block = body_block_.data();
+    v.a = a_.data();
+    v.v_new = v_new_.data();
+    v.momentum = momentum_.data();
+    v.body = in.body.data();
+    v.bodies = in.bodies.data();
+    v.rows = in.rows.data();
+    v.flags = in.flags.data();
+    v.row_begin = in.row_begin.data();
+    v.jac_begin = in.jac_begin.data();
+    v.geo = in.geo.data();
+    v.active = in.active.data();
+    v.parted = in.parted.data();
+    v.inv_length = in.inv_length.data();
+    v.epsilon = in.epsilon.data();
+    v.upsilon = in.upsilon.data();
+    v.sigma = in.sigma.data();
+    v.inv_sigma = in.inv_sigma.data();
+    v.row_flags = in.row_flags.data();
+    v.g = in.g.data();
+    v.c = in.c.data();
+    v.residual = in.residual.data();
+    v.lambda = in.lambda.data();
+    v.force_of_row = in.force.data();
+    v.jacobian = in.jacobian.data();
+    v.geo_record = geo_record_.data();
+    v.incident_begin = incident_begin_.data();
+    v.incident_id = incident_id_.data();
+    v.incident_slot = incident_slot_.data();
+    v.body_offset = body_offset_.data();
+    v.interaction_offset = interaction_offset_.data();
+    v.solution = solution_.data();
+    return v;
+}
+
+std::size_t System::bytes() const noexcept {
+    using base::bytes;
+    return bytes(pattern.adjacent) + bytes(pattern.start) + symbolic.bytes() + numeric.bytes() +
+           bytes(ops) + bytes(incident_id_) + bytes(incident_slot_) + bytes(incident_begin_) +
+           bytes(body_offset_) + bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) +
+           bytes(v_new_) + bytes(momentum_) + bytes(geo_record_) + bytes(solution_) +
+           bytes(node_of_body) + bytes(node_of_interaction);
+}
+
+}  // namespace hawser::assembly

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file system.h
+/// From bodies and interactions to the block system and back: the only place that knows both.
+///
+/// Every interaction is either *condensed* (eliminated first: G ᵀΣ⁻¹G in the body blocks, the
+/// paper's second form) or *kept* (a node of its own with negative pivots). That is a choice of
+/// pivot order, not a second code path: residuals are always those of the saddle system, and
+/// refinement works on them. Automatic choice: condensed when G M⁻¹Gᵀ/Σ ≤ kSafeRatio for each
+/// row, beyond which the sum would lose the body's own digits.
+
+#include <hawser/def.h>
+
+#include "assembly/view.h"
+#include "base/executor.h"
+#include "base/memory.h"
+#include "factor/numeric.h"
+#include "factor/symbolic.h"
+#include "graph/islands.h"
+#include "model/bodies.h"
+#include "model/interactions.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace hawser::assembly {
+
+/// Largest ratio G M⁻¹Gᵀ/Σ at which a row is condensed. With one refinement on the saddle
+/// residual the error at 1e9 is 1e-15, at 1e12 it is 1e-9 (see docs/methods.md).
+inline constexpr double kSafeRatio = 1e10;
+
+class System {
+  public:
+    /// Choose forms, order, analyse, make room. Called when the set of bodies or interactions
+    /// changed. @throws std::bad_alloc.
+    void analyse(const model::Bodies& bodies, model::Interactions& interactions,
+                 const WorldDef& def, int threads);
+
+    /// Raw pointers for the kernels; valid until the next analyse().
+    [[nodiscard]] View view(model::Bodies& bodies, model::Interactions& interactions,
+                            const WorldDef& def) noexcept;
+
+    factor::Pattern pattern;
+    factor::Symbolic symbolic;
+    factor::Numeric numeric;
+    graph::Islands islands;
+    std::vector<std::int32_t> node_of_body, node_of_interaction;  ///< −1: no node.
+    std::vector<Op> ops;                    ///< By column of the matrix.
+    std::vector<std::int64_t> op_chunk;     ///< Chunk boundaries in ops, at column changes.
+    std::vector<std::int32_t> one_sided;    ///< Interactions with kOneSided or kRange.
+    std::vector<std::int32_t> breakable;
+
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    void build_incidence(const model::Bodies& bodies, const model::Interactions& interactions);
+    void choose_forms(const model::Bodies& bodies, model::Interactions& interactions,
+                      const WorldDef& def);
+    void build_pattern(const model::Bodies& bodies, const model::Interactions& interactions);
+    void build_ops(const model::Bodies& bodies, const model::Interactions& interactions);
+    void reserve(const model::Bodies& bodies, model::Interactions& interactions, int threads);
+
+    std::vector<std::uint8_t> dof_, kept_;
+    std::vector<std::int32_t> incident_begin_, incident_id_;
+    std::vector<std::uint8_t> incident_slot_;
+    std::vector<std::int32_t> body_offset_, interaction_offset_;
+    base::Array<double> body_block_, a_, v_new_, momentum_, geo_record_, solution_;
+};
+
+}  // namespace hawser::assembly

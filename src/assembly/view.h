@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file view.h
+/// Raw view of the model and of the step's arrays for code compiled per instruction set.
+///
+/// The step solves (paper, eq. (1); λ an impulse; unknown −λ makes the matrix symmetric)
+/// ```
+///   [ M̃  Gᵀ ] [ v₊ ]   [ a ]      M̃ = M + h D + (h²/4) K_g + h C
+///   [ G  −Σ ] [ −λ ] = [ c ]      a = M v + h f + gyro + (h²/4) K_g v − h C v
+/// ```
+/// M mass matrix, D drag, K_g geometric stiffness, C relative-rotation damping (A.5 in
+/// docs/methods.md); Σ, c from compliance, damping time and violation (SPOOK).
+
+#include <hawser/interactions.h>
+
+#include <cstdint>
+
+namespace hawser::assembly {
+
+inline constexpr int kBodyBlock = 12;  ///< Doubles of a body's own block: two symmetric 3×3.
+inline constexpr int kGeoSize = 24;    ///< Doubles of one geometric-stiffness record, see geo.h.
+
+/// One contribution to one block of the matrix.
+struct Op {
+    enum Kind : std::uint8_t {
+        body_block,  ///< M + hD of body `id` on the diagonal.
+        condensed,   ///< G_aᵀ Σ⁻¹ G_b of interaction `id` (rows: slot a, columns: slot b).
+        geometric,   ///< Geometric stiffness and damping of interaction `id` between slots.
+        kept_sigma,  ///< −Σ on the diagonal of a kept interaction.
+        kept_rows,   ///< G_b: the interaction is eliminated after body slot b.
+        kept_columns ///< G_aᵀ: the interaction is eliminated before body slot a.
+    };
+    std::int64_t address;
+    std::int32_t ld;
+    std::int32_t id;
+    Kind kind;
+    std::uint8_t a, b;
+};
+
+struct View {
+    double h, gravity[3];
+    double geometric_stiffness, rotation_damping;
+    std::int32_t body_count, interaction_count;
+
+    // Bodies, see model/bodies.h.
+    const std::uint8_t* kind;
+    const std::uint8_t* dof;
+    const std::int32_t* dof_begin;
+    double* x;
+    double* q;
+    double* r;
+    double* v;
+    const double* v_fixed;
+    const double* mass;
+    const double* inertia;
+    const double* force;
+    const double* damping;
+    const std::uint8_t* weight;
+    double* body_block;       ///< kBodyBlock a body.
+    double* a;                ///< Packed like v: right-hand side of the momentum rows.
+    double* v_new;            ///< Packed like v: the solution v₊.
+    double* momentum;         ///< Packed like v: a − M̃ v₊ + Gᵀλ.
+
+    // Interactions, see model/interactions.h.
+    const std::int32_t* body;
+    const std::uint8_t* bodies;
+    const std::uint8_t* rows;
+    const std::uint8_t* flags;
+    const std::int32_t* row_begin;
+    const std::int32_t* jac_begin;
+    const std::int32_t* geo;
+    double* active;
+    const std::uint8_t* parted;
+    const double* inv_length;   ///< 1/l₀ of wire elements, 0 for all else.
+    const double* epsilon;
+    const double* upsilon;
+    const double* sigma;
+    const double* inv_sigma;
+    const std::uint8_t* row_flags;
+    double* g;
+    double* c;
+    double* residual;
+    double* lambda;
+    double* force_of_row;
+    double* jacobian;
+    double* geo_record;       ///< kGeoSize each.
+
+    // Incidence: which (interaction, slot) pairs touch a body.
+    const std::int32_t* incident_begin;
+    const std::int32_t* incident_id;
+    const std::uint8_t* incident_slot;
+
+    // The permuted vector of the solver.
+    const std::int32_t* body_offset;         ///< By body; −1 without freedom.
+    const std::int32_t* interaction_offset;  ///< By interaction; −1 when condensed.
+    double* solution;
+};
+
+/// Norms that the step reports; merged in index order.
+struct Norms {
+    double momentum = 0.0;    ///< Σ rᵀM⁻¹r.
+    double impulse = 0.0;     ///< Σ (a − M v)ᵀM⁻¹(a − M v).
+    double constraint = 0.0;  ///< max |residual|.
+    double gap = 0.0;         ///< max |g| of translational constraint rows [m].
+    std::int32_t gap_id = -1;
+    double stretch = 0.0;     ///< max |g + ε f| / length over wire elements.
+    double work = 0.0;        ///< h f·v₊ of applied forces and torques [J].
+    double drag = 0.0;        ///< h v₊ᵀ D v₊ [J].
+    double finite = 0.0;      ///< Sum of everything: not finite if anything is not.
+};
+
+/// Hot loops. Ranges are of bodies or of interactions; a range writes only its own entries.
+struct Kernels {
+    /// Violation, Jacobian, c and geometric record of pool entries [begin, end).
+    void (*evaluate)(const View&, InteractionKind kind, const std::int32_t* ids, const void* data,
+                     std::int32_t begin, std::int32_t end) noexcept;
+    /// Body blocks and a, geometric terms included.
+    void (*body_terms)(const View&, std::int32_t begin, std::int32_t end) noexcept;
+    /// Write blocks of the matrix into the panels.
+    void (*gather_blocks)(const View&, const Op* ops, std::int64_t begin, std::int64_t end,
+                          double* panel) noexcept;
+    /// First residual: v₊ = 0, λ = 0.
+    void (*first_rhs)(const View&, std::int32_t begin, std::int32_t end) noexcept;
+    /// Right-hand side of the solver from the residuals: bodies.
+    void (*body_rhs)(const View&, std::int32_t begin, std::int32_t end) noexcept;
+    /// Right-hand side of the solver from the residuals: kept interactions.
+    void (*kept_rhs)(const View&, std::int32_t begin, std::int32_t end) noexcept;
+    /// v₊ += solution.
+    void (*add_solution)(const View&, std::int32_t begin, std::int32_t end) noexcept;
+    /// λ += the solution's part, then the residual of every row.
+    void (*row_update)(const View&, std::int32_t begin, std::int32_t end) noexcept;
+    /// Norms over bodies, with the momentum residual.
+    void (*body_norms)(const View&, std::int32_t begin, std::int32_t end, Norms*) noexcept;
+    /// Norms over interactions.
+    void (*row_norms)(const View&, std::int32_t begin, std::int32_t end, Norms*) noexcept;
+    /// Move bodies by h v₊ and store v₊.
+    void (*integrate)(const View&, std::int32_t begin, std::int32_t end) noexcept;
+};
+
+[[nodiscard]] const Kernels& kernels() noexcept;
+
+}  // namespace hawser::assembly
+
+namespace hawser::sse2 {
+extern const assembly::Kernels kAssemblyKernels;
+}
+namespace hawser::avx2 {
+extern const assembly::Kernels kAssemblyKernels;
+}
+namespace hawser::avx512 {
+extern const assembly::Kernels kAssemblyKernels;
+}

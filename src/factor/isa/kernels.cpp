@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Dense kernels of the multifrontal LDLᵀ (see factor/symbolic.h for the picture).
+///
+/// Vectors of eight doubles in GNU vector notation: one register on AVX-512, two on AVX2,
+/// four on SSE2. Column strides are multiples of eight, and rows past p + q stay zero, so no
+/// loop has a remainder. Blocks of kBlock pivot columns are factored one column at a time,
+/// then everything to their right is updated by a register-blocked product.
+#include "factor/kernels.h"
+
+#include "base/small.h"
+#include "factor/symbolic.h"
+
+#include <cstring>
+
+namespace hawser::HAWSER_ISA {
+namespace {
+
+using factor::FactorView;
+using factor::Front;
+using factor::Run;
+
+typedef double V8 __attribute__((vector_size(64), aligned(8), may_alias));
+
+constexpr int kBlock = 16;  // pivot columns factored before the rest is updated
+
+inline V8 load(const double* p) { return *reinterpret_cast<const V8*>(p); }
+inline void store(double* p, const V8& v) { *reinterpret_cast<V8*>(p) = v; }
+
+/// Factor columns [k0, k1) of a panel with n rows (a multiple of eight). w receives the
+/// unscaled columns, stride ld.
+inline int factor_columns(double* panel, int ld, int k0, int k1, double* w, double* pivot,
+                          const signed char* sign) {
+    int wrong = 0;
+    for (int k = k0; k < k1; ++k) {
+        double* column = panel + static_cast<long>(k) * ld;
+        double* wk = w + static_cast<long>(k - k0) * ld;
+        double d = column[k];
+        // Quasi-definite: the sign is known. !(…) also catches NaN.
+        if (!(d * sign[k] > 0.0) || d - d != 0.0) {
+            ++wrong;
+            d = sign[k];
+        }
+        pivot[k] = d;
+        const double inverse = 1.0 / d;
+        const int start = k & ~7;
+        for (int i = start; i < ld; i += 8) {
+            const V8 v = load(column + i);
+            store(wk + i, v);
+            store(column + i, v * inverse);
+        }
+        for (int i = start; i <= k; ++i) column[i] = 0.0;
+        for (int j = k + 1; j < k1; ++j) {
+            double* cj = panel + static_cast<long>(j) * ld;
+            const double wj = wk[j];
+            for (int i = j & ~7; i < ld; i += 8) store(cj + i, load(cj + i) - wj * load(column + i));
+        }
+    }
+    return wrong;
+}
+
+/// C(:, 0..cols) −= L · Wᵀ for `cols` columns whose rows in l and w start at row0. The lower
+/// triangle is what counts; rows above it in the same vector are computed and never read.
+template <int kCols>
+inline void update_columns(double* c, long ldc, const double* l, const double* w, long ld,
+                           int depth, int from, int rows) {
+    for (int i = from; i < rows; i += 8) {
+        V8 acc[kCols];
+        for (int j = 0; j < kCols; ++j) acc[j] = load(c + j * ldc + i);
+        for (int k = 0; k < depth; ++k) {
+            const V8 v = load(l + k * ld + i);
+            for (int j = 0; j < kCols; ++j) acc[j] -= v * w[k * ld + j];
+        }
+        for (int j = 0; j < kCols; ++j) store(c + j * ldc + i, acc[j]);
+    }
+}
+
+/// Symmetric update of the columns [begin, end) of a matrix whose row r lies at l + r.
+inline void update_block(double* c, long ldc, const double* l, const double* w, long ld, int depth,
+                         int begin, int end, int rows) {
+    int j = begin;
+    for (; j + 4 <= end; j += 4)
+        update_columns<4>(c + j * ldc, ldc, l, w + j, ld, depth, j & ~7, rows);
+    for (; j < end; ++j) update_columns<1>(c + j * ldc, ldc, l, w + j, ld, depth, j & ~7, rows);
+}
+
+/// Add a child's update matrix into the front.
+inline void extend_add(const FactorView& view, const Front& child, const Front& front,
+                       double* panel, double* update) {
+    const double* u = view.work + child.update;
+    const Run* end = view.runs + child.run_end;
+    for (const Run* run = view.runs + child.run_begin; run != end; ++run) {
+        for (int c = 0; c < run->length; ++c) {
+            const double* source = u + static_cast<long>(run->from + c) * child.ldu;
+            const int column = run->to + c;
+            double* target = column < front.p
+                                 ? panel + static_cast<long>(column) * front.ld
+                                 : update + static_cast<long>(column - front.p) * front.ldu - front.p;
+            for (int i = c; i < run->length; ++i) target[run->to + i] += source[run->from + i];
+            for (const Run* r = run + 1; r != end; ++r)
+                for (int i = 0; i < r->length; ++i) target[r->to + i] += source[r->from + i];
+        }
+    }
+}
+
+int factor_fronts(const FactorView& view, std::int32_t begin, std::int32_t end,
+                  double* scratch) noexcept {
+    int wrong = 0;
+    for (std::int32_t f = begin; f < end; ++f) {
+        const Front& front = view.fronts[f];
+        double* panel = view.panel + front.panel;
+        double* update = view.work + front.update;
+        std::memset(update, 0, sizeof(double) * static_cast<unsigned long>(front.ldu) *
+                                   static_cast<unsigned long>(front.q));
+        for (std::int32_t c = front.child_begin; c < front.child_end; ++c)
+            extend_add(view, view.fronts[view.children[c]], front, panel, update);
+        for (int k0 = 0; k0 < front.p; k0 += kBlock) {
+            const int k1 = k0 + kBlock < front.p ? k0 + kBlock : front.p;
+            wrong += factor_columns(panel, front.ld, k0, k1, scratch, view.pivot + front.offset,
+                                    view.sign + front.offset);
+            const double* l = panel + static_cast<long>(k0) * front.ld;
+            update_block(panel, front.ld, l, scratch, front.ld, k1 - k0, k1, front.p, front.ld);
+            update_block(update, front.ldu, l + front.p, scratch + front.p, front.ld, k1 - k0, 0,
+                         front.q, front.ldu);
+        }
+    }
+    return wrong;
+}
+
+void forward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
+                    double* scratch) noexcept {
+    for (std::int32_t f = begin; f < end; ++f) {
+        const Front& front = view.fronts[f];
+        const double* panel = view.panel + front.panel;
+        double* y = scratch;
+        const int ld = front.ld, p = front.p;
+        for (int i = 0; i < p; ++i) y[i] = x[front.offset + i];
+        for (int i = p; i < ld; ++i) y[i] = 0.0;
+        for (std::int32_t c = front.child_begin; c < front.child_end; ++c) {
+            const Front& child = view.fronts[view.children[c]];
+            const double* carried = view.carry + child.rows;
+            for (std::int32_t r = child.run_begin; r < child.run_end; ++r) {
+                const Run& run = view.runs[r];
+                for (int i = 0; i < run.length; ++i) y[run.to + i] += carried[run.from + i];
+            }
+        }
+        for (int k = 0; k < p; ++k) {
+            const double* column = panel + static_cast<long>(k) * ld;
+            const double yk = y[k];
+            for (int i = k & ~7; i < ld; i += 8) store(y + i, load(y + i) - yk * load(column + i));
+        }
+        for (int i = 0; i < p; ++i) x[front.offset + i] = y[i];
+        double* carry = view.carry + front.rows;
+        for (int i = 0; i < front.q; ++i) carry[i] = y[p + i];
+    }
+}
+
+inline double sum(const V8& v) {
+    return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+}
+
+void backward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
+                     double* scratch) noexcept {
+    for (std::int32_t f = end; f-- > begin;) {
+        const Front& front = view.fronts[f];
+        const double* panel = view.panel + front.panel;
+        const double* pivot = view.pivot + front.offset;
+        double* y = scratch;
+        const int ld = front.ld, p = front.p, n = front.p + front.q;
+        const std::int32_t* rows = view.rows + front.rows;
+        for (int i = 0; i < p; ++i) y[i] = x[front.offset + i] / pivot[i];
+        for (int i = 0; i < front.q; ++i) y[p + i] = x[rows[i]];
+        for (int i = n; i < ld; ++i) y[i] = 0.0;
+        for (int k = p; k-- > 0;) {
+            const double* column = panel + static_cast<long>(k) * ld;
+            const int start = k & ~7;
+            V8 acc = load(column + start) * load(y + start);
+            for (int i = start + 8; i < ld; i += 8) acc += load(column + i) * load(y + i);
+            y[k] -= sum(acc);
+        }
+        for (int i = 0; i < p; ++i) x[front.offset + i] = y[i];
+    }
+}
+
+}  // namespace
+
+extern const factor::FactorKernels kFactorKernels;
+const factor::FactorKernels kFactorKernels = {factor_fronts, forward_fronts, backward_fronts};
+
+}  // namespace hawser::HAWSER_ISA

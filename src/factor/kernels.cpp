@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "factor/kernels.h"
+
+#include "base/isa.h"
+
+namespace hawser::factor {
+
+const FactorKernels& factor_kernels() noexcept {
+    switch (base::isa()) {
+        case base::Isa::avx512: return avx512::kFactorKernels;
+        case base::Isa::avx2: return avx2::kFactorKernels;
+        case base::Isa::sse2: break;
+    }
+    return sse2::kFactorKernels;
+}
+
+}  // namespace hawser::factor

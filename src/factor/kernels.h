@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file kernels.h
+/// The dense inner loops, compiled once for each instruction set and chosen at run time.
+
+#include <cstdint>
+
+namespace hawser::factor {
+
+struct Front;
+struct Run;
+
+/// Raw view of a factorisation for the kernels.
+struct FactorView {
+    const Front* fronts;
+    const std::int32_t* children;
+    const std::int32_t* rows;
+    const Run* runs;
+    const std::int8_t* sign;
+    double* panel;     ///< L below the diagonal of each panel; zeros on and above it.
+    double* pivot;     ///< D, one a permuted scalar.
+    double* work;      ///< Update matrices.
+    double* carry;     ///< Forward substitution's update vectors, one entry an update row.
+};
+
+struct FactorKernels {
+    /// Factor fronts [begin, end) in order. @return pivots of the wrong sign or not finite.
+    int (*factor)(const FactorView& view, std::int32_t begin, std::int32_t end,
+                  double* scratch) noexcept;
+    /// L y = x on fronts [begin, end); x is the permuted right-hand side, overwritten.
+    void (*forward)(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
+                    double* scratch) noexcept;
+    /// Lᵀ z = D⁻¹ y on fronts [end, begin) from the top down.
+    void (*backward)(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
+                     double* scratch) noexcept;
+};
+
+/// Doubles of scratch that a thread needs for fronts of at most this ld.
+[[nodiscard]] constexpr std::int64_t scratch_size(std::int32_t max_front) {
+    return 17 * static_cast<std::int64_t>(max_front) + 128;
+}
+
+/// The kernels for the instruction set of this process.
+[[nodiscard]] const FactorKernels& factor_kernels() noexcept;
+
+}  // namespace hawser::factor
+
+namespace hawser::sse2 {
+extern const factor::FactorKernels kFactorKernels;
+}
+namespace hawser::avx2 {
+extern const factor::FactorKernels kFactorKernels;
+}
+namespace hawser::avx512 {
+extern const factor::FactorKernels kFactorKernels;
+}

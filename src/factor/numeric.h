@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file numeric.h
+/// Values of a factorisation: reset, fill, factor, solve.
+///
+/// The matrix is written straight into the panels (Symbolic::target gives each block's
+/// address), which factor() then overwrites with L. Between two factorisations the panels
+/// must be cleared with clear() and filled again.
+
+#include "base/executor.h"
+#include "base/memory.h"
+#include "factor/kernels.h"
+#include "factor/symbolic.h"
+
+#include <cstdint>
+
+namespace hawser::factor {
+
+class Numeric {
+  public:
+    /// Make room for a structure and for that many threads; grows only. @throws std::bad_alloc.
+    void reserve(const Symbolic& symbolic, int threads);
+
+    /// Zero the panels.
+    void clear(const Symbolic& symbolic, base::Executor& executor) noexcept;
+
+    /// Panel array; blocks are column-major at BlockTarget::address with stride ld. Of a
+    /// diagonal block only the lower triangle is read.
+    [[nodiscard]] double* values() noexcept { return panel_.data(); }
+
+    /// K = L D Lᵀ. @return number of pivots of the wrong sign or not finite (0 = success).
+    [[nodiscard]] int factor(const Symbolic& symbolic, base::Executor& executor) noexcept;
+
+    /// K x = b in place; x is in the permuted order (Symbolic::node_offset).
+    void solve(const Symbolic& symbolic, double* x, base::Executor& executor) noexcept;
+
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    [[nodiscard]] FactorView view(const Symbolic& symbolic) noexcept;
+    [[nodiscard]] double* scratch(int thread) noexcept {
+        return scratch_.data() + static_cast<std::ptrdiff_t>(thread) * scratch_stride_;
+    }
+
+    base::Array<double> panel_, pivot_, work_, carry_, scratch_;
+    base::Array<int> wrong_;  ///< One a task, so that the count needs no atomics.
+    std::int64_t scratch_stride_ = 0;
+};
+
+}  // namespace hawser::factor

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "factor/ordering.h"
+
+extern "C" {
+#include <amd.h>
+}
+
+#include <algorithm>
+#include <new>
+#include <numeric>
+
+namespace hawser::factor {
+
+std::vector<std::int32_t> order_nodes(const Pattern& pattern) {
+    const int n = pattern.nodes();
+    std::vector<std::int32_t> order(static_cast<std::size_t>(n));
+    std::iota(order.begin(), order.end(), 0);
+    if (n == 0) return order;
+    double control[AMD_CONTROL], info[AMD_INFO];
+    amd_defaults(control);
+    // A hull with hundreds of neighbours is not "dense": only nodes above 10·√n·10 are.
+    control[AMD_DENSE] = 100.0;
+    const int status = amd_order(n, pattern.start.data(), pattern.adjacent.data(), order.data(),
+                                 control, info);
+    if (status == AMD_OUT_OF_MEMORY) throw std::bad_alloc();
+    place_rows_after_bodies(pattern, order);
+    return order;
+}
+
+void place_rows_after_bodies(const Pattern& pattern, std::vector<std::int32_t>& order) {
+    const auto n = order.size();
+    std::vector<std::int32_t> position(n);
+    for (std::size_t k = 0; k < n; ++k)
+        position[static_cast<std::size_t>(order[k])] = static_cast<std::int32_t>(k);
+    // Sort key: twice the position; a moved node gets the odd number behind its body.
+    std::vector<std::int64_t> key(n);
+    bool moved = false;
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::int32_t v = order[k];
+        key[k] = 2 * static_cast<std::int64_t>(k);
+        if (pattern.sign[static_cast<std::size_t>(v)] > 0) continue;
+        std::int32_t first = -1;
+        for (std::int32_t u : pattern.neighbours(v))
+            if (pattern.sign[static_cast<std::size_t>(u)] > 0 &&
+                (first < 0 || position[static_cast<std::size_t>(u)] < first))
+                first = position[static_cast<std::size_t>(u)];
+        if (first > static_cast<std::int32_t>(k)) {
+            key[k] = 2 * static_cast<std::int64_t>(first) + 1;
+            moved = true;
+        }
+    }
+    if (!moved) return;
+    std::vector<std::int32_t> slots(n);
+    std::iota(slots.begin(), slots.end(), 0);
+    std::stable_sort(slots.begin(), slots.end(), [&](std::int32_t a, std::int32_t b) {
+        return key[static_cast<std::size_t>(a)] < key[static_cast<std::size_t>(b)];
+    });
+    std::vector<std::int32_t> result(n);
+    for (std::size_t k = 0; k < n; ++k) result[k] = order[static_cast<std::size_t>(slots[k])];
+    order.swap(result);
+}
+
+}  // namespace hawser::factor

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file pattern.h
+/// The block graph of a symmetric quasi-definite matrix.
+///
+/// A matrix K = [A Gᵀ; G −Σ] with A, Σ positive definite has an LDLᵀ factorisation with
+/// diagonal D for every symmetric permutation (Vanderbei, "Symmetric quasidefinite matrices",
+/// 1995), and the sign of each pivot is known beforehand. Nodes are dense blocks of 1-6
+/// scalars, edges are the blocks off the diagonal that may be non-zero.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hawser::factor {
+
+inline constexpr int kMaxBlock = 6;
+
+struct Pattern {
+    std::vector<std::int8_t> size;    ///< Scalars of each node, 1-6.
+    std::vector<std::int8_t> sign;    ///< +1: positive pivots, −1: negative.
+    std::vector<std::int32_t> start;  ///< nodes + 1 offsets into `adjacent`.
+    std::vector<std::int32_t> adjacent;  ///< Neighbours, ascending, both directions, no diagonal.
+
+    [[nodiscard]] int nodes() const noexcept { return static_cast<int>(size.size()); }
+    [[nodiscard]] std::span<const std::int32_t> neighbours(int node) const noexcept {
+        const auto n = static_cast<std::size_t>(node);
+        return {adjacent.data() + start[n], adjacent.data() + start[n + 1]};
+    }
+    friend bool operator==(const Pattern&, const Pattern&) = default;
+};
+
+/// Build a pattern from a list of edges (either direction, duplicates and loops allowed).
+/// @cost O(nodes + edges), counting sort.
+[[nodiscard]] Pattern make_pattern(std::vector<std::int8_t> size, std::vector<std::int8_t> sign,
+                                   std::span<const std::int32_t> edge_from,
+                                   std::span<const std::int32_t> edge_to);
+
+}  // namespace hawser::factor

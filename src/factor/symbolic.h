@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file symbolic.h
+/// Everything about a factorisation that does not depend on values.
+///
+/// Multifrontal LDLᵀ (Duff, Reid 1983; Liu, "The multifrontal method", 1992). A *front* is a
+/// dense lower trapezoid: p pivot columns over p + q rows. Eliminating its pivots leaves a
+/// q × q update matrix that is added into the parent front (extend-add):
+///
+/// ```
+///        p        q
+///     ┌──────┐                     panel: columns of length ld ≥ p + q, stored for the solve
+///   p │ L11  │                     update: q × q lower triangle, lives until the parent has
+///     │      ├────────┐                    taken it
+///   q │ L21  │ update │
+///     └──────┴────────┘
+/// ```
+/// Fronts are numbered in postorder, so a subtree is a contiguous range of fronts, its pivots
+/// are a contiguous range of the permuted vector, and update matrices obey a stack
+/// discipline: fronts at even depth push on one stack, at odd depth on another, and a front's
+/// children lie on top of the other stack when it is reached. All addresses are therefore
+/// known here, and the numeric phase allocates nothing.
+///
+/// Subtrees of roughly equal work are *tasks* that run in parallel; the fronts above them are
+/// the *top* and run last. Tasks depend on the tree alone, never on the number of threads.
+
+#include "base/memory.h"
+#include "factor/pattern.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hawser::factor {
+
+/// One front. Plain data: the kernels read it directly.
+struct Front {
+    std::int32_t offset = 0;     ///< First pivot in the permuted vector.
+    std::int32_t p = 0, q = 0;   ///< Pivot and update scalars.
+    std::int32_t ld = 0;         ///< Column stride of the panel, a multiple of 8.
+    std::int32_t ldu = 0;        ///< Column stride of the update matrix, a multiple of 8.
+    std::int32_t parent = -1;    ///< Front, −1 at a root.
+    std::int32_t child_begin = 0, child_end = 0;  ///< Range in Symbolic::children.
+    std::int32_t run_begin = 0, run_end = 0;      ///< Range in Symbolic::runs: into the parent.
+    std::int32_t node_begin = 0, node_end = 0;    ///< Pivot nodes, as positions in the order.
+    std::int64_t panel = 0;      ///< Offset into the panel array.
+    std::int64_t update = 0;     ///< Offset into the work array.
+    std::int64_t rows = 0;       ///< Offset into Symbolic::rows (q entries) and of the solve's carry.
+};
+
+/// `length` update rows from `from` land on rows from `to` of the parent front.
+struct Run {
+    std::int32_t from, to, length;
+};
+
+/// Where a block of the matrix goes: address of its (0, 0) in the panel array.
+struct BlockTarget {
+    std::int64_t address = 0;
+    std::int32_t ld = 0;
+};
+
+/// A contiguous range of fronts that no other task touches.
+struct TaskRange {
+    std::int32_t begin, end;
+    std::int64_t flops;
+};
+
+struct Symbolic {
+    std::vector<std::int32_t> order;        ///< order[k] = node eliminated k-th.
+    std::vector<std::int32_t> position;     ///< Inverse of order.
+    std::vector<std::int32_t> node_offset;  ///< First scalar of each node, permuted vector.
+    std::vector<std::int32_t> node_front;   ///< Front of each node.
+    std::vector<Front> fronts;              ///< In postorder.
+    std::vector<std::int32_t> children;     ///< Grouped by front, ascending.
+    std::vector<std::int32_t> rows;         ///< Permuted scalar index of each update row.
+    std::vector<Run> runs;
+    std::vector<std::int8_t> sign;          ///< Expected sign of each permuted pivot.
+    std::vector<TaskRange> tasks;           ///< Parallel part, in postorder.
+    std::vector<std::int32_t> top;          ///< Serial fronts after the tasks, ascending.
+
+    std::int32_t scalars = 0;
+    std::int64_t panel_size = 0, work_size = 0;  ///< Doubles.
+    std::int32_t max_front = 0;                  ///< Largest ld.
+    std::int64_t matrix_nnz = 0, factor_nnz = 0, flops = 0, critical_flops = 0;
+
+    /// Address of the block (row node, column node); the row must not precede the column in
+    /// the order, and the pair must be a diagonal block or an edge of the pattern.
+    [[nodiscard]] BlockTarget target(std::int32_t row, std::int32_t column) const noexcept;
+    [[nodiscard]] std::size_t bytes() const noexcept;
+};
+
+/// Flops of one front, multiply and add counted apart: Σ_k m(m+2), m rows below pivot k.
+[[nodiscard]] std::int64_t front_flops(int p, int q) noexcept;
+
+/// Analyse a pattern for a given elimination order (made a postorder of its own tree).
+[[nodiscard]] Symbolic analyse(const Pattern& pattern, std::vector<std::int32_t> order);
+
+}  // namespace hawser::factor

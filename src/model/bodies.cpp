@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/bodies.h"
+
+#include "base/small.h"
+
+namespace hawser::model {
+namespace {
+
+template <class V>
+void append3(base::Array<double>& to, const V& v) {
+    for (int i = 0; i < 3; ++i) to.push_back(v[i]);
+}
+
+}  // namespace
+
+int Bodies::add(const BodyDef& def) {
+    const int id = count();
+    const int d = dof_of(def.kind);
+    kind.push_back(def.kind);
+    dof_begin.push_back(dofs);
+    if (d > 0) moving.push_back(id);
+    if (def.kind == BodyKind::rigid) rigid.push_back(id);
+    if (def.kind == BodyKind::kinematic) driven.push_back(id);
+    append3(x, def.position);
+    const bool turns = def.kind != BodyKind::lump && def.kind != BodyKind::scalar;
+    const Quat o = turns ? def.orientation.normalized() : Quat::Identity();
+    q.insert(q.end(), {o.w(), o.x(), o.y(), o.z()});
+    r.resize(r.size() + 9);
+    refresh_rotation(id);
+    for (int i = 0; i < d; ++i)
+        v.push_back(i < 3 ? def.velocity[i] : def.angular_velocity[i - 3]);
+    const bool driven_body = def.kind == BodyKind::kinematic;
+    append3(v_fixed, driven_body ? def.velocity : Vec3::Zero().eval());
+    append3(v_fixed, driven_body ? def.angular_velocity : Vec3::Zero().eval());
+    mass.push_back(def.mass);
+    for (int i = 0; i < 9; ++i) inertia.push_back(def.inertia(i / 3, i % 3));
+    append3(force, def.force);
+    append3(force, def.torque);
+    append3(damping, def.linear_damping);
+    append3(damping, def.angular_damping);
+    weight.push_back(def.gravity && def.kind != BodyKind::scalar ? 1 : 0);
+    dofs += d;
+    return id;
+}
+
+void Bodies::refresh_rotation(int body) noexcept {
+    const auto b = static_cast<std::size_t>(body);
+    const generic::M3 m = generic::rotation(&q[4 * b]);
+    for (std::size_t i = 0; i < 9; ++i) r[9 * b + i] = m.a[i];
+}
+
+std::size_t Bodies::bytes() const noexcept {
+    using base::bytes;
+    return bytes(kind) + bytes(dof_begin) + bytes(moving) + bytes(rigid) + bytes(driven) +
+           bytes(x) + bytes(q) + bytes(r) + bytes(v) + bytes(v_fixed) + bytes(mass) +
+           bytes(inertia) + bytes(force) + bytes(damping) + bytes(weight);
+}
+
+}  // namespace hawser::model

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file bodies.h
+/// State of all bodies as arrays. Velocities of moving bodies are packed: body b owns
+/// dof(b) entries of `v` from dof_begin(b): rigid (v, ω) in the world frame, lump v, scalar rate.
+
+#include <hawser/def.h>
+
+#include "base/memory.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace hawser::model {
+
+/// Degrees of freedom of a kind.
+[[nodiscard]] constexpr int dof_of(BodyKind kind) noexcept {
+    switch (kind) {
+        case BodyKind::rigid: return 6;
+        case BodyKind::lump: return 3;
+        case BodyKind::scalar: return 1;
+        case BodyKind::fixed:
+        case BodyKind::kinematic: break;
+    }
+    return 0;
+}
+
+struct Bodies {
+    std::vector<BodyKind> kind;
+    std::vector<std::int32_t> dof_begin;  ///< Into v; for bodies without freedom: unused.
+    std::vector<std::int32_t> moving;     ///< Bodies with freedom, ascending.
+    std::vector<std::int32_t> rigid;      ///< Rigid bodies, ascending.
+    std::vector<std::int32_t> driven;     ///< Kinematic bodies, ascending.
+
+    base::Array<double> x;        ///< 3 a body: position [m].
+    base::Array<double> q;        ///< 4 a body: quaternion w, x, y, z.
+    base::Array<double> r;        ///< 9 a body: rotation matrix of q, row-major.
+    base::Array<double> v;        ///< Packed velocities at t − h/2.
+    base::Array<double> v_fixed;  ///< 6 a body: prescribed velocity of kinematic bodies.
+
+    base::Array<double> mass;     ///< 1 a body [kg].
+    base::Array<double> inertia;  ///< 9 a body, body frame [kg m²].
+    base::Array<double> force;    ///< 6 a body: applied force and torque, world frame [N, N m].
+    base::Array<double> damping;  ///< 6 a body: drag along and about the body's axes.
+    std::vector<std::uint8_t> weight;  ///< 1: gravity acts.
+
+    std::int32_t dofs = 0;
+
+    [[nodiscard]] int count() const noexcept { return static_cast<int>(kind.size()); }
+    [[nodiscard]] int dof(int body) const noexcept {
+        return dof_of(kind[static_cast<std::size_t>(body)]);
+    }
+    /// Append one body; the definition has been checked. @return its index.
+    int add(const BodyDef& def);
+    /// Recompute r from q for every rigid, fixed and kinematic body.
+    void refresh_rotation(int body) noexcept;
+    [[nodiscard]] std::size_t bytes() const noexcept;
+};
+
+}  // namespace hawser::model

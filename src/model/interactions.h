@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file interactions.h
+/// All interactions: typed pools of what evaluate() needs, and the rows as flat arrays.
+///
+/// Indices: `id` counts interactions in the order added. Row r of interaction id is entry
+/// row_begin[id] + r of the row arrays. Its Jacobian is dense, row-major, `width` =
+/// Σ dof(body) wide, from jac_begin[id].
+
+#include <hawser/interactions.h>
+
+#include "base/memory.h"
+#include "model/bodies.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace hawser::model {
+
+/// Interactions of one kind.
+struct Pool {
+    std::vector<std::int32_t> ids;
+    std::size_t stride = 0;            ///< Bytes of one Data.
+    base::Array<std::byte> data;       ///< ids.size() Data structs.
+};
+
+enum RowFlag : std::uint8_t {
+    kRowVelocity = 1,  ///< G v = u.
+    kRowGap = 2,       ///< Counts in violation_max.
+};
+
+enum InteractionFlag : std::uint8_t {
+    kOneSided = 1,   ///< Only pulls.
+    kRange = 2,      ///< Idle while inside its range.
+    kBreakable = 4,  ///< Has a finite breaking load.
+};
+
+struct Interactions {
+    std::vector<InteractionDef> def;  ///< As added, defaults filled in.
+    std::array<Pool, kInteractionKindCount> pool;
+    std::vector<std::int32_t> pool_index;  ///< Of each id in its pool.
+
+    // By interaction.
+    std::vector<std::int32_t> body;       ///< kMaxInteractionBodies an id; −1 behind the last.
+    std::vector<std::uint8_t> bodies, rows, flags;
+    std::vector<std::int32_t> row_begin, jac_begin;
+    std::vector<std::int32_t> geo;        ///< Index of the geometric-stiffness record, or −1.
+    base::Array<double> active;           ///< 1, or 0: slack, inside its range or parted.
+    std::vector<std::uint8_t> parted;     ///< 1 once a line has parted.
+    base::Array<double> inv_length;       ///< 1/l₀ of wire elements, 0 for all else.
+
+    // By row.
+    base::Array<double> epsilon, tau;     ///< ε, τ (γ, – for velocity rows).
+    base::Array<double> upsilon;          ///< Υ = 1/(1 + 4τ/h); 0 for velocity rows.
+    base::Array<double> sigma;            ///< Σ = 4ε Υ/h² (γ/h for velocity rows).
+    base::Array<double> inv_sigma;        ///< 1/Σ where condensed, else 0.
+    base::Array<double> g, c, residual;   ///< Violation, right-hand side, c − G v − Σλ.
+    base::Array<double> lambda;           ///< Impulse [N s or N m s].
+    base::Array<double> force;            ///< λ/h of the last step, for readers.
+    std::vector<std::uint8_t> row_flags;
+
+    base::Array<double> jacobian;
+    std::int32_t row_count = 0, jac_size = 0, geo_count = 0;
+
+    [[nodiscard]] int count() const noexcept { return static_cast<int>(def.size()); }
+    /// Append; `filled` is checked and complete. Row constants depend on h.
+    int add(const InteractionDef& filled, const Bodies& bodies_in, double h);
+    /// Rebuild the pool entry after a parameter changed.
+    void refresh(int id);
+    [[nodiscard]] std::size_t bytes() const noexcept;
+};
+
+/// Fill in the defaults that a kind takes from the initial poses.
+void complete(InteractionDef& def, const Vec3* positions, double distance);
+
+}  // namespace hawser::model

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/tasks.h"
+
+namespace hawser::runtime {
+namespace {
+
+inline void relax() noexcept {
+#if defined(__x86_64__)
+    __builtin_ia32_pause();
+#endif
+}
+
+}  // namespace
+
+Pool::Pool(int threads) {
+    workers_.reserve(static_cast<std::size_t>(threads > 1 ? threads - 1 : 0));
+    for (int t = 1; t < threads; ++t)
+        workers_.emplace_back([this, t](std::stop_token stop) { work(stop, t); });
+}
+
+Pool::~Pool() {
+    for (std::jthread& w : workers_) w.request_stop();
+    awake_.fetch_add(2, std::memory_order_release);
+    awake_.notify_all();
+}
+
+void Pool::resume() noexcept {
+    if (workers_.empty() || (awake_.load(std::memory_order_relaxed) & 1U) != 0) return;
+    awake_.fetch_add(1, std::memory_order_release);
+    awake_.notify_all();
+}
+
+void Pool::pause() noexcept {
+    if (workers_.empty() || (awake_.load(std::memory_order_relaxed) & 1U) == 0) return;
+    awake_.fetch_add(1, std::memory_order_release);
+}
+
+bool Pool::drain(int thread) noexcept {
+    bool worked = false;
+    std::uint64_t ticket = ticket_.load(std::memory_order_acquire);
+    for (;;) {
+        const std::uint64_t index = ticket & kClosed;
+        const Task task = task_.load(std::memory_order_acquire);
+        void* const context = context_.load(std::memory_order_acquire);
+        const std::int32_t count = count_.load(std::memory_order_acquire);
+        if (index == kClosed || static_cast<std::int64_t>(index) >= count) return worked;
+        if (!ticket_.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel,
+                                           std::memory_order_acquire))
+            continue;
+        task(context, static_cast<int>(index), thread);
+        done_.fetch_add(1, std::memory_order_release);
+        worked = true;
+        ticket = ticket_.load(std::memory_order_acquire);
+    }
+}
+
+void Pool::run(int count, Task task, void* context) noexcept {
+    if (workers_.empty() || count <= 1 || (awake_.load(std::memory_order_relaxed) & 1U) == 0) {
+        for (int i = 0; i < count; ++i) task(context, i, 0);
+        return;
+    }
+    const std::uint64_t batch = (ticket_.load(std::memory_order_relaxed) | kClosed) + 1;
+    ticket_.store(batch | kClosed, std::memory_order_release);
+    task_.store(task, std::memory_order_release);
+    context_.store(context, std::memory_order_release);
+    count_.store(count, std::memory_order_release);
+    done_.store(0, std::memory_order_release);
+    ticket_.store(batch, std::memory_order_release);
+    drain(0);
+    for (int spins = 0; done_.load(std::memory_order_acquire) != count; ++spins) {
+        if (spins < 2'000) relax();
+        else std::this_thread::yield();  // fewer cores than threads
+    }
+}
+
+void Pool::work(std::stop_token stop, int thread) noexcept {
+    int idle = 0;
+    while (!stop.stop_requested()) {
+        if (drain(thread)) {
+            idle = 0;
+            continue;
+        }
+        const std::uint32_t awake = awake_.load(std::memory_order_acquire);
+        if ((awake & 1U) == 0) {
+            awake_.wait(awake, std::memory_order_acquire);
+            idle = 0;
+        } else if (++idle < 20'000) {
+            relax();
+        } else {
+            std::this_thread::yield();
+        }
+    }
+}
+
+}  // namespace hawser::runtime

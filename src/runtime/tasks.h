@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file tasks.h
+/// A fixed pool of workers behind base::Executor.
+///
+/// Inside a step the workers spin (a fork and join costs about a microsecond); between steps
+/// they sleep on a futex, which costs tens of microseconds to leave and so happens once a
+/// step. Tasks are dealt out by an atomic ticket: which thread runs which task varies, what
+/// a task computes does not. A worker that is still waking up delays nobody: a batch is done
+/// when its tasks are done, whoever did them.
+
+#include "base/executor.h"
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+namespace hawser::runtime {
+
+class Pool final : public base::Executor {
+  public:
+    /// @param threads  Including the caller; at least 1.
+    explicit Pool(int threads);
+    ~Pool() override;
+    Pool(const Pool&) = delete;
+    Pool& operator=(const Pool&) = delete;
+
+    /// Wake the workers; until pause() they spin for work.
+    void resume() noexcept;
+    /// Let the workers sleep.
+    void pause() noexcept;
+
+    void run(int count, Task task, void* context) noexcept override;
+    [[nodiscard]] int threads() const noexcept override {
+        return static_cast<int>(workers_.size()) + 1;
+    }
+
+  private:
+    void work(std::stop_token stop, int thread) noexcept;
+    bool drain(int thread) noexcept;
+
+    /// Ticket = batch number (high half) and next task (low half). While the fields below it
+    /// change, the low half is kClosed: a worker that read an old ticket together with new
+    /// fields then fails its compare-and-swap.
+    static constexpr std::uint64_t kClosed = 0xffffffffU;
+
+    // One cache line each, so that spinning on one does not slow the other.
+    alignas(64) std::atomic<std::uint32_t> awake_{0};  ///< Odd while a step runs.
+    alignas(64) std::atomic<std::uint64_t> ticket_{kClosed};
+    alignas(64) std::atomic<std::int32_t> done_{0};    ///< Tasks of this batch that are done.
+    alignas(64) std::atomic<Task> task_{nullptr};
+    std::atomic<void*> context_{nullptr};
+    std::atomic<std::int32_t> count_{0};
+    std::vector<std::jthread> workers_;
+};
+
+}  // namespace hawser::runtime

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file context.h
+/// Everything that a step reads and writes.
+
+#include <hawser/def.h>
+#include <hawser/stats.h>
+
+#include "assembly/system.h"
+#include "model/bodies.h"
+#include "model/interactions.h"
+#include "runtime/tasks.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace hawser::stepper {
+
+/// Fixed-size ring of events: the newest are kept, nothing is allocated.
+class EventRing {
+  public:
+    explicit EventRing(std::size_t capacity) : ring_(capacity) {}
+    void push(const Event& event) noexcept {
+        ring_[static_cast<std::size_t>(count_ % static_cast<std::int64_t>(ring_.size()))] = event;
+        ++count_;
+    }
+    /// Events since the last take, oldest first.
+    [[nodiscard]] std::vector<Event> take() {
+        const auto size = static_cast<std::int64_t>(ring_.size());
+        std::vector<Event> out;
+        for (std::int64_t i = std::max(taken_, count_ - size); i < count_; ++i)
+            out.push_back(ring_[static_cast<std::size_t>(i % size)]);
+        taken_ = count_;
+        return out;
+    }
+
+  private:
+    std::vector<Event> ring_;
+    std::int64_t count_ = 0, taken_ = 0;
+};
+
+struct StepContext {
+    explicit StepContext(const WorldDef& d) : def(d), pool(d.threads), events(65'536) {}
+
+    WorldDef def;
+    model::Bodies bodies;
+    model::Interactions interactions;
+    assembly::System system;
+    runtime::Pool pool;
+    EventRing events;
+    StepStats stats;
+
+    double time = 0.0;
+    std::int64_t step = 0;
+    bool topology_changed = true;   ///< Bodies or interactions were added.
+    bool started = false;           ///< The staggered start has been made.
+    double work = 0.0, drag = 0.0;  ///< Since the start [J].
+    double step_work = 0.0, step_drag = 0.0;  ///< Of the step being taken [J].
+    double residual_floor = 0.0;    ///< Denominator floor of the momentum residual.
+    std::vector<assembly::Norms> norms;        ///< One a chunk, merged in order.
+    std::vector<double> active_before;         ///< Of one_sided interactions, for events.
+
+    /// Chunks of bodies or interactions: coarse tasks of fixed size.
+    static constexpr std::int32_t kChunk = 128;
+    [[nodiscard]] static int chunks(std::int32_t count) noexcept {
+        return (count + kChunk - 1) / kChunk;
+    }
+};
+
+}  // namespace hawser::stepper

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stepper/stages.h"
+#include "stepper/step.h"
+
+#include <hawser/world.h>
+
+#include "base/hash.h"
+
+#include <cstring>
+
+namespace hawser::stepper {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+double quadratic(const double* s, const double* v) {
+    return v[0] * (s[0] * v[0] + s[1] * v[1] + s[2] * v[2]) +
+           v[1] * (s[3] * v[0] + s[4] * v[1] + s[5] * v[2]) +
+           v[2] * (s[6] * v[0] + s[7] * v[1] + s[8] * v[2]);
+}
+
+}  // namespace
+
+Energy energy(StepContext& ctx) noexcept {
+    Energy e;
+    const model::Bodies& b = ctx.bodies;
+    const double half = 0.5 * ctx.def.step;
+    for (std::int32_t body : b.moving) {
+        const auto i = at(body);
+        const double* v = &b.v[at(b.dof_begin[i])];
+        const int dof = b.dof(body);
+        const double m = b.mass[i];
+        if (dof == 1) {
+            e.kinetic += 0.5 * m * v[0] * v[0];
+            continue;
+        }
+        for (int k = 0; k < 3; ++k) {
+            e.kinetic += 0.5 * m * v[k] * v[k];
+            if (b.weight[i]) e.gravity -= m * ctx.def.gravity[k] * (b.x[3 * i + at(k)] - half * v[k]);
+        }
+        if (dof == 6) {
+            const double* r = &b.r[9 * i];
+            double w[3];
+            for (int k = 0; k < 3; ++k)
+                w[k] = r[k] * v[3] + r[3 + k] * v[4] + r[6 + k] * v[5];
+            e.kinetic += 0.5 * quadratic(&b.inertia[9 * i], w);
+        }
+    }
+    const assembly::View v = view(ctx);
+    // evaluate_rows() decides afresh which ranges are active; the state keeps what it had.
+    for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
+        ctx.active_before[i] = v.active[ctx.system.one_sided[i]];
+    evaluate_rows(ctx);
+    constexpr double kElastic = 1e-11;  // softer rows store energy worth counting
+    for (std::int32_t id = 0; id < v.interaction_count; ++id) {
+        if (v.active[id] == 0.0) continue;
+        const double* jac = v.jacobian + v.jac_begin[id];
+        for (int r = 0; r < v.rows[id]; ++r) {
+            const std::int32_t row = v.row_begin[id] + r;
+            double speed = 0.0;
+            for (int k = 0; k < v.bodies[id]; ++k) {
+                const std::int32_t body = v.body[kMaxInteractionBodies * id + k];
+                for (int j = 0; j < v.dof[body]; ++j) speed += *jac++ * v.v[v.dof_begin[body] + j];
+            }
+            if ((v.row_flags[row] & model::kRowVelocity) || v.epsilon[row] <= kElastic) continue;
+            const double g = v.g[row] - half * speed;
+            e.elastic += 0.5 * g * g / v.epsilon[row];
+        }
+    }
+    for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
+        v.active[ctx.system.one_sided[i]] = ctx.active_before[i];
+    e.applied = ctx.work;
+    e.dissipated = ctx.drag;
+    return e;
+}
+
+std::uint64_t state_hash(const StepContext& ctx) noexcept {
+    const char* isa = instruction_set();
+    std::uint64_t hash = base::fnv1a(isa, std::strlen(isa));
+    auto add = [&](const auto& array) {
+        hash = base::fnv1a(array.data(), array.size() * sizeof(array[0]), hash);
+    };
+    add(ctx.bodies.x);
+    add(ctx.bodies.q);
+    add(ctx.bodies.v);
+    add(ctx.bodies.v_fixed);
+    add(ctx.bodies.force);
+    add(ctx.interactions.lambda);
+    add(ctx.interactions.active);
+    return base::fnv1a(&ctx.step, sizeof ctx.step, hash);
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stepper/stages.h"
+
+#include "stepper/step.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::Norms;
+using assembly::View;
+
+constexpr std::int32_t kChunk = StepContext::kChunk;
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Run f(begin, end) over chunks of [0, count).
+template <class F>
+void over(StepContext& ctx, std::int32_t count, F&& f) noexcept {
+    auto task = [&](int i, int) noexcept { f(i * kChunk, std::min((i + 1) * kChunk, count)); };
+    ctx.pool.for_each(StepContext::chunks(count), task);
+}
+
+/// Merge in order, so that sums do not depend on threads.
+Norms merged(const std::vector<Norms>& parts, int count) noexcept {
+    Norms n;
+    for (int i = 0; i < count; ++i) {
+        const Norms& p = parts[at(i)];
+        n.momentum += p.momentum;
+        n.impulse += p.impulse;
+        n.work += p.work;
+        n.drag += p.drag;
+        n.finite += p.finite;
+        if (!(p.constraint <= n.constraint)) n.constraint = p.constraint;
+        if (!(p.stretch <= n.stretch)) n.stretch = p.stretch;
+        if (p.gap > n.gap) {
+            n.gap = p.gap;
+            n.gap_id = p.gap_id;
+        }
+    }
+    return n;
+}
+
+/// One solve with the current residuals: v₊, λ corrected, residuals renewed.
+void correct(StepContext& ctx, const View& v) noexcept {
+    const assembly::Kernels& k = assembly::kernels();
+    over(ctx, v.body_count, [&](std::int32_t a, std::int32_t b) { k.body_rhs(v, a, b); });
+    over(ctx, v.interaction_count, [&](std::int32_t a, std::int32_t b) { k.kept_rhs(v, a, b); });
+    ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
+    over(ctx, v.body_count, [&](std::int32_t a, std::int32_t b) { k.add_solution(v, a, b); });
+    over(ctx, v.interaction_count, [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b); });
+}
+
+/// Residuals of the solution as it stands.
+Norms measure(StepContext& ctx, const View& v) noexcept {
+    const assembly::Kernels& k = assembly::kernels();
+    const int bodies = StepContext::chunks(v.body_count);
+    const int rows = StepContext::chunks(v.interaction_count);
+    auto body_task = [&](int i, int) noexcept {
+        ctx.norms[at(i)] = Norms{};
+        k.body_norms(v, i * kChunk, std::min((i + 1) * kChunk, v.body_count), &ctx.norms[at(i)]);
+    };
+    auto row_task = [&](int i, int) noexcept {
+        Norms& n = ctx.norms[at(bodies + i)];
+        n = Norms{};
+        k.row_norms(v, i * kChunk, std::min((i + 1) * kChunk, v.interaction_count), &n);
+    };
+    ctx.pool.for_each(bodies, body_task);
+    ctx.pool.for_each(rows, row_task);
+    return merged(ctx.norms, bodies + rows);
+}
+
+void push_event(StepContext& ctx, EventKind kind, std::int32_t id, double value) noexcept {
+    ctx.events.push({ctx.time, kind, InteractionId{id}, value});
+    ++ctx.stats.event_count[static_cast<std::size_t>(kind)];
+}
+
+/// G v₊ of a one-row interaction.
+double row_speed(const View& v, std::int32_t id) noexcept {
+    const double* jac = v.jacobian + v.jac_begin[id];
+    double sum = 0.0;
+    for (int b = 0; b < v.bodies[id]; ++b) {
+        const std::int32_t body = v.body[kMaxInteractionBodies * id + b];
+        for (int j = 0; j < v.dof[body]; ++j) sum += *jac++ * v.v_new[v.dof_begin[body] + j];
+    }
+    return sum;
+}
+
+}  // namespace
+
+View view(StepContext& ctx) noexcept {
+    return ctx.system.view(ctx.bodies, ctx.interactions, ctx.def);
+}
+
+void prepare(StepContext& ctx) {
+    ctx.system.analyse(ctx.bodies, ctx.interactions, ctx.def, ctx.pool.threads());
+    const auto chunks = StepContext::chunks(ctx.bodies.count()) +
+                        StepContext::chunks(ctx.interactions.count());
+    ctx.norms.resize(at(chunks));
+    ctx.active_before.resize(ctx.system.one_sided.size());
+    double mass = 0.0;
+    for (std::int32_t b : ctx.bodies.moving) mass += ctx.bodies.mass[at(b)];
+    // A millionth of the impulse of one gravity over a step: far below any real load.
+    ctx.residual_floor = 1e-6 * ctx.def.step * 9.81 * std::sqrt(mass) + 1e-300;
+    StepStats& s = ctx.stats;
+    s.bodies = static_cast<std::int32_t>(ctx.bodies.moving.size());
+    s.interactions = ctx.interactions.count();
+    s.equations = ctx.bodies.dofs + ctx.interactions.row_count;
+    s.islands = ctx.system.islands.count;
+    s.matrix_nnz = ctx.system.symbolic.matrix_nnz;
+    s.factor_nnz = ctx.system.symbolic.factor_nnz;
+    s.factor_flops = ctx.system.symbolic.flops;
+    ++s.growths;
+    ctx.topology_changed = false;
+}
+
+void prestep(StepContext&) noexcept {}
+
+void evaluate_rows(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    const assembly::Kernels& k = assembly::kernels();
+    for (int kind = 0; kind < kInteractionKindCount; ++kind) {
+        const model::Pool& pool = ctx.interactions.pool[at(kind)];
+        over(ctx, static_cast<std::int32_t>(pool.ids.size()), [&](std::int32_t a, std::int32_t b) {
+            k.evaluate(v, static_cast<InteractionKind>(kind), pool.ids.data(), pool.data.data(), a,
+                       b);
+        });
+    }
+}
+
+void assemble_rows(StepContext& ctx) noexcept {
+    for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
+        ctx.active_before[i] = ctx.interactions.active[at(ctx.system.one_sided[i])];
+    evaluate_rows(ctx);
+    const View v = view(ctx);
+    over(ctx, v.body_count, [&](std::int32_t a, std::int32_t b) {
+        assembly::kernels().body_terms(v, a, b);
+    });
+}
+
+void assemble_blocks(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    assembly::System& s = ctx.system;
+    s.numeric.clear(s.symbolic, ctx.pool);
+    auto gather = [&](int i, int) noexcept {
+        assembly::kernels().gather_blocks(v, s.ops.data(), s.op_chunk[at(i)], s.op_chunk[at(i + 1)],
+                                          s.numeric.values());
+    };
+    ctx.pool.for_each(static_cast<int>(s.op_chunk.size()) - 1, gather);
+}
+
+Status factor_and_solve(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    assembly::System& s = ctx.system;
+    ++ctx.stats.factorisations;
+    if (s.numeric.factor(s.symbolic, ctx.pool) > 0) return Status::wrong_pivot;
+    const assembly::Kernels& k = assembly::kernels();
+    over(ctx, v.interaction_count,
+         [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b); });
+    std::fill_n(v.v_new, ctx.bodies.dofs, 0.0);
+
+    correct(ctx, v);
+    for (int i = 0; i < ctx.def.refinements; ++i) correct(ctx, v);
+    Norms n = measure(ctx, v);
+    auto momentum = [&] {
+        return std::sqrt(n.momentum) / std::max(std::sqrt(n.impulse), ctx.residual_floor);
+    };
+    // Stiff rows on very light bodies need one more; the residual says so.
+    constexpr double kGood = 1e-12;
+    for (int extra = 0; extra < 2 && ctx.def.refinements > 0 && momentum() > kGood; ++extra) {
+        const Norms before = n;
+        correct(ctx, v);
+        n = measure(ctx, v);
+        if (!(n.momentum < 0.25 * before.momentum)) break;
+    }
+    if (!std::isfinite(n.finite) || !std::isfinite(n.momentum)) return Status::not_finite;
+    ctx.stats.momentum_residual = momentum();
+    ctx.stats.constraint_residual = n.constraint;
+    ctx.stats.violation_max = n.gap;
+    ctx.stats.violation_worst = InteractionId{n.gap_id};
+    ctx.stats.stretch_error_max = n.stretch;
+    ctx.step_work = n.work;
+    ctx.step_drag = n.drag;
+    return Status::ok;
+}
+
+bool update_active_set(StepContext& ctx, int pass) noexcept {
+    const View v = view(ctx);
+    constexpr int kMaxPasses = 6;
+    std::int32_t flips = 0;
+    for (std::int32_t id : ctx.system.one_sided) {
+        if (v.parted[id]) continue;
+        const std::int32_t row = v.row_begin[id];
+        const bool range = (v.flags[id] & model::kRange) != 0;
+        if (range && v.g[row] == 0.0) continue;
+        // A line pulls: λ < 0. A range pushes back: λ has the sign opposite to its violation.
+        const double pull = range && v.g[row] < 0.0 ? -1.0 : 1.0;
+        if (v.active[id] != 0.0) {
+            if (pull * v.lambda[row] <= 0.0) continue;
+            if (pass < kMaxPasses) v.active[id] = 0.0;
+        } else {
+            if (pull * (v.c[row] - row_speed(v, id)) >= 0.0) continue;
+            // A row that was switched off in this step comes back at most once.
+            if (pass < kMaxPasses) v.active[id] = 1.0;
+        }
+        ++flips;
+    }
+    ctx.stats.flips_left = pass < kMaxPasses ? 0 : flips;
+    return flips > 0 && pass < kMaxPasses;
+}
+
+void integrate(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    over(ctx, v.body_count,
+         [&](std::int32_t a, std::int32_t b) { assembly::kernels().integrate(v, a, b); });
+    for (std::int32_t body : ctx.bodies.driven) {
+        const auto b = at(body);
+        for (std::size_t i = 0; i < 3; ++i)
+            ctx.bodies.x[3 * b + i] += ctx.def.step * ctx.bodies.v_fixed[6 * b + i];
+        const double* w = &ctx.bodies.v_fixed[6 * b + 3];
+        const double speed = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+        if (speed > 0.0) {
+            // Prescribed motion is exact: a turn by h|ω| about ω.
+            const double half = 0.5 * ctx.def.step * speed, s = std::sin(half) / speed;
+            const Quat turn(std::cos(half), s * w[0], s * w[1], s * w[2]);
+            double* q = &ctx.bodies.q[4 * b];
+            const Quat now = (turn * Quat(q[0], q[1], q[2], q[3])).normalized();
+            q[0] = now.w();
+            q[1] = now.x();
+            q[2] = now.y();
+            q[3] = now.z();
+            ctx.bodies.refresh_rotation(body);
+        }
+    }
+    ctx.work += ctx.step_work;
+    ctx.drag += ctx.step_drag;
+    ++ctx.step;
+    ctx.time = static_cast<double>(ctx.step) * ctx.def.step;
+    ctx.stats.step = ctx.step;
+    ctx.stats.time = ctx.time;
+    const double per_h = 1.0 / ctx.def.step;
+    over(ctx, ctx.interactions.row_count, [&](std::int32_t a, std::int32_t b) {
+        for (std::int32_t r = a; r < b; ++r) v.force_of_row[r] = per_h * v.lambda[r];
+    });
+    for (std::int32_t id : ctx.system.breakable) {
+        const double tension = -v.force_of_row[v.row_begin[id]];
+        if (v.parted[id] || tension <= ctx.interactions.def[at(id)].get("breaking_load")) continue;
+        ctx.interactions.parted[at(id)] = 1;
+        v.active[id] = 0.0;
+        push_event(ctx, EventKind::line_break, id, tension);
+    }
+    for (std::size_t i = 0; i < ctx.active_before.size(); ++i) {
+        const std::int32_t id = ctx.system.one_sided[i];
+        const double now = v.active[id];
+        if (now == ctx.active_before[i] || v.parted[id]) continue;
+        const std::int32_t row = v.row_begin[id];
+        if (v.flags[id] & model::kRange) {
+            if (now != 0.0) push_event(ctx, EventKind::range, id, v.g[row]);
+        } else {
+            push_event(ctx, now != 0.0 ? EventKind::taut : EventKind::slack, id,
+                       now != 0.0 ? -v.force_of_row[row] : 0.0);
+        }
+    }
+    // Above this the solution no longer satisfies its own equations to engineering accuracy.
+    constexpr double kResidualWarning = 1e-8;
+    if (ctx.stats.momentum_residual > kResidualWarning)
+        push_event(ctx, EventKind::warning, -1, ctx.stats.momentum_residual);
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file stages.h
+/// The stages that step() calls. `graph` and `analyse` run in prepare(), when the topology
+/// changed; `collide` has no work before there are contacts.
+
+#include "stepper/context.h"
+
+namespace hawser::stepper {
+
+[[nodiscard]] assembly::View view(StepContext& ctx) noexcept;
+
+/// Stage 1. Applies what inputs changed; nothing else acts before a step yet.
+void prestep(StepContext& ctx) noexcept;
+/// Stage 5. Rows: violation, Jacobian, right-hand side; body terms.
+void assemble_rows(StepContext& ctx) noexcept;
+/// Stage 5. Blocks of the matrix into the panels.
+void assemble_blocks(StepContext& ctx) noexcept;
+/// Stage 6. Factor, solve, refine; reads the panels, writes v₊ and λ.
+[[nodiscard]] Status factor_and_solve(StepContext& ctx) noexcept;
+/// Stage 7. Tension-only and range rows: switch those whose force or gap has the wrong sign.
+/// @return true if the system must be solved again.
+[[nodiscard]] bool update_active_set(StepContext& ctx, int pass) noexcept;
+/// Stage 8. Poses, velocities, forces, line breaks, energy bookkeeping, time.
+void integrate(StepContext& ctx) noexcept;
+
+}  // namespace hawser::stepper

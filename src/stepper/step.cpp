@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stepper/step.h"
+
+#include "stepper/stages.h"
+
+#include <chrono>
+#include <ctime>
+#include <new>
+
+namespace hawser::stepper {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double thread_cpu_seconds() noexcept {
+    timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// Adds the wall time of a scope to one stage.
+class StageTimer {
+  public:
+    StageTimer(StepContext& ctx, Stage stage) noexcept
+        : to_(ctx.stats.stage_seconds[static_cast<std::size_t>(stage)]), from_(Clock::now()) {}
+    ~StageTimer() { to_ += std::chrono::duration<double>(Clock::now() - from_).count(); }
+    StageTimer(const StageTimer&) = delete;
+    StageTimer& operator=(const StageTimer&) = delete;
+
+  private:
+    double& to_;
+    Clock::time_point from_;
+};
+
+template <class F>
+auto timed(StepContext& ctx, Stage stage, F&& f) noexcept {
+    const StageTimer timer(ctx, stage);
+    return f(ctx);
+}
+
+/// Stages assemble to nonsmooth, repeated while the set of active rows changes.
+Status solve_velocities(StepContext& ctx) noexcept {
+    timed(ctx, Stage::assemble, assemble_rows);
+    Status status = Status::ok;
+    for (int pass = 0;; ++pass) {
+        timed(ctx, Stage::assemble, assemble_blocks);
+        status = timed(ctx, Stage::factor, factor_and_solve);
+        if (status != Status::ok) return status;
+        const bool again = timed(
+            ctx, Stage::nonsmooth, [&](StepContext& c) { return update_active_set(c, pass); });
+        if (!again) return status;
+    }
+}
+
+/// After a failed solve: λ of the last good step.
+void restore_multipliers(StepContext& ctx) noexcept {
+    model::Interactions& in = ctx.interactions;
+    for (std::size_t r = 0; r < in.lambda.size(); ++r) in.lambda[r] = ctx.def.step * in.force[r];
+    for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
+        in.active[static_cast<std::size_t>(ctx.system.one_sided[i])] = ctx.active_before[i];
+}
+
+}  // namespace
+
+Status step(StepContext& ctx) noexcept {
+    try {
+        if (ctx.topology_changed) prepare(ctx);
+    } catch (const std::bad_alloc&) {
+        return ctx.stats.status = Status::out_of_memory;
+    }
+    ctx.pool.resume();
+    if (!ctx.started) {
+        const Status status = stagger(ctx);
+        if (status != Status::ok) {
+            ctx.pool.pause();
+            return ctx.stats.status = status;
+        }
+    }
+    const Clock::time_point begin = Clock::now();
+    ctx.stats.stage_seconds.fill(0.0);
+    ctx.stats.factorisations = 0;
+    ctx.stats.flips_left = 0;
+
+    timed(ctx, Stage::prestep, prestep);
+    const Clock::time_point solver_begin = Clock::now();
+    const double cpu_begin = thread_cpu_seconds();
+    Status status = solve_velocities(ctx);
+    ctx.stats.solver_seconds = std::chrono::duration<double>(Clock::now() - solver_begin).count();
+    ctx.stats.solver_cpu_seconds = thread_cpu_seconds() - cpu_begin;
+    if (status == Status::ok) timed(ctx, Stage::integrate, integrate);
+    else restore_multipliers(ctx);
+
+    ctx.pool.pause();
+    ctx.stats.step_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    return ctx.stats.status = status;
+}
+
+Status stagger(StepContext& ctx) noexcept {
+    ctx.started = true;
+    if (!ctx.def.staggered_start) return Status::ok;
+    // The first trial finds λ without geometric stiffness, the second uses it.
+    for (int trial = 0; trial < 2; ++trial) {
+        const Status status = solve_velocities(ctx);
+        if (status != Status::ok) return status;
+    }
+    const assembly::View v = view(ctx);
+    for (std::int32_t i = 0; i < ctx.bodies.dofs; ++i)
+        v.v[i] -= 0.5 * (v.v_new[i] - v.v[i]);
+    return Status::ok;
+}
+
+}  // namespace hawser::stepper

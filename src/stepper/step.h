@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file step.h
+/// One step of the world: eight stages, in order.
+///
+/// The scheme is SPOOK (Lacoursière, "Ghosts and machines: regularized variational methods for
+/// interactive simulations of multibodies with dry frictional contacts", 2007): positions live
+/// at t, velocities at t − h/2; the matrix and right-hand side are in assembly/view.h.
+
+#include "stepper/context.h"
+
+namespace hawser::stepper {
+
+/// Analyse when the topology changed and reserve all memory. @throws std::bad_alloc.
+void prepare(StepContext& ctx);
+
+/// Take v₀ from time 0 to −h/2, which makes the scheme second order: v₋ = v₀ − (h/2) a, with
+/// the acceleration a of a trial step. Also gives the first λ for geometric stiffness.
+Status stagger(StepContext& ctx) noexcept;
+
+/// Advance by h. The state changes only when the result is ok.
+Status step(StepContext& ctx) noexcept;
+
+/// Evaluate every interaction at the current poses (g, Jacobian), as stage 5 does.
+void evaluate_rows(StepContext& ctx) noexcept;
+
+/// Energy at the half-step position, see hawser::Energy.
+[[nodiscard]] Energy energy(StepContext& ctx) noexcept;
+
+/// Hash of the state: see World::state_hash.
+[[nodiscard]] std::uint64_t state_hash(const StepContext& ctx) noexcept;
+
+}  // namespace hawser::stepper

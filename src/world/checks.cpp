@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/checks.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+#include <string>
+
+namespace hawser::world {
+namespace {
+
+// Beyond these, products of entries overflow or lose all digits.
+constexpr double kMaxLength = 1e7, kMaxSpeed = 1e5, kMaxMass = 1e15;
+
+[[noreturn]] void refuse(const std::string& where, const std::string& what) {
+    throw DefError(where + ": " + what);
+}
+
+void finite(const std::string& where, const char* field, double value, double limit = 1e300) {
+    if (!std::isfinite(value)) refuse(where, std::string(field) + " is not a finite number");
+    if (std::abs(value) > limit)
+        refuse(where, std::string(field) + " = " + std::to_string(value) +
+                          " is out of range; at most " + std::to_string(limit));
+}
+
+void finite(const std::string& where, const char* field, const Vec3& v, double limit = 1e300) {
+    for (int i = 0; i < 3; ++i) finite(where, field, v[i], limit);
+}
+
+void unit_quaternion(const std::string& where, const char* field, const Quat& q) {
+    const double n = q.norm();
+    if (!std::isfinite(n) || n < 0.5 || n > 2.0)
+        refuse(where, std::string(field) + " is not a unit quaternion (norm " + std::to_string(n) +
+                          "); give [w, x, y, z] of length 1");
+}
+
+void check_inertia(const std::string& where, const Mat3& inertia) {
+    for (int i = 0; i < 9; ++i) finite(where, "inertia", inertia(i / 3, i % 3), 1e20);
+    const double scale = inertia.cwiseAbs().maxCoeff();
+    if ((inertia - inertia.transpose()).cwiseAbs().maxCoeff() > 1e-9 * scale)
+        refuse(where, "inertia is not symmetric");
+    const Eigen::SelfAdjointEigenSolver<Mat3> solver(inertia, Eigen::EigenvaluesOnly);
+    const Vec3 e = solver.eigenvalues();
+    if (!(e[0] > 1e-12 * e[2]) || !(e[0] > 0.0))
+        refuse(where, "inertia is not positive definite (smallest principal moment " +
+                          std::to_string(e[0]) + " kg m²); a rigid body needs three positive "
+                          "moments, a point mass is a lump");
+    if (e[0] + e[1] < e[2] * (1.0 - 1e-6))
+        refuse(where, "inertia breaks the triangle inequality: no body has such moments");
+}
+
+}  // namespace
+
+std::string label(const char* what, const std::string& name) {
+    return name.empty() ? std::string(what) + " (unnamed)" : std::string(what) + " '" + name + "'";
+}
+
+void check(const WorldDef& def) {
+    const std::string where = "world";
+    finite(where, "step", def.step);
+    if (!(def.step >= 1e-7 && def.step <= 1.0)) refuse(where, "step must be 1e-7 to 1 s");
+    finite(where, "gravity", def.gravity, 1e4);
+    finite(where, "geometric_stiffness", def.geometric_stiffness);
+    finite(where, "rotation_damping", def.rotation_damping);
+    if (def.geometric_stiffness < 0.0 || def.geometric_stiffness > 100.0)
+        refuse(where, "geometric_stiffness must be 0 to 100");
+    if (def.rotation_damping < 0.0 || def.rotation_damping > 100.0)
+        refuse(where, "rotation_damping must be 0 to 100");
+    if (def.refinements < 0 || def.refinements > 4) refuse(where, "refinements must be 0 to 4");
+    if (def.threads < 1 || def.threads > 256) refuse(where, "threads must be 1 to 256");
+}
+
+void check(const BodyDef& def) {
+    const std::string where = label("body", def.name);
+    if (def.kind > BodyKind::kinematic) refuse(where, "unknown kind");
+    finite(where, "position", def.position, kMaxLength);
+    unit_quaternion(where, "orientation", def.orientation);
+    finite(where, "velocity", def.velocity, kMaxSpeed);
+    finite(where, "angular_velocity", def.angular_velocity, kMaxSpeed);
+    finite(where, "force", def.force);
+    finite(where, "torque", def.torque);
+    finite(where, "half_size", def.half_size, kMaxLength);
+    finite(where, "linear_damping", def.linear_damping);
+    finite(where, "angular_damping", def.angular_damping);
+    if (def.linear_damping.minCoeff() < 0.0) refuse(where, "linear_damping is negative");
+    if (def.angular_damping.minCoeff() < 0.0) refuse(where, "angular_damping is negative");
+    const bool moves = def.kind == BodyKind::rigid || def.kind == BodyKind::lump ||
+                       def.kind == BodyKind::scalar;
+    if (!moves) return;
+    finite(where, "mass", def.mass, kMaxMass);
+    if (!(def.mass > 0.0))
+        refuse(where, "mass = " + std::to_string(def.mass) +
+                          " kg; a moving body needs a positive mass (a body that does not move "
+                          "is 'fixed' or 'kinematic')");
+    if (def.mass < 1e-12) refuse(where, "mass is below 1e-12 kg");
+    if (def.kind == BodyKind::rigid) check_inertia(where, def.inertia);
+}
+
+void check(const InteractionDef& def, const model::Bodies& bodies) {
+    const std::string where = label("interaction", def.name);
+    if (static_cast<int>(def.kind) >= kInteractionKindCount) refuse(where, "unknown kind");
+    const KindInfo& info = kind_info(def.kind);
+    bool moves = false;
+    for (int b = 0; b < info.bodies; ++b) {
+        const auto slot = static_cast<std::size_t>(b);
+        const std::int32_t index = def.body[slot].index;
+        const std::string which = "body " + std::to_string(b);
+        if (index < 0 || index >= bodies.count())
+            refuse(where, which + " does not exist; a " + info.name + " couples " +
+                              std::to_string(info.bodies) + " bodies");
+        for (int c = 0; c < b; ++c)
+            if (def.body[static_cast<std::size_t>(c)] == def.body[slot])
+                refuse(where, "couples a body with itself");
+        const BodyKind kind = bodies.kind[static_cast<std::size_t>(index)];
+        const bool scalar = kind == BodyKind::scalar;
+        if (scalar != (b == info.scalar_slot))
+            refuse(where, which + (scalar ? " is a scalar body, which a " : " must be a scalar body "
+                                                                            "(drum, spool) for a ") +
+                              info.name + (scalar ? " does not take there" : ""));
+        if (info.uses_frames && kind == BodyKind::lump)
+            refuse(where, which + " is a lump, which has no orientation; a " + info.name +
+                              " needs rigid bodies");
+        if (def.kind == InteractionKind::Hydrostatic && kind != BodyKind::rigid)
+            refuse(where, "hydrostatics act on a rigid body");
+        moves = moves || model::dof_of(kind) > 0;
+        finite(where, "point", def.point[slot], kMaxLength);
+        if (info.uses_frames) unit_quaternion(where, "frame", def.frame[slot]);
+    }
+    if (!moves) refuse(where, "couples no body that moves");
+    for (int r = 0; r < info.rows; ++r) {
+        const double e = def.compliance[static_cast<std::size_t>(r)];
+        const double t = def.damping_time[static_cast<std::size_t>(r)];
+        if (!std::isnan(e) && !(e >= 0.0 && e <= 1e12))
+            refuse(where, "compliance must be 0 to 1e12");
+        if (!std::isnan(t) && !(t >= 0.0 && t <= 1e9))
+            refuse(where, "damping_time must be 0 to 1e9 s");
+    }
+}
+
+void check_params(const InteractionDef& def) {
+    const std::string where = label("interaction", def.name);
+    const KindInfo& info = kind_info(def.kind);
+    for (std::size_t i = 0; i < info.params.size(); ++i) {
+        const ParamInfo& p = info.params[i];
+        const double value = def.params[i];
+        if (std::isnan(value))
+            refuse(where, std::string("parameter '") + p.name + "' [" + p.unit +
+                              "] of a " + info.name + " must be given");
+        if (!(value >= p.min && value <= p.max))
+            refuse(where, std::string("parameter '") + p.name + "' = " + std::to_string(value) +
+                              " " + p.unit + " is outside " + std::to_string(p.min) + " … " +
+                              std::to_string(p.max));
+    }
+    for (const char* low : {"min", "force_min"}) {
+        const std::string high = std::string(low) == "min" ? "max" : "force_max";
+        double a = 0.0, b = 0.0;
+        for (std::size_t i = 0; i < info.params.size(); ++i) {
+            if (std::string(low) == info.params[i].name) a = def.params[i];
+            if (high == info.params[i].name) b = def.params[i];
+        }
+        if (a > b) refuse(where, std::string(low) + " is above " + high);
+    }
+}
+
+}  // namespace hawser::world

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file checks.h
+/// What a world refuses, with the reason and the remedy.
+
+#include <hawser/def.h>
+#include <hawser/interactions.h>
+
+#include "model/bodies.h"
+
+namespace hawser::world {
+
+/// @throws DefError
+void check(const WorldDef& def);
+/// @throws DefError
+void check(const BodyDef& def);
+/// Checks bodies, points, frames and row constants. @throws DefError
+void check(const InteractionDef& def, const model::Bodies& bodies);
+/// Checks parameters once defaults have been filled in. @throws DefError
+void check_params(const InteractionDef& def);
+
+/// "body 'bob'" or "body 7 (unnamed)" for messages.
+[[nodiscard]] std::string label(const char* what, const std::string& name);
+
+}  // namespace hawser::world

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file impl.h
+/// What a World owns.
+
+#include <hawser/world.h>
+
+#include "stepper/step.h"
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace hawser {
+
+struct World::Impl {
+    explicit Impl(const WorldDef& def) : ctx(def) {}
+
+    stepper::StepContext ctx;
+    std::vector<BodyDef> body_defs;
+    std::vector<InputDef> inputs;
+    std::vector<double> input_values;
+    std::unordered_map<std::string, std::int32_t> body_names, interaction_names, input_names;
+
+    void apply_input(std::size_t index, double value);
+};
+
+}  // namespace hawser

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Save and restore: a header that identifies the world's layout, then the arrays of the
+/// state in a fixed order, then a checksum. Multipliers and slack flags belong to the state:
+/// geometric stiffness and the active set start from them.
+#include <hawser/world.h>
+
+#include "base/hash.h"
+#include "world/impl.h"
+
+#include <cmath>
+#include <cstring>
+
+namespace hawser {
+namespace {
+
+struct Header {
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'A', 'P', '1'};
+    std::uint64_t layout = 0;
+    std::uint64_t bytes = 0;  ///< Of the arrays that follow.
+};
+
+/// Visit every array of the state with f(pointer, bytes).
+template <class Context, class F>
+void visit_state(Context& ctx, std::vector<double>& inputs, F&& f) {
+    auto array = [&](auto& a) { f(a.data(), a.size() * sizeof(a[0])); };
+    auto value = [&](auto& v) { f(&v, sizeof v); };
+    array(ctx.bodies.x);
+    array(ctx.bodies.q);
+    array(ctx.bodies.v);
+    array(ctx.bodies.v_fixed);
+    array(ctx.bodies.force);
+    array(ctx.interactions.lambda);
+    array(ctx.interactions.force);
+    array(ctx.interactions.active);
+    array(ctx.interactions.parted);
+    array(inputs);
+    value(ctx.step);
+    value(ctx.started);
+    value(ctx.work);
+    value(ctx.drag);
+    value(ctx.stats.event_count);
+}
+
+/// Everything that must agree for the bytes to mean the same thing.
+std::uint64_t layout_of(const stepper::StepContext& ctx, std::size_t inputs) {
+    std::uint64_t h = base::kFnvStart;
+    auto add = [&](const auto& a) { h = base::fnv1a(a.data(), a.size() * sizeof(a[0]), h); };
+    add(ctx.bodies.kind);
+    add(ctx.interactions.body);
+    add(ctx.interactions.rows);
+    for (const InteractionDef& d : ctx.interactions.def) h = base::fnv1a(&d.kind, 1, h);
+    h = base::fnv1a(&ctx.def.step, sizeof ctx.def.step, h);
+    return base::fnv1a(&inputs, sizeof inputs, h);
+}
+
+}  // namespace
+
+std::vector<std::byte> World::save() const {
+    Impl& m = *impl_;
+    Header header;
+    header.layout = layout_of(m.ctx, m.inputs.size());
+    visit_state(m.ctx, m.input_values, [&](const void*, std::size_t n) { header.bytes += n; });
+    std::vector<std::byte> out(sizeof header + header.bytes + sizeof(std::uint64_t));
+    std::byte* to = out.data();
+    auto put = [&](const void* from, std::size_t n) {
+        if (n > 0) std::memcpy(to, from, n);
+        to += n;
+    };
+    put(&header, sizeof header);
+    visit_state(m.ctx, m.input_values, put);
+    const std::uint64_t sum = base::fnv1a(out.data(), out.size() - sizeof sum);
+    put(&sum, sizeof sum);
+    return out;
+}
+
+void World::restore(std::span<const std::byte> bytes) {
+    Impl& m = *impl_;
+    Header header;
+    const Header expected;
+    std::uint64_t sum = 0, size = 0;
+    if (bytes.size() < sizeof header + sizeof sum) throw DefError("snapshot: too short");
+    std::memcpy(&header, bytes.data(), sizeof header);
+    std::memcpy(&sum, bytes.data() + bytes.size() - sizeof sum, sizeof sum);
+    if (std::memcmp(header.magic, expected.magic, sizeof header.magic) != 0)
+        throw DefError("snapshot: not a Hawser snapshot of this version");
+    if (header.layout != layout_of(m.ctx, m.inputs.size()))
+        throw DefError("snapshot: it belongs to a world with other bodies, interactions, inputs "
+                       "or another step");
+    visit_state(m.ctx, m.input_values, [&](const void*, std::size_t n) { size += n; });
+    if (header.bytes != size || bytes.size() != sizeof header + size + sizeof sum ||
+        sum != base::fnv1a(bytes.data(), bytes.size() - sizeof sum))
+        throw DefError("snapshot: the bytes are damaged (checksum)");
+    if (m.ctx.topology_changed) stepper::prepare(m.ctx);
+    const std::byte* from = bytes.data() + sizeof header;
+    visit_state(m.ctx, m.input_values, [&](void* to, std::size_t n) {
+        if (n > 0) std::memcpy(to, from, n);
+        from += n;
+    });
+    m.ctx.time = static_cast<double>(m.ctx.step) * m.ctx.def.step;
+    m.ctx.stats.step = m.ctx.step;
+    m.ctx.stats.time = m.ctx.time;
+    for (int b = 0; b < body_count(); ++b) m.ctx.bodies.refresh_rotation(b);
+    for (std::size_t i = 0; i < m.inputs.size(); ++i) m.apply_input(i, m.input_values[i]);
+}
+
+}  // namespace hawser

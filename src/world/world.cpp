@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <hawser/inspect.h>
+#include <hawser/world.h>
+
+#include "world/checks.h"
+#include "world/impl.h"
+
+#include <cmath>
+
+namespace hawser {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Look up an index and refuse one that names nothing.
+std::size_t index_of(std::int32_t index, int count, const char* what) {
+    if (index < 0 || index >= count)
+        throw DefError(std::string("there is no ") + what + " with id " + std::to_string(index));
+    return at(index);
+}
+
+void claim(std::unordered_map<std::string, std::int32_t>& names, const std::string& name,
+           std::int32_t index, const char* what) {
+    if (name.empty()) return;
+    if (!names.emplace(name, index).second)
+        throw DefError(std::string(what) + " '" + name + "': the name is taken; names are unique");
+}
+
+std::int32_t lookup(const std::unordered_map<std::string, std::int32_t>& names,
+                    std::string_view name) {
+    const auto found = names.find(std::string(name));
+    return found == names.end() ? -1 : found->second;
+}
+
+}  // namespace
+
+World::World(const WorldDef& def) {
+    world::check(def);
+    impl_ = std::make_unique<Impl>(def);
+}
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+BodyId World::add_body(const BodyDef& def) {
+    world::check(def);
+    Impl& m = *impl_;
+    if (m.ctx.bodies.count() >= m.ctx.def.max_bodies)
+        throw DefError("too many bodies; raise WorldDef::max_bodies");
+    claim(m.body_names, def.name, m.ctx.bodies.count(), "body");
+    m.body_defs.push_back(def);
+    m.ctx.topology_changed = true;
+    return BodyId{m.ctx.bodies.add(def)};
+}
+
+InteractionId World::add_interaction(const InteractionDef& def) {
+    Impl& m = *impl_;
+    world::check(def, m.ctx.bodies);
+    if (m.ctx.interactions.count() >= m.ctx.def.max_interactions)
+        throw DefError("too many interactions; raise WorldDef::max_interactions");
+    InteractionDef d = def;
+    const KindInfo& info = kind_info(d.kind);
+    Vec3 position[kMaxInteractionBodies], point[kMaxInteractionBodies];
+    for (int b = 0; b < info.bodies; ++b) {
+        const BodyId id = d.body[static_cast<std::size_t>(b)];
+        position[b] = pose(id).position;
+        point[b] = world_point(id, d.point[static_cast<std::size_t>(b)]);
+    }
+    const double distance = info.bodies > 1 ? (point[1] - point[0]).norm() : 0.0;
+    model::complete(d, position, distance);
+    world::check_params(d);
+    claim(m.interaction_names, d.name, m.ctx.interactions.count(), "interaction");
+    m.ctx.topology_changed = true;
+    return InteractionId{m.ctx.interactions.add(d, m.ctx.bodies, m.ctx.def.step)};
+}
+
+InputId World::add_input(const InputDef& def) {
+    Impl& m = *impl_;
+    const std::string where = world::label("input", def.name);
+    if (def.name.empty()) throw DefError("an input needs a name");
+    if (!std::isfinite(def.min) || !std::isfinite(def.max) || def.min > def.max)
+        throw DefError(where + ": the range is empty or not finite");
+    double value = 0.0;
+    if (def.interaction.valid()) {
+        const InteractionDef& d = interaction_def(def.interaction);
+        value = d.get(def.param);
+        for (const ParamInfo& p : kind_info(d.kind).params)
+            if (def.param == p.name && !p.input)
+                throw DefError(where + ": parameter '" + def.param + "' of a " +
+                               kind_info(d.kind).name + " cannot change between steps");
+    } else {
+        const std::size_t b = index_of(def.body.index, body_count(), "body");
+        if (def.component < 0 || def.component > 5)
+            throw DefError(where + ": component must be 0 to 5");
+        value = m.ctx.bodies.force[6 * b + at(def.component)];
+    }
+    claim(m.input_names, def.name, input_count(), "input");
+    m.inputs.push_back(def);
+    m.input_values.push_back(value);
+    return InputId{input_count() - 1};
+}
+
+void World::prepare() {
+    if (impl_->ctx.topology_changed) stepper::prepare(impl_->ctx);
+}
+
+Status World::step() noexcept { return stepper::step(impl_->ctx); }
+
+double World::time() const noexcept { return impl_->ctx.time; }
+std::int64_t World::step_count() const noexcept { return impl_->ctx.step; }
+const StepStats& World::stats() const noexcept { return impl_->ctx.stats; }
+std::vector<Event> World::take_events() { return impl_->ctx.events.take(); }
+const WorldDef& World::settings() const noexcept { return impl_->ctx.def; }
+
+Energy World::energy() const noexcept {
+    if (impl_->ctx.topology_changed) return {};
+    return stepper::energy(impl_->ctx);
+}
+
+std::uint64_t World::state_hash() const noexcept { return stepper::state_hash(impl_->ctx); }
+
+int World::input_count() const noexcept { return static_cast<int>(impl_->inputs.size()); }
+const InputDef& World::input_def(InputId id) const {
+    return impl_->inputs[index_of(id.index, input_count(), "input")];
+}
+InputId World::find_input(std::string_view name) const noexcept {
+    return InputId{lookup(impl_->input_names, name)};
+}
+double World::input(InputId id) const {
+    return impl_->input_values[index_of(id.index, input_count(), "input")];
+}
+
+void World::set_input(InputId id, double value) {
+    const std::size_t i = index_of(id.index, input_count(), "input");
+    const InputDef& def = impl_->inputs[i];
+    if (!std::isfinite(value))
+        throw DefError(world::label("input", def.name) + ": the value is not finite");
+    const double clamped = std::min(std::max(value, def.min), def.max);
+    if (clamped != value) {
+        stepper::StepContext& c = impl_->ctx;
+        c.events.push({c.time, EventKind::input_clamped, def.interaction, value});
+        ++c.stats.event_count[static_cast<std::size_t>(EventKind::input_clamped)];
+    }
+    impl_->apply_input(i, clamped);
+}
+
+void World::Impl::apply_input(std::size_t index, double value) {
+    const InputDef& def = inputs[index];
+    input_values[index] = value;
+    if (def.interaction.valid()) {
+        ctx.interactions.def[at(def.interaction.index)].set(def.param, value);
+        ctx.interactions.refresh(def.interaction.index);
+    } else {
+        ctx.bodies.force[6 * at(def.body.index) + at(def.component)] = value;
+    }
+}
+
+void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
+    const std::size_t b = index_of(body.index, body_count(), "body");
+    if (!force.allFinite() || !torque.allFinite()) throw DefError("an applied force is not finite");
+    for (int i = 0; i < 3; ++i) {
+        impl_->ctx.bodies.force[6 * b + at(i)] = force[i];
+        impl_->ctx.bodies.force[6 * b + 3 + at(i)] = torque[i];
+    }
+}
+
+int World::body_count() const noexcept { return impl_->ctx.bodies.count(); }
+const BodyDef& World::body_def(BodyId id) const {
+    return impl_->body_defs[index_of(id.index, body_count(), "body")];
+}
+BodyId World::find_body(std::string_view name) const noexcept {
+    return BodyId{lookup(impl_->body_names, name)};
+}
+
+Pose World::pose(BodyId id) const {
+    const std::size_t b = index_of(id.index, body_count(), "body");
+    const model::Bodies& s = impl_->ctx.bodies;
+    const double* q = &s.q[4 * b];
+    return {Vec3(s.x[3 * b], s.x[3 * b + 1], s.x[3 * b + 2]), Quat(q[0], q[1], q[2], q[3])};
+}
+
+Twist World::velocity(BodyId id) const {
+    const std::size_t b = index_of(id.index, body_count(), "body");
+    const model::Bodies& s = impl_->ctx.bodies;
+    Twist t;
+    const int dof = s.dof(id.index);
+    const double* v = dof == 0 ? &s.v_fixed[6 * b] : &s.v[at(s.dof_begin[b])];
+    const int count = dof == 0 ? 6 : dof;
+    for (int i = 0; i < count; ++i) (i < 3 ? t.linear[i] : t.angular[i - 3]) = v[i];
+    return t;
+}
+
+void World::set_pose(BodyId id, const Pose& pose) {
+    const std::size_t b = index_of(id.index, body_count(), "body");
+    const double norm = pose.orientation.norm();
+    if (!pose.position.allFinite() || !std::isfinite(norm) || norm < 0.5)
+        throw DefError(world::label("body", impl_->body_defs[b].name) + ": the pose is not valid");
+    model::Bodies& s = impl_->ctx.bodies;
+    for (int i = 0; i < 3; ++i) s.x[3 * b + at(i)] = pose.position[i];
+    if (s.kind[b] == BodyKind::lump || s.kind[b] == BodyKind::scalar) return;
+    const Quat q = pose.orientation.normalized();
+    const double values[4] = {q.w(), q.x(), q.y(), q.z()};
+    for (std::size_t i = 0; i < 4; ++i) s.q[4 * b + i] = values[i];
+    s.refresh_rotation(id.index);
+}
+
+void World::set_velocity(BodyId id, const Twist& twist) {
+    const std::size_t b = index_of(id.index, body_count(), "body");
+    if (!twist.linear.allFinite() || !twist.angular.allFinite())
+        throw DefError(world::label("body", impl_->body_defs[b].name) +
+                       ": the velocity is not finite");
+    model::Bodies& s = impl_->ctx.bodies;
+    const int dof = s.dof(id.index);
+    if (s.kind[b] == BodyKind::fixed) throw DefError("a fixed body has no velocity");
+    double* v = dof == 0 ? &s.v_fixed[6 * b] : &s.v[at(s.dof_begin[b])];
+    const int count = dof == 0 ? 6 : dof;
+    for (int i = 0; i < count; ++i) v[i] = i < 3 ? twist.linear[i] : twist.angular[i - 3];
+}
+
+Vec3 World::world_point(BodyId id, const Vec3& local) const {
+    const Pose p = pose(id);
+    return p.position + p.orientation * local;
+}
+
+int World::interaction_count() const noexcept { return impl_->ctx.interactions.count(); }
+const InteractionDef& World::interaction_def(InteractionId id) const {
+    return impl_->ctx.interactions.def[index_of(id.index, interaction_count(), "interaction")];
+}
+InteractionId World::find_interaction(std::string_view name) const noexcept {
+    return InteractionId{lookup(impl_->interaction_names, name)};
+}
+
+std::span<const double> World::force(InteractionId id) const {
+    const std::size_t i = index_of(id.index, interaction_count(), "interaction");
+    const model::Interactions& in = impl_->ctx.interactions;
+    return {in.force.data() + in.row_begin[i], in.rows[i]};
+}
+
+std::array<double, kMaxInteractionRows> World::violation(InteractionId id) const {
+    const std::size_t i = index_of(id.index, interaction_count(), "interaction");
+    stepper::StepContext& ctx = impl_->ctx;
+    if (ctx.topology_changed) stepper::prepare(ctx);
+    const model::Interactions& in = ctx.interactions;
+    const model::Pool& pool = in.pool[static_cast<std::size_t>(in.def[i].kind)];
+    const double was_active = in.active[i];
+    assembly::kernels().evaluate(
+        ctx.system.view(ctx.bodies, ctx.interactions, ctx.def), in.def[i].kind, pool.ids.data(),
+        pool.data.data(), in.pool_index[i], in.pool_index[i] + 1);
+    ctx.interactions.active[i] = was_active;
+    std::array<double, kMaxInteractionRows> g{};
+    for (std::size_t r = 0; r < in.rows[i]; ++r) g[r] = in.g[at(in.row_begin[i]) + r];
+    return g;
+}
+
+bool World::intact(InteractionId id) const {
+    return impl_->ctx.interactions
+               .parted[index_of(id.index, interaction_count(), "interaction")] == 0;
+}
+
+SystemView World::inspect() const {
+    Impl& m = *impl_;
+    if (m.ctx.topology_changed) stepper::prepare(m.ctx);
+    const assembly::System& s = m.ctx.system;
+    SystemView v;
+    v.nodes.resize(static_cast<std::size_t>(s.pattern.nodes()));
+    for (std::size_t n = 0; n < v.nodes.size(); ++n)
+        v.nodes[n] = {{}, {}, s.pattern.size[n], s.symbolic.node_front[n]};
+    for (int b = 0; b < body_count(); ++b)
+        if (s.node_of_body[at(b)] >= 0) v.nodes[at(s.node_of_body[at(b)])].body = BodyId{b};
+    for (int i = 0; i < interaction_count(); ++i)
+        if (s.node_of_interaction[at(i)] >= 0)
+            v.nodes[at(s.node_of_interaction[at(i)])].interaction = InteractionId{i};
+    v.edge_start = s.pattern.start;
+    v.edges = s.pattern.adjacent;
+    v.order = s.symbolic.order;
+    for (const factor::Front& f : s.symbolic.fronts) {
+        v.front_parent.push_back(f.parent);
+        v.front_pivots.push_back(f.p);
+        v.front_update.push_back(f.q);
+    }
+    v.body_island = s.islands.label;
+    v.matrix_nnz = s.symbolic.matrix_nnz;
+    v.factor_nnz = s.symbolic.factor_nnz;
+    v.flops = s.symbolic.flops;
+    v.critical_flops = s.symbolic.critical_flops;
+    return v;
+}
+
+std::size_t World::memory_bytes() const noexcept {
+    const stepper::StepContext& c = impl_->ctx;
+    return c.bodies.bytes() + c.interactions.bytes() + c.system.bytes() +
+           impl_->body_defs.capacity() * sizeof(BodyDef);
+}
+
+const char* to_string(Status status) noexcept {
+    switch (status) {
+        case Status::ok: return "ok";
+        case Status::wrong_pivot: return "wrong_pivot";
+        case Status::not_finite: return "not_finite";
+        case Status::out_of_memory: return "out_of_memory";
+    }
+    return "?";
+}
+
+const char* to_string(Stage stage) noexcept {
+    constexpr const char* kNames[kStageCount] = {"prestep", "collide", "graph",     "analyse",
+                                                 "assemble", "factor", "nonsmooth", "integrate"};
+    return kNames[static_cast<std::size_t>(stage)];
+}
+
+const char* to_string(EventKind kind) noexcept {
+    constexpr const char* kNames[kEventKindCount] = {
+        "line_break", "slack", "taut", "saturation", "range", "input_clamped", "warning"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace hawser
