@@ -14,7 +14,7 @@ namespace hawser {
 
 /// A definition that the world refuses; what() says which field, its value and the remedy.
 class DefError : public std::runtime_error {
-   public:
+  public:
     using std::runtime_error::runtime_error;
 };
 

@@ -127,7 +127,7 @@ struct InteractionDef {
     InteractionDef& set(std::string_view param, double value);
     [[nodiscard]] double get(std::string_view param) const;
 
-   private:
+  private:
     static constexpr std::array<double, kMaxInteractionRows> filled() {
         std::array<double, kMaxInteractionRows> a{};
         a.fill(kDefault);

@@ -34,7 +34,7 @@ namespace hawser {
 struct SystemView;  // inspect.h
 
 class World {
-   public:
+  public:
     explicit World(const WorldDef& def = {});
     ~World();
     World(World&&) noexcept;
@@ -116,7 +116,7 @@ class World {
     [[nodiscard]] SystemView inspect() const;                 ///< See inspect.h.
     [[nodiscard]] std::size_t memory_bytes() const noexcept;  ///< Held by state and solver.
 
-   private:
+  private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };

@@ -34,7 +34,9 @@ inline V3 mul6(const double* s, V3 v) {
     return {s[0] * v.x + s[1] * v.y + s[2] * v.z, s[1] * v.x + s[3] * v.y + s[4] * v.z,
             s[2] * v.x + s[4] * v.y + s[5] * v.z};
 }
-inline M3 full6(const double* s) { return {{s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5]}}; }
+inline M3 full6(const double* s) {
+    return {{s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5]}};
+}
 
 /// scale × projected arm stiffness of the force f at arm r.
 inline void arm_stiffness(V3 f, V3 r, double scale, double* out) {

@@ -6,9 +6,12 @@ namespace hawser::assembly {
 
 const Kernels& kernels() noexcept {
     switch (base::isa()) {
-        case base::Isa::avx512: return avx512::kAssemblyKernels;
-        case base::Isa::avx2: return avx2::kAssemblyKernels;
-        case base::Isa::sse2: break;
+        case base::Isa::avx512:
+            return avx512::kAssemblyKernels;
+        case base::Isa::avx2:
+            return avx2::kAssemblyKernels;
+        case base::Isa::sse2:
+            break;
     }
     return sse2::kAssemblyKernels;
 }

@@ -3,6 +3,8 @@
 
 #include "factor/ordering.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,12 +15,10 @@ constexpr int kSlots = kMaxInteractionBodies;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-/// Diagonal of G M⁻¹ Gᵀ for one row, from a packed Jacobian and a sphere-like bound of the
-/// inverse inertia (its trace norm): an estimate for choosing forms, not for solving.
+/// Diagonal of G M⁻¹ Gᵀ for one row, from its packed Jacobian.
 double mobility(const model::Bodies& bodies, const model::Interactions& in, int id, int row) {
     int width = 0;
-    for (int b = 0; b < in.bodies[at(id)]; ++b)
-        width += bodies.dof(in.body[at(kSlots * id + b)]);
+    for (int b = 0; b < in.bodies[at(id)]; ++b) width += bodies.dof(in.body[at(kSlots * id + b)]);
     const double* jac = &in.jacobian[at(in.jac_begin[at(id)] + row * width)];
     double sum = 0.0;
     for (int b = 0; b < in.bodies[at(id)]; ++b) {
@@ -26,9 +26,11 @@ double mobility(const model::Bodies& bodies, const model::Interactions& in, int 
         const int dof = bodies.dof(body);
         for (int j = 0; j < dof && j < 3; ++j) sum += jac[j] * jac[j] / bodies.mass[at(body)];
         if (dof == 6) {
-            const double* inertia = &bodies.inertia[at(9 * body)];
-            const double least = std::min({inertia[0], inertia[4], inertia[8]});
-            for (int j = 3; j < 6; ++j) sum += jac[j] * jac[j] / least;
+            using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+            const Eigen::Map<const RowMajor> r(&bodies.r[at(9 * body)]);
+            const Eigen::Map<const RowMajor> inertia(&bodies.inertia[at(9 * body)]);
+            const Vec3 local = r.transpose() * Vec3(jac[3], jac[4], jac[5]);
+            sum += local.dot(inertia.inverse() * local);
         }
         jac += dof;
     }
@@ -114,8 +116,8 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
             const auto row = at(in.row_begin[at(i)] + r);
             const double w = mobility(bodies, in, i, r);
             const bool velocity = in.row_flags[row] & model::kRowVelocity;
-            double sigma = velocity ? in.epsilon[row] / h
-                                    : 4.0 * in.epsilon[row] * in.upsilon[row] / (h * h);
+            double sigma =
+                velocity ? in.epsilon[row] / h : 4.0 * in.epsilon[row] * in.upsilon[row] / (h * h);
             // A rigid row may repeat others (closed loops): a floor keeps the pivots' signs.
             if (in.epsilon[row] == 0.0) sigma = 1e-9 * w;
             if (sigma < 1e-300) sigma = 1e-300;

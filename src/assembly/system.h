@@ -45,9 +45,9 @@ class System {
     factor::Numeric numeric;
     graph::Islands islands;
     std::vector<std::int32_t> node_of_body, node_of_interaction;  ///< −1: no node.
-    std::vector<Op> ops;                    ///< By column of the matrix.
-    std::vector<std::int64_t> op_chunk;     ///< Chunk boundaries in ops, at column changes.
-    std::vector<std::int32_t> one_sided;    ///< Interactions with kOneSided or kRange.
+    std::vector<Op> ops;                                          ///< By column of the matrix.
+    std::vector<std::int64_t> op_chunk;   ///< Chunk boundaries in ops, at column changes.
+    std::vector<std::int32_t> one_sided;  ///< Interactions with kOneSided or kRange.
     std::vector<std::int32_t> breakable;
 
     [[nodiscard]] std::size_t bytes() const noexcept;

@@ -23,12 +23,12 @@ inline constexpr int kGeoSize = 24;    ///< Doubles of one geometric-stiffness r
 /// One contribution to one block of the matrix.
 struct Op {
     enum Kind : std::uint8_t {
-        body_block,  ///< M + hD of body `id` on the diagonal.
-        condensed,   ///< G_aᵀ Σ⁻¹ G_b of interaction `id` (rows: slot a, columns: slot b).
-        geometric,   ///< Geometric stiffness and damping of interaction `id` between slots.
-        kept_sigma,  ///< −Σ on the diagonal of a kept interaction.
-        kept_rows,   ///< G_b: the interaction is eliminated after body slot b.
-        kept_columns ///< G_aᵀ: the interaction is eliminated before body slot a.
+        body_block,   ///< M + hD of body `id` on the diagonal.
+        condensed,    ///< G_aᵀ Σ⁻¹ G_b of interaction `id` (rows: slot a, columns: slot b).
+        geometric,    ///< Geometric stiffness and damping of interaction `id` between slots.
+        kept_sigma,   ///< −Σ on the diagonal of a kept interaction.
+        kept_rows,    ///< G_b: the interaction is eliminated after body slot b.
+        kept_columns  ///< G_aᵀ: the interaction is eliminated before body slot a.
     };
     std::int64_t address;
     std::int32_t ld;
@@ -56,10 +56,10 @@ struct View {
     const double* force;
     const double* damping;
     const std::uint8_t* weight;
-    double* body_block;       ///< kBodyBlock a body.
-    double* a;                ///< Packed like v: right-hand side of the momentum rows.
-    double* v_new;            ///< Packed like v: the solution v₊.
-    double* momentum;         ///< Packed like v: a − M̃ v₊ + Gᵀλ.
+    double* body_block;  ///< kBodyBlock a body.
+    double* a;           ///< Packed like v: right-hand side of the momentum rows.
+    double* v_new;       ///< Packed like v: the solution v₊.
+    double* momentum;    ///< Packed like v: a − M̃ v₊ + Gᵀλ.
 
     // Interactions, see model/interactions.h.
     const std::int32_t* body;
@@ -71,7 +71,7 @@ struct View {
     const std::int32_t* geo;
     double* active;
     const std::uint8_t* parted;
-    const double* inv_length;   ///< 1/l₀ of wire elements, 0 for all else.
+    const double* inv_length;  ///< 1/l₀ of wire elements, 0 for all else.
     const double* epsilon;
     const double* upsilon;
     const double* sigma;
@@ -83,7 +83,7 @@ struct View {
     double* lambda;
     double* force_of_row;
     double* jacobian;
-    double* geo_record;       ///< kGeoSize each.
+    double* geo_record;  ///< kGeoSize each.
 
     // Incidence: which (interaction, slot) pairs touch a body.
     const std::int32_t* incident_begin;
@@ -103,10 +103,10 @@ struct Norms {
     double constraint = 0.0;  ///< max |residual|.
     double gap = 0.0;         ///< max |g| of translational constraint rows [m].
     std::int32_t gap_id = -1;
-    double stretch = 0.0;     ///< max |g + ε f| / length over wire elements.
-    double work = 0.0;        ///< h f·v₊ of applied forces and torques [J].
-    double drag = 0.0;        ///< h v₊ᵀ D v₊ [J].
-    double finite = 0.0;      ///< Sum of everything: not finite if anything is not.
+    double stretch = 0.0;  ///< max |g + ε f| / length over wire elements.
+    double work = 0.0;     ///< h f·v₊ of applied forces and torques [J].
+    double drag = 0.0;     ///< h v₊ᵀ D v₊ [J].
+    double finite = 0.0;   ///< Sum of everything: not finite if anything is not.
 };
 
 /// Hot loops. Ranges are of bodies or of interactions; a range writes only its own entries.

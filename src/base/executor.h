@@ -18,8 +18,7 @@ class Executor {
     /// Run a callable with signature void(int index, int thread) noexcept.
     template <class F>
     void for_each(int count, F& f) noexcept {
-        run(
-            count, [](void* c, int i, int t) noexcept { (*static_cast<F*>(c))(i, t); }, &f);
+        run(count, [](void* c, int i, int t) noexcept { (*static_cast<F*>(c))(i, t); }, &f);
     }
 };
 

@@ -33,9 +33,12 @@ Isa isa() noexcept {
 
 const char* to_string(Isa isa) noexcept {
     switch (isa) {
-        case Isa::sse2: return "sse2";
-        case Isa::avx2: return "avx2";
-        case Isa::avx512: return "avx512";
+        case Isa::sse2:
+            return "sse2";
+        case Isa::avx2:
+            return "avx2";
+        case Isa::avx512:
+            return "avx512";
     }
     return "?";
 }

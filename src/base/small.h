@@ -58,9 +58,9 @@ inline M3 load9(const double* p) {
 /// Rotation matrix of a unit quaternion q = (w, x, y, z).
 inline M3 rotation(const double* q) {
     const double w = q[0], x = q[1], y = q[2], z = q[3];
-    return {{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
-             2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
-             2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}};
+    return {{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), 2 * (x * y + w * z),
+             1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 2 * (x * z - w * y), 2 * (y * z + w * x),
+             1 - 2 * (x * x + y * y)}};
 }
 /// R S Rᵀ for a full symmetric S given row-major.
 inline M3 congruence(const M3& r, const double* s) {
@@ -86,9 +86,12 @@ inline V3 solve3(const M3& m, V3 b) {
 inline void perpendicular(V3 t, V3& n1, V3& n2) {
     const double ax = t.x < 0 ? -t.x : t.x, ay = t.y < 0 ? -t.y : t.y, az = t.z < 0 ? -t.z : t.z;
     V3 e{0, 0, 0};
-    if (ax <= ay && ax <= az) e.x = 1;
-    else if (ay <= az) e.y = 1;
-    else e.z = 1;
+    if (ax <= ay && ax <= az)
+        e.x = 1;
+    else if (ay <= az)
+        e.y = 1;
+    else
+        e.z = 1;
     n1 = e - dot(e, t) * t;
     n1 = (1.0 / norm(n1)) * n1;
     n2 = cross(t, n1);

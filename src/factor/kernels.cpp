@@ -7,9 +7,12 @@ namespace hawser::factor {
 
 const FactorKernels& factor_kernels() noexcept {
     switch (base::isa()) {
-        case base::Isa::avx512: return avx512::kFactorKernels;
-        case base::Isa::avx2: return avx2::kFactorKernels;
-        case base::Isa::sse2: break;
+        case base::Isa::avx512:
+            return avx512::kFactorKernels;
+        case base::Isa::avx2:
+            return avx2::kFactorKernels;
+        case base::Isa::sse2:
+            break;
     }
     return sse2::kFactorKernels;
 }

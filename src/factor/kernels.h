@@ -17,10 +17,10 @@ struct FactorView {
     const std::int32_t* rows;
     const Run* runs;
     const std::int8_t* sign;
-    double* panel;     ///< L below the diagonal of each panel; zeros on and above it.
-    double* pivot;     ///< D, one a permuted scalar.
-    double* work;      ///< Update matrices.
-    double* carry;     ///< Forward substitution's update vectors, one entry an update row.
+    double* panel;  ///< L below the diagonal of each panel; zeros on and above it.
+    double* pivot;  ///< D, one a permuted scalar.
+    double* work;   ///< Update matrices.
+    double* carry;  ///< Forward substitution's update vectors, one entry an update row.
 };
 
 struct FactorKernels {

@@ -8,7 +8,8 @@ namespace {
 
 template <class T>
 void grow(base::Array<T>& array, std::int64_t size) {
-    if (static_cast<std::int64_t>(array.size()) < size) array.resize(static_cast<std::size_t>(size));
+    if (static_cast<std::int64_t>(array.size()) < size)
+        array.resize(static_cast<std::size_t>(size));
 }
 
 }  // namespace

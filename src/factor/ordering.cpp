@@ -20,8 +20,8 @@ std::vector<std::int32_t> order_nodes(const Pattern& pattern) {
     amd_defaults(control);
     // A hull with hundreds of neighbours is not "dense": only nodes above 10·√n·10 are.
     control[AMD_DENSE] = 100.0;
-    const int status = amd_order(n, pattern.start.data(), pattern.adjacent.data(), order.data(),
-                                 control, info);
+    const int status =
+        amd_order(n, pattern.start.data(), pattern.adjacent.data(), order.data(), control, info);
     if (status == AMD_OUT_OF_MEMORY) throw std::bad_alloc();
     place_rows_after_bodies(pattern, order);
     return order;

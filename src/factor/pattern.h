@@ -17,9 +17,9 @@ namespace hawser::factor {
 inline constexpr int kMaxBlock = 6;
 
 struct Pattern {
-    std::vector<std::int8_t> size;    ///< Scalars of each node, 1-6.
-    std::vector<std::int8_t> sign;    ///< +1: positive pivots, −1: negative.
-    std::vector<std::int32_t> start;  ///< nodes + 1 offsets into `adjacent`.
+    std::vector<std::int8_t> size;       ///< Scalars of each node, 1-6.
+    std::vector<std::int8_t> sign;       ///< +1: positive pivots, −1: negative.
+    std::vector<std::int32_t> start;     ///< nodes + 1 offsets into `adjacent`.
     std::vector<std::int32_t> adjacent;  ///< Neighbours, ascending, both directions, no diagonal.
 
     [[nodiscard]] int nodes() const noexcept { return static_cast<int>(size.size()); }

@@ -31,8 +31,7 @@ void lay_out_fronts(const Pattern& pattern, const Supernodes& sn, Symbolic& s) {
         for (std::int32_t i = sn.row_begin[f]; i < sn.row_begin[f + 1]; ++i) {
             const auto node = static_cast<std::size_t>(
                 s.order[static_cast<std::size_t>(sn.rows[static_cast<std::size_t>(i)])]);
-            for (int c = 0; c < pattern.size[node]; ++c)
-                s.rows.push_back(s.node_offset[node] + c);
+            for (int c = 0; c < pattern.size[node]; ++c) s.rows.push_back(s.node_offset[node] + c);
             front.q += pattern.size[node];
         }
         front.ld = round8(front.p + front.q);
@@ -76,8 +75,8 @@ void link_children(Symbolic& s) {
         if (front.parent < 0) continue;
         const Front& parent = s.fronts[static_cast<std::size_t>(front.parent)];
         for (std::int32_t i = 0; i < front.q; ++i) {
-            const std::int32_t to = local_row(
-                s, parent, s.rows[static_cast<std::size_t>(front.rows + i)]);
+            const std::int32_t to =
+                local_row(s, parent, s.rows[static_cast<std::size_t>(front.rows + i)]);
             // A run stays on one side of the parent's pivot boundary: its columns then lie
             // wholly in the panel or wholly in the update matrix.
             if (static_cast<std::int32_t>(s.runs.size()) > front.run_begin && to != parent.p &&

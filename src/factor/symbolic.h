@@ -35,17 +35,17 @@ namespace hawser::factor {
 
 /// One front. Plain data: the kernels read it directly.
 struct Front {
-    std::int32_t offset = 0;     ///< First pivot in the permuted vector.
-    std::int32_t p = 0, q = 0;   ///< Pivot and update scalars.
-    std::int32_t ld = 0;         ///< Column stride of the panel, a multiple of 8.
-    std::int32_t ldu = 0;        ///< Column stride of the update matrix, a multiple of 8.
-    std::int32_t parent = -1;    ///< Front, −1 at a root.
+    std::int32_t offset = 0;    ///< First pivot in the permuted vector.
+    std::int32_t p = 0, q = 0;  ///< Pivot and update scalars.
+    std::int32_t ld = 0;        ///< Column stride of the panel, a multiple of 8.
+    std::int32_t ldu = 0;       ///< Column stride of the update matrix, a multiple of 8.
+    std::int32_t parent = -1;   ///< Front, −1 at a root.
     std::int32_t child_begin = 0, child_end = 0;  ///< Range in Symbolic::children.
     std::int32_t run_begin = 0, run_end = 0;      ///< Range in Symbolic::runs: into the parent.
     std::int32_t node_begin = 0, node_end = 0;    ///< Pivot nodes, as positions in the order.
-    std::int64_t panel = 0;      ///< Offset into the panel array.
-    std::int64_t update = 0;     ///< Offset into the work array.
-    std::int64_t rows = 0;       ///< Offset into Symbolic::rows (q entries) and of the solve's carry.
+    std::int64_t panel = 0;                       ///< Offset into the panel array.
+    std::int64_t update = 0;                      ///< Offset into the work array.
+    std::int64_t rows = 0;  ///< Offset into Symbolic::rows (q entries) and of the solve's carry.
 };
 
 /// `length` update rows from `from` land on rows from `to` of the parent front.
@@ -74,9 +74,9 @@ struct Symbolic {
     std::vector<std::int32_t> children;     ///< Grouped by front, ascending.
     std::vector<std::int32_t> rows;         ///< Permuted scalar index of each update row.
     std::vector<Run> runs;
-    std::vector<std::int8_t> sign;          ///< Expected sign of each permuted pivot.
-    std::vector<TaskRange> tasks;           ///< Parallel part, in postorder.
-    std::vector<std::int32_t> top;          ///< Serial fronts after the tasks, ascending.
+    std::vector<std::int8_t> sign;  ///< Expected sign of each permuted pivot.
+    std::vector<TaskRange> tasks;   ///< Parallel part, in postorder.
+    std::vector<std::int32_t> top;  ///< Serial fronts after the tasks, ascending.
 
     std::int32_t scalars = 0;
     std::int64_t panel_size = 0, work_size = 0;  ///< Doubles.

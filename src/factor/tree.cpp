@@ -89,8 +89,7 @@ Supernodes build_tree(const Pattern& pattern, std::vector<std::int32_t>& order) 
         for (std::size_t k = 0; k < n; ++k) {
             const auto old = static_cast<std::size_t>(post[k]);
             new_order[k] = order[old];
-            new_parent[k] =
-                parent[old] < 0 ? -1 : where[static_cast<std::size_t>(parent[old])];
+            new_parent[k] = parent[old] < 0 ? -1 : where[static_cast<std::size_t>(parent[old])];
         }
         order.swap(new_order);
         parent.swap(new_parent);
@@ -171,7 +170,8 @@ Supernodes build_tree(const Pattern& pattern, std::vector<std::int32_t>& order) 
     for (std::size_t f = 0; f < fronts; ++f) {
         const auto last = static_cast<std::size_t>(b.end[f] - 1);
         sn.begin.push_back(b.end[f]);
-        sn.parent.push_back(parent[last] < 0 ? -1 : front_at[static_cast<std::size_t>(parent[last])]);
+        sn.parent.push_back(parent[last] < 0 ? -1
+                                             : front_at[static_cast<std::size_t>(parent[last])]);
         // The structure of the last pivot covers every pivot's rows behind the front.
         sn.rows.insert(sn.rows.end(), structure.begin() + struct_begin[last],
                        structure.begin() + struct_begin[last + 1]);

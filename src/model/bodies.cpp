@@ -27,8 +27,7 @@ int Bodies::add(const BodyDef& def) {
     q.insert(q.end(), {o.w(), o.x(), o.y(), o.z()});
     r.resize(r.size() + 9);
     refresh_rotation(id);
-    for (int i = 0; i < d; ++i)
-        v.push_back(i < 3 ? def.velocity[i] : def.angular_velocity[i - 3]);
+    for (int i = 0; i < d; ++i) v.push_back(i < 3 ? def.velocity[i] : def.angular_velocity[i - 3]);
     const bool driven_body = def.kind == BodyKind::kinematic;
     append3(v_fixed, driven_body ? def.velocity : Vec3::Zero().eval());
     append3(v_fixed, driven_body ? def.angular_velocity : Vec3::Zero().eval());

@@ -16,11 +16,15 @@ namespace hawser::model {
 /// Degrees of freedom of a kind.
 [[nodiscard]] constexpr int dof_of(BodyKind kind) noexcept {
     switch (kind) {
-        case BodyKind::rigid: return 6;
-        case BodyKind::lump: return 3;
-        case BodyKind::scalar: return 1;
+        case BodyKind::rigid:
+            return 6;
+        case BodyKind::lump:
+            return 3;
+        case BodyKind::scalar:
+            return 1;
         case BodyKind::fixed:
-        case BodyKind::kinematic: break;
+        case BodyKind::kinematic:
+            break;
     }
     return 0;
 }

@@ -112,13 +112,12 @@ void Interactions::refresh(int id) {
 
 std::size_t Interactions::bytes() const noexcept {
     using base::bytes;
-    std::size_t total = bytes(def) + bytes(pool_index) + bytes(body) + bytes(bodies) +
-                        bytes(rows) + bytes(flags) + bytes(row_begin) + bytes(jac_begin) +
-                        bytes(geo) + bytes(active) + bytes(parted) + bytes(inv_length) +
-                        bytes(epsilon) + bytes(tau) +
-                        bytes(upsilon) + bytes(sigma) + bytes(inv_sigma) + bytes(g) + bytes(c) +
-                        bytes(residual) + bytes(lambda) + bytes(force) + bytes(row_flags) +
-                        bytes(jacobian);
+    std::size_t total = bytes(def) + bytes(pool_index) + bytes(body) + bytes(bodies) + bytes(rows) +
+                        bytes(flags) + bytes(row_begin) + bytes(jac_begin) + bytes(geo) +
+                        bytes(active) + bytes(parted) + bytes(inv_length) + bytes(epsilon) +
+                        bytes(tau) + bytes(upsilon) + bytes(sigma) + bytes(inv_sigma) + bytes(g) +
+                        bytes(c) + bytes(residual) + bytes(lambda) + bytes(force) +
+                        bytes(row_flags) + bytes(jacobian);
     for (const Pool& p : pool) total += bytes(p.ids) + bytes(p.data);
     return total;
 }

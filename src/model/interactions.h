@@ -22,8 +22,8 @@ namespace hawser::model {
 /// Interactions of one kind.
 struct Pool {
     std::vector<std::int32_t> ids;
-    std::size_t stride = 0;            ///< Bytes of one Data.
-    base::Array<std::byte> data;       ///< ids.size() Data structs.
+    std::size_t stride = 0;       ///< Bytes of one Data.
+    base::Array<std::byte> data;  ///< ids.size() Data structs.
 };
 
 enum RowFlag : std::uint8_t {
@@ -43,22 +43,22 @@ struct Interactions {
     std::vector<std::int32_t> pool_index;  ///< Of each id in its pool.
 
     // By interaction.
-    std::vector<std::int32_t> body;       ///< kMaxInteractionBodies an id; −1 behind the last.
+    std::vector<std::int32_t> body;  ///< kMaxInteractionBodies an id; −1 behind the last.
     std::vector<std::uint8_t> bodies, rows, flags;
     std::vector<std::int32_t> row_begin, jac_begin;
-    std::vector<std::int32_t> geo;        ///< Index of the geometric-stiffness record, or −1.
-    base::Array<double> active;           ///< 1, or 0: slack, inside its range or parted.
-    std::vector<std::uint8_t> parted;     ///< 1 once a line has parted.
-    base::Array<double> inv_length;       ///< 1/l₀ of wire elements, 0 for all else.
+    std::vector<std::int32_t> geo;     ///< Index of the geometric-stiffness record, or −1.
+    base::Array<double> active;        ///< 1, or 0: slack, inside its range or parted.
+    std::vector<std::uint8_t> parted;  ///< 1 once a line has parted.
+    base::Array<double> inv_length;    ///< 1/l₀ of wire elements, 0 for all else.
 
     // By row.
-    base::Array<double> epsilon, tau;     ///< ε, τ (γ, – for velocity rows).
-    base::Array<double> upsilon;          ///< Υ = 1/(1 + 4τ/h); 0 for velocity rows.
-    base::Array<double> sigma;            ///< Σ = 4ε Υ/h² (γ/h for velocity rows).
-    base::Array<double> inv_sigma;        ///< 1/Σ where condensed, else 0.
-    base::Array<double> g, c, residual;   ///< Violation, right-hand side, c − G v − Σλ.
-    base::Array<double> lambda;           ///< Impulse [N s or N m s].
-    base::Array<double> force;            ///< λ/h of the last step, for readers.
+    base::Array<double> epsilon, tau;    ///< ε, τ (γ, – for velocity rows).
+    base::Array<double> upsilon;         ///< Υ = 1/(1 + 4τ/h); 0 for velocity rows.
+    base::Array<double> sigma;           ///< Σ = 4ε Υ/h² (γ/h for velocity rows).
+    base::Array<double> inv_sigma;       ///< 1/Σ where condensed, else 0.
+    base::Array<double> g, c, residual;  ///< Violation, right-hand side, c − G v − Σλ.
+    base::Array<double> lambda;          ///< Impulse [N s or N m s].
+    base::Array<double> force;           ///< λ/h of the last step, for readers.
     std::vector<std::uint8_t> row_flags;
 
     base::Array<double> jacobian;

@@ -20,14 +20,14 @@ constexpr std::array<KindInfo, kInteractionKindCount> kKinds = {
 /// The table, the enumeration and the structs must tell the same story.
 constexpr bool consistent() {
     bool ok = true;
-#define HAWSER_X(id, text)                                                   \
-    ok = ok && generic::kinds::id::kInfo.kind == InteractionKind::id &&      \
-         std::string_view(generic::kinds::id::kInfo.name) == text &&         \
-         generic::kinds::id::kInfo.bodies == generic::kinds::id::kBodies &&  \
-         generic::kinds::id::kInfo.rows == generic::kinds::id::kRows &&      \
-         generic::kinds::id::kInfo.params.size() <= kMaxInteractionParams && \
-         std::string_view(generic::kinds::id::kInfo.row_units).size() ==     \
-             generic::kinds::id::kRows;
+#define HAWSER_X(id, text)                                                  \
+    ok =                                                                    \
+        ok && generic::kinds::id::kInfo.kind == InteractionKind::id &&      \
+        std::string_view(generic::kinds::id::kInfo.name) == text &&         \
+        generic::kinds::id::kInfo.bodies == generic::kinds::id::kBodies &&  \
+        generic::kinds::id::kInfo.rows == generic::kinds::id::kRows &&      \
+        generic::kinds::id::kInfo.params.size() <= kMaxInteractionParams && \
+        std::string_view(generic::kinds::id::kInfo.row_units).size() == generic::kinds::id::kRows;
     HAWSER_INTERACTION_KINDS(HAWSER_X)
 #undef HAWSER_X
     return ok;

@@ -68,8 +68,10 @@ void Pool::run(int count, Task task, void* context) noexcept {
     ticket_.store(batch, std::memory_order_release);
     drain(0);
     for (int spins = 0; done_.load(std::memory_order_acquire) != count; ++spins) {
-        if (spins < 2'000) relax();
-        else std::this_thread::yield();  // fewer cores than threads
+        if (spins < 2'000)
+            relax();
+        else
+            std::this_thread::yield();  // fewer cores than threads
     }
 }
 

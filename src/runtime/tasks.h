@@ -48,7 +48,7 @@ class Pool final : public base::Executor {
     // One cache line each, so that spinning on one does not slow the other.
     alignas(64) std::atomic<std::uint32_t> awake_{0};  ///< Odd while a step runs.
     alignas(64) std::atomic<std::uint64_t> ticket_{kClosed};
-    alignas(64) std::atomic<std::int32_t> done_{0};    ///< Tasks of this batch that are done.
+    alignas(64) std::atomic<std::int32_t> done_{0};  ///< Tasks of this batch that are done.
     alignas(64) std::atomic<Task> task_{nullptr};
     std::atomic<void*> context_{nullptr};
     std::atomic<std::int32_t> count_{0};

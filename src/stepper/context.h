@@ -53,13 +53,13 @@ struct StepContext {
 
     double time = 0.0;
     std::int64_t step = 0;
-    bool topology_changed = true;   ///< Bodies or interactions were added.
-    bool started = false;           ///< The staggered start has been made.
-    double work = 0.0, drag = 0.0;  ///< Since the start [J].
+    bool topology_changed = true;             ///< Bodies or interactions were added.
+    bool started = false;                     ///< The staggered start has been made.
+    double work = 0.0, drag = 0.0;            ///< Since the start [J].
     double step_work = 0.0, step_drag = 0.0;  ///< Of the step being taken [J].
-    double residual_floor = 0.0;    ///< Denominator floor of the momentum residual.
-    std::vector<assembly::Norms> norms;        ///< One a chunk, merged in order.
-    std::vector<double> active_before;         ///< Of one_sided interactions, for events.
+    double residual_floor = 0.0;              ///< Denominator floor of the momentum residual.
+    std::vector<assembly::Norms> norms;       ///< One a chunk, merged in order.
+    std::vector<double> active_before;        ///< Of one_sided interactions, for events.
 
     /// Chunks of bodies or interactions: coarse tasks of fixed size.
     static constexpr std::int32_t kChunk = 128;

@@ -36,13 +36,13 @@ Energy energy(StepContext& ctx) noexcept {
         }
         for (int k = 0; k < 3; ++k) {
             e.kinetic += 0.5 * m * v[k] * v[k];
-            if (b.weight[i]) e.gravity -= m * ctx.def.gravity[k] * (b.x[3 * i + at(k)] - half * v[k]);
+            if (b.weight[i])
+                e.gravity -= m * ctx.def.gravity[k] * (b.x[3 * i + at(k)] - half * v[k]);
         }
         if (dof == 6) {
             const double* r = &b.r[9 * i];
             double w[3];
-            for (int k = 0; k < 3; ++k)
-                w[k] = r[k] * v[3] + r[3 + k] * v[4] + r[6 + k] * v[5];
+            for (int k = 0; k < 3; ++k) w[k] = r[k] * v[3] + r[3 + k] * v[4] + r[6 + k] * v[5];
             e.kinetic += 0.5 * quadratic(&b.inertia[9 * i], w);
         }
     }

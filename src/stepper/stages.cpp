@@ -95,8 +95,8 @@ View view(StepContext& ctx) noexcept {
 
 void prepare(StepContext& ctx) {
     ctx.system.analyse(ctx.bodies, ctx.interactions, ctx.def, ctx.pool.threads());
-    const auto chunks = StepContext::chunks(ctx.bodies.count()) +
-                        StepContext::chunks(ctx.interactions.count());
+    const auto chunks =
+        StepContext::chunks(ctx.bodies.count()) + StepContext::chunks(ctx.interactions.count());
     ctx.norms.resize(at(chunks));
     ctx.active_before.resize(ctx.system.one_sided.size());
     double mass = 0.0;
@@ -134,9 +134,8 @@ void assemble_rows(StepContext& ctx) noexcept {
         ctx.active_before[i] = ctx.interactions.active[at(ctx.system.one_sided[i])];
     evaluate_rows(ctx);
     const View v = view(ctx);
-    over(ctx, v.body_count, [&](std::int32_t a, std::int32_t b) {
-        assembly::kernels().body_terms(v, a, b);
-    });
+    over(ctx, v.body_count,
+         [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_terms(v, a, b); });
 }
 
 void assemble_blocks(StepContext& ctx) noexcept {
@@ -156,8 +155,7 @@ Status factor_and_solve(StepContext& ctx) noexcept {
     ++ctx.stats.factorisations;
     if (s.numeric.factor(s.symbolic, ctx.pool) > 0) return Status::wrong_pivot;
     const assembly::Kernels& k = assembly::kernels();
-    over(ctx, v.interaction_count,
-         [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b); });
+    over(ctx, v.interaction_count, [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b); });
     std::fill_n(v.v_new, ctx.bodies.dofs, 0.0);
 
     correct(ctx, v);

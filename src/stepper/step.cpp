@@ -46,8 +46,8 @@ Status solve_velocities(StepContext& ctx) noexcept {
         timed(ctx, Stage::assemble, assemble_blocks);
         status = timed(ctx, Stage::factor, factor_and_solve);
         if (status != Status::ok) return status;
-        const bool again = timed(
-            ctx, Stage::nonsmooth, [&](StepContext& c) { return update_active_set(c, pass); });
+        const bool again = timed(ctx, Stage::nonsmooth,
+                                 [&](StepContext& c) { return update_active_set(c, pass); });
         if (!again) return status;
     }
 }
@@ -87,8 +87,10 @@ Status step(StepContext& ctx) noexcept {
     Status status = solve_velocities(ctx);
     ctx.stats.solver_seconds = std::chrono::duration<double>(Clock::now() - solver_begin).count();
     ctx.stats.solver_cpu_seconds = thread_cpu_seconds() - cpu_begin;
-    if (status == Status::ok) timed(ctx, Stage::integrate, integrate);
-    else restore_multipliers(ctx);
+    if (status == Status::ok)
+        timed(ctx, Stage::integrate, integrate);
+    else
+        restore_multipliers(ctx);
 
     ctx.pool.pause();
     ctx.stats.step_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
@@ -104,8 +106,7 @@ Status stagger(StepContext& ctx) noexcept {
         if (status != Status::ok) return status;
     }
     const assembly::View v = view(ctx);
-    for (std::int32_t i = 0; i < ctx.bodies.dofs; ++i)
-        v.v[i] -= 0.5 * (v.v_new[i] - v.v[i]);
+    for (std::int32_t i = 0; i < ctx.bodies.dofs; ++i) v.v[i] -= 0.5 * (v.v_new[i] - v.v[i]);
     return Status::ok;
 }
 

@@ -43,7 +43,8 @@ void check_inertia(const std::string& where, const Mat3& inertia) {
     const Vec3 e = solver.eigenvalues();
     if (!(e[0] > 1e-12 * e[2]) || !(e[0] > 0.0))
         refuse(where, "inertia is not positive definite (smallest principal moment " +
-                          std::to_string(e[0]) + " kg m²); a rigid body needs three positive "
+                          std::to_string(e[0]) +
+                          " kg m²); a rigid body needs three positive "
                           "moments, a point mass is a lump");
     if (e[0] + e[1] < e[2] * (1.0 - 1e-6))
         refuse(where, "inertia breaks the triangle inequality: no body has such moments");
@@ -84,8 +85,8 @@ void check(const BodyDef& def) {
     finite(where, "angular_damping", def.angular_damping);
     if (def.linear_damping.minCoeff() < 0.0) refuse(where, "linear_damping is negative");
     if (def.angular_damping.minCoeff() < 0.0) refuse(where, "angular_damping is negative");
-    const bool moves = def.kind == BodyKind::rigid || def.kind == BodyKind::lump ||
-                       def.kind == BodyKind::scalar;
+    const bool moves =
+        def.kind == BodyKind::rigid || def.kind == BodyKind::lump || def.kind == BodyKind::scalar;
     if (!moves) return;
     finite(where, "mass", def.mass, kMaxMass);
     if (!(def.mass > 0.0))
@@ -114,8 +115,10 @@ void check(const InteractionDef& def, const model::Bodies& bodies) {
         const BodyKind kind = bodies.kind[static_cast<std::size_t>(index)];
         const bool scalar = kind == BodyKind::scalar;
         if (scalar != (b == info.scalar_slot))
-            refuse(where, which + (scalar ? " is a scalar body, which a " : " must be a scalar body "
-                                                                            "(drum, spool) for a ") +
+            refuse(where, which +
+                              (scalar ? " is a scalar body, which a "
+                                      : " must be a scalar body "
+                                        "(drum, spool) for a ") +
                               info.name + (scalar ? " does not take there" : ""));
         if (info.uses_frames && kind == BodyKind::lump)
             refuse(where, which + " is a lump, which has no orientation; a " + info.name +
@@ -144,8 +147,8 @@ void check_params(const InteractionDef& def) {
         const ParamInfo& p = info.params[i];
         const double value = def.params[i];
         if (std::isnan(value))
-            refuse(where, std::string("parameter '") + p.name + "' [" + p.unit +
-                              "] of a " + info.name + " must be given");
+            refuse(where, std::string("parameter '") + p.name + "' [" + p.unit + "] of a " +
+                              info.name + " must be given");
         if (!(value >= p.min && value <= p.max))
             refuse(where, std::string("parameter '") + p.name + "' = " + std::to_string(value) +
                               " " + p.unit + " is outside " + std::to_string(p.min) + " … " +

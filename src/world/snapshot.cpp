@@ -84,8 +84,9 @@ void World::restore(std::span<const std::byte> bytes) {
     if (std::memcmp(header.magic, expected.magic, sizeof header.magic) != 0)
         throw DefError("snapshot: not a Hawser snapshot of this version");
     if (header.layout != layout_of(m.ctx, m.inputs.size()))
-        throw DefError("snapshot: it belongs to a world with other bodies, interactions, inputs "
-                       "or another step");
+        throw DefError(
+            "snapshot: it belongs to a world with other bodies, interactions, inputs "
+            "or another step");
     visit_state(m.ctx, m.input_values, [&](const void*, std::size_t n) { size += n; });
     if (header.bytes != size || bytes.size() != sizeof header + size + sizeof sum ||
         sum != base::fnv1a(bytes.data(), bytes.size() - sizeof sum))

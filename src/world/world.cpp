@@ -243,9 +243,9 @@ std::array<double, kMaxInteractionRows> World::violation(InteractionId id) const
     const model::Interactions& in = ctx.interactions;
     const model::Pool& pool = in.pool[static_cast<std::size_t>(in.def[i].kind)];
     const double was_active = in.active[i];
-    assembly::kernels().evaluate(
-        ctx.system.view(ctx.bodies, ctx.interactions, ctx.def), in.def[i].kind, pool.ids.data(),
-        pool.data.data(), in.pool_index[i], in.pool_index[i] + 1);
+    assembly::kernels().evaluate(ctx.system.view(ctx.bodies, ctx.interactions, ctx.def),
+                                 in.def[i].kind, pool.ids.data(), pool.data.data(),
+                                 in.pool_index[i], in.pool_index[i] + 1);
     ctx.interactions.active[i] = was_active;
     std::array<double, kMaxInteractionRows> g{};
     for (std::size_t r = 0; r < in.rows[i]; ++r) g[r] = in.g[at(in.row_begin[i]) + r];
@@ -253,8 +253,8 @@ std::array<double, kMaxInteractionRows> World::violation(InteractionId id) const
 }
 
 bool World::intact(InteractionId id) const {
-    return impl_->ctx.interactions
-               .parted[index_of(id.index, interaction_count(), "interaction")] == 0;
+    return impl_->ctx.interactions.parted[index_of(id.index, interaction_count(), "interaction")] ==
+           0;
 }
 
 SystemView World::inspect() const {
@@ -294,17 +294,21 @@ std::size_t World::memory_bytes() const noexcept {
 
 const char* to_string(Status status) noexcept {
     switch (status) {
-        case Status::ok: return "ok";
-        case Status::wrong_pivot: return "wrong_pivot";
-        case Status::not_finite: return "not_finite";
-        case Status::out_of_memory: return "out_of_memory";
+        case Status::ok:
+            return "ok";
+        case Status::wrong_pivot:
+            return "wrong_pivot";
+        case Status::not_finite:
+            return "not_finite";
+        case Status::out_of_memory:
+            return "out_of_memory";
     }
     return "?";
 }
 
 const char* to_string(Stage stage) noexcept {
-    constexpr const char* kNames[kStageCount] = {"prestep", "collide", "graph",     "analyse",
-                                                 "assemble", "factor", "nonsmooth", "integrate"};
+    constexpr const char* kNames[kStageCount] = {"prestep",  "collide", "graph",     "analyse",
+                                                 "assemble", "factor",  "nonsmooth", "integrate"};
     return kNames[static_cast<std::size_t>(stage)];
 }
 

@@ -52,16 +52,35 @@ void condense(const View& view, const Op& op, double* out) {
     for (int r = 0; r < rows; ++r)
         w[r] = view.active[op.id] * view.inv_sigma[view.row_begin[op.id] + r];
     switch (8 * s.dof[op.a] + s.dof[op.b]) {
-        case 8 * 3 + 3: outer<3, 3>(ja, jb, s.width, w, rows, out, op.ld); break;
-        case 8 * 6 + 6: outer<6, 6>(ja, jb, s.width, w, rows, out, op.ld); break;
-        case 8 * 3 + 6: outer<3, 6>(ja, jb, s.width, w, rows, out, op.ld); break;
-        case 8 * 6 + 3: outer<6, 3>(ja, jb, s.width, w, rows, out, op.ld); break;
-        case 8 * 1 + 1: outer<1, 1>(ja, jb, s.width, w, rows, out, op.ld); break;
-        case 8 * 1 + 3: outer<1, 3>(ja, jb, s.width, w, rows, out, op.ld); break;
-        case 8 * 3 + 1: outer<3, 1>(ja, jb, s.width, w, rows, out, op.ld); break;
-        case 8 * 1 + 6: outer<1, 6>(ja, jb, s.width, w, rows, out, op.ld); break;
-        case 8 * 6 + 1: outer<6, 1>(ja, jb, s.width, w, rows, out, op.ld); break;
-        default: break;
+        case 8 * 3 + 3:
+            outer<3, 3>(ja, jb, s.width, w, rows, out, op.ld);
+            break;
+        case 8 * 6 + 6:
+            outer<6, 6>(ja, jb, s.width, w, rows, out, op.ld);
+            break;
+        case 8 * 3 + 6:
+            outer<3, 6>(ja, jb, s.width, w, rows, out, op.ld);
+            break;
+        case 8 * 6 + 3:
+            outer<6, 3>(ja, jb, s.width, w, rows, out, op.ld);
+            break;
+        case 8 * 1 + 1:
+            outer<1, 1>(ja, jb, s.width, w, rows, out, op.ld);
+            break;
+        case 8 * 1 + 3:
+            outer<1, 3>(ja, jb, s.width, w, rows, out, op.ld);
+            break;
+        case 8 * 3 + 1:
+            outer<3, 1>(ja, jb, s.width, w, rows, out, op.ld);
+            break;
+        case 8 * 1 + 6:
+            outer<1, 6>(ja, jb, s.width, w, rows, out, op.ld);
+            break;
+        case 8 * 6 + 1:
+            outer<6, 1>(ja, jb, s.width, w, rows, out, op.ld);
+            break;
+        default:
+            break;
     }
 }
 
@@ -118,16 +137,14 @@ void body_block(const View& view, const Op& op, double* out) {
         return;
     }
     add_matrix(out, op.ld, full6(block), 1.0);
-    if (dof == 6)
-        add_matrix(out + 3 * static_cast<long>(op.ld) + 3, op.ld, full6(block + 6), 1.0);
+    if (dof == 6) add_matrix(out + 3 * static_cast<long>(op.ld) + 3, op.ld, full6(block + 6), 1.0);
 }
 
 void kept(const View& view, const Op& op, double* out) {
     const std::int32_t row = view.row_begin[op.id];
     const int rows = view.rows[op.id];
     if (op.kind == Op::kept_sigma) {
-        for (int r = 0; r < rows; ++r)
-            out[r * static_cast<long>(op.ld) + r] -= view.sigma[row + r];
+        for (int r = 0; r < rows; ++r) out[r * static_cast<long>(op.ld) + r] -= view.sigma[row + r];
         return;
     }
     const Slots s = slots(view, op.id);
@@ -149,10 +166,18 @@ void gather_blocks(const View& view, const Op* ops, std::int64_t begin, std::int
         const Op& op = ops[k];
         double* out = panel + op.address;
         switch (op.kind) {
-            case Op::condensed: condense(view, op, out); break;
-            case Op::geometric: geometric(view, op, out); break;
-            case Op::body_block: body_block(view, op, out); break;
-            default: kept(view, op, out); break;
+            case Op::condensed:
+                condense(view, op, out);
+                break;
+            case Op::geometric:
+                geometric(view, op, out);
+                break;
+            case Op::body_block:
+                body_block(view, op, out);
+                break;
+            default:
+                kept(view, op, out);
+                break;
         }
     }
 }

@@ -63,8 +63,7 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         BodyRef refs[B];
         for (int b = 0; b < B; ++b) {
             const std::int32_t i = body[b];
-            refs[b] = {load3(view.x + 3 * i), view.r + 9 * i,
-                       view.dof[i] == 6 || view.dof[i] == 0};
+            refs[b] = {load3(view.x + 3 * i), view.r + 9 * i, view.dof[i] == 6 || view.dof[i] == 0};
         }
         Rows<B, R> rows;
         K::evaluate(data[k], refs, rows);
@@ -93,9 +92,12 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
                         speed[r] += value * v[j];
                     }
             };
-            if (dof == 6) pack.template operator()<6>();
-            else if (dof == 3) pack.template operator()<3>();
-            else pack.template operator()<1>();
+            if (dof == 6)
+                pack.template operator()<6>();
+            else if (dof == 3)
+                pack.template operator()<3>();
+            else
+                pack.template operator()<1>();
             at += dof;
         }
         const std::int32_t row = view.row_begin[id];
@@ -112,8 +114,7 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         }
         if (view.flags[id] & 2) view.active[id] = rows.g[0] != 0.0 ? 1.0 : 0.0;  // range
         if (view.parted[id]) view.active[id] = 0.0;
-        if constexpr (K::kGeometry != Geometry::none)
-            geometry<K>(view, data[k], refs, id, rows);
+        if constexpr (K::kGeometry != Geometry::none) geometry<K>(view, data[k], refs, id, rows);
     }
 }
 
@@ -129,8 +130,7 @@ void kept_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept {
         const std::int32_t offset = view.interaction_offset[id];
         if (offset < 0) continue;
         const std::int32_t row = view.row_begin[id];
-        for (int r = 0; r < view.rows[id]; ++r)
-            view.solution[offset + r] = view.residual[row + r];
+        for (int r = 0; r < view.rows[id]; ++r) view.solution[offset + r] = view.residual[row + r];
     }
 }
 
@@ -159,8 +159,10 @@ void row_update(const View& view, std::int32_t begin, std::int32_t end) noexcept
         }
         for (int r = 0; r < R; ++r) {
             double& lambda = view.lambda[row + r];
-            if (offset >= 0) lambda -= view.solution[offset + r];
-            else lambda += on * view.inv_sigma[row + r] * (view.residual[row + r] - delta[r]);
+            if (offset >= 0)
+                lambda -= view.solution[offset + r];
+            else
+                lambda += on * view.inv_sigma[row + r] * (view.residual[row + r] - delta[r]);
             view.residual[row + r] =
                 on * (view.c[row + r] - total[r]) - view.sigma[row + r] * lambda;
         }

@@ -12,6 +12,9 @@
 
 #include <cstring>
 
+// The vectors below never cross a function boundary that is not inlined.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 namespace hawser::HAWSER_ISA {
 namespace {
 
@@ -52,7 +55,8 @@ inline int factor_columns(double* panel, int ld, int k0, int k1, double* w, doub
         for (int j = k + 1; j < k1; ++j) {
             double* cj = panel + static_cast<long>(j) * ld;
             const double wj = wk[j];
-            for (int i = j & ~7; i < ld; i += 8) store(cj + i, load(cj + i) - wj * load(column + i));
+            for (int i = j & ~7; i < ld; i += 8)
+                store(cj + i, load(cj + i) - wj * load(column + i));
         }
     }
     return wrong;
@@ -92,9 +96,10 @@ inline void extend_add(const FactorView& view, const Front& child, const Front& 
         for (int c = 0; c < run->length; ++c) {
             const double* source = u + static_cast<long>(run->from + c) * child.ldu;
             const int column = run->to + c;
-            double* target = column < front.p
-                                 ? panel + static_cast<long>(column) * front.ld
-                                 : update + static_cast<long>(column - front.p) * front.ldu - front.p;
+            double* target =
+                column < front.p
+                    ? panel + static_cast<long>(column) * front.ld
+                    : update + static_cast<long>(column - front.p) * front.ldu - front.p;
             for (int i = c; i < run->length; ++i) target[run->to + i] += source[run->from + i];
             for (const Run* r = run + 1; r != end; ++r)
                 for (int i = 0; i < r->length; ++i) target[r->to + i] += source[r->from + i];
@@ -109,8 +114,9 @@ int factor_fronts(const FactorView& view, std::int32_t begin, std::int32_t end,
         const Front& front = view.fronts[f];
         double* panel = view.panel + front.panel;
         double* update = view.work + front.update;
-        std::memset(update, 0, sizeof(double) * static_cast<unsigned long>(front.ldu) *
-                                   static_cast<unsigned long>(front.q));
+        std::memset(update, 0,
+                    sizeof(double) * static_cast<unsigned long>(front.ldu) *
+                        static_cast<unsigned long>(front.q));
         for (std::int32_t c = front.child_begin; c < front.child_end; ++c)
             extend_add(view, view.fronts[view.children[c]], front, panel, update);
         for (int k0 = 0; k0 < front.p; k0 += kBlock) {

@@ -13,8 +13,10 @@ namespace hawser::HAWSER_ISA {
 template <class F>
 inline void with_kind(InteractionKind kind, F&& f) {
     switch (kind) {
-#define HAWSER_X(id, name) \
-    case InteractionKind::id: f.template operator()<kinds::id>(); break;
+#define HAWSER_X(id, name)                  \
+    case InteractionKind::id:               \
+        f.template operator()<kinds::id>(); \
+        break;
         HAWSER_INTERACTION_KINDS(HAWSER_X)
 #undef HAWSER_X
     }

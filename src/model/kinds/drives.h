@@ -21,11 +21,17 @@ struct Hydrostatic {
     static constexpr int kBodies = 1, kRows = 3;
     static constexpr Geometry kGeometry = Geometry::none;
     static constexpr KindInfo kInfo{
-        .kind = InteractionKind::Hydrostatic, .name = "hydrostatic", .bodies = 1, .rows = 3,
-        .uses_points = false, .uses_frames = false, .row_units = "mrr",
+        .kind = InteractionKind::Hydrostatic,
+        .name = "hydrostatic",
+        .bodies = 1,
+        .rows = 3,
+        .uses_points = false,
+        .uses_frames = false,
+        .row_units = "mrr",
         .params = kHydrostaticParams,
-        .doc = "Linear hydrostatic restoring and damping of one floating body in heave, roll "
-               "and pitch; pair with gravity off, or with the weight in rest_height."};
+        .doc =
+            "Linear hydrostatic restoring and damping of one floating body in heave, roll "
+            "and pitch; pair with gravity off, or with the weight in rest_height."};
     struct Data {
         double rest;
     };
@@ -58,18 +64,23 @@ struct TargetData {
     double target;
 };
 
-inline constexpr ParamInfo kHoldParams[] = {
-    {"target", "m or rad", kDefault, -1e9, 1e9, "Coordinate held; default: the initial one.",
-     true}};
+inline constexpr ParamInfo kHoldParams[] = {{"target", "m or rad", kDefault, -1e9, 1e9,
+                                             "Coordinate held; default: the initial one.", true}};
 
 /// Holds a scalar body at a coordinate: a brake that does not slip.
 struct Hold {
     static constexpr int kBodies = 1, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::none;
-    static constexpr KindInfo kInfo{
-        .kind = InteractionKind::Hold, .name = "hold", .bodies = 1, .rows = 1,
-        .uses_points = false, .uses_frames = false, .row_units = "m", .scalar_slot = 0, .params = kHoldParams,
-        .doc = "Holds a scalar body (drum, spool) at a coordinate."};
+    static constexpr KindInfo kInfo{.kind = InteractionKind::Hold,
+                                    .name = "hold",
+                                    .bodies = 1,
+                                    .rows = 1,
+                                    .uses_points = false,
+                                    .uses_frames = false,
+                                    .row_units = "m",
+                                    .scalar_slot = 0,
+                                    .params = kHoldParams,
+                                    .doc = "Holds a scalar body (drum, spool) at a coordinate."};
     using Data = TargetData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         constraint_rows(d, h, 0, 1, false, s);
@@ -109,8 +120,14 @@ struct HingeMotor {
     static constexpr int kBodies = 2, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::none;
     static constexpr KindInfo kInfo{
-        .kind = InteractionKind::HingeMotor, .name = "hinge_motor", .bodies = 2, .rows = 1,
-        .uses_points = false, .uses_frames = true, .row_units = "v", .params = kMotorParams,
+        .kind = InteractionKind::HingeMotor,
+        .name = "hinge_motor",
+        .bodies = 2,
+        .rows = 1,
+        .uses_points = false,
+        .uses_frames = true,
+        .row_units = "v",
+        .params = kMotorParams,
         .doc = "Turns body 1 against body 0 about z of frame 0 at a speed."};
     using Data = MotorData;
     static void defaults(const InteractionDef& d, double, RowSpec* s) { motor_rows(d, s); }
@@ -129,10 +146,15 @@ struct HingeMotor {
 struct SlideMotor {
     static constexpr int kBodies = 2, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::none;
-    static constexpr KindInfo kInfo{
-        .kind = InteractionKind::SlideMotor, .name = "slide_motor", .bodies = 2, .rows = 1,
-        .uses_points = true, .uses_frames = true, .row_units = "v", .params = kMotorParams,
-        .doc = "Moves body 1 along z of frame 0 at a speed."};
+    static constexpr KindInfo kInfo{.kind = InteractionKind::SlideMotor,
+                                    .name = "slide_motor",
+                                    .bodies = 2,
+                                    .rows = 1,
+                                    .uses_points = true,
+                                    .uses_frames = true,
+                                    .row_units = "v",
+                                    .params = kMotorParams,
+                                    .doc = "Moves body 1 along z of frame 0 at a speed."};
     using Data = MotorData;
     static void defaults(const InteractionDef& d, double, RowSpec* s) { motor_rows(d, s); }
     static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
@@ -149,10 +171,16 @@ struct SlideMotor {
 struct ScalarMotor {
     static constexpr int kBodies = 1, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::none;
-    static constexpr KindInfo kInfo{
-        .kind = InteractionKind::ScalarMotor, .name = "scalar_motor", .bodies = 1, .rows = 1,
-        .uses_points = false, .uses_frames = false, .row_units = "v", .scalar_slot = 0, .params = kMotorParams,
-        .doc = "Turns a scalar body (drum) at a speed."};
+    static constexpr KindInfo kInfo{.kind = InteractionKind::ScalarMotor,
+                                    .name = "scalar_motor",
+                                    .bodies = 1,
+                                    .rows = 1,
+                                    .uses_points = false,
+                                    .uses_frames = false,
+                                    .row_units = "v",
+                                    .scalar_slot = 0,
+                                    .params = kMotorParams,
+                                    .doc = "Turns a scalar body (drum) at a speed."};
     using Data = TargetData;
     static void defaults(const InteractionDef& d, double, RowSpec* s) { motor_rows(d, s); }
     static void evaluate(const Data& d, const BodyRef*, Rows<1, 1>& out) {
@@ -192,8 +220,14 @@ struct HingeRange {
     static constexpr int kBodies = 2, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::none;
     static constexpr KindInfo kInfo{
-        .kind = InteractionKind::HingeRange, .name = "hinge_range", .bodies = 2, .rows = 1,
-        .uses_points = false, .uses_frames = true, .row_units = "r", .params = kRangeParams,
+        .kind = InteractionKind::HingeRange,
+        .name = "hinge_range",
+        .bodies = 2,
+        .rows = 1,
+        .uses_points = false,
+        .uses_frames = true,
+        .row_units = "r",
+        .params = kRangeParams,
         .doc = "Range of the angle of frame 1 against frame 0 about z."};
     using Data = RangeData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { range_rows(d, h, s); }
@@ -212,10 +246,15 @@ struct HingeRange {
 struct SlideRange {
     static constexpr int kBodies = 2, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::none;
-    static constexpr KindInfo kInfo{
-        .kind = InteractionKind::SlideRange, .name = "slide_range", .bodies = 2, .rows = 1,
-        .uses_points = true, .uses_frames = true, .row_units = "m", .params = kRangeParams,
-        .doc = "Range of the travel of body 1 along z of frame 0."};
+    static constexpr KindInfo kInfo{.kind = InteractionKind::SlideRange,
+                                    .name = "slide_range",
+                                    .bodies = 2,
+                                    .rows = 1,
+                                    .uses_points = true,
+                                    .uses_frames = true,
+                                    .row_units = "m",
+                                    .params = kRangeParams,
+                                    .doc = "Range of the travel of body 1 along z of frame 0."};
     using Data = RangeData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { range_rows(d, h, s); }
     static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {

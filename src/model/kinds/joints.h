@@ -13,8 +13,13 @@ struct Ball {
     static constexpr int kBodies = 2, kRows = 3;
     static constexpr Geometry kGeometry = Geometry::joint;
     static constexpr KindInfo kInfo{
-        .kind = InteractionKind::Ball, .name = "ball", .bodies = 2, .rows = 3,
-        .uses_points = true, .uses_frames = false, .row_units = "mmm",
+        .kind = InteractionKind::Ball,
+        .name = "ball",
+        .bodies = 2,
+        .rows = 3,
+        .uses_points = true,
+        .uses_frames = false,
+        .row_units = "mmm",
         .doc = "Ball joint: a point of one body stays on a point of the other."};
     struct Data {
         double point[2][3];
@@ -48,8 +53,13 @@ struct Hinge : JointKind {
     static constexpr int kBodies = 2, kRows = 5;
     static constexpr Geometry kGeometry = Geometry::joint;
     static constexpr KindInfo kInfo{
-        .kind = InteractionKind::Hinge, .name = "hinge", .bodies = 2, .rows = 5,
-        .uses_points = true, .uses_frames = true, .row_units = "mmmrr",
+        .kind = InteractionKind::Hinge,
+        .name = "hinge",
+        .bodies = 2,
+        .rows = 5,
+        .uses_points = true,
+        .uses_frames = true,
+        .row_units = "mmmrr",
         .doc = "Hinge: the bodies share a point and turn about the frames' z axis."};
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         constraint_rows(d, h, 0, 3, true, s);
@@ -68,8 +78,13 @@ struct Prismatic : JointKind {
     static constexpr int kBodies = 2, kRows = 5;
     static constexpr Geometry kGeometry = Geometry::none;
     static constexpr KindInfo kInfo{
-        .kind = InteractionKind::Prismatic, .name = "prismatic", .bodies = 2, .rows = 5,
-        .uses_points = true, .uses_frames = true, .row_units = "mmrrr",
+        .kind = InteractionKind::Prismatic,
+        .name = "prismatic",
+        .bodies = 2,
+        .rows = 5,
+        .uses_points = true,
+        .uses_frames = true,
+        .row_units = "mmrrr",
         .doc = "Slider: body 1 moves along z of frame 0 and does not turn against body 0."};
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         constraint_rows(d, h, 0, 2, true, s);
@@ -91,10 +106,14 @@ struct Prismatic : JointKind {
 struct Cylindrical : JointKind {
     static constexpr int kBodies = 2, kRows = 4;
     static constexpr Geometry kGeometry = Geometry::none;
-    static constexpr KindInfo kInfo{
-        .kind = InteractionKind::Cylindrical, .name = "cylindrical", .bodies = 2, .rows = 4,
-        .uses_points = true, .uses_frames = true, .row_units = "mmrr",
-        .doc = "Body 1 slides along and turns about z of frame 0."};
+    static constexpr KindInfo kInfo{.kind = InteractionKind::Cylindrical,
+                                    .name = "cylindrical",
+                                    .bodies = 2,
+                                    .rows = 4,
+                                    .uses_points = true,
+                                    .uses_frames = true,
+                                    .row_units = "mmrr",
+                                    .doc = "Body 1 slides along and turns about z of frame 0."};
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         constraint_rows(d, h, 0, 2, true, s);
         constraint_rows(d, h, 2, 2, false, s);
@@ -115,8 +134,13 @@ struct Universal : JointKind {
     static constexpr int kBodies = 2, kRows = 4;
     static constexpr Geometry kGeometry = Geometry::joint;
     static constexpr KindInfo kInfo{
-        .kind = InteractionKind::Universal, .name = "universal", .bodies = 2, .rows = 4,
-        .uses_points = true, .uses_frames = true, .row_units = "mmmr",
+        .kind = InteractionKind::Universal,
+        .name = "universal",
+        .bodies = 2,
+        .rows = 4,
+        .uses_points = true,
+        .uses_frames = true,
+        .row_units = "mmmr",
         .doc = "Cardan joint: a shared point, and z of frame 0 stays square to z of frame 1."};
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         constraint_rows(d, h, 0, 3, true, s);
@@ -133,8 +157,13 @@ struct Lock : JointKind {
     static constexpr int kBodies = 2, kRows = 6;
     static constexpr Geometry kGeometry = Geometry::joint;
     static constexpr KindInfo kInfo{
-        .kind = InteractionKind::Lock, .name = "lock", .bodies = 2, .rows = 6,
-        .uses_points = true, .uses_frames = true, .row_units = "mmmrrr",
+        .kind = InteractionKind::Lock,
+        .name = "lock",
+        .bodies = 2,
+        .rows = 6,
+        .uses_points = true,
+        .uses_frames = true,
+        .row_units = "mmmrrr",
         .doc = "Welds two bodies together: the points and the frames coincide."};
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         constraint_rows(d, h, 0, 3, true, s);

@@ -51,11 +51,18 @@ struct Distance {
     static constexpr int kBodies = 2, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::line;
     static constexpr KindInfo kInfo{
-        .kind = InteractionKind::Distance, .name = "distance", .bodies = 2, .rows = 1,
-        .uses_points = true, .uses_frames = false, .row_units = "m", .length_from_pose = true,
+        .kind = InteractionKind::Distance,
+        .name = "distance",
+        .bodies = 2,
+        .rows = 1,
+        .uses_points = true,
+        .uses_frames = false,
+        .row_units = "m",
+        .length_from_pose = true,
         .params = kDistanceParams,
-        .doc = "Keeps two points at a distance: a massless rod, or a spring of compliance "
-               "1/k when given one."};
+        .doc =
+            "Keeps two points at a distance: a massless rod, or a spring of compliance "
+            "1/k when given one."};
     using Data = PointData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         constraint_rows(d, h, 0, 1, true, s);
@@ -88,8 +95,14 @@ struct Stretch {
     static constexpr int kBodies = 2, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::line;
     static constexpr KindInfo kInfo{
-        .kind = InteractionKind::Stretch, .name = "stretch", .bodies = 2, .rows = 1,
-        .uses_points = true, .uses_frames = false, .row_units = "m", .length_from_pose = true,
+        .kind = InteractionKind::Stretch,
+        .name = "stretch",
+        .bodies = 2,
+        .rows = 1,
+        .uses_points = true,
+        .uses_frames = false,
+        .row_units = "m",
+        .length_from_pose = true,
         .params = kStretchParams,
         .doc = "Axial stiffness of a wire element, compliance length/EA."};
     using Data = PointData;
@@ -115,11 +128,19 @@ struct WinchStretch {
     static constexpr int kBodies = 3, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::line;
     static constexpr KindInfo kInfo{
-        .kind = InteractionKind::WinchStretch, .name = "winch_stretch", .bodies = 3, .rows = 1,
-        .uses_points = true, .uses_frames = false, .row_units = "m", .scalar_slot = 2, .length_from_pose = true,
+        .kind = InteractionKind::WinchStretch,
+        .name = "winch_stretch",
+        .bodies = 3,
+        .rows = 1,
+        .uses_points = true,
+        .uses_frames = false,
+        .row_units = "m",
+        .scalar_slot = 2,
+        .length_from_pose = true,
         .params = kWinchStretchParams,
-        .doc = "Wire element from a fairlead whose rest length grows with the coordinate of a "
-               "scalar drum (third body)."};
+        .doc =
+            "Wire element from a fairlead whose rest length grows with the coordinate of a "
+            "scalar drum (third body)."};
     using Data = PointData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { stretch_rows(d, h, s); }
     static void evaluate(const Data& d, const BodyRef* b, Rows<3, 1>& out) {
@@ -140,15 +161,22 @@ struct Bend {
     static constexpr int kBodies = 3, kRows = 2;
     static constexpr Geometry kGeometry = Geometry::none;
     static constexpr KindInfo kInfo{
-        .kind = InteractionKind::Bend, .name = "bend", .bodies = 3, .rows = 2,
-        .uses_points = true, .uses_frames = false, .row_units = "rr", .params = kBendParams,
+        .kind = InteractionKind::Bend,
+        .name = "bend",
+        .bodies = 3,
+        .rows = 2,
+        .uses_points = true,
+        .uses_frames = false,
+        .row_units = "rr",
+        .params = kBendParams,
         .doc = "Bending stiffness of a line at the middle one of three nodes in order."};
     struct Data {
         double point[3][3];
     };
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         for (int r = 0; r < 2; ++r) {
-            s[r].compliance = given(d.compliance.data()[r], d.params.data()[1] / d.params.data()[0]);
+            s[r].compliance =
+                given(d.compliance.data()[r], d.params.data()[1] / d.params.data()[0]);
             s[r].damping_time = given(d.damping_time.data()[r], 2.0 * h);
         }
     }
@@ -193,8 +221,14 @@ struct Twist {
     static constexpr int kBodies = 2, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::none;
     static constexpr KindInfo kInfo{
-        .kind = InteractionKind::Twist, .name = "twist", .bodies = 2, .rows = 1,
-        .uses_points = false, .uses_frames = true, .row_units = "r", .params = kTwistParams,
+        .kind = InteractionKind::Twist,
+        .name = "twist",
+        .bodies = 2,
+        .rows = 1,
+        .uses_points = false,
+        .uses_frames = true,
+        .row_units = "r",
+        .params = kTwistParams,
         .doc = "Torsional stiffness GJ/length about the common z axis of the two frames."};
     using Data = JointData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
