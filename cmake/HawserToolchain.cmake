@@ -51,8 +51,11 @@ option(HAWSER_WERROR "Treat warnings as errors" ${PROJECT_IS_TOP_LEVEL})
 # Floating point: no -ffast-math, no -march=native. Fused multiply-add is allowed where the
 # instruction set has it (-ffp-contract=fast); results therefore depend on the dispatched
 # instruction set, which is part of the state hash.
+#
+# g++ 12 warns falsely about overlapping copies inside std::string (GCC bug 105651).
 function(hawser_settings target)
     target_compile_options(${target} PRIVATE
         -Wall -Wextra -Wpedantic -Wshadow $<$<BOOL:${HAWSER_WERROR}>:-Werror>
+        $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
         -ffp-contract=fast -fno-math-errno)
 endfunction()
