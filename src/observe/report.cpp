@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "observe/axes.h"
+#include "observe/host.h"
+#include "observe/summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace hawser::observe {
+
+namespace {
+
+using Out = std::back_insert_iterator<std::string>;
+
+void times(Out out, const Summary& s) {
+    const double simulated = s.last.time - s.start_time;
+    fmt::format_to(out, "  simulated    {:.6g} s in {} steps of {:.6g} ms", simulated, s.steps,
+                   1e3 * s.step);
+    if (s.wall_seconds > 0.0)
+        fmt::format_to(out, ", {:.3g} s of wall time: {:.3g} x real time", s.wall_seconds,
+                       simulated / s.wall_seconds);
+    fmt::format_to(out, "\n");
+    if (s.timed_steps > 0) {
+        fmt::format_to(out, "  step         median {:.4g} ms, p99 {:.4g} ms, max {:.4g} ms",
+                       s.step_ms.median, s.step_ms.p99, s.step_ms.max);
+        fmt::format_to(out, "  (solver {:.4g} ms; first {} steps left out)\n",
+                       s.solver_ms.median, kWarmUpSteps);
+        fmt::format_to(out, "  stages [ms] ");
+        for (std::size_t k = 0; k < s.stage_ms.size(); ++k)
+            if (s.stage_ms[k] > 0.0)
+                fmt::format_to(out, " {} {:.3g}", to_string(static_cast<Stage>(k)),
+                               s.stage_ms[k]);
+        fmt::format_to(out, "\n");
+    } else {
+        fmt::format_to(out, "  step         not timed: the run has no more than {} steps\n",
+                       kWarmUpSteps);
+    }
+    if (s.missed_frames >= 0)
+        fmt::format_to(out, "  real time    {} of {} frames late, at most {:.3g} ms\n",
+                       s.missed_frames, s.steps, 1e3 * s.lateness_max);
+}
+
+void quality(Out out, const Summary& s) {
+    fmt::format_to(out, "  residuals    momentum {:.2e} (median {:.2e}), constraint {:.2e}\n",
+                   s.momentum_residual_max, s.momentum_residual_median,
+                   s.constraint_residual_max);
+    fmt::format_to(out, "  violation    {} at {} ({:.4g} s); cables off their law by {:.2e}\n",
+                   with_unit(s.violation_max, "m"), s.violation_where, s.violation_time,
+                   s.stretch_error_max);
+    const double drift = s.energy_drift();
+    fmt::format_to(
+        out, "  energy       {} -> {}, applied {}, drag took {}, unexplained {}",
+        with_unit(s.energy_start.mechanical(), "J"), with_unit(s.energy_end.mechanical(), "J"),
+        with_unit(s.energy_end.applied - s.energy_start.applied, "J"),
+        with_unit(s.energy_end.dissipated - s.energy_start.dissipated, "J"),
+        with_unit(drift, "J"));
+    if (s.energy_scale > 0.0)
+        fmt::format_to(out, " ({:.2g} % of what was exchanged)", 100.0 * drift / s.energy_scale);
+    fmt::format_to(out, "\n");
+}
+
+void cables(Out out, const Summary& s) {
+    if (s.cables.empty())
+        return;
+    constexpr std::size_t kShown = 20;
+    std::size_t width = 5;
+    for (const CableFigures& c : s.cables)
+        width = std::max(width, c.name.size());
+    fmt::format_to(out, "\n  {:<{}}  {:>10}  {:>10}  {:>10}  {:>10}\n", "cable", width, "min",
+                   "mean", "max", "of break");
+    for (std::size_t i = 0; i < std::min(kShown, s.cables.size()); ++i) {
+        const CableFigures& c = s.cables[i];
+        fmt::format_to(out, "  {:<{}}  {:>10}  {:>10}  {:>10}  {:>10}\n", c.name, width,
+                       with_unit(c.min, "N"), with_unit(c.mean, "N"), with_unit(c.max, "N"),
+                       c.breaking_load > 0.0
+                           ? fmt::format("{:.3g} %", 100.0 * c.max / c.breaking_load)
+                           : "-");
+    }
+    if (s.cables.size() > kShown)
+        fmt::format_to(out, "  … and {} more (see --summary)\n", s.cables.size() - kShown);
+}
+
+void bodies(Out out, const Summary& s) {
+    if (s.bodies.empty())
+        return;
+    constexpr std::size_t kShown = 12;
+    std::size_t width = 5;
+    for (const BodyFigures& b : s.bodies)
+        width = std::max(width, b.name.size());
+    fmt::format_to(out, "\n  {:<{}}  {:>14}  {:>10}  {:>10}\n", "body", width, "moved at most",
+                   "tilt", "rotation");
+    for (std::size_t i = 0; i < std::min(kShown, s.bodies.size()); ++i)
+        fmt::format_to(out, "  {:<{}}  {:>14}  {:>6.3g} deg  {:>6.3g} deg\n", s.bodies[i].name,
+                       width, with_unit(s.bodies[i].displacement, "m"), s.bodies[i].tilt,
+                       s.bodies[i].rotation);
+    if (s.bodies.size() > kShown)
+        fmt::format_to(out, "  … and {} more (see --summary)\n", s.bodies.size() - kShown);
+}
+
+void events(Out out, const Summary& s) {
+    std::string counts;
+    for (int k = 0; k < kEventKindCount; ++k) {
+        const auto count = s.last.event_count[static_cast<std::size_t>(k)];
+        if (count > 0)
+            counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count,
+                                  to_string(static_cast<EventKind>(k)));
+    }
+    fmt::format_to(out, "\n  events       {}\n", counts.empty() ? "none" : counts);
+    constexpr std::size_t kShown = 10;
+    for (std::size_t i = 0; i < std::min(kShown, s.events.size()); ++i)
+        fmt::format_to(out, "    {:10.4f} s  {:<13} {}  {:.6g}\n", s.events[i].time,
+                       s.events[i].kind, s.events[i].where, s.events[i].value);
+    if (s.events.size() > kShown)
+        fmt::format_to(out, "    … (see --summary for the first {})\n", kListedEvents);
+}
+
+}  // namespace
+
+std::string report(const Summary& s) {
+    std::string text;
+    const Out out = std::back_inserter(text);
+    fmt::format_to(out, "\n{} ({}), {}\n", s.scene, s.outcome, to_string(s.last.status));
+    fmt::format_to(out,
+                   "  system       {} bodies, {} interactions, {} equations, {} island{}\n",
+                   s.last.bodies, s.last.interactions, s.last.equations, s.last.islands,
+                   s.last.islands == 1 ? "" : "s");
+    fmt::format_to(out, "  matrix       {} scalars, factor {}, {:.4g} Mflop a factorisation\n",
+                   s.last.matrix_nnz, s.last.factor_nnz,
+                   1e-6 * static_cast<double>(s.last.factor_flops));
+    times(out, s);
+    quality(out, s);
+    cables(out, s);
+    bodies(out, s);
+    events(out, s);
+    fmt::format_to(out, "  state hash   {:016x}  (scene {:016x}, {}, {} thread{}, Hawser {})\n",
+                   s.state_hash, s.scene_hash, instruction_set(), s.threads,
+                   s.threads == 1 ? "" : "s", version());
+    fmt::format_to(out, "  machine      {}, {} usable, load {:.2f} -> {:.2f}, peak memory {} MB\n",
+                   processor_model(), processor_count(), s.load_start[0], s.load_end[0],
+                   peak_memory() / 1000000);
+    return text;
+}
+
+}  // namespace hawser::observe

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "observe/summary.h"
+
+#include "observe/host.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hawser::observe {
+
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kMilliseconds = 1e3;
+
+Spread spread(const Samples& samples) {
+    return {samples.median(), samples.quantile(0.99), samples.max()};
+}
+
+std::vector<BodyId> watched(const SceneInfo& scene, const World& world) {
+    if (!scene.plot_bodies.empty())
+        return scene.plot_bodies;
+    std::vector<BodyId> out;
+    for (std::int32_t i = 0; i < world.body_count(); ++i)
+        if (world.body_def({i}).kind == BodyKind::rigid)
+            out.push_back({i});
+    return out;
+}
+
+}  // namespace
+
+SummaryCollector::SummaryCollector(const SceneInfo& scene, const World& world)
+    : scene_(scene), bodies_(watched(scene, world)) {
+    summary_.scene = scene.name;
+    summary_.scene_path = scene.path;
+    summary_.scene_hash = scene.hash;
+    summary_.start_time = world.time();
+    summary_.step = world.settings().step;
+    summary_.form = world.settings().form;
+    summary_.threads = world.settings().threads;
+    summary_.load_start = load_average();
+    for (const CableInfo& cable : scene.cables)
+        summary_.cables.push_back(
+            {cable.name, HUGE_VAL, 0.0, -HUGE_VAL, cable.breaking_load});
+    tension_sum_.assign(scene.cables.size(), 0.0);
+    for (const BodyId body : bodies_) {
+        summary_.bodies.push_back({.name = body_label(world, body)});
+        first_pose_.push_back(world.pose(body));
+    }
+}
+
+void SummaryCollector::after_step(const World& world, std::span<const Event> events) {
+    const StepStats& stats = world.stats();
+    ++summary_.steps;
+    momentum_.add(stats.momentum_residual);
+    constraint_.add(stats.constraint_residual);
+    if (stats.violation_max > summary_.violation_max) {
+        summary_.violation_max = stats.violation_max;
+        summary_.violation_where = interaction_label(world, stats.violation_worst);
+        summary_.violation_time = stats.time;
+    }
+    summary_.stretch_error_max = std::max(summary_.stretch_error_max, stats.stretch_error_max);
+    if (summary_.steps > kWarmUpSteps) {
+        step_.add(kMilliseconds * stats.step_seconds);
+        solver_.add(kMilliseconds * stats.solver_seconds);
+        solver_cpu_.add(kMilliseconds * stats.solver_cpu_seconds);
+        for (std::size_t s = 0; s < stage_.size(); ++s)
+            stage_[s].add(kMilliseconds * stats.stage_seconds[s]);
+    }
+    for (const Event& event : events)
+        if (summary_.events.size() < kListedEvents)
+            summary_.events.push_back({event.time, to_string(event.kind),
+                                       interaction_label(world, event.interaction),
+                                       event.value});
+    watch_cables(world);
+    watch_bodies(world);
+    watch_energy(world);
+}
+
+void SummaryCollector::watch_cables(const World& world) {
+    for (std::size_t c = 0; c < scene_.cables.size(); ++c) {
+        CableFigures& figures = summary_.cables[c];
+        for (const InteractionId element : scene_.cables[c].elements) {
+            const double tension = element_tension(world, element);
+            figures.min = std::min(figures.min, tension);
+            figures.max = std::max(figures.max, tension);
+            tension_sum_[c] += tension;
+        }
+    }
+}
+
+void SummaryCollector::watch_bodies(const World& world) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const Pose pose = world.pose(bodies_[i]);
+        const Pose& first = first_pose_[i];
+        BodyFigures& figures = summary_.bodies[i];
+        figures.displacement =
+            std::max(figures.displacement, (pose.position - first.position).norm());
+        const Vec3 z0 = first.orientation * Vec3::UnitZ(), z = pose.orientation * Vec3::UnitZ();
+        figures.tilt =
+            std::max(figures.tilt, kDegrees * std::atan2(z0.cross(z).norm(), z0.dot(z)));
+        figures.rotation = std::max(
+            figures.rotation, kDegrees * first.orientation.angularDistance(pose.orientation));
+    }
+}
+
+// The first step gives the reference: before it there is no half-step position.
+void SummaryCollector::watch_energy(const World& world) {
+    const Energy energy = world.energy();
+    const double potential = energy.gravity + energy.elastic;
+    if (summary_.steps == 1) {
+        summary_.energy_start = energy;
+        potential_low_ = potential_high_ = potential;
+    }
+    summary_.energy_end = energy;
+    kinetic_max_ = std::max(kinetic_max_, energy.kinetic);
+    potential_low_ = std::min(potential_low_, potential);
+    potential_high_ = std::max(potential_high_, potential);
+}
+
+Summary SummaryCollector::result(const World& world) const {
+    Summary out = summary_;
+    out.last = world.stats();
+    out.timed_steps = step_.count();
+    out.step_ms = spread(step_);
+    out.solver_ms = spread(solver_);
+    out.solver_cpu_ms = spread(solver_cpu_);
+    for (std::size_t s = 0; s < stage_.size(); ++s)
+        out.stage_ms[s] = stage_[s].median();
+    out.momentum_residual_max = momentum_.max();
+    out.momentum_residual_median = momentum_.median();
+    out.constraint_residual_max = constraint_.max();
+    out.constraint_residual_median = constraint_.median();
+    // Potential energy has no natural zero: what was exchanged during the run is the measure.
+    out.energy_scale = std::max(kinetic_max_, potential_high_ - potential_low_);
+    for (std::size_t c = 0; c < out.cables.size(); ++c) {
+        const auto count = static_cast<double>(scene_.cables[c].elements.size()) *
+                           static_cast<double>(out.steps);
+        if (count > 0.0)
+            out.cables[c].mean = tension_sum_[c] / count;
+        else
+            out.cables[c].min = out.cables[c].max = 0.0;
+    }
+    out.state_hash = world.state_hash();
+    out.load_end = load_average();
+    out.world_memory = world.memory_bytes();
+    return out;
+}
+
+}  // namespace hawser::observe

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file summary.h
+/// Collects the figures of a run step by step and writes them as JSON (docs/cli.md).
+
+#include "observe/samples.h"
+#include "observe/scene_info.h"
+
+#include <hawser/hawser.h>
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace hawser::observe {
+
+/// Steps whose times do not count: caches, branch predictors and clocks are still cold.
+inline constexpr std::int64_t kWarmUpSteps = 60;
+/// Events that are listed one by one.
+inline constexpr std::size_t kListedEvents = 100;
+
+struct Spread {
+    double median = 0.0, p99 = 0.0, max = 0.0;
+};
+
+struct CableFigures {
+    std::string name;
+    double min = 0.0, mean = 0.0, max = 0.0;  ///< Over elements and steps [N].
+    double breaking_load = 0.0;               ///< [N]; 0 = not given.
+};
+
+struct BodyFigures {
+    std::string name;
+    double displacement = 0.0;  ///< Largest distance from the first pose [m].
+    double tilt = 0.0;          ///< Largest angle between its z axis then and at first [deg].
+    double rotation = 0.0;      ///< Largest angle of rotation from the first pose [deg].
+};
+
+struct ListedEvent {
+    double time = 0.0;
+    std::string kind, where;
+    double value = 0.0;
+};
+
+struct Summary {
+    std::string scene, scene_path;
+    std::uint64_t scene_hash = 0;
+    std::string outcome = "finished";  ///< "finished", "interrupted" or "failed".
+    StepStats last{};                  ///< Of the last step.
+    double start_time = 0.0;           ///< [s]
+    std::int64_t steps = 0;            ///< In this run.
+    std::int64_t timed_steps = 0;      ///< Of those, counted in the times below.
+    double step = 0.0;                 ///< Time step [s].
+    Form form = Form::automatic;
+    Spread step_ms, solver_ms, solver_cpu_ms;
+    std::array<double, kStageCount> stage_ms{};  ///< Medians.
+    double momentum_residual_max = 0.0, momentum_residual_median = 0.0;
+    double constraint_residual_max = 0.0, constraint_residual_median = 0.0;
+    double violation_max = 0.0;  ///< [m]
+    std::string violation_where = "-";
+    double violation_time = 0.0;     ///< [s]
+    double stretch_error_max = 0.0;  ///< Relative.
+    Energy energy_start, energy_end;
+    double energy_scale = 0.0;  ///< What the drift is relative to [J].
+    std::vector<ListedEvent> events;
+    std::vector<CableFigures> cables;
+    std::vector<BodyFigures> bodies;
+    std::uint64_t state_hash = 0;
+    int threads = 1;
+    double wall_seconds = 0.0;
+    std::array<double, 3> load_start{}, load_end{};
+    std::size_t world_memory = 0;      ///< Held by state and solver [bytes].
+    std::int64_t missed_frames = -1;   ///< With --realtime; −1 without.
+    double lateness_max = 0.0;         ///< With --realtime [s].
+
+    /// Change of mechanical energy that applied work and drag do not explain [J].
+    [[nodiscard]] double energy_drift() const noexcept {
+        return energy_end.mechanical() - energy_start.mechanical() -
+               (energy_end.applied - energy_start.applied) +
+               (energy_end.dissipated - energy_start.dissipated);
+    }
+};
+
+/// Watches a run. Costs O(elements) a step.
+class SummaryCollector {
+   public:
+    SummaryCollector(const SceneInfo& scene, const World& world);
+    /// Call after each step with the events of that step.
+    void after_step(const World& world, std::span<const Event> events);
+    /// The figures so far.
+    [[nodiscard]] Summary result(const World& world) const;
+
+   private:
+    void watch_cables(const World& world);
+    void watch_bodies(const World& world);
+    void watch_energy(const World& world);
+
+    const SceneInfo& scene_;
+    Summary summary_;
+    std::vector<Pose> first_pose_;
+    std::vector<BodyId> bodies_;
+    std::vector<double> tension_sum_;
+    Samples step_, solver_, solver_cpu_, momentum_, constraint_;
+    std::array<Samples, kStageCount> stage_{};
+    double kinetic_max_ = 0.0, potential_low_ = 0.0, potential_high_ = 0.0;
+};
+
+[[nodiscard]] std::string to_json(const Summary& summary);
+
+/// A page of text for the end of a run.
+[[nodiscard]] std::string report(const Summary& summary);
+
+}  // namespace hawser::observe

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "observe/host.h"
+#include "observe/summary.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace hawser::observe {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* form_name(Form form) {
+    switch (form) {
+        case Form::saddle: return "saddle";
+        case Form::condensed: return "condensed";
+        case Form::automatic: break;
+    }
+    return "auto";
+}
+
+Json spread(const Spread& s) { return {{"median", s.median}, {"p99", s.p99}, {"max", s.max}}; }
+
+Json energy(const Energy& e) {
+    return {{"mechanical", e.mechanical()},
+            {"kinetic", e.kinetic},
+            {"gravity", e.gravity},
+            {"elastic", e.elastic}};
+}
+
+Json energy_balance(const Summary& s) {
+    const double drift = s.energy_drift();
+    return {{"start", energy(s.energy_start)},
+            {"end", energy(s.energy_end)},
+            {"applied", s.energy_end.applied - s.energy_start.applied},
+            {"dissipated", s.energy_end.dissipated - s.energy_start.dissipated},
+            {"drift", drift},
+            {"scale", s.energy_scale},
+            {"drift_relative", s.energy_scale > 0.0 ? Json(drift / s.energy_scale) : Json()}};
+}
+
+Json cables(const Summary& s) {
+    Json out = Json::object();
+    for (const CableFigures& c : s.cables)
+        out[c.name] = {{"min", c.min},
+                       {"mean", c.mean},
+                       {"max", c.max},
+                       {"breaking_load", c.breaking_load > 0.0 ? Json(c.breaking_load) : Json()},
+                       {"fraction_of_breaking_load",
+                        c.breaking_load > 0.0 ? Json(c.max / c.breaking_load) : Json()}};
+    return out;
+}
+
+Json bodies(const Summary& s) {
+    Json out = Json::object();
+    for (const BodyFigures& b : s.bodies)
+        out[b.name] = {{"displacement_max", b.displacement},
+                       {"tilt_max_deg", b.tilt},
+                       {"rotation_max_deg", b.rotation}};
+    return out;
+}
+
+Json event_counts(const Summary& s) {
+    Json out = Json::object();
+    for (int k = 0; k < kEventKindCount; ++k)
+        out[to_string(static_cast<EventKind>(k))] = s.last.event_count[static_cast<std::size_t>(k)];
+    return out;
+}
+
+Json event_list(const Summary& s) {
+    Json out = Json::array();
+    for (const ListedEvent& e : s.events)
+        out.push_back(
+            {{"time", e.time}, {"kind", e.kind}, {"where", e.where}, {"value", e.value}});
+    return out;
+}
+
+Json sizes(const Summary& s) {
+    const StepStats& last = s.last;
+    return {{"bodies", last.bodies},       {"interactions", last.interactions},
+            {"equations", last.equations}, {"islands", last.islands},
+            {"nnz", {{"matrix", last.matrix_nnz}, {"factor", last.factor_nnz}}},
+            {"flops", last.factor_flops}};
+}
+
+Json times(const Summary& s) {
+    Json stages = Json::object();
+    for (int k = 0; k < kStageCount; ++k)
+        stages[to_string(static_cast<Stage>(k))] = s.stage_ms[static_cast<std::size_t>(k)];
+    return {{"timed_steps", s.timed_steps}, {"step_ms", spread(s.step_ms)},
+            {"solver_ms", spread(s.solver_ms)}, {"solver_cpu_ms", spread(s.solver_cpu_ms)},
+            {"stage_ms", stages}};
+}
+
+Json machine(const Summary& s) {
+    return {{"threads", s.threads},
+            {"instruction_set", instruction_set()},
+            {"processor", processor_model()},
+            {"processors", processor_count()},
+            {"load_average", {{"start", s.load_start}, {"end", s.load_end}}},
+            {"version", version()},
+            {"peak_memory_bytes", peak_memory()},
+            {"world_memory_bytes", s.world_memory}};
+}
+
+}  // namespace
+
+std::string to_json(const Summary& s) {
+    Json out{{"scene", s.scene},
+             {"scene_file", s.scene_path},
+             {"scene_hash", fmt::format("{:016x}", s.scene_hash)},
+             {"outcome", s.outcome},
+             {"status", to_string(s.last.status)}};
+    out.update(sizes(s));
+    out.update(Json{{"steps", s.steps},
+                    {"step", s.step},
+                    {"form", form_name(s.form)},
+                    {"time", {{"start", s.start_time}, {"end", s.last.time}}},
+                    {"wall_seconds", s.wall_seconds}});
+    out.update(times(s));
+    out.update(Json{
+        {"residuals",
+         {{"momentum", {{"max", s.momentum_residual_max}, {"median", s.momentum_residual_median}}},
+          {"constraint",
+           {{"max", s.constraint_residual_max}, {"median", s.constraint_residual_median}}}}},
+        {"violation_max", s.violation_max},
+        {"violation_where", s.violation_where},
+        {"violation_time", s.violation_time},
+        {"stretch_error_max", s.stretch_error_max},
+        {"energy", energy_balance(s)},
+        {"event_counts", event_counts(s)},
+        {"events", event_list(s)},
+        {"tensions", cables(s)},
+        {"motions", bodies(s)},
+        {"growths", s.last.growths},
+        {"state_hash", fmt::format("{:016x}", s.state_hash)}});
+    if (s.missed_frames >= 0)
+        out["realtime"] = {{"missed_frames", s.missed_frames}, {"lateness_max", s.lateness_max}};
+    out.update(machine(s));
+    // Names in scenes are UTF-8 already; replace rather than throw if one is not.
+    return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace hawser::observe
