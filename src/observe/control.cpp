@@ -27,17 +27,15 @@ std::vector<Field> split(std::string_view line) {
         std::string_view text = line.substr(at, comma - at);
         const std::size_t blanks = std::min(text.find_first_not_of(" \t"), text.size());
         text.remove_prefix(blanks);
-        while (!text.empty() && (text.back() == ' ' || text.back() == '\t'))
-            text.remove_suffix(1);
+        while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
         out.push_back({text, at + blanks + 1});
-        if (comma == std::string_view::npos)
-            return out;
+        if (comma == std::string_view::npos) return out;
         at = comma + 1;
     }
 }
 
 class Parser {
-   public:
+  public:
     Parser(const std::string& file, std::span<const std::string> inputs)
         : file_(file), inputs_(inputs) {}
 
@@ -45,10 +43,8 @@ class Parser {
         ++line_;
         if (line_ == 1 && line.starts_with("\xEF\xBB\xBF"))  // Written by some spreadsheets.
             line.remove_prefix(3);
-        if (line.ends_with('\r'))
-            line.remove_suffix(1);
-        if (line.find_first_not_of(" \t,") == std::string_view::npos || line[0] == '#')
-            return;
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        if (line.find_first_not_of(" \t,") == std::string_view::npos || line[0] == '#') return;
         if (columns_.empty())
             header(split(line));
         else
@@ -56,15 +52,14 @@ class Parser {
     }
 
     [[nodiscard]] std::vector<ControlChange> finish() {
-        if (columns_.empty())
-            fail(1, "the first line must be time,<input>,…");
+        if (columns_.empty()) fail(1, "the first line must be time,<input>,…");
         return std::move(changes_);
     }
 
-   private:
+  private:
     [[noreturn]] void fail(std::size_t column, const std::string& message) const {
-        throw ControlError(fmt::format("{}:{}:{}: {}", file_, std::max<std::size_t>(1, line_),
-                                       column, message));
+        throw ControlError(
+            fmt::format("{}:{}:{}: {}", file_, std::max<std::size_t>(1, line_), column, message));
     }
 
     void header(const std::vector<Field>& fields) {
@@ -74,8 +69,7 @@ class Parser {
         columns_.push_back(-1);
         for (std::size_t i = 1; i < fields.size(); ++i) {
             const auto found = std::find(inputs_.begin(), inputs_.end(), fields[i].text);
-            if (found == inputs_.end())
-                fail(fields[i].column, unknown(fields[i].text));
+            if (found == inputs_.end()) fail(fields[i].column, unknown(fields[i].text));
             const auto input = static_cast<std::int32_t>(found - inputs_.begin());
             if (std::find(columns_.begin(), columns_.end(), input) != columns_.end())
                 fail(fields[i].column,
@@ -87,8 +81,7 @@ class Parser {
     }
 
     [[nodiscard]] std::string choices() const {
-        if (inputs_.empty())
-            return "the scene has no inputs";
+        if (inputs_.empty()) return "the scene has no inputs";
         return "the scene's inputs are " + fmt::format("{}", fmt::join(inputs_, ", "));
     }
 
@@ -101,16 +94,15 @@ class Parser {
 
     void values(const std::vector<Field>& fields) {
         if (fields.size() != columns_.size())
-            fail(fields.back().column, fmt::format("{} fields, the first line has {}",
-                                                   fields.size(), columns_.size()));
+            fail(fields.back().column,
+                 fmt::format("{} fields, the first line has {}", fields.size(), columns_.size()));
         const double time = number(fields[0]);
         if (!changes_.empty() && time < last_time_)
             fail(fields[0].column,
                  fmt::format("time {} is before the previous line's {}", time, last_time_));
         last_time_ = time;
         for (std::size_t i = 1; i < fields.size(); ++i)
-            if (!fields[i].text.empty())
-                changes_.push_back({time, columns_[i], number(fields[i])});
+            if (!fields[i].text.empty()) changes_.push_back({time, columns_[i], number(fields[i])});
     }
 
     [[nodiscard]] double number(const Field& field) const {

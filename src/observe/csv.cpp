@@ -19,26 +19,22 @@ constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 // RFC 4180: a name with a comma or quote is quoted, quotes inside are doubled.
 std::string quoted(const std::string& name) {
-    if (name.find_first_of(",\"\n\r") == std::string::npos)
-        return name;
+    if (name.find_first_of(",\"\n\r") == std::string::npos) return name;
     std::string out = "\"";
-    for (const char c : name)
-        out += c == '"' ? std::string("\"\"") : std::string(1, c);
+    for (const char c : name) out += c == '"' ? std::string("\"\"") : std::string(1, c);
     return out + "\"";
 }
 
 }  // namespace
 
-CsvWriter::CsvWriter(const std::filesystem::path& file, const SceneInfo& scene,
-                     const World& world)
+CsvWriter::CsvWriter(const std::filesystem::path& file, const SceneInfo& scene, const World& world)
     : file_(file), out_(std::fopen(file.c_str(), "wb")) {
     if (!out_)
         throw std::runtime_error(
             fmt::format("{}: cannot write: {}", file.string(), std::strerror(errno)));
     line_ = "time [s]";
     for (const CableInfo& cable : scene.cables) {
-        if (cable.elements.empty())
-            continue;
+        if (cable.elements.empty()) continue;
         ends_.emplace_back(cable.elements.front(), cable.elements.back());
         line_ += "," + quoted(cable.name + " tension at first end [N]");
         line_ += "," + quoted(cable.name + " tension at last end [N]");
@@ -46,8 +42,7 @@ CsvWriter::CsvWriter(const std::filesystem::path& file, const SceneInfo& scene,
     bodies_ = scene.plot_bodies;
     if (bodies_.empty())
         for (std::int32_t i = 0; i < world.body_count(); ++i)
-            if (world.body_def({i}).kind == BodyKind::rigid)
-                bodies_.push_back({i});
+            if (world.body_def({i}).kind == BodyKind::rigid) bodies_.push_back({i});
     for (const BodyId body : bodies_)
         for (const char* what :
              {"x [m]", "y [m]", "z [m]", "roll [deg]", "pitch [deg]", "yaw [deg]"})

@@ -17,13 +17,13 @@
 namespace hawser::observe {
 
 class CsvWriter {
-   public:
+  public:
     /// Writes the line of names. @throws std::runtime_error when the file cannot be written.
     CsvWriter(const std::filesystem::path& file, const SceneInfo& scene, const World& world);
     void add_row(const World& world);
     void finish();
 
-   private:
+  private:
     struct CloseFile {
         void operator()(std::FILE* f) const { std::fclose(f); }
     };

@@ -5,6 +5,8 @@
 
 namespace hawser::observe {
 
+void Drawing::add(Shape shape) { shapes.push_back(std::move(shape)); }
+
 void Drawing::box(const Box& b, Color fill, Color stroke, double width_) {
     add(Path{.points = {{b.x, b.y}, {b.right(), b.y}, {b.right(), b.bottom()}, {b.x, b.bottom()}},
              .stroke = stroke,

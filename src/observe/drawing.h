@@ -77,7 +77,7 @@ struct Drawing {
     std::string description{};  ///< SVG <desc>: parameters.
     std::vector<Shape> shapes{};
 
-    void add(Shape shape) { shapes.push_back(std::move(shape)); }
+    void add(Shape shape);
     void line(Point a, Point b, Color color, double width_ = 1.0, std::vector<double> dash = {}) {
         add(Path{.points = {a, b}, .stroke = color, .width = width_, .dash = std::move(dash)});
     }

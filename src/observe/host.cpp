@@ -12,11 +12,9 @@ namespace hawser::observe {
 std::string processor_model() {
     std::ifstream in("/proc/cpuinfo");
     for (std::string line; std::getline(in, line);) {
-        if (!line.starts_with("model name"))
-            continue;
+        if (!line.starts_with("model name")) continue;
         const std::size_t colon = line.find(": ");
-        if (colon != std::string::npos)
-            return line.substr(colon + 2);
+        if (colon != std::string::npos) return line.substr(colon + 2);
     }
     return "unknown";
 }
@@ -29,8 +27,7 @@ int processor_count() {
 
 std::array<double, 3> load_average() {
     std::array<double, 3> load{};
-    if (getloadavg(load.data(), 3) != 3)
-        load.fill(-1.0);
+    if (getloadavg(load.data(), 3) != 3) load.fill(-1.0);
     return load;
 }
 

@@ -25,13 +25,12 @@ void times(Out out, const Summary& s) {
     if (s.timed_steps > 0) {
         fmt::format_to(out, "  step         median {:.4g} ms, p99 {:.4g} ms, max {:.4g} ms",
                        s.step_ms.median, s.step_ms.p99, s.step_ms.max);
-        fmt::format_to(out, "  (solver {:.4g} ms; first {} steps left out)\n",
-                       s.solver_ms.median, kWarmUpSteps);
+        fmt::format_to(out, "  (solver {:.4g} ms; first {} steps left out)\n", s.solver_ms.median,
+                       kWarmUpSteps);
         fmt::format_to(out, "  stages [ms] ");
         for (std::size_t k = 0; k < s.stage_ms.size(); ++k)
             if (s.stage_ms[k] > 0.0)
-                fmt::format_to(out, " {} {:.3g}", to_string(static_cast<Stage>(k)),
-                               s.stage_ms[k]);
+                fmt::format_to(out, " {} {:.3g}", to_string(static_cast<Stage>(k)), s.stage_ms[k]);
         fmt::format_to(out, "\n");
     } else {
         fmt::format_to(out, "  step         not timed: the run has no more than {} steps\n",
@@ -44,8 +43,7 @@ void times(Out out, const Summary& s) {
 
 void quality(Out out, const Summary& s) {
     fmt::format_to(out, "  residuals    momentum {:.2e} (median {:.2e}), constraint {:.2e}\n",
-                   s.momentum_residual_max, s.momentum_residual_median,
-                   s.constraint_residual_max);
+                   s.momentum_residual_max, s.momentum_residual_median, s.constraint_residual_max);
     fmt::format_to(out, "  violation    {} at {} ({:.4g} s); cables off their law by {:.2e}\n",
                    with_unit(s.violation_max, "m"), s.violation_where, s.violation_time,
                    s.stretch_error_max);
@@ -54,41 +52,35 @@ void quality(Out out, const Summary& s) {
         out, "  energy       {} -> {}, applied {}, drag took {}, unexplained {}",
         with_unit(s.energy_start.mechanical(), "J"), with_unit(s.energy_end.mechanical(), "J"),
         with_unit(s.energy_end.applied - s.energy_start.applied, "J"),
-        with_unit(s.energy_end.dissipated - s.energy_start.dissipated, "J"),
-        with_unit(drift, "J"));
+        with_unit(s.energy_end.dissipated - s.energy_start.dissipated, "J"), with_unit(drift, "J"));
     if (s.energy_scale > 0.0)
         fmt::format_to(out, " ({:.2g} % of what was exchanged)", 100.0 * drift / s.energy_scale);
     fmt::format_to(out, "\n");
 }
 
 void cables(Out out, const Summary& s) {
-    if (s.cables.empty())
-        return;
+    if (s.cables.empty()) return;
     constexpr std::size_t kShown = 20;
     std::size_t width = 5;
-    for (const CableFigures& c : s.cables)
-        width = std::max(width, c.name.size());
+    for (const CableFigures& c : s.cables) width = std::max(width, c.name.size());
     fmt::format_to(out, "\n  {:<{}}  {:>10}  {:>10}  {:>10}  {:>10}\n", "cable", width, "min",
                    "mean", "max", "of break");
     for (std::size_t i = 0; i < std::min(kShown, s.cables.size()); ++i) {
         const CableFigures& c = s.cables[i];
-        fmt::format_to(out, "  {:<{}}  {:>10}  {:>10}  {:>10}  {:>10}\n", c.name, width,
-                       with_unit(c.min, "N"), with_unit(c.mean, "N"), with_unit(c.max, "N"),
-                       c.breaking_load > 0.0
-                           ? fmt::format("{:.3g} %", 100.0 * c.max / c.breaking_load)
-                           : "-");
+        fmt::format_to(
+            out, "  {:<{}}  {:>10}  {:>10}  {:>10}  {:>10}\n", c.name, width, with_unit(c.min, "N"),
+            with_unit(c.mean, "N"), with_unit(c.max, "N"),
+            c.breaking_load > 0.0 ? fmt::format("{:.3g} %", 100.0 * c.max / c.breaking_load) : "-");
     }
     if (s.cables.size() > kShown)
         fmt::format_to(out, "  … and {} more (see --summary)\n", s.cables.size() - kShown);
 }
 
 void bodies(Out out, const Summary& s) {
-    if (s.bodies.empty())
-        return;
+    if (s.bodies.empty()) return;
     constexpr std::size_t kShown = 12;
     std::size_t width = 5;
-    for (const BodyFigures& b : s.bodies)
-        width = std::max(width, b.name.size());
+    for (const BodyFigures& b : s.bodies) width = std::max(width, b.name.size());
     fmt::format_to(out, "\n  {:<{}}  {:>14}  {:>10}  {:>10}\n", "body", width, "moved at most",
                    "tilt", "rotation");
     for (std::size_t i = 0; i < std::min(kShown, s.bodies.size()); ++i)
@@ -122,8 +114,7 @@ std::string report(const Summary& s) {
     std::string text;
     const Out out = std::back_inserter(text);
     fmt::format_to(out, "\n{} ({}), {}\n", s.scene, s.outcome, to_string(s.last.status));
-    fmt::format_to(out,
-                   "  system       {} bodies, {} interactions, {} equations, {} island{}\n",
+    fmt::format_to(out, "  system       {} bodies, {} interactions, {} equations, {} island{}\n",
                    s.last.bodies, s.last.interactions, s.last.equations, s.last.islands,
                    s.last.islands == 1 ? "" : "s");
     fmt::format_to(out, "  matrix       {} scalars, factor {}, {:.4g} Mflop a factorisation\n",

@@ -12,7 +12,7 @@ namespace hawser::observe {
 /// Keeps every number up to `capacity`; beyond, every second of them, then every fourth, and
 /// so on. The maximum is that of all numbers.
 class Samples {
-   public:
+  public:
     Samples() = default;
     explicit Samples(std::size_t capacity) : capacity_(capacity) {}
     void add(double value);
@@ -22,7 +22,7 @@ class Samples {
     [[nodiscard]] double max() const noexcept { return max_; }
     [[nodiscard]] std::int64_t count() const noexcept { return count_; }
 
-   private:
+  private:
     std::size_t capacity_ = 262144;
     std::vector<double> kept_;
     std::int64_t count_ = 0;

@@ -19,12 +19,10 @@ Spread spread(const Samples& samples) {
 }
 
 std::vector<BodyId> watched(const SceneInfo& scene, const World& world) {
-    if (!scene.plot_bodies.empty())
-        return scene.plot_bodies;
+    if (!scene.plot_bodies.empty()) return scene.plot_bodies;
     std::vector<BodyId> out;
     for (std::int32_t i = 0; i < world.body_count(); ++i)
-        if (world.body_def({i}).kind == BodyKind::rigid)
-            out.push_back({i});
+        if (world.body_def({i}).kind == BodyKind::rigid) out.push_back({i});
     return out;
 }
 
@@ -41,8 +39,7 @@ SummaryCollector::SummaryCollector(const SceneInfo& scene, const World& world)
     summary_.threads = world.settings().threads;
     summary_.load_start = load_average();
     for (const CableInfo& cable : scene.cables)
-        summary_.cables.push_back(
-            {cable.name, HUGE_VAL, 0.0, -HUGE_VAL, cable.breaking_load});
+        summary_.cables.push_back({cable.name, HUGE_VAL, 0.0, -HUGE_VAL, cable.breaking_load});
     tension_sum_.assign(scene.cables.size(), 0.0);
     for (const BodyId body : bodies_) {
         summary_.bodies.push_back({.name = body_label(world, body)});
@@ -71,8 +68,7 @@ void SummaryCollector::after_step(const World& world, std::span<const Event> eve
     for (const Event& event : events)
         if (summary_.events.size() < kListedEvents)
             summary_.events.push_back({event.time, to_string(event.kind),
-                                       interaction_label(world, event.interaction),
-                                       event.value});
+                                       interaction_label(world, event.interaction), event.value});
     watch_cables(world);
     watch_bodies(world);
     watch_energy(world);
@@ -98,10 +94,9 @@ void SummaryCollector::watch_bodies(const World& world) {
         figures.displacement =
             std::max(figures.displacement, (pose.position - first.position).norm());
         const Vec3 z0 = first.orientation * Vec3::UnitZ(), z = pose.orientation * Vec3::UnitZ();
-        figures.tilt =
-            std::max(figures.tilt, kDegrees * std::atan2(z0.cross(z).norm(), z0.dot(z)));
-        figures.rotation = std::max(
-            figures.rotation, kDegrees * first.orientation.angularDistance(pose.orientation));
+        figures.tilt = std::max(figures.tilt, kDegrees * std::atan2(z0.cross(z).norm(), z0.dot(z)));
+        figures.rotation = std::max(figures.rotation,
+                                    kDegrees * first.orientation.angularDistance(pose.orientation));
     }
 }
 
@@ -126,8 +121,7 @@ Summary SummaryCollector::result(const World& world) const {
     out.step_ms = spread(step_);
     out.solver_ms = spread(solver_);
     out.solver_cpu_ms = spread(solver_cpu_);
-    for (std::size_t s = 0; s < stage_.size(); ++s)
-        out.stage_ms[s] = stage_[s].median();
+    for (std::size_t s = 0; s < stage_.size(); ++s) out.stage_ms[s] = stage_[s].median();
     out.momentum_residual_max = momentum_.max();
     out.momentum_residual_median = momentum_.median();
     out.constraint_residual_max = constraint_.max();
@@ -135,8 +129,8 @@ Summary SummaryCollector::result(const World& world) const {
     // Potential energy has no natural zero: what was exchanged during the run is the measure.
     out.energy_scale = std::max(kinetic_max_, potential_high_ - potential_low_);
     for (std::size_t c = 0; c < out.cables.size(); ++c) {
-        const auto count = static_cast<double>(scene_.cables[c].elements.size()) *
-                           static_cast<double>(out.steps);
+        const auto count =
+            static_cast<double>(scene_.cables[c].elements.size()) * static_cast<double>(out.steps);
         if (count > 0.0)
             out.cables[c].mean = tension_sum_[c] / count;
         else

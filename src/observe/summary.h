@@ -70,9 +70,9 @@ struct Summary {
     int threads = 1;
     double wall_seconds = 0.0;
     std::array<double, 3> load_start{}, load_end{};
-    std::size_t world_memory = 0;      ///< Held by state and solver [bytes].
-    std::int64_t missed_frames = -1;   ///< With --realtime; −1 without.
-    double lateness_max = 0.0;         ///< With --realtime [s].
+    std::size_t world_memory = 0;     ///< Held by state and solver [bytes].
+    std::int64_t missed_frames = -1;  ///< With --realtime; −1 without.
+    double lateness_max = 0.0;        ///< With --realtime [s].
 
     /// Change of mechanical energy that applied work and drag do not explain [J].
     [[nodiscard]] double energy_drift() const noexcept {
@@ -84,14 +84,14 @@ struct Summary {
 
 /// Watches a run. Costs O(elements) a step.
 class SummaryCollector {
-   public:
+  public:
     SummaryCollector(const SceneInfo& scene, const World& world);
     /// Call after each step with the events of that step.
     void after_step(const World& world, std::span<const Event> events);
     /// The figures so far.
     [[nodiscard]] Summary result(const World& world) const;
 
-   private:
+  private:
     void watch_cables(const World& world);
     void watch_bodies(const World& world);
     void watch_energy(const World& world);

@@ -15,9 +15,12 @@ using Json = nlohmann::ordered_json;
 
 const char* form_name(Form form) {
     switch (form) {
-        case Form::saddle: return "saddle";
-        case Form::condensed: return "condensed";
-        case Form::automatic: break;
+        case Form::saddle:
+            return "saddle";
+        case Form::condensed:
+            return "condensed";
+        case Form::automatic:
+            break;
     }
     return "auto";
 }
@@ -73,15 +76,16 @@ Json event_counts(const Summary& s) {
 Json event_list(const Summary& s) {
     Json out = Json::array();
     for (const ListedEvent& e : s.events)
-        out.push_back(
-            {{"time", e.time}, {"kind", e.kind}, {"where", e.where}, {"value", e.value}});
+        out.push_back({{"time", e.time}, {"kind", e.kind}, {"where", e.where}, {"value", e.value}});
     return out;
 }
 
 Json sizes(const Summary& s) {
     const StepStats& last = s.last;
-    return {{"bodies", last.bodies},       {"interactions", last.interactions},
-            {"equations", last.equations}, {"islands", last.islands},
+    return {{"bodies", last.bodies},
+            {"interactions", last.interactions},
+            {"equations", last.equations},
+            {"islands", last.islands},
             {"nnz", {{"matrix", last.matrix_nnz}, {"factor", last.factor_nnz}}},
             {"flops", last.factor_flops}};
 }
@@ -90,8 +94,10 @@ Json times(const Summary& s) {
     Json stages = Json::object();
     for (int k = 0; k < kStageCount; ++k)
         stages[to_string(static_cast<Stage>(k))] = s.stage_ms[static_cast<std::size_t>(k)];
-    return {{"timed_steps", s.timed_steps}, {"step_ms", spread(s.step_ms)},
-            {"solver_ms", spread(s.solver_ms)}, {"solver_cpu_ms", spread(s.solver_cpu_ms)},
+    return {{"timed_steps", s.timed_steps},
+            {"step_ms", spread(s.step_ms)},
+            {"solver_ms", spread(s.solver_ms)},
+            {"solver_cpu_ms", spread(s.solver_cpu_ms)},
             {"stage_ms", stages}};
 }
 

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands.h"
+#include "observe/plots.h"
+#include "observe/png.h"
+#include "observe/recording.h"
+#include "observe/series.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace hawser::cli {
+
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  hawser plot run.hwr -o pictures
+  hawser plot run.hwr -o pictures --at 12.5     # the scene at 12.5 s instead of the end
+
+Writes tensions, motions and scene, each as .svg and .png. Exit codes: 0 written, 1 unreadable
+recording or a file that cannot be written.)";
+
+struct PlotOptions {
+    std::string file, folder = ".";
+    std::optional<double> at;
+};
+
+std::size_t frame_at(const observe::Recording& recording, std::optional<double> time) {
+    const std::size_t n = recording.frame_count();
+    if (!time) return n - 1;
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < n; ++i)
+        if (std::abs(recording.frame_head(i).time - *time) <
+            std::abs(recording.frame_head(best).time - *time))
+            best = i;
+    return best;
+}
+
+int plot(const PlotOptions& options) {
+    const observe::Recording recording = observe::Recording::open(options.file);
+    if (recording.frame_count() == 0)
+        throw observe::RecordingError(options.file + ": the recording has no complete frame");
+    if (!recording.damage.empty())
+        fmt::print(stderr, "{}: not complete ({}); plotting its {} frames\n", options.file,
+                   recording.damage, recording.frame_count());
+    const observe::Series series = observe::collect_series(recording);
+    const std::filesystem::path folder = options.folder;
+    const auto write = [&](const char* name, const std::optional<observe::Drawing>& drawing,
+                           const char* why_not) {
+        if (!drawing) {
+            fmt::print("no picture \"{}\": {}\n", name, why_not);
+            return;
+        }
+        for (const auto& file : observe::write_pictures(*drawing, folder / name))
+            fmt::print("wrote {}\n", file.string());
+    };
+    write("tensions", observe::plot_tensions(recording, series), "the scene has no cables");
+    write("motions", observe::plot_motions(recording, series), "the scene has no moving bodies");
+    write("scene", observe::plot_views(recording, series, frame_at(recording, options.at)),
+          "nothing in the scene has a place");
+    return kOk;
+}
+
+}  // namespace
+
+void add_plot(CLI::App& app, Command& chosen) {
+    auto options = std::make_shared<PlotOptions>();
+    CLI::App* command = app.add_subcommand("plot", "Draw pictures of a recording");
+    command->footer(kFooter);
+    command->add_option("RECORDING", options->file, "File written by hawser run --record")
+        ->required();
+    command->add_option("-o,--output", options->folder, "Folder for the pictures")
+        ->capture_default_str();
+    command->add_option("--at", options->at, "Time of the views of the scene [s]; else the end");
+    command->callback([&chosen, options] { chosen = [options] { return plot(*options); }; });
+}
+
+}  // namespace hawser::cli

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands.h"
+#include "observe/recording.h"
+#include "progress.h"
+#include "scene/scene.h"
+#include "signals.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+namespace hawser::cli {
+
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  hawser replay run.hwr
+  HAWSER_ISA=avx2 hawser replay run.hwr     # recorded on a machine without avx512
+
+Builds the scene from the text in the recording, restores the state it began with, applies the
+recorded inputs, steps, and compares the state hash of every recorded frame. Exit codes: 0 the
+same, 1 unreadable, 2 a step failed, 3 different, 130 interrupted.)";
+
+struct ReplayOptions {
+    std::string file;
+    int threads = 1;
+    bool quiet = false;
+};
+
+// Recordings hash the state with the instruction set, so another set always differs.
+bool same_instruction_set(const observe::Recording& recording) {
+    if (recording.settings.instruction_set == instruction_set()) return true;
+    fmt::print(stderr,
+               "{}: recorded with the instruction set {}, this program uses {}; results of "
+               "different sets differ in the last digits. Set HAWSER_ISA={} if this processor "
+               "has it\n",
+               recording.file, recording.settings.instruction_set, instruction_set(),
+               recording.settings.instruction_set);
+    return false;
+}
+
+void describe_difference(const observe::Recording& recording, const observe::Frame& frame,
+                         const World& world) {
+    fmt::print("first difference at step {}, {:.6g} s: recorded hash {:016x}, replayed {:016x}\n",
+               frame.step, frame.time, frame.hash, world.state_hash());
+    double worst = 0.0;
+    std::string where;
+    for (std::size_t i = 0; i < frame.poses.size(); ++i) {
+        const Pose pose = world.pose({static_cast<std::int32_t>(i)});
+        const double distance = (pose.position - frame.poses[i].position).norm();
+        // Single precision: differences below its resolution mean nothing.
+        if (distance > 1e-6 * (1.0 + pose.position.norm()) && distance > worst) {
+            worst = distance;
+            where = recording.bodies[i].name;
+        }
+    }
+    if (worst > 0.0)
+        fmt::print("largest distance of a body from its recorded place: {:.3g} m ({})\n", worst,
+                   where);
+    else
+        fmt::print("no body is off by more than the recording's single precision\n");
+}
+
+class Replay {
+  public:
+    Replay(const observe::Recording& recording, World& world)
+        : recording_(recording), world_(world) {}
+
+    int run(bool quiet) {
+        const auto frames = recording_.frame_count();
+        const std::int64_t last =
+            frames > 0 ? recording_.frame_head(frames - 1).step : recording_.start_step;
+        catch_signals();
+        Progress progress(last - recording_.start_step, recording_.settings.step, !quiet);
+        for (std::size_t i = 0; i < frames; ++i) {
+            const observe::Frame head = recording_.frame_head(i);
+            if (const int code = advance(head.step, progress); code != kOk) return code;
+            if (world_.state_hash() != head.hash) {
+                progress.close();
+                describe_difference(recording_, recording_.frame(i), world_);
+                return kMismatch;
+            }
+        }
+        progress.close();
+        fmt::print("{}: same state hash at all {} frames, {} steps, last {:016x}\n",
+                   recording_.file, frames, last - recording_.start_step, world_.state_hash());
+        if (!recording_.damage.empty())
+            fmt::print("the recording is not complete: {}\n", recording_.damage);
+        return kOk;
+    }
+
+  private:
+    int advance(std::int64_t to, Progress& progress) {
+        while (world_.step_count() < to) {
+            if (stop_requested()) return kInterrupted;
+            for (; next_ < recording_.inputs.size() &&
+                   recording_.inputs[next_].step <= world_.step_count();
+                 ++next_)
+                world_.set_input({recording_.inputs[next_].input}, recording_.inputs[next_].value);
+            if (const Status status = world_.step(); status != Status::ok) {
+                progress.close();
+                fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}\n", world_.time(),
+                           to_string(status));
+                return kFailed;
+            }
+            progress.at(world_.step_count() - recording_.start_step);
+        }
+        return kOk;
+    }
+
+    const observe::Recording& recording_;
+    World& world_;
+    std::size_t next_ = 0;
+};
+
+int replay(const ReplayOptions& options) {
+    const observe::Recording recording = observe::Recording::open(options.file);
+    if (!same_instruction_set(recording)) return kMismatch;
+    scene::Options scene_options;
+    scene_options.threads = options.threads;
+    scene::Scene scene =
+        scene::load_text(recording.scene_text, options.file + " (embedded scene)", scene_options);
+    World& world = scene.world;
+    const auto bad_input = [&](const observe::RecordedInput& input) {
+        return input.input < 0 || input.input >= world.input_count();
+    };
+    if (world.body_count() != static_cast<std::int32_t>(recording.bodies.size()) ||
+        std::any_of(recording.inputs.begin(), recording.inputs.end(), bad_input))
+        throw observe::RecordingError(options.file +
+                                      ": the embedded scene does not fit the recording");
+    world.prepare();
+    world.restore(recording.snapshot);
+    if (world.state_hash() != recording.start_hash) {
+        fmt::print("difference at the start: recorded hash {:016x}, restored {:016x}\n",
+                   recording.start_hash, world.state_hash());
+        return kMismatch;
+    }
+    return Replay(recording, world).run(options.quiet);
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, Command& chosen) {
+    auto options = std::make_shared<ReplayOptions>();
+    CLI::App* command =
+        app.add_subcommand("replay", "Repeat a recording and prove that it comes out the same");
+    command->footer(kFooter);
+    command->add_option("RECORDING", options->file, "File written by hawser run --record")
+        ->required();
+    command->add_option("--threads", options->threads, "Worker threads")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    command->add_flag("--quiet", options->quiet, "No progress");
+    command->callback([&chosen, options] { chosen = [options] { return replay(*options); }; });
+}
+
+}  // namespace hawser::cli

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands.h"
+#include "validate.h"
+
+#include <memory>
+#include <stdexcept>
+
+// Absent from builds without the validation cases.
+[[gnu::weak]] int run_validate(const std::vector<std::string>& cases, const std::string& json_file,
+                               bool list);
+
+namespace hawser::cli {
+
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  hawser validate
+  hawser validate --list
+  hawser validate pendulum catenary --json validation.json
+
+Runs cases with a known answer and prints case, quantity, reference, ours, error and observed
+order. Exit codes: 0 all within tolerance, 1 unknown case, 3 at least one is not.)";
+
+struct ValidateOptions {
+    std::vector<std::string> cases;
+    std::string json;
+    bool list = false;
+};
+
+}  // namespace
+
+void add_validate(CLI::App& app, Command& chosen) {
+    auto options = std::make_shared<ValidateOptions>();
+    CLI::App* command = app.add_subcommand("validate", "Compare with known answers of physics");
+    command->footer(kFooter);
+    command->add_option("CASE", options->cases, "Names of cases; none = all");
+    command->add_option("--json", options->json, "Write the results as JSON");
+    command->add_flag("--list", options->list, "Print the names of the cases");
+    command->callback([&chosen, options] {
+        chosen = [options] {
+            if (run_validate == nullptr)
+                throw std::runtime_error("this program was built without the validation cases");
+            return run_validate(options->cases, options->json, options->list);
+        };
+    });
+}
+
+}  // namespace hawser::cli

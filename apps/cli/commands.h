@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file commands.h
+/// The commands of the program and what they return (docs/cli.md).
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <string>
+
+namespace hawser::cli {
+
+inline constexpr int kOk = 0;
+inline constexpr int kUsageError = 1;  ///< Wrong option, scene or file.
+inline constexpr int kFailed = 2;      ///< A step did not succeed.
+inline constexpr int kMismatch = 3;    ///< Replay or validation differs.
+inline constexpr int kInterrupted = 130;
+
+/// What main() runs once the command line has been read; returns the exit code.
+using Command = std::function<int()>;
+
+void add_run(CLI::App& app, Command& chosen);
+void add_check(CLI::App& app, Command& chosen);
+void add_settle(CLI::App& app, Command& chosen);
+void add_replay(CLI::App& app, Command& chosen);
+void add_plot(CLI::App& app, Command& chosen);
+void add_inspect(CLI::App& app, Command& chosen);
+void add_validate(CLI::App& app, Command& chosen);
+void add_bench(CLI::App& app, Command& chosen);
+
+}  // namespace hawser::cli

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands.h"
+
+#include <fmt/format.h>
+#include <hawser/hawser.h>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  hawser run scenes/pendulum.json
+  hawser run scenes/anchor_lines.json --duration 60 --record run.hwr --summary run.json
+  hawser plot run.hwr -o pictures
+  hawser replay run.hwr
+  hawser COMMAND --help
+
+Exit codes: 0 success; 1 wrong option, scene or file; 2 a step failed;
+3 replay or validation differs; 130 interrupted (Ctrl-C).)";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using namespace hawser::cli;
+    CLI::App app{"Hawser: real-time dynamics of ships, cranes, winches and cables", "hawser"};
+    app.set_version_flag(
+        "--version", fmt::format("hawser {} ({})", hawser::version(), hawser::instruction_set()));
+    app.set_help_all_flag("--help-all", "Help of all commands");
+    app.footer(kFooter);
+    app.require_subcommand(1);
+    Command chosen;
+    add_run(app, chosen);
+    add_check(app, chosen);
+    add_settle(app, chosen);
+    add_replay(app, chosen);
+    add_plot(app, chosen);
+    add_inspect(app, chosen);
+    add_validate(app, chosen);
+    add_bench(app, chosen);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        return app.exit(e) == 0 ? kOk : kUsageError;
+    }
+    try {
+        return chosen();
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "hawser: out of memory\n");
+    } catch (const std::exception& e) {
+        fmt::print(stderr, "hawser: {}\n", e.what());
+    }
+    return kUsageError;
+}

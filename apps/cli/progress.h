@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file progress.h
+/// Shows how far a run is: a bar on a terminal, plain lines elsewhere. Written to standard
+/// error, so that standard output holds the report alone.
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace hawser::cli {
+
+class Progress {
+  public:
+    /// @param steps    Steps of the whole run.
+    /// @param step     Simulated time of one [s].
+    /// @param enabled  False: silent.
+    Progress(std::int64_t steps, double step, bool enabled);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// Cheap: looks at the clock and writes only now and then.
+    void at(std::int64_t done, const std::string& note = {});
+    /// Ends the bar's line.
+    void close();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    void bar(std::int64_t done, const std::string& note);
+    void line(std::int64_t done, const std::string& note);
+    [[nodiscard]] double factor(std::int64_t done) const;
+
+    std::int64_t steps_;
+    double step_;
+    bool enabled_, terminal_;
+    Clock::time_point start_, shown_;
+    std::int64_t next_tenth_ = 1;
+    bool open_ = false;
+};
+
+}  // namespace hawser::cli

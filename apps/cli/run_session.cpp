@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run_session.h"
+
+#include "commands.h"
+#include "observe/host.h"
+#include "observe/snapshot_file.h"
+#include "progress.h"
+#include "signals.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+
+namespace hawser::cli {
+
+namespace {
+
+// A recording made without --record-every stays below this.
+constexpr double kRecordingBytes = 128e6;
+
+// Times are multiples of the step up to rounding.
+constexpr double kTimeSlack = 1e-6;  // [steps]
+
+}  // namespace
+
+RunSession::RunSession(const RunOptions& options)
+    : options_(options), scene_(options.scene.load()), info_(info_of(scene_)) {
+    World& world = scene_.world;
+    if (!options.restore.empty()) observe::restore_snapshot(options.restore, info_, world);
+    const double h = world.settings().step;
+    end_time_ = options.duration.value_or(scene_.duration);
+    steps_ = static_cast<std::int64_t>(std::ceil((end_time_ - world.time()) / h - kTimeSlack));
+    if (steps_ <= 0 && !options.restore.empty())
+        throw std::runtime_error(
+            fmt::format("{}: the snapshot is at {:.6g} s and the run ends at {:.6g} s; give a "
+                        "later end with --duration",
+                        options.restore, world.time(), end_time_));
+    steps_ = std::max<std::int64_t>(0, steps_);
+    if (options.save_time &&
+        (*options.save_time > end_time_ + 0.5 * h || *options.save_time < world.time()))
+        throw std::runtime_error(
+            fmt::format("--save-at {:.6g}: not between the start {:.6g} s "
+                        "and the end {:.6g} s of the run",
+                        *options.save_time, world.time(), end_time_));
+    if (!options.control.empty())
+        control_ = observe::read_control(options.control, input_names(world));
+    world.prepare();
+    choose_stride();
+    if (!options.record.empty()) {
+        const WorldDef& settings = world.settings();
+        recording_ = std::make_unique<observe::RecordingWriter>(
+            options.record, info_, world,
+            observe::RecordingSettings{.step = settings.step,
+                                       .form = settings.form,
+                                       .threads = settings.threads,
+                                       .stride = stride_,
+                                       .instruction_set = instruction_set(),
+                                       .version = version(),
+                                       .processor = observe::processor_model()});
+        written_.push_back(options.record);
+    }
+    if (!options.csv.empty()) {
+        csv_ = std::make_unique<observe::CsvWriter>(options.csv, info_, world);
+        csv_->add_row(world);
+        written_.push_back(options.csv);
+    }
+    if (!options.summary.empty() && !std::ofstream(options.summary))
+        throw std::runtime_error(fmt::format("{}: cannot write the summary", options.summary));
+    collector_ = std::make_unique<observe::SummaryCollector>(info_, world);
+}
+
+void RunSession::choose_stride() {
+    stride_ = options_.stride;
+    if (stride_ > 0) return;
+    const double all = static_cast<double>(observe::frame_bytes(scene_.world, info_)) *
+                       static_cast<double>(steps_ + 1);
+    stride_ = static_cast<std::int32_t>(std::clamp(std::ceil(all / kRecordingBytes), 1.0, 1e6));
+}
+
+int RunSession::run() {
+    World& world = scene_.world;
+    catch_signals();
+    if (!options_.quiet)
+        fmt::print(stderr, "{}: {} bodies, {} interactions, {} steps of {:.6g} ms\n", info_.name,
+                   world.body_count(), world.interaction_count(), steps_,
+                   1e3 * world.settings().step);
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    Progress progress(steps_, world.settings().step, !options_.quiet);
+    if (options_.realtime) pacer_ = std::make_unique<Pacer>(world.settings().step);
+    observe::Ending ending = observe::Ending::finished;
+    save_if_due();
+    while (done_ < steps_) {
+        if (stop_requested()) {
+            ending = observe::Ending::interrupted;
+            break;
+        }
+        apply_inputs();
+        const Status status = world.step();
+        ++done_;
+        if (status != Status::ok) {
+            ending = observe::Ending::failed;
+            break;
+        }
+        after_step();
+        progress.at(done_);
+        if (pacer_) pacer_->wait();
+    }
+    progress.close();
+    return finish(ending, std::chrono::duration<double>(Clock::now() - start).count());
+}
+
+void RunSession::apply_inputs() {
+    World& world = scene_.world;
+    const double now = world.time() + kTimeSlack * world.settings().step;
+    std::vector<observe::RecordedInput> changes;
+    for (; next_control_ < control_.size() && control_[next_control_].time <= now;
+         ++next_control_) {
+        const observe::ControlChange& change = control_[next_control_];
+        world.set_input({change.input}, change.value);
+        changes.push_back({world.step_count(), change.input, change.value});
+    }
+    if (recording_) recording_->add_inputs(changes);
+}
+
+void RunSession::after_step() {
+    World& world = scene_.world;
+    const std::vector<Event> events = world.take_events();
+    collector_->after_step(world, events);
+    const bool frame = done_ % stride_ == 0 || done_ == steps_;
+    if (recording_) {
+        for (const Event& event : events) recording_->add_event(world, event);
+        if (frame) recording_->add_frame(world);
+    }
+    if (csv_ && frame) csv_->add_row(world);
+    save_if_due();
+}
+
+void RunSession::save_if_due() {
+    const World& world = scene_.world;
+    if (!options_.save_time || saved_ ||
+        world.time() < *options_.save_time - kTimeSlack * world.settings().step)
+        return;
+    observe::save_snapshot(options_.save_file, info_, world);
+    saved_ = true;
+    written_.push_back(options_.save_file);
+}
+
+int RunSession::finish(observe::Ending ending, double wall_seconds) {
+    const World& world = scene_.world;
+    observe::Summary summary = collector_->result(world);
+    summary.wall_seconds = wall_seconds;
+    if (pacer_) {
+        summary.missed_frames = pacer_->missed();
+        summary.lateness_max = pacer_->lateness_max();
+    }
+    if (ending == observe::Ending::interrupted) summary.outcome = "interrupted";
+    if (ending == observe::Ending::failed) summary.outcome = "failed";
+    if (recording_) recording_->finish(world, ending);
+    if (csv_) csv_->finish();
+    if (!options_.summary.empty()) {
+        write_summary(summary);
+        written_.push_back(options_.summary);
+    }
+    if (!options_.quiet) {
+        fmt::print("{}", observe::report(summary));
+        if (!written_.empty()) fmt::print("  wrote        {}\n", fmt::join(written_, ", "));
+        std::fflush(stdout);
+    }
+    if (ending == observe::Ending::failed) {
+        fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}; the state before it stays\n",
+                   world.time(), to_string(summary.last.status));
+        return kFailed;
+    }
+    return ending == observe::Ending::interrupted ? kInterrupted : kOk;
+}
+
+void RunSession::write_summary(const observe::Summary& summary) const {
+    std::ofstream out(options_.summary, std::ios::binary);
+    out << observe::to_json(summary);
+    out.close();
+    if (!out)
+        throw std::runtime_error(fmt::format("{}: cannot write the summary", options_.summary));
+}
+
+}  // namespace hawser::cli

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file run_session.h
+/// One run of a scene: commands in, steps, recordings and figures out.
+
+#include "observe/control.h"
+#include "observe/csv.h"
+#include "observe/recording.h"
+#include "observe/summary.h"
+#include "realtime.h"
+#include "scene_options.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hawser::cli {
+
+struct RunOptions {
+    SceneOptions scene;
+    std::optional<double> duration;  ///< Time at which the run ends [s].
+    bool realtime = false, rt = false, quiet = false;
+    std::string control, record, csv, summary, restore, save_file;
+    std::optional<double> save_time;  ///< [s]
+    std::int32_t stride = 0;          ///< Steps from frame to frame; 0 = chosen by size.
+};
+
+class RunSession {
+  public:
+    /// Reads the scene, restores the state, opens the outputs. @throws std::exception.
+    explicit RunSession(const RunOptions& options);
+    /// Steps until the end, a failure or a signal. @return the exit code.
+    int run();
+
+  private:
+    void choose_stride();
+    void apply_inputs();
+    void after_step();
+    void save_if_due();
+    int finish(observe::Ending ending, double wall_seconds);
+    void write_summary(const observe::Summary& summary) const;
+
+    const RunOptions& options_;
+    scene::Scene scene_;
+    observe::SceneInfo info_;
+    double end_time_ = 0.0;
+    std::int64_t steps_ = 0, done_ = 0;
+    std::int32_t stride_ = 1;
+    std::vector<observe::ControlChange> control_;
+    std::size_t next_control_ = 0;
+    std::unique_ptr<observe::RecordingWriter> recording_;
+    std::unique_ptr<observe::CsvWriter> csv_;
+    std::unique_ptr<observe::SummaryCollector> collector_;
+    std::unique_ptr<Pacer> pacer_;
+    bool saved_ = false;
+    std::vector<std::string> written_;
+};
+
+}  // namespace hawser::cli

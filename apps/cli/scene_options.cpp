@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene_options.h"
+
+#include <algorithm>
+
+namespace hawser::cli {
+
+void SceneOptions::add_to(CLI::App& command) {
+    command.add_option("SCENE", file, "Scene file (JSON)")->required();
+    command.add_option("--step", step, "Time step [s] instead of the scene's")
+        ->check(CLI::PositiveNumber);
+    command.add_option("--form", form, "Form of the equations: auto, saddle or condensed")
+        ->check(CLI::IsMember({"auto", "saddle", "condensed"}));
+    command.add_option("--threads", threads, "Worker threads; results do not depend on it")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    command.add_option("--scale", scale, "Repeat the scene this many times, joined into one")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command
+        .add_option("--set", set,
+                    "Change a value of the scene: path=value, e.g. bodies.rig.mass=2e7; "
+                    "may be given several times")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+scene::Scene SceneOptions::load() const {
+    scene::Options options;
+    options.scale = scale;
+    options.set = set;
+    options.step = step;
+    options.threads = threads;
+    if (form)
+        options.form = *form == "saddle"      ? Form::saddle
+                       : *form == "condensed" ? Form::condensed
+                                              : Form::automatic;
+    return scene::load_file(file, options);
+}
+
+observe::SceneInfo info_of(const scene::Scene& scene) {
+    observe::SceneInfo info{.name = scene.name,
+                            .path = scene.path,
+                            .text = scene.text,
+                            .hash = scene.hash,
+                            .cables = {},
+                            .plot_cables = {},
+                            .plot_bodies = {}};
+    for (const scene::Cable& cable : scene.cables)
+        info.cables.push_back({cable.name, cable.line_type, cable.nodes, cable.stretch, cable.EA,
+                               cable.breaking_load, cable.length});
+    for (const std::string& name : scene.plot_tensions)
+        for (std::size_t i = 0; i < scene.cables.size(); ++i)
+            if (scene.cables[i].name == name)
+                info.plot_cables.push_back(static_cast<std::int32_t>(i));
+    for (const std::string& name : scene.plot_motions)
+        if (const BodyId body = scene.world.find_body(name); body.valid())
+            info.plot_bodies.push_back(body);
+    return info;
+}
+
+std::vector<std::string> input_names(const World& world) {
+    std::vector<std::string> names;
+    for (std::int32_t i = 0; i < world.input_count(); ++i)
+        names.push_back(world.input_def({i}).name);
+    return names;
+}
+
+}  // namespace hawser::cli

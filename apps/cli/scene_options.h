@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file scene_options.h
+/// Options that change a scene while it is read, common to several commands.
+
+#include "observe/scene_info.h"
+#include "scene/scene.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hawser::cli {
+
+struct SceneOptions {
+    std::string file;
+    std::optional<double> step;
+    std::optional<std::string> form;
+    int threads = 1;
+    int scale = 1;
+    std::vector<std::string> set;
+
+    void add_to(CLI::App& command);
+    /// @throws scene::SceneError.
+    [[nodiscard]] scene::Scene load() const;
+};
+
+[[nodiscard]] observe::SceneInfo info_of(const scene::Scene& scene);
+
+/// Names of a world's inputs in their order.
+[[nodiscard]] std::vector<std::string> input_names(const World& world);
+
+}  // namespace hawser::cli

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "observe/snapshot_file.h"
+
+#include "observe/bytes.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace hawser::observe {
+
+namespace {
+
+constexpr char kMagic[8] = {'H', 'A', 'W', 'S', 'E', 'R', 'S', 'T'};
+constexpr std::uint32_t kVersion = 1;
+
+std::vector<std::byte> read_file(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary | std::ios::ate);
+    if (!in || !std::filesystem::is_regular_file(file))
+        throw SnapshotError(fmt::format("{}: cannot open the snapshot", file.string()));
+    std::vector<std::byte> bytes(static_cast<std::size_t>(in.tellg()));
+    in.seekg(0);
+    in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    if (!in) throw SnapshotError(fmt::format("{}: cannot read the snapshot", file.string()));
+    return bytes;
+}
+
+}  // namespace
+
+void save_snapshot(const std::filesystem::path& file, const SceneInfo& scene, const World& world) {
+    ByteWriter out;
+    out.put_bytes(std::as_bytes(std::span(kMagic)));
+    out.put(kVersion);
+    out.put(scene.hash);
+    out.put_text(scene.name);
+    out.put(world.time());
+    out.put(world.state_hash());
+    out.put_bytes(world.save());
+    out.put(crc32(out.bytes()));
+    std::ofstream to(file, std::ios::binary);
+    to.write(reinterpret_cast<const char*>(out.bytes().data()),
+             static_cast<std::streamsize>(out.bytes().size()));
+    to.close();
+    if (!to) throw SnapshotError(fmt::format("{}: cannot write the snapshot", file.string()));
+}
+
+void restore_snapshot(const std::filesystem::path& file, const SceneInfo& scene, World& world) {
+    const std::vector<std::byte> bytes = read_file(file);
+    try {
+        ByteReader in(bytes);
+        if (std::memcmp(in.take(sizeof kMagic).data(), kMagic, sizeof kMagic) != 0)
+            throw BadBytes("not a Hawser snapshot");
+        if (const auto version = in.get<std::uint32_t>(); version != kVersion)
+            throw BadBytes(
+                fmt::format("snapshot format {}, this program reads {}", version, kVersion));
+        const auto hash = in.get<std::uint64_t>();
+        const std::string name = in.get_text();
+        const double time = in.get<double>();
+        const auto state_hash = in.get<std::uint64_t>();
+        if (in.left() < 4) throw BadBytes("data end too early");
+        const auto state = in.take(in.left() - 4);
+        if (in.get<std::uint32_t>() != crc32(std::span(bytes).first(bytes.size() - 4)))
+            throw BadBytes("the checksum does not match");
+        if (hash != scene.hash)
+            throw BadBytes(fmt::format(
+                "saved at {:.6g} s from the scene \"{}\" with hash {:016x}; this is \"{}\" with "
+                "hash {:016x}: restore it with the same scene file and the same --step, --form, "
+                "--scale and --set",
+                time, name, hash, scene.name, scene.hash));
+        world.restore(state);
+        if (world.state_hash() != state_hash)
+            throw BadBytes(
+                fmt::format("the restored state has another hash; it was saved with another "
+                            "instruction set than {} or another version of Hawser",
+                            instruction_set()));
+    } catch (const BadBytes& e) {
+        throw SnapshotError(fmt::format("{}: {}", file.string(), e.what()));
+    } catch (const DefError& e) {
+        throw SnapshotError(fmt::format("{}: {}", file.string(), e.what()));
+    }
+}
+
+}  // namespace hawser::observe
