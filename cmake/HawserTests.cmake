@@ -67,6 +67,14 @@ foreach(folder IN LISTS folders)
     endif()
 endforeach()
 
+# The judging half of hawser-bench needs no foreign engine and is tested everywhere.
+if(TARGET hawser_test_bench)
+    foreach(file IN ITEMS scenes forest meter reference)
+        target_sources(hawser_test_bench PRIVATE "${PROJECT_SOURCE_DIR}/bench/peers/${file}.cpp")
+    endforeach()
+    target_include_directories(hawser_test_bench PRIVATE ${PROJECT_SOURCE_DIR}/bench)
+endif()
+
 # ---- checks of the build itself ----------------------------------------------------------------
 if(NOT HAWSER_SANITIZE)
     foreach(isa IN ITEMS avx2 avx512)

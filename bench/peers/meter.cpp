@@ -63,9 +63,9 @@ double Meter::largest_gap(const std::vector<BodyState>& s) const {
         const auto end = [&](int body, const Vec3& arm) -> Vec3 {
             return body == kWorld ? arm : Vec3(s[at(body)].x + s[at(body)].q * arm);
         };
-        // Written so that a NaN counts as the worst gap.
         const double d2 = (end(j.a, j.arm_a) - end(j.b, j.arm_b)).squaredNorm();
-        if (!(d2 <= worst)) worst = d2;
+        if (std::isnan(d2)) return d2;
+        worst = std::max(worst, d2);
     }
     return std::sqrt(worst);
 }
