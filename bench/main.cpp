@@ -20,8 +20,7 @@ constexpr Command kCommands[] = {
 
 int usage(std::FILE* out, int code) {
     std::fputs("usage: hawser-bench COMMAND [OPTIONS]\n\ncommands:\n", out);
-    for (const Command& c : kCommands)
-        std::fprintf(out, "  %-8s %s\n", c.name, c.description);
+    for (const Command& c : kCommands) std::fprintf(out, "  %-8s %s\n", c.name, c.description);
     std::fputs("\n'hawser-bench COMMAND --help' tells the options.\n", out);
     return code;
 }
@@ -29,13 +28,11 @@ int usage(std::FILE* out, int code) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 2)
-        return usage(stderr, 2);
+    if (argc < 2) return usage(stderr, 2);
     if (std::strcmp(argv[1], "--help") == 0 || std::strcmp(argv[1], "-h") == 0)
         return usage(stdout, 0);
     for (const Command& c : kCommands) {
-        if (std::strcmp(argv[1], c.name) != 0)
-            continue;
+        if (std::strcmp(argv[1], c.name) != 0) continue;
         try {
             return c.run(argc - 1, argv + 1);
         } catch (const std::exception& e) {

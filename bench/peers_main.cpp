@@ -39,10 +39,8 @@ void print_header(const Scene& scene) {
 
 void print_row(const PeerResult& r) {
     std::string verdict = r.holds ? "yes" : "no: " + r.why_not;
-    if (!r.unchecked.empty())
-        verdict += " (" + r.unchecked + " not checked: no reference)";
-    if (!r.holds)
-        verdict += fmt::format(", {:.2f} s simulated", r.simulated);
+    if (!r.unchecked.empty()) verdict += " (" + r.unchecked + " not checked: no reference)";
+    if (!r.holds) verdict += fmt::format(", {:.2f} s simulated", r.simulated);
     fmt::print("{:<22}{:>5}{:>11.3f}{:>10.3f}{:>10.2g}{:>11}{:>10}{:>11}  {}\n", r.engine,
                r.substeps, r.ms_per_frame, r.ms_p99, r.measures.gap,
                cell(r.measures.tension_error, 100.0), cell(r.measures.energy_drift, 100.0),
@@ -89,8 +87,7 @@ Options parse(int argc, char** argv) {
         "<= 0.1 m over the whole run), all alternated in one run.",
         "hawser-bench peers"};
     std::string known;
-    for (const Engine& e : engines())
-        known += "\n  " + e.name + ": " + e.description;
+    for (const Engine& e : engines()) known += "\n  " + e.name + ": " + e.description;
     app.add_option("--scene", o.scenes, "heavy_hook, tow_zigzag, mooring or all")->delimiter(',');
     app.add_option("--engines", o.engines,
                    "comma-separated, default all; NAME@2 takes the second tree layout:" + known)
@@ -119,8 +116,7 @@ Options parse(int argc, char** argv) {
     if (o.scenes == std::vector<std::string>{"all"})
         o.scenes = {"heavy_hook", "tow_zigzag", "mooring"};
     if (o.engines.empty())
-        for (const Engine& e : engines())
-            o.engines.push_back(e.name);
+        for (const Engine& e : engines()) o.engines.push_back(e.name);
     return o;
 }
 
@@ -138,8 +134,7 @@ std::vector<PeerResult> compare(const Scene& scene, const Options& o) {
         int substeps = engine.ours ? 1 : o.substeps;
         if (substeps == 0) {
             const auto tell = [&](const PeerResult& r) {
-                if (o.verbose)
-                    print_row(r);
+                if (o.verbose) print_row(r);
             };
             const PeerResult r = smallest_that_holds(engine, scene, reference, o.search, tell);
             if (!r.holds) {
@@ -152,8 +147,7 @@ std::vector<PeerResult> compare(const Scene& scene, const Options& o) {
     }
     alternate(trials);
     std::vector<PeerResult> results;
-    for (const auto& t : trials)
-        results.push_back(t->result());
+    for (const auto& t : trials) results.push_back(t->result());
     results.insert(results.end(), failed.begin(), failed.end());
     return results;
 }
@@ -163,16 +157,13 @@ void save_tension(const PeerResult& r, const std::string& folder) {
     const std::string path = folder + "/" + r.scene + ".csv";
     std::ofstream out(path);
     out << "t";
-    for (std::size_t k = 0; k < r.tensions.size(); ++k)
-        out << ",tension_" << k + 1;
+    for (std::size_t k = 0; k < r.tensions.size(); ++k) out << ",tension_" << k + 1;
     for (std::size_t i = 0; i < r.tension_times.size(); ++i) {
         out << fmt::format("\n{:.9f}", r.tension_times[i]);
-        for (const auto& series : r.tensions)
-            out << fmt::format(",{:.7g}", series[i]);
+        for (const auto& series : r.tensions) out << fmt::format(",{:.7g}", series[i]);
     }
     out << '\n';
-    if (!out)
-        throw std::runtime_error("cannot write " + path);
+    if (!out) throw std::runtime_error("cannot write " + path);
 }
 
 void print_verdict(const std::vector<PeerResult>& results) {

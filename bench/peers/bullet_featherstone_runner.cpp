@@ -25,7 +25,7 @@ constexpr double kErp = 0.2;  // the default; 0.5 and 0.8 change no gap of a clo
 /// the closures are given to the solver here. The prediction of poses that serves soft bodies
 /// only is left out. Both make the engine faster than its default world.
 class TreeWorld final : public WithoutCollision<btMultiBodyDynamicsWorld> {
-public:
+  public:
     using WithoutCollision::WithoutCollision;
 
     void solveConstraints(btContactSolverInfo& info) override {
@@ -49,7 +49,7 @@ struct Place {
 };
 
 class FeatherstoneRunner final : public Runner {
-public:
+  public:
     FeatherstoneRunner(const Scene& scene, int substeps, const TreeLayout& layout)
         : scene_(scene),
           substeps_(substeps),
@@ -64,18 +64,13 @@ public:
         // A warm start above 1000 N s makes btDantzigSolver report failure; it needs none.
         info.m_solverMode &= ~SOLVER_USE_WARMSTARTING;
         place_.resize(scene.bodies.size());
-        for (const auto& tree : spanning_forest(scene, layout))
-            add_tree(tree);
-        for (const int j : layout.closures)
-            close(scene.joints[static_cast<std::size_t>(j)]);
+        for (const auto& tree : spanning_forest(scene, layout)) add_tree(tree);
+        for (const int j : layout.closures) close(scene.joints[static_cast<std::size_t>(j)]);
     }
     ~FeatherstoneRunner() override {
-        for (auto& c : closures_)
-            world_.removeMultiBodyConstraint(c.get());
-        for (auto& t : trees_)
-            world_.removeMultiBody(t.get());
-        if (ground_)
-            world_.removeMultiBody(ground_.get());
+        for (auto& c : closures_) world_.removeMultiBodyConstraint(c.get());
+        for (auto& t : trees_) world_.removeMultiBody(t.get());
+        if (ground_) world_.removeMultiBody(ground_.get());
     }
 
     int substeps() const override { return substeps_; }
@@ -127,7 +122,7 @@ public:
         }
     }
 
-private:
+  private:
     const Body& body(int i) const { return scene_.bodies[static_cast<std::size_t>(i)]; }
 
     void add_tree(const std::vector<TreeNode>& nodes) {

@@ -11,13 +11,12 @@ constexpr double kErp = 0.8;     // smallest gap of 0.2 (the default), 0.5, 0.8
 constexpr int kIterations = 50;  // its default is 10
 
 class ImpulseRunner final : public Runner {
-public:
+  public:
     ImpulseRunner(const Scene& scene, int substeps)
         : scene_(scene), substeps_(substeps), world_(scene.gravity) {
         world_.world.getSolverInfo().m_numIterations = kIterations;
         world_.world.getSolverInfo().m_erp = kErp;
-        for (const Body& b : scene.bodies)
-            add_body(b);
+        for (const Body& b : scene.bodies) add_body(b);
         for (const BallJoint& j : scene.joints) {
             if (j.a == kWorld || j.b == kWorld) {
                 const int i = j.a == kWorld ? j.b : j.a;
@@ -31,10 +30,8 @@ public:
         }
     }
     ~ImpulseRunner() override {
-        for (auto& j : joints_)
-            world_.world.removeConstraint(j.get());
-        for (auto& b : bodies_)
-            world_.world.removeRigidBody(b.get());
+        for (auto& j : joints_) world_.world.removeConstraint(j.get());
+        for (auto& b : bodies_) world_.world.removeRigidBody(b.get());
     }
 
     int substeps() const override { return substeps_; }
@@ -59,7 +56,7 @@ public:
         }
     }
 
-private:
+  private:
     struct World {
         explicit World(double gravity)
             : world(&parts.dispatcher, &parts.broadphase, &solver, &parts.configuration) {
@@ -83,8 +80,7 @@ private:
         body->setLinearVelocity(to_bullet(b.start.v));
         body->setAngularVelocity(to_bullet(b.start.w));
         world_.world.addRigidBody(body.get(), 0, 0);
-        if (b.afloat)
-            body->setGravity(btVector3(0, 0, 0));
+        if (b.afloat) body->setGravity(btVector3(0, 0, 0));
         bodies_.push_back(std::move(body));
     }
 

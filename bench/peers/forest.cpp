@@ -14,8 +14,7 @@ void grow(const Scene& scene, const std::vector<std::vector<int>>& at, const std
     for (std::size_t k = 0; k < tree.size(); ++k) {
         const TreeNode from = tree[k];
         for (const int j : at[static_cast<std::size_t>(from.body)]) {
-            if (!use[static_cast<std::size_t>(j)] || j == from.joint)
-                continue;
+            if (!use[static_cast<std::size_t>(j)] || j == from.joint) continue;
             const BallJoint& joint = scene.joints[static_cast<std::size_t>(j)];
             const bool forward = joint.a == from.body;
             const int to = forward ? joint.b : joint.a;
@@ -33,19 +32,16 @@ void grow(const Scene& scene, const std::vector<std::vector<int>>& at, const std
 std::vector<std::vector<TreeNode>> spanning_forest(const Scene& scene, const TreeLayout& layout) {
     const std::size_t n = scene.bodies.size();
     std::vector<char> use(scene.joints.size(), 1), placed(n, 0);
-    for (const int j : layout.closures)
-        use[static_cast<std::size_t>(j)] = 0;
+    for (const int j : layout.closures) use[static_cast<std::size_t>(j)] = 0;
     std::vector<std::vector<int>> at(n);
     for (std::size_t j = 0; j < scene.joints.size(); ++j)
         for (const int b : {scene.joints[j].a, scene.joints[j].b})
-            if (b != kWorld)
-                at[static_cast<std::size_t>(b)].push_back(static_cast<int>(j));
+            if (b != kWorld) at[static_cast<std::size_t>(b)].push_back(static_cast<int>(j));
 
     std::vector<std::vector<TreeNode>> forest;
     for (std::size_t j = 0; j < scene.joints.size(); ++j) {
         const BallJoint& joint = scene.joints[j];
-        if (!use[j] || (joint.a != kWorld && joint.b != kWorld))
-            continue;
+        if (!use[j] || (joint.a != kWorld && joint.b != kWorld)) continue;
         const bool forward = joint.a == kWorld;
         const int body = forward ? joint.b : joint.a;
         if (placed[static_cast<std::size_t>(body)])
@@ -61,8 +57,7 @@ std::vector<std::vector<TreeNode>> spanning_forest(const Scene& scene, const Tre
         return scene.bodies[a].mass > scene.bodies[b].mass;
     });
     for (const std::size_t root : heavy) {
-        if (placed[root])
-            continue;
+        if (placed[root]) continue;
         placed[root] = 1;
         forest.push_back({{static_cast<int>(root), kFree, -1, Vec3::Zero(), Vec3::Zero()}});
         grow(scene, at, use, placed, forest.back());

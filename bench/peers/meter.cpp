@@ -73,16 +73,20 @@ double Meter::largest_gap(const std::vector<BodyState>& s) const {
 void Meter::substep(const std::vector<BodyState>& before, const std::vector<Load>& loads,
                     const std::vector<BodyState>& after, double h, const std::vector<Vec3>* tow) {
     last_work_ = 0.0;
+    // The velocity that carried the bodies over this substep.
+    const auto mean = [&](const Vec3& a, const Vec3& b) -> Vec3 {
+        return staggered_ ? b : Vec3(0.5 * (a + b));
+    };
     for (std::size_t i = 0; i < loaded_.size(); ++i)
         if (loaded_[i])
-            last_work_ -= scene_.bodies[i].drag * 0.5 *
-                          (before[i].v + after[i].v).dot(after[i].x - before[i].x);
+            last_work_ -=
+                scene_.bodies[i].drag * mean(before[i].v, after[i].v).dot(after[i].x - before[i].x);
     for (const Thrust& t : scene_.thrusts)
         last_work_ += t.force.dot(after[at(t.body)].x - before[at(t.body)].x);
     for (const Floating& f : scene_.floating) {
         const BodyState &a = before[at(f.body)], &b = after[at(f.body)];
-        last_work_ -= f.heave_c * 0.5 * (a.v.z() + b.v.z()) * (b.x.z() - a.x.z());
-        const Vec3 w = 0.5 * (a.w + b.w);
+        last_work_ -= f.heave_c * mean(a.v, b.v).z() * (b.x.z() - a.x.z());
+        const Vec3 w = mean(a.w, b.w);
         last_work_ -= f.tilt_c * h * (w.x() * w.x() + w.y() * w.y());
     }
     work_ += last_work_;
@@ -106,10 +110,12 @@ std::optional<double> Meter::reference_tension(std::size_t ship, double t) const
 }
 
 void Meter::measure_tension(double t) {
-    if (!scene_.towed.empty()) times_.push_back(t - 0.5 * frame_time_);
+    // A mean force belongs to the middle of its frame; if it takes the velocity from half a step
+    // before the frame to half a step before its end, to the start of the frame.
+    const double middle = t - (staggered_ ? 1.0 : 0.5) * frame_time_;
+    if (!scene_.towed.empty()) times_.push_back(middle);
     for (std::size_t k = 0; k < scene_.towed.size(); ++k) {
-        // The mean force of the frame belongs to its middle.
-        const auto ref = reference_tension(k, t - 0.5 * frame_time_);
+        const auto ref = reference_tension(k, middle);
         const double force = impulse_[k].norm() / frame_time_;
         tensions_[k].push_back(force);
         if (ref && t - frame_time_ >= kSettle - 1e-9) {

@@ -17,7 +17,7 @@ constexpr double kCfm = 1e-14;
 constexpr int kQuickIterations = 50;  // its default is 20
 
 class OdeRunner final : public Runner {
-public:
+  public:
     OdeRunner(const Scene& scene, int substeps, bool quick)
         : scene_(scene), substeps_(substeps), quick_(quick) {
         dInitODE2(0);
@@ -27,8 +27,7 @@ public:
         dWorldSetCFM(world_, kCfm);
         dWorldSetQuickStepNumIterations(world_, kQuickIterations);
         dWorldSetAutoDisableFlag(world_, 0);
-        for (const Body& b : scene.bodies)
-            add_body(b);
+        for (const Body& b : scene.bodies) add_body(b);
         for (const BallJoint& j : scene.joints) {
             dJointID id = dJointCreateBall(world_, nullptr);
             dJointAttach(id, body(j.a), body(j.b));
@@ -68,7 +67,7 @@ public:
         }
     }
 
-private:
+  private:
     dBodyID body(int i) const {
         return i == kWorld ? nullptr : bodies_[static_cast<std::size_t>(i)];
     }

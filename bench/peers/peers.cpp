@@ -19,8 +19,7 @@ std::vector<double> settled_times(const std::vector<double>& ms) {
 }
 
 double percentile(const std::vector<double>& sorted, double p) {
-    if (sorted.empty())
-        return 0.0;
+    if (sorted.empty()) return 0.0;
     const double i = p * static_cast<double>(sorted.size() - 1);
     return sorted[static_cast<std::size_t>(std::lround(i))];
 }
@@ -30,12 +29,10 @@ double percentile(const std::vector<double>& sorted, double p) {
 /// for the number of closures (the last of those with the fewest).
 const TreeLayout& layout(const Scene& scene, std::size_t choice, bool few_closures) {
     const std::vector<TreeLayout>& all = scene.layouts;
-    if (choice > 0)
-        return all[std::min(choice, all.size()) - 1];
+    if (choice > 0) return all[std::min(choice, all.size()) - 1];
     std::size_t best = 0;
     for (std::size_t i = 1; few_closures && i < all.size(); ++i)
-        if (all[i].closures.size() <= all[best].closures.size())
-            best = i;
+        if (all[i].closures.size() <= all[best].closures.size()) best = i;
     return all[best];
 }
 
@@ -68,9 +65,7 @@ std::vector<Engine> engines_with_layout(std::size_t choice) {
 
 }  // namespace
 
-std::vector<Engine> engines() {
-    return engines_with_layout(0);
-}
+std::vector<Engine> engines() { return engines_with_layout(0); }
 
 Engine engine_by_name(const std::string& name) {
     const std::size_t cut = name.find('@');
@@ -98,15 +93,13 @@ Trial::Trial(const Engine& engine, const Scene& scene, const Reference& referenc
       now_(scene.bodies.size()),
       loads_(scene.bodies.size()),
       total_(static_cast<int>(std::lround(duration / kFrame))) {
-    if (!runner_)
-        throw std::invalid_argument("this program was built without " + engine.name);
+    if (!runner_) throw std::invalid_argument("this program was built without " + engine.name);
     runner_->read(now_);
     frame_ms_.reserve(static_cast<std::size_t>(total_));
 }
 
 bool Trial::frame() {
-    if (over())
-        return false;
+    if (over()) return false;
     const double h = kFrame / runner_->substeps();
     double time = 0.0;
     for (int i = 0; i < runner_->substeps(); ++i) {
@@ -125,8 +118,7 @@ bool Trial::frame() {
 
 bool Trial::holds(std::string* why) const {
     const std::string reason = meter_.why_not(total_);
-    if (why)
-        *why = reason;
+    if (why) *why = reason;
     return reason.empty();
 }
 
@@ -145,8 +137,7 @@ PeerResult Trial::result() const {
     r.measures = meter_.measures();
     if (!scene_.towed.empty() && !scene_.tension && reference_.tension.empty())
         r.unchecked = "tension";
-    if (scene_.block >= 0 && reference_.block.empty())
-        r.unchecked = "path of the block";
+    if (scene_.block >= 0 && reference_.block.empty()) r.unchecked = "path of the block";
     const std::vector<double> sorted = settled_times(frame_ms_);
     r.ms_per_frame = percentile(sorted, 0.5);
     r.ms_p99 = percentile(sorted, 0.99);
@@ -167,8 +158,7 @@ PeerResult run_peer(const Engine& engine, const Scene& scene, int substeps,
         in_time = wall.count() < options.budget;
     }
     PeerResult r = trial.result();
-    if (!in_time && r.why_not == "not finished")
-        r.why_not = "too slow to finish";
+    if (!in_time && r.why_not == "not finished") r.why_not = "too slow to finish";
     return r;
 }
 
@@ -177,14 +167,11 @@ PeerResult smallest_that_holds(const Engine& engine, const Scene& scene, const R
                                const std::function<void(const PeerResult&)>& tell) {
     PeerResult last;
     for (const int n : {1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 20, 24, 32, 40, 48, 64, 96, 128, 256}) {
-        if (n > options.max_substeps && n > 1)
-            break;
+        if (n > options.max_substeps && n > 1) break;
         last = run_peer(engine, scene, n, reference, options, true);
-        if (tell)
-            tell(last);
+        if (tell) tell(last);
         // A run that took too long with n substeps takes longer with more.
-        if (last.holds || last.why_not == "too slow to finish" || engine.ours)
-            break;
+        if (last.holds || last.why_not == "too slow to finish" || engine.ours) break;
     }
     return last;
 }
@@ -193,8 +180,7 @@ void alternate(std::vector<std::unique_ptr<Trial>>& trials, int block) {
     for (bool any = true; any;) {
         any = false;
         for (auto& t : trials)
-            for (int i = 0; i < block && t->frame(); ++i)
-                any = true;
+            for (int i = 0; i < block && t->frame(); ++i) any = true;
     }
 }
 

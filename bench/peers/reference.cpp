@@ -28,8 +28,7 @@ Slot slot(const std::vector<double>& t, double time) {
 std::vector<std::string> split(const std::string& line) {
     std::vector<std::string> cells;
     std::istringstream in(line);
-    for (std::string cell; std::getline(in, cell, ',');)
-        cells.push_back(cell);
+    for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
     return cells;
 }
 
@@ -53,18 +52,15 @@ Reference load_reference(const std::string& folder, const Scene& scene) {
     Reference ref;
     const std::string path = folder + "/" + scene.name + ".csv";
     std::ifstream in(path);
-    if (!in)
-        return ref;
+    if (!in) return ref;
     std::string line;
     std::getline(in, line);
     const std::vector<std::string> names = split(line);
     std::vector<std::size_t> tension_columns;
     std::size_t x = 0;
     for (std::size_t c = 1; c < names.size(); ++c) {
-        if (names[c] == "x")
-            x = c;
-        if (names[c].rfind("tension", 0) == 0)
-            tension_columns.push_back(c);
+        if (names[c] == "x") x = c;
+        if (names[c].rfind("tension", 0) == 0) tension_columns.push_back(c);
     }
     if (names.empty() || names[0] != "t" || (x == 0 && tension_columns.empty()) ||
         x + 2 >= names.size() + (x == 0 ? 3 : 0) ||
@@ -72,12 +68,10 @@ Reference load_reference(const std::string& folder, const Scene& scene) {
         throw std::runtime_error(path + ": expected the columns t,x,y,z or t,tension_1,...");
     ref.tension.resize(tension_columns.size());
     for (int number = 2; std::getline(in, line); ++number) {
-        if (line.empty())
-            continue;
+        if (line.empty()) continue;
         std::vector<double> v;
         try {
-            for (const std::string& cell : split(line))
-                v.push_back(std::stod(cell));
+            for (const std::string& cell : split(line)) v.push_back(std::stod(cell));
         } catch (const std::exception&) {
             v.clear();
         }
@@ -86,13 +80,11 @@ Reference load_reference(const std::string& folder, const Scene& scene) {
                                      std::to_string(names.size()) +
                                      " numbers, the time increasing");
         ref.t.push_back(v[0]);
-        if (x > 0)
-            ref.block.emplace_back(v[x], v[x + 1], v[x + 2]);
+        if (x > 0) ref.block.emplace_back(v[x], v[x + 1], v[x + 2]);
         for (std::size_t k = 0; k < tension_columns.size(); ++k)
             ref.tension[k].push_back(v[tension_columns[k]]);
     }
-    if (ref.t.size() < 2)
-        throw std::runtime_error(path + ": fewer than two samples");
+    if (ref.t.size() < 2) throw std::runtime_error(path + ": fewer than two samples");
     return ref;
 }
 

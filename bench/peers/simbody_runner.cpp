@@ -16,18 +16,14 @@ namespace {
 // the rest of a step. A tenth of what is allowed (1 mm).
 constexpr double kProjectAt = 1e-4;  // [m], and [m/s] for velocities
 
-SimTK::Vec3 to_simbody(const Vec3& v) {
-    return {v.x(), v.y(), v.z()};
-}
-Vec3 from_simbody(const SimTK::Vec3& v) {
-    return {v[0], v[1], v[2]};
-}
+SimTK::Vec3 to_simbody(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+Vec3 from_simbody(const SimTK::Vec3& v) { return {v[0], v[1], v[2]}; }
 SimTK::Rotation to_simbody(const Quat& q) {
     return SimTK::Rotation(SimTK::Quaternion(q.w(), q.x(), q.y(), q.z()));
 }
 
 class SimbodyRunner final : public Runner {
-public:
+  public:
     SimbodyRunner(const Scene& scene, int substeps, const TreeLayout& layout)
         : scene_(scene),
           substeps_(substeps),
@@ -38,8 +34,7 @@ public:
         system_.setUseUniformBackground(true);
         mobod_.resize(scene.bodies.size());
         for (const auto& tree : spanning_forest(scene, layout))
-            for (const TreeNode& n : tree)
-                add(n);
+            for (const TreeNode& n : tree) add(n);
         for (const int j : layout.closures) {
             const BallJoint& b = scene.joints[static_cast<std::size_t>(j)];
             SimTK::Constraint::Ball(at(b.a), to_simbody(b.arm_a), at(b.b), to_simbody(b.arm_b));
@@ -65,8 +60,7 @@ public:
         for (std::size_t i = 0; i < mobod_.size(); ++i) {
             const Body& b = scene_.bodies[i];
             Vec3 force = loads[i].force;
-            if (!b.afloat)
-                force.z() -= b.mass * scene_.gravity;
+            if (!b.afloat) force.z() -= b.mass * scene_.gravity;
             discrete_.setOneBodyForce(
                 state_, at(static_cast<int>(i)),
                 SimTK::SpatialVec(to_simbody(loads[i].torque), to_simbody(force)));
@@ -86,7 +80,7 @@ public:
         }
     }
 
-private:
+  private:
     struct Member {
         SimTK::MobilizedBodyIndex index;
         bool free = false;
@@ -128,8 +122,7 @@ private:
         state_.updQ() += h * qdot_;
         state_.updU() = u;
         matter_.normalizeQuaternions(state_);
-        if (!layout_.closures.empty())
-            system_.project(state_, kProjectAt);
+        if (!layout_.closures.empty()) system_.project(state_, kProjectAt);
     }
 
     const Scene& scene_;
