@@ -58,7 +58,7 @@ void System::analyse(const model::Bodies& bodies, model::Interactions& interacti
     build_pattern(bodies, interactions);
     symbolic = factor::analyse(pattern, factor::order_nodes(pattern));
     numeric.reserve(symbolic, threads);
-    solution_.assign(at(symbolic.scalars), 0.0);
+    solution_.assign(at(symbolic.scalars) + 8, 0.0);
     for (int b = 0; b < bodies.count(); ++b)
         if (node_of_body[at(b)] >= 0)
             body_offset_[at(b)] = symbolic.node_offset[at(node_of_body[at(b)])];
@@ -69,10 +69,12 @@ void System::analyse(const model::Bodies& bodies, model::Interactions& interacti
 }
 
 void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) {
-    in.jacobian.resize(at(in.jac_size));
+    // Vector loads read up to seven entries past the end.
+    constexpr std::size_t kSlack = 8;
+    in.jacobian.resize(at(in.jac_size) + kSlack);
     body_block_.resize(at(kBodyBlock * bodies.count()));
     geo_record_.assign(at(kGeoSize) * at(in.geo_count), 0.0);
-    for (base::Array<double>* a : {&a_, &v_new_, &momentum_}) a->assign(at(bodies.dofs), 0.0);
+    for (base::Array<double>* a : {&a_, &v_new_, &momentum_}) a->assign(at(bodies.dofs) + kSlack, 0.0);
     one_sided.clear();
     breakable.clear();
     for (int i = 0; i < in.count(); ++i) {
@@ -264,6 +266,7 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.c = in.c.data();
     v.residual = in.residual.data();
     v.lambda = in.lambda.data();
+    v.multiplier = in.multiplier.data();
     v.force_of_row = in.force.data();
     v.jacobian = in.jacobian.data();
     v.geo_record = geo_record_.data();

@@ -81,6 +81,7 @@ struct View {
     double* c;
     double* residual;
     double* lambda;
+    double* multiplier;       ///< By row: λ + Σ⁻¹ residual where condensed, 0 where idle.
     double* force_of_row;
     double* jacobian;
     double* geo_record;  ///< kGeoSize each.

@@ -97,7 +97,7 @@ int Interactions::add(const InteractionDef& filled, const Bodies& bodies_in, dou
                                          : 4.0 * spec[r].compliance * ups / (h * h));
         row_flags.push_back(static_cast<std::uint8_t>((spec[r].velocity ? kRowVelocity : 0) |
                                                       (spec[r].gap ? kRowGap : 0)));
-        for (base::Array<double>* a : {&inv_sigma, &g, &c, &residual, &lambda, &force})
+        for (base::Array<double>* a : {&inv_sigma, &g, &c, &residual, &lambda, &multiplier, &force})
             a->push_back(0.0);
     }
     return id;
@@ -116,7 +116,7 @@ std::size_t Interactions::bytes() const noexcept {
                         bytes(flags) + bytes(row_begin) + bytes(jac_begin) + bytes(geo) +
                         bytes(active) + bytes(parted) + bytes(inv_length) + bytes(epsilon) +
                         bytes(tau) + bytes(upsilon) + bytes(sigma) + bytes(inv_sigma) + bytes(g) +
-                        bytes(c) + bytes(residual) + bytes(lambda) + bytes(force) +
+                        bytes(c) + bytes(residual) + bytes(lambda) + bytes(multiplier) + bytes(force) +
                         bytes(row_flags) + bytes(jacobian);
     for (const Pool& p : pool) total += bytes(p.ids) + bytes(p.data);
     return total;

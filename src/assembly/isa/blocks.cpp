@@ -100,7 +100,7 @@ inline M3 product(const M3& p, const M3& q) {
     return o;
 }
 
-/// Blocks of geo.h: line part Aᵀ k A with A = ±[E, −r̂], arm part, damping.
+/// Blocks of geo.h: line part Aᵀ k A with A = ±[E, −r̂], and damping.
 void geometric(const View& view, const Op& op, double* out) {
     const double* rec = view.geo_record + static_cast<long>(assembly::kGeoSize) * view.geo[op.id];
     const std::int32_t* body = view.body + kSlots * op.id;
@@ -124,7 +124,6 @@ void geometric(const View& view, const Op& op, double* out) {
     }
     if (rigid_a && rigid_b) {
         double* corner = out + 3 * static_cast<long>(op.ld) + 3;
-        if (same) add_matrix(corner, op.ld, full6(rec + 10 + 6 * op.a), 1.0);
         for (int i = 0; i < 3; ++i) corner[i * static_cast<long>(op.ld) + i] += sign * rec[22];
     }
 }

@@ -2,6 +2,7 @@
 /// Loops over bodies: their blocks, right-hand sides, residuals, and their motion.
 #include "assembly/geo.h"
 #include "assembly/isa/rows.h"
+#include "base/simd.h"
 
 namespace hawser::HAWSER_ISA {
 namespace {
@@ -32,8 +33,8 @@ bool any3(const double* d) { return d[0] != 0.0 || d[1] != 0.0 || d[2] != 0.0; }
 /// Angular velocity after h without torque, body frame: the Cayley form of the discrete
 /// Euler equations (Bou-Rabee, Marsden, "Hamilton-Pontryagin integrators on Lie groups", 2009)
 ///   F(ω₊; +h) = F(ω; −h),  F(ω; s) = Iω + (s/2) ω × Iω + (s²/4)(ω·Iω) ω.
-/// Newton from ω; its Jacobian is well conditioned while h|ω| < 1. Fixed count: the same
-/// work, and the same bits, whatever the state.
+/// Newton from ω; its Jacobian is well conditioned while h|ω| < 1. Converges quadratically
+/// from an error of h|ω|, so slow bodies need one or two iterations.
 V3 free_rotation(const M3& inertia, V3 w, double h) {
     const V3 iw = inertia * w;
     const double half = 0.5 * h, quarter = 0.25 * h * h;
@@ -54,7 +55,10 @@ V3 free_rotation(const M3& inertia, V3 w, double h) {
             j.a[3 + c] = col.y;
             j.a[6 + c] = col.z;
         }
-        u = u - solve3(j, f);
+        const V3 du = solve3(j, f);
+        u = u - du;
+        // The next correction would be of the order of the square of this one.
+        if (dot(du, du) < 1e-18 * dot(u, u)) break;
     }
     return u;
 }
@@ -67,9 +71,10 @@ void slot_velocity(const View& view, const double* v, std::int32_t body, V3& lin
     ang = dof == 6 || dof == 0 ? load3(p + 3) : V3{0, 0, 0};
 }
 
-/// Geometric part of M̃ v on one slot of an interaction; damping −1 gives that of a.
-void geo_on_slot(const View& view, std::int32_t id, int slot, const double* v, double damping,
-                 V3& lin, V3& ang) {
+/// Line and damping parts of K v on one slot of an interaction, see geo.h; the arms' parts
+/// are in the body's own block.
+void coupling_on_slot(const View& view, std::int32_t id, int slot, const double* v,
+                      double damping, V3& lin, V3& ang) {
     const std::int32_t* body = view.body + kSlots * id;
     V3 l[2], w[2];
     for (int b = 0; b < 2; ++b) slot_velocity(view, v, body[b], l[b], w[b]);
@@ -87,53 +92,51 @@ void block_times(const double* block, int dof, const double* u, double* out) {
     if (dof == 6) store3(out + 3, mul6(block + 6, load3(u + 3)));
 }
 
-/// Column offset of a slot within the packed Jacobian, and its width.
-int slot_columns(const View& view, std::int32_t id, int slot, int& width) {
-    const std::int32_t* body = view.body + kSlots * id;
-    int at = 0;
-    width = 0;
-    for (int b = 0; b < view.bodies[id]; ++b) {
-        if (b == slot) at = width;
-        width += view.dof[body[b]];
-    }
-    return at;
-}
-
-/// out += Jᵀ y for one slot.
-void add_transposed(const View& view, std::int32_t id, int slot, int dof, const double* y,
-                    double* out) {
-    int width;
-    const int at = slot_columns(view, id, slot, width);
-    const double* jac = view.jacobian + view.jac_begin[id] + at;
-    for (int r = 0; r < view.rows[id]; ++r)
-        for (int j = 0; j < dof; ++j) out[j] += jac[r * width + j] * y[r];
-}
-
-/// r = a − M̃ v₊ + Jᵀ(λ + extra), where extra = Σ⁻¹ residual of condensed rows if wanted.
-void momentum_rhs(const View& view, std::int32_t body, bool with_condensed, double* out) {
+/// r = a − M̃ v₊ + Jᵀ y, for the rows' multipliers y.
+void momentum_rhs(const View& view, std::int32_t body, const double* y, double* out) {
     const int dof = view.dof[body];
     const double* v = view.v_new + view.dof_begin[body];
-    double mv[6];
+    double mv[8] = {};
     block_times(view.body_block + static_cast<long>(kBodyBlock) * body, dof, v, mv);
-    for (int j = 0; j < dof; ++j) out[j] = view.a[view.dof_begin[body] + j] - mv[j];
+    V8 acc = load(view.a + view.dof_begin[body]) - load(mv);
+    double coupling[8] = {};
     for (std::int32_t k = view.incident_begin[body]; k < view.incident_begin[body + 1]; ++k) {
-        const std::int32_t id = view.incident_id[k], row = view.row_begin[id];
-        const int slot = view.incident_slot[k];
-        double y[kMaxInteractionRows];
-        const double on = view.active[id];
-        for (int r = 0; r < view.rows[id]; ++r) {
-            y[r] = view.lambda[row + r];
-            if (with_condensed) y[r] += view.inv_sigma[row + r] * view.residual[row + r];
-            y[r] *= on;
+        const std::int32_t id = view.incident_id[k];
+        const int slot = view.incident_slot[k], rows = view.rows[id];
+        const std::int32_t* bodies = view.body + kSlots * id;
+        int width = 0, at = 0;
+        for (int b = 0; b < view.bodies[id]; ++b) {
+            at = b == slot ? width : at;
+            width += view.dof[bodies[b]];
         }
-        add_transposed(view, id, slot, dof, y, out);
+        const double* jac = view.jacobian + view.jac_begin[id] + at;
+        const double* yr = y + view.row_begin[id];
+        for (int r = 0; r < rows; ++r) acc += yr[r] * load(jac + r * width);
         if (view.geo[id] >= 0 && slot < 2) {
             V3 lin, ang;
-            geo_on_slot(view, id, slot, view.v_new, 1.0, lin, ang);
-            if (dof >= 3) add3(out, -lin);
-            if (dof == 6) add3(out + 3, -ang);
+            coupling_on_slot(view, id, slot, view.v_new, 1.0, lin, ang);
+            add3(coupling, lin);
+            add3(coupling + 3, ang);
         }
     }
+    double sum8[8];
+    store(sum8, acc - load(coupling));
+    for (int j = 0; j < dof; ++j) out[j] = sum8[j];
+}
+
+/// h v₊ᵀ D v₊ [J].
+double drag_work(const View& view, std::int32_t body, const double* u) {
+    const double* d = view.damping + 6 * body;
+    const int dof = view.dof[body];
+    if (dof == 1) return view.h * d[0] * u[0] * u[0];
+    double work = 0.0;
+    const M3 r = load9(view.r + 9 * body);
+    for (int part = 0; part < dof; part += 3) {
+        if (!any3(d + part)) continue;
+        const V3 w = tmul(r, load3(u + part));
+        work += d[part] * w.x * w.x + d[part + 1] * w.y * w.y + d[part + 2] * w.z * w.z;
+    }
+    return view.h * work;
 }
 
 }  // namespace
@@ -177,10 +180,16 @@ void body_terms(const View& view, std::int32_t begin, std::int32_t end) noexcept
         for (std::int32_t k = view.incident_begin[body]; k < view.incident_begin[body + 1]; ++k) {
             const std::int32_t id = view.incident_id[k];
             if (view.geo[id] < 0 || view.incident_slot[k] > 1) continue;
+            const int slot = view.incident_slot[k];
             V3 gl, ga;
-            geo_on_slot(view, id, view.incident_slot[k], view.v, -1.0, gl, ga);
+            coupling_on_slot(view, id, slot, view.v, -1.0, gl, ga);
             add3(a, gl);
-            if (dof == 6) add3(a + 3, ga);
+            if (dof < 6) continue;
+            // The arms' stiffness touches this body alone: it joins the body's own block.
+            const double* arm =
+                view.geo_record + static_cast<long>(kGeoSize) * view.geo[id] + 10 + 6 * slot;
+            for (int i = 0; i < 6; ++i) block[6 + i] += arm[i];
+            add3(a + 3, ga + mul6(arm, load3(v + 3)));
         }
     }
 }
@@ -189,8 +198,10 @@ void first_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept 
     for (std::int32_t id = begin; id < end; ++id) {
         const std::int32_t row = view.row_begin[id];
         for (int r = 0; r < view.rows[id]; ++r) {
+            const double residual = view.active[id] * view.c[row + r];
             view.lambda[row + r] = 0.0;
-            view.residual[row + r] = view.active[id] * view.c[row + r];
+            view.residual[row + r] = residual;
+            view.multiplier[row + r] = view.inv_sigma[row + r] * residual;
         }
     }
 }
@@ -198,7 +209,7 @@ void first_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept 
 void body_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept {
     for (std::int32_t body = begin; body < end; ++body)
         if (view.dof[body] > 0)
-            momentum_rhs(view, body, true, view.solution + view.body_offset[body]);
+            momentum_rhs(view, body, view.multiplier, view.solution + view.body_offset[body]);
 }
 
 void add_solution(const View& view, std::int32_t begin, std::int32_t end) noexcept {
@@ -216,23 +227,15 @@ void body_norms(const View& view, std::int32_t begin, std::int32_t end,
         const int dof = view.dof[body];
         if (dof == 0) continue;
         double* r = view.momentum + view.dof_begin[body];
-        momentum_rhs(view, body, false, r);
+        momentum_rhs(view, body, view.lambda, r);
         const double* block = view.body_block + static_cast<long>(kBodyBlock) * body;
         const double* v = view.v + view.dof_begin[body];
         const double* a = view.a + view.dof_begin[body];
         double mv[6], diff[6];
         const double* u = view.v_new + view.dof_begin[body];
         const double* f = view.force + 6 * body;
-        block_times(block, dof, u, mv);  // (M + hD) v₊
-        for (int j = 0; j < dof; ++j) {
-            n.work += view.h * f[j] * u[j];
-            n.drag += u[j] * (mv[j] - (j < 3 ? view.mass[body] * u[j] : 0.0));
-        }
-        if (dof == 6) {
-            const M3 rot = load9(view.r + 9 * body), inertia = load9(view.inertia + 9 * body);
-            const V3 w = tmul(rot, load3(u + 3));
-            n.drag -= dot(w, inertia * w);
-        }
+        for (int j = 0; j < dof; ++j) n.work += view.h * f[j] * u[j];
+        n.drag += drag_work(view, body, u);
         block_times(block, dof, v, mv);
         for (int j = 0; j < dof; ++j) {
             diff[j] = a[j] - mv[j];

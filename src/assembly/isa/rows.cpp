@@ -3,6 +3,7 @@
 #include "assembly/isa/rows.h"
 
 #include "assembly/geo.h"
+#include "base/simd.h"
 #include "model/kinds/all.h"
 
 namespace hawser::HAWSER_ISA {
@@ -138,33 +139,40 @@ void row_update(const View& view, std::int32_t begin, std::int32_t end) noexcept
     for (std::int32_t id = begin; id < end; ++id) {
         const std::int32_t row = view.row_begin[id], offset = view.interaction_offset[id];
         const std::int32_t* body = view.body + kSlots * id;
-        const int R = view.rows[id];
+        const int rows = view.rows[id];
         const double on = view.active[id];
-        const double* jac = view.jacobian + view.jac_begin[id];
-        double delta[kMaxInteractionRows] = {}, total[kMaxInteractionRows] = {};
         int width = 0;
         for (int b = 0; b < view.bodies[id]; ++b) width += view.dof[body[b]];
-        int at = 0;
+        V8 change[8] = {}, whole[8] = {};  // G δv and G v₊ before their lanes are summed
+        const double* jac = view.jacobian + view.jac_begin[id];
         for (int b = 0; b < view.bodies[id]; ++b) {
             const int dof = view.dof[body[b]];
             if (dof == 0) continue;
-            const double* dv = view.solution + view.body_offset[body[b]];
-            const double* v = view.v_new + view.dof_begin[body[b]];
-            for (int r = 0; r < R; ++r)
-                for (int j = 0; j < dof; ++j) {
-                    delta[r] += jac[r * width + at + j] * dv[j];
-                    total[r] += jac[r * width + at + j] * v[j];
-                }
-            at += dof;
+            const V8 dv = first_lanes(load(view.solution + view.body_offset[body[b]]), dof);
+            const V8 v = first_lanes(load(view.v_new + view.dof_begin[body[b]]), dof);
+            for (int r = 0; r < rows; ++r) {
+                const V8 j = load(jac + r * width);
+                change[r] += j * dv;
+                whole[r] += j * v;
+            }
+            jac += dof;
         }
-        for (int r = 0; r < R; ++r) {
+        double delta[8], total[8];
+        if (rows == 1) {
+            delta[0] = sum(change[0]);
+            total[0] = sum(whole[0]);
+        } else {
+            store(delta, sums(change));
+            store(total, sums(whole));
+        }
+        for (int r = 0; r < rows; ++r) {
             double& lambda = view.lambda[row + r];
-            if (offset >= 0)
-                lambda -= view.solution[offset + r];
-            else
-                lambda += on * view.inv_sigma[row + r] * (view.residual[row + r] - delta[r]);
-            view.residual[row + r] =
+            if (offset >= 0) lambda -= view.solution[offset + r];
+            else lambda += on * view.inv_sigma[row + r] * (view.residual[row + r] - delta[r]);
+            const double residual =
                 on * (view.c[row + r] - total[r]) - view.sigma[row + r] * lambda;
+            view.residual[row + r] = residual;
+            view.multiplier[row + r] = on * (lambda + view.inv_sigma[row + r] * residual);
         }
     }
 }

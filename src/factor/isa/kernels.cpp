@@ -7,13 +7,10 @@
 /// then everything to their right is updated by a register-blocked product.
 #include "factor/kernels.h"
 
-#include "base/small.h"
+#include "base/simd.h"
 #include "factor/symbolic.h"
 
 #include <cstring>
-
-// The vectors below never cross a function boundary that is not inlined.
-#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace hawser::HAWSER_ISA {
 namespace {
@@ -22,12 +19,7 @@ using factor::FactorView;
 using factor::Front;
 using factor::Run;
 
-typedef double V8 __attribute__((vector_size(64), aligned(8), may_alias));
-
 constexpr int kBlock = 16;  // pivot columns factored before the rest is updated
-
-inline V8 load(const double* p) { return *reinterpret_cast<const V8*>(p); }
-inline void store(double* p, const V8& v) { *reinterpret_cast<V8*>(p) = v; }
 
 /// Factor columns [k0, k1) of a panel with n rows (a multiple of eight). w receives the
 /// unscaled columns, stride ld.
@@ -43,8 +35,8 @@ inline int factor_columns(double* panel, int ld, int k0, int k1, double* w, doub
             ++wrong;
             d = sign[k];
         }
-        pivot[k] = d;
         const double inverse = 1.0 / d;
+        pivot[k] = inverse;
         const int start = k & ~7;
         for (int i = start; i < ld; i += 8) {
             const V8 v = load(column + i);
@@ -160,8 +152,32 @@ void forward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end
     }
 }
 
-inline double sum(const V8& v) {
-    return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+/// Columns [k, k + count) of Lᵀ z = y, count ≤ 8, the entries of y behind them being solved.
+/// The products with those entries come first and are independent of each other; then the
+/// small triangle, in which each entry waits only for the one before it.
+inline void backward_block(const double* panel, int ld, int k, int count, double* y) {
+    V8 acc[8] = {};
+    const int from = (k + count) & ~7;
+    // The block's own rows inside the first vector are masked out of y by `rest`.
+    double rest[8];
+    for (int i = 0; i < 8; ++i) rest[i] = from + i < k + count ? 0.0 : y[from + i];
+    for (int c = 0; c < count; ++c) {
+        const double* column = panel + static_cast<long>(k + c) * ld;
+        acc[c] = load(column + from) * load(rest);
+    }
+    for (int i = from + 8; i < ld; i += 8) {
+        const V8 v = load(y + i);
+        for (int c = 0; c < count; ++c)
+            acc[c] += load(panel + static_cast<long>(k + c) * ld + i) * v;
+    }
+    double s[8];
+    store(s, sums(acc));
+    for (int c = count; c-- > 0;) {
+        const double* column = panel + static_cast<long>(k + c) * ld + k;
+        double z = y[k + c] - s[c];
+        for (int i = count - 1; i > c; --i) z -= column[i] * y[k + i];
+        y[k + c] = z;
+    }
 }
 
 void backward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
@@ -169,20 +185,16 @@ void backward_fronts(const FactorView& view, std::int32_t begin, std::int32_t en
     for (std::int32_t f = end; f-- > begin;) {
         const Front& front = view.fronts[f];
         const double* panel = view.panel + front.panel;
-        const double* pivot = view.pivot + front.offset;
+        const double* inverse = view.pivot + front.offset;
         double* y = scratch;
         const int ld = front.ld, p = front.p, n = front.p + front.q;
         const std::int32_t* rows = view.rows + front.rows;
-        for (int i = 0; i < p; ++i) y[i] = x[front.offset + i] / pivot[i];
+        for (int i = 0; i < p; ++i) y[i] = x[front.offset + i] * inverse[i];
         for (int i = 0; i < front.q; ++i) y[p + i] = x[rows[i]];
-        for (int i = n; i < ld; ++i) y[i] = 0.0;
-        for (int k = p; k-- > 0;) {
-            const double* column = panel + static_cast<long>(k) * ld;
-            const int start = k & ~7;
-            V8 acc = load(column + start) * load(y + start);
-            for (int i = start + 8; i < ld; i += 8) acc += load(column + i) * load(y + i);
-            y[k] -= sum(acc);
-        }
+        // One vector of slack: a block that ends at ld reads y there against zeros.
+        for (int i = n; i < ld + 8; ++i) y[i] = 0.0;
+        for (int k = (p - 1) & ~7; k >= 0; k -= 8)
+            backward_block(panel, ld, k, p - k < 8 ? p - k : 8, y);
         for (int i = 0; i < p; ++i) x[front.offset + i] = y[i];
     }
 }
