@@ -1,50 +1,130 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file simd.h
-/// Vectors of eight doubles in GNU vector notation: one register on AVX-512, two on AVX2,
-/// four on SSE2. For code compiled per instruction set (see small.h).
+/// Vectors of eight doubles: one register on AVX-512, two on AVX2, four on SSE2. For code
+/// compiled per instruction set (see small.h).
 
 #include "base/small.h"
 
-// The vectors never cross a function boundary that is not inlined.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace hawser::HAWSER_ISA {
+
+inline constexpr int kLanes = 8;  ///< Arrays read by load() need this many entries of slack.
+
+#define HAWSER_INLINE __attribute__((always_inline)) inline
+
+#if defined(__AVX512F__)
 
 typedef double V8 __attribute__((vector_size(64), aligned(8), may_alias));
 typedef long long I8 __attribute__((vector_size(64)));
 
-inline constexpr int kLanes = 8;  ///< Arrays read by load() need this many entries of slack.
-
-__attribute__((always_inline)) inline V8 load(const double* p) {
-    return *reinterpret_cast<const V8*>(p);
-}
-__attribute__((always_inline)) inline void store(double* p, const V8& v) {
-    *reinterpret_cast<V8*>(p) = v;
-}
+HAWSER_INLINE V8 load(const double* p) { return *reinterpret_cast<const V8*>(p); }
+HAWSER_INLINE void store(double* p, const V8& v) { *reinterpret_cast<V8*>(p) = v; }
+HAWSER_INLINE double lane(const V8& v, int i) { return v[i]; }
 /// v with the lanes from `count` on set to zero (whatever they held).
-__attribute__((always_inline)) inline V8 first_lanes(const V8& v, int count) {
+HAWSER_INLINE V8 first_lanes(const V8& v, int count) {
     const I8 index = {0, 1, 2, 3, 4, 5, 6, 7};
     const I8 keep = index < static_cast<long long>(count);
     return reinterpret_cast<V8>(reinterpret_cast<I8>(v) & keep);
 }
-/// Sum of the lanes, in a fixed order.
-__attribute__((always_inline)) inline double sum(const V8& v) {
-    return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+
+#else
+
+// The compiler lowers 64-byte vectors on narrower machines through memory; a struct of
+// registers does not suffer that.
+#if defined(__AVX2__)
+typedef double Part __attribute__((vector_size(32), aligned(8), may_alias));
+typedef long long PartMask __attribute__((vector_size(32)));
+#else
+typedef double Part __attribute__((vector_size(16), aligned(8), may_alias));
+typedef long long PartMask __attribute__((vector_size(16)));
+#endif
+inline constexpr int kPartLanes = sizeof(Part) / sizeof(double), kParts = kLanes / kPartLanes;
+
+struct V8 {
+    Part part[kParts];
+};
+
+HAWSER_INLINE V8 load(const double* p) {
+    V8 v;
+    for (int i = 0; i < kParts; ++i) v.part[i] = *reinterpret_cast<const Part*>(p + kPartLanes * i);
+    return v;
 }
-/// Lane k of the result is the sum of the lanes of v[k].
-__attribute__((always_inline)) inline V8 sums(const V8* v) {
+HAWSER_INLINE void store(double* p, const V8& v) {
+    for (int i = 0; i < kParts; ++i) *reinterpret_cast<Part*>(p + kPartLanes * i) = v.part[i];
+}
+HAWSER_INLINE double lane(const V8& v, int i) { return v.part[i / kPartLanes][i % kPartLanes]; }
+HAWSER_INLINE V8 first_lanes(const V8& v, int count) {
+    V8 o;
+    for (int i = 0; i < kParts; ++i) {
+        PartMask index;
+        for (int k = 0; k < kPartLanes; ++k) index[k] = kPartLanes * i + k;
+        const PartMask keep = index < static_cast<long long>(count);
+        o.part[i] = reinterpret_cast<Part>(reinterpret_cast<PartMask>(v.part[i]) & keep);
+    }
+    return o;
+}
+#define HAWSER_LANEWISE(op)                                                  \
+    HAWSER_INLINE V8 operator op(const V8& a, const V8& b) {                 \
+        V8 o;                                                                \
+        for (int i = 0; i < kParts; ++i) o.part[i] = a.part[i] op b.part[i]; \
+        return o;                                                            \
+    }
+HAWSER_LANEWISE(+)
+HAWSER_LANEWISE(-)
+HAWSER_LANEWISE(*)
+#undef HAWSER_LANEWISE
+HAWSER_INLINE V8 operator*(const V8& a, double s) {
+    V8 o;
+    for (int i = 0; i < kParts; ++i) o.part[i] = a.part[i] * s;
+    return o;
+}
+HAWSER_INLINE V8 operator*(double s, const V8& a) { return a * s; }
+HAWSER_INLINE V8& operator+=(V8& a, const V8& b) { return a = a + b; }
+HAWSER_INLINE V8& operator-=(V8& a, const V8& b) { return a = a - b; }
+
+#endif
+
+/// Sum of the lanes, in a fixed order.
+HAWSER_INLINE double sum(const V8& v) {
+    return ((lane(v, 0) + lane(v, 4)) + (lane(v, 2) + lane(v, 6))) +
+           ((lane(v, 1) + lane(v, 5)) + (lane(v, 3) + lane(v, 7)));
+}
+/// out[k] = sum of the lanes of v[k] for k < N; writes eight entries.
+template <int N>
+HAWSER_INLINE void sums(const V8* v, double* out) {
+#if defined(__AVX512F__)
     const I8 even = {0, 8, 2, 10, 4, 12, 6, 14}, odd = {1, 9, 3, 11, 5, 13, 7, 15};
     const I8 low2 = {0, 1, 8, 9, 4, 5, 12, 13}, high2 = {2, 3, 10, 11, 6, 7, 14, 15};
     const I8 low4 = {0, 1, 2, 3, 8, 9, 10, 11}, high4 = {4, 5, 6, 7, 12, 13, 14, 15};
-    V8 pair[4], quad[2];
-    for (int i = 0; i < 4; ++i)
-        pair[i] = __builtin_shuffle(v[2 * i], v[2 * i + 1], even) +
-                  __builtin_shuffle(v[2 * i], v[2 * i + 1], odd);
+    V8 pair[4] = {}, quad[2] = {};
+    for (int i = 0; i < N; i += 2) {
+        const V8 a = v[i], b = i + 1 < N ? v[i + 1] : V8{};
+        pair[i / 2] = __builtin_shuffle(a, b, even) + __builtin_shuffle(a, b, odd);
+    }
     for (int i = 0; i < 2; ++i)
         quad[i] = __builtin_shuffle(pair[2 * i], pair[2 * i + 1], low2) +
                   __builtin_shuffle(pair[2 * i], pair[2 * i + 1], high2);
-    return __builtin_shuffle(quad[0], quad[1], low4) + __builtin_shuffle(quad[0], quad[1], high4);
+    store(out,
+          __builtin_shuffle(quad[0], quad[1], low4) + __builtin_shuffle(quad[0], quad[1], high4));
+#else
+    for (int i = 0; i < N; ++i) out[i] = sum(v[i]);
+    for (int i = N; i < kLanes; ++i) out[i] = 0.0;
+#endif
+}
+
+/// out[0..N) += the first N lanes of v; N = 1, 3 or 6. Nothing else is touched.
+template <int N>
+HAWSER_INLINE void add_lanes(double* out, const V8& v) {
+    typedef double V2 __attribute__((vector_size(16), aligned(8), may_alias));
+    typedef double V4 __attribute__((vector_size(32), aligned(8), may_alias));
+    double lanes[8];
+    store(lanes, v);
+    if constexpr (N == 6) {
+        *reinterpret_cast<V4*>(out) += *reinterpret_cast<const V4*>(lanes);
+        *reinterpret_cast<V2*>(out + 4) += *reinterpret_cast<const V2*>(lanes + 4);
+    } else {
+        for (int i = 0; i < N; ++i) out[i] += lanes[i];
+    }
 }
 
 }  // namespace hawser::HAWSER_ISA

@@ -6,6 +6,7 @@
 /// summed in a fixed order. Sizes are dispatched to unrolled code.
 #include "assembly/geo.h"
 #include "assembly/isa/rows.h"
+#include "base/simd.h"
 
 namespace hawser::HAWSER_ISA {
 namespace {
@@ -33,14 +34,12 @@ inline Slots slots(const View& view, std::int32_t id) {
 template <int DA, int DB>
 inline void outer(const double* ja, const double* jb, int width, const double* w, int rows,
                   double* out, long ld) {
-    double acc[DB][DA] = {};
-    for (int r = 0; r < rows; ++r)
-        for (int j = 0; j < DB; ++j) {
-            const double s = w[r] * jb[r * width + j];
-            for (int i = 0; i < DA; ++i) acc[j][i] += ja[r * width + i] * s;
-        }
-    for (int j = 0; j < DB; ++j)
-        for (int i = 0; i < DA; ++i) out[j * ld + i] += acc[j][i];
+    V8 acc[DB] = {};  // lanes from DA on hold the next slot's columns and are dropped
+    for (int r = 0; r < rows; ++r) {
+        const V8 a = load(ja + r * width);
+        for (int j = 0; j < DB; ++j) acc[j] += (w[r] * jb[r * width + j]) * a;
+    }
+    for (int j = 0; j < DB; ++j) add_lanes<DA>(out + j * ld, acc[j]);
 }
 
 void condense(const View& view, const Op& op, double* out) {

@@ -73,8 +73,8 @@ void slot_velocity(const View& view, const double* v, std::int32_t body, V3& lin
 
 /// Line and damping parts of K v on one slot of an interaction, see geo.h; the arms' parts
 /// are in the body's own block.
-void coupling_on_slot(const View& view, std::int32_t id, int slot, const double* v,
-                      double damping, V3& lin, V3& ang) {
+void coupling_on_slot(const View& view, std::int32_t id, int slot, const double* v, double damping,
+                      V3& lin, V3& ang) {
     const std::int32_t* body = view.body + kSlots * id;
     V3 l[2], w[2];
     for (int b = 0; b < 2; ++b) slot_velocity(view, v, body[b], l[b], w[b]);

@@ -119,6 +119,48 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
     }
 }
 
+/// λ and the residuals of one interaction; R is known so that the sums stay in registers.
+template <int R>
+inline void row_update_one(const View& view, std::int32_t id) {
+    const std::int32_t row = view.row_begin[id], offset = view.interaction_offset[id];
+    const std::int32_t* body = view.body + kSlots * id;
+    const double on = view.active[id];
+    int width = 0;
+    for (int b = 0; b < view.bodies[id]; ++b) width += view.dof[body[b]];
+    V8 change[R] = {}, whole[R] = {};  // G δv and G v₊ before their lanes are summed
+    const double* jac = view.jacobian + view.jac_begin[id];
+    for (int b = 0; b < view.bodies[id]; ++b) {
+        const int dof = view.dof[body[b]];
+        if (dof == 0) continue;
+        const V8 dv = first_lanes(load(view.solution + view.body_offset[body[b]]), dof);
+        const V8 v = first_lanes(load(view.v_new + view.dof_begin[body[b]]), dof);
+        for (int r = 0; r < R; ++r) {
+            const V8 j = load(jac + r * width);
+            change[r] += j * dv;
+            whole[r] += j * v;
+        }
+        jac += dof;
+    }
+    double delta[8], total[8];
+    if constexpr (R == 1) {
+        delta[0] = sum(change[0]);
+        total[0] = sum(whole[0]);
+    } else {
+        sums<R>(change, delta);
+        sums<R>(whole, total);
+    }
+    for (int r = 0; r < R; ++r) {
+        double& lambda = view.lambda[row + r];
+        if (offset >= 0)
+            lambda -= view.solution[offset + r];
+        else
+            lambda += on * view.inv_sigma[row + r] * (view.residual[row + r] - delta[r]);
+        const double residual = on * (view.c[row + r] - total[r]) - view.sigma[row + r] * lambda;
+        view.residual[row + r] = residual;
+        view.multiplier[row + r] = on * (lambda + view.inv_sigma[row + r] * residual);
+    }
+}
+
 }  // namespace
 
 void evaluate(const View& view, InteractionKind kind, const std::int32_t* ids, const void* data,
@@ -137,42 +179,25 @@ void kept_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept {
 
 void row_update(const View& view, std::int32_t begin, std::int32_t end) noexcept {
     for (std::int32_t id = begin; id < end; ++id) {
-        const std::int32_t row = view.row_begin[id], offset = view.interaction_offset[id];
-        const std::int32_t* body = view.body + kSlots * id;
-        const int rows = view.rows[id];
-        const double on = view.active[id];
-        int width = 0;
-        for (int b = 0; b < view.bodies[id]; ++b) width += view.dof[body[b]];
-        V8 change[8] = {}, whole[8] = {};  // G δv and G v₊ before their lanes are summed
-        const double* jac = view.jacobian + view.jac_begin[id];
-        for (int b = 0; b < view.bodies[id]; ++b) {
-            const int dof = view.dof[body[b]];
-            if (dof == 0) continue;
-            const V8 dv = first_lanes(load(view.solution + view.body_offset[body[b]]), dof);
-            const V8 v = first_lanes(load(view.v_new + view.dof_begin[body[b]]), dof);
-            for (int r = 0; r < rows; ++r) {
-                const V8 j = load(jac + r * width);
-                change[r] += j * dv;
-                whole[r] += j * v;
-            }
-            jac += dof;
-        }
-        double delta[8], total[8];
-        if (rows == 1) {
-            delta[0] = sum(change[0]);
-            total[0] = sum(whole[0]);
-        } else {
-            store(delta, sums(change));
-            store(total, sums(whole));
-        }
-        for (int r = 0; r < rows; ++r) {
-            double& lambda = view.lambda[row + r];
-            if (offset >= 0) lambda -= view.solution[offset + r];
-            else lambda += on * view.inv_sigma[row + r] * (view.residual[row + r] - delta[r]);
-            const double residual =
-                on * (view.c[row + r] - total[r]) - view.sigma[row + r] * lambda;
-            view.residual[row + r] = residual;
-            view.multiplier[row + r] = on * (lambda + view.inv_sigma[row + r] * residual);
+        switch (view.rows[id]) {
+            case 1:
+                row_update_one<1>(view, id);
+                break;
+            case 2:
+                row_update_one<2>(view, id);
+                break;
+            case 3:
+                row_update_one<3>(view, id);
+                break;
+            case 4:
+                row_update_one<4>(view, id);
+                break;
+            case 5:
+                row_update_one<5>(view, id);
+                break;
+            default:
+                row_update_one<6>(view, id);
+                break;
         }
     }
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Dense kernels of the multifrontal LDLᵀ (see factor/symbolic.h for the picture).
 ///
-/// Vectors of eight doubles in GNU vector notation: one register on AVX-512, two on AVX2,
-/// four on SSE2. Column strides are multiples of eight, and rows past p + q stay zero, so no
-/// loop has a remainder. Blocks of kBlock pivot columns are factored one column at a time,
+/// Column strides are multiples of eight doubles (base/simd.h), and rows past p + q stay zero,
+/// so no loop has a remainder. Blocks of kBlock pivot columns are factored one column at a time,
 /// then everything to their right is updated by a register-blocked product.
 #include "factor/kernels.h"
 
@@ -152,31 +151,59 @@ void forward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end
     }
 }
 
-/// Columns [k, k + count) of Lᵀ z = y, count ≤ 8, the entries of y behind them being solved.
+/// Columns [k, k + N) of Lᵀ z = y, N ≤ 8, the entries of y behind them being solved.
 /// The products with those entries come first and are independent of each other; then the
 /// small triangle, in which each entry waits only for the one before it.
-inline void backward_block(const double* panel, int ld, int k, int count, double* y) {
-    V8 acc[8] = {};
-    const int from = (k + count) & ~7;
-    // The block's own rows inside the first vector are masked out of y by `rest`.
+template <int N>
+inline void backward_block(const double* panel, long ld, int k, double* y) {
+    V8 acc[N];
+    const int from = (k + N) & ~7;
+    // k is a multiple of 8: either the block fills its vector, or rows k … k + N − 1 of that
+    // vector belong to the block and must not count.
     double rest[8];
-    for (int i = 0; i < 8; ++i) rest[i] = from + i < k + count ? 0.0 : y[from + i];
-    for (int c = 0; c < count; ++c) {
-        const double* column = panel + static_cast<long>(k + c) * ld;
-        acc[c] = load(column + from) * load(rest);
-    }
+    for (int i = 0; i < 8; ++i) rest[i] = from + i < k + N ? 0.0 : y[from + i];
+    const V8 first = load(rest);
+    for (int c = 0; c < N; ++c) acc[c] = load(panel + (k + c) * ld + from) * first;
     for (int i = from + 8; i < ld; i += 8) {
         const V8 v = load(y + i);
-        for (int c = 0; c < count; ++c)
-            acc[c] += load(panel + static_cast<long>(k + c) * ld + i) * v;
+        for (int c = 0; c < N; ++c) acc[c] += load(panel + (k + c) * ld + i) * v;
     }
-    double s[8];
-    store(s, sums(acc));
-    for (int c = count; c-- > 0;) {
-        const double* column = panel + static_cast<long>(k + c) * ld + k;
-        double z = y[k + c] - s[c];
-        for (int i = count - 1; i > c; --i) z -= column[i] * y[k + i];
-        y[k + c] = z;
+    double s[8], z[N];
+    sums<N>(acc, s);
+    for (int c = N; c-- > 0;) {
+        const double* column = panel + (k + c) * ld + k;
+        z[c] = y[k + c] - s[c];
+        for (int i = N - 1; i > c; --i) z[c] -= column[i] * z[i];
+    }
+    for (int c = 0; c < N; ++c) y[k + c] = z[c];
+}
+
+inline void backward_columns(const double* panel, long ld, int k, int count, double* y) {
+    switch (count) {
+        case 1:
+            backward_block<1>(panel, ld, k, y);
+            break;
+        case 2:
+            backward_block<2>(panel, ld, k, y);
+            break;
+        case 3:
+            backward_block<3>(panel, ld, k, y);
+            break;
+        case 4:
+            backward_block<4>(panel, ld, k, y);
+            break;
+        case 5:
+            backward_block<5>(panel, ld, k, y);
+            break;
+        case 6:
+            backward_block<6>(panel, ld, k, y);
+            break;
+        case 7:
+            backward_block<7>(panel, ld, k, y);
+            break;
+        default:
+            backward_block<8>(panel, ld, k, y);
+            break;
     }
 }
 
@@ -194,7 +221,7 @@ void backward_fronts(const FactorView& view, std::int32_t begin, std::int32_t en
         // One vector of slack: a block that ends at ld reads y there against zeros.
         for (int i = n; i < ld + 8; ++i) y[i] = 0.0;
         for (int k = (p - 1) & ~7; k >= 0; k -= 8)
-            backward_block(panel, ld, k, p - k < 8 ? p - k : 8, y);
+            backward_columns(panel, ld, k, p - k < 8 ? p - k : 8, y);
         for (int i = 0; i < p; ++i) x[front.offset + i] = y[i];
     }
 }
