@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file schema.h
+/// The documents that are generated from the format: the JSON Schema for editors and other
+/// programs, and the reference page for people. The committed files are these texts
+/// (tests/scene/generated_test.cpp compares them and writes them on request).
+
+#include <string>
+
+namespace hawser::scene {
+
+/// schema/scene-1.json: JSON Schema, draft 07. The root describes a scene; the definitions
+/// "part" and "state_file" describe included files and state files.
+[[nodiscard]] std::string schema_text();
+
+/// docs/scenes_reference.md.
+[[nodiscard]] std::string reference_text();
+
+}  // namespace hawser::scene

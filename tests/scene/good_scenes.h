@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// Valid scenes that between them use every part of the format.
+
+#include <array>
+#include <string_view>
+
+namespace hawser::scene::test {
+
+/// Cables of every sort, a winch, templates within templates, copies, inputs, pictures.
+inline constexpr std::string_view kSite = R"({
+  "$schema": "../schema/scene-1.json", "version": 1, "name": "site",
+  "description": "A rig, a ship, cables – and a crane.",
+  "settings": {"step": 0.0166666667, "duration": 20, "gravity": [0, 0, -9.81], "form": "auto",
+               "geometric_stiffness": 1, "rotation_damping": 0.1, "staggered_start": true,
+               "refinements": 1},
+  "defaults": {"compliance": 1e-11, "damping_time": 0.04},
+  "line_types": {
+    "chain76": {"mass_per_length": 126.5, "EA": 5.83e8, "diameter": 0.137,
+                "breaking_load": 6.0e6, "drag": 100, "submerged_factor": 0.87, "color": "#445566",
+                "description": "stud chain"},
+    "wire": {"mass_per_length": 23, "EA": 2.33e8, "EI": 5000, "axial_damping": 0.1,
+             "diameter": 0.076}
+  },
+  "bodies": [
+    {"name": "rig", "position": [0, 0, 0], "mass": 2e7, "box": [35, 35, 10], "gravity": false,
+     "linear_damping": 2e5, "angular_damping": [1e7, 1e7, 1e7]},
+    {"name": "ship", "kind": "rigid", "position": [300, 0, 0], "euler_deg": [0, 0, 90],
+     "velocity": [0.1, 0, 0], "angular_velocity": [0, 0, 0.01], "mass": 4e6,
+     "inertia": [[1.3e8, 0, 0], [0, 2.1e9, 1e6], [0, 1e6, 2.2e9]], "half_size": [40, 9, 4],
+     "gravity": false, "force": [1e5, 0, 0], "torque": [0, 0, 1e3],
+     "linear_damping": [1e5, 2e5, 1e5]},
+    {"name": "drum", "kind": "scalar", "position": [0.5, 0, 0], "mass": 5000},
+    {"name": "hook", "kind": "lump", "position": [300, 0, 30], "mass": 5000},
+    {"name": "roller", "position": [300, -40, 0], "mass": 900,
+     "cylinder": {"radius": 1.5, "length": 6, "axis": "x"}, "orientation": [1, 0, 0, 0]},
+    {"name": "buoy", "position": [150, 50, 0], "mass": 2000, "sphere": 1.5, "gravity": false},
+    {"name": "pile", "kind": "fixed", "position": [0, 300, -50]},
+    {"name": "tug", "kind": "kinematic", "position": [0, -300, 0], "velocity": [0, -0.1, 0]}
+  ],
+  "interactions": [
+    {"name": "water", "kind": "hydrostatic", "bodies": ["ship"], "heave_stiffness": 1.4e7,
+     "roll_stiffness": 4e8, "pitch_stiffness": 4e9, "heave_damping": 1e6, "rest_height": 0},
+    {"name": "bearing", "kind": "hinge", "bodies": ["ship", "roller"], "at": [300, -40, 0],
+     "axis": [1, 0, 0], "compliance": 1e-10, "damping_time": [0.03, 0.03, 0.03, 0.03, 0.03]},
+    {"name": "turn", "kind": "hinge_motor", "bodies": ["ship", "roller"], "axis": [1, 0, 0],
+     "speed": 0.1, "force_min": -1e5, "force_max": 1e5},
+    {"name": "brake", "kind": "hold", "bodies": ["drum"]},
+    {"name": "fall", "kind": "stretch", "bodies": ["ship", "hook"],
+     "points": [[0, 0, 50], [0, 0, 0]], "EA": 1e7},
+    {"kind": "distance", "bodies": ["buoy", "world"], "length": 60}
+  ],
+  "cables": [
+    {"name": "moor", "line_type": "chain76", "from": {"at": [-400, 0, -100]},
+     "to": {"body": "rig", "point": [-35, 0, -5]}, "length": 400, "elements": 12,
+     "shape": "catenary"},
+    {"name": "tow", "line_type": "wire", "from": {"body": "rig", "point": [35, 0, 0]},
+     "to": {"body": "ship", "point": [0, 40, 0]}, "length": 225.5, "elements": 10,
+     "tension_only": true, "winch": {"drum": "drum", "radius": 0.8}},
+    {"name": "links", "line_type": {"mass_per_length": 50, "diameter": 0.2}, "as": "links",
+     "from": {"body": "rig", "point": [0, 35, 0]}, "to": {"at": [0, 135, 0]}, "elements": 4,
+     "offsets": [[0, 0, 0.01], [0, 0, -0.01], [0, 0, 0.01]], "compliance": 1e-12,
+     "damping_time": 0.03},
+    {"name": "tail", "line_type": "wire", "from": {"body": "hook"},
+     "to": {"free": [300, 0, 20]}, "elements": 2, "points": [[300, 0, 25.5]]}
+  ],
+  "templates": {
+    "crane": {
+      "description": "post, boom and hook",
+      "parameters": {"boom_mass": 2e4, "reach": 12, "label": "boom", "top": [0, 0, 5],
+                     "loose": true},
+      "bodies": [
+        {"name": "${label}", "position": ["${reach}", 0, 5], "mass": "${boom_mass}",
+         "box": [12, 0.5, 0.5], "gravity": "${loose}"},
+        {"name": "tip", "kind": "lump", "position": [24, 0, -5], "mass": 500}
+      ],
+      "interactions": [
+        {"name": "pivot", "kind": "hinge", "bodies": ["base", "${label}"], "at": "${top}",
+         "axis": [0, 1, 0]}
+      ],
+      "cables": [
+        {"name": "hoist", "line_type": "wire", "from": {"body": "${label}", "point": [12, 0, 0]},
+         "to": {"body": "tip"}, "elements": 3, "tension_only": "${loose}"}
+      ],
+      "instances": [{"template": "weight", "name": "w", "on": "tip", "bind": {"above": "tip"},
+                     "parameters": {"kilos": "${boom_mass}"}}],
+      "inputs": [{"name": "gust", "body": "tip", "component": "force_x"}]
+    },
+    "weight": {
+      "parameters": {"kilos": 100},
+      "bodies": [{"name": "block", "kind": "lump", "position": [0, 0, -2], "mass": "${kilos}"}],
+      "interactions": [{"name": "rod", "kind": "distance", "bodies": ["above", "block"]}]
+    }
+  },
+  "instances": [
+    {"template": "crane", "name": "port", "on": "ship", "position": [0, 5, 4],
+     "euler_deg": [0, 0, 90], "parameters": {"boom_mass": 15000}, "bind": {"base": "ship"}}
+  ],
+  "inputs": [
+    {"name": "roller.speed", "interaction": "turn", "param": "speed", "min": -1, "max": 1},
+    {"name": "thrust", "body": "ship", "component": "force_y", "min": -5e5, "max": 5e5,
+     "description": "bow thruster"},
+    {"name": "let_out", "interaction": "brake", "param": "target"}
+  ],
+  "repeat": {"offset": [0, 1500, 0], "copies": 2,
+             "joins": [{"name": "neighbour", "line_type": "wire", "elements": 5,
+                        "from": {"body": "rig", "point": [0, 35, 0]},
+                        "to": {"body": "rig", "point": [0, -35, 0]}}]},
+  "plot": {"tensions": ["moor", "tow"], "motions": ["rig", "port/boom"],
+           "view_box": [-400, -50, -100, 400, 50, 60]}
+})";
+
+/// One interaction of every kind.
+inline constexpr std::string_view kKinds = R"({
+  "version": 1, "name": "kinds",
+  "bodies": [
+    {"name": "a", "position": [0, 0, 0], "mass": 10, "box": [1, 1, 1]},
+    {"name": "b", "position": [2, 0, 0], "mass": 20, "inertia": [1, 2, 2.5]},
+    {"name": "c", "position": [4, 0, 0], "mass": 30, "sphere": 0.5},
+    {"name": "p", "kind": "lump", "position": [6, 0, 0], "mass": 1},
+    {"name": "q", "kind": "lump", "position": [7, 0, 0], "mass": 1},
+    {"name": "r", "kind": "lump", "position": [8, 0.1, 0], "mass": 1},
+    {"name": "d", "kind": "scalar", "mass": 3}
+  ],
+  "interactions": [
+    {"name": "ball", "kind": "ball", "bodies": ["a", "b"], "at": [1, 0, 0]},
+    {"name": "hinge", "kind": "hinge", "bodies": ["a", "b"], "at": [1, 0, 0], "axis": [0, 0, 2]},
+    {"name": "prismatic", "kind": "prismatic", "bodies": ["a", "b"],
+     "points": [[1, 0, 0], [-1, 0, 0]], "axis": [1, 0, 0]},
+    {"name": "cylindrical", "kind": "cylindrical", "bodies": ["b", "c"], "at": [3, 0, 0],
+     "frames": [[1, 0, 0, 0], [1, 0, 0, 0]]},
+    {"name": "universal", "kind": "universal", "bodies": ["b", "c"], "at": [3, 0, 0],
+     "axes": [[0, 1, 0], [0, 0, 1]]},
+    {"name": "lock", "kind": "lock", "bodies": ["world", "a"], "at": [0, 0, 0],
+     "compliance": [0, 0, 0, 1e-9, 1e-9, 1e-9]},
+    {"name": "distance", "kind": "distance", "bodies": ["b", "c"]},
+    {"name": "stretch", "kind": "stretch", "bodies": ["p", "q"], "EA": 1e6, "tension_only": 0,
+     "breaking_load": 1e5},
+    {"name": "winch_stretch", "kind": "winch_stretch", "bodies": ["c", "p", "d"], "EA": 1e6,
+     "radius": 0.5},
+    {"name": "bend", "kind": "bend", "bodies": ["p", "q", "r"], "EI": 10, "length": 1},
+    {"name": "twist", "kind": "twist", "bodies": ["a", "c"], "GJ": 10, "length": 4,
+     "axis": [1, 0, 0]},
+    {"name": "hydrostatic", "kind": "hydrostatic", "bodies": ["c"], "heave_stiffness": 1e3,
+     "roll_stiffness": 1e3, "pitch_stiffness": 1e3},
+    {"name": "hold", "kind": "hold", "bodies": ["d"], "target": 0.1},
+    {"name": "hinge_motor", "kind": "hinge_motor", "bodies": ["a", "b"], "axis": [0, 0, 1]},
+    {"name": "slide_motor", "kind": "slide_motor", "bodies": ["a", "b"], "axis": [1, 0, 0],
+     "speed": 0.2},
+    {"name": "scalar_motor", "kind": "scalar_motor", "bodies": ["d"], "speed": 1,
+     "compliance": 1e-6},
+    {"name": "hinge_range", "kind": "hinge_range", "bodies": ["a", "b"], "axis": [0, 0, 1],
+     "min": -1, "max": 1},
+    {"name": "slide_range", "kind": "slide_range", "bodies": ["a", "b"], "axis": [1, 0, 0],
+     "min": -1, "max": 1}
+  ]
+})";
+
+/// The smallest useful scene.
+inline constexpr std::string_view kPendulum = R"({
+  "version": 1, "name": "pendulum",
+  "bodies": [{"name": "bob", "kind": "lump", "position": [-1, 0, 0], "mass": 1}],
+  "interactions": [{"name": "rod", "kind": "distance", "bodies": ["world", "bob"], "length": 1}],
+  "plot": {"motions": ["bob"]}
+})";
+
+inline constexpr std::array<std::string_view, 3> kGoodScenes = {kSite, kKinds, kPendulum};
+
+}  // namespace hawser::scene::test
