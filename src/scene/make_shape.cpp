@@ -61,8 +61,11 @@ ShapePtr list(std::string what, ShapePtr item, std::size_t min_items, std::size_
 }
 
 ShapePtr vector3(std::string what) {
-    return list(std::move(what) + " [x, y, z]",
-                number("a number", -kLargestComponent, kLargestComponent), 3, 3);
+    Shape shape = plain(Type::list, std::move(what) + " [x, y, z]");
+    shape.id = "vector3";
+    shape.item = number("a number", -kLargestComponent, kLargestComponent);
+    shape.min_items = shape.max_items = 3;
+    return shared(std::move(shape));
 }
 
 ShapePtr map(std::string what, ShapePtr item) {
