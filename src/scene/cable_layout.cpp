@@ -132,17 +132,23 @@ double along(const std::vector<Vec3>& nodes) {
     return length;
 }
 
+/// The interior nodes, where "shape" lists them.
+const Json* listed_points(const Json& cable) {
+    const auto shape = cable.find("shape");
+    return shape != cable.end() && shape->is_array() ? &*shape : nullptr;
+}
+
 void read_elements(CableLayout& c, const Description& out, const Json& cable, const Place& place) {
-    const auto points = cable.find("points");
+    const Json* points = listed_points(cable);
     const bool counted = cable.contains("elements");
-    if (!counted && points == cable.end()) {
+    if (!counted && points == nullptr) {
         refuse(place, "a cable needs the key \"elements\" (their number)");
     }
     c.elements = counted ? cable["elements"].get<std::size_t>() : points->size() + 1;
-    if (points != cable.end() && points->size() + 1 != c.elements) {
-        refuse(place / "points", fmt::format("expected {} points, one fewer than the elements, "
-                                             "found {}",
-                                             c.elements - 1, points->size()));
+    if (points != nullptr && points->size() + 1 != c.elements) {
+        refuse(place / "shape", fmt::format("expected {} points, one fewer than the elements, "
+                                            "found {}",
+                                            c.elements - 1, points->size()));
     }
     if (out.bodies.size() + c.elements > kMaxElements) {
         refuse(place / "elements",
@@ -155,9 +161,9 @@ void place_nodes(CableLayout& c, const Description& out, const Scope& scope, con
     const Vec3& a = c.from.world;
     const Vec3& b = c.to.world;
     const auto n = static_cast<double>(c.elements);
-    const auto points = cable.find("points");
+    const Json* points = listed_points(cable);
     c.length = number_or(cable, "length", (b - a).norm());
-    if (text_or(cable, "shape", "straight") == "catenary") {
+    if (cable.contains("shape") && cable["shape"] == "catenary") {
         if (out.settings.gravity.isZero(0.0)) {
             refuse(place / "shape", "a catenary needs gravity");
         }
@@ -176,10 +182,10 @@ void place_nodes(CableLayout& c, const Description& out, const Scope& scope, con
             c.nodes[i] = a + (b - a) * (static_cast<double>(i) / n);
         }
         c.nodes.back() = b;
-        for (std::size_t i = 1; points != cable.end() && i < c.elements; ++i) {
+        for (std::size_t i = 1; points != nullptr && i < c.elements; ++i) {
             c.nodes[i] = scope.frame.point(vector_of((*points)[i - 1]));
         }
-        if (points != cable.end() && !cable.contains("length")) {
+        if (points != nullptr && !cable.contains("length")) {
             c.length = along(c.nodes);
         }
     }

@@ -74,8 +74,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string suggestion(std::string_view name, std::span<const std::string> known) {
     const std::string* best = nullptr;
-    // A third of the letters may differ; a name further away is more likely another thing.
-    std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
+    // About half of the letters may differ; a name further away is more likely another thing.
+    std::size_t best_distance = std::max<std::size_t>(2, (name.size() + 2) / 2) + 1;
     if (name.size() <= kLongestCompared) {
         for (const std::string& candidate : known) {
             const std::size_t gap = candidate.size() > name.size() ? candidate.size() - name.size()

@@ -161,10 +161,13 @@ ShapePtr cable() {
          {"as", word("a way to model a cable", {"lumps", "links"}), false, "lumps", "",
           "lumps: point masses, stretch and bend; links: rigid cylinders and ball joints."},
          {"radius", positive("a length", 1e3), false, "half the diameter", "m", "Of links."},
-         {"shape", word("a shape", {"straight", "catenary"}), false, "straight", "",
-          "Initial shape: straight, or hanging at rest without stretch."},
-         {"points", list("a list of points", vector3("a point"), 1, kMostEntries), false, "", "m",
-          "Initial positions of the interior nodes, one fewer than the elements."},
+         {"shape",
+          choice("\"straight\", \"catenary\" or a list of points",
+                 {word("a shape", {"straight", "catenary"}),
+                  list("a list of points", vector3("a point"), 1, kMostEntries)}),
+          false, "straight", "m",
+          "Initial shape: straight, catenary (hanging at rest without stretch), or the positions "
+          "of the interior nodes, one fewer than the elements."},
          {"offsets", list("a list of offsets", vector3("an offset"), 0, kMostEntries), false, "",
           "m", "Added to the interior nodes."},
          {"tension_only", boolean("true or false"), false, "true", "", "False: it also pushes."},
@@ -173,8 +176,7 @@ ShapePtr cable() {
           "Of the ball joints of links."},
          {"damping_time", number("a time", 0.0, 1e12), false, "of a ball joint", "s",
           "Of the ball joints of links."},
-         {"description", text("a text"), false, "", "", "Remarks."}},
-        {{"shape", "points"}});
+         {"description", text("a text"), false, "", "", "Remarks."}});
 }
 
 ShapePtr input() {

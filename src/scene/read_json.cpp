@@ -90,6 +90,10 @@ Json parse_json(std::string_view text, const std::string& file) {
     if (text.size() > kMaxFileBytes) {
         refuse({file, ""}, "larger than 64 MiB");
     }
+    // The parser takes a NUL byte for the end and would not see what follows.
+    if (const auto nul = text.find('\0'); nul != std::string_view::npos) {
+        refuse({file, ""}, "a NUL byte at offset " + std::to_string(nul));
+    }
     LimitChecker checker(file);
     Json::sax_parse(text.begin(), text.end(), &checker);
     return Json::parse(text.begin(), text.end());

@@ -22,8 +22,7 @@ class Writer {
         const std::string name = shape.id + (placeholders ? "_in_template" : "");
         if (!definitions_.contains(name)) {
             definitions_[name] = nullptr;  // Taken, should the shape meet itself.
-            Ordered definition =
-                with_placeholder(shape, body(shape, placeholders), placeholders);
+            Ordered definition = with_placeholder(shape, body(shape, placeholders), placeholders);
             definitions_[name] = std::move(definition);
         }
         return {{"$ref", "#/definitions/" + name}};

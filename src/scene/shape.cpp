@@ -191,7 +191,11 @@ Result choice_problem(const Json& value, const Shape& shape, bool placeholders) 
         if (!problem) {
             return {};
         }
-        const auto depth = std::count(problem->path.begin(), problem->path.end(), '/');
+        auto depth = 2 * std::count(problem->path.begin(), problem->path.end(), '/');
+        if (value.is_array() && !value.empty() && option->item &&
+            same_json_type(value[0], *option->item)) {
+            ++depth;  // A list of the right sort of entries.
+        }
         if (depth > best_depth) {
             best_depth = depth;
             best = std::move(problem);

@@ -16,11 +16,6 @@ enum class Fate { refused, accepted };
 
 Fate fate_of(const std::string& text) {
     try {
-        // Bounded work: a digit more in "copies" or "elements" asks for a real, large scene.
-        const Document document = document_of(text);
-        if (document.root.dump().size() > 2 * text.size() + 1000) {
-            return Fate::accepted;
-        }
         const Scene scene = load_text(text, "test.json");
         EXPECT_GT(scene.world.body_count(), 0);
         return Fate::accepted;
@@ -77,8 +72,8 @@ RC_GTEST_PROP(Damage, any_bytes_are_refused, ()) {
 }
 
 RC_GTEST_PROP(Damage, swapped_values_never_crash, ()) {
-    const std::string_view source = *rc::gen::elementOf(
-        std::vector<std::string_view>(kGoodScenes.begin(), kGoodScenes.end()));
+    const std::string_view source =
+        *rc::gen::elementOf(std::vector<std::string_view>(kGoodScenes.begin(), kGoodScenes.end()));
     const Json good = Json::parse(source);
     const Json flat = good.flatten();
     std::vector<std::string> pointers;

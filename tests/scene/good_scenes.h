@@ -62,7 +62,7 @@ inline constexpr std::string_view kSite = R"({
      "offsets": [[0, 0, 0.01], [0, 0, -0.01], [0, 0, 0.01]], "compliance": 1e-12,
      "damping_time": 0.03},
     {"name": "tail", "line_type": "wire", "from": {"body": "hook"},
-     "to": {"free": [300, 0, 20]}, "elements": 2, "points": [[300, 0, 25.5]]}
+     "to": {"free": [300, 0, 20]}, "elements": 2, "shape": [[300, 0, 25.5]]}
   ],
   "templates": {
     "crane": {

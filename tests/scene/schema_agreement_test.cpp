@@ -17,7 +17,7 @@ namespace hawser::scene::test {
 namespace {
 
 class Oracle {
-   public:
+  public:
     Oracle() {
         const Json text = Json::parse(schema_text());
         valijson::SchemaParser parser;
@@ -30,7 +30,7 @@ class Oracle {
                                   nullptr);
     }
 
-   private:
+  private:
     valijson::Schema schema_;
 };
 
@@ -78,10 +78,9 @@ TEST_P(Agreement, same_verdict_on_every_single_change) {
     const Json scene = Json::parse(GetParam());
     std::vector<std::string> all;
     pointers_of(scene, "", all);
-    const std::vector<Json> replacements{nullptr, true,           -1,      0,
-                                         0.5,     1e300,          "text",  "${label}",
-                                         "",      Json::array(),  {1, 2},  {1, 2, 3},
-                                         {"a"},   Json::object(), {{"x", 1}}, "a b"};
+    const std::vector<Json> replacements{
+        nullptr, true,          -1,     0,         0.5,   1e300,          "text",     "${label}",
+        "",      Json::array(), {1, 2}, {1, 2, 3}, {"a"}, Json::object(), {{"x", 1}}, "a b"};
     Count count;
     for (std::size_t i = 1; i < all.size(); ++i) {
         const Json::json_pointer at(all[i]);
@@ -111,7 +110,7 @@ TEST_P(Agreement, same_verdict_on_every_single_change) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Agreement, testing::ValuesIn(kGoodScenes),
-                         [](const auto& info) { return "scene" + std::to_string(info.index); });
+                         [](const auto& item) { return "scene" + std::to_string(item.index); });
 
 TEST(Schema, refers_only_to_its_own_definitions) {
     const Json schema = Json::parse(schema_text());

@@ -56,7 +56,7 @@ inline std::string refusal(std::string_view text, const Options& options = {}) {
 
 /// A folder of files that goes away.
 class TempFolder {
-   public:
+  public:
     TempFolder() {
         std::string pattern = (std::filesystem::temp_directory_path() / "hawser-XXXXXX").string();
         path = mkdtemp(pattern.data());
