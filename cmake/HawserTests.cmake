@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # One test executable per folder tests/<name>: hawser_test_<name>; its tests are called
-# <name>.Suite.case (`ctest -R '^factor\.'`) and labelled `fast` or `slow`. Files directly in
-# tests/ make hawser_test. Shared helpers are headers (and sources) in tests/support.
+# <name>.Suite.case (`ctest -R '^factor\.'`). Files directly in tests/ make hawser_test. Shared
+# helpers are headers (and sources) in tests/support.
 # Tests run in the source folder: "scenes/x.json" opens. The environment names HAWSER_BIN_DIR,
 # the folder of the programs.
 
@@ -14,8 +14,14 @@ find_package(PNG QUIET)
 find_package(Python3 COMPONENTS Interpreter REQUIRED)
 include(GoogleTest)
 
-# Tests in these folders take long; sanitizer builds run those labelled `fast` only.
+# Labels. `slow`: takes long. `program`: runs the programs. `fast-serial` and `fast`: the rest,
+# without and with threads in the code under test. The preset asan-ubsan runs both of these, tsan
+# runs `fast`; the targets hawser_fast_tests and hawser_thread_tests build for them.
 set(HAWSER_SLOW_TESTS slow validate)
+set(HAWSER_PROGRAM_TESTS cli)
+set(HAWSER_SERIAL_TESTS bench graph model observe scene)
+add_custom_target(hawser_fast_tests)
+add_custom_target(hawser_thread_tests)
 
 hawser_sources(support_sources tests/support)
 if(support_sources)
@@ -39,8 +45,15 @@ function(hawser_add_test_executable target folder)
 
     if(folder IN_LIST HAWSER_SLOW_TESTS)
         set(label slow)
+    elseif(folder IN_LIST HAWSER_PROGRAM_TESTS)
+        set(label program)
+    elseif(folder IN_LIST HAWSER_SERIAL_TESTS)
+        set(label fast-serial)
+        add_dependencies(hawser_fast_tests ${target})
     else()
         set(label fast)
+        add_dependencies(hawser_fast_tests ${target})
+        add_dependencies(hawser_thread_tests ${target})
     endif()
     # PRE_TEST: a test that fails to start must fail in ctest, not break the build.
     gtest_discover_tests(${target}
