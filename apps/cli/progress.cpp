@@ -13,6 +13,8 @@ namespace hawser::cli {
 namespace {
 
 constexpr auto kBarInterval = std::chrono::milliseconds(100);
+// A run of a moment needs no lines for each tenth.
+constexpr auto kTenthInterval = std::chrono::milliseconds(250);
 constexpr auto kLineInterval = std::chrono::seconds(5);
 
 int terminal_width() {
@@ -43,7 +45,8 @@ void Progress::at(std::int64_t done, const std::string& note) {
         if (now - shown_ < kBarInterval && done < steps_) return;
         shown_ = now;
         bar(done, note);
-    } else if (done * 10 >= next_tenth_ * steps_ || now - shown_ >= kLineInterval) {
+    } else if (now - shown_ >= kLineInterval ||
+               (done * 10 >= next_tenth_ * steps_ && now - shown_ >= kTenthInterval)) {
         shown_ = now;
         next_tenth_ = done * 10 / steps_ + 1;
         line(done, note);

@@ -66,7 +66,8 @@ RunSession::RunSession(const RunOptions& options)
     }
     if (!options.csv.empty()) {
         csv_ = std::make_unique<observe::CsvWriter>(options.csv, info_, world);
-        csv_->add_row(world);
+        if (world.step_count() > 0)  // Before the first step no tension is known.
+            csv_->add_row(world);
         written_.push_back(options.csv);
     }
     if (!options.summary.empty() && !std::ofstream(options.summary))

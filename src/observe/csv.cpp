@@ -39,10 +39,7 @@ CsvWriter::CsvWriter(const std::filesystem::path& file, const SceneInfo& scene, 
         line_ += "," + quoted(cable.name + " tension at first end [N]");
         line_ += "," + quoted(cable.name + " tension at last end [N]");
     }
-    bodies_ = scene.plot_bodies;
-    if (bodies_.empty())
-        for (std::int32_t i = 0; i < world.body_count(); ++i)
-            if (world.body_def({i}).kind == BodyKind::rigid) bodies_.push_back({i});
+    bodies_ = watched_bodies(scene, world);
     for (const BodyId body : bodies_)
         for (const char* what :
              {"x [m]", "y [m]", "z [m]", "roll [deg]", "pitch [deg]", "yaw [deg]"})

@@ -14,7 +14,7 @@ namespace {
 
 // Room in the picture [points].
 constexpr double kLeft = 100, kRight = 170, kTop = 118, kBottom = 74, kBetween = 84;
-constexpr double kWidth = 1280, kMaxHeight = 1340, kMinHeight = 640;
+constexpr double kWidth = 1280, kMaxHeight = 1180, kMinHeight = 640;
 
 struct Layout {
     View view[2];
@@ -88,8 +88,9 @@ void draw_names(Drawing& drawing, const Axes& axes, const View& view, const Reco
     constexpr double kSize = 12.0;
     std::vector<std::int32_t> bodies = recording.plot_bodies;
     const std::vector<bool> visible = visible_bodies(recording);
+    const std::vector<bool> interior = cable_interior(recording);
     for (std::size_t i = 0; i < visible.size() && bodies.size() < 30; ++i)
-        if (visible[i] && recording.bodies[i].kind == BodyKind::rigid &&
+        if (visible[i] && !interior[i] && recording.bodies[i].kind == BodyKind::rigid &&
             std::find(bodies.begin(), bodies.end(), static_cast<std::int32_t>(i)) == bodies.end())
             bodies.push_back(static_cast<std::int32_t>(i));
     std::vector<Box> taken;

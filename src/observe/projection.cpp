@@ -62,7 +62,7 @@ Vec3 place(const Frame& frame, std::int32_t body, const Vec3& point) {
     return pose.position + pose.orientation.normalized() * point;
 }
 
-// Rods between their points; bodies without a box as lines from their centre to their joints.
+// Rods between their points; bodies as lines from their centre to joints outside their box.
 void draw_joints(Drawing& drawing, const Axes& axes, const View& view, const Recording& recording,
                  const Frame& frame, bool ghost) {
     const Color color = ghost ? kGhost : kBodyLine;
@@ -78,8 +78,9 @@ void draw_joints(Drawing& drawing, const Axes& axes, const View& view, const Rec
         for (int k = 0; k < 2; ++k) {
             const RecordedBody& body = recording.bodies[static_cast<std::size_t>(joint.body[k])];
             ends[k] = project(axes, view, place(frame, joint.body[k], joint.point[k]));
-            if (!has_size(body) && body.kind != BodyKind::fixed &&
-                joint.point[k].squaredNorm() > 0.0)
+            const bool outside =
+                (joint.point[k].cwiseAbs().array() > 1.05 * body.half_size.array()).any();
+            if (outside && body.kind != BodyKind::fixed)
                 drawing.line(project(axes, view,
                                      frame.poses[static_cast<std::size_t>(joint.body[k])].position),
                              ends[k], color, width);
@@ -89,14 +90,27 @@ void draw_joints(Drawing& drawing, const Axes& axes, const View& view, const Rec
     }
 }
 
+// Places of a cable's nodes, its ends where it holds the bodies. Drums have no place.
+std::vector<Vec3> cable_points(const Recording& recording, const RecordedCable& cable,
+                               const Frame& frame) {
+    std::vector<Vec3> points;
+    const std::size_t n = cable.nodes.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::int32_t node = cable.nodes[i];
+        if (recording.bodies[static_cast<std::size_t>(node)].kind == BodyKind::scalar) continue;
+        const Vec3 local = i == 0 ? cable.end[0] : i + 1 == n ? cable.end[1] : Vec3::Zero();
+        points.push_back(place(frame, node, local));
+    }
+    return points;
+}
+
 void draw_cables(Drawing& drawing, const Axes& axes, const View& view, const Recording& recording,
                  const Frame& frame, const FrameStyle& style) {
     for (const RecordedCable& cable : recording.cables) {
         std::vector<Point> points;
-        for (const std::int32_t node : cable.nodes)
-            if (recording.bodies[static_cast<std::size_t>(node)].kind != BodyKind::scalar)
-                points.push_back(
-                    project(axes, view, frame.poses[static_cast<std::size_t>(node)].position));
+        const std::vector<Vec3> nodes = cable_points(recording, cable, frame);
+        points.reserve(nodes.size());
+        for (const Vec3& node : nodes) points.push_back(project(axes, view, node));
         if (style.ghost) {
             drawing.add(Path{.points = points, .stroke = kGhost, .width = 1.0});
             continue;
@@ -142,9 +156,7 @@ void add_to_bounds(const Recording& recording, const Frame& frame, Bounds& bound
             for (const Vec3& corner : corners(recording.bodies[i], frame.poses[i]))
                 bounds.add(corner);
     for (const RecordedCable& cable : recording.cables)
-        for (const std::int32_t node : cable.nodes)
-            if (recording.bodies[static_cast<std::size_t>(node)].kind != BodyKind::scalar)
-                bounds.add(frame.poses[static_cast<std::size_t>(node)].position);
+        for (const Vec3& point : cable_points(recording, cable, frame)) bounds.add(point);
     for (const RecordedJoint& joint : recording.joints)
         for (int k = 0; k < 2; ++k)
             if (recording.bodies[static_cast<std::size_t>(joint.body[k])].kind != BodyKind::scalar)

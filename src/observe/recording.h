@@ -46,6 +46,8 @@ struct RecordedCable {
     std::string name, line_type;
     double EA = 0.0, breaking_load = 0.0, length = 0.0;  ///< [N], [N], [m]
     std::vector<std::int32_t> nodes;                     ///< Indices of bodies.
+    /// Where the cable holds its first and its last body, in their frames [m].
+    Vec3 end[2] = {Vec3::Zero(), Vec3::Zero()};
     std::int32_t elements = 0;
     std::int32_t first_element = 0;  ///< In Frame::tensions.
 };
@@ -159,6 +161,9 @@ class Recording {
 
 /// Floats of a body's pose in a frame: 7, 3, 1 or 0.
 [[nodiscard]] int pose_floats(BodyKind kind) noexcept;
+
+/// True for bodies between the ends of a cable: nodes and links, too many to name.
+[[nodiscard]] std::vector<bool> cable_interior(const Recording& recording);
 
 /// Bytes of one frame in the file.
 [[nodiscard]] std::size_t frame_bytes(const World& world, const SceneInfo& scene);

@@ -67,6 +67,14 @@ int pose_floats(BodyKind kind) noexcept {
     return 0;
 }
 
+std::vector<bool> cable_interior(const Recording& recording) {
+    std::vector<bool> interior(recording.bodies.size(), false);
+    for (const RecordedCable& cable : recording.cables)
+        for (std::size_t i = 1; i + 1 < cable.nodes.size(); ++i)
+            interior[static_cast<std::size_t>(cable.nodes[i])] = true;
+    return interior;
+}
+
 Recording Recording::open(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary | std::ios::ate);
     if (!in || !std::filesystem::is_regular_file(file))
@@ -176,7 +184,7 @@ void Recording::read_settings(ByteReader in) {
 
 void Recording::read_layout(ByteReader in) {
     // Smallest entries: a body has a name length, a kind and 10 numbers; a cable two name
-    // lengths, 3 numbers and 2 counts.
+    // lengths, 3 numbers, 2 points and 2 counts.
     bodies.resize(in.get_count(4 + 1 + 80));
     std::size_t floats = 0;
     for (RecordedBody& body : bodies) {
@@ -189,7 +197,7 @@ void Recording::read_layout(ByteReader in) {
         body.start.orientation = Quat(w, q.x(), q.y(), q.z());
         floats += static_cast<std::size_t>(pose_floats(body.kind));
     }
-    cables.resize(in.get_count(8 + 24 + 8));
+    cables.resize(in.get_count(8 + 24 + 4 + 48 + 4));
     std::uint64_t elements = 0;
     for (RecordedCable& cable : cables) {
         cable.name = in.get_text();
@@ -198,6 +206,7 @@ void Recording::read_layout(ByteReader in) {
         cable.breaking_load = in.get<double>();
         cable.length = in.get<double>();
         cable.nodes = get_indices(in, bodies.size());
+        for (Vec3& end : cable.end) end = get_vector(in);
         const auto count = in.get<std::uint32_t>();
         cable.first_element = static_cast<std::int32_t>(elements);
         cable.elements = static_cast<std::int32_t>(count & 0x7FFFFFFFu);

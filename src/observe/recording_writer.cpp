@@ -56,6 +56,17 @@ void put_joints(ByteWriter& out, const SceneInfo& scene, const World& world) {
     }
 }
 
+// Point of the first or last body that the cable holds.
+Vec3 end_point(const CableInfo& cable, const World& world, bool last) {
+    if (cable.elements.empty() || cable.nodes.empty()) return Vec3::Zero();
+    const BodyId body = last ? cable.nodes.back() : cable.nodes.front();
+    const InteractionDef& def =
+        world.interaction_def(last ? cable.elements.back() : cable.elements.front());
+    for (std::size_t k = 0; k < def.body.size(); ++k)
+        if (def.body[k] == body) return def.point[k];
+    return Vec3::Zero();
+}
+
 void put_layout(ByteWriter& out, const SceneInfo& scene, const World& world) {
     out.put(static_cast<std::uint32_t>(world.body_count()));
     for (std::int32_t i = 0; i < world.body_count(); ++i) {
@@ -76,6 +87,10 @@ void put_layout(ByteWriter& out, const SceneInfo& scene, const World& world) {
         for (const double v : {cable.EA, cable.breaking_load, cable.length}) out.put(v);
         out.put(static_cast<std::uint32_t>(cable.nodes.size()));
         for (const BodyId node : cable.nodes) out.put(node.index);
+        for (const bool last : {false, true}) {
+            const Vec3 point = end_point(cable, world, last);
+            for (int k = 0; k < 3; ++k) out.put(point[k]);
+        }
         out.put(static_cast<std::uint32_t>(cable.elements.size()));
     }
     out.put(static_cast<std::uint32_t>(scene.plot_cables.size()));

@@ -29,7 +29,7 @@ void times(Out out, const Summary& s) {
                        kWarmUpSteps);
         fmt::format_to(out, "  stages [ms] ");
         for (std::size_t k = 0; k < s.stage_ms.size(); ++k)
-            if (s.stage_ms[k] > 0.0)
+            if (s.stage_ms[k] > 1e-3 * s.step_ms.median)
                 fmt::format_to(out, " {} {:.3g}", to_string(static_cast<Stage>(k)), s.stage_ms[k]);
         fmt::format_to(out, "\n");
     } else {

@@ -24,6 +24,19 @@ double element_tension(const World& world, InteractionId element) {
     return std::sqrt(sum);
 }
 
+std::vector<BodyId> watched_bodies(const SceneInfo& scene, const World& world) {
+    if (!scene.plot_bodies.empty()) return scene.plot_bodies;
+    std::vector<bool> inside(static_cast<std::size_t>(world.body_count()), false);
+    for (const CableInfo& cable : scene.cables)
+        for (std::size_t i = 1; i + 1 < cable.nodes.size(); ++i)
+            inside[static_cast<std::size_t>(cable.nodes[i].index)] = true;
+    std::vector<BodyId> out;
+    for (std::int32_t i = 0; i < world.body_count(); ++i)
+        if (world.body_def({i}).kind == BodyKind::rigid && !inside[static_cast<std::size_t>(i)])
+            out.push_back({i});
+    return out;
+}
+
 std::string body_label(const World& world, BodyId body) {
     if (!body.valid()) return "-";
     const std::string& name = world.body_def(body).name;

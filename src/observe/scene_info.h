@@ -37,6 +37,10 @@ struct SceneInfo {
 /// distance row, and the magnitude of the force of a joint between links.
 [[nodiscard]] double element_tension(const World& world, InteractionId element);
 
+/// Bodies whose motion is reported: those that the scene wants plotted, else the rigid bodies
+/// that are not inside a cable.
+[[nodiscard]] std::vector<BodyId> watched_bodies(const SceneInfo& scene, const World& world);
+
 /// The body's own name, or "body 17".
 [[nodiscard]] std::string body_label(const World& world, BodyId body);
 /// The interaction's own name, or its kind and number: "stretch 17"; "-" for no interaction.

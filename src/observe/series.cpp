@@ -15,10 +15,12 @@ constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 std::vector<std::int32_t> chosen_bodies(const Recording& recording, std::size_t limit) {
     if (!recording.plot_bodies.empty()) return recording.plot_bodies;
+    const std::vector<bool> interior = cable_interior(recording);
     std::vector<std::int32_t> out;
     const auto take = [&](auto wanted) {
         for (std::size_t i = 0; i < recording.bodies.size() && out.size() < limit; ++i)
-            if (wanted(recording.bodies[i].kind)) out.push_back(static_cast<std::int32_t>(i));
+            if (!interior[i] && wanted(recording.bodies[i].kind))
+                out.push_back(static_cast<std::int32_t>(i));
     };
     take([](BodyKind k) { return k == BodyKind::rigid; });
     if (out.empty()) take([](BodyKind k) { return k != BodyKind::fixed; });
@@ -76,7 +78,10 @@ Series collect_series(const Recording& recording, std::size_t limit) {
             {.body = body, .turns = kind == BodyKind::rigid || kind == BodyKind::kinematic});
     }
     for (std::size_t i = 0; i < recording.frame_count(); ++i) {
-        const Frame frame = recording.frame(i);
+        Frame frame = recording.frame(i);
+        // Before the first step no tension is known: the curves begin with the next frame's.
+        if (i == 0 && frame.step == 0 && recording.frame_count() > 1)
+            frame.tensions = recording.frame(1).tensions;
         series.time.push_back(frame.time);
         for (CableSeries& s : series.cables)
             append(s, recording.cables[static_cast<std::size_t>(s.cable)], frame);

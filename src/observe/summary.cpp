@@ -18,18 +18,10 @@ Spread spread(const Samples& samples) {
     return {samples.median(), samples.quantile(0.99), samples.max()};
 }
 
-std::vector<BodyId> watched(const SceneInfo& scene, const World& world) {
-    if (!scene.plot_bodies.empty()) return scene.plot_bodies;
-    std::vector<BodyId> out;
-    for (std::int32_t i = 0; i < world.body_count(); ++i)
-        if (world.body_def({i}).kind == BodyKind::rigid) out.push_back({i});
-    return out;
-}
-
 }  // namespace
 
 SummaryCollector::SummaryCollector(const SceneInfo& scene, const World& world)
-    : scene_(scene), bodies_(watched(scene, world)) {
+    : scene_(scene), bodies_(watched_bodies(scene, world)) {
     summary_.scene = scene.name;
     summary_.scene_path = scene.path;
     summary_.scene_hash = scene.hash;
