@@ -38,7 +38,8 @@ struct SmallScene {
                                .body = {a, b}};
             elements.push_back(world.add_interaction(def.set("length", 1.04).set("EA", 1e5)));
         }
-        world.add_input({.name = "box.push", .body = box, .component = 0, .min = -50, .max = 50});
+        world.add_input(
+            {.name = "box.push", .param = {}, .body = box, .component = 0, .min = -50, .max = 50});
         info.name = "small";
         info.path = "small.json";
         info.text = "{\"name\": \"small\"}";

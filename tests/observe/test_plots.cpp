@@ -32,7 +32,7 @@ XmlDocument check_picture(const Drawing& drawing) {
 }
 
 class Plots : public testing::Test {
-   protected:
+  protected:
     void SetUp() override {
         const auto file = fresh_folder() / "r.hwr";
         scene.record(file, 90);
@@ -72,7 +72,8 @@ TEST_F(Plots, ViewsHaveBothPanelsAndAColourBar) {
 TEST_F(Plots, SpyShowsMatrixAndFactor) {
     const SystemView view = scene.world.inspect();
     const observe::FactorBlocks factor = observe::factor_blocks(view);
-    const Drawing drawing = observe::plot_spy(view, factor, "small: spy", std::string("hash 1 ") + instruction_set());
+    const Drawing drawing =
+        observe::plot_spy(view, factor, "small: spy", std::string("hash 1 ") + instruction_set());
     const XmlDocument d = check_picture(drawing);
     EXPECT_TRUE(has_text(d, "row [scalar]"));
     EXPECT_TRUE(has_text(d, "fill"));
@@ -174,7 +175,8 @@ TEST(Ticks, AreRoundAndInside) {
             EXPECT_LE(v, r.high + 1e-9 * r.span());
         }
     }
-    EXPECT_EQ(observe::ticks({0, 1}, 5), (std::vector<double>{0, 0.2, 0.4, 0.6000000000000001, 0.8, 1}));
+    EXPECT_EQ(observe::ticks({0, 1}, 5),
+              (std::vector<double>{0, 0.2, 0.4, 0.6000000000000001, 0.8, 1}));
     EXPECT_EQ(observe::tick_label(0.25, 0.05), "0.25");
     EXPECT_EQ(observe::tick_label(-2, 1), "−2");
     EXPECT_EQ(observe::with_unit(1.25e6, "N"), "1.25 MN");

@@ -71,15 +71,13 @@ TEST(Names, NearestIsTheFewestEditsAway) {
 
 TEST(Samples, QuantilesOfAFewAndOfMany) {
     observe::Samples few;
-    for (const double v : {5.0, 1.0, 3.0})
-        few.add(v);
+    for (const double v : {5.0, 1.0, 3.0}) few.add(v);
     EXPECT_EQ(few.median(), 3.0);
     EXPECT_EQ(few.quantile(0), 1.0);
     EXPECT_EQ(few.quantile(0.75), 4.0);
     EXPECT_EQ(few.max(), 5.0);
     observe::Samples many(64);
-    for (int i = 0; i < 10000; ++i)
-        many.add(i == 4999 ? 1e9 : i);
+    for (int i = 0; i < 10000; ++i) many.add(i == 4999 ? 1e9 : i);
     EXPECT_EQ(many.count(), 10000);
     EXPECT_EQ(many.max(), 1e9);
     // 32 to 64 evenly spaced numbers are kept: the median is off by less than one spacing.
@@ -100,12 +98,35 @@ TEST(Summary, JsonHasAllFields) {
     }
     const observe::Summary summary = collector.result(scene.world);
     const auto json = nlohmann::json::parse(observe::to_json(summary));
-    for (const char* key :
-         {"scene", "scene_hash", "bodies", "interactions", "equations", "islands", "nnz", "flops",
-          "steps", "step_ms", "solver_ms", "solver_cpu_ms", "stage_ms", "residuals",
-          "violation_max", "violation_where", "stretch_error_max", "energy", "event_counts",
-          "events", "state_hash", "threads", "instruction_set", "processor", "load_average",
-          "version", "peak_memory_bytes", "tensions", "motions"})
+    for (const char* key : {"scene",
+                            "scene_hash",
+                            "bodies",
+                            "interactions",
+                            "equations",
+                            "islands",
+                            "nnz",
+                            "flops",
+                            "steps",
+                            "step_ms",
+                            "solver_ms",
+                            "solver_cpu_ms",
+                            "stage_ms",
+                            "residuals",
+                            "violation_max",
+                            "violation_where",
+                            "stretch_error_max",
+                            "energy",
+                            "event_counts",
+                            "events",
+                            "state_hash",
+                            "threads",
+                            "instruction_set",
+                            "processor",
+                            "load_average",
+                            "version",
+                            "peak_memory_bytes",
+                            "tensions",
+                            "motions"})
         EXPECT_TRUE(json.contains(key)) << key;
     EXPECT_EQ(json["steps"], steps);
     EXPECT_EQ(json["timed_steps"], steps - observe::kWarmUpSteps);
