@@ -16,18 +16,10 @@
 
 namespace hawser::bench {
 
-inline btVector3 to_bullet(const Vec3& v) {
-    return {v.x(), v.y(), v.z()};
-}
-inline btQuaternion to_bullet(const Quat& q) {
-    return {q.x(), q.y(), q.z(), q.w()};
-}
-inline Vec3 from_bullet(const btVector3& v) {
-    return {v.x(), v.y(), v.z()};
-}
-inline Quat from_bullet(const btQuaternion& q) {
-    return {q.w(), q.x(), q.y(), q.z()};
-}
+inline btVector3 to_bullet(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+inline btQuaternion to_bullet(const Quat& q) { return {q.x(), q.y(), q.z(), q.w()}; }
+inline Vec3 from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+inline Quat from_bullet(const btQuaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
 /// The parts that every Bullet world needs and that idle here.
 struct BulletParts {
@@ -39,7 +31,7 @@ struct BulletParts {
 /// A Bullet world that never looks for contacts.
 template <class World>
 class WithoutCollision : public World {
-public:
+  public:
     using World::World;
     void performDiscreteCollisionDetection() override {}
 };

@@ -40,7 +40,7 @@ struct Measures {
 /// hydrostatic springs, W the work of thrust, drag and dampers with the mean velocity of each
 /// substep. Tension: |m dv/dt - other forces| on each towed ship.
 class Meter {
-public:
+  public:
     /// @param staggered  velocities belong half a substep before the poses (Runner::staggered).
     Meter(const Scene& scene, const Reference& reference, bool staggered);
 
@@ -67,7 +67,7 @@ public:
 
     [[nodiscard]] double largest_gap(const std::vector<BodyState>& s) const;
 
-private:
+  private:
     void measure_tension(double t);
     void measure_mode(const std::vector<BodyState>& s, double t);
     [[nodiscard]] std::optional<double> reference_tension(std::size_t ship, double t) const;

@@ -49,7 +49,7 @@ struct PeerResult {
 
 /// One engine on one scene, advanced frame by frame.
 class Trial {
-public:
+  public:
     Trial(const Engine& engine, const Scene& scene, const Reference& reference, int substeps,
           double duration);
 
@@ -62,7 +62,7 @@ public:
     [[nodiscard]] bool over() const { return frames_ >= total_ || !meter_.measures().finite; }
     [[nodiscard]] PeerResult result() const;
 
-private:
+  private:
     const Scene& scene_;
     const Reference& reference_;
     std::string engine_;

@@ -18,7 +18,7 @@ namespace hawser::bench {
 
 /// A simulator with one scene loaded.
 class Runner {
-public:
+  public:
     virtual ~Runner() = default;
     Runner() = default;
     Runner(const Runner&) = delete;
