@@ -37,6 +37,11 @@ double mobility(const model::Bodies& bodies, const model::Interactions& in, int 
     return sum;
 }
 
+/// An op whose address and offsets are still to be filled in.
+Op make_op(std::int32_t id, Op::Kind kind, std::uint8_t a, std::uint8_t b) {
+    return {0, 0, id, 0, 0, kind, a, b, 0, 0, 0};
+}
+
 }  // namespace
 
 void System::analyse(const model::Bodies& bodies, model::Interactions& interactions,
@@ -74,7 +79,8 @@ void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) 
     in.jacobian.resize(at(in.jac_size) + kSlack);
     body_block_.resize(at(kBodyBlock * bodies.count()));
     geo_record_.assign(at(kGeoSize) * at(in.geo_count), 0.0);
-    for (base::Array<double>* a : {&a_, &v_new_, &momentum_}) a->assign(at(bodies.dofs) + kSlack, 0.0);
+    for (base::Array<double>* a : {&a_, &v_new_, &momentum_})
+        a->assign(at(bodies.dofs) + kSlack, 0.0);
     one_sided.clear();
     breakable.clear();
     for (int i = 0; i < in.count(); ++i) {
@@ -95,15 +101,26 @@ void System::build_incidence(const model::Bodies& bodies, const model::Interacti
         member_begin.push_back(static_cast<std::int32_t>(members.size()));
     }
     for (int b = 0; b < bodies.count(); ++b) incident_begin_[at(b) + 1] += incident_begin_[at(b)];
-    incident_id_.resize(members.size());
-    incident_slot_.resize(members.size());
+    incident_.resize(members.size());
     std::vector<std::int32_t> cursor(incident_begin_.begin(), incident_begin_.end() - 1);
-    for (int i = 0; i < in.count(); ++i)
+    for (int i = 0; i < in.count(); ++i) {
+        const std::int32_t* body = &in.body[at(kSlots * i)];
+        int width = 0;
+        for (int b = 0; b < in.bodies[at(i)]; ++b) width += dof_[at(body[b])];
+        std::int32_t column = in.jac_begin[at(i)];
         for (int b = 0; b < in.bodies[at(i)]; ++b) {
-            const auto k = at(cursor[at(in.body[at(kSlots * i + b)])]++);
-            incident_id_[k] = i;
-            incident_slot_[k] = static_cast<std::uint8_t>(b);
+            const bool geo = in.geo[at(i)] >= 0 && b < 2;
+            incident_[at(cursor[at(body[b])]++)] = {i,
+                                                    column,
+                                                    in.row_begin[at(i)],
+                                                    geo ? in.geo[at(i)] : -1,
+                                                    geo ? body[1 - b] : -1,
+                                                    static_cast<std::uint8_t>(b),
+                                                    in.rows[at(i)],
+                                                    static_cast<std::uint8_t>(width)};
+            column += dof_[at(body[b])];
         }
+    }
     std::vector<std::uint8_t> moves(dof_.begin(), dof_.end());
     islands = graph::find_islands(moves, member_begin, members);
 }
@@ -179,31 +196,48 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
         const factor::BlockTarget t = symbolic.target(row, column);
         op.address = t.address;
         op.ld = t.ld;
+        if (op.kind != Op::body_block) {
+            const std::int32_t* body = &in.body[at(kSlots * op.id)];
+            std::int32_t offset = in.jac_begin[at(op.id)];
+            for (int b = 0; b < in.bodies[at(op.id)]; ++b) {
+                const std::uint8_t dof = dof_[at(body[b])];
+                if (b == op.a) {
+                    op.jac_a = offset;
+                    op.dof_a = dof;
+                }
+                if (b == op.b) {
+                    op.jac_b = offset;
+                    op.dof_b = dof;
+                }
+                offset += dof;
+                op.width = static_cast<std::uint8_t>(op.width + dof);
+            }
+        }
         entries.push_back({symbolic.position[at(column)], op});
     };
     for (std::int32_t b : bodies.moving)
-        add(node_of_body[at(b)], node_of_body[at(b)], {0, 0, b, Op::body_block, 0, 0});
+        add(node_of_body[at(b)], node_of_body[at(b)], make_op(b, Op::body_block, 0, 0));
     for (std::int32_t i = 0; i < in.count(); ++i) {
         const std::int32_t own = node_of_interaction[at(i)];
-        if (own >= 0) add(own, own, {0, 0, i, Op::kept_sigma, 0, 0});
+        if (own >= 0) add(own, own, make_op(i, Op::kept_sigma, 0, 0));
         for (int a = 0; a < in.bodies[at(i)]; ++a) {
             const std::int32_t na = node_of_body[at(in.body[at(kSlots * i + a)])];
             if (na < 0) continue;
             const auto sa = static_cast<std::uint8_t>(a);
             if (own >= 0) {
                 if (symbolic.position[at(own)] > symbolic.position[at(na)])
-                    add(own, na, {0, 0, i, Op::kept_rows, 0, sa});
+                    add(own, na, make_op(i, Op::kept_rows, 0, sa));
                 else
-                    add(na, own, {0, 0, i, Op::kept_columns, sa, 0});
+                    add(na, own, make_op(i, Op::kept_columns, sa, 0));
             }
             for (int b = 0; b < in.bodies[at(i)]; ++b) {
                 const std::int32_t nb = node_of_body[at(in.body[at(kSlots * i + b)])];
                 if (nb < 0 || symbolic.position[at(na)] < symbolic.position[at(nb)]) continue;
                 if (na == nb && a != b) continue;  // a body twice in one interaction is refused
                 const auto sb = static_cast<std::uint8_t>(b);
-                if (own < 0) add(na, nb, {0, 0, i, Op::condensed, sa, sb});
+                if (own < 0) add(na, nb, make_op(i, Op::condensed, sa, sb));
                 if (in.geo[at(i)] >= 0 && a < 2 && b < 2)
-                    add(na, nb, {0, 0, i, Op::geometric, sa, sb});
+                    add(na, nb, make_op(i, Op::geometric, sa, sb));
             }
         }
     }
@@ -271,8 +305,7 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.jacobian = in.jacobian.data();
     v.geo_record = geo_record_.data();
     v.incident_begin = incident_begin_.data();
-    v.incident_id = incident_id_.data();
-    v.incident_slot = incident_slot_.data();
+    v.incident = incident_.data();
     v.body_offset = body_offset_.data();
     v.interaction_offset = interaction_offset_.data();
     v.solution = solution_.data();
@@ -282,10 +315,10 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
 std::size_t System::bytes() const noexcept {
     using base::bytes;
     return bytes(pattern.adjacent) + bytes(pattern.start) + symbolic.bytes() + numeric.bytes() +
-           bytes(ops) + bytes(incident_id_) + bytes(incident_slot_) + bytes(incident_begin_) +
-           bytes(body_offset_) + bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) +
-           bytes(v_new_) + bytes(momentum_) + bytes(geo_record_) + bytes(solution_) +
-           bytes(node_of_body) + bytes(node_of_interaction);
+           bytes(ops) + bytes(incident_) + bytes(incident_begin_) + bytes(body_offset_) +
+           bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) + bytes(v_new_) +
+           bytes(momentum_) + bytes(geo_record_) + bytes(solution_) + bytes(node_of_body) +
+           bytes(node_of_interaction);
 }
 
 }  // namespace hawser::assembly

@@ -61,8 +61,8 @@ class System {
     void reserve(const model::Bodies& bodies, model::Interactions& interactions, int threads);
 
     std::vector<std::uint8_t> dof_, kept_;
-    std::vector<std::int32_t> incident_begin_, incident_id_;
-    std::vector<std::uint8_t> incident_slot_;
+    std::vector<std::int32_t> incident_begin_;
+    std::vector<Incidence> incident_;
     std::vector<std::int32_t> body_offset_, interaction_offset_;
     base::Array<double> body_block_, a_, v_new_, momentum_, geo_record_, solution_;
 };

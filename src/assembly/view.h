@@ -33,8 +33,20 @@ struct Op {
     std::int64_t address;
     std::int32_t ld;
     std::int32_t id;
+    std::int32_t jac_a, jac_b;  ///< Offsets of the slots' columns in the first row.
     Kind kind;
     std::uint8_t a, b;
+    std::uint8_t dof_a, dof_b, width;
+};
+
+/// One interaction as a body sees it: all that the gather loops need, without detours.
+struct Incidence {
+    std::int32_t id;
+    std::int32_t jacobian;  ///< Offset of this body's columns in the first row.
+    std::int32_t row;       ///< First row.
+    std::int32_t geo;       ///< Geometric record, −1: none or not one of its two bodies.
+    std::int32_t other;     ///< The other body of the geometric record.
+    std::uint8_t slot, rows, width;
 };
 
 struct View {
@@ -81,15 +93,14 @@ struct View {
     double* c;
     double* residual;
     double* lambda;
-    double* multiplier;       ///< By row: λ + Σ⁻¹ residual where condensed, 0 where idle.
+    double* multiplier;  ///< By row: λ + Σ⁻¹ residual where condensed, 0 where idle.
     double* force_of_row;
     double* jacobian;
     double* geo_record;  ///< kGeoSize each.
 
     // Incidence: which (interaction, slot) pairs touch a body.
     const std::int32_t* incident_begin;
-    const std::int32_t* incident_id;
-    const std::uint8_t* incident_slot;
+    const Incidence* incident;
 
     // The permuted vector of the solver.
     const std::int32_t* body_offset;         ///< By body; −1 without freedom.

@@ -14,22 +14,6 @@ namespace {
 using assembly::Op;
 using assembly::View;
 
-constexpr int kSlots = kMaxInteractionBodies;
-
-/// Columns of slot s in the packed Jacobian and the Jacobian's width.
-struct Slots {
-    int at[kSlots], dof[kSlots], width;
-};
-inline Slots slots(const View& view, std::int32_t id) {
-    Slots s{};
-    for (int b = 0; b < view.bodies[id]; ++b) {
-        s.at[b] = s.width;
-        s.dof[b] = view.dof[view.body[kSlots * id + b]];
-        s.width += s.dof[b];
-    }
-    return s;
-}
-
 /// out (DA × DB, column-major) += Σ_r w_r ja_r ᵀ jb_r.
 template <int DA, int DB>
 inline void outer(const double* ja, const double* jb, int width, const double* w, int rows,
@@ -43,40 +27,38 @@ inline void outer(const double* ja, const double* jb, int width, const double* w
 }
 
 void condense(const View& view, const Op& op, double* out) {
-    const Slots s = slots(view, op.id);
-    const double* jac = view.jacobian + view.jac_begin[op.id];
-    const double *ja = jac + s.at[op.a], *jb = jac + s.at[op.b];
+    const double *ja = view.jacobian + op.jac_a, *jb = view.jacobian + op.jac_b;
     const int rows = view.rows[op.id];
     double w[kMaxInteractionRows];
     for (int r = 0; r < rows; ++r)
         w[r] = view.active[op.id] * view.inv_sigma[view.row_begin[op.id] + r];
-    switch (8 * s.dof[op.a] + s.dof[op.b]) {
+    switch (8 * op.dof_a + op.dof_b) {
         case 8 * 3 + 3:
-            outer<3, 3>(ja, jb, s.width, w, rows, out, op.ld);
+            outer<3, 3>(ja, jb, op.width, w, rows, out, op.ld);
             break;
         case 8 * 6 + 6:
-            outer<6, 6>(ja, jb, s.width, w, rows, out, op.ld);
+            outer<6, 6>(ja, jb, op.width, w, rows, out, op.ld);
             break;
         case 8 * 3 + 6:
-            outer<3, 6>(ja, jb, s.width, w, rows, out, op.ld);
+            outer<3, 6>(ja, jb, op.width, w, rows, out, op.ld);
             break;
         case 8 * 6 + 3:
-            outer<6, 3>(ja, jb, s.width, w, rows, out, op.ld);
+            outer<6, 3>(ja, jb, op.width, w, rows, out, op.ld);
             break;
         case 8 * 1 + 1:
-            outer<1, 1>(ja, jb, s.width, w, rows, out, op.ld);
+            outer<1, 1>(ja, jb, op.width, w, rows, out, op.ld);
             break;
         case 8 * 1 + 3:
-            outer<1, 3>(ja, jb, s.width, w, rows, out, op.ld);
+            outer<1, 3>(ja, jb, op.width, w, rows, out, op.ld);
             break;
         case 8 * 3 + 1:
-            outer<3, 1>(ja, jb, s.width, w, rows, out, op.ld);
+            outer<3, 1>(ja, jb, op.width, w, rows, out, op.ld);
             break;
         case 8 * 1 + 6:
-            outer<1, 6>(ja, jb, s.width, w, rows, out, op.ld);
+            outer<1, 6>(ja, jb, op.width, w, rows, out, op.ld);
             break;
         case 8 * 6 + 1:
-            outer<6, 1>(ja, jb, s.width, w, rows, out, op.ld);
+            outer<6, 1>(ja, jb, op.width, w, rows, out, op.ld);
             break;
         default:
             break;
@@ -102,8 +84,7 @@ inline M3 product(const M3& p, const M3& q) {
 /// Blocks of geo.h: line part Aᵀ k A with A = ±[E, −r̂], and damping.
 void geometric(const View& view, const Op& op, double* out) {
     const double* rec = view.geo_record + static_cast<long>(assembly::kGeoSize) * view.geo[op.id];
-    const std::int32_t* body = view.body + kSlots * op.id;
-    const bool rigid_a = view.dof[body[op.a]] == 6, rigid_b = view.dof[body[op.b]] == 6;
+    const bool rigid_a = op.dof_a == 6, rigid_b = op.dof_b == 6;
     const bool same = op.a == op.b;
     const double sign = same ? 1.0 : -1.0;
     if (rec[0] != 0.0) {
@@ -145,15 +126,13 @@ void kept(const View& view, const Op& op, double* out) {
         for (int r = 0; r < rows; ++r) out[r * static_cast<long>(op.ld) + r] -= view.sigma[row + r];
         return;
     }
-    const Slots s = slots(view, op.id);
-    const int slot = op.kind == Op::kept_rows ? op.b : op.a;
-    const double* jac = view.jacobian + view.jac_begin[op.id] + s.at[slot];
+    const bool below = op.kind == Op::kept_rows;  // rows of G below the body's columns
+    const double* jac = view.jacobian + (below ? op.jac_b : op.jac_a);
+    const int dof = below ? op.dof_b : op.dof_a;
     const double on = view.active[op.id];
-    const long across = op.kind == Op::kept_rows ? 1 : op.ld;
-    const long along = op.kind == Op::kept_rows ? op.ld : 1;
+    const long across = below ? 1 : op.ld, along = below ? op.ld : 1;
     for (int r = 0; r < rows; ++r)
-        for (int j = 0; j < s.dof[slot]; ++j)
-            out[r * across + j * along] += on * jac[r * s.width + j];
+        for (int j = 0; j < dof; ++j) out[r * across + j * along] += on * jac[r * op.width + j];
 }
 
 }  // namespace

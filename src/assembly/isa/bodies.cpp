@@ -71,15 +71,17 @@ void slot_velocity(const View& view, const double* v, std::int32_t body, V3& lin
     ang = dof == 6 || dof == 0 ? load3(p + 3) : V3{0, 0, 0};
 }
 
-/// Line and damping parts of K v on one slot of an interaction, see geo.h; the arms' parts
-/// are in the body's own block.
-void coupling_on_slot(const View& view, std::int32_t id, int slot, const double* v, double damping,
-                      V3& lin, V3& ang) {
-    const std::int32_t* body = view.body + kSlots * id;
+/// Line and damping parts of K v on a body through one interaction, see geo.h; the arms' parts
+/// are in the body's own block. False when the record is empty.
+bool coupling(const View& view, const assembly::Incidence& in, std::int32_t body, const double* v,
+              double damping, V3& lin, V3& ang) {
+    const double* rec = view.geo_record + static_cast<long>(kGeoSize) * in.geo;
+    if (rec[0] == 0.0 && rec[22] == 0.0) return false;
     V3 l[2], w[2];
-    for (int b = 0; b < 2; ++b) slot_velocity(view, v, body[b], l[b], w[b]);
-    geo_product(view.geo_record + static_cast<long>(kGeoSize) * view.geo[id], slot, l, w, damping,
-                lin, ang);
+    slot_velocity(view, v, body, l[in.slot], w[in.slot]);
+    slot_velocity(view, v, in.other, l[1 - in.slot], w[1 - in.slot]);
+    geo_product(rec, in.slot, l, w, damping, lin, ang);
+    return true;
 }
 
 /// out (dof entries) = block of M + hD times u.
@@ -99,28 +101,21 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
     double mv[8] = {};
     block_times(view.body_block + static_cast<long>(kBodyBlock) * body, dof, v, mv);
     V8 acc = load(view.a + view.dof_begin[body]) - load(mv);
-    double coupling[8] = {};
-    for (std::int32_t k = view.incident_begin[body]; k < view.incident_begin[body + 1]; ++k) {
-        const std::int32_t id = view.incident_id[k];
-        const int slot = view.incident_slot[k], rows = view.rows[id];
-        const std::int32_t* bodies = view.body + kSlots * id;
-        int width = 0, at = 0;
-        for (int b = 0; b < view.bodies[id]; ++b) {
-            at = b == slot ? width : at;
-            width += view.dof[bodies[b]];
-        }
-        const double* jac = view.jacobian + view.jac_begin[id] + at;
-        const double* yr = y + view.row_begin[id];
-        for (int r = 0; r < rows; ++r) acc += yr[r] * load(jac + r * width);
-        if (view.geo[id] >= 0 && slot < 2) {
-            V3 lin, ang;
-            coupling_on_slot(view, id, slot, view.v_new, 1.0, lin, ang);
-            add3(coupling, lin);
-            add3(coupling + 3, ang);
+    double coupled[8] = {};
+    const std::int32_t end = view.incident_begin[body + 1];
+    for (std::int32_t k = view.incident_begin[body]; k < end; ++k) {
+        const assembly::Incidence& in = view.incident[k];
+        const double* jac = view.jacobian + in.jacobian;
+        const double* yr = y + in.row;
+        for (int r = 0; r < in.rows; ++r) acc += yr[r] * load(jac + r * in.width);
+        V3 lin, ang;
+        if (in.geo >= 0 && coupling(view, in, body, view.v_new, 1.0, lin, ang)) {
+            add3(coupled, lin);
+            add3(coupled + 3, ang);
         }
     }
     double sum8[8];
-    store(sum8, acc - load(coupling));
+    store(sum8, acc - load(coupled));
     for (int j = 0; j < dof; ++j) out[j] = sum8[j];
 }
 
@@ -178,18 +173,16 @@ void body_terms(const View& view, std::int32_t begin, std::int32_t end) noexcept
             store_sym(block + 6, world);
         }
         for (std::int32_t k = view.incident_begin[body]; k < view.incident_begin[body + 1]; ++k) {
-            const std::int32_t id = view.incident_id[k];
-            if (view.geo[id] < 0 || view.incident_slot[k] > 1) continue;
-            const int slot = view.incident_slot[k];
-            V3 gl, ga;
-            coupling_on_slot(view, id, slot, view.v, -1.0, gl, ga);
-            add3(a, gl);
+            const assembly::Incidence& in = view.incident[k];
+            if (in.geo < 0) continue;
+            V3 push{0, 0, 0}, turn{0, 0, 0};
+            if (coupling(view, in, body, view.v, -1.0, push, turn)) add3(a, push);
             if (dof < 6) continue;
             // The arms' stiffness touches this body alone: it joins the body's own block.
             const double* arm =
-                view.geo_record + static_cast<long>(kGeoSize) * view.geo[id] + 10 + 6 * slot;
+                view.geo_record + static_cast<long>(kGeoSize) * in.geo + 10 + 6 * in.slot;
             for (int i = 0; i < 6; ++i) block[6 + i] += arm[i];
-            add3(a + 3, ga + mul6(arm, load3(v + 3)));
+            add3(a + 3, turn + mul6(arm, load3(v + 3)));
         }
     }
 }
