@@ -100,7 +100,7 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
     const double* v = view.v_new + view.dof_begin[body];
     double mv[8] = {};
     block_times(view.body_block + static_cast<long>(kBodyBlock) * body, dof, v, mv);
-    V8 acc = load(view.a + view.dof_begin[body]) - load(mv);
+    V8 acc = load(view.a + view.dof_begin[body]);
     double coupled[8] = {};
     const std::int32_t end = view.incident_begin[body + 1];
     for (std::int32_t k = view.incident_begin[body]; k < end; ++k) {
@@ -115,8 +115,9 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
         }
     }
     double sum8[8];
-    store(sum8, acc - load(coupled));
-    for (int j = 0; j < dof; ++j) out[j] = sum8[j];
+    store(sum8, acc);
+    // Entry by entry: reading mv and coupled as vectors would wait for their scalar stores.
+    for (int j = 0; j < dof; ++j) out[j] = sum8[j] - mv[j] - coupled[j];
 }
 
 /// h v₊ᵀ D v₊ [J].
