@@ -10,20 +10,21 @@ G = 9.81
 
 LINES = {
     # Stud link chain, 76 mm, grade R4.
-    "chain76": {"mass_per_length": 126.5, "EA": 5.83e8, "EI": 1.0e4, "diameter": 0.137, "breaking_load": 6.0e6,
+    "chain76": {"description": "Stud link chain 76 mm, R4", "mass_per_length": 126.5, "EA": 5.83e8, "EI": 1.0e4, "diameter": 0.137, "breaking_load": 6.0e6,
                 "axial_damping": 0.1, "drag": 30, "submerged_factor": 0.87, "color": "#4a4e57"},
     # Steel wire 6x19 IWRC, 76 mm.
-    "wire76": {"mass_per_length": 23.0, "EA": 2.33e8, "EI": 5.0e3, "diameter": 0.076, "breaking_load": 3.658e6,
+    "wire76": {"description": "Steel wire 6x19 IWRC 76 mm, in water", "mass_per_length": 23.0, "EA": 2.33e8, "EI": 5.0e3, "diameter": 0.076, "breaking_load": 3.658e6,
                "axial_damping": 0.1, "drag": 20, "submerged_factor": 0.87, "color": "#b0552f"},
     # Steel wire 6x19 IWRC, 26 mm, in air.
-    "hoist26": {"mass_per_length": 2.70, "EA": 2.73e7, "EI": 0, "diameter": 0.026, "breaking_load": 4.28e5,
+    "hoist26": {"description": "Steel wire 6x19 IWRC 26 mm, in air", "mass_per_length": 2.70, "EA": 2.73e7, "EI": 0, "diameter": 0.026, "breaking_load": 4.28e5,
                 "axial_damping": 0.1, "drag": 0.05, "submerged_factor": 1, "color": "#222222"},
     # Polyester rope, 80 mm: 679 d² kg/m, EA 14 MBL; density 1380 kg/m³ in sea water.
-    "poly80": {"mass_per_length": 4.35, "EA": 2.76e7, "EI": 0, "diameter": 0.08, "breaking_load": 1.971e6,
+    "poly80": {"description": "Polyester rope 80 mm, in water", "mass_per_length": 4.35, "EA": 2.76e7, "EI": 0, "diameter": 0.08, "breaking_load": 1.971e6,
                "axial_damping": 0.1, "drag": 15, "submerged_factor": 0.257, "color": "#2f7fb0"},
 }
 
 WINDLASS = {
+    "description": "Windlass of a mooring chain, held by its brake; coordinate in rad, positive pays out.",
     "bodies": [{"name": "drum", "kind": "scalar", "mass": 2.0e4}],
     "interactions": [{"name": "brake", "kind": "hold", "bodies": ["drum"], "target": 0}],
     "inputs": [{"name": "angle", "interaction": "brake", "param": "target", "min": -50, "max": 50}],
@@ -64,7 +65,7 @@ def crane():
     # The two luffing cylinders: foot, head, masses of barrel and rod, bodies at foot and head.
     for name, foot, head, mb, mr, a, b in (
             ("luff", np.array([1.3, 0, 1.8]), heel + 4.5 * u - 0.6 * n, 900, 600, "tower", "boom"),
-            ("fold", heel + 5.5 * u + 0.9 * n, knuckle + 1.5 * v + 0.8 * m, 350, 250, "boom", "jib")):
+            ("fold", heel + 5.0 * u - 0.5 * n, knuckle + 2.0 * v - 0.6 * m, 350, 250, "boom", "jib")):
         length = np.linalg.norm(head - foot)
         c = (head - foot) / length
         pitch = -float(np.degrees(np.arctan2(c[2], c[0])))
@@ -72,17 +73,9 @@ def crane():
         for part, at, mass, l, r in (("barrel", foot + c * bl / 2, mb, bl, 0.2), ("rod", head - c * rl / 2, mr, rl, 0.1)):
             bodies.append({"name": f"{name}_{part}", "position": r4(at), "euler_deg": [0, round(pitch, 4), 0], "mass": mass,
                            "cylinder": {"radius": r, "length": round(l, 3), "axis": "x"}})
-        # z of frame 0 is the pin in the lower body (its y axis), z of frame 1 is z of the barrel.
-        lower = boom_deg if a == "boom" else 0.0
-        foot_local = foot if a == "tower" else foot - (heel + 5.5 * u)
-        cs, sn = np.cos(np.radians(lower)), np.sin(np.radians(lower))
-        foot_local = [cs * foot_local[0] + sn * foot_local[2], 0, -sn * foot_local[0] + cs * foot_local[2]]
-        if a == "tower":
-            foot_local[2] -= 2.5
         joints += [
             {"name": f"{name}_foot", "kind": "universal", "bodies": [a, f"{name}_barrel"],
-             "points": [r4(foot_local), r4([-bl / 2, 0, 0])],
-             "frames": [[0.70710678118654757, -0.70710678118654757, 0, 0], [1, 0, 0, 0]]},
+             "at": r4(foot), "axes": [[0, 1, 0], r4([-c[2], 0, c[0]])]},
             {"name": f"{name}_bore", "kind": "prismatic", "bodies": [f"{name}_barrel", f"{name}_rod"], "at": r4(foot + c * bl), "axis": r4(c)},
             {"name": f"{name}_head", "kind": "ball", "bodies": [f"{name}_rod", b], "at": r4(head)},
             {"name": f"{name}_motor", "kind": "slide_motor", "bodies": [f"{name}_barrel", f"{name}_rod"], "at": r4(foot + c * bl),
@@ -90,17 +83,21 @@ def crane():
         inputs.append({"name": f"{name}_speed", "interaction": f"{name}_motor", "param": "speed", "min": -0.2, "max": 0.2})
     wire = {"name": "wire", "line_type": "hoist26", "from": {"body": "jib", "point": [3.5, 0, 0]},
             "to": {"body": "hook", "point": [0, 0, 0.5]}, "length": 8, "elements": 6,
-            "winch": {"drum": "hoist", "radius": 0.3, "fairlead": {"body": "jib", "point": [3.5, 0, 0]}}}
+            "winch": {"drum": "hoist", "radius": 0.3}}
     loads = [((2500 if b["name"] == "hook" else b["mass"]) * G, np.array(b["position"])) for b in bodies if "position" in b]
-    return {"parameters": {"hook_mass": 2500}, "bodies": bodies, "interactions": joints, "cables": [wire], "inputs": inputs}, loads
+    return {"description": "Knuckle-boom crane of 23 t. Frame: foot of the pedestal on deck, z up, boom along x; bind \"base\" "
+                           "to the hull that carries it.",
+            "parameters": {"hook_mass": 2500}, "bodies": bodies, "interactions": joints, "cables": [wire], "inputs": inputs}, loads
 
 
 CRANE, CRANE_LOADS = crane()
 
 
-def AHTS(ship, water, roller, roller_mass, deck_anchors):
+def AHTS(ship, water, roller, roller_mass, deck_anchors, crane_at):
     """Anchor handler of 80 m. Template frame: the hull's, at its centre of mass, x forward."""
     return {
+        "description": "Anchor handler of 80 m. Frame: the hull's, at its centre of mass, x forward. thrust: along x of "
+                       "the world [N].",
         "parameters": {"thrust": 0},
         "bodies": [
             {"name": "hull", "mass": ship["mass"], "inertia": ship["inertia"], "gravity": False, "half_size": [40, 9, 4],
@@ -118,6 +115,10 @@ def AHTS(ship, water, roller, roller_mass, deck_anchors):
             {"name": "work_winch", "kind": "scalar_motor", "bodies": ["work_drum"], "speed": 0, "force_min": -6e6, "force_max": 6e6},
             {"name": "lashing", "kind": "lock", "bodies": ["hull", "deck_anchors"],
              "at": [deck_anchors[1][0], deck_anchors[1][1], deck_anchors[1][2] - 0.8]},
+        ],
+        "instances": [
+            {"template": "crane", "name": "crane", "on": "hull", "position": list(crane_at[0]),
+             "euler_deg": [0, 0, crane_at[1]], "bind": {"base": "hull"}},
         ],
         "inputs": [
             {"name": "tow_speed", "interaction": "tow_winch", "param": "speed", "min": -0.8, "max": 0.8},

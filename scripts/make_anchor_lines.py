@@ -152,7 +152,7 @@ def scene(d, rig, ship):
         instances.append({"template": "windlass", "name": drum})
         cables.append({"name": name, "line_type": "chain76", "from": {"body": "rig", "point": point}, "to": to,
                        "length": length, "elements": n, "shape": "catenary",
-                       "winch": {"drum": f"{drum}/drum", "radius": 0.6, "fairlead": {"body": "rig", "point": point}}})
+                       "winch": {"drum": f"{drum}/drum", "radius": 0.6}})
 
     for i, (f, at) in enumerate(d["moorings"], 1):
         chain(f"mooring{i}", f"windlass{i}", f, {"at": at}, d["mooring_length"], MOORING_N)
@@ -160,11 +160,8 @@ def scene(d, rig, ship):
         instances.append({"template": "crane", "name": name, "on": "rig", "position": list(p),
                           "euler_deg": [0, 0, slew], "bind": {"base": "rig"}})
     for i, s in ((1, 1), (2, -1)):
-        hull = f"ahts{i}/hull"
         instances.append({"template": "ahts", "name": f"ahts{i}", "position": [s * d["ship_x"], 0, SHIP_CM_Z],
                           "euler_deg": [0, 0, 0 if s > 0 else 180], "parameters": {"thrust": s * d["thrust"]}})
-        instances.append({"template": "crane", "name": f"ahts{i}_crane", "on": hull, "position": list(SHIP_CRANE[0]),
-                          "euler_deg": [0, 0, SHIP_CRANE[1]], "bind": {"base": hull}})
         anchor = {"name": f"anchor{i}", "position": [s * d["anchor"][0], s * d["anchor"][1], d["anchor"][2]],
                   "euler_deg": [0, ANCHOR_PITCH, 0 if s > 0 else 180],
                   "mass": ANCHOR_MASS, "box": [2.5, 2.5, 0.8],
@@ -180,7 +177,7 @@ def scene(d, rig, ship):
             at = {"body": f"ahts{i}/roller", "point": [0, y, 0]}
             cables.append({"name": f"{kind}{i}", "line_type": "wire76", "from": at, "to": to, "length": length,
                            "elements": n, "shape": "catenary",
-                           "winch": {"drum": f"ahts{i}/{kind}_drum", "radius": 1.2, "fairlead": at}})
+                           "winch": {"drum": f"ahts{i}/{kind}_drum", "radius": 1.2}})
     join = {"name": "messenger", "line_type": "poly80", "from": {"body": "rig", "point": [0, 38, -8]},
             "to": {"body": "rig", "point": [0, -38, -8]}, "length": MESSENGER_L, "elements": MESSENGER_N,
             "shape": "catenary"}
@@ -271,6 +268,7 @@ UNKNOWNS = {"rigid": 6, "scalar": 1}
 def count(sc, ahts):
     """Sizes as the engine has to report them."""
     groups = [sc] + [{"ahts": ahts, "crane": CRANE, "windlass": WINDLASS}[i["template"]] for i in sc["instances"]]
+    groups += [CRANE for i in sc["instances"] if i["template"] == "ahts"]
     bodies = sum(len(g.get("bodies", [])) for g in groups)
     unknowns = sum(UNKNOWNS[b.get("kind", "rigid")] for g in groups for b in g.get("bodies", []))
     joints = [i for g in groups for i in g.get("interactions", [])]
@@ -348,7 +346,7 @@ def main():
     sc = scene(d, rig, ship)
     hull = hydrostatic("hull", ship, 0.2)
     hull["name"] = "water"
-    ahts = AHTS(ship, hull, ROLLER, ROLLER_MASS, DECK_ANCHORS)
+    ahts = AHTS(ship, hull, ROLLER, ROLLER_MASS, DECK_ANCHORS, SHIP_CRANE)
     st, index, springs = to_statics(sc, rig, ship)
     st.solve()
     report(d, rig, ship, st, index, springs)
@@ -365,7 +363,7 @@ def main():
              "ahts": {"templates": {"ahts": ahts}}, "windlass": {"templates": {"windlass": WINDLASS}}}
     (SCENES / "parts").mkdir(parents=True, exist_ok=True)
     for name, part in parts.items():
-        (SCENES / "parts" / f"{name}.json").write_text(dump(plain(part)) + "\n")
+        (SCENES / "parts" / f"{name}.json").write_text(dump(plain({"version": 1} | part)) + "\n")
     (SCENES / "anchor_lines.json").write_text(dump(plain(sc)) + "\n")
 
 
