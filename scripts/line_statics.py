@@ -88,6 +88,23 @@ class Statics:
     def add_spring(self, a, b, length, ea):
         self.springs.append((a, b, length, ea))
 
+    def add_line(self, a, b, length, n, weight, ea):
+        """n equal springs from end a to end b on a parabola. weight: per length [N/m].
+        Returns the first spring and n."""
+        p, q = self.point(a), self.point(b)
+        slack = length**2 - (q - p) @ (q - p)
+        sag = np.sqrt(max(0.0, 0.2 * slack))
+        chain = [a]
+        for k in range(1, n):
+            u = k / n
+            at = p + (q - p) * u - [0, 0, sag * 4 * u * (1 - u)]
+            chain.append(("node", self.add_node(at, weight * length / n)))
+        chain.append(b)
+        self.lines.append((len(self.nodes) - (n - 1), len(self.nodes)))
+        for c, d in zip(chain, chain[1:]):
+            self.add_spring(c, d, length / n, ea)
+        return len(self.springs) - n, n
+
     def point(self, end):
         if end[0] == "node":
             return self.nodes[end[1]]
