@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// A minute of the frozen scene anchor_lines with nothing acting but its own loads.
+
+#include <gtest/gtest.h>
+
+#include "scenes/anchor_lines_probe.h"
+
+namespace hawser {
+namespace {
+
+void expect_physical_minute(scene::Scene& scene, test::AnchorLinesProbe& probe) {
+    const int steps = static_cast<int>(std::lround(60.0 / scene.world.settings().step));
+    for (int i = 0; i < steps; ++i) {
+        ASSERT_TRUE(probe.step()) << "step " << i;
+    }
+    EXPECT_EQ(scene.world.stats().islands, 1);
+    EXPECT_LE(probe.violation_max, 1e-3);
+    EXPECT_LE(probe.stretch_error_max, 1e-4);
+    EXPECT_GT(probe.tension_min, 0.0);
+    EXPECT_LT(probe.load_max, 1.0);
+    EXPECT_LE(probe.momentum_residual_max, 1e-10);
+    EXPECT_LE(probe.drift_max, 1.0);
+    EXPECT_LE(probe.turn_max, 2.0);
+    std::printf("    violation %.2e m, stretch error %.2e, tension %.1f kN to %.1f %% of the "
+                "breaking load, momentum residual %.1e, drift %.3g m %.3g deg\n",
+                probe.violation_max, probe.stretch_error_max, probe.tension_min / 1e3,
+                100.0 * probe.load_max, probe.momentum_residual_max, probe.drift_max,
+                probe.turn_max);
+}
+
+TEST(AnchorLinesMinute, StaysPhysicalAndEveryInteractionCarriesForce) {
+    scene::Scene scene = scene::load_file("scenes/anchor_lines.json");
+    test::AnchorLinesProbe probe(scene);
+    expect_physical_minute(scene, probe);
+    // The least loaded interactions are bends of the tow wire, 2-3 N m by design; what carries
+    // nothing shows round-off, below 1e-3.
+    for (const std::string& name : probe.idle(0.1)) {
+        ADD_FAILURE() << name << " carries no force";
+    }
+    std::printf("    least loaded interaction: %.3g N or N m\n", probe.least_force());
+}
+
+TEST(AnchorLinesMinute, ARowOfTenSitesStaysPhysical) {
+    scene::Options options;
+    options.scale = 10;
+    scene::Scene scene = scene::load_file("scenes/anchor_lines.json", options);
+    test::AnchorLinesProbe probe(scene);
+    ASSERT_EQ(probe.vessel_count(), 30U);
+    expect_physical_minute(scene, probe);
+}
+
+}  // namespace
+}  // namespace hawser
