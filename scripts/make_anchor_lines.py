@@ -227,7 +227,7 @@ def scene(d, rig):
                     d["mooring_length"], MOORING_N, f"windlass{i}/drum", 0.6)
               for i, (f, at) in enumerate(d["moorings"], 1)]
     cables += ship_lines(d, 1, 1) + ship_lines(d, 2, -1)
-    messenger = {"name": "messenger", "line_type": "poly80",
+    messenger = {"name": "site_tow", "line_type": "poly80",
                  "from": {"body": "rig", "point": [0, 38, -8]},
                  "to": {"body": "rig", "point": [0, -38, -8]},
                  "length": MESSENGER_LENGTH, "elements": MESSENGER_N, "shape": "catenary"}

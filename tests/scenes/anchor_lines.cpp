@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "scenes/anchor_lines_probe.h"
@@ -85,8 +86,8 @@ TEST(AnchorLines, ARowOfSitesIsOneIsland) {
     scene::Scene scene = load(kCopies);
     ASSERT_EQ(scene.world.step(), Status::ok);
     const StepStats& stats = scene.world.stats();
-    constexpr int kMessengerNodes = 59;
-    EXPECT_EQ(stats.bodies, kCopies * 990 + (kCopies - 1) * kMessengerNodes);
+    constexpr int kTowNodes = 59;
+    EXPECT_EQ(stats.bodies, kCopies * 990 + (kCopies - 1) * kTowNodes);
     EXPECT_EQ(stats.islands, 1);
     EXPECT_LE(stats.violation_max, 1e-3);
 }

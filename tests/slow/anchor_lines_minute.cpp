@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdio>
+
 #include "scenes/anchor_lines_probe.h"
 
 namespace hawser {
@@ -21,11 +24,11 @@ void expect_physical_minute(scene::Scene& scene, test::AnchorLinesProbe& probe) 
     EXPECT_LE(probe.momentum_residual_max, 1e-10);
     EXPECT_LE(probe.drift_max, 1.0);
     EXPECT_LE(probe.turn_max, 2.0);
-    std::printf("    violation %.2e m, stretch error %.2e, tension %.1f kN to %.1f %% of the "
-                "breaking load, momentum residual %.1e, drift %.3g m %.3g deg\n",
-                probe.violation_max, probe.stretch_error_max, probe.tension_min / 1e3,
-                100.0 * probe.load_max, probe.momentum_residual_max, probe.drift_max,
-                probe.turn_max);
+    std::printf(
+        "    violation %.2e m, stretch error %.2e, tension %.1f kN to %.1f %% of the "
+        "breaking load, momentum residual %.1e, drift %.3g m %.3g deg\n",
+        probe.violation_max, probe.stretch_error_max, probe.tension_min / 1e3,
+        100.0 * probe.load_max, probe.momentum_residual_max, probe.drift_max, probe.turn_max);
 }
 
 TEST(AnchorLinesMinute, StaysPhysicalAndEveryInteractionCarriesForce) {
