@@ -5,7 +5,7 @@ import json
 
 import numpy as np
 
-from line_statics import G, solve_line
+from line_statics import G, rotation, solve_line
 
 ROWS = {"ball": 3, "hinge": 5, "prismatic": 5, "universal": 4, "lock": 6, "hydrostatic": 3,
         "hold": 1, "hinge_motor": 1, "slide_motor": 1, "scalar_motor": 1}
@@ -91,3 +91,68 @@ def compare(st, index, springs, file):
         off = [np.linalg.norm(st.point(st.springs[first + k][1]) - state[f"{name}/{k + 1}"]["p"])
                for k in range(n - 1)]
         print(f"{name:9} engine - statics: nodes up to {max(off):.4f} m apart")
+
+
+def quaternion(r):
+    """[w, x, y, z] of a rotation matrix: the eigenvector of Bar-Itzhack (2000), any angle."""
+    k = np.array([
+        [r[0, 0] + r[1, 1] + r[2, 2], r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]],
+        [0, r[0, 0] - r[1, 1] - r[2, 2], r[1, 0] + r[0, 1], r[0, 2] + r[2, 0]],
+        [0, 0, r[1, 1] - r[0, 0] - r[2, 2], r[2, 1] + r[1, 2]],
+        [0, 0, 0, r[2, 2] - r[0, 0] - r[1, 1]]])
+    return np.linalg.eigh(np.triu(k) + np.triu(k, 1).T)[1][:, -1]
+
+
+def turn(euler_deg):
+    x, y, z = np.radians(euler_deg)
+    return rotation([0, 0, z]) @ rotation([0, y, 0]) @ rotation([x, 0, 0])
+
+
+def write_start(file, sc, st, index, springs, templates):
+    """The static equilibrium as a state from which the engine settles in a few seconds."""
+    bodies = {}
+
+    def put(owner, name, position, r):
+        """A body at a place of its owner's frame."""
+        b = st.bodies[owner]
+        bodies[name] = {"p": (b["x"] + b["R"] @ position).tolist(),
+                        "q": quaternion(b["R"] @ r).tolist()}
+
+    def put_template(owner, prefix, template, origin, r):
+        for b in templates[template]["bodies"]:
+            if b.get("kind") == "scalar":
+                bodies[prefix + b["name"]] = {"p": [0, 0, 0]}
+            else:
+                at = origin + r @ b.get("position", [0, 0, 0])
+                put(owner, prefix + b["name"], at, r @ turn(b.get("euler_deg", [0, 0, 0])))
+        for c in templates[template].get("cables", []):  # the hook's wire, straight
+            jib, hook = (np.array(bodies[prefix + c[e]["body"]]["p"]) for e in ("from", "to"))
+            top = jib + turn_of(bodies[prefix + c["from"]["body"]]["q"]) @ c["from"]["point"]
+            end = hook + turn_of(bodies[prefix + c["to"]["body"]]["q"]) @ c["to"]["point"]
+            for k in range(1, c["elements"]):
+                at = top + (end - top) * k / c["elements"]
+                bodies[f"{prefix}{c['name']}/{k}"] = {"p": at.tolist()}
+        for i in templates[template].get("instances", []):
+            put_template(owner, f"{prefix}{i['name']}/", i["template"],
+                         origin + r @ i["position"], r @ turn(i["euler_deg"]))
+
+    for i in sc["instances"]:
+        owner = index.get(i["name"], index["rig"])
+        place = [0, 0, 0] if i["name"] in index else i.get("position", [0, 0, 0])
+        angle = [0, 0, 0] if i["name"] in index else i.get("euler_deg", [0, 0, 0])
+        put_template(owner, i["name"] + "/", i["template"], np.array(place, float), turn(angle))
+    for b in sc["bodies"]:
+        owner = index.get(b["name"], index["rig"])
+        start = np.array(sc["bodies"][0]["position"], float)
+        local = np.zeros(3) if b["name"] in index else b["position"] - start
+        put(owner, b["name"], local, np.eye(3))
+    for name, (first, n) in springs.items():
+        for k in range(n - 1):
+            bodies[f"{name}/{k + 1}"] = {"p": st.point(st.springs[first + k][1]).tolist()}
+    file.write_text(json.dumps({"version": 1, "scene": sc["name"], "bodies": bodies}, indent=1))
+
+
+def turn_of(q):
+    w, v = q[0], np.array(q[1:])
+    k = np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
+    return np.eye(3) + 2 * w * k + 2 * k @ k

@@ -12,6 +12,8 @@ are read from scenes/parts/. docs/anchor_lines.md explains every number.
     scripts/make_anchor_lines.py            print the design and write the scene
     scripts/make_anchor_lines.py --check    print the design; compare with the scene as stored
                                             and with the state that the engine settled to
+    scripts/make_anchor_lines.py --start    also write the static equilibrium as the state, for
+                                            `hawser settle` to finish
 """
 
 import json
@@ -39,7 +41,7 @@ RIG_CRANES = {"rig_crane_port": ((0, 34, DECK_Z), 60.0),
               "rig_crane_starboard": ((0, -34, DECK_Z), 240.0)}
 
 # Moorings: headings from the x axis, horizontal tension, lift at the anchor [N].
-HEADINGS, MOORING_H, ANCHOR_V, MOORING_N = (30.0, 60.0), 1.0e6, 1.5e4, 80
+HEADINGS, MOORING_H, ANCHOR_V, MOORING_N = (30.0, 60.0), 1.0e6, 1.5e4, 82
 
 # Anchor handlers [m]; hull frame: centre of mass, x forward.
 SHIP_L, SHIP_B, SHIP_T, SHIP_KG, SHIP_CB, SHIP_CWP = 80.0, 18.0, 6.0, 7.0, 0.65, 0.85
@@ -222,7 +224,7 @@ def scene(d, rig):
     instances += [{"template": "ahts", "name": f"ahts{i}",
                    "position": [s * d["ship_x"], 0, SHIP_CM_Z],
                    "euler_deg": [0, 0, 0 if s > 0 else 180],
-                   "parameters": {"thrust": s * d["thrust"]}} for i, s in ((1, 1), (2, -1))]
+                   "parameters": {"thrust": d["thrust"]}} for i, s in ((1, 1), (2, -1))]
     cables = [cable(f"mooring{i}", "chain76", {"body": "rig", "point": f}, {"at": at},
                     d["mooring_length"], MOORING_N, f"windlass{i}/drum", 0.6)
               for i, (f, at) in enumerate(d["moorings"], 1)]
@@ -313,6 +315,8 @@ def main():
         if inst["template"] == "ahts":
             xy = st.bodies[index[inst["name"]]]["x"][:2]
             inst["position"][:2] = [round(float(x), 2) for x in xy]
+    if "--start" in sys.argv:
+        check.write_start(ROOT / STATE, sc, st, index, springs, TEMPLATES)
     if (ROOT / STATE).exists():
         sc["state"] = {"file": STATE}
     text = dump(plain(sc)) + "\n"

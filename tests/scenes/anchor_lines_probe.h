@@ -17,7 +17,7 @@
 namespace hawser::test {
 
 class AnchorLinesProbe {
-public:
+  public:
     explicit AnchorLinesProbe(scene::Scene& scene) : scene_(scene) {
         const World& world = scene.world;
         force_max_.assign(static_cast<std::size_t>(world.interaction_count()), 0.0);
@@ -74,7 +74,7 @@ public:
     double drift_max = 0.0;              ///< Of a vessel [m].
     double turn_max = 0.0;               ///< Of a vessel [deg].
 
-private:
+  private:
     void watch_forces() {
         for (std::size_t i = 0; i < force_max_.size(); ++i) {
             for (const double f : scene_.world.force({static_cast<std::int32_t>(i)})) {
