@@ -59,7 +59,7 @@ def count(sc, templates, lines):
     print(f"equations {unknowns + rows} = {unknowns} velocity unknowns + {rows} rows")
 
 
-def messenger(st, rig, line, span, length):
+def site_tow(st, rig, line, span, length):
     """Tension of the line between two sites and how far it moves the rig at the end of a row."""
     w, ea, _ = line
     low, high = 1e3, 1e6
@@ -73,7 +73,7 @@ def messenger(st, rig, line, span, length):
     body["loads"].append((w * length / 2, np.array([0, 38.0, -8.0])))
     st.solve()
     sag = h / w * (np.cosh(w * span / 2 / h) - 1)
-    print(f"messenger: horizontal tension {h / 1e3:.1f} kN, sag {sag:.0f} m; the last rig of a "
+    print(f"site_tow: horizontal tension {h / 1e3:.1f} kN, sag {sag:.0f} m; the last rig of a "
           f"row moves by {np.linalg.norm(body['x'] - before):.3f} m")
 
 

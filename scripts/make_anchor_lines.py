@@ -51,7 +51,7 @@ TOW_H, TOW_Y, TOW_N, TOW_SPAN = 3.5e5, -1.75, 64, 440.0
 WORK_H, WORK_Y, WORK_N, CHAIN_LENGTH, CHAIN_N = 6.0e5, 1.0, 26, 340.0, 52
 # Anchors in hand: shackle and pad eye at (∓2.5, 0, 0.6).
 ANCHOR_MASS, ANCHOR_ARM, ANCHOR_PITCH = 1.5e4, (2.5, 0.0, 0.6), -16.5
-SITE_OFFSET, MESSENGER_LENGTH, MESSENGER_N = 1200.0, 1136.0, 60
+SITE_OFFSET, SITE_TOW_LENGTH, SITE_TOW_N = 1200.0, 1136.0, 60
 
 
 def read_part(name):
@@ -229,10 +229,10 @@ def scene(d, rig):
                     d["mooring_length"], MOORING_N, f"windlass{i}/drum", 0.6)
               for i, (f, at) in enumerate(d["moorings"], 1)]
     cables += ship_lines(d, 1, 1) + ship_lines(d, 2, -1)
-    messenger = {"name": "site_tow", "line_type": "poly80",
+    site_tow = {"name": "site_tow", "line_type": "poly80",
                  "from": {"body": "rig", "point": [0, 38, -8]},
                  "to": {"body": "rig", "point": [0, -38, -8]},
-                 "length": MESSENGER_LENGTH, "elements": MESSENGER_N, "shape": "catenary"}
+                 "length": SITE_TOW_LENGTH, "elements": SITE_TOW_N}
     return {
         "$schema": "../schema/scene-1.json", "version": 1, "name": "anchor_lines",
         "description": "A semi-submersible on eight mooring chains; two anchor handlers tow and "
@@ -241,7 +241,7 @@ def scene(d, rig):
         "settings": {"duration": 60},
         "include": [f"parts/{p}.json" for p in ("lines", "crane", "ahts", "windlass")],
         "bodies": bodies, "interactions": interactions, "instances": instances, "cables": cables,
-        "repeat": {"offset": [0, SITE_OFFSET, 0], "joins": [messenger]},
+        "repeat": {"offset": [0, SITE_OFFSET, 0], "joins": [site_tow]},
         "plot": {"tensions": ["mooring1", "chain1", "work1", "tow1"],
                  "motions": ["rig", "ahts1/hull", "ahts2/hull"]},
     }
@@ -275,6 +275,19 @@ def to_statics(sc, d, rig, ship):
 
 
 # --- output -----------------------------------------------------------------------------------
+
+
+def lay_site_tow(join, st, rig):
+    """Equilibrium of the line between two sites whose rigs lie where this one does. Given as
+    points: a catenary of rigid elements would start slack and fall 1 m."""
+    b = st.bodies[rig]
+    ends = [b["x"] + b["R"] @ join[e]["point"] for e in ("from", "to")]
+    ends[1] = ends[1] + [0, SITE_OFFSET, 0]
+    line = Statics()
+    line.add_line(("fixed", ends[0]), ("fixed", ends[1]), join["length"], join["elements"],
+                  *seg(join["line_type"], 0)[:2])
+    line.solve()
+    join["points"] = [[round(float(x), 4) for x in p] for p in line.nodes]
 
 
 def plain(v):
@@ -311,6 +324,7 @@ def main():
     st.solve()
     check.report({"rig": rig, "ahts": ship}, d["thrust"], st, index, springs, sc, LINES)
     check.count(sc, TEMPLATES, LINES)
+    lay_site_tow(sc["repeat"]["joins"][0], st, index["rig"])
     for inst in sc["instances"]:  # start the vessels where they will lie
         if inst["template"] == "ahts":
             xy = st.bodies[index[inst["name"]]]["x"][:2]
@@ -325,7 +339,7 @@ def main():
         print("scenes/anchor_lines.json is " + ("as designed" if same else "NOT as designed"))
         check.compare(st, index, springs, ROOT / STATE)
         sys.exit(not same)
-    check.messenger(st, index["rig"], seg("poly80", 0), SITE_OFFSET - 76.0, MESSENGER_LENGTH)
+    check.site_tow(st, index["rig"], seg("poly80", 0), SITE_OFFSET - 76.0, SITE_TOW_LENGTH)
     (ROOT / "anchor_lines.json").write_text(text)
 
 
