@@ -78,11 +78,8 @@ void Report::converge(const std::vector<Target>& targets,
         for (const Result& r : results) {
             c.errors.push_back(distance(r.at(q), t.reference) / scale_of(t.scale, t.reference));
         }
-        c.order = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 1; i < steps.size(); ++i) {
-            c.order = std::min(c.order, std::log(c.errors[i - 1] / c.errors[i]) /
-                                            std::log(steps[i - 1] / steps[i]));
-        }
+        c.order =
+            std::log(c.errors.front() / c.errors.back()) / std::log(steps.front() / steps.back());
         c.passed = c.passed && c.order >= c.least_order;
     }
 }

@@ -18,10 +18,9 @@ struct Check {
     std::vector<double> reference;
     std::vector<double> ours;
     double error = 0.0;                                       ///< |ours − reference| / scale.
-    double order = std::numeric_limits<double>::quiet_NaN();  ///< Least of the halvings.
+    double order = std::numeric_limits<double>::quiet_NaN();  ///< Over the whole study.
     double tolerance = 0.0;                                   ///< Largest error accepted.
     double least_order = std::numeric_limits<double>::quiet_NaN();
-    double most_order = std::numeric_limits<double>::infinity();
     std::vector<double> steps;   ///< Steps of a convergence study [s].
     std::vector<double> errors;  ///< Error at each of them.
     std::string reason;          ///< Why this tolerance.
@@ -37,13 +36,14 @@ struct Target {
     std::string quantity;
     std::vector<double> reference;
     double scale = 0.0;        ///< Error is divided by it; 0: the length of the reference.
-    double tolerance = 1e-3;   ///< At the smallest step.
-    double least_order = 1.9;  ///< Over each halving.
+    double tolerance = 1e-3;   ///< At the judged step.
+    double least_order = 1.9;  ///< Over all halvings together.
     std::string reason = "relative, second order";
 };
 
 /// Steps of a convergence study, each half of the one before, and which one the error is taken
-/// from; the order is the least of the halvings.
+/// from. The order is taken over all halvings together: errors of a phase (second order) and of
+/// a dissipation (third) may have opposite signs and make single halvings look better or worse.
 struct Steps {
     std::vector<double> steps;
     std::size_t judged = 0;
