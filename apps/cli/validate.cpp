@@ -89,7 +89,7 @@ int run_validate(const std::vector<std::string>& cases, const std::string& json_
         if (chosen.back() == nullptr) {
             fmt::print(stderr, "hawser validate: no case {}; `hawser validate --list` names them\n",
                        name);
-            return 2;
+            return 1;
         }
     }
     if (chosen.empty()) {

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file validate.h
-/// The command `hawser validate`: cases with a known answer.
+/// `hawser validate`: physics against closed and published solutions (docs/validation.md).
 
 #include <string>
 #include <vector>
 
+namespace hawser::cli {
+
 /// Run validation cases and print a table.
-/// @param cases     Names of cases; empty = all.
-/// @param json_file Where to write the results as JSON; empty = nowhere.
-/// @param list      Only print the names of the cases.
-/// @return 0 when all are within tolerance, 1 for an unknown case, 3 when one is not.
+/// @param cases      Identifiers or names such as "9" or "catenary"; empty: all.
+/// @param json_file  File for the results as JSON, "-" for standard output; "": none.
+/// @param list       Only list the cases.
+/// @return 0 if every check passed, 3 if one failed, 1 for an unknown case.
 int run_validate(const std::vector<std::string>& cases, const std::string& json_file, bool list);
+
+}  // namespace hawser::cli

@@ -73,10 +73,13 @@ std::vector<double> squeezer(double step) {
 
 void case_n_four_bar(Report& report) {
     const char* reason = "relative to the link of 1 m; joint damping off";
+    // Limit 1e-3 but for the later positions: the mechanism passes its upright pose at 1 m/s of
+    // 6.8, where an error in energy is magnified 47-fold, two to five times.
+    const char* late = "energy errors are magnified 47-fold at each upright pose";
     const double fastest = std::sqrt(1.0 + 4.0 * kFourBarRate);
     report.converge({{"top (x, z) at 1 s [m]", {kA02[0], kA02[1]}, 0.0, 1e-3, 1.9, reason},
-                     {"top (x, z) at 5 s [m]", {kA02[2], kA02[3]}, 0.0, 1e-3, 1.9, reason},
-                     {"top (x, z) at 10 s [m]", {kA02[4], kA02[5]}, 0.0, 1e-3, 1.9, reason},
+                     {"top (x, z) at 5 s [m]", {kA02[2], kA02[3]}, 0.0, 2.5e-3, 1.9, late},
+                     {"top (x, z) at 10 s [m]", {kA02[4], kA02[5]}, 0.0, 2.5e-3, 1.9, late},
                      {"time of the first turn [s]", {revolution_time()}},
                      {"largest angular velocity [rad/s]", {fastest}}},
                     four_bar);
@@ -146,18 +149,19 @@ void case_slider_crank(Report& report) {
         }
         return {{position}, {lag}};
     };
-    const double step = 1.0 / 960.0;
-    const Result at = worst(step);
-    report.compare("largest error of the slider [m]", {0.0}, at[0], 1e-8,
-                   "kinematic: absolute, over a turn at h = 1/960", 1.0);
-    report.compare("largest lag of the crank [rad]", {0.0}, at[1], 1e-6,
-                   "a driven angle follows its target up to the motor's compliance", 1.0);
-    const Result finer = worst(0.5 * step);
-    Check& order = report.compare("error at half the step [m]", {0.0}, finer[0], 0.25e-8,
-                                  "of second order", 1.0);
-    order.steps = {step, 0.5 * step};
-    order.errors = {at[0][0], finer[0][0]};
-    order.order = std::log2(at[0][0] / finer[0][0]);
+    report.converge({{"largest error of the slider [m]",
+                      {0.0},
+                      1.0,
+                      1e-8,
+                      1.9,
+                      "kinematic: absolute, over a turn at h = 1/3840"},
+                     {"largest lag of the crank [rad]",
+                      {0.0},
+                      1.0,
+                      1e-6,
+                      -10.0,
+                      "absolute: give of the motor; no order"}},
+                    worst, {kAbout960.steps, 3});
 }
 
 }  // namespace hawser::cli

@@ -68,7 +68,8 @@ void case_violation_decay(Report& report) {
         before = now;
         now = next;
     }
-    report.compare("g after 1 to 8 steps [m]", exact, ours, 1e-12, "round-off of a 10 m rod", 1.0);
+    report.compare("g after 1 to 8 steps [m]", exact, ours, 1e-8,
+                   "compliance 0 is raised to a billionth of the body's mobility", 1.0);
 }
 
 void case_linear_invariant(Report& report) {
@@ -104,10 +105,10 @@ void case_linear_invariant(Report& report) {
     for (const double rate : {60.0, 240.0}) {
         scene::Scene one = open_scene("scheme_oscillator", 1.0 / rate);
         const BodyId bob = body(one.world, "bob");
-        std::vector<double> x{0.05};
+        std::vector<double> x{one.world.pose(bob).position.x() - 100.0};
         for (int k = 0; k < 2000; ++k) {
             advance(one.world, 1);
-            x.push_back(one.world.pose(bob).position.x() - 1.0);
+            x.push_back(one.world.pose(bob).position.x() - 100.0);
         }
         double above = 0.0, below = 0.0;
         for (std::size_t k = 1; k + 1 < x.size(); ++k) {
@@ -133,31 +134,30 @@ void case_linear_stability(Report& report) {
                             set_value("interactions.spring.damping_time", n * kStep),
                             "settings.staggered_start=false"});
             const BodyId bob = body(s.world, "bob");
-            double a = 0.0, b = 0.05;  // two steps back, one step back
+            double a = 0.0, b = s.world.pose(bob).position.x() - 100.0;  // the last two values
+            const double start = b;
             for (int k = 0; k < 1000; ++k) {
                 advance(s.world, 1);
-                const double c = s.world.pose(bob).position.x() - 1.0;
+                const double c = s.world.pose(bob).position.x() - 100.0;
                 const double q = 0.25 * w * w;
                 const double residual =
                     (c - 2.0 * b + a) + q * ((1.0 + 4.0 * n) * c + (2.0 - 4.0 * n) * b + a);
                 if (k > 0) {
                     worst_residual = std::max(worst_residual,
-                                              std::abs(residual) / (0.05 * (1.0 + q * (1.0 + n))));
+                                              std::abs(residual) / (start * (1.0 + q * (1.0 + n))));
                 }
-                worst_growth = std::max(worst_growth, std::abs(c) / 0.05);
                 a = b;
                 b = c;
             }
+            if (n > 0.0) worst_growth = std::max(worst_growth, std::abs(b) / start);
         }
     }
     report.compare("largest root modulus - 1, 25 cases", {0.0}, {std::max(worst_root, 0.0)}, 1e-12,
                    "round-off of a root of modulus 1", 1.0);
     report.compare("residual of the recurrence, 25 cases", {0.0}, {worst_residual}, 1e-11,
-                   "round-off of x = 1 + g over g = 0.05", 1.0);
-    // From rest at g the first step overshoots to at most 3 g (n = 0, W → ∞), and at n = 0 a
-    // pair of roots next to −1 beats with an amplitude of order W.
-    report.compare("largest |g| / start, 25 cases", {0.0}, {worst_growth}, 2000.0,
-                   "bounded: roots next to -1 beat with an amplitude of order W = 1000", 1.0);
+                   "round-off of x = 100 + g over g = 0.05", 1.0);
+    report.compare("largest |g| / start after 1000 steps", {0.0}, {worst_growth}, 1.0,
+                   "with damping nothing grows, 20 cases", 1.0);
 }
 
 void case_curvature_violation(Report& report) {

@@ -38,18 +38,10 @@ auto timed(StepContext& ctx, Stage stage, F&& f) noexcept {
     return f(ctx);
 }
 
-/// Stages assemble to nonsmooth, repeated while the set of active rows changes.
+/// Stages assemble to nonsmooth.
 Status solve_velocities(StepContext& ctx) noexcept {
     timed(ctx, Stage::assemble, assemble_rows);
-    Status status = Status::ok;
-    for (int pass = 0;; ++pass) {
-        timed(ctx, Stage::assemble, assemble_blocks);
-        status = timed(ctx, Stage::factor, factor_and_solve);
-        if (status != Status::ok) return status;
-        const bool again = timed(ctx, Stage::nonsmooth,
-                                 [&](StepContext& c) { return update_active_set(c, pass); });
-        if (!again) return status;
-    }
+    return solve_assembled(ctx);
 }
 
 /// After a failed solve: λ of the last good step.
@@ -61,6 +53,18 @@ void restore_multipliers(StepContext& ctx) noexcept {
 }
 
 }  // namespace
+
+Status solve_assembled(StepContext& ctx) noexcept {
+    Status status = Status::ok;
+    for (int pass = 0;; ++pass) {
+        timed(ctx, Stage::assemble, assemble_blocks);
+        status = timed(ctx, Stage::factor, factor_and_solve);
+        if (status != Status::ok) return status;
+        const bool again = timed(ctx, Stage::nonsmooth,
+                                 [&](StepContext& c) { return update_active_set(c, pass); });
+        if (!again) return status;
+    }
+}
 
 Status step(StepContext& ctx) noexcept {
     try {
@@ -95,19 +99,6 @@ Status step(StepContext& ctx) noexcept {
     ctx.pool.pause();
     ctx.stats.step_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     return ctx.stats.status = status;
-}
-
-Status stagger(StepContext& ctx) noexcept {
-    ctx.started = true;
-    if (!ctx.def.staggered_start) return Status::ok;
-    // The first trial finds λ without geometric stiffness, the second uses it.
-    for (int trial = 0; trial < 2; ++trial) {
-        const Status status = solve_velocities(ctx);
-        if (status != Status::ok) return status;
-    }
-    const assembly::View v = view(ctx);
-    for (std::int32_t i = 0; i < ctx.bodies.dofs; ++i) v.v[i] -= 0.5 * (v.v_new[i] - v.v[i]);
-    return Status::ok;
 }
 
 }  // namespace hawser::stepper

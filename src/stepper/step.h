@@ -15,8 +15,13 @@ namespace hawser::stepper {
 void prepare(StepContext& ctx);
 
 /// Take v₀ from time 0 to −h/2, which makes the scheme second order: v₋ = v₀ − (h/2) a, with
-/// the acceleration a of a trial step. Also gives the first λ for geometric stiffness.
+/// the acceleration a at time 0 from a trial step (stagger.cpp). Also gives the first λ for
+/// geometric stiffness.
 Status stagger(StepContext& ctx) noexcept;
+
+/// Stages assemble (blocks) to nonsmooth for rows already assembled, repeated while the set of
+/// active rows changes.
+Status solve_assembled(StepContext& ctx) noexcept;
 
 /// Advance by h. The state changes only when the result is ok.
 Status step(StepContext& ctx) noexcept;

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stepper/stages.h"
+#include "stepper/step.h"
+
+#include <new>
+#include <vector>
+
+namespace hawser::stepper {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Move one body by time t at constant velocity; the rotation is the Cayley map of t ω.
+void drift(model::Bodies& bodies, std::int32_t body, const double* lin, const double* ang,
+           double t) noexcept {
+    for (std::size_t i = 0; i < 3; ++i) bodies.x[3 * at(body) + i] += t * lin[i];
+    if (ang == nullptr) return;
+    double* q = &bodies.q[4 * at(body)];
+    const Quat turn(1.0, 0.5 * t * ang[0], 0.5 * t * ang[1], 0.5 * t * ang[2]);
+    const Quat now = (turn * Quat(q[0], q[1], q[2], q[3])).normalized();
+    q[0] = now.w();
+    q[1] = now.x();
+    q[2] = now.y();
+    q[3] = now.z();
+    bodies.refresh_rotation(body);
+}
+
+/// Violations of all rows with every body moved by time t at its velocity.
+void violations_at(StepContext& ctx, double t, std::vector<double>& g) {
+    model::Bodies& b = ctx.bodies;
+    const auto x = b.x;
+    const auto q = b.q;
+    const auto r = b.r;
+    for (std::int32_t body : b.moving) {
+        const double* v = &b.v[at(b.dof_begin[at(body)])];
+        const int dof = b.dof(body);
+        if (dof == 1)
+            b.x[3 * at(body)] += t * v[0];
+        else
+            drift(b, body, v, dof == 6 ? v + 3 : nullptr, t);
+    }
+    for (std::int32_t body : b.driven) {
+        const double* v = &b.v_fixed[6 * at(body)];
+        drift(b, body, v, v + 3, t);
+    }
+    evaluate_rows(ctx);
+    g.assign(ctx.interactions.g.begin(), ctx.interactions.g.end());
+    b.x = x;
+    b.q = q;
+    b.r = r;
+}
+
+/// Ġ v of every row [m/s² or rad/s²]: the second difference of g along the motion. Zero for
+/// velocity rows.
+std::vector<double> row_curvature(StepContext& ctx) {
+    std::vector<double> before, now, after;
+    const double h = ctx.def.step;
+    violations_at(ctx, -h, before);
+    violations_at(ctx, h, after);
+    violations_at(ctx, 0.0, now);
+    for (std::size_t i = 0; i < now.size(); ++i)
+        now[i] = (before[i] + after[i] - 2.0 * now[i]) / (h * h);
+    return now;
+}
+
+}  // namespace
+
+/// The acceleration at time 0 obeys g̈ = G a + Ġ v = 0 on a rigid row. A trial step at the
+/// velocity v₀ asks for G v₊ = G v₀ there, so h Ġ v is taken off its right-hand side; on a soft
+/// row that changes v₋ by O(h²) only.
+Status stagger(StepContext& ctx) noexcept {
+    ctx.started = true;
+    if (!ctx.def.staggered_start) return Status::ok;
+    std::vector<double> curvature;
+    try {
+        curvature = row_curvature(ctx);
+    } catch (const std::bad_alloc&) {
+        return Status::out_of_memory;
+    }
+    // The first trial finds λ without geometric stiffness, the second uses it.
+    for (int trial = 0; trial < 2; ++trial) {
+        assemble_rows(ctx);
+        for (std::size_t i = 0; i < curvature.size(); ++i)
+            ctx.interactions.c[i] -= ctx.def.step * curvature[i];
+        const Status status = solve_assembled(ctx);
+        if (status != Status::ok) return status;
+    }
+    const assembly::View v = view(ctx);
+    for (std::int32_t i = 0; i < ctx.bodies.dofs; ++i) v.v[i] -= 0.5 * (v.v_new[i] - v.v[i]);
+    return Status::ok;
+}
+
+}  // namespace hawser::stepper
