@@ -88,7 +88,7 @@ def tow_zigzag():
         "cables": [{"name": "tow", "line_type": "link", "as": "links", "radius": 0.04,
                     "from": {"body": "ship2", "point": [40, 0, 0]},
                     "to": {"body": "ship1", "point": [-40, 0, 0]}, "length": 400, "elements": n,
-                    "points": [[x[i], y[i], 0] for i in range(1, n)]}],
+                    "shape": [[x[i], y[i], 0] for i in range(1, n)]}],
         "plot": {"tensions": ["tow"], "motions": ["ship1", "ship2"]},
     })
 

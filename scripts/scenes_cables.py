@@ -18,7 +18,7 @@ def catenary():
         "settings": {"step": 1 / 60, "duration": 60},
         "line_types": {"rope": {"mass_per_length": 10, "EA": 1e8, "drag": 10}},
         "cables": [{"name": "rope", "line_type": "rope", "from": {"at": [0, 0, 0]},
-                    "to": {"at": [80, 0, 0]}, "length": 100, "elements": n, "points": points}],
+                    "to": {"at": [80, 0, 0]}, "length": 100, "elements": n, "shape": points}],
         "plot": {"tensions": ["rope"]},
     })
 
@@ -40,7 +40,7 @@ def hanging_chain():
         "line_types": {"chain": {"mass_per_length": density, "EA": stiffness}},
         "cables": [{"name": "chain", "line_type": "chain", "from": {"at": [0, 0, 0]},
                     "to": {"free": points[-1]}, "length": length, "elements": n,
-                    "points": points[:-1]}],
+                    "shape": points[:-1]}],
         "plot": {"tensions": ["chain"]},
     })
 
