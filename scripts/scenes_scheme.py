@@ -49,7 +49,7 @@ def main():
              10, [11, 0, 0], {"compliance": 0, "damping_time": 1 / 30})
     one_lump("scheme_oscillator", "1 kg on a spring of 1 kN/m along x without gravity or damping.",
              {"step": 1 / 60, "duration": 10, "gravity": [0, 0, 0]},
-             1, [1.05, 0, 0], {"compliance": 1e-3, "damping_time": 0})
+             100, [100.05, 0, 0], {"compliance": 1e-3, "damping_time": 0})
     write({
         "name": "scheme_chain",
         "description": "Three masses in line on undamped springs without gravity: a linear "
