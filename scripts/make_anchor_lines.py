@@ -287,7 +287,7 @@ def lay_site_tow(join, st, rig):
     line.add_line(("fixed", ends[0]), ("fixed", ends[1]), join["length"], join["elements"],
                   *seg(join["line_type"], 0)[:2])
     line.solve()
-    join["points"] = [[round(float(x), 4) for x in p] for p in line.nodes]
+    join["shape"] = [[round(float(x), 4) for x in p] for p in line.nodes]
 
 
 def plain(v):
