@@ -30,6 +30,7 @@ void visit_state(Context& ctx, std::vector<double>& inputs, F&& f) {
     array(ctx.bodies.r);
     array(ctx.bodies.v);
     array(ctx.bodies.v_fixed);
+    array(ctx.bodies.spin_change);
     array(ctx.bodies.force);
     array(ctx.interactions.lambda);
     array(ctx.interactions.force);
