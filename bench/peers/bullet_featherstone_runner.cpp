@@ -40,7 +40,6 @@ class TreeWorld final : public WithoutCollision<btMultiBodyDynamicsWorld> {
     }
     void calculateSimulationIslands() override {}
     void predictUnconstraintMotion(btScalar h) override {
-        // NOLINTNEXTLINE(bugprone-parent-virtual-call): without that of btMultiBodyDynamicsWorld
         btDiscreteDynamicsWorld::predictUnconstraintMotion(h);
     }
 };
@@ -109,8 +108,7 @@ class FeatherstoneRunner final : public Runner {
             t->compTreeLinkVelocities(omega_.data(), velocity_.data());
             for (const auto& [body, link] : members_.at(t.get())) {
                 BodyState& s = out[static_cast<std::size_t>(body)];
-                const int row = link + 1;  // the base first
-                const auto k = static_cast<std::size_t>(row);
+                const std::size_t k = static_cast<std::size_t>(link + 1);
                 if (link < 0) {
                     s.x = from_bullet(t->getBasePos());
                     s.q = from_bullet(t->getWorldToBaseRot().inverse());

@@ -77,12 +77,15 @@ void Pool::run(int count, Task task, void* context) noexcept {
 
 void Pool::work(std::stop_token stop, int thread) noexcept {
     int idle = 0;
-    while (!stop.stop_requested()) {
+    for (;;) {
+        // Read before the stop flag: a stop requested after the look at the flag changes this
+        // number, so that the wait below returns at once instead of sleeping for ever.
+        const std::uint32_t awake = awake_.load(std::memory_order_acquire);
+        if (stop.stop_requested()) return;
         if (drain(thread)) {
             idle = 0;
             continue;
         }
-        const std::uint32_t awake = awake_.load(std::memory_order_acquire);
         if ((awake & 1U) == 0) {
             awake_.wait(awake, std::memory_order_acquire);
             idle = 0;
