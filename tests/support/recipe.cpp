@@ -4,10 +4,10 @@
 namespace hawser::test {
 namespace {
 
-constexpr InteractionKind kJoints[] = {
-    InteractionKind::Ball,        InteractionKind::Hinge,     InteractionKind::Prismatic,
-    InteractionKind::Cylindrical, InteractionKind::Universal, InteractionKind::Lock,
-    InteractionKind::Distance};
+constexpr InteractionKind kJoints[] = {InteractionKind::Ball,      InteractionKind::Hinge,
+                                       InteractionKind::Prismatic, InteractionKind::Cylindrical,
+                                       InteractionKind::Universal, InteractionKind::Lock,
+                                       InteractionKind::Distance};
 
 /// Frame 1 of a universal joint has its z square to that of frame 0.
 void square_axes(InteractionDef& d) {
@@ -19,8 +19,8 @@ BodyId random_rigid(Recipe& r, Random& random, const Vec3& x) {
     const double m = random.uniform(1.0, 50.0);
     const double a = random.uniform(0.3, 1.0), b = random.uniform(0.3, 1.0),
                  c = random.uniform(0.3, 1.0);
-    const BodyId id =
-        r.rigid(x, random.rotation(), m, m / 12.0 * Vec3(b * b + c * c, a * a + c * c, a * a + b * b));
+    const BodyId id = r.rigid(x, random.rotation(), m,
+                              m / 12.0 * Vec3(b * b + c * c, a * a + c * c, a * a + b * b));
     BodyDef& def = r.bodies[static_cast<std::size_t>(id.index)];
     def.velocity = random.vector(0.5);
     def.angular_velocity = random.vector(1.0);
@@ -35,8 +35,8 @@ BodyId random_rigid(Recipe& r, Random& random, const Vec3& x) {
 std::vector<BodyId> add_links(Recipe& r, Random& random, int links, BodyId root) {
     std::vector<BodyId> tree{root};
     for (int i = 0; i < links; ++i) {
-        const BodyId parent = tree[static_cast<std::size_t>(
-            random.integer(0, static_cast<int>(tree.size()) - 1))];
+        const BodyId parent =
+            tree[static_cast<std::size_t>(random.integer(0, static_cast<int>(tree.size()) - 1))];
         const Vec3 from = r.bodies[static_cast<std::size_t>(parent.index)].position;
         const BodyId child = random_rigid(r, random, from + random.vector(2.0));
         const InteractionKind kind = kJoints[random.integer(0, 6)];
@@ -75,24 +75,23 @@ void add_wire(Recipe& r, Random& random, BodyId end) {
     const BodyId drum = r.scalar(0.3, 2.0);
     for (std::size_t i = 0; i + 1 < node.size(); ++i) {
         const bool winch = i == 0;
-        InteractionDef d{.kind = winch ? InteractionKind::WinchStretch : InteractionKind::Stretch,
-                         .body = {node[i], node[i + 1], drum}};
+        InteractionDef d =
+            winch ? between(InteractionKind::WinchStretch, {node[i], node[i + 1], drum})
+                  : between(InteractionKind::Stretch, {node[i], node[i + 1]});
         if (winch) d.set("radius", 0.2);
         r.add(d.set("EA", 1e5).set("length", 1.0).set("breaking_load", 1e9));
     }
     for (std::size_t i = 0; i + 2 < node.size(); ++i) {
-        InteractionDef d{.kind = InteractionKind::Bend,
-                         .body = {node[i], node[i + 1], node[i + 2]}};
+        InteractionDef d = between(InteractionKind::Bend, {node[i], node[i + 1], node[i + 2]});
         r.add(d.set("EI", 50.0).set("length", 1.0));
     }
-    InteractionDef drive{.kind = InteractionKind::ScalarMotor, .body = {drum, {}, {}}};
+    InteractionDef drive = between(InteractionKind::ScalarMotor, {drum});
     drive.compliance[0] = 1e-2;
     r.add(drive.set("speed", 0.5));
     const BodyId spool = r.scalar(1.0, 1.0);
-    InteractionDef other{.kind = InteractionKind::WinchStretch,
-                         .body = {node.back(), r.ground(), spool}};
+    InteractionDef other = between(InteractionKind::WinchStretch, {node.back(), r.ground(), spool});
     r.add(other.set("radius", 0.1).set("EA", 1e4));
-    r.add({.kind = InteractionKind::Hold, .body = {spool, {}, {}}});
+    r.add(between(InteractionKind::Hold, {spool}));
 }
 
 }  // namespace
@@ -107,13 +106,13 @@ Recipe mixed(std::uint64_t seed, int links) {
                                    .angular_velocity = {0, 0, 0.2}});
     const std::vector<BodyId> tree = add_links(r, random, links, carriage);
     const BodyId hull = tree.back();
-    InteractionDef water{.kind = InteractionKind::Hydrostatic, .body = {hull, {}, {}}};
+    InteractionDef water = between(InteractionKind::Hydrostatic, {hull});
     r.add(water.set("heave_stiffness", 2e3)
               .set("roll_stiffness", 5e2)
               .set("pitch_stiffness", 5e2)
               .set("heave_damping", 1e2));
-    InteractionDef twist = r.at(InteractionKind::Twist, {tree[tree.size() - 2], hull}, {0, 0, 0},
-                                random.rotation());
+    InteractionDef twist =
+        r.at(InteractionKind::Twist, {tree[tree.size() - 2], hull}, {0, 0, 0}, random.rotation());
     r.add(twist.set("GJ", 30.0).set("length", 1.0));
     add_wire(r, random, hull);
     return r;

@@ -15,6 +15,14 @@
 
 namespace hawser::test {
 
+/// A definition of a kind between these bodies.
+inline InteractionDef between(InteractionKind kind, const std::vector<BodyId>& ids) {
+    InteractionDef d;
+    d.kind = kind;
+    for (std::size_t b = 0; b < ids.size(); ++b) d.body[b] = ids[b];
+    return d;
+}
+
 struct Recipe {
     WorldDef world;
     std::vector<BodyDef> bodies;
@@ -26,13 +34,14 @@ struct Recipe {
     }
     BodyId ground() { return add({.name = "ground", .kind = BodyKind::fixed}); }
     BodyId lump(const Vec3& x, double mass) {
-        return add({.kind = BodyKind::lump, .position = x, .mass = mass});
+        return add({.name = "", .kind = BodyKind::lump, .position = x, .mass = mass});
     }
     BodyId scalar(double x, double mass) {
-        return add({.kind = BodyKind::scalar, .position = {x, 0, 0}, .mass = mass});
+        return add({.name = "", .kind = BodyKind::scalar, .position = {x, 0, 0}, .mass = mass});
     }
     BodyId rigid(const Vec3& x, const Quat& q, double mass, const Vec3& principal) {
-        return add({.kind = BodyKind::rigid,
+        return add({.name = "",
+                    .kind = BodyKind::rigid,
                     .position = x,
                     .orientation = q,
                     .mass = mass,
@@ -45,12 +54,11 @@ struct Recipe {
     /// Attach at a world point with a world frame: consistent, so that the violation is zero.
     InteractionDef at(InteractionKind kind, const std::vector<BodyId>& ids, const Vec3& point,
                       const Quat& frame = Quat::Identity()) const {
-        InteractionDef d{.kind = kind};
+        InteractionDef d = between(kind, ids);
         for (std::size_t b = 0; b < ids.size(); ++b) {
             const BodyDef& body = bodies[static_cast<std::size_t>(ids[b].index)];
             const bool turns = body.kind != BodyKind::lump && body.kind != BodyKind::scalar;
             const Quat q = turns ? body.orientation.normalized() : Quat::Identity();
-            d.body[b] = ids[b];
             d.point[b] = turns ? Vec3(q.conjugate() * (point - body.position)) : Vec3::Zero();
             d.frame[b] = q.conjugate() * frame;
         }
@@ -90,7 +98,7 @@ struct Recipe {
 inline Recipe pendulum(double length = 1.0, double mass = 1.0) {
     Recipe r;
     const BodyId g = r.ground(), b = r.lump({length, 0, 0}, mass);
-    InteractionDef d{.kind = InteractionKind::Distance, .body = {g, b, BodyId{}}};
+    InteractionDef d = between(InteractionKind::Distance, {g, b});
     r.add(d.set("length", length));
     return r;
 }
@@ -115,14 +123,13 @@ inline Recipe wire(int elements, double length = 20.0) {
     const double l = length / elements;
     for (int i = 1; i < elements; ++i)
         node.push_back(r.lump({i * l, 0, -0.02 * i * (elements - i) * l}, 5.0 * l));
-    node.push_back(r.add({.kind = BodyKind::fixed, .position = {length, 0, 0}}));
+    node.push_back(r.add({.name = "far", .kind = BodyKind::fixed, .position = {length, 0, 0}}));
     for (std::size_t i = 0; i + 1 < node.size(); ++i) {
-        InteractionDef d{.kind = InteractionKind::Stretch, .body = {node[i], node[i + 1], {}}};
+        InteractionDef d = between(InteractionKind::Stretch, {node[i], node[i + 1]});
         r.add(d.set("EA", 1e7).set("length", l));
     }
     for (std::size_t i = 0; i + 2 < node.size(); ++i) {
-        InteractionDef d{.kind = InteractionKind::Bend,
-                         .body = {node[i], node[i + 1], node[i + 2]}};
+        InteractionDef d = between(InteractionKind::Bend, {node[i], node[i + 1], node[i + 2]});
         r.add(d.set("EI", 200.0).set("length", l));
     }
     return r;
