@@ -12,7 +12,7 @@ namespace hawser::observe {
 
 namespace {
 
-constexpr std::array<const char*, 6> kNames{"x", "y", "z", "roll", "pitch", "yaw"};
+constexpr std::array<const char*, 6> kNames{"Δx", "Δy", "Δz", "Δroll", "Δpitch", "Δyaw"};
 
 // Smallest span of an axis: below a tenth of a millimetre and a thousandth of a degree
 // nothing moved as far as a reader of the picture is concerned.
@@ -58,12 +58,12 @@ std::string extremes(const BodySeries& s) {
     double moved = 0.0, turned = 0.0;
     for (std::size_t t = 0; t < s.value[0].size(); ++t)
         moved = std::max(moved, std::hypot(s.value[0][t], s.value[1][t], s.value[2][t]));
-    std::string note = fmt::format("moves up to {}", with_unit(moved, "m"));
+    std::string note = fmt::format("at most {}", with_unit(moved, "m"));
     if (s.turns) {
         for (int k = 3; k < 6; ++k)
             for (const double angle : s.value[std::size_t(k)])
                 turned = std::max(turned, std::abs(angle - s.value[std::size_t(k)].front()));
-        note += fmt::format(", turns {:.3g}°", turned);
+        note += fmt::format(", {:.3g}°", turned);
     }
     return note;
 }
@@ -86,24 +86,24 @@ std::optional<Drawing> plot_motions(const Recording& recording, const Series& se
     for (int k = 0; k < 3 * columns; ++k) {
         const Unit unit = k < 3 ? length_unit(series, k) : Unit{"deg", 1.0};
         const int row = k % 3;
-        const Axes axes{.frame = {left + (k / 3) * (width + between), top + row * (height + gap),
-                                  width, height},
-                        .x = time,
-                        .y = value_range(series, k, unit.factor),
-                        .x_label = row == 2 ? "time [s]" : "",
-                        .y_label = fmt::format("{}{} [{}]", k < 3 ? "Δ" : "",
-                                               kNames[static_cast<std::size_t>(k)], unit.name),
-                        .title = "",
-                        .x_numbers = row == 2,
-                        .x_ticks = turns ? 5 : 10,
-                        .y_ticks = 4};
+        const Axes axes{
+            .frame = {left + (k / 3) * (width + between), top + row * (height + gap), width,
+                      height},
+            .x = time,
+            .y = value_range(series, k, unit.factor),
+            .x_label = row == 2 ? "time [s]" : "",
+            .y_label = fmt::format("{} [{}]", kNames[static_cast<std::size_t>(k)], unit.name),
+            .title = "",
+            .x_numbers = row == 2,
+            .x_ticks = turns ? 5 : 10,
+            .y_ticks = 4};
         draw_panel(drawing, series, axes, k, unit.factor);
     }
     drawing.text({left, top - 14}, "Displacement of the centre of mass from the start", 13.0,
                  Anchor::start, kInk, true);
     if (turns)
-        drawing.text({left + width + between, top - 14}, "Orientation", 13.0, Anchor::start, kInk,
-                     true);
+        drawing.text({left + width + between, top - 14}, "Roll, pitch and yaw from the start", 13.0,
+                     Anchor::start, kInk, true);
     std::vector<LegendEntry> entries;
     for (std::size_t i = 0; i < series.bodies.size(); ++i)
         entries.push_back(

@@ -86,6 +86,7 @@ bool overlaps(const Box& a, const Box& b) {
 void draw_names(Drawing& drawing, const Axes& axes, const View& view, const Recording& recording,
                 const Frame& frame) {
     constexpr double kSize = 12.0;
+    constexpr double kNamedSize = 16.0;  // Smaller bodies go unnamed.
     std::vector<std::int32_t> bodies = recording.plot_bodies;
     const std::vector<bool> visible = visible_bodies(recording);
     const std::vector<bool> interior = cable_interior(recording);
@@ -99,6 +100,9 @@ void draw_names(Drawing& drawing, const Axes& axes, const View& view, const Reco
         const std::string& name = recording.bodies[i].name;
         if (name.empty() || !visible[i]) continue;
         const Box at = body_extent(axes, view, recording.bodies[i], frame.poses[i]);
+        const bool plotted = std::find(recording.plot_bodies.begin(), recording.plot_bodies.end(),
+                                       index) != recording.plot_bodies.end();
+        if (!plotted && std::max(at.width, at.height) < kNamedSize) continue;
         const double w = text_width(name, kSize, true);
         const Point tries[4] = {{at.x + 0.5 * (at.width - w), at.y - 7},
                                 {at.x + 0.5 * (at.width - w), at.bottom() + kSize + 3},
@@ -115,6 +119,23 @@ void draw_names(Drawing& drawing, const Axes& axes, const View& view, const Reco
             drawing.add(Text{.at = p, .text = name, .size = kSize, .bold = true, .halo = true});
             break;
         }
+    }
+}
+
+// Names of the plotted cables at their middle.
+void draw_cable_names(Drawing& drawing, const Axes& axes, const View& view,
+                      const Recording& recording, const Frame& frame) {
+    for (const std::int32_t index : recording.plot_cables) {
+        const RecordedCable& cable = recording.cables[static_cast<std::size_t>(index)];
+        if (cable.nodes.size() < 3) continue;
+        const auto node = static_cast<std::size_t>(cable.nodes[cable.nodes.size() / 2]);
+        const Point at = project(axes, view, frame.poses[node].position);
+        drawing.add(Text{.at = {at.x, at.y - 6},
+                         .text = cable.name,
+                         .size = 11.0,
+                         .anchor = Anchor::middle,
+                         .color = kSoft,
+                         .halo = true});
     }
 }
 
@@ -179,6 +200,7 @@ std::optional<Drawing> plot_views(const Recording& recording, const Series& seri
         draw_frame(drawing, axes, view, recording, first, {true, tension});
         draw_paths(drawing, axes, view, recording, series);
         draw_frame(drawing, axes, view, recording, frame, {false, tension});
+        draw_cable_names(drawing, axes, view, recording, frame);
         draw_names(drawing, axes, view, recording, frame);
         low = std::max(low, axes.frame.bottom());
     }

@@ -107,6 +107,7 @@ class RecordingWriter {
     std::unique_ptr<std::FILE, CloseFile> out_;
     ByteWriter payload_;
     std::vector<InteractionId> elements_;
+    std::vector<Pose> start_;
 };
 
 /// A recording in memory. Frames are decoded when asked for.

@@ -263,7 +263,7 @@ Frame Recording::frame(std::size_t index) const {
     for (const RecordedBody& body : bodies) {
         Pose pose = body.start;
         const int floats = pose_floats(body.kind);
-        for (int k = 0; k < std::min(3, floats); ++k) pose.position[k] = in.get<float>();
+        for (int k = 0; k < std::min(3, floats); ++k) pose.position[k] += in.get<float>();
         if (floats == 7) {
             const double w = in.get<float>(), x = in.get<float>(), y = in.get<float>(),
                          z = in.get<float>();

@@ -20,9 +20,12 @@ std::size_t frame_bytes(const World& world, const SceneInfo& scene) {
 
 namespace {
 
-void put_pose(ByteWriter& out, const Pose& pose, BodyKind kind) {
+// Positions are kept as distances from the start: single precision at a kilometre from the
+// origin would round to a tenth of a millimetre.
+void put_pose(ByteWriter& out, const Pose& pose, const Pose& start, BodyKind kind) {
     const int floats = pose_floats(kind);
-    for (int k = 0; k < std::min(3, floats); ++k) out.put(static_cast<float>(pose.position[k]));
+    for (int k = 0; k < std::min(3, floats); ++k)
+        out.put(static_cast<float>(pose.position[k] - start.position[k]));
     if (floats == 7)
         for (const double q : {pose.orientation.w(), pose.orientation.x(), pose.orientation.y(),
                                pose.orientation.z()})
@@ -109,6 +112,8 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& file, const SceneI
     for (const CableInfo& cable : scene.cables)
         elements_.insert(elements_.end(), cable.elements.begin(), cable.elements.end());
 
+    for (std::int32_t i = 0; i < world.body_count(); ++i) start_.push_back(world.pose({i}));
+
     if (std::fwrite(kMagic, 1, sizeof kMagic, out_.get()) != sizeof kMagic ||
         std::fwrite(&kFormatVersion, 1, sizeof kFormatVersion, out_.get()) != sizeof kFormatVersion)
         fail();
@@ -170,7 +175,8 @@ void RecordingWriter::add_frame(const World& world) {
     payload_.put(stats.momentum_residual);
     payload_.put(world.energy().mechanical());
     for (std::int32_t i = 0; i < world.body_count(); ++i)
-        put_pose(payload_, world.pose({i}), world.body_def({i}).kind);
+        put_pose(payload_, world.pose({i}), start_[static_cast<std::size_t>(i)],
+                 world.body_def({i}).kind);
     for (const InteractionId element : elements_)
         payload_.put(static_cast<float>(element_tension(world, element)));
     write_chunk(kFrameChunk);

@@ -44,15 +44,18 @@ void times(Out out, const Summary& s) {
 void quality(Out out, const Summary& s) {
     fmt::format_to(out, "  residuals    momentum {:.2e} (median {:.2e}), constraint {:.2e}\n",
                    s.momentum_residual_max, s.momentum_residual_median, s.constraint_residual_max);
-    fmt::format_to(out, "  violation    {} at {} ({:.4g} s); cables off their law by {:.2e}\n",
-                   with_unit(s.violation_max, "m"), s.violation_where, s.violation_time,
-                   s.stretch_error_max);
+    fmt::format_to(out, "  violation    {} at {} ({:.4g} s)\n", with_unit(s.violation_max, "m"),
+                   s.violation_where, s.violation_time);
+    if (s.stretch_error_max > 0.0)
+        fmt::format_to(out, "  cable law    |l − l0 (1 + T/EA)| at most {:.2e} l0 ({:.4g} s)\n",
+                       s.stretch_error_max, s.stretch_error_time);
     const double drift = s.energy_drift();
-    fmt::format_to(
-        out, "  energy       {} -> {}, applied {}, drag took {}, unexplained {}",
-        with_unit(s.energy_start.mechanical(), "J"), with_unit(s.energy_end.mechanical(), "J"),
-        with_unit(s.energy_end.applied - s.energy_start.applied, "J"),
-        with_unit(s.energy_end.dissipated - s.energy_start.dissipated, "J"), with_unit(drift, "J"));
+    fmt::format_to(out, "  energy       {} changed by {}: applied {}, drag took {}, other {}",
+                   with_unit(s.energy_start.mechanical(), "J"),
+                   with_unit(s.energy_end.mechanical() - s.energy_start.mechanical(), "J"),
+                   with_unit(s.energy_end.applied - s.energy_start.applied, "J"),
+                   with_unit(s.energy_end.dissipated - s.energy_start.dissipated, "J"),
+                   with_unit(drift, "J"));
     if (s.energy_scale > 0.0)
         fmt::format_to(out, " ({:.2g} % of what was exchanged)", 100.0 * drift / s.energy_scale);
     fmt::format_to(out, "\n");

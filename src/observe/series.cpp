@@ -40,7 +40,8 @@ void append(CableSeries& s, const RecordedCable& cable, const Frame& frame) {
 
 // Angles jump by a turn at ±180°; curves must not.
 void append_angle(std::vector<double>& values, double angle) {
-    if (!values.empty()) angle -= 360.0 * std::round((angle - values.back()) / 360.0);
+    const double before = values.empty() ? 0.0 : values.back();
+    angle -= 360.0 * std::round((angle - before) / 360.0);
     values.push_back(angle);
 }
 
@@ -51,7 +52,9 @@ void append(BodySeries& s, const Recording& recording, const Frame& frame) {
     for (int k = 0; k < 3; ++k) s.value[std::size_t(k)].push_back(moved[k]);
     if (!s.turns) return;
     const Vec3 angles = euler_angles(pose.orientation.normalized());
-    for (int k = 0; k < 3; ++k) append_angle(s.value[std::size_t(3 + k)], kDegrees * angles[k]);
+    const Vec3 first = euler_angles(recording.bodies[index].start.orientation.normalized());
+    for (int k = 0; k < 3; ++k)
+        append_angle(s.value[std::size_t(3 + k)], kDegrees * (angles[k] - first[k]));
 }
 
 }  // namespace

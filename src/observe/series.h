@@ -22,9 +22,9 @@ struct CableSeries {
 
 struct BodySeries {
     std::int32_t body = 0;
-    bool turns = false;  ///< Has an orientation.
-    std::array<std::vector<double>, 6>
-        value{};  ///< Position from the start [m], then angles [deg].
+    bool turns = false;                          ///< Has an orientation.
+    std::array<std::vector<double>, 6> value{};  ///< Position, then roll, pitch, yaw, from the
+                                                 ///< start [m, deg].
 };
 
 struct Series {

@@ -49,7 +49,10 @@ void SummaryCollector::after_step(const World& world, std::span<const Event> eve
         summary_.violation_where = interaction_label(world, stats.violation_worst);
         summary_.violation_time = stats.time;
     }
-    summary_.stretch_error_max = std::max(summary_.stretch_error_max, stats.stretch_error_max);
+    if (stats.stretch_error_max > summary_.stretch_error_max) {
+        summary_.stretch_error_max = stats.stretch_error_max;
+        summary_.stretch_error_time = stats.time;
+    }
     if (summary_.steps > kWarmUpSteps) {
         step_.add(kMilliseconds * stats.step_seconds);
         solver_.add(kMilliseconds * stats.solver_seconds);

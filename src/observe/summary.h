@@ -59,8 +59,9 @@ struct Summary {
     double constraint_residual_max = 0.0, constraint_residual_median = 0.0;
     double violation_max = 0.0;  ///< [m]
     std::string violation_where = "-";
-    double violation_time = 0.0;     ///< [s]
-    double stretch_error_max = 0.0;  ///< Relative.
+    double violation_time = 0.0;      ///< [s]
+    double stretch_error_max = 0.0;   ///< Relative.
+    double stretch_error_time = 0.0;  ///< [s]
     Energy energy_start, energy_end;
     double energy_scale = 0.0;  ///< What the drift is relative to [J].
     std::vector<ListedEvent> events;

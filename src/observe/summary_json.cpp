@@ -136,6 +136,7 @@ std::string to_json(const Summary& s) {
         {"violation_where", s.violation_where},
         {"violation_time", s.violation_time},
         {"stretch_error_max", s.stretch_error_max},
+        {"stretch_error_time", s.stretch_error_time},
         {"energy", energy_balance(s)},
         {"event_counts", event_counts(s)},
         {"events", event_list(s)},
