@@ -107,7 +107,7 @@ void Report::print(std::size_t first) const {
             continue;
         }
         const std::string order = std::isnan(c.order) ? "-" : fmt::format("{:.2f}", c.order);
-        fmt::print("  {}  {:<36} {:>30} {:>30} {:>9.2e} {:>6} {:>8.0e}  {}\n",
+        fmt::print("  {}  {:<36} {:>30} {:>30} {:>9.2e} {:>6} {:>8.2g}  {}\n",
                    c.passed ? "ok  " : "FAIL", c.quantity, text(c.reference), text(c.ours), c.error,
                    order, c.tolerance, c.reason);
     }
