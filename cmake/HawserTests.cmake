@@ -110,5 +110,5 @@ if(NOT HAWSER_SANITIZE)
             -DCONSUMER_SOURCE_DIR=${PROJECT_SOURCE_DIR}/tests/consumer
             -DCXX_COMPILER=${CMAKE_CXX_COMPILER}
             -P "${PROJECT_SOURCE_DIR}/tests/consumer/run.cmake")
-    set_tests_properties(consumer PROPERTIES LABELS build TIMEOUT 300)
+    set_tests_properties(consumer PROPERTIES LABELS build TIMEOUT 600)
 endif()

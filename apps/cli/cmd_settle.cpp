@@ -40,10 +40,9 @@ bool moves(const World& world, BodyId body) {
 }
 
 struct Motion {
-    double kinetic = 0.0;  ///< Σ m v²/2 + ω·I ω/2 [J].
-    double fastest = 0.0;  ///< Largest speed of a centre of mass [m/s] …
-    BodyId where{};
-    double spin = 0.0;  ///< … and of a rotation, times the body's radius of gyration [m/s].
+    double fastest = 0.0;  ///< Largest speed of a centre of mass, or of a rotation times the
+                           ///< body's radius of gyration [m/s] …
+    BodyId where{};        ///< … and of which body.
 };
 
 Motion motion_of(const World& world) {
@@ -53,109 +52,118 @@ Motion motion_of(const World& world) {
         const BodyDef& def = world.body_def({i});
         const Twist v = world.velocity({i});
         double speed = v.linear.norm();
-        out.kinetic += 0.5 * def.mass * v.linear.squaredNorm();
         if (def.kind == BodyKind::rigid) {
             const Vec3 local = world.pose({i}).orientation.conjugate() * v.angular;
-            const double rotational = local.dot(def.inertia * local);
-            out.kinetic += 0.5 * rotational;
-            speed = std::max(speed, std::sqrt(std::max(0.0, rotational) / def.mass));
+            speed = std::max(speed,
+                             std::sqrt(std::max(0.0, local.dot(def.inertia * local)) / def.mass));
         }
-        if (speed > out.fastest) {
-            out.fastest = speed;
-            out.where = {i};
-        }
+        if (speed > out.fastest) out = {speed, {i}};
     }
     return out;
 }
 
-void scale_velocities(World& world, double factor) {
-    for (std::int32_t i = 0; i < world.body_count(); ++i) {
-        if (!moves(world, {i})) continue;
-        Twist v = world.velocity({i});
-        v.linear *= factor;
-        v.angular *= factor;
-        world.set_velocity({i}, v);
+/// The scene as it stands, at rest, with drag on every body that would stop it alone within
+/// `stop_time`. Drag is implicit in the step and takes nothing from the equilibrium, which has
+/// no motion. (Scaling or zeroing velocities between steps instead makes stiff rows unstable:
+/// the scheme keeps half of their force in the velocity of the step before.)
+World with_drag(const World& from, double stop_time) {
+    World world(from.settings());
+    for (std::int32_t i = 0; i < from.body_count(); ++i) {
+        BodyDef def = from.body_def({i});
+        const Pose pose = from.pose({i});
+        def.position = pose.position;
+        def.orientation = pose.orientation;
+        if (moves(from, {i})) {
+            def.velocity.setZero();
+            def.angular_velocity.setZero();
+            def.linear_damping.array() += def.mass / stop_time;
+            if (def.kind == BodyKind::rigid) {
+                def.angular_damping += def.inertia.diagonal() / stop_time;
+            }
+        }
+        world.add_body(def);
     }
+    for (std::int32_t i = 0; i < from.interaction_count(); ++i) {
+        InteractionDef def = from.interaction_def({i});
+        if (def.kind == InteractionKind::Stretch || def.kind == InteractionKind::WinchStretch) {
+            def.set("breaking_load", 1e30);  // Nothing parts on the way to rest.
+        }
+        world.add_interaction(def);
+    }
+    return world;
 }
 
-/// Kinetic damping (Cundall, "Explicit finite-difference methods in geomechanics", 1976):
-/// undamped motion is stopped whenever its kinetic energy peaks, which is where the potential
-/// energy is lowest along the path. At first speeds are limited besides, so that a scene
-/// far from rest does not throw its bodies about.
+/// Heavy drag first, which lays the lines; then less and less, because drag also holds up slow
+/// motion: a mode of frequency ω under drag of stop time T creeps at the rate ω² T.
 class Settler {
   public:
-    Settler(scene::Scene& scene, const SettleOptions& options)
-        : scene_(scene), world_(scene.world), options_(options) {}
+    Settler(scene::Scene& scene, const SettleOptions& options) : scene_(scene), options_(options) {}
 
     int run() {
-        const double h = world_.settings().step;
+        const double h = scene_.world.settings().step;
         const auto steps = static_cast<std::int64_t>(std::ceil(options_.max_time / h));
         catch_signals();
         Progress progress(steps, h, !options_.quiet);
-        for (std::int64_t step = 1; step <= steps; ++step) {
-            if (stop_requested()) return kInterrupted;
-            if (const Status status = world_.step(); status != Status::ok) {
+        for (double stop_time : {0.1, 0.3, 1.0, 4.0, 15.0}) {
+            const bool last = stop_time == 15.0;
+            World world = with_drag(scene_.world, stop_time);
+            const int code =
+                run_stage(world, last ? HUGE_VAL : 20.0 + 4.0 * stop_time, last, steps, progress);
+            for (std::int32_t i = 0; i < world.body_count(); ++i) {
+                if (moves(world, {i})) scene_.world.set_pose({i}, world.pose({i}));
+            }
+            if (code != kOk || settled_) {
                 progress.close();
-                fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}\n", world_.time(),
+                return code;
+            }
+        }
+        return kFailed;  // Not reached: the last stage has no end of its own.
+    }
+
+    [[nodiscard]] double time() const {
+        return static_cast<double>(step_) * scene_.world.settings().step;
+    }
+    [[nodiscard]] const Motion& motion() const noexcept { return motion_; }
+    [[nodiscard]] std::string name(BodyId body) const {
+        return observe::body_label(scene_.world, body);
+    }
+
+  private:
+    // Slow for so long: one slow moment may be the turning point of a swing.
+    static constexpr double kQuietTime = 20.0;
+
+    int run_stage(World& world, double duration, bool last, std::int64_t steps,
+                  Progress& progress) {
+        const double h = world.settings().step;
+        double quiet = 0.0;
+        while (world.time() < duration && quiet < kQuietTime) {
+            if (stop_requested()) return kInterrupted;
+            if (step_ >= steps) {
+                fmt::print(stderr,
+                           "hawser: not settled after {:.6g} s: {} still moves at {:.3g} "
+                           "m/s\n",
+                           time(), name(motion_.where), motion_.fastest);
+                return kFailed;
+            }
+            if (const Status status = world.step(); status != Status::ok) {
+                fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}\n", time(),
                            to_string(status));
                 return kFailed;
             }
-            damp(h);
-            progress.at(step, fmt::format("fastest {:.2e} m/s ({}), stopped {} times",
-                                          last_peak_.fastest, name(last_peak_.where), stops_));
-            if (quiet_peaks_ >= kQuietPeaks) {
-                progress.close();
-                return kOk;
-            }
+            motion_ = motion_of(world);
+            quiet = motion_.fastest < options_.tolerance ? quiet + h : 0.0;
+            progress.at(++step_, fmt::format("fastest {:.2e} m/s ({})", motion_.fastest,
+                                             name(motion_.where)));
         }
-        progress.close();
-        fmt::print(stderr, "hawser: not settled after {:.6g} s: {} still moves at {:.3g} m/s\n",
-                   options_.max_time, name(last_peak_.where), last_peak_.fastest);
-        return kFailed;
-    }
-
-    [[nodiscard]] const Motion& last_peak() const noexcept { return last_peak_; }
-    [[nodiscard]] std::int64_t stops() const noexcept { return stops_; }
-    [[nodiscard]] std::string name(BodyId body) const { return observe::body_label(world_, body); }
-
-  private:
-    // Peaks below the tolerance before the scene counts as settled: one alone may be a node
-    // of slow motion.
-    static constexpr int kQuietPeaks = 5;
-    // A slow drift has no peak for long; it counts as quiet after this many slow steps.
-    static constexpr int kQuietSteps = 1200;
-    // Speed limit in the first seconds [m/s], growing to no limit.
-    static constexpr double kFirstLimit = 0.05, kRampTime = 20.0;
-
-    void damp(double h) {
-        const Motion now = motion_of(world_);
-        const bool peak = now.kinetic < before_.kinetic;
-        slow_steps_ = now.fastest < options_.tolerance ? slow_steps_ + 1 : 0;
-        if (peak || slow_steps_ >= kQuietSteps) {
-            last_peak_ = before_;
-            quiet_peaks_ = before_.fastest < options_.tolerance ? quiet_peaks_ + 1 : 0;
-            if (slow_steps_ >= kQuietSteps) quiet_peaks_ = kQuietPeaks;
-            scale_velocities(world_, 0.0);
-            before_ = {};
-            ++stops_;
-            return;
-        }
-        before_ = now;
-        const double age = world_.time() / kRampTime;
-        const double limit = age < 1.0 ? kFirstLimit * std::pow(100.0, age) : HUGE_VAL;
-        if (now.fastest > limit) {
-            scale_velocities(world_, limit / now.fastest);
-            before_.kinetic *= (limit / now.fastest) * (limit / now.fastest);
-        }
-        (void)h;
+        settled_ = last && quiet >= kQuietTime;
+        return kOk;
     }
 
     scene::Scene& scene_;
-    World& world_;
     const SettleOptions& options_;
-    Motion before_, last_peak_;
-    int quiet_peaks_ = 0, slow_steps_ = 0;
-    std::int64_t stops_ = 0;
+    Motion motion_;
+    std::int64_t step_ = 0;
+    bool settled_ = false;
 };
 
 int settle(const SettleOptions& options) {
@@ -165,7 +173,9 @@ int settle(const SettleOptions& options) {
     for (std::int32_t i = 0; i < world.body_count(); ++i) start.push_back(world.pose({i}));
     Settler settler(scene, options);
     const int code = settler.run();
-    scale_velocities(world, 0.0);
+    for (std::int32_t i = 0; i < world.body_count(); ++i) {
+        if (moves(world, {i})) world.set_velocity({i}, {});
+    }
     double moved = 0.0;
     BodyId where{};
     for (std::int32_t i = 0; i < world.body_count(); ++i) {
@@ -184,11 +194,11 @@ int settle(const SettleOptions& options) {
     out.close();
     if (!out) throw std::runtime_error(fmt::format("{}: cannot write the state", output.string()));
     fmt::print(
-        "{}: {} after {:.6g} s, stopped {} times; last peak {:.3g} m/s at {}; {} moved "
-        "most, by {:.4g} m\nwrote {}\n",
-        scene.name, code == kOk ? "settled" : "not settled", world.time(), settler.stops(),
-        settler.last_peak().fastest, settler.name(settler.last_peak().where), settler.name(where),
-        moved, output.string());
+        "{}: {} after {:.6g} s; {} still moves at {:.3g} m/s; {} moved most, by {:.4g} m\n"
+        "wrote {}\n",
+        scene.name, code == kOk ? "settled" : "not settled", settler.time(),
+        settler.name(settler.motion().where), settler.motion().fastest, settler.name(where), moved,
+        output.string());
     return code;
 }
 

@@ -31,6 +31,7 @@ constexpr double kTimeSlack = 1e-6;  // [steps]
 RunSession::RunSession(const RunOptions& options)
     : options_(options), scene_(options.scene.load()), info_(info_of(scene_)) {
     World& world = scene_.world;
+    world.prepare();
     if (!options.restore.empty()) observe::restore_snapshot(options.restore, info_, world);
     const double h = world.settings().step;
     end_time_ = options.duration.value_or(scene_.duration);
@@ -49,7 +50,6 @@ RunSession::RunSession(const RunOptions& options)
                         *options.save_time, world.time(), end_time_));
     if (!options.control.empty())
         control_ = observe::read_control(options.control, input_names(world));
-    world.prepare();
     choose_stride();
     if (!options.record.empty()) {
         const WorldDef& settings = world.settings();

@@ -40,6 +40,7 @@ class TreeWorld final : public WithoutCollision<btMultiBodyDynamicsWorld> {
     }
     void calculateSimulationIslands() override {}
     void predictUnconstraintMotion(btScalar h) override {
+        // NOLINTNEXTLINE(bugprone-parent-virtual-call): without that of btMultiBodyDynamicsWorld
         btDiscreteDynamicsWorld::predictUnconstraintMotion(h);
     }
 };
@@ -108,7 +109,8 @@ class FeatherstoneRunner final : public Runner {
             t->compTreeLinkVelocities(omega_.data(), velocity_.data());
             for (const auto& [body, link] : members_.at(t.get())) {
                 BodyState& s = out[static_cast<std::size_t>(body)];
-                const std::size_t k = static_cast<std::size_t>(link + 1);
+                const int row = link + 1;  // the base first
+                const auto k = static_cast<std::size_t>(row);
                 if (link < 0) {
                     s.x = from_bullet(t->getBasePos());
                     s.q = from_bullet(t->getWorldToBaseRot().inverse());

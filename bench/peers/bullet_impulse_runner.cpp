@@ -15,8 +15,7 @@ constexpr int kIterations = 50;
 
 class ImpulseRunner final : public Runner {
   public:
-    ImpulseRunner(const Scene& scene, int substeps)
-        : scene_(scene), substeps_(substeps), world_(scene.gravity) {
+    ImpulseRunner(const Scene& scene, int substeps) : substeps_(substeps), world_(scene.gravity) {
         world_.world.getSolverInfo().m_numIterations = kIterations;
         world_.world.getSolverInfo().m_erp = kErp;
         for (const Body& b : scene.bodies) add_body(b);
@@ -87,7 +86,6 @@ class ImpulseRunner final : public Runner {
         bodies_.push_back(std::move(body));
     }
 
-    const Scene& scene_;
     int substeps_;
     btEmptyShape shape_;
     World world_;

@@ -20,8 +20,7 @@ constexpr int kQuickIterations = 50;
 
 class OdeRunner final : public Runner {
   public:
-    OdeRunner(const Scene& scene, int substeps, bool quick)
-        : scene_(scene), substeps_(substeps), quick_(quick) {
+    OdeRunner(const Scene& scene, int substeps, bool quick) : substeps_(substeps), quick_(quick) {
         dInitODE2(0);
         world_ = dWorldCreate();
         dWorldSetGravity(world_, 0.0, 0.0, -scene.gravity);
@@ -92,7 +91,6 @@ class OdeRunner final : public Runner {
         bodies_.push_back(id);
     }
 
-    const Scene& scene_;
     int substeps_;
     bool quick_;
     dWorldID world_ = nullptr;

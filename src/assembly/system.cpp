@@ -272,6 +272,8 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.r = bodies.r.data();
     v.v = bodies.v.data();
     v.v_fixed = bodies.v_fixed.data();
+    v.spin_free = bodies.spin_free.data();
+    v.spin_change = bodies.spin_change.data();
     v.mass = bodies.mass.data();
     v.inertia = bodies.inertia.data();
     v.force = bodies.force.data();

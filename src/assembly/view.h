@@ -63,6 +63,8 @@ struct View {
     double* r;
     double* v;
     const double* v_fixed;
+    double* spin_free;    ///< 3 a body: ω₊ without torque, world frame.
+    double* spin_change;  ///< 3 a body: ω₊ − spin_free of the last step, body frame.
     const double* mass;
     const double* inertia;
     const double* force;

@@ -31,6 +31,8 @@ int Bodies::add(const BodyDef& def) {
     const bool driven_body = def.kind == BodyKind::kinematic;
     append3(v_fixed, driven_body ? def.velocity : Vec3::Zero().eval());
     append3(v_fixed, driven_body ? def.angular_velocity : Vec3::Zero().eval());
+    append3(spin_free, Vec3::Zero().eval());
+    append3(spin_change, Vec3::Zero().eval());
     mass.push_back(def.mass);
     for (int i = 0; i < 9; ++i) inertia.push_back(def.inertia(i / 3, i % 3));
     append3(force, def.force);
@@ -51,8 +53,9 @@ void Bodies::refresh_rotation(int body) noexcept {
 std::size_t Bodies::bytes() const noexcept {
     using base::bytes;
     return bytes(kind) + bytes(dof_begin) + bytes(moving) + bytes(rigid) + bytes(driven) +
-           bytes(x) + bytes(q) + bytes(r) + bytes(v) + bytes(v_fixed) + bytes(mass) +
-           bytes(inertia) + bytes(force) + bytes(damping) + bytes(weight);
+           bytes(x) + bytes(q) + bytes(r) + bytes(v) + bytes(v_fixed) + bytes(spin_free) +
+           bytes(spin_change) + bytes(mass) + bytes(inertia) + bytes(force) + bytes(damping) +
+           bytes(weight);
 }
 
 }  // namespace hawser::model

@@ -36,11 +36,14 @@ struct Bodies {
     std::vector<std::int32_t> rigid;      ///< Rigid bodies, ascending.
     std::vector<std::int32_t> driven;     ///< Kinematic bodies, ascending.
 
-    base::Array<double> x;        ///< 3 a body: position [m].
-    base::Array<double> q;        ///< 4 a body: quaternion w, x, y, z.
-    base::Array<double> r;        ///< 9 a body: rotation matrix of q, row-major.
-    base::Array<double> v;        ///< Packed velocities at t − h/2.
-    base::Array<double> v_fixed;  ///< 6 a body: prescribed velocity of kinematic bodies.
+    base::Array<double> x;            ///< 3 a body: position [m].
+    base::Array<double> q;            ///< 4 a body: quaternion w, x, y, z.
+    base::Array<double> r;            ///< 9 a body: rotation matrix of q, row-major.
+    base::Array<double> v;            ///< Packed velocities at t − h/2.
+    base::Array<double> v_fixed;      ///< 6 a body: prescribed velocity of kinematic bodies.
+    base::Array<double> spin_free;    ///< 3 a body: ω after the step being taken without torque.
+    base::Array<double> spin_change;  ///< 3 a body: what torques changed ω by in the last step,
+                                      ///< body frame [rad/s]. Part of the state.
 
     base::Array<double> mass;     ///< 1 a body [kg].
     base::Array<double> inertia;  ///< 9 a body, body frame [kg m²].

@@ -150,9 +150,10 @@ void read_elements(CableLayout& c, const Description& out, const Json& cable, co
                                             "found {}",
                                             c.elements - 1, points->size()));
     }
-    if (out.bodies.size() + c.elements > kMaxElements) {
-        refuse(place / "elements",
-               fmt::format("the scene would have more than {} bodies", kMaxElements));
+    if ((out.bodies.size() + c.elements) * out.copies > kMaxElements) {
+        refuse(place / "elements", fmt::format("the scene would have more than {} bodies, its {} "
+                                               "copies included",
+                                               kMaxElements, out.copies));
     }
 }
 

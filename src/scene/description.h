@@ -32,6 +32,7 @@ class Description {
   public:
     WorldDef settings;
     double duration = 10.0;
+    std::size_t copies = 1;  ///< That will be made of everything: counts against the limits.
     double default_compliance = kDefault;
     double default_damping_time = kDefault;
 

@@ -226,6 +226,7 @@ void read_settings(Description& out, const Json& root) {
     def.staggered_start = settings.value("staggered_start", def.staggered_start);
     def.refinements = settings.value("refinements", def.refinements);
     out.duration = number_or(settings, "duration", out.duration);
+    out.copies = root.contains("repeat") ? root["repeat"].value("copies", std::size_t{1}) : 1;
     const Json defaults = root.value("defaults", Json::object());
     out.default_compliance = number_or(defaults, "compliance", kDefault);
     out.default_damping_time = number_or(defaults, "damping_time", kDefault);

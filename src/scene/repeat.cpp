@@ -67,6 +67,7 @@ class Copier {
         for (int copy = 1; copy < copies; ++copy) {
             add_copy(copy);
         }
+        out_.copies = 1;  // They are there now: what follows is counted once.
         for (int copy = 0; copy + 1 < copies; ++copy) {
             add_joins(copy);
         }

@@ -25,6 +25,17 @@ void drift(model::Bodies& bodies, std::int32_t body, const double* lin, const do
     bodies.refresh_rotation(body);
 }
 
+/// What the trial step says about the torques on a body, for its gyroscopic impulse.
+void keep_spin_change(model::Bodies& bodies, const assembly::View& v, std::int32_t body) noexcept {
+    const double* w = v.v_new + v.dof_begin[body] + 3;
+    const double* r = &bodies.r[9 * at(body)];
+    double change[3];
+    for (std::size_t i = 0; i < 3; ++i) change[i] = w[i] - bodies.spin_free[3 * at(body) + i];
+    for (std::size_t i = 0; i < 3; ++i)
+        bodies.spin_change[3 * at(body) + i] =
+            r[i] * change[0] + r[3 + i] * change[1] + r[6 + i] * change[2];
+}
+
 /// Violations of all rows with every body moved by time t at its velocity.
 void violations_at(StepContext& ctx, double t, std::vector<double>& g) {
     model::Bodies& b = ctx.bodies;
@@ -77,6 +88,7 @@ Status stagger(StepContext& ctx) noexcept {
     } catch (const std::bad_alloc&) {
         return Status::out_of_memory;
     }
+    const assembly::View v = view(ctx);
     // The first trial finds λ without geometric stiffness, the second uses it.
     for (int trial = 0; trial < 2; ++trial) {
         assemble_rows(ctx);
@@ -84,8 +96,8 @@ Status stagger(StepContext& ctx) noexcept {
             ctx.interactions.c[i] -= ctx.def.step * curvature[i];
         const Status status = solve_assembled(ctx);
         if (status != Status::ok) return status;
+        for (std::int32_t body : ctx.bodies.rigid) keep_spin_change(ctx.bodies, v, body);
     }
-    const assembly::View v = view(ctx);
     for (std::int32_t i = 0; i < ctx.bodies.dofs; ++i) v.v[i] -= 0.5 * (v.v_new[i] - v.v[i]);
     return Status::ok;
 }

@@ -26,8 +26,11 @@ void visit_state(Context& ctx, std::vector<double>& inputs, F&& f) {
     auto value = [&](auto& v) { f(&v, sizeof v); };
     array(ctx.bodies.x);
     array(ctx.bodies.q);
+    // Kept, not computed anew: the integrator's kernel rounds as its instruction set does.
+    array(ctx.bodies.r);
     array(ctx.bodies.v);
     array(ctx.bodies.v_fixed);
+    array(ctx.bodies.spin_change);
     array(ctx.bodies.force);
     array(ctx.interactions.lambda);
     array(ctx.interactions.force);
@@ -100,7 +103,6 @@ void World::restore(std::span<const std::byte> bytes) {
     m.ctx.time = static_cast<double>(m.ctx.step) * m.ctx.def.step;
     m.ctx.stats.step = m.ctx.step;
     m.ctx.stats.time = m.ctx.time;
-    for (int b = 0; b < body_count(); ++b) m.ctx.bodies.refresh_rotation(b);
     for (std::size_t i = 0; i < m.inputs.size(); ++i) m.apply_input(i, m.input_values[i]);
 }
 

@@ -10,7 +10,7 @@ endfunction()
 
 run(${CMAKE_COMMAND} --install "${HAWSER_BINARY_DIR}" --component library
     --prefix "${work}/prefix")
-run(${CMAKE_COMMAND} -S "${CONSUMER_SOURCE_DIR}" -B "${work}/build" -G Ninja
+run(${CMAKE_COMMAND} -S "${CONSUMER_SOURCE_DIR}" -B "${work}/build"
     -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
     "-DCMAKE_PREFIX_PATH=${work}/prefix")
 run(${CMAKE_COMMAND} --build "${work}/build")

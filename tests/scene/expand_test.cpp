@@ -71,6 +71,10 @@ TEST(Copies, repeat_everything_and_join) {
     EXPECT_EQ(std::count_if(d.bodies.begin(), d.bodies.end(),
                             [](const BodyDef& b) { return b.name.ends_with("world"); }),
               1);
+    // As many copies as may be.
+    options.scale = 1000;
+    EXPECT_EQ(flat(kSite, options).bodies.size(), d.bodies.size() + 997 * step);
+    options.scale = 3;
     // The scale is part of the text.
     const Document document = document_of(kSite, options);
     EXPECT_EQ(document.root["repeat"]["copies"], 3);

@@ -276,7 +276,7 @@ inline constexpr Mistake kMistakes[] = {
 {kSite, R"([{"op":"remove","path":"/repeat/offset"}])", "/repeat", "offset"},
 {kSite, R"([{"op":"replace","path":"/repeat/joins/0/to/body","value":"rgi"}])", "/repeat/joins/0/to/body", "did you mean \"rig\""},
 {kSite, R"([{"op":"replace","path":"/repeat/joins/0/name","value":"moor"}])", "/repeat/joins/0/name", "exists already"},
-{kSite, R"([{"op":"replace","path":"/cables/0/elements","value":1000000},{"op":"replace","path":"/repeat/copies","value":3}])", "/repeat", "copies"},
+{kSite, R"([{"op":"replace","path":"/cables/0/elements","value":1000000},{"op":"replace","path":"/repeat/copies","value":3}])", "/cables/0/elements", "copies"},
 {kPendulum, R"([{"op":"add","path":"/state","value":{}}])", "/state", "file"},
 {kPendulum, R"([{"op":"add","path":"/state","value":{"file":"missing.json"}}])", "/state/file", "no file"},
 {kPendulum, R"([{"op":"add","path":"/state","value":{"bodies":{}}}])", "/state/bodies", "lacks the body \"bob\""},

@@ -52,5 +52,38 @@ TEST(AnchorLinesMinute, ARowOfSitesStaysPhysical) {
     expect_physical_minute(scene, probe);
 }
 
+// The exercise of scenes/anchor_lines.control.csv: winch, crane and thrust at work.
+TEST(AnchorLinesMinute, AnExerciseStaysPhysical) {
+    scene::Scene scene = scene::load_file("scenes/anchor_lines.json");
+    World& world = scene.world;
+    test::AnchorLinesProbe probe(scene);
+    const auto set = [&world](const char* name, double value) {
+        const InputId id = world.find_input(name);
+        ASSERT_TRUE(id.valid()) << name;
+        world.set_input(id, value);
+    };
+    set("ahts1/tow_speed", -0.2);  // Hauls in 0.24 m/s.
+    set("ahts1/crane/slew_speed", 0.05);
+    set("ahts1/crane/hoist_speed", 0.5);
+    set("ahts2/thrust_y", 2e5);
+    for (int i = 0; i < 600; ++i) {
+        ASSERT_TRUE(probe.step()) << "step " << i;
+    }
+    set("ahts1/tow_speed", 0.0);
+    set("ahts1/crane/hoist_speed", 0.0);
+    for (int i = 0; i < 1800; ++i) {
+        ASSERT_TRUE(probe.step()) << "step " << i;
+    }
+    EXPECT_LE(probe.violation_max, 1e-3);
+    EXPECT_GT(probe.tension_min, 0.0);
+    EXPECT_LT(probe.load_max, 0.5);
+    EXPECT_LE(probe.momentum_residual_max, 1e-10);
+    EXPECT_GT(probe.drift_max, 1.0);  // It did move: ahts2 is pushed aside by some 20 m.
+    EXPECT_LT(probe.drift_max, 50.0);
+    for (const Event& event : world.take_events()) {
+        EXPECT_NE(event.kind, EventKind::line_break);
+    }
+}
+
 }  // namespace
 }  // namespace hawser

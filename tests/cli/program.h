@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file program.h
+/// Runs the program hawser and returns what it wrote and how it ended.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace hawser::test {
+
+struct Outcome {
+    int code = -1;  ///< Exit code; −signal when it died from one.
+    std::string out, err;
+};
+
+/// The program under test. @throws std::runtime_error when HAWSER_BIN_DIR does not name it.
+[[nodiscard]] std::filesystem::path program_file();
+
+/// @param interrupt_after  Send SIGINT this many seconds after the start; negative = never.
+/// @param environment      Environment entries "NAME=value" besides the present ones.
+[[nodiscard]] Outcome run_program(const std::vector<std::string>& arguments,
+                                  double interrupt_after = -1.0,
+                                  const std::vector<std::string>& environment = {});
+
+/// A folder of this test's own, emptied.
+[[nodiscard]] std::filesystem::path test_folder();
+
+[[nodiscard]] std::string read_text(const std::filesystem::path& file);
+void write_text(const std::filesystem::path& file, const std::string& text);
+
+/// Overwrite one byte.
+void damage(const std::filesystem::path& file, std::size_t at);
+
+}  // namespace hawser::test

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/program.h"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace hawser::test {
+
+using nlohmann::json;
+
+constexpr const char* kPendulum = "scenes/pendulum.json";
+constexpr const char* kMooring = "scenes/mooring.json";
+
+// A box pulled along a line by an input, held by a wire that parts at 5 kN.
+std::string tug_scene() {
+    return R"({"version": 1, "name": "tug",
+        "settings": {"step": 0.01, "duration": 2, "gravity": [0, 0, 0]},
+        "line_types": {"thread": {"mass_per_length": 0.5, "EA": 2e5, "breaking_load": 5000}},
+        "bodies": [{"name": "tug", "position": [10, 0, 0], "mass": 100, "box": [1, 0.5, 0.5]}],
+        "cables": [{"name": "line", "line_type": "thread", "from": {"at": [0, 0, 0]},
+                    "to": {"body": "tug", "point": [-1, 0, 0]}, "elements": 4}],
+        "inputs": [{"name": "tug.thrust", "body": "tug", "component": "force_x",
+                    "min": -1e5, "max": 1e5}],
+        "plot": {"tensions": ["line"], "motions": ["tug"]}})";
+}
+
+TEST(Program, HelpAndVersion) {
+    const Outcome help = run_program({"--help"});
+    EXPECT_EQ(help.code, 0);
+    for (const char* command :
+         {"run", "check", "settle", "replay", "plot", "inspect", "validate", "bench"}) {
+        EXPECT_NE(help.out.find(command), std::string::npos) << command;
+        const Outcome own = run_program({command, "--help"});
+        EXPECT_EQ(own.code, 0) << command;
+        EXPECT_NE(own.out.find("Examples:"), std::string::npos) << command;
+    }
+    EXPECT_NE(help.out.find("Exit codes"), std::string::npos);
+    const Outcome version = run_program({"--version"});
+    EXPECT_EQ(version.code, 0);
+    EXPECT_EQ(version.out.rfind("hawser ", 0), 0u) << version.out;
+}
+
+TEST(Program, WrongUseIsCode1) {
+    EXPECT_EQ(run_program({}).code, 1);
+    EXPECT_EQ(run_program({"sail"}).code, 1);
+    EXPECT_EQ(run_program({"run"}).code, 1);
+    EXPECT_EQ(run_program({"run", kPendulum, "--step", "-1"}).code, 1);
+    EXPECT_EQ(run_program({"run", kPendulum, "--form", "round"}).code, 1);
+    EXPECT_EQ(run_program({"run", kPendulum, "--record", "/proc/none/r.hwr"}).code, 1);
+    EXPECT_EQ(run_program({"run", kPendulum, "--summary", "/proc/none/s.json"}).code, 1);
+    EXPECT_EQ(run_program({"run", kPendulum, "--duration", "1", "--save-at", "5", "s"}).code, 1);
+    const Outcome missing = run_program({"run", "scenes/no_such.json"});
+    EXPECT_EQ(missing.code, 1);
+    EXPECT_NE(missing.err.find("no_such.json"), std::string::npos);
+}
+
+TEST(Program, BenchWithoutItsProgramSaysSo) {
+    if (std::filesystem::exists(program_file().parent_path() / "hawser-bench"))
+        GTEST_SKIP() << "hawser-bench is built";
+    const Outcome bench = run_program({"bench", "peers"});
+    EXPECT_EQ(bench.code, 1);
+    EXPECT_NE(bench.err.find("hawser-bench"), std::string::npos);
+}
+
+TEST(Check, GoodAndBadScenes) {
+    const auto folder = test_folder();
+    write_text(folder / "bad.json", R"({"version": 1, "name": "x", "bodis": []})");
+    const Outcome good = run_program({"check", kPendulum, kMooring});
+    EXPECT_EQ(good.code, 0) << good.err;
+    EXPECT_NE(good.out.find("scenes/mooring.json: ok"), std::string::npos);
+    const Outcome bad = run_program({"check", folder / "bad.json", kPendulum});
+    EXPECT_EQ(bad.code, 1);
+    EXPECT_NE(bad.err.find("bodis"), std::string::npos);
+    EXPECT_NE(bad.out.find("pendulum.json: ok"), std::string::npos);
+}
+
+TEST(Run, WritesEverythingAsked) {
+    const auto folder = test_folder();
+    const Outcome run =
+        run_program({"run", kMooring, "--duration", "2", "--record", folder / "r.hwr", "--csv",
+                     folder / "r.csv", "--summary", folder / "s.json"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.out.find("state hash"), std::string::npos);
+    const json summary = json::parse(read_text(folder / "s.json"));
+    EXPECT_EQ(summary["scene"], "mooring");
+    EXPECT_EQ(summary["steps"], 120);
+    EXPECT_EQ(summary["outcome"], "finished");
+    EXPECT_EQ(summary["status"], "ok");
+    EXPECT_GT(summary["tensions"].size(), 0u);
+    const Outcome replay = run_program({"replay", folder / "r.hwr"});
+    EXPECT_EQ(replay.code, 0) << replay.err;
+    EXPECT_NE(replay.out.find(summary["state_hash"].get<std::string>()), std::string::npos);
+    const Outcome plot = run_program({"plot", folder / "r.hwr", "-o", folder / "pictures"});
+    EXPECT_EQ(plot.code, 0) << plot.err;
+    for (const char* name :
+         {"tensions.svg", "tensions.png", "motions.svg", "motions.png", "scene.svg", "scene.png"})
+        EXPECT_GT(std::filesystem::file_size(folder / "pictures" / name), 2000u) << name;
+}
+
+TEST(Run, OptionsChangeTheScene) {
+    const auto folder = test_folder();
+    const auto run = [&](std::vector<std::string> more) {
+        std::vector<std::string> words{"run",     kPendulum,   "--duration",     "0.1",
+                                       "--quiet", "--summary", folder / "s.json"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome outcome = run_program(words);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_EQ(outcome.out + outcome.err, "");
+        return json::parse(read_text(folder / "s.json"));
+    };
+    EXPECT_EQ(run({"--step", "0.01"})["steps"], 10);
+    EXPECT_EQ(run({"--set", "settings.step=0.02"})["steps"], 5);
+    EXPECT_EQ(run({"--form", "saddle"})["form"], "saddle");
+    EXPECT_EQ(run({"--threads", "2"})["state_hash"], run({})["state_hash"]);
+}
+
+TEST(Run, ContinuesFromASavedState) {
+    const auto folder = test_folder();
+    const auto hash = [&](const char* file) {
+        return json::parse(read_text(folder / file))["state_hash"];
+    };
+    ASSERT_EQ(run_program({"run", kMooring, "--duration", "2", "--quiet", "--summary",
+                           folder / "whole.json", "--save-at", "1", folder / "one.hws"})
+                  .code,
+              0);
+    ASSERT_EQ(
+        run_program({"run", kMooring, "--duration", "2", "--quiet", "--restore", folder / "one.hws",
+                     "--summary", folder / "rest.json", "--record", folder / "rest.hwr"})
+            .code,
+        0);
+    EXPECT_EQ(hash("whole.json"), hash("rest.json"));
+    EXPECT_EQ(run_program({"replay", "--quiet", folder / "rest.hwr"}).code, 0);
+    const Outcome other = run_program({"run", kPendulum, "--restore", folder / "one.hws"});
+    EXPECT_EQ(other.code, 1);
+    EXPECT_NE(other.err.find("mooring"), std::string::npos) << other.err;
+    const Outcome late =
+        run_program({"run", kMooring, "--duration", "0.5", "--restore", folder / "one.hws"});
+    EXPECT_EQ(late.code, 1);
+    EXPECT_NE(late.err.find("--duration"), std::string::npos) << late.err;
+}
+
+TEST(Run, ControlMovesInputsAndReplays) {
+    const auto folder = test_folder();
+    write_text(folder / "tug.json", tug_scene());
+    write_text(folder / "c.csv", "time,tug.thrust\n0,1000\n1,2000\n1.5,1e9\n");
+    const Outcome run =
+        run_program({"run", folder / "tug.json", "--duration", "1.4", "--control", folder / "c.csv",
+                     "--record", folder / "r.hwr", "--summary", folder / "s.json"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    const json s = json::parse(read_text(folder / "s.json"));
+    // Thrust ends in the line; its elements and their damping make it swing about that.
+    EXPECT_GT(s["tensions"]["line"]["max"].get<double>(), 1000.0);
+    EXPECT_LT(s["tensions"]["line"]["max"].get<double>(), 5000.0);
+    EXPECT_GT(s["energy"]["applied"].get<double>(), 0.0);
+    EXPECT_EQ(run_program({"replay", "--quiet", folder / "r.hwr"}).code, 0);
+    // Beyond its range the input is clamped to 100 kN, and the line parts.
+    const Outcome pulled =
+        run_program({"run", folder / "tug.json", "--control", folder / "c.csv", "--quiet",
+                     "--summary", folder / "s.json", "--record", folder / "r.hwr"});
+    ASSERT_EQ(pulled.code, 0) << pulled.err;
+    const json p = json::parse(read_text(folder / "s.json"));
+    EXPECT_GE(p["event_counts"]["line_break"].get<int>(), 1);
+    EXPECT_EQ(p["event_counts"]["input_clamped"].get<int>(), 1);
+    EXPECT_EQ(run_program({"replay", "--quiet", folder / "r.hwr"}).code, 0);
+
+    write_text(folder / "c.csv", "time,tug.trust\n0,1\n");
+    const Outcome wrong = run_program({"run", folder / "tug.json", "--control", folder / "c.csv"});
+    EXPECT_EQ(wrong.code, 1);
+    EXPECT_NE(wrong.err.find("c.csv:1:6"), std::string::npos) << wrong.err;
+    EXPECT_NE(wrong.err.find("\"tug.thrust\""), std::string::npos) << wrong.err;
+}
+
+TEST(Run, CtrlCWritesWhatThereIs) {
+    const auto folder = test_folder();
+    const Outcome run =
+        run_program({"run", kMooring, "--duration", "100000", "--realtime", "--record",
+                     folder / "r.hwr", "--csv", folder / "r.csv", "--summary", folder / "s.json"},
+                    1.5);
+    EXPECT_EQ(run.code, 130) << run.err;
+    EXPECT_NE(run.out.find("interrupted"), std::string::npos);
+    const json summary = json::parse(read_text(folder / "s.json"));
+    EXPECT_EQ(summary["outcome"], "interrupted");
+    EXPECT_GT(summary["steps"].get<int>(), 5);
+    EXPECT_TRUE(summary.contains("realtime"));
+    const Outcome replay = run_program({"replay", folder / "r.hwr"});
+    EXPECT_EQ(replay.code, 0) << replay.err << replay.out;
+    EXPECT_EQ(replay.out.find("not complete"), std::string::npos) << replay.out;
+    EXPECT_EQ(read_text(folder / "r.csv").back(), '\n');
+}
+
+TEST(Run, RealtimeKeepsPace) {
+    const auto folder = test_folder();
+    const Outcome run = run_program({"run", kPendulum, "--duration", "0.5", "--step", "0.02",
+                                     "--realtime", "--rt", "--summary", folder / "s.json"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.err.find("--rt:"), std::string::npos);
+    const json s = json::parse(read_text(folder / "s.json"));
+    EXPECT_GE(s["wall_seconds"].get<double>(), 0.5);
+    EXPECT_GE(s["realtime"]["missed_frames"].get<int>(), 0);
+}
+
+TEST(Run, AFailedStepIsCode2) {
+    const auto folder = test_folder();
+    // A force that no number can hold after a step: the state before it must stay.
+    write_text(folder / "bad.json", R"({"version": 1, "name": "bad", "settings": {"duration": 1},
+        "bodies": [{"name": "b", "position": [0, 0, 0], "mass": 1e-200, "sphere": 1e-3,
+                    "force": [1e300, 0, 0]}]})");
+    const Outcome run = run_program({"run", folder / "bad.json", "--summary", folder / "s.json"});
+    if (run.code == 1) GTEST_SKIP() << "the scene reader refuses such numbers: " << run.err;
+    EXPECT_EQ(run.code, 2) << run.err;
+    EXPECT_NE(run.err.find("failed"), std::string::npos);
+    EXPECT_EQ(json::parse(read_text(folder / "s.json"))["outcome"], "failed");
+}
+
+TEST(Replay, SaysWhereItDiffers) {
+    const auto folder = test_folder();
+    ASSERT_EQ(run_program(
+                  {"run", kPendulum, "--duration", "0.2", "--quiet", "--record", folder / "r.hwr"})
+                  .code,
+              0);
+    const Outcome other = run_program({"replay", folder / "r.hwr"}, -1.0, {"HAWSER_ISA=sse2"});
+    if (other.code != 0) {  // Unless this processor has nothing better.
+        EXPECT_EQ(other.code, 3);
+        EXPECT_NE(other.err.find("HAWSER_ISA="), std::string::npos) << other.err;
+    }
+    damage(folder / "r.hwr", 3);
+    EXPECT_EQ(run_program({"replay", folder / "r.hwr"}).code, 1);
+    EXPECT_EQ(run_program({"plot", folder / "r.hwr"}).code, 1);
+    EXPECT_EQ(run_program({"replay", "no_such.hwr"}).code, 1);
+}
+
+TEST(Inspect, PrintsSizesAndDrawsTheMatrix) {
+    const auto folder = test_folder();
+    const Outcome inspect = run_program({"inspect", kMooring, "-o", folder});
+    ASSERT_EQ(inspect.code, 0) << inspect.err;
+    for (const char* word : {"islands", "equations", "nonzeros", "fronts", "critical path"})
+        EXPECT_NE(inspect.out.find(word), std::string::npos) << word;
+    EXPECT_TRUE(std::filesystem::exists(folder / "spy.svg"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "spy.png"));
+}
+
+TEST(Settle, FindsTheRestOfAHangingWeight) {
+    const auto folder = test_folder();
+    write_text(folder / "hang.json", R"({"version": 1, "name": "hang",
+        "line_types": {"rope": {"mass_per_length": 1, "EA": 1e5}},
+        "bodies": [{"name": "w", "position": [3, 0, -4], "mass": 50, "box": [0.2, 0.2, 0.2]}],
+        "cables": [{"name": "r", "line_type": "rope", "from": {"at": [0, 0, 0]},
+                    "to": {"body": "w", "point": [0, 0, 0]}, "length": 5, "elements": 5}]})");
+    const Outcome settle = run_program({"settle", folder / "hang.json", "--tolerance", "1e-7"});
+    ASSERT_EQ(settle.code, 0) << settle.err << settle.out;
+    const json state = json::parse(read_text(folder / "hang.settled.json"));
+    const auto p = state["bodies"]["w"]["p"];
+    // 5 m, stretched by the weight of the 50 kg and of the four nodes of 1 kg between the ends,
+    // of which each element carries those below it: two on average. The share of the rope's
+    // mass at its ends belongs to the bodies there.
+    const double rest = -5.0 * (1.0 + (50.0 + 2.0) * 9.81 / 1e5);
+    // The tolerance of 1e-7 m/s over the swing of 4.5 s leaves less than a micrometre.
+    EXPECT_NEAR(p[0].get<double>(), 0.0, 1e-6);
+    EXPECT_NEAR(p[2].get<double>(), rest, 1e-6);
+    EXPECT_EQ(state["bodies"]["w"]["v"], json({0.0, 0.0, 0.0}));
+    const Outcome never = run_program({"settle", folder / "hang.json", "-o", folder / "n.json",
+                                       "--max-time", "0.1", "--tolerance", "1e-12"});
+    EXPECT_EQ(never.code, 2);
+    EXPECT_TRUE(std::filesystem::exists(folder / "n.json"));
+}
+
+}  // namespace hawser::test
