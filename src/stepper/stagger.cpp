@@ -80,8 +80,10 @@ std::vector<double> row_curvature(StepContext& ctx) {
 /// velocity v₀ asks for G v₊ = G v₀ there, so h Ġ v is taken off its right-hand side; on a soft
 /// row that changes v₋ by O(h²) only.
 Status stagger(StepContext& ctx) noexcept {
-    ctx.started = true;
-    if (!ctx.def.staggered_start) return Status::ok;
+    if (!ctx.def.staggered_start) {
+        ctx.started = true;
+        return Status::ok;
+    }
     std::vector<double> curvature;
     try {
         curvature = row_curvature(ctx);
@@ -99,6 +101,7 @@ Status stagger(StepContext& ctx) noexcept {
         for (std::int32_t body : ctx.bodies.rigid) keep_spin_change(ctx.bodies, v, body);
     }
     for (std::int32_t i = 0; i < ctx.bodies.dofs; ++i) v.v[i] -= 0.5 * (v.v_new[i] - v.v[i]);
+    ctx.started = true;
     return Status::ok;
 }
 

@@ -76,6 +76,7 @@ Status step(StepContext& ctx) noexcept {
     if (!ctx.started) {
         const Status status = stagger(ctx);
         if (status != Status::ok) {
+            restore_multipliers(ctx);
             ctx.pool.pause();
             return ctx.stats.status = status;
         }

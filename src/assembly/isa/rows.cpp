@@ -217,10 +217,9 @@ void row_norms(const View& view, std::int32_t begin, std::int32_t end,
                 n.gap_id = id;
             }
         }
-        if (view.inv_length[id] > 0.0 && view.active[id] != 0.0 && view.force_of_row[row] != 0.0) {
-            // The force of the previous step belongs to the pose at which g was evaluated; in
-            // the first step there is none yet.
-            const double error = view.g[row] + view.epsilon[row] * view.force_of_row[row];
+        if (view.inv_length[id] > 0.0 && view.active[id] != 0.0) {
+            const double force = view.lambda[row] / view.h;
+            const double error = view.g[row] + view.epsilon[row] * force;
             const double relative = __builtin_fabs(error) * view.inv_length[id];
             if (!(relative <= n.stretch)) n.stretch = relative;
         }
