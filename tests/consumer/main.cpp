@@ -32,8 +32,9 @@ int main() {
         }
     }
     std::printf("hawser %s: lowest point %.6f m after %.4f s\n", hawser::version(), lowest, when);
-    // The time is seen to one step. The length: each step leaves the circle by w^2 h^2 l / 2 and the
-    // stabilisation returns 4 / (1 + 4 tau/h) of the error, so it stays near (1 + 4 tau/h) w^2 h^2 l
-    // / 8 = 3.8e-4 m at tau = 2 h and w^2 = 2 g / l; a third is left for what this estimate neglects.
+    // The time is seen to one step. The length: each step leaves the circle by w^2 h^2 l / 2 and
+    // the stabilisation returns 4 / (1 + 4 tau/h) of the error, so it stays near (1 + 4 tau/h) w^2
+    // h^2 l / 8 = 3.8e-4 m at tau = 2 h and w^2 = 2 g / l; a third is left for what this estimate
+    // neglects.
     return std::abs(when - 0.5920) < 1.0 / 240.0 && std::abs(lowest + 1.0) < 5e-4 ? 0 : 1;
 }
