@@ -27,6 +27,18 @@ HAWSER_INLINE V8 first_lanes(const V8& v, int count) {
     return reinterpret_cast<V8>(reinterpret_cast<I8>(v) & keep);
 }
 
+/// Every lane set to lane i of v.
+HAWSER_INLINE V8 spread_lane(const V8& v, int i) {
+    const long long k = i;
+    return __builtin_shuffle(v, I8{k, k, k, k, k, k, k, k});
+}
+/// v with the lanes up to and including i set to zero.
+HAWSER_INLINE V8 after_lane(const V8& v, int i) {
+    const I8 index = {0, 1, 2, 3, 4, 5, 6, 7};
+    const I8 keep = index > static_cast<long long>(i);
+    return reinterpret_cast<V8>(reinterpret_cast<I8>(v) & keep);
+}
+
 #else
 
 // The compiler lowers 64-byte vectors on narrower machines through memory; a struct of
@@ -60,6 +72,23 @@ HAWSER_INLINE V8 first_lanes(const V8& v, int count) {
         for (int k = 0; k < kPartLanes; ++k) index[k] = kPartLanes * i + k;
         const PartMask keep = index < static_cast<long long>(count);
         o.part[i] = reinterpret_cast<Part>(reinterpret_cast<PartMask>(v.part[i]) & keep);
+    }
+    return o;
+}
+HAWSER_INLINE V8 spread_lane(const V8& v, int i) {
+    double lanes[kLanes];
+    store(lanes, v);
+    V8 o;
+    for (int k = 0; k < kParts; ++k) o.part[k] = Part{} + lanes[i];
+    return o;
+}
+HAWSER_INLINE V8 after_lane(const V8& v, int i) {
+    V8 o;
+    for (int k = 0; k < kParts; ++k) {
+        PartMask index;
+        for (int n = 0; n < kPartLanes; ++n) index[n] = kPartLanes * k + n;
+        const PartMask keep = index > static_cast<long long>(i);
+        o.part[k] = reinterpret_cast<Part>(reinterpret_cast<PartMask>(v.part[k]) & keep);
     }
     return o;
 }

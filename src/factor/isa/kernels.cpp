@@ -18,39 +18,73 @@ using factor::FactorView;
 using factor::Front;
 using factor::Run;
 
-constexpr int kBlock = 16;  // pivot columns factored before the rest is updated
+constexpr int kBlock = 8;  // pivot columns factored before the rest is updated
 
-/// Factor columns [k0, k1) of a panel with n rows (a multiple of eight). w receives the
-/// unscaled columns, stride ld.
-inline int factor_columns(double* panel, int ld, int k0, int k1, double* w, double* pivot,
-                          const signed char* sign) {
+/// Factor the N ≤ 8 columns from k0, a multiple of eight, of a panel of stride ld. w receives
+/// the unscaled columns, stride ld, rows as in the panel.
+///
+/// Rows k0 … k0 + 7 hold the triangle: N sequential pivots, in registers. The vectors of rows
+/// below it are then independent of each other: x_c = a_c − Σ_{b<c} L_cb x_b.
+template <int N>
+inline int factor_block(double* panel, long ld, int k0, double* w, double* pivot,
+                        const signed char* sign) {
     int wrong = 0;
-    for (int k = k0; k < k1; ++k) {
-        double* column = panel + static_cast<long>(k) * ld;
-        double* wk = w + static_cast<long>(k - k0) * ld;
-        double d = column[k];
+    V8 top[N];
+    double inverse[N], lower[N][N];
+    for (int c = 0; c < N; ++c) top[c] = load(panel + (k0 + c) * ld + k0);
+#pragma GCC unroll 8
+    for (int c = 0; c < N; ++c) {
+        double d = lane(top[c], c);
         // Quasi-definite: the sign is known. !(…) also catches NaN.
-        if (!(d * sign[k] > 0.0) || d - d != 0.0) {
+        if (!(d * sign[k0 + c] > 0.0) || d - d != 0.0) {
             ++wrong;
-            d = sign[k];
+            d = sign[k0 + c];
         }
-        const double inverse = 1.0 / d;
-        pivot[k] = inverse;
-        const int start = k & ~7;
-        for (int i = start; i < ld; i += 8) {
-            const V8 v = load(column + i);
-            store(wk + i, v);
-            store(column + i, v * inverse);
+        inverse[c] = 1.0 / d;
+        pivot[k0 + c] = inverse[c];
+        const V8 l = after_lane(top[c] * inverse[c], c);
+#pragma GCC unroll 8
+        for (int j = c + 1; j < N; ++j) {
+            const double wj = lane(top[c], j);
+            lower[j][c] = wj * inverse[c];
+            top[j] -= wj * l;
         }
-        for (int i = start; i <= k; ++i) column[i] = 0.0;
-        for (int j = k + 1; j < k1; ++j) {
-            double* cj = panel + static_cast<long>(j) * ld;
-            const double wj = wk[j];
-            for (int i = j & ~7; i < ld; i += 8)
-                store(cj + i, load(cj + i) - wj * load(column + i));
+        store(w + c * ld + k0, top[c]);
+        store(panel + (k0 + c) * ld + k0, l);
+    }
+    for (long i = k0 + 8; i < ld; i += 8) {
+        V8 x[N];
+#pragma GCC unroll 8
+        for (int c = 0; c < N; ++c) {
+            x[c] = load(panel + (k0 + c) * ld + i);
+            for (int b = 0; b < c; ++b) x[c] -= lower[c][b] * x[b];
+            store(w + c * ld + i, x[c]);
+            store(panel + (k0 + c) * ld + i, x[c] * inverse[c]);
         }
     }
     return wrong;
+}
+
+inline int factor_columns(double* panel, long ld, int k0, int count, double* w, double* pivot,
+                          const signed char* sign) {
+    switch (count) {
+        case 1:
+            return factor_block<1>(panel, ld, k0, w, pivot, sign);
+        case 2:
+            return factor_block<2>(panel, ld, k0, w, pivot, sign);
+        case 3:
+            return factor_block<3>(panel, ld, k0, w, pivot, sign);
+        case 4:
+            return factor_block<4>(panel, ld, k0, w, pivot, sign);
+        case 5:
+            return factor_block<5>(panel, ld, k0, w, pivot, sign);
+        case 6:
+            return factor_block<6>(panel, ld, k0, w, pivot, sign);
+        case 7:
+            return factor_block<7>(panel, ld, k0, w, pivot, sign);
+        default:
+            return factor_block<8>(panel, ld, k0, w, pivot, sign);
+    }
 }
 
 /// C(:, 0..cols) −= L · Wᵀ for `cols` columns whose rows in l and w start at row0. The lower
@@ -112,8 +146,8 @@ int factor_fronts(const FactorView& view, std::int32_t begin, std::int32_t end,
             extend_add(view, view.fronts[view.children[c]], front, panel, update);
         for (int k0 = 0; k0 < front.p; k0 += kBlock) {
             const int k1 = k0 + kBlock < front.p ? k0 + kBlock : front.p;
-            wrong += factor_columns(panel, front.ld, k0, k1, scratch, view.pivot + front.offset,
-                                    view.sign + front.offset);
+            wrong += factor_columns(panel, front.ld, k0, k1 - k0, scratch,
+                                    view.pivot + front.offset, view.sign + front.offset);
             const double* l = panel + static_cast<long>(k0) * front.ld;
             update_block(panel, front.ld, l, scratch, front.ld, k1 - k0, k1, front.p, front.ld);
             update_block(update, front.ldu, l + front.p, scratch + front.p, front.ld, k1 - k0, 0,
@@ -121,6 +155,35 @@ int factor_fronts(const FactorView& view, std::int32_t begin, std::int32_t end,
         }
     }
     return wrong;
+}
+
+/// y −= Σ_k L_k y_k, columns in order, for a panel of any height.
+inline void forward_panel(const double* panel, long ld, int p, double* y) {
+    for (int k = 0; k < p; ++k) {
+        const double* column = panel + k * ld;
+        const double yk = y[k];
+        for (long i = k & ~7; i < ld; i += 8) store(y + i, load(y + i) - yk * load(column + i));
+    }
+}
+
+/// The same for a panel of NV vectors, with y in registers: each column waits for a lane of the
+/// one before it, not for memory.
+template <int NV>
+inline void forward_panel(const double* panel, int p, double* y) {
+    constexpr long kLd = 8 * NV;
+    V8 v[NV];
+    for (int i = 0; i < NV; ++i) v[i] = load(y + 8 * i);
+    const double* column = panel;
+#pragma GCC unroll 4
+    for (int block = 0; block < NV; ++block) {
+        const int count = p - 8 * block < 8 ? p - 8 * block : 8;
+        for (int c = 0; c < count; ++c, column += kLd) {
+            const V8 yk = spread_lane(v[block], c);
+#pragma GCC unroll 4
+            for (int i = block; i < NV; ++i) v[i] -= yk * load(column + 8 * i);
+        }
+    }
+    for (int i = 0; i < NV; ++i) store(y + 8 * i, v[i]);
 }
 
 void forward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
@@ -140,10 +203,22 @@ void forward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end
                 for (int i = 0; i < run.length; ++i) y[run.to + i] += carried[run.from + i];
             }
         }
-        for (int k = 0; k < p; ++k) {
-            const double* column = panel + static_cast<long>(k) * ld;
-            const double yk = y[k];
-            for (int i = k & ~7; i < ld; i += 8) store(y + i, load(y + i) - yk * load(column + i));
+        switch (ld / 8) {
+            case 1:
+                forward_panel<1>(panel, p, y);
+                break;
+            case 2:
+                forward_panel<2>(panel, p, y);
+                break;
+            case 3:
+                forward_panel<3>(panel, p, y);
+                break;
+            case 4:
+                forward_panel<4>(panel, p, y);
+                break;
+            default:
+                forward_panel(panel, ld, p, y);
+                break;
         }
         for (int i = 0; i < p; ++i) x[front.offset + i] = y[i];
         double* carry = view.carry + front.rows;
