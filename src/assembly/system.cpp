@@ -245,14 +245,19 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
                      [](const Entry& p, const Entry& q) { return p.column < q.column; });
     ops.clear();
     op_chunk.assign(1, 0);
+    panel_chunk.assign(1, 0);
     constexpr std::int64_t kChunk = 512;
     for (std::size_t k = 0; k < entries.size(); ++k) {
         const auto size = static_cast<std::int64_t>(ops.size());
-        if (k > 0 && entries[k].column != entries[k - 1].column && size - op_chunk.back() >= kChunk)
+        if (k > 0 && entries[k].column != entries[k - 1].column &&
+            size - op_chunk.back() >= kChunk) {
             op_chunk.push_back(size);
+            panel_chunk.push_back(symbolic.column_address(entries[k].column));
+        }
         ops.push_back(entries[k].op);
     }
     op_chunk.push_back(static_cast<std::int64_t>(ops.size()));
+    panel_chunk.push_back(symbolic.panel_size);
 }
 
 View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef& def) noexcept {
@@ -276,6 +281,7 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.spin_change = bodies.spin_change.data();
     v.mass = bodies.mass.data();
     v.inertia = bodies.inertia.data();
+    v.inv_inertia = bodies.inv_inertia.data();
     v.force = bodies.force.data();
     v.damping = bodies.damping.data();
     v.weight = bodies.weight.data();

@@ -46,8 +46,9 @@ class System {
     graph::Islands islands;
     std::vector<std::int32_t> node_of_body, node_of_interaction;  ///< −1: no node.
     std::vector<Op> ops;                                          ///< By column of the matrix.
-    std::vector<std::int64_t> op_chunk;   ///< Chunk boundaries in ops, at column changes.
-    std::vector<std::int32_t> one_sided;  ///< Interactions with kOneSided or kRange.
+    std::vector<std::int64_t> op_chunk;     ///< Chunk boundaries in ops, at column changes.
+    std::vector<std::int64_t> panel_chunk;  ///< The panel memory of each chunk of columns.
+    std::vector<std::int32_t> one_sided;    ///< Interactions with kOneSided or kRange.
     std::vector<std::int32_t> breakable;
 
     [[nodiscard]] std::size_t bytes() const noexcept;

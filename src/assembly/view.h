@@ -67,6 +67,7 @@ struct View {
     double* spin_change;  ///< 3 a body: ω₊ − spin_free of the last step, body frame.
     const double* mass;
     const double* inertia;
+    const double* inv_inertia;
     const double* force;
     const double* damping;
     const std::uint8_t* weight;

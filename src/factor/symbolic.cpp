@@ -204,6 +204,12 @@ BlockTarget Symbolic::target(std::int32_t row, std::int32_t column) const noexce
     return {front.panel + static_cast<std::int64_t>(c) * front.ld + r, front.ld};
 }
 
+std::int64_t Symbolic::column_address(std::int32_t k) const noexcept {
+    const auto node = static_cast<std::size_t>(order[static_cast<std::size_t>(k)]);
+    const Front& front = fronts[static_cast<std::size_t>(node_front[node])];
+    return front.panel + static_cast<std::int64_t>(node_offset[node] - front.offset) * front.ld;
+}
+
 std::size_t Symbolic::bytes() const noexcept {
     return base::bytes(order) + base::bytes(position) + base::bytes(node_offset) +
            base::bytes(node_front) + base::bytes(fronts) + base::bytes(children) +

@@ -86,6 +86,8 @@ struct Symbolic {
     /// Address of the block (row node, column node); the row must not precede the column in
     /// the order, and the pair must be a diagonal block or an edge of the pattern.
     [[nodiscard]] BlockTarget target(std::int32_t row, std::int32_t column) const noexcept;
+    /// Panel offset at which the columns of the k-th node of the order begin. Ascends with k.
+    [[nodiscard]] std::int64_t column_address(std::int32_t k) const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;
 };
 

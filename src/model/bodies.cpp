@@ -3,6 +3,8 @@
 
 #include "base/small.h"
 
+#include <Eigen/LU>
+
 namespace hawser::model {
 namespace {
 
@@ -34,7 +36,11 @@ int Bodies::add(const BodyDef& def) {
     append3(spin_free, Vec3::Zero().eval());
     append3(spin_change, Vec3::Zero().eval());
     mass.push_back(def.mass);
-    for (int i = 0; i < 9; ++i) inertia.push_back(def.inertia(i / 3, i % 3));
+    const Mat3 inverse = def.kind == BodyKind::rigid ? Mat3(def.inertia.inverse()) : Mat3::Zero();
+    for (int i = 0; i < 9; ++i) {
+        inertia.push_back(def.inertia(i / 3, i % 3));
+        inv_inertia.push_back(inverse(i / 3, i % 3));
+    }
     append3(force, def.force);
     append3(force, def.torque);
     append3(damping, def.linear_damping);
@@ -54,8 +60,8 @@ std::size_t Bodies::bytes() const noexcept {
     using base::bytes;
     return bytes(kind) + bytes(dof_begin) + bytes(moving) + bytes(rigid) + bytes(driven) +
            bytes(x) + bytes(q) + bytes(r) + bytes(v) + bytes(v_fixed) + bytes(spin_free) +
-           bytes(spin_change) + bytes(mass) + bytes(inertia) + bytes(force) + bytes(damping) +
-           bytes(weight);
+           bytes(spin_change) + bytes(mass) + bytes(inertia) + bytes(inv_inertia) + bytes(force) +
+           bytes(damping) + bytes(weight);
 }
 
 }  // namespace hawser::model

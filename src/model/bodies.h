@@ -45,10 +45,11 @@ struct Bodies {
     base::Array<double> spin_change;  ///< 3 a body: what torques changed ω by in the last step,
                                       ///< body frame [rad/s]. Part of the state.
 
-    base::Array<double> mass;     ///< 1 a body [kg].
-    base::Array<double> inertia;  ///< 9 a body, body frame [kg m²].
-    base::Array<double> force;    ///< 6 a body: applied force and torque, world frame [N, N m].
-    base::Array<double> damping;  ///< 6 a body: drag along and about the body's axes.
+    base::Array<double> mass;         ///< 1 a body [kg].
+    base::Array<double> inertia;      ///< 9 a body, body frame [kg m²].
+    base::Array<double> inv_inertia;  ///< Its inverse; zero for bodies that are not rigid.
+    base::Array<double> force;        ///< 6 a body: applied force and torque, world frame [N, N m].
+    base::Array<double> damping;      ///< 6 a body: drag along and about the body's axes.
     std::vector<std::uint8_t> weight;  ///< 1: gravity acts.
 
     std::int32_t dofs = 0;

@@ -141,10 +141,12 @@ void assemble_rows(StepContext& ctx) noexcept {
 void assemble_blocks(StepContext& ctx) noexcept {
     const View v = view(ctx);
     assembly::System& s = ctx.system;
-    s.numeric.clear(s.symbolic, ctx.pool);
     auto gather = [&](int i, int) noexcept {
+        // Zeroed and filled by the same task while it is in the cache.
+        double* panel = s.numeric.values();
+        std::fill(panel + s.panel_chunk[at(i)], panel + s.panel_chunk[at(i + 1)], 0.0);
         assembly::kernels().gather_blocks(v, s.ops.data(), s.op_chunk[at(i)], s.op_chunk[at(i + 1)],
-                                          s.numeric.values());
+                                          panel);
     };
     ctx.pool.for_each(static_cast<int>(s.op_chunk.size()) - 1, gather);
 }

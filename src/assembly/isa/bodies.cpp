@@ -144,6 +144,19 @@ double drag_work(const View& view, std::int32_t body, const double* u) {
     return view.h * work;
 }
 
+/// pᵀ M⁻¹ p for an impulse p on a body.
+double inverse_mass_norm(const View& view, std::int32_t body, const double* p) {
+    const double inverse = 1.0 / view.mass[body];
+    const int dof = view.dof[body];
+    if (dof == 1) return inverse * p[0] * p[0];
+    double norm = inverse * dot(load3(p), load3(p));
+    if (dof == 6) {
+        const V3 w = tmul(load9(view.r + 9 * body), load3(p + 3));
+        norm += dot(w, load9(view.inv_inertia + 9 * body) * w);
+    }
+    return norm;
+}
+
 }  // namespace
 
 void body_terms(const View& view, std::int32_t begin, std::int32_t end) noexcept {
@@ -247,19 +260,8 @@ void body_norms(const View& view, std::int32_t begin, std::int32_t end,
             diff[j] = a[j] - mv[j];
             n.finite += view.v_new[view.dof_begin[body] + j];
         }
-        if (dof == 1) {
-            n.momentum += r[0] * r[0] / block[0];
-            n.impulse += diff[0] * diff[0] / block[0];
-            continue;
-        }
-        const M3 lin = full6(block);
-        n.momentum += dot(load3(r), solve3(lin, load3(r)));
-        n.impulse += dot(load3(diff), solve3(lin, load3(diff)));
-        if (dof == 6) {
-            const M3 ang = full6(block + 6);
-            n.momentum += dot(load3(r + 3), solve3(ang, load3(r + 3)));
-            n.impulse += dot(load3(diff + 3), solve3(ang, load3(diff + 3)));
-        }
+        n.momentum += inverse_mass_norm(view, body, r);
+        n.impulse += inverse_mass_norm(view, body, diff);
     }
     *norms = n;
 }
