@@ -4,6 +4,10 @@
 
 #include "support.h"
 
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstdlib>
 #include <iterator>
 
 namespace hawser::scene::test {
@@ -87,6 +91,47 @@ TEST(Malformed, texts_that_are_not_json) {
         const std::string message = refusal(damaged.text);
         EXPECT_NE(message.find(damaged.words), std::string::npos)
             << damaged.text << " -> " << message;
+    }
+}
+
+/// Exit code and messages of `hawser check FILE`.
+struct Outcome {
+    int code = -1;
+    std::string output;
+};
+
+Outcome check_with_program(const std::string& program, const std::filesystem::path& file) {
+    const std::string command = "'" + program + "' check '" + file.string() + "' 2>&1";
+    Outcome run;
+    FILE* pipe = popen(command.c_str(), "r");
+    char buffer[512];
+    while (fgets(buffer, sizeof buffer, pipe) != nullptr) {
+        run.output += buffer;
+    }
+    const int status = pclose(pipe);
+    run.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return run;
+}
+
+TEST(Malformed, the_program_refuses_every_one_with_its_code) {
+    const char* folder_of_programs = std::getenv("HAWSER_BIN_DIR");
+    const std::string program =
+        std::string(folder_of_programs != nullptr ? folder_of_programs : "") + "/hawser";
+    if (!std::filesystem::exists(program)) {
+        GTEST_SKIP() << "needs the program; HAWSER_BIN_DIR names its folder";
+    }
+    const TempFolder folder;
+    const auto good = check_with_program(program, folder.write("good.json", kSite));
+    EXPECT_EQ(good.code, 0) << good.output;
+    for (const Mistake& mistake : kMistakes) {
+        SCOPED_TRACE(mistake.patch);
+        const auto file = folder.write("scene.json", patched(mistake.scene, mistake.patch));
+        const Outcome outcome = check_with_program(program, file);
+        // 1 is the documented code of a scene that is refused; a crash gives another.
+        EXPECT_EQ(outcome.code, 1) << outcome.output;
+        EXPECT_NE(outcome.output.find("scene.json: " + std::string(mistake.path)),
+                  std::string::npos)
+            << outcome.output;
     }
 }
 
