@@ -52,9 +52,10 @@ ShapePtr cylinder() {
 ShapePtr settings() {
     return object(
         "settings", "settings", "How the scene is simulated.",
-        {{"step", positive("a time", 1.0), false, "1/60", "s", "Time step."},
+        {{"step", number("a time", 1e-7, 1.0), false, "1/60", "s", "Time step."},
          {"duration", positive("a time", 1e7), false, "10", "s", "Simulated time of a run."},
-         {"gravity", vector3("an acceleration"), false, "[0, 0, -9.81]", "m/s^2", "Gravity."},
+         {"gravity", list("an acceleration [x, y, z]", number("a number", -1e4, 1e4), 3, 3), false,
+          "[0, 0, -9.81]", "m/s^2", "Gravity."},
          {"form", word("a form", {"auto", "saddle", "condensed"}), false, "auto", "",
           "Form of the step's equations that is factored."},
          {"geometric_stiffness", number("a factor", 0.0, 100.0), false, "1", "1",

@@ -9,6 +9,8 @@
 namespace hawser::scene {
 namespace {
 
+constexpr int kMaxThreads = 256;
+
 /// FNV-1a, 64 bits (Fowler, Noll, Vo).
 std::uint64_t hash_text(std::string_view text) {
     std::uint64_t hash = 0xcbf29ce484222325U;
@@ -20,12 +22,12 @@ std::uint64_t hash_text(std::string_view text) {
 }
 
 /// Hand the flat lists to a new world. What it refuses is reported at its place in the file.
-World build(const Description& description, int threads) {
+World build(const Description& description, int threads, const Place& settings_place) {
     WorldDef settings = description.settings;
     settings.threads = threads;
-    World world(settings);
-    const Place* at = nullptr;
+    const Place* at = &settings_place;
     try {
+        World world(settings);
         for (std::size_t i = 0; i < description.bodies.size(); ++i) {
             at = &description.body_place(i);
             world.add_body(description.bodies[i]);
@@ -38,10 +40,10 @@ World build(const Description& description, int threads) {
             at = &description.input_place(i);
             world.add_input(description.inputs[i]);
         }
+        return world;
     } catch (const DefError& error) {
         refuse(*at, error.what());
     }
-    return world;
 }
 
 void read_plot(Scene& scene, const Description& description, const Document& document) {
@@ -98,8 +100,8 @@ void check_options(const Options& options, const Place& place) {
         refuse(place, "the scale must be between 1 and " + std::to_string(kMaxCopies) + ", found " +
                           std::to_string(options.scale));
     }
-    if (options.threads < 1) {
-        refuse(place, "the number of threads must be at least 1");
+    if (options.threads < 1 || options.threads > kMaxThreads) {
+        refuse(place, "the number of threads must be between 1 and " + std::to_string(kMaxThreads));
     }
 }
 
@@ -124,7 +126,7 @@ Scene make_scene(Json root, const std::filesystem::path& file, const Options& op
                 .text = std::move(text),
                 .hash = hash,
                 .duration = description.duration,
-                .world = build(description, options.threads),
+                .world = build(description, options.threads, document.place / "settings"),
                 .cables = {},
                 .plot_tensions = {},
                 .plot_motions = {},

@@ -48,8 +48,8 @@ inline constexpr Mistake kMistakes[] = {
 {kPendulum, R"([{"op":"add","path":"/include","value":[""]}])", "/include/0", "1 to 4096"},
 {kPendulum, R"([{"op":"add","path":"/include","value":["."]}])", "/include/0", "no file"},
 // --- settings -------------------------------------------------------------------------------
-{kSite, R"([{"op":"replace","path":"/settings/step","value":0}])", "/settings/step", "greater than 0"},
-{kSite, R"([{"op":"replace","path":"/settings/step","value":-0.01}])", "/settings/step", "greater than 0"},
+{kSite, R"([{"op":"replace","path":"/settings/step","value":0}])", "/settings/step", "at least"},
+{kSite, R"([{"op":"replace","path":"/settings/step","value":-0.01}])", "/settings/step", "at least"},
 {kSite, R"([{"op":"replace","path":"/settings/step","value":2}])", "/settings/step", "at most 1"},
 {kSite, R"([{"op":"replace","path":"/settings/step","value":"0.01"}])", "/settings/step", "a time"},
 {kSite, R"([{"op":"replace","path":"/settings/step","value":"NaN"}])", "/settings/step", "a time"},
