@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The number of threads changes who computes, never what.
+#include "stepper/scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace hawser {
+namespace {
+
+std::uint64_t hash_after(const char* name, int threads, int steps) {
+    scene::Options options;
+    options.threads = threads;
+    scene::Scene s = scene::load_file(std::string("scenes/") + name, options);
+    for (int i = 0; i < steps; ++i)
+        if (s.world.step() != Status::ok) return 0;
+    return s.world.state_hash();
+}
+
+TEST(Threads, StateHashDoesNotDependOnThreads) {
+    for (const char* name : {"anchor_lines.json", "mooring.json"}) {
+        const std::uint64_t serial = hash_after(name, 1, 60);
+        ASSERT_NE(serial, 0U);
+        for (const int threads : {2, 3, 4, 8})
+            EXPECT_EQ(hash_after(name, threads, 60), serial) << name << " on " << threads;
+    }
+}
+
+}  // namespace
+}  // namespace hawser
