@@ -6,6 +6,12 @@
 
 namespace hawser::bench {
 
+/// Time whole steps of a scene at several scales.
+int step_command(int argc, char** argv);
+
+/// Time factorisation and solution of a scene's matrix against libraries.
+int factor_command(int argc, char** argv);
+
 /// Compare engines on heavy_hook, tow_zigzag and mooring.
 int peers_command(int argc, char** argv);
 

@@ -15,6 +15,9 @@ struct Command {
 };
 
 constexpr Command kCommands[] = {
+    {"step", "time and memory of a whole step, by scale", hawser::bench::step_command},
+    {"factor", "our factorisation against Eigen and CHOLMOD, by scale",
+     hawser::bench::factor_command},
     {"peers", "our steps against other engines, on three scenes", hawser::bench::peers_command},
 };
 

@@ -83,6 +83,7 @@ std::uint64_t state_hash(const StepContext& ctx) noexcept {
     add(ctx.bodies.x);
     add(ctx.bodies.q);
     add(ctx.bodies.v);
+    add(ctx.bodies.spin_change);
     add(ctx.bodies.v_fixed);
     add(ctx.bodies.force);
     add(ctx.interactions.lambda);
