@@ -71,6 +71,11 @@ class Page {
     }
 
     static std::string value(const Shape& shape) {
+        if (shape.type == Type::number || shape.type == Type::integer) {
+            const bool open = shape.above_min && shape.min == 0.0;
+            return fmt::format("{}, {} to {}", shape.what,
+                               open ? "above 0" : fmt::format("{}", shape.min), shape.max);
+        }
         if (shape.type != Type::word) {
             return shape.what;
         }
