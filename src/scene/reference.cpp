@@ -73,8 +73,8 @@ class Page {
     static std::string value(const Shape& shape) {
         if (shape.type == Type::number || shape.type == Type::integer) {
             const bool open = shape.above_min && shape.min == 0.0;
-            return fmt::format("{}, {} to {}", shape.what,
-                               open ? "above 0" : fmt::format("{}", shape.min), shape.max);
+            return fmt::format("{}, {} to {:.10g}", shape.what,
+                               open ? "above 0" : fmt::format("{:.10g}", shape.min), shape.max);
         }
         if (shape.type != Type::word) {
             return shape.what;
@@ -90,10 +90,11 @@ class Page {
         text_ += "\n| parameter | unit | default | range | input | |\n|---|---|---|---|---|---|\n";
         for (const ParamInfo& p : kind.params) {
             const std::string fallback = taken_from_pose(kind, p.name) ? "the initial value"
-                                         : p.fallback == p.fallback ? fmt::format("{}", p.fallback)
-                                                                    : "required";
-            text_ += fmt::format("| `{}` | {} | {} | {} to {} | {} | {} |\n", p.name, p.unit,
-                                 fallback, p.min, p.max, p.input ? "yes" : "", cell(p.doc));
+                                         : p.fallback == p.fallback
+                                             ? fmt::format("{:.10g}", p.fallback)
+                                             : "required";
+            text_ += fmt::format("| `{}` | {} | {} | {:.10g} to {:.10g} | {} | {} |\n", p.name,
+                                 p.unit, fallback, p.min, p.max, p.input ? "yes" : "", cell(p.doc));
         }
     }
 

@@ -31,9 +31,10 @@ std::string range_text(const Shape& shape) {
     const bool high = std::isfinite(shape.max);
     const char* than = shape.above_min ? "greater than" : "at least";
     if (low && high) {
-        return fmt::format("{} {} and at most {}", than, shape.min, shape.max);
+        return fmt::format("{} {:.10g} and at most {:.10g}", than, shape.min, shape.max);
     }
-    return low ? fmt::format("{} {}", than, shape.min) : fmt::format("at most {}", shape.max);
+    return low ? fmt::format("{} {:.10g}", than, shape.min)
+               : fmt::format("at most {:.10g}", shape.max);
 }
 
 Result number_problem(const Json& value, const Shape& shape) {
