@@ -21,7 +21,7 @@ constexpr const char* kFooter = R"(Examples:
   hawser plot run.hwr -o pictures
   hawser plot run.hwr -o pictures --at 12.5     # the scene at 12.5 s instead of the end
 
-Writes tensions, motions and scene, each as .svg and .png. Exit codes: 0 written, 1 unreadable
+Writes tensions, motions, scene and details, each as .svg and .png. Exit codes: 0 written, 1 unreadable
 recording or a file that cannot be written.)";
 
 struct PlotOptions {
@@ -62,6 +62,8 @@ int plot(const PlotOptions& options) {
     write("motions", observe::plot_motions(recording, series), "the scene has no moving bodies");
     write("scene", observe::plot_views(recording, series, frame_at(recording, options.at)),
           "nothing in the scene has a place");
+    write("details", observe::plot_details(recording, frame_at(recording, options.at)),
+          "no plotted body is small in the scene");
     return kOk;
 }
 

@@ -51,8 +51,9 @@ void describe_difference(const observe::Recording& recording, const observe::Fra
     for (std::size_t i = 0; i < frame.poses.size(); ++i) {
         const Pose pose = world.pose({static_cast<std::int32_t>(i)});
         const double distance = (pose.position - frame.poses[i].position).norm();
-        // Single precision: differences below its resolution mean nothing.
-        if (distance > 1e-6 * (1.0 + pose.position.norm()) && distance > worst) {
+        // Frames hold distances from the start in single precision; less means nothing.
+        const double moved = (pose.position - recording.bodies[i].start.position).norm();
+        if (distance > 2e-7 * moved + 1e-12 && distance > worst) {
             worst = distance;
             where = recording.bodies[i].name;
         }

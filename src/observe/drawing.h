@@ -7,6 +7,7 @@
 /// in points of 1/96 inch: x to the right, y downwards, the origin at the top left.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -68,7 +69,12 @@ struct Text {
     bool halo = false;  ///< Outlined in white, readable on top of lines.
 };
 
-using Shape = std::variant<Path, Cells, Text>;
+/// Limits what is painted from here on to a box; without a box, to the whole picture.
+struct Clip {
+    std::optional<Box> box{};
+};
+
+using Shape = std::variant<Path, Cells, Text, Clip>;
 
 /// A picture. Shapes are painted in order.
 struct Drawing {

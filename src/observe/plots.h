@@ -25,4 +25,9 @@ namespace hawser::observe {
 [[nodiscard]] std::optional<Drawing> plot_views(const Recording& recording, const Series& series,
                                                 std::size_t frame_index);
 
+/// Side views close to each of the plotted bodies (up to four) that are small in the scene.
+/// @return Nothing when there are none.
+[[nodiscard]] std::optional<Drawing> plot_details(const Recording& recording,
+                                                  std::size_t frame_index);
+
 }  // namespace hawser::observe

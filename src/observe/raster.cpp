@@ -57,15 +57,27 @@ void close_all(std::vector<Polyline>& lines) {
 struct Painter {
     Image& image;
     double scale;
+    int x0 = 0, y0 = 0, x1 = image.width, y1 = image.height;  // What may be painted [pixels].
+
+    void operator()(const Clip& clip) {
+        const Box all{0.0, 0.0, image.width / scale, image.height / scale};
+        const Box b = clip.box.value_or(all);
+        x0 = std::max(0, static_cast<int>(std::lround(b.x * scale)));
+        y0 = std::max(0, static_cast<int>(std::lround(b.y * scale)));
+        x1 = std::min(image.width, static_cast<int>(std::lround(b.right() * scale)));
+        y1 = std::min(image.height, static_cast<int>(std::lround(b.bottom() * scale)));
+    }
 
     void blend(const Coverage& c, Color color, double strength = 1.0) const {
         const double alpha = strength * color.a / 255.0;
         const std::uint8_t rgb[3] = {color.r, color.g, color.b};
-        for (int y = 0; y < c.height; ++y) {
+        for (int y = std::max(0, y0 - c.y); y < std::min(c.height, y1 - c.y); ++y) {
             const float* row = c.value.data() + static_cast<std::ptrdiff_t>(y) * c.width;
             std::uint8_t* out =
                 image.rgb.data() + 3 * (static_cast<std::ptrdiff_t>(c.y + y) * image.width + c.x);
-            for (int x = 0; x < c.width; ++x, out += 3) {
+            const int first = std::max(0, x0 - c.x), last = std::min(c.width, x1 - c.x);
+            out += 3 * static_cast<std::ptrdiff_t>(first);
+            for (int x = first; x < last; ++x, out += 3) {
                 const double a = alpha * std::min(1.0f, row[x]);
                 if (a <= 0.0) continue;
                 for (int k = 0; k < 3; ++k)
@@ -123,7 +135,8 @@ Image rasterise(const Drawing& drawing, double scale) {
     image.height = static_cast<int>(std::ceil(drawing.height * scale));
     image.rgb.assign(
         3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height), 255);
-    for (const Shape& shape : drawing.shapes) std::visit(Painter{image, scale}, shape);
+    Painter painter{image, scale};
+    for (const Shape& shape : drawing.shapes) std::visit(painter, shape);
     return image;
 }
 

@@ -28,6 +28,19 @@ std::string paint(const char* attribute, Color c) {
 
 struct Writer {
     std::string& out;
+    bool clipped = false;
+
+    // An inner <svg> shows nothing outside its own box.
+    void operator()(const Clip& clip) {
+        if (clipped) out += "</svg>\n";
+        clipped = clip.box.has_value();
+        if (clipped)
+            out += fmt::format(
+                "<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" "
+                "viewBox=\"{0} {1} {2} {3}\">\n",
+                coordinate(clip.box->x), coordinate(clip.box->y), coordinate(clip.box->width),
+                coordinate(clip.box->height));
+    }
 
     void operator()(const Path& path) const {
         if (path.points.empty()) return;
@@ -126,7 +139,9 @@ std::string to_svg(const Drawing& drawing) {
     out += "<desc>" + escape_xml(drawing.description) + "</desc>\n";
     out += fmt::format("<rect width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>\n",
                        coordinate(drawing.width), coordinate(drawing.height));
-    for (const Shape& shape : drawing.shapes) std::visit(Writer{out}, shape);
+    Writer writer{out};
+    for (const Shape& shape : drawing.shapes) std::visit(writer, shape);
+    writer(Clip{});
     return out + "</svg>\n";
 }
 

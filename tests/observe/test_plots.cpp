@@ -69,6 +69,21 @@ TEST_F(Plots, ViewsHaveBothPanelsAndAColourBar) {
         EXPECT_TRUE(has_text(d, text)) << text;
 }
 
+TEST_F(Plots, DetailsAreDrawnOnlyForSmallBodies) {
+    // The box is large in its small scene.
+    EXPECT_FALSE(observe::plot_details(*recording, 1));
+    recording->bodies[2].half_size = Vec3(0.1, 0.1, 0.1);
+    const auto drawing = observe::plot_details(*recording, recording->frame_count() - 1);
+    ASSERT_TRUE(drawing);
+    const XmlDocument d = check_picture(*drawing);
+    EXPECT_TRUE(has_text(d, "box & <friends>, side view"));
+    // Lines that leave the panel are cut at its frame, in the pixels too.
+    const observe::Image image = observe::rasterise(*drawing, 1.0);
+    for (int y = 0; y < 60; ++y)
+        for (int x = 1000; x < image.width; ++x)
+            ASSERT_EQ(image.rgb[std::size_t(3 * (y * image.width + x))], 255) << x << ", " << y;
+}
+
 TEST_F(Plots, SpyShowsMatrixAndFactor) {
     const SystemView view = scene.world.inspect();
     const observe::FactorBlocks factor = observe::factor_blocks(view);
