@@ -136,7 +136,9 @@ struct Kernels {
                           double* panel) noexcept;
     /// First residual: v₊ = 0, λ = 0.
     void (*first_rhs)(const View&, std::int32_t begin, std::int32_t end) noexcept;
-    /// Right-hand side of the solver from the residuals: bodies.
+    /// Right-hand side of the solver from the residuals: bodies. The first one starts at
+    /// v₊ = 0, which it writes.
+    void (*first_body_rhs)(const View&, std::int32_t begin, std::int32_t end) noexcept;
     void (*body_rhs)(const View&, std::int32_t begin, std::int32_t end) noexcept;
     /// Right-hand side of the solver from the residuals: kept interactions.
     void (*kept_rhs)(const View&, std::int32_t begin, std::int32_t end) noexcept;

@@ -43,9 +43,10 @@ Norms merged(const std::vector<Norms>& parts, int count) noexcept {
 }
 
 /// One solve with the current residuals: v₊, λ corrected, residuals renewed.
-void correct(StepContext& ctx, const View& v) noexcept {
+void correct(StepContext& ctx, const View& v, bool first = false) noexcept {
     const assembly::Kernels& k = assembly::kernels();
-    over(ctx, v.body_count, [&](std::int32_t a, std::int32_t b) { k.body_rhs(v, a, b); });
+    over(ctx, v.body_count,
+         [&](std::int32_t a, std::int32_t b) { (first ? k.first_body_rhs : k.body_rhs)(v, a, b); });
     over(ctx, v.interaction_count, [&](std::int32_t a, std::int32_t b) { k.kept_rhs(v, a, b); });
     ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
     over(ctx, v.body_count, [&](std::int32_t a, std::int32_t b) { k.add_solution(v, a, b); });
@@ -158,9 +159,7 @@ Status factor_and_solve(StepContext& ctx) noexcept {
     if (s.numeric.factor(s.symbolic, ctx.pool) > 0) return Status::wrong_pivot;
     const assembly::Kernels& k = assembly::kernels();
     over(ctx, v.interaction_count, [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b); });
-    std::fill_n(v.v_new, ctx.bodies.dofs, 0.0);
-
-    correct(ctx, v);
+    correct(ctx, v, true);
     for (int i = 0; i < ctx.def.refinements; ++i) correct(ctx, v);
     Norms n = measure(ctx, v);
     auto momentum = [&] {

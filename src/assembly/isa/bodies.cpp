@@ -104,11 +104,14 @@ void block_times(const double* block, int dof, const double* u, double* out) {
 }
 
 /// r = a − M̃ v₊ + Jᵀ y, for the rows' multipliers y.
+/// kAtRest: v₊ = 0, as before the first solve.
+template <bool kAtRest>
 void momentum_rhs(const View& view, std::int32_t body, const double* y, double* out) {
     const int dof = view.dof[body];
     const double* v = view.v_new + view.dof_begin[body];
     double mv[8] = {};
-    block_times(view.body_block + static_cast<long>(kBodyBlock) * body, dof, v, mv);
+    if constexpr (!kAtRest)
+        block_times(view.body_block + static_cast<long>(kBodyBlock) * body, dof, v, mv);
     V8 acc = load(view.a + view.dof_begin[body]);
     double coupled[8] = {};
     const std::int32_t end = view.incident_begin[body + 1];
@@ -118,7 +121,7 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
         const double* yr = y + in.row;
         for (int r = 0; r < in.rows; ++r) acc += yr[r] * load(jac + r * in.width);
         V3 lin, ang;
-        if (in.geo >= 0 && coupling(view, in, body, view.v_new, 1.0, lin, ang)) {
+        if (!kAtRest && in.geo >= 0 && coupling(view, in, body, view.v_new, 1.0, lin, ang)) {
             add3(coupled, lin);
             add3(coupled + 3, ang);
         }
@@ -225,10 +228,20 @@ void first_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept 
     }
 }
 
+void first_body_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept {
+    for (std::int32_t body = begin; body < end; ++body) {
+        if (view.dof[body] == 0) continue;
+        momentum_rhs<true>(view, body, view.multiplier, view.solution + view.body_offset[body]);
+        double* v = view.v_new + view.dof_begin[body];
+        for (int j = 0; j < view.dof[body]; ++j) v[j] = 0.0;
+    }
+}
+
 void body_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept {
     for (std::int32_t body = begin; body < end; ++body)
         if (view.dof[body] > 0)
-            momentum_rhs(view, body, view.multiplier, view.solution + view.body_offset[body]);
+            momentum_rhs<false>(view, body, view.multiplier,
+                                view.solution + view.body_offset[body]);
 }
 
 void add_solution(const View& view, std::int32_t begin, std::int32_t end) noexcept {
@@ -246,7 +259,7 @@ void body_norms(const View& view, std::int32_t begin, std::int32_t end,
         const int dof = view.dof[body];
         if (dof == 0) continue;
         double* r = view.momentum + view.dof_begin[body];
-        momentum_rhs(view, body, view.lambda, r);
+        momentum_rhs<false>(view, body, view.lambda, r);
         const double* block = view.body_block + static_cast<long>(kBodyBlock) * body;
         const double* v = view.v + view.dof_begin[body];
         const double* a = view.a + view.dof_begin[body];
@@ -297,8 +310,8 @@ void integrate(const View& view, std::int32_t begin, std::int32_t end) noexcept 
 }
 
 extern const assembly::Kernels kAssemblyKernels;
-const assembly::Kernels kAssemblyKernels = {evaluate,   body_terms, gather_blocks, first_rhs,
-                                            body_rhs,   kept_rhs,   add_solution,  row_update,
-                                            body_norms, row_norms,  integrate};
+const assembly::Kernels kAssemblyKernels = {evaluate,       body_terms, gather_blocks, first_rhs,
+                                            first_body_rhs, body_rhs,   kept_rhs,      add_solution,
+                                            row_update,     body_norms, row_norms,     integrate};
 
 }  // namespace hawser::HAWSER_ISA

@@ -16,6 +16,7 @@ void row_norms(const assembly::View&, std::int32_t, std::int32_t, assembly::Norm
 
 void body_terms(const assembly::View&, std::int32_t, std::int32_t) noexcept;
 void first_rhs(const assembly::View&, std::int32_t, std::int32_t) noexcept;
+void first_body_rhs(const assembly::View&, std::int32_t, std::int32_t) noexcept;
 void body_rhs(const assembly::View&, std::int32_t, std::int32_t) noexcept;
 void add_solution(const assembly::View&, std::int32_t, std::int32_t) noexcept;
 void body_norms(const assembly::View&, std::int32_t, std::int32_t, assembly::Norms*) noexcept;
