@@ -33,14 +33,21 @@ build: packages build/$(PRESET)/build.ninja
 
 demo: packages build/$(PRESET)/build.ninja
 	@cmake --build build/$(PRESET) -j $(JOBS) --target hawser_program
-	@mkdir -p $(DEMO)
+	@mkdir -p $(DEMO)/work
+	@echo "--- one minute at rest: nothing acts, so nothing may move"
 	$(BIN)/hawser run scenes/anchor_lines.json --duration 60 \
 	    --record $(DEMO)/anchor_lines.hwr --summary $(DEMO)/summary.json \
 	    --csv $(DEMO)/anchor_lines.csv
 	$(BIN)/hawser plot $(DEMO)/anchor_lines.hwr -o $(DEMO)
+	@echo "--- one minute at work: a winch hauls, a crane slews, a ship is pushed sideways"
+	$(BIN)/hawser run scenes/anchor_lines.json --duration 60 \
+	    --control scenes/anchor_lines.control.csv --record $(DEMO)/work/anchor_lines.hwr \
+	    --summary $(DEMO)/work/summary.json --csv $(DEMO)/work/anchor_lines.csv
+	$(BIN)/hawser plot $(DEMO)/work/anchor_lines.hwr -o $(DEMO)/work
 	@echo
-	@echo "Results:  $(DEMO)/summary.json  $(DEMO)/anchor_lines.csv  $(DEMO)/anchor_lines.hwr"
-	@echo "Pictures:" && ls $(DEMO)/*.png $(DEMO)/*.svg | sed 's/^/  /'
+	@echo "Results:  $(DEMO)/{,work/}summary.json  anchor_lines.csv  anchor_lines.hwr"
+	@echo "Pictures:" && ls $(DEMO)/*.png $(DEMO)/*.svg $(DEMO)/work/*.png $(DEMO)/work/*.svg | \
+	    sed 's/^/  /'
 
 test: build
 	@ctest --test-dir build/$(PRESET) --output-on-failure --no-tests=error -j $(JOBS)
