@@ -60,6 +60,10 @@ struct StepContext {
     double residual_floor = 0.0;              ///< Denominator floor of the momentum residual.
     std::vector<assembly::Norms> norms;       ///< One a chunk, merged in order.
     std::vector<double> active_before;        ///< Of one_sided interactions, for events.
+    /// Positions and rotations at the last analysis, which chose forms and floors by them.
+    base::Array<double> analysed_x, analysed_r;
+    std::vector<double> carriers_before;  ///< Poses of kinematic bodies, for the energy.
+    std::vector<double> lambda_before;    ///< Multipliers, for a step that fails.
 
     /// Chunks of bodies or interactions: coarse tasks of fixed size.
     static constexpr std::int32_t kChunk = 128;

@@ -6,6 +6,7 @@
 
 #include "base/hash.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace hawser::stepper {
@@ -17,6 +18,41 @@ double quadratic(const double* s, const double* v) {
     return v[0] * (s[0] * v[0] + s[1] * v[1] + s[2] * v[2]) +
            v[1] * (s[3] * v[0] + s[4] * v[1] + s[5] * v[2]) +
            v[2] * (s[6] * v[0] + s[7] * v[1] + s[8] * v[2]);
+}
+
+/// Take carriers with a prescribed velocity back by half a step; what they were goes to scratch.
+void carriers_back(StepContext& ctx) noexcept {
+    model::Bodies& b = ctx.bodies;
+    const double t = -0.5 * ctx.def.step;
+    double* kept = ctx.carriers_before.data();
+    for (std::int32_t body : b.driven) {
+        const auto i = at(body);
+        double *x = &b.x[3 * i], *q = &b.q[4 * i];
+        const double* v = &b.v_fixed[6 * i];
+        kept = std::copy_n(x, 3, kept);
+        kept = std::copy_n(q, 4, kept);
+        kept = std::copy_n(&b.r[9 * i], 9, kept);
+        for (int k = 0; k < 3; ++k) x[k] += t * v[k];
+        const Quat turn(1.0, 0.5 * t * v[3], 0.5 * t * v[4], 0.5 * t * v[5]);
+        const Quat now = (turn * Quat(q[0], q[1], q[2], q[3])).normalized();
+        q[0] = now.w();
+        q[1] = now.x();
+        q[2] = now.y();
+        q[3] = now.z();
+        b.refresh_rotation(body);
+    }
+}
+
+void carriers_forth(StepContext& ctx) noexcept {
+    model::Bodies& b = ctx.bodies;
+    const double* kept = ctx.carriers_before.data();
+    for (std::int32_t body : b.driven) {
+        const auto i = at(body);
+        std::copy_n(kept, 3, &b.x[3 * i]);
+        std::copy_n(kept + 3, 4, &b.q[4 * i]);
+        std::copy_n(kept + 7, 9, &b.r[9 * i]);
+        kept += 16;
+    }
 }
 
 }  // namespace
@@ -50,7 +86,10 @@ Energy energy(StepContext& ctx) noexcept {
     // evaluate_rows() decides afresh which ranges are active; the state keeps what it had.
     for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
         ctx.active_before[i] = v.active[ctx.system.one_sided[i]];
+    // The rows' own bodies go back by −(h/2) G v below.
+    carriers_back(ctx);
     evaluate_rows(ctx);
+    carriers_forth(ctx);
     constexpr double kElastic = 1e-11;  // softer rows store energy worth counting
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
         if (v.active[id] == 0.0) continue;
@@ -88,6 +127,7 @@ std::uint64_t state_hash(const StepContext& ctx) noexcept {
     add(ctx.bodies.force);
     add(ctx.interactions.lambda);
     add(ctx.interactions.active);
+    add(ctx.interactions.parted);
     return base::fnv1a(&ctx.step, sizeof ctx.step, hash);
 }
 

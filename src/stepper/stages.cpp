@@ -95,11 +95,15 @@ View view(StepContext& ctx) noexcept {
 }
 
 void prepare(StepContext& ctx) {
+    ctx.analysed_x = ctx.bodies.x;
+    ctx.analysed_r = ctx.bodies.r;
     ctx.system.analyse(ctx.bodies, ctx.interactions, ctx.def, ctx.pool.threads());
     const auto chunks =
         StepContext::chunks(ctx.bodies.count()) + StepContext::chunks(ctx.interactions.count());
     ctx.norms.resize(at(chunks));
     ctx.active_before.resize(ctx.system.one_sided.size());
+    ctx.lambda_before.resize(ctx.interactions.lambda.size());
+    ctx.carriers_before.resize(16 * ctx.bodies.driven.size());
     double mass = 0.0;
     for (std::int32_t b : ctx.bodies.moving) mass += ctx.bodies.mass[at(b)];
     // A millionth of the impulse of one gravity over a step: far below any real load.
@@ -131,8 +135,6 @@ void evaluate_rows(StepContext& ctx) noexcept {
 }
 
 void assemble_rows(StepContext& ctx) noexcept {
-    for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
-        ctx.active_before[i] = ctx.interactions.active[at(ctx.system.one_sided[i])];
     evaluate_rows(ctx);
     const View v = view(ctx);
     over(ctx, v.body_count,

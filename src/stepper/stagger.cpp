@@ -2,6 +2,7 @@
 #include "stepper/stages.h"
 #include "stepper/step.h"
 
+#include <algorithm>
 #include <new>
 #include <vector>
 
@@ -74,16 +75,8 @@ std::vector<double> row_curvature(StepContext& ctx) {
     return now;
 }
 
-}  // namespace
-
-/// The acceleration at time 0 obeys g̈ = G a + Ġ v = 0 on a rigid row. A trial step at the
-/// velocity v₀ asks for G v₊ = G v₀ there, so h Ġ v is taken off its right-hand side; on a soft
-/// row that changes v₋ by O(h²) only.
-Status stagger(StepContext& ctx) noexcept {
-    if (!ctx.def.staggered_start) {
-        ctx.started = true;
-        return Status::ok;
-    }
+/// The trial steps; on success v₋ has replaced v₀.
+Status try_stagger(StepContext& ctx) noexcept {
     std::vector<double> curvature;
     try {
         curvature = row_curvature(ctx);
@@ -101,8 +94,30 @@ Status stagger(StepContext& ctx) noexcept {
         for (std::int32_t body : ctx.bodies.rigid) keep_spin_change(ctx.bodies, v, body);
     }
     for (std::int32_t i = 0; i < ctx.bodies.dofs; ++i) v.v[i] -= 0.5 * (v.v_new[i] - v.v[i]);
-    ctx.started = true;
     return Status::ok;
+}
+
+}  // namespace
+
+/// The acceleration at time 0 obeys g̈ = G a + Ġ v = 0 on a rigid row. A trial step at the
+/// velocity v₀ asks for G v₊ = G v₀ there, so h Ġ v is taken off its right-hand side; on a soft
+/// row that changes v₋ by O(h²) only.
+///
+/// When it fails the world has not started: nothing of a trial remains, and the next step tries
+/// again.
+Status stagger(StepContext& ctx) noexcept {
+    if (!ctx.def.staggered_start) {
+        ctx.started = true;
+        return Status::ok;
+    }
+    remember(ctx);
+    const Status status = try_stagger(ctx);
+    ctx.started = status == Status::ok;
+    if (!ctx.started) {
+        recall(ctx);
+        std::fill(ctx.bodies.spin_change.begin(), ctx.bodies.spin_change.end(), 0.0);
+    }
+    return status;
 }
 
 }  // namespace hawser::stepper

@@ -3,6 +3,7 @@
 
 #include "stepper/stages.h"
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <new>
@@ -40,19 +41,26 @@ auto timed(StepContext& ctx, Stage stage, F&& f) noexcept {
 
 /// Stages assemble to nonsmooth.
 Status solve_velocities(StepContext& ctx) noexcept {
+    remember(ctx);
     timed(ctx, Stage::assemble, assemble_rows);
     return solve_assembled(ctx);
 }
 
-/// After a failed solve: λ of the last good step.
-void restore_multipliers(StepContext& ctx) noexcept {
+}  // namespace
+
+void remember(StepContext& ctx) noexcept {
+    const model::Interactions& in = ctx.interactions;
+    std::copy(in.lambda.begin(), in.lambda.end(), ctx.lambda_before.begin());
+    for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
+        ctx.active_before[i] = in.active[static_cast<std::size_t>(ctx.system.one_sided[i])];
+}
+
+void recall(StepContext& ctx) noexcept {
     model::Interactions& in = ctx.interactions;
-    for (std::size_t r = 0; r < in.lambda.size(); ++r) in.lambda[r] = ctx.def.step * in.force[r];
+    std::copy(ctx.lambda_before.begin(), ctx.lambda_before.end(), in.lambda.begin());
     for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
         in.active[static_cast<std::size_t>(ctx.system.one_sided[i])] = ctx.active_before[i];
 }
-
-}  // namespace
 
 Status solve_assembled(StepContext& ctx) noexcept {
     Status status = Status::ok;
@@ -76,7 +84,6 @@ Status step(StepContext& ctx) noexcept {
     if (!ctx.started) {
         const Status status = stagger(ctx);
         if (status != Status::ok) {
-            restore_multipliers(ctx);
             ctx.pool.pause();
             return ctx.stats.status = status;
         }
@@ -95,7 +102,7 @@ Status step(StepContext& ctx) noexcept {
     if (status == Status::ok)
         timed(ctx, Stage::integrate, integrate);
     else
-        restore_multipliers(ctx);
+        recall(ctx);
 
     ctx.pool.pause();
     ctx.stats.step_seconds = std::chrono::duration<double>(Clock::now() - begin).count();

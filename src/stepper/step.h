@@ -23,6 +23,11 @@ Status stagger(StepContext& ctx) noexcept;
 /// active rows changes.
 Status solve_assembled(StepContext& ctx) noexcept;
 
+/// Keep, and put back, what a solve overwrites of the state: λ and which rows are active. λ is
+/// kept bit by bit: h × the stored force would differ in its last place.
+void remember(StepContext& ctx) noexcept;
+void recall(StepContext& ctx) noexcept;
+
 /// Advance by h. The state changes only when the result is ok.
 Status step(StepContext& ctx) noexcept;
 

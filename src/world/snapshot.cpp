@@ -32,6 +32,9 @@ void visit_state(Context& ctx, std::vector<double>& inputs, F&& f) {
     array(ctx.bodies.v_fixed);
     array(ctx.bodies.spin_change);
     array(ctx.bodies.force);
+    // Forms and the floors of rigid rows were chosen at these poses.
+    array(ctx.analysed_x);
+    array(ctx.analysed_r);
     array(ctx.interactions.lambda);
     array(ctx.interactions.force);
     array(ctx.interactions.active);
@@ -56,10 +59,24 @@ std::uint64_t layout_of(const stepper::StepContext& ctx, std::size_t inputs) {
     return base::fnv1a(&inputs, sizeof inputs, h);
 }
 
+/// Analyse at the poses at which the saved world was analysed; the state stays as it is.
+void analyse_as_saved(stepper::StepContext& ctx) {
+    const auto x = ctx.bodies.x;
+    const auto r = ctx.bodies.r;
+    const auto active = ctx.interactions.active;
+    ctx.bodies.x = ctx.analysed_x;
+    ctx.bodies.r = ctx.analysed_r;
+    stepper::prepare(ctx);
+    ctx.bodies.x = x;
+    ctx.bodies.r = r;
+    ctx.interactions.active = active;
+}
+
 }  // namespace
 
 std::vector<std::byte> World::save() const {
     Impl& m = *impl_;
+    if (m.ctx.topology_changed) stepper::prepare(m.ctx);
     Header header;
     header.layout = layout_of(m.ctx, m.inputs.size());
     visit_state(m.ctx, m.input_values, [&](const void*, std::size_t n) { header.bytes += n; });
@@ -90,20 +107,26 @@ void World::restore(std::span<const std::byte> bytes) {
         throw DefError(
             "snapshot: it belongs to a world with other bodies, interactions, inputs "
             "or another step");
+    if (m.ctx.topology_changed) stepper::prepare(m.ctx);
     visit_state(m.ctx, m.input_values, [&](const void*, std::size_t n) { size += n; });
     if (header.bytes != size || bytes.size() != sizeof header + size + sizeof sum ||
         sum != base::fnv1a(bytes.data(), bytes.size() - sizeof sum))
         throw DefError("snapshot: the bytes are damaged (checksum)");
-    if (m.ctx.topology_changed) stepper::prepare(m.ctx);
+    const auto analysed_x = m.ctx.analysed_x;
+    const auto analysed_r = m.ctx.analysed_r;
     const std::byte* from = bytes.data() + sizeof header;
     visit_state(m.ctx, m.input_values, [&](void* to, std::size_t n) {
         if (n > 0) std::memcpy(to, from, n);
         from += n;
     });
+    if (m.ctx.analysed_x != analysed_x || m.ctx.analysed_r != analysed_r) analyse_as_saved(m.ctx);
     m.ctx.time = static_cast<double>(m.ctx.step) * m.ctx.def.step;
     m.ctx.stats.step = m.ctx.step;
     m.ctx.stats.time = m.ctx.time;
-    for (std::size_t i = 0; i < m.inputs.size(); ++i) m.apply_input(i, m.input_values[i]);
+    // Parameters follow their inputs; the forces on bodies have just been read as they were, which
+    // is not what an input said last if set_force() came after it.
+    for (std::size_t i = 0; i < m.inputs.size(); ++i)
+        if (m.inputs[i].interaction.valid()) m.apply_input(i, m.input_values[i]);
 }
 
 }  // namespace hawser

@@ -2,9 +2,11 @@
 #include <hawser/inspect.h>
 #include <hawser/world.h>
 
+#include "base/hash.h"
 #include "world/checks.h"
 #include "world/impl.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hawser {
@@ -81,13 +83,22 @@ InputId World::add_input(const InputDef& def) {
     if (!std::isfinite(def.min) || !std::isfinite(def.max) || def.min > def.max)
         throw DefError(where + ": the range is empty or not finite");
     double value = 0.0;
+    InputDef allowed = def;
     if (def.interaction.valid()) {
         const InteractionDef& d = interaction_def(def.interaction);
         value = d.get(def.param);
-        for (const ParamInfo& p : kind_info(d.kind).params)
-            if (def.param == p.name && !p.input)
+        for (const ParamInfo& p : kind_info(d.kind).params) {
+            if (def.param != p.name) continue;
+            if (!p.input)
                 throw DefError(where + ": parameter '" + def.param + "' of a " +
                                kind_info(d.kind).name + " cannot change between steps");
+            // An input must not reach what add_interaction() would have refused.
+            allowed.min = std::max(def.min, p.min);
+            allowed.max = std::min(def.max, p.max);
+            if (allowed.min > allowed.max)
+                throw DefError(where + ": the range lies outside that of parameter '" + def.param +
+                               "', " + std::to_string(p.min) + " … " + std::to_string(p.max));
+        }
     } else {
         const std::size_t b = index_of(def.body.index, body_count(), "body");
         if (def.component < 0 || def.component > 5)
@@ -95,7 +106,7 @@ InputId World::add_input(const InputDef& def) {
         value = m.ctx.bodies.force[6 * b + at(def.component)];
     }
     claim(m.input_names, def.name, input_count(), "input");
-    m.inputs.push_back(def);
+    m.inputs.push_back(allowed);
     m.input_values.push_back(value);
     return InputId{input_count() - 1};
 }
@@ -117,7 +128,11 @@ Energy World::energy() const noexcept {
     return stepper::energy(impl_->ctx);
 }
 
-std::uint64_t World::state_hash() const noexcept { return stepper::state_hash(impl_->ctx); }
+std::uint64_t World::state_hash() const noexcept {
+    const std::vector<double>& inputs = impl_->input_values;
+    return base::fnv1a(inputs.data(), inputs.size() * sizeof(double),
+                       stepper::state_hash(impl_->ctx));
+}
 
 int World::input_count() const noexcept { return static_cast<int>(impl_->inputs.size()); }
 const InputDef& World::input_def(InputId id) const {

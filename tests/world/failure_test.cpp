@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A step that fails returns a status and leaves the state of the last good step.
+#include "support/recipe.h"
+
+#include <gtest/gtest.h>
+
+namespace hawser::test {
+namespace {
+
+/// Largest double: the impulse h f is finite, its square is not.
+constexpr double kHuge = 1e300;
+
+TEST(FailedStep, LeavesTheStateAlone) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        const Recipe recipe = mixed(seed);
+        World w = recipe.make(), twin = recipe.make();
+        const BodyId last{w.body_count() - 2};
+        for (int i = 0; i < 5; ++i) {
+            ASSERT_EQ(w.step(), Status::ok);
+            ASSERT_EQ(twin.step(), Status::ok);
+        }
+        const BodyId moved{1};
+        const Vec3 force = recipe.bodies[1].force, torque = recipe.bodies[1].torque;
+        const auto before = w.save();
+        w.set_force(moved, {kHuge, kHuge, kHuge}, torque);
+        EXPECT_EQ(w.step(), Status::not_finite) << "body " << last.index;
+        EXPECT_EQ(w.stats().status, Status::not_finite);
+        EXPECT_EQ(w.step_count(), 5);
+        w.set_force(moved, force, torque);
+        EXPECT_EQ(w.state_hash(), twin.state_hash());
+        EXPECT_EQ(w.save(), before);
+        for (int i = 0; i < 3; ++i) {
+            ASSERT_EQ(w.step(), Status::ok);
+            ASSERT_EQ(twin.step(), Status::ok);
+        }
+        EXPECT_EQ(w.state_hash(), twin.state_hash()) << "seed " << seed;
+    }
+}
+
+TEST(FailedStep, LeavesTheStateAloneWhenItIsTheFirst) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        const Recipe recipe = mixed(seed);
+        World w = recipe.make(), twin = recipe.make();
+        w.prepare();
+        twin.prepare();
+        const Vec3 force = recipe.bodies[1].force, torque = recipe.bodies[1].torque;
+        w.set_force(BodyId{1}, {kHuge, 0, 0}, torque);
+        EXPECT_EQ(w.step(), Status::not_finite);
+        EXPECT_EQ(w.step_count(), 0);
+        w.set_force(BodyId{1}, force, torque);
+        EXPECT_EQ(w.state_hash(), twin.state_hash()) << "seed " << seed;
+        for (int i = 0; i < 3; ++i) {
+            ASSERT_EQ(w.step(), Status::ok);
+            ASSERT_EQ(twin.step(), Status::ok);
+        }
+        EXPECT_EQ(w.state_hash(), twin.state_hash())
+            << "seed " << seed << ": the first good step must still start staggered";
+    }
+}
+
+/// Two bodies on the line between two others: a bend with coinciding nodes has no direction and
+/// its Jacobian overflows.
+TEST(FailedStep, ReportsASingularModel) {
+    Recipe r;
+    const BodyId a = r.lump({0, 0, 0}, 1.0), b = r.lump({0, 0, 0}, 1.0), c = r.lump({1, 0, 0}, 1.0);
+    InteractionDef d = between(InteractionKind::Bend, {a, b, c});
+    r.add(d.set("EI", 1e3).set("length", 1.0));
+    World w = r.make();
+    const auto hash = w.state_hash();
+    w.prepare();
+    const Status status = w.step();
+    EXPECT_TRUE(status == Status::wrong_pivot || status == Status::not_finite) << to_string(status);
+    EXPECT_EQ(w.state_hash(), hash);
+    EXPECT_EQ(w.step(), status) << "and goes on saying so";
+    EXPECT_TRUE(w.pose(a).position.allFinite());
+}
+
+TEST(FailedStep, SpinTooFastForTheStepIsNoCrash) {
+    Recipe r;
+    const BodyId b = r.rigid({0, 0, 0}, Quat::Identity(), 1.0, {1, 2, 2.5});
+    r.bodies[static_cast<std::size_t>(b.index)].angular_velocity = {1e5, -1e5, 1e5};
+    World w = r.make();
+    for (int i = 0; i < 10; ++i) {
+        if (w.step() != Status::ok) break;
+    }
+    EXPECT_TRUE(w.velocity(b).angular.allFinite());
+    EXPECT_NEAR(w.pose(b).orientation.norm(), 1.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace hawser::test
