@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The kernels of every instruction set that this processor has, called one beside the other.
+#include "factor/matrices.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace hawser::test {
+namespace {
+
+struct Set {
+    const char* name;
+    bool available;
+    const factor::FactorKernels* kernels;
+};
+
+std::vector<Set> sets() {
+    __builtin_cpu_init();
+    const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") &&
+                        __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
+                        __builtin_cpu_supports("avx512bw");
+    return {{"sse2", true, &sse2::kFactorKernels},
+            {"avx2", avx2, &avx2::kFactorKernels},
+            {"avx512", avx512, &avx512::kFactorKernels}};
+}
+
+/// Factor and solve all fronts in order with one set of kernels.
+Solved solve_with(const factor::FactorKernels& kernels, const BlockMatrix& m,
+                  const factor::Symbolic& s, const Vector& b) {
+    const auto n = static_cast<std::size_t>(s.scalars);
+    base::Array<double> panel(static_cast<std::size_t>(s.panel_size), 0.0), pivot(n + 8),
+        // Garbage that must never reach a result.
+        work(static_cast<std::size_t>(s.work_size), std::nan("")), carry(s.rows.size() + 8),
+        scratch(static_cast<std::size_t>(factor::scratch_size(s.max_front)), std::nan("")),
+        x(n + 8, 0.0);
+    fill(m, s, panel.data());
+    const factor::FactorView view{s.fronts.data(), s.children.data(), s.rows.data(),
+                                  s.runs.data(),   s.sign.data(),     panel.data(),
+                                  pivot.data(),    work.data(),       carry.data()};
+    Solved out;
+    const auto count = static_cast<std::int32_t>(s.fronts.size());
+    out.wrong = kernels.factor(view, 0, count, scratch.data());
+    const Vector y = permuted(m, s, b, false);
+    std::copy(y.data(), y.data() + y.size(), x.begin());
+    kernels.forward(view, 0, count, x.data(), scratch.data());
+    kernels.backward(view, 0, count, x.data(), scratch.data());
+    out.x = permuted(m, s, Eigen::Map<const Vector>(x.data(), s.scalars), true);
+    return out;
+}
+
+TEST(InstructionSets, AgreeWithTheReferenceAndEachOther) {
+    for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+        Random random(seed);
+        const BlockMatrix m =
+            random_quasi_definite(random, random.integer(1, 45), random.uniform(0.02, 0.6));
+        const factor::Symbolic s = factor::analyse(m.pattern, factor::order_nodes(m.pattern));
+        const Vector b = random_matrix(random, m.scalars(), 1);
+        const Vector want = reference(m, b);
+        for (const Set& set : sets()) {
+            if (!set.available) continue;
+            const Solved got = solve_with(*set.kernels, m, s, b);
+            EXPECT_EQ(got.wrong, 0) << set.name << " seed " << seed;
+            // Condition about 1e3 and growth below 6e4 on 2⁻⁵³.
+            EXPECT_LE((got.x - want).norm(), 1e-9 * want.norm()) << set.name << " seed " << seed;
+        }
+    }
+}
+
+/// Every width of pivots and of updates, so that no vector remainder is missed.
+TEST(InstructionSets, EveryFrontShape) {
+    for (int p = 1; p <= 20; ++p)
+        for (int q = 0; q <= 18; q += 1 + q / 6) {
+            Random random(static_cast<std::uint64_t>(100 * p + q + 1));
+            std::vector<std::int8_t> size, sign;
+            std::vector<std::pair<int, int>> edges;
+            const int nodes = p + q;  // one scalar each, all coupled: any split into fronts
+            for (int i = 0; i < nodes; ++i) {
+                size.push_back(1);
+                sign.push_back(random.chance(0.5) ? 1 : -1);
+                for (int j = 0; j < i; ++j)
+                    if (i < p || j >= p || (i + j) % 3 != 0) edges.emplace_back(i, j);
+            }
+            BlockMatrix m = make_blocks(size, sign, edges);
+            for (int i = 0; i < nodes; ++i)
+                m.dense(i, i) = 40.0 * sign[static_cast<std::size_t>(i)];
+            for (const auto& [i, j] : edges) m.dense(i, j) = m.dense(j, i) = random.uniform(-1, 1);
+            std::vector<std::int32_t> order(static_cast<std::size_t>(nodes));
+            for (int i = 0; i < nodes; ++i) order[static_cast<std::size_t>(i)] = i;
+            const factor::Symbolic s = factor::analyse(m.pattern, order);
+            const Vector b = random_matrix(random, m.scalars(), 1), want = reference(m, b);
+            for (const Set& set : sets()) {
+                if (!set.available) continue;
+                const Solved got = solve_with(*set.kernels, m, s, b);
+                EXPECT_EQ(got.wrong, 0) << set.name << " p " << p << " q " << q;
+                // Diagonally dominant: a few units in the last place.
+                EXPECT_LE((got.x - want).norm(), 1e-13 * want.norm())
+                    << set.name << " p " << p << " q " << q;
+            }
+        }
+}
+
+TEST(InstructionSets, AllCountWrongPivots) {
+    Random random(3);
+    BlockMatrix m = random_quasi_definite(random, 20, 0.2);
+    for (double bad : {std::nan(""), HUGE_VAL, 0.0}) {
+        BlockMatrix broken = m;
+        broken.dense.row(4).setZero();
+        broken.dense.col(4).setZero();
+        broken.dense(4, 4) = bad;
+        const factor::Symbolic s =
+            factor::analyse(broken.pattern, factor::order_nodes(broken.pattern));
+        for (const Set& set : sets()) {
+            if (!set.available) continue;
+            EXPECT_GT(solve_with(*set.kernels, broken, s, Vector::Ones(m.scalars())).wrong, 0)
+                << set.name << " " << bad;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace hawser::test
