@@ -103,13 +103,50 @@ inline void update_columns(double* c, long ldc, const double* l, const double* w
     }
 }
 
-/// Symmetric update of the columns [begin, end) of a matrix whose row r lies at l + r.
+/// Symmetric update of the columns [begin, end) of a matrix whose row r lies at l + r. The last
+/// columns go together, however many: a column alone waits for its own chain of sums.
 inline void update_block(double* c, long ldc, const double* l, const double* w, long ld, int depth,
                          int begin, int end, int rows) {
     int j = begin;
-    for (; j + 4 <= end; j += 4)
-        update_columns<4>(c + j * ldc, ldc, l, w + j, ld, depth, j & ~7, rows);
-    for (; j < end; ++j) update_columns<1>(c + j * ldc, ldc, l, w + j, ld, depth, j & ~7, rows);
+    auto columns = [&]<int N>() {
+        update_columns<N>(c + j * ldc, ldc, l, w + j, ld, depth, j & ~7, rows);
+        j += N;
+    };
+    while (end - j >= 8) columns.template operator()<8>();
+    switch (end - j) {
+        case 7:
+            columns.template operator()<7>();
+            break;
+        case 6:
+            columns.template operator()<6>();
+            break;
+        case 5:
+            columns.template operator()<5>();
+            break;
+        case 4:
+            columns.template operator()<4>();
+            break;
+        case 3:
+            columns.template operator()<3>();
+            break;
+        case 2:
+            columns.template operator()<2>();
+            break;
+        case 1:
+            columns.template operator()<1>();
+            break;
+        default:
+            break;
+    }
+}
+
+/// to[0..n) += from[0..n). Whole vectors while they end before to + room: their surplus lanes
+/// add zero to entries of the same column.
+inline void add_run(double* to, const double* from, int n, int room) {
+    int i = 0;
+    for (; i < n && i + 8 <= room; i += 8)
+        store(to + i, load(to + i) + first_lanes(load(from + i), n - i));
+    for (; i < n; ++i) to[i] += from[i];
 }
 
 /// Add a child's update matrix into the front.
@@ -121,13 +158,14 @@ inline void extend_add(const FactorView& view, const Front& child, const Front& 
         for (int c = 0; c < run->length; ++c) {
             const double* source = u + static_cast<long>(run->from + c) * child.ldu;
             const int column = run->to + c;
+            const bool pivot = column < front.p;
+            const int height = pivot ? front.ld : front.p + front.ldu;
             double* target =
-                column < front.p
-                    ? panel + static_cast<long>(column) * front.ld
-                    : update + static_cast<long>(column - front.p) * front.ldu - front.p;
-            for (int i = c; i < run->length; ++i) target[run->to + i] += source[run->from + i];
+                pivot ? panel + static_cast<long>(column) * front.ld
+                      : update + static_cast<long>(column - front.p) * front.ldu - front.p;
+            add_run(target + column, source + run->from + c, run->length - c, height - column);
             for (const Run* r = run + 1; r != end; ++r)
-                for (int i = 0; i < r->length; ++i) target[r->to + i] += source[r->from + i];
+                add_run(target + r->to, source + r->from, r->length, height - r->to);
         }
     }
 }
