@@ -15,14 +15,14 @@ using Result = std::optional<Problem>;
 
 constexpr std::size_t kMaxText = 4096;
 
-Result wrong(std::string message) { return Problem{"", std::move(message)}; }
+Problem wrong(std::string message) { return {"", std::move(message)}; }
 
 Result expected(const Shape& shape, const Json& value) {
     return wrong("expected " + shape.what + ", found " + describe(value));
 }
 
-Result at(std::string token, Result inner) {
-    inner->path = std::move(token) + inner->path;
+Problem at(const std::string& token, Problem inner) {
+    inner.path.insert(0, token);
     return inner;
 }
 
@@ -87,7 +87,7 @@ Result list_problem(const Json& value, const Shape& shape, bool placeholders) {
     }
     for (std::size_t i = 0; i < value.size(); ++i) {
         if (auto problem = find_problem(value[i], *shape.item, placeholders)) {
-            return at(fmt::format("/{}", i), std::move(problem));
+            return at(fmt::format("/{}", i), std::move(*problem));
         }
     }
     return {};
@@ -126,7 +126,7 @@ Result object_problem(const Json& value, const Shape& shape, bool placeholders) 
                       wrong(shape.what + " has no key " + in_quotes(key) + suggestion(key, known)));
         }
         if (auto problem = find_problem(entry, *field->shape, placeholders)) {
-            return at(pointer_token(key), std::move(problem));
+            return at(pointer_token(key), std::move(*problem));
         }
     }
     for (const Field& field : shape.fields) {
@@ -147,7 +147,7 @@ Result map_problem(const Json& value, const Shape& shape, bool placeholders) {
             return at(pointer_token(key), wrong("a key must have 1 to 4096 bytes"));
         }
         if (auto problem = find_problem(entry, *shape.item, placeholders)) {
-            return at(pointer_token(key), std::move(problem));
+            return at(pointer_token(key), std::move(*problem));
         }
     }
     return {};
