@@ -39,9 +39,15 @@ void cover_segment(Coverage& c, Point a, Point b, double half) {
     const double dx = b.x - a.x, dy = b.y - a.y;
     const double length2 = dx * dx + dy * dy;
     const double reach = half + 1.0;
-    const int y_first = std::max(c.y, static_cast<int>(std::floor(std::min(a.y, b.y) - reach)));
-    const int y_last =
-        std::min(c.y + c.height - 1, static_cast<int>(std::ceil(std::max(a.y, b.y) + reach)));
+    // Clamped as numbers: coordinates far outside the picture do not fit an int.
+    const auto row_of = [&](double y) {
+        return static_cast<int>(std::clamp(y, c.y - 1.0, static_cast<double>(c.y + c.height)));
+    };
+    const auto column_of = [&](double x) {
+        return static_cast<int>(std::clamp(x, c.x - 1.0, static_cast<double>(c.x + c.width)));
+    };
+    const int y_first = std::max(c.y, row_of(std::floor(std::min(a.y, b.y) - reach)));
+    const int y_last = std::min(c.y + c.height - 1, row_of(std::ceil(std::max(a.y, b.y) + reach)));
     for (int y = y_first; y <= y_last; ++y) {
         const double py = y + 0.5;
         double from = std::min(a.x, b.x) - reach, to = std::max(a.x, b.x) + reach;
@@ -52,8 +58,8 @@ void cover_segment(Coverage& c, Point a, Point b, double half) {
             from = std::max(from, at - across);
             to = std::min(to, at + across);
         }
-        const int x_first = std::max(c.x, static_cast<int>(std::floor(from)));
-        const int x_last = std::min(c.x + c.width - 1, static_cast<int>(std::ceil(to)));
+        const int x_first = std::max(c.x, column_of(std::floor(from)));
+        const int x_last = std::min(c.x + c.width - 1, column_of(std::ceil(to)));
         float* row = c.value.data() + static_cast<std::ptrdiff_t>(y - c.y) * c.width;
         for (int x = x_first; x <= x_last; ++x) {
             const double rx = x + 0.5 - a.x, ry = py - a.y;
@@ -130,7 +136,12 @@ Coverage cover_polygons(const std::vector<Polyline>& contours, int limit_x, int 
 std::vector<Polyline> cut_dashes(const Polyline& line, const std::vector<double>& dash) {
     double period = 0.0;
     for (const double d : dash) period += std::max(0.0, d);
-    if (line.size() < 2 || !(period > 0.0)) return {line};
+    // A line of absurd length would be cut for ever; nobody sees its dashes either.
+    constexpr double kMostPeriods = 1e5;
+    double length_all = 0.0;
+    for (std::size_t i = 1; i < line.size(); ++i)
+        length_all += std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
+    if (line.size() < 2 || !(period > 0.0) || !(length_all < kMostPeriods * period)) return {line};
     std::vector<Polyline> out;
     std::size_t which = 0;
     double left = dash[0];

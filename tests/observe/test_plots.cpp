@@ -10,6 +10,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace hawser::test {
 
@@ -164,6 +165,20 @@ TEST(Raster, FillsAndStrokesCoverTheRightPixels) {
     half.box({0, 0, 1.5, 4}, {0, 0, 0, 255});
     const observe::Image soft = observe::rasterise(half, 1.0);
     EXPECT_NEAR(soft.rgb[3], 128, 1);
+}
+
+// Damaged recordings hold any number; pictures of them must end and stay inside.
+TEST(Raster, AbsurdCoordinatesAreHarmless) {
+    Drawing drawing{.width = 20, .height = 20};
+    for (const double far : {1e6, 1e30, 1e300, -1e300, HUGE_VAL, -HUGE_VAL, std::nan("")}) {
+        drawing.line({10, 10}, {far, 10}, {0, 0, 0, 255}, 2.0, {3.0, 2.0});
+        drawing.line({far, far}, {-far, 10}, {0, 0, 0, 255}, 2.0);
+        drawing.add(observe::Path{
+            .points = {{0, 0}, {far, 0}, {far, far}}, .fill = {0, 0, 0, 40}, .closed = true});
+    }
+    const observe::Image image = observe::rasterise(drawing, 1.0);
+    EXPECT_EQ(image.rgb.size(), 1200u);
+    EXPECT_NO_THROW(XmlReader(observe::to_svg(drawing)).read());
 }
 
 TEST(Raster, TextIsDrawnWhereItIsPut) {
