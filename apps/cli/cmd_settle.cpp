@@ -139,6 +139,7 @@ class Settler {
         while (world.time() < duration && quiet < kQuietTime) {
             if (stop_requested()) return kInterrupted;
             if (step_ >= steps) {
+                progress.close();
                 fmt::print(stderr,
                            "hawser: not settled after {:.6g} s: {} still moves at {:.3g} "
                            "m/s\n",
@@ -146,6 +147,7 @@ class Settler {
                 return kFailed;
             }
             if (const Status status = world.step(); status != Status::ok) {
+                progress.close();
                 fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}\n", time(),
                            to_string(status));
                 return kFailed;

@@ -16,8 +16,8 @@ constexpr double kLabelSize = 13.0;
 
 void Axes::draw(Drawing& drawing) const {
     const std::vector<double> xs = ticks(x, x_ticks), ys = ticks(y, y_ticks);
-    const double x_step = xs.size() > 1 ? xs[1] - xs[0] : x.span();
-    const double y_step = ys.size() > 1 ? ys[1] - ys[0] : y.span();
+    const double x_step = xs.size() > 1 ? xs[1] - xs[0] : std::abs(x.span());
+    const double y_step = ys.size() > 1 ? ys[1] - ys[0] : std::abs(y.span());
     for (const double v : xs) {
         const double px = at(v, y.low).x;
         drawing.line({px, frame.y}, {px, frame.bottom()}, kGrid);

@@ -62,6 +62,12 @@ void draw_cable_names(Drawing& drawing, const Axes& axes, const View& view,
         if (cable.nodes.size() < 3) continue;
         const auto node = static_cast<std::size_t>(cable.nodes[cable.nodes.size() / 2]);
         const Point at = project(axes, view, frame.poses[node].position);
+        const Point from = project(
+            axes, view, frame.poses[static_cast<std::size_t>(cable.nodes.front())].position);
+        const Point to =
+            project(axes, view, frame.poses[static_cast<std::size_t>(cable.nodes.back())].position);
+        if (std::hypot(to.x - from.x, to.y - from.y) < text_width(cable.name, 11.0) + 20.0)
+            continue;  // The name would hide the cable.
         drawing.add(Text{.at = {at.x, at.y - 6},
                          .text = cable.name,
                          .size = 11.0,
