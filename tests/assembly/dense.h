@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file dense.h
+/// The step's equations written down naively and densely, from the definitions, as the reference
+/// for the assembly: [M̃ Gᵀ; G −Σ][v₊; −λ] = [a; c].
+#define HAWSER_KIND_SETUP
+#include "model/kinds/all.h"
+#include "support/recipe.h"
+
+#include <Eigen/Dense>
+
+#include <cmath>
+
+namespace hawser::test {
+
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+
+struct DenseStep {
+    Matrix mass;       ///< M + h D.
+    Matrix geometric;  ///< (h²/4) K_g.
+    Matrix damping;    ///< h C.
+    Matrix g;          ///< G, all rows of all interactions.
+    Vector sigma, c;
+    Vector a;  ///< Without the rotation of rigid bodies, whose gyroscopic part is the stepper's.
+    Vector couple_fixed;  ///< Geometric stiffness times prescribed velocities.
+    [[nodiscard]] Matrix tilde() const { return mass + geometric + damping; }
+};
+
+inline Mat3 skew(const Vec3& r) {
+    Mat3 m;
+    m << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
+    return m;
+}
+
+/// Largest positive semi-definite part of a symmetric matrix.
+inline Mat3 projected(const Mat3& k) {
+    const Eigen::SelfAdjointEigenSolver<Mat3> s(0.5 * (k + k.transpose()));
+    return s.eigenvectors() * s.eigenvalues().cwiseMax(0.0).asDiagonal() *
+           s.eigenvectors().transpose();
+}
+
+/// What one interaction needs to be written down.
+struct SlotState {
+    int dof[kMaxInteractionBodies], at[kMaxInteractionBodies];
+    Vec3 arm[kMaxInteractionBodies], lin[kMaxInteractionBodies], ang[kMaxInteractionBodies];
+    double g[kMaxInteractionRows], j[kMaxInteractionBodies][kMaxInteractionRows][6];
+    generic::Geometry geometry;
+    double length;
+};
+
+inline SlotState slot_state(const stepper::StepContext& ctx, int id) {
+    const model::Bodies& b = ctx.bodies;
+    const InteractionDef& def = ctx.interactions.def[static_cast<std::size_t>(id)];
+    SlotState s{};
+    generic::with_kind(def.kind, [&]<class K>() {
+        const typename K::Data data = K::make(def);
+        generic::BodyRef refs[K::kBodies];
+        for (int k = 0; k < K::kBodies; ++k) {
+            const auto i = static_cast<std::size_t>(def.body[static_cast<std::size_t>(k)].index);
+            const int dof = b.dof(static_cast<int>(i));
+            refs[k] = {generic::load3(&b.x[3 * i]), &b.r[9 * i], dof == 6 || dof == 0};
+            s.dof[k] = dof;
+            s.at[k] = b.dof_begin[i];
+            const Vec3 p = def.point[static_cast<std::size_t>(k)];
+            const generic::V3 arm = refs[k].arm(p.data());
+            s.arm[k] = {arm.x, arm.y, arm.z};
+            const double* v =
+                dof == 0 ? &b.v_fixed[6 * i] : &b.v[static_cast<std::size_t>(s.at[k])];
+            s.lin[k] = dof == 1 ? Vec3::Zero() : Vec3(v[0], v[1], v[2]);
+            s.ang[k] = dof == 6 || dof == 0 ? Vec3(v[3], v[4], v[5]) : Vec3::Zero();
+        }
+        generic::Rows<K::kBodies, K::kRows> rows;
+        K::evaluate(data, refs, rows);
+        for (int r = 0; r < K::kRows; ++r) {
+            s.g[r] = rows.g[r];
+            for (int k = 0; k < K::kBodies; ++k)
+                for (int i = 0; i < 6; ++i) s.j[k][r][i] = rows.J[k][r][i];
+        }
+        s.geometry = K::kGeometry;
+        const generic::V3 u = refs[K::kBodies > 1 ? 1 : 0].x - refs[0].x;
+        s.length = (Vec3(u.x, u.y, u.z) + s.arm[1] - s.arm[0]).norm();
+    });
+    return s;
+}
+
+/// K, a 12 × 12 matrix on the twists of slots 0 and 1, into the packed system.
+inline void scatter(const SlotState& s, const Matrix& k, Matrix& into, Vector& fixed) {
+    for (int p = 0; p < 2; ++p)
+        for (int q = 0; q < 2; ++q) {
+            const int np = s.dof[p], nq = s.dof[q];
+            if (np == 0) continue;
+            if (nq > 0) {
+                into.block(s.at[p], s.at[q], np, nq) += k.block(6 * p, 6 * q, np, nq);
+            } else {
+                Vector u(6);
+                u << s.lin[q], s.ang[q];
+                fixed.segment(s.at[p], np) += k.block(6 * p, 6 * q, np, 6) * u;
+            }
+        }
+}
+
+inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotState& s,
+                         DenseStep& out) {
+    if (s.geometry == generic::Geometry::none) return;
+    const double h = ctx.def.step, quarter = 0.25 * h * h * ctx.def.geometric_stiffness;
+    const auto row =
+        static_cast<std::size_t>(ctx.interactions.row_begin[static_cast<std::size_t>(id)]);
+    const double* lambda = &ctx.interactions.lambda[row];
+    Matrix k = Matrix::Zero(12, 12), c = Matrix::Zero(12, 12);
+    Vec3 f1;
+    if (s.geometry == generic::Geometry::line) {
+        const double tension = -lambda[0] / h;
+        if (tension <= 0.0) return;
+        const Vec3 u(s.j[1][0][0], s.j[1][0][1], s.j[1][0][2]);
+        Matrix rel(3, 12);  // velocity of point 0 minus that of point 1
+        rel << Mat3::Identity(), -skew(s.arm[0]), -Mat3::Identity(), skew(s.arm[1]);
+        k = rel.transpose() * (tension / s.length * (Mat3::Identity() - u * u.transpose())) * rel;
+        f1 = -tension * u;
+    } else {
+        f1 = Vec3(lambda[0], lambda[1], lambda[2]) / h;
+        if (s.dof[0] == 6 && s.dof[1] == 6) {
+            const double cc = ctx.def.rotation_damping * h * f1.norm() *
+                              std::min(s.arm[0].norm(), s.arm[1].norm());
+            c.block(3, 3, 3, 3) = c.block(9, 9, 3, 3) = cc * Mat3::Identity();
+            c.block(3, 9, 3, 3) = c.block(9, 3, 3, 3) = -cc * Mat3::Identity();
+        }
+    }
+    for (int b = 0; b < 2; ++b) {
+        if (s.dof[b] != 6) continue;
+        const Vec3 f = b == 0 ? Vec3(-f1) : f1, r = s.arm[b];
+        k.block(6 * b + 3, 6 * b + 3, 3, 3) +=
+            projected(f.dot(r) * Mat3::Identity() - r * f.transpose());
+    }
+    scatter(s, quarter * k, out.geometric, out.couple_fixed);
+    // Joints damp between two rigid bodies only, so nothing couples to a prescribed velocity.
+    scatter(s, h * c, out.damping, out.couple_fixed);
+}
+
+inline void add_bodies(const stepper::StepContext& ctx, DenseStep& out) {
+    const model::Bodies& b = ctx.bodies;
+    const double h = ctx.def.step;
+    for (std::int32_t body : b.moving) {
+        const auto i = static_cast<std::size_t>(body);
+        const int at = b.dof_begin[i], dof = b.dof(body);
+        Matrix m = b.mass[i] * Matrix::Identity(dof, dof), d = Matrix::Zero(dof, dof);
+        const Mat3 r =
+            Quat(b.q[4 * i], b.q[4 * i + 1], b.q[4 * i + 2], b.q[4 * i + 3]).toRotationMatrix();
+        auto vec = [&](const base::Array<double>& a, std::size_t k) {
+            return Vec3(a[k], a[k + 1], a[k + 2]);
+        };
+        if (dof == 1) d(0, 0) = b.damping[6 * i];
+        if (dof >= 3) d.block(0, 0, 3, 3) = r * vec(b.damping, 6 * i).asDiagonal() * r.transpose();
+        if (dof == 6) {
+            Mat3 inertia;
+            for (std::size_t k = 0; k < 9; ++k)
+                inertia(static_cast<int>(k / 3), static_cast<int>(k % 3)) = b.inertia[9 * i + k];
+            m.block(3, 3, 3, 3) = r * inertia * r.transpose();
+            d.block(3, 3, 3, 3) = r * vec(b.damping, 6 * i + 3).asDiagonal() * r.transpose();
+        }
+        out.mass.block(at, at, dof, dof) = m + h * d;
+        for (int k = 0; k < dof && k < 3; ++k) {
+            const auto force = 6 * i + static_cast<std::size_t>(k);
+            const double weight = dof > 1 && b.weight[i] ? ctx.def.gravity[k] : 0.0;
+            out.a[at + k] = b.mass[i] * (b.v[static_cast<std::size_t>(at + k)] + h * weight) +
+                            h * b.force[force];
+        }
+    }
+}
+
+/// The equations at the present state.
+inline DenseStep dense_step(const stepper::StepContext& ctx) {
+    const int n = ctx.bodies.dofs, rows = ctx.interactions.row_count;
+    const double h = ctx.def.step;
+    DenseStep out{Matrix::Zero(n, n), Matrix::Zero(n, n), Matrix::Zero(n, n), Matrix::Zero(rows, n),
+                  Vector::Zero(rows), Vector::Zero(rows), Vector::Zero(n),    Vector::Zero(n)};
+    add_bodies(ctx, out);
+    const model::Interactions& in = ctx.interactions;
+    const Eigen::Map<const Vector> v(ctx.bodies.v.data(), n);
+    for (int id = 0; id < in.count(); ++id) {
+        const auto i = static_cast<std::size_t>(id);
+        const SlotState s = slot_state(ctx, id);
+        const KindInfo& info = kind_info(in.def[i].kind);
+        const bool range = std::string_view(info.name).ends_with("_range");
+        // Inside its range, or a slack line (part of the state): no rows, a diagonal alone.
+        const bool idle = range ? s.g[0] == 0.0 : in.active[i] == 0.0;
+        for (int r = 0; r < info.rows; ++r) {
+            const int row = in.row_begin[i] + r;
+            const double e = in.def[i].compliance[static_cast<std::size_t>(r)];
+            const double tau = in.def[i].damping_time[static_cast<std::size_t>(r)];
+            const double ups = 1.0 / (1.0 + 4.0 * tau / h);
+            const bool velocity = info.row_units[r] == 'v';
+            out.sigma[row] = velocity ? e / h : 4.0 * e * ups / (h * h);
+            if (idle) continue;
+            double prescribed = 0.0;
+            for (int b = 0; b < info.bodies; ++b)
+                for (int j = 0; j < 6; ++j) {
+                    if (j < s.dof[b]) out.g(row, s.at[b] + j) += s.j[b][r][j];
+                    if (s.dof[b] == 0)
+                        prescribed += s.j[b][r][j] * (j < 3 ? s.lin[b][j] : s.ang[b][j - 3]);
+                }
+            out.c[row] = velocity ? s.g[r] - prescribed
+                                  : ups * (out.g.row(row) * v + prescribed) -
+                                        4.0 / h * ups * s.g[r] - prescribed;
+        }
+        if (!idle) add_geometry(ctx, id, s, out);
+    }
+    out.a += out.geometric * v - out.damping * v + out.couple_fixed;
+    return out;
+}
+
+}  // namespace hawser::test

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Condensed, saddle and automatic form are pivot orders of one matrix: the same v₊.
+#include "support/recipe.h"
+
+#include <gtest/gtest.h>
+
+namespace hawser::test {
+namespace {
+
+/// Largest difference of the velocities over the largest velocity.
+double difference(const World& a, const World& b) {
+    double most = 0.0, apart = 0.0;
+    for (int i = 0; i < a.body_count(); ++i) {
+        const Twist p = a.velocity(BodyId{i}), q = b.velocity(BodyId{i});
+        most = std::max({most, p.linear.cwiseAbs().maxCoeff(), p.angular.cwiseAbs().maxCoeff()});
+        apart = std::max({apart, (p.linear - q.linear).cwiseAbs().maxCoeff(),
+                          (p.angular - q.angular).cwiseAbs().maxCoeff()});
+    }
+    return apart / most;
+}
+
+void expect_same(const Recipe& recipe, int steps) {
+    WorldDef def = recipe.world;
+    def.form = Form::automatic;
+    World automatic = recipe.make(def);
+    def.form = Form::saddle;
+    World saddle = recipe.make(def);
+    def.form = Form::condensed;
+    World condensed = recipe.make(def);
+    for (int i = 0; i < steps; ++i) {
+        // From the same state each time: what is compared is one step, not its echo.
+        const auto state = automatic.save();
+        saddle.restore(state);
+        condensed.restore(state);
+        ASSERT_EQ(automatic.step(), Status::ok);
+        ASSERT_EQ(saddle.step(), Status::ok);
+        ASSERT_EQ(condensed.step(), Status::ok);
+        EXPECT_LE(difference(saddle, automatic), 1e-12) << "automatic, step " << i;
+        EXPECT_LE(difference(saddle, condensed), 1e-12) << "condensed, step " << i;
+    }
+}
+
+TEST(Forms, AgreeOnMixedScenes) {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        SCOPED_TRACE(seed);
+        expect_same(mixed(seed, 3 + static_cast<int>(seed)), 8);
+    }
+}
+
+TEST(Forms, AgreeOnAChainWithAHeavyEnd) {
+    Recipe r = link_chain(20);
+    BodyDef& hook = r.bodies.back();
+    hook.mass *= 1e4;
+    hook.inertia *= 1e4;
+    expect_same(r, 5);
+}
+
+TEST(Forms, AgreeOnAWire) { expect_same(wire(30), 10); }
+
+TEST(Forms, AgreeOnRedundantRows) {
+    // A closed loop: four hinges of a plane four-bar, three rows too many.
+    Recipe r;
+    const BodyId g = r.ground();
+    const Vec3 corner[4] = {{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}};
+    BodyId link[3];
+    for (int i = 0; i < 3; ++i)
+        link[i] = r.rigid(0.5 * (corner[i] + corner[i + 1]), Quat::Identity(), 2.0, {.2, .2, .2});
+    const Quat axis(Eigen::AngleAxisd(EIGEN_PI / 2, Vec3::UnitX()));  // z along −y
+    const BodyId chain[5] = {g, link[0], link[1], link[2], g};
+    for (int i = 0; i < 4; ++i)
+        r.add(r.at(InteractionKind::Hinge, {chain[i], chain[i + 1]}, corner[i], axis));
+    r.bodies[1].velocity = {0.5, 0, 0};
+    expect_same(r, 5);
+}
+
+}  // namespace
+}  // namespace hawser::test

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The assembled blocks, right-hand sides and solution against the dense equations.
+#include "assembly/dense.h"
+#include "assembly/geo.h"
+#include "stepper/stages.h"
+
+#include <gtest/gtest.h>
+
+namespace hawser::test {
+namespace {
+
+using stepper::StepContext;
+
+/// The matrix in the panels, in the permuted order.
+Matrix assembled(const assembly::System& s, const double* panel) {
+    Matrix k = Matrix::Zero(s.symbolic.scalars, s.symbolic.scalars);
+    auto get = [&](int row, int column) {
+        const factor::BlockTarget t = s.symbolic.target(row, column);
+        const auto r = static_cast<std::size_t>(row), c = static_cast<std::size_t>(column);
+        for (int j = 0; j < s.pattern.size[c]; ++j)
+            for (int i = row == column ? j : 0; i < s.pattern.size[r]; ++i) {
+                const int a = s.symbolic.node_offset[r] + i, b = s.symbolic.node_offset[c] + j;
+                k(a, b) = k(b, a) = panel[t.address + static_cast<std::int64_t>(j) * t.ld + i];
+            }
+    };
+    for (int n = 0; n < s.pattern.nodes(); ++n) {
+        get(n, n);
+        for (std::int32_t m : s.pattern.neighbours(n))
+            if (s.symbolic.position[static_cast<std::size_t>(m)] <
+                s.symbolic.position[static_cast<std::size_t>(n)])
+                get(n, m);
+    }
+    return k;
+}
+
+/// The same matrix from the dense equations: condensed rows eliminated, kept rows bordered.
+Matrix expected(const StepContext& ctx, const DenseStep& d) {
+    const assembly::System& s = ctx.system;
+    const model::Interactions& in = ctx.interactions;
+    const int n = ctx.bodies.dofs, size = s.symbolic.scalars;
+    Matrix body = d.tilde();
+    Matrix select = Matrix::Zero(size, n);  // permuted scalar of each velocity
+    for (std::int32_t b : ctx.bodies.moving) {
+        const auto i = static_cast<std::size_t>(b);
+        for (int k = 0; k < ctx.bodies.dof(b); ++k)
+            select(s.symbolic.node_offset[static_cast<std::size_t>(s.node_of_body[i])] + k,
+                   ctx.bodies.dof_begin[i] + k) = 1.0;
+    }
+    Matrix kept = Matrix::Zero(size, n), sigma = Matrix::Zero(size, size);
+    for (int id = 0; id < in.count(); ++id) {
+        const auto i = static_cast<std::size_t>(id);
+        for (int r = 0; r < in.rows[i]; ++r) {
+            const int row = in.row_begin[i] + r;
+            if (s.node_of_interaction[i] < 0) {
+                body += d.g.row(row).transpose() * d.g.row(row) / d.sigma[row];
+                continue;
+            }
+            const auto node = static_cast<std::size_t>(s.node_of_interaction[i]);
+            const int at = s.symbolic.node_offset[node] + r;
+            kept.row(at) = d.g.row(row);
+            sigma(at, at) = -d.sigma[row];
+        }
+    }
+    return select * body * select.transpose() + kept * select.transpose() +
+           select * kept.transpose() + sigma;
+}
+
+class Seeds : public testing::TestWithParam<std::tuple<int, Form>> {
+  protected:
+    /// A mixed scene some steps from its start, so that every term is alive.
+    std::unique_ptr<StepContext> context() const {
+        Recipe r = mixed(static_cast<std::uint64_t>(std::get<0>(GetParam())), 8);
+        r.world.form = std::get<1>(GetParam());
+        auto ctx = r.context();
+        for (int i = 0; i < 4; ++i) EXPECT_EQ(stepper::step(*ctx), Status::ok);
+        return ctx;
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Mixed, Seeds,
+                         testing::Combine(testing::Range(1, 7),
+                                          testing::Values(Form::automatic, Form::saddle,
+                                                          Form::condensed)));
+
+TEST_P(Seeds, BlocksEqualTheDenseMatrix) {
+    auto ctx = context();
+    stepper::assemble_rows(*ctx);
+    const DenseStep d = dense_step(*ctx);
+    stepper::assemble_blocks(*ctx);
+    const Matrix got = assembled(ctx->system, ctx->system.numeric.values());
+    const Matrix want = expected(*ctx, d);
+    ASSERT_EQ(got.rows(), want.rows());
+    // The diagonal of a block row bounds what is summed into it; 1e-11 of that is rounding of
+    // sums of up to a few hundred terms and of the projection's eigenvectors.
+    for (Eigen::Index i = 0; i < got.rows(); ++i)
+        for (Eigen::Index j = 0; j < got.cols(); ++j) {
+            const double scale = std::sqrt(std::abs(want(i, i) * want(j, j)));
+            ASSERT_NEAR(got(i, j), want(i, j), 1e-11 * scale + 1e-13) << i << " " << j;
+        }
+}
+
+TEST_P(Seeds, RightHandSidesEqualTheDenseOnes) {
+    auto ctx = context();
+    stepper::assemble_rows(*ctx);
+    const DenseStep d = dense_step(*ctx);
+    const assembly::View v = stepper::view(*ctx);
+    for (int r = 0; r < ctx->interactions.row_count; ++r) {
+        const auto k = static_cast<std::size_t>(r);
+        if (d.g.row(r).isZero(0.0)) continue;  // a range at rest
+        EXPECT_NEAR(v.c[r], d.c[r], 1e-11 * (1.0 + std::abs(d.c[r]))) << "row " << r;
+        EXPECT_NEAR(ctx->interactions.sigma[k], d.sigma[r], 1e-12 * d.sigma[r]) << "row " << r;
+    }
+    const double scale = d.a.cwiseAbs().maxCoeff();
+    for (std::int32_t b : ctx->bodies.moving) {
+        const int at = ctx->bodies.dof_begin[static_cast<std::size_t>(b)];
+        for (int k = 0; k < ctx->bodies.dof(b) && k < 3; ++k)
+            EXPECT_NEAR(v.a[at + k], d.a[at + k], 1e-12 * scale) << "body " << b;
+    }
+}
+
+/// Solved densely in long double with the stepper's own a: v₊ and λ.
+TEST_P(Seeds, SolutionSolvesTheDenseEquations) {
+    auto ctx = context();
+    stepper::assemble_rows(*ctx);
+    const DenseStep d = dense_step(*ctx);
+    const int n = ctx->bodies.dofs, rows = ctx->interactions.row_count;
+    const assembly::View view = stepper::view(*ctx);
+    const Vector a = Eigen::Map<const Vector>(view.a, n) - d.couple_fixed;
+    stepper::assemble_blocks(*ctx);
+    ASSERT_EQ(stepper::factor_and_solve(*ctx), Status::ok);
+
+    LongMatrix k = LongMatrix::Zero(n + rows, n + rows);
+    k.topLeftCorner(n, n) = d.tilde().cast<long double>();
+    k.bottomLeftCorner(rows, n) = d.g.cast<long double>();
+    k.topRightCorner(n, rows) = d.g.transpose().cast<long double>();
+    LongVector b(n + rows);
+    b << a.cast<long double>(), d.c.cast<long double>();
+    for (int r = 0; r < rows; ++r) {
+        k(n + r, n + r) = -static_cast<long double>(d.sigma[r]);
+        if (d.g.row(r).isZero(0.0)) b[n + r] = 0.0L;  // idle
+    }
+    const LongVector x = Eigen::FullPivLU<LongMatrix>(k).solve(b);
+    const Vector want = x.head(n).cast<double>();
+    const Vector got = Eigen::Map<const Vector>(view.v_new, n);
+    // One refinement on the saddle residual in double: 1e-12 of the largest velocity.
+    EXPECT_LE((got - want).cwiseAbs().maxCoeff(), 1e-12 * want.cwiseAbs().maxCoeff());
+    const Vector lambda = -x.tail(rows).cast<double>();
+    const Vector have = Eigen::Map<const Vector>(view.lambda, rows);
+    // λ of rows as stiff as 1e-12 m/N: the velocities' rounding over Σ ≈ 1e-9.
+    EXPECT_LE((have - lambda).cwiseAbs().maxCoeff(), 1e-6 * lambda.cwiseAbs().maxCoeff());
+
+    // The matrix-free residual is that of the dense equations.
+    const Vector residual = a - d.tilde() * got + d.g.transpose() * have;
+    const double scale = a.cwiseAbs().maxCoeff();
+    for (int i = 0; i < n; ++i) EXPECT_NEAR(view.momentum[i], residual[i], 1e-11 * scale);
+    EXPECT_LE(ctx->stats.momentum_residual, 1e-10);
+}
+
+TEST_P(Seeds, GeometricStiffnessIsSymmetricAndPositive) {
+    auto ctx = context();
+    stepper::assemble_rows(*ctx);
+    const DenseStep d = dense_step(*ctx);
+    for (const Matrix* k : {&d.geometric, &d.damping}) {
+        EXPECT_LE((*k - k->transpose()).cwiseAbs().maxCoeff(),
+                  1e-15 * (1 + k->cwiseAbs().maxCoeff()));
+        const Eigen::SelfAdjointEigenSolver<Matrix> e(*k, Eigen::EigenvaluesOnly);
+        EXPECT_GE(e.eigenvalues().minCoeff(), -1e-14 * (1e-3 + k->cwiseAbs().maxCoeff()));
+    }
+    EXPECT_GT(d.geometric.cwiseAbs().maxCoeff(), 0.0) << "nothing was under load";
+}
+
+TEST(ArmStiffness, IsTheProjectionOfTheSymmetrisedOne) {
+    Random random(4);
+    for (int trial = 0; trial < 500; ++trial) {
+        const Vec3 r = random.vector(2.0);
+        Vec3 f = random.vector(1e5);
+        if (trial % 5 == 0) f = random.uniform(-1, 1) * r;              // along the arm
+        if (trial % 7 == 0) f = r.cross(f) / r.norm();                  // square to it
+        if (trial % 50 == 0) f = 1e-9 * f + random.uniform(-9, 9) * r;  // almost along
+        double s[6];
+        generic::arm_stiffness({f.x(), f.y(), f.z()}, {r.x(), r.y(), r.z()}, 0.5, s);
+        Mat3 got;
+        got << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];
+        const Mat3 want = 0.5 * projected(f.dot(r) * Mat3::Identity() - r * f.transpose());
+        EXPECT_LE((got - want).norm(), 1e-13 * f.norm() * r.norm()) << "trial " << trial;
+    }
+    double zero[6];
+    generic::arm_stiffness({0, 0, 0}, {1, 0, 0}, 1.0, zero);
+    for (double z : zero) EXPECT_EQ(z, 0.0);
+}
+
+/// All interactions are internal: the impulses on the bodies add up to gravity and applied
+/// forces alone, whatever the forms and the geometric stiffness.
+TEST(Momentum, LinearMomentumOfAnIsolatedSystemIsConserved) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        Recipe r = link_chain(8);
+        r.interactions.erase(r.interactions.begin());  // free in space
+        r.world.gravity = {0, 0, 0};
+        Random random(seed);
+        double mass = 0.0;
+        Vec3 before = Vec3::Zero();
+        for (BodyDef& b : r.bodies) {
+            if (b.kind != BodyKind::rigid) continue;
+            b.velocity = random.vector(2.0);
+            b.angular_velocity = random.vector(2.0);
+            before += b.mass * b.velocity;
+            mass += b.mass;
+        }
+        World w = r.make();
+        for (int i = 0; i < 200; ++i) ASSERT_EQ(w.step(), Status::ok);
+        Vec3 after = Vec3::Zero();
+        for (int i = 1; i < w.body_count(); ++i)
+            after += w.body_def(BodyId{i}).mass * w.velocity(BodyId{i}).linear;
+        // 200 steps, each with rounding of impulses of about 1e3 N s: 200 · 1e3 · 2⁻⁵³ · 8.
+        EXPECT_LE((after - before).norm(), 1e-9) << "seed " << seed << " mass " << mass;
+    }
+}
+
+}  // namespace
+}  // namespace hawser::test

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A warm step allocates nothing. malloc and its relatives are replaced in this executable and
+/// count while a guard is on; operator new ends in them.
+#include "support/recipe.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define HAWSER_COUNTS_ALLOCATIONS 0  // sanitizers replace malloc themselves
+#else
+#define HAWSER_COUNTS_ALLOCATIONS 1
+#endif
+
+namespace {
+
+std::atomic<bool> counting{false};
+std::atomic<long> allocations{0};
+
+}  // namespace
+
+#if HAWSER_COUNTS_ALLOCATIONS
+extern "C" {
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
+
+static void count_one() {
+    if (counting.load(std::memory_order_relaxed)) allocations.fetch_add(1);
+}
+void* malloc(std::size_t n) {
+    count_one();
+    return __libc_malloc(n);
+}
+void* calloc(std::size_t n, std::size_t size) {
+    count_one();
+    return __libc_calloc(n, size);
+}
+void* realloc(void* p, std::size_t n) {
+    count_one();
+    return __libc_realloc(p, n);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t n) {
+    count_one();
+    return __libc_memalign(alignment, n);
+}
+int posix_memalign(void** p, std::size_t alignment, std::size_t n) {
+    count_one();
+    *p = __libc_memalign(alignment, n);
+    return *p == nullptr ? ENOMEM : 0;
+}
+}
+#endif
+
+namespace hawser::test {
+namespace {
+
+class Guard {
+  public:
+    Guard() {
+        allocations = 0;
+        counting = true;
+    }
+    ~Guard() { counting = false; }
+    static long seen() { return allocations.load(); }
+};
+
+TEST(Allocation, TheCounterCounts) {
+    if (!HAWSER_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
+    const Guard guard;
+    auto* p = new std::vector<double>(100);
+    EXPECT_GE(Guard::seen(), 2);
+    delete p;
+    const long before = Guard::seen();
+    base::Array<double> aligned(64);
+    EXPECT_GE(Guard::seen(), before + 1);
+}
+
+void expect_none(const Recipe& recipe, int threads) {
+    if (!HAWSER_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
+    WorldDef def = recipe.world;
+    def.threads = threads;
+    World w = recipe.make(def);
+    for (int i = 0; i < 3; ++i) ASSERT_EQ(w.step(), Status::ok);
+    const auto growths = w.stats().growths;
+    long seen = 0;
+    bool ok = true;
+    {
+        const Guard guard;
+        for (int i = 0; i < 200; ++i) {
+            ok = ok && w.step() == Status::ok;
+            (void)w.energy();
+            (void)w.state_hash();
+        }
+        seen = Guard::seen();
+    }
+    EXPECT_TRUE(ok);
+    EXPECT_EQ(seen, 0) << threads << " threads";
+    EXPECT_EQ(w.stats().growths, growths);
+}
+
+TEST(Allocation, NoneInAWarmStep) {
+    expect_none(pendulum(), 1);
+    expect_none(link_chain(20), 1);
+    expect_none(wire(30), 1);
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) expect_none(mixed(seed, 10), 1);
+}
+
+TEST(Allocation, NoneInAWarmStepOfTwoThreads) {
+    expect_none(link_chain(200), 2);
+    expect_none(mixed(4, 30), 2);
+}
+
+/// Not in a step that fails either.
+TEST(Allocation, NoneInAFailedStep) {
+    if (!HAWSER_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
+    World w = mixed(2).make();
+    for (int i = 0; i < 3; ++i) ASSERT_EQ(w.step(), Status::ok);
+    w.set_force(BodyId{1}, {1e300, 0, 0}, {0, 0, 0});
+    Status status = Status::ok;
+    long seen = 0;
+    {
+        const Guard guard;
+        status = w.step();
+        seen = Guard::seen();
+    }
+    EXPECT_EQ(status, Status::not_finite);
+    EXPECT_EQ(seen, 0);
+}
+
+}  // namespace
+}  // namespace hawser::test
