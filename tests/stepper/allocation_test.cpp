@@ -23,6 +23,9 @@ void* counted(std::size_t size, std::size_t align) {
 
 }  // namespace
 
+// g++ 12 inlines one side of these pairs only and then believes that they do not match.
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
+
 void* operator new(std::size_t size) { return counted(size, 0); }
 void* operator new[](std::size_t size) { return counted(size, 0); }
 void* operator new(std::size_t size, std::align_val_t a) {
