@@ -33,7 +33,7 @@ build: packages build/$(PRESET)/build.ninja
 
 demo: packages build/$(PRESET)/build.ninja
 	@cmake --build build/$(PRESET) -j $(JOBS) --target hawser_program
-	@mkdir -p $(DEMO)/work
+	@mkdir -p $(DEMO)/exercise
 	@echo "--- one minute at rest: nothing acts, so nothing may move"
 	$(BIN)/hawser run scenes/anchor_lines.json --duration 60 \
 	    --record $(DEMO)/anchor_lines.hwr --summary $(DEMO)/summary.json \
@@ -41,12 +41,12 @@ demo: packages build/$(PRESET)/build.ninja
 	$(BIN)/hawser plot $(DEMO)/anchor_lines.hwr -o $(DEMO)
 	@echo "--- one minute at work: a winch hauls, a crane slews, a ship is pushed sideways"
 	$(BIN)/hawser run scenes/anchor_lines.json --duration 60 \
-	    --control scenes/anchor_lines.control.csv --record $(DEMO)/work/anchor_lines.hwr \
-	    --summary $(DEMO)/work/summary.json --csv $(DEMO)/work/anchor_lines.csv
-	$(BIN)/hawser plot $(DEMO)/work/anchor_lines.hwr -o $(DEMO)/work
+	    --control scenes/anchor_lines.control.csv --record $(DEMO)/exercise/anchor_lines.hwr \
+	    --summary $(DEMO)/exercise/summary.json --csv $(DEMO)/exercise/anchor_lines.csv
+	$(BIN)/hawser plot $(DEMO)/exercise/anchor_lines.hwr -o $(DEMO)/exercise
 	@echo
-	@echo "Results:  $(DEMO)/{,work/}summary.json  anchor_lines.csv  anchor_lines.hwr"
-	@echo "Pictures:" && ls $(DEMO)/*.png $(DEMO)/*.svg $(DEMO)/work/*.png $(DEMO)/work/*.svg | \
+	@echo "Results:  $(DEMO)/{,exercise/}summary.json  anchor_lines.csv  anchor_lines.hwr"
+	@echo "Pictures:" && ls $(DEMO)/*.png $(DEMO)/*.svg $(DEMO)/exercise/*.png $(DEMO)/exercise/*.svg | \
 	    sed 's/^/  /'
 
 test: build
