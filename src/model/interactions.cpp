@@ -116,8 +116,8 @@ std::size_t Interactions::bytes() const noexcept {
                         bytes(flags) + bytes(row_begin) + bytes(jac_begin) + bytes(geo) +
                         bytes(active) + bytes(parted) + bytes(inv_length) + bytes(epsilon) +
                         bytes(tau) + bytes(upsilon) + bytes(sigma) + bytes(inv_sigma) + bytes(g) +
-                        bytes(c) + bytes(residual) + bytes(lambda) + bytes(multiplier) + bytes(force) +
-                        bytes(row_flags) + bytes(jacobian);
+                        bytes(c) + bytes(residual) + bytes(lambda) + bytes(multiplier) +
+                        bytes(force) + bytes(row_flags) + bytes(jacobian);
     for (const Pool& p : pool) total += bytes(p.ids) + bytes(p.data);
     return total;
 }

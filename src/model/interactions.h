@@ -58,7 +58,7 @@ struct Interactions {
     base::Array<double> inv_sigma;       ///< 1/Σ where condensed, else 0.
     base::Array<double> g, c, residual;  ///< Violation, right-hand side, c − G v − Σλ.
     base::Array<double> lambda;          ///< Impulse [N s or N m s].
-    base::Array<double> multiplier;       ///< Scratch of the solve: λ + Σ⁻¹ residual.
+    base::Array<double> multiplier;      ///< Scratch of the solve: λ + Σ⁻¹ residual.
     base::Array<double> force;           ///< λ/h of the last step, for readers.
     std::vector<std::uint8_t> row_flags;
 
