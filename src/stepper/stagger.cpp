@@ -78,8 +78,10 @@ std::vector<double> row_curvature(StepContext& ctx) {
 /// The trial steps; on success v₋ has replaced v₀.
 Status try_stagger(StepContext& ctx) noexcept {
     std::vector<double> curvature;
+    base::Array<double> active;
     try {
         curvature = row_curvature(ctx);
+        active = ctx.interactions.active;
     } catch (const std::bad_alloc&) {
         return Status::out_of_memory;
     }
@@ -94,6 +96,8 @@ Status try_stagger(StepContext& ctx) noexcept {
         for (std::int32_t body : ctx.bodies.rigid) keep_spin_change(ctx.bodies, v, body);
     }
     for (std::int32_t i = 0; i < ctx.bodies.dofs; ++i) v.v[i] -= 0.5 * (v.v_new[i] - v.v[i]);
+    // Which lines are slack is for the first step to find, and to report.
+    std::copy(active.begin(), active.end(), ctx.interactions.active.begin());
     return Status::ok;
 }
 
