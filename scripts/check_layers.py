@@ -27,7 +27,7 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTIL
 STANDARD = re.compile(r"^[a-z_0-9]+$")
 SYSTEM = re.compile(r"^(immintrin|x86intrin|cpuid|cxxabi|pthread|sched|unistd|time|errno|signal|"
                     r"sys/[a-z]+|linux/[a-z]+)\.h$")
-MACHINE_PATH = re.compile(r"(?<![\w.])/(?:work|home/\w+|root)/")
+MACHINE_PATH = re.compile(r"(?<![\w.)}])/(?:work|home/\w+|root)/")
 
 
 def read_table() -> dict[str, set[str]]:
