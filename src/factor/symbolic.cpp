@@ -38,6 +38,9 @@ void lay_out_fronts(const Pattern& pattern, const Supernodes& sn, Symbolic& s) {
         front.ldu = round8(front.q);
         front.panel = s.panel_size;
         s.panel_size += static_cast<std::int64_t>(front.ld) * front.p;
+        // Vector loads of the update rows then end behind the last column: into a gap, not into
+        // the next panel, which another task may be writing.
+        if (front.p + front.ldu > front.ld) s.panel_size += 8;
         s.max_front = std::max(s.max_front, front.ld);
         s.factor_nnz += static_cast<std::int64_t>(front.p) * (front.p + 1) / 2 +
                         static_cast<std::int64_t>(front.p) * front.q;
@@ -178,7 +181,8 @@ void place_updates(Symbolic& s) {
     std::int64_t at = shared;
     for (std::size_t k = 0; k < stacks; ++k) {
         base[k] = at;
-        at += (peak[k] + 63) & ~std::int64_t{63};
+        // At least one vector between stacks, for the same reason.
+        at += (peak[k] + 8 + 63) & ~std::int64_t{63};
     }
     for (std::size_t f = 0; f < count; ++f)
         if (!crosses[f]) s.fronts[f].update += base[stack_of(f)];
