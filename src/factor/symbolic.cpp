@@ -154,7 +154,7 @@ void place_updates(Symbolic& s) {
     const std::size_t stacks = 2 * (s.tasks.size() + 1);
     std::vector<std::int64_t> height(stacks, 0), peak(stacks, 0);
     auto stack_of = [&](std::size_t f) {
-        const auto t = static_cast<std::size_t>(task[f] + 1);  // 0 is the top
+        const auto t = static_cast<std::size_t>(task[f]) + 1;  // −1 + 1: 0 is the top
         return 2 * t + parity[f];
     };
     std::int64_t shared = 0;  // updates handed from a task to the top
@@ -236,7 +236,7 @@ Symbolic analyse(const Pattern& pattern, std::vector<std::int32_t> order) {
         for (int c = 0; c < pattern.size[node]; ++c) s.sign.push_back(pattern.sign[node]);
     }
     for (std::size_t v = 0; v < n; ++v) {
-        const std::int64_t d = pattern.size[v];
+        const auto d = static_cast<std::uint8_t>(pattern.size[v]);
         s.matrix_nnz += d * (d + 1) / 2;
         for (std::int32_t u : pattern.neighbours(static_cast<int>(v)))
             if (u > static_cast<std::int32_t>(v))
