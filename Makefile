@@ -45,7 +45,7 @@ demo: packages build/$(PRESET)/build.ninja
 	    --summary $(DEMO)/exercise/summary.json --csv $(DEMO)/exercise/anchor_lines.csv
 	$(BIN)/hawser plot $(DEMO)/exercise/anchor_lines.hwr -o $(DEMO)/exercise
 	@echo
-	@echo "Results:  $(DEMO)/{,exercise/}summary.json  anchor_lines.csv  anchor_lines.hwr"
+	@echo "Results:  summary.json, anchor_lines.csv, anchor_lines.hwr in $(DEMO) and $(DEMO)/exercise"
 	@echo "Pictures:" && ls $(DEMO)/*.png $(DEMO)/*.svg $(DEMO)/exercise/*.png $(DEMO)/exercise/*.svg | \
 	    sed 's/^/  /'
 
@@ -56,7 +56,7 @@ bench:
 	@scripts/install_packages.sh build bench
 	@cmake --preset $(PRESET)
 	@cmake --build build/$(PRESET) -j $(JOBS) --target hawser_bench
-	$(BIN)/hawser-bench
+	$(BIN)/hawser-bench peers
 
 format:
 	@$(CXX_FILES) | xargs -r clang-format-19 -i

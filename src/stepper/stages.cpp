@@ -202,7 +202,7 @@ bool update_active_set(StepContext& ctx, int pass) noexcept {
             if (pass < kMaxPasses) v.active[id] = 0.0;
         } else {
             if (pull * (v.c[row] - row_speed(v, id)) >= 0.0) continue;
-            // A row that was switched off in this step comes back at most once.
+            // Switching back and forth ends at kMaxPasses and shows in flips_left.
             if (pass < kMaxPasses) v.active[id] = 1.0;
         }
         ++flips;
