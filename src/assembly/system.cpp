@@ -185,10 +185,11 @@ void System::build_pattern(const model::Bodies& bodies, const model::Interaction
 }
 
 void System::build_ops(const model::Bodies& bodies, const model::Interactions& in) {
-    // Collect (column position, op), then sort by column: stable, so the order of summation
-    // is body block first, then interactions by id.
+    // Collect (column position, op), then sort by column; within one column in the order
+    // of collection, so that the order of summation is body block first, then interactions by id.
     struct Entry {
         std::int32_t column;
+        std::int32_t index;
         Op op;
     };
     std::vector<Entry> entries;
@@ -213,7 +214,8 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
                 op.width = static_cast<std::uint8_t>(op.width + dof);
             }
         }
-        entries.push_back({symbolic.position[at(column)], op});
+        entries.push_back(
+            {symbolic.position[at(column)], static_cast<std::int32_t>(entries.size()), op});
     };
     for (std::int32_t b : bodies.moving)
         add(node_of_body[at(b)], node_of_body[at(b)], make_op(b, Op::body_block, 0, 0));
@@ -241,8 +243,9 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
             }
         }
     }
-    std::stable_sort(entries.begin(), entries.end(),
-                     [](const Entry& p, const Entry& q) { return p.column < q.column; });
+    std::sort(entries.begin(), entries.end(), [](const Entry& p, const Entry& q) {
+        return p.column != q.column ? p.column < q.column : p.index < q.index;
+    });
     ops.clear();
     op_chunk.assign(1, 0);
     panel_chunk.assign(1, 0);

@@ -52,8 +52,10 @@ void place_rows_after_bodies(const Pattern& pattern, std::vector<std::int32_t>& 
     if (!moved) return;
     std::vector<std::int32_t> slots(n);
     std::iota(slots.begin(), slots.end(), 0);
-    std::stable_sort(slots.begin(), slots.end(), [&](std::int32_t a, std::int32_t b) {
-        return key[static_cast<std::size_t>(a)] < key[static_cast<std::size_t>(b)];
+    std::sort(slots.begin(), slots.end(), [&](std::int32_t a, std::int32_t b) {
+        const auto key_a = key[static_cast<std::size_t>(a)];
+        const auto key_b = key[static_cast<std::size_t>(b)];
+        return key_a != key_b ? key_a < key_b : a < b;
     });
     std::vector<std::int32_t> result(n);
     for (std::size_t k = 0; k < n; ++k) result[k] = order[static_cast<std::size_t>(slots[k])];

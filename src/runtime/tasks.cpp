@@ -15,7 +15,7 @@ inline void relax() noexcept {
 Pool::Pool(int threads) {
     workers_.reserve(static_cast<std::size_t>(threads > 1 ? threads - 1 : 0));
     for (int t = 1; t < threads; ++t)
-        workers_.emplace_back([this, t](std::stop_token stop) { work(stop, t); });
+        workers_.emplace_back([this, t](const std::stop_token& stop) { work(stop, t); });
 }
 
 Pool::~Pool() {
@@ -75,7 +75,7 @@ void Pool::run(int count, Task task, void* context) noexcept {
     }
 }
 
-void Pool::work(std::stop_token stop, int thread) noexcept {
+void Pool::work(const std::stop_token& stop, int thread) noexcept {
     int idle = 0;
     for (;;) {
         // Read before the stop flag: a stop requested after the look at the flag changes this

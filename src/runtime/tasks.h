@@ -37,7 +37,7 @@ class Pool final : public base::Executor {
     }
 
   private:
-    void work(std::stop_token stop, int thread) noexcept;
+    void work(const std::stop_token& stop, int thread) noexcept;
     bool drain(int thread) noexcept;
 
     /// Ticket = batch number (high half) and next task (low half). While the fields below it

@@ -40,7 +40,7 @@ void check_inertia(const std::string& where, const Mat3& inertia) {
     if ((inertia - inertia.transpose()).cwiseAbs().maxCoeff() > 1e-9 * scale)
         refuse(where, "inertia is not symmetric");
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(inertia, Eigen::EigenvaluesOnly);
-    const Vec3 e = solver.eigenvalues();
+    const Vec3& e = solver.eigenvalues();
     if (!(e[0] > 1e-12 * e[2]) || !(e[0] > 0.0))
         refuse(where, "inertia is not positive definite (smallest principal moment " +
                           std::to_string(e[0]) +
