@@ -80,10 +80,12 @@ foreach(folder IN LISTS folders)
     endif()
 endforeach()
 
-# The judging half of hawser-bench needs no foreign engine and is tested everywhere.
+# What hawser-bench compares needs no foreign engine or solver and is tested everywhere.
 if(TARGET hawser_test_bench)
-    foreach(file IN ITEMS scenes forest meter reference)
-        target_sources(hawser_test_bench PRIVATE "${PROJECT_SOURCE_DIR}/bench/peers/${file}.cpp")
+    foreach(file IN ITEMS peers/scenes peers/forest peers/meter peers/reference
+                          paper_matrix/block_system paper_matrix/paper_scene
+                          paper_matrix/paper_values paper_matrix/structures)
+        target_sources(hawser_test_bench PRIVATE "${PROJECT_SOURCE_DIR}/bench/${file}.cpp")
     endforeach()
     target_include_directories(hawser_test_bench PRIVATE ${PROJECT_SOURCE_DIR}/bench)
 endif()
