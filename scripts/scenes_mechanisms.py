@@ -38,7 +38,7 @@ def n_four_bar(windows):
         "description": "Two four-bar windows of links of 1 m and 1 kg, upright, the top moving "
                        "at 1 m/s (IFToMM benchmark A02, N = 2). All bars are in line twice a "
                        "turn: the pose is singular there.",
-        "settings": {"step": 1 / 960, "duration": 10, "rotation_damping": 0},
+        "settings": {"step": 1 / 960, "duration": 10},
         "bodies": bodies, "interactions": joints, "plot": {"motions": ["h0"]},
     })
 
@@ -63,8 +63,7 @@ def bricard():
         "description": "Bricard's mechanism: five rods of 1 m, 1 kg, 0.1 m square and the ground "
                        "in a loop of six hinges, one degree of freedom with one redundant row "
                        "(IFToMM benchmark A04).",
-        "settings": {"step": 1 / 960, "duration": 10, "gravity": [0, -9.81, 0],
-                     "rotation_damping": 0},
+        "settings": {"step": 1 / 960, "duration": 10, "gravity": [0, -9.81, 0]},
         "bodies": bodies, "interactions": joints, "plot": {"motions": ["rod2"]},
     })
 
@@ -124,8 +123,7 @@ def andrews_squeezer():
         "description": "Andrews' squeezing mechanism: seven bodies in a plane, three loops, a "
                        "spring and a constant driving torque, with the constants of the Test Set "
                        "for IVP Solvers.",
-        "settings": {"step": 2e-6, "duration": 0.03, "gravity": [0, 0, 0],
-                     "rotation_damping": 0},
+        "settings": {"step": 2e-6, "duration": 0.03, "gravity": [0, 0, 0]},
         # The published joints are rigid: at 1e-12 the give of these small parts would be 1e-7.
         "defaults": {"compliance": 1e-15},
         "bodies": bodies, "interactions": joints, "plot": {"motions": ["k1", "k3"]},
@@ -153,7 +151,7 @@ def spinning():
         "name": "heavy_top",
         "description": "A symmetric top on its tip, started so that its axis stays 60 degrees "
                        "from the vertical and precesses at 2 rad/s.",
-        "settings": {"step": 1 / 120, "duration": 10, "rotation_damping": 0},
+        "settings": {"step": 1 / 120, "duration": 10},
         "bodies": [{"name": "top", "position": [l * x for x in axis],
                     "orientation": rotation((0, 1, 0), a),
                     "velocity": [0, p * l * axis[0], 0], "angular_velocity": w,
@@ -171,7 +169,7 @@ def slider_crank():
         "name": "slider_crank",
         "description": "A crank of 0.1 m driven at 0.5 rad/s, a rod of 0.3 m and a slider "
                        "along x.",
-        "settings": {"step": 1 / 960, "duration": 12.6, "rotation_damping": 0},
+        "settings": {"step": 1 / 960, "duration": 12.6},
         "bodies": [
             {"name": "crank", "position": [r / 2, 0, 0], "velocity": [0, 0, speed * r / 2],
              "angular_velocity": [0, -speed, 0], "mass": 1, "inertia": [1e-4, 1e-3, 1e-3],

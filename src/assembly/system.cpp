@@ -37,6 +37,23 @@ double mobility(const model::Bodies& bodies, const model::Interactions& in, int 
     return sum;
 }
 
+/// max |r|/I over the two bodies of a joint, I the mean moment of inertia across the arm r, see
+/// geo.h. 0 unless both turn.
+double swing_rate(const model::Bodies& bodies, const model::Interactions& in, int id) {
+    double rate = 0.0;
+    for (int b = 0; b < 2; ++b) {
+        const std::int32_t body = in.body[at(kSlots * id + b)];
+        if (bodies.dof(body) != 6) return 0.0;
+        const Vec3& arm = in.def[at(id)].point[at(b)];
+        const double length = arm.norm();
+        if (length == 0.0) continue;
+        const Eigen::Map<const Mat3> inertia(&bodies.inertia[at(9 * body)]);
+        const double along = arm.dot(inertia * arm) / (length * length);
+        rate = std::max(rate, 2.0 * length / (inertia.trace() - along));
+    }
+    return rate;
+}
+
 /// An op whose address and offsets are still to be filled in.
 Op make_op(std::int32_t id, Op::Kind kind, std::uint8_t a, std::uint8_t b) {
     return {0, 0, id, 0, 0, kind, a, b, 0, 0, 0};
@@ -79,6 +96,9 @@ void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) 
     in.jacobian.resize(at(in.jac_size) + kSlack);
     body_block_.resize(at(kBodyBlock * bodies.count()));
     geo_record_.assign(at(kGeoSize) * at(in.geo_count), 0.0);
+    for (int i = 0; i < in.count(); ++i)
+        if (in.geo[at(i)] >= 0)
+            geo_record_[at(kGeoSize * in.geo[at(i)] + kGeoSwing)] = swing_rate(bodies, in, i);
     for (base::Array<double>* a : {&a_, &v_new_, &momentum_})
         a->assign(at(bodies.dofs) + kSlack, 0.0);
     one_sided.clear();

@@ -19,6 +19,7 @@ namespace hawser::assembly {
 
 inline constexpr int kBodyBlock = 12;  ///< Doubles of a body's own block: two symmetric 3×3.
 inline constexpr int kGeoSize = 24;    ///< Doubles of one geometric-stiffness record, see geo.h.
+inline constexpr int kGeoSwing = 23;   ///< Its last one, which no step writes.
 
 /// One contribution to one block of the matrix.
 struct Op {

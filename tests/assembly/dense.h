@@ -102,6 +102,23 @@ inline void scatter(const SlotState& s, const Matrix& k, Matrix& into, Vector& f
         }
 }
 
+/// max |r|/I of the two bodies, I the mean of the principal moments across the arm r.
+inline double swing_rate(const stepper::StepContext& ctx, int id, const SlotState& s) {
+    double most = 0.0;
+    for (std::size_t b = 0; b < 2; ++b) {
+        const auto body = static_cast<std::size_t>(
+            ctx.interactions.def[static_cast<std::size_t>(id)].body[b].index);
+        const Quat q(ctx.bodies.q[4 * body], ctx.bodies.q[4 * body + 1], ctx.bodies.q[4 * body + 2],
+                     ctx.bodies.q[4 * body + 3]);
+        const Eigen::Map<const Mat3> inertia(&ctx.bodies.inertia[9 * body]);
+        const Mat3 world = q.toRotationMatrix() * inertia * q.toRotationMatrix().transpose();
+        if (s.arm[b].norm() == 0.0) continue;
+        const Vec3 n = s.arm[b].normalized(), p = n.unitOrthogonal(), t = n.cross(p);
+        most = std::max(most, s.arm[b].norm() / (0.5 * (p.dot(world * p) + t.dot(world * t))));
+    }
+    return most;
+}
+
 inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotState& s,
                          DenseStep& out) {
     if (s.geometry == generic::Geometry::none) return;
@@ -122,8 +139,10 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
     } else {
         f1 = Vec3(lambda[0], lambda[1], lambda[2]) / h;
         if (s.dof[0] == 6 && s.dof[1] == 6) {
+            const double swing = 4.0 * h * h * f1.norm() * swing_rate(ctx, id, s);
             const double cc = ctx.def.rotation_damping * h * f1.norm() *
-                              std::min(s.arm[0].norm(), s.arm[1].norm());
+                              std::min(s.arm[0].norm(), s.arm[1].norm()) *
+                              std::min(1.0, swing * swing);
             c.block(3, 3, 3, 3) = c.block(9, 9, 3, 3) = cc * Mat3::Identity();
             c.block(3, 9, 3, 3) = c.block(9, 3, 3, 3) = -cc * Mat3::Identity();
         }

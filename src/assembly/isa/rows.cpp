@@ -20,7 +20,7 @@ void geometry(const View& view, const typename K::Data& data, const BodyRef* ref
     const std::int32_t index = view.geo[id];
     if (index < 0) return;
     double* rec = view.geo_record + static_cast<long>(assembly::kGeoSize) * index;
-    for (int i = 0; i < assembly::kGeoSize; ++i) rec[i] = 0.0;
+    for (int i = 0; i < assembly::kGeoSwing; ++i) rec[i] = 0.0;
     if (view.geometric_stiffness == 0.0 && view.rotation_damping == 0.0) return;
     if (view.active[id] == 0.0) return;
     const double scale = 0.25 * view.h * view.h * view.geometric_stiffness;
@@ -47,8 +47,9 @@ void geometry(const View& view, const typename K::Data& data, const BodyRef* ref
     if (rigid0) arm_stiffness(-f1, r0, scale, rec + 10);
     if (rigid1) arm_stiffness(f1, r1, scale, rec + 16);
     if (K::kGeometry == Geometry::joint && rigid0 && rigid1) {
-        const double n0 = norm(r0), n1 = norm(r1);
-        rec[22] = view.h * view.h * view.rotation_damping * norm(f1) * (n0 < n1 ? n0 : n1);
+        const double n0 = norm(r0), n1 = norm(r1), push = view.h * view.h * norm(f1);
+        const double s = 4.0 * push * rec[assembly::kGeoSwing], need = s < 1.0 ? s * s : 1.0;
+        rec[22] = push * view.rotation_damping * (n0 < n1 ? n0 : n1) * need;
     }
 }
 
