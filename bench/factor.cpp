@@ -134,8 +134,9 @@ struct Ours {
                 }
                 const factor::BlockTarget t =
                     symbolic.target(static_cast<std::int32_t>(nr), static_cast<std::int32_t>(nc));
-                scatter.emplace_back(t.address + (r - p.scalar[nr]) + (c - p.scalar[nc]) * t.ld,
-                                     it.value());
+                scatter.emplace_back(
+                    t.address + (r - p.scalar[nr]) * t.step + (c - p.scalar[nc]) * t.ld,
+                    it.value());
             }
     }
     void refactor_solve(const Problem& p, Vector& out) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace hawser::assembly {
 namespace {
@@ -56,7 +57,7 @@ double swing_rate(const model::Bodies& bodies, const model::Interactions& in, in
 
 /// An op whose address and offsets are still to be filled in.
 Op make_op(std::int32_t id, Op::Kind kind, std::uint8_t a, std::uint8_t b) {
-    return {0, 0, id, 0, 0, kind, a, b, 0, 0, 0};
+    return {0, 0, 0, id, 0, 0, kind, a, b, 0, 0, 0};
 }
 
 }  // namespace
@@ -78,7 +79,7 @@ void System::analyse(const model::Bodies& bodies, model::Interactions& interacti
     }
     choose_forms(bodies, interactions, def);
     build_pattern(bodies, interactions);
-    symbolic = factor::analyse(pattern, factor::order_nodes(pattern));
+    symbolic = factor::analyse(pattern, factor::plan_elimination(pattern));
     numeric.reserve(symbolic, threads);
     solution_.assign(at(symbolic.scalars) + 8, 0.0);
     for (int b = 0; b < bodies.count(); ++b)
@@ -205,17 +206,20 @@ void System::build_pattern(const model::Bodies& bodies, const model::Interaction
 }
 
 void System::build_ops(const model::Bodies& bodies, const model::Interactions& in) {
-    // Collect (column position, op), then sort by column; within one column in the order
-    // of collection, so that the order of summation is body block first, then interactions by id.
+    // Collect the ops, then sort by place in the panels and by column; within one column they stay
+    // in the order of collection: body block first, then interactions by id. Columns of one place
+    // (lanes of one step) stay together.
     struct Entry {
-        std::int32_t column;
-        std::int32_t index;
+        std::int64_t place;
+        std::int32_t column, index;
         Op op;
+        [[nodiscard]] auto key() const { return std::tie(place, column, index); }
     };
     std::vector<Entry> entries;
     auto add = [&](std::int32_t row, std::int32_t column, Op op) {
         const factor::BlockTarget t = symbolic.target(row, column);
         op.address = t.address;
+        op.step = t.step;
         op.ld = t.ld;
         if (op.kind != Op::body_block) {
             const std::int32_t* body = &in.body[at(kSlots * op.id)];
@@ -234,8 +238,9 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
                 op.width = static_cast<std::uint8_t>(op.width + dof);
             }
         }
-        entries.push_back(
-            {symbolic.position[at(column)], static_cast<std::int32_t>(entries.size()), op});
+        entries.push_back({symbolic.column_address(symbolic.position[at(column)]),
+                           symbolic.position[at(column)], static_cast<std::int32_t>(entries.size()),
+                           op});
     };
     for (std::int32_t b : bodies.moving)
         add(node_of_body[at(b)], node_of_body[at(b)], make_op(b, Op::body_block, 0, 0));
@@ -263,19 +268,17 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
             }
         }
     }
-    std::sort(entries.begin(), entries.end(), [](const Entry& p, const Entry& q) {
-        return p.column != q.column ? p.column < q.column : p.index < q.index;
-    });
+    std::sort(entries.begin(), entries.end(),
+              [](const Entry& p, const Entry& q) { return p.key() < q.key(); });
     ops.clear();
     op_chunk.assign(1, 0);
     panel_chunk.assign(1, 0);
     constexpr std::int64_t kChunk = 512;
     for (std::size_t k = 0; k < entries.size(); ++k) {
         const auto size = static_cast<std::int64_t>(ops.size());
-        if (k > 0 && entries[k].column != entries[k - 1].column &&
-            size - op_chunk.back() >= kChunk) {
+        if (k > 0 && entries[k].place != entries[k - 1].place && size - op_chunk.back() >= kChunk) {
             op_chunk.push_back(size);
-            panel_chunk.push_back(symbolic.column_address(entries[k].column));
+            panel_chunk.push_back(entries[k].place);
         }
         ops.push_back(entries[k].op);
     }

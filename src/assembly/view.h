@@ -32,7 +32,7 @@ struct Op {
         kept_columns  ///< G_aᵀ: the interaction is eliminated before body slot a.
     };
     std::int64_t address;
-    std::int32_t ld;
+    std::int32_t step, ld;  ///< Distance of rows and of columns, factor::BlockTarget.
     std::int32_t id;
     std::int32_t jac_a, jac_b;  ///< Offsets of the slots' columns in the first row.
     Kind kind;

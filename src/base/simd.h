@@ -6,6 +6,12 @@
 
 #include "base/small.h"
 
+#if defined(__AVX512F__)
+#include <immintrin.h>
+#endif
+
+#include <cstdint>
+
 namespace hawser::HAWSER_ISA {
 
 inline constexpr int kLanes = 8;  ///< Arrays read by load() need this many entries of slack.
@@ -37,6 +43,26 @@ HAWSER_INLINE V8 after_lane(const V8& v, int i) {
     const I8 index = {0, 1, 2, 3, 4, 5, 6, 7};
     const I8 keep = index > static_cast<long long>(i);
     return reinterpret_cast<V8>(reinterpret_cast<I8>(v) & keep);
+}
+HAWSER_INLINE V8 reciprocal(const V8& v) { return 1.0 / v; }
+/// Lanes whose pivot has the wrong sign or is not finite get the sign itself.
+/// @return 1 in those lanes.
+HAWSER_INLINE V8 fix_pivot(V8& d, double sign) {
+    const I8 good = (d * sign > 0.0) & (d - d == 0.0);
+    d = good ? d : V8{} + sign;
+    return good ? V8{} : V8{} + 1.0;
+}
+/// x[index] lane by lane; 0 where the index is negative.
+HAWSER_INLINE V8 gather_lanes(const double* x, const std::int32_t* index) {
+    const __m256i i = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
+    const __mmask8 used = _mm256_cmp_epi32_mask(i, _mm256_setzero_si256(), _MM_CMPINT_NLT);
+    return _mm512_mask_i32gather_pd(_mm512_setzero_pd(), used, i, x, 8);
+}
+/// x[index] = v lane by lane, but for negative indices.
+HAWSER_INLINE void scatter_lanes(double* x, const std::int32_t* index, const V8& v) {
+    const __m256i i = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
+    const __mmask8 used = _mm256_cmp_epi32_mask(i, _mm256_setzero_si256(), _MM_CMPINT_NLT);
+    _mm512_mask_i32scatter_pd(x, used, i, v, 8);
 }
 
 #else
@@ -110,6 +136,29 @@ HAWSER_INLINE V8 operator*(const V8& a, double s) {
 HAWSER_INLINE V8 operator*(double s, const V8& a) { return a * s; }
 HAWSER_INLINE V8& operator+=(V8& a, const V8& b) { return a = a + b; }
 HAWSER_INLINE V8& operator-=(V8& a, const V8& b) { return a = a - b; }
+HAWSER_INLINE V8 reciprocal(const V8& v) {
+    V8 o;
+    for (int i = 0; i < kParts; ++i) o.part[i] = 1.0 / v.part[i];
+    return o;
+}
+HAWSER_INLINE V8 fix_pivot(V8& d, double sign) {
+    V8 bad;
+    for (int i = 0; i < kParts; ++i) {
+        const PartMask good = (d.part[i] * sign > 0.0) & (d.part[i] - d.part[i] == 0.0);
+        d.part[i] = good ? d.part[i] : Part{} + sign;
+        bad.part[i] = good ? Part{} : Part{} + 1.0;
+    }
+    return bad;
+}
+HAWSER_INLINE V8 gather_lanes(const double* x, const std::int32_t* index) {
+    double v[kLanes];
+    for (int i = 0; i < kLanes; ++i) v[i] = index[i] >= 0 ? x[index[i]] : 0.0;
+    return load(v);
+}
+HAWSER_INLINE void scatter_lanes(double* x, const std::int32_t* index, const V8& v) {
+    for (int i = 0; i < kLanes; ++i)
+        if (index[i] >= 0) x[index[i]] = lane(v, i);
+}
 
 #endif
 

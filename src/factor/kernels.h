@@ -7,6 +7,8 @@
 
 namespace hawser::factor {
 
+struct Batch;
+struct BatchStep;
 struct Front;
 struct Run;
 
@@ -21,6 +23,14 @@ struct FactorView {
     double* pivot;  ///< D, one a permuted scalar.
     double* work;   ///< Update matrices.
     double* carry;  ///< Forward substitution's update vectors, one entry an update row.
+
+    // Batches, see batches.h. Slot arrays hold eight lanes a slot.
+    const BatchStep* batch_steps;
+    const std::int8_t* slot_sign;  ///< One a slot.
+    const std::int32_t* slot_index;
+    const std::int32_t* tail_slot;
+    double* slot_pivot;  ///< 1/D.
+    double* slot_y;      ///< Between forward and backward substitution.
 };
 
 struct FactorKernels {
@@ -33,6 +43,12 @@ struct FactorKernels {
     /// Lᵀ z = D⁻¹ y on fronts [end, begin) from the top down.
     void (*backward)(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
                      double* scratch) noexcept;
+    /// The same three for the chains of a batch, with the updates they hand to their parents.
+    int (*factor_batch)(const FactorView& view, const Batch& batch, double* scratch) noexcept;
+    void (*forward_batch)(const FactorView& view, const Batch& batch, const double* x,
+                          double* scratch) noexcept;
+    void (*backward_batch)(const FactorView& view, const Batch& batch, double* x,
+                           double* scratch) noexcept;
 };
 
 /// Doubles of scratch that a thread needs for fronts of at most this ld.

@@ -42,8 +42,8 @@ class Numeric {
         return scratch_.data() + static_cast<std::ptrdiff_t>(thread) * scratch_stride_;
     }
 
-    base::Array<double> panel_, pivot_, work_, carry_, scratch_;
-    base::Array<int> wrong_;  ///< One a task, so that the count needs no atomics.
+    base::Array<double> panel_, pivot_, work_, carry_, slot_pivot_, slot_y_, scratch_;
+    base::Array<int> wrong_;  ///< One a batch or task, so that the count needs no atomics.
     std::int64_t scratch_stride_ = 0;
 };
 

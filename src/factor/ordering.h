@@ -10,6 +10,7 @@
 /// zero its own diagonal is no pivot at all (Gill, Saunders, Shinnerl, "On the stability of
 /// Cholesky factorization for symmetric quasidefinite systems", 1996).
 
+#include "factor/chains.h"
 #include "factor/pattern.h"
 
 #include <cstdint>
@@ -19,6 +20,14 @@ namespace hawser::factor {
 
 /// @return order[k] = node eliminated k-th. @throws std::bad_alloc.
 [[nodiscard]] std::vector<std::int32_t> order_nodes(const Pattern& pattern);
+
+/// Order and chains of a matrix: chains first, then approximate minimum degree on what is left,
+/// in which each chain stands as a clique of its boundary.
+struct Elimination {
+    std::vector<std::int32_t> order;
+    Chains chains;
+};
+[[nodiscard]] Elimination plan_elimination(const Pattern& pattern);
 
 /// Move every negative node that precedes all its positive neighbours to just behind the first
 /// of them. Other nodes keep their relative order.

@@ -11,7 +11,8 @@ namespace {
 constexpr std::int32_t round8(std::int32_t n) { return (n + 7) & ~7; }
 
 /// Fill in sizes, addresses, update rows and the maps into parents.
-void lay_out_fronts(const Pattern& pattern, const Supernodes& sn, Symbolic& s) {
+void lay_out_fronts(const Pattern& pattern, const Supernodes& sn,
+                    const std::vector<std::int32_t>& chain_of, Symbolic& s) {
     const std::size_t count = sn.begin.size() - 1;
     s.fronts.resize(count);
     s.node_front.resize(s.order.size());
@@ -36,6 +37,11 @@ void lay_out_fronts(const Pattern& pattern, const Supernodes& sn, Symbolic& s) {
         }
         front.ld = round8(front.p + front.q);
         front.ldu = round8(front.q);
+        if (chain_of[static_cast<std::size_t>(
+                s.order[static_cast<std::size_t>(front.node_begin)])] >= 0) {
+            front.batch = 0;  // lay_out_batches() gives the right one, and the panel
+            continue;
+        }
         front.panel = s.panel_size;
         s.panel_size += static_cast<std::int64_t>(front.ld) * front.p;
         // Vector loads of the update rows then end behind the last column: into a gap, not into
@@ -92,6 +98,17 @@ void link_children(Symbolic& s) {
     }
 }
 
+/// Flops of the steps that a chain takes part in.
+std::int64_t chain_flops(const Symbolic& s, const Front& front) {
+    const Batch& batch = s.batches[static_cast<std::size_t>(front.batch)];
+    std::int64_t flops = 0;
+    for (std::int32_t k = batch.step_begin; k < batch.step_end; ++k) {
+        const BatchStep& step = s.batch_steps[static_cast<std::size_t>(k)];
+        flops += front_flops(step.p, step.q);
+    }
+    return flops;
+}
+
 /// Split the tree into parallel tasks and a serial top. Targets depend on the tree alone.
 void choose_tasks(Symbolic& s) {
     const std::size_t count = s.fronts.size();
@@ -100,8 +117,10 @@ void choose_tasks(Symbolic& s) {
     for (std::size_t f = 0; f < count; ++f) {
         const Front& front = s.fronts[f];
         std::int64_t longest = 0;
-        // The constant stands for the work per front that flops do not show.
-        subtree[f] = front_flops(front.p, front.q) + 600;
+        // The constant stands for the work per front that flops do not show. A chain's work is
+        // done before the tasks.
+        const std::int64_t own = front.batch < 0 ? front_flops(front.p, front.q) : 0;
+        subtree[f] = own + (front.batch < 0 ? 600 : 0);
         first[f] = static_cast<std::int32_t>(f);
         for (std::int32_t c = front.child_begin; c < front.child_end; ++c) {
             const auto child = static_cast<std::size_t>(s.children[static_cast<std::size_t>(c)]);
@@ -109,7 +128,7 @@ void choose_tasks(Symbolic& s) {
             longest = std::max(longest, path[child]);
             first[f] = std::min(first[f], first[child]);
         }
-        path[f] = longest + front_flops(front.p, front.q);
+        path[f] = longest + (front.batch < 0 ? own : chain_flops(s, front));
         s.critical_flops = std::max(s.critical_flops, path[f]);
     }
     std::int64_t total = 0;
@@ -166,7 +185,9 @@ void place_updates(Symbolic& s) {
             const auto child = static_cast<std::size_t>(s.children[static_cast<std::size_t>(c)]);
             if (!crosses[child]) height[stack_of(child)] -= size_of(s.fronts[child]);
         }
-        crosses[f] = front.parent >= 0 && task[static_cast<std::size_t>(front.parent)] != task[f];
+        // All chains are done before any task: their updates wait outside the stacks.
+        crosses[f] = front.parent >= 0 &&
+                     (front.batch >= 0 || task[static_cast<std::size_t>(front.parent)] != task[f]);
         if (crosses[f]) {
             front.update = shared;
             shared += size_of(front);
@@ -203,14 +224,30 @@ std::int64_t front_flops(int p, int q) noexcept {
 BlockTarget Symbolic::target(std::int32_t row, std::int32_t column) const noexcept {
     const Front& front =
         fronts[static_cast<std::size_t>(node_front[static_cast<std::size_t>(column)])];
+    if (front.batch >= 0) {
+        const auto i = static_cast<std::size_t>(row), j = static_cast<std::size_t>(column);
+        const BatchStep& step = batch_steps[static_cast<std::size_t>(node_step[j])];
+        std::int32_t slot = node_slot[i];
+        if (node_front[i] != node_front[j])
+            slot = step.p + tail_slot[static_cast<std::size_t>(
+                                front.rows + local_row(*this, front, node_offset[i]) - front.p)];
+        else if (node_step[i] != node_step[j])
+            slot = step.p + (node_step[i] - node_step[j] - 1) *
+                                batches[static_cast<std::size_t>(front.batch)].body;
+        return {step.panel +
+                    kLaneCount * (static_cast<std::int64_t>(slot) * step.p + node_slot[j]) +
+                    front.lane,
+                kLaneCount * step.p, kLaneCount};
+    }
     const std::int32_t r = local_row(*this, front, node_offset[static_cast<std::size_t>(row)]);
     const std::int32_t c = node_offset[static_cast<std::size_t>(column)] - front.offset;
-    return {front.panel + static_cast<std::int64_t>(c) * front.ld + r, front.ld};
+    return {front.panel + static_cast<std::int64_t>(c) * front.ld + r, 1, front.ld};
 }
 
 std::int64_t Symbolic::column_address(std::int32_t k) const noexcept {
     const auto node = static_cast<std::size_t>(order[static_cast<std::size_t>(k)]);
     const Front& front = fronts[static_cast<std::size_t>(node_front[node])];
+    if (front.batch >= 0) return batch_steps[static_cast<std::size_t>(node_step[node])].panel;
     return front.panel + static_cast<std::int64_t>(node_offset[node] - front.offset) * front.ld;
 }
 
@@ -218,13 +255,25 @@ std::size_t Symbolic::bytes() const noexcept {
     return base::bytes(order) + base::bytes(position) + base::bytes(node_offset) +
            base::bytes(node_front) + base::bytes(fronts) + base::bytes(children) +
            base::bytes(rows) + base::bytes(runs) + base::bytes(sign) + base::bytes(tasks) +
-           base::bytes(top);
+           base::bytes(top) + base::bytes(batches) + base::bytes(batch_steps) +
+           base::bytes(slot_sign) + base::bytes(slot_index) + base::bytes(tail_slot) +
+           base::bytes(node_step) + base::bytes(node_slot);
 }
 
 Symbolic analyse(const Pattern& pattern, std::vector<std::int32_t> order) {
+    return analyse(pattern, Elimination{std::move(order), {}});
+}
+
+Symbolic analyse(const Pattern& pattern, Elimination plan) {
     Symbolic s;
-    const Supernodes sn = build_tree(pattern, order);
-    s.order = std::move(order);
+    const Chains& chains = plan.chains;
+    std::vector<std::int32_t> chain_of(pattern.size.size(), -1);
+    for (int c = 0; c < chains.count(); ++c)
+        for (std::int32_t u = chains.begin[static_cast<std::size_t>(c)];
+             u < chains.begin[static_cast<std::size_t>(c) + 1]; ++u)
+            for (std::int32_t v : chains.unit(u)) chain_of[static_cast<std::size_t>(v)] = c;
+    const Supernodes sn = build_tree(pattern, plan.order, chain_of);
+    s.order = std::move(plan.order);
     const std::size_t n = s.order.size();
     s.position.resize(n);
     s.node_offset.resize(n);
@@ -242,7 +291,12 @@ Symbolic analyse(const Pattern& pattern, std::vector<std::int32_t> order) {
             if (u > static_cast<std::int32_t>(v))
                 s.matrix_nnz += d * pattern.size[static_cast<std::size_t>(u)];
     }
-    lay_out_fronts(pattern, sn, s);
+    lay_out_fronts(pattern, sn, chain_of, s);
+    std::vector<std::int32_t> front_of_chain;
+    for (int c = 0; c < chains.count(); ++c)
+        front_of_chain.push_back(s.node_front[static_cast<std::size_t>(
+            chains.unit(chains.begin[static_cast<std::size_t>(c)])[0])]);
+    lay_out_batches(pattern, chains, front_of_chain, s);
     link_children(s);
     choose_tasks(s);
     place_updates(s);

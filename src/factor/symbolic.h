@@ -23,8 +23,13 @@
 ///
 /// Subtrees of roughly equal work are *tasks* that run in parallel; the fronts above them are
 /// the *top* and run last. Tasks depend on the tree alone, never on the number of threads.
+///
+/// A chain (chains.h) is one front too, but only its update matrix is an ordinary one: its
+/// pivots are done in a batch (batches.h), before all tasks.
 
 #include "base/memory.h"
+#include "factor/batches.h"
+#include "factor/ordering.h"
 #include "factor/pattern.h"
 
 #include <cstdint>
@@ -43,6 +48,7 @@ struct Front {
     std::int32_t child_begin = 0, child_end = 0;  ///< Range in Symbolic::children.
     std::int32_t run_begin = 0, run_end = 0;      ///< Range in Symbolic::runs: into the parent.
     std::int32_t node_begin = 0, node_end = 0;    ///< Pivot nodes, as positions in the order.
+    std::int32_t batch = -1, lane = 0;            ///< Of a chain: batches.h does its pivots.
     std::int64_t panel = 0;                       ///< Offset into the panel array.
     std::int64_t update = 0;                      ///< Offset into the work array.
     std::int64_t rows = 0;  ///< Offset into Symbolic::rows (q entries) and of the solve's carry.
@@ -53,9 +59,10 @@ struct Run {
     std::int32_t from, to, length;
 };
 
-/// Where a block of the matrix goes: address of its (0, 0) in the panel array.
+/// Where a block of the matrix goes: entry (i, j) at address + i step + j ld of the panel array.
 struct BlockTarget {
     std::int64_t address = 0;
+    std::int32_t step = 1;
     std::int32_t ld = 0;
 };
 
@@ -78,6 +85,15 @@ struct Symbolic {
     std::vector<TaskRange> tasks;   ///< Parallel part, in postorder.
     std::vector<std::int32_t> top;  ///< Serial fronts after the tasks, ascending.
 
+    std::vector<Batch> batches;  ///< Done first, each by one thread.
+    std::vector<BatchStep> batch_steps;
+    std::vector<std::int8_t> slot_sign;    ///< Expected sign of each pivot slot of the steps.
+    std::vector<std::int32_t> slot_index;  ///< Eight a slot: permuted scalar, −1: padding.
+    std::vector<std::int32_t> tail_slot;   ///< By entry of rows of a chain: update slot.
+    std::vector<std::int32_t> node_step;   ///< Of a chain's node: its step, −1: in no chain.
+    std::vector<std::int32_t> node_slot;   ///< Of a chain's node: its first pivot slot there.
+    std::int64_t batch_scratch = 0;        ///< Doubles of scratch for any batch.
+
     std::int32_t scalars = 0;
     std::int64_t panel_size = 0, work_size = 0;  ///< Doubles.
     std::int32_t max_front = 0;                  ///< Largest ld.
@@ -86,7 +102,8 @@ struct Symbolic {
     /// Address of the block (row node, column node); the row must not precede the column in
     /// the order, and the pair must be a diagonal block or an edge of the pattern.
     [[nodiscard]] BlockTarget target(std::int32_t row, std::int32_t column) const noexcept;
-    /// Panel offset at which the columns of the k-th node of the order begin. Ascends with k.
+    /// Panel offset at which the columns of the k-th node of the order begin. Chains in the lanes
+    /// of one step share their place.
     [[nodiscard]] std::int64_t column_address(std::int32_t k) const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;
 };
@@ -95,6 +112,8 @@ struct Symbolic {
 [[nodiscard]] std::int64_t front_flops(int p, int q) noexcept;
 
 /// Analyse a pattern for a given elimination order (made a postorder of its own tree).
+[[nodiscard]] Symbolic analyse(const Pattern& pattern, Elimination plan);
+/// The same without chains.
 [[nodiscard]] Symbolic analyse(const Pattern& pattern, std::vector<std::int32_t> order);
 
 }  // namespace hawser::factor

@@ -79,7 +79,8 @@ std::vector<std::int32_t> elimination_tree(const Pattern& pattern,
     return parent;
 }
 
-Supernodes build_tree(const Pattern& pattern, std::vector<std::int32_t>& order) {
+Supernodes build_tree(const Pattern& pattern, std::vector<std::int32_t>& order,
+                      const std::vector<std::int32_t>& chain_of) {
     const std::size_t n = order.size();
     // Postorder the tree, so that subtrees are contiguous.
     std::vector<std::int32_t> parent = elimination_tree(pattern, order);
@@ -98,6 +99,12 @@ Supernodes build_tree(const Pattern& pattern, std::vector<std::int32_t>& order) 
     auto size_at = [&](std::int32_t k) {
         return static_cast<std::int32_t>(
             pattern.size[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])]);
+    };
+
+    auto chain_at = [&](std::int32_t k) {
+        return chain_of.empty()
+                   ? -1
+                   : chain_of[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])];
     };
 
     // Structure of every column (positions after it), children merged by marks.
@@ -145,10 +152,13 @@ Supernodes build_tree(const Pattern& pattern, std::vector<std::int32_t>& order) 
             if (parent[static_cast<std::size_t>(b.end[c] - 1)] < b.begin[f] ||
                 parent[static_cast<std::size_t>(b.end[c] - 1)] >= b.end[f])
                 break;
-            const bool exact = b.q[c] == b.p[f] + b.q[f];
-            const double apart = front_time(b.p[c], b.q[c]) + front_time(b.p[f], b.q[f]);
-            const double together = front_time(b.p[c] + b.p[f], b.q[f]);
-            if (!(exact && b.p[c] + b.p[f] <= 48) && together > apart) break;
+            if (chain_at(b.begin[c]) != chain_at(b.begin[f])) break;
+            if (chain_at(b.begin[c]) < 0) {
+                const bool exact = b.q[c] == b.p[f] + b.q[f];
+                const double apart = front_time(b.p[c], b.q[c]) + front_time(b.p[f], b.q[f]);
+                const double together = front_time(b.p[c] + b.p[f], b.q[f]);
+                if (!(exact && b.p[c] + b.p[f] <= 48) && together > apart) break;
+            }
             b.end[c] = b.end[f];
             b.p[c] += b.p[f];
             b.q[c] = b.q[f];

@@ -28,7 +28,10 @@ struct Supernodes {
 [[nodiscard]] std::vector<std::int32_t> elimination_tree(const Pattern& pattern,
                                                          const std::vector<std::int32_t>& order);
 
-/// Build the tree, turn `order` into a postorder of it, and form amalgamated supernodes.
-[[nodiscard]] Supernodes build_tree(const Pattern& pattern, std::vector<std::int32_t>& order);
+/// Build the tree, turn `order` into a postorder of it, and form amalgamated supernodes. The
+/// nodes of a chain (chains.h) are one front, whatever its shape. @param chain_of by node, −1: in
+/// no chain; empty: there are none.
+[[nodiscard]] Supernodes build_tree(const Pattern& pattern, std::vector<std::int32_t>& order,
+                                    const std::vector<std::int32_t>& chain_of = {});
 
 }  // namespace hawser::factor

@@ -20,7 +20,8 @@ Matrix assembled(const assembly::System& s, const double* panel) {
         for (int j = 0; j < s.pattern.size[c]; ++j)
             for (int i = row == column ? j : 0; i < s.pattern.size[r]; ++i) {
                 const int a = s.symbolic.node_offset[r] + i, b = s.symbolic.node_offset[c] + j;
-                k(a, b) = k(b, a) = panel[t.address + static_cast<std::int64_t>(j) * t.ld + i];
+                k(a, b) = k(b, a) = panel[t.address + static_cast<std::int64_t>(j) * t.ld +
+                                          static_cast<std::int64_t>(i) * t.step];
             }
     };
     for (int n = 0; n < s.pattern.nodes(); ++n) {

@@ -33,19 +33,29 @@ Solved solve_with(const factor::FactorKernels& kernels, const BlockMatrix& m,
     base::Array<double> panel(static_cast<std::size_t>(s.panel_size), 0.0), pivot(n + 8),
         // Garbage that must never reach a result.
         work(static_cast<std::size_t>(s.work_size), std::nan("")), carry(s.rows.size() + 8),
-        scratch(static_cast<std::size_t>(factor::scratch_size(s.max_front)), std::nan("")),
-        x(n + 8, 0.0);
+        scratch(
+            static_cast<std::size_t>(std::max(factor::scratch_size(s.max_front), s.batch_scratch)),
+            std::nan("")),
+        x(n + 8, 0.0), slot_pivot(8 * s.slot_sign.size()), slot_y(8 * s.slot_sign.size());
     fill(m, s, panel.data());
-    const factor::FactorView view{s.fronts.data(), s.children.data(), s.rows.data(),
-                                  s.runs.data(),   s.sign.data(),     panel.data(),
-                                  pivot.data(),    work.data(),       carry.data()};
+    const factor::FactorView view{s.fronts.data(),      s.children.data(),  s.rows.data(),
+                                  s.runs.data(),        s.sign.data(),      panel.data(),
+                                  pivot.data(),         work.data(),        carry.data(),
+                                  s.batch_steps.data(), s.slot_sign.data(), s.slot_index.data(),
+                                  s.tail_slot.data(),   slot_pivot.data(),  slot_y.data()};
     Solved out;
     const auto count = static_cast<std::int32_t>(s.fronts.size());
-    out.wrong = kernels.factor(view, 0, count, scratch.data());
+    for (const factor::Batch& batch : s.batches)
+        out.wrong += kernels.factor_batch(view, batch, scratch.data());
+    out.wrong += kernels.factor(view, 0, count, scratch.data());
     const Vector y = permuted(m, s, b, false);
     std::copy(y.data(), y.data() + y.size(), x.begin());
+    for (const factor::Batch& batch : s.batches)
+        kernels.forward_batch(view, batch, x.data(), scratch.data());
     kernels.forward(view, 0, count, x.data(), scratch.data());
     kernels.backward(view, 0, count, x.data(), scratch.data());
+    for (const factor::Batch& batch : s.batches)
+        kernels.backward_batch(view, batch, x.data(), scratch.data());
     out.x = permuted(m, s, Eigen::Map<const Vector>(x.data(), s.scalars), true);
     return out;
 }
@@ -99,6 +109,22 @@ TEST(InstructionSets, EveryFrontShape) {
                     << set.name << " p " << p << " q " << q;
             }
         }
+}
+
+/// Wires in every lane pattern: batches of one to eight chains, and more.
+TEST(InstructionSets, Batches) {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        Random random(seed);
+        const BlockMatrix m = wires(random, 9, 12);
+        const factor::Symbolic s = factor::analyse(m.pattern, factor::plan_elimination(m.pattern));
+        const Vector b = random_matrix(random, m.scalars(), 1), want = reference(m, b);
+        for (const Set& set : sets()) {
+            if (!set.available) continue;
+            const Solved got = solve_with(*set.kernels, m, s, b);
+            EXPECT_EQ(got.wrong, 0) << set.name << " seed " << seed;
+            EXPECT_LE((got.x - want).norm(), 1e-9 * want.norm()) << set.name << " seed " << seed;
+        }
+    }
 }
 
 TEST(InstructionSets, AllCountWrongPivots) {

@@ -100,13 +100,74 @@ inline BlockMatrix random_quasi_definite(Random& random, int nodes, double densi
     return m;
 }
 
+/// Hubs joined by wires of any length, one size of bodies a wire, with or without bending over two
+/// neighbours, with rows or without, some lying on a hub, some ending free, some with a row of
+/// their own at one end; hubs among each other at random.
+inline BlockMatrix wires(Random& random, int most_wires, int longest) {
+    std::vector<std::int8_t> size, sign;
+    std::vector<std::pair<int, int>> edges;
+    auto node = [&](int scalars, int s) {
+        size.push_back(static_cast<std::int8_t>(scalars));
+        sign.push_back(static_cast<std::int8_t>(s));
+        return static_cast<int>(size.size()) - 1;
+    };
+    std::vector<int> hubs;
+    for (int i = random.integer(1, 5); i > 0; --i) {
+        hubs.push_back(node(6, 1));
+        if (hubs.size() > 1 && random.chance(0.5)) edges.emplace_back(hubs[0], hubs.back());
+    }
+    for (int wire = random.integer(1, most_wires); wire > 0; --wire) {
+        const int length = random.integer(1, longest), scalars = random.chance(0.5) ? 3 : 6;
+        const bool bends = random.chance(0.5), rows = random.chance(0.6);
+        const int hub = hubs[static_cast<std::size_t>(
+                      random.integer(0, static_cast<int>(hubs.size()) - 1))],
+                  deck = random.chance(0.2) ? hub : -1;
+        std::vector<int> bodies;
+        auto join = [&](int a, int b) {
+            edges.emplace_back(a, b);
+            if (!rows) return;
+            const int row = node(random.chance(0.9) ? 3 : random.integer(1, 5), -1);
+            edges.emplace_back(row, a);
+            edges.emplace_back(row, b);
+            if (bends && bodies.size() > 2 && random.chance(0.5))
+                edges.emplace_back(row, bodies[bodies.size() - 3]);
+        };
+        for (int i = 0; i < length; ++i) {
+            bodies.push_back(node(scalars, 1));
+            if (i > 0) join(bodies[bodies.size() - 2], bodies.back());
+            if (bends && i > 1) edges.emplace_back(bodies[bodies.size() - 3], bodies.back());
+            if (deck >= 0 && random.chance(0.6)) edges.emplace_back(deck, bodies.back());
+        }
+        if (random.chance(0.7)) join(bodies.front(), hub);
+        if (random.chance(0.7)) join(bodies.back(), hubs[0]);
+        if (random.chance(0.3)) edges.emplace_back(bodies.front(), node(3, -1));
+        if (random.chance(0.1)) edges.emplace_back(bodies[bodies.size() / 2], hubs.back());
+    }
+    BlockMatrix m = make_blocks(size, sign, edges);
+    for (int i = 0; i < m.pattern.nodes(); ++i) {
+        const auto a = static_cast<std::size_t>(i);
+        m.block(i, i) = definite(random, size[a], 1.0, sign[a]);
+        for (std::int32_t j : m.pattern.neighbours(i)) {
+            if (j < i) continue;
+            const auto b = static_cast<std::size_t>(j);
+            const bool same = sign[a] == sign[b];
+            const auto most = static_cast<double>(
+                std::max(m.pattern.neighbours(i).size(), m.pattern.neighbours(j).size()));
+            const double scale = same ? 0.9 / (6.0 * most) : 1.0;
+            set_symmetric(m, i, j, scale * random_matrix(random, size[a], size[b]));
+        }
+    }
+    return m;
+}
+
 inline void fill(const BlockMatrix& m, const factor::Symbolic& s, double* values) {
     auto put = [&](int row, int column) {
         const factor::BlockTarget t = s.target(row, column);
         const auto r = static_cast<std::size_t>(row), c = static_cast<std::size_t>(column);
         for (int j = 0; j < m.pattern.size[c]; ++j)
             for (int i = 0; i < m.pattern.size[r]; ++i)
-                values[t.address + static_cast<std::int64_t>(j) * t.ld + i] =
+                values[t.address + static_cast<std::int64_t>(j) * t.ld +
+                       static_cast<std::int64_t>(i) * t.step] =
                     m.dense(m.offset[r] + i, m.offset[c] + j);
     };
     for (int a = 0; a < m.pattern.nodes(); ++a) {
@@ -153,7 +214,7 @@ inline Solved solve(const BlockMatrix& m, const factor::Symbolic& s, const Vecto
 
 inline Solved solve(const BlockMatrix& m, const Vector& b) {
     base::SerialExecutor serial;
-    return solve(m, factor::analyse(m.pattern, factor::order_nodes(m.pattern)), b, serial);
+    return solve(m, factor::analyse(m.pattern, factor::plan_elimination(m.pattern)), b, serial);
 }
 
 /// Largest entry of b − K x over ‖K‖ ‖x‖ + ‖b‖ (infinity norms), in long double.

@@ -14,19 +14,35 @@ namespace {
 using assembly::Op;
 using assembly::View;
 
-/// out (DA × DB, column-major) += Σ_r w_r ja_r ᵀ jb_r.
+/// A block in the panels: rows `step` apart, columns `ld`.
+struct Place {
+    double* first;
+    long step, ld;
+    double& operator()(int i, int j) const { return first[i * step + j * ld]; }
+    [[nodiscard]] Place at(int i, int j) const { return {&(*this)(i, j), step, ld}; }
+};
+
+/// out (DA × DB) += Σ_r w_r ja_r ᵀ jb_r.
 template <int DA, int DB>
 inline void outer(const double* ja, const double* jb, int width, const double* w, int rows,
-                  double* out, long ld) {
+                  Place out) {
     V8 acc[DB] = {};  // lanes from DA on hold the next slot's columns and are dropped
     for (int r = 0; r < rows; ++r) {
         const V8 a = load(ja + r * width);
         for (int j = 0; j < DB; ++j) acc[j] += (w[r] * jb[r * width + j]) * a;
     }
-    for (int j = 0; j < DB; ++j) add_lanes<DA>(out + j * ld, acc[j]);
+    if (out.step == 1) {
+        for (int j = 0; j < DB; ++j) add_lanes<DA>(&out(0, j), acc[j]);
+        return;
+    }
+    for (int j = 0; j < DB; ++j) {
+        double entries[kLanes];
+        store(entries, acc[j]);
+        for (int i = 0; i < DA; ++i) out(i, j) += entries[i];
+    }
 }
 
-void condense(const View& view, const Op& op, double* out) {
+void condense(const View& view, const Op& op, Place out) {
     const double *ja = view.jacobian + op.jac_a, *jb = view.jacobian + op.jac_b;
     const int rows = view.rows[op.id];
     double w[kMaxInteractionRows];
@@ -34,40 +50,40 @@ void condense(const View& view, const Op& op, double* out) {
         w[r] = view.active[op.id] * view.inv_sigma[view.row_begin[op.id] + r];
     switch (8 * op.dof_a + op.dof_b) {
         case 8 * 3 + 3:
-            outer<3, 3>(ja, jb, op.width, w, rows, out, op.ld);
+            outer<3, 3>(ja, jb, op.width, w, rows, out);
             break;
         case 8 * 6 + 6:
-            outer<6, 6>(ja, jb, op.width, w, rows, out, op.ld);
+            outer<6, 6>(ja, jb, op.width, w, rows, out);
             break;
         case 8 * 3 + 6:
-            outer<3, 6>(ja, jb, op.width, w, rows, out, op.ld);
+            outer<3, 6>(ja, jb, op.width, w, rows, out);
             break;
         case 8 * 6 + 3:
-            outer<6, 3>(ja, jb, op.width, w, rows, out, op.ld);
+            outer<6, 3>(ja, jb, op.width, w, rows, out);
             break;
         case 8 * 1 + 1:
-            outer<1, 1>(ja, jb, op.width, w, rows, out, op.ld);
+            outer<1, 1>(ja, jb, op.width, w, rows, out);
             break;
         case 8 * 1 + 3:
-            outer<1, 3>(ja, jb, op.width, w, rows, out, op.ld);
+            outer<1, 3>(ja, jb, op.width, w, rows, out);
             break;
         case 8 * 3 + 1:
-            outer<3, 1>(ja, jb, op.width, w, rows, out, op.ld);
+            outer<3, 1>(ja, jb, op.width, w, rows, out);
             break;
         case 8 * 1 + 6:
-            outer<1, 6>(ja, jb, op.width, w, rows, out, op.ld);
+            outer<1, 6>(ja, jb, op.width, w, rows, out);
             break;
         case 8 * 6 + 1:
-            outer<6, 1>(ja, jb, op.width, w, rows, out, op.ld);
+            outer<6, 1>(ja, jb, op.width, w, rows, out);
             break;
         default:
             break;
     }
 }
 
-inline void add_matrix(double* out, long ld, const M3& m, double s) {
+inline void add_matrix(Place out, const M3& m, double s) {
     for (int j = 0; j < 3; ++j)
-        for (int i = 0; i < 3; ++i) out[j * ld + i] += s * m.a[3 * i + j];
+        for (int i = 0; i < 3; ++i) out(i, j) += s * m.a[3 * i + j];
 }
 
 inline M3 skew(V3 r) { return {{0, -r.z, r.y, r.z, 0, -r.x, -r.y, r.x, 0}}; }
@@ -82,7 +98,7 @@ inline M3 product(const M3& p, const M3& q) {
 }
 
 /// Blocks of geo.h: line part Aᵀ k A with A = ±[E, −r̂], and damping.
-void geometric(const View& view, const Op& op, double* out) {
+void geometric(const View& view, const Op& op, Place out) {
     const double* rec = view.geo_record + static_cast<long>(assembly::kGeoSize) * view.geo[op.id];
     const bool rigid_a = op.dof_a == 6, rigid_b = op.dof_b == 6;
     const bool same = op.a == op.b;
@@ -93,46 +109,43 @@ void geometric(const View& view, const Op& op, double* out) {
         const M3 k{{w - w * u.x * u.x, -w * u.x * u.y, -w * u.x * u.z, -w * u.x * u.y,
                     w - w * u.y * u.y, -w * u.y * u.z, -w * u.x * u.z, -w * u.y * u.z,
                     w - w * u.z * u.z}};
-        add_matrix(out, op.ld, k, sign);
+        add_matrix(out, k, sign);
         const M3 ra = skew(load3(rec + (op.a == 0 ? 4 : 7)));
         const M3 rb = skew(load3(rec + (op.b == 0 ? 4 : 7)));
         const M3 krb = product(k, rb);  // point velocity v − r̂ω: columns −k r̂
-        if (rigid_b) add_matrix(out + 3 * static_cast<long>(op.ld), op.ld, krb, -sign);
-        if (rigid_a) add_matrix(out + 3, op.ld, product(ra, k), sign);
-        if (rigid_a && rigid_b)
-            add_matrix(out + 3 * static_cast<long>(op.ld) + 3, op.ld, product(ra, krb), -sign);
+        if (rigid_b) add_matrix(out.at(0, 3), krb, -sign);
+        if (rigid_a) add_matrix(out.at(3, 0), product(ra, k), sign);
+        if (rigid_a && rigid_b) add_matrix(out.at(3, 3), product(ra, krb), -sign);
     }
-    if (rigid_a && rigid_b) {
-        double* corner = out + 3 * static_cast<long>(op.ld) + 3;
-        for (int i = 0; i < 3; ++i) corner[i * static_cast<long>(op.ld) + i] += sign * rec[22];
-    }
+    if (rigid_a && rigid_b)
+        for (int i = 3; i < 6; ++i) out(i, i) += sign * rec[22];
 }
 
-void body_block(const View& view, const Op& op, double* out) {
+void body_block(const View& view, const Op& op, Place out) {
     const double* block = view.body_block + static_cast<long>(assembly::kBodyBlock) * op.id;
     const int dof = view.dof[op.id];
     if (dof == 1) {
-        out[0] += block[0];
+        out(0, 0) += block[0];
         return;
     }
-    add_matrix(out, op.ld, full6(block), 1.0);
-    if (dof == 6) add_matrix(out + 3 * static_cast<long>(op.ld) + 3, op.ld, full6(block + 6), 1.0);
+    add_matrix(out, full6(block), 1.0);
+    if (dof == 6) add_matrix(out.at(3, 3), full6(block + 6), 1.0);
 }
 
-void kept(const View& view, const Op& op, double* out) {
+void kept(const View& view, const Op& op, Place out) {
     const std::int32_t row = view.row_begin[op.id];
     const int rows = view.rows[op.id];
     if (op.kind == Op::kept_sigma) {
-        for (int r = 0; r < rows; ++r) out[r * static_cast<long>(op.ld) + r] -= view.sigma[row + r];
+        for (int r = 0; r < rows; ++r) out(r, r) -= view.sigma[row + r];
         return;
     }
     const bool below = op.kind == Op::kept_rows;  // rows of G below the body's columns
     const double* jac = view.jacobian + (below ? op.jac_b : op.jac_a);
     const int dof = below ? op.dof_b : op.dof_a;
     const double on = view.active[op.id];
-    const long across = below ? 1 : op.ld, along = below ? op.ld : 1;
+    const Place g = below ? out : Place{out.first, out.ld, out.step};
     for (int r = 0; r < rows; ++r)
-        for (int j = 0; j < dof; ++j) out[r * across + j * along] += on * jac[r * op.width + j];
+        for (int j = 0; j < dof; ++j) g(r, j) += on * jac[r * op.width + j];
 }
 
 }  // namespace
@@ -141,7 +154,7 @@ void gather_blocks(const View& view, const Op* ops, std::int64_t begin, std::int
                    double* panel) noexcept {
     for (std::int64_t k = begin; k < end; ++k) {
         const Op& op = ops[k];
-        double* out = panel + op.address;
+        const Place out{panel + op.address, op.step, op.ld};
         switch (op.kind) {
             case Op::condensed:
                 condense(view, op, out);

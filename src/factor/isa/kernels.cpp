@@ -7,6 +7,7 @@
 #include "factor/kernels.h"
 
 #include "base/simd.h"
+#include "factor/isa/batch.h"
 #include "factor/symbolic.h"
 
 #include <cstring>
@@ -175,6 +176,7 @@ int factor_fronts(const FactorView& view, std::int32_t begin, std::int32_t end,
     int wrong = 0;
     for (std::int32_t f = begin; f < end; ++f) {
         const Front& front = view.fronts[f];
+        if (front.batch >= 0) continue;
         double* panel = view.panel + front.panel;
         double* update = view.work + front.update;
         std::memset(update, 0,
@@ -228,6 +230,7 @@ void forward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end
                     double* scratch) noexcept {
     for (std::int32_t f = begin; f < end; ++f) {
         const Front& front = view.fronts[f];
+        if (front.batch >= 0) continue;
         const double* panel = view.panel + front.panel;
         double* y = scratch;
         const int ld = front.ld, p = front.p;
@@ -324,6 +327,7 @@ void backward_fronts(const FactorView& view, std::int32_t begin, std::int32_t en
                      double* scratch) noexcept {
     for (std::int32_t f = end; f-- > begin;) {
         const Front& front = view.fronts[f];
+        if (front.batch >= 0) continue;
         const double* panel = view.panel + front.panel;
         const double* inverse = view.pivot + front.offset;
         double* y = scratch;
@@ -342,6 +346,7 @@ void backward_fronts(const FactorView& view, std::int32_t begin, std::int32_t en
 }  // namespace
 
 extern const factor::FactorKernels kFactorKernels;
-const factor::FactorKernels kFactorKernels = {factor_fronts, forward_fronts, backward_fronts};
+const factor::FactorKernels kFactorKernels = {factor_fronts, forward_fronts, backward_fronts,
+                                              factor_batch,  forward_batch,  backward_batch};
 
 }  // namespace hawser::HAWSER_ISA

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file batch.h
+/// Kernels of factor/batches.h, see factor/kernels.h for what each does.
+
+#include "factor/kernels.h"
+
+namespace hawser::HAWSER_ISA {
+
+int factor_batch(const factor::FactorView& view, const factor::Batch& batch,
+                 double* scratch) noexcept;
+void forward_batch(const factor::FactorView& view, const factor::Batch& batch, const double* x,
+                   double* scratch) noexcept;
+void backward_batch(const factor::FactorView& view, const factor::Batch& batch, double* x,
+                    double* scratch) noexcept;
+
+}  // namespace hawser::HAWSER_ISA

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Wires are found, cut into chains that do not touch each other, and laid out in lanes.
+#include "factor/body_graph.h"
+#include "factor/matrices.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <set>
+
+namespace hawser::test {
+namespace {
+
+/// `wires` wires of `length` bodies with ball joints; both ends on a hub when `hubs`.
+BlockMatrix ladder(int wire_count, int length, bool hubs) {
+    std::vector<std::int8_t> size, sign;
+    std::vector<std::pair<int, int>> edges;
+    auto node = [&](int scalars, int s) {
+        size.push_back(static_cast<std::int8_t>(scalars));
+        sign.push_back(static_cast<std::int8_t>(s));
+        return static_cast<int>(size.size()) - 1;
+    };
+    const int left = node(6, 1), right = node(6, 1);
+    auto join = [&](int a, int b) {
+        const int row = node(3, -1);
+        edges.emplace_back(row, a);
+        edges.emplace_back(row, b);
+    };
+    for (int w = 0; w < wire_count; ++w) {
+        int before = hubs ? left : -1;
+        for (int i = 0; i < length; ++i) {
+            const int body = node(6, 1);
+            if (before >= 0) join(before, body);
+            before = body;
+        }
+        join(before, right);
+    }
+    BlockMatrix m = make_blocks(size, sign, edges);
+    Random random(1);
+    for (int i = 0; i < m.pattern.nodes(); ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        m.block(i, i) = definite(random, size[k], sign[k] > 0 ? 1.0 : 1e-9, sign[k]);
+        for (std::int32_t j : m.pattern.neighbours(i))
+            if (j > i)
+                set_symmetric(m, i, j,
+                              random_matrix(random, size[k], size[static_cast<std::size_t>(j)]));
+    }
+    return m;
+}
+
+int bodies_in_chains(const BlockMatrix& m, const factor::Chains& chains) {
+    int n = 0;
+    for (std::int32_t v : chains.nodes) n += m.pattern.sign[static_cast<std::size_t>(v)] > 0;
+    return n;
+}
+
+TEST(Chains, FillEightLanesOfOneLongWire) {
+    const BlockMatrix m = ladder(1, 203, true);
+    const factor::Chains chains = factor::find_chains(m.pattern);
+    EXPECT_EQ(chains.count(), 8);
+    // Hubs with one neighbour are the wire's ends: 205 bodies, seven separators.
+    EXPECT_EQ(bodies_in_chains(m, chains), 198);
+    for (int c = 0; c < chains.count(); ++c) {
+        EXPECT_GE(chains.units(c), 24);
+        EXPECT_LE(chains.units(c), 25);
+    }
+}
+
+TEST(Chains, LeaveWiresWholeThatFillTheLanesAlready) {
+    const BlockMatrix m = ladder(16, 60, false);
+    const factor::Chains chains = factor::find_chains(m.pattern);
+    EXPECT_EQ(chains.count(), 16);
+    EXPECT_EQ(bodies_in_chains(m, chains), 16 * 60);
+    // Begin at the free end: nothing is carried along.
+    const factor::Symbolic s = factor::analyse(m.pattern, factor::plan_elimination(m.pattern));
+    ASSERT_EQ(s.batches.size(), 2U);
+    for (const factor::Batch& b : s.batches)
+        EXPECT_EQ(s.batch_steps[static_cast<std::size_t>(b.step_begin)].q, 6);
+}
+
+TEST(Chains, AreNotMadeOfSmallThings) {
+    EXPECT_EQ(factor::find_chains(ladder(1, 5, true).pattern).count(), 0);
+    EXPECT_EQ(factor::find_chains(factor::Pattern{{}, {}, {0}, {}}).count(), 0);
+}
+
+/// What batches.h assumes.
+void check_chains(const BlockMatrix& m, const factor::Chains& chains) {
+    const factor::Pattern& p = m.pattern;
+    std::vector<int> chain_of(p.size.size(), -1), unit_of(p.size.size(), -1);
+    for (int c = 0; c < chains.count(); ++c)
+        for (std::int32_t u = chains.begin[static_cast<std::size_t>(c)];
+             u < chains.begin[static_cast<std::size_t>(c) + 1]; ++u)
+            for (std::int32_t v : chains.unit(u)) {
+                ASSERT_EQ(chain_of[static_cast<std::size_t>(v)], -1) << "node twice";
+                chain_of[static_cast<std::size_t>(v)] = c;
+                unit_of[static_cast<std::size_t>(v)] = u;
+            }
+    for (int c = 0; c < chains.count(); ++c)
+        for (std::int32_t u = chains.begin[static_cast<std::size_t>(c)];
+             u < chains.begin[static_cast<std::size_t>(c) + 1]; ++u) {
+            const auto unit = chains.unit(u);
+            ASSERT_EQ(p.sign[static_cast<std::size_t>(unit[0])], 1);
+            ASSERT_EQ(p.size[static_cast<std::size_t>(unit[0])],
+                      chains.body_size[static_cast<std::size_t>(c)]);
+            for (std::size_t i = 1; i < unit.size(); ++i)
+                ASSERT_EQ(p.sign[static_cast<std::size_t>(unit[i])], -1);
+            for (std::int32_t v : unit)
+                for (std::int32_t w : p.neighbours(v)) {
+                    const int other = chain_of[static_cast<std::size_t>(w)];
+                    if (other < 0) {
+                        // Rows all of whose bodies are outside stay outside, and only those.
+                        ASSERT_EQ(p.sign[static_cast<std::size_t>(w)], 1);
+                        continue;
+                    }
+                    ASSERT_EQ(other, c) << "two chains touch";
+                    const int far = std::abs(unit_of[static_cast<std::size_t>(w)] - u);
+                    ASSERT_LE(far, chains.reach[static_cast<std::size_t>(c)]);
+                }
+        }
+}
+
+TEST(Chains, OfRandomWiresAreApartAndSolve) {
+    int with_chains = 0, batches = 0;
+    for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(seed);
+        const BlockMatrix m = wires(random, 14, 40);
+        const factor::Elimination plan = factor::plan_elimination(m.pattern);
+        check_chains(m, plan.chains);
+        const factor::Symbolic s = factor::analyse(m.pattern, plan);
+        with_chains += plan.chains.count() > 0;
+        batches += static_cast<int>(s.batches.size());
+        const Vector b = random_matrix(random, m.scalars(), 1);
+        base::SerialExecutor serial;
+        const Solved got = solve(m, s, b, serial);
+        EXPECT_EQ(got.wrong, 0);
+        EXPECT_LE(backward_error(m, got.x, b), 1e-12);  // growth below 1e4 on 2⁻⁵³
+    }
+    EXPECT_GT(with_chains, 50);
+    EXPECT_GT(batches, 80);
+}
+
+TEST(Chains, EveryEntryOfTheMatrixHasItsOwnPlace) {
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        Random random(seed);
+        const BlockMatrix m = wires(random, 14, 40);
+        const factor::Symbolic s = factor::analyse(m.pattern, factor::plan_elimination(m.pattern));
+        std::set<std::int64_t> taken;
+        for (int row = 0; row < m.pattern.nodes(); ++row) {
+            auto columns = std::vector<std::int32_t>(m.pattern.neighbours(row).begin(),
+                                                     m.pattern.neighbours(row).end());
+            columns.push_back(row);
+            for (std::int32_t column : columns) {
+                const auto r = static_cast<std::size_t>(row), c = static_cast<std::size_t>(column);
+                if (s.position[c] > s.position[r]) continue;
+                const factor::BlockTarget t = s.target(row, column);
+                for (int i = 0; i < m.pattern.size[r]; ++i)
+                    for (int j = 0; j < m.pattern.size[c]; ++j) {
+                        const std::int64_t at = t.address + static_cast<std::int64_t>(i) * t.step +
+                                                static_cast<std::int64_t>(j) * t.ld;
+                        ASSERT_GE(at, 0);
+                        ASSERT_LT(at, s.panel_size);
+                        ASSERT_TRUE(taken.insert(at).second) << "seed " << seed;
+                    }
+            }
+        }
+    }
+}
+
+TEST(Chains, StraightAndPinnedStaysSolvable) {
+    // Both ends held and compliance 1e-9 of the mobility: the worst pivot is that small.
+    const BlockMatrix m = ladder(3, 80, true);
+    Random random(2);
+    const Vector b = random_matrix(random, m.scalars(), 1);
+    const Solved got = solve(m, b);
+    EXPECT_EQ(got.wrong, 0);
+    EXPECT_LE(backward_error(m, got.x, b), 1e-6);  // before refinement: 1e-16 / 1e-9
+}
+
+}  // namespace
+}  // namespace hawser::test
