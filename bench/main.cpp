@@ -16,7 +16,7 @@ struct Command {
 
 constexpr Command kCommands[] = {
     {"step", "time and memory of a whole step, by scale", hawser::bench::step_command},
-    {"factor", "our factorisation against Eigen and CHOLMOD, by scale",
+    {"factor", "our factorisation against libraries, on many matrices",
      hawser::bench::factor_command},
     {"peers", "our steps against other engines, on three scenes", hawser::bench::peers_command},
 };

@@ -89,24 +89,19 @@ Sparse BlockSystem::lower() const {
     return m;
 }
 
-int SystemBuilder::add_node(int size, int sign) {
+int SystemBuilder::add_node(int size, int sign, std::span<const double> block) {
     size_.push_back(static_cast<std::int8_t>(size));
     sign_.push_back(static_cast<std::int8_t>(sign));
     diagonal_.push_back(static_cast<std::int64_t>(values_.size()));
+    values_.insert(values_.end(), block.begin(), block.end());
     return nodes() - 1;
 }
 
-int SystemBuilder::add_body(int dof, std::span<const double> inertia) {
-    const int node = add_node(dof, 1);
-    values_.insert(values_.end(), inertia.begin(), inertia.end());
-    return node;
-}
-
 int SystemBuilder::add_rows(std::span<const double> sigma) {
-    const int node = add_node(static_cast<int>(sigma.size()), -1);
-    for (std::size_t i = 0; i < sigma.size(); ++i)
-        for (std::size_t j = 0; j < sigma.size(); ++j) values_.push_back(i == j ? -sigma[i] : 0.0);
-    return node;
+    const std::size_t n = sigma.size();
+    std::vector<double> block(n * n, 0.0);
+    for (std::size_t i = 0; i < n; ++i) block[i * n + i] = -sigma[i];
+    return add_node(static_cast<int>(n), -1, block);
 }
 
 void SystemBuilder::add_block(int high, int low, std::span<const double> block) {

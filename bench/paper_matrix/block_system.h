@@ -52,8 +52,10 @@ struct BlockSystem {
 /// Collects nodes and blocks in any order.
 class SystemBuilder {
   public:
+    /// A node with its symmetric diagonal block. @return node.
+    int add_node(int size, int sign, std::span<const double> block);
     /// A body with its inertia, dof × dof. @return node.
-    int add_body(int dof, std::span<const double> inertia);
+    int add_body(int dof, std::span<const double> inertia) { return add_node(dof, 1, inertia); }
     /// Rows of an interaction with compliance sigma > 0 each; G follows by add_block().
     int add_rows(std::span<const double> sigma);
     /// The block with the rows of `high` and the columns of `low` < high, by rows. A pair may
@@ -66,8 +68,6 @@ class SystemBuilder {
     [[nodiscard]] BlockSystem finish(std::string name, std::uint64_t rhs_seed);
 
   private:
-    int add_node(int size, int sign);
-
     std::vector<std::int8_t> size_, sign_;
     std::vector<std::int64_t> diagonal_, address_;
     std::vector<std::int32_t> high_, low_;

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "linear/form.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace hawser::bench {
+namespace {
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+bool can_be_eliminated(const BlockSystem& s, int node) {
+    if (s.positive(node)) return false;
+    for (const std::int32_t b : s.pattern.neighbours(node))
+        if (!s.positive(b) || b > node) return false;
+    const int n = s.size(node);
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            const double v = s.values[at(s.diagonal[at(node)] + i * n + j)];
+            if (i == j ? !(v < 0.0) : v != 0.0) return false;
+        }
+    return true;
+}
+
+/// A pair of kept nodes, row ≥ column, with what adds to it.
+struct Piece {
+    std::int32_t row, col;
+    std::int64_t base;  ///< −1: a contribution.
+    Contribution contribution;
+};
+
+/// Sort by (column, row), the base of a block before its contributions: two stable counting sorts.
+void sort_pieces(std::vector<Piece>& pieces, int nodes) {
+    std::vector<Piece> other(pieces.size());
+    auto pass = [&](auto key) {
+        std::vector<std::int64_t> start(at(nodes) + 1, 0);
+        for (const Piece& p : pieces) ++start[at(key(p)) + 1];
+        std::partial_sum(start.begin(), start.end(), start.begin());
+        for (const Piece& p : pieces) other[at(start[at(key(p))]++)] = p;
+        pieces.swap(other);
+    };
+    pass([](const Piece& p) { return p.row; });
+    pass([](const Piece& p) { return p.col; });
+}
+
+std::vector<Piece> list_pieces(const BlockSystem& s, const BlockForm& f) {
+    std::vector<Piece> pieces;
+    for (const std::int32_t a : f.kept) {
+        const std::int32_t row = f.index[at(a)];
+        pieces.push_back({row, row, s.diagonal[at(a)], {}});
+        for (int k = s.pattern.start[at(a)]; k < s.pattern.start[at(a) + 1]; ++k) {
+            const std::int32_t b = s.pattern.adjacent[at(k)];
+            if (b < a && f.index[at(b)] >= 0)
+                pieces.push_back({row, f.index[at(b)], s.edge[at(k)], {}});
+        }
+    }
+    for (int e = 0; e < s.pattern.nodes(); ++e) {
+        if (f.index[at(e)] >= 0) continue;
+        for (int i = s.pattern.start[at(e)]; i < s.pattern.start[at(e) + 1]; ++i)
+            for (int j = s.pattern.start[at(e)]; j <= i; ++j)
+                pieces.push_back({f.index[at(s.pattern.adjacent[at(i)])],
+                                  f.index[at(s.pattern.adjacent[at(j)])],
+                                  -1,
+                                  {s.edge[at(i)], s.edge[at(j)], s.offset[at(e)], s.size(e)}});
+    }
+    return pieces;
+}
+
+}  // namespace
+
+BlockForm make_form(const BlockSystem& s, bool condensed) {
+    BlockForm f;
+    f.condensed = condensed;
+    f.index.assign(s.pattern.size.size(), -1);
+    f.offset.push_back(0);
+    std::vector<std::int8_t> size, sign;
+    for (int a = 0; a < s.pattern.nodes(); ++a) {
+        if (condensed && can_be_eliminated(s, a)) continue;
+        f.index[at(a)] = static_cast<std::int32_t>(f.kept.size());
+        f.kept.push_back(a);
+        size.push_back(s.pattern.size[at(a)]);
+        sign.push_back(s.pattern.sign[at(a)]);
+        f.offset.push_back(f.offset.back() + s.size(a));
+    }
+    std::vector<Piece> pieces = list_pieces(s, f);
+    sort_pieces(pieces, static_cast<int>(f.kept.size()));
+    std::vector<std::int32_t> from, to;
+    for (const Piece& p : pieces) {
+        if (f.ops.empty() || f.ops.back().row != p.row || f.ops.back().col != p.col) {
+            BlockOp op;
+            op.row = p.row;
+            op.col = p.col;
+            op.begin = op.end = static_cast<std::int32_t>(f.contributions.size());
+            op.row_size = size[at(p.row)];
+            op.col_size = size[at(p.col)];
+            op.by_rows = p.row != p.col;
+            f.ops.push_back(op);
+            from.push_back(p.row);
+            to.push_back(p.col);
+        }
+        if (p.base >= 0) {
+            f.ops.back().base = p.base;
+        } else {
+            f.contributions.push_back(p.contribution);
+            ++f.ops.back().end;
+        }
+    }
+    f.pattern = factor::make_pattern(std::move(size), std::move(sign), from, to);
+    return f;
+}
+
+std::vector<BlockOp> reoriented(const std::vector<BlockOp>& ops,
+                                std::vector<Contribution>& contributions,
+                                const std::vector<std::int32_t>& position) {
+    std::vector<BlockOp> result = ops;
+    for (BlockOp& op : result) {
+        if (position[at(op.row)] >= position[at(op.col)]) continue;
+        std::swap(op.row, op.col);
+        std::swap(op.row_size, op.col_size);
+        op.by_rows = !op.by_rows;
+        for (std::int32_t k = op.begin; k < op.end; ++k)
+            std::swap(contributions[at(k)].row_g, contributions[at(k)].col_g);
+    }
+    // By column: a counting sort, rows within a column in any fixed order.
+    std::vector<std::int64_t> start(position.size() + 1, 0);
+    for (const BlockOp& op : result) ++start[at(position[at(op.col)]) + 1];
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<BlockOp> sorted(result.size());
+    for (const BlockOp& op : result) sorted[at(start[at(position[at(op.col)])]++)] = op;
+    return sorted;
+}
+
+}  // namespace hawser::bench

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "factor/numeric.h"
+#include "linear/solver.h"
+
+#include <fmt/core.h>
+#include <stdexcept>
+
+namespace hawser::bench {
+namespace {
+
+class Ours final : public Solver {
+  public:
+    explicit Ours(Order order) : order_(order) {}
+
+    void analyse(const Input& input, base::Executor& executor) override {
+        const BlockForm& form = *input.form;
+        form_ = &form;
+        symbolic_ = factor::analyse(form.pattern, order_blocks(form, order_));
+        numeric_.reserve(symbolic_, executor.threads());
+        contributions_ = form.contributions;
+        ops_ = reoriented(form.ops, contributions_, symbolic_.position);
+        for (BlockOp& op : ops_) {
+            const factor::BlockTarget t = symbolic_.target(op.row, op.col);
+            op.to = t.address;
+            op.stride = t.ld;
+        }
+        x_.assign(static_cast<std::size_t>(symbolic_.scalars) + 8, 0.0);
+    }
+    void refresh(const Input& input, base::Executor& executor) override {
+        numeric_.clear(symbolic_, executor);
+        assemble(*input.system, ops_, contributions_, *input.inverse, numeric_.values(), executor);
+    }
+    void factor(base::Executor& executor) override {
+        if (const int wrong = numeric_.factor(symbolic_, executor); wrong != 0)
+            throw std::runtime_error(fmt::format("{} pivots of the wrong sign", wrong));
+    }
+    void solve(std::vector<double>& x, base::Executor& executor) override {
+        for (std::size_t a = 0; a < form_->kept.size(); ++a)
+            for (int i = 0; i < form_->pattern.size[a]; ++i)
+                x_[static_cast<std::size_t>(symbolic_.node_offset[a] + i)] =
+                    x[static_cast<std::size_t>(form_->offset[a] + i)];
+        numeric_.solve(symbolic_, x_.data(), executor);
+        for (std::size_t a = 0; a < form_->kept.size(); ++a)
+            for (int i = 0; i < form_->pattern.size[a]; ++i)
+                x[static_cast<std::size_t>(form_->offset[a] + i)] =
+                    x_[static_cast<std::size_t>(symbolic_.node_offset[a] + i)];
+    }
+    [[nodiscard]] double factor_nnz() const override {
+        return static_cast<double>(symbolic_.factor_nnz);
+    }
+    [[nodiscard]] double flops() const override { return static_cast<double>(symbolic_.flops); }
+    [[nodiscard]] double bytes() const override {
+        return static_cast<double>(symbolic_.bytes() + numeric_.bytes());
+    }
+
+  private:
+    Order order_;
+    const BlockForm* form_ = nullptr;
+    factor::Symbolic symbolic_;
+    factor::Numeric numeric_;
+    std::vector<BlockOp> ops_;
+    std::vector<Contribution> contributions_;
+    std::vector<double> x_;
+};
+
+}  // namespace
+
+std::unique_ptr<Solver> make_ours(Order order) { return std::make_unique<Ours>(order); }
+
+}  // namespace hawser::bench

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file reference.h
+/// The solution to compare with: a plain up-looking LDLᵀ of the saddle matrix in long double with
+/// rows eliminated after bodies, refined in long double until the correction stops shrinking.
+/// Shares no code with the solvers compared but the product of blocks with a vector.
+
+#include "paper_matrix/block_system.h"
+
+#include <vector>
+
+namespace hawser::bench {
+
+struct ReferenceSolution {
+    std::vector<double> x;
+    double last_correction = 0.0;  ///< Largest relative change of the last refinement kept.
+    double growth = 0.0;           ///< Largest |L|.
+};
+
+/// @throws std::runtime_error at a pivot of the wrong sign.
+[[nodiscard]] ReferenceSolution solve_reference(const BlockSystem& system);
+
+/// Largest error of velocities over the largest velocity, or of multipliers over the largest
+/// multiplier, whichever is larger.
+[[nodiscard]] double relative_error(const BlockSystem& system, const std::vector<double>& x,
+                                    const std::vector<double>& exact);
+
+}  // namespace hawser::bench

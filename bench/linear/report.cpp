@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "linear/report.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+namespace hawser::bench {
+namespace {
+
+using nlohmann::json;
+
+/// Ours with the same number of threads, or null.
+const Result* ours(const std::vector<Result>& results, int threads) {
+    for (const Result& r : results)
+        if (r.library == "hawser" && r.threads == threads) return &r;
+    return nullptr;
+}
+
+std::string gflops(const Result& r) {
+    return r.flops > 0.0 && r.phases.factor > 0.0
+               ? fmt::format("{:.2f}", 1e-9 * r.flops / r.phases.factor)
+               : "-";
+}
+
+std::string update_ms(const Result& r, int count) {
+    for (const auto& [changed, time] : r.update)
+        if (changed == count) return fmt::format("{:.3f}", 1e3 * time);
+    return "-";
+}
+
+json result_json(const Result& r) {
+    json updates = json::array();
+    for (const auto& [changed, time] : r.update)
+        updates.push_back({{"contacts_changed", changed}, {"ms", 1e3 * time}});
+    json samples = json::array();
+    for (const double t : r.totals) samples.push_back(1e3 * t);
+    if (!r.failure.empty())
+        return {{"solver", r.library},
+                {"form", r.form},
+                {"order", r.order},
+                {"threads", r.threads},
+                {"failure", r.failure}};
+    return {{"solver", r.library},
+            {"form", r.form},
+            {"order", r.order},
+            {"threads", r.threads},
+            {"analyse_ms", 1e3 * r.analyse},
+            {"update", updates},
+            {"refresh_ms", 1e3 * r.phases.refresh},
+            {"factor_ms", 1e3 * r.phases.factor},
+            {"solve_ms", 1e3 * r.phases.solve},
+            {"refine_ms", 1e3 * r.phases.refine},
+            {"total_ms", 1e3 * r.total},
+            {"samples_ms", samples},
+            {"factor_nnz", r.factor_nnz},
+            {"flops", r.flops},
+            {"bytes", r.bytes},
+            {"error", r.error}};
+}
+
+void print_memory(const ProblemReport& report) {
+    for (const Result& r : report.best) {
+        if (r.library != "hawser" || r.threads != 1) continue;
+        // The panels are written when values come and when L is stored, and each of the two
+        // solutions reads L twice.
+        const double l = 8.0 * r.factor_nnz;
+        fmt::print(
+            "  hawser: {:.0f} B/body; {:.1f} ns/body; L {:.2f} MB; factor writes L at "
+            "{:.2f} GB/s, solve reads it at {:.2f} GB/s\n",
+            r.bytes / report.bodies, 1e9 * r.total / report.bodies, 1e-6 * l,
+            1e-9 * l / r.phases.factor, 1e-9 * 2.0 * l / r.phases.solve);
+    }
+}
+
+}  // namespace
+
+void print_report(const ProblemReport& report) {
+    fmt::print(
+        "\n{}: {} bodies, {} scalars, nnz of the lower triangle {:.0f} saddle, {:.0f} "
+        "condensed\n",
+        report.name, report.bodies, report.scalars, report.nnz_saddle, report.nnz_condensed);
+    fmt::print("{:<20} {:<9} {:<15} {:>1} {:>9} {:>9} {:>9} {:>9} {:>9} {:>6} {:>8} {:>8}\n",
+               "solver", "form", "order", "t", "refresh", "factor", "solve", "refine", "total ms",
+               "ratio", "GFLOP/s", "error");
+    for (const Result& r : report.best) {
+        if (!r.failure.empty()) continue;
+        const Result* base = ours(report.best, r.threads);
+        const std::string ratio =
+            base == nullptr ? "-" : fmt::format("{:.2f}", r.total / base->total);
+        fmt::print(
+            "{:<20} {:<9} {:<15} {:>1} {:>9.4f} {:>9.4f} {:>9.4f} {:>9.4f} {:>9.4f} {:>6} "
+            "{:>8} {:>8}\n",
+            r.library, r.form, r.order, r.threads, 1e3 * r.phases.refresh, 1e3 * r.phases.factor,
+            1e3 * r.phases.solve, 1e3 * r.phases.refine, 1e3 * r.total, ratio, gflops(r),
+            report.reference_correction < 0.0 ? "-" : fmt::format("{:.1e}", r.error));
+    }
+    fmt::print("{:<20} {:>1} {:>10} {:>6} {:>10} {:>10} {:>10} {:>12} {:>10}\n", "", "t",
+               "analyse ms", "ratio", "update 10", "update 50", "update 200", "nnz(L)", "Mflop");
+    for (const Result& r : report.best) {
+        if (!r.failure.empty()) continue;
+        const Result* base = ours(report.best, r.threads);
+        fmt::print("{:<20} {:>1} {:>10.3f} {:>6} {:>10} {:>10} {:>10} {:>12.0f} {:>10}\n",
+                   r.library, r.threads, 1e3 * r.analyse,
+                   base == nullptr ? "-" : fmt::format("{:.2f}", r.analyse / base->analyse),
+                   update_ms(r, 10), update_ms(r, 50), update_ms(r, 200), r.factor_nnz,
+                   r.flops > 0.0 ? fmt::format("{:.2f}", 1e-6 * r.flops) : "-");
+    }
+    print_memory(report);
+    for (const Result& r : report.tried)
+        if (!r.failure.empty())
+            fmt::print("  failed: {}, {}, {}, {} thread(s): {}\n", r.library, r.form, r.order,
+                       r.threads, r.failure);
+    std::fflush(stdout);
+}
+
+void print_thread_gain(const std::vector<ProblemReport>& reports) {
+    fmt::print("\nGain of threads: T(1) / T(t) of refactor + solve, and of all\n");
+    fmt::print("{:<24} {:>9} {:<20} {:>2} {:>10} {:>10} {:>14} {:>8}\n", "matrix", "scalars",
+               "solver", "t", "T(1) ms", "T(t) ms", "factor+solve", "all");
+    for (const ProblemReport& p : reports)
+        for (const Result& one : p.best)
+            for (const Result& many : p.best) {
+                if (one.threads != 1 || many.threads == 1 || one.library != many.library ||
+                    !one.failure.empty() || !many.failure.empty())
+                    continue;
+                fmt::print("{:<24} {:>9} {:<20} {:>2} {:>10.3f} {:>10.3f} {:>14.2f} {:>8.2f}\n",
+                           p.name, p.scalars, one.library, many.threads, 1e3 * one.total,
+                           1e3 * many.total,
+                           (one.phases.factor + one.phases.solve) /
+                               (many.phases.factor + many.phases.solve),
+                           one.total / many.total);
+            }
+    // The smallest matrix from which on every larger one gains 10 % or more.
+    std::map<std::string, std::vector<std::pair<int, bool>>> gains;
+    for (const ProblemReport& p : reports)
+        for (const Result& one : p.best)
+            for (const Result& many : p.best)
+                if (one.threads == 1 && many.threads > 1 && one.library == many.library)
+                    gains[one.library].emplace_back(p.scalars, one.total > 1.1 * many.total);
+    for (auto& [library, list] : gains) {
+        std::sort(list.begin(), list.end());
+        auto from = list.end();
+        while (from != list.begin() && std::prev(from)->second) --from;
+        if (from == list.end())
+            fmt::print("  {} does not gain 10 % on the largest matrix here\n", library);
+        else
+            fmt::print("  {} gains 10 % or more from {} scalars on\n", library, from->first);
+    }
+}
+
+nlohmann::json to_json(const ProblemReport& report) {
+    json best = json::array(), tried = json::array();
+    for (const Result& r : report.best) best.push_back(result_json(r));
+    for (const Result& r : report.tried) tried.push_back(result_json(r));
+    return {{"name", report.name},
+            {"bodies", report.bodies},
+            {"scalars", report.scalars},
+            {"scale", report.scale},
+            {"nnz_saddle", report.nnz_saddle},
+            {"nnz_condensed", report.nnz_condensed},
+            {"reference_correction", report.reference_correction},
+            {"best", best},
+            {"tried", tried}};
+}
+
+}  // namespace hawser::bench

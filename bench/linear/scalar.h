@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file scalar.h
+/// A form as a scalar matrix for the libraries, permuted beforehand so that none of them has to
+/// permute values at each factorisation, and the orders to choose from.
+
+#include "linear/form.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hawser::bench {
+
+enum class Order : std::uint8_t { amd_scalars, amd_blocks, metis_blocks, library };
+[[nodiscard]] std::string name_of(Order order);
+
+/// Elimination order of the kept nodes: order[k] = node. @throws if METIS is not in this build.
+[[nodiscard]] std::vector<std::int32_t> order_blocks(const BlockForm& form, Order order);
+
+/// Lower triangle of a form in its natural order. Constructing it is no part of any timing: it is
+/// what a user of a library has.
+class ScalarMatrix {
+  public:
+    ScalarMatrix(const BlockSystem& system, const BlockForm& form);
+    /// Values from the blocks.
+    void refresh(const BlockSystem& system, const BlockForm& form,
+                 const std::vector<double>& inverse, base::Executor& executor);
+    /// order[k] = scalar eliminated k-th. Timed as a part of analysis.
+    [[nodiscard]] std::vector<std::int32_t> order_scalars(const BlockForm& form, Order order) const;
+
+    Sparse lower;
+
+  private:
+    std::vector<BlockOp> ops_;          ///< Condensed form.
+    std::vector<std::int64_t> source_;  ///< Saddle form: address of each value in the system.
+};
+
+enum class Triangle : std::uint8_t { lower, upper, full };
+
+/// P K Pᵀ by columns, rows ascending, with the place that each value comes from.
+struct Permuted {
+    std::vector<std::int32_t> order, start, row, source;
+    std::vector<double> value;
+
+    void build(const Sparse& lower, std::vector<std::int32_t> order_, Triangle triangle);
+    /// Gather the values of the natural lower triangle to `to`, as many as `row` has.
+    void gather(const Sparse& lower, double* to, base::Executor& executor) const;
+    [[nodiscard]] int size() const noexcept { return static_cast<int>(order.size()); }
+};
+
+}  // namespace hawser::bench

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file solver.h
+/// One interface for all solvers compared, and the list of their variants.
+///
+/// | library | forms | orders | threads |
+/// |---|---|---|---|
+/// | hawser | saddle, condensed | AMD on blocks, METIS on blocks | ours |
+/// | Eigen SimplicialLDLT, CHOLMOD simplicial, SuiteSparse LDL | both | all three | - |
+/// | CHOLMOD supernodal | condensed: it has no LDLᵀ | all three | BLAS |
+/// | KLU | both | all three, COLAMD | - |
+/// | MUMPS | both, SYM = 1: no pivoting | all three | BLAS |
+
+#include "linear/form.h"
+#include "linear/scalar.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hawser::bench {
+
+/// What a solver is given: the blocks, the form, and the form's scalar matrix for libraries.
+struct Input {
+    const BlockSystem* system = nullptr;
+    const BlockForm* form = nullptr;
+    ScalarMatrix* matrix = nullptr;
+    const std::vector<double>* inverse = nullptr;  ///< 1/Σ of eliminated rows.
+};
+
+class Solver {
+  public:
+    Solver() = default;
+    virtual ~Solver() = default;
+    Solver(const Solver&) = delete;
+    Solver& operator=(const Solver&) = delete;
+
+    /// Order and everything else that does not depend on values.
+    virtual void analyse(const Input& input, base::Executor& executor) = 0;
+    /// The same after the given nodes of the system, contacts, got other neighbours.
+    virtual void update(const Input& input, const std::vector<int>& changed,
+                        base::Executor& executor) {
+        (void)changed;
+        analyse(input, executor);
+    }
+    /// Values from the blocks of the system, condensed where the form is.
+    virtual void refresh(const Input& input, base::Executor& executor) = 0;
+    /// @throws std::runtime_error if it fails.
+    virtual void factor(base::Executor& executor) = 0;
+    /// Scalars of the kept nodes, natural order, in place.
+    virtual void solve(std::vector<double>& x, base::Executor& executor) = 0;
+    /// Entries of L with its diagonal, as the library counts or stores them.
+    [[nodiscard]] virtual double factor_nnz() const = 0;
+    /// Of one factorisation, 0 = the library does not tell.
+    [[nodiscard]] virtual double flops() const { return 0.0; }
+    /// Memory that the solver holds, 0 = not known.
+    [[nodiscard]] virtual double bytes() const { return 0.0; }
+};
+
+struct Variant {
+    std::string library;
+    bool condensed = false;
+    Order order = Order::amd_scalars;
+    bool threaded = false;  ///< The factorisation itself can use threads.
+    std::unique_ptr<Solver> (*make)(Order order) = nullptr;
+
+    [[nodiscard]] std::string form() const { return condensed ? "condensed" : "saddle"; }
+};
+
+/// Every variant in this build; "hawser" comes first.
+[[nodiscard]] std::vector<Variant> all_variants();
+
+std::unique_ptr<Solver> make_ours(Order order);
+std::unique_ptr<Solver> make_eigen(Order order);
+std::unique_ptr<Solver> make_cholmod_simplicial(Order order);
+std::unique_ptr<Solver> make_cholmod_supernodal(Order order);
+std::unique_ptr<Solver> make_ldl(Order order);
+std::unique_ptr<Solver> make_klu(Order order);
+std::unique_ptr<Solver> make_mumps(Order order);
+
+/// Threads of the BLAS and of OpenMP from here on, where they can be told.
+void set_library_threads(int threads);
+/// Name of the BLAS's kernels, e.g. "OpenBLAS SkylakeX"; "unknown" for another BLAS.
+[[nodiscard]] std::string blas_core();
+
+/// Permutes, gathers, and scatters for libraries that take a scalar matrix.
+class ScalarSolver : public Solver {
+  public:
+    ScalarSolver(Order order, Triangle triangle) : order_(order), triangle_(triangle) {}
+    void analyse(const Input& input, base::Executor& executor) override;
+    void refresh(const Input& input, base::Executor& executor) override;
+    void solve(std::vector<double>& x, base::Executor& executor) override;
+
+  protected:
+    virtual void analyse_pattern() = 0;
+    virtual void solve_permuted(std::vector<double>& x) = 0;  ///< In place.
+    /// Where the permuted values are wanted.
+    virtual double* values() { return matrix_.value.data(); }
+
+    Order order_;
+    Triangle triangle_;
+    Permuted matrix_;
+
+  private:
+    std::vector<double> permuted_;
+};
+
+}  // namespace hawser::bench

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "linear/trial.h"
+
+#include "linear/sweeps.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+namespace hawser::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point from) {
+    return std::chrono::duration<double>(Clock::now() - from).count();
+}
+
+double median(std::vector<double> v) {
+    if (v.empty()) return 0.0;
+    std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
+    return v[v.size() / 2];
+}
+
+bool wanted(const Variant& v, const TrialOptions& o) {
+    if (o.quick_choice && !(v.condensed && v.order == Order::amd_blocks)) return false;
+    if (o.libraries.empty()) return true;
+    return std::any_of(o.libraries.begin(), o.libraries.end(), [&](const std::string& name) {
+        return v.library.find(name) != std::string::npos;
+    });
+}
+
+Result describe(Candidate& c) {
+    Result r;
+    r.library = c.variant().library;
+    r.form = c.variant().form();
+    r.order = name_of(c.variant().order);
+    if (c.variant().order == Order::library) r.order = "COLAMD";
+    r.threads = c.threads();
+    return r;
+}
+
+/// Samples of one candidate, and what becomes of them.
+struct Samples {
+    std::vector<double> analyse, refresh, factor, solve, refine, total;
+    void add(const Phases& p) {
+        refresh.push_back(p.refresh);
+        factor.push_back(p.factor);
+        solve.push_back(p.solve);
+        refine.push_back(p.refine);
+        total.push_back(p.total());
+    }
+    void finish(Result& r) const {
+        r.analyse = median(analyse);
+        r.phases = {median(refresh), median(factor), median(solve), median(refine)};
+        r.total = median(total);
+        r.totals = total;
+    }
+};
+
+/// One turn: the first solution brings the caches back, the others count.
+void take_turn(Candidate& c, Samples& s, double budget) {
+    const Phases first = c.work();
+    if (first.total() > budget) return s.add(first);
+    for (int k = 0; k < 3; ++k) s.add(c.work());
+}
+
+void complete(Candidate& c, const Problem& problem, Result& r) {
+    r.factor_nnz = c.solver().factor_nnz();
+    r.flops = c.solver().flops();
+    r.bytes = c.solver().bytes();
+    if (problem.reference) r.error = relative_error(problem.system, c.x(), problem.reference->x);
+}
+
+/// Try one variant alone. A failure is a result too.
+Result try_variant(Problem& problem, const Variant& variant, int threads,
+                   const TrialOptions& options) {
+    Result r;
+    try {
+        Candidate c(problem, variant, threads);
+        r = describe(c);
+        Samples s;
+        s.analyse.push_back(c.analyse());
+        take_turn(c, s, options.budget);
+        s.finish(r);
+        complete(c, problem, r);
+    } catch (const std::exception& e) {
+        r.library = variant.library;
+        r.form = variant.form();
+        r.order = name_of(variant.order);
+        r.threads = threads;
+        r.failure = e.what();
+        r.total = std::numeric_limits<double>::infinity();
+    }
+    return r;
+}
+
+void time_updates(std::vector<std::unique_ptr<Candidate>>& candidates, std::vector<Result>& results,
+                  const ProblemSource& source, const TrialOptions& options) {
+    constexpr int kSteps = 3;
+    for (const int count : options.edits) {
+        std::vector<std::vector<double>> times(candidates.size());
+        PaperScene scene(*source.paper);
+        for (int step = 0; step < kSteps; ++step) {
+            const std::vector<int> changed = scene.change_contacts(count, step);
+            std::vector<int> nodes;
+            for (const int i : changed) nodes.push_back(scene.contact_node(i));
+            const Problem edited(scene.system());
+            for (std::size_t k = 0; k < candidates.size(); ++k) {
+                const Input input = edited.input(candidates[k]->variant().condensed);
+                set_library_threads(candidates[k]->threads());
+                const auto from = Clock::now();
+                candidates[k]->solver().update(input, nodes, candidates[k]->executor());
+                times[k].push_back(since(from));
+            }
+        }
+        for (std::size_t k = 0; k < candidates.size(); ++k)
+            results[k].update.emplace_back(count, median(times[k]));
+    }
+}
+
+}  // namespace
+
+base::Executor& Candidate::serial() noexcept {
+    static base::SerialExecutor executor;
+    return executor;
+}
+
+Candidate::Candidate(Problem& problem, const Variant& variant, int threads)
+    : problem_(&problem),
+      variant_(variant),
+      threads_(threads),
+      solver_(variant.make(variant.order)) {
+    if (threads > 1) pool_ = std::make_unique<runtime::Pool>(threads);
+    own_ = pool_ && variant.library == "hawser" ? pool_.get() : &serial();
+    const auto n = static_cast<std::size_t>(problem.system.scalars()) + 8;
+    for (auto* v : {&x_, &r_, &dx_, &scratch_, &folded_}) v->assign(n, 0.0);
+}
+
+Candidate::~Candidate() = default;
+
+void Candidate::wake() {
+    if (pool_) pool_->resume();
+}
+/// A spinning pool would take a core from a library that has threads of its own.
+void Candidate::rest() {
+    if (pool_ && own_ != pool_.get()) pool_->pause();
+}
+
+double Candidate::analyse() {
+    set_library_threads(threads_);
+    const auto from = Clock::now();
+    solver_->analyse(problem_->input(variant_.condensed), executor());
+    return since(from);
+}
+
+Phases Candidate::work() {
+    set_library_threads(threads_);
+    const Input in = problem_->input(variant_.condensed);
+    std::vector<double>& inverse = problem_->inverse;
+    base::Executor& team = executor();
+    auto solve = [&](const std::vector<double>& b, std::vector<double>& x) {
+        wake();
+        fold(*in.system, *in.form, inverse, b, scratch_, folded_, team);
+        rest();
+        solver_->solve(folded_, *own_);
+        wake();
+        unfold(*in.system, *in.form, inverse, b, folded_, x, team);
+    };
+    Phases p;
+    wake();
+    auto from = Clock::now();
+    invert_sigma(*in.system, *in.form, inverse, team);
+    solver_->refresh(in, team);
+    rest();
+    p.refresh = since(from);
+    from = Clock::now();
+    solver_->factor(*own_);
+    p.factor = since(from);
+    from = Clock::now();
+    solve(in.system->rhs, x_);
+    p.solve = since(from);
+    from = Clock::now();
+    residual(*in.system, in.system->rhs, x_, r_, team);
+    solve(r_, dx_);
+    for (std::size_t i = 0; i < in.system->rhs.size(); ++i) x_[i] += dx_[i];
+    p.refine = since(from);
+    if (pool_) pool_->pause();
+    return p;
+}
+
+std::vector<Result> compare(Problem& problem, const ProblemSource& source, int threads,
+                            const TrialOptions& options, std::vector<Result>& all) {
+    // With more threads only solvers that can use them are worth another look.
+    std::map<std::string, std::pair<Variant, Result>> best;
+    std::vector<std::string> order;
+    for (const Variant& v : all_variants()) {
+        if (!wanted(v, options)) continue;
+        const Result r = try_variant(problem, v, threads, options);
+        all.push_back(r);
+        const auto it = best.find(v.library);
+        if (it == best.end()) order.push_back(v.library);
+        if (it == best.end() || r.total < it->second.second.total) best[v.library] = {v, r};
+    }
+    std::vector<Result> results;
+    if (!options.alternate) {
+        for (const std::string& name : order) results.push_back(best[name].second);
+        return results;
+    }
+    std::vector<std::unique_ptr<Candidate>> candidates;
+    std::vector<Samples> samples;
+    for (const std::string& name : order) {
+        if (!best[name].second.failure.empty()) continue;
+        candidates.push_back(std::make_unique<Candidate>(problem, best[name].first, threads));
+        samples.emplace_back();
+        results.push_back(describe(*candidates.back()));
+    }
+    for (std::size_t k = 0; k < candidates.size(); ++k)
+        for (int i = 0; i < 3; ++i) samples[k].analyse.push_back(candidates[k]->analyse());
+    for (int round = 0; round < options.rounds; ++round)
+        for (std::size_t k = 0; k < candidates.size(); ++k)
+            take_turn(*candidates[k], samples[k], options.budget);
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+        samples[k].finish(results[k]);
+        complete(*candidates[k], problem, results[k]);
+    }
+    if (source.paper && options.updates) time_updates(candidates, results, source, options);
+    return results;
+}
+
+}  // namespace hawser::bench

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file trial.h
+/// Runs solvers on a problem: finds the best variant of each library, then times all of them in
+/// turns and takes medians.
+
+#include "linear/problem.h"
+#include "runtime/tasks.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hawser::bench {
+
+/// Times of one solution from blocks to refined result [s].
+struct Phases {
+    double refresh = 0.0;  ///< Values from the blocks, condensed where the form is.
+    double factor = 0.0;
+    double solve = 0.0;   ///< With folding and unfolding of eliminated rows.
+    double refine = 0.0;  ///< Saddle residual, second solution, addition.
+    [[nodiscard]] double total() const noexcept { return refresh + factor + solve + refine; }
+};
+
+/// What is reported of one solver on one problem with one number of threads.
+struct Result {
+    std::string library, form, order, failure;
+    int threads = 1;
+    double analyse = 0.0;                          ///< [s]
+    Phases phases{};                               ///< Medians.
+    double total = 0.0;                            ///< Median of the totals [s].
+    std::vector<std::pair<int, double>> update{};  ///< Contacts changed, time [s].
+    double factor_nnz = 0.0, flops = 0.0, bytes = 0.0, error = 0.0;
+    std::vector<double> totals{};  ///< Each sample [s].
+};
+
+struct TrialOptions {
+    int rounds = 11;                       ///< Turns of each solver.
+    double budget = 2.0;                   ///< A solution slower than this is run once a turn [s].
+    std::vector<std::string> libraries{};  ///< Parts of names; empty: all.
+    std::vector<int> edits{10, 50, 200};   ///< Contacts changed, where the problem has any.
+    bool quick_choice = false;             ///< Try the condensed form with AMD on blocks only.
+    bool alternate = true;                 ///< Keep all solvers in memory and take turns.
+    bool updates = true;
+};
+
+/// One solver on one problem.
+class Candidate {
+  public:
+    Candidate(Problem& problem, const Variant& variant, int threads);
+    ~Candidate();
+
+    /// @return time of the analysis [s].
+    double analyse();
+    /// Refresh, factor, solve, refine.
+    Phases work();
+    [[nodiscard]] const Variant& variant() const noexcept { return variant_; }
+    [[nodiscard]] int threads() const noexcept { return threads_; }
+    [[nodiscard]] const std::vector<double>& x() const noexcept { return x_; }
+    [[nodiscard]] Solver& solver() noexcept { return *solver_; }
+    [[nodiscard]] base::Executor& executor() noexcept { return pool_ ? *pool_ : serial(); }
+
+  private:
+    [[nodiscard]] static base::Executor& serial() noexcept;
+    void wake();
+    void rest();
+
+    Problem* problem_;
+    Variant variant_;
+    int threads_;
+    std::unique_ptr<Solver> solver_;
+    std::unique_ptr<runtime::Pool> pool_;
+    base::Executor* own_;  ///< What the solver's own phases run on.
+    std::vector<double> x_, r_, dx_, scratch_, folded_;
+};
+
+/// The best variant of every library on this problem, alternated. @param all  Receives the
+/// results of every variant that was tried.
+[[nodiscard]] std::vector<Result> compare(Problem& problem, const ProblemSource& source,
+                                          int threads, const TrialOptions& options,
+                                          std::vector<Result>& all);
+
+}  // namespace hawser::bench
