@@ -9,7 +9,10 @@
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <limits>
 
@@ -100,6 +103,16 @@ CLI::App* add_options(CLI::App& app, FactorOptions& o) {
     return &app;
 }
 
+/// OpenBLAS 0.3.21 takes newer machines for a Prescott of 2004 and is then several times slower
+/// than it can be. It chooses when it is loaded, so start again with a better choice.
+void insist_on_fast_blas(char** argv) {
+    const std::string isa = instruction_set(), core = blas_core();
+    if (getenv("OPENBLAS_CORETYPE") != nullptr || core != "OpenBLAS Prescott" || isa == "sse2")
+        return;
+    setenv("OPENBLAS_CORETYPE", isa == "avx512" ? "SKYLAKEX" : "HASWELL", 1);
+    execv("/proc/self/exe", argv);  // goes on as it is where that fails
+}
+
 }  // namespace
 
 int factor_command(int argc, char** argv) {
@@ -111,12 +124,14 @@ int factor_command(int argc, char** argv) {
     FactorOptions o;
     add_options(app, o);
     CLI11_PARSE(app, argc, argv);
+    insist_on_fast_blas(argv - 1);  // argv[0] is the subcommand, before it is the program
     const std::vector<ProblemSource> sources = choose(o);
     if (o.list) {
         for (const ProblemSource& p : sources) fmt::print("{}\n", p.name);
         return 0;
     }
-    fmt::print("kernels {}, BLAS {}\n", instruction_set(), blas_core());
+    fmt::print("kernels {}, BLAS {}; one thread: processor time, more: wall time\n",
+               instruction_set(), blas_core());
     std::vector<ProblemReport> reports;
     nlohmann::json all = nlohmann::json::array();
     for (const ProblemSource& p : sources) {

@@ -84,7 +84,9 @@ endforeach()
 if(TARGET hawser_test_bench)
     foreach(file IN ITEMS peers/scenes peers/forest peers/meter peers/reference
                           paper_matrix/block_system paper_matrix/paper_scene
-                          paper_matrix/paper_values paper_matrix/structures)
+                          paper_matrix/paper_values paper_matrix/structures
+                          paper_matrix/matrix_market linear/form linear/assemble linear/sweeps
+                          linear/scalar linear/reference)
         target_sources(hawser_test_bench PRIVATE "${PROJECT_SOURCE_DIR}/bench/${file}.cpp")
     endforeach()
     target_include_directories(hawser_test_bench PRIVATE ${PROJECT_SOURCE_DIR}/bench)

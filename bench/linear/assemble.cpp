@@ -42,14 +42,14 @@ HAWSER_BENCH_INLINE void run(const BlockOp& op, const AssembleView& v) {
     double* to = v.target + op.to;
     const bool diagonal = op.row == op.col;
     for (int c = 0; c < Columns; ++c) {
-        if (diagonal) {
-            for (int i = c; i < rows; ++i) to[i] = sum[c][i];
-        } else if (rows == 6) {
-            std::memcpy(to, &sum[c], 6 * sizeof(double));
-        } else if (rows == 3) {
-            std::memcpy(to, &sum[c], 3 * sizeof(double));
+        if (!diagonal && rows == 6) {
+            store<6>(to, sum[c]);
+        } else if (!diagonal && rows == 3) {
+            store<3>(to, sum[c]);
         } else {
-            for (int i = 0; i < rows; ++i) to[i] = sum[c][i];
+            double column[8];
+            std::memcpy(column, &sum[c], sizeof column);
+            for (int i = diagonal ? c : 0; i < rows; ++i) to[i] = column[i];
         }
         to += op.stride - (op.shrink ? c : 0);
     }

@@ -18,8 +18,44 @@
 namespace hawser::bench {
 
 using V8 = double __attribute__((vector_size(64)));
+using V4 = double __attribute__((vector_size(32)));
+using V2 = double __attribute__((vector_size(16)));
+
+/// Ones in the first n of eight places.
+inline constexpr double kMask[9][8] = {{},
+                                       {1},
+                                       {1, 1},
+                                       {1, 1, 1},
+                                       {1, 1, 1, 1},
+                                       {1, 1, 1, 1, 1},
+                                       {1, 1, 1, 1, 1, 1},
+                                       {1, 1, 1, 1, 1, 1, 1},
+                                       {1, 1, 1, 1, 1, 1, 1, 1}};
 
 /// Eight doubles from an address of any alignment; reads past short blocks.
 HAWSER_BENCH_INLINE void load(V8& v, const double* from) { std::memcpy(&v, from, sizeof v); }
+
+/// The first N of eight doubles.
+template <int N>
+HAWSER_BENCH_INLINE void store(double* to, const V8& v) {
+    const V4 low = __builtin_shufflevector(v, v, 0, 1, 2, 3);
+    const V4 high = __builtin_shufflevector(v, v, 4, 5, 6, 7);
+    const V4& last = N >= 4 ? high : low;
+    if constexpr (N >= 4) std::memcpy(to, &low, sizeof low);
+    constexpr int kRest = N % 4, kAt = N - kRest;
+    if constexpr (kRest >= 2) {
+        const V2 pair = __builtin_shufflevector(last, last, 0, 1);
+        std::memcpy(to + kAt, &pair, sizeof pair);
+    }
+    if constexpr (kRest % 2 == 1) to[N - 1] = last[kRest - 1];
+}
+
+HAWSER_BENCH_INLINE double total(const V8& v) {
+    const V4 four =
+        __builtin_shufflevector(v, v, 0, 1, 2, 3) + __builtin_shufflevector(v, v, 4, 5, 6, 7);
+    const V2 two =
+        __builtin_shufflevector(four, four, 0, 1) + __builtin_shufflevector(four, four, 2, 3);
+    return two[0] + two[1];
+}
 
 }  // namespace hawser::bench

@@ -19,6 +19,7 @@ std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 Problem::Problem(BlockSystem system_) : system(std::move(system_)) {
+    system.rhs.reserve(system.rhs.size() + 8);  // vector loads read past the end
     for (const bool condensed : {false, true}) {
         form[condensed] = make_form(system, condensed);
         matrix[condensed] = std::make_unique<ScalarMatrix>(system, form[condensed]);

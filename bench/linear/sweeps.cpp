@@ -9,149 +9,278 @@
 namespace hawser::bench {
 namespace {
 
-/// Ones in the first n of eight places.
-constexpr double kMask[7][8] = {{0, 0, 0, 0, 0, 0, 0, 0}, {1, 0, 0, 0, 0, 0, 0, 0},
-                                {1, 1, 0, 0, 0, 0, 0, 0}, {1, 1, 1, 0, 0, 0, 0, 0},
-                                {1, 1, 1, 1, 0, 0, 0, 0}, {1, 1, 1, 1, 1, 0, 0, 0},
-                                {1, 1, 1, 1, 1, 1, 0, 0}};
-
 struct SweepView {
     const double* values;
-    const std::int32_t *start, *adjacent, *offset;
+    const std::int32_t *start, *adjacent, *offset, *index, *to;
     const std::int64_t *edge, *diagonal;
     const std::int8_t* size;
+    const double *inverse, *b;
+    double *x, *r, *s, *folded;
 };
 
-SweepView view_of(const BlockSystem& s) {
-    return {s.values.data(), s.pattern.start.data(), s.pattern.adjacent.data(), s.offset.data(),
-            s.edge.data(),   s.diagonal.data(),      s.pattern.size.data()};
+SweepView view_of(const BlockSystem& s, const BlockForm& f, const std::vector<double>& inverse,
+                  SweepVectors& v) {
+    return {s.values.data(),
+            s.pattern.start.data(),
+            s.pattern.adjacent.data(),
+            s.offset.data(),
+            f.index.data(),
+            f.offset.data(),
+            s.edge.data(),
+            s.diagonal.data(),
+            s.pattern.size.data(),
+            inverse.data(),
+            s.rhs.data(),
+            v.x.data(),
+            v.r.data(),
+            v.s.data(),
+            v.folded.data()};
 }
 
-/// A block stored by the rows of the own node: row i adds to sums[i], lane by lane.
-HAWSER_BENCH_INLINE void add_by_rows(V8* sums, int rows, const double* block, int columns,
-                                     const double* x) {
-    V8 mask, v;
-    load(mask, kMask[columns]);
-    load(v, x);
-    v *= mask;
-    for (int i = 0; i < rows; ++i) {
-        V8 b;
-        load(b, block + i * columns);
-        sums[i] += b * v;
-    }
-}
-
-/// A block stored by the rows of the other node.
-HAWSER_BENCH_INLINE void add_by_columns(V8& sum, int rows, const double* block, int columns,
-                                        const double* x) {
-    for (int j = 0; j < columns; ++j) {
-        V8 b;
-        load(b, block + j * rows);
-        sum += b * x[j];
-    }
-}
-
-HAWSER_BENCH_INLINE double total(const V8& v) {
-    return ((v[0] + v[4]) + (v[1] + v[5])) + ((v[2] + v[6]) + (v[3] + v[7]));
-}
-
-/// Product of a node's block row with x, over the wanted neighbours and maybe the node itself.
-template <bool Diagonal, class Wanted>
-HAWSER_BENCH_INLINE void product(const SweepView& v, std::int64_t a, const double* x, double* y,
-                                 Wanted wanted) {
-    const int n = v.size[a];
-    V8 rows[6] = {}, sum = {};
-    if constexpr (Diagonal) add_by_columns(sum, n, v.values + v.diagonal[a], n, x + v.offset[a]);
-    bool any = false;
+/// Block row of a node times a vector, over all neighbours. N scalars.
+template <int N>
+HAWSER_BENCH_INLINE void product(const SweepView& v, std::int64_t a, const double* x, double* y) {
+    V8 rows[N] = {}, sum = {};
     for (std::int32_t k = v.start[a]; k < v.start[a + 1]; ++k) {
         const std::int32_t b = v.adjacent[k];
-        if (!wanted(b)) continue;
-        if (b < a) {
-            add_by_rows(rows, n, v.values + v.edge[k], v.size[b], x + v.offset[b]);
-            any = true;
+        const int m = v.size[b];
+        const double* block = v.values + v.edge[k];
+        const double* xb = x + v.offset[b];
+        if (b < a) {  // stored by rows of this node
+            V8 mask, other;
+            load(mask, kMask[m]);
+            load(other, xb);
+            other *= mask;
+            for (int i = 0; i < N; ++i) {
+                V8 g;
+                load(g, block + i * m);
+                rows[i] += g * other;
+            }
         } else {
-            add_by_columns(sum, n, v.values + v.edge[k], v.size[b], x + v.offset[b]);
+            for (int j = 0; j < m; ++j) {
+                V8 g;
+                load(g, block + j * N);
+                sum += g * xb[j];
+            }
         }
     }
-    for (int i = 0; i < n; ++i) y[i] = sum[i] + (any ? total(rows[i]) : 0.0);
+    double out[8];
+    std::memcpy(out, &sum, sizeof sum);
+    for (int i = 0; i < N; ++i) y[i] = out[i] + total(rows[i]);
 }
 
-HAWSER_BENCH_CLONES void residual_nodes(const SweepView& v, std::int64_t begin, std::int64_t end,
-                                        const double* b, const double* x, double* r) {
-    for (std::int64_t a = begin; a < end; ++a) {
-        double y[8];
-        product<true>(v, a, x, y, [](std::int32_t) { return true; });
-        for (int i = 0; i < v.size[a]; ++i) r[v.offset[a] + i] = b[v.offset[a] + i] - y[i];
+/// The same for nodes whose neighbours all come after them in number: what bodies have.
+template <int N>
+HAWSER_BENCH_INLINE void product_of_columns(const SweepView& v, std::int64_t a, const double* x,
+                                            V8& sum) {
+    for (std::int32_t k = v.start[a]; k < v.start[a + 1]; ++k) {
+        const std::int32_t b = v.adjacent[k];
+        if (v.index[b] >= 0) continue;
+        const double* block = v.values + v.edge[k];
+        const double* xb = x + v.offset[b];
+        for (int j = 0; j < v.size[b]; ++j) {
+            V8 g;
+            load(g, block + j * N);
+            sum += g * xb[j];
+        }
     }
 }
 
-HAWSER_BENCH_CLONES void fold_nodes(const SweepView& v, const std::int32_t* index,
-                                    const std::int32_t* to, std::int64_t begin, std::int64_t end,
-                                    const double* r, const double* scaled, double* folded) {
-    for (std::int64_t a = begin; a < end; ++a) {
-        if (index[a] < 0) continue;
-        double y[8];
-        product<false>(v, a, scaled, y, [&](std::int32_t e) { return index[e] < 0; });
-        for (int i = 0; i < v.size[a]; ++i) folded[to[index[a]] + i] = r[v.offset[a] + i] + y[i];
+/// Diagonal block and neighbours that are kept.
+template <int N>
+HAWSER_BENCH_INLINE void product_of_kept(const SweepView& v, std::int64_t a, const double* x,
+                                         V8& sum) {
+    for (int j = 0; j < N; ++j) {
+        V8 g;
+        load(g, v.values + v.diagonal[a] + j * N);
+        sum += g * x[v.offset[a] + j];
+    }
+    for (std::int32_t k = v.start[a]; k < v.start[a + 1]; ++k) {
+        const std::int32_t b = v.adjacent[k];
+        if (v.index[b] < 0) continue;
+        const int m = v.size[b];
+        const double* block = v.values + v.edge[k];
+        for (int i = 0; i < N; ++i)
+            for (int j = 0; j < m; ++j)
+                sum[i] += (b < a ? block[i * m + j] : block[j * N + i]) * x[v.offset[b] + j];
     }
 }
 
-HAWSER_BENCH_CLONES void unfold_nodes(const SweepView& v, const std::int32_t* index,
-                                      std::int64_t begin, std::int64_t end, const double* inverse,
-                                      const double* r, double* x) {
-    for (std::int64_t a = begin; a < end; ++a) {
-        if (index[a] >= 0) continue;
-        double y[8];
-        product<false>(v, a, x, y, [](std::int32_t) { return true; });
-        for (int i = v.offset[a]; i < v.offset[a + 1]; ++i)
-            x[i] = inverse[i] * (y[i - v.offset[a]] - r[i]);
+template <int N>
+HAWSER_BENCH_INLINE void fold_node(const SweepView& v, std::int64_t a, bool of_residual) {
+    V8 sum;
+    load(sum, v.b + v.offset[a]);
+    if (of_residual) {
+        V8 kept = {};
+        product_of_kept<N>(v, a, v.x, kept);
+        sum -= kept;
+    }
+    product_of_columns<N>(v, a, v.s, sum);
+    store<N>(v.folded + v.to[v.index[a]], sum);
+}
+
+template <int N>
+HAWSER_BENCH_INLINE void unfold_node(const SweepView& v, std::int64_t a) {
+    double y[N];
+    product<N>(v, a, v.x, y);
+    for (int i = 0; i < N; ++i) {
+        const std::int32_t k = v.offset[a] + i;
+        const double lambda = v.inverse[k] * (y[i] - v.b[k]);
+        const double r = v.b[k] - y[i] - v.values[v.diagonal[a] + i * (N + 1)] * lambda;
+        v.x[k] = lambda;
+        v.r[k] = r;
+        v.s[k] = v.inverse[k] * r - lambda;
+    }
+}
+
+/// The correction of the kept nodes is in s meanwhile.
+template <int N>
+HAWSER_BENCH_INLINE void correct_node(const SweepView& v, std::int64_t a) {
+    double y[N];
+    product<N>(v, a, v.s, y);
+    for (int i = 0; i < N; ++i) {
+        const std::int32_t k = v.offset[a] + i;
+        v.x[k] += v.inverse[k] * (y[i] - v.r[k]);
+    }
+}
+
+template <int N>
+HAWSER_BENCH_INLINE void residual_node(const SweepView& v, std::int64_t a) {
+    double y[N];
+    product<N>(v, a, v.x, y);
+    V8 own = {};
+    for (int j = 0; j < N; ++j) {
+        V8 g;
+        load(g, v.values + v.diagonal[a] + j * N);
+        own += g * v.x[v.offset[a] + j];
+    }
+    double d[8];
+    std::memcpy(d, &own, sizeof own);
+    for (int i = 0; i < N; ++i) {
+        const std::int32_t k = v.offset[a] + i;
+        v.folded[k] = v.b[k] - (y[i] + d[i]);
+    }
+}
+
+#define HAWSER_BENCH_BY_SIZE(call) \
+    switch (v.size[a]) {           \
+        case 1:                    \
+            call(1);               \
+            break;                 \
+        case 2:                    \
+            call(2);               \
+            break;                 \
+        case 3:                    \
+            call(3);               \
+            break;                 \
+        case 4:                    \
+            call(4);               \
+            break;                 \
+        case 5:                    \
+            call(5);               \
+            break;                 \
+        default:                   \
+            call(6);               \
+            break;                 \
+    }
+
+HAWSER_BENCH_CLONES void fold_nodes(const SweepView& v, std::int64_t begin, std::int64_t end,
+                                    bool of_residual) {
+#define HAWSER_BENCH_CALL(n) fold_node<n>(v, a, of_residual)
+    for (std::int64_t a = begin; a < end; ++a)
+        if (v.index[a] >= 0) HAWSER_BENCH_BY_SIZE(HAWSER_BENCH_CALL)
+#undef HAWSER_BENCH_CALL
+}
+
+HAWSER_BENCH_CLONES void unfold_nodes(const SweepView& v, std::int64_t begin, std::int64_t end) {
+#define HAWSER_BENCH_CALL(n) unfold_node<n>(v, a)
+    for (std::int64_t a = begin; a < end; ++a)
+        if (v.index[a] < 0) HAWSER_BENCH_BY_SIZE(HAWSER_BENCH_CALL)
+#undef HAWSER_BENCH_CALL
+}
+
+HAWSER_BENCH_CLONES void correct_nodes(const SweepView& v, std::int64_t begin, std::int64_t end) {
+#define HAWSER_BENCH_CALL(n) correct_node<n>(v, a)
+    for (std::int64_t a = begin; a < end; ++a)
+        if (v.index[a] < 0) HAWSER_BENCH_BY_SIZE(HAWSER_BENCH_CALL)
+#undef HAWSER_BENCH_CALL
+}
+
+HAWSER_BENCH_CLONES void residual_nodes(const SweepView& v, std::int64_t begin, std::int64_t end) {
+#define HAWSER_BENCH_CALL(n) residual_node<n>(v, a)
+    for (std::int64_t a = begin; a < end; ++a) HAWSER_BENCH_BY_SIZE(HAWSER_BENCH_CALL)
+#undef HAWSER_BENCH_CALL
+}
+
+/// Kept scalars of the form's vector to the places of the system's.
+void spread(const BlockSystem& s, const BlockForm& f, const std::vector<double>& from,
+            std::vector<double>& to) {
+    for (std::size_t k = 0; k < f.kept.size(); ++k) {
+        const std::int32_t at = s.offset[static_cast<std::size_t>(f.kept[k])];
+        for (std::int32_t i = f.offset[k]; i < f.offset[k + 1]; ++i)
+            to[static_cast<std::size_t>(at + i - f.offset[k])] = from[static_cast<std::size_t>(i)];
     }
 }
 
 }  // namespace
 
-void residual(const BlockSystem& s, const std::vector<double>& b, const std::vector<double>& x,
-              std::vector<double>& r, base::Executor& executor) {
-    const SweepView v = view_of(s);
-    in_pieces(s.pattern.nodes(), executor, [&](std::int64_t begin, std::int64_t end) {
-        residual_nodes(v, begin, end, b.data(), x.data(), r.data());
-    });
+void SweepVectors::resize(const BlockSystem& system) {
+    const auto n = static_cast<std::size_t>(system.scalars()) + 8;
+    for (auto* v : {&x, &r, &s, &folded}) v->assign(n, 0.0);
 }
 
 void fold(const BlockSystem& s, const BlockForm& f, const std::vector<double>& inverse,
-          const std::vector<double>& r, std::vector<double>& scratch, std::vector<double>& folded,
-          base::Executor& executor) {
-    const SweepView v = view_of(s);
+          SweepVectors& vectors, base::Executor& executor) {
     if (!f.condensed) {
-        std::copy(r.begin(), r.end(), folded.begin());
+        std::copy(s.rhs.begin(), s.rhs.end(), vectors.folded.begin());
         return;
     }
+    const SweepView v = view_of(s, f, inverse, vectors);
     // Scalars of kept nodes are scaled by what happens to be there and never read.
     in_pieces(s.scalars(), executor, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i)
-            scratch[static_cast<std::size_t>(i)] =
-                inverse[static_cast<std::size_t>(i)] * r[static_cast<std::size_t>(i)];
+        for (std::int64_t i = begin; i < end; ++i) v.s[i] = v.inverse[i] * v.b[i];
     });
-    in_pieces(s.pattern.nodes(), executor, [&](std::int64_t begin, std::int64_t end) {
-        fold_nodes(v, f.index.data(), f.offset.data(), begin, end, r.data(), scratch.data(),
-                   folded.data());
-    });
+    in_pieces(s.pattern.nodes(), executor,
+              [&](std::int64_t begin, std::int64_t end) { fold_nodes(v, begin, end, false); });
 }
 
 void unfold(const BlockSystem& s, const BlockForm& f, const std::vector<double>& inverse,
-            const std::vector<double>& r, const std::vector<double>& solved, std::vector<double>& x,
-            base::Executor& executor) {
-    const SweepView v = view_of(s);
+            SweepVectors& vectors, base::Executor& executor) {
     if (!f.condensed) {
-        std::copy(solved.begin(), solved.end(), x.begin());
+        std::copy(vectors.folded.begin(), vectors.folded.end(), vectors.x.begin());
         return;
     }
-    for (std::size_t k = 0; k < f.kept.size(); ++k)
-        std::copy(solved.begin() + f.offset[k], solved.begin() + f.offset[k + 1],
-                  x.begin() + s.offset[static_cast<std::size_t>(f.kept[k])]);
+    spread(s, f, vectors.folded, vectors.x);
+    const SweepView v = view_of(s, f, inverse, vectors);
+    in_pieces(s.pattern.nodes(), executor,
+              [&](std::int64_t begin, std::int64_t end) { unfold_nodes(v, begin, end); });
+}
+
+void fold_residual(const BlockSystem& s, const BlockForm& f, SweepVectors& vectors,
+                   base::Executor& executor) {
+    static const std::vector<double> none;
+    const SweepView v = view_of(s, f, none, vectors);
     in_pieces(s.pattern.nodes(), executor, [&](std::int64_t begin, std::int64_t end) {
-        unfold_nodes(v, f.index.data(), begin, end, inverse.data(), r.data(), x.data());
+        if (f.condensed)
+            fold_nodes(v, begin, end, true);
+        else
+            residual_nodes(v, begin, end);
     });
+}
+
+void add_correction(const BlockSystem& s, const BlockForm& f, const std::vector<double>& inverse,
+                    SweepVectors& vectors, base::Executor& executor) {
+    const SweepView v = view_of(s, f, inverse, vectors);
+    if (!f.condensed) {
+        for (std::size_t i = 0; i < vectors.x.size(); ++i) vectors.x[i] += vectors.folded[i];
+        return;
+    }
+    spread(s, f, vectors.folded, vectors.s);
+    in_pieces(s.pattern.nodes(), executor,
+              [&](std::int64_t begin, std::int64_t end) { correct_nodes(v, begin, end); });
+    for (std::size_t k = 0; k < f.kept.size(); ++k)
+        for (int i = 0; i < f.pattern.size[k]; ++i)
+            v.x[s.offset[static_cast<std::size_t>(f.kept[k])] + i] += v.folded[f.offset[k] + i];
 }
 
 }  // namespace hawser::bench

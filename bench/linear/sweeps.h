@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file sweeps.h
-/// Products with the blocks that every solver needs around its own solve: the residual of the
-/// saddle system, the condensed right-hand side, the multipliers. Vectors have 8 more numbers at
-/// the end than the system has scalars.
+/// Products with the blocks that every solver needs around its own solve. Vectors of the system
+/// have 8 more numbers at the end than it has scalars.
+///
+/// In condensed form each eliminated row e has λ = Σ⁻¹ (G v − b) and residual r = b − G v + Σ λ,
+/// from one product G v; the right-hand side of the next solution is, for a body,
+/// b − A v − Gᵀ λ + Gᵀ Σ⁻¹ r = b − A v + Gᵀ s with s = Σ⁻¹ r − λ. So a sweep over the rows and one
+/// over the bodies do all.
 
 #include "linear/form.h"
 
@@ -11,19 +15,27 @@
 
 namespace hawser::bench {
 
-/// r = b − K x.
-void residual(const BlockSystem& system, const std::vector<double>& b, const std::vector<double>& x,
-              std::vector<double>& r, base::Executor& executor);
+struct SweepVectors {
+    std::vector<double> x;       ///< Solution.
+    std::vector<double> r;       ///< b − K x, at eliminated rows; in saddle form everywhere.
+    std::vector<double> s;       ///< Scratch of eliminated rows.
+    std::vector<double> folded;  ///< Right-hand side and solution of the form.
+    void resize(const BlockSystem& system);
+};
 
-/// Right-hand side of a form: that of the kept nodes plus Gᵀ Σ⁻¹ r of the eliminated.
-/// @param scratch  As long as r; overwritten.
+/// folded = right-hand side of the form: b of the kept nodes plus Gᵀ Σ⁻¹ b of the eliminated.
 void fold(const BlockSystem& system, const BlockForm& form, const std::vector<double>& inverse,
-          const std::vector<double>& r, std::vector<double>& scratch, std::vector<double>& folded,
-          base::Executor& executor);
+          SweepVectors& vectors, base::Executor& executor);
 
-/// Solution of the system from that of a form: λ = Σ⁻¹ (G v − r).
+/// x from the form's solution in folded; then its saddle residual, folded again.
 void unfold(const BlockSystem& system, const BlockForm& form, const std::vector<double>& inverse,
-            const std::vector<double>& r, const std::vector<double>& solved, std::vector<double>& x,
-            base::Executor& executor);
+            SweepVectors& vectors, base::Executor& executor);
+void fold_residual(const BlockSystem& system, const BlockForm& form, SweepVectors& vectors,
+                   base::Executor& executor);
+
+/// x += the correction whose kept part is in folded.
+void add_correction(const BlockSystem& system, const BlockForm& form,
+                    const std::vector<double>& inverse, SweepVectors& vectors,
+                    base::Executor& executor);
 
 }  // namespace hawser::bench

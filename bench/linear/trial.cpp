@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -17,6 +18,31 @@ using Clock = std::chrono::steady_clock;
 double since(Clock::time_point from) {
     return std::chrono::duration<double>(Clock::now() - from).count();
 }
+
+/// Processor time of this thread: what one thread took, however busy the machine is.
+double thread_seconds() {
+    timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// Time of one phase after another.
+class Watch {
+  public:
+    explicit Watch(bool processor) : processor_(processor), last_(now()) {}
+    double lap() {
+        const double t = now(), passed = t - last_;
+        last_ = t;
+        return passed;
+    }
+
+  private:
+    [[nodiscard]] double now() const {
+        return processor_ ? thread_seconds() : since(Clock::time_point{});
+    }
+    bool processor_;
+    double last_;
+};
 
 double median(std::vector<double> v) {
     if (v.empty()) return 0.0;
@@ -110,10 +136,7 @@ void time_updates(std::vector<std::unique_ptr<Candidate>>& candidates, std::vect
             const Problem edited(scene.system());
             for (std::size_t k = 0; k < candidates.size(); ++k) {
                 const Input input = edited.input(candidates[k]->variant().condensed);
-                set_library_threads(candidates[k]->threads());
-                const auto from = Clock::now();
-                candidates[k]->solver().update(input, nodes, candidates[k]->executor());
-                times[k].push_back(since(from));
+                times[k].push_back(candidates[k]->update(input, nodes));
             }
         }
         for (std::size_t k = 0; k < candidates.size(); ++k)
@@ -135,8 +158,7 @@ Candidate::Candidate(Problem& problem, const Variant& variant, int threads)
       solver_(variant.make(variant.order)) {
     if (threads > 1) pool_ = std::make_unique<runtime::Pool>(threads);
     own_ = pool_ && variant.library == "hawser" ? pool_.get() : &serial();
-    const auto n = static_cast<std::size_t>(problem.system.scalars()) + 8;
-    for (auto* v : {&x_, &r_, &dx_, &scratch_, &folded_}) v->assign(n, 0.0);
+    vectors_.resize(problem.system);
 }
 
 Candidate::~Candidate() = default;
@@ -151,9 +173,16 @@ void Candidate::rest() {
 
 double Candidate::analyse() {
     set_library_threads(threads_);
-    const auto from = Clock::now();
+    Watch watch(processor_time());
     solver_->analyse(problem_->input(variant_.condensed), executor());
-    return since(from);
+    return watch.lap();
+}
+
+double Candidate::update(const Input& input, const std::vector<int>& changed) {
+    set_library_threads(threads_);
+    Watch watch(processor_time());
+    solver_->update(input, changed, executor());
+    return watch.lap();
 }
 
 Phases Candidate::work() {
@@ -161,32 +190,29 @@ Phases Candidate::work() {
     const Input in = problem_->input(variant_.condensed);
     std::vector<double>& inverse = problem_->inverse;
     base::Executor& team = executor();
-    auto solve = [&](const std::vector<double>& b, std::vector<double>& x) {
-        wake();
-        fold(*in.system, *in.form, inverse, b, scratch_, folded_, team);
+    auto solve = [&] {
         rest();
-        solver_->solve(folded_, *own_);
+        solver_->solve(vectors_.folded, *own_);
         wake();
-        unfold(*in.system, *in.form, inverse, b, folded_, x, team);
     };
     Phases p;
     wake();
-    auto from = Clock::now();
+    Watch watch(processor_time());
     invert_sigma(*in.system, *in.form, inverse, team);
     solver_->refresh(in, team);
     rest();
-    p.refresh = since(from);
-    from = Clock::now();
+    p.refresh = watch.lap();
     solver_->factor(*own_);
-    p.factor = since(from);
-    from = Clock::now();
-    solve(in.system->rhs, x_);
-    p.solve = since(from);
-    from = Clock::now();
-    residual(*in.system, in.system->rhs, x_, r_, team);
-    solve(r_, dx_);
-    for (std::size_t i = 0; i < in.system->rhs.size(); ++i) x_[i] += dx_[i];
-    p.refine = since(from);
+    p.factor = watch.lap();
+    wake();
+    fold(*in.system, *in.form, inverse, vectors_, team);
+    solve();
+    unfold(*in.system, *in.form, inverse, vectors_, team);
+    p.solve = watch.lap();
+    fold_residual(*in.system, *in.form, vectors_, team);
+    solve();
+    add_correction(*in.system, *in.form, inverse, vectors_, team);
+    p.refine = watch.lap();
     if (pool_) pool_->pause();
     return p;
 }

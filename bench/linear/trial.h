@@ -5,6 +5,7 @@
 /// turns and takes medians.
 
 #include "linear/problem.h"
+#include "linear/sweeps.h"
 #include "runtime/tasks.h"
 
 #include <memory>
@@ -52,16 +53,20 @@ class Candidate {
 
     /// @return time of the analysis [s].
     double analyse();
+    /// The same after contacts changed. @return time [s].
+    double update(const Input& input, const std::vector<int>& changed);
     /// Refresh, factor, solve, refine.
     Phases work();
     [[nodiscard]] const Variant& variant() const noexcept { return variant_; }
     [[nodiscard]] int threads() const noexcept { return threads_; }
-    [[nodiscard]] const std::vector<double>& x() const noexcept { return x_; }
+    [[nodiscard]] const std::vector<double>& x() const noexcept { return vectors_.x; }
     [[nodiscard]] Solver& solver() noexcept { return *solver_; }
-    [[nodiscard]] base::Executor& executor() noexcept { return pool_ ? *pool_ : serial(); }
 
   private:
+    [[nodiscard]] base::Executor& executor() noexcept { return pool_ ? *pool_ : serial(); }
     [[nodiscard]] static base::Executor& serial() noexcept;
+    /// One thread is timed by what it used, several by the clock on the wall.
+    [[nodiscard]] bool processor_time() const noexcept { return threads_ == 1; }
     void wake();
     void rest();
 
@@ -71,7 +76,7 @@ class Candidate {
     std::unique_ptr<Solver> solver_;
     std::unique_ptr<runtime::Pool> pool_;
     base::Executor* own_;  ///< What the solver's own phases run on.
-    std::vector<double> x_, r_, dx_, scratch_, folded_;
+    SweepVectors vectors_;
 };
 
 /// The best variant of every library on this problem, alternated. @param all  Receives the
