@@ -40,16 +40,16 @@ HAWSER_BENCH_INLINE void run(const BlockOp& op, const AssembleView& v) {
         }
     }
     double* to = v.target + op.to;
-    const bool diagonal = op.row == op.col;
+    const bool diagonal = op.row == op.col, close = op.step == 1 && !diagonal;
     for (int c = 0; c < Columns; ++c) {
-        if (!diagonal && rows == 6) {
+        if (close && rows == 6) {
             store<6>(to, sum[c]);
-        } else if (!diagonal && rows == 3) {
+        } else if (close && rows == 3) {
             store<3>(to, sum[c]);
         } else {
             double column[8];
             std::memcpy(column, &sum[c], sizeof column);
-            for (int i = diagonal ? c : 0; i < rows; ++i) to[i] = column[i];
+            for (int i = diagonal ? c : 0; i < rows; ++i) to[i * op.step] = column[i];
         }
         to += op.stride - (op.shrink ? c : 0);
     }

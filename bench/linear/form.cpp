@@ -109,11 +109,9 @@ BlockForm make_form(const BlockSystem& s, bool condensed) {
     return f;
 }
 
-std::vector<BlockOp> reoriented(const std::vector<BlockOp>& ops,
-                                std::vector<Contribution>& contributions,
-                                const std::vector<std::int32_t>& position) {
-    std::vector<BlockOp> result = ops;
-    for (BlockOp& op : result) {
+void reorient(std::vector<BlockOp>& ops, std::vector<Contribution>& contributions,
+              const std::vector<std::int32_t>& position) {
+    for (BlockOp& op : ops) {
         if (position[at(op.row)] >= position[at(op.col)]) continue;
         std::swap(op.row, op.col);
         std::swap(op.row_size, op.col_size);
@@ -121,13 +119,6 @@ std::vector<BlockOp> reoriented(const std::vector<BlockOp>& ops,
         for (std::int32_t k = op.begin; k < op.end; ++k)
             std::swap(contributions[at(k)].row_g, contributions[at(k)].col_g);
     }
-    // By column: a counting sort, rows within a column in any fixed order.
-    std::vector<std::int64_t> start(position.size() + 1, 0);
-    for (const BlockOp& op : result) ++start[at(position[at(op.col)]) + 1];
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    std::vector<BlockOp> sorted(result.size());
-    for (const BlockOp& op : result) sorted[at(start[at(position[at(op.col)])]++)] = op;
-    return sorted;
 }
 
 }  // namespace hawser::bench

@@ -29,6 +29,7 @@ struct BlockOp {
     std::int64_t base = -1;           ///< Address of the block in the system; −1: zero.
     std::int32_t begin = 0, end = 0;  ///< Contributions.
     std::int64_t to = 0;              ///< Address of (0, 0).
+    std::int32_t step = 1;            ///< From row i to i + 1.
     std::int32_t stride = 0;          ///< From column c to c + 1, less c if `shrink`.
     std::int8_t row_size = 0, col_size = 0;
     bool by_rows = false;  ///< The base block is stored by rows of the row node.
@@ -49,11 +50,10 @@ struct BlockForm {
 
 [[nodiscard]] BlockForm make_form(const BlockSystem& system, bool condensed);
 
-/// The same blocks with row and column exchanged where the row node comes before the column node
-/// in an order, sorted by column. @param position  Place of each kept node in the order.
-[[nodiscard]] std::vector<BlockOp> reoriented(const std::vector<BlockOp>& ops,
-                                              std::vector<Contribution>& contributions,
-                                              const std::vector<std::int32_t>& position);
+/// Exchange row and column of the blocks whose row node comes before the column node in an order.
+/// @param position  Place of each kept node in the order.
+void reorient(std::vector<BlockOp>& ops, std::vector<Contribution>& contributions,
+              const std::vector<std::int32_t>& position);
 
 /// 1/Σ of every scalar of the eliminated rows; others are left alone. Sized scalars + 8.
 void invert_sigma(const BlockSystem& system, const BlockForm& form, std::vector<double>& inverse,

@@ -3,6 +3,8 @@
 #include "linear/solver.h"
 
 #include <fmt/core.h>
+
+#include <algorithm>
 #include <stdexcept>
 
 namespace hawser::bench {
@@ -15,15 +17,21 @@ class Ours final : public Solver {
     void analyse(const Input& input, base::Executor& executor) override {
         const BlockForm& form = *input.form;
         form_ = &form;
-        symbolic_ = factor::analyse(form.pattern, order_blocks(form, order_));
+        symbolic_ = order_ == Order::library
+                        ? factor::analyse(form.pattern, factor::plan_elimination(form.pattern))
+                        : factor::analyse(form.pattern, order_blocks(form, order_));
         numeric_.reserve(symbolic_, executor.threads());
         contributions_ = form.contributions;
-        ops_ = reoriented(form.ops, contributions_, symbolic_.position);
+        ops_ = form.ops;
+        reorient(ops_, contributions_, symbolic_.position);
         for (BlockOp& op : ops_) {
             const factor::BlockTarget t = symbolic_.target(op.row, op.col);
             op.to = t.address;
+            op.step = t.step;
             op.stride = t.ld;
         }
+        std::sort(ops_.begin(), ops_.end(),
+                  [](const BlockOp& a, const BlockOp& b) { return a.to < b.to; });
         x_.assign(static_cast<std::size_t>(symbolic_.scalars) + 8, 0.0);
     }
     void refresh(const Input& input, base::Executor& executor) override {

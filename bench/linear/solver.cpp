@@ -29,7 +29,7 @@ std::string blas_core() {
 
 std::vector<Variant> all_variants() {
     std::vector<Variant> all;
-    constexpr Order kBlockOrders[] = {Order::amd_blocks, Order::metis_blocks};
+    constexpr Order kBlockOrders[] = {Order::library, Order::amd_blocks, Order::metis_blocks};
     constexpr Order kOrders[] = {Order::amd_scalars, Order::amd_blocks, Order::metis_blocks};
     auto possible = [](Order order) {
         return HAWSER_HAVE_METIS != 0 || order != Order::metis_blocks;

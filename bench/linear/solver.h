@@ -5,7 +5,7 @@
 ///
 /// | library | forms | orders | threads |
 /// |---|---|---|---|
-/// | hawser | saddle, condensed | AMD on blocks, METIS on blocks | ours |
+/// | hawser | saddle, condensed | own (chains first), AMD on blocks, METIS on blocks | ours |
 /// | Eigen SimplicialLDLT, CHOLMOD simplicial, SuiteSparse LDL | both | all three | - |
 /// | CHOLMOD supernodal | condensed: it has no LDLᵀ | all three | BLAS |
 /// | KLU | both | all three, COLAMD | - |

@@ -51,7 +51,8 @@ double median(std::vector<double> v) {
 }
 
 bool wanted(const Variant& v, const TrialOptions& o) {
-    if (o.quick_choice && !(v.condensed && v.order == Order::amd_blocks)) return false;
+    const bool ours = v.library == "hawser";
+    if (o.quick_choice && (v.order != (ours ? Order::library : Order::amd_blocks))) return false;
     if (o.libraries.empty()) return true;
     return std::any_of(o.libraries.begin(), o.libraries.end(), [&](const std::string& name) {
         return v.library.find(name) != std::string::npos;
@@ -63,7 +64,7 @@ Result describe(Candidate& c) {
     r.library = c.variant().library;
     r.form = c.variant().form();
     r.order = name_of(c.variant().order);
-    if (c.variant().order == Order::library) r.order = "COLAMD";
+    if (c.variant().order == Order::library && r.library == "KLU") r.order = "COLAMD";
     r.threads = c.threads();
     return r;
 }

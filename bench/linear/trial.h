@@ -40,7 +40,7 @@ struct TrialOptions {
     double budget = 2.0;                   ///< A solution slower than this is run once a turn [s].
     std::vector<std::string> libraries{};  ///< Parts of names; empty: all.
     std::vector<int> edits{10, 50, 200};   ///< Contacts changed, where the problem has any.
-    bool quick_choice = false;             ///< Try the condensed form with AMD on blocks only.
+    bool quick_choice = false;             ///< Try AMD on blocks only, for ours our own order.
     bool alternate = true;                 ///< Keep all solvers in memory and take turns.
     bool updates = true;
 };
