@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace hawser::assembly {
 namespace {
@@ -53,11 +52,6 @@ double swing_rate(const model::Bodies& bodies, const model::Interactions& in, in
         rate = std::max(rate, 2.0 * length / (inertia.trace() - along));
     }
     return rate;
-}
-
-/// An op whose address and offsets are still to be filled in.
-Op make_op(std::int32_t id, Op::Kind kind, std::uint8_t a, std::uint8_t b) {
-    return {0, 0, 0, id, 0, 0, kind, a, b, 0, 0, 0};
 }
 
 }  // namespace
@@ -205,87 +199,6 @@ void System::build_pattern(const model::Bodies& bodies, const model::Interaction
     pattern = factor::make_pattern(std::move(size), std::move(sign), from, to);
 }
 
-void System::build_ops(const model::Bodies& bodies, const model::Interactions& in) {
-    // Collect the ops, then sort by place in the panels and by column; within one column they stay
-    // in the order of collection: body block first, then interactions by id. Columns of one place
-    // (lanes of one step) stay together.
-    struct Entry {
-        std::int64_t place;
-        std::int32_t column, index;
-        Op op;
-        [[nodiscard]] auto key() const { return std::tie(place, column, index); }
-    };
-    std::vector<Entry> entries;
-    auto add = [&](std::int32_t row, std::int32_t column, Op op) {
-        const factor::BlockTarget t = symbolic.target(row, column);
-        op.address = t.address;
-        op.step = t.step;
-        op.ld = t.ld;
-        if (op.kind != Op::body_block) {
-            const std::int32_t* body = &in.body[at(kSlots * op.id)];
-            std::int32_t offset = in.jac_begin[at(op.id)];
-            for (int b = 0; b < in.bodies[at(op.id)]; ++b) {
-                const std::uint8_t dof = dof_[at(body[b])];
-                if (b == op.a) {
-                    op.jac_a = offset;
-                    op.dof_a = dof;
-                }
-                if (b == op.b) {
-                    op.jac_b = offset;
-                    op.dof_b = dof;
-                }
-                offset += dof;
-                op.width = static_cast<std::uint8_t>(op.width + dof);
-            }
-        }
-        entries.push_back({symbolic.column_address(symbolic.position[at(column)]),
-                           symbolic.position[at(column)], static_cast<std::int32_t>(entries.size()),
-                           op});
-    };
-    for (std::int32_t b : bodies.moving)
-        add(node_of_body[at(b)], node_of_body[at(b)], make_op(b, Op::body_block, 0, 0));
-    for (std::int32_t i = 0; i < in.count(); ++i) {
-        const std::int32_t own = node_of_interaction[at(i)];
-        if (own >= 0) add(own, own, make_op(i, Op::kept_sigma, 0, 0));
-        for (int a = 0; a < in.bodies[at(i)]; ++a) {
-            const std::int32_t na = node_of_body[at(in.body[at(kSlots * i + a)])];
-            if (na < 0) continue;
-            const auto sa = static_cast<std::uint8_t>(a);
-            if (own >= 0) {
-                if (symbolic.position[at(own)] > symbolic.position[at(na)])
-                    add(own, na, make_op(i, Op::kept_rows, 0, sa));
-                else
-                    add(na, own, make_op(i, Op::kept_columns, sa, 0));
-            }
-            for (int b = 0; b < in.bodies[at(i)]; ++b) {
-                const std::int32_t nb = node_of_body[at(in.body[at(kSlots * i + b)])];
-                if (nb < 0 || symbolic.position[at(na)] < symbolic.position[at(nb)]) continue;
-                if (na == nb && a != b) continue;  // a body twice in one interaction is refused
-                const auto sb = static_cast<std::uint8_t>(b);
-                if (own < 0) add(na, nb, make_op(i, Op::condensed, sa, sb));
-                if (in.geo[at(i)] >= 0 && a < 2 && b < 2)
-                    add(na, nb, make_op(i, Op::geometric, sa, sb));
-            }
-        }
-    }
-    std::sort(entries.begin(), entries.end(),
-              [](const Entry& p, const Entry& q) { return p.key() < q.key(); });
-    ops.clear();
-    op_chunk.assign(1, 0);
-    panel_chunk.assign(1, 0);
-    constexpr std::int64_t kChunk = 512;
-    for (std::size_t k = 0; k < entries.size(); ++k) {
-        const auto size = static_cast<std::int64_t>(ops.size());
-        if (k > 0 && entries[k].place != entries[k - 1].place && size - op_chunk.back() >= kChunk) {
-            op_chunk.push_back(size);
-            panel_chunk.push_back(entries[k].place);
-        }
-        ops.push_back(entries[k].op);
-    }
-    op_chunk.push_back(static_cast<std::int64_t>(ops.size()));
-    panel_chunk.push_back(symbolic.panel_size);
-}
-
 View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef& def) noexcept {
     static_assert(sizeof(BodyKind) == 1);
     View v{};
@@ -349,7 +262,7 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
 std::size_t System::bytes() const noexcept {
     using base::bytes;
     return bytes(pattern.adjacent) + bytes(pattern.start) + symbolic.bytes() + numeric.bytes() +
-           bytes(ops) + bytes(incident_) + bytes(incident_begin_) + bytes(body_offset_) +
+           bytes(ops) + bytes(lane_ops) + bytes(incident_) + bytes(incident_begin_) + bytes(body_offset_) +
            bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) + bytes(v_new_) +
            bytes(momentum_) + bytes(geo_record_) + bytes(solution_) + bytes(node_of_body) +
            bytes(node_of_interaction);

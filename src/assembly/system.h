@@ -21,6 +21,7 @@
 #include "model/interactions.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace hawser::assembly {
@@ -46,8 +47,10 @@ class System {
     graph::Islands islands;
     std::vector<std::int32_t> node_of_body, node_of_interaction;  ///< −1: no node.
     std::vector<Op> ops;                                          ///< By column of the matrix.
-    std::vector<std::int64_t> op_chunk;     ///< Chunk boundaries in ops, at column changes.
-    std::vector<std::int64_t> panel_chunk;  ///< The panel memory of each chunk of columns.
+    std::vector<LaneOp> lane_ops;           ///< By place in the panels.
+    std::vector<std::int64_t> op_chunk;     ///< Chunk boundaries in ops, at changes of place.
+    std::vector<std::int64_t> lane_chunk;   ///< The same chunks in lane_ops.
+    std::vector<std::int64_t> panel_chunk;  ///< The panel memory of each chunk.
     std::vector<std::int32_t> one_sided;    ///< Interactions with kOneSided or kRange.
     std::vector<std::int32_t> breakable;
 
@@ -58,7 +61,9 @@ class System {
     void choose_forms(const model::Bodies& bodies, model::Interactions& interactions,
                       const WorldDef& def);
     void build_pattern(const model::Bodies& bodies, const model::Interactions& interactions);
+    struct OpEntry;
     void build_ops(const model::Bodies& bodies, const model::Interactions& interactions);
+    void share_lanes(std::span<const OpEntry> entries, const model::Interactions& interactions);
     void reserve(const model::Bodies& bodies, model::Interactions& interactions, int threads);
 
     std::vector<std::uint8_t> dof_, kept_;

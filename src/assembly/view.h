@@ -40,6 +40,19 @@ struct Op {
     std::uint8_t dof_a, dof_b, width;
 };
 
+/// The same contribution in several lanes of one batch step (factor/batches.h): entry (i, j) of
+/// lane l at address + i step + 8 j + l. Lanes not in use repeat a used one with weight 0.
+struct LaneOp {
+    std::int64_t address;
+    std::int32_t step;
+    Op::Kind kind;
+    std::uint8_t a, b;
+    std::uint8_t dof_a, dof_b, width, rows;
+    std::int32_t id[8];
+    std::int32_t from_a[8], from_b[8];  ///< Offsets of what op.kind reads: Jacobian, record, block.
+    double used[8];                     ///< 1 or 0.
+};
+
 /// One interaction as a body sees it: all that the gather loops need, without detours.
 struct Incidence {
     std::int32_t id;
@@ -135,6 +148,9 @@ struct Kernels {
     /// Write blocks of the matrix into the panels.
     void (*gather_blocks)(const View&, const Op* ops, std::int64_t begin, std::int64_t end,
                           double* panel) noexcept;
+    /// The same for lanes.
+    void (*gather_lane_blocks)(const View&, const LaneOp* ops, std::int64_t begin, std::int64_t end,
+                               double* panel) noexcept;
     /// First residual: v₊ = 0, λ = 0.
     void (*first_rhs)(const View&, std::int32_t begin, std::int32_t end) noexcept;
     /// Right-hand side of the solver from the residuals: bodies. The first one starts at

@@ -148,6 +148,8 @@ void assemble_blocks(StepContext& ctx) noexcept {
         // Zeroed and filled by the same task while it is in the cache.
         double* panel = s.numeric.values();
         std::fill(panel + s.panel_chunk[at(i)], panel + s.panel_chunk[at(i + 1)], 0.0);
+        assembly::kernels().gather_lane_blocks(v, s.lane_ops.data(), s.lane_chunk[at(i)],
+                                               s.lane_chunk[at(i + 1)], panel);
         assembly::kernels().gather_blocks(v, s.ops.data(), s.op_chunk[at(i)], s.op_chunk[at(i + 1)],
                                           panel);
     };

@@ -24,5 +24,7 @@ void integrate(const assembly::View&, std::int32_t, std::int32_t) noexcept;
 
 void gather_blocks(const assembly::View&, const assembly::Op*, std::int64_t, std::int64_t,
                    double*) noexcept;
+void gather_lane_blocks(const assembly::View&, const assembly::LaneOp*, std::int64_t, std::int64_t,
+                        double*) noexcept;
 
 }  // namespace hawser::HAWSER_ISA

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Writes blocks of several chains at once into the lanes of a batch step. Same terms as blocks.cpp.
+#include "assembly/geo.h"
+#include "assembly/isa/rows.h"
+#include "base/simd.h"
+
+namespace hawser::HAWSER_ISA {
+namespace {
+
+using assembly::LaneOp;
+using assembly::Op;
+using assembly::View;
+
+/// A block of eight lanes in the panels.
+struct LanePlace {
+    double* first;
+    long step;
+    void add(int i, int j, const V8& v) const {
+        double* p = first + i * step + 8 * j;
+        store(p, load(p) + v);
+    }
+};
+
+/// One value of each lane's interaction or row.
+inline V8 pick(const double* values, const std::int32_t* index, int offset = 0) {
+    double v[kLanes];
+    for (int l = 0; l < kLanes; ++l) v[l] = values[index[l] + offset];
+    return load(v);
+}
+
+inline V8 pick_row(const View& view, const double* values, const std::int32_t* id, int r) {
+    double v[kLanes];
+    for (int l = 0; l < kLanes; ++l) v[l] = values[view.row_begin[id[l]] + r];
+    return load(v);
+}
+
+/// Rows [r, r + N) of Σ_r w_r ja_rᵀ jb_r; on the diagonal only the lower triangle.
+template <int DA, int DB, int N>
+inline void outer_rows(const View& view, const LaneOp& op, int r, LanePlace out) {
+    V8 a[N][kLanes], b[N][kLanes];
+    const bool diagonal = op.a == op.b;
+    const V8 on = load(op.used) * pick(view.active, op.id);
+    for (int k = 0; k < N; ++k) {
+        const double* row = view.jacobian + (r + k) * op.width;
+        load_lanes(row, op.from_a, a[k]);
+        if (diagonal)
+            for (int j = 0; j < kLanes; ++j) b[k][j] = a[k][j];
+        else
+            load_lanes(row, op.from_b, b[k]);
+        const V8 w = on * pick_row(view, view.inv_sigma, op.id, r + k);
+        for (int j = 0; j < DB; ++j) b[k][j] = b[k][j] * w;
+    }
+    for (int j = 0; j < DB; ++j)
+        for (int i = diagonal ? j : 0; i < DA; ++i) {
+            V8 sum = a[0][i] * b[0][j];
+            for (int k = 1; k < N; ++k) sum += a[k][i] * b[k][j];
+            out.add(i, j, sum);
+        }
+}
+
+template <int DA, int DB>
+inline void outer(const View& view, const LaneOp& op, LanePlace out) {
+    int r = 0;
+    for (; r + 2 <= op.rows; r += 2) outer_rows<DA, DB, 2>(view, op, r, out);
+    if (r < op.rows) outer_rows<DA, DB, 1>(view, op, r, out);
+}
+
+void condense(const View& view, const LaneOp& op, LanePlace out) {
+    switch (8 * op.dof_a + op.dof_b) {
+        case 8 * 3 + 3:
+            outer<3, 3>(view, op, out);
+            break;
+        case 8 * 6 + 6:
+            outer<6, 6>(view, op, out);
+            break;
+        case 8 * 3 + 6:
+            outer<3, 6>(view, op, out);
+            break;
+        case 8 * 6 + 3:
+            outer<6, 3>(view, op, out);
+            break;
+        case 8 * 1 + 3:
+            outer<1, 3>(view, op, out);
+            break;
+        case 8 * 1 + 6:
+            outer<1, 6>(view, op, out);
+            break;
+        default:
+            break;
+    }
+}
+
+/// Blocks of geo.h, see geometric() in blocks.cpp.
+void geometric(const View& view, const LaneOp& op, LanePlace out) {
+    const bool rigid_a = op.dof_a == 6, rigid_b = op.dof_b == 6;
+    const bool same = op.a == op.b;
+    const V8 sign = load(op.used) * (same ? 1.0 : -1.0);
+    V8 head[kLanes];  // w, u, r0, first of r1
+    load_lanes(view.geo_record, op.from_a, head);
+    if (any(head[0])) {
+        const V8 w = sign * head[0];
+        V8 k[3][3];
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j <= i; ++j) {
+                k[i][j] = V8{} - w * head[1 + i] * head[1 + j];
+                if (i == j) k[i][j] += w;
+                k[j][i] = k[i][j];
+            }
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) out.add(i, j, k[i][j]);
+        V8 r1[kLanes];
+        if (rigid_a || rigid_b) load_lanes(view.geo_record + 7, op.from_a, r1);
+        const V8* ra = op.a == 0 ? head + 4 : r1;
+        const V8* rb = op.b == 0 ? head + 4 : r1;
+        V8 kr[3][3];  // k r̂_b
+        if (rigid_b)
+            for (int i = 0; i < 3; ++i) {
+                kr[i][0] = k[i][1] * rb[2] - k[i][2] * rb[1];
+                kr[i][1] = k[i][2] * rb[0] - k[i][0] * rb[2];
+                kr[i][2] = k[i][0] * rb[1] - k[i][1] * rb[0];
+                for (int j = 0; j < 3; ++j) out.add(i, 3 + j, V8{} - kr[i][j]);
+            }
+        if (rigid_a)
+            for (int j = 0; j < 3; ++j) {  // r̂_a k
+                out.add(3, j, ra[1] * k[2][j] - ra[2] * k[1][j]);
+                out.add(4, j, ra[2] * k[0][j] - ra[0] * k[2][j]);
+                out.add(5, j, ra[0] * k[1][j] - ra[1] * k[0][j]);
+                if (!rigid_b) continue;
+                out.add(3, 3 + j, ra[2] * kr[1][j] - ra[1] * kr[2][j]);
+                out.add(4, 3 + j, ra[0] * kr[2][j] - ra[2] * kr[0][j]);
+                out.add(5, 3 + j, ra[1] * kr[0][j] - ra[0] * kr[1][j]);
+            }
+    }
+    if (rigid_a && rigid_b) {
+        const V8 damping = sign * pick(view.geo_record, op.from_a, 22);
+        for (int i = 3; i < 6; ++i) out.add(i, i, damping);
+    }
+}
+
+void body_block(const View& view, const LaneOp& op, LanePlace out) {
+    constexpr int kLower[6][2] = {{0, 0}, {1, 0}, {2, 0}, {1, 1}, {2, 1}, {2, 2}};
+    const V8 used = load(op.used);
+    V8 block[kLanes];
+    load_lanes(view.body_block, op.from_a, block);
+    if (op.dof_a == 1) {
+        out.add(0, 0, used * block[0]);
+        return;
+    }
+    for (int k = 0; k < 6; ++k) out.add(kLower[k][0], kLower[k][1], used * block[k]);
+    if (op.dof_a < 6) return;
+    load_lanes(view.body_block + 6, op.from_a, block);
+    for (int k = 0; k < 6; ++k) out.add(3 + kLower[k][0], 3 + kLower[k][1], used * block[k]);
+}
+
+void kept(const View& view, const LaneOp& op, LanePlace out) {
+    if (op.kind == Op::kept_sigma) {
+        for (int r = 0; r < op.rows; ++r)
+            out.add(r, r, V8{} - load(op.used) * pick_row(view, view.sigma, op.id, r));
+        return;
+    }
+    const bool below = op.kind == Op::kept_rows;
+    const V8 on = load(op.used) * pick(view.active, op.id);
+    const int dof = below ? op.dof_b : op.dof_a;
+    for (int r = 0; r < op.rows; ++r) {
+        V8 row[kLanes];
+        load_lanes(view.jacobian + r * op.width, below ? op.from_b : op.from_a, row);
+        for (int j = 0; j < dof; ++j) out.add(below ? r : j, below ? j : r, on * row[j]);
+    }
+}
+
+}  // namespace
+
+void gather_lane_blocks(const View& view, const LaneOp* ops, std::int64_t begin, std::int64_t end,
+                        double* panel) noexcept {
+    for (std::int64_t k = begin; k < end; ++k) {
+        const LaneOp& op = ops[k];
+        const LanePlace out{panel + op.address, op.step};
+        switch (op.kind) {
+            case Op::condensed:
+                condense(view, op, out);
+                break;
+            case Op::geometric:
+                geometric(view, op, out);
+                break;
+            case Op::body_block:
+                body_block(view, op, out);
+                break;
+            default:
+                kept(view, op, out);
+                break;
+        }
+    }
+}
+
+}  // namespace hawser::HAWSER_ISA

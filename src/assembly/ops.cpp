@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The list of contributions to the matrix, ordered by where they go.
+#include "assembly/system.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace hawser::assembly {
+namespace {
+
+constexpr int kSlots = kMaxInteractionBodies;
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// An op whose address and offsets are still to be filled in.
+Op make_op(std::int32_t id, Op::Kind kind, std::uint8_t a, std::uint8_t b) {
+    return {0, 0, 0, id, 0, 0, kind, a, b, 0, 0, 0};
+}
+
+}  // namespace
+
+/// Columns of one place in the panels (lanes of one step) stay together.
+struct System::OpEntry {
+    std::int64_t place;
+    std::int32_t column, index;
+    Op op;
+    [[nodiscard]] auto key() const { return std::tie(place, column, index); }
+};
+
+void System::build_ops(const model::Bodies& bodies, const model::Interactions& in) {
+    // Collect the ops, then sort by place in the panels and by column; within one column they stay
+    // in the order of collection: body block first, then interactions by id. Columns of one place
+    // (lanes of one step) stay together.
+    std::vector<OpEntry> entries;
+    auto add = [&](std::int32_t row, std::int32_t column, Op op) {
+        const factor::BlockTarget t = symbolic.target(row, column);
+        op.address = t.address;
+        op.step = t.step;
+        op.ld = t.ld;
+        if (op.kind == Op::body_block) {
+            op.dof_a = op.dof_b = dof_[at(op.id)];
+        } else {
+            const std::int32_t* body = &in.body[at(kSlots * op.id)];
+            std::int32_t offset = in.jac_begin[at(op.id)];
+            for (int b = 0; b < in.bodies[at(op.id)]; ++b) {
+                const std::uint8_t dof = dof_[at(body[b])];
+                if (b == op.a) {
+                    op.jac_a = offset;
+                    op.dof_a = dof;
+                }
+                if (b == op.b) {
+                    op.jac_b = offset;
+                    op.dof_b = dof;
+                }
+                offset += dof;
+                op.width = static_cast<std::uint8_t>(op.width + dof);
+            }
+        }
+        entries.push_back({symbolic.column_address(symbolic.position[at(column)]),
+                           symbolic.position[at(column)], static_cast<std::int32_t>(entries.size()),
+                           op});
+    };
+    for (std::int32_t b : bodies.moving)
+        add(node_of_body[at(b)], node_of_body[at(b)], make_op(b, Op::body_block, 0, 0));
+    for (std::int32_t i = 0; i < in.count(); ++i) {
+        const std::int32_t own = node_of_interaction[at(i)];
+        if (own >= 0) add(own, own, make_op(i, Op::kept_sigma, 0, 0));
+        for (int a = 0; a < in.bodies[at(i)]; ++a) {
+            const std::int32_t na = node_of_body[at(in.body[at(kSlots * i + a)])];
+            if (na < 0) continue;
+            const auto sa = static_cast<std::uint8_t>(a);
+            if (own >= 0) {
+                if (symbolic.position[at(own)] > symbolic.position[at(na)])
+                    add(own, na, make_op(i, Op::kept_rows, 0, sa));
+                else
+                    add(na, own, make_op(i, Op::kept_columns, sa, 0));
+            }
+            for (int b = 0; b < in.bodies[at(i)]; ++b) {
+                const std::int32_t nb = node_of_body[at(in.body[at(kSlots * i + b)])];
+                if (nb < 0 || symbolic.position[at(na)] < symbolic.position[at(nb)]) continue;
+                if (na == nb && a != b) continue;  // a body twice in one interaction is refused
+                const auto sb = static_cast<std::uint8_t>(b);
+                if (own < 0) add(na, nb, make_op(i, Op::condensed, sa, sb));
+                if (in.geo[at(i)] >= 0 && a < 2 && b < 2)
+                    add(na, nb, make_op(i, Op::geometric, sa, sb));
+            }
+        }
+    }
+    std::sort(entries.begin(), entries.end(),
+              [](const OpEntry& p, const OpEntry& q) { return p.key() < q.key(); });
+    ops.clear();
+    lane_ops.clear();
+    op_chunk.assign(1, 0);
+    lane_chunk.assign(1, 0);
+    panel_chunk.assign(1, 0);
+    constexpr std::int64_t kChunk = 512;  // ops a chunk: some ten microseconds
+    std::int64_t in_chunk = 0;
+    for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
+        while (end < entries.size() && entries[end].place == entries[begin].place) ++end;
+        if (in_chunk >= kChunk) {
+            op_chunk.push_back(static_cast<std::int64_t>(ops.size()));
+            lane_chunk.push_back(static_cast<std::int64_t>(lane_ops.size()));
+            panel_chunk.push_back(entries[begin].place);
+            in_chunk = 0;
+        }
+        in_chunk += static_cast<std::int64_t>(end - begin);
+        if (entries[begin].op.step == 1)
+            for (std::size_t k = begin; k < end; ++k) ops.push_back(entries[k].op);
+        else
+            share_lanes(std::span(entries).subspan(begin, end - begin), in);
+    }
+    op_chunk.push_back(static_cast<std::int64_t>(ops.size()));
+    lane_chunk.push_back(static_cast<std::int64_t>(lane_ops.size()));
+    panel_chunk.push_back(symbolic.panel_size);
+}
+
+/// Ops of one batch step: those that do the same in several lanes become one.
+void System::share_lanes(std::span<const OpEntry> entries, const model::Interactions& in) {
+    const auto first = static_cast<std::ptrdiff_t>(lane_ops.size());
+    std::vector<Op> single;  // the only op so far of each new lane op
+    for (const OpEntry& e : entries) {
+        const Op& op = e.op;
+        const auto lane = static_cast<std::size_t>((op.address - e.place) % factor::kLaneCount);
+        const std::uint8_t rows = op.kind == Op::body_block ? 0 : in.rows[at(op.id)];
+        const std::int64_t base = op.address - static_cast<std::int64_t>(lane);
+        auto same = [&](const LaneOp& l) {
+            return l.address == base && l.kind == op.kind && l.a == op.a && l.b == op.b &&
+                   l.dof_a == op.dof_a && l.dof_b == op.dof_b && l.width == op.width &&
+                   l.rows == rows && l.used[lane] == 0.0;
+        };
+        auto found = std::find_if(lane_ops.begin() + first, lane_ops.end(), same);
+        if (found == lane_ops.end()) {
+            LaneOp l{};
+            l.address = base;
+            l.step = op.step;
+            l.kind = op.kind;
+            l.a = op.a;
+            l.b = op.b;
+            l.dof_a = op.dof_a;
+            l.dof_b = op.dof_b;
+            l.width = op.width;
+            l.rows = rows;
+            lane_ops.push_back(l);
+            single.push_back(op);
+            found = lane_ops.end() - 1;
+        }
+        auto put = [&](std::size_t k) {
+            found->id[k] = op.id;
+            found->from_a[k] = op.jac_a;
+            found->from_b[k] = op.jac_b;
+            if (op.kind == Op::body_block) found->from_a[k] = kBodyBlock * op.id;
+            if (op.kind == Op::geometric) found->from_a[k] = kGeoSize * in.geo[at(op.id)];
+        };
+        // Until a lane has its own, it repeats the latest.
+        for (std::size_t k = 0; k < factor::kLaneCount; ++k)
+            if (found->used[k] == 0.0) put(k);
+        put(lane);
+        found->used[lane] = 1.0;
+    }
+    // What only one lane does is done alone.
+    std::size_t kept = static_cast<std::size_t>(first);
+    for (std::size_t i = 0; i < single.size(); ++i) {
+        const LaneOp& l = lane_ops[static_cast<std::size_t>(first) + i];
+        if (std::count(l.used, l.used + factor::kLaneCount, 1.0) > 1)
+            lane_ops[kept++] = l;
+        else
+            ops.push_back(single[i]);
+    }
+    lane_ops.resize(kept);
+}
+
+}  // namespace hawser::assembly
