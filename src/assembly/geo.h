@@ -68,21 +68,20 @@ inline void arm_stiffness(V3 f, V3 r, double scale, double* out) {
     out[5] = e - ss * s.z * s.z + dd * d.z * d.z;
 }
 
-/// Line and damping parts of K v on slot `self` (0 or 1); `lin`, `ang` are the velocities of
-/// both slots. For the coupling part of M̃ v and, with damping = −1, of a. The arms' part acts
-/// on one body alone and is kept in that body's block.
-inline void geo_product(const double* rec, int self, const V3* lin, const V3* ang, double damping,
-                        V3& out_lin, V3& out_ang) {
-    const double side = self == 0 ? 1.0 : -1.0;
+/// Line and damping parts of K v on both slots; `lin`, `ang` are the slots' velocities. For the
+/// coupling part of M̃ v and, with damping = −1, of a. The arms' part acts on one body alone and is
+/// kept in that body's block. @param out kGeoForce doubles: six of slot 0 and two unused, then
+/// slot 1 likewise.
+inline void geo_product(const double* rec, const V3* lin, const V3* ang, double damping,
+                        double* out) {
     const V3 r0 = load3(rec + 4), r1 = load3(rec + 7), u = load3(rec + 1);
-    out_lin = {0, 0, 0};
-    out_ang = (side * damping * rec[22]) * (ang[0] - ang[1]);
-    if (rec[0] != 0.0) {
-        const V3 rel = lin[0] + cross(ang[0], r0) - lin[1] - cross(ang[1], r1);
-        const V3 t = (side * rec[0]) * (rel - dot(u, rel) * u);
-        out_lin = t;
-        out_ang = out_ang + cross(self == 0 ? r0 : r1, t);
-    }
+    const V3 d = (damping * rec[22]) * (ang[0] - ang[1]);
+    const V3 rel = lin[0] + cross(ang[0], r0) - lin[1] - cross(ang[1], r1);
+    const V3 t = rec[0] * (rel - dot(u, rel) * u);
+    store3(out, t);
+    store3(out + 3, d + cross(r0, t));
+    store3(out + 8, -t);
+    store3(out + 11, -d - cross(r1, t));
 }
 
 }  // namespace hawser::HAWSER_ISA

@@ -91,6 +91,7 @@ void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) 
     in.jacobian.resize(at(in.jac_size) + kSlack);
     body_block_.resize(at(kBodyBlock * bodies.count()));
     geo_record_.assign(at(kGeoSize) * at(in.geo_count), 0.0);
+    geo_force_.assign(at(kGeoForce) * at(in.geo_count), 0.0);
     for (int i = 0; i < in.count(); ++i)
         if (in.geo[at(i)] >= 0)
             geo_record_[at(kGeoSize * in.geo[at(i)] + kGeoSwing)] = swing_rate(bodies, in, i);
@@ -98,9 +99,13 @@ void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) 
         a->assign(at(bodies.dofs) + kSlack, 0.0);
     one_sided.clear();
     breakable.clear();
+    breaking_load.clear();
     for (int i = 0; i < in.count(); ++i) {
         if (in.flags[at(i)] & (model::kOneSided | model::kRange)) one_sided.push_back(i);
-        if (in.flags[at(i)] & model::kBreakable) breakable.push_back(i);
+        if (in.flags[at(i)] & model::kBreakable) {
+            breakable.push_back(i);
+            breaking_load.push_back(in.def[at(i)].get("breaking_load"));
+        }
     }
 }
 
@@ -129,7 +134,6 @@ void System::build_incidence(const model::Bodies& bodies, const model::Interacti
                                                     column,
                                                     in.row_begin[at(i)],
                                                     geo ? in.geo[at(i)] : -1,
-                                                    geo ? body[1 - b] : -1,
                                                     static_cast<std::uint8_t>(b),
                                                     in.rows[at(i)],
                                                     static_cast<std::uint8_t>(width)};
@@ -251,6 +255,7 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.force_of_row = in.force.data();
     v.jacobian = in.jacobian.data();
     v.geo_record = geo_record_.data();
+    v.geo_force = geo_force_.data();
     v.incident_begin = incident_begin_.data();
     v.incident = incident_.data();
     v.body_offset = body_offset_.data();
@@ -262,10 +267,10 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
 std::size_t System::bytes() const noexcept {
     using base::bytes;
     return bytes(pattern.adjacent) + bytes(pattern.start) + symbolic.bytes() + numeric.bytes() +
-           bytes(ops) + bytes(lane_ops) + bytes(incident_) + bytes(incident_begin_) + bytes(body_offset_) +
-           bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) + bytes(v_new_) +
-           bytes(momentum_) + bytes(geo_record_) + bytes(solution_) + bytes(node_of_body) +
-           bytes(node_of_interaction);
+           bytes(ops) + bytes(lane_ops) + bytes(incident_) + bytes(incident_begin_) +
+           bytes(body_offset_) + bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) +
+           bytes(v_new_) + bytes(momentum_) + bytes(geo_record_) + bytes(geo_force_) +
+           bytes(solution_) + bytes(node_of_body) + bytes(node_of_interaction);
 }
 
 }  // namespace hawser::assembly

@@ -47,12 +47,13 @@ class System {
     graph::Islands islands;
     std::vector<std::int32_t> node_of_body, node_of_interaction;  ///< −1: no node.
     std::vector<Op> ops;                                          ///< By column of the matrix.
-    std::vector<LaneOp> lane_ops;           ///< By place in the panels.
+    std::vector<LaneOp> lane_ops;                                 ///< By place in the panels.
     std::vector<std::int64_t> op_chunk;     ///< Chunk boundaries in ops, at changes of place.
     std::vector<std::int64_t> lane_chunk;   ///< The same chunks in lane_ops.
     std::vector<std::int64_t> panel_chunk;  ///< The panel memory of each chunk.
     std::vector<std::int32_t> one_sided;    ///< Interactions with kOneSided or kRange.
     std::vector<std::int32_t> breakable;
+    std::vector<double> breaking_load;  ///< Of each breakable one [N].
 
     [[nodiscard]] std::size_t bytes() const noexcept;
 
@@ -70,7 +71,7 @@ class System {
     std::vector<std::int32_t> incident_begin_;
     std::vector<Incidence> incident_;
     std::vector<std::int32_t> body_offset_, interaction_offset_;
-    base::Array<double> body_block_, a_, v_new_, momentum_, geo_record_, solution_;
+    base::Array<double> body_block_, a_, v_new_, momentum_, geo_record_, geo_force_, solution_;
 };
 
 }  // namespace hawser::assembly

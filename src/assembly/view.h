@@ -20,6 +20,7 @@ namespace hawser::assembly {
 inline constexpr int kBodyBlock = 12;  ///< Doubles of a body's own block: two symmetric 3×3.
 inline constexpr int kGeoSize = 24;    ///< Doubles of one geometric-stiffness record, see geo.h.
 inline constexpr int kGeoSwing = 23;   ///< Its last one, which no step writes.
+inline constexpr int kGeoForce = 16;   ///< Doubles of K v of one record: eight a slot, six used.
 
 /// One contribution to one block of the matrix.
 struct Op {
@@ -59,7 +60,6 @@ struct Incidence {
     std::int32_t jacobian;  ///< Offset of this body's columns in the first row.
     std::int32_t row;       ///< First row.
     std::int32_t geo;       ///< Geometric record, −1: none or not one of its two bodies.
-    std::int32_t other;     ///< The other body of the geometric record.
     std::uint8_t slot, rows, width;
 };
 
@@ -114,6 +114,7 @@ struct View {
     double* force_of_row;
     double* jacobian;
     double* geo_record;  ///< kGeoSize each.
+    double* geo_force;   ///< kGeoForce each: K v for the velocities of the latest loop over rows.
 
     // Incidence: which (interaction, slot) pairs touch a body.
     const std::int32_t* incident_begin;
@@ -151,18 +152,17 @@ struct Kernels {
     /// The same for lanes.
     void (*gather_lane_blocks)(const View&, const LaneOp* ops, std::int64_t begin, std::int64_t end,
                                double* panel) noexcept;
-    /// First residual: v₊ = 0, λ = 0.
+    /// First residual: v₊ = 0, λ = 0; for kept interactions also in the solver's vector.
     void (*first_rhs)(const View&, std::int32_t begin, std::int32_t end) noexcept;
     /// Right-hand side of the solver from the residuals: bodies. The first one starts at
     /// v₊ = 0, which it writes.
     void (*first_body_rhs)(const View&, std::int32_t begin, std::int32_t end) noexcept;
     void (*body_rhs)(const View&, std::int32_t begin, std::int32_t end) noexcept;
-    /// Right-hand side of the solver from the residuals: kept interactions.
-    void (*kept_rhs)(const View&, std::int32_t begin, std::int32_t end) noexcept;
     /// v₊ += solution.
     void (*add_solution)(const View&, std::int32_t begin, std::int32_t end) noexcept;
-    /// λ += the solution's part, then the residual of every row.
-    void (*row_update)(const View&, std::int32_t begin, std::int32_t end) noexcept;
+    /// λ += the solution's part, then the residual of every row, for kept interactions also in the
+    /// solver's vector; then K v₊. `first`: v₊ is the solution itself.
+    void (*row_update)(const View&, std::int32_t begin, std::int32_t end, bool first) noexcept;
     /// Norms over bodies, with the momentum residual.
     void (*body_norms)(const View&, std::int32_t begin, std::int32_t end, Norms*) noexcept;
     /// Norms over interactions.

@@ -231,8 +231,8 @@ HAWSER_INLINE void transpose(V8 (&v)[kLanes]) {
     }
 #endif
 }
-/// v[k] = entries base[from[0] + k] … base[from[7] + k]: eight consecutive entries of eight records,
-/// lane by lane another record.
+/// v[k] = entries base[from[0] + k] … base[from[7] + k]: eight consecutive entries of eight
+/// records, lane by lane another record.
 HAWSER_INLINE void load_lanes(const double* base, const std::int32_t* from, V8 (&v)[kLanes]) {
     for (int i = 0; i < kLanes; ++i) v[i] = load(base + from[i]);
     transpose(v);

@@ -47,10 +47,10 @@ void correct(StepContext& ctx, const View& v, bool first = false) noexcept {
     const assembly::Kernels& k = assembly::kernels();
     over(ctx, v.body_count,
          [&](std::int32_t a, std::int32_t b) { (first ? k.first_body_rhs : k.body_rhs)(v, a, b); });
-    over(ctx, v.interaction_count, [&](std::int32_t a, std::int32_t b) { k.kept_rhs(v, a, b); });
     ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
     over(ctx, v.body_count, [&](std::int32_t a, std::int32_t b) { k.add_solution(v, a, b); });
-    over(ctx, v.interaction_count, [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b); });
+    over(ctx, v.interaction_count,
+         [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, first); });
 }
 
 /// Residuals of the solution as it stands.
@@ -246,9 +246,10 @@ void integrate(StepContext& ctx) noexcept {
     over(ctx, ctx.interactions.row_count, [&](std::int32_t a, std::int32_t b) {
         for (std::int32_t r = a; r < b; ++r) v.force_of_row[r] = per_h * v.lambda[r];
     });
-    for (std::int32_t id : ctx.system.breakable) {
+    for (std::size_t i = 0; i < ctx.system.breakable.size(); ++i) {
+        const std::int32_t id = ctx.system.breakable[i];
         const double tension = -v.force_of_row[v.row_begin[id]];
-        if (v.parted[id] || tension <= ctx.interactions.def[at(id)].get("breaking_load")) continue;
+        if (v.parted[id] || tension <= ctx.system.breaking_load[i]) continue;
         ctx.interactions.parted[at(id)] = 1;
         v.active[id] = 0.0;
         push_event(ctx, EventKind::line_break, id, tension);

@@ -8,6 +8,7 @@ namespace hawser::HAWSER_ISA {
 namespace {
 
 using assembly::kBodyBlock;
+using assembly::kGeoForce;
 using assembly::kGeoSize;
 using assembly::View;
 
@@ -72,27 +73,6 @@ V3 forced_gyro(const M3& inertia, V3 w, V3 change, double h) {
     return (-half * limit) * (cross(change, inertia * w) + cross(w, inertia * change));
 }
 
-/// Velocity of a slot from a packed array; bodies without freedom use v_fixed.
-void slot_velocity(const View& view, const double* v, std::int32_t body, V3& lin, V3& ang) {
-    const int dof = view.dof[body];
-    const double* p = dof == 0 ? view.v_fixed + 6 * body : v + view.dof_begin[body];
-    lin = dof == 1 ? V3{0, 0, 0} : load3(p);
-    ang = dof == 6 || dof == 0 ? load3(p + 3) : V3{0, 0, 0};
-}
-
-/// Line and damping parts of K v on a body through one interaction, see geo.h; the arms' parts
-/// are in the body's own block. False when the record is empty.
-bool coupling(const View& view, const assembly::Incidence& in, std::int32_t body, const double* v,
-              double damping, V3& lin, V3& ang) {
-    const double* rec = view.geo_record + static_cast<long>(kGeoSize) * in.geo;
-    if (rec[0] == 0.0 && rec[22] == 0.0) return false;
-    V3 l[2], w[2];
-    slot_velocity(view, v, body, l[in.slot], w[in.slot]);
-    slot_velocity(view, v, in.other, l[1 - in.slot], w[1 - in.slot]);
-    geo_product(rec, in.slot, l, w, damping, lin, ang);
-    return true;
-}
-
 /// out (dof entries) = block of M + hD times u.
 void block_times(const double* block, int dof, const double* u, double* out) {
     if (dof == 1) {
@@ -113,23 +93,19 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
     if constexpr (!kAtRest)
         block_times(view.body_block + static_cast<long>(kBodyBlock) * body, dof, v, mv);
     V8 acc = load(view.a + view.dof_begin[body]);
-    double coupled[8] = {};
     const std::int32_t end = view.incident_begin[body + 1];
     for (std::int32_t k = view.incident_begin[body]; k < end; ++k) {
         const assembly::Incidence& in = view.incident[k];
         const double* jac = view.jacobian + in.jacobian;
         const double* yr = y + in.row;
         for (int r = 0; r < in.rows; ++r) acc += yr[r] * load(jac + r * in.width);
-        V3 lin, ang;
-        if (!kAtRest && in.geo >= 0 && coupling(view, in, body, view.v_new, 1.0, lin, ang)) {
-            add3(coupled, lin);
-            add3(coupled + 3, ang);
-        }
+        if (!kAtRest && in.geo >= 0)
+            acc -= load(view.geo_force + static_cast<long>(kGeoForce) * in.geo + 8 * in.slot);
     }
     double sum8[8];
     store(sum8, acc);
-    // Entry by entry: reading mv and coupled as vectors would wait for their scalar stores.
-    for (int j = 0; j < dof; ++j) out[j] = sum8[j] - mv[j] - coupled[j];
+    // Entry by entry: reading mv as a vector would wait for its scalar stores.
+    for (int j = 0; j < dof; ++j) out[j] = sum8[j] - mv[j];
 }
 
 /// h v₊ᵀ D v₊ [J].
@@ -204,14 +180,15 @@ void body_terms(const View& view, std::int32_t begin, std::int32_t end) noexcept
         for (std::int32_t k = view.incident_begin[body]; k < view.incident_begin[body + 1]; ++k) {
             const assembly::Incidence& in = view.incident[k];
             if (in.geo < 0) continue;
-            V3 push{0, 0, 0}, turn{0, 0, 0};
-            if (coupling(view, in, body, view.v, -1.0, push, turn)) add3(a, push);
+            const double* force =
+                view.geo_force + static_cast<long>(kGeoForce) * in.geo + 8 * in.slot;
+            add3(a, load3(force));
             if (dof < 6) continue;
             // The arms' stiffness touches this body alone: it joins the body's own block.
             const double* arm =
                 view.geo_record + static_cast<long>(kGeoSize) * in.geo + 10 + 6 * in.slot;
             for (int i = 0; i < 6; ++i) block[6 + i] += arm[i];
-            add3(a + 3, turn + mul6(arm, load3(v + 3)));
+            add3(a + 3, load3(force + 3) + mul6(arm, load3(v + 3)));
         }
     }
 }
@@ -224,6 +201,8 @@ void first_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept 
             view.lambda[row + r] = 0.0;
             view.residual[row + r] = residual;
             view.multiplier[row + r] = view.inv_sigma[row + r] * residual;
+            if (view.interaction_offset[id] >= 0)
+                view.solution[view.interaction_offset[id] + r] = residual;
         }
     }
 }
@@ -311,7 +290,7 @@ void integrate(const View& view, std::int32_t begin, std::int32_t end) noexcept 
 
 extern const assembly::Kernels kAssemblyKernels;
 const assembly::Kernels kAssemblyKernels = {
-    evaluate, body_terms,   gather_blocks, gather_lane_blocks, first_rhs, first_body_rhs, body_rhs,
-    kept_rhs, add_solution, row_update,    body_norms,         row_norms, integrate};
+    evaluate, body_terms,   gather_blocks, gather_lane_blocks, first_rhs, first_body_rhs,
+    body_rhs, add_solution, row_update,    body_norms,         row_norms, integrate};
 
 }  // namespace hawser::HAWSER_ISA

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Writes blocks of several chains at once into the lanes of a batch step. Same terms as blocks.cpp.
+/// Writes blocks of several chains at once into the lanes of a batch step. Same terms as
+/// blocks.cpp.
 #include "assembly/geo.h"
 #include "assembly/isa/rows.h"
 #include "base/simd.h"

@@ -13,6 +13,38 @@ using assembly::View;
 
 constexpr int kSlots = kMaxInteractionBodies;
 
+/// Velocity of a slot from a packed array; bodies without freedom use v_fixed.
+void slot_velocity(const View& view, const double* v, std::int32_t body, V3& lin, V3& ang) {
+    const int dof = view.dof[body];
+    const double* p = dof == 0 ? view.v_fixed + 6 * body : v + view.dof_begin[body];
+    lin = dof == 1 ? V3{0, 0, 0} : load3(p);
+    ang = dof == 6 || dof == 0 ? load3(p + 3) : V3{0, 0, 0};
+}
+
+/// K v of an interaction's record on its two bodies, see geo.h.
+inline void geo_force(const View& view, std::int32_t id, const double* v, double damping) {
+    const std::int32_t index = view.geo[id];
+    const double* rec = view.geo_record + static_cast<long>(assembly::kGeoSize) * index;
+    double* out = view.geo_force + static_cast<long>(assembly::kGeoForce) * index;
+    if (rec[0] == 0.0 && rec[22] == 0.0) {
+        for (int i = 0; i < assembly::kGeoForce; ++i) out[i] = 0.0;
+        return;
+    }
+    const std::int32_t* body = view.body + kSlots * id;
+    if (rec[0] == 0.0) {  // damping of a joint between two rigid bodies
+        const V3 d = (damping * rec[22]) * (load3(v + view.dof_begin[body[0]] + 3) -
+                                            load3(v + view.dof_begin[body[1]] + 3));
+        store3(out, {0, 0, 0});
+        store3(out + 3, d);
+        store3(out + 8, {0, 0, 0});
+        store3(out + 11, -d);
+        return;
+    }
+    V3 lin[2], ang[2];
+    for (int b = 0; b < 2; ++b) slot_velocity(view, v, body[b], lin[b], ang[b]);
+    geo_product(rec, lin, ang, damping, out);
+}
+
 /// Force on slot b at the joint's point: the first three rows are translations along ±E.
 template <class K>
 void geometry(const View& view, const typename K::Data& data, const BodyRef* refs, std::int32_t id,
@@ -116,50 +148,75 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         }
         if (view.flags[id] & 2) view.active[id] = rows.g[0] != 0.0 ? 1.0 : 0.0;  // range
         if (view.parted[id]) view.active[id] = 0.0;
-        if constexpr (K::kGeometry != Geometry::none) geometry<K>(view, data[k], refs, id, rows);
+        if constexpr (K::kGeometry != Geometry::none) {
+            geometry<K>(view, data[k], refs, id, rows);
+            if (view.geo[id] >= 0) geo_force(view, id, view.v, -1.0);
+        }
     }
 }
 
-/// λ and the residuals of one interaction; R is known so that the sums stay in registers.
-template <int R>
-inline void row_update_one(const View& view, std::int32_t id) {
-    const std::int32_t row = view.row_begin[id], offset = view.interaction_offset[id];
+/// G u of one interaction for a packed vector u by body, R rows: sums of products in vectors.
+template <int R, class Offset>
+inline void row_products(const View& view, std::int32_t id, const double* u, Offset offset,
+                         double* out) {
     const std::int32_t* body = view.body + kSlots * id;
-    const double on = view.active[id];
     int width = 0;
     for (int b = 0; b < view.bodies[id]; ++b) width += view.dof[body[b]];
-    V8 change[R] = {}, whole[R] = {};  // G δv and G v₊ before their lanes are summed
+    V8 acc[R] = {};
     const double* jac = view.jacobian + view.jac_begin[id];
     for (int b = 0; b < view.bodies[id]; ++b) {
         const int dof = view.dof[body[b]];
         if (dof == 0) continue;
-        const V8 dv = first_lanes(load(view.solution + view.body_offset[body[b]]), dof);
-        const V8 v = first_lanes(load(view.v_new + view.dof_begin[body[b]]), dof);
-        for (int r = 0; r < R; ++r) {
-            const V8 j = load(jac + r * width);
-            change[r] += j * dv;
-            whole[r] += j * v;
-        }
+        const V8 v = first_lanes(load(u + offset(body[b])), dof);
+        for (int r = 0; r < R; ++r) acc[r] += load(jac + r * width) * v;
         jac += dof;
     }
-    double delta[8], total[8];
-    if constexpr (R == 1) {
-        delta[0] = sum(change[0]);
-        total[0] = sum(whole[0]);
-    } else {
-        sums<R>(change, delta);
-        sums<R>(whole, total);
+    if constexpr (R == 1)
+        out[0] = sum(acc[0]);
+    else
+        sums<R>(acc, out);
+}
+
+/// λ and the residuals of one interaction; R is known so that the sums stay in registers.
+template <int R>
+inline void row_update_one(const View& view, std::int32_t id, bool first) {
+    const std::int32_t row = view.row_begin[id], offset = view.interaction_offset[id];
+    const double on = view.active[id];
+    double total[8];
+    row_products<R>(view, id, view.v_new, [&](std::int32_t b) { return view.dof_begin[b]; }, total);
+    if (offset >= 0) {
+        for (int r = 0; r < R; ++r) {
+            const double lambda = view.lambda[row + r] - view.solution[offset + r];
+            const double residual =
+                on * (view.c[row + r] - total[r]) - view.sigma[row + r] * lambda;
+            view.lambda[row + r] = lambda;
+            view.residual[row + r] = residual;
+            view.multiplier[row + r] = on * lambda;
+            view.solution[offset + r] = residual;
+        }
+        return;
     }
+    // The change of v₊; after the first solve it is v₊ itself.
+    double delta[8] = {};
+    if (!first)
+        row_products<R>(
+            view, id, view.solution, [&](std::int32_t b) { return view.body_offset[b]; }, delta);
     for (int r = 0; r < R; ++r) {
-        double& lambda = view.lambda[row + r];
-        if (offset >= 0)
-            lambda -= view.solution[offset + r];
-        else
-            lambda += on * view.inv_sigma[row + r] * (view.residual[row + r] - delta[r]);
+        const double inverse = view.inv_sigma[row + r];
+        const double change = first ? total[r] : delta[r];
+        const double lambda =
+            view.lambda[row + r] + on * inverse * (view.residual[row + r] - change);
         const double residual = on * (view.c[row + r] - total[r]) - view.sigma[row + r] * lambda;
+        view.lambda[row + r] = lambda;
         view.residual[row + r] = residual;
-        view.multiplier[row + r] = on * (lambda + view.inv_sigma[row + r] * residual);
+        view.multiplier[row + r] = on * (lambda + inverse * residual);
     }
+}
+
+template <int R>
+inline void row_update_of(const View& view, std::int32_t id, bool first) {
+    row_update_one<R>(view, id, first);
+    if (view.geo[id] >= 0) geo_force(view, id, view.v_new, 1.0);
 }
 
 }  // namespace
@@ -169,35 +226,26 @@ void evaluate(const View& view, InteractionKind kind, const std::int32_t* ids, c
     with_kind(kind, [&]<class K>() { evaluate_kind<K>(view, ids, data, begin, end); });
 }
 
-void kept_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept {
-    for (std::int32_t id = begin; id < end; ++id) {
-        const std::int32_t offset = view.interaction_offset[id];
-        if (offset < 0) continue;
-        const std::int32_t row = view.row_begin[id];
-        for (int r = 0; r < view.rows[id]; ++r) view.solution[offset + r] = view.residual[row + r];
-    }
-}
-
-void row_update(const View& view, std::int32_t begin, std::int32_t end) noexcept {
+void row_update(const View& view, std::int32_t begin, std::int32_t end, bool first) noexcept {
     for (std::int32_t id = begin; id < end; ++id) {
         switch (view.rows[id]) {
             case 1:
-                row_update_one<1>(view, id);
+                row_update_of<1>(view, id, first);
                 break;
             case 2:
-                row_update_one<2>(view, id);
+                row_update_of<2>(view, id, first);
                 break;
             case 3:
-                row_update_one<3>(view, id);
+                row_update_of<3>(view, id, first);
                 break;
             case 4:
-                row_update_one<4>(view, id);
+                row_update_of<4>(view, id, first);
                 break;
             case 5:
-                row_update_one<5>(view, id);
+                row_update_of<5>(view, id, first);
                 break;
             default:
-                row_update_one<6>(view, id);
+                row_update_of<6>(view, id, first);
                 break;
         }
     }

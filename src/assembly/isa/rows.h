@@ -10,8 +10,7 @@ namespace hawser::HAWSER_ISA {
 
 void evaluate(const assembly::View&, InteractionKind, const std::int32_t*, const void*,
               std::int32_t, std::int32_t) noexcept;
-void kept_rhs(const assembly::View&, std::int32_t, std::int32_t) noexcept;
-void row_update(const assembly::View&, std::int32_t, std::int32_t) noexcept;
+void row_update(const assembly::View&, std::int32_t, std::int32_t, bool) noexcept;
 void row_norms(const assembly::View&, std::int32_t, std::int32_t, assembly::Norms*) noexcept;
 
 void body_terms(const assembly::View&, std::int32_t, std::int32_t) noexcept;
