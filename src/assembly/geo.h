@@ -42,9 +42,8 @@ inline M3 full6(const double* s) {
     return {{s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5]}};
 }
 
-/// scale × projected arm stiffness of the force f at arm r.
-inline void arm_stiffness(V3 f, V3 r, double scale, double* out) {
-    const double nf = norm(f), nr = norm(r);
+/// scale × projected arm stiffness of the force f, of size nf, at arm r, of length nr.
+inline void arm_stiffness(V3 f, double nf, V3 r, double nr, double scale, double* out) {
     for (int i = 0; i < 6; ++i) out[i] = 0.0;
     if (nf * nr < 1e-300) return;
     const V3 fh = (1.0 / nf) * f, rh = (1.0 / nr) * r;

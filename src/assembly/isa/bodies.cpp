@@ -34,13 +34,13 @@ bool any3(const double* d) { return d[0] != 0.0 || d[1] != 0.0 || d[2] != 0.0; }
 /// Angular velocity after h without torque, body frame: the Cayley form of the discrete
 /// Euler equations (Bou-Rabee, Marsden, "Hamilton-Pontryagin integrators on Lie groups", 2009)
 ///   F(ω₊; +h) = F(ω; −h),  F(ω; s) = Iω + (s/2) ω × Iω + (s²/4)(ω·Iω) ω.
-/// Newton from ω; its Jacobian is well conditioned while h|ω| < 1. Converges quadratically
-/// from an error of h|ω|, so slow bodies need one or two iterations.
-V3 free_rotation(const M3& inertia, V3 w, double h) {
+/// Newton from the explicit step; its Jacobian is well conditioned while h|ω| < 1. The next
+/// correction is about h|ω| times the square of one, so that slow bodies need one iteration.
+V3 free_rotation(const M3& inertia, const M3& inverse, V3 w, double h) {
     const V3 iw = inertia * w;
     const double half = 0.5 * h, quarter = 0.25 * h * h;
     const V3 target = iw - half * cross(w, iw) + (quarter * dot(w, iw)) * w;
-    V3 u = w;
+    V3 u = w - h * (inverse * cross(w, iw));
     for (int n = 0; n < 4; ++n) {
         const V3 iu = inertia * u;
         const double e = dot(u, iu);
@@ -58,8 +58,9 @@ V3 free_rotation(const M3& inertia, V3 w, double h) {
         }
         const V3 du = solve3(j, f);
         u = u - du;
-        // The next correction would be of the order of the square of this one.
-        if (dot(du, du) < 1e-18 * dot(u, u)) break;
+        // h|ω| (|δ|/|ω|)² below 1e-17.
+        const double square = dot(u, u), change = dot(du, du);
+        if (h * h * square * change * change <= 1e-34 * square * square) break;
     }
     return u;
 }
@@ -167,7 +168,7 @@ void body_terms(const View& view, std::int32_t begin, std::int32_t end) noexcept
             const M3 inertia = load9(view.inertia + 9 * body);
             M3 world = congruence(r, inertia.a);
             const V3 spin = tmul(r, load3(v + 3));
-            const V3 free = r * free_rotation(inertia, spin, h);
+            const V3 free = r * free_rotation(inertia, load9(view.inv_inertia + 9 * body), spin, h);
             const V3 gyro = forced_gyro(inertia, spin, load3(view.spin_change + 3 * body), h);
             store3(view.spin_free + 3 * body, free);
             store3(a + 3, world * free + r * gyro + h * load3(f + 3));

@@ -76,10 +76,12 @@ void geometry(const View& view, const typename K::Data& data, const BodyRef* ref
     store3(rec + 7, r1);
     const std::int32_t* body = view.body + kSlots * id;
     const bool rigid0 = view.dof[body[0]] == 6, rigid1 = view.dof[body[1]] == 6;
-    if (rigid0) arm_stiffness(-f1, r0, scale, rec + 10);
-    if (rigid1) arm_stiffness(f1, r1, scale, rec + 16);
+    if (!rigid0 && !rigid1) return;
+    const double nf = norm(f1), n0 = norm(r0), n1 = norm(r1);
+    if (rigid0) arm_stiffness(-f1, nf, r0, n0, scale, rec + 10);
+    if (rigid1) arm_stiffness(f1, nf, r1, n1, scale, rec + 16);
     if (K::kGeometry == Geometry::joint && rigid0 && rigid1) {
-        const double n0 = norm(r0), n1 = norm(r1), push = view.h * view.h * norm(f1);
+        const double push = view.h * view.h * nf;
         const double s = 4.0 * push * rec[assembly::kGeoSwing], need = s < 1.0 ? s * s : 1.0;
         rec[22] = push * view.rotation_damping * (n0 < n1 ? n0 : n1) * need;
     }
