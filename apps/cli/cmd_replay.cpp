@@ -152,7 +152,7 @@ void add_replay(CLI::App& app, Command& chosen) {
     command->add_option("RECORDING", options->file, "File written by hawser run --record")
         ->required();
     command->add_option("--threads", options->threads, "Worker threads")
-        ->check(CLI::Range(1, 1024))
+        ->check(CLI::Range(1, kMostThreads))
         ->capture_default_str();
     command->add_flag("--quiet", options->quiet, "No progress");
     command->callback([&chosen, options] { chosen = [options] { return replay(*options); }; });

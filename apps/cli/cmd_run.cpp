@@ -47,7 +47,7 @@ void add_run(CLI::App& app, Command& chosen) {
         ->add_option("--duration", options->duration,
                      "Time at which the run ends [s] instead of the scene's; counted from the "
                      "scene's start, also after --restore")
-        ->check(CLI::NonNegativeNumber);
+        ->check(not_negative());
     command->add_flag("--realtime", options->realtime,
                       "Keep pace with the wall clock and report late frames");
     command->add_flag("--rt", options->rt,

@@ -87,6 +87,9 @@ World with_drag(const World& from, double stop_time) {
         InteractionDef def = from.interaction_def({i});
         if (def.kind == InteractionKind::Stretch || def.kind == InteractionKind::WinchStretch) {
             def.set("breaking_load", 1e30);  // Nothing parts on the way to rest.
+            // A compliance from EA goes on following the length that a drum pays out.
+            if (def.compliance[0] == def.get("length") / def.get("EA"))
+                def.compliance[0] = kDefault;
         }
         world.add_interaction(def);
     }
@@ -214,12 +217,12 @@ void add_settle(CLI::App& app, Command& chosen) {
     command->add_option("-o,--output", options->output,
                         "State file; by default SCENE with the ending .settled.json");
     command->add_option("--max-time", options->max_time, "Give up after this simulated time [s]")
-        ->check(CLI::PositiveNumber)
+        ->check(positive())
         ->capture_default_str();
     command
         ->add_option("--tolerance", options->tolerance,
                      "Settled when no body is faster than this [m/s]")
-        ->check(CLI::PositiveNumber)
+        ->check(positive())
         ->capture_default_str();
     command->add_flag("--quiet", options->quiet, "No progress");
     command->callback([&chosen, options] { chosen = [options] { return settle(*options); }; });

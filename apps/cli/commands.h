@@ -19,6 +19,12 @@ inline constexpr int kInterrupted = 130;
 /// What main() runs once the command line has been read; returns the exit code.
 using Command = std::function<int()>;
 
+inline constexpr int kMostThreads = 256;  ///< As WorldDef::threads.
+
+/// Checks of options; their messages say what was expected.
+[[nodiscard]] CLI::Validator positive();
+[[nodiscard]] CLI::Validator not_negative();
+
 void add_run(CLI::App& app, Command& chosen);
 void add_check(CLI::App& app, Command& chosen);
 void add_settle(CLI::App& app, Command& chosen);

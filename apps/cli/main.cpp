@@ -39,6 +39,13 @@ int main(int argc, char** argv) {
     add_inspect(app, chosen);
     add_validate(app, chosen);
     add_bench(app, chosen);
+    // CLI11 would say no more than that a command is required.
+    const auto named = [&](const CLI::App* c) { return c->get_name() == argv[1]; };
+    if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty()) {
+        fmt::print(stderr, "hawser: there is no command \"{}\"; hawser --help lists them\n",
+                   argv[1]);
+        return kUsageError;
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {

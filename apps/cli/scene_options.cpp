@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene_options.h"
 
+#include "commands.h"
+
 #include <algorithm>
 
 namespace hawser::cli {
 
 void SceneOptions::add_to(CLI::App& command) {
     command.add_option("SCENE", file, "Scene file (JSON)")->required();
-    command.add_option("--step", step, "Time step [s] instead of the scene's")
-        ->check(CLI::PositiveNumber);
+    command.add_option("--step", step, "Time step [s] instead of the scene's")->check(positive());
     command.add_option("--form", form, "Form of the equations: auto, saddle or condensed")
         ->check(CLI::IsMember({"auto", "saddle", "condensed"}));
     command.add_option("--threads", threads, "Worker threads; results do not depend on it")
-        ->check(CLI::Range(1, 1024))
+        ->check(CLI::Range(1, kMostThreads))
         ->capture_default_str();
     command.add_option("--scale", scale, "Repeat the scene this many times, joined into one")
         ->check(CLI::Range(1, 1000))

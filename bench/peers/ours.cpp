@@ -15,8 +15,7 @@ class OursRunner final : public Runner {
         : world_({.step = kFrame, .gravity = {0.0, 0.0, -scene.gravity}}) {
         ground_ = world_.add_body({.name = "ground", .kind = BodyKind::fixed});
         for (const Body& b : scene.bodies) {
-            bodies_.push_back(world_.add_body({.name = "",
-                                               .position = b.start.x,
+            bodies_.push_back(world_.add_body({.position = b.start.x,
                                                .orientation = b.start.q,
                                                .velocity = b.start.v,
                                                .angular_velocity = b.start.w,
@@ -31,8 +30,7 @@ class OursRunner final : public Runner {
         }
         tow_.resize(scene.towed.size());
         for (const BallJoint& j : scene.joints) {
-            InteractionDef def{
-                .name = "", .kind = InteractionKind::Ball, .body = {id(j.a), id(j.b)}};
+            InteractionDef def{.kind = InteractionKind::Ball, .body = {id(j.a), id(j.b)}};
             def.point = {j.arm_a, j.arm_b, Vec3::Zero()};
             const InteractionId joint = world_.add_interaction(def);
             for (std::size_t k = 0; k < tow_.size(); ++k) {
@@ -86,7 +84,7 @@ class OursRunner final : public Runner {
     }
 
     void add_floating(const Floating& f, const Body& hull) {
-        InteractionDef def{.name = "", .kind = InteractionKind::Hydrostatic, .body = {id(f.body)}};
+        InteractionDef def{.kind = InteractionKind::Hydrostatic, .body = {id(f.body)}};
         def.set("heave_stiffness", f.heave_k).set("heave_damping", f.heave_c);
         def.set("roll_stiffness", f.tilt_k).set("roll_damping", f.tilt_c);
         def.set("pitch_stiffness", f.tilt_k).set("pitch_damping", f.tilt_c);

@@ -12,7 +12,9 @@
 /// Row conventions. A row has a violation g(x) [m or rad], a Jacobian G with ġ = G v, a
 /// compliance ε [m/N or rad/(N m)] and a damping time τ [s]. Its force f acts along Gᵀ and
 /// obeys, at rest, g = −ε f. A row with ε = 0 is a rigid constraint. Velocity rows (motors)
-/// have G v = u and a velocity compliance γ [m/s/N] instead.
+/// have G v = u and a velocity compliance γ [m/s/N] instead. Signs: f > 0 pushes so that g
+/// grows; where g is the position of body 1 against body 0, f acts on body 1 along the row's axis
+/// and −f on body 0, and a line in tension has f < 0.
 
 #include <hawser/id.h>
 #include <hawser/math.h>
@@ -100,7 +102,7 @@ struct KindInfo {
 
 /// One interaction between 1-3 bodies. A definition: World::add_interaction copies it whole.
 struct InteractionDef {
-    std::string name;  ///< Unique in the world, or empty.
+    std::string name{};  ///< Unique in the world, or empty.
     InteractionKind kind = InteractionKind::Ball;
 
     /// Bodies in the kind's order; the first KindInfo::bodies are used.

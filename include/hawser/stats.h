@@ -10,7 +10,8 @@
 
 namespace hawser {
 
-/// Outcome of a step. Anything but `ok` leaves the state of the previous step in place.
+/// Outcome of a step. Anything but `ok` leaves the state of the previous step in place; the
+/// next call tries the same step again.
 enum class Status : std::uint8_t {
     ok,
     wrong_pivot,    ///< A pivot had the wrong sign or was not finite: the model is singular.
@@ -37,8 +38,9 @@ enum class EventKind : std::uint8_t {
     line_break,  ///< A stretch element exceeded its breaking load and parted. value: tension [N].
     slack,       ///< A tension-only element went slack. value: 0.
     taut,        ///< A slack element came under load. value: tension [N].
-    saturation,  ///< A motor or brake reached its force range. value: force [N or N m].
-    range,       ///< A joint left its range. value: coordinate [m or rad].
+    saturation,  ///< A motor's force left its range, which is not enforced yet; once each time.
+                 ///< value: force [N or N m].
+    range,       ///< A joint reached the end of its range. value: how far beyond [m or rad].
     input_clamped,  ///< An input was outside its range. value: the value asked for.
     warning,        ///< Residual above its limit. value: the residual.
 };
@@ -48,8 +50,8 @@ inline constexpr int kEventKindCount = 7;
 struct Event {
     double time = 0.0;  ///< End of the step in which it happened [s].
     EventKind kind = EventKind::warning;
-    InteractionId interaction{};
-    double value = 0.0;
+    InteractionId interaction{};  ///< Where; invalid for what concerns the whole world.
+    double value = 0.0;           ///< See EventKind.
 };
 
 /// Mechanical energy, evaluated at the half-step position x̄ = (x_k + x_{k−1})/2 with v_k [J].
@@ -58,6 +60,9 @@ struct Energy {
     double gravity = 0.0;  ///< −Σ m g·x̄.
     double elastic = 0.0;  ///< Σ g²/(2ε) over rows with compliance > 1e-11, hydrostatics included.
     double applied = 0.0;  ///< Work done since the start by applied forces and torques.
+    /// Work done since the start by motors (negative where they brake), by lengths and targets
+    /// that inputs change, by winches, and by bodies with a prescribed velocity.
+    double driven = 0.0;
     double dissipated = 0.0;  ///< Energy taken since the start by body damping (drag).
     [[nodiscard]] double mechanical() const noexcept { return kinetic + gravity + elastic; }
 };

@@ -13,8 +13,10 @@
 /// while (world.time() < 10.0)
 ///     if (world.step() != hawser::Status::ok) break;
 /// ```
-/// Set-up functions throw DefError; step() does not throw. A world is used by one thread at
-/// a time; different worlds are independent.
+/// Set-up functions throw DefError, as does every function that is given an id of nothing; step()
+/// does not throw. A name that is not found gives an invalid id. A world is used by one thread at
+/// a time; different worlds are independent. Bodies, interactions and inputs may be added between
+/// steps; the next step analyses anew.
 
 #include <hawser/def.h>
 #include <hawser/id.h>
@@ -61,7 +63,7 @@ class World {
     [[nodiscard]] double time() const noexcept;  ///< [s].
     [[nodiscard]] std::int64_t step_count() const noexcept;
     [[nodiscard]] const StepStats& stats() const noexcept;
-    [[nodiscard]] Energy energy() const noexcept;  ///< Of the current state.
+    [[nodiscard]] Energy energy() const noexcept;  ///< Of the state; zeros before prepare().
     /// FNV-1a 64 over poses, velocities, multipliers, time, inputs, and the name of the
     /// instruction set in use. Equal for any number of threads and after save/restore.
     [[nodiscard]] std::uint64_t state_hash() const noexcept;
@@ -72,7 +74,7 @@ class World {
     [[nodiscard]] int input_count() const noexcept;
     [[nodiscard]] const InputDef& input_def(InputId id) const;
     [[nodiscard]] InputId find_input(std::string_view name) const noexcept;
-    [[nodiscard]] double input(InputId id) const;
+    [[nodiscard]] double input(InputId id) const;  ///< Value last set, or that of the definition.
     /// Clamped to the range, with an event; @throws DefError when not finite.
     void set_input(InputId id, double value);
     /// Replace the applied force [N] and torque [N m], world frame.
@@ -95,8 +97,9 @@ class World {
     [[nodiscard]] const InteractionDef& interaction_def(
         InteractionId id) const;  ///< Defaults filled in.
     [[nodiscard]] InteractionId find_interaction(std::string_view name) const noexcept;
-    /// Force of each row in the last step, along Gᵀ [N or N m]; a stretch in tension has f < 0:
-    /// tension = −force(id)[0].
+    /// Force of each row in the last step, along Gᵀ [N or N m]; zero before the first. Rows 0-2
+    /// of ball, hinge, universal and lock are the force on body 1 in the world's axes. A line in
+    /// tension has f < 0: tension = −force(id)[0].
     [[nodiscard]] std::span<const double> force(InteractionId id) const;
     /// Violation g of each row at the current poses [m or rad]; 0 for velocity rows.
     [[nodiscard]] std::array<double, kMaxInteractionRows> violation(InteractionId id) const;
@@ -105,10 +108,12 @@ class World {
 
     // --- Save and restore -------------------------------------------------------------------
     /// The whole dynamic state, warm start included. Restoring it in a world built from the
-    /// same definitions continues bit for bit.
+    /// same definitions continues bit for bit. Parameters are not part of it, apart from those
+    /// that inputs drive.
     [[nodiscard]] std::vector<std::byte> save() const;
-    /// @throws DefError when the bytes are damaged or belong to another world; the state is
-    ///         then unchanged.
+    /// @throws DefError when the bytes are damaged or belong to another world: other bodies,
+    ///         interactions, inputs, step or parameters (any mass, length, stiffness, …; names,
+    ///         form and threads may differ). The state is then unchanged.
     void restore(std::span<const std::byte> bytes);
 
     // --- Inspection -------------------------------------------------------------------------

@@ -161,7 +161,11 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
             if (sigma < 1e-300) sigma = 1e-300;
             in.sigma[row] = sigma;
             if (in.epsilon[row] == 0.0) keep = true;
-            if (def.form == Form::automatic && w > kSafeRatio * sigma) keep = true;
+            // By the compliance as defined: a world restored with other lengths of its lines must
+            // choose as the one that was saved.
+            const double defined = in.def[at(i)].compliance[at(r)];
+            const double ratio = in.epsilon[row] > 0.0 ? defined / in.epsilon[row] : 1.0;
+            if (def.form == Form::automatic && w > kSafeRatio * ratio * sigma) keep = true;
         }
         kept_[at(i)] = keep ? 1 : 0;
         for (int r = 0; r < in.rows[at(i)]; ++r) {

@@ -8,7 +8,7 @@
 ///   [ M̃  Gᵀ ] [ v₊ ]   [ a ]      M̃ = M + h D + (h²/4) K_g + h C
 ///   [ G  −Σ ] [ −λ ] = [ c ]      a = M v + h f + gyro + (h²/4) K_g v − h C v
 /// ```
-/// M mass matrix, D drag, K_g geometric stiffness, C relative-rotation damping (A.5 in
+/// M mass matrix, D drag, K_g geometric stiffness, C relative-rotation damping (part 4 of
 /// docs/methods.md); Σ, c from compliance, damping time and violation (SPOOK).
 
 #include <hawser/interactions.h>
@@ -134,8 +134,8 @@ struct Norms {
     double gap = 0.0;         ///< max |g| of translational constraint rows [m].
     std::int32_t gap_id = -1;
     double stretch = 0.0;  ///< max |g + ε f| / length over wire elements.
-    double work = 0.0;     ///< h f·v₊ of applied forces and torques [J].
-    double drag = 0.0;     ///< h v₊ᵀ D v₊ [J].
+    double work = 0.0;     ///< h f·(v + v₊)/2 of applied forces and torques [J].
+    double drag = 0.0;     ///< h v₊ᵀ D (v + v₊)/2 [J].
     double finite = 0.0;   ///< Sum of everything: not finite if anything is not.
 };
 

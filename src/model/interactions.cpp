@@ -4,11 +4,38 @@
 
 #include "model/kinds/all.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
 namespace hawser::model {
 namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+bool is_stretch(InteractionKind kind) {
+    return kind == InteractionKind::Stretch || kind == InteractionKind::WinchStretch;
+}
+
+/// Motors: their parameters are speed, force_min, force_max.
+bool has_force_range(InteractionKind kind) {
+    const auto params = kind_info(kind).params;
+    return params.size() == 3 && std::string_view(params[1].name) == "force_min";
+}
+
+std::uint8_t flags_of(const InteractionDef& d, const generic::RowSpec& first,
+                      const Bodies& bodies) {
+    int flag = 0;
+    if (first.one_sided) flag |= kOneSided;
+    if (first.range) flag |= kRange;
+    if (is_stretch(d.kind)) {
+        if (d.get("breaking_load") < 1e30) flag |= kBreakable;
+        if (std::isnan(d.compliance[0])) flag |= kFromLength;
+    }
+    for (int b = 0; b < kind_info(d.kind).bodies; ++b)
+        if (bodies.kind[at(d.body[at(b)].index)] == BodyKind::kinematic) flag |= kCarried;
+    return static_cast<std::uint8_t>(flag);
+}
 
 /// Write the Data of `def` at `out` (stride bytes).
 void write_data(const InteractionDef& def, std::byte* out) {
@@ -71,16 +98,8 @@ int Interactions::add(const InteractionDef& filled, const Bodies& bodies_in, dou
     row_count += info.rows;
     jac_size += info.rows * width;
 
-    std::uint8_t flag = 0;
-    if (spec[0].one_sided) flag |= kOneSided;
-    if (spec[0].range) flag |= kRange;
-    if (d.kind == InteractionKind::Stretch || d.kind == InteractionKind::WinchStretch) {
-        inv_length.push_back(1.0 / d.get("length"));
-        if (d.get("breaking_load") < 1e30) flag |= kBreakable;
-    } else {
-        inv_length.push_back(0.0);
-    }
-    flags.push_back(flag);
+    inv_length.push_back(0.0);
+    flags.push_back(flags_of(filled, spec[0], bodies_in));
     geo.push_back(geometry == generic::Geometry::none ? -1 : geo_count++);
     active.push_back(1.0);
     parted.push_back(0);
@@ -100,14 +119,86 @@ int Interactions::add(const InteractionDef& filled, const Bodies& bodies_in, dou
         for (base::Array<double>* a : {&inv_sigma, &g, &c, &residual, &lambda, &multiplier, &force})
             a->push_back(0.0);
     }
+    if (is_stretch(d.kind)) follow_length(id, bodies_in, h);
+    if (d.kind == InteractionKind::WinchStretch && (flags.back() & kFromLength))
+        winches.push_back(id);
+    if (has_force_range(d.kind)) {
+        motors.push_back(id);
+        saturated.push_back(0);
+    }
+    if (has_force_range(d.kind) || (flags.back() & kCarried)) working.push_back(id);
     return id;
 }
 
-void Interactions::refresh(int id) {
-    const InteractionDef& d = def[static_cast<std::size_t>(id)];
+void Interactions::mark_driven(int id) {
+    flags[at(id)] |= kByInput;
+    const auto place = std::lower_bound(working.begin(), working.end(), id);
+    if (place == working.end() || *place != id) working.insert(place, id);
+}
+
+void Interactions::refresh(int id, const Bodies& bodies_in, double h) noexcept {
+    const InteractionDef& d = def[at(id)];
     Pool& p = pool[static_cast<std::size_t>(d.kind)];
-    const auto index = static_cast<std::size_t>(pool_index[static_cast<std::size_t>(id)]);
-    write_data(d, p.data.data() + index * p.stride);
+    write_data(d, p.data.data() + at(pool_index[at(id)]) * p.stride);
+    if (is_stretch(d.kind)) follow_length(id, bodies_in, h);
+}
+
+void Interactions::follow_length(int id, const Bodies& bodies_in, double h) noexcept {
+    const InteractionDef& d = def[at(id)];
+    const double whole = d.params[0];
+    double length = whole;
+    if (d.kind == InteractionKind::WinchStretch)
+        length += d.params[4] * bodies_in.x[3 * at(d.body[2].index)];
+    // A drum may wind in more than the element holds; its law then keeps the stiffness of the rest.
+    constexpr double kShortest = 0.01;
+    length = std::max(length, kShortest * whole);
+    inv_length[at(id)] = 1.0 / length;
+    if (!(flags[at(id)] & kFromLength)) return;
+    const auto row = at(row_begin[at(id)]);
+    epsilon[row] = length / d.params[1];
+    sigma[row] = 4.0 * epsilon[row] * upsilon[row] / (h * h);
+    if (inv_sigma[row] != 0.0) inv_sigma[row] = 1.0 / sigma[row];
+}
+
+RowState Interactions::row_state(int id, const Bodies& b) const noexcept {
+    RowState out{};
+    const Pool& p = pool[static_cast<std::size_t>(def[at(id)].kind)];
+    const std::byte* bytes = p.data.data() + at(pool_index[at(id)]) * p.stride;
+    generic::with_kind(def[at(id)].kind, [&]<class K>() {
+        typename K::Data data;
+        std::memcpy(&data, bytes, sizeof data);
+        generic::BodyRef refs[K::kBodies];
+        for (int k = 0; k < K::kBodies; ++k) {
+            const std::int32_t i = body[at(kMaxInteractionBodies * id + k)];
+            const double* x = &b.x[3 * at(i)];
+            refs[k] = {{x[0], x[1], x[2]}, &b.r[9 * at(i)], b.dof(i) == 6 || b.dof(i) == 0};
+        }
+        generic::Rows<K::kBodies, K::kRows> evaluated;
+        K::evaluate(data, refs, evaluated);
+        for (int r = 0; r < K::kRows; ++r) out.g[r] = evaluated.g[r];
+        for (int k = 0; k < K::kBodies; ++k) {
+            const std::int32_t i = body[at(kMaxInteractionBodies * id + k)];
+            const int dof = b.dof(i);
+            const double* v = dof > 0 ? &b.v[at(b.dof_begin[at(i)])] : &b.v_fixed[6 * at(i)];
+            for (int r = 0; r < K::kRows; ++r)
+                for (int j = 0; j < (dof > 0 ? dof : 6); ++j)
+                    (dof > 0 ? out.rate : out.carried)[r] += evaluated.J[k][r][j] * v[j];
+        }
+    });
+    return out;
+}
+
+double Interactions::elastic(int id, const Bodies& b, double h) const noexcept {
+    if (active[at(id)] == 0.0) return 0.0;
+    const RowState s = row_state(id, b);
+    double energy = 0.0;
+    for (int r = 0; r < rows[at(id)]; ++r) {
+        const auto row = at(row_begin[at(id)] + r);
+        if ((row_flags[row] & kRowVelocity) || epsilon[row] <= kElasticCompliance) continue;
+        const double middle = s.g[r] - 0.5 * h * (s.rate[r] + s.carried[r]);
+        energy += 0.5 * middle * middle / epsilon[row];
+    }
+    return energy;
 }
 
 std::size_t Interactions::bytes() const noexcept {

@@ -32,9 +32,22 @@ enum RowFlag : std::uint8_t {
 };
 
 enum InteractionFlag : std::uint8_t {
-    kOneSided = 1,   ///< Only pulls.
-    kRange = 2,      ///< Idle while inside its range.
-    kBreakable = 4,  ///< Has a finite breaking load.
+    kOneSided = 1,    ///< Only pulls.
+    kRange = 2,       ///< Idle while inside its range.
+    kBreakable = 4,   ///< Has a finite breaking load.
+    kFromLength = 8,  ///< Its compliance is length/EA and follows the length.
+    kByInput = 16,    ///< An input drives one of its parameters.
+    kCarried = 32,    ///< Touches a body with a prescribed velocity.
+};
+
+/// Rows softer than this [m/N] store energy worth counting.
+inline constexpr double kElasticCompliance = 1e-11;
+
+/// Rows of one interaction at given poses.
+struct RowState {
+    double g[kMaxInteractionRows];        ///< Violation; wanted speed of a velocity row.
+    double rate[kMaxInteractionRows];     ///< ġ from bodies that move.
+    double carried[kMaxInteractionRows];  ///< ġ from prescribed velocities.
 };
 
 struct Interactions {
@@ -46,10 +59,15 @@ struct Interactions {
     std::vector<std::int32_t> body;  ///< kMaxInteractionBodies an id; −1 behind the last.
     std::vector<std::uint8_t> bodies, rows, flags;
     std::vector<std::int32_t> row_begin, jac_begin;
-    std::vector<std::int32_t> geo;     ///< Index of the geometric-stiffness record, or −1.
-    base::Array<double> active;        ///< 1, or 0: slack, inside its range or parted.
-    std::vector<std::uint8_t> parted;  ///< 1 once a line has parted.
-    base::Array<double> inv_length;    ///< 1/l₀ of wire elements, 0 for all else.
+    std::vector<std::int32_t> geo;        ///< Index of the geometric-stiffness record, or −1.
+    base::Array<double> active;           ///< 1, or 0: slack, inside its range or parted.
+    std::vector<std::uint8_t> parted;     ///< 1 once a line has parted.
+    base::Array<double> inv_length;       ///< 1/l₀ of wire elements, 0 for all else.
+    std::vector<std::int32_t> working;    ///< Those through which work enters: motors, driven by an
+                                          ///< input, touching a prescribed velocity. Ascending.
+    std::vector<std::int32_t> motors;     ///< Those with a force range, ascending.
+    std::vector<std::int32_t> winches;    ///< Winch stretches whose compliance follows the length.
+    std::vector<std::uint8_t> saturated;  ///< 1 a motor: its force is outside its range.
 
     // By row.
     base::Array<double> epsilon, tau;    ///< ε, τ (γ, – for velocity rows).
@@ -68,8 +86,15 @@ struct Interactions {
     [[nodiscard]] int count() const noexcept { return static_cast<int>(def.size()); }
     /// Append; `filled` is checked and complete. Row constants depend on h.
     int add(const InteractionDef& filled, const Bodies& bodies_in, double h);
-    /// Rebuild the pool entry after a parameter changed.
-    void refresh(int id);
+    /// An input is going to drive a parameter.
+    void mark_driven(int id);
+    /// Rebuild the pool entry, and a compliance of length/EA, after a parameter changed.
+    void refresh(int id, const Bodies& bodies_in, double h) noexcept;
+    /// Compliance and length of a wire element at its present rest length, which a drum pays out.
+    void follow_length(int id, const Bodies& bodies_in, double h) noexcept;
+    [[nodiscard]] RowState row_state(int id, const Bodies& bodies_in) const noexcept;
+    /// Elastic energy at the half-step position [J].
+    [[nodiscard]] double elastic(int id, const Bodies& bodies_in, double h) const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;
 };
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 
 namespace hawser::observe {
 
@@ -95,7 +96,8 @@ std::optional<Drawing> plot_details(const Recording& recording, std::size_t fram
         drawing.add(Clip{axes.frame});
         draw_frame(drawing, axes, view, recording, first, {true, tension});
         draw_frame(drawing, axes, view, recording, frame, {false, tension});
-        draw_names(drawing, axes, view, recording, frame);
+        const std::string& name = recording.bodies[i].name;
+        draw_names(drawing, axes, view, recording, frame, name.substr(0, name.rfind('/') + 1));
         drawing.add(Clip{});
     }
     if (recording.element_count > 0) {

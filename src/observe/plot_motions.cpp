@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "observe/axes.h"
+#include "observe/commands_note.h"
 #include "observe/plots.h"
 
 #include <fmt/format.h>
@@ -41,8 +42,10 @@ Unit length_unit(const Series& series, int k) {
     return largest < 0.01 ? Unit{"mm", 1e3} : Unit{"m", 1.0};
 }
 
-void draw_panel(Drawing& drawing, const Series& series, const Axes& axes, int k, double factor) {
+void draw_panel(Drawing& drawing, const Series& series, const std::vector<Command>& commands,
+                const Axes& axes, int k, double factor) {
     axes.draw(drawing);
+    mark_commands(drawing, axes, commands);
     for (std::size_t i = 0; i < series.bodies.size(); ++i) {
         std::vector<double> values = series.bodies[i].value[std::size_t(k)];
         if (values.empty()) continue;
@@ -74,11 +77,13 @@ std::optional<Drawing> plot_motions(const Recording& recording, const Series& se
     if (series.bodies.empty() || series.time.empty()) return std::nullopt;
     const bool turns = std::any_of(series.bodies.begin(), series.bodies.end(),
                                    [](const BodySeries& s) { return s.turns; });
-    Drawing drawing{.width = 1280, .height = 860};
+    const std::vector<Command> commands = commands_of(recording);
+    const double listed = kCommandLine * static_cast<double>(commands.size());
+    Drawing drawing{.width = 1280, .height = 860 + listed};
     draw_heading(drawing, recording.scene_name + ": motion of the bodies over time",
                  parameter_line(recording));
     const int columns = turns ? 2 : 1;
-    const double left = 110, right = 250, between = 100, top = 112, bottom = 92, gap = 52;
+    const double left = 110, right = 250, between = 100, top = 118, bottom = 92 + listed, gap = 52;
     const double width = (drawing.width - left - right - between * (columns - 1)) / columns;
     const double height = (drawing.height - top - bottom - 2 * gap) / 3;
     Range time = range_of(series.time);
@@ -97,12 +102,13 @@ std::optional<Drawing> plot_motions(const Recording& recording, const Series& se
             .x_numbers = row == 2,
             .x_ticks = turns ? 5 : 10,
             .y_ticks = 4};
-        draw_panel(drawing, series, axes, k, unit.factor);
+        draw_panel(drawing, series, commands, axes, k, unit.factor);
     }
-    drawing.text({left, top - 14}, "Displacement of the centre of mass from the start", 13.0,
+    list_commands(drawing, {left, drawing.height - 18 - listed + kCommandLine}, commands);
+    drawing.text({left, top - 20}, "Displacement of the centre of mass from the start", 13.0,
                  Anchor::start, kInk, true);
     if (turns)
-        drawing.text({left + width + between, top - 14}, "Roll, pitch and yaw from the start", 13.0,
+        drawing.text({left + width + between, top - 20}, "Roll, pitch and yaw from the start", 13.0,
                      Anchor::start, kInk, true);
     std::vector<LegendEntry> entries;
     for (std::size_t i = 0; i < series.bodies.size(); ++i)

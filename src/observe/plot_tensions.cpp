@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "observe/axes.h"
+#include "observe/commands_note.h"
 #include "observe/plots.h"
 
 #include <fmt/format.h>
@@ -118,7 +119,7 @@ void mark_events(Drawing& drawing, const Recording& recording, const Axes& axes)
 }
 
 void draw_panel(Drawing& drawing, const Recording& recording, const Series& series,
-                const Group& group, Axes axes) {
+                const Group& group, const std::vector<Command>& commands, Axes axes) {
     double peak = 0.0;
     for (const std::size_t i : group) peak = std::max(peak, series.cables[i].peak);
     const Unit unit = readable_unit(peak, "N");
@@ -129,6 +130,7 @@ void draw_panel(Drawing& drawing, const Recording& recording, const Series& seri
     axes.x_ticks = 10;
     axes.y_ticks = std::max(3, static_cast<int>(axes.frame.height / 60));
     axes.draw(drawing);
+    mark_commands(drawing, axes, commands);
     draw_curves(drawing, axes, series, group, unit.factor);
     mark_events(drawing, recording, axes);
     draw_legend(drawing, {axes.frame.right() + 24, axes.frame.y + 14},
@@ -140,7 +142,9 @@ void draw_panel(Drawing& drawing, const Recording& recording, const Series& seri
 std::optional<Drawing> plot_tensions(const Recording& recording, const Series& series) {
     if (series.cables.empty() || series.time.empty()) return std::nullopt;
     const std::vector<Group> groups = group_by_size(series);
-    const double top = 96, bottom = 96, gap = 40;
+    const std::vector<Command> commands = commands_of(recording);
+    const double listed = kCommandLine * static_cast<double>(commands.size());
+    const double top = 108, bottom = 96 + listed, gap = 40;
     const double least = groups.size() == 1 ? 520 : groups.size() == 2 ? 270 : 190;
     std::vector<double> heights;
     double total = top + bottom - gap;
@@ -154,13 +158,14 @@ std::optional<Drawing> plot_tensions(const Recording& recording, const Series& s
                  parameter_line(recording));
     double y = top;
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        draw_panel(drawing, recording, series, groups[g],
+        draw_panel(drawing, recording, series, groups[g], commands,
                    {.frame = {110, y, 880, heights[g]},
                     .x_label = g + 1 == groups.size() ? "time [s]" : "",
                     .x_numbers = g + 1 == groups.size()});
         y += heights[g] + gap;
     }
-    drawing.text({110, drawing.height - 22},
+    list_commands(drawing, {110, drawing.height - 22 - listed + kCommandLine}, commands);
+    drawing.text({110, drawing.height - 22 - listed},
                  "Line: first element of the cable. Band: lowest to highest element.", 12.0,
                  Anchor::start, kSoft);
     return drawing;

@@ -133,7 +133,6 @@ std::optional<Drawing> plot_views(const Recording& recording, const Series& seri
         draw_frame(drawing, axes, view, recording, first, {true, tension});
         draw_paths(drawing, axes, view, recording, series);
         draw_frame(drawing, axes, view, recording, frame, {false, tension});
-        draw_cable_names(drawing, axes, view, recording, frame);
         draw_names(drawing, axes, view, recording, frame);
         low = std::max(low, axes.frame.bottom());
     }

@@ -133,7 +133,8 @@ class Recording {
     std::int32_t element_count = 0;
     std::int64_t start_step = 0;
     std::uint64_t start_hash = 0;
-    std::span<const std::byte> snapshot;  ///< For World::restore.
+    std::span<const std::byte> snapshot;   ///< For World::restore.
+    std::vector<std::string> input_names;  ///< By index of RecordedInput::input; may be missing.
     std::vector<RecordedInput> inputs;
     std::vector<RecordedEvent> events;
     Ending ending = Ending::unknown;

@@ -143,6 +143,10 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
         add_frame(payload);
     } else if (kind == kInputsChunk) {
         read_inputs(in);
+    } else if (kind == kInputNamesChunk) {
+        input_names.resize(in.get_count(4));
+        for (std::string& name : input_names) name = in.get_text();
+        in.expect_end();
     } else if (kind == kEventChunk) {
         RecordedEvent event;
         event.time = in.get<double>();

@@ -137,6 +137,11 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& file, const SceneI
     payload_.put(world.state_hash());
     payload_.put_bytes(world.save());
     write_chunk(kSnapshotChunk);
+
+    payload_.put(static_cast<std::uint32_t>(world.input_count()));
+    for (std::int32_t i = 0; i < world.input_count(); ++i)
+        payload_.put_text(world.input_def({i}).name);
+    write_chunk(kInputNamesChunk);
     add_frame(world);
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace hawser::observe {
@@ -50,13 +51,17 @@ void quality(Out out, const Summary& s) {
         fmt::format_to(out, "  cable law    |l − l0 (1 + T/EA)| at most {:.2e} l0 ({:.4g} s)\n",
                        s.stretch_error_max, s.stretch_error_time);
     const double drift = s.energy_drift();
-    fmt::format_to(out, "  energy       {} changed by {}: applied {}, drag took {}, other {}",
+    fmt::format_to(out,
+                   "  energy       {} changed by {}: applied {}, driven {}, drag took {}, "
+                   "other {}",
                    with_unit(s.energy_start.mechanical(), "J"),
                    with_unit(s.energy_end.mechanical() - s.energy_start.mechanical(), "J"),
                    with_unit(s.energy_end.applied - s.energy_start.applied, "J"),
+                   with_unit(s.energy_end.driven - s.energy_start.driven, "J"),
                    with_unit(s.energy_end.dissipated - s.energy_start.dissipated, "J"),
                    with_unit(drift, "J"));
-    if (s.energy_scale > 0.0)
+    // At rest nothing is exchanged, and a part of nothing says nothing.
+    if (s.energy_scale > 1e-6 * std::abs(s.energy_start.mechanical()))
         fmt::format_to(out, " ({:.2g} % of what was exchanged)", 100.0 * drift / s.energy_scale);
     fmt::format_to(out, "\n");
 }
@@ -103,6 +108,10 @@ void events(Out out, const Summary& s) {
                                   to_string(static_cast<EventKind>(k)));
     }
     fmt::format_to(out, "\n  events       {}\n", counts.empty() ? "none" : counts);
+    if (s.last.event_count[static_cast<std::size_t>(EventKind::saturation)] > 0)
+        fmt::format_to(out,
+                       "  warning      a motor needed more force than its range allows; ranges are "
+                       "not enforced yet\n");
     constexpr std::size_t kShown = 10;
     for (std::size_t i = 0; i < std::min(kShown, s.events.size()); ++i)
         fmt::format_to(out, "    {:10.4f} s  {:<13} {}  {:.6g}\n", s.events[i].time,

@@ -75,10 +75,11 @@ struct Summary {
     std::int64_t missed_frames = -1;  ///< With --realtime; −1 without.
     double lateness_max = 0.0;        ///< With --realtime [s].
 
-    /// Change of mechanical energy that applied work and drag do not explain [J].
+    /// Change of mechanical energy that applied and driven work and drag do not explain [J].
     [[nodiscard]] double energy_drift() const noexcept {
         return energy_end.mechanical() - energy_start.mechanical() -
-               (energy_end.applied - energy_start.applied) +
+               (energy_end.applied - energy_start.applied) -
+               (energy_end.driven - energy_start.driven) +
                (energy_end.dissipated - energy_start.dissipated);
     }
 };

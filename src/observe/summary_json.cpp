@@ -39,6 +39,7 @@ Json energy_balance(const Summary& s) {
     return {{"start", energy(s.energy_start)},
             {"end", energy(s.energy_end)},
             {"applied", s.energy_end.applied - s.energy_start.applied},
+            {"driven", s.energy_end.driven - s.energy_start.driven},
             {"dissipated", s.energy_end.dissipated - s.energy_start.dissipated},
             {"drift", drift},
             {"scale", s.energy_scale},

@@ -2,78 +2,182 @@
 #include "observe/view_labels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace hawser::observe {
 
 namespace {
 
+constexpr double kBodySize = 12.0, kCableSize = 11.0;
+constexpr double kNamedSize = 16.0;  // Smaller bodies go unnamed.
+constexpr std::size_t kMostNames = 400;
+
 bool overlaps(const Box& a, const Box& b) {
     return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
 }
 
-}  // namespace
+// Whether a segment has a part inside a box (Liang and Barsky, 1984).
+bool crosses(const Point& a, const Point& b, const Box& box) {
+    double enter = 0.0, leave = 1.0;
+    const double d[2] = {b.x - a.x, b.y - a.y};
+    const double low[2] = {box.x - a.x, box.y - a.y};
+    const double high[2] = {box.right() - a.x, box.bottom() - a.y};
+    for (int k = 0; k < 2; ++k) {
+        if (d[k] == 0.0) {
+            if (low[k] > 0.0 || high[k] < 0.0) return false;
+            continue;
+        }
+        const double p = low[k] / d[k], q = high[k] / d[k];
+        enter = std::max(enter, std::min(p, q));
+        leave = std::min(leave, std::max(p, q));
+    }
+    return enter <= leave;
+}
 
-void draw_names(Drawing& drawing, const Axes& axes, const View& view, const Recording& recording,
-                const Frame& frame) {
-    constexpr double kSize = 12.0;
-    constexpr std::size_t kMostNames = 400;
-    constexpr double kNamedSize = 16.0;  // Smaller bodies go unnamed.
+// Chooses places for names so that they hide as little as possible.
+class Placer {
+  public:
+    Placer(Drawing& drawing, const Axes& axes, const View& view, const Recording& recording,
+           const Frame& frame)
+        : drawing_(drawing), axes_(axes), view_(view), recording_(recording), frame_(frame) {
+        for (const RecordedCable& cable : recording.cables)
+            for (std::size_t i = 0; i + 1 < cable.nodes.size(); ++i)
+                lines_.emplace_back(node(cable, i), node(cable, i + 1));
+    }
+
+    [[nodiscard]] Point node(const RecordedCable& cable, std::size_t i) const {
+        const auto body = static_cast<std::size_t>(cable.nodes[i]);
+        return project(axes_, view_, frame_.poses[body].position);
+    }
+
+    void body(const Box& at, const std::string& name) {
+        const double w = text_width(name, kBodySize, true), x = at.x + 0.5 * at.width;
+        std::optional<Choice> best;
+        for (const double off : {7.0, 26.0, 45.0, 64.0, 83.0}) {
+            for (const double side : {0.0, -0.7, 0.7, -1.3, 1.3}) {
+                const double left = x - 0.5 * w + side * w;
+                consider(best, {left, at.y - off}, w, kBodySize, off + 12.0 * std::abs(side));
+                consider(best, {left, at.bottom() + off + kBodySize - 4}, w, kBodySize,
+                         off + 2.0 + 12.0 * std::abs(side));
+            }
+            const double middle = at.y + 0.5 * at.height + 4;
+            consider(best, {at.right() + off, middle}, w, kBodySize, off + 4.0);
+            consider(best, {at.x - w - off, middle}, w, kBodySize, off + 4.0);
+        }
+        if (!best) return;
+        const Box& box = best->box;
+        // From the label's point nearest to the body to the body's point nearest to the label.
+        const double middle = at.y + 0.5 * at.height;
+        const Point from{std::clamp(x, box.x, box.right()),
+                         std::clamp(middle, box.y, box.bottom())};
+        const Point to{std::clamp(from.x, at.x, at.right()), std::clamp(from.y, at.y, at.bottom())};
+        if (std::hypot(to.x - from.x, to.y - from.y) > 16.0) drawing_.line(from, to, kSoft, 0.8);
+        drawing_.add(
+            Text{.at = best->at, .text = name, .size = kBodySize, .bold = true, .halo = true});
+        taken_.push_back(box);
+    }
+
+    void cable(const RecordedCable& cable) {
+        const double w = text_width(cable.name, kCableSize);
+        const Point a = node(cable, 0), b = node(cable, cable.nodes.size() - 1);
+        if (std::hypot(b.x - a.x, b.y - a.y) < w + 20.0) return;  // It would hide the cable.
+        std::optional<Choice> best;
+        for (const double share : {0.5, 0.42, 0.58, 0.33, 0.67, 0.25, 0.75, 0.15, 0.85}) {
+            const Point p =
+                node(cable,
+                     static_cast<std::size_t>(share * static_cast<double>(cable.nodes.size() - 1)));
+            const double off = 20.0 * std::abs(share - 0.5);
+            consider(best, {p.x - 0.5 * w, p.y - 6}, w, kCableSize, off);
+            consider(best, {p.x - 0.5 * w, p.y + kCableSize + 5}, w, kCableSize, off + 1.0);
+            consider(best, {p.x + 7, p.y + 4}, w, kCableSize, off + 2.0);
+            consider(best, {p.x - w - 7, p.y + 4}, w, kCableSize, off + 2.0);
+        }
+        if (!best) return;
+        drawing_.add(Text{
+            .at = best->at, .text = cable.name, .size = kCableSize, .color = kSoft, .halo = true});
+        taken_.push_back(best->box);
+    }
+
+    void keep_clear(const Box& box) { bodies_.push_back(box); }
+
+  private:
+    struct Choice {
+        Point at;
+        Box box;
+        double cost = 0.0;
+    };
+
+    // Text of width w at p, on its base line; `off` is what its distance costs.
+    void consider(std::optional<Choice>& best, Point p, double w, double size, double off) const {
+        const Box box{p.x, p.y - size, w, size + 3};
+        const Box& frame = axes_.frame;
+        if (box.x < frame.x + 2 || box.right() > frame.right() - 2 || box.y < frame.y + 2 ||
+            box.bottom() > frame.bottom() - 2)
+            return;
+        for (const Box& other : taken_)
+            if (overlaps(box, other)) return;
+        double cost = off;
+        for (const Box& other : bodies_) cost += overlaps(box, other) ? 25.0 : 0.0;
+        for (const auto& [from, to] : lines_) {
+            if (best && cost >= best->cost) return;
+            if (crosses(from, to, box)) cost += 12.0;
+        }
+        if (!best || cost < best->cost) best = {p, box, cost};
+    }
+
+    Drawing& drawing_;
+    const Axes& axes_;
+    const View& view_;
+    const Recording& recording_;
+    const Frame& frame_;
+    std::vector<std::pair<Point, Point>> lines_;
+    std::vector<Box> bodies_, taken_;
+};
+
+// The plotted bodies, then the others that are not part of a cable.
+std::vector<std::int32_t> bodies_to_name(const Recording& recording,
+                                         const std::vector<bool>& visible) {
     std::vector<std::int32_t> bodies = recording.plot_bodies;
-    const std::vector<bool> visible = visible_bodies(recording);
     const std::vector<bool> interior = cable_interior(recording);
     for (std::size_t i = 0; i < visible.size() && bodies.size() < kMostNames; ++i)
         if (visible[i] && !interior[i] && recording.bodies[i].kind == BodyKind::rigid &&
             std::find(bodies.begin(), bodies.end(), static_cast<std::int32_t>(i)) == bodies.end())
             bodies.push_back(static_cast<std::int32_t>(i));
-    std::vector<Box> taken;
-    for (const std::int32_t index : bodies) {
-        const auto i = static_cast<std::size_t>(index);
+    return bodies;
+}
+
+}  // namespace
+
+void draw_names(Drawing& drawing, const Axes& axes, const View& view, const Recording& recording,
+                const Frame& frame, const std::string& assembly) {
+    Placer placer(drawing, axes, view, recording, frame);
+    const std::vector<bool> visible = visible_bodies(recording);
+    std::vector<std::pair<Box, std::string>> names;
+    const std::size_t plotted = recording.plot_bodies.size();
+    const auto bodies = bodies_to_name(recording, visible);
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+        const auto i = static_cast<std::size_t>(bodies[k]);
         const std::string& name = recording.bodies[i].name;
         if (name.empty() || !visible[i]) continue;
         const Box at = body_extent(axes, view, recording.bodies[i], frame.poses[i]);
-        const bool plotted = std::find(recording.plot_bodies.begin(), recording.plot_bodies.end(),
-                                       index) != recording.plot_bodies.end();
-        if (!plotted && std::max(at.width, at.height) < kNamedSize) continue;
-        const double w = text_width(name, kSize, true);
-        const Point tries[4] = {{at.x + 0.5 * (at.width - w), at.y - 7},
-                                {at.x + 0.5 * (at.width - w), at.bottom() + kSize + 3},
-                                {at.right() + 6, at.y + 0.5 * at.height + 4},
-                                {at.x - w - 6, at.y + 0.5 * at.height + 4}};
-        for (const Point p : tries) {
-            const Box box{p.x, p.y - kSize, w, kSize + 2};
-            if (box.x < axes.frame.x || box.right() > axes.frame.right() || box.y < axes.frame.y ||
-                box.bottom() > axes.frame.bottom() ||
-                std::any_of(taken.begin(), taken.end(),
-                            [&](const Box& other) { return overlaps(box, other); }))
-                continue;
-            taken.push_back(box);
-            drawing.add(Text{.at = p, .text = name, .size = kSize, .bold = true, .halo = true});
-            break;
-        }
+        if (at.right() < axes.frame.x || at.x > axes.frame.right() || at.bottom() < axes.frame.y ||
+            at.y > axes.frame.bottom())
+            continue;
+        // A hull is a place for names, a boom is not.
+        if (at.width < 120.0 || at.height < 30.0) placer.keep_clear(at);
+        if (k >= plotted && std::max(at.width, at.height) < kNamedSize) continue;
+        const bool own = !assembly.empty() && name.size() > assembly.size() &&
+                         name.compare(0, assembly.size(), assembly) == 0;
+        names.emplace_back(at, own ? name.substr(assembly.size()) : name);
     }
-}
-
-void draw_cable_names(Drawing& drawing, const Axes& axes, const View& view,
-                      const Recording& recording, const Frame& frame) {
+    for (const auto& [at, name] : names) placer.body(at, name);
     for (const std::int32_t index : recording.plot_cables) {
         const RecordedCable& cable = recording.cables[static_cast<std::size_t>(index)];
-        if (cable.nodes.size() < 3) continue;
-        const auto node = static_cast<std::size_t>(cable.nodes[cable.nodes.size() / 2]);
-        const Point at = project(axes, view, frame.poses[node].position);
-        const Point from = project(
-            axes, view, frame.poses[static_cast<std::size_t>(cable.nodes.front())].position);
-        const Point to =
-            project(axes, view, frame.poses[static_cast<std::size_t>(cable.nodes.back())].position);
-        if (std::hypot(to.x - from.x, to.y - from.y) < text_width(cable.name, 11.0) + 20.0)
-            continue;  // The name would hide the cable.
-        drawing.add(Text{.at = {at.x, at.y - 6},
-                         .text = cable.name,
-                         .size = 11.0,
-                         .anchor = Anchor::middle,
-                         .color = kSoft,
-                         .halo = true});
+        if (cable.nodes.size() >= 3) placer.cable(cable);
     }
 }
 

@@ -5,15 +5,16 @@
 
 #include "observe/projection.h"
 
+#include <string>
+
 namespace hawser::observe {
 
-/// Names next to their bodies, where there is room: the plotted ones, and others large enough.
+/// Names next to what they name, where there is room: the plotted bodies, others large enough, the
+/// plotted cables. A name that finds no room close by stands farther off on a thin line.
+/// @param assembly What names begin with that the picture is about anyway, such as "ahts1/"; left
+///                 out of the names.
 void draw_names(Drawing& drawing, const Axes& axes, const View& view, const Recording& recording,
-                const Frame& frame);
-
-/// Names of the plotted cables at their middle.
-void draw_cable_names(Drawing& drawing, const Axes& axes, const View& view,
-                      const Recording& recording, const Frame& frame);
+                const Frame& frame, const std::string& assembly = "");
 
 /// Range of tension for the colours of one frame [N].
 [[nodiscard]] Range tension_range(const Frame& frame);

@@ -56,6 +56,7 @@ struct StepContext {
     bool topology_changed = true;             ///< Bodies or interactions were added.
     bool started = false;                     ///< The staggered start has been made.
     double work = 0.0, drag = 0.0;            ///< Since the start [J].
+    double drive = 0.0;                       ///< Likewise, see Energy::driven.
     double step_work = 0.0, step_drag = 0.0;  ///< Of the step being taken [J].
     double residual_floor = 0.0;              ///< Denominator floor of the momentum residual.
     std::vector<assembly::Norms> norms;       ///< One a chunk, merged in order.

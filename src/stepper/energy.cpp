@@ -90,7 +90,6 @@ Energy energy(StepContext& ctx) noexcept {
     carriers_back(ctx);
     evaluate_rows(ctx);
     carriers_forth(ctx);
-    constexpr double kElastic = 1e-11;  // softer rows store energy worth counting
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
         if (v.active[id] == 0.0) continue;
         const double* jac = v.jacobian + v.jac_begin[id];
@@ -101,7 +100,9 @@ Energy energy(StepContext& ctx) noexcept {
                 const std::int32_t body = v.body[kMaxInteractionBodies * id + k];
                 for (int j = 0; j < v.dof[body]; ++j) speed += *jac++ * v.v[v.dof_begin[body] + j];
             }
-            if ((v.row_flags[row] & model::kRowVelocity) || v.epsilon[row] <= kElastic) continue;
+            if ((v.row_flags[row] & model::kRowVelocity) ||
+                v.epsilon[row] <= model::kElasticCompliance)
+                continue;
             const double g = v.g[row] - half * speed;
             e.elastic += 0.5 * g * g / v.epsilon[row];
         }
@@ -109,6 +110,7 @@ Energy energy(StepContext& ctx) noexcept {
     for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
         v.active[ctx.system.one_sided[i]] = ctx.active_before[i];
     e.applied = ctx.work;
+    e.driven = ctx.drive;
     e.dissipated = ctx.drag;
     return e;
 }

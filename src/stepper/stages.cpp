@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stepper/stages.h"
 
+#include "stepper/drives.h"
 #include "stepper/step.h"
 
 #include <algorithm>
@@ -72,11 +73,6 @@ Norms measure(StepContext& ctx, const View& v) noexcept {
     return merged(ctx.norms, bodies + rows);
 }
 
-void push_event(StepContext& ctx, EventKind kind, std::int32_t id, double value) noexcept {
-    ctx.events.push({ctx.time, kind, InteractionId{id}, value});
-    ++ctx.stats.event_count[static_cast<std::size_t>(kind)];
-}
-
 /// G v₊ of a one-row interaction.
 double row_speed(const View& v, std::int32_t id) noexcept {
     const double* jac = v.jacobian + v.jac_begin[id];
@@ -89,6 +85,11 @@ double row_speed(const View& v, std::int32_t id) noexcept {
 }
 
 }  // namespace
+
+void push_event(StepContext& ctx, EventKind kind, std::int32_t id, double value) noexcept {
+    ctx.events.push({ctx.time, kind, InteractionId{id}, value});
+    ++ctx.stats.event_count[static_cast<std::size_t>(kind)];
+}
 
 View view(StepContext& ctx) noexcept {
     return ctx.system.view(ctx.bodies, ctx.interactions, ctx.def);
@@ -215,27 +216,10 @@ bool update_active_set(StepContext& ctx, int pass) noexcept {
 
 void integrate(StepContext& ctx) noexcept {
     const View v = view(ctx);
+    ctx.drive += drive_work(ctx);
     over(ctx, v.body_count,
          [&](std::int32_t a, std::int32_t b) { assembly::kernels().integrate(v, a, b); });
-    for (std::int32_t body : ctx.bodies.driven) {
-        const auto b = at(body);
-        for (std::size_t i = 0; i < 3; ++i)
-            ctx.bodies.x[3 * b + i] += ctx.def.step * ctx.bodies.v_fixed[6 * b + i];
-        const double* w = &ctx.bodies.v_fixed[6 * b + 3];
-        const double speed = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
-        if (speed > 0.0) {
-            // Prescribed motion is exact: a turn by h|ω| about ω.
-            const double half = 0.5 * ctx.def.step * speed, s = std::sin(half) / speed;
-            const Quat turn(std::cos(half), s * w[0], s * w[1], s * w[2]);
-            double* q = &ctx.bodies.q[4 * b];
-            const Quat now = (turn * Quat(q[0], q[1], q[2], q[3])).normalized();
-            q[0] = now.w();
-            q[1] = now.x();
-            q[2] = now.y();
-            q[3] = now.z();
-            ctx.bodies.refresh_rotation(body);
-        }
-    }
+    move_carriers(ctx);
     ctx.work += ctx.step_work;
     ctx.drag += ctx.step_drag;
     ++ctx.step;
@@ -266,6 +250,8 @@ void integrate(StepContext& ctx) noexcept {
                        now != 0.0 ? -v.force_of_row[row] : 0.0);
         }
     }
+    report_saturation(ctx);
+    follow_winches(ctx);
     // Above this the solution no longer satisfies its own equations to engineering accuracy.
     constexpr double kResidualWarning = 1e-8;
     if (ctx.stats.momentum_residual > kResidualWarning)

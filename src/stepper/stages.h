@@ -10,6 +10,8 @@ namespace hawser::stepper {
 
 [[nodiscard]] assembly::View view(StepContext& ctx) noexcept;
 
+void push_event(StepContext& ctx, EventKind kind, std::int32_t id, double value) noexcept;
+
 /// Stage 1. Applies what inputs changed; nothing else acts before a step yet.
 void prestep(StepContext& ctx) noexcept;
 /// Stage 5. Rows: violation, Jacobian, right-hand side; body terms.

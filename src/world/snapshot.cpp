@@ -14,9 +14,10 @@ namespace hawser {
 namespace {
 
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'A', 'P', '1'};
-    std::uint64_t layout = 0;
-    std::uint64_t bytes = 0;  ///< Of the arrays that follow.
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'A', 'P', '2'};
+    std::uint64_t layout = 0;      ///< See layout_of().
+    std::uint64_t parameters = 0;  ///< See parameters_of().
+    std::uint64_t bytes = 0;       ///< Of the arrays that follow.
 };
 
 /// Visit every array of the state with f(pointer, bytes).
@@ -39,11 +40,13 @@ void visit_state(Context& ctx, std::vector<double>& inputs, F&& f) {
     array(ctx.interactions.force);
     array(ctx.interactions.active);
     array(ctx.interactions.parted);
+    array(ctx.interactions.saturated);
     array(inputs);
     value(ctx.step);
     value(ctx.started);
     value(ctx.work);
     value(ctx.drag);
+    value(ctx.drive);
     value(ctx.stats.event_count);
 }
 
@@ -57,6 +60,48 @@ std::uint64_t layout_of(const stepper::StepContext& ctx, std::size_t inputs) {
     for (const InteractionDef& d : ctx.interactions.def) h = base::fnv1a(&d.kind, 1, h);
     h = base::fnv1a(&ctx.def.step, sizeof ctx.def.step, h);
     return base::fnv1a(&inputs, sizeof inputs, h);
+}
+
+/// What the bodies, interactions, inputs and settings are, apart from what is part of the state: a
+/// run goes on bit for bit with the same parameters only. Left out are parameters that inputs
+/// drive, applied forces, the number of threads, and the form, whose results agree to round-off.
+std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<InputDef>& inputs) {
+    std::uint64_t h = base::kFnvStart;
+    auto add = [&](const void* data, std::size_t bytes) { h = base::fnv1a(data, bytes, h); };
+    auto array = [&](const auto& a) { add(a.data(), a.size() * sizeof(a[0])); };
+    auto value = [&](const auto& v) { add(&v, sizeof v); };
+    array(ctx.bodies.mass);
+    array(ctx.bodies.inertia);
+    array(ctx.bodies.damping);
+    array(ctx.bodies.weight);
+    add(ctx.def.gravity.data(), sizeof(Vec3));
+    value(ctx.def.geometric_stiffness);
+    value(ctx.def.rotation_damping);
+    value(ctx.def.refinements);
+    for (const InputDef& input : inputs) {
+        array(input.name);
+        array(input.param);
+        value(input.interaction.index);
+        value(input.body.index);
+        value(input.component);
+        value(input.min);
+        value(input.max);
+    }
+    for (std::size_t i = 0; i < ctx.interactions.def.size(); ++i) {
+        InteractionDef d = ctx.interactions.def[i];
+        for (std::size_t b = 0; b < kMaxInteractionBodies; ++b) {
+            add(d.point[b].data(), sizeof(Vec3));
+            add(d.frame[b].coeffs().data(), 4 * sizeof(double));
+        }
+        array(d.compliance);
+        array(d.damping_time);
+        if ((ctx.interactions.flags[i] & model::kByInput) != 0)
+            for (const InputDef& input : inputs)
+                if (input.interaction.index == static_cast<std::int32_t>(i))
+                    d.set(input.param, 0.0);
+        array(d.params);
+    }
+    return h;
 }
 
 /// Analyse at the poses at which the saved world was analysed; the state stays as it is.
@@ -79,6 +124,7 @@ std::vector<std::byte> World::save() const {
     if (m.ctx.topology_changed) stepper::prepare(m.ctx);
     Header header;
     header.layout = layout_of(m.ctx, m.inputs.size());
+    header.parameters = parameters_of(m.ctx, m.inputs);
     visit_state(m.ctx, m.input_values, [&](const void*, std::size_t n) { header.bytes += n; });
     std::vector<std::byte> out(sizeof header + header.bytes + sizeof(std::uint64_t));
     std::byte* to = out.data();
@@ -107,6 +153,10 @@ void World::restore(std::span<const std::byte> bytes) {
         throw DefError(
             "snapshot: it belongs to a world with other bodies, interactions, inputs "
             "or another step");
+    if (header.parameters != parameters_of(m.ctx, m.inputs))
+        throw DefError(
+            "snapshot: it belongs to a world with other parameters (masses, inertias, points, "
+            "lengths, stiffnesses, damping, gravity or ranges of inputs)");
     if (m.ctx.topology_changed) stepper::prepare(m.ctx);
     visit_state(m.ctx, m.input_values, [&](const void*, std::size_t n) { size += n; });
     if (header.bytes != size || bytes.size() != sizeof header + size + sizeof sum ||
@@ -123,10 +173,12 @@ void World::restore(std::span<const std::byte> bytes) {
     m.ctx.time = static_cast<double>(m.ctx.step) * m.ctx.def.step;
     m.ctx.stats.step = m.ctx.step;
     m.ctx.stats.time = m.ctx.time;
-    // Parameters follow their inputs; the forces on bodies have just been read as they were, which
-    // is not what an input said last if set_force() came after it.
+    // Parameters follow their inputs, lines their drums; the forces on bodies have just been read
+    // as they were, which is not what an input said last if set_force() came after it.
     for (std::size_t i = 0; i < m.inputs.size(); ++i)
         if (m.inputs[i].interaction.valid()) m.apply_input(i, m.input_values[i]);
+    for (const std::int32_t id : m.ctx.interactions.winches)
+        m.ctx.interactions.follow_length(id, m.ctx.bodies, m.ctx.def.step);
 }
 
 }  // namespace hawser

@@ -106,6 +106,7 @@ InputId World::add_input(const InputDef& def) {
         value = m.ctx.bodies.force[6 * b + at(def.component)];
     }
     claim(m.input_names, def.name, input_count(), "input");
+    if (def.interaction.valid()) m.ctx.interactions.mark_driven(def.interaction.index);
     m.inputs.push_back(allowed);
     m.input_values.push_back(value);
     return InputId{input_count() - 1};
@@ -151,12 +152,20 @@ void World::set_input(InputId id, double value) {
     if (!std::isfinite(value))
         throw DefError(world::label("input", def.name) + ": the value is not finite");
     const double clamped = std::min(std::max(value, def.min), def.max);
+    stepper::StepContext& c = impl_->ctx;
     if (clamped != value) {
-        stepper::StepContext& c = impl_->ctx;
         c.events.push({c.time, EventKind::input_clamped, def.interaction, value});
         ++c.stats.event_count[static_cast<std::size_t>(EventKind::input_clamped)];
     }
+    // What a changed length or target does to elastic energy is work done by the input.
+    const auto elastic = [&] {
+        return def.interaction.valid() && c.started
+                   ? c.interactions.elastic(def.interaction.index, c.bodies, c.def.step)
+                   : 0.0;
+    };
+    const double before = elastic();
     impl_->apply_input(i, clamped);
+    c.drive += elastic() - before;
 }
 
 void World::Impl::apply_input(std::size_t index, double value) {
@@ -164,7 +173,7 @@ void World::Impl::apply_input(std::size_t index, double value) {
     input_values[index] = value;
     if (def.interaction.valid()) {
         ctx.interactions.def[at(def.interaction.index)].set(def.param, value);
-        ctx.interactions.refresh(def.interaction.index);
+        ctx.interactions.refresh(def.interaction.index, ctx.bodies, ctx.def.step);
     } else {
         ctx.bodies.force[6 * at(def.body.index) + at(def.component)] = value;
     }
@@ -212,6 +221,9 @@ void World::set_pose(BodyId id, const Pose& pose) {
         throw DefError(world::label("body", impl_->body_defs[b].name) + ": the pose is not valid");
     model::Bodies& s = impl_->ctx.bodies;
     for (int i = 0; i < 3; ++i) s.x[3 * b + at(i)] = pose.position[i];
+    if (s.kind[b] == BodyKind::scalar)
+        for (const std::int32_t w : impl_->ctx.interactions.winches)
+            impl_->ctx.interactions.follow_length(w, s, impl_->ctx.def.step);
     if (s.kind[b] == BodyKind::lump || s.kind[b] == BodyKind::scalar) return;
     const Quat q = pose.orientation.normalized();
     const double values[4] = {q.w(), q.x(), q.y(), q.z()};

@@ -207,7 +207,13 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
         const bool idle = range ? s.g[0] == 0.0 : in.active[i] == 0.0;
         for (int r = 0; r < info.rows; ++r) {
             const int row = in.row_begin[i] + r;
-            const double e = in.def[i].compliance[static_cast<std::size_t>(r)];
+            double e = in.def[i].compliance[static_cast<std::size_t>(r)];
+            // The recipes give no compliance for it: EA over what the drum has paid out.
+            if (in.def[i].kind == InteractionKind::WinchStretch) {
+                const auto drum = static_cast<std::size_t>(in.def[i].body[2].index);
+                e = (in.def[i].get("length") + in.def[i].get("radius") * ctx.bodies.x[3 * drum]) /
+                    in.def[i].get("EA");
+            }
             const double tau = in.def[i].damping_time[static_cast<std::size_t>(r)];
             const double ups = 1.0 / (1.0 + 4.0 * tau / h);
             const bool velocity = info.row_units[r] == 'v';

@@ -34,14 +34,13 @@ struct Recipe {
     }
     BodyId ground() { return add({.name = "ground", .kind = BodyKind::fixed}); }
     BodyId lump(const Vec3& x, double mass) {
-        return add({.name = "", .kind = BodyKind::lump, .position = x, .mass = mass});
+        return add({.kind = BodyKind::lump, .position = x, .mass = mass});
     }
     BodyId scalar(double x, double mass) {
-        return add({.name = "", .kind = BodyKind::scalar, .position = {x, 0, 0}, .mass = mass});
+        return add({.kind = BodyKind::scalar, .position = {x, 0, 0}, .mass = mass});
     }
     BodyId rigid(const Vec3& x, const Quat& q, double mass, const Vec3& principal) {
-        return add({.name = "",
-                    .kind = BodyKind::rigid,
+        return add({.kind = BodyKind::rigid,
                     .position = x,
                     .orientation = q,
                     .mass = mass,

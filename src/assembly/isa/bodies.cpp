@@ -109,17 +109,17 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
     for (int j = 0; j < dof; ++j) out[j] = sum8[j] - mv[j];
 }
 
-/// h v₊ᵀ D v₊ [J].
-double drag_work(const View& view, std::int32_t body, const double* u) {
+/// h v₊ᵀ D (v + v₊)/2 [J]: the drag is that of v₊, it acts along the way between half steps.
+double drag_work(const View& view, std::int32_t body, const double* u, const double* mean) {
     const double* d = view.damping + 6 * body;
     const int dof = view.dof[body];
-    if (dof == 1) return view.h * d[0] * u[0] * u[0];
+    if (dof == 1) return view.h * d[0] * u[0] * mean[0];
     double work = 0.0;
     const M3 r = load9(view.r + 9 * body);
     for (int part = 0; part < dof; part += 3) {
         if (!any3(d + part)) continue;
-        const V3 w = tmul(r, load3(u + part));
-        work += d[part] * w.x * w.x + d[part + 1] * w.y * w.y + d[part + 2] * w.z * w.z;
+        const V3 a = tmul(r, load3(u + part)), b = tmul(r, load3(mean + part));
+        work += d[part] * a.x * b.x + d[part + 1] * a.y * b.y + d[part + 2] * a.z * b.z;
     }
     return view.h * work;
 }
@@ -246,8 +246,12 @@ void body_norms(const View& view, std::int32_t begin, std::int32_t end,
         double mv[6], diff[6];
         const double* u = view.v_new + view.dof_begin[body];
         const double* f = view.force + 6 * body;
-        for (int j = 0; j < dof; ++j) n.work += view.h * f[j] * u[j];
-        n.drag += drag_work(view, body, u);
+        double mean[6];
+        for (int j = 0; j < dof; ++j) {
+            mean[j] = 0.5 * (v[j] + u[j]);
+            n.work += view.h * f[j] * mean[j];
+        }
+        n.drag += drag_work(view, body, u, mean);
         block_times(block, dof, v, mv);
         for (int j = 0; j < dof; ++j) {
             diff[j] = a[j] - mv[j];

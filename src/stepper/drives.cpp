@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Work that enters through interactions, lines whose length a drum pays out, and motors beyond
+/// their force range.
+#include "stepper/drives.h"
+
+#include "stepper/stages.h"
+
+#include <cmath>
+
+namespace hawser::stepper {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// λ·G (v + v₊)/2 over the rows: what an interaction does to the kinetic energy of the bodies
+/// that move. Exact for the scheme: its velocities change by M⁻¹Gᵀλ.
+double work_on_bodies(const assembly::View& v, std::int32_t id, bool rigid_rows_only) noexcept {
+    const double* jac = v.jacobian + v.jac_begin[id];
+    double work = 0.0;
+    for (int r = 0; r < v.rows[id]; ++r) {
+        const std::int32_t row = v.row_begin[id] + r;
+        double speed = 0.0;
+        for (int b = 0; b < v.bodies[id]; ++b) {
+            const std::int32_t body = v.body[kMaxInteractionBodies * id + b];
+            for (int j = 0; j < v.dof[body]; ++j) {
+                const std::int32_t k = v.dof_begin[body] + j;
+                speed += 0.5 * *jac++ * (v.v[k] + v.v_new[k]);
+            }
+        }
+        const bool velocity = (v.row_flags[row] & model::kRowVelocity) != 0;
+        if (rigid_rows_only && !velocity && v.epsilon[row] > model::kElasticCompliance) continue;
+        work += v.lambda[row] * speed;
+    }
+    return work;
+}
+
+/// −λ·(G v of prescribed velocities): what carriers put into an elastic or rigid row, which hands
+/// it on to the bodies or keeps it.
+double work_of_carriers(StepContext& ctx, const assembly::View& v, std::int32_t id,
+                        bool elastic_rows_only) noexcept {
+    const model::RowState s = ctx.interactions.row_state(id, ctx.bodies);
+    double work = 0.0;
+    for (int r = 0; r < v.rows[id]; ++r) {
+        const std::int32_t row = v.row_begin[id] + r;
+        if (elastic_rows_only && v.epsilon[row] <= model::kElasticCompliance) continue;
+        if (!(v.row_flags[row] & model::kRowVelocity)) work -= v.lambda[row] * s.carried[r];
+    }
+    return work;
+}
+
+}  // namespace
+
+double drive_work(StepContext& ctx) noexcept {
+    const assembly::View v = view(ctx);
+    double work = 0.0;
+    for (const std::int32_t id : ctx.interactions.working) {
+        if (v.active[id] == 0.0) continue;
+        const int flags = v.flags[id];
+        const bool velocity = (v.row_flags[v.row_begin[id]] & model::kRowVelocity) != 0;
+        const bool driven = velocity || (flags & model::kByInput) != 0;
+        if (driven) work += work_on_bodies(v, id, true);
+        if (flags & model::kCarried) work += work_of_carriers(ctx, v, id, driven);
+    }
+    return work;
+}
+
+void move_carriers(StepContext& ctx) noexcept {
+    model::Bodies& bodies = ctx.bodies;
+    for (const std::int32_t body : bodies.driven) {
+        const auto b = at(body);
+        for (std::size_t i = 0; i < 3; ++i)
+            bodies.x[3 * b + i] += ctx.def.step * bodies.v_fixed[6 * b + i];
+        const double* w = &bodies.v_fixed[6 * b + 3];
+        const double speed = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+        if (!(speed > 0.0)) continue;
+        const double half = 0.5 * ctx.def.step * speed, s = std::sin(half) / speed;
+        const Quat turn(std::cos(half), s * w[0], s * w[1], s * w[2]);
+        double* q = &bodies.q[4 * b];
+        const Quat now = (turn * Quat(q[0], q[1], q[2], q[3])).normalized();
+        q[0] = now.w();
+        q[1] = now.x();
+        q[2] = now.y();
+        q[3] = now.z();
+        bodies.refresh_rotation(body);
+    }
+}
+
+void follow_winches(StepContext& ctx) noexcept {
+    model::Interactions& in = ctx.interactions;
+    const double h = ctx.def.step;
+    for (const std::int32_t id : in.winches) {
+        const double before = in.elastic(id, ctx.bodies, h);
+        in.follow_length(id, ctx.bodies, h);
+        ctx.drive += in.elastic(id, ctx.bodies, h) - before;
+    }
+}
+
+void report_saturation(StepContext& ctx) noexcept {
+    model::Interactions& in = ctx.interactions;
+    for (std::size_t i = 0; i < in.motors.size(); ++i) {
+        const std::int32_t id = in.motors[i];
+        const double force = in.force[at(in.row_begin[at(id)])];
+        const auto& params = in.def[at(id)].params;
+        const bool outside = force < params[1] || force > params[2];
+        if (outside && !in.saturated[i]) push_event(ctx, EventKind::saturation, id, force);
+        in.saturated[i] = outside ? 1 : 0;
+    }
+}
+
+}  // namespace hawser::stepper
