@@ -30,7 +30,13 @@ endif()
 
 add_executable(hawser_bench ${bench_sources})
 set_target_properties(hawser_bench PROPERTIES OUTPUT_NAME hawser-bench)
-hawser_use(hawser_bench)
+hawser_use(hawser_bench hawser_observe hawser_scene)
+hawser_unity(hawser_bench 5)
+foreach(file IN LISTS bench_sources)
+    if(file MATCHES "/bench/[^/]*/" AND NOT file MATCHES "/bench/peers/")  # names of their own
+        set_source_files_properties(${file} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
+endforeach()
 target_include_directories(hawser_bench PRIVATE ${PROJECT_SOURCE_DIR}/bench)
 target_link_libraries(hawser_bench PRIVATE CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json)
 

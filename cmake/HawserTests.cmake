@@ -14,12 +14,16 @@ find_package(PNG QUIET)
 find_package(Python3 COMPONENTS Interpreter REQUIRED)
 include(GoogleTest)
 
-# Labels. `slow`: takes long. `program`: runs the programs. `fast-serial` and `fast`: the rest,
-# without and with threads in the code under test. The preset asan-ubsan runs both of these, tsan
-# runs `fast`; the targets hawser_fast_tests and hawser_thread_tests build for them.
+# Labels. `slow`: takes long. `program`: belongs to the programs. `fast` and
+# `fast-threads`: the rest, without and with threads in the code under test. The preset asan-ubsan
+# builds and runs both; tsan runs of `fast-threads` the tests that have threads in their name and
+# those of the thread pool. The targets hawser_fast_tests and hawser_thread_tests build them.
 set(HAWSER_SLOW_TESTS slow validate)
-set(HAWSER_PROGRAM_TESTS cli)
-set(HAWSER_SERIAL_TESTS bench graph model observe scene)
+set(HAWSER_PROGRAM_TESTS bench cli)
+set(HAWSER_THREAD_TESTS factor runtime stepper world)
+# Tests that need more than the library.
+set(HAWSER_OBSERVE_TESTS cli observe)
+set(HAWSER_SCENE_TESTS cli observe scene scenes slow stepper validate world)
 add_custom_target(hawser_fast_tests)
 add_custom_target(hawser_thread_tests)
 
@@ -33,7 +37,19 @@ endif()
 
 function(hawser_add_test_executable target folder)
     add_executable(${target} ${ARGN})
-    hawser_use(${target})
+    set(libraries "")
+    if(folder IN_LIST HAWSER_OBSERVE_TESTS)
+        list(APPEND libraries hawser_observe)
+    endif()
+    if(folder IN_LIST HAWSER_SCENE_TESTS)
+        list(APPEND libraries hawser_scene)
+    endif()
+    hawser_use(${target} ${libraries})
+    if(NOT folder STREQUAL "bench")
+        hawser_unity(${target} 6)
+    endif()
+    # Sources of tests; what they test keeps its own optimisation.
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1 -g0>)
     target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     foreach(library IN ITEMS hawser_test_support rapidcheck fmt::fmt PNG::PNG
                              nlohmann_json::nlohmann_json)
@@ -47,13 +63,13 @@ function(hawser_add_test_executable target folder)
         set(label slow)
     elseif(folder IN_LIST HAWSER_PROGRAM_TESTS)
         set(label program)
-    elseif(folder IN_LIST HAWSER_SERIAL_TESTS)
-        set(label fast-serial)
-        add_dependencies(hawser_fast_tests ${target})
     else()
         set(label fast)
         add_dependencies(hawser_fast_tests ${target})
-        add_dependencies(hawser_thread_tests ${target})
+        if(folder IN_LIST HAWSER_THREAD_TESTS)
+            set(label fast-threads)
+            add_dependencies(hawser_thread_tests ${target})
+        endif()
     endif()
     # PRE_TEST: a test that fails to start must fail in ctest, not break the build.
     gtest_discover_tests(${target}

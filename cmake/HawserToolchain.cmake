@@ -51,6 +51,19 @@ endif()
 
 option(HAWSER_WERROR "Treat warnings as errors" ${PROJECT_IS_TOP_LEVEL})
 
+# Most of the time to compile goes into headers (Eigen, nlohmann-json, GoogleTest). A unity build
+# reads them once for many sources: the whole build costs a third. Names in anonymous namespaces
+# of one target must then differ from each other.
+option(HAWSER_UNITY "Compile several sources of a target together" OFF)
+
+# hawser_unity(TARGET BATCH): compile up to BATCH sources together, where HAWSER_UNITY is on. Not
+# for the library `hawser`: its sources are many-sided and few.
+function(hawser_unity target batch)
+    if(HAWSER_UNITY)
+        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${batch})
+    endif()
+endfunction()
+
 # Warnings and code generation of one target.
 #
 # Floating point: no -ffast-math, no -march=native. Fused multiply-add is allowed where the

@@ -4,10 +4,11 @@
 
 usage: tidy.py [--build DIR] [--base REF] [--all] [--budget SECONDS] [FILE...]
 
-Changed means: since the merge base with origin/main, or in the last commit where HEAD is that
-base, and in the work tree. A changed header is checked through the source files that carry its
-name or include it directly. Files left when the budget is spent are named; they are not an
-error, so that one large change cannot break the time limit of continuous integration.
+Changed means: since the merge base with origin/main, or in the last commits where there is no
+such branch or HEAD is that base, and in the work tree; the latest change is checked first. A
+changed header is checked through the source files that carry its name or include it directly.
+Files left when the budget is spent are named; they are not an error, so that one large change
+cannot break the time limit of continuous integration.
 """
 import argparse
 import concurrent.futures
@@ -19,6 +20,7 @@ import sys
 import time
 
 TOOL = "clang-tidy-19"
+RECENT = 10  # commits, where there is no branch to compare with
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
@@ -29,23 +31,28 @@ def git(*arguments: str) -> list[str]:
 
 
 def base_commit(given: str | None) -> str | None:
+    """Where the changes begin; None: nowhere, every file counts as changed."""
     if given:
         return given
     head = git("rev-parse", "HEAD")
     base = git("merge-base", "HEAD", "origin/main")
     if base and base != head:
         return base[0]
-    before = git("rev-parse", "--verify", "HEAD~1")
-    return before[0] if before else None
+    recent = git("rev-list", "--first-parent", f"--max-count={RECENT + 1}", "HEAD")
+    return recent[-1] if len(recent) > 1 else None
 
 
-def changed_files(base: str | None) -> set[str]:
+def changed_files(base: str | None) -> list[str]:
+    """Changed files that still exist, the latest change first."""
     if base is None:
-        return set(git("ls-files"))
-    return set(git("diff", "--name-only", "--diff-filter=d", base))
+        return git("ls-files")
+    names = git("diff", "--name-only", "HEAD")
+    names += git("log", "--format=", "--name-only", f"{base}..HEAD")
+    there = set(git("diff", "--name-only", "--diff-filter=d", base))
+    return [name for name in dict.fromkeys(names) if name in there]
 
 
-def sources_to_check(changed: set[str], compiled: list[str]) -> list[str]:
+def sources_to_check(changed: list[str], compiled: list[str]) -> list[str]:
     """Compiled sources that changed, or whose direct includes or own header changed."""
     headers = {name for name in changed if name.endswith(".h")}
     spelled = {h.split("/", 1)[1] for h in headers if "/" in h}
@@ -56,13 +63,14 @@ def sources_to_check(changed: set[str], compiled: list[str]) -> list[str]:
         includes = any(f'"{s}"' in text or f"<{s}>" in text for s in spelled)
         if source in changed or own in headers or includes:
             chosen.append(source)
-    # Changed files first: they matter most when the budget ends.
-    return sorted(chosen, key=lambda s: (s not in changed, s))
+    # Changed files first, the latest leading: they matter most when the budget ends.
+    rank = {name: k for k, name in enumerate(changed)}
+    return sorted(chosen, key=lambda s: (rank.get(s, len(rank)), s))
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--build", default="build/release", help="folder of compile_commands.json")
+    parser.add_argument("--build", default="build/relassert", help="folder of compile_commands.json")
     parser.add_argument("--base", help="compare with this commit")
     parser.add_argument("--all", action="store_true", help="check every compiled file")
     parser.add_argument("--budget", type=float, default=1e9, help="start no file after this [s]")

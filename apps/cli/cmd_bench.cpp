@@ -14,7 +14,7 @@ namespace hawser::cli {
 
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kBenchFooter = R"(Examples:
   hawser bench peers --json peers.json
   hawser bench --help-bench        # the help of hawser-bench
 
@@ -45,7 +45,7 @@ int bench(std::vector<std::string> arguments) {
 
 void add_bench(CLI::App& app, Command& chosen) {
     CLI::App* command = app.add_subcommand("bench", "Measure against libraries and engines");
-    command->footer(kFooter);
+    command->footer(kBenchFooter);
     command->prefix_command();
     command->callback([&chosen, command] {
         chosen = [arguments = command->remaining()] { return bench(arguments); };

@@ -13,7 +13,7 @@ namespace hawser::cli {
 
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kCheckFooter = R"(Examples:
   hawser check scenes/*.json
 
 Reads each scene completely, builds its world and says what is wrong with it: file, place in the
@@ -45,7 +45,7 @@ int check(const std::vector<std::string>& files) {
 void add_check(CLI::App& app, Command& chosen) {
     auto files = std::make_shared<std::vector<std::string>>();
     CLI::App* command = app.add_subcommand("check", "Say whether scenes are good");
-    command->footer(kFooter);
+    command->footer(kCheckFooter);
     command->add_option("SCENE", *files, "Scene files (JSON)")->required();
     command->callback([&chosen, files] { chosen = [files] { return check(*files); }; });
 }

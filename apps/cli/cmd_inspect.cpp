@@ -17,7 +17,7 @@ namespace hawser::cli {
 
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kInspectFooter = R"(Examples:
   hawser inspect scenes/anchor_lines.json
   hawser inspect scenes/anchor_lines.json --form saddle -o pictures   # spy.svg and spy.png
 
@@ -127,7 +127,7 @@ int inspect(const InspectOptions& options) {
 void add_inspect(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<InspectOptions>();
     CLI::App* command = app.add_subcommand("inspect", "Show the system of equations of a scene");
-    command->footer(kFooter);
+    command->footer(kInspectFooter);
     options->scene.add_to(*command);
     command->add_option("-o,--output", options->folder, "Folder for spy plots");
     command->callback([&chosen, options] { chosen = [options] { return inspect(*options); }; });

@@ -17,7 +17,7 @@ namespace hawser::cli {
 
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kPlotFooter = R"(Examples:
   hawser plot run.hwr -o pictures
   hawser plot run.hwr -o pictures --at 12.5     # the scene at 12.5 s instead of the end
 
@@ -72,7 +72,7 @@ int plot(const PlotOptions& options) {
 void add_plot(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<PlotOptions>();
     CLI::App* command = app.add_subcommand("plot", "Draw pictures of a recording");
-    command->footer(kFooter);
+    command->footer(kPlotFooter);
     command->add_option("RECORDING", options->file, "File written by hawser run --record")
         ->required();
     command->add_option("-o,--output", options->folder, "Folder for the pictures")

@@ -16,7 +16,7 @@ namespace hawser::cli {
 
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kReplayFooter = R"(Examples:
   hawser replay run.hwr
   HAWSER_ISA=avx2 hawser replay run.hwr     # recorded on a machine without avx512
 
@@ -148,7 +148,7 @@ void add_replay(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<ReplayOptions>();
     CLI::App* command =
         app.add_subcommand("replay", "Repeat a recording and prove that it comes out the same");
-    command->footer(kFooter);
+    command->footer(kReplayFooter);
     command->add_option("RECORDING", options->file, "File written by hawser run --record")
         ->required();
     command->add_option("--threads", options->threads, "Worker threads")

@@ -13,7 +13,7 @@ namespace hawser::cli {
 
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kRunFooter = R"(Examples:
   hawser run scenes/pendulum.json --duration 5
   hawser run scenes/anchor_lines.json --duration 60 --record run.hwr --summary run.json
   hawser run scene.json --set settings.step=0.005 --set bodies.rig.mass=2e7 --csv run.csv
@@ -41,7 +41,7 @@ void add_run(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<RunOptions>();
     auto save_at = std::make_shared<std::tuple<double, std::string>>();
     CLI::App* command = app.add_subcommand("run", "Simulate a scene");
-    command->footer(kFooter);
+    command->footer(kRunFooter);
     options->scene.add_to(*command);
     command
         ->add_option("--duration", options->duration,

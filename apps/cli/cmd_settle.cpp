@@ -18,7 +18,7 @@ namespace hawser::cli {
 
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kSettleFooter = R"(Examples:
   hawser settle scenes/anchor_lines.json -o scenes/anchor_lines.settled.json
 
 Integrates the scene with strong added damping until nothing moves, and writes the place of
@@ -212,7 +212,7 @@ int settle(const SettleOptions& options) {
 void add_settle(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<SettleOptions>();
     CLI::App* command = app.add_subcommand("settle", "Find the pose in which a scene rests");
-    command->footer(kFooter);
+    command->footer(kSettleFooter);
     options->scene.add_to(*command);
     command->add_option("-o,--output", options->output,
                         "State file; by default SCENE with the ending .settled.json");

@@ -8,7 +8,7 @@ namespace hawser::cli {
 
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kValidateFooter = R"(Examples:
   hawser validate
   hawser validate --list
   hawser validate pendulum catenary --json validation.json
@@ -27,7 +27,7 @@ struct ValidateOptions {
 void add_validate(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<ValidateOptions>();
     CLI::App* command = app.add_subcommand("validate", "Compare with known answers of physics");
-    command->footer(kFooter);
+    command->footer(kValidateFooter);
     command->add_option("CASE", options->cases, "Names of cases; none = all");
     command->add_option("--json", options->json, "Write the results as JSON");
     command->add_flag("--list", options->list, "Print the names of the cases");

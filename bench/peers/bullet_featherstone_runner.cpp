@@ -19,7 +19,7 @@ namespace {
 
 // The default. Gap on mooring without substeps: 6.5e-7, 3.3e-7, 1.3e-7, 8e-8 m at 0.1, 0.2, 0.5,
 // 0.8; but at 0.8 a closure at the end of a taut line rings (tow_zigzag, second layout).
-constexpr double kErp = 0.2;
+constexpr double kFeatherstoneErp = 0.2;
 
 /// A world of multibodies that is one island and has no colliders.
 ///
@@ -61,7 +61,7 @@ class FeatherstoneRunner final : public Runner {
           world_(&parts_.dispatcher, &parts_.broadphase, &mlcp_, &parts_.configuration) {
         world_.setGravity(btVector3(0, 0, -scene.gravity));
         btContactSolverInfo& info = world_.getSolverInfo();
-        info.m_erp = info.m_erp2 = kErp;
+        info.m_erp = info.m_erp2 = kFeatherstoneErp;
         info.m_globalCfm = 0;
         info.m_splitImpulse = 0;
         // A warm start above 1000 N s makes btDantzigSolver report failure; it needs none.

@@ -13,7 +13,7 @@ namespace {
 // of dWorldStep falls from 1.2e-7 m at 0.1 over 1.5e-8 m at 0.8 to 1.2e-8 m at 1; QuickStep does
 // best at 0.5 to 0.8. CFM is the softness: up to 1e-12 does not show, 1e-10 makes the gap ten
 // times larger; 0 would leave a closed loop singular.
-constexpr double kErp = 0.8;
+constexpr double kOdeErp = 0.8;
 constexpr double kCfm = 1e-14;
 // Default 20. Of 10, 20, 50, 100, 200 this and 20 (at twice the substeps) cost least to hold.
 constexpr int kQuickIterations = 50;
@@ -24,7 +24,7 @@ class OdeRunner final : public Runner {
         dInitODE2(0);
         world_ = dWorldCreate();
         dWorldSetGravity(world_, 0.0, 0.0, -scene.gravity);
-        dWorldSetERP(world_, kErp);
+        dWorldSetERP(world_, kOdeErp);
         dWorldSetCFM(world_, kCfm);
         dWorldSetQuickStepNumIterations(world_, kQuickIterations);
         dWorldSetAutoDisableFlag(world_, 0);

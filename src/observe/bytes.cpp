@@ -17,14 +17,14 @@ constexpr std::array<std::uint32_t, 256> make_table() {
     return table;
 }
 
-constexpr auto kTable = make_table();
+constexpr auto kCrcTable = make_table();
 
 }  // namespace
 
 std::uint32_t crc32(std::span<const std::byte> bytes, std::uint32_t before) {
     std::uint32_t c = ~before;
     for (const std::byte b : bytes)
-        c = kTable[(c ^ static_cast<std::uint32_t>(b)) & 0xFFu] ^ (c >> 8);
+        c = kCrcTable[(c ^ static_cast<std::uint32_t>(b)) & 0xFFu] ^ (c >> 8);
     return ~c;
 }
 

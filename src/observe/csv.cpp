@@ -8,14 +8,11 @@
 #include <cerrno>
 #include <cstring>
 #include <iterator>
-#include <numbers>
 #include <stdexcept>
 
 namespace hawser::observe {
 
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 // RFC 4180: a name with a comma or quote is quoted, quotes inside are doubled.
 std::string quoted(const std::string& name) {

@@ -15,7 +15,7 @@ struct TableEntry {
     std::string_view outline;
 };
 
-constexpr TableEntry kTable[] = {
+constexpr TableEntry kGlyphTable[] = {
 #include "observe/font_table.inc"
 };
 
@@ -85,7 +85,7 @@ Glyph decode(const TableEntry& entry) {
 
 std::map<char32_t, Glyph> decode_all() {
     std::map<char32_t, Glyph> glyphs;
-    for (const TableEntry& entry : kTable) glyphs.emplace(entry.code, decode(entry));
+    for (const TableEntry& entry : kGlyphTable) glyphs.emplace(entry.code, decode(entry));
     return glyphs;
 }
 

@@ -14,7 +14,7 @@ namespace hawser::observe {
 namespace {
 
 // Room in the picture [points].
-constexpr double kLeft = 100, kRight = 170, kTop = 118, kBottom = 74, kBetween = 84;
+constexpr double kViewsLeft = 100, kRight = 170, kViewsTop = 118, kBottom = 74, kViewsBetween = 84;
 constexpr double kWidth = 1280, kMaxHeight = 1180, kMinHeight = 640;
 
 struct Layout {
@@ -57,22 +57,22 @@ Layout arrange(Bounds b) {
     }
     const Vec3 size = b.high - b.low;
     const double wide = size[across], deep = size[1 - across], high = size.z();
-    const double room_x = kWidth - kLeft - kRight, room_y = kMaxHeight - kTop - kBottom;
-    const double stacked = std::min(room_x / wide, (room_y - kBetween) / (high + deep));
+    const double room_x = kWidth - kViewsLeft - kRight, room_y = kMaxHeight - kViewsTop - kBottom;
+    const double stacked = std::min(room_x / wide, (room_y - kViewsBetween) / (high + deep));
     const double beside =
-        std::min((room_x - kBetween) / (2.0 * wide), room_y / std::max(high, deep));
+        std::min((room_x - kViewsBetween) / (2.0 * wide), room_y / std::max(high, deep));
     const bool above = stacked >= 0.9 * beside;
     const double scale = above ? stacked : beside;
     const double w = wide * scale, h0 = high * scale, h1 = deep * scale;
     if (above) {
-        const double x = kLeft + 0.5 * (room_x - w);
-        out.axes[0] = panel(out.view[0], b, {x, kTop, w, h0});
-        out.axes[1] = panel(out.view[1], b, {x, kTop + h0 + kBetween, w, h1});
-        out.height = kTop + h0 + kBetween + h1 + kBottom;
+        const double x = kViewsLeft + 0.5 * (room_x - w);
+        out.axes[0] = panel(out.view[0], b, {x, kViewsTop, w, h0});
+        out.axes[1] = panel(out.view[1], b, {x, kViewsTop + h0 + kViewsBetween, w, h1});
+        out.height = kViewsTop + h0 + kViewsBetween + h1 + kBottom;
     } else {
-        out.axes[0] = panel(out.view[0], b, {kLeft, kTop, w, h0});
-        out.axes[1] = panel(out.view[1], b, {kLeft + w + kBetween, kTop, w, h1});
-        out.height = kTop + std::max(h0, h1) + kBottom;
+        out.axes[0] = panel(out.view[0], b, {kViewsLeft, kViewsTop, w, h0});
+        out.axes[1] = panel(out.view[1], b, {kViewsLeft + w + kViewsBetween, kViewsTop, w, h1});
+        out.height = kViewsTop + std::max(h0, h1) + kBottom;
     }
     out.height = std::max(out.height, kMinHeight);
     out.bar_x = std::max(out.axes[0].frame.right(), out.axes[1].frame.right()) + 40;
@@ -138,7 +138,8 @@ std::optional<Drawing> plot_views(const Recording& recording, const Series& seri
     }
     if (recording.element_count > 0) {
         const Unit unit = readable_unit(tension.high, "N");
-        draw_color_bar(drawing, {layout.bar_x, kTop + 20, 22, std::min(420.0, low - kTop - 20)},
+        draw_color_bar(drawing,
+                       {layout.bar_x, kViewsTop + 20, 22, std::min(420.0, low - kViewsTop - 20)},
                        {tension.low * unit.factor, tension.high * unit.factor},
                        fmt::format("tension [{}]", unit.name));
     }

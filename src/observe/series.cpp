@@ -5,13 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace hawser::observe {
 
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 std::vector<std::int32_t> chosen_bodies(const Recording& recording, std::size_t limit) {
     if (!recording.plot_bodies.empty()) return recording.plot_bodies;

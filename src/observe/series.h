@@ -6,9 +6,12 @@
 #include "observe/recording.h"
 
 #include <array>
+#include <numbers>
 #include <vector>
 
 namespace hawser::observe {
+
+inline constexpr double kDegrees = 180.0 / std::numbers::pi;  ///< In one radian.
 
 /// Roll, pitch and yaw [rad]: rotation about x, then y, then z of the world.
 [[nodiscard]] Vec3 euler_angles(const Quat& q);

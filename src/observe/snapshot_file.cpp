@@ -15,7 +15,7 @@ namespace hawser::observe {
 
 namespace {
 
-constexpr char kMagic[8] = {'H', 'A', 'W', 'S', 'E', 'R', 'S', 'T'};
+constexpr char kSnapshotMagic[8] = {'H', 'A', 'W', 'S', 'E', 'R', 'S', 'T'};
 constexpr std::uint32_t kVersion = 1;
 
 std::vector<std::byte> read_file(const std::filesystem::path& file) {
@@ -33,7 +33,7 @@ std::vector<std::byte> read_file(const std::filesystem::path& file) {
 
 void save_snapshot(const std::filesystem::path& file, const SceneInfo& scene, const World& world) {
     ByteWriter out;
-    out.put_bytes(std::as_bytes(std::span(kMagic)));
+    out.put_bytes(std::as_bytes(std::span(kSnapshotMagic)));
     out.put(kVersion);
     out.put(scene.hash);
     out.put_text(scene.name);
@@ -52,7 +52,8 @@ void restore_snapshot(const std::filesystem::path& file, const SceneInfo& scene,
     const std::vector<std::byte> bytes = read_file(file);
     try {
         ByteReader in(bytes);
-        if (std::memcmp(in.take(sizeof kMagic).data(), kMagic, sizeof kMagic) != 0)
+        if (std::memcmp(in.take(sizeof kSnapshotMagic).data(), kSnapshotMagic,
+                        sizeof kSnapshotMagic) != 0)
             throw BadBytes("not a Hawser snapshot");
         if (const auto version = in.get<std::uint32_t>(); version != kVersion)
             throw BadBytes(

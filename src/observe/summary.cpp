@@ -2,16 +2,15 @@
 #include "observe/summary.h"
 
 #include "observe/host.h"
+#include "observe/series.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace hawser::observe {
 
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kMilliseconds = 1e3;
 
 Spread spread(const Samples& samples) {

@@ -30,7 +30,7 @@ Sums add_up(double t0, double k, int n) {
     return s;
 }
 
-struct Problem {
+struct CatenaryProblem {
     double span, rise;  ///< In units of the element.
     int n;
 
@@ -59,7 +59,7 @@ double sinh_ratio_root(double ratio) {
     return 0.5 * (low + high);
 }
 
-Slopes smooth_guess(const Problem& p) {
+Slopes smooth_guess(const CatenaryProblem& p) {
     const double n = p.n;
     const double ratio = std::sqrt(n * n - p.rise * p.rise) / p.span;
     const double x = std::max(sinh_ratio_root(std::max(ratio, 1.0)), 1e-9);
@@ -70,7 +70,7 @@ Slopes smooth_guess(const Problem& p) {
 }
 
 /// Newton with halved steps. @return false when it does not arrive.
-bool newton(const Problem& p, Slopes& at) {
+bool newton(const CatenaryProblem& p, Slopes& at) {
     Sums s = add_up(at.t0, at.k, p.n);
     double error = p.residual(s);
     for (int i = 0; i < 60 && error > p.tolerance(); ++i) {
@@ -105,7 +105,7 @@ bool newton(const Problem& p, Slopes& at) {
 }
 
 /// First slope for which the chain of curvature k has the right rise, which grows with it.
-double match_rise(const Problem& p, double k) {
+double match_rise(const CatenaryProblem& p, double k) {
     double low = -30.0;  // asinh of the slope of the middle element: slopes up to 5e12.
     double high = 30.0;
     const double half = 0.5 * (p.n - 1) * k;
@@ -119,7 +119,7 @@ double match_rise(const Problem& p, double k) {
 }
 
 /// Nested bisection: slower, needs no starting point.
-bool bisect(const Problem& p, Slopes& at) {
+bool bisect(const CatenaryProblem& p, Slopes& at) {
     double low = -30.0;
     double high = 30.0;
     for (int i = 0; i < 120; ++i) {
@@ -159,7 +159,7 @@ std::optional<std::vector<Vec3>> hang(const Vec3& a, const Vec3& b, double lengt
         return {};
     }
     const double l = length / n;
-    const Problem p{span / l, rise / l, n};
+    const CatenaryProblem p{span / l, rise / l, n};
     Slopes slopes = smooth_guess(p);
     if (!newton(p, slopes)) {
         slopes = smooth_guess(p);

@@ -16,6 +16,7 @@ def load(name: str):
 
 layers = load("check_layers")
 symbols = load("check_isa_symbols")
+tidy = load("tidy")
 
 
 class Layers(unittest.TestCase):
@@ -70,7 +71,8 @@ class IsaSymbols(unittest.TestCase):
         for name in ("hawser::avx2::factor(double*, int)",
                      "void hawser::avx2::rank<6>(double*)",
                      "guard variable for hawser::avx2::table()::t",
-                     "typeinfo for hawser::avx2::Kernel"):
+                     "typeinfo for hawser::avx2::Kernel",
+                     "DW.ref.__gxx_personality_v0"):
             self.assertTrue(symbols.allowed("avx2", name), name)
 
     def test_foreign(self):
@@ -80,6 +82,16 @@ class IsaSymbols(unittest.TestCase):
                      "hawser::avx512::factor(double*, int)",
                      "void std::swap<hawser::avx2::X>(hawser::avx2::X&, hawser::avx2::X&)"):
             self.assertFalse(symbols.allowed("avx2", name), name)
+
+
+class Tidy(unittest.TestCase):
+    def test_latest_first_and_headers(self):
+        compiled = ["src/factor/numeric.cpp", "src/factor/ordering.cpp", "src/base/isa.cpp"]
+        changed = ["src/factor/ordering.cpp", "src/factor/numeric.cpp", "README.md"]
+        self.assertEqual(tidy.sources_to_check(changed, compiled),
+                         ["src/factor/ordering.cpp", "src/factor/numeric.cpp"])
+        self.assertEqual(tidy.sources_to_check(["src/base/isa.h"], ["src/base/isa.cpp"]),
+                         ["src/base/isa.cpp"])
 
 
 if __name__ == "__main__":
