@@ -23,7 +23,7 @@ struct Figures {
     [[nodiscard]] double gb_per_s() const { return 1e-6 * bytes_per_body * bodies / median_ms; }
 };
 
-double percentile(std::vector<double> v, double p) {
+double step_percentile(std::vector<double> v, double p) {
     if (v.empty()) return 0.0;
     std::sort(v.begin(), v.end());
     return v[static_cast<std::size_t>(p * static_cast<double>(v.size() - 1))];
@@ -55,10 +55,11 @@ struct Subject {
         f.bodies = s.bodies;
         f.equations = s.equations;
         f.islands = s.islands;
-        f.median_ms = percentile(ms, 0.5);
-        f.p99_ms = percentile(ms, 0.99);
+        f.median_ms = step_percentile(ms, 0.5);
+        f.p99_ms = step_percentile(ms, 0.99);
         f.bytes_per_body = static_cast<double>(scene.world.memory_bytes()) / s.bodies;
-        for (std::size_t k = 0; k < kStageCount; ++k) f.stage_ms[k] = percentile(stages[k], 0.5);
+        for (std::size_t k = 0; k < kStageCount; ++k)
+            f.stage_ms[k] = step_percentile(stages[k], 0.5);
         return f;
     }
 };

@@ -9,6 +9,22 @@ if(NOT bench_sources)
     return()
 endif()
 
+# What is compared needs no foreign engine or solver: it is tested everywhere.
+set(own_sources peers/scenes peers/forest peers/meter peers/reference
+                paper_matrix/block_system paper_matrix/paper_scene paper_matrix/paper_values
+                paper_matrix/structures paper_matrix/matrix_market
+                linear/form linear/assemble linear/sweeps linear/reference)
+list(TRANSFORM own_sources REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/bench/\\1.cpp")
+list(REMOVE_ITEM bench_sources ${own_sources})
+add_library(hawser_bench_own OBJECT ${own_sources})
+hawser_use(hawser_bench_own)
+hawser_unity(hawser_bench_own 7)
+target_include_directories(hawser_bench_own PRIVATE ${PROJECT_SOURCE_DIR}/bench)
+target_link_libraries(hawser_bench_own PRIVATE AMD::AMD)
+if(NOT HAWSER_BENCH)
+    return()
+endif()
+
 find_package(PkgConfig QUIET)
 if(PKG_CONFIG_FOUND)
     pkg_check_modules(ODE QUIET IMPORTED_TARGET ode)
@@ -28,15 +44,10 @@ if(simbody_sources)
     list(REMOVE_ITEM bench_sources ${simbody_sources})
 endif()
 
-add_executable(hawser_bench ${bench_sources})
+add_executable(hawser_bench ${bench_sources} $<TARGET_OBJECTS:hawser_bench_own>)
 set_target_properties(hawser_bench PROPERTIES OUTPUT_NAME hawser-bench)
 hawser_use(hawser_bench hawser_observe hawser_scene)
-hawser_unity(hawser_bench 5)
-foreach(file IN LISTS bench_sources)
-    if(file MATCHES "/bench/[^/]*/" AND NOT file MATCHES "/bench/peers/")  # names of their own
-        set_source_files_properties(${file} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-    endif()
-endforeach()
+hawser_unity(hawser_bench 7)
 target_include_directories(hawser_bench PRIVATE ${PROJECT_SOURCE_DIR}/bench)
 target_link_libraries(hawser_bench PRIVATE CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json)
 

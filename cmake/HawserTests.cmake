@@ -45,9 +45,7 @@ function(hawser_add_test_executable target folder)
         list(APPEND libraries hawser_scene)
     endif()
     hawser_use(${target} ${libraries})
-    if(NOT folder STREQUAL "bench")
-        hawser_unity(${target} 6)
-    endif()
+    hawser_unity(${target} 6)
     # Sources of tests; what they test keeps its own optimisation.
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1 -g0>)
     target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
@@ -96,15 +94,9 @@ foreach(folder IN LISTS folders)
     endif()
 endforeach()
 
-# What hawser-bench compares needs no foreign engine or solver and is tested everywhere.
 if(TARGET hawser_test_bench)
-    foreach(file IN ITEMS peers/scenes peers/forest peers/meter peers/reference
-                          paper_matrix/block_system paper_matrix/paper_scene
-                          paper_matrix/paper_values paper_matrix/structures
-                          paper_matrix/matrix_market linear/form linear/assemble linear/sweeps
-                          linear/scalar linear/reference)
-        target_sources(hawser_test_bench PRIVATE "${PROJECT_SOURCE_DIR}/bench/${file}.cpp")
-    endforeach()
+    target_sources(hawser_test_bench PRIVATE
+        $<TARGET_OBJECTS:hawser_bench_own> "${PROJECT_SOURCE_DIR}/bench/linear/scalar.cpp")
     target_include_directories(hawser_test_bench PRIVATE ${PROJECT_SOURCE_DIR}/bench)
 endif()
 

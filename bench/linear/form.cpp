@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "linear/form.h"
 
+#include "index.h"
+
 #include <algorithm>
 #include <numeric>
 
 namespace hawser::bench {
 namespace {
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 bool can_be_eliminated(const BlockSystem& s, int node) {
     if (s.positive(node)) return false;

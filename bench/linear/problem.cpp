@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "linear/problem.h"
 
+#include "index.h"
+
 #include <hawser/inspect.h>
 #include <hawser/world.h>
 
@@ -12,12 +14,6 @@
 #include <filesystem>
 
 namespace hawser::bench {
-namespace {
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 Problem::Problem(BlockSystem system_) : system(std::move(system_)) {
     system.rhs.reserve(system.rhs.size() + 8);  // vector loads read past the end
     for (const bool condensed : {false, true}) {

@@ -2,6 +2,7 @@
 #include "linear/reference.h"
 
 #include "factor/ordering.h"
+#include "index.h"
 #include "linear/scalar.h"
 
 #include <algorithm>
@@ -12,8 +13,6 @@ namespace hawser::bench {
 namespace {
 
 using Real = long double;
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 /// L by columns, unit diagonal not stored (Davis, "Algorithm 849: a concise sparse Cholesky
 /// factorization package", 2005).

@@ -2,6 +2,7 @@
 #include "linear/scalar.h"
 
 #include "factor/ordering.h"
+#include "index.h"
 #include "linear/pieces.h"
 
 extern "C" {
@@ -17,8 +18,6 @@ extern "C" {
 
 namespace hawser::bench {
 namespace {
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 std::vector<std::int32_t> metis(const factor::Pattern& pattern) {
 #if HAWSER_HAVE_METIS

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "paper_matrix/block_system.h"
 
+#include "index.h"
 #include "paper_matrix/dice.h"
 
 #include <algorithm>
@@ -9,8 +10,6 @@
 
 namespace hawser::bench {
 namespace {
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 /// Address of each adjacency entry, from the list of blocks.
 std::vector<std::int64_t> edge_addresses(const factor::Pattern& pattern,

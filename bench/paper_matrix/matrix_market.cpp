@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "paper_matrix/matrix_market.h"
 
+#include "index.h"
+
 #include <algorithm>
 #include <cctype>
 #include <fstream>
@@ -10,8 +12,6 @@
 
 namespace hawser::bench {
 namespace {
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 [[noreturn]] void fail(std::int64_t line, const std::string& what) {
     throw std::runtime_error("line " + std::to_string(line) + ": " + what);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who touches whom: bodies, cables, contacts and their changes. Values are in paper_values.cpp.
 #include "paper_matrix/dice.h"
+
+#include "index.h"
 #include "paper_matrix/paper_matrix.h"
 
 #include <algorithm>
@@ -14,8 +16,6 @@ constexpr int kHulls = 3, kAttached = 20, kLocked = 4, kCables = 10, kMoorings =
 constexpr int kFirstElement = kHulls + kHulls * kAttached;
 constexpr int kRig = 2;
 constexpr double kApart = 3000.0;  ///< Distance of copies [m].
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 std::array<double, 3> hull_place(int copy, int hull) {
     constexpr std::array<std::array<double, 3>, 3> place{

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The numbers of the system: inertia, Jacobians, compliance.
 #include "paper_matrix/dice.h"
+
+#include "index.h"
 #include "paper_matrix/paper_matrix.h"
 
 #include <Eigen/Dense>
@@ -13,8 +15,6 @@ namespace {
 
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double kStep = 1.0 / 60.0;  ///< [s]
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meter.h"
 
+#include "index.h"
+
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 
 namespace hawser::bench {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double rotational_energy(const Body& b, const BodyState& s) {
     const Vec3 w = s.q.conjugate() * s.w;

@@ -7,6 +7,7 @@
 
 #include <sstream>
 
+#include "index.h"
 #include "linear/reference.h"
 #include "linear/scalar.h"
 #include "linear/sweeps.h"
@@ -19,8 +20,6 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 Matrix full(const Sparse& lower) {
     Matrix k(lower);

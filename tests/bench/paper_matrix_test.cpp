@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The systems of `hawser-bench factor`: sizes, connectedness, symmetry, definiteness, repetition.
 #include "paper_matrix/paper_matrix.h"
+#include "index.h"
 
 #include "paper_matrix/structures.h"
 
@@ -14,8 +15,6 @@
 
 namespace hawser::bench {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 PaperOptions options(CableForm form, int scale, int elements = 94) {
     PaperOptions o;
