@@ -52,6 +52,15 @@ TEST(Program, WrongUseIsCode1) {
     EXPECT_EQ(run_program({"run", kPendulum, "--record", "/proc/none/r.hwr"}).code, 1);
     EXPECT_EQ(run_program({"run", kPendulum, "--summary", "/proc/none/s.json"}).code, 1);
     EXPECT_EQ(run_program({"run", kPendulum, "--duration", "1", "--save-at", "5", "s"}).code, 1);
+    const auto says = [](const std::vector<std::string>& args, const char* words) {
+        const Outcome o = run_program(args);
+        EXPECT_EQ(o.code, 1) << words;
+        EXPECT_NE(o.err.find(words), std::string::npos) << o.err;
+    };
+    says({"sail"}, "there is no command \"sail\"");
+    says({"run", kPendulum, "--step", "-1"}, "expected a number greater than 0, found \"-1\"");
+    says({"run", kPendulum, "--duration", "nan"}, "expected a number of at least 0, found \"nan\"");
+    says({"run", kPendulum, "--threads", "257"}, "256");
     const Outcome missing = run_program({"run", "scenes/no_such.json"});
     EXPECT_EQ(missing.code, 1);
     EXPECT_NE(missing.err.find("no_such.json"), std::string::npos);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "observe/axes.h"
+#include "observe/commands_note.h"
 #include "observe/plots.h"
 #include "observe/png.h"
 #include "observe/small_scene.h"
 #include "observe/spy.h"
 #include "observe/svg.h"
+#include "observe/view_labels.h"
 #include "observe/xml_check.h"
 
 #include <png.h>
@@ -59,6 +61,55 @@ TEST_F(Plots, MotionsHaveAxesUnitsAndLegend) {
     const XmlDocument d = check_picture(*drawing);
     for (const char* text : {"time [s]", "roll [deg]", "yaw [deg]", "box & <friends>"})
         EXPECT_TRUE(has_text(d, text)) << text;
+}
+
+TEST_F(Plots, CommandsAreMarkedAndListed) {
+    EXPECT_EQ(recording->input_names, std::vector<std::string>{"box.push"});
+    for (const auto& drawing :
+         {observe::plot_tensions(*recording, series), observe::plot_motions(*recording, series)}) {
+        ASSERT_TRUE(drawing);
+        EXPECT_TRUE(has_text(check_picture(*drawing), "A  0.05 s: inputs set, box.push 20"));
+    }
+    // Values that repeat are no commands; of many moments the first are listed, the rest counted.
+    recording->inputs.clear();
+    for (int i = 0; i < 30; ++i) recording->inputs.push_back({i, 0, i < 10 ? 5.0 : 1.0 + i});
+    const auto commands = observe::commands_of(*recording);
+    ASSERT_EQ(commands.size(), 6u);
+    EXPECT_EQ(commands[0].text, "box.push 5");
+    EXPECT_DOUBLE_EQ(commands[1].time, 10.0 / 60.0);
+    EXPECT_EQ(commands[5].text, "box.push 15; 15 later changes are not marked");
+}
+
+// Names stand clear of each other: of many boxes in a heap each name is drawn once or not at all.
+TEST_F(Plots, NamesDoNotOverlap) {
+    observe::Frame frame = recording->frame(0);
+    for (int i = 0; i < 40; ++i) {
+        observe::RecordedBody body = recording->bodies[2];
+        body.name = "crate " + std::to_string(i);
+        body.half_size = Vec3(0.05, 0.05, 0.05);
+        recording->bodies.push_back(body);
+    }
+    for (int i = 0; i < 40; ++i)
+        frame.poses.push_back({Vec3(0.1 * (i % 8), 0, -2 + 0.1 * (i / 8)), Quat::Identity()});
+    const observe::Axes axes{.frame = {100, 100, 600, 500}, .x = {-1, 2}, .y = {-3.2, 0.2}};
+    observe::Drawing drawing;
+    observe::draw_names(drawing, axes, {0, 2, 1.0, ""}, *recording, frame);
+    std::vector<observe::Box> boxes;
+    for (const observe::Shape& shape : drawing.shapes)
+        if (const auto* text = std::get_if<observe::Text>(&shape)) {
+            ASSERT_EQ(text->anchor, observe::Anchor::start);
+            const double w = observe::text_width(text->text, text->size, text->bold);
+            boxes.push_back({text->at.x, text->at.y - 0.7 * text->size, w, 0.7 * text->size});
+        }
+    EXPECT_GT(boxes.size(), 15u);
+    for (std::size_t a = 0; a < boxes.size(); ++a) {
+        EXPECT_GE(boxes[a].x, axes.frame.x);
+        EXPECT_LE(boxes[a].right(), axes.frame.right());
+        for (std::size_t b = 0; b < a; ++b)
+            EXPECT_FALSE(boxes[a].x < boxes[b].right() && boxes[b].x < boxes[a].right() &&
+                         boxes[a].y < boxes[b].bottom() && boxes[b].y < boxes[a].bottom())
+                << a << " and " << b;
+    }
 }
 
 TEST_F(Plots, ViewsHaveBothPanelsAndAColourBar) {
