@@ -90,10 +90,12 @@ void invert_sigma(const BlockSystem& s, const BlockForm& f, std::vector<double>&
         for (std::int64_t e = begin; e < end; ++e) {
             const auto node = static_cast<std::size_t>(e);
             if (f.index[node] >= 0) continue;
-            const int n = s.pattern.size[node];
+            const int n = s.size(static_cast<int>(e));
             for (int i = 0; i < n; ++i)
                 inverse[static_cast<std::size_t>(s.offset[node] + i)] =
-                    -1.0 / s.values[static_cast<std::size_t>(s.diagonal[node] + i * (n + 1))];
+                    -1.0 /
+                    s.values[static_cast<std::size_t>(s.diagonal[node]) +
+                             static_cast<std::size_t>(i) * (static_cast<std::size_t>(n) + 1)];
         }
     });
 }

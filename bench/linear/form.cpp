@@ -91,8 +91,8 @@ BlockForm make_form(const BlockSystem& s, bool condensed) {
             op.row = p.row;
             op.col = p.col;
             op.begin = op.end = static_cast<std::int32_t>(f.contributions.size());
-            op.row_size = size[at(p.row)];
-            op.col_size = size[at(p.col)];
+            op.row_size = static_cast<std::uint8_t>(size[at(p.row)]);
+            op.col_size = static_cast<std::uint8_t>(size[at(p.col)]);
             op.by_rows = p.row != p.col;
             f.ops.push_back(op);
             from.push_back(p.row);

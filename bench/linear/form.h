@@ -31,7 +31,7 @@ struct BlockOp {
     std::int64_t to = 0;              ///< Address of (0, 0).
     std::int32_t step = 1;            ///< From row i to i + 1.
     std::int32_t stride = 0;          ///< From column c to c + 1, less c if `shrink`.
-    std::int8_t row_size = 0, col_size = 0;
+    std::uint8_t row_size = 0, col_size = 0;
     bool by_rows = false;  ///< The base block is stored by rows of the row node.
     bool shrink = false;   ///< Columns get shorter, as in a lower triangle by columns.
 };
