@@ -87,11 +87,16 @@ struct Samples {
     }
 };
 
-/// One turn: the first solution brings the caches back, the others count.
-void take_turn(Candidate& c, Samples& s, double budget) {
-    const Phases first = c.work();
-    if (first.total() > budget) return s.add(first);
-    for (int k = 0; k < 3; ++k) s.add(c.work());
+/// One turn. A solution that is not counted comes first: the first of all touches its memory for
+/// the first time, and a short one finds the caches full of another solver's data.
+void take_turn(Candidate& c, Samples& s) {
+    constexpr double kShort = 0.02;  // [s]
+    const bool first_of_all = s.total.empty();
+    const Phases p = c.work();
+    const bool is_short = p.total() < kShort;
+    if (!first_of_all && !is_short) s.add(p);
+    if (first_of_all || is_short)
+        for (int k = 0; k < (is_short ? 3 : 1); ++k) s.add(c.work());
 }
 
 void complete(Candidate& c, const Problem& problem, Result& r) {
@@ -102,15 +107,14 @@ void complete(Candidate& c, const Problem& problem, Result& r) {
 }
 
 /// Try one variant alone. A failure is a result too.
-Result try_variant(Problem& problem, const Variant& variant, int threads,
-                   const TrialOptions& options) {
+Result try_variant(Problem& problem, const Variant& variant, int threads) {
     Result r;
     try {
         Candidate c(problem, variant, threads);
         r = describe(c);
         Samples s;
         s.analyse.push_back(c.analyse());
-        take_turn(c, s, options.budget);
+        take_turn(c, s);
         s.finish(r);
         complete(c, problem, r);
     } catch (const std::exception& e) {
@@ -225,7 +229,7 @@ std::vector<Result> compare(Problem& problem, const ProblemSource& source, int t
     std::vector<std::string> order;
     for (const Variant& v : all_variants()) {
         if (!wanted(v, options)) continue;
-        const Result r = try_variant(problem, v, threads, options);
+        const Result r = try_variant(problem, v, threads);
         all.push_back(r);
         const auto it = best.find(v.library);
         if (it == best.end()) order.push_back(v.library);
@@ -247,8 +251,7 @@ std::vector<Result> compare(Problem& problem, const ProblemSource& source, int t
     for (std::size_t k = 0; k < candidates.size(); ++k)
         for (int i = 0; i < 3; ++i) samples[k].analyse.push_back(candidates[k]->analyse());
     for (int round = 0; round < options.rounds; ++round)
-        for (std::size_t k = 0; k < candidates.size(); ++k)
-            take_turn(*candidates[k], samples[k], options.budget);
+        for (std::size_t k = 0; k < candidates.size(); ++k) take_turn(*candidates[k], samples[k]);
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         samples[k].finish(results[k]);
         complete(*candidates[k], problem, results[k]);

@@ -37,7 +37,6 @@ struct Result {
 
 struct TrialOptions {
     int rounds = 11;                       ///< Turns of each solver.
-    double budget = 2.0;                   ///< A solution slower than this is run once a turn [s].
     std::vector<std::string> libraries{};  ///< Parts of names; empty: all.
     std::vector<int> edits{10, 50, 200};   ///< Contacts changed, where the problem has any.
     bool quick_choice = false;             ///< Try AMD on blocks only, for ours our own order.
