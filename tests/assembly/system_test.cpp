@@ -178,14 +178,15 @@ TEST(ArmStiffness, IsTheProjectionOfTheSymmetrisedOne) {
         if (trial % 7 == 0) f = r.cross(f) / r.norm();                  // square to it
         if (trial % 50 == 0) f = 1e-9 * f + random.uniform(-9, 9) * r;  // almost along
         double s[6];
-        generic::arm_stiffness({f.x(), f.y(), f.z()}, {r.x(), r.y(), r.z()}, 0.5, s);
+        generic::arm_stiffness({f.x(), f.y(), f.z()}, f.norm(), {r.x(), r.y(), r.z()}, r.norm(),
+                               0.5, s);
         Mat3 got;
         got << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];
         const Mat3 want = 0.5 * projected(f.dot(r) * Mat3::Identity() - r * f.transpose());
         EXPECT_LE((got - want).norm(), 1e-13 * f.norm() * r.norm()) << "trial " << trial;
     }
     double zero[6];
-    generic::arm_stiffness({0, 0, 0}, {1, 0, 0}, 1.0, zero);
+    generic::arm_stiffness({0, 0, 0}, 0.0, {1, 0, 0}, 1.0, 1.0, zero);
     for (double z : zero) EXPECT_EQ(z, 0.0);
 }
 
