@@ -12,6 +12,9 @@ namespace {
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
+/// Update slots come in threes, so that tiles of the window meet tiles when it moves on.
+std::int32_t whole_tiles(std::int32_t scalars) { return (scalars + kTile - 1) / kTile * kTile; }
+
 /// A boundary node of a chain, and how many steps before the end it is touched first.
 struct Touch {
     std::int32_t node, size, steps;
@@ -119,13 +122,13 @@ class Builder {
         std::int32_t q = batch.window;
         for (std::size_t i : by_touch) {
             slots[i].offset = q;
-            q += slots[i].size;
+            q += whole_tiles(slots[i].size);
         }
         batch.step_begin = static_cast<std::int32_t>(s_.batch_steps.size());
         for (std::int32_t k = 0; k < steps; ++k) {
             std::int32_t active = batch.window;
             for (const Slot& slot : slots)
-                if (slot.steps >= steps - k) active += slot.size;
+                if (slot.steps >= steps - k) active += whole_tiles(slot.size);
             add_step(batch, active, rows[at(k)]);
         }
         batch.step_end = static_cast<std::int32_t>(s_.batch_steps.size());
@@ -233,10 +236,10 @@ void lay_out_batches(const Pattern& pattern, const Chains& chains,
     Builder(pattern, chains, front_of_chain, s).run();
     s.panel_size += 64;
     for (const Batch& b : s.batches) {
-        const std::int64_t n = b.most_p + b.most_q;
-        s.batch_scratch = std::max(
-            s.batch_scratch, kLaneCount * (2 * static_cast<std::int64_t>(b.most_q) * b.most_q +
-                                           n * b.most_p + 2 * n));
+        const std::int64_t n = b.most_p + b.most_q, tiles = b.most_q / kTile;
+        s.batch_scratch =
+            std::max(s.batch_scratch,
+                     kLaneCount * (tiles * (tiles + 1) * kTile * kTile + n * b.most_p + 2 * n));
     }
 }
 

@@ -18,8 +18,9 @@
 /// boundary │     │  in cache, never stored
 ///          └─────┘
 /// ```
-/// The panel of a step is stored by rows: entry (i, k) of lane l at 8 (i p + k) + l. A chain's
-/// last update matrix goes to an ordinary parent front.
+/// The window between two steps is a lower triangle of tiles of 3 × 3; sizes in it are rounded up
+/// to threes, so that it moves on by whole tiles. The panel of a step is stored by rows: entry (i,
+/// k) of lane l at 8 (i p + k) + l. A chain's last update matrix goes to an ordinary parent front.
 
 #include "factor/chains.h"
 
@@ -31,10 +32,11 @@ namespace hawser::factor {
 struct Symbolic;
 
 inline constexpr int kLaneCount = 8;
+inline constexpr int kTile = 3;  ///< Rows and columns of the kernels' register blocks.
 
 /// One unit of every lane. Plain data: the kernels read it directly.
 struct BatchStep {
-    std::int32_t p = 0, q = 0;  ///< Pivot and update scalars, padding included.
+    std::int32_t p = 0, q = 0;  ///< Pivot and update scalars, padding included; q in threes.
     std::int64_t slot = 0;      ///< First of its p pivots in the slot arrays.
     std::int64_t panel = 0;     ///< Offset into the panel array.
 };

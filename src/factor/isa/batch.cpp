@@ -13,7 +13,9 @@ using factor::BatchStep;
 using factor::FactorView;
 using factor::Front;
 
-constexpr int kTile = 3;
+using factor::kTile;
+
+constexpr int kTileSize = 8 * kTile * kTile;  // doubles
 
 /// acc(i, j) −= Σ_k a(i, k) b(j, k), rows `stride` doubles apart.
 template <int NI, int NJ>
@@ -93,58 +95,69 @@ inline void factor_columns(const Columns& m, int c, int n, V8& bad) {
     }
 }
 
-/// Where the update slots of a step come from: the slot that held it in the step before.
+/// Where the update slots of a step come from, in tiles: the tile that held them before.
 struct Shift {
-    int body, window, before;  ///< Scalars of a body; of the window; update slots before.
+    int body, window, before;  ///< Tiles of a body; of the window; of the update slots before.
     /// −1: new in this step.
-    [[nodiscard]] int from(int slot) const {
-        if (slot < window) return slot + body < window && before > 0 ? slot + body : -1;
-        return slot < before ? slot : -1;
+    [[nodiscard]] int from(int tile) const {
+        if (tile < window) return tile + body < window && before > 0 ? tile + body : -1;
+        return tile < before ? tile : -1;
     }
 };
 
-/// next = shifted window − L21 D L21ᵀ, lower triangle, `most` vectors a row.
+/// Tile (i, j), i ≥ j, of a window.
+HAWSER_INLINE long tile_at(int i, int j) {
+    return kTileSize * (static_cast<long>(i) * (i + 1) / 2 + j);
+}
+
+/// next = shifted window − L21 D L21ᵀ.
 inline void update_window(const Columns& m, const BatchStep& step, const Shift& shift,
-                          const double* window, double* next, long most) {
+                          const double* window, double* next) {
     const double* l = m.panel + step.p * m.stride;
     const double* u = m.u + step.p * m.stride;
-    for (int i = 0; i < step.q; i += kTile)
-        with_size(step.q - i, [&]<int NI>() {
-            for (int j = 0; j <= i; j += kTile)
-                with_size(step.q - j, [&]<int NJ>() {
-                    V8 acc[NI][NJ];
-                    for (int a = 0; a < NI; ++a)
-                        for (int b = 0; b < NJ; ++b) {
-                            const int r = shift.from(i + a), c = shift.from(j + b);
-                            acc[a][b] =
-                                r >= 0 && c >= 0
-                                    ? load(window + 8 * ((r > c ? r : c) * most + (r > c ? c : r)))
-                                    : V8{};
-                        }
-                    tile<NI, NJ>(acc, l + i * m.stride, u + j * m.stride, m.stride, step.p);
-                    for (int a = 0; a < NI; ++a)
-                        for (int b = 0; b < NJ; ++b)
-                            store(next + 8 * ((i + a) * most + j + b), acc[a][b]);
-                });
-        });
+    for (int i = 0; i < step.q / kTile; ++i) {
+        const int row = shift.from(i);
+        for (int j = 0; j <= i; ++j) {
+            const int column = shift.from(j);
+            V8 acc[kTile][kTile];
+            if (row < 0 || column < 0) {
+                for (auto& r : acc)
+                    for (V8& v : r) v = V8{};
+            } else {
+                const double* old = window + tile_at(row, column);
+                for (int a = 0; a < kTile; ++a)
+                    for (int b = 0; b < kTile; ++b) acc[a][b] = load(old + 8 * (kTile * a + b));
+            }
+            tile<kTile, kTile>(acc, l + kTile * i * m.stride, u + kTile * j * m.stride, m.stride,
+                               step.p);
+            double* to = next + tile_at(i, j);
+            for (int a = 0; a < kTile; ++a)
+                for (int b = 0; b < kTile; ++b) store(to + 8 * (kTile * a + b), acc[a][b]);
+        }
+    }
 }
 
 /// Add what earlier units left on this step's body.
 inline void add_window(double* panel, const BatchStep& step, const Shift& shift,
-                       const double* window, long most) {
-    auto add = [&](int row, int column, int slot) {
-        double* to = panel + 8 * (static_cast<long>(row) * step.p + column);
-        store(to, load(to) + load(window + 8 * (slot * most + column)));
+                       const double* window) {
+    auto add = [&](int row, int column, const double* from, int right) {
+        for (int a = 0; a < kTile; ++a)
+            for (int b = 0; b < kTile && b <= a + right; ++b) {
+                double* to = panel + 8 * ((row + a) * static_cast<long>(step.p) + column + b);
+                store(to, load(to) + load(from + 8 * (kTile * a + b)));
+            }
     };
     for (int j = 0; j < shift.body; ++j) {
-        for (int i = j; i < shift.body; ++i) add(i, j, i);
-        for (int i = 0; i < step.q; ++i)
-            if (const int slot = shift.from(i); slot >= 0) add(step.p + i, j, slot);
+        for (int i = j; i < shift.body; ++i)
+            add(kTile * i, kTile * j, window + tile_at(i, j), i == j ? 0 : kTile);
+        for (int i = 0; i < step.q / kTile; ++i)
+            if (const int row = shift.from(i); row >= 0)
+                add(step.p + kTile * i, kTile * j, window + tile_at(row, j), kTile);
     }
 }
 
 /// Hand the last window to the parents' side, lane by lane.
-void store_tails(const FactorView& view, const Batch& batch, const double* window, long most) {
+void store_tails(const FactorView& view, const Batch& batch, const double* window) {
     for (int lane = 0; lane < factor::kLaneCount; ++lane) {
         if (batch.front[lane] < 0) continue;
         const Front& front = view.fronts[batch.front[lane]];
@@ -155,7 +168,8 @@ void store_tails(const FactorView& view, const Batch& batch, const double* windo
             for (int i = j; i < front.q; ++i) {
                 const int r = slot[i] > slot[j] ? slot[i] : slot[j];
                 const int c = slot[i] > slot[j] ? slot[j] : slot[i];
-                column[i] = window[8 * (r * most + c) + lane];
+                column[i] = window[tile_at(r / kTile, c / kTile) +
+                                   8 * (kTile * (r % kTile) + c % kTile) + lane];
             }
             // Whole vectors are added into the parent.
             for (int i = front.q; i < front.ldu; ++i) column[i] = 0.0;
@@ -166,27 +180,27 @@ void store_tails(const FactorView& view, const Batch& batch, const double* windo
 }  // namespace
 
 int factor_batch(const FactorView& view, const Batch& batch, double* scratch) noexcept {
-    const long most = batch.most_q;
+    const long tiles = batch.most_q / kTile;
     double* window = scratch;
-    double* next = window + 8 * most * most;
-    double* u = next + 8 * most * most;
+    double* next = window + kTileSize * (tiles * (tiles + 1) / 2);
+    double* u = next + kTileSize * (tiles * (tiles + 1) / 2);
     V8 bad{};
-    Shift shift{batch.body, batch.window, 0};
+    Shift shift{batch.body / kTile, batch.window / kTile, 0};
     for (std::int32_t k = batch.step_begin; k < batch.step_end; ++k) {
         const BatchStep& step = view.batch_steps[k];
         const Columns m{view.panel + step.panel, u, 8L * step.p, view.slot_pivot + 8 * step.slot,
                         view.slot_sign + step.slot};
         const int n = step.p + step.q;
-        if (shift.before > 0) add_window(m.panel, step, shift, window, most);
+        if (shift.before > 0) add_window(m.panel, step, shift, window);
         for (int c = 0; c < step.p; c += kTile)
             with_size(step.p - c, [&]<int N>() { factor_columns<N>(m, c, n, bad); });
-        update_window(m, step, shift, window, next, most);
+        update_window(m, step, shift, window, next);
         double* swap = window;
         window = next;
         next = swap;
-        shift.before = step.q;
+        shift.before = step.q / kTile;
     }
-    store_tails(view, batch, window, most);
+    store_tails(view, batch, window);
     return static_cast<int>(sum(bad)) - static_cast<int>(batch.unused);
 }
 
@@ -195,7 +209,7 @@ void forward_batch(const FactorView& view, const Batch& batch, const double* x,
                    double* scratch) noexcept {
     double* carried = scratch;
     double* next = carried + 8 * batch.most_q;
-    Shift shift{batch.body, batch.window, 0};
+    Shift shift{batch.body / kTile, batch.window / kTile, 0};
     for (std::int32_t k = batch.step_begin; k < batch.step_end; ++k) {
         const BatchStep& step = view.batch_steps[k];
         const double* panel = view.panel + step.panel;
@@ -209,20 +223,18 @@ void forward_batch(const FactorView& view, const Batch& batch, const double* x,
             for (int j = 0; j < i; ++j) v -= load(row + 8 * j) * load(y + 8 * j);
             store(y + 8 * i, v);
         }
-        for (int i = 0; i < step.q; i += kTile)
-            with_size(step.q - i, [&]<int N>() {
-                V8 v[N][1];
-                for (int a = 0; a < N; ++a) {
-                    const int slot = shift.from(i + a);
-                    v[a][0] = slot >= 0 ? load(carried + 8 * slot) : V8{};
-                }
-                tile<N, 1>(v, panel + 8L * (p + i) * p, y, 8L * p, p);
-                for (int a = 0; a < N; ++a) store(next + 8 * (i + a), v[a][0]);
-            });
+        for (int i = 0; i < step.q; i += kTile) {
+            const int from = shift.from(i / kTile);
+            V8 v[kTile][1];
+            for (int a = 0; a < kTile; ++a)
+                v[a][0] = from >= 0 ? load(carried + 8 * (kTile * from + a)) : V8{};
+            tile<kTile, 1>(v, panel + 8L * (p + i) * p, y, 8L * p, p);
+            for (int a = 0; a < kTile; ++a) store(next + 8 * (i + a), v[a][0]);
+        }
         double* swap = carried;
         carried = next;
         next = swap;
-        shift.before = step.q;
+        shift.before = step.q / kTile;
     }
     for (int lane = 0; lane < factor::kLaneCount; ++lane) {
         if (batch.front[lane] < 0) continue;
