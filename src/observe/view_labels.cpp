@@ -43,7 +43,7 @@ class Placer {
   public:
     Placer(Drawing& drawing, const Axes& axes, const View& view, const Recording& recording,
            const Frame& frame)
-        : drawing_(drawing), axes_(axes), view_(view), recording_(recording), frame_(frame) {
+        : drawing_(drawing), axes_(axes), view_(view), frame_(frame) {
         for (const RecordedCable& cable : recording.cables)
             for (std::size_t i = 0; i + 1 < cable.nodes.size(); ++i)
                 lines_.emplace_back(node(cable, i), node(cable, i + 1));
@@ -132,7 +132,6 @@ class Placer {
     Drawing& drawing_;
     const Axes& axes_;
     const View& view_;
-    const Recording& recording_;
     const Frame& frame_;
     std::vector<std::pair<Point, Point>> lines_;
     std::vector<Box> bodies_, taken_;
