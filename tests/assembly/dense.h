@@ -183,8 +183,10 @@ inline void add_bodies(const stepper::StepContext& ctx, DenseStep& out) {
         for (int k = 0; k < dof && k < 3; ++k) {
             const auto force = 6 * i + static_cast<std::size_t>(k);
             const double weight = dof > 1 && b.weight[i] ? ctx.def.gravity[k] : 0.0;
-            out.a[at + k] = b.mass[i] * (b.v[static_cast<std::size_t>(at + k)] + h * weight) +
-                            h * b.force[force];
+            out.a[at + k] =
+                b.mass[i] *
+                    (b.v[static_cast<std::size_t>(at) + static_cast<std::size_t>(k)] + h * weight) +
+                h * b.force[force];
         }
     }
 }
