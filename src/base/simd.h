@@ -22,6 +22,7 @@ inline constexpr int kLanes = 8;  ///< Arrays read by load() need this many entr
 
 typedef double V8 __attribute__((vector_size(64), aligned(8), may_alias));
 typedef long long I8 __attribute__((vector_size(64)));
+typedef double W8 __attribute__((vector_size(64)));  ///< V8 as an argument of templates.
 
 HAWSER_INLINE V8 load(const double* p) { return *reinterpret_cast<const V8*>(p); }
 HAWSER_INLINE void store(double* p, const V8& v) { *reinterpret_cast<V8*>(p) = v; }
@@ -45,6 +46,7 @@ HAWSER_INLINE V8 after_lane(const V8& v, int i) {
     return reinterpret_cast<V8>(reinterpret_cast<I8>(v) & keep);
 }
 HAWSER_INLINE V8 reciprocal(const V8& v) { return 1.0 / v; }
+HAWSER_INLINE V8 positive_part(const V8& v) { return v > 0.0 ? v : V8{}; }
 /// Lanes whose pivot has the wrong sign or is not finite get the sign itself.
 /// @return 1 in those lanes.
 HAWSER_INLINE V8 fix_pivot(V8& d, double sign) {
@@ -81,6 +83,7 @@ inline constexpr int kPartLanes = sizeof(Part) / sizeof(double), kParts = kLanes
 struct V8 {
     Part part[kParts];
 };
+using W8 = V8;
 
 HAWSER_INLINE V8 load(const double* p) {
     V8 v;
@@ -134,13 +137,24 @@ HAWSER_INLINE V8 operator*(const V8& a, double s) {
     return o;
 }
 HAWSER_INLINE V8 operator*(double s, const V8& a) { return a * s; }
-HAWSER_INLINE V8& operator+=(V8& a, const V8& b) { return a = a + b; }
-HAWSER_INLINE V8& operator-=(V8& a, const V8& b) { return a = a - b; }
-HAWSER_INLINE V8 reciprocal(const V8& v) {
+HAWSER_INLINE V8 operator+(const V8& a, double s) {
     V8 o;
-    for (int i = 0; i < kParts; ++i) o.part[i] = 1.0 / v.part[i];
+    for (int i = 0; i < kParts; ++i) o.part[i] = a.part[i] + s;
     return o;
 }
+HAWSER_INLINE V8 positive_part(const V8& v) {
+    V8 o;
+    for (int i = 0; i < kParts; ++i) o.part[i] = v.part[i] > 0.0 ? v.part[i] : Part{};
+    return o;
+}
+HAWSER_INLINE V8& operator+=(V8& a, const V8& b) { return a = a + b; }
+HAWSER_INLINE V8& operator-=(V8& a, const V8& b) { return a = a - b; }
+HAWSER_INLINE V8 operator/(double s, const V8& v) {
+    V8 o;
+    for (int i = 0; i < kParts; ++i) o.part[i] = s / v.part[i];
+    return o;
+}
+HAWSER_INLINE V8 reciprocal(const V8& v) { return 1.0 / v; }
 HAWSER_INLINE V8 fix_pivot(V8& d, double sign) {
     V8 bad;
     for (int i = 0; i < kParts; ++i) {
@@ -173,6 +187,13 @@ HAWSER_INLINE bool any(const V8& v) {
     return found;
 #endif
 }
+// The same for one number, and constants: for templates over either.
+HAWSER_INLINE bool any(double v) { return v != 0.0; }
+HAWSER_INLINE double positive_part(double v) { return v > 0.0 ? v : 0.0; }
+HAWSER_INLINE double zero(double) { return 0.0; }
+HAWSER_INLINE double one(double) { return 1.0; }
+HAWSER_INLINE V8 zero(const V8&) { return V8{}; }
+HAWSER_INLINE V8 one(const V8&) { return V8{} + 1.0; }
 /// Sum of the lanes, in a fixed order.
 HAWSER_INLINE double sum(const V8& v) {
     return ((lane(v, 0) + lane(v, 4)) + (lane(v, 2) + lane(v, 6))) +

@@ -13,42 +13,62 @@
 
 namespace hawser::HAWSER_ISA {
 
-struct V3 {
-    double x, y, z;
+/// T: double, or a vector with one lane a body or row (base/simd.h).
+template <class T>
+struct V3T {
+    T x, y, z;
 };
+using V3 = V3T<double>;
 
-inline V3 operator+(V3 a, V3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline V3 operator-(V3 a, V3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline V3 operator-(V3 a) { return {-a.x, -a.y, -a.z}; }
-inline V3 operator*(double s, V3 a) { return {s * a.x, s * a.y, s * a.z}; }
-inline double dot(V3 a, V3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline V3 cross(V3 a, V3 b) {
+template <class T>
+inline V3T<T> operator+(const V3T<T>& a, const V3T<T>& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+inline V3T<T> operator-(const V3T<T>& a, const V3T<T>& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline V3 operator-(const V3& a) { return {-a.x, -a.y, -a.z}; }
+template <class T>
+inline V3T<T> operator*(const T& s, const V3T<T>& a) {
+    return {s * a.x, s * a.y, s * a.z};
+}
+template <class T>
+inline T dot(const V3T<T>& a, const V3T<T>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class T>
+inline V3T<T> cross(const V3T<T>& a, const V3T<T>& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-inline double norm(V3 a) { return __builtin_sqrt(dot(a, a)); }
+inline double norm(const V3& a) { return __builtin_sqrt(dot(a, a)); }
 inline V3 load3(const double* p) { return {p[0], p[1], p[2]}; }
-inline void store3(double* p, V3 a) {
+inline void store3(double* p, const V3& a) {
     p[0] = a.x;
     p[1] = a.y;
     p[2] = a.z;
 }
-inline void add3(double* p, V3 a) {
+inline void add3(double* p, const V3& a) {
     p[0] += a.x;
     p[1] += a.y;
     p[2] += a.z;
 }
 
 /// Row-major 3×3 matrix; a rotation's columns are the body's axes in the world frame.
-struct M3 {
-    double a[9];
+template <class T>
+struct M3T {
+    T a[9];
 };
+using M3 = M3T<double>;
 
-inline V3 operator*(const M3& m, V3 v) {
+template <class T>
+inline V3T<T> operator*(const M3T<T>& m, const V3T<T>& v) {
     return {m.a[0] * v.x + m.a[1] * v.y + m.a[2] * v.z, m.a[3] * v.x + m.a[4] * v.y + m.a[5] * v.z,
             m.a[6] * v.x + m.a[7] * v.y + m.a[8] * v.z};
 }
 /// Transpose times vector: world to body.
-inline V3 tmul(const M3& m, V3 v) {
+template <class T>
+inline V3T<T> tmul(const M3T<T>& m, const V3T<T>& v) {
     return {m.a[0] * v.x + m.a[3] * v.y + m.a[6] * v.z, m.a[1] * v.x + m.a[4] * v.y + m.a[7] * v.z,
             m.a[2] * v.x + m.a[5] * v.y + m.a[8] * v.z};
 }
@@ -63,8 +83,9 @@ inline M3 rotation(const double* q) {
              1 - 2 * (x * x + y * y)}};
 }
 /// R S Rᵀ for a full symmetric S given row-major.
-inline M3 congruence(const M3& r, const double* s) {
-    M3 t{}, o{};
+template <class T>
+inline M3T<T> congruence(const M3T<T>& r, const T* s) {
+    M3T<T> t{}, o{};
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
             t.a[3 * i + j] =
@@ -76,10 +97,11 @@ inline M3 congruence(const M3& r, const double* s) {
     return o;
 }
 /// Solve a symmetric or general 3×3 system by Cramer's rule (well-conditioned Jacobians only).
-inline V3 solve3(const M3& m, V3 b) {
-    const V3 c0{m.a[0], m.a[3], m.a[6]}, c1{m.a[1], m.a[4], m.a[7]}, c2{m.a[2], m.a[5], m.a[8]};
-    const V3 k = cross(c1, c2);
-    const double inv = 1.0 / dot(c0, k);
+template <class T>
+inline V3T<T> solve3(const M3T<T>& m, const V3T<T>& b) {
+    const V3T<T> c0{m.a[0], m.a[3], m.a[6]}, c1{m.a[1], m.a[4], m.a[7]}, c2{m.a[2], m.a[5], m.a[8]};
+    const V3T<T> k = cross(c1, c2);
+    const T inv = 1.0 / dot(c0, k);
     return {inv * dot(b, k), inv * dot(c0, cross(b, c2)), inv * dot(c0, cross(c1, b))};
 }
 /// A unit vector perpendicular to the unit vector t, and t × it: a deterministic basis.
