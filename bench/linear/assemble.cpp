@@ -20,13 +20,17 @@ HAWSER_BENCH_INLINE void run(const BlockOp& op, const AssembleView& v) {
     V8 sum[Columns];
     const int rows = op.row_size;
     if (op.base < 0) {
+        HAWSER_BENCH_UNROLL
         for (int c = 0; c < Columns; ++c) sum[c] = V8{};
     } else if (!op.by_rows) {
+        HAWSER_BENCH_UNROLL
         for (int c = 0; c < Columns; ++c) load(sum[c], v.values + op.base + c * rows);
     } else {
-        for (int c = 0; c < Columns; ++c) sum[c] = V8{};
-        for (int i = 0; i < rows; ++i)
-            for (int c = 0; c < Columns; ++c) sum[c][i] = v.values[op.base + i * Columns + c];
+        double turned[Columns][8] = {};  // a vector with a lane written by number lives in memory
+        for (int i = 0; i < rows; ++i) HAWSER_BENCH_UNROLL
+        for (int c = 0; c < Columns; ++c) turned[c][i] = v.values[op.base + i * Columns + c];
+        HAWSER_BENCH_UNROLL
+        for (int c = 0; c < Columns; ++c) load(sum[c], turned[c]);
     }
     for (std::int32_t k = op.begin; k < op.end; ++k) {
         const Contribution& t = v.contributions[k];
@@ -36,11 +40,13 @@ HAWSER_BENCH_INLINE void run(const BlockOp& op, const AssembleView& v) {
             V8 g;
             load(g, row + r * rows);
             g *= v.inverse[t.sigma + r];
+            HAWSER_BENCH_UNROLL
             for (int c = 0; c < Columns; ++c) sum[c] += g * col[r * Columns + c];
         }
     }
     double* to = v.target + op.to;
     const bool diagonal = op.row == op.col, close = op.step == 1 && !diagonal;
+    HAWSER_BENCH_UNROLL
     for (int c = 0; c < Columns; ++c) {
         if (close && rows == 6) {
             store<6>(to, sum[c]);

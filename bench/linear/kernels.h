@@ -14,6 +14,8 @@
 #define HAWSER_BENCH_CLONES
 #endif
 #define HAWSER_BENCH_INLINE [[gnu::always_inline]] inline
+/// Before loops over an array of vectors, which otherwise stays in memory.
+#define HAWSER_BENCH_UNROLL _Pragma("GCC unroll 8")
 
 namespace hawser::bench {
 
@@ -33,7 +35,10 @@ inline constexpr double kMask[9][8] = {{},
                                        {1, 1, 1, 1, 1, 1, 1, 1}};
 
 /// Eight doubles from an address of any alignment; reads past short blocks.
-HAWSER_BENCH_INLINE void load(V8& v, const double* from) { std::memcpy(&v, from, sizeof v); }
+HAWSER_BENCH_INLINE void load(V8& v, const double* from) {
+    using Anywhere = double __attribute__((vector_size(64), aligned(8), may_alias));
+    v = *reinterpret_cast<const Anywhere*>(from);
+}
 
 /// The first N of eight doubles.
 template <int N>

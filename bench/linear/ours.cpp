@@ -5,10 +5,37 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 namespace hawser::bench {
 namespace {
+
+/// By address, so that the panels are written from front to back: least digit first, 11 bits each.
+void sort_by_place(std::vector<BlockOp>& ops, std::int64_t size) {
+    constexpr int kBits = 11;
+    constexpr std::size_t kDigits = std::size_t{1} << kBits;
+    struct Key {
+        std::int64_t place;
+        std::size_t index;
+    };
+    std::vector<Key> keys(ops.size()), other(ops.size());
+    for (std::size_t i = 0; i < ops.size(); ++i) keys[i] = {ops[i].to, i};
+    std::vector<std::size_t> start(kDigits + 1);
+    for (int shift = 0; size >> shift != 0; shift += kBits) {
+        const auto digit = [&](const Key& k) {
+            return static_cast<std::size_t>(k.place >> shift) & (kDigits - 1);
+        };
+        std::fill(start.begin(), start.end(), 0);
+        for (const Key& k : keys) ++start[digit(k) + 1];
+        std::partial_sum(start.begin(), start.end(), start.begin());
+        for (const Key& k : keys) other[start[digit(k)]++] = k;
+        keys.swap(other);
+    }
+    std::vector<BlockOp> sorted(ops.size());
+    for (std::size_t i = 0; i < ops.size(); ++i) sorted[i] = ops[keys[i].index];
+    ops.swap(sorted);
+}
 
 class Ours final : public Solver {
   public:
@@ -30,8 +57,7 @@ class Ours final : public Solver {
             op.step = t.step;
             op.stride = t.ld;
         }
-        std::sort(ops_.begin(), ops_.end(),
-                  [](const BlockOp& a, const BlockOp& b) { return a.to < b.to; });
+        sort_by_place(ops_, symbolic_.panel_size);
         x_.assign(static_cast<std::size_t>(symbolic_.scalars) + 8, 0.0);
     }
     void refresh(const Input& input, base::Executor& executor) override {

@@ -51,6 +51,7 @@ HAWSER_BENCH_INLINE void product(const SweepView& v, std::int64_t a, const doubl
             load(mask, kMask[m]);
             load(other, xb);
             other *= mask;
+            HAWSER_BENCH_UNROLL
             for (int i = 0; i < N; ++i) {
                 V8 g;
                 load(g, block + i * m);
@@ -66,6 +67,7 @@ HAWSER_BENCH_INLINE void product(const SweepView& v, std::int64_t a, const doubl
     }
     double out[8];
     std::memcpy(out, &sum, sizeof sum);
+    HAWSER_BENCH_UNROLL
     for (int i = 0; i < N; ++i) y[i] = out[i] + total(rows[i]);
 }
 
@@ -95,6 +97,8 @@ HAWSER_BENCH_INLINE void product_of_kept(const SweepView& v, std::int64_t a, con
         load(g, v.values + v.diagonal[a] + j * N);
         sum += g * x[v.offset[a] + j];
     }
+    double other[8] = {};
+    bool any = false;
     for (std::int32_t k = v.start[a]; k < v.start[a + 1]; ++k) {
         const std::int32_t b = v.adjacent[k];
         if (v.index[b] < 0) continue;
@@ -102,8 +106,13 @@ HAWSER_BENCH_INLINE void product_of_kept(const SweepView& v, std::int64_t a, con
         const double* block = v.values + v.edge[k];
         for (int i = 0; i < N; ++i)
             for (int j = 0; j < m; ++j)
-                sum[i] += (b < a ? block[i * m + j] : block[j * N + i]) * x[v.offset[b] + j];
+                other[i] += (b < a ? block[i * m + j] : block[j * N + i]) * x[v.offset[b] + j];
+        any = true;
     }
+    if (!any) return;
+    V8 more;
+    load(more, other);
+    sum += more;
 }
 
 template <int N>

@@ -57,7 +57,8 @@ class PaperScene {
     [[nodiscard]] const std::vector<Contact>& contacts() const noexcept { return contacts_; }
     /// Node of contact i in system(). Contacts keep their nodes when they change.
     [[nodiscard]] int contact_node(int i) const noexcept {
-        return bodies() + static_cast<int>(joints_.size()) + i;
+        const int copy = i / contacts_per_copy();
+        return bodies() + joint_end_[static_cast<std::size_t>(copy)] + i;
     }
 
     /// Replace `count` contacts of every copy by others of the same kind nearby, as happens from
@@ -65,7 +66,7 @@ class PaperScene {
     /// sequence of steps. @return the contacts changed, ascending.
     std::vector<int> change_contacts(int count, int step);
 
-    /// Bodies are the first nodes, then joints, then contacts.
+    /// Bodies are the first nodes; then come joints and contacts, copy by copy.
     [[nodiscard]] BlockSystem system() const;
 
   private:
@@ -90,6 +91,9 @@ class PaperScene {
     [[nodiscard]] bool wide(int body) const noexcept;  ///< Six degrees of freedom.
     [[nodiscard]] int dof(int body) const noexcept;
     [[nodiscard]] int per_copy() const noexcept;
+    [[nodiscard]] int contacts_per_copy() const noexcept {
+        return static_cast<int>(contacts_.size()) / options_.scale;
+    }
 
     void emit_body(SystemBuilder& builder, int body) const;
     void emit_joint(SystemBuilder& builder, const Joint& joint) const;
@@ -103,6 +107,7 @@ class PaperScene {
     std::vector<Vec> along_;      ///< Cable elements: direction.
     std::vector<double> length_;  ///< Cable elements [m].
     std::vector<Joint> joints_;
+    std::vector<int> joint_end_;  ///< Joints of each copy and those before it.
     std::vector<Contact> contacts_;
 };
 

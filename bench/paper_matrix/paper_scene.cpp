@@ -47,7 +47,10 @@ constexpr int kSide = 52, kSideFrom = 25, kSlip = 16;
 PaperScene::PaperScene(const PaperOptions& options) : options_(options) {
     if (options.elements < 30 || options.scale < 1)
         throw std::invalid_argument("paper_matrix: at least 30 elements and one copy");
-    for (int copy = 0; copy < options.scale; ++copy) add_copy(copy);
+    for (int copy = 0; copy < options.scale; ++copy) {
+        add_copy(copy);
+        joint_end_.push_back(static_cast<int>(joints_.size()));
+    }
     for (int copy = 0; copy < options.scale; ++copy) add_contacts(copy);
 }
 
@@ -203,7 +206,7 @@ Contact PaperScene::moved(const Contact& c, Dice& dice) const {
 }
 
 std::vector<int> PaperScene::change_contacts(int count, int step) {
-    const int per = static_cast<int>(contacts_.size()) / options_.scale;
+    const int per = contacts_per_copy();
     if (count > per) throw std::invalid_argument("paper_matrix: more changes than contacts");
     std::vector<int> changed;
     for (int copy = 0; copy < options_.scale; ++copy) {

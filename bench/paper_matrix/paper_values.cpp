@@ -186,9 +186,12 @@ void PaperScene::emit_contact(SystemBuilder& builder, const Contact& c, int inde
 BlockSystem PaperScene::system() const {
     SystemBuilder builder;
     for (int b = 0; b < bodies(); ++b) emit_body(builder, b);
-    for (const Joint& j : joints_) emit_joint(builder, j);
-    for (std::size_t i = 0; i < contacts_.size(); ++i)
-        emit_contact(builder, contacts_[i], static_cast<int>(i));
+    int joint = 0, contact = 0;
+    for (const int end : joint_end_) {
+        for (; joint < end; ++joint) emit_joint(builder, joints_[at(joint)]);
+        for (int i = 0; i < contacts_per_copy(); ++i, ++contact)
+            emit_contact(builder, contacts_[at(contact)], contact);
+    }
     const std::string name = options_.form == CableForm::rigid ? "paper rigid" : "paper lumped";
     return builder.finish(options_.scale == 1 ? name : name + " x" + std::to_string(options_.scale),
                           options_.seed);
