@@ -48,6 +48,7 @@ inline void store3(double* p, const V3& a) {
     p[1] = a.y;
     p[2] = a.z;
 }
+inline bool any3(const double* d) { return d[0] != 0.0 || d[1] != 0.0 || d[2] != 0.0; }
 inline void add3(double* p, const V3& a) {
     p[0] += a.x;
     p[1] += a.y;
