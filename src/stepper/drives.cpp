@@ -89,9 +89,12 @@ void follow_winches(StepContext& ctx) noexcept {
     model::Interactions& in = ctx.interactions;
     const double h = ctx.def.step;
     for (const std::int32_t id : in.winches) {
-        const double before = in.elastic(id, ctx.bodies, h);
+        const auto row = at(in.row_begin[at(id)]);
+        const double before = in.epsilon[row];
         in.follow_length(id, ctx.bodies, h);
-        ctx.drive += in.elastic(id, ctx.bodies, h) - before;
+        // With the energy g²/2ε at the new compliance; at the old one it was ε_new/ε_old of it.
+        if (in.epsilon[row] != before)
+            ctx.drive += in.elastic(id, ctx.bodies, h) * (1.0 - in.epsilon[row] / before);
     }
 }
 
