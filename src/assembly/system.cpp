@@ -89,7 +89,7 @@ void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) 
     // Vector loads read up to seven entries past the end.
     constexpr std::size_t kSlack = 8;
     in.jacobian.resize(at(in.jac_size) + kSlack);
-    body_block_.resize(at(kBodyBlock * bodies.count()));
+    body_block_.resize(at(kBodyBlock * bodies.count()) + kSlack);
     geo_record_.assign(at(kGeoSize) * at(in.geo_count), 0.0);
     geo_force_.assign(at(kGeoForce) * at(in.geo_count), 0.0);
     for (int i = 0; i < in.count(); ++i)
