@@ -14,10 +14,11 @@ find_package(PNG QUIET)
 find_package(Python3 COMPONENTS Interpreter REQUIRED)
 include(GoogleTest)
 
-# Labels. `slow`: takes long. `program`: belongs to the programs. `fast` and
-# `fast-threads`: the rest, without and with threads in the code under test. The preset asan-ubsan
-# builds and runs both but for the tests of `observe`, whose library takes long to compile; tsan runs of `fast-threads` the tests that have threads in their name and
-# those of the thread pool. The targets hawser_fast_tests and hawser_thread_tests build them.
+# Labels. `slow`: takes long. `program`: belongs to the programs. `fast` and `fast-threads`: the
+# rest, without and with threads in the code under test. The preset asan-ubsan builds and runs
+# both but for the tests of `observe`, whose library takes long to compile; tsan runs of
+# `fast-threads` the tests that have threads in their name and those of the thread pool. The
+# targets hawser_fast_tests and hawser_thread_tests build them.
 set(HAWSER_SLOW_TESTS slow validate)
 set(HAWSER_PROGRAM_TESTS bench cli)
 set(HAWSER_THREAD_TESTS factor runtime stepper world)
