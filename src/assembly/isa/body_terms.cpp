@@ -140,7 +140,7 @@ void add_geometric(const View& view, std::int32_t body) {
 
 /// Eight rigid bodies in a row, none of them so near the end that vector loads leave the arrays.
 bool eight_rigid(const View& view, std::int32_t body) {
-    if (body + kLanes + 2 > view.body_count) return false;
+    if (body + kLanes + 2 > view.body_count || view.dof[body + kLanes] < 3) return false;
     for (int l = 0; l < kLanes; ++l)
         if (view.dof[body + l] != 6) return false;
     return true;

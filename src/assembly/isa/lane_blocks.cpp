@@ -149,8 +149,9 @@ void body_block(const View& view, const LaneOp& op, LanePlace out) {
     }
     for (int k = 0; k < 6; ++k) out.add(kLower[k][0], kLower[k][1], used * block[k]);
     if (op.dof_a < 6) return;
-    load_lanes(view.body_block + 6, op.from_a, block);
-    for (int k = 0; k < 6; ++k) out.add(3 + kLower[k][0], 3 + kLower[k][1], used * block[k]);
+    // The last eight of twelve: a vector must not end behind the array.
+    load_lanes(view.body_block + 4, op.from_a, block);
+    for (int k = 0; k < 6; ++k) out.add(3 + kLower[k][0], 3 + kLower[k][1], used * block[2 + k]);
 }
 
 void kept(const View& view, const LaneOp& op, LanePlace out) {
