@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "index.h"
 #include "linear/form.h"
 #include "linear/kernels.h"
 #include "linear/pieces.h"
@@ -98,7 +99,7 @@ void invert_sigma(const BlockSystem& s, const BlockForm& f, std::vector<double>&
             if (f.index[node] >= 0) continue;
             const int n = s.size(static_cast<int>(e));
             for (int i = 0; i < n; ++i)
-                inverse[static_cast<std::size_t>(s.offset[node] + i)] =
+                inverse[at(s.offset[node] + i)] =
                     -1.0 /
                     s.values[static_cast<std::size_t>(s.diagonal[node]) +
                              static_cast<std::size_t>(i) * (static_cast<std::size_t>(n) + 1)];

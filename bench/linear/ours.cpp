@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "factor/numeric.h"
+#include "index.h"
 #include "linear/solver.h"
 
 #include <fmt/core.h>
@@ -71,13 +72,11 @@ class Ours final : public Solver {
     void solve(std::vector<double>& x, base::Executor& executor) override {
         for (std::size_t a = 0; a < form_->kept.size(); ++a)
             for (int i = 0; i < form_->pattern.size[a]; ++i)
-                x_[static_cast<std::size_t>(symbolic_.node_offset[a] + i)] =
-                    x[static_cast<std::size_t>(form_->offset[a] + i)];
+                x_[at(symbolic_.node_offset[a] + i)] = x[at(form_->offset[a] + i)];
         numeric_.solve(symbolic_, x_.data(), executor);
         for (std::size_t a = 0; a < form_->kept.size(); ++a)
             for (int i = 0; i < form_->pattern.size[a]; ++i)
-                x[static_cast<std::size_t>(form_->offset[a] + i)] =
-                    x_[static_cast<std::size_t>(symbolic_.node_offset[a] + i)];
+                x[at(form_->offset[a] + i)] = x_[at(symbolic_.node_offset[a] + i)];
     }
     [[nodiscard]] double factor_nnz() const override {
         return static_cast<double>(symbolic_.factor_nnz);

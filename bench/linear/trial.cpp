@@ -132,6 +132,7 @@ Result try_variant(Problem& problem, const Variant& variant, int threads) {
 
 void time_updates(std::vector<std::unique_ptr<Candidate>>& candidates, std::vector<Result>& results,
                   const ProblemSource& source, const TrialOptions& options) {
+    if (!source.paper) return;  // only that scene has contacts to edit
     constexpr int kSteps = 3;
     for (const int count : options.edits) {
         std::vector<std::vector<double>> times(candidates.size());
