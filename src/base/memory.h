@@ -12,6 +12,14 @@ namespace hawser::base {
 
 inline constexpr std::size_t kAlign = 64;  ///< One cache line, one AVX-512 register.
 
+/// Arrays from this size on begin on a huge page and ask for huge pages [bytes]: a step of 100,000
+/// bodies passes through hundreds of megabytes, and would wait for page tables otherwise.
+inline constexpr std::size_t kHuge = std::size_t{1} << 22;
+inline constexpr std::size_t kHugePage = std::size_t{1} << 21;
+
+/// Advice only; without effect where the system has no such pages.
+void ask_for_huge_pages(void* begin, std::size_t bytes) noexcept;
+
 /// Standard allocator with 64-byte alignment.
 template <class T>
 struct AlignedAllocator {
@@ -20,9 +28,16 @@ struct AlignedAllocator {
     template <class U>
     constexpr AlignedAllocator(const AlignedAllocator<U>&) noexcept {}
     [[nodiscard]] T* allocate(std::size_t n) {
-        return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{kAlign}));
+        const std::size_t bytes = n * sizeof(T);
+        if (bytes < kHuge) return static_cast<T*>(::operator new(bytes, std::align_val_t{kAlign}));
+        void* const p = ::operator new(bytes, std::align_val_t{kHugePage});
+        ask_for_huge_pages(p, bytes);
+        return static_cast<T*>(p);
     }
-    void deallocate(T* p, std::size_t) noexcept { ::operator delete(p, std::align_val_t{kAlign}); }
+    void deallocate(T* p, std::size_t n) noexcept {
+        const bool huge = n * sizeof(T) >= kHuge;
+        ::operator delete(p, std::align_val_t{huge ? kHugePage : kAlign});
+    }
     friend bool operator==(const AlignedAllocator&, const AlignedAllocator&) { return true; }
 };
 
