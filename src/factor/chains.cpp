@@ -20,17 +20,19 @@ struct Run {
     double unit;          ///< Scalars of a unit, rows included, on average.
     std::int32_t start;   ///< Boundary scalars that the chain must carry from its freer end on.
     std::int32_t across;  ///< Boundary scalars that touch the whole wire (a deck under it).
+    double beside;        ///< Boundary scalars a body that touch the wire here and there.
 };
 
-/// Cycles of one step of eight lanes: p pivots over q rows. Measured on AVX-512; only ratios
-/// matter.
+/// Cycles of one step of eight lanes: p pivots over q rows. An estimate from counts of vector
+/// operations and the latency of a pivot, not a fit; only ratios matter.
 double step_cost(double p, double q) {
     const double n = p + q;
     return 250.0 + 0.5 * (p * p * p / 3.0 + p * p * q + p * q * q) + 3.0 * n * p;
 }
-/// Cycles of the fronts that one separator body costs, its part in fronts of hubs included.
+/// Cycles of the fronts that one separator body costs, its part in fronts of hubs included: about
+/// three times kFrontCost, since it touches two chains.
 constexpr double kSeparatorCost = 1500.0;
-/// Cycles of a unit eliminated in a front of its own.
+/// Cycles of a unit eliminated in a front of its own, from a profile of a chain of rigid links.
 constexpr double kFrontCost = 500.0;
 
 struct Piece {
@@ -72,8 +74,8 @@ double plan_cost(const std::vector<Run>& runs, const std::vector<Piece>& pieces,
         std::int32_t start = first ? run.start : w;
         if (first && !last) start = 0;  // turned round when the wire's end is the less free one
         if (last && !first) start = run.start > 0 ? w : 0;
-        shapes.push_back(
-            {static_cast<double>(w + start + run.across), run.unit, piece.to - piece.from});
+        shapes.push_back({w + start + run.across + run.beside * (piece.to - piece.from), run.unit,
+                          piece.to - piece.from});
         if (!last) total += kSeparatorCost * run.reach;
     }
     std::stable_sort(shapes.begin(), shapes.end(), [](const Shape& a, const Shape& b) {
@@ -94,7 +96,7 @@ double plan_cost(const std::vector<Run>& runs, const std::vector<Piece>& pieces,
 /// Facts about a run that its neighbourhood determines.
 Run describe(const Pattern& pattern, const BodyGraph& graph, const Wires& wires, std::int32_t begin,
              std::int32_t end) {
-    Run run{begin, end, 1, 0.0, 0, 0};
+    Run run{begin, end, 1, 0.0, 0, 0, 0.0};
     std::vector<std::int32_t> hubs, first, count;
     double scalars = 0.0;
     for (std::int32_t k = begin; k < end; ++k) {
@@ -125,6 +127,8 @@ Run describe(const Pattern& pattern, const BodyGraph& graph, const Wires& wires,
         const std::int32_t size = pattern.size[at(hubs[i])];
         if (count[i] > 4)
             run.across += size;
+        else if (first[i] > 2 && first[i] < end - begin - 2)
+            run.beside += static_cast<double>(size) / (end - begin);
         else
             (2 * first[i] < end - begin ? left : right) += size;
     }

@@ -78,6 +78,27 @@ TEST(Chains, LeaveWiresWholeThatFillTheLanesAlready) {
         EXPECT_EQ(s.batch_steps[static_cast<std::size_t>(b.step_begin)].q, 6);
 }
 
+/// A spine with a body beside every link: chains would have to carry all of them to their ends.
+TEST(Chains, AreNotMadeWhereTheyWouldCarryMuch) {
+    constexpr int kLinks = 800;
+    std::vector<std::int8_t> size, sign;
+    std::vector<std::int32_t> from, to;
+    for (int i = 0; i < kLinks; ++i) {
+        size.insert(size.end(), {6, 1});
+        sign.insert(sign.end(), {1, 1});
+        from.push_back(2 * i);
+        to.push_back(2 * i + 1);
+        if (i == 0) continue;
+        from.push_back(2 * i - 2);
+        to.push_back(2 * i);
+    }
+    const factor::Pattern pattern = factor::make_pattern(size, sign, from, to);
+    const factor::Symbolic s = factor::analyse(pattern, factor::plan_elimination(pattern));
+    for (const factor::Batch& b : s.batches) EXPECT_LE(b.most_q, 48);
+    // Without chains: 800 fronts of 7 over 6. Lanes may do eight times the flops in that time.
+    EXPECT_LE(s.flops, factor::kLaneCount * kLinks * factor::front_flops(7, 6));
+}
+
 TEST(Chains, AreNotMadeOfSmallThings) {
     EXPECT_EQ(factor::find_chains(ladder(1, 5, true).pattern).count(), 0);
     EXPECT_EQ(factor::find_chains(factor::Pattern{{}, {}, {0}, {}}).count(), 0);
