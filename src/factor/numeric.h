@@ -10,6 +10,7 @@
 #include "base/executor.h"
 #include "base/memory.h"
 #include "factor/kernels.h"
+#include "factor/partial.h"
 #include "factor/symbolic.h"
 
 #include <cstdint>
@@ -30,6 +31,14 @@ class Numeric {
 
     /// K = L D Lᵀ. @return number of pivots of the wrong sign or not finite (0 = success).
     [[nodiscard]] int factor(const Symbolic& symbolic, base::Executor& executor) noexcept;
+
+    /// Zero the panels of a part.
+    void clear(const Symbolic& symbolic, const DirtyParts& dirty,
+               base::Executor& executor) noexcept;
+    /// The factorisation of a part, the rest being that of the last one (partial.h). The structure
+    /// has its updates kept. @return wrong pivots in that part.
+    [[nodiscard]] int refactor(const Symbolic& symbolic, const DirtyParts& dirty,
+                               base::Executor& executor) noexcept;
 
     /// K x = b in place; x is in the permuted order (Symbolic::node_offset).
     void solve(const Symbolic& symbolic, double* x, base::Executor& executor) noexcept;

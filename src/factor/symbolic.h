@@ -18,8 +18,8 @@
 /// Fronts are numbered in postorder, so a subtree is a contiguous range of fronts, its pivots
 /// are a contiguous range of the permuted vector, and update matrices obey a stack
 /// discipline: fronts at even depth push on one stack, at odd depth on another, and a front's
-/// children lie on top of the other stack when it is reached. All addresses are therefore
-/// known here, and the numeric phase allocates nothing.
+/// children lie on top of the other stack when it is reached (partial.h gives each a place of its
+/// own instead). All addresses are therefore known here, and the numeric phase allocates nothing.
 ///
 /// Subtrees of roughly equal work are *tasks* that run in parallel; the fronts above them are
 /// the *top* and run last. Tasks depend on the tree alone, never on the number of threads.
@@ -96,6 +96,7 @@ struct Symbolic {
 
     std::int32_t scalars = 0;
     std::int64_t panel_size = 0, work_size = 0;  ///< Doubles.
+    bool updates_kept = false;                   ///< See partial.h.
     std::int32_t max_front = 0;                  ///< Largest ld.
     std::int64_t matrix_nnz = 0, factor_nnz = 0, flops = 0, critical_flops = 0;
 

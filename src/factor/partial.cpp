@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "factor/partial.h"
+
+#include "factor/kernels.h"
+#include "factor/numeric.h"
+
+#include <algorithm>
+
+namespace hawser::factor {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Where a front's panel ends, the gap behind it included: where the next one begins.
+std::int64_t panel_end(const Front& f) {
+    return f.panel + static_cast<std::int64_t>(f.ld) * f.p + (f.p + f.ldu > f.ld ? 8 : 0);
+}
+
+/// The panels of a batch are contiguous, step after step.
+PanelRange panel_of(const Symbolic& s, const Batch& batch) {
+    const BatchStep& last = s.batch_steps[at(batch.step_end - 1)];
+    return {s.batch_steps[at(batch.step_begin)].panel,
+            last.panel + static_cast<std::int64_t>(kLaneCount) * last.p * (last.p + last.q)};
+}
+
+}  // namespace
+
+void keep_updates(Symbolic& s) noexcept {
+    std::int64_t size = 0;
+    for (Front& f : s.fronts) {
+        f.update = size;
+        // Vector loads of an update matrix may read one vector past it.
+        size += static_cast<std::int64_t>(f.ldu) * f.q + 8;
+    }
+    s.work_size = size + 64;
+    s.updates_kept = true;
+}
+
+void DirtyParts::reserve(const Symbolic& s) {
+    const std::size_t n = s.fronts.size(), batches_n = s.batches.size();
+    if (front_mark_.size() < n) front_mark_.resize(n, 0);
+    if (batch_mark_.size() < batches_n) batch_mark_.resize(batches_n, 0);
+    fronts.reserve(n);
+    batches.reserve(batches_n);
+    panels.reserve(n + batches_n);
+    ranges.reserve(n);
+    tasks.reserve(s.tasks.size() + 1);
+}
+
+void DirtyParts::find(const Symbolic& s, std::span<const std::int32_t> columns) noexcept {
+    if (++epoch_ == 0) {  // after 2³² calls: no mark may look fresh
+        std::fill(front_mark_.begin(), front_mark_.end(), 0U);
+        std::fill(batch_mark_.begin(), batch_mark_.end(), 0U);
+        epoch_ = 1;
+    }
+    fronts.clear();
+    batches.clear();
+    panels.clear();
+    flops = 0;
+    for (const std::int32_t node : columns)
+        for (std::int32_t f = s.node_front[at(node)]; f >= 0 && front_mark_[at(f)] != epoch_;
+             f = s.fronts[at(f)].parent) {
+            front_mark_[at(f)] = epoch_;
+            const std::int32_t b = s.fronts[at(f)].batch;
+            if (b < 0) {
+                fronts.push_back(f);
+            } else if (batch_mark_[at(b)] != epoch_) {
+                batch_mark_[at(b)] = epoch_;
+                batches.push_back(b);
+            }
+        }
+    std::sort(fronts.begin(), fronts.end());
+    std::sort(batches.begin(), batches.end());
+    for (const std::int32_t f : fronts) {
+        const Front& front = s.fronts[at(f)];
+        add_panel(front.panel, panel_end(front));
+        flops += front_flops(front.p, front.q);
+    }
+    for (const std::int32_t b : batches) {
+        const PanelRange r = panel_of(s, s.batches[at(b)]);
+        add_panel(r.begin, r.end);
+        flops += s.batches[at(b)].flops;
+    }
+    make_ranges(s);
+}
+
+void DirtyParts::add_panel(std::int64_t begin, std::int64_t end) noexcept {
+    if (!panels.empty() && panels.back().end == begin)
+        panels.back().end = end;
+    else if (end > begin)
+        panels.push_back({begin, end});
+}
+
+void DirtyParts::make_ranges(const Symbolic& s) noexcept {
+    ranges.clear();
+    tasks.clear();
+    std::size_t task = 0;
+    for (const std::int32_t f : fronts) {
+        while (task < s.tasks.size() && s.tasks[task].end <= f) ++task;
+        const bool inside = task < s.tasks.size() && s.tasks[task].begin <= f;
+        const std::int32_t owner = inside ? static_cast<std::int32_t>(task) : -1;
+        if (!ranges.empty() && ranges.back().end == f && ranges.back().task == owner)
+            ++ranges.back().end;
+        else
+            ranges.push_back({f, f + 1, owner});
+    }
+    // Tasks first, so that the ranges of one are together; the top keeps its ascending order.
+    std::size_t top = 0;
+    for (const FrontRange& r : ranges) top += r.task < 0 ? 1 : 0;
+    std::sort(ranges.begin(), ranges.end(), [](const FrontRange& a, const FrontRange& b) {
+        return (a.task < 0) != (b.task < 0) ? b.task < 0 : a.begin < b.begin;
+    });
+    const std::size_t below = ranges.size() - top;
+    for (std::size_t k = 0; k < below; ++k)
+        if (k == 0 || ranges[k].task != ranges[k - 1].task)
+            tasks.push_back(static_cast<std::int32_t>(k));
+    tasks.push_back(static_cast<std::int32_t>(below));
+}
+
+void Numeric::clear(const Symbolic&, const DirtyParts& dirty, base::Executor& executor) noexcept {
+    auto zero = [&](int i, int) noexcept {
+        const PanelRange& r = dirty.panels[at(i)];
+        std::fill(panel_.begin() + r.begin, panel_.begin() + r.end, 0.0);
+    };
+    executor.for_each(static_cast<int>(dirty.panels.size()), zero);
+}
+
+int Numeric::refactor(const Symbolic& s, const DirtyParts& dirty,
+                      base::Executor& executor) noexcept {
+    const FactorView v = view(s);
+    const FactorKernels& kernels = factor_kernels();
+    const std::size_t batches = dirty.batches.size(), tasks = dirty.tasks.size() - 1;
+    auto batch = [&](int i, int thread) noexcept {
+        wrong_[at(i)] =
+            kernels.factor_batch(v, s.batches[at(dirty.batches[at(i)])], scratch(thread));
+    };
+    auto subtree = [&](int i, int thread) noexcept {
+        int wrong = 0;
+        for (std::int32_t k = dirty.tasks[at(i)]; k < dirty.tasks[at(i) + 1]; ++k)
+            wrong += kernels.factor(v, dirty.ranges[at(k)].begin, dirty.ranges[at(k)].end,
+                                    scratch(thread));
+        wrong_[batches + at(i)] = wrong;
+    };
+    executor.for_each(static_cast<int>(batches), batch);
+    executor.for_each(static_cast<int>(tasks), subtree);
+    int wrong = 0;
+    for (std::size_t i = 0; i < batches + tasks; ++i) wrong += wrong_[i];
+    for (std::size_t k = at(dirty.tasks.back()); k < dirty.ranges.size(); ++k)
+        wrong += kernels.factor(v, dirty.ranges[k].begin, dirty.ranges[k].end, scratch(0));
+    return wrong;
+}
+
+}  // namespace hawser::factor
