@@ -39,6 +39,7 @@ struct BatchStep {
     std::int32_t p = 0, q = 0;  ///< Pivot and update scalars, padding included; q in threes.
     std::int64_t slot = 0;      ///< First of its p pivots in the slot arrays.
     std::int64_t panel = 0;     ///< Offset into the panel array.
+    friend bool operator==(const BatchStep&, const BatchStep&) = default;
 };
 
 struct Batch {
@@ -49,6 +50,7 @@ struct Batch {
     std::int32_t front[kLaneCount] = {};  ///< Front of each lane, −1: lane unused.
     std::int64_t unused = 0;              ///< Padding pivots in all lanes.
     std::int64_t flops = 0;               ///< Of the lanes in use, padding included.
+    friend bool operator==(const Batch&, const Batch&) = default;
 };
 
 /// Group the chains, give every node its step and slot, and lay out the panels behind the

@@ -52,11 +52,13 @@ struct Front {
     std::int64_t panel = 0;                       ///< Offset into the panel array.
     std::int64_t update = 0;                      ///< Offset into the work array.
     std::int64_t rows = 0;  ///< Offset into Symbolic::rows (q entries) and of the solve's carry.
+    friend bool operator==(const Front&, const Front&) = default;
 };
 
 /// `length` update rows from `from` land on rows from `to` of the parent front.
 struct Run {
     std::int32_t from, to, length;
+    friend bool operator==(const Run&, const Run&) = default;
 };
 
 /// Where a block of the matrix goes: entry (i, j) at address + i step + j ld of the panel array.
@@ -70,6 +72,7 @@ struct BlockTarget {
 struct TaskRange {
     std::int32_t begin, end;
     std::int64_t flops;
+    friend bool operator==(const TaskRange&, const TaskRange&) = default;
 };
 
 struct Symbolic {
@@ -107,6 +110,7 @@ struct Symbolic {
     /// of one step share their place.
     [[nodiscard]] std::int64_t column_address(std::int32_t k) const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;
+    friend bool operator==(const Symbolic&, const Symbolic&) = default;
 };
 
 /// Flops of one front, multiply and add counted apart: Σ_k m(m+2), m rows below pivot k.

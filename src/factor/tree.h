@@ -1,37 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file tree.h
-/// Elimination tree, structure of the columns, supernodes and their amalgamation.
+/// Postorder, supernodes and their amalgamation.
 ///
-/// Tree: Liu, "The role of elimination trees in sparse factorization" (1990), with path
-/// compression. Structure: struct(k) = neighbours after k ∪ struct of its children. A
-/// supernode is a chain of nodes whose structures nest. Amalgamation then merges a front with
+/// A supernode is a chain of nodes whose structures nest. Amalgamation then merges a front with
 /// the child just before it when a simple model says that the zeros it adds cost less time
 /// than the front it saves (Ashcraft, Grimes, "The influence of relaxed supernode partitions
 /// on the multifrontal method", 1989).
 
+#include "factor/columns.h"
 #include "factor/pattern.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace hawser::factor {
 
 struct Supernodes {
-    std::vector<std::int32_t> begin;      ///< fronts + 1 positions: pivots of each front.
-    std::vector<std::int32_t> parent;     ///< Front, −1 at a root.
-    std::vector<std::int32_t> row_begin;  ///< fronts + 1 offsets into rows.
-    std::vector<std::int32_t> rows;       ///< Update nodes of each front as positions, ascending.
+    std::vector<std::int32_t> begin;   ///< fronts + 1 positions: pivots of each front.
+    std::vector<std::int32_t> parent;  ///< Front, −1 at a root.
 };
 
-/// Parent of each position in the elimination tree; −1 at a root.
-[[nodiscard]] std::vector<std::int32_t> elimination_tree(const Pattern& pattern,
-                                                         const std::vector<std::int32_t>& order);
+/// Turns columns into fronts; its buffers live as long as it does.
+class TreeBuilder {
+  public:
+    /// Make `order` a postorder of its own tree, children in the sequence they had, and
+    /// `position` its inverse.
+    void postorder(const Columns& columns, std::vector<std::int32_t>& order,
+                   std::vector<std::int32_t>& position);
 
-/// Build the tree, turn `order` into a postorder of it, and form amalgamated supernodes. The
-/// nodes of a chain (chains.h) are one front, whatever its shape. @param chain_of by node, −1: in
-/// no chain; empty: there are none.
-[[nodiscard]] Supernodes build_tree(const Pattern& pattern, std::vector<std::int32_t>& order,
-                                    const std::vector<std::int32_t>& chain_of = {});
+    /// Amalgamated supernodes of a postorder. The nodes of a chain (chains.h) are one front,
+    /// whatever its shape. @param chain_of  By node, −1: in no chain; empty: there are none.
+    void grow_fronts(const Pattern& pattern, const Columns& columns,
+                     std::span<const std::int32_t> order, std::span<const std::int32_t> position,
+                     std::span<const std::int32_t> chain_of, Supernodes& out);
+
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    struct Growing {
+        std::int32_t begin, end;  ///< Pivot positions.
+        std::int32_t p, q;        ///< Pivot and update scalars.
+        std::int32_t parent;      ///< Position of the last pivot's parent.
+        std::int32_t chain;
+        double time;  ///< Of the front alone, < 0: not known yet.
+    };
+    std::vector<Growing> growing_;
+    std::vector<std::int32_t> head_, next_, stack_, post_, front_at_;
+};
 
 }  // namespace hawser::factor

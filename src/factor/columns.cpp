@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "factor/columns.h"
+
+#include "base/memory.h"
+
+#include <algorithm>
+
+namespace hawser::factor {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// v[new] = old v[old_of_new[new]], `none` for new nodes.
+template <class T>
+void carry_over(std::vector<T>& v, std::span<const std::int32_t> old_of_new, T none) {
+    std::vector<T> carried(old_of_new.size(), none);
+    for (std::size_t k = 0; k < old_of_new.size(); ++k)
+        if (old_of_new[k] >= 0) carried[k] = v[at(old_of_new[k])];
+    v.swap(carried);
+}
+
+}  // namespace
+
+void Columns::resize(std::size_t nodes) {
+    parent_.resize(nodes, -1);
+    count_.resize(nodes, 0);
+    below_.resize(nodes, 0);
+    begin_.resize(nodes, 0);
+    stale_.resize(nodes, 0);
+    moved_.resize(nodes, 0);
+}
+
+void Columns::build(const Pattern& pattern, std::span<const std::int32_t> order,
+                    std::span<const std::int32_t> position) {
+    resize(order.size());
+    pool_.clear();
+    live_ = 0;
+    std::fill(count_.begin(), count_.end(), 0);
+    std::fill(parent_.begin(), parent_.end(), -1);
+    std::fill(stale_.begin(), stale_.end(), std::uint8_t{1});
+    pass(pattern, order, position);
+}
+
+void Columns::renumber(std::span<const std::int32_t> old_of_new, std::int32_t old_nodes) {
+    std::vector<std::int32_t> new_of_old(at(old_nodes), -1);
+    for (std::size_t k = 0; k < old_of_new.size(); ++k)
+        if (old_of_new[k] >= 0) new_of_old[at(old_of_new[k])] = static_cast<std::int32_t>(k);
+    for (std::size_t v = 0; v < new_of_old.size(); ++v) {
+        if (new_of_old[v] >= 0) continue;
+        if (parent_[v] >= 0) stale_[at(parent_[v])] = 1;
+        live_ -= count_[v];
+    }
+    carry_over(parent_, old_of_new, std::int32_t{-1});
+    carry_over(count_, old_of_new, 0);
+    carry_over(below_, old_of_new, 0);
+    carry_over(begin_, old_of_new, std::int64_t{0});
+    carry_over(stale_, old_of_new, std::uint8_t{0});
+    carry_over(moved_, old_of_new, std::uint8_t{0});
+    for (std::int32_t& p : parent_)
+        if (p >= 0) p = new_of_old[at(p)];
+    // A node that went leaves −1 in the columns that held it: they are all found stale.
+    for (std::size_t v = 0; v < count_.size(); ++v)
+        for (std::int32_t i = 0; i < count_[v]; ++i) {
+            std::int32_t& u = pool_[static_cast<std::size_t>(begin_[v] + i)];
+            if (u >= 0) u = new_of_old[at(u)];
+        }
+}
+
+void Columns::mark_moved(const Pattern& pattern, std::int32_t node) {
+    moved_[at(node)] = stale_[at(node)] = 1;
+    if (parent_[at(node)] >= 0) stale_[at(parent_[at(node)])] = 1;
+    for (const std::int32_t u : pattern.neighbours(node)) stale_[at(u)] = 1;
+}
+
+void Columns::repair(const Pattern& pattern, std::span<const std::int32_t> order,
+                     std::span<const std::int32_t> position) {
+    pass(pattern, order, position);
+    if (static_cast<std::int64_t>(pool_.size()) > 2 * live_ + 1024) compact();
+}
+
+void Columns::pass(const Pattern& pattern, std::span<const std::int32_t> order,
+                   std::span<const std::int32_t> position) {
+    const std::size_t n = order.size();
+    head_.assign(n, -1);
+    next_.resize(n);
+    mark_.assign(n, -1);
+    computed_ = 0;
+    for (const std::int32_t v : order) {
+        if (stale_[at(v)]) compute(pattern, order, position, v);
+        const std::int32_t p = parent_[at(v)];
+        if (p < 0) continue;
+        next_[at(v)] = head_[at(p)];
+        head_[at(p)] = v;
+    }
+    std::fill(moved_.begin(), moved_.end(), std::uint8_t{0});
+}
+
+void Columns::compute(const Pattern& pattern, std::span<const std::int32_t> order,
+                      std::span<const std::int32_t> position, std::int32_t node) {
+    ++computed_;
+    stale_[at(node)] = 0;
+    found_.clear();
+    std::int32_t below = 0;
+    const std::int32_t own = position[at(node)];
+    auto take = [&](std::int32_t u) {
+        const std::int32_t p = position[at(u)];
+        if (p <= own || mark_[at(u)] == node) return;
+        mark_[at(u)] = node;
+        found_.push_back(p);
+        below += pattern.size[at(u)];
+    };
+    // Children first: one child's rows are sorted already.
+    for (std::int32_t c = head_[at(node)]; c >= 0; c = next_[at(c)])
+        for (const std::int32_t u : rows(c)) take(u);
+    for (const std::int32_t u : pattern.neighbours(node)) take(u);
+    if (!std::is_sorted(found_.begin(), found_.end())) std::sort(found_.begin(), found_.end());
+    for (std::int32_t& p : found_) p = order[at(p)];
+    below_[at(node)] = below;
+    if (same_as_before(node)) return;
+    const std::int32_t before = parent_[at(node)];
+    if (before >= 0) stale_[at(before)] = 1;
+    store(node);
+    parent_[at(node)] = found_.empty() ? -1 : found_.front();
+    if (!found_.empty()) stale_[at(found_.front())] = 1;
+}
+
+bool Columns::same_as_before(std::int32_t node) const noexcept {
+    const std::span<const std::int32_t> old = rows(node);
+    // Rows in the same sequence may still stand at another place of the parent's.
+    return !moved_[at(node)] && std::equal(old.begin(), old.end(), found_.begin(), found_.end()) &&
+           std::none_of(old.begin(), old.end(), [&](std::int32_t u) { return moved_[at(u)] != 0; });
+}
+
+void Columns::store(std::int32_t node) {
+    const auto count = static_cast<std::int32_t>(found_.size());
+    live_ += count - count_[at(node)];
+    if (count > count_[at(node)]) {
+        begin_[at(node)] = static_cast<std::int64_t>(pool_.size());
+        pool_.insert(pool_.end(), found_.begin(), found_.end());
+    } else {
+        std::copy(found_.begin(), found_.end(), pool_.begin() + begin_[at(node)]);
+    }
+    count_[at(node)] = count;
+}
+
+void Columns::compact() {
+    spare_.clear();
+    for (std::size_t v = 0; v < count_.size(); ++v) {
+        const auto first = pool_.begin() + begin_[v];
+        begin_[v] = static_cast<std::int64_t>(spare_.size());
+        spare_.insert(spare_.end(), first, first + count_[v]);
+    }
+    pool_.swap(spare_);
+}
+
+std::size_t Columns::bytes() const noexcept {
+    return base::bytes(parent_) + base::bytes(count_) + base::bytes(below_) + base::bytes(begin_) +
+           base::bytes(pool_) + base::bytes(spare_) + base::bytes(found_) + base::bytes(head_) +
+           base::bytes(next_) + base::bytes(mark_) + base::bytes(stale_) + base::bytes(moved_);
+}
+
+}  // namespace hawser::factor

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "factor/layout.h"
+
+#include "factor/partial.h"
+
+#include <algorithm>
+
+namespace hawser::factor {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+constexpr std::int32_t round8(std::int32_t n) { return (n + 7) & ~7; }
+
+/// Empty, with the capacity of every array kept.
+void reset(Symbolic& s) {
+    s.children.clear();
+    s.rows.clear();
+    s.runs.clear();
+    s.tasks.clear();
+    s.top.clear();
+    s.batches.clear();
+    s.batch_steps.clear();
+    s.slot_sign.clear();
+    s.slot_index.clear();
+    s.tail_slot.clear();
+    s.node_step.clear();
+    s.node_slot.clear();
+    s.batch_scratch = s.panel_size = s.work_size = 0;
+    s.scalars = s.max_front = 0;
+    s.matrix_nnz = s.factor_nnz = s.flops = s.critical_flops = 0;
+}
+
+/// The last pivot's node: its structure covers every pivot's rows behind the front.
+std::int32_t last_node(const Symbolic& s, const Front& front) {
+    return s.order[at(front.node_end - 1)];
+}
+
+/// Flops of the steps that a chain takes part in.
+std::int64_t chain_flops(const Symbolic& s, const Front& front) {
+    const Batch& batch = s.batches[at(front.batch)];
+    std::int64_t flops = 0;
+    for (std::int32_t k = batch.step_begin; k < batch.step_end; ++k)
+        flops += front_flops(s.batch_steps[at(k)].p, s.batch_steps[at(k)].q);
+    return flops;
+}
+
+}  // namespace
+
+void Layout::place_nodes(const Pattern& pattern, Symbolic& s) {
+    const std::size_t n = s.order.size();
+    s.node_offset.resize(n);
+    for (const std::int32_t v : s.order) {
+        s.node_offset[at(v)] = s.scalars;
+        s.scalars += pattern.size[at(v)];
+    }
+    s.sign.resize(at(s.scalars));
+    std::int8_t* sign = s.sign.data();
+    for (const std::int32_t v : s.order)
+        sign = std::fill_n(sign, pattern.size[at(v)], pattern.sign[at(v)]);
+    for (std::size_t v = 0; v < n; ++v) {
+        const std::int32_t d = pattern.size[v];
+        std::int32_t beside = 0;
+        for (const std::int32_t u : pattern.neighbours(static_cast<int>(v)))
+            beside += u > static_cast<std::int32_t>(v) ? pattern.size[at(u)] : 0;
+        s.matrix_nnz += d * (d + 1) / 2 + static_cast<std::int64_t>(d) * beside;
+    }
+}
+
+/// Fill in sizes, addresses, update rows.
+void Layout::lay_out_fronts(const Pattern& pattern, const Columns& columns, Symbolic& s) {
+    const std::size_t count = supernodes_.parent.size();
+    s.fronts.resize(count);
+    s.node_front.resize(s.order.size());
+    std::int64_t rows = 0;
+    for (std::size_t f = 0; f < count; ++f) {
+        Front& front = s.fronts[f];
+        front = Front{};
+        front.node_begin = supernodes_.begin[f];
+        front.node_end = supernodes_.begin[f + 1];
+        front.parent = supernodes_.parent[f];
+        front.offset = s.node_offset[at(s.order[at(front.node_begin)])];
+        for (std::int32_t k = front.node_begin; k < front.node_end; ++k) {
+            front.p += pattern.size[at(s.order[at(k)])];
+            s.node_front[at(s.order[at(k)])] = static_cast<std::int32_t>(f);
+        }
+        front.q = columns.below(last_node(s, front));
+        front.rows = rows;
+        rows += front.q;
+        front.ld = round8(front.p + front.q);
+        front.ldu = round8(front.q);
+        if (!chain_of_.empty() && chain_of_[at(s.order[at(front.node_begin)])] >= 0) {
+            front.batch = 0;  // lay_out_batches() gives the right one, and the panel
+            continue;
+        }
+        front.panel = s.panel_size;
+        s.panel_size += static_cast<std::int64_t>(front.ld) * front.p;
+        // Vector loads of the update rows then end behind the last column: into a gap, not into
+        // the next panel, which another task may be writing.
+        if (front.p + front.ldu > front.ld) s.panel_size += 8;
+        s.max_front = std::max(s.max_front, front.ld);
+        s.factor_nnz += static_cast<std::int64_t>(front.p) * (front.p + 1) / 2 +
+                        static_cast<std::int64_t>(front.p) * front.q;
+        s.flops += front_flops(front.p, front.q);
+    }
+    s.panel_size += 64;  // vector loads may read past the last column
+    s.rows.resize(at(rows));
+    std::int32_t* row = s.rows.data();
+    for (const Front& front : s.fronts)
+        for (const std::int32_t v : columns.rows(last_node(s, front)))
+            for (std::int32_t c = 0; c < pattern.size[at(v)]; ++c)
+                *row++ = s.node_offset[at(v)] + c;
+}
+
+void Layout::link_children(const Pattern& pattern, const Columns& columns, Symbolic& s) {
+    const std::size_t count = s.fronts.size();
+    for (const Front& f : s.fronts)
+        if (f.parent >= 0) ++s.fronts[at(f.parent)].child_end;
+    std::int32_t sum = 0;
+    cursor_.resize(count);
+    for (std::size_t f = 0; f < count; ++f) {
+        Front& front = s.fronts[f];
+        cursor_[f] = front.child_begin = sum;
+        sum += front.child_end;
+        front.child_end = sum;
+    }
+    s.children.resize(at(sum));
+    for (std::size_t f = 0; f < count; ++f)
+        if (const std::int32_t p = s.fronts[f].parent; p >= 0)
+            s.children[at(cursor_[at(p)]++)] = static_cast<std::int32_t>(f);
+    for (Front& front : s.fronts) {
+        front.run_begin = front.run_end = static_cast<std::int32_t>(s.runs.size());
+        if (front.parent < 0) continue;
+        find_runs(pattern, columns, front, s);
+        front.run_end = static_cast<std::int32_t>(s.runs.size());
+    }
+}
+
+/// Where the update rows of a front land in its parent.
+void Layout::find_runs(const Pattern& pattern, const Columns& columns, Front& front, Symbolic& s) {
+    const Front& parent = s.fronts[at(front.parent)];
+    const auto own = columns.rows(last_node(s, front));
+    const auto theirs = columns.rows(last_node(s, parent));
+    const std::int32_t* scalars = s.rows.data() + parent.rows;
+    // Both lists ascend: walk along, or search where the parent's is much the longer one.
+    const bool walk = theirs.size() <= 8 * own.size();
+    std::int32_t from = 0, behind = parent.p;
+    std::size_t next = 0;
+    for (const std::int32_t v : own) {
+        const std::int32_t offset = s.node_offset[at(v)], size = pattern.size[at(v)];
+        std::int32_t to = offset - parent.offset;
+        if (to >= parent.p) {
+            if (walk) {
+                while (theirs[next] != v) behind += pattern.size[at(theirs[next++])];
+                to = behind;
+            } else {
+                to =
+                    parent.p + static_cast<std::int32_t>(
+                                   std::lower_bound(scalars, scalars + parent.q, offset) - scalars);
+            }
+        }
+        // A run stays on one side of the parent's pivot boundary: its columns then lie
+        // wholly in the panel or wholly in the update matrix.
+        if (static_cast<std::int32_t>(s.runs.size()) > front.run_begin && to != parent.p &&
+            s.runs.back().to + s.runs.back().length == to)
+            s.runs.back().length += size;
+        else
+            s.runs.push_back({from, to, size});
+        from += size;
+    }
+}
+
+/// Split the tree into parallel tasks and a serial top. Targets depend on the tree alone.
+void Layout::choose_tasks(Symbolic& s) {
+    const std::size_t count = s.fronts.size();
+    subtree_.assign(count, 0);
+    path_.assign(count, 0);
+    std::int64_t total = 0;
+    for (std::size_t f = 0; f < count; ++f) {
+        const Front& front = s.fronts[f];
+        // The constant stands for the work per front that flops do not show. A chain's work is
+        // done before the tasks.
+        const bool chain = front.batch >= 0;
+        const std::int64_t own = chain ? 0 : front_flops(front.p, front.q);
+        subtree_[f] += own + (chain ? 0 : 600);
+        path_[f] += chain ? chain_flops(s, front) : own;
+        s.critical_flops = std::max(s.critical_flops, path_[f]);
+        if (front.parent < 0) {
+            total += subtree_[f];
+            continue;
+        }
+        subtree_[at(front.parent)] += subtree_[f];
+        path_[at(front.parent)] = std::max(path_[at(front.parent)], path_[f]);
+    }
+    constexpr std::int64_t kParts = 48, kSmallest = 40'000;
+    const std::int64_t target = std::max(total / kParts, kSmallest);
+    // Top: every front whose subtree is larger than the target.
+    std::int32_t begin = 0;
+    std::int64_t work = 0;
+    auto close = [&](std::int32_t end) {
+        if (end > begin) s.tasks.push_back({begin, end, work});
+        begin = end;
+        work = 0;
+    };
+    for (std::size_t f = 0; f < count; ++f) {
+        const auto id = static_cast<std::int32_t>(f);
+        if (subtree_[f] > target) {
+            close(id);
+            s.top.push_back(id);
+            begin = id + 1;
+        } else if (s.fronts[f].parent < 0 || subtree_[at(s.fronts[f].parent)] > target) {
+            work += subtree_[f];
+            if (work >= target / 2) close(id + 1);
+        }
+    }
+    close(static_cast<std::int32_t>(count));
+}
+
+/// Addresses of the update matrices: two stacks for each task, by parity of depth.
+void Layout::place_updates(Symbolic& s) {
+    const std::size_t count = s.fronts.size();
+    task_.assign(count, -1);
+    for (std::size_t t = 0; t < s.tasks.size(); ++t)
+        std::fill(task_.begin() + s.tasks[t].begin, task_.begin() + s.tasks[t].end,
+                  static_cast<std::int32_t>(t));
+    parity_.assign(count, 0);
+    for (std::size_t f = count; f-- > 0;)
+        if (s.fronts[f].parent >= 0) parity_[f] = parity_[at(s.fronts[f].parent)] ^ 1;
+    const std::size_t stacks = 2 * (s.tasks.size() + 1);
+    height_.assign(stacks, 0);
+    peak_.assign(stacks, 0);
+    auto stack_of = [&](std::size_t f) {
+        return 2 * at(task_[f] + 1) + parity_[f];  // −1 + 1: 0 is the top
+    };
+    std::int64_t shared = 0;  // updates handed from a task to the top
+    crosses_.assign(count, 0);
+    auto size_of = [&](const Front& f) { return static_cast<std::int64_t>(f.ldu) * f.q; };
+    for (std::size_t f = 0; f < count; ++f) {
+        Front& front = s.fronts[f];
+        for (std::int32_t c = front.child_begin; c < front.child_end; ++c) {
+            const std::size_t child = at(s.children[at(c)]);
+            if (!crosses_[child]) height_[stack_of(child)] -= size_of(s.fronts[child]);
+        }
+        // All chains are done before any task: their updates wait outside the stacks.
+        crosses_[f] =
+            front.parent >= 0 && (front.batch >= 0 || task_[at(front.parent)] != task_[f]);
+        if (crosses_[f]) {
+            front.update = shared;
+            shared += size_of(front);
+            continue;
+        }
+        const std::size_t k = stack_of(f);
+        front.update = height_[k];
+        if (front.parent >= 0) height_[k] += size_of(front);
+        peak_[k] = std::max(peak_[k], front.update + size_of(front));
+    }
+    base_.resize(stacks);
+    std::int64_t end = shared;
+    for (std::size_t k = 0; k < stacks; ++k) {
+        base_[k] = end;
+        // At least one vector between stacks, for the same reason.
+        end += (peak_[k] + 8 + 63) & ~std::int64_t{63};
+    }
+    for (std::size_t f = 0; f < count; ++f)
+        if (!crosses_[f]) s.fronts[f].update += base_[stack_of(f)];
+    s.work_size = end + 64;
+}
+
+void Layout::run(const Pattern& pattern, const Columns& columns, const Chains& chains,
+                 Symbolic& s) {
+    reset(s);
+    chain_of_.clear();
+    if (chains.count() > 0) {
+        chain_of_.resize(s.order.size(), -1);
+        for (int c = 0; c < chains.count(); ++c)
+            for (std::int32_t u = chains.begin[at(c)]; u < chains.begin[at(c) + 1]; ++u)
+                for (const std::int32_t v : chains.unit(u)) chain_of_[at(v)] = c;
+    }
+    tree_.postorder(columns, s.order, s.position);
+    tree_.grow_fronts(pattern, columns, s.order, s.position, chain_of_, supernodes_);
+    place_nodes(pattern, s);
+    lay_out_fronts(pattern, columns, s);
+    front_of_chain_.clear();
+    for (int c = 0; c < chains.count(); ++c)
+        front_of_chain_.push_back(s.node_front[at(chains.unit(chains.begin[at(c)])[0])]);
+    lay_out_batches(pattern, chains, front_of_chain_, s);
+    link_children(pattern, columns, s);
+    choose_tasks(s);
+    if (s.updates_kept)
+        keep_updates(s);
+    else
+        place_updates(s);
+}
+
+std::size_t Layout::bytes() const noexcept {
+    return tree_.bytes() + base::bytes(supernodes_.begin) + base::bytes(supernodes_.parent) +
+           base::bytes(chain_of_) + base::bytes(front_of_chain_) + base::bytes(cursor_) +
+           base::bytes(task_) + base::bytes(subtree_) + base::bytes(path_) + base::bytes(height_) +
+           base::bytes(peak_) + base::bytes(base_) + base::bytes(parity_) + base::bytes(crosses_);
+}
+
+}  // namespace hawser::factor

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file layout.h
+/// From the structure of the columns to addresses: fronts, rows, runs, tasks, update matrices.
+
+#include "factor/columns.h"
+#include "factor/symbolic.h"
+#include "factor/tree.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace hawser::factor {
+
+/// Lays out a Symbolic. A used one needs no memory for a structure of about the same size.
+class Layout {
+  public:
+    /// @param symbolic  order is an order of elimination with these columns, position its inverse;
+    ///        the rest is overwritten, `updates_kept` obeyed.
+    void run(const Pattern& pattern, const Columns& columns, const Chains& chains,
+             Symbolic& symbolic);
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    void place_nodes(const Pattern& pattern, Symbolic& s);
+    void lay_out_fronts(const Pattern& pattern, const Columns& columns, Symbolic& s);
+    void link_children(const Pattern& pattern, const Columns& columns, Symbolic& s);
+    void find_runs(const Pattern& pattern, const Columns& columns, Front& front, Symbolic& s);
+    void choose_tasks(Symbolic& s);
+    void place_updates(Symbolic& s);
+
+    TreeBuilder tree_;
+    Supernodes supernodes_;
+    std::vector<std::int32_t> chain_of_, front_of_chain_, cursor_, task_;
+    std::vector<std::int64_t> subtree_, path_, height_, peak_, base_;
+    std::vector<std::uint8_t> parity_, crosses_;
+};
+
+}  // namespace hawser::factor
