@@ -222,6 +222,67 @@ HAWSER_INLINE void sums(const V8* v, double* out) {
 #endif
 }
 
+#if defined(__AVX512F__)
+/// Lanes in [begin, end), which may lie outside 0 … 7.
+HAWSER_INLINE __mmask8 lane_mask(int begin, int end) {
+    const __m512i index = _mm512_set_epi64(7, 6, 5, 4, 3, 2, 1, 0);
+    return _mm512_cmplt_epi64_mask(index, _mm512_set1_epi64(end)) &
+           _mm512_cmpge_epi64_mask(index, _mm512_set1_epi64(begin));
+}
+HAWSER_INLINE __mmask8 first_mask(int n) {
+    return static_cast<__mmask8>(n >= kLanes ? 0xff : (1 << n) - 1);
+}
+#endif
+// The following touch no memory but that of their lanes.
+/// p[0..n), n > 0; zero in other lanes.
+HAWSER_INLINE V8 load_first(const double* p, int n) {
+#if defined(__AVX512F__)
+    return _mm512_maskz_loadu_pd(first_mask(n), p);
+#else
+    double v[kLanes] = {};
+    for (int i = 0; i < kLanes && i < n; ++i) v[i] = p[i];
+    return load(v);
+#endif
+}
+/// p[i] = lane i for begin ≤ i < end.
+HAWSER_INLINE void store_lanes(double* p, const V8& v, int begin, int end) {
+#if defined(__AVX512F__)
+    _mm512_mask_storeu_pd(p, lane_mask(begin, end), v);
+#else
+    if (begin <= 0 && end >= kLanes) return store(p, v);
+    double lanes[kLanes];
+    store(lanes, v);
+    for (int i = begin > 0 ? begin : 0; i < kLanes && i < end; ++i) p[i] = lanes[i];
+#endif
+}
+/// Lane i = x[index[i]] for begin ≤ i < end, 0 elsewhere.
+HAWSER_INLINE V8 gather_range(const double* x, const std::int32_t* index, int begin, int end) {
+#if defined(__AVX512F__)
+    const __mmask8 used = lane_mask(begin, end);
+    const __m256i i = _mm256_maskz_loadu_epi32(used, index);
+    return _mm512_mask_i32gather_pd(_mm512_setzero_pd(), used, i, x, 8);
+#else
+    double v[kLanes] = {};
+    for (int i = begin > 0 ? begin : 0; i < kLanes && i < end; ++i) v[i] = x[index[i]];
+    return load(v);
+#endif
+}
+/// to[0..n) += from[0..n), n > 0, at most eight of them.
+HAWSER_INLINE void add_first(double* to, const double* from, int n) {
+#if defined(__AVX512F__)
+    const __mmask8 keep = first_mask(n);
+    const __m512d sum =
+        _mm512_add_pd(_mm512_maskz_loadu_pd(keep, to), _mm512_maskz_loadu_pd(keep, from));
+    _mm512_mask_storeu_pd(to, keep, sum);
+#else
+    int i = 0;
+    if (n > kLanes) n = kLanes;
+    for (; i + kPartLanes <= n; i += kPartLanes)
+        *reinterpret_cast<Part*>(to + i) += *reinterpret_cast<const Part*>(from + i);
+    for (; i < n; ++i) to[i] += from[i];
+#endif
+}
+
 /// Turn eight vectors round: lane j of v[i] becomes lane i of v[j].
 HAWSER_INLINE void transpose(V8 (&v)[kLanes]) {
 #if defined(__AVX512F__)

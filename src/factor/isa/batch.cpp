@@ -171,8 +171,6 @@ void store_tails(const FactorView& view, const Batch& batch, const double* windo
                 column[i] = window[tile_at(r / kTile, c / kTile) +
                                    8 * (kTile * (r % kTile) + c % kTile) + lane];
             }
-            // Whole vectors are added into the parent.
-            for (int i = front.q; i < front.ldu; ++i) column[i] = 0.0;
         }
     }
 }

@@ -8,9 +8,8 @@
 
 #include "base/simd.h"
 #include "factor/isa/batch.h"
+#include "factor/isa/substitution.h"
 #include "factor/symbolic.h"
-
-#include <cstring>
 
 namespace hawser::HAWSER_ISA {
 namespace {
@@ -88,14 +87,15 @@ inline int factor_columns(double* panel, long ld, int k0, int count, double* w, 
     }
 }
 
-/// C(:, 0..cols) −= L · Wᵀ for `cols` columns whose rows in l and w start at row0. The lower
-/// triangle is what counts; rows above it in the same vector are computed and never read.
-template <int kCols>
+/// C(:, 0..cols) −= L · Wᵀ for `cols` columns whose rows in l and w start at row0, or C = −L · Wᵀ
+/// where C holds nothing yet. The lower triangle is what counts; rows above it in the same vector
+/// are computed and never read.
+template <int kCols, bool kFirst>
 inline void update_columns(double* c, long ldc, const double* l, const double* w, long ld,
                            int depth, int from, int rows) {
     for (int i = from; i < rows; i += 8) {
         V8 acc[kCols];
-        for (int j = 0; j < kCols; ++j) acc[j] = load(c + j * ldc + i);
+        for (int j = 0; j < kCols; ++j) acc[j] = kFirst ? V8{} : load(c + j * ldc + i);
         for (int k = 0; k < depth; ++k) {
             const V8 v = load(l + k * ld + i);
             for (int j = 0; j < kCols; ++j) acc[j] -= v * w[k * ld + j];
@@ -106,11 +106,12 @@ inline void update_columns(double* c, long ldc, const double* l, const double* w
 
 /// Symmetric update of the columns [begin, end) of a matrix whose row r lies at l + r. The last
 /// columns go together, however many: a column alone waits for its own chain of sums.
+template <bool kFirst>
 inline void update_block(double* c, long ldc, const double* l, const double* w, long ld, int depth,
                          int begin, int end, int rows) {
     int j = begin;
     auto columns = [&]<int N>() {
-        update_columns<N>(c + j * ldc, ldc, l, w + j, ld, depth, j & ~7, rows);
+        update_columns<N, kFirst>(c + j * ldc, ldc, l, w + j, ld, depth, j & ~7, rows);
         j += N;
     };
     while (end - j >= 8) columns.template operator()<8>();
@@ -141,32 +142,34 @@ inline void update_block(double* c, long ldc, const double* l, const double* w, 
     }
 }
 
-/// to[0..n) += from[0..n). Whole vectors while they end before to + room: their surplus lanes
-/// add zero to entries of the same column.
-inline void add_run(double* to, const double* from, int n, int room) {
-    int i = 0;
-    for (; i < n && i + 8 <= room; i += 8)
-        store(to + i, load(to + i) + first_lanes(load(from + i), n - i));
-    for (; i < n; ++i) to[i] += from[i];
+/// to(0..rows, 0..columns) += from(0..rows, 0..columns).
+inline void add_block(double* to, long ld_to, const double* from, long ld_from, int rows,
+                      int columns) {
+    for (int i = 0; i < rows; i += 8) {
+        for (int c = 0; c < columns; ++c)
+            add_first(to + c * ld_to + i, from + c * ld_from + i, rows - i);
+    }
 }
 
-/// Add a child's update matrix into the front.
-inline void extend_add(const FactorView& view, const Front& child, const Front& front,
-                       double* panel, double* update) {
-    const double* u = view.work + child.update;
-    const Run* end = view.runs + child.run_end;
-    for (const Run* run = view.runs + child.run_begin; run != end; ++run) {
-        for (int c = 0; c < run->length; ++c) {
-            const double* source = u + static_cast<long>(run->from + c) * child.ldu;
-            const int column = run->to + c;
-            const bool pivot = column < front.p;
-            const int height = pivot ? front.ld : front.p + front.ldu;
-            double* target =
-                pivot ? panel + static_cast<long>(column) * front.ld
-                      : update + static_cast<long>(column - front.p) * front.ldu - front.p;
-            add_run(target + column, source + run->from + c, run->length - c, height - column);
-            for (const Run* r = run + 1; r != end; ++r)
-                add_run(target + r->to, source + r->from, r->length, height - r->to);
+/// Add the columns of children's update matrices that are pivots of the front, or those that are
+/// not. A run of columns meets the runs of rows at and behind it in dense blocks; the triangle
+/// above the diagonal of the first comes along and is never read.
+template <bool kPivots>
+inline void extend_add(const FactorView& view, const Front& front, double* panel, double* update) {
+    const long ld = kPivots ? front.ld : front.ldu;
+    double* target = kPivots ? panel : update - front.p - static_cast<long>(front.p) * ld;
+    for (std::int32_t i = front.child_begin; i < front.child_end; ++i) {
+        const Front& child = view.fronts[view.children[i]];
+        const double* u = view.work + child.update;
+        const Run* end = view.runs + child.run_end;
+        const Run* run = view.runs + child.run_begin;
+        if constexpr (!kPivots)
+            while (run != end && run->to < front.p) ++run;
+        for (; run != end && (!kPivots || run->to < front.p); ++run) {
+            double* to = target + run->to * ld;
+            const double* from = u + static_cast<long>(run->from) * child.ldu;
+            for (const Run* r = run; r != end; ++r)
+                add_block(to + r->to, ld, from + r->from, child.ldu, r->length, run->length);
         }
     }
 }
@@ -179,168 +182,25 @@ int factor_fronts(const FactorView& view, std::int32_t begin, std::int32_t end,
         if (front.batch >= 0) continue;
         double* panel = view.panel + front.panel;
         double* update = view.work + front.update;
-        std::memset(update, 0,
-                    sizeof(double) * static_cast<unsigned long>(front.ldu) *
-                        static_cast<unsigned long>(front.q));
-        for (std::int32_t c = front.child_begin; c < front.child_end; ++c)
-            extend_add(view, view.fronts[view.children[c]], front, panel, update);
+        extend_add<true>(view, front, panel, update);
         for (int k0 = 0; k0 < front.p; k0 += kBlock) {
             const int k1 = k0 + kBlock < front.p ? k0 + kBlock : front.p;
             wrong += factor_columns(panel, front.ld, k0, k1 - k0, scratch,
                                     view.pivot + front.offset, view.sign + front.offset);
             const double* l = panel + static_cast<long>(k0) * front.ld;
-            update_block(panel, front.ld, l, scratch, front.ld, k1 - k0, k1, front.p, front.ld);
-            update_block(update, front.ldu, l + front.p, scratch + front.p, front.ld, k1 - k0, 0,
-                         front.q, front.ldu);
+            if (k1 < front.p)
+                update_block<false>(panel, front.ld, l, scratch, front.ld, k1 - k0, k1, front.p,
+                                    front.ld);
+            if (k0 == 0)
+                update_block<true>(update, front.ldu, l + front.p, scratch + front.p, front.ld,
+                                   k1 - k0, 0, front.q, front.ldu);
+            else
+                update_block<false>(update, front.ldu, l + front.p, scratch + front.p, front.ld,
+                                    k1 - k0, 0, front.q, front.ldu);
         }
+        extend_add<false>(view, front, panel, update);
     }
     return wrong;
-}
-
-/// y −= Σ_k L_k y_k, columns in order, for a panel of any height.
-inline void forward_panel(const double* panel, long ld, int p, double* y) {
-    for (int k = 0; k < p; ++k) {
-        const double* column = panel + k * ld;
-        const double yk = y[k];
-        for (long i = k & ~7; i < ld; i += 8) store(y + i, load(y + i) - yk * load(column + i));
-    }
-}
-
-/// The same for a panel of NV vectors, with y in registers: each column waits for a lane of the
-/// one before it, not for memory.
-template <int NV>
-inline void forward_panel(const double* panel, int p, double* y) {
-    constexpr long kLd = 8 * NV;
-    V8 v[NV];
-    for (int i = 0; i < NV; ++i) v[i] = load(y + 8 * i);
-    const double* column = panel;
-#pragma GCC unroll 4
-    for (int block = 0; block < NV; ++block) {
-        const int count = p - 8 * block < 8 ? p - 8 * block : 8;
-        for (int c = 0; c < count; ++c, column += kLd) {
-            const V8 yk = spread_lane(v[block], c);
-#pragma GCC unroll 4
-            for (int i = block; i < NV; ++i) v[i] -= yk * load(column + 8 * i);
-        }
-    }
-    for (int i = 0; i < NV; ++i) store(y + 8 * i, v[i]);
-}
-
-void forward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
-                    double* scratch) noexcept {
-    for (std::int32_t f = begin; f < end; ++f) {
-        const Front& front = view.fronts[f];
-        if (front.batch >= 0) continue;
-        const double* panel = view.panel + front.panel;
-        double* y = scratch;
-        const int ld = front.ld, p = front.p;
-        for (int i = 0; i < p; ++i) y[i] = x[front.offset + i];
-        for (int i = p; i < ld; ++i) y[i] = 0.0;
-        for (std::int32_t c = front.child_begin; c < front.child_end; ++c) {
-            const Front& child = view.fronts[view.children[c]];
-            const double* carried = view.carry + child.rows;
-            for (std::int32_t r = child.run_begin; r < child.run_end; ++r) {
-                const Run& run = view.runs[r];
-                for (int i = 0; i < run.length; ++i) y[run.to + i] += carried[run.from + i];
-            }
-        }
-        switch (ld / 8) {
-            case 1:
-                forward_panel<1>(panel, p, y);
-                break;
-            case 2:
-                forward_panel<2>(panel, p, y);
-                break;
-            case 3:
-                forward_panel<3>(panel, p, y);
-                break;
-            case 4:
-                forward_panel<4>(panel, p, y);
-                break;
-            default:
-                forward_panel(panel, ld, p, y);
-                break;
-        }
-        for (int i = 0; i < p; ++i) x[front.offset + i] = y[i];
-        double* carry = view.carry + front.rows;
-        for (int i = 0; i < front.q; ++i) carry[i] = y[p + i];
-    }
-}
-
-/// Columns [k, k + N) of Lᵀ z = y, N ≤ 8, the entries of y behind them being solved.
-/// The products with those entries come first and are independent of each other; then the
-/// small triangle, in which each entry waits only for the one before it.
-template <int N>
-inline void backward_block(const double* panel, long ld, int k, double* y) {
-    V8 acc[N];
-    const int from = (k + N) & ~7;
-    // k is a multiple of 8: either the block fills its vector, or rows k … k + N − 1 of that
-    // vector belong to the block and must not count.
-    double rest[8];
-    for (int i = 0; i < 8; ++i) rest[i] = from + i < k + N ? 0.0 : y[from + i];
-    const V8 first = load(rest);
-    for (int c = 0; c < N; ++c) acc[c] = load(panel + (k + c) * ld + from) * first;
-    for (int i = from + 8; i < ld; i += 8) {
-        const V8 v = load(y + i);
-        for (int c = 0; c < N; ++c) acc[c] += load(panel + (k + c) * ld + i) * v;
-    }
-    double s[8], z[N];
-    sums<N>(acc, s);
-    for (int c = N; c-- > 0;) {
-        const double* column = panel + (k + c) * ld + k;
-        z[c] = y[k + c] - s[c];
-        for (int i = N - 1; i > c; --i) z[c] -= column[i] * z[i];
-    }
-    for (int c = 0; c < N; ++c) y[k + c] = z[c];
-}
-
-inline void backward_columns(const double* panel, long ld, int k, int count, double* y) {
-    switch (count) {
-        case 1:
-            backward_block<1>(panel, ld, k, y);
-            break;
-        case 2:
-            backward_block<2>(panel, ld, k, y);
-            break;
-        case 3:
-            backward_block<3>(panel, ld, k, y);
-            break;
-        case 4:
-            backward_block<4>(panel, ld, k, y);
-            break;
-        case 5:
-            backward_block<5>(panel, ld, k, y);
-            break;
-        case 6:
-            backward_block<6>(panel, ld, k, y);
-            break;
-        case 7:
-            backward_block<7>(panel, ld, k, y);
-            break;
-        default:
-            backward_block<8>(panel, ld, k, y);
-            break;
-    }
-}
-
-void backward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
-                     double* scratch) noexcept {
-    for (std::int32_t f = end; f-- > begin;) {
-        const Front& front = view.fronts[f];
-        if (front.batch >= 0) continue;
-        const double* panel = view.panel + front.panel;
-        const double* inverse = view.pivot + front.offset;
-        double* y = scratch;
-        const int ld = front.ld, p = front.p, n = front.p + front.q;
-        const std::int32_t* rows = view.rows + front.rows;
-        for (int i = 0; i < p; ++i) y[i] = x[front.offset + i] * inverse[i];
-        for (int i = 0; i < front.q; ++i) y[p + i] = x[rows[i]];
-        // One vector of slack: a block that ends at ld reads y there against zeros.
-        for (int i = n; i < ld + 8; ++i) y[i] = 0.0;
-        for (int k = (p - 1) & ~7; k >= 0; k -= 8)
-            backward_columns(panel, ld, k, p - k < 8 ? p - k : 8, y);
-        for (int i = 0; i < p; ++i) x[front.offset + i] = y[i];
-    }
 }
 
 }  // namespace

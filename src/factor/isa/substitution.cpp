@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Substitution with the fronts of a multifrontal LDLᵀ (see factor/symbolic.h for the picture).
+///
+/// Blocks of up to eight pivots, whose number is a constant of the loops. The block's own triangle
+/// is a chain of dependent operations and stays in one vector; the rows below it are vectors that
+/// do not depend on each other. Vectors start at multiples of eight rows of the panel, so the
+/// first update rows may share one with the last pivots.
+#include "factor/isa/substitution.h"
+
+#include "base/simd.h"
+#include "factor/symbolic.h"
+
+namespace hawser::HAWSER_ISA {
+namespace {
+
+using factor::FactorView;
+using factor::Front;
+using factor::Run;
+
+constexpr int kBlock = 8;
+
+/// Call f with n = 1 … 8 as a constant.
+template <class F>
+HAWSER_INLINE void with_count(int n, F&& f) {
+    switch (n) {
+        case 1:
+            f.template operator()<1>();
+            break;
+        case 2:
+            f.template operator()<2>();
+            break;
+        case 3:
+            f.template operator()<3>();
+            break;
+        case 4:
+            f.template operator()<4>();
+            break;
+        case 5:
+            f.template operator()<5>();
+            break;
+        case 6:
+            f.template operator()<6>();
+            break;
+        case 7:
+            f.template operator()<7>();
+            break;
+        default:
+            f.template operator()<8>();
+            break;
+    }
+}
+
+/// Pivots [k, k + N) of L y = y, then y −= L y for the rows behind them, handed over by vectors:
+/// put(row, vector).
+template <int N, class Put>
+HAWSER_INLINE void forward_block(const double* panel, long ld, int k, const double* y, Put&& put) {
+    const double* column = panel + k * ld;
+    V8 v = load(y + k), pivot[N];
+    for (int c = 0; c < N; ++c) {
+        pivot[c] = spread_lane(v, c);
+        v -= pivot[c] * load(column + c * ld + k);
+    }
+    put(k, v);
+    for (int i = k + 8; i < ld; i += 8) {
+        V8 acc = load(y + i);
+        for (int c = 0; c < N; ++c) acc -= pivot[c] * load(column + c * ld + i);
+        put(i, acc);
+    }
+}
+
+/// y = the front's part of x plus what its children carry. Whole vectors.
+inline void gather_forward(const FactorView& view, const Front& front, const double* x, double* y) {
+    for (int i = 0; i < front.ld; i += 8)
+        store(y + i, i < front.p ? load_first(x + front.offset + i, front.p - i) : V8{});
+    for (std::int32_t c = front.child_begin; c < front.child_end; ++c) {
+        const Front& child = view.fronts[view.children[c]];
+        const double* carried = view.carry + child.rows;
+        const Run* end = view.runs + child.run_end;
+        for (const Run* run = view.runs + child.run_begin; run != end; ++run)
+            for (int i = 0; i < run->length; i += 8)
+                add_first(y + run->to + i, carried + run->from + i, run->length - i);
+    }
+}
+
+/// Columns [k, k + N) of Lᵀ z = y, the rows behind them being solved, from vector `from` on. The
+/// products with those come first and are independent of each other; then the small triangle, in
+/// which each entry waits only for the one before it. z comes with y_k … and leaves with z_k ….
+template <int N>
+HAWSER_INLINE void backward_block(const double* panel, long ld, int k, int from, const double* y,
+                                  double* z) {
+    V8 acc[N];
+    for (int c = 0; c < N; ++c) acc[c] = V8{};
+    const double* column = panel + k * ld;
+    for (int i = from; i < ld; i += 8) {
+        const V8 v = load(y + i);
+        for (int c = 0; c < N; ++c) acc[c] += load(column + c * ld + i) * v;
+    }
+    double s[8];
+    sums<N>(acc, s);
+    for (int c = N; c-- > 0;) {
+        double zc = z[c] - s[c];
+        for (int i = N - 1; i > c; --i) zc -= column[c * ld + k + i] * z[i];
+        z[c] = zc;
+    }
+}
+
+}  // namespace
+
+void forward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
+                    double* scratch) noexcept {
+    for (std::int32_t f = begin; f < end; ++f) {
+        const Front& front = view.fronts[f];
+        if (front.batch >= 0) continue;
+        const double* panel = view.panel + front.panel;
+        const int p = front.p, n = front.p + front.q;
+        double* xf = x + front.offset;
+        double* y = scratch;
+        gather_forward(view, front, x, y);
+        int k = 0;
+        for (; p - k > kBlock; k += kBlock)
+            forward_block<kBlock>(panel, front.ld, k, y,
+                                  [&](int i, const V8& v) { store(i == k ? xf + i : y + i, v); });
+        double* carry = view.carry + front.rows - p;
+        with_count(p - k, [&]<int N>() {
+            forward_block<N>(panel, front.ld, k, y, [&](int i, const V8& v) {
+                if (i == k) store_lanes(xf + i, v, 0, N);
+                store_lanes(carry + i, v, i == k ? N : 0, n - i);
+            });
+        });
+    }
+}
+
+void backward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
+                     double* scratch) noexcept {
+    for (std::int32_t f = end; f-- > begin;) {
+        const Front& front = view.fronts[f];
+        if (front.batch >= 0) continue;
+        const double* panel = view.panel + front.panel;
+        const double* inverse = view.pivot + front.offset;
+        const int ld = front.ld, p = front.p, n = front.p + front.q;
+        double* xf = x + front.offset;
+        double* y = scratch;
+        const std::int32_t* rows = view.rows + front.rows - p;
+        // Zeros where the last pivots share a vector with update rows, and behind those.
+        for (int i = p & ~7; i < ld; i += 8) store(y + i, gather_range(x, rows + i, p - i, n - i));
+        int k = (p - 1) & ~7, from = p & ~7;
+        with_count(p - k, [&]<int N>() {
+            double z[8] = {};
+            for (int c = 0; c < N; ++c) z[c] = xf[k + c] * inverse[k + c];
+            backward_block<N>(panel, ld, k, from, y, z);
+            for (int c = 0; c < N; ++c) xf[k + c] = z[c];
+            if (k > 0)
+                for (int c = 0; c < N; ++c) y[k + c] = z[c];
+        });
+        for (k -= kBlock; k >= 0; k -= kBlock) {
+            double z[8];
+            for (int c = 0; c < kBlock; ++c) z[c] = xf[k + c] * inverse[k + c];
+            backward_block<kBlock>(panel, ld, k, k + kBlock, y, z);
+            for (int c = 0; c < kBlock; ++c) xf[k + c] = y[k + c] = z[c];
+        }
+    }
+}
+
+}  // namespace hawser::HAWSER_ISA
