@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "factor/repair.h"
+
+#include "base/memory.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace hawser::factor {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+void invert(std::span<const std::int32_t> order, std::vector<std::int32_t>& position) {
+    position.resize(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k)
+        position[at(order[k])] = static_cast<std::int32_t>(k);
+}
+
+void clear(Chains& chains) {
+    chains.nodes.clear();
+    chains.unit_begin.assign(1, 0);
+    chains.begin.assign(1, 0);
+    chains.body_size.clear();
+    chains.reach.clear();
+}
+
+/// Copy one chain to the end of another set.
+void append(const Chains& from, std::int32_t chain, Chains& to) {
+    for (std::int32_t u = from.begin[at(chain)]; u < from.begin[at(chain) + 1]; ++u) {
+        const auto unit = from.unit(u);
+        to.nodes.insert(to.nodes.end(), unit.begin(), unit.end());
+        to.unit_begin.push_back(static_cast<std::int32_t>(to.nodes.size()));
+    }
+    to.begin.push_back(static_cast<std::int32_t>(to.unit_begin.size()) - 1);
+    to.body_size.push_back(from.body_size[at(chain)]);
+    to.reach.push_back(from.reach[at(chain)]);
+}
+
+}  // namespace
+
+void Analysis::plan(const Pattern& pattern) { plan(pattern, planner_(pattern)); }
+
+void Analysis::plan(const Pattern& pattern, Elimination elimination) {
+    pattern_ = pattern;
+    chains_ = std::move(elimination.chains);
+    symbolic_.order = std::move(elimination.order);
+    invert(symbolic_.order, symbolic_.position);
+    columns_.build(pattern_, symbolic_.order, symbolic_.position);
+    layout_.run(pattern_, columns_, chains_, symbolic_);
+    planned_flops_ = symbolic_.flops;
+}
+
+RepairReport Analysis::update(const Pattern& next, std::span<const std::int32_t> old_of_new) {
+    RepairReport report = repair(next, old_of_new);
+    if (static_cast<double>(symbolic_.flops) > kReplan * static_cast<double>(planned_flops_)) {
+        plan(next);
+        report.replanned = true;
+    }
+    return report;
+}
+
+RepairReport Analysis::repair(const Pattern& next, std::span<const std::int32_t> old_of_new) {
+    RepairReport report;
+    const bool same_numbers = match_nodes(next, old_of_new);
+    if (!same_numbers) columns_.renumber(old_of_new_, pattern_.nodes());
+    find_changes(next, same_numbers);
+    keep_chains(next, report);
+    collect_rest(next);
+    place_bodies(next);
+    place_rows(next);
+    emit_order();
+    report.placed = static_cast<std::int32_t>(placed_.size());
+    columns_.repair(next, symbolic_.order, symbolic_.position);
+    report.columns = columns_.computed();
+    pattern_ = next;
+    layout_.run(pattern_, columns_, chains_, symbolic_);
+    return report;
+}
+
+/// Fill old_of_new_ and its inverse. @return every node is the one it was, and none went.
+bool Analysis::match_nodes(const Pattern& next, std::span<const std::int32_t> old_of_new) {
+    const std::int32_t n = next.nodes(), before = pattern_.nodes();
+    old_of_new_.resize(at(n));
+    new_of_old_.assign(at(before), -1);
+    bool same = n == before;
+    for (std::int32_t v = 0; v < n; ++v) {
+        std::int32_t old = old_of_new.empty() ? (v < before ? v : -1) : old_of_new[at(v)];
+        if (old >= 0 && (pattern_.size[at(old)] != next.size[at(v)] ||
+                         pattern_.sign[at(old)] != next.sign[at(v)]))
+            old = -1;
+        old_of_new_[at(v)] = old;
+        if (old >= 0) new_of_old_[at(old)] = v;
+        same &= old == v;
+    }
+    return same;
+}
+
+/// Which nodes are new or have other neighbours.
+void Analysis::find_changes(const Pattern& next, bool same_numbers) {
+    const std::int32_t n = next.nodes();
+    changed_.assign(at(n), 0);
+    mark_.assign(at(n), -1);
+    for (std::int32_t v = 0; v < n; ++v) {
+        const std::int32_t old = old_of_new_[at(v)];
+        const auto now = next.neighbours(v);
+        bool same = old >= 0;
+        if (same) {
+            const auto then = pattern_.neighbours(old);
+            same = then.size() == now.size();
+            if (same && same_numbers) {
+                same = std::equal(now.begin(), now.end(), then.begin());
+            } else if (same) {
+                for (const std::int32_t u : then)
+                    if (const std::int32_t w = new_of_old_[at(u)]; w >= 0) mark_[at(w)] = v;
+                for (const std::int32_t u : now) same &= mark_[at(u)] == v;
+            }
+        }
+        if (same) continue;
+        changed_[at(v)] = 1;
+        columns_.mark_stale(v);
+    }
+}
+
+void Analysis::keep_chains(const Pattern& next, RepairReport& report) {
+    chain_of_.assign(changed_.size(), -1);
+    if (chains_.count() == 0) return;
+    for (std::int32_t& v : chains_.nodes) v = new_of_old_[at(v)];
+    for (int c = 0; c < chains_.count(); ++c)
+        for (std::int32_t u = chains_.begin[at(c)]; u < chains_.begin[at(c) + 1]; ++u)
+            for (const std::int32_t v : chains_.unit(u))
+                if (v >= 0) chain_of_[at(v)] = c;
+    clear(kept_);
+    for (int c = 0; c < chains_.count(); ++c) {
+        if (chain_holds(next, c)) {
+            append(chains_, c, kept_);
+            continue;
+        }
+        ++report.dissolved;
+        for (std::int32_t u = chains_.begin[at(c)]; u < chains_.begin[at(c) + 1]; ++u)
+            for (const std::int32_t v : chains_.unit(u))
+                if (v >= 0) chain_of_[at(v)] = -1;
+    }
+    std::swap(chains_, kept_);
+}
+
+/// A chain may touch other boundaries than before. Inside it stays as it was, and it touches no
+/// other chain.
+bool Analysis::chain_holds(const Pattern& next, std::int32_t chain) {
+    for (std::int32_t u = chains_.begin[at(chain)]; u < chains_.begin[at(chain) + 1]; ++u)
+        for (const std::int32_t v : chains_.unit(u)) {
+            if (v < 0) return false;
+            if (!changed_[at(v)]) continue;
+            std::int32_t inside = 0, inside_before = 0;
+            const std::int32_t n = next.nodes();
+            for (const std::int32_t w : pattern_.neighbours(old_of_new_[at(v)])) {
+                const std::int32_t now = new_of_old_[at(w)];
+                if (now < 0 || chain_of_[at(now)] != chain) continue;
+                mark_[at(now)] = n + v;  // apart from the marks of find_changes()
+                ++inside_before;
+            }
+            for (const std::int32_t w : next.neighbours(v)) {
+                if (chain_of_[at(w)] < 0) continue;
+                if (chain_of_[at(w)] != chain || mark_[at(w)] != n + v) return false;
+                ++inside;
+            }
+            if (inside != inside_before) return false;
+        }
+    return true;
+}
+
+/// Nodes in no chain: those that keep their place, in order, and those that need one.
+void Analysis::collect_rest(const Pattern& next) {
+    const std::size_t n = changed_.size();
+    placing_.assign(n, 0);
+    placed_.clear();
+    for (std::size_t v = 0; v < n; ++v) {
+        const auto id = static_cast<std::int32_t>(v);
+        const bool fresh = old_of_new_[v] < 0;
+        if (!fresh && !(changed_[v] && next.sign[v] < 0 && chain_of_[v] < 0)) continue;
+        placing_[v] = 1;
+        placed_.push_back(id);
+        if (!fresh) columns_.mark_moved(next, id);
+    }
+    key_.assign(n, -1);  // chains come first
+    rest_.clear();
+    for (const std::int32_t old : symbolic_.order) {
+        const std::int32_t v = new_of_old_[at(old)];
+        if (v < 0 || placing_[at(v)] || chain_of_[at(v)] >= 0) continue;
+        key_[at(v)] = 2 * static_cast<std::int64_t>(rest_.size()) + 1;
+        rest_.push_back(v);
+    }
+    before_.assign(rest_.size() + 1, -1);
+    behind_.assign(n + 1, -1);  // the last: behind all chains
+    next_.resize(n);
+}
+
+void Analysis::hang(std::vector<std::int32_t>& heads, std::size_t place, std::int32_t node) {
+    next_[at(node)] = heads[place];
+    heads[place] = node;
+}
+
+/// Before the first eliminated node that a new body couples to and that keeps its place; with none
+/// such, behind the chains. Descending numbers: lists come out ascending.
+void Analysis::place_bodies(const Pattern& next) {
+    constexpr std::int64_t kNone = std::numeric_limits<std::int64_t>::max();
+    for (std::size_t i = placed_.size(); i-- > 0;) {
+        const std::int32_t v = placed_[i];
+        if (next.sign[at(v)] < 0) continue;
+        std::int64_t first = kNone;
+        auto look = [&](std::int32_t u) {
+            if (!placing_[at(u)] && key_[at(u)] >= 0) first = std::min(first, key_[at(u)]);
+        };
+        for (const std::int32_t u : next.neighbours(v)) {
+            look(u);
+            if (next.sign[at(u)] > 0) continue;
+            for (const std::int32_t w : next.neighbours(u)) look(w);
+        }
+        key_[at(v)] = first == kNone ? 0 : first - 1;
+        hang(before_, static_cast<std::size_t>(key_[at(v)] / 2), v);
+    }
+}
+
+/// Behind the first eliminated positive neighbour; with none, behind the chains.
+void Analysis::place_rows(const Pattern& next) {
+    for (std::size_t i = placed_.size(); i-- > 0;) {
+        const std::int32_t v = placed_[i];
+        if (next.sign[at(v)] > 0) continue;
+        std::int32_t first = -1;
+        for (const std::int32_t u : next.neighbours(v)) {
+            if (next.sign[at(u)] < 0) continue;
+            // Equal keys: bodies placed before the same node, ascending.
+            if (first < 0 || key_[at(u)] < key_[at(first)]) first = u;
+        }
+        const bool at_start = first < 0 || key_[at(first)] < 0;
+        hang(behind_, at_start ? changed_.size() : at(first), v);
+    }
+}
+
+void Analysis::emit_order() {
+    std::vector<std::int32_t>& order = symbolic_.order;
+    order.assign(chains_.nodes.begin(), chains_.nodes.end());
+    auto rows_behind = [&](std::size_t place) {
+        for (std::int32_t r = behind_[place]; r >= 0; r = next_[at(r)]) order.push_back(r);
+    };
+    rows_behind(changed_.size());
+    for (std::size_t k = 0; k <= rest_.size(); ++k) {
+        for (std::int32_t v = before_[k]; v >= 0; v = next_[at(v)]) {
+            order.push_back(v);
+            rows_behind(at(v));
+        }
+        if (k == rest_.size()) break;
+        order.push_back(rest_[k]);
+        rows_behind(at(rest_[k]));
+    }
+    invert(order, symbolic_.position);
+}
+
+std::size_t Analysis::bytes() const noexcept {
+    std::size_t sum = columns_.bytes() + layout_.bytes() + symbolic_.bytes();
+    for (const auto* v : {&old_of_new_, &new_of_old_, &chain_of_, &mark_, &rest_, &placed_,
+                          &before_, &behind_, &next_, &pattern_.start, &pattern_.adjacent})
+        sum += base::bytes(*v);
+    return sum + base::bytes(key_) + base::bytes(changed_) + base::bytes(placing_);
+}
+
+}  // namespace hawser::factor

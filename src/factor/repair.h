@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file repair.h
+/// An analysis that follows its pattern: contacts come and go at every step.
+///
+/// Ordering is the larger part of an analysis and hardly depends on a few contacts, so a repair
+/// keeps the order of the nodes that stay and finds places for the others:
+///
+/// | node | place |
+/// |---|---|
+/// | positive, new | before the first eliminated of its neighbours, directly or through rows |
+/// | rows (negative), new or with other neighbours than before | behind the first eliminated of its
+/// positive neighbours, as stability demands (ordering.h) | | of a chain (chains.h) whose inside
+/// changed, or which touches another chain now | where it was, in an ordinary front |
+///
+/// Then the structure is computed again where it changes (columns.h), and the addresses are laid
+/// out anew (layout.h), which is linear in the number of fronts and rows. The result is what
+/// analyse() gives for the same order and chains, member by member.
+///
+/// An order grows stale: update() makes a new one when the flops exceed kReplan times those after
+/// the last plan. Measured on the paper's scene in docs/factor_benchmark.md.
+
+#include "factor/columns.h"
+#include "factor/layout.h"
+#include "factor/ordering.h"
+#include "factor/symbolic.h"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace hawser::factor {
+
+/// Growth of the flops since the last plan at which a new one is made.
+inline constexpr double kReplan = 1.25;
+
+/// What a repair did.
+struct RepairReport {
+    std::int32_t placed = 0;     ///< Nodes that got a place in the order.
+    std::int32_t columns = 0;    ///< Block columns computed again.
+    std::int32_t dissolved = 0;  ///< Chains that became ordinary fronts.
+    bool replanned = false;      ///< update(): the order was made anew.
+};
+
+class Analysis {
+  public:
+    using Planner = std::function<Elimination(const Pattern&)>;
+    explicit Analysis(Planner planner = plan_elimination) : planner_(std::move(planner)) {}
+
+    /// Give every update matrix a place of its own from the next call on (partial.h).
+    void keep_updates(bool keep) noexcept { symbolic_.updates_kept = keep; }
+
+    /// Order and analyse from nothing. @throws std::bad_alloc.
+    void plan(const Pattern& pattern);
+    /// The same with this order.
+    void plan(const Pattern& pattern, Elimination elimination);
+
+    /// Follow to another pattern. @param old_of_new  For each of its nodes the node that it was,
+    /// −1: new, each old node at most once; empty: nodes keep their numbers, further ones are new.
+    /// A node of another size or sign counts as new. @throws std::bad_alloc; plan() again then.
+    RepairReport repair(const Pattern& next, std::span<const std::int32_t> old_of_new = {});
+
+    /// repair(), and plan() where the order has become a bad one.
+    RepairReport update(const Pattern& next, std::span<const std::int32_t> old_of_new = {});
+
+    [[nodiscard]] const Symbolic& symbolic() const noexcept { return symbolic_; }
+    [[nodiscard]] const Columns& columns() const noexcept { return columns_; }
+    /// Order and chains as they are now.
+    [[nodiscard]] Elimination elimination() const { return {symbolic_.order, chains_}; }
+    /// Flops at the last plan.
+    [[nodiscard]] std::int64_t planned_flops() const noexcept { return planned_flops_; }
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    bool match_nodes(const Pattern& next, std::span<const std::int32_t> old_of_new);
+    void find_changes(const Pattern& next, bool same_numbers);
+    void keep_chains(const Pattern& next, RepairReport& report);
+    [[nodiscard]] bool chain_holds(const Pattern& next, std::int32_t chain);
+    void collect_rest(const Pattern& next);
+    void place_bodies(const Pattern& next);
+    void place_rows(const Pattern& next);
+    void emit_order();
+    void hang(std::vector<std::int32_t>& heads, std::size_t place, std::int32_t node);
+
+    Planner planner_;
+    Pattern pattern_;
+    Chains chains_;
+    Columns columns_;
+    Layout layout_;
+    Symbolic symbolic_;
+    std::int64_t planned_flops_ = 0;
+
+    // Buffers of repair(); by node of the next pattern unless said otherwise.
+    std::vector<std::int32_t> old_of_new_, new_of_old_;
+    std::vector<std::uint8_t> changed_;  ///< New, or other neighbours.
+    std::vector<std::uint8_t> placing_;  ///< Has no place yet.
+    std::vector<std::int32_t> chain_of_, mark_;
+    std::vector<std::int32_t> rest_, placed_;  ///< Nodes in no chain: that stay; that are placed.
+    std::vector<std::int64_t> key_;     ///< 2 rank + 1 of a node that stays, 2 rank before it.
+    std::vector<std::int32_t> before_;  ///< By rank: bodies placed before that node.
+    std::vector<std::int32_t> behind_;  ///< Rows placed behind a node.
+    std::vector<std::int32_t> next_;    ///< In either list.
+    Chains kept_;
+};
+
+}  // namespace hawser::factor

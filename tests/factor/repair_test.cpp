@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A repaired analysis is the analysis of the new pattern in the same order, after any edits.
+#include "factor/repair.h"
+#include "factor/matrices.h"
+#include "factor/partial.h"
+#include "support/sanitizer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace hawser::test {
+namespace {
+
+using factor::Analysis;
+using factor::Pattern;
+using factor::Symbolic;
+
+/// A graph that is edited: nodes with a name that stays, edges between names.
+class Graph {
+  public:
+    explicit Graph(const Pattern& p) {
+        for (int v = 0; v < p.nodes(); ++v) {
+            nodes_.push_back(
+                {v, p.size[static_cast<std::size_t>(v)], p.sign[static_cast<std::size_t>(v)]});
+            for (const std::int32_t u : p.neighbours(v))
+                if (u < v) edges_.insert({u, v});
+        }
+        names_ = p.nodes();
+        remember();
+    }
+
+    void add_edge(Random& random) {
+        if (nodes_.size() < 2) return;
+        const int a = pick(random), b = pick(random);
+        if (a != b) edges_.insert({std::min(a, b), std::max(a, b)});
+    }
+    void remove_edge(Random& random) {
+        if (edges_.empty()) return;
+        auto it = edges_.begin();
+        std::advance(it, random.integer(0, static_cast<int>(edges_.size()) - 1));
+        edges_.erase(it);
+    }
+    /// Usually a contact: rows with one or two bodies, or a body with such rows.
+    void add_node(Random& random) {
+        const bool body = random.chance(0.3);
+        const int name = names_++;
+        nodes_.push_back({name, static_cast<std::int8_t>(body ? 6 : random.integer(1, 3)),
+                          static_cast<std::int8_t>(body ? 1 : -1)});
+        for (int k = random.integer(0, 3); k > 0; --k) {
+            const int other = pick(random);
+            if (other != name) edges_.insert({other, name});
+        }
+        if (body && random.chance(0.5)) {
+            const int row = names_++;
+            nodes_.push_back({row, 3, -1});
+            edges_.insert({name, row});
+            edges_.insert({std::min(pick(random), name), row});
+        }
+    }
+    void remove_node(Random& random) {
+        if (nodes_.empty()) return;
+        const std::size_t i =
+            static_cast<std::size_t>(random.integer(0, static_cast<int>(nodes_.size()) - 1));
+        const int name = nodes_[i].name;
+        nodes_.erase(nodes_.begin() + static_cast<std::ptrdiff_t>(i));
+        std::erase_if(edges_, [&](const auto& e) { return e.first == name || e.second == name; });
+    }
+    void resize_node(Random& random) {
+        if (nodes_.empty()) return;
+        nodes_[static_cast<std::size_t>(random.integer(0, static_cast<int>(nodes_.size()) - 1))]
+            .size = static_cast<std::int8_t>(random.integer(1, 6));
+    }
+    void shuffle(Random& random) { random.shuffle(nodes_); }
+
+    /// The pattern now, and which node of the last pattern each node was.
+    Pattern pattern(std::vector<std::int32_t>& old_of_new) {
+        old_of_new.clear();
+        for (const Node& n : nodes_)
+            old_of_new.push_back(n.name < static_cast<int>(index_.size())
+                                     ? index_[static_cast<std::size_t>(n.name)]
+                                     : -1);
+        remember();
+        std::vector<std::int8_t> size, sign;
+        for (const Node& n : nodes_) {
+            size.push_back(n.size);
+            sign.push_back(n.sign);
+        }
+        std::vector<std::int32_t> from, to;
+        for (const auto& [a, b] : edges_) {
+            from.push_back(index_[static_cast<std::size_t>(a)]);
+            to.push_back(index_[static_cast<std::size_t>(b)]);
+        }
+        return factor::make_pattern(size, sign, from, to);
+    }
+
+  private:
+    struct Node {
+        int name;
+        std::int8_t size, sign;
+    };
+    int pick(Random& random) const {
+        return nodes_[static_cast<std::size_t>(
+                          random.integer(0, static_cast<int>(nodes_.size()) - 1))]
+            .name;
+    }
+    void remember() {
+        index_.assign(static_cast<std::size_t>(names_), -1);
+        for (std::size_t k = 0; k < nodes_.size(); ++k)
+            index_[static_cast<std::size_t>(nodes_[k].name)] = static_cast<int>(k);
+    }
+
+    std::vector<Node> nodes_;
+    std::set<std::pair<int, int>> edges_;
+    std::vector<int> index_;
+    int names_ = 0;
+};
+
+void edit(Graph& graph, Random& random, bool numbers_stay) {
+    for (int k = random.integer(0, 5); k > 0; --k) {
+        const double dice = random.unit();
+        if (dice < 0.4)
+            graph.add_edge(random);
+        else if (dice < 0.7)
+            graph.remove_edge(random);
+        else if (dice < 0.85)
+            graph.add_node(random);
+        else if (dice < 0.9)
+            graph.resize_node(random);
+        else if (!numbers_stay)
+            graph.remove_node(random);
+    }
+    if (!numbers_stay && random.chance(0.3)) graph.shuffle(random);
+}
+
+/// Rows come after one of their bodies, which stability needs.
+void expect_rows_behind_bodies(const Pattern& p, const Symbolic& s) {
+    for (int v = 0; v < p.nodes(); ++v) {
+        if (p.sign[static_cast<std::size_t>(v)] > 0) continue;
+        bool any = false, before = false;
+        for (const std::int32_t u : p.neighbours(v)) {
+            if (p.sign[static_cast<std::size_t>(u)] < 0) continue;
+            any = true;
+            before |=
+                s.position[static_cast<std::size_t>(u)] < s.position[static_cast<std::size_t>(v)];
+        }
+        EXPECT_TRUE(before || !any) << "rows " << v;
+    }
+}
+
+/// Bodies that stay neighbours keep their relative order.
+void expect_order_kept(const Symbolic& before, const Pattern& next, const Symbolic& s,
+                       const std::vector<std::int32_t>& old_of_new) {
+    for (int v = 0; v < next.nodes(); ++v) {
+        const std::int32_t old_v = old_of_new[static_cast<std::size_t>(v)];
+        if (old_v < 0 || next.sign[static_cast<std::size_t>(v)] < 0) continue;
+        for (const std::int32_t u : next.neighbours(v)) {
+            const std::int32_t old_u = old_of_new[static_cast<std::size_t>(u)];
+            if (old_u < 0 || next.sign[static_cast<std::size_t>(u)] < 0) continue;
+            // Only those that an ancestor relation tied: unrelated fronts may change places.
+            const auto front = before.node_front[static_cast<std::size_t>(old_u)];
+            bool above = false;
+            for (std::int32_t f = before.node_front[static_cast<std::size_t>(old_v)]; f >= 0;
+                 f = before.fronts[static_cast<std::size_t>(f)].parent)
+                above |= f == front;
+            if (!above) continue;
+            EXPECT_EQ(
+                before.position[static_cast<std::size_t>(old_u)] <
+                    before.position[static_cast<std::size_t>(old_v)],
+                s.position[static_cast<std::size_t>(u)] < s.position[static_cast<std::size_t>(v)]);
+        }
+    }
+}
+
+/// Values for a pattern; small couplings keep it quasi-definite.
+double backward_error_of(const Pattern& p, const Symbolic& s, Random& random) {
+    BlockMatrix m;
+    m.pattern = p;
+    m.offset.push_back(0);
+    for (const std::int8_t size : p.size) m.offset.push_back(m.offset.back() + size);
+    m.dense = Matrix::Zero(m.scalars(), m.scalars());
+    for (int a = 0; a < p.nodes(); ++a) {
+        const auto i = static_cast<std::size_t>(a);
+        m.block(a, a) = definite(random, p.size[i], 1.0, p.sign[i]);
+        for (const std::int32_t b : p.neighbours(a)) {
+            if (b > a) continue;
+            const auto j = static_cast<std::size_t>(b);
+            const double scale = p.sign[i] == p.sign[j] ? 0.9 / (6.0 * p.nodes()) : 1.0;
+            set_symmetric(m, a, b, scale * random_matrix(random, p.size[i], p.size[j]));
+        }
+    }
+    const Vector b = random_matrix(random, m.scalars(), 1);
+    base::SerialExecutor serial;
+    const Solved solved = solve(m, s, b, serial);
+    EXPECT_EQ(solved.wrong, 0);
+    return backward_error(m, solved.x, b);
+}
+
+struct Totals {
+    int chains = 0, dissolved = 0, kept = 0, unchanged_columns = 0, columns = 0;
+};
+
+void check_sequence(const Pattern& first, Random& random, int steps, Totals& totals) {
+    const bool numbers_stay = random.chance(0.3), keep = random.chance(0.3);
+    Graph graph(first);
+    Analysis analysis;
+    analysis.keep_updates(keep);
+    analysis.plan(first);
+    Pattern last = first;
+    std::vector<std::int32_t> old_of_new;
+    for (int step = 0; step < steps; ++step) {
+        edit(graph, random, numbers_stay);
+        const Pattern next = graph.pattern(old_of_new);
+        const int chains = analysis.elimination().chains.count();
+        const Symbolic before = analysis.symbolic();
+        const factor::RepairReport r = analysis.repair(
+            next, numbers_stay ? std::span<const std::int32_t>{} : std::span(old_of_new));
+        totals.chains += chains;
+        totals.dissolved += r.dissolved;
+        totals.kept += analysis.elimination().chains.count();
+        totals.columns += next.nodes();
+        totals.unchanged_columns += next.nodes() - r.columns;
+        EXPECT_EQ(analysis.elimination().chains.count(), chains - r.dissolved);
+        Symbolic fresh = factor::analyse(next, analysis.elimination());
+        if (keep) factor::keep_updates(fresh);
+        ASSERT_TRUE(fresh == analysis.symbolic()) << "step " << step;
+        expect_rows_behind_bodies(next, analysis.symbolic());
+        // A node of another size is a new one.
+        for (std::size_t v = 0; v < old_of_new.size(); ++v) {
+            const std::int32_t old = old_of_new[v];
+            if (old >= 0 && last.size[static_cast<std::size_t>(old)] != next.size[v])
+                old_of_new[v] = -1;
+        }
+        expect_order_kept(before, next, analysis.symbolic(), old_of_new);
+        last = next;
+        if (step % 4 == 0) {
+            // Growth below 1e4 on 2⁻⁵³, as in chains_test.cpp.
+            EXPECT_LT(backward_error_of(next, analysis.symbolic(), random), 1e-12);
+        }
+    }
+}
+
+TEST(Repair, EqualsAnAnalysisOfTheNewPattern) {
+    constexpr int kCases = kSanitized ? 20 : 150;
+    Totals totals;
+    for (int seed = 1; seed <= kCases; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(static_cast<std::uint64_t>(seed));
+        const Pattern first = seed % 2 == 0 ? wires(random, 10, 30).pattern
+                                            : random_quasi_definite(random, random.integer(0, 60),
+                                                                    random.uniform(0.0, 0.1))
+                                                  .pattern;
+        check_sequence(first, random, 12, totals);
+        if (HasFailure()) return;
+    }
+    // All cases happen: chains that hold and chains that do not, columns that stay as they are.
+    EXPECT_GT(totals.kept, totals.chains / 10);
+    EXPECT_GT(totals.dissolved, 0);
+    EXPECT_GT(totals.unchanged_columns, totals.columns / 2);
+}
+
+TEST(Repair, OfNothingChangesNothing) {
+    Random random(7);
+    const Pattern p = wires(random, 10, 30).pattern;
+    Analysis analysis;
+    analysis.plan(p);
+    const Symbolic before = analysis.symbolic();
+    const factor::RepairReport r = analysis.repair(p);
+    EXPECT_EQ(r.columns, 0);
+    EXPECT_EQ(r.placed, 0);
+    EXPECT_TRUE(analysis.symbolic() == before);
+}
+
+/// An edge inside existing structure costs one column.
+TEST(Repair, StopsWhereNothingChanges) {
+    // A cycle 0 1 … n−1: eliminating in order fills (k + 1, n − 1).
+    constexpr int kNodes = 50;
+    std::vector<std::int8_t> size(kNodes, 3), sign(kNodes, 1);
+    std::vector<std::int32_t> from, to, order;
+    for (int i = 0; i < kNodes; ++i) {
+        from.push_back(i);
+        to.push_back((i + 1) % kNodes);
+        order.push_back(i);
+    }
+    Analysis analysis;
+    analysis.plan(factor::make_pattern(size, sign, from, to), {order, {}});
+    from.push_back(20);
+    to.push_back(kNodes - 1);
+    // Both ends have a new neighbour; neither column changes.
+    const factor::RepairReport r = analysis.repair(factor::make_pattern(size, sign, from, to));
+    EXPECT_EQ(r.columns, 2);
+}
+
+/// update() makes a new order when the old one has become bad, and not before.
+TEST(Repair, ReplansWhenFlopsGrow) {
+    Random random(11);
+    const Pattern first = random_quasi_definite(random, 120, 0.01).pattern;
+    Graph graph(first);
+    Analysis analysis;
+    analysis.plan(first);
+    int replans = 0;
+    std::vector<std::int32_t> old_of_new;
+    for (int step = 0; step < 200; ++step) {
+        graph.add_edge(random);
+        graph.remove_edge(random);
+        const std::int64_t planned = analysis.planned_flops();
+        const factor::RepairReport r = analysis.update(graph.pattern(old_of_new), old_of_new);
+        if (r.replanned) {
+            ++replans;
+            EXPECT_EQ(analysis.planned_flops(), analysis.symbolic().flops);
+        } else {
+            EXPECT_EQ(analysis.planned_flops(), planned);
+            EXPECT_LE(static_cast<double>(analysis.symbolic().flops),
+                      factor::kReplan * static_cast<double>(planned));
+        }
+    }
+    EXPECT_GT(replans, 0);
+    EXPECT_LT(replans, 150);
+}
+
+}  // namespace
+}  // namespace hawser::test
