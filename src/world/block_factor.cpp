@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The public face of src/factor.
+#include "factor/numeric.h"
+#include "factor/partial.h"
+#include "factor/repair.h"
+#include "runtime/tasks.h"
+
+#include <hawser/factor.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace hawser {
+namespace {
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+/// Copies one block of values to its place; `group` is the front or batch that holds it.
+struct CopyOp {
+    std::int64_t from = 0, to = 0;
+    std::int32_t group = 0, step = 1, ld = 0;
+    std::int8_t rows = 0, columns = 0;  ///< Of the block as it is given.
+    bool diagonal = false;
+};
+
+void check(const BlockPattern& p) {
+    auto fail = [](const std::string& what) {
+        throw std::invalid_argument("block pattern: " + what);
+    };
+    if (p.size.size() != p.sign.size()) fail("sizes and signs differ in number");
+    const auto n = static_cast<std::int32_t>(p.size.size());
+    for (std::size_t i = 0; i < p.size.size(); ++i) {
+        if (p.size[i] < 1 || p.size[i] > factor::kMaxBlock)
+            fail("node " + std::to_string(i) + " has a size that is not 1 to 6");
+        if (p.sign[i] != 1 && p.sign[i] != -1)
+            fail("node " + std::to_string(i) + " has a sign that is not 1 or -1");
+    }
+    for (std::size_t e = 0; e < p.edges.size(); ++e) {
+        const BlockEdge& edge = p.edges[e];
+        if (edge.row < 0 || edge.row >= n || edge.column < 0 || edge.column >= n ||
+            edge.row == edge.column)
+            fail("edge " + std::to_string(e) + " does not join two of the nodes");
+    }
+}
+
+}  // namespace
+
+struct BlockFactor::Impl {
+    explicit Impl(const FactorOptions& o) : options(o), pool(std::max(1, o.threads)) {
+        pool.pause();
+        analysis.keep_updates(o.partial);
+    }
+
+    void take(const BlockPattern& p);
+    void place();
+    void copy(const CopyOp& op, const double* values) noexcept;
+    void copy_groups(std::span<const std::int32_t> groups, std::int32_t first,
+                     const double* values) noexcept;
+    Status finish(int wrong) noexcept;
+
+    /// Threads spin while this lives.
+    class Awake {
+      public:
+        explicit Awake(runtime::Pool& pool) : pool_(pool) { pool_.resume(); }
+        ~Awake() { pool_.pause(); }
+        Awake(const Awake&) = delete;
+        Awake& operator=(const Awake&) = delete;
+
+      private:
+        runtime::Pool& pool_;
+    };
+
+    FactorOptions options;
+    runtime::Pool pool;
+    factor::Analysis analysis;
+    factor::Numeric numeric;
+    factor::DirtyParts dirty;
+    factor::Pattern pattern;
+    std::vector<BlockEdge> edges;
+    std::vector<std::int64_t> value_begin, scalar_begin;
+    std::vector<CopyOp> ops;                ///< Grouped: fronts, then batches.
+    std::vector<std::int32_t> group_begin;  ///< Into ops.
+    std::vector<std::int32_t> column_of;    ///< Of each block: the node whose column holds it.
+    std::vector<std::int32_t> columns;      ///< Of changed blocks.
+    std::vector<double> permuted, rest, row_sum;
+    factor::RepairReport report;
+    std::int64_t part_flops = 0;
+    int wrong = 0;
+    bool factored = false;  ///< Since the last analysis.
+};
+
+void BlockFactor::Impl::take(const BlockPattern& p) {
+    check(p);
+    std::vector<std::int32_t> from, to;
+    from.reserve(p.edges.size());
+    to.reserve(p.edges.size());
+    for (const BlockEdge& e : p.edges) {
+        from.push_back(e.row);
+        to.push_back(e.column);
+    }
+    factor::Pattern next = factor::make_pattern(p.size, p.sign, from, to);
+    if (next.adjacent.size() != 2 * p.edges.size())
+        throw std::invalid_argument("block pattern: two nodes are joined twice");
+    pattern = std::move(next);
+    edges = p.edges;
+    scalar_begin.assign(1, 0);
+    value_begin.assign(1, 0);
+    for (const std::int8_t size : p.size) {
+        scalar_begin.push_back(scalar_begin.back() + size);
+        value_begin.push_back(value_begin.back() + size * size);
+    }
+    for (const BlockEdge& e : edges)
+        value_begin.push_back(value_begin.back() + p.size[at(e.row)] * p.size[at(e.column)]);
+}
+
+/// Where each block goes.
+void BlockFactor::Impl::place() {
+    const factor::Symbolic& s = analysis.symbolic();
+    numeric.reserve(s, pool.threads());
+    dirty.reserve(s);
+    const std::size_t nodes = pattern.size.size(), blocks = nodes + edges.size();
+    const std::size_t groups = s.fronts.size() + s.batches.size();
+    column_of.resize(blocks);
+    std::vector<CopyOp> unsorted(blocks);
+    group_begin.assign(groups + 1, 0);
+    for (std::size_t b = 0; b < blocks; ++b) {
+        CopyOp& op = unsorted[b];
+        const auto node = static_cast<std::int32_t>(b);
+        const BlockEdge e = b < nodes ? BlockEdge{node, node} : edges[b - nodes];
+        const std::int32_t column = factor::DirtyParts::column(s, e.row, e.column);
+        const bool turned = column != e.column;
+        const factor::BlockTarget t = s.target(turned ? e.column : e.row, column);
+        column_of[b] = column;
+        const factor::Front& front = s.fronts[at(s.node_front[at(column)])];
+        op.group = front.batch < 0 ? s.node_front[at(column)]
+                                   : static_cast<std::int32_t>(s.fronts.size()) + front.batch;
+        op.from = value_begin[b];
+        op.to = t.address;
+        op.step = turned ? t.ld : t.step;
+        op.ld = turned ? t.step : t.ld;
+        op.rows = pattern.size[at(e.row)];
+        op.columns = pattern.size[at(e.column)];
+        op.diagonal = b < nodes;
+        ++group_begin[at(op.group) + 1];
+    }
+    for (std::size_t g = 0; g < groups; ++g) group_begin[g + 1] += group_begin[g];
+    ops.resize(blocks);
+    std::vector<std::int32_t> cursor(group_begin.begin(), group_begin.end() - 1);
+    for (const CopyOp& op : unsorted) ops[at(cursor[at(op.group)]++)] = op;
+    columns.resize(blocks);
+    factored = false;
+    const std::size_t n = at(s.scalars);
+    permuted.assign(n + 8, 0.0);  // vector loads read past the end
+    rest.assign(n, 0.0);
+    row_sum.assign(n, 0.0);
+}
+
+void BlockFactor::Impl::copy(const CopyOp& op, const double* values) noexcept {
+    const double* from = values + op.from;
+    double* to = numeric.values() + op.to;
+    for (int i = 0; i < op.rows; ++i)
+        for (int j = 0; j < (op.diagonal ? i + 1 : op.columns); ++j)
+            to[static_cast<std::int64_t>(i) * op.step + static_cast<std::int64_t>(j) * op.ld] =
+                from[i * op.columns + j];
+}
+
+/// Blocks of groups `first` + each.
+void BlockFactor::Impl::copy_groups(std::span<const std::int32_t> groups, std::int32_t first,
+                                    const double* values) noexcept {
+    auto one = [&](int i, int) noexcept {
+        const std::size_t g = at(first + groups[at(i)]);
+        for (std::int32_t k = group_begin[g]; k < group_begin[g + 1]; ++k) copy(ops[at(k)], values);
+    };
+    pool.for_each(static_cast<int>(groups.size()), one);
+}
+
+Status BlockFactor::Impl::finish(int wrong_pivots) noexcept {
+    wrong = wrong_pivots;
+    return wrong == 0 ? Status::ok : Status::wrong_pivot;
+}
+
+BlockFactor::BlockFactor(const FactorOptions& options) : impl_(std::make_unique<Impl>(options)) {
+    analyse({});
+}
+BlockFactor::~BlockFactor() = default;
+BlockFactor::BlockFactor(BlockFactor&&) noexcept = default;
+BlockFactor& BlockFactor::operator=(BlockFactor&&) noexcept = default;
+
+void BlockFactor::analyse(const BlockPattern& pattern) {
+    Impl& m = *impl_;
+    m.take(pattern);
+    m.analysis.plan(m.pattern);
+    m.report = {};
+    m.report.replanned = true;
+    m.report.columns = m.pattern.nodes();
+    m.place();
+}
+
+void BlockFactor::update(const BlockPattern& pattern, std::span<const std::int32_t> old_of_new) {
+    Impl& m = *impl_;
+    const auto before = static_cast<std::int32_t>(m.pattern.size.size());
+    if (!old_of_new.empty()) {
+        if (old_of_new.size() != pattern.size.size())
+            throw std::invalid_argument("block pattern: old numbers and nodes differ in number");
+        std::vector<bool> seen(at(before), false);
+        for (const std::int32_t old : old_of_new) {
+            if (old < -1 || old >= before || (old >= 0 && seen[at(old)]))
+                throw std::invalid_argument("block pattern: old numbers must be some of 0 to " +
+                                            std::to_string(before - 1) + ", each once, or -1");
+            if (old >= 0) seen[at(old)] = true;
+        }
+    }
+    m.take(pattern);
+    m.report = m.analysis.update(m.pattern, old_of_new);
+    m.place();
+}
+
+std::int64_t BlockFactor::value_count() const noexcept { return impl_->value_begin.back(); }
+std::int64_t BlockFactor::value_begin(std::int32_t block) const noexcept {
+    return impl_->value_begin[at(block)];
+}
+std::int64_t BlockFactor::scalar_begin(std::int32_t node) const noexcept {
+    return impl_->scalar_begin[at(node)];
+}
+
+Status BlockFactor::factor(std::span<const double> values) noexcept {
+    Impl& m = *impl_;
+    assert(static_cast<std::int64_t>(values.size()) == value_count());
+    const Impl::Awake awake(m.pool);
+    const factor::Symbolic& s = m.analysis.symbolic();
+    m.numeric.clear(s, m.pool);
+    constexpr std::int64_t kChunk = 256;
+    const auto count = static_cast<std::int64_t>(m.ops.size());
+    auto fill = [&](int i, int) noexcept {
+        const std::int64_t end = std::min(count, (i + 1) * kChunk);
+        for (std::int64_t k = i * kChunk; k < end; ++k) m.copy(m.ops[at(k)], values.data());
+    };
+    m.pool.for_each(static_cast<int>((count + kChunk - 1) / kChunk), fill);
+    m.factored = true;
+    return m.finish(m.numeric.factor(s, m.pool));
+}
+
+Status BlockFactor::refactor(std::span<const double> values,
+                             std::span<const std::int32_t> changed_blocks) noexcept {
+    Impl& m = *impl_;
+    assert(static_cast<std::int64_t>(values.size()) == value_count());
+    // There must be a factor to start from; a wrong pivot elsewhere in it would go unreported.
+    if (!m.options.partial || !m.factored || m.wrong != 0 ||
+        changed_blocks.size() > m.columns.size()) {
+        m.part_flops = m.analysis.symbolic().flops;
+        return factor(values);
+    }
+    const Impl::Awake awake(m.pool);
+    const factor::Symbolic& s = m.analysis.symbolic();
+    for (std::size_t k = 0; k < changed_blocks.size(); ++k)
+        m.columns[k] = m.column_of[at(changed_blocks[k])];
+    m.dirty.find(s, {m.columns.data(), changed_blocks.size()});
+    m.part_flops = m.dirty.flops;
+    m.numeric.clear(s, m.dirty, m.pool);
+    m.copy_groups(m.dirty.fronts, 0, values.data());
+    m.copy_groups(m.dirty.batches, static_cast<std::int32_t>(s.fronts.size()), values.data());
+    return m.finish(m.numeric.refactor(s, m.dirty, m.pool));
+}
+
+Status BlockFactor::solve(std::span<double> x) noexcept {
+    Impl& m = *impl_;
+    assert(x.size() + 8 == m.permuted.size());
+    const Impl::Awake awake(m.pool);
+    const factor::Symbolic& s = m.analysis.symbolic();
+    for (std::size_t v = 0; v < m.pattern.size.size(); ++v)
+        std::copy_n(x.data() + m.scalar_begin[v], m.pattern.size[v],
+                    m.permuted.data() + s.node_offset[v]);
+    m.numeric.solve(s, m.permuted.data(), m.pool);
+    bool finite = true;
+    for (std::size_t v = 0; v < m.pattern.size.size(); ++v)
+        for (std::int64_t i = 0; i < m.pattern.size[v]; ++i) {
+            const double value = m.permuted[at(s.node_offset[v] + i)];
+            x[at(m.scalar_begin[v] + i)] = value;
+            finite &= std::isfinite(value);
+        }
+    return finite ? Status::ok : Status::not_finite;
+}
+
+void BlockFactor::multiply(std::span<const double> values, std::span<const double> x,
+                           std::span<double> y) const noexcept {
+    const Impl& m = *impl_;
+    std::fill(y.begin(), y.end(), 0.0);
+    const std::size_t nodes = m.pattern.size.size();
+    for (std::size_t v = 0; v < nodes; ++v) {
+        const std::int64_t n = m.pattern.size[v], first = m.scalar_begin[v];
+        const double* block = values.data() + m.value_begin[v];
+        for (std::int64_t i = 0; i < n; ++i)
+            for (std::int64_t j = 0; j < n; ++j)
+                y[at(first + i)] += block[std::max(i, j) * n + std::min(i, j)] * x[at(first + j)];
+    }
+    for (std::size_t e = 0; e < m.edges.size(); ++e) {
+        const std::size_t r = at(m.edges[e].row), c = at(m.edges[e].column);
+        const double* block = values.data() + m.value_begin[nodes + e];
+        for (std::int64_t i = 0; i < m.pattern.size[r]; ++i)
+            for (std::int64_t j = 0; j < m.pattern.size[c]; ++j) {
+                const double k = block[i * m.pattern.size[c] + j];
+                y[at(m.scalar_begin[r] + i)] += k * x[at(m.scalar_begin[c] + j)];
+                y[at(m.scalar_begin[c] + j)] += k * x[at(m.scalar_begin[r] + i)];
+            }
+    }
+}
+
+double BlockFactor::residual(std::span<const double> values, std::span<const double> x,
+                             std::span<const double> b) noexcept {
+    Impl& m = *impl_;
+    auto largest = [](std::span<const double> v) {
+        double most = 0.0;  // !(…) keeps NaN
+        for (const double d : v)
+            if (!(std::abs(d) <= most)) most = std::abs(d);
+        return most;
+    };
+    multiply(values, x, m.rest);
+    for (std::size_t i = 0; i < b.size(); ++i) m.rest[i] = b[i] - m.rest[i];
+    const std::size_t nodes = m.pattern.size.size();
+    std::fill(m.row_sum.begin(), m.row_sum.end(), 0.0);
+    for (std::size_t k = 0; k < nodes + m.edges.size(); ++k) {
+        const bool diagonal = k < nodes;
+        const std::size_t r = diagonal ? k : at(m.edges[k - nodes].row);
+        const std::size_t c = diagonal ? k : at(m.edges[k - nodes].column);
+        const double* block = values.data() + m.value_begin[k];
+        for (std::int64_t i = 0; i < m.pattern.size[r]; ++i)
+            for (std::int64_t j = 0; j < (diagonal ? i + 1 : m.pattern.size[c]); ++j) {
+                const double size = std::abs(block[i * m.pattern.size[c] + j]);
+                m.row_sum[at(m.scalar_begin[r] + i)] += size;
+                if (!diagonal || j < i) m.row_sum[at(m.scalar_begin[c] + j)] += size;
+            }
+    }
+    const double scale = largest(m.row_sum) * largest(x) + largest(b);
+    return scale > 0.0 ? largest(m.rest) / scale : 0.0;
+}
+
+Status BlockFactor::refine(std::span<const double> values, std::span<const double> b,
+                           std::span<double> x) noexcept {
+    Impl& m = *impl_;
+    multiply(values, x, m.rest);
+    for (std::size_t i = 0; i < b.size(); ++i) m.rest[i] = b[i] - m.rest[i];
+    const Status status = solve(m.rest);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += m.rest[i];
+    return status;
+}
+
+FactorInfo BlockFactor::info() const noexcept {
+    const Impl& m = *impl_;
+    const factor::Symbolic& s = m.analysis.symbolic();
+    FactorInfo info;
+    info.nodes = m.pattern.nodes();
+    info.scalars = s.scalars;
+    info.fronts = static_cast<std::int64_t>(s.fronts.size());
+    info.matrix_nnz = s.matrix_nnz;
+    info.factor_nnz = s.factor_nnz;
+    info.flops = s.flops;
+    info.path_flops = s.critical_flops;
+    info.part_flops = m.part_flops;
+    info.columns = m.report.columns;
+    info.planned = m.report.replanned;
+    info.wrong_pivots = m.wrong;
+    info.bytes = static_cast<std::int64_t>(
+        m.analysis.bytes() + m.numeric.bytes() + base::bytes(m.ops) + base::bytes(m.column_of) +
+        base::bytes(m.value_begin) + base::bytes(m.permuted) + base::bytes(m.edges));
+    return info;
+}
+
+}  // namespace hawser
