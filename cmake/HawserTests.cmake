@@ -48,7 +48,8 @@ function(hawser_add_test_executable target folder)
     hawser_use(${target} ${libraries})
     hawser_unity(${target} 6)
     # Sources of tests; what they test keeps its own optimisation.
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1 -g0>)
+    target_compile_options(${target} PRIVATE
+        $<$<CONFIG:Release>:-O1 -g0> $<$<CONFIG:Sanitize>:-O0>)
     target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     foreach(library IN ITEMS hawser_test_support rapidcheck fmt::fmt PNG::PNG
                              nlohmann_json::nlohmann_json)
