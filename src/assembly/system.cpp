@@ -61,6 +61,7 @@ void System::analyse(const model::Bodies& bodies, model::Interactions& interacti
     dof_.resize(at(bodies.count()));
     for (int b = 0; b < bodies.count(); ++b) dof_[at(b)] = static_cast<std::uint8_t>(bodies.dof(b));
     reserve(bodies, interactions, threads);
+    strips.build(dof_, interactions);
     build_incidence(bodies, interactions);
     // The Jacobians at the current poses decide the forms.
     interaction_offset_.assign(at(interactions.count()), -1);
@@ -274,7 +275,7 @@ std::size_t System::bytes() const noexcept {
            bytes(ops) + bytes(lane_ops) + bytes(incident_) + bytes(incident_begin_) +
            bytes(body_offset_) + bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) +
            bytes(v_new_) + bytes(momentum_) + bytes(geo_record_) + bytes(geo_force_) +
-           bytes(solution_) + bytes(node_of_body) + bytes(node_of_interaction);
+           bytes(solution_) + bytes(node_of_body) + bytes(node_of_interaction) + strips.bytes();
 }
 
 }  // namespace hawser::assembly

@@ -11,6 +11,7 @@
 
 #include <hawser/def.h>
 
+#include "assembly/strips.h"
 #include "assembly/view.h"
 #include "base/executor.h"
 #include "base/memory.h"
@@ -46,8 +47,9 @@ class System {
     factor::Numeric numeric;
     graph::Islands islands;
     std::vector<std::int32_t> node_of_body, node_of_interaction;  ///< −1: no node.
-    std::vector<Op> ops;                                          ///< By column of the matrix.
-    std::vector<LaneOp> lane_ops;                                 ///< By place in the panels.
+    Strips strips;
+    std::vector<Op> ops;                    ///< By column of the matrix.
+    std::vector<LaneOp> lane_ops;           ///< By place in the panels.
     std::vector<std::int64_t> op_chunk;     ///< Chunk boundaries in ops, at changes of place.
     std::vector<std::int64_t> lane_chunk;   ///< The same chunks in lane_ops.
     std::vector<std::int64_t> panel_chunk;  ///< The panel memory of each chunk.

@@ -152,7 +152,8 @@ struct Kernels {
     /// The same for lanes.
     void (*gather_lane_blocks)(const View&, const LaneOp* ops, std::int64_t begin, std::int64_t end,
                                double* panel) noexcept;
-    /// First residual: v₊ = 0, λ = 0; for kept interactions also in the solver's vector.
+    /// First residual, of v₊ = 0 and λ = 0; for kept interactions also in the solver's vector.
+    /// λ itself, that of the last step, stays until the first row_update().
     void (*first_rhs)(const View&, std::int32_t begin, std::int32_t end) noexcept;
     /// Right-hand side of the solver from the residuals: bodies. The first one starts at
     /// v₊ = 0, which it writes.
@@ -161,7 +162,7 @@ struct Kernels {
     /// v₊ += solution.
     void (*add_solution)(const View&, std::int32_t begin, std::int32_t end) noexcept;
     /// λ += the solution's part, then the residual of every row, for kept interactions also in the
-    /// solver's vector; then K v₊. `first`: v₊ is the solution itself.
+    /// solver's vector; then K v₊. `first`: v₊ and λ are the solution itself.
     void (*row_update)(const View&, std::int32_t begin, std::int32_t end, bool first) noexcept;
     /// Norms over bodies, with the momentum residual.
     void (*body_norms)(const View&, std::int32_t begin, std::int32_t end, Norms*) noexcept;

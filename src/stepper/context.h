@@ -53,13 +53,14 @@ struct StepContext {
 
     double time = 0.0;
     std::int64_t step = 0;
+    bool rhs_ready = false;  ///< The solver's vector holds the right-hand side of the first solve.
     bool topology_changed = true;             ///< Bodies or interactions were added.
     bool started = false;                     ///< The staggered start has been made.
     double work = 0.0, drag = 0.0;            ///< Since the start [J].
     double drive = 0.0;                       ///< Likewise, see Energy::driven.
     double step_work = 0.0, step_drag = 0.0;  ///< Of the step being taken [J].
     double residual_floor = 0.0;              ///< Denominator floor of the momentum residual.
-    std::vector<assembly::Norms> norms;       ///< One a chunk, merged in order.
+    std::vector<assembly::Norms> norms;       ///< One a strip or group, merged in order.
     std::vector<double> active_before;        ///< Of one_sided interactions, for events.
     /// Positions and rotations at the last analysis, which chose forms and floors by them.
     base::Array<double> analysed_x, analysed_r;

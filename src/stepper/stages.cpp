@@ -24,10 +24,9 @@ void over(StepContext& ctx, std::int32_t count, F&& f) noexcept {
 }
 
 /// Merge in order, so that sums do not depend on threads.
-Norms merged(const std::vector<Norms>& parts, int count) noexcept {
+Norms merged(const std::vector<Norms>& parts) noexcept {
     Norms n;
-    for (int i = 0; i < count; ++i) {
-        const Norms& p = parts[at(i)];
+    for (const Norms& p : parts) {
         n.momentum += p.momentum;
         n.impulse += p.impulse;
         n.work += p.work;
@@ -43,34 +42,78 @@ Norms merged(const std::vector<Norms>& parts, int count) noexcept {
     return n;
 }
 
-/// One solve with the current residuals: v₊, λ corrected, residuals renewed.
-void correct(StepContext& ctx, const View& v, bool first = false) noexcept {
-    const assembly::Kernels& k = assembly::kernels();
-    over(ctx, v.body_count,
-         [&](std::int32_t a, std::int32_t b) { (first ? k.first_body_rhs : k.body_rhs)(v, a, b); });
-    ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
-    over(ctx, v.body_count, [&](std::int32_t a, std::int32_t b) { k.add_solution(v, a, b); });
-    over(ctx, v.interaction_count,
-         [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, first); });
+/// Call f for each of some ranges.
+template <class F>
+void each(std::span<const assembly::IndexRange> ranges, F&& f) noexcept {
+    for (const assembly::IndexRange& r : ranges) f(r.begin, r.end);
 }
 
-/// Residuals of the solution as it stands.
-Norms measure(StepContext& ctx, const View& v) noexcept {
+/// rows(strip), then own(begin, end) for the strip's own bodies, strip by strip; then own() for
+/// the shared bodies. The last argument of all is the place in ctx.norms.
+template <class Rows, class Own>
+void sweep(StepContext& ctx, Rows&& rows, Own&& own) noexcept {
+    const assembly::Strips& strips = ctx.system.strips;
+    auto strip = [&](int i, int) noexcept {
+        rows(i, i);
+        each(strips.bodies(i), [&](std::int32_t a, std::int32_t b) { own(a, b, i); });
+    };
+    auto group = [&](int i, int) noexcept {
+        each(strips.shared(i),
+             [&](std::int32_t a, std::int32_t b) { own(a, b, strips.count() + i); });
+    };
+    ctx.pool.for_each(strips.count(), strip);
+    ctx.pool.for_each(strips.groups(), group);
+}
+
+void evaluate_strip(StepContext& ctx, const View& v, int strip) noexcept {
+    for (const assembly::PoolRange& r : ctx.system.strips.pools(strip)) {
+        const model::Pool& pool = ctx.interactions.pool[static_cast<std::size_t>(r.kind)];
+        assembly::kernels().evaluate(v, r.kind, pool.ids.data(), pool.data.data(), r.begin, r.end);
+    }
+}
+
+/// Right-hand side of the first solve, from rows and body terms.
+void start_solve(StepContext& ctx, const View& v) noexcept {
     const assembly::Kernels& k = assembly::kernels();
-    const int bodies = StepContext::chunks(v.body_count);
-    const int rows = StepContext::chunks(v.interaction_count);
-    auto body_task = [&](int i, int) noexcept {
-        ctx.norms[at(i)] = Norms{};
-        k.body_norms(v, i * kChunk, std::min((i + 1) * kChunk, v.body_count), &ctx.norms[at(i)]);
-    };
-    auto row_task = [&](int i, int) noexcept {
-        Norms& n = ctx.norms[at(bodies + i)];
-        n = Norms{};
-        k.row_norms(v, i * kChunk, std::min((i + 1) * kChunk, v.interaction_count), &n);
-    };
-    ctx.pool.for_each(bodies, body_task);
-    ctx.pool.for_each(rows, row_task);
-    return merged(ctx.norms, bodies + rows);
+    sweep(
+        ctx,
+        [&](int strip, int) {
+            each(ctx.system.strips.interactions(strip),
+                 [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b); });
+        },
+        [&](std::int32_t a, std::int32_t b, int) { k.first_body_rhs(v, a, b); });
+    ctx.rhs_ready = true;
+}
+
+/// What follows a correction of v₊ and λ.
+enum class Next { solve, measure };
+
+/// One solve with the current residuals: v₊, λ corrected, residuals renewed. Then either the
+/// right-hand side of another one, or the norms of the solution as it stands.
+Norms correct(StepContext& ctx, const View& v, bool first, Next next) noexcept {
+    const assembly::Kernels& k = assembly::kernels();
+    const assembly::Strips& strips = ctx.system.strips;
+    ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
+    auto add = [&](std::int32_t a, std::int32_t b) { k.add_solution(v, a, b); };
+    auto add_shared = [&](int i, int) noexcept { each(strips.shared(i), add); };
+    ctx.pool.for_each(strips.groups(), add_shared);
+    if (next == Next::measure) std::fill(ctx.norms.begin(), ctx.norms.end(), Norms{});
+    sweep(
+        ctx,
+        [&](int strip, int norm) {
+            each(strips.bodies(strip), add);
+            each(strips.interactions(strip), [&](std::int32_t a, std::int32_t b) {
+                k.row_update(v, a, b, first);
+                if (next == Next::measure) k.row_norms(v, a, b, &ctx.norms[at(norm)]);
+            });
+        },
+        [&](std::int32_t a, std::int32_t b, int norm) {
+            if (next == Next::measure)
+                k.body_norms(v, a, b, &ctx.norms[at(norm)]);
+            else
+                k.body_rhs(v, a, b);
+        });
+    return next == Next::measure ? merged(ctx.norms) : Norms{};
 }
 
 /// G v₊ of a one-row interaction.
@@ -99,9 +142,7 @@ void prepare(StepContext& ctx) {
     ctx.analysed_x = ctx.bodies.x;
     ctx.analysed_r = ctx.bodies.r;
     ctx.system.analyse(ctx.bodies, ctx.interactions, ctx.def, ctx.pool.threads());
-    const auto chunks =
-        StepContext::chunks(ctx.bodies.count()) + StepContext::chunks(ctx.interactions.count());
-    ctx.norms.resize(at(chunks));
+    ctx.norms.resize(at(ctx.system.strips.count() + ctx.system.strips.groups()));
     ctx.active_before.resize(ctx.system.one_sided.size());
     ctx.lambda_before.resize(ctx.interactions.lambda.size());
     ctx.carriers_before.resize(16 * ctx.bodies.driven.size());
@@ -125,21 +166,25 @@ void prestep(StepContext&) noexcept {}
 
 void evaluate_rows(StepContext& ctx) noexcept {
     const View v = view(ctx);
-    const assembly::Kernels& k = assembly::kernels();
-    for (int kind = 0; kind < kInteractionKindCount; ++kind) {
-        const model::Pool& pool = ctx.interactions.pool[at(kind)];
-        over(ctx, static_cast<std::int32_t>(pool.ids.size()), [&](std::int32_t a, std::int32_t b) {
-            k.evaluate(v, static_cast<InteractionKind>(kind), pool.ids.data(), pool.data.data(), a,
-                       b);
-        });
-    }
+    auto strip = [&](int i, int) noexcept { evaluate_strip(ctx, v, i); };
+    ctx.pool.for_each(ctx.system.strips.count(), strip);
 }
 
 void assemble_rows(StepContext& ctx) noexcept {
-    evaluate_rows(ctx);
     const View v = view(ctx);
-    over(ctx, v.body_count,
-         [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_terms(v, a, b); });
+    const assembly::Kernels& k = assembly::kernels();
+    sweep(
+        ctx,
+        [&](int strip, int) {
+            evaluate_strip(ctx, v, strip);
+            each(ctx.system.strips.interactions(strip),
+                 [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b); });
+        },
+        [&](std::int32_t a, std::int32_t b, int) {
+            k.body_terms(v, a, b);
+            k.first_body_rhs(v, a, b);
+        });
+    ctx.rhs_ready = true;
 }
 
 void assemble_blocks(StepContext& ctx) noexcept {
@@ -162,11 +207,11 @@ Status factor_and_solve(StepContext& ctx) noexcept {
     assembly::System& s = ctx.system;
     ++ctx.stats.factorisations;
     if (s.numeric.factor(s.symbolic, ctx.pool) > 0) return Status::wrong_pivot;
-    const assembly::Kernels& k = assembly::kernels();
-    over(ctx, v.interaction_count, [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b); });
-    correct(ctx, v, true);
-    for (int i = 0; i < ctx.def.refinements; ++i) correct(ctx, v);
-    Norms n = measure(ctx, v);
+    if (!ctx.rhs_ready) start_solve(ctx, v);
+    ctx.rhs_ready = false;
+    Norms n;
+    for (int i = 0; i <= ctx.def.refinements; ++i)
+        n = correct(ctx, v, i == 0, i < ctx.def.refinements ? Next::solve : Next::measure);
     auto momentum = [&] {
         return std::sqrt(n.momentum) / std::max(std::sqrt(n.impulse), ctx.residual_floor);
     };
@@ -174,8 +219,9 @@ Status factor_and_solve(StepContext& ctx) noexcept {
     constexpr double kGood = 1e-12;
     for (int extra = 0; extra < 2 && ctx.def.refinements > 0 && momentum() > kGood; ++extra) {
         const Norms before = n;
-        correct(ctx, v);
-        n = measure(ctx, v);
+        over(ctx, v.body_count,
+             [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
+        n = correct(ctx, v, false, Next::measure);
         if (!(n.momentum < 0.25 * before.momentum)) break;
     }
     if (!std::isfinite(n.finite) || !std::isfinite(n.momentum)) return Status::not_finite;
@@ -210,6 +256,7 @@ bool update_active_set(StepContext& ctx, int pass) noexcept {
         }
         ++flips;
     }
+    if (flips > 0) ctx.rhs_ready = false;
     ctx.stats.flips_left = pass < kMaxPasses ? 0 : flips;
     return flips > 0 && pass < kMaxPasses;
 }

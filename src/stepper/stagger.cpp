@@ -91,6 +91,7 @@ Status try_stagger(StepContext& ctx) noexcept {
         assemble_rows(ctx);
         for (std::size_t i = 0; i < curvature.size(); ++i)
             ctx.interactions.c[i] -= ctx.def.step * curvature[i];
+        ctx.rhs_ready = false;
         const Status status = solve_assembled(ctx);
         if (status != Status::ok) return status;
         for (std::int32_t body : ctx.bodies.rigid) keep_spin_change(ctx.bodies, v, body);

@@ -81,7 +81,6 @@ void first_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept 
         const std::int32_t row = view.row_begin[id];
         for (int r = 0; r < view.rows[id]; ++r) {
             const double residual = view.active[id] * view.c[row + r];
-            view.lambda[row + r] = 0.0;
             view.residual[row + r] = residual;
             view.multiplier[row + r] = view.inv_sigma[row + r] * residual;
             if (view.interaction_offset[id] >= 0)

@@ -52,7 +52,13 @@ void geometry(const View& view, const typename K::Data& data, const BodyRef* ref
     const std::int32_t index = view.geo[id];
     if (index < 0) return;
     double* rec = view.geo_record + static_cast<long>(assembly::kGeoSize) * index;
-    for (int i = 0; i < assembly::kGeoSwing; ++i) rec[i] = 0.0;
+    const std::int32_t* body = view.body + kSlots * id;
+    const int dof0 = view.dof[body[0]], dof1 = view.dof[body[1]];
+    const bool rigid0 = dof0 == 6, rigid1 = dof1 == 6;
+    // Between bodies without arms the record behind u stays zero, as the analysis left it.
+    const bool points = (dof0 == 3 || dof0 == 1) && (dof1 == 3 || dof1 == 1);
+    const int used = points ? 4 : assembly::kGeoSwing;
+    for (int i = 0; i < used; ++i) rec[i] = 0.0;
     if (view.geometric_stiffness == 0.0 && view.rotation_damping == 0.0) return;
     if (view.active[id] == 0.0) return;
     const double scale = 0.25 * view.h * view.h * view.geometric_stiffness;
@@ -72,10 +78,9 @@ void geometry(const View& view, const typename K::Data& data, const BodyRef* ref
     } else {
         f1 = per_h * load3(lambda);
     }
+    if (points) return;
     store3(rec + 4, r0);
     store3(rec + 7, r1);
-    const std::int32_t* body = view.body + kSlots * id;
-    const bool rigid0 = view.dof[body[0]] == 6, rigid1 = view.dof[body[1]] == 6;
     if (!rigid0 && !rigid1) return;
     const double nf = norm(f1), n0 = norm(r0), n1 = norm(r1);
     if (rigid0) arm_stiffness(-f1, nf, r0, n0, scale, rec + 10);
@@ -188,7 +193,8 @@ inline void row_update_one(const View& view, std::int32_t id, bool first) {
     row_products<R>(view, id, view.v_new, [&](std::int32_t b) { return view.dof_begin[b]; }, total);
     if (offset >= 0) {
         for (int r = 0; r < R; ++r) {
-            const double lambda = view.lambda[row + r] - view.solution[offset + r];
+            const double before = first ? 0.0 : view.lambda[row + r];
+            const double lambda = before - view.solution[offset + r];
             const double residual =
                 on * (view.c[row + r] - total[r]) - view.sigma[row + r] * lambda;
             view.lambda[row + r] = lambda;
@@ -206,8 +212,8 @@ inline void row_update_one(const View& view, std::int32_t id, bool first) {
     for (int r = 0; r < R; ++r) {
         const double inverse = view.inv_sigma[row + r];
         const double change = first ? total[r] : delta[r];
-        const double lambda =
-            view.lambda[row + r] + on * inverse * (view.residual[row + r] - change);
+        const double before = first ? 0.0 : view.lambda[row + r];
+        const double lambda = before + on * inverse * (view.residual[row + r] - change);
         const double residual = on * (view.c[row + r] - total[r]) - view.sigma[row + r] * lambda;
         view.lambda[row + r] = lambda;
         view.residual[row + r] = residual;
