@@ -27,7 +27,8 @@
 ///
 /// Record (doubles): 0 w = (h²/4) T/l; 1-3 u; 4-6 r₀; 7-9 r₁; 10-15 (h²/4) P₀ and 16-21
 /// (h²/4) P₁ as xx xy xz yy yz zz; 22 h c. 23: max(|r₀|/I₀, |r₁|/I₁) [1/(kg m)], constant, set by
-/// the analysis; 0 where one of the bodies does not turn.
+/// the analysis; 0 where one of the bodies does not turn. Between bodies without arms a record ends
+/// after u.
 
 #include "assembly/view.h"
 #include "base/small.h"
@@ -69,8 +70,7 @@ inline void arm_stiffness(V3 f, double nf, V3 r, double nr, double scale, double
 
 /// Line and damping parts of K v on both slots; `lin`, `ang` are the slots' velocities. For the
 /// coupling part of M̃ v and, with damping = −1, of a. The arms' part acts on one body alone and is
-/// kept in that body's block. @param out kGeoForce doubles: six of slot 0 and two unused, then
-/// slot 1 likewise.
+/// kept in that body's block. @param out Twelve doubles, six a slot.
 inline void geo_product(const double* rec, const V3* lin, const V3* ang, double damping,
                         double* out) {
     const V3 r0 = load3(rec + 4), r1 = load3(rec + 7), u = load3(rec + 1);
@@ -79,8 +79,8 @@ inline void geo_product(const double* rec, const V3* lin, const V3* ang, double 
     const V3 t = rec[0] * (rel - dot(u, rel) * u);
     store3(out, t);
     store3(out + 3, d + cross(r0, t));
-    store3(out + 8, -t);
-    store3(out + 11, -d - cross(r1, t));
+    store3(out + 6, -t);
+    store3(out + 9, -d - cross(r1, t));
 }
 
 }  // namespace hawser::HAWSER_ISA

@@ -3,6 +3,7 @@
 #include "assembly/system.h"
 
 #include <algorithm>
+#include <bit>
 #include <tuple>
 
 namespace hawser::assembly {
@@ -126,7 +127,7 @@ void System::share_lanes(std::span<const OpEntry> entries, const model::Interact
         auto same = [&](const LaneOp& l) {
             return l.address == base && l.kind == op.kind && l.a == op.a && l.b == op.b &&
                    l.dof_a == op.dof_a && l.dof_b == op.dof_b && l.width == op.width &&
-                   l.rows == rows && l.used[lane] == 0.0;
+                   l.rows == rows && l.to_b == op.jac_b - op.jac_a && (l.used >> lane & 1) == 0;
         };
         auto found = std::find_if(lane_ops.begin() + first, lane_ops.end(), same);
         if (found == lane_ops.end()) {
@@ -140,28 +141,28 @@ void System::share_lanes(std::span<const OpEntry> entries, const model::Interact
             l.dof_b = op.dof_b;
             l.width = op.width;
             l.rows = rows;
+            l.to_b = op.jac_b - op.jac_a;
             lane_ops.push_back(l);
             single.push_back(op);
             found = lane_ops.end() - 1;
         }
         auto put = [&](std::size_t k) {
             found->id[k] = op.id;
-            found->from_a[k] = op.jac_a;
-            found->from_b[k] = op.jac_b;
-            if (op.kind == Op::body_block) found->from_a[k] = kBodyBlock * op.id;
-            if (op.kind == Op::geometric) found->from_a[k] = kGeoSize * in.geo[at(op.id)];
+            found->from[k] = op.jac_a;
+            if (op.kind == Op::body_block) found->from[k] = kBodyBlock * op.id;
+            if (op.kind == Op::geometric) found->from[k] = geo_place_[at(op.id)].record;
         };
         // Until a lane has its own, it repeats the latest.
         for (std::size_t k = 0; k < factor::kLaneCount; ++k)
-            if (found->used[k] == 0.0) put(k);
+            if ((found->used >> k & 1) == 0) put(k);
         put(lane);
-        found->used[lane] = 1.0;
+        found->used = static_cast<std::uint8_t>(found->used | 1U << lane);
     }
     // What only one lane does is done alone.
     std::size_t kept = static_cast<std::size_t>(first);
     for (std::size_t i = 0; i < single.size(); ++i) {
         const LaneOp& l = lane_ops[static_cast<std::size_t>(first) + i];
-        if (std::count(l.used, l.used + factor::kLaneCount, 1.0) > 1)
+        if (std::popcount(l.used) > 1)
             lane_ops[kept++] = l;
         else
             ops.push_back(single[i]);

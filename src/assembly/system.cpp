@@ -91,11 +91,22 @@ void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) 
     constexpr std::size_t kSlack = 8;
     in.jacobian.resize(at(in.jac_size) + kSlack);
     body_block_.resize(at(kBodyBlock * bodies.count()) + kSlack);
-    geo_record_.assign(at(kGeoSize) * at(in.geo_count), 0.0);
-    geo_force_.assign(at(kGeoForce) * at(in.geo_count), 0.0);
+    geo_place_.assign(at(in.count()), {});
+    std::int32_t record = 0, force = 0;
+    for (int i = 0; i < in.count(); ++i) {
+        if (in.geo[at(i)] < 0) continue;
+        const std::int32_t* body = &in.body[at(kSlots * i)];
+        auto is_point = [&](std::int32_t b) { return dof_[at(b)] == 3 || dof_[at(b)] == 1; };
+        const bool points = is_point(body[0]) && is_point(body[1]);
+        geo_place_[at(i)] = {record, force, points ? 3 : 6};
+        record += points ? kGeoLine : kGeoSize;
+        force += points ? 6 : 12;
+    }
+    geo_record_.assign(at(record) + kSlack, 0.0);
+    geo_force_.assign(at(force) + kSlack, 0.0);
     for (int i = 0; i < in.count(); ++i)
-        if (in.geo[at(i)] >= 0)
-            geo_record_[at(kGeoSize * in.geo[at(i)] + kGeoSwing)] = swing_rate(bodies, in, i);
+        if (geo_place_[at(i)].dof == 6 && geo_place_[at(i)].record >= 0)
+            geo_record_[at(geo_place_[at(i)].record + kGeoSwing)] = swing_rate(bodies, in, i);
     for (base::Array<double>* a : {&a_, &v_new_, &momentum_})
         a->assign(at(bodies.dofs) + kSlack, 0.0);
     one_sided.clear();
@@ -131,13 +142,12 @@ void System::build_incidence(const model::Bodies& bodies, const model::Interacti
         std::int32_t column = in.jac_begin[at(i)];
         for (int b = 0; b < in.bodies[at(i)]; ++b) {
             const bool geo = in.geo[at(i)] >= 0 && b < 2;
-            incident_[at(cursor[at(body[b])]++)] = {i,
-                                                    column,
-                                                    in.row_begin[at(i)],
-                                                    geo ? in.geo[at(i)] : -1,
-                                                    static_cast<std::uint8_t>(b),
-                                                    in.rows[at(i)],
-                                                    static_cast<std::uint8_t>(width)};
+            const GeoPlace& place = geo_place_[at(i)];
+            Incidence& incidence = incident_[at(cursor[at(body[b])]++)];
+            incidence = {column, in.row_begin[at(i)], -1,
+                         -1,     in.rows[at(i)],      static_cast<std::uint8_t>(width)};
+            if (geo) incidence.geo_force = place.force + b * place.dof;
+            if (geo && place.dof == 6) incidence.geo_arm = place.record + 10 + 6 * b;
             column += dof_[at(body[b])];
         }
     }
@@ -243,7 +253,7 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.flags = in.flags.data();
     v.row_begin = in.row_begin.data();
     v.jac_begin = in.jac_begin.data();
-    v.geo = in.geo.data();
+    v.geo = geo_place_.data();
     v.active = in.active.data();
     v.parted = in.parted.data();
     v.inv_length = in.inv_length.data();

@@ -69,6 +69,7 @@ class System {
     void share_lanes(std::span<const OpEntry> entries, const model::Interactions& interactions);
     void reserve(const model::Bodies& bodies, model::Interactions& interactions, int threads);
 
+    std::vector<GeoPlace> geo_place_;
     std::vector<std::uint8_t> dof_, kept_;
     std::vector<std::int32_t> incident_begin_;
     std::vector<Incidence> incident_;

@@ -20,7 +20,7 @@ namespace hawser::assembly {
 inline constexpr int kBodyBlock = 12;  ///< Doubles of a body's own block: two symmetric 3×3.
 inline constexpr int kGeoSize = 24;    ///< Doubles of one geometric-stiffness record, see geo.h.
 inline constexpr int kGeoSwing = 23;   ///< Its last one, which no step writes.
-inline constexpr int kGeoForce = 16;   ///< Doubles of K v of one record: eight a slot, six used.
+inline constexpr int kGeoLine = 4;     ///< Of them, those between bodies without arms.
 
 /// One contribution to one block of the matrix.
 struct Op {
@@ -49,18 +49,26 @@ struct LaneOp {
     Op::Kind kind;
     std::uint8_t a, b;
     std::uint8_t dof_a, dof_b, width, rows;
+    std::uint8_t used;  ///< One bit a lane.
+    std::int32_t to_b;  ///< From slot a's columns to slot b's.
     std::int32_t id[8];
-    std::int32_t from_a[8], from_b[8];  ///< Offsets of what op.kind reads: Jacobian, record, block.
-    double used[8];                     ///< 1 or 0.
+    std::int32_t from[8];  ///< Offsets of what op.kind reads: slot a's columns, record, block.
 };
 
 /// One interaction as a body sees it: all that the gather loops need, without detours.
 struct Incidence {
-    std::int32_t id;
-    std::int32_t jacobian;  ///< Offset of this body's columns in the first row.
-    std::int32_t row;       ///< First row.
-    std::int32_t geo;       ///< Geometric record, −1: none or not one of its two bodies.
-    std::uint8_t slot, rows, width;
+    std::int32_t jacobian;   ///< Offset of this body's columns in the first row.
+    std::int32_t row;        ///< First row.
+    std::int32_t geo_force;  ///< Offset of its part of K v, −1: none or not one of its two bodies.
+    std::int32_t geo_arm;    ///< Offset of its arm's stiffness, −1: none.
+    std::uint8_t rows, width;
+};
+
+/// Where the geometric terms of one interaction are.
+struct GeoPlace {
+    std::int32_t record = -1;  ///< Offset of the record, kGeoSize or kGeoLine doubles; −1: none.
+    std::int32_t force = 0;    ///< Offset of K v: `dof` doubles of slot 0, then of slot 1.
+    std::int32_t dof = 6;      ///< 3 between bodies without arms (lumps, scalars), else 6.
 };
 
 struct View {
@@ -97,7 +105,7 @@ struct View {
     const std::uint8_t* flags;
     const std::int32_t* row_begin;
     const std::int32_t* jac_begin;
-    const std::int32_t* geo;
+    const GeoPlace* geo;
     double* active;
     const std::uint8_t* parted;
     const double* inv_length;  ///< 1/l₀ of wire elements, 0 for all else.
@@ -113,8 +121,8 @@ struct View {
     double* multiplier;  ///< By row: λ + Σ⁻¹ residual where condensed, 0 where idle.
     double* force_of_row;
     double* jacobian;
-    double* geo_record;  ///< kGeoSize each.
-    double* geo_force;   ///< kGeoForce each: K v for the velocities of the latest loop over rows.
+    double* geo_record;  ///< See GeoPlace.
+    double* geo_force;   ///< K v for the velocities of the latest loop over rows.
 
     // Incidence: which (interaction, slot) pairs touch a body.
     const std::int32_t* incident_begin;

@@ -99,7 +99,7 @@ inline M3 product(const M3& p, const M3& q) {
 
 /// Blocks of geo.h: line part Aᵀ k A with A = ±[E, −r̂], and damping.
 void geometric(const View& view, const Op& op, Place out) {
-    const double* rec = view.geo_record + static_cast<long>(assembly::kGeoSize) * view.geo[op.id];
+    const double* rec = view.geo_record + view.geo[op.id].record;
     const bool rigid_a = op.dof_a == 6, rigid_b = op.dof_b == 6;
     const bool same = op.a == op.b;
     const double sign = same ? 1.0 : -1.0;
@@ -110,6 +110,7 @@ void geometric(const View& view, const Op& op, Place out) {
                     w - w * u.y * u.y, -w * u.y * u.z, -w * u.x * u.z, -w * u.y * u.z,
                     w - w * u.z * u.z}};
         add_matrix(out, k, sign);
+        if (!rigid_a && !rigid_b) return;
         const M3 ra = skew(load3(rec + (op.a == 0 ? 4 : 7)));
         const M3 rb = skew(load3(rec + (op.b == 0 ? 4 : 7)));
         const M3 krb = product(k, rb);  // point velocity v − r̂ω: columns −k r̂

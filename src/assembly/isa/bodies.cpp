@@ -8,7 +8,6 @@ namespace hawser::HAWSER_ISA {
 namespace {
 
 using assembly::kBodyBlock;
-using assembly::kGeoForce;
 using assembly::View;
 
 /// out (dof entries) = block of M + hD times u.
@@ -37,8 +36,7 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
         const double* jac = view.jacobian + in.jacobian;
         const double* yr = y + in.row;
         for (int r = 0; r < in.rows; ++r) acc += yr[r] * load(jac + r * in.width);
-        if (!kAtRest && in.geo >= 0)
-            acc -= load(view.geo_force + static_cast<long>(kGeoForce) * in.geo + 8 * in.slot);
+        if (!kAtRest && in.geo_force >= 0) acc -= load(view.geo_force + in.geo_force);
     }
     double sum8[8];
     store(sum8, acc);

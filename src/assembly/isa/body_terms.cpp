@@ -9,8 +9,6 @@ namespace hawser::HAWSER_ISA {
 namespace {
 
 using assembly::kBodyBlock;
-using assembly::kGeoForce;
-using assembly::kGeoSize;
 using assembly::View;
 
 void store_sym(double* out, const M3& m) {
@@ -126,13 +124,12 @@ void add_geometric(const View& view, std::int32_t body) {
     double* a = view.a + view.dof_begin[body];
     for (std::int32_t k = view.incident_begin[body]; k < view.incident_begin[body + 1]; ++k) {
         const assembly::Incidence& in = view.incident[k];
-        if (in.geo < 0) continue;
-        const double* force = view.geo_force + static_cast<long>(kGeoForce) * in.geo + 8 * in.slot;
+        if (in.geo_force < 0) continue;
+        const double* force = view.geo_force + in.geo_force;
         add3(a, load3(force));
-        if (dof < 6) continue;
+        if (dof < 6 || in.geo_arm < 0) continue;
         // The arms' stiffness touches this body alone: it joins the body's own block.
-        const double* arm =
-            view.geo_record + static_cast<long>(kGeoSize) * in.geo + 10 + 6 * in.slot;
+        const double* arm = view.geo_record + in.geo_arm;
         for (int i = 0; i < 6; ++i) block[6 + i] += arm[i];
         add3(a + 3, load3(force + 3) + mul6(arm, load3(v + 3)));
     }

@@ -22,6 +22,13 @@ struct LanePlace {
     }
 };
 
+/// 1 in the lanes in use, 0 in the others.
+inline V8 used_lanes(const LaneOp& op) {
+    double v[kLanes];
+    for (int l = 0; l < kLanes; ++l) v[l] = (op.used >> l) & 1;
+    return load(v);
+}
+
 /// One value of each lane's interaction or row.
 inline V8 pick(const double* values, const std::int32_t* index, int offset = 0) {
     double v[kLanes];
@@ -40,14 +47,14 @@ template <int DA, int DB, int N>
 inline void outer_rows(const View& view, const LaneOp& op, int r, LanePlace out) {
     V8 a[N][kLanes], b[N][kLanes];
     const bool diagonal = op.a == op.b;
-    const V8 on = load(op.used) * pick(view.active, op.id);
+    const V8 on = used_lanes(op) * pick(view.active, op.id);
     for (int k = 0; k < N; ++k) {
         const double* row = view.jacobian + (r + k) * op.width;
-        load_lanes(row, op.from_a, a[k]);
+        load_lanes(row, op.from, a[k]);
         if (diagonal)
             for (int j = 0; j < kLanes; ++j) b[k][j] = a[k][j];
         else
-            load_lanes(row, op.from_b, b[k]);
+            load_lanes(row + op.to_b, op.from, b[k]);
         const V8 w = on * pick_row(view, view.inv_sigma, op.id, r + k);
         for (int j = 0; j < DB; ++j) b[k][j] = b[k][j] * w;
     }
@@ -95,9 +102,9 @@ void condense(const View& view, const LaneOp& op, LanePlace out) {
 void geometric(const View& view, const LaneOp& op, LanePlace out) {
     const bool rigid_a = op.dof_a == 6, rigid_b = op.dof_b == 6;
     const bool same = op.a == op.b;
-    const V8 sign = load(op.used) * (same ? 1.0 : -1.0);
+    const V8 sign = used_lanes(op) * (same ? 1.0 : -1.0);
     V8 head[kLanes];  // w, u, r0, first of r1
-    load_lanes(view.geo_record, op.from_a, head);
+    load_lanes(view.geo_record, op.from, head);
     if (any(head[0])) {
         const V8 w = sign * head[0];
         V8 k[3][3];
@@ -110,7 +117,7 @@ void geometric(const View& view, const LaneOp& op, LanePlace out) {
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) out.add(i, j, k[i][j]);
         V8 r1[kLanes];
-        if (rigid_a || rigid_b) load_lanes(view.geo_record + 7, op.from_a, r1);
+        if (rigid_a || rigid_b) load_lanes(view.geo_record + 7, op.from, r1);
         const V8* ra = op.a == 0 ? head + 4 : r1;
         const V8* rb = op.b == 0 ? head + 4 : r1;
         V8 kr[3][3];  // k r̂_b
@@ -133,16 +140,16 @@ void geometric(const View& view, const LaneOp& op, LanePlace out) {
             }
     }
     if (rigid_a && rigid_b) {
-        const V8 damping = sign * pick(view.geo_record, op.from_a, 22);
+        const V8 damping = sign * pick(view.geo_record, op.from, 22);
         for (int i = 3; i < 6; ++i) out.add(i, i, damping);
     }
 }
 
 void body_block(const View& view, const LaneOp& op, LanePlace out) {
     constexpr int kLower[6][2] = {{0, 0}, {1, 0}, {2, 0}, {1, 1}, {2, 1}, {2, 2}};
-    const V8 used = load(op.used);
+    const V8 used = used_lanes(op);
     V8 block[kLanes];
-    load_lanes(view.body_block, op.from_a, block);
+    load_lanes(view.body_block, op.from, block);
     if (op.dof_a == 1) {
         out.add(0, 0, used * block[0]);
         return;
@@ -150,22 +157,22 @@ void body_block(const View& view, const LaneOp& op, LanePlace out) {
     for (int k = 0; k < 6; ++k) out.add(kLower[k][0], kLower[k][1], used * block[k]);
     if (op.dof_a < 6) return;
     // The last eight of twelve: a vector must not end behind the array.
-    load_lanes(view.body_block + 4, op.from_a, block);
+    load_lanes(view.body_block + 4, op.from, block);
     for (int k = 0; k < 6; ++k) out.add(3 + kLower[k][0], 3 + kLower[k][1], used * block[2 + k]);
 }
 
 void kept(const View& view, const LaneOp& op, LanePlace out) {
     if (op.kind == Op::kept_sigma) {
         for (int r = 0; r < op.rows; ++r)
-            out.add(r, r, V8{} - load(op.used) * pick_row(view, view.sigma, op.id, r));
+            out.add(r, r, V8{} - used_lanes(op) * pick_row(view, view.sigma, op.id, r));
         return;
     }
     const bool below = op.kind == Op::kept_rows;
-    const V8 on = load(op.used) * pick(view.active, op.id);
+    const V8 on = used_lanes(op) * pick(view.active, op.id);
     const int dof = below ? op.dof_b : op.dof_a;
     for (int r = 0; r < op.rows; ++r) {
         V8 row[kLanes];
-        load_lanes(view.jacobian + r * op.width, below ? op.from_b : op.from_a, row);
+        load_lanes(view.jacobian + r * op.width + (below ? op.to_b : 0), op.from, row);
         for (int j = 0; j < dof; ++j) out.add(below ? r : j, below ? j : r, on * row[j]);
     }
 }

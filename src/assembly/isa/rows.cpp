@@ -23,21 +23,30 @@ void slot_velocity(const View& view, const double* v, std::int32_t body, V3& lin
 
 /// K v of an interaction's record on its two bodies, see geo.h.
 inline void geo_force(const View& view, std::int32_t id, const double* v, double damping) {
-    const std::int32_t index = view.geo[id];
-    const double* rec = view.geo_record + static_cast<long>(assembly::kGeoSize) * index;
-    double* out = view.geo_force + static_cast<long>(assembly::kGeoForce) * index;
-    if (rec[0] == 0.0 && rec[22] == 0.0) {
-        for (int i = 0; i < assembly::kGeoForce; ++i) out[i] = 0.0;
+    const assembly::GeoPlace& place = view.geo[id];
+    const double* rec = view.geo_record + place.record;
+    double* out = view.geo_force + place.force;
+    const std::int32_t* body = view.body + kSlots * id;
+    if (place.dof == 3) {  // no arms
+        const V3 u = load3(rec + 1);
+        V3 lin[2], ang;
+        for (int b = 0; b < 2; ++b) slot_velocity(view, v, body[b], lin[b], ang);
+        const V3 rel = lin[0] - lin[1], t = rec[0] * (rel - dot(u, rel) * u);
+        store3(out, t);
+        store3(out + 3, -t);
         return;
     }
-    const std::int32_t* body = view.body + kSlots * id;
+    if (rec[0] == 0.0 && rec[22] == 0.0) {
+        for (int i = 0; i < 12; ++i) out[i] = 0.0;
+        return;
+    }
     if (rec[0] == 0.0) {  // damping of a joint between two rigid bodies
         const V3 d = (damping * rec[22]) * (load3(v + view.dof_begin[body[0]] + 3) -
                                             load3(v + view.dof_begin[body[1]] + 3));
         store3(out, {0, 0, 0});
         store3(out + 3, d);
-        store3(out + 8, {0, 0, 0});
-        store3(out + 11, -d);
+        store3(out + 6, {0, 0, 0});
+        store3(out + 9, -d);
         return;
     }
     V3 lin[2], ang[2];
@@ -49,16 +58,13 @@ inline void geo_force(const View& view, std::int32_t id, const double* v, double
 template <class K>
 void geometry(const View& view, const typename K::Data& data, const BodyRef* refs, std::int32_t id,
               const Rows<K::kBodies, K::kRows>& rows) {
-    const std::int32_t index = view.geo[id];
-    if (index < 0) return;
-    double* rec = view.geo_record + static_cast<long>(assembly::kGeoSize) * index;
+    const assembly::GeoPlace& place = view.geo[id];
+    if (place.record < 0) return;
+    double* rec = view.geo_record + place.record;
     const std::int32_t* body = view.body + kSlots * id;
-    const int dof0 = view.dof[body[0]], dof1 = view.dof[body[1]];
-    const bool rigid0 = dof0 == 6, rigid1 = dof1 == 6;
-    // Between bodies without arms the record behind u stays zero, as the analysis left it.
-    const bool points = (dof0 == 3 || dof0 == 1) && (dof1 == 3 || dof1 == 1);
-    const int used = points ? 4 : assembly::kGeoSwing;
-    for (int i = 0; i < used; ++i) rec[i] = 0.0;
+    const bool rigid0 = view.dof[body[0]] == 6, rigid1 = view.dof[body[1]] == 6;
+    const int size = place.dof == 3 ? assembly::kGeoLine : assembly::kGeoSwing;
+    for (int i = 0; i < size; ++i) rec[i] = 0.0;
     if (view.geometric_stiffness == 0.0 && view.rotation_damping == 0.0) return;
     if (view.active[id] == 0.0) return;
     const double scale = 0.25 * view.h * view.h * view.geometric_stiffness;
@@ -78,7 +84,7 @@ void geometry(const View& view, const typename K::Data& data, const BodyRef* ref
     } else {
         f1 = per_h * load3(lambda);
     }
-    if (points) return;
+    if (place.dof == 3) return;
     store3(rec + 4, r0);
     store3(rec + 7, r1);
     if (!rigid0 && !rigid1) return;
@@ -157,7 +163,7 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         if (view.parted[id]) view.active[id] = 0.0;
         if constexpr (K::kGeometry != Geometry::none) {
             geometry<K>(view, data[k], refs, id, rows);
-            if (view.geo[id] >= 0) geo_force(view, id, view.v, -1.0);
+            if (view.geo[id].record >= 0) geo_force(view, id, view.v, -1.0);
         }
     }
 }
@@ -224,7 +230,7 @@ inline void row_update_one(const View& view, std::int32_t id, bool first) {
 template <int R>
 inline void row_update_of(const View& view, std::int32_t id, bool first) {
     row_update_one<R>(view, id, first);
-    if (view.geo[id] >= 0) geo_force(view, id, view.v_new, 1.0);
+    if (view.geo[id].record >= 0) geo_force(view, id, view.v_new, 1.0);
 }
 
 }  // namespace
