@@ -48,8 +48,8 @@ class System {
     graph::Islands islands;
     std::vector<std::int32_t> node_of_body, node_of_interaction;  ///< −1: no node.
     Strips strips;
-    std::vector<Op> ops;                    ///< By column of the matrix.
-    std::vector<LaneOp> lane_ops;           ///< By place in the panels.
+    base::Array<Op> ops;                    ///< By column of the matrix.
+    base::Array<LaneOp> lane_ops;           ///< By place in the panels.
     std::vector<std::int64_t> op_chunk;     ///< Chunk boundaries in ops, at changes of place.
     std::vector<std::int64_t> lane_chunk;   ///< The same chunks in lane_ops.
     std::vector<std::int64_t> panel_chunk;  ///< The panel memory of each chunk.
@@ -69,11 +69,11 @@ class System {
     void share_lanes(std::span<const OpEntry> entries, const model::Interactions& interactions);
     void reserve(const model::Bodies& bodies, model::Interactions& interactions, int threads);
 
-    std::vector<GeoPlace> geo_place_;
-    std::vector<std::uint8_t> dof_, kept_;
-    std::vector<std::int32_t> incident_begin_;
-    std::vector<Incidence> incident_;
-    std::vector<std::int32_t> body_offset_, interaction_offset_;
+    base::Array<GeoPlace> geo_place_;
+    base::Array<std::uint8_t> dof_, kept_;
+    base::Array<std::int32_t> incident_begin_;
+    base::Array<Incidence> incident_;
+    base::Array<std::int32_t> body_offset_, interaction_offset_;
     base::Array<double> body_block_, a_, v_new_, momentum_, geo_record_, geo_force_, solution_;
 };
 

@@ -30,8 +30,8 @@ namespace hawser::model {
 }
 
 struct Bodies {
-    std::vector<BodyKind> kind;
-    std::vector<std::int32_t> dof_begin;  ///< Into v; for bodies without freedom: unused.
+    base::Array<BodyKind> kind;
+    base::Array<std::int32_t> dof_begin;  ///< Into v; for bodies without freedom: unused.
     std::vector<std::int32_t> moving;     ///< Bodies with freedom, ascending.
     std::vector<std::int32_t> rigid;      ///< Rigid bodies, ascending.
     std::vector<std::int32_t> driven;     ///< Kinematic bodies, ascending.
@@ -50,7 +50,7 @@ struct Bodies {
     base::Array<double> inv_inertia;  ///< Its inverse; zero for bodies that are not rigid.
     base::Array<double> force;        ///< 6 a body: applied force and torque, world frame [N, N m].
     base::Array<double> damping;      ///< 6 a body: drag along and about the body's axes.
-    std::vector<std::uint8_t> weight;  ///< 1: gravity acts.
+    base::Array<std::uint8_t> weight;  ///< 1: gravity acts.
 
     std::int32_t dofs = 0;
 

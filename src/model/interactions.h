@@ -21,7 +21,7 @@ namespace hawser::model {
 
 /// Interactions of one kind.
 struct Pool {
-    std::vector<std::int32_t> ids;
+    base::Array<std::int32_t> ids;
     std::size_t stride = 0;       ///< Bytes of one Data.
     base::Array<std::byte> data;  ///< ids.size() Data structs.
 };
@@ -56,12 +56,12 @@ struct Interactions {
     std::vector<std::int32_t> pool_index;  ///< Of each id in its pool.
 
     // By interaction.
-    std::vector<std::int32_t> body;  ///< kMaxInteractionBodies an id; −1 behind the last.
-    std::vector<std::uint8_t> bodies, rows, flags;
-    std::vector<std::int32_t> row_begin, jac_begin;
+    base::Array<std::int32_t> body;  ///< kMaxInteractionBodies an id; −1 behind the last.
+    base::Array<std::uint8_t> bodies, rows, flags;
+    base::Array<std::int32_t> row_begin, jac_begin;
     std::vector<std::int32_t> geo;        ///< Index of the geometric-stiffness record, or −1.
     base::Array<double> active;           ///< 1, or 0: slack, inside its range or parted.
-    std::vector<std::uint8_t> parted;     ///< 1 once a line has parted.
+    base::Array<std::uint8_t> parted;     ///< 1 once a line has parted.
     base::Array<double> inv_length;       ///< 1/l₀ of wire elements, 0 for all else.
     std::vector<std::int32_t> working;    ///< Those through which work enters: motors, driven by an
                                           ///< input, touching a prescribed velocity. Ascending.
@@ -78,7 +78,7 @@ struct Interactions {
     base::Array<double> lambda;          ///< Impulse [N s or N m s].
     base::Array<double> multiplier;      ///< Scratch of the solve: λ + Σ⁻¹ residual.
     base::Array<double> force;           ///< λ/h of the last step, for readers.
-    std::vector<std::uint8_t> row_flags;
+    base::Array<std::uint8_t> row_flags;
 
     base::Array<double> jacobian;
     std::int32_t row_count = 0, jac_size = 0, geo_count = 0;
