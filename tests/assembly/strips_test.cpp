@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assembly/strips.h"
+
+#include "support/recipe.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace hawser::test {
+namespace {
+
+using assembly::Strips;
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Strip of every index, −1 where none; fails on an index that is in two.
+template <class Ranges>
+void mark(const Ranges& ranges, int strip, std::vector<int>& of) {
+    for (const auto& r : ranges)
+        for (std::int32_t i = r.begin; i < r.end; ++i) {
+            EXPECT_EQ(of[at(i)], -1) << i;
+            of[at(i)] = strip;
+        }
+}
+
+/// Everything is in exactly one strip, and what a strip calls its own no other one touches.
+void check(const stepper::StepContext& ctx) {
+    const model::Interactions& in = ctx.interactions;
+    const Strips& strips = ctx.system.strips;
+    std::vector<int> body(at(ctx.bodies.count()), -1), own(at(in.count()), -1);
+    for (int s = 0; s < strips.count(); ++s) {
+        mark(strips.bodies(s), s, body);
+        mark(strips.interactions(s), s, own);
+    }
+    for (int g = 0; g < strips.groups(); ++g) mark(strips.shared(g), strips.count(), body);
+    for (const int s : body) EXPECT_GE(s, 0);
+    for (std::int32_t i = 0; i < in.count(); ++i) {
+        ASSERT_GE(own[at(i)], 0);
+        for (int b = 0; b < in.bodies[at(i)]; ++b) {
+            const std::int32_t k = in.body[at(kMaxInteractionBodies * i + b)];
+            if (ctx.bodies.dof(k) == 0) continue;
+            EXPECT_TRUE(body[at(k)] == own[at(i)] || body[at(k)] == strips.count()) << k;
+        }
+    }
+    for (int kind = 0; kind < kInteractionKindCount; ++kind) {
+        const auto& ids = in.pool[at(kind)].ids;
+        std::vector<int> entry(ids.size(), -1);
+        for (int s = 0; s < strips.count(); ++s)
+            for (const assembly::PoolRange& r : strips.pools(s))
+                if (static_cast<int>(r.kind) == kind) mark(std::vector{r}, s, entry);
+        for (std::size_t k = 0; k < ids.size(); ++k) EXPECT_EQ(entry[k], own[at(ids[k])]);
+    }
+}
+
+TEST(Strips, HoldEverythingOnce) {
+    for (std::uint64_t seed = 1; seed < 6; ++seed)
+        for (const int size : {1, 40, 400}) {
+            const auto ctx = mixed(seed, size).context();
+            check(*ctx);
+        }
+}
+
+TEST(Strips, AreEmptyWithoutBodies) {
+    Strips strips;
+    strips.build({}, model::Interactions{});
+    EXPECT_EQ(strips.count(), 0);
+    EXPECT_EQ(strips.groups(), 0);
+}
+
+TEST(Strips, ShareFewBodiesOfAWire) {
+    const auto ctx = link_chain(2000).context();
+    check(*ctx);
+    const Strips& strips = ctx->system.strips;
+    EXPECT_GE(strips.count(), 8);
+    std::int32_t shared = 0;
+    for (int g = 0; g < strips.groups(); ++g)
+        for (const auto& r : strips.shared(g)) shared += r.end - r.begin;
+    // One or two a border.
+    EXPECT_LE(shared, 2 * strips.count());
+}
+
+}  // namespace
+}  // namespace hawser::test
