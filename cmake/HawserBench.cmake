@@ -16,10 +16,12 @@ set(own_sources peers/scenes peers/forest peers/meter peers/reference
                 linear/form linear/assemble linear/sweeps linear/reference)
 list(TRANSFORM own_sources REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/bench/\\1.cpp")
 list(REMOVE_ITEM bench_sources ${own_sources})
+list(APPEND own_sources "${PROJECT_SOURCE_DIR}/examples/matrix_market/market.cpp")
 add_library(hawser_bench_own OBJECT ${own_sources})
 hawser_use(hawser_bench_own)
 hawser_unity(hawser_bench_own 7)
-target_include_directories(hawser_bench_own PRIVATE ${PROJECT_SOURCE_DIR}/bench)
+target_include_directories(hawser_bench_own PRIVATE
+    ${PROJECT_SOURCE_DIR}/bench ${PROJECT_SOURCE_DIR}/examples)
 target_link_libraries(hawser_bench_own PRIVATE AMD::AMD)
 if(NOT HAWSER_BENCH)
     return()
@@ -48,7 +50,8 @@ add_executable(hawser_bench ${bench_sources} $<TARGET_OBJECTS:hawser_bench_own>)
 set_target_properties(hawser_bench PROPERTIES OUTPUT_NAME hawser-bench)
 hawser_use(hawser_bench hawser_observe hawser_scene)
 hawser_unity(hawser_bench 7)
-target_include_directories(hawser_bench PRIVATE ${PROJECT_SOURCE_DIR}/bench)
+target_include_directories(hawser_bench PRIVATE
+    ${PROJECT_SOURCE_DIR}/bench ${PROJECT_SOURCE_DIR}/examples)
 target_link_libraries(hawser_bench PRIVATE CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json)
 
 target_compile_definitions(hawser_bench PRIVATE

@@ -101,7 +101,8 @@ endforeach()
 if(TARGET hawser_test_bench)
     target_sources(hawser_test_bench PRIVATE
         $<TARGET_OBJECTS:hawser_bench_own> "${PROJECT_SOURCE_DIR}/bench/linear/scalar.cpp")
-    target_include_directories(hawser_test_bench PRIVATE ${PROJECT_SOURCE_DIR}/bench)
+    target_include_directories(hawser_test_bench PRIVATE
+        ${PROJECT_SOURCE_DIR}/bench ${PROJECT_SOURCE_DIR}/examples)
 endif()
 
 # ---- checks of the build itself ----------------------------------------------------------------
@@ -127,4 +128,12 @@ if(NOT HAWSER_SANITIZE)
             -DCXX_COMPILER=${CMAKE_CXX_COMPILER}
             -P "${PROJECT_SOURCE_DIR}/tests/consumer/run.cmake")
     set_tests_properties(consumer PROPERTIES LABELS build TIMEOUT 600)
+
+    add_test(NAME example_matrix_market
+        COMMAND ${CMAKE_COMMAND}
+            -DHAWSER_BINARY_DIR=${PROJECT_BINARY_DIR}
+            -DEXAMPLE_SOURCE_DIR=${PROJECT_SOURCE_DIR}/examples/matrix_market
+            -DCXX_COMPILER=${CMAKE_CXX_COMPILER}
+            -P "${PROJECT_SOURCE_DIR}/examples/matrix_market/test.cmake")
+    set_tests_properties(example_matrix_market PROPERTIES LABELS build TIMEOUT 600)
 endif()
