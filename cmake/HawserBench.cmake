@@ -13,7 +13,7 @@ endif()
 set(own_sources peers/scenes peers/forest peers/meter peers/reference
                 paper_matrix/block_system paper_matrix/paper_scene paper_matrix/paper_values
                 paper_matrix/structures paper_matrix/matrix_market
-                linear/form linear/assemble linear/sweeps linear/reference)
+                linear/form linear/assemble linear/tables linear/sweeps linear/reference)
 list(TRANSFORM own_sources REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/bench/\\1.cpp")
 list(REMOVE_ITEM bench_sources ${own_sources})
 list(APPEND own_sources "${PROJECT_SOURCE_DIR}/examples/matrix_market/market.cpp")

@@ -16,13 +16,15 @@ struct AssembleView {
     double* target;
 };
 
-template <int Columns>
+/// V: as many lanes as the block has rows, or more.
+template <int Columns, class V>
 HAWSER_BENCH_INLINE void run(const BlockOp& op, const AssembleView& v) {
-    V8 sum[Columns];
+    V sum[Columns];
+    constexpr int kLikely = sizeof(V) == sizeof(V4) ? 3 : 6;
     const int rows = op.row_size;
     if (op.base < 0) {
         HAWSER_BENCH_UNROLL
-        for (int c = 0; c < Columns; ++c) sum[c] = V8{};
+        for (int c = 0; c < Columns; ++c) sum[c] = V{};
     } else if (!op.by_rows) {
         HAWSER_BENCH_UNROLL
         for (int c = 0; c < Columns; ++c) load(sum[c], v.values + op.base + c * rows);
@@ -35,27 +37,23 @@ HAWSER_BENCH_INLINE void run(const BlockOp& op, const AssembleView& v) {
     }
     for (std::int32_t k = op.begin; k < op.end; ++k) {
         const Contribution& t = v.contributions[k];
-        const double* row = v.values + t.row_g;
-        const double* col = v.values + t.col_g;
-        for (int r = 0; r < t.rows; ++r) {
-            V8 g;
-            load(g, row + r * rows);
-            g *= v.inverse[t.sigma + r];
-            HAWSER_BENCH_UNROLL
-            for (int c = 0; c < Columns; ++c) sum[c] += g * col[r * Columns + c];
-        }
+        const double* col = v.values + t.g[!op.turned];
+        V g;
+        load(g, v.values + t.g[op.turned]);
+        g *= v.inverse[t.sigma];
+        HAWSER_BENCH_UNROLL
+        for (int c = 0; c < Columns; ++c) sum[c] += g * col[c];
     }
     double* to = v.target + op.to;
-    const bool diagonal = op.row == op.col, close = op.step == 1 && !diagonal;
+    // A diagonal block among longer columns may have its upper triangle written too.
+    const bool diagonal = op.row == op.col, close = op.step == 1 && !(diagonal && op.shrink);
     HAWSER_BENCH_UNROLL
     for (int c = 0; c < Columns; ++c) {
-        if (close && rows == 6) {
-            store<6>(to, sum[c]);
-        } else if (close && rows == 3) {
-            store<3>(to, sum[c]);
+        if (close && rows == kLikely) {
+            store<kLikely>(to, sum[c]);
         } else {
             double column[8];
-            std::memcpy(column, &sum[c], sizeof column);
+            std::memcpy(column, &sum[c], sizeof(V));
             for (int i = diagonal ? c : 0; i < rows; ++i) to[i * op.step] = column[i];
         }
         to += op.stride - (op.shrink ? c : 0);
@@ -65,26 +63,36 @@ HAWSER_BENCH_INLINE void run(const BlockOp& op, const AssembleView& v) {
 HAWSER_BENCH_CLONES void run_ops(const BlockOp* ops, std::int64_t count, const AssembleView& v) {
     for (std::int64_t k = 0; k < count; ++k) {
         const BlockOp& op = ops[k];
+        const bool low = op.row_size <= 4;
         switch (op.col_size) {
             case 1:
-                run<1>(op, v);
+                low ? run<1, V4>(op, v) : run<1, V8>(op, v);
                 break;
             case 2:
-                run<2>(op, v);
+                low ? run<2, V4>(op, v) : run<2, V8>(op, v);
                 break;
             case 3:
-                run<3>(op, v);
+                low ? run<3, V4>(op, v) : run<3, V8>(op, v);
                 break;
             case 4:
-                run<4>(op, v);
+                low ? run<4, V4>(op, v) : run<4, V8>(op, v);
                 break;
             case 5:
-                run<5>(op, v);
+                low ? run<5, V4>(op, v) : run<5, V8>(op, v);
                 break;
             default:
-                run<6>(op, v);
+                low ? run<6, V4>(op, v) : run<6, V8>(op, v);
                 break;
         }
+    }
+}
+
+HAWSER_BENCH_CLONES void invert_rows(const SweepTables::Row* rows, std::int64_t count,
+                                     const double* values, double* inverse) {
+    for (std::int64_t k = 0; k < count; ++k) {
+        const SweepTables::Row& row = rows[k];
+        for (int i = 0; i < row.rows; ++i)
+            inverse[row.scalar + i] = -1.0 / values[row.sigma + i * (row.rows + 1)];
     }
 }
 
@@ -93,18 +101,11 @@ HAWSER_BENCH_CLONES void run_ops(const BlockOp* ops, std::int64_t count, const A
 void invert_sigma(const BlockSystem& s, const BlockForm& f, std::vector<double>& inverse,
                   base::Executor& executor) {
     if (!f.condensed) return;
-    in_pieces(s.pattern.nodes(), executor, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t e = begin; e < end; ++e) {
-            const auto node = static_cast<std::size_t>(e);
-            if (f.index[node] >= 0) continue;
-            const int n = s.size(static_cast<int>(e));
-            for (int i = 0; i < n; ++i)
-                inverse[at(s.offset[node] + i)] =
-                    -1.0 /
-                    s.values[static_cast<std::size_t>(s.diagonal[node]) +
-                             static_cast<std::size_t>(i) * (static_cast<std::size_t>(n) + 1)];
-        }
-    });
+    const SweepTables::Row* rows = f.tables.rows.data();
+    in_pieces(static_cast<std::int64_t>(f.tables.rows.size()), executor,
+              [&](std::int64_t begin, std::int64_t end) {
+                  invert_rows(rows + begin, end - begin, s.values.data(), inverse.data());
+              });
 }
 
 void assemble(const BlockSystem& system, const std::vector<BlockOp>& ops,

@@ -9,24 +9,12 @@
 namespace hawser::bench {
 namespace {
 
-bool can_be_eliminated(const BlockSystem& s, int node) {
-    if (s.positive(node)) return false;
-    for (const std::int32_t b : s.pattern.neighbours(node))
-        if (!s.positive(b) || b > node) return false;
-    const int n = s.size(node);
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) {
-            const double v = s.values[at(s.diagonal[at(node)] + i * n + j)];
-            if (i == j ? !(v < 0.0) : v != 0.0) return false;
-        }
-    return true;
-}
-
-/// A pair of kept nodes, row ≥ column, with what adds to it.
+/// A pair of kept nodes, row ≥ column, with what adds to it: a block, or an eliminated node.
 struct Piece {
     std::int32_t row, col;
-    std::int64_t base;  ///< −1: a contribution.
-    Contribution contribution;
+    std::int64_t base;   ///< −1: a contribution.
+    Contribution first;  ///< Of the node's first row.
+    std::int32_t rows;
 };
 
 /// Sort by (column, row), the base of a block before its contributions: two stable counting sorts.
@@ -47,11 +35,11 @@ std::vector<Piece> list_pieces(const BlockSystem& s, const BlockForm& f) {
     std::vector<Piece> pieces;
     for (const std::int32_t a : f.kept) {
         const std::int32_t row = f.index[at(a)];
-        pieces.push_back({row, row, s.diagonal[at(a)], {}});
+        pieces.push_back({row, row, s.diagonal[at(a)], {}, 0});
         for (int k = s.pattern.start[at(a)]; k < s.pattern.start[at(a) + 1]; ++k) {
             const std::int32_t b = s.pattern.adjacent[at(k)];
             if (b < a && f.index[at(b)] >= 0)
-                pieces.push_back({row, f.index[at(b)], s.edge[at(k)], {}});
+                pieces.push_back({row, f.index[at(b)], s.edge[at(k)], {}, 0});
         }
     }
     for (int e = 0; e < s.pattern.nodes(); ++e) {
@@ -61,12 +49,28 @@ std::vector<Piece> list_pieces(const BlockSystem& s, const BlockForm& f) {
                 pieces.push_back({f.index[at(s.pattern.adjacent[at(i)])],
                                   f.index[at(s.pattern.adjacent[at(j)])],
                                   -1,
-                                  {s.edge[at(i)], s.edge[at(j)], s.offset[at(e)], s.size(e)}});
+                                  {{static_cast<std::int32_t>(s.edge[at(i)]),
+                                    static_cast<std::int32_t>(s.edge[at(j)])},
+                                   s.offset[at(e)]},
+                                  s.size(e)});
     }
     return pieces;
 }
 
 }  // namespace
+
+bool can_be_eliminated(const BlockSystem& s, int node) {
+    if (s.positive(node)) return false;
+    for (const std::int32_t b : s.pattern.neighbours(node))
+        if (!s.positive(b) || b > node) return false;
+    const int n = s.size(node);
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            const double v = s.values[at(s.diagonal[at(node)] + i * n + j)];
+            if (i == j ? !(v < 0.0) : v != 0.0) return false;
+        }
+    return true;
+}
 
 BlockForm make_form(const BlockSystem& s, bool condensed) {
     BlockForm f;
@@ -101,23 +105,25 @@ BlockForm make_form(const BlockSystem& s, bool condensed) {
         if (p.base >= 0) {
             f.ops.back().base = p.base;
         } else {
-            f.contributions.push_back(p.contribution);
-            ++f.ops.back().end;
+            const std::int32_t step[2] = {size[at(p.row)], size[at(p.col)]};
+            for (std::int32_t r = 0; r < p.rows; ++r)
+                f.contributions.push_back(
+                    {{p.first.g[0] + r * step[0], p.first.g[1] + r * step[1]}, p.first.sigma + r});
+            f.ops.back().end += p.rows;
         }
     }
     f.pattern = factor::make_pattern(std::move(size), std::move(sign), from, to);
+    f.tables = make_tables(s, f);
     return f;
 }
 
-void reorient(std::vector<BlockOp>& ops, std::vector<Contribution>& contributions,
-              const std::vector<std::int32_t>& position) {
+void reorient(std::vector<BlockOp>& ops, const std::vector<std::int32_t>& position) {
     for (BlockOp& op : ops) {
         if (position[at(op.row)] >= position[at(op.col)]) continue;
         std::swap(op.row, op.col);
         std::swap(op.row_size, op.col_size);
         op.by_rows = !op.by_rows;
-        for (std::int32_t k = op.begin; k < op.end; ++k)
-            std::swap(contributions[at(k)].row_g, contributions[at(k)].col_g);
+        op.turned = !op.turned;
     }
 }
 

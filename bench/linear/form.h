@@ -16,11 +16,10 @@
 
 namespace hawser::bench {
 
-/// Adds G_rowᵀ Σ⁻¹ G_col of one eliminated node to a block.
+/// Adds g_rowᵀ Σ⁻¹ g_col of one eliminated row to a block.
 struct Contribution {
-    std::int64_t row_g, col_g;  ///< Addresses of its blocks with the row and the column node.
-    std::int32_t sigma;         ///< First scalar of the eliminated node.
-    std::int32_t rows;
+    std::int32_t g[2];   ///< Addresses of its parts with the row and the column node.
+    std::int32_t sigma;  ///< Its scalar.
 };
 
 /// How one block of the form is computed, and where it is written.
@@ -34,6 +33,39 @@ struct BlockOp {
     std::uint8_t row_size = 0, col_size = 0;
     bool by_rows = false;  ///< The base block is stored by rows of the row node.
     bool shrink = false;   ///< Columns get shorter, as in a lower triangle by columns.
+    bool turned = false;   ///< Row and column node have changed places since the form was made.
+};
+
+/// What the products with the blocks (sweeps.h) need of each node, in the order in which they
+/// need it. Rows here are rows with a diagonal compliance block that touch positive nodes only,
+/// whether a form eliminates them or not; all other nodes are bodies.
+struct SweepTables {
+    struct Row {
+        std::int32_t scalar, sigma;  ///< Its first scalar; address of its compliance block.
+        std::int32_t end;            ///< Of its terms; they begin where those before it end.
+        std::int32_t rows;
+    };
+    struct RowTerm {
+        std::int32_t g, scalar, size;  ///< Address of the block by rows; the neighbour's scalars.
+    };
+    struct Body {
+        std::int32_t scalar, to;      ///< First scalar in the system, in the form.
+        std::int32_t diagonal, size;  ///< Address of the diagonal block.
+        std::int32_t end, other_end;  ///< Of its columns; of its other neighbours.
+    };
+    struct Column {
+        std::int32_t g, scalar;  ///< Address of the part of one row; scalar of the row.
+    };
+    struct Other {
+        std::int32_t block, scalar, size;  ///< A block with another body.
+        bool by_rows;
+    };
+    std::vector<Row> rows;
+    std::vector<RowTerm> row_terms;
+    std::vector<Body> bodies;
+    std::vector<Column> columns;
+    std::vector<Other> others;
+    std::vector<std::int32_t> row_to;  ///< Saddle form: first scalar of each row in the form.
 };
 
 struct BlockForm {
@@ -44,6 +76,7 @@ struct BlockForm {
     std::vector<std::int32_t> offset;  ///< First scalar of each kept node, one more at the end.
     std::vector<BlockOp> ops;          ///< Blocks of the lower triangle, by column, then row.
     std::vector<Contribution> contributions;
+    SweepTables tables;
 
     [[nodiscard]] int scalars() const noexcept { return offset.back(); }
 };
@@ -52,8 +85,13 @@ struct BlockForm {
 
 /// Exchange row and column of the blocks whose row node comes before the column node in an order.
 /// @param position  Place of each kept node in the order.
-void reorient(std::vector<BlockOp>& ops, std::vector<Contribution>& contributions,
-              const std::vector<std::int32_t>& position);
+void reorient(std::vector<BlockOp>& ops, const std::vector<std::int32_t>& position);
+
+/// The tables of a form whose nodes and offsets are known. @throws std::length_error if the system
+/// is too large for 32-bit addresses.
+[[nodiscard]] SweepTables make_tables(const BlockSystem& system, const BlockForm& form);
+/// Can the node be eliminated before all others?
+[[nodiscard]] bool can_be_eliminated(const BlockSystem& system, int node);
 
 /// 1/Σ of every scalar of the eliminated rows; others are left alone. Sized scalars + 8.
 void invert_sigma(const BlockSystem& system, const BlockForm& form, std::vector<double>& inverse,

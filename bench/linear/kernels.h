@@ -40,6 +40,35 @@ HAWSER_BENCH_INLINE void load(V8& v, const double* from) {
     v = *reinterpret_cast<const Anywhere*>(from);
 }
 
+HAWSER_BENCH_INLINE void load(V4& v, const double* from) {
+    using Anywhere = double __attribute__((vector_size(32), aligned(8), may_alias));
+    v = *reinterpret_cast<const Anywhere*>(from);
+}
+
+/// The first N of four doubles.
+template <int N>
+HAWSER_BENCH_INLINE void store(double* to, const V4& v) {
+    static_assert(N <= 4);
+    if constexpr (N == 4) {
+        std::memcpy(to, &v, sizeof v);
+    } else {
+        const V2 pair = __builtin_shufflevector(v, v, 0, 1);
+        if constexpr (N >= 2) std::memcpy(to, &pair, sizeof pair);
+        if constexpr (N == 1) to[0] = pair[0];
+        if constexpr (N == 3) to[2] = v[2];
+    }
+}
+
+/// out = the four sums of the lanes of four vectors. (No vector is returned: without AVX that is
+/// another calling convention.)
+HAWSER_BENCH_INLINE void totals(V4& out, const V4 (&v)[4]) {
+    const V4 ab = __builtin_shufflevector(v[0], v[1], 0, 4, 2, 6) +
+                  __builtin_shufflevector(v[0], v[1], 1, 5, 3, 7);
+    const V4 cd = __builtin_shufflevector(v[2], v[3], 0, 4, 2, 6) +
+                  __builtin_shufflevector(v[2], v[3], 1, 5, 3, 7);
+    out = __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+}
+
 /// The first N of eight doubles.
 template <int N>
 HAWSER_BENCH_INLINE void store(double* to, const V8& v) {
@@ -55,12 +84,9 @@ HAWSER_BENCH_INLINE void store(double* to, const V8& v) {
     if constexpr (kRest % 2 == 1) to[N - 1] = last[kRest - 1];
 }
 
-HAWSER_BENCH_INLINE double total(const V8& v) {
-    const V4 four =
-        __builtin_shufflevector(v, v, 0, 1, 2, 3) + __builtin_shufflevector(v, v, 4, 5, 6, 7);
-    const V2 two =
-        __builtin_shufflevector(four, four, 0, 1) + __builtin_shufflevector(four, four, 2, 3);
-    return two[0] + two[1];
+/// sum += the lower and the upper half.
+HAWSER_BENCH_INLINE void add_halves(V4& sum, const V8& v) {
+    sum += __builtin_shufflevector(v, v, 0, 1, 2, 3) + __builtin_shufflevector(v, v, 4, 5, 6, 7);
 }
 
 }  // namespace hawser::bench

@@ -69,7 +69,8 @@ class Ours final : public Solver {
     }
     void refresh(const Input& input, base::Executor& executor) override {
         numeric_.clear(symbolic_, executor);
-        assemble(*input.system, ops_, contributions_, *input.inverse, numeric_.values(), executor);
+        assemble(*input.system, ops_, form_->contributions, *input.inverse, numeric_.values(),
+                 executor);
     }
     void factor(base::Executor& executor) override {
         if (const int wrong = numeric_.factor(symbolic_, executor); wrong != 0)
@@ -96,9 +97,8 @@ class Ours final : public Solver {
     /// Where each block is written.
     void find_places(base::Executor& executor) {
         numeric_.reserve(symbolic_, executor.threads());
-        contributions_ = form_->contributions;
         ops_ = form_->ops;
-        reorient(ops_, contributions_, symbolic_.position);
+        reorient(ops_, symbolic_.position);
         for (BlockOp& op : ops_) {
             const factor::BlockTarget t = symbolic_.target(op.row, op.col);
             op.to = t.address;
@@ -115,7 +115,6 @@ class Ours final : public Solver {
     const factor::Symbolic& symbolic_ = analysis_.symbolic();
     factor::Numeric numeric_;
     std::vector<BlockOp> ops_;
-    std::vector<Contribution> contributions_;
     std::vector<double> x_;
     PlaceSorter sorter_;
 };

@@ -5,230 +5,237 @@
 #include "linear/pieces.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace hawser::bench {
 namespace {
 
 struct SweepView {
     const double* values;
-    const std::int32_t *start, *adjacent, *offset, *index, *to;
-    const std::int64_t *edge, *diagonal;
-    const std::int8_t* size;
+    const SweepTables::Row* rows;
+    const SweepTables::RowTerm* row_terms;
+    const SweepTables::Body* bodies;
+    const SweepTables::Column* columns;
+    const SweepTables::Other* others;
+    const std::int32_t* row_to;
     const double *inverse, *b;
     double *x, *r, *s, *folded;
 };
 
 SweepView view_of(const BlockSystem& s, const BlockForm& f, const std::vector<double>& inverse,
                   SweepVectors& v) {
-    return {s.values.data(),
-            s.pattern.start.data(),
-            s.pattern.adjacent.data(),
-            s.offset.data(),
-            f.index.data(),
-            f.offset.data(),
-            s.edge.data(),
-            s.diagonal.data(),
-            s.pattern.size.data(),
-            inverse.data(),
-            s.rhs.data(),
-            v.x.data(),
-            v.r.data(),
-            v.s.data(),
-            v.folded.data()};
+    const SweepTables& t = f.tables;
+    return {s.values.data(), t.rows.data(),   t.row_terms.data(), t.bodies.data(), t.columns.data(),
+            t.others.data(), t.row_to.data(), inverse.data(),     s.rhs.data(),    v.x.data(),
+            v.r.data(),      v.s.data(),      v.folded.data()};
 }
 
-/// Block row of a node times a vector, over all neighbours. N scalars.
-template <int N>
-HAWSER_BENCH_INLINE void product(const SweepView& v, std::int64_t a, const double* x, double* y) {
-    V8 rows[N] = {}, sum = {};
-    for (std::int32_t k = v.start[a]; k < v.start[a + 1]; ++k) {
-        const std::int32_t b = v.adjacent[k];
-        const int m = v.size[b];
-        const double* block = v.values + v.edge[k];
-        const double* xb = x + v.offset[b];
-        if (b < a) {  // stored by rows of this node
-            V8 mask, other;
-            load(mask, kMask[m]);
-            load(other, xb);
-            other *= mask;
+/// Rows [first, first + 4) of G x, of the N that one row node has.
+template <int N, int kFirst>
+HAWSER_BENCH_INLINE void row_product(const SweepView& v, std::int64_t e, const double* x, V4& y) {
+    constexpr int kRows = N - kFirst < 4 ? N - kFirst : 4;
+    V4 sum[4] = {};
+    for (std::int32_t k = e > 0 ? v.rows[e - 1].end : 0; k < v.rows[e].end; ++k) {
+        const SweepTables::RowTerm& t = v.row_terms[k];
+        const double* from = x + t.scalar;
+        if (t.size == 3) {
+            const double* g = v.values + t.g + kFirst * 3;
+            const V4 other = {from[0], from[1], from[2], 0.0};
             HAWSER_BENCH_UNROLL
-            for (int i = 0; i < N; ++i) {
-                V8 g;
-                load(g, block + i * m);
-                rows[i] += g * other;
+            for (int i = 0; i < kRows; ++i) {
+                V4 row;
+                load(row, g + i * 3);
+                sum[i] += row * other;
             }
+            continue;
+        }
+        const double* g = v.values + t.g + kFirst * t.size;
+        V8 mask, other;
+        load(mask, kMask[t.size]);
+        load(other, from);
+        other *= mask;
+        HAWSER_BENCH_UNROLL
+        for (int i = 0; i < kRows; ++i) {
+            V8 row;
+            load(row, g + i * t.size);
+            add_halves(sum[i], row * other);
+        }
+    }
+    totals(y, sum);
+}
+
+enum class Sweep : std::uint8_t { unfold, correct, residual };
+
+/// In condensed form: multipliers and residuals from the velocities, or corrections of the
+/// multipliers from those of the velocities, which are in s meanwhile. In saddle form: residuals.
+template <Sweep kSweep, int N, int kFirst = 0>
+HAWSER_BENCH_INLINE void sweep_row(const SweepView& v, std::int64_t e) {
+    constexpr int kRows = N - kFirst < 4 ? N - kFirst : 4;
+    const SweepTables::Row& row = v.rows[e];
+    const std::int32_t k = row.scalar + kFirst;
+    const double* diagonal = v.values + row.sigma + kFirst * (N + 1);
+    V4 y, b, sigma = {};
+    row_product<N, kFirst>(v, e, kSweep == Sweep::correct ? v.s : v.x, y);
+    load(b, v.b + k);
+    if constexpr (kSweep != Sweep::correct) {
+        double entry[4] = {};
+        HAWSER_BENCH_UNROLL
+        for (int i = 0; i < kRows; ++i) entry[i] = diagonal[i * (N + 1)];
+        load(sigma, entry);
+    }
+    if constexpr (kSweep == Sweep::residual) {
+        V4 x;
+        load(x, v.x + k);
+        store<kRows>(v.folded + v.row_to[e] + kFirst, b - y - sigma * x);
+        store<kRows>(v.s + k, -x);
+    } else {
+        V4 inverse;
+        load(inverse, v.inverse + k);
+        if constexpr (kSweep == Sweep::unfold) {
+            const V4 lambda = inverse * (y - b), r = b - y - sigma * lambda;
+            store<kRows>(v.x + k, lambda);
+            store<kRows>(v.r + k, r);
+            store<kRows>(v.s + k, inverse * r - lambda);
         } else {
-            for (int j = 0; j < m; ++j) {
-                V8 g;
-                load(g, block + j * N);
-                sum += g * xb[j];
-            }
+            V4 x, r;
+            load(x, v.x + k);
+            load(r, v.r + k);
+            store<kRows>(v.x + k, x + inverse * (y - r));
         }
     }
-    double out[8];
-    std::memcpy(out, &sum, sizeof sum);
-    HAWSER_BENCH_UNROLL
-    for (int i = 0; i < N; ++i) y[i] = out[i] + total(rows[i]);
+    if constexpr (N - kFirst > 4) sweep_row<kSweep, N, kFirst + 4>(v, e);
 }
 
-/// The same for nodes whose neighbours all come after them in number: what bodies have.
-template <int N>
-HAWSER_BENCH_INLINE void product_of_columns(const SweepView& v, std::int64_t a, const double* x,
-                                            V8& sum) {
-    for (std::int32_t k = v.start[a]; k < v.start[a + 1]; ++k) {
-        const std::int32_t b = v.adjacent[k];
-        if (v.index[b] >= 0) continue;
-        const double* block = v.values + v.edge[k];
-        const double* xb = x + v.offset[b];
-        for (int j = 0; j < v.size[b]; ++j) {
-            V8 g;
-            load(g, block + j * N);
-            sum += g * xb[j];
-        }
-    }
-}
-
-/// Diagonal block and neighbours that are kept.
-template <int N>
-HAWSER_BENCH_INLINE void product_of_kept(const SweepView& v, std::int64_t a, const double* x,
-                                         V8& sum) {
+/// A x of one body of N scalars: its own block and those of other bodies.
+template <int N, class V>
+HAWSER_BENCH_INLINE void body_product(const SweepView& v, std::int64_t a, const double* x, V& sum) {
+    const SweepTables::Body& body = v.bodies[a];
     for (int j = 0; j < N; ++j) {
-        V8 g;
-        load(g, v.values + v.diagonal[a] + j * N);
-        sum += g * x[v.offset[a] + j];
+        V g;
+        load(g, v.values + body.diagonal + j * N);
+        sum += g * x[body.scalar + j];
     }
+    const std::int32_t begin = a > 0 ? v.bodies[a - 1].other_end : 0;
+    if (begin == body.other_end) return;
     double other[8] = {};
-    bool any = false;
-    for (std::int32_t k = v.start[a]; k < v.start[a + 1]; ++k) {
-        const std::int32_t b = v.adjacent[k];
-        if (v.index[b] < 0) continue;
-        const int m = v.size[b];
-        const double* block = v.values + v.edge[k];
+    for (std::int32_t k = begin; k < body.other_end; ++k) {
+        const SweepTables::Other& t = v.others[k];
+        const double* block = v.values + t.block;
         for (int i = 0; i < N; ++i)
-            for (int j = 0; j < m; ++j)
-                other[i] += (b < a ? block[i * m + j] : block[j * N + i]) * x[v.offset[b] + j];
-        any = true;
+            for (int j = 0; j < t.size; ++j)
+                other[i] +=
+                    (t.by_rows ? block[i * t.size + j] : block[j * N + i]) * x[t.scalar + j];
     }
-    if (!any) return;
-    V8 more;
+    V more;
     load(more, other);
     sum += more;
 }
 
-template <int N>
-HAWSER_BENCH_INLINE void fold_node(const SweepView& v, std::int64_t a, bool of_residual) {
-    V8 sum;
-    load(sum, v.b + v.offset[a]);
-    if (of_residual) {
-        V8 kept = {};
-        product_of_kept<N>(v, a, v.x, kept);
+/// b + Gᵀ s, without A x for a residual.
+template <bool kResidual, int N>
+HAWSER_BENCH_INLINE void sweep_body(const SweepView& v, std::int64_t a) {
+    const SweepTables::Body& body = v.bodies[a];
+    using V = std::conditional_t<(N <= 4), V4, V8>;
+    V sum, odd = {};
+    load(sum, v.b + body.scalar);
+    if constexpr (kResidual) {
+        V kept = {};
+        body_product<N>(v, a, v.x, kept);
         sum -= kept;
     }
-    product_of_columns<N>(v, a, v.s, sum);
-    store<N>(v.folded + v.to[v.index[a]], sum);
+    std::int32_t k = a > 0 ? v.bodies[a - 1].end : 0;
+    for (; k + 1 < body.end; k += 2) {  // two chains of sums
+        V g, h;
+        load(g, v.values + v.columns[k].g);
+        load(h, v.values + v.columns[k + 1].g);
+        sum += g * v.s[v.columns[k].scalar];
+        odd += h * v.s[v.columns[k + 1].scalar];
+    }
+    if (k < body.end) {
+        V g;
+        load(g, v.values + v.columns[k].g);
+        sum += g * v.s[v.columns[k].scalar];
+    }
+    sum += odd;
+    store<N>(v.folded + body.to, sum);
 }
 
-template <int N>
-HAWSER_BENCH_INLINE void unfold_node(const SweepView& v, std::int64_t a) {
-    double y[N];
-    product<N>(v, a, v.x, y);
-    for (int i = 0; i < N; ++i) {
-        const std::int32_t k = v.offset[a] + i;
-        const double lambda = v.inverse[k] * (y[i] - v.b[k]);
-        const double r = v.b[k] - y[i] - v.values[v.diagonal[a] + i * (N + 1)] * lambda;
-        v.x[k] = lambda;
-        v.r[k] = r;
-        v.s[k] = v.inverse[k] * r - lambda;
-    }
-}
-
-/// The correction of the kept nodes is in s meanwhile.
-template <int N>
-HAWSER_BENCH_INLINE void correct_node(const SweepView& v, std::int64_t a) {
-    double y[N];
-    product<N>(v, a, v.s, y);
-    for (int i = 0; i < N; ++i) {
-        const std::int32_t k = v.offset[a] + i;
-        v.x[k] += v.inverse[k] * (y[i] - v.r[k]);
-    }
-}
-
-template <int N>
-HAWSER_BENCH_INLINE void residual_node(const SweepView& v, std::int64_t a) {
-    double y[N];
-    product<N>(v, a, v.x, y);
-    V8 own = {};
-    for (int j = 0; j < N; ++j) {
-        V8 g;
-        load(g, v.values + v.diagonal[a] + j * N);
-        own += g * v.x[v.offset[a] + j];
-    }
-    double d[8];
-    std::memcpy(d, &own, sizeof own);
-    for (int i = 0; i < N; ++i) {
-        const std::int32_t k = v.offset[a] + i;
-        v.folded[k] = v.b[k] - (y[i] + d[i]);
-    }
-}
-
-#define HAWSER_BENCH_BY_SIZE(call) \
-    switch (v.size[a]) {           \
-        case 1:                    \
-            call(1);               \
-            break;                 \
-        case 2:                    \
-            call(2);               \
-            break;                 \
-        case 3:                    \
-            call(3);               \
-            break;                 \
-        case 4:                    \
-            call(4);               \
-            break;                 \
-        case 5:                    \
-            call(5);               \
-            break;                 \
-        default:                   \
-            call(6);               \
-            break;                 \
+#define HAWSER_BENCH_BY_SIZE(n, call) \
+    switch (n) {                      \
+        case 1:                       \
+            call(1);                  \
+            break;                    \
+        case 2:                       \
+            call(2);                  \
+            break;                    \
+        case 3:                       \
+            call(3);                  \
+            break;                    \
+        case 4:                       \
+            call(4);                  \
+            break;                    \
+        case 5:                       \
+            call(5);                  \
+            break;                    \
+        default:                      \
+            call(6);                  \
+            break;                    \
     }
 
-HAWSER_BENCH_CLONES void fold_nodes(const SweepView& v, std::int64_t begin, std::int64_t end,
-                                    bool of_residual) {
-#define HAWSER_BENCH_CALL(n) fold_node<n>(v, a, of_residual)
-    for (std::int64_t a = begin; a < end; ++a)
-        if (v.index[a] >= 0) HAWSER_BENCH_BY_SIZE(HAWSER_BENCH_CALL)
-#undef HAWSER_BENCH_CALL
+HAWSER_BENCH_CLONES void sweep_rows(const SweepView& v, std::int64_t begin, std::int64_t end,
+                                    Sweep sweep) {
+#define HAWSER_BENCH_UNFOLD(n) sweep_row<Sweep::unfold, n>(v, e)
+#define HAWSER_BENCH_CORRECT(n) sweep_row<Sweep::correct, n>(v, e)
+#define HAWSER_BENCH_RESIDUAL(n) sweep_row<Sweep::residual, n>(v, e)
+    if (sweep == Sweep::unfold)
+        for (std::int64_t e = begin; e < end; ++e)
+            HAWSER_BENCH_BY_SIZE(v.rows[e].rows, HAWSER_BENCH_UNFOLD)
+    else if (sweep == Sweep::correct)
+        for (std::int64_t e = begin; e < end; ++e)
+            HAWSER_BENCH_BY_SIZE(v.rows[e].rows, HAWSER_BENCH_CORRECT)
+    else
+        for (std::int64_t e = begin; e < end; ++e)
+            HAWSER_BENCH_BY_SIZE(v.rows[e].rows, HAWSER_BENCH_RESIDUAL)
+#undef HAWSER_BENCH_UNFOLD
+#undef HAWSER_BENCH_CORRECT
+#undef HAWSER_BENCH_RESIDUAL
 }
 
-HAWSER_BENCH_CLONES void unfold_nodes(const SweepView& v, std::int64_t begin, std::int64_t end) {
-#define HAWSER_BENCH_CALL(n) unfold_node<n>(v, a)
-    for (std::int64_t a = begin; a < end; ++a)
-        if (v.index[a] < 0) HAWSER_BENCH_BY_SIZE(HAWSER_BENCH_CALL)
-#undef HAWSER_BENCH_CALL
+HAWSER_BENCH_CLONES void sweep_bodies(const SweepView& v, std::int64_t begin, std::int64_t end,
+                                      bool of_residual) {
+#define HAWSER_BENCH_FOLD(n) sweep_body<false, n>(v, a)
+#define HAWSER_BENCH_RESIDUAL(n) sweep_body<true, n>(v, a)
+    if (of_residual)
+        for (std::int64_t a = begin; a < end; ++a)
+            HAWSER_BENCH_BY_SIZE(v.bodies[a].size, HAWSER_BENCH_RESIDUAL)
+    else
+        for (std::int64_t a = begin; a < end; ++a)
+            HAWSER_BENCH_BY_SIZE(v.bodies[a].size, HAWSER_BENCH_FOLD)
+#undef HAWSER_BENCH_FOLD
+#undef HAWSER_BENCH_RESIDUAL
 }
 
-HAWSER_BENCH_CLONES void correct_nodes(const SweepView& v, std::int64_t begin, std::int64_t end) {
-#define HAWSER_BENCH_CALL(n) correct_node<n>(v, a)
-    for (std::int64_t a = begin; a < end; ++a)
-        if (v.index[a] < 0) HAWSER_BENCH_BY_SIZE(HAWSER_BENCH_CALL)
-#undef HAWSER_BENCH_CALL
+HAWSER_BENCH_CLONES void scale(const double* a, const double* b, double* to, std::int64_t begin,
+                               std::int64_t end) {
+    for (std::int64_t i = begin; i < end; ++i) to[i] = a[i] * b[i];
 }
 
-HAWSER_BENCH_CLONES void residual_nodes(const SweepView& v, std::int64_t begin, std::int64_t end) {
-#define HAWSER_BENCH_CALL(n) residual_node<n>(v, a)
-    for (std::int64_t a = begin; a < end; ++a) HAWSER_BENCH_BY_SIZE(HAWSER_BENCH_CALL)
-#undef HAWSER_BENCH_CALL
+void all_rows(const BlockForm& f, const SweepView& v, Sweep sweep, base::Executor& executor) {
+    in_pieces(static_cast<std::int64_t>(f.tables.rows.size()), executor,
+              [&](std::int64_t begin, std::int64_t end) { sweep_rows(v, begin, end, sweep); });
 }
 
-/// Kept scalars of the form's vector to the places of the system's.
-void spread(const BlockSystem& s, const BlockForm& f, const std::vector<double>& from,
-            std::vector<double>& to) {
-    for (std::size_t k = 0; k < f.kept.size(); ++k) {
-        const std::int32_t at = s.offset[static_cast<std::size_t>(f.kept[k])];
-        for (std::int32_t i = f.offset[k]; i < f.offset[k + 1]; ++i)
-            to[static_cast<std::size_t>(at + i - f.offset[k])] = from[static_cast<std::size_t>(i)];
-    }
+void all_bodies(const BlockForm& f, const SweepView& v, bool residual, base::Executor& executor) {
+    in_pieces(static_cast<std::int64_t>(f.tables.bodies.size()), executor,
+              [&](std::int64_t begin, std::int64_t end) { sweep_bodies(v, begin, end, residual); });
+}
+
+/// Scalars of the bodies from the form's vector to the places of the system's.
+void spread(const BlockForm& f, const std::vector<double>& from, std::vector<double>& to) {
+    for (const SweepTables::Body& body : f.tables.bodies)
+        for (std::int32_t i = 0; i < body.size; ++i)
+            to[static_cast<std::size_t>(body.scalar + i)] =
+                from[static_cast<std::size_t>(body.to + i)];
 }
 
 }  // namespace
@@ -241,16 +248,15 @@ void SweepVectors::resize(const BlockSystem& system) {
 void fold(const BlockSystem& s, const BlockForm& f, const std::vector<double>& inverse,
           SweepVectors& vectors, base::Executor& executor) {
     if (!f.condensed) {
-        std::copy(s.rhs.begin(), s.rhs.end(), vectors.folded.begin());
+        std::copy(s.rhs.begin(), s.rhs.begin() + s.scalars(), vectors.folded.begin());
         return;
     }
     const SweepView v = view_of(s, f, inverse, vectors);
-    // Scalars of kept nodes are scaled by what happens to be there and never read.
+    // Scalars of bodies are scaled by what happens to be there and never read.
     in_pieces(s.scalars(), executor, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i) v.s[i] = v.inverse[i] * v.b[i];
+        scale(v.inverse, v.b, v.s, begin, end);
     });
-    in_pieces(s.pattern.nodes(), executor,
-              [&](std::int64_t begin, std::int64_t end) { fold_nodes(v, begin, end, false); });
+    all_bodies(f, v, false, executor);
 }
 
 void unfold(const BlockSystem& s, const BlockForm& f, const std::vector<double>& inverse,
@@ -259,37 +265,29 @@ void unfold(const BlockSystem& s, const BlockForm& f, const std::vector<double>&
         std::copy(vectors.folded.begin(), vectors.folded.end(), vectors.x.begin());
         return;
     }
-    spread(s, f, vectors.folded, vectors.x);
-    const SweepView v = view_of(s, f, inverse, vectors);
-    in_pieces(s.pattern.nodes(), executor,
-              [&](std::int64_t begin, std::int64_t end) { unfold_nodes(v, begin, end); });
+    spread(f, vectors.folded, vectors.x);
+    all_rows(f, view_of(s, f, inverse, vectors), Sweep::unfold, executor);
 }
 
 void fold_residual(const BlockSystem& s, const BlockForm& f, SweepVectors& vectors,
                    base::Executor& executor) {
     static const std::vector<double> none;
     const SweepView v = view_of(s, f, none, vectors);
-    in_pieces(s.pattern.nodes(), executor, [&](std::int64_t begin, std::int64_t end) {
-        if (f.condensed)
-            fold_nodes(v, begin, end, true);
-        else
-            residual_nodes(v, begin, end);
-    });
+    if (!f.condensed) all_rows(f, v, Sweep::residual, executor);
+    all_bodies(f, v, true, executor);
 }
 
 void add_correction(const BlockSystem& s, const BlockForm& f, const std::vector<double>& inverse,
                     SweepVectors& vectors, base::Executor& executor) {
-    const SweepView v = view_of(s, f, inverse, vectors);
     if (!f.condensed) {
         for (std::size_t i = 0; i < vectors.x.size(); ++i) vectors.x[i] += vectors.folded[i];
         return;
     }
-    spread(s, f, vectors.folded, vectors.s);
-    in_pieces(s.pattern.nodes(), executor,
-              [&](std::int64_t begin, std::int64_t end) { correct_nodes(v, begin, end); });
-    for (std::size_t k = 0; k < f.kept.size(); ++k)
-        for (int i = 0; i < f.pattern.size[k]; ++i)
-            v.x[s.offset[static_cast<std::size_t>(f.kept[k])] + i] += v.folded[f.offset[k] + i];
+    const SweepView v = view_of(s, f, inverse, vectors);
+    spread(f, vectors.folded, vectors.s);
+    all_rows(f, v, Sweep::correct, executor);
+    for (const SweepTables::Body& body : f.tables.bodies)
+        for (std::int32_t i = 0; i < body.size; ++i) v.x[body.scalar + i] += v.folded[body.to + i];
 }
 
 }  // namespace hawser::bench
