@@ -117,14 +117,4 @@ BlockForm make_form(const BlockSystem& s, bool condensed) {
     return f;
 }
 
-void reorient(std::vector<BlockOp>& ops, const std::vector<std::int32_t>& position) {
-    for (BlockOp& op : ops) {
-        if (position[at(op.row)] >= position[at(op.col)]) continue;
-        std::swap(op.row, op.col);
-        std::swap(op.row_size, op.col_size);
-        op.by_rows = !op.by_rows;
-        op.turned = !op.turned;
-    }
-}
-
 }  // namespace hawser::bench

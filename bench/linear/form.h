@@ -83,10 +83,6 @@ struct BlockForm {
 
 [[nodiscard]] BlockForm make_form(const BlockSystem& system, bool condensed);
 
-/// Exchange row and column of the blocks whose row node comes before the column node in an order.
-/// @param position  Place of each kept node in the order.
-void reorient(std::vector<BlockOp>& ops, const std::vector<std::int32_t>& position);
-
 /// The tables of a form whose nodes and offsets are known. @throws std::length_error if the system
 /// is too large for 32-bit addresses.
 [[nodiscard]] SweepTables make_tables(const BlockSystem& system, const BlockForm& form);

@@ -6,46 +6,84 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace hawser::bench {
 namespace {
 
-/// Sorts by address, so that the panels are written from front to back: least digit first, 11 bits
-/// each.
-class PlaceSorter {
+/// Gives every block of a form its place in the panels, and brings the blocks into the sequence of
+/// the columns, so that the panels are written from front to back.
+class Placer {
   public:
-    void sort(std::vector<BlockOp>& ops, std::int64_t size) {
-        constexpr int kBits = 11;
-        constexpr std::size_t kDigits = std::size_t{1} << kBits;
-        keys_.resize(ops.size());
-        other_.resize(ops.size());
-        for (std::size_t i = 0; i < ops.size(); ++i)
-            keys_[i] = {ops[i].to, static_cast<std::int64_t>(i)};
-        for (int shift = 0; size >> shift != 0; shift += kBits) {
-            const auto digit = [&](const Key& k) {
-                return static_cast<std::size_t>(k.place >> shift) & (kDigits - 1);
-            };
-            start_.assign(kDigits + 1, 0);
-            for (const Key& k : keys_) ++start_[digit(k) + 1];
-            std::partial_sum(start_.begin(), start_.end(), start_.begin());
-            for (const Key& k : keys_) other_[start_[digit(k)]++] = k;
-            keys_.swap(other_);
+    void place(const BlockForm& form, const factor::Analysis& analysis, std::vector<BlockOp>& ops) {
+        const factor::Symbolic& s = analysis.symbolic();
+        sort_by_column(form, s);
+        ops.resize(form.ops.size());
+        local_.resize(s.order.size());
+        for (const factor::Front& front : s.fronts) {
+            if (front.batch >= 0) continue;
+            // Where each update row of this front is.
+            std::int32_t row = front.p;
+            for (const std::int32_t v : analysis.columns().rows(s.order[at(front.node_end - 1)])) {
+                local_[at(v)] = row;
+                row += form.pattern.size[at(v)];
+            }
+            for (auto k = at(start_[at(front.node_begin)]); k < at(start_[at(front.node_end)]);
+                 ++k) {
+                const BlockOp& op = ops[k] = turned(form.ops[at(index_[k])], s.position);
+                const std::int32_t offset = s.node_offset[at(op.row)] - front.offset;
+                const std::int32_t column = s.node_offset[at(op.col)] - front.offset;
+                write(ops[k], {front.panel + static_cast<std::int64_t>(column) * front.ld +
+                                   (offset < front.p ? offset : local_[at(op.row)]),
+                               1, front.ld});
+            }
         }
-        sorted_.resize(ops.size());
-        for (std::size_t i = 0; i < ops.size(); ++i) sorted_[i] = ops[at(keys_[i].index)];
-        ops.swap(sorted_);
+        for (auto k = at(start_[s.order.size()]); k < ops.size(); ++k) {
+            ops[k] = turned(form.ops[at(index_[k])], s.position);
+            write(ops[k], s.target(ops[k].row, ops[k].col));
+        }
     }
 
   private:
-    struct Key {
-        std::int64_t place, index;
-    };
-    std::vector<Key> keys_, other_;
-    std::vector<std::size_t> start_;
-    std::vector<BlockOp> sorted_;
+    /// A counting sort; chains come last, those in the lanes of one step together.
+    void sort_by_column(const BlockForm& form, const factor::Symbolic& s) {
+        const std::size_t n = s.order.size();
+        key_ = s.position;
+        for (std::size_t v = 0; v < s.node_step.size(); ++v)
+            if (s.node_step[v] >= 0) key_[v] = static_cast<std::int32_t>(n) + s.node_step[v];
+        start_.assign(n + s.batch_steps.size() + 1, 0);
+        column_key_.resize(form.ops.size());
+        for (std::size_t i = 0; i < form.ops.size(); ++i) {
+            const std::size_t row = at(form.ops[i].row), column = at(form.ops[i].col);
+            column_key_[i] = s.position[row] < s.position[column] ? key_[row] : key_[column];
+            ++start_[at(column_key_[i])];
+        }
+        std::int32_t sum = 0;
+        for (std::int32_t& k : start_) sum += std::exchange(k, sum);
+        cursor_ = start_;
+        index_.resize(form.ops.size());
+        for (std::size_t i = 0; i < form.ops.size(); ++i)
+            index_[at(cursor_[at(column_key_[i])]++)] = static_cast<std::int32_t>(i);
+    }
+
+    /// The row node must not come before the column node.
+    static BlockOp turned(BlockOp op, const std::vector<std::int32_t>& position) {
+        if (position[at(op.row)] >= position[at(op.col)]) return op;
+        std::swap(op.row, op.col);
+        std::swap(op.row_size, op.col_size);
+        op.by_rows = !op.by_rows;
+        op.turned = !op.turned;
+        return op;
+    }
+
+    static void write(BlockOp& op, const factor::BlockTarget& t) {
+        op.to = t.address;
+        op.step = t.step;
+        op.stride = t.ld;
+    }
+
+    std::vector<std::int32_t> key_, start_, cursor_, column_key_, index_, local_;
 };
 
 class Ours final : public Solver {
@@ -97,16 +135,8 @@ class Ours final : public Solver {
     /// Where each block is written.
     void find_places(base::Executor& executor) {
         numeric_.reserve(symbolic_, executor.threads());
-        ops_ = form_->ops;
-        reorient(ops_, symbolic_.position);
-        for (BlockOp& op : ops_) {
-            const factor::BlockTarget t = symbolic_.target(op.row, op.col);
-            op.to = t.address;
-            op.step = t.step;
-            op.stride = t.ld;
-        }
-        sorter_.sort(ops_, symbolic_.panel_size);
-        x_.assign(static_cast<std::size_t>(symbolic_.scalars) + 8, 0.0);
+        placer_.place(*form_, analysis_, ops_);
+        x_.resize(static_cast<std::size_t>(symbolic_.scalars) + 8, 0.0);
     }
 
     Order order_;
@@ -116,7 +146,7 @@ class Ours final : public Solver {
     factor::Numeric numeric_;
     std::vector<BlockOp> ops_;
     std::vector<double> x_;
-    PlaceSorter sorter_;
+    Placer placer_;
 };
 
 }  // namespace

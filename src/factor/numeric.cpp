@@ -6,10 +6,14 @@
 namespace hawser::factor {
 namespace {
 
+/// Contents are not kept. Structures that follow a changing pattern (repair.h) grow again and
+/// again: from the second time on with room to spare.
 template <class T>
 void grow(base::Array<T>& array, std::int64_t size) {
-    if (static_cast<std::int64_t>(array.size()) < size)
-        array.resize(static_cast<std::size_t>(size));
+    if (static_cast<std::int64_t>(array.size()) >= size) return;
+    const std::int64_t room = array.empty() ? size : size + size / 4;
+    base::Array<T>().swap(array);
+    array.resize(static_cast<std::size_t>(room));
 }
 
 }  // namespace
