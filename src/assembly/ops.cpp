@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <tuple>
 
 namespace hawser::assembly {
@@ -91,28 +92,36 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
               [](const OpEntry& p, const OpEntry& q) { return p.key() < q.key(); });
     ops.clear();
     lane_ops.clear();
-    op_chunk.assign(1, 0);
-    lane_chunk.assign(1, 0);
-    panel_chunk.assign(1, 0);
-    constexpr std::int64_t kChunk = 512;  // ops a chunk: some ten microseconds
-    std::int64_t in_chunk = 0;
-    for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
-        while (end < entries.size() && entries[end].place == entries[begin].place) ++end;
-        if (in_chunk >= kChunk) {
-            op_chunk.push_back(static_cast<std::int64_t>(ops.size()));
-            lane_chunk.push_back(static_cast<std::int64_t>(lane_ops.size()));
-            panel_chunk.push_back(entries[begin].place);
-            in_chunk = 0;
+    const std::vector<factor::Piece>& pieces = numeric.pieces();
+    piece_ops_.assign(pieces.size(), {});
+    std::vector<std::size_t> by_place(pieces.size());
+    std::iota(by_place.begin(), by_place.end(), std::size_t{0});
+    std::sort(by_place.begin(), by_place.end(), [&](std::size_t p, std::size_t q) {
+        return pieces[p].panel_begin < pieces[q].panel_begin;
+    });
+    std::size_t begin = 0;
+    for (const std::size_t k : by_place) {
+        PieceOps& range = piece_ops_[k];
+        range.op_begin = static_cast<std::int64_t>(ops.size());
+        range.lane_begin = static_cast<std::int64_t>(lane_ops.size());
+        while (begin < entries.size() && entries[begin].place < pieces[k].panel_end) {
+            std::size_t end = begin;
+            while (end < entries.size() && entries[end].place == entries[begin].place) ++end;
+            if (entries[begin].op.step == 1)
+                for (std::size_t i = begin; i < end; ++i) ops.push_back(entries[i].op);
+            else
+                share_lanes(std::span(entries).subspan(begin, end - begin), in);
+            begin = end;
         }
-        in_chunk += static_cast<std::int64_t>(end - begin);
-        if (entries[begin].op.step == 1)
-            for (std::size_t k = begin; k < end; ++k) ops.push_back(entries[k].op);
-        else
-            share_lanes(std::span(entries).subspan(begin, end - begin), in);
+        range.op_end = static_cast<std::int64_t>(ops.size());
+        range.lane_end = static_cast<std::int64_t>(lane_ops.size());
     }
-    op_chunk.push_back(static_cast<std::int64_t>(ops.size()));
-    lane_chunk.push_back(static_cast<std::int64_t>(lane_ops.size()));
-    panel_chunk.push_back(symbolic.panel_size);
+}
+
+void System::write_blocks(const View& view, int piece, double* panel) const noexcept {
+    const PieceOps& p = piece_ops_[at(piece)];
+    kernels().gather_lane_blocks(view, lane_ops.data(), p.lane_begin, p.lane_end, panel);
+    kernels().gather_blocks(view, ops.data(), p.op_begin, p.op_end, panel);
 }
 
 /// Ops of one batch step: those that do the same in several lanes become one.

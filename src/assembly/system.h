@@ -48,14 +48,14 @@ class System {
     graph::Islands islands;
     std::vector<std::int32_t> node_of_body, node_of_interaction;  ///< −1: no node.
     Strips strips;
-    base::Array<Op> ops;                    ///< By column of the matrix.
-    base::Array<LaneOp> lane_ops;           ///< By place in the panels.
-    std::vector<std::int64_t> op_chunk;     ///< Chunk boundaries in ops, at changes of place.
-    std::vector<std::int64_t> lane_chunk;   ///< The same chunks in lane_ops.
-    std::vector<std::int64_t> panel_chunk;  ///< The panel memory of each chunk.
-    std::vector<std::int32_t> one_sided;    ///< Interactions with kOneSided or kRange.
+    base::Array<Op> ops;                  ///< By column of the matrix.
+    base::Array<LaneOp> lane_ops;         ///< By place in the panels.
+    std::vector<std::int32_t> one_sided;  ///< Interactions with kOneSided or kRange.
     std::vector<std::int32_t> breakable;
     std::vector<double> breaking_load;  ///< Of each breakable one [N].
+
+    /// Write the blocks of one of numeric.pieces() into its panels, which are zero.
+    void write_blocks(const View& view, int piece, double* panel) const noexcept;
 
     [[nodiscard]] std::size_t bytes() const noexcept;
 
@@ -65,10 +65,15 @@ class System {
                       const WorldDef& def);
     void build_pattern(const model::Bodies& bodies, const model::Interactions& interactions);
     struct OpEntry;
+    /// The ops of one piece.
+    struct PieceOps {
+        std::int64_t op_begin, op_end, lane_begin, lane_end;
+    };
     void build_ops(const model::Bodies& bodies, const model::Interactions& interactions);
     void share_lanes(std::span<const OpEntry> entries, const model::Interactions& interactions);
     void reserve(const model::Bodies& bodies, model::Interactions& interactions, int threads);
 
+    std::vector<PieceOps> piece_ops_;
     base::Array<GeoPlace> geo_place_;
     base::Array<std::uint8_t> dof_, kept_;
     base::Array<std::int32_t> incident_begin_;

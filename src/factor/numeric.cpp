@@ -31,6 +31,7 @@ void Numeric::reserve(const Symbolic& symbolic, int threads) {
     const std::int64_t stride = (need + 63) & ~std::int64_t{63};
     scratch_stride_ = std::max(scratch_stride_, stride);
     grow(scratch_, scratch_stride_ * threads);
+    cut_pieces(symbolic);
 }
 
 FactorView Numeric::view(const Symbolic& s) noexcept {
@@ -71,33 +72,113 @@ int Numeric::factor(const Symbolic& symbolic, base::Executor& executor) noexcept
     return wrong;
 }
 
+void Numeric::cut_pieces(const Symbolic& s) {
+    // A share of a core's own cache [doubles].
+    constexpr std::int64_t kPiece = 16'384;
+    pieces_.clear();
+    task_piece_.clear();
+    for (std::size_t i = 0; i < s.batches.size(); ++i) {
+        const Batch& b = s.batches[i];
+        const BatchStep& last = s.batch_steps[static_cast<std::size_t>(b.step_end) - 1];
+        const std::int64_t size =
+            static_cast<std::int64_t>(kLaneCount) * last.p * (last.p + last.q);
+        const auto id = static_cast<std::int32_t>(i);
+        pieces_.push_back({s.batch_steps[static_cast<std::size_t>(b.step_begin)].panel,
+                           last.panel + size, id, id});
+    }
+    auto add_fronts = [&](std::int32_t begin, std::int32_t end) {
+        Piece p{0, 0, begin, begin};
+        for (std::int32_t f = begin; f < end; ++f) {
+            const Front& front = s.fronts[static_cast<std::size_t>(f)];
+            p.end = f + 1;
+            if (front.batch >= 0) continue;
+            if (p.panel_end == 0) p.panel_begin = front.panel;
+            p.panel_end = front.panel + static_cast<std::int64_t>(front.ld) * front.p;
+            if (p.panel_end - p.panel_begin < kPiece) continue;
+            pieces_.push_back(p);
+            p = {0, 0, f + 1, f + 1};
+        }
+        if (p.panel_end > 0) pieces_.push_back(p);
+    };
+    for (const TaskRange& t : s.tasks) {
+        task_piece_.push_back(static_cast<std::int32_t>(pieces_.size()));
+        add_fronts(t.begin, t.end);
+    }
+    task_piece_.push_back(static_cast<std::int32_t>(pieces_.size()));
+    for (const std::int32_t f : s.top) add_fronts(f, f + 1);
+}
+
+int Numeric::run_piece(const FactorView& v, const Symbolic& symbolic, int piece, Fill fill,
+                       double* x, double* scratch) noexcept {
+    const Piece& p = pieces_[static_cast<std::size_t>(piece)];
+    const FactorKernels& kernels = factor_kernels();
+    std::fill(panel_.begin() + p.panel_begin, panel_.begin() + p.panel_end, 0.0);
+    fill.write(fill.context, piece, panel_.data());
+    if (static_cast<std::size_t>(piece) < symbolic.batches.size()) {
+        const Batch& batch = symbolic.batches[static_cast<std::size_t>(p.begin)];
+        const int wrong = kernels.factor_batch(v, batch, scratch);
+        kernels.forward_batch(v, batch, x, scratch);
+        return wrong;
+    }
+    const int wrong = kernels.factor(v, p.begin, p.end, scratch);
+    kernels.forward(v, p.begin, p.end, x, scratch);
+    return wrong;
+}
+
+int Numeric::factor_forward(const Symbolic& symbolic, Fill fill, double* x,
+                            base::Executor& executor) noexcept {
+    const FactorView v = view(symbolic);
+    const std::size_t batches = symbolic.batches.size(), tasks = symbolic.tasks.size();
+    auto batch = [&](int i, int thread) noexcept {
+        wrong_[static_cast<std::size_t>(i)] = run_piece(v, symbolic, i, fill, x, scratch(thread));
+    };
+    auto subtree = [&](int i, int thread) noexcept {
+        const auto k = static_cast<std::size_t>(i);
+        int wrong = 0;
+        for (std::int32_t p = task_piece_[k]; p < task_piece_[k + 1]; ++p)
+            wrong += run_piece(v, symbolic, p, fill, x, scratch(thread));
+        wrong_[batches + k] = wrong;
+    };
+    executor.for_each(static_cast<int>(batches), batch);
+    executor.for_each(static_cast<int>(tasks), subtree);
+    int wrong = 0;
+    for (std::size_t i = 0; i < batches + tasks; ++i) wrong += wrong_[i];
+    for (int p = task_piece_[tasks]; p < static_cast<int>(pieces_.size()); ++p)
+        wrong += run_piece(v, symbolic, p, fill, x, scratch(0));
+    return wrong;
+}
+
 void Numeric::solve(const Symbolic& symbolic, double* x, base::Executor& executor) noexcept {
     const FactorView v = view(symbolic);
     const FactorKernels& kernels = factor_kernels();
-    const int tasks = static_cast<int>(symbolic.tasks.size());
     auto forward = [&](int i, int thread) noexcept {
         const TaskRange& t = symbolic.tasks[static_cast<std::size_t>(i)];
         kernels.forward(v, t.begin, t.end, x, scratch(thread));
     };
+    auto forward_batch = [&](int i, int thread) noexcept {
+        kernels.forward_batch(v, symbolic.batches[static_cast<std::size_t>(i)], x, scratch(thread));
+    };
+    executor.for_each(static_cast<int>(symbolic.batches.size()), forward_batch);
+    executor.for_each(static_cast<int>(symbolic.tasks.size()), forward);
+    for (std::int32_t f : symbolic.top) kernels.forward(v, f, f + 1, x, scratch(0));
+    backward(symbolic, x, executor);
+}
+
+void Numeric::backward(const Symbolic& symbolic, double* x, base::Executor& executor) noexcept {
+    const FactorView v = view(symbolic);
+    const FactorKernels& kernels = factor_kernels();
     auto backward = [&](int i, int thread) noexcept {
         const TaskRange& t = symbolic.tasks[static_cast<std::size_t>(i)];
         kernels.backward(v, t.begin, t.end, x, scratch(thread));
-    };
-    const int batches = static_cast<int>(symbolic.batches.size());
-    auto forward_batch = [&](int i, int thread) noexcept {
-        kernels.forward_batch(v, symbolic.batches[static_cast<std::size_t>(i)], x, scratch(thread));
     };
     auto backward_batch = [&](int i, int thread) noexcept {
         kernels.backward_batch(v, symbolic.batches[static_cast<std::size_t>(i)], x,
                                scratch(thread));
     };
-    executor.for_each(batches, forward_batch);
-    executor.for_each(tasks, forward);
-    for (std::int32_t f : symbolic.top) kernels.forward(v, f, f + 1, x, scratch(0));
     for (std::size_t k = symbolic.top.size(); k-- > 0;)
         kernels.backward(v, symbolic.top[k], symbolic.top[k] + 1, x, scratch(0));
-    executor.for_each(tasks, backward);
-    executor.for_each(batches, backward_batch);
+    executor.for_each(static_cast<int>(symbolic.tasks.size()), backward);
+    executor.for_each(static_cast<int>(symbolic.batches.size()), backward_batch);
 }
 
 std::size_t Numeric::bytes() const noexcept {

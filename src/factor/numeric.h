@@ -14,8 +14,22 @@
 #include "factor/symbolic.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace hawser::factor {
+
+/// Panels that are filled, factored and substituted together while they are in the cache: a batch
+/// of chains, or some fronts in a row.
+struct Piece {
+    std::int64_t panel_begin, panel_end;  ///< Offsets in the panel array; pieces are apart.
+    std::int32_t begin, end;              ///< Fronts; of a batch: its index, twice.
+};
+
+/// Writes the values of one piece into zeroed panels. Called from any thread.
+struct Fill {
+    void (*write)(void* context, int piece, double* panel) noexcept;
+    void* context;
+};
 
 class Numeric {
   public:
@@ -40,18 +54,32 @@ class Numeric {
     [[nodiscard]] int refactor(const Symbolic& symbolic, const DirtyParts& dirty,
                                base::Executor& executor) noexcept;
 
+    /// Pieces of the structure last given to reserve(), batches first.
+    [[nodiscard]] const std::vector<Piece>& pieces() const noexcept { return pieces_; }
+
+    /// Fill, factor and substitute forward, piece by piece: one pass through memory instead of
+    /// three. backward() completes x. @return as factor().
+    [[nodiscard]] int factor_forward(const Symbolic& symbolic, Fill fill, double* x,
+                                     base::Executor& executor) noexcept;
+    void backward(const Symbolic& symbolic, double* x, base::Executor& executor) noexcept;
+
     /// K x = b in place; x is in the permuted order (Symbolic::node_offset).
     void solve(const Symbolic& symbolic, double* x, base::Executor& executor) noexcept;
 
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
+    void cut_pieces(const Symbolic& symbolic);
+    [[nodiscard]] int run_piece(const FactorView& v, const Symbolic& symbolic, int piece, Fill fill,
+                                double* x, double* scratch) noexcept;
     [[nodiscard]] FactorView view(const Symbolic& symbolic) noexcept;
     [[nodiscard]] double* scratch(int thread) noexcept {
         return scratch_.data() + static_cast<std::ptrdiff_t>(thread) * scratch_stride_;
     }
 
     base::Array<double> panel_, pivot_, work_, carry_, slot_pivot_, slot_y_, scratch_;
+    std::vector<Piece> pieces_;
+    std::vector<std::int32_t> task_piece_;  ///< First piece of each task, then of the top.
     base::Array<int> wrong_;  ///< One a batch or task, so that the count needs no atomics.
     std::int64_t scratch_stride_ = 0;
 };

@@ -88,12 +88,16 @@ void start_solve(StepContext& ctx, const View& v) noexcept {
 /// What follows a correction of v₊ and λ.
 enum class Next { solve, measure };
 
-/// One solve with the current residuals: v₊, λ corrected, residuals renewed. Then either the
-/// right-hand side of another one, or the norms of the solution as it stands.
+/// One solve with the current residuals, the first one having been substituted forward already: v₊,
+/// λ corrected, residuals renewed. Then either the right-hand side of another one, or the norms of
+/// the solution as it stands.
 Norms correct(StepContext& ctx, const View& v, bool first, Next next) noexcept {
     const assembly::Kernels& k = assembly::kernels();
     const assembly::Strips& strips = ctx.system.strips;
-    ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
+    if (first)
+        ctx.system.numeric.backward(ctx.system.symbolic, v.solution, ctx.pool);
+    else
+        ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
     auto add = [&](std::int32_t a, std::int32_t b) { k.add_solution(v, a, b); };
     auto add_shared = [&](int i, int) noexcept { each(strips.shared(i), add); };
     ctx.pool.for_each(strips.groups(), add_shared);
@@ -187,28 +191,19 @@ void assemble_rows(StepContext& ctx) noexcept {
     ctx.rhs_ready = true;
 }
 
-void assemble_blocks(StepContext& ctx) noexcept {
-    const View v = view(ctx);
-    assembly::System& s = ctx.system;
-    auto gather = [&](int i, int) noexcept {
-        // Zeroed and filled by the same task while it is in the cache.
-        double* panel = s.numeric.values();
-        std::fill(panel + s.panel_chunk[at(i)], panel + s.panel_chunk[at(i + 1)], 0.0);
-        assembly::kernels().gather_lane_blocks(v, s.lane_ops.data(), s.lane_chunk[at(i)],
-                                               s.lane_chunk[at(i + 1)], panel);
-        assembly::kernels().gather_blocks(v, s.ops.data(), s.op_chunk[at(i)], s.op_chunk[at(i + 1)],
-                                          panel);
-    };
-    ctx.pool.for_each(static_cast<int>(s.op_chunk.size()) - 1, gather);
-}
-
 Status factor_and_solve(StepContext& ctx) noexcept {
     const View v = view(ctx);
     assembly::System& s = ctx.system;
     ++ctx.stats.factorisations;
-    if (s.numeric.factor(s.symbolic, ctx.pool) > 0) return Status::wrong_pivot;
     if (!ctx.rhs_ready) start_solve(ctx, v);
     ctx.rhs_ready = false;
+    auto write = [&](int piece, double* panel) noexcept { s.write_blocks(v, piece, panel); };
+    using Write = decltype(write);
+    const factor::Fill fill{
+        [](void* w, int piece, double* panel) noexcept { (*static_cast<Write*>(w))(piece, panel); },
+        &write};
+    if (s.numeric.factor_forward(s.symbolic, fill, v.solution, ctx.pool) > 0)
+        return Status::wrong_pivot;
     Norms n;
     for (int i = 0; i <= ctx.def.refinements; ++i)
         n = correct(ctx, v, i == 0, i < ctx.def.refinements ? Next::solve : Next::measure);

@@ -14,11 +14,10 @@ void push_event(StepContext& ctx, EventKind kind, std::int32_t id, double value)
 
 /// Stage 1. Applies what inputs changed; nothing else acts before a step yet.
 void prestep(StepContext& ctx) noexcept;
-/// Stage 5. Rows: violation, Jacobian, right-hand side; body terms.
+/// Stage 5. Rows: violation, Jacobian; body terms; right-hand sides. Blocks of the matrix are
+/// written in stage 6, each piece just before it is factored.
 void assemble_rows(StepContext& ctx) noexcept;
-/// Stage 5. Blocks of the matrix into the panels.
-void assemble_blocks(StepContext& ctx) noexcept;
-/// Stage 6. Factor, solve, refine; reads the panels, writes v₊ and λ.
+/// Stage 6. Write the blocks of the matrix, factor, solve, refine: v₊ and λ.
 [[nodiscard]] Status factor_and_solve(StepContext& ctx) noexcept;
 /// Stage 7. Tension-only and range rows: switch those whose force or gap has the wrong sign.
 /// @return true if the system must be solved again.

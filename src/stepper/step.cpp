@@ -39,7 +39,7 @@ auto timed(StepContext& ctx, Stage stage, F&& f) noexcept {
     return f(ctx);
 }
 
-/// Stages assemble to nonsmooth.
+/// Stages assemble, factor, nonsmooth.
 Status solve_velocities(StepContext& ctx) noexcept {
     remember(ctx);
     timed(ctx, Stage::assemble, assemble_rows);
@@ -65,7 +65,6 @@ void recall(StepContext& ctx) noexcept {
 Status solve_assembled(StepContext& ctx) noexcept {
     Status status = Status::ok;
     for (int pass = 0;; ++pass) {
-        timed(ctx, Stage::assemble, assemble_blocks);
         status = timed(ctx, Stage::factor, factor_and_solve);
         if (status != Status::ok) return status;
         const bool again = timed(ctx, Stage::nonsmooth,

@@ -19,7 +19,7 @@ void prepare(StepContext& ctx);
 /// geometric stiffness.
 Status stagger(StepContext& ctx) noexcept;
 
-/// Stages assemble (blocks) to nonsmooth for rows already assembled, repeated while the set of
+/// Stages factor and nonsmooth for rows already assembled, repeated while the set of
 /// active rows changes.
 Status solve_assembled(StepContext& ctx) noexcept;
 

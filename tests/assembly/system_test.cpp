@@ -66,6 +66,15 @@ Matrix expected(const StepContext& ctx, const DenseStep& d) {
            select * kept.transpose() + sigma;
 }
 
+/// The whole matrix as a step writes it, piece by piece.
+void write_blocks(StepContext& ctx) {
+    assembly::System& s = ctx.system;
+    const assembly::View v = stepper::view(ctx);
+    s.numeric.clear(s.symbolic, ctx.pool);
+    for (int p = 0; p < static_cast<int>(s.numeric.pieces().size()); ++p)
+        s.write_blocks(v, p, s.numeric.values());
+}
+
 class Seeds : public testing::TestWithParam<std::tuple<int, Form>> {
   protected:
     /// A mixed scene some steps from its start, so that every term is alive.
@@ -86,7 +95,7 @@ TEST_P(Seeds, BlocksEqualTheDenseMatrix) {
     auto ctx = context();
     stepper::assemble_rows(*ctx);
     const DenseStep d = dense_step(*ctx);
-    stepper::assemble_blocks(*ctx);
+    write_blocks(*ctx);
     const Matrix got = assembled(ctx->system, ctx->system.numeric.values());
     const Matrix want = expected(*ctx, d);
     ASSERT_EQ(got.rows(), want.rows());
@@ -126,7 +135,6 @@ TEST_P(Seeds, SolutionSolvesTheDenseEquations) {
     const int n = ctx->bodies.dofs, rows = ctx->interactions.row_count;
     const assembly::View view = stepper::view(*ctx);
     const Vector a = Eigen::Map<const Vector>(view.a, n) - d.couple_fixed;
-    stepper::assemble_blocks(*ctx);
     ASSERT_EQ(stepper::factor_and_solve(*ctx), Status::ok);
 
     LongMatrix k = LongMatrix::Zero(n + rows, n + rows);
