@@ -4,7 +4,6 @@
 #include "base/memory.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace hawser::factor {
 namespace {
@@ -48,6 +47,7 @@ void Analysis::plan(const Pattern& pattern, Elimination elimination) {
     invert(symbolic_.order, symbolic_.position);
     columns_.build(pattern_, symbolic_.order, symbolic_.position);
     layout_.run(pattern_, columns_, chains_, symbolic_);
+    between_.assign(symbolic_.order.size(), 0);
     planned_flops_ = symbolic_.flops;
 }
 
@@ -66,9 +66,12 @@ RepairReport Analysis::repair(const Pattern& next, std::span<const std::int32_t>
     if (!same_numbers) columns_.renumber(old_of_new_, pattern_.nodes());
     find_changes(next, same_numbers);
     keep_chains(next, report);
+    choose_moves(next);
     collect_rest(next);
-    place_bodies(next);
-    place_rows(next);
+    for (const std::int32_t v : placed_)
+        if (next.sign[at(v)] > 0) place_body(next, v);
+    for (const std::int32_t v : placed_)
+        if (next.sign[at(v)] < 0) place_rows(next, v);
     emit_order();
     report.placed = static_cast<std::int32_t>(placed_.size());
     columns_.repair(next, symbolic_.order, symbolic_.position);
@@ -169,74 +172,6 @@ bool Analysis::chain_holds(const Pattern& next, std::int32_t chain) {
     return true;
 }
 
-/// Nodes in no chain: those that keep their place, in order, and those that need one.
-void Analysis::collect_rest(const Pattern& next) {
-    const std::size_t n = changed_.size();
-    placing_.assign(n, 0);
-    placed_.clear();
-    for (std::size_t v = 0; v < n; ++v) {
-        const auto id = static_cast<std::int32_t>(v);
-        const bool fresh = old_of_new_[v] < 0;
-        if (!fresh && !(changed_[v] && next.sign[v] < 0 && chain_of_[v] < 0)) continue;
-        placing_[v] = 1;
-        placed_.push_back(id);
-        if (!fresh) columns_.mark_moved(next, id);
-    }
-    key_.assign(n, -1);  // chains come first
-    rest_.clear();
-    for (const std::int32_t old : symbolic_.order) {
-        const std::int32_t v = new_of_old_[at(old)];
-        if (v < 0 || placing_[at(v)] || chain_of_[at(v)] >= 0) continue;
-        key_[at(v)] = 2 * static_cast<std::int64_t>(rest_.size()) + 1;
-        rest_.push_back(v);
-    }
-    before_.assign(rest_.size() + 1, -1);
-    behind_.assign(n + 1, -1);  // the last: behind all chains
-    next_.resize(n);
-}
-
-void Analysis::hang(std::vector<std::int32_t>& heads, std::size_t place, std::int32_t node) {
-    next_[at(node)] = heads[place];
-    heads[place] = node;
-}
-
-/// Before the first eliminated node that a new body couples to and that keeps its place; with none
-/// such, behind the chains. Descending numbers: lists come out ascending.
-void Analysis::place_bodies(const Pattern& next) {
-    constexpr std::int64_t kNone = std::numeric_limits<std::int64_t>::max();
-    for (std::size_t i = placed_.size(); i-- > 0;) {
-        const std::int32_t v = placed_[i];
-        if (next.sign[at(v)] < 0) continue;
-        std::int64_t first = kNone;
-        auto look = [&](std::int32_t u) {
-            if (!placing_[at(u)] && key_[at(u)] >= 0) first = std::min(first, key_[at(u)]);
-        };
-        for (const std::int32_t u : next.neighbours(v)) {
-            look(u);
-            if (next.sign[at(u)] > 0) continue;
-            for (const std::int32_t w : next.neighbours(u)) look(w);
-        }
-        key_[at(v)] = first == kNone ? 0 : first - 1;
-        hang(before_, static_cast<std::size_t>(key_[at(v)] / 2), v);
-    }
-}
-
-/// Behind the first eliminated positive neighbour; with none, behind the chains.
-void Analysis::place_rows(const Pattern& next) {
-    for (std::size_t i = placed_.size(); i-- > 0;) {
-        const std::int32_t v = placed_[i];
-        if (next.sign[at(v)] > 0) continue;
-        std::int32_t first = -1;
-        for (const std::int32_t u : next.neighbours(v)) {
-            if (next.sign[at(u)] < 0) continue;
-            // Equal keys: bodies placed before the same node, ascending.
-            if (first < 0 || key_[at(u)] < key_[at(first)]) first = u;
-        }
-        const bool at_start = first < 0 || key_[at(first)] < 0;
-        hang(behind_, at_start ? changed_.size() : at(first), v);
-    }
-}
-
 void Analysis::emit_order() {
     std::vector<std::int32_t>& order = symbolic_.order;
     order.assign(chains_.nodes.begin(), chains_.nodes.end());
@@ -258,10 +193,12 @@ void Analysis::emit_order() {
 
 std::size_t Analysis::bytes() const noexcept {
     std::size_t sum = columns_.bytes() + layout_.bytes() + symbolic_.bytes();
-    for (const auto* v : {&old_of_new_, &new_of_old_, &chain_of_, &mark_, &rest_, &placed_,
-                          &before_, &behind_, &next_, &pattern_.start, &pattern_.adjacent})
+    for (const auto* v :
+         {&old_of_new_, &new_of_old_, &chain_of_, &mark_, &rest_, &placed_, &before_, &behind_,
+          &next_, &anchor_, &pattern_.start, &pattern_.adjacent})
         sum += base::bytes(*v);
-    return sum + base::bytes(key_) + base::bytes(changed_) + base::bytes(placing_);
+    return sum + base::bytes(key_) + base::bytes(changed_) + base::bytes(placing_) +
+           base::bytes(between_);
 }
 
 }  // namespace hawser::factor

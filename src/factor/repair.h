@@ -4,14 +4,19 @@
 /// An analysis that follows its pattern: contacts come and go at every step.
 ///
 /// Ordering is the larger part of an analysis and hardly depends on a few contacts, so a repair
-/// keeps the order of the nodes that stay and finds places for the others:
+/// keeps the order of the nodes that stay, but for a few:
 ///
-/// | node | place |
-/// |---|---|
-/// | positive, new | before the first eliminated of its neighbours, directly or through rows |
-/// | rows (negative), new or with other neighbours than before | behind the first eliminated of its
-/// positive neighbours, as stability demands (ordering.h) | | of a chain (chains.h) whose inside
-/// changed, or which touches another chain now | where it was, in an ordinary front |
+/// - A new body (positive node) comes before the first eliminated of its neighbours, directly or
+///   through rows.
+/// - Rows (negative) that are new, or have other neighbours than before, come behind the first
+///   eliminated of their bodies, as stability demands (ordering.h).
+/// - Where the neighbours lie in different branches of the tree, the place is before the front in
+///   which the branches meet. Of two bodies that stay and become neighbours, in different branches,
+///   one moves to such a place. Otherwise one branch would come to hang below the other, and all
+///   that it carries to its top would pass through the other one as well.
+/// - A body placed where branches met is placed as if it were new when its neighbours change again.
+/// - Nodes of a chain (chains.h) whose inside changed, or which touches another chain now, stay
+///   where they were, but in ordinary fronts.
 ///
 /// Then the structure is computed again where it changes (columns.h), and the addresses are laid
 /// out anew (layout.h), which is linear in the number of fronts and rows. The result is what
@@ -77,9 +82,17 @@ class Analysis {
     void find_changes(const Pattern& next, bool same_numbers);
     void keep_chains(const Pattern& next, RepairReport& report);
     [[nodiscard]] bool chain_holds(const Pattern& next, std::int32_t chain);
+    // placing.cpp
+    void choose_moves(const Pattern& next);
+    void join(const Pattern& next, std::int32_t a, std::int32_t b);
     void collect_rest(const Pattern& next);
-    void place_bodies(const Pattern& next);
-    void place_rows(const Pattern& next);
+    void place_body(const Pattern& next, std::int32_t node);
+    void place_rows(const Pattern& next, std::int32_t node);
+    struct Meeting;
+    [[nodiscard]] std::int32_t meet(std::int32_t a, std::int32_t b) const noexcept;
+    void visit(Meeting& meeting, std::int32_t node) const noexcept;
+    [[nodiscard]] std::int32_t branch(std::int32_t node) const noexcept;
+    [[nodiscard]] std::int64_t before_front(std::int32_t front) const noexcept;
     void emit_order();
     void hang(std::vector<std::int32_t>& heads, std::size_t place, std::int32_t node);
 
@@ -94,7 +107,10 @@ class Analysis {
     // Buffers of repair(); by node of the next pattern unless said otherwise.
     std::vector<std::int32_t> old_of_new_, new_of_old_;
     std::vector<std::uint8_t> changed_;  ///< New, or other neighbours.
-    std::vector<std::uint8_t> placing_;  ///< Has no place yet.
+    std::vector<std::uint8_t> placing_;  ///< Gets a place; kFresh: from its neighbours alone.
+    std::vector<std::uint8_t> between_;  ///< Kept from call to call: placed where branches met.
+    std::vector<std::uint8_t> spare_;
+    std::vector<std::int32_t> anchor_;  ///< Front of the last structure that stands for its place.
     std::vector<std::int32_t> chain_of_, mark_;
     std::vector<std::int32_t> rest_, placed_;  ///< Nodes in no chain: that stay; that are placed.
     std::vector<std::int64_t> key_;     ///< 2 rank + 1 of a node that stays, 2 rank before it.

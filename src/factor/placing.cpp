@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The places of new and moved nodes in an order that is kept: the table in repair.h.
+#include "factor/repair.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace hawser::factor {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+constexpr std::uint8_t kMoved = 1, kFresh = 2;  // of placing_
+constexpr std::int32_t kUnknown = -2;           // of anchor_; −1: behind all trees
+
+/// A hull with more neighbours stays where it is: most of the tree hangs below it.
+constexpr std::size_t kHub = 16;
+
+}  // namespace
+
+/// What the branches of a node's neighbours have in common.
+struct Analysis::Meeting {
+    std::int32_t front = kUnknown;  ///< Lowest of one branch, or where several meet.
+    bool several = false;
+    std::int64_t first = -1;       ///< Least key of those that have one.
+    std::int32_t first_node = -1;  ///< First eliminated.
+};
+
+/// The first common ancestor of two fronts, −1: none. Parents have higher numbers.
+std::int32_t Analysis::meet(std::int32_t a, std::int32_t b) const noexcept {
+    while (a != b) {
+        if (a < 0 || b < 0) return -1;
+        std::int32_t& lower = a < b ? a : b;
+        lower = symbolic_.fronts[at(lower)].parent;
+    }
+    return a;
+}
+
+/// The front that stands for a node's place; kUnknown while it has none.
+std::int32_t Analysis::branch(std::int32_t node) const noexcept {
+    if (anchor_[at(node)] != kUnknown || placing_[at(node)] != 0) return anchor_[at(node)];
+    return symbolic_.node_front[at(old_of_new_[at(node)])];
+}
+
+void Analysis::visit(Meeting& m, std::int32_t node) const noexcept {
+    const std::int32_t front = branch(node);
+    if (front == kUnknown) return;
+    const std::int64_t key = key_[at(node)];
+    if (key >= 0 && (m.first < 0 || key < m.first)) m.first = key;
+    if (m.first_node < 0 || key < key_[at(m.first_node)]) m.first_node = node;
+    if (m.front == kUnknown) {
+        m.front = front;
+        return;
+    }
+    const std::int32_t common = meet(m.front, front);
+    if (common == front) return;  // above
+    if (common != m.front) {
+        m.front = common;
+        m.several = true;
+    } else if (!m.several) {
+        m.front = front;  // below
+    }
+}
+
+/// Bodies that stay but need another place, and the rows that must stay behind them.
+void Analysis::choose_moves(const Pattern& next) {
+    const std::int32_t n = next.nodes();
+    placing_.assign(at(n), 0);
+    anchor_.assign(at(n), kUnknown);
+    for (std::int32_t v = 0; v < n; ++v) {
+        const std::int32_t old = old_of_new_[at(v)];
+        if (old < 0)
+            placing_[at(v)] = kFresh;
+        else if (changed_[at(v)] && chain_of_[at(v)] < 0 &&
+                 (next.sign[at(v)] < 0 ||
+                  (between_[at(old)] != 0 && next.neighbours(v).size() <= kHub)))
+            placing_[at(v)] = kFresh;
+    }
+    for (std::int32_t v = 0; v < n; ++v) {
+        if (!changed_[at(v)] || placing_[at(v)] == kFresh) continue;
+        for (const std::int32_t w : pattern_.neighbours(old_of_new_[at(v)]))
+            if (const std::int32_t now = new_of_old_[at(w)]; now >= 0)
+                mark_[at(now)] = 2 * n + v;  // apart from the marks of the steps before
+        for (const std::int32_t u : next.neighbours(v))
+            if (u > v && placing_[at(u)] != kFresh && mark_[at(u)] != 2 * n + v) join(next, v, u);
+    }
+    for (std::int32_t v = 0; v < n; ++v) {
+        if (placing_[at(v)] == 0 || next.sign[at(v)] < 0) continue;
+        for (const std::int32_t r : next.neighbours(v))
+            if (next.sign[at(r)] < 0 && chain_of_[at(r)] < 0) placing_[at(r)] = kFresh;
+    }
+}
+
+/// A new edge between nodes that stay: if they lie in different branches, one of them moves to
+/// where these meet.
+void Analysis::join(const Pattern& next, std::int32_t a, std::int32_t b) {
+    const std::int32_t front_a = branch(a), front_b = branch(b);
+    const std::int32_t common = meet(front_a, front_b);
+    if (common == front_a || common == front_b) return;
+    auto can_move = [&](std::int32_t v) { return next.sign[at(v)] > 0 && chain_of_[at(v)] < 0; };
+    auto burden = [&](std::int32_t v) { return std::pair(next.size[at(v)], columns_.below(v)); };
+    if (!can_move(a) && !can_move(b)) return;
+    const bool first = can_move(a) && (!can_move(b) || burden(a) <= burden(b));
+    const std::int32_t moved = first ? a : b;
+    placing_[at(moved)] = kMoved;
+    anchor_[at(moved)] = common;
+}
+
+/// Nodes in no chain: those that keep their place, in order, and those that need one.
+void Analysis::collect_rest(const Pattern& next) {
+    const std::size_t n = changed_.size();
+    placed_.clear();
+    for (std::size_t v = 0; v < n; ++v) {
+        if (placing_[v] == 0) continue;
+        const auto id = static_cast<std::int32_t>(v);
+        placed_.push_back(id);
+        if (old_of_new_[v] >= 0) columns_.mark_moved(next, id);
+    }
+    key_.assign(n, -1);  // chains come first
+    rest_.clear();
+    for (const std::int32_t old : symbolic_.order) {
+        const std::int32_t v = new_of_old_[at(old)];
+        if (v < 0 || placing_[at(v)] != 0 || chain_of_[at(v)] >= 0) continue;
+        key_[at(v)] = 2 * static_cast<std::int64_t>(rest_.size()) + 1;
+        rest_.push_back(v);
+    }
+    before_.assign(rest_.size() + 1, -1);
+    behind_.assign(n + 1, -1);  // the last: behind all chains
+    next_.resize(n);
+    spare_.assign(n, 0);
+    for (std::size_t v = 0; v < n; ++v)
+        if (old_of_new_[v] >= 0 && placing_[v] != kFresh) spare_[v] = between_[at(old_of_new_[v])];
+    between_.swap(spare_);
+}
+
+/// The key before the first pivot of a front that keeps its place.
+std::int64_t Analysis::before_front(std::int32_t front) const noexcept {
+    for (; front >= 0; front = symbolic_.fronts[at(front)].parent) {
+        const Front& f = symbolic_.fronts[at(front)];
+        for (std::int32_t k = f.node_begin; k < f.node_end; ++k) {
+            const std::int32_t v = new_of_old_[at(symbolic_.order[at(k)])];
+            if (v >= 0 && placing_[at(v)] == 0 && key_[at(v)] >= 0) return key_[at(v)] - 1;
+        }
+    }
+    return 2 * static_cast<std::int64_t>(rest_.size());
+}
+
+void Analysis::place_body(const Pattern& next, std::int32_t v) {
+    if (placing_[at(v)] == kMoved) {
+        between_[at(v)] = 1;
+        key_[at(v)] = before_front(anchor_[at(v)]);
+    } else {
+        Meeting m;
+        for (const std::int32_t u : next.neighbours(v)) {
+            if (next.sign[at(u)] > 0) {
+                visit(m, u);
+                continue;
+            }
+            for (const std::int32_t w : next.neighbours(u))
+                if (w != v && next.sign[at(w)] > 0) visit(m, w);
+        }
+        anchor_[at(v)] = m.front == kUnknown ? -1 : m.front;
+        between_[at(v)] = m.several ? 1 : 0;
+        // Alone or beside chains only: right behind these.
+        key_[at(v)] =
+            m.several ? before_front(m.front) : std::max<std::int64_t>(m.first, 0) / 2 * 2;
+    }
+    hang(before_, static_cast<std::size_t>(key_[at(v)] / 2), v);
+}
+
+void Analysis::place_rows(const Pattern& next, std::int32_t v) {
+    Meeting m;
+    for (const std::int32_t u : next.neighbours(v))
+        if (next.sign[at(u)] > 0) visit(m, u);
+    if (m.several)
+        hang(before_, static_cast<std::size_t>(before_front(m.front) / 2), v);
+    else if (m.first_node < 0 || key_[at(m.first_node)] < 0)
+        hang(behind_, changed_.size(), v);
+    else
+        hang(behind_, at(m.first_node), v);
+}
+
+/// The list of what stands at one place.
+void Analysis::hang(std::vector<std::int32_t>& heads, std::size_t place, std::int32_t node) {
+    next_[at(node)] = heads[place];
+    heads[place] = node;
+}
+
+}  // namespace hawser::factor
