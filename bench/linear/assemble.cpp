@@ -108,13 +108,20 @@ void invert_sigma(const BlockSystem& s, const BlockForm& f, std::vector<double>&
               });
 }
 
+void assemble(const BlockSystem& system, std::span<const BlockOp> ops,
+              const std::vector<Contribution>& contributions, const std::vector<double>& inverse,
+              double* target) noexcept {
+    const AssembleView view{system.values.data(), inverse.data(), contributions.data(), target};
+    run_ops(ops.data(), static_cast<std::int64_t>(ops.size()), view);
+}
+
 void assemble(const BlockSystem& system, const std::vector<BlockOp>& ops,
               const std::vector<Contribution>& contributions, const std::vector<double>& inverse,
               double* target, base::Executor& executor) {
-    const AssembleView view{system.values.data(), inverse.data(), contributions.data(), target};
     in_pieces(static_cast<std::int64_t>(ops.size()), executor,
               [&](std::int64_t begin, std::int64_t end) {
-                  run_ops(ops.data() + begin, end - begin, view);
+                  assemble(system, std::span(ops).subspan(at(begin), at(end - begin)),
+                           contributions, inverse, target);
               });
 }
 

@@ -12,6 +12,7 @@
 #include "paper_matrix/block_system.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace hawser::bench {
@@ -93,7 +94,11 @@ struct BlockForm {
 void invert_sigma(const BlockSystem& system, const BlockForm& form, std::vector<double>& inverse,
                   base::Executor& executor);
 
-/// Compute all blocks and write them to `target`; on diagonal blocks the lower triangle only.
+/// Compute blocks and write them to `target`; of diagonal blocks the lower triangle counts.
+void assemble(const BlockSystem& system, std::span<const BlockOp> ops,
+              const std::vector<Contribution>& contributions, const std::vector<double>& inverse,
+              double* target) noexcept;
+/// The same with a team.
 void assemble(const BlockSystem& system, const std::vector<BlockOp>& ops,
               const std::vector<Contribution>& contributions, const std::vector<double>& inverse,
               double* target, base::Executor& executor);

@@ -6,6 +6,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -105,23 +107,21 @@ class Ours final : public Solver {
         analysis_.update(form_->pattern);
         find_places(executor);
     }
-    void refresh(const Input& input, base::Executor& executor) override {
-        numeric_.clear(symbolic_, executor);
-        assemble(*input.system, ops_, form_->contributions, *input.inverse, numeric_.values(),
-                 executor);
+    /// The values are written as the fronts are factored.
+    void refresh(const Input& input, base::Executor&) override { input_ = input; }
+    void factor(base::Executor& executor) override { check(start(x_.data(), executor)); }
+    void factor_and_begin(std::vector<double>& x, base::Executor& executor) override {
+        permute(x);
+        check(start(x_.data(), executor));
     }
-    void factor(base::Executor& executor) override {
-        if (const int wrong = numeric_.factor(symbolic_, executor); wrong != 0)
-            throw std::runtime_error(fmt::format("{} pivots of the wrong sign", wrong));
+    void finish(std::vector<double>& x, base::Executor& executor) override {
+        numeric_.backward(symbolic_, x_.data(), executor);
+        permute_back(x);
     }
     void solve(std::vector<double>& x, base::Executor& executor) override {
-        for (std::size_t a = 0; a < form_->kept.size(); ++a)
-            for (int i = 0; i < form_->pattern.size[a]; ++i)
-                x_[at(symbolic_.node_offset[a] + i)] = x[at(form_->offset[a] + i)];
+        permute(x);
         numeric_.solve(symbolic_, x_.data(), executor);
-        for (std::size_t a = 0; a < form_->kept.size(); ++a)
-            for (int i = 0; i < form_->pattern.size[a]; ++i)
-                x[at(form_->offset[a] + i)] = x_[at(symbolic_.node_offset[a] + i)];
+        permute_back(x);
     }
     [[nodiscard]] double factor_nnz() const override {
         return static_cast<double>(symbolic_.factor_nnz);
@@ -132,11 +132,52 @@ class Ours final : public Solver {
     }
 
   private:
+    int start(double* x, base::Executor& executor) {
+        auto write = [](void* self, int piece, double* panel) noexcept {
+            static_cast<Ours*>(self)->write(at(piece), panel);
+        };
+        return numeric_.factor_forward(symbolic_, {write, this}, x, executor);
+    }
+    void write(std::size_t piece, double* panel) const noexcept {
+        const auto [begin, end] = piece_ops_[piece];
+        assemble(*input_.system, std::span(ops_).subspan(begin, end - begin), form_->contributions,
+                 *input_.inverse, panel);
+    }
+    static void check(int wrong) {
+        if (wrong != 0) throw std::runtime_error(fmt::format("{} pivots of the wrong sign", wrong));
+    }
+    void permute(const std::vector<double>& x) {
+        for (std::size_t i = 0; i < place_.size(); ++i) x_[i] = x[at(place_[i])];
+    }
+    void permute_back(std::vector<double>& x) const {
+        for (std::size_t i = 0; i < place_.size(); ++i) x[at(place_[i])] = x_[i];
+    }
+    /// The blocks of each piece: they lie together, as pieces end where fronts end.
+    void sort_by_piece() {
+        const std::vector<factor::Piece>& pieces = numeric_.pieces();
+        piece_ops_.resize(pieces.size());
+        by_place_.resize(pieces.size());
+        std::iota(by_place_.begin(), by_place_.end(), std::size_t{0});
+        std::sort(by_place_.begin(), by_place_.end(), [&](std::size_t a, std::size_t b) {
+            return pieces[a].panel_begin < pieces[b].panel_begin;
+        });
+        std::size_t k = 0;
+        for (const std::size_t piece : by_place_) {
+            const std::size_t begin = k;
+            while (k < ops_.size() && ops_[k].to < pieces[piece].panel_end) ++k;
+            piece_ops_[piece] = {begin, k};
+        }
+    }
     /// Where each block is written.
     void find_places(base::Executor& executor) {
         numeric_.reserve(symbolic_, executor.threads());
         placer_.place(*form_, analysis_, ops_);
+        sort_by_piece();
         x_.resize(static_cast<std::size_t>(symbolic_.scalars) + 8, 0.0);
+        place_.resize(static_cast<std::size_t>(symbolic_.scalars));
+        for (std::size_t a = 0; a < form_->kept.size(); ++a)
+            for (int i = 0; i < form_->pattern.size[a]; ++i)
+                place_[at(symbolic_.node_offset[a] + i)] = form_->offset[a] + i;
     }
 
     Order order_;
@@ -145,6 +186,10 @@ class Ours final : public Solver {
     const factor::Symbolic& symbolic_ = analysis_.symbolic();
     factor::Numeric numeric_;
     std::vector<BlockOp> ops_;
+    std::vector<std::pair<std::size_t, std::size_t>> piece_ops_;  ///< Of each piece: begin, end.
+    std::vector<std::size_t> by_place_;
+    Input input_;
+    std::vector<std::int32_t> place_;  ///< Of each permuted scalar in the form.
     std::vector<double> x_;
     Placer placer_;
 };

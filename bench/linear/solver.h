@@ -47,6 +47,12 @@ class Solver {
     virtual void refresh(const Input& input, base::Executor& executor) = 0;
     /// @throws std::runtime_error if it fails.
     virtual void factor(base::Executor& executor) = 0;
+    /// The same where a right-hand side is known: a solver may begin with x, which finish() ends.
+    virtual void factor_and_begin(std::vector<double>& x, base::Executor& executor) {
+        (void)x;
+        factor(executor);
+    }
+    virtual void finish(std::vector<double>& x, base::Executor& executor) { solve(x, executor); }
     /// Scalars of the kept nodes, natural order, in place.
     virtual void solve(std::vector<double>& x, base::Executor& executor) = 0;
     /// Entries of L with its diagonal, as the library counts or stores them.

@@ -207,14 +207,14 @@ Phases Candidate::work() {
     wake();
     Watch watch(processor_time());
     invert_sigma(*in.system, *in.form, inverse, team);
+    fold(*in.system, *in.form, inverse, vectors_, team);
     solver_->refresh(in, team);
     rest();
     p.refresh = watch.lap();
-    solver_->factor(*own_);
+    solver_->factor_and_begin(vectors_.folded, *own_);
     p.factor = watch.lap();
+    solver_->finish(vectors_.folded, *own_);
     wake();
-    fold(*in.system, *in.form, inverse, vectors_, team);
-    solve();
     unfold(*in.system, *in.form, inverse, vectors_, team);
     p.solve = watch.lap();
     fold_residual(*in.system, *in.form, vectors_, team);

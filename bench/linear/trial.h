@@ -16,9 +16,10 @@ namespace hawser::bench {
 
 /// Times of one solution from blocks to refined result [s].
 struct Phases {
-    double refresh = 0.0;  ///< Values from the blocks, condensed where the form is.
-    double factor = 0.0;
-    double solve = 0.0;   ///< With folding and unfolding of eliminated rows.
+    /// Values from the blocks, condensed where the form is, and its right-hand side.
+    double refresh = 0.0;
+    double factor = 0.0;  ///< Ours: with the values of each part just before it is factored.
+    double solve = 0.0;   ///< With unfolding of eliminated rows.
     double refine = 0.0;  ///< Saddle residual, second solution, addition.
     [[nodiscard]] double total() const noexcept { return refresh + factor + solve + refine; }
 };

@@ -21,7 +21,9 @@ struct FactorView {
     const std::int8_t* sign;
     double* panel;  ///< L below the diagonal of each panel; zeros on and above it.
     double* pivot;  ///< D, one a permuted scalar.
-    double* work;   ///< Update matrices.
+    double* work;   ///< Update matrices that more than one task reads.
+    double* stack;  ///< The same array, moved on to what this thread has of it from there on:
+    std::int64_t stack_begin;
     double* carry;  ///< Forward substitution's update vectors, one entry an update row.
 
     // Batches, see batches.h. Slot arrays hold eight lanes a slot.
@@ -31,6 +33,10 @@ struct FactorView {
     const std::int32_t* tail_slot;
     double* slot_pivot;  ///< 1/D.
     double* slot_y;      ///< Between forward and backward substitution.
+
+    [[nodiscard]] double* update(std::int64_t place) const noexcept {
+        return (place < stack_begin ? work : stack) + place;
+    }
 };
 
 struct FactorKernels {

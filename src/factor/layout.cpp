@@ -27,7 +27,7 @@ void reset(Symbolic& s) {
     s.tail_slot.clear();
     s.node_step.clear();
     s.node_slot.clear();
-    s.batch_scratch = s.panel_size = s.work_size = 0;
+    s.batch_scratch = s.panel_size = s.work_size = s.stack_begin = 0;
     s.scalars = s.max_front = 0;
     s.matrix_nnz = s.factor_nnz = s.flops = s.critical_flops = 0;
 }
@@ -217,7 +217,8 @@ void Layout::choose_tasks(Symbolic& s) {
     close(static_cast<std::int32_t>(count));
 }
 
-/// Addresses of the update matrices: two stacks for each task, by parity of depth.
+/// Addresses of the update matrices: two stacks for each task, by parity of depth. All tasks have
+/// them in the same place, of which each thread has its own.
 void Layout::place_updates(Symbolic& s) {
     const std::size_t count = s.fronts.size();
     task_.assign(count, -1);
@@ -255,16 +256,21 @@ void Layout::place_updates(Symbolic& s) {
         if (front.parent >= 0) height_[k] += size_of(front);
         peak_[k] = std::max(peak_[k], front.update + size_of(front));
     }
-    base_.resize(stacks);
-    std::int64_t end = shared;
-    for (std::size_t k = 0; k < stacks; ++k) {
-        base_[k] = end;
-        // At least one vector between stacks, for the same reason.
-        end += (peak_[k] + 8 + 63) & ~std::int64_t{63};
+    // At least one vector between stacks, for the same reason.
+    auto round = [](std::int64_t size) { return (size + 8 + 63) & ~std::int64_t{63}; };
+    const std::int64_t top = round(shared);
+    s.stack_begin = top + round(peak_[0]) + round(peak_[1]);
+    std::int64_t even = 0, odd = 0;
+    for (std::size_t k = 2; k < stacks; k += 2) {
+        even = std::max(even, peak_[k]);
+        odd = std::max(odd, peak_[k + 1]);
     }
+    const std::int64_t base[] = {top, top + round(peak_[0]), s.stack_begin,
+                                 s.stack_begin + round(even)};
     for (std::size_t f = 0; f < count; ++f)
-        if (!crosses_[f]) s.fronts[f].update += base_[stack_of(f)];
-    s.work_size = end + 64;
+        if (!crosses_[f])
+            s.fronts[f].update += base[std::min(stack_of(f), std::size_t{2} + parity_[f])];
+    s.work_size = base[3] + round(odd) + 64;
 }
 
 void Layout::run(const Pattern& pattern, const Columns& columns, const Chains& chains,
@@ -297,7 +303,7 @@ std::size_t Layout::bytes() const noexcept {
     return tree_.bytes() + base::bytes(supernodes_.begin) + base::bytes(supernodes_.parent) +
            base::bytes(chain_of_) + base::bytes(front_of_chain_) + base::bytes(cursor_) +
            base::bytes(task_) + base::bytes(subtree_) + base::bytes(path_) + base::bytes(height_) +
-           base::bytes(peak_) + base::bytes(base_) + base::bytes(parity_) + base::bytes(crosses_);
+           base::bytes(peak_) + base::bytes(parity_) + base::bytes(crosses_);
 }
 
 }  // namespace hawser::factor

@@ -21,7 +21,7 @@ void grow(base::Array<T>& array, std::int64_t size) {
 void Numeric::reserve(const Symbolic& symbolic, int threads) {
     grow(panel_, symbolic.panel_size);
     grow(pivot_, symbolic.scalars);
-    grow(work_, symbolic.work_size);
+    grow(work_, symbolic.work_size + (threads - 1) * (symbolic.work_size - symbolic.stack_begin));
     grow(carry_, static_cast<std::int64_t>(symbolic.rows.size()));
     const auto slots = kLaneCount * static_cast<std::int64_t>(symbolic.slot_sign.size());
     grow(slot_pivot_, slots);
@@ -34,11 +34,14 @@ void Numeric::reserve(const Symbolic& symbolic, int threads) {
     cut_pieces(symbolic);
 }
 
-FactorView Numeric::view(const Symbolic& s) noexcept {
-    return {s.fronts.data(),    s.children.data(),    s.rows.data(),      s.runs.data(),
-            s.sign.data(),      panel_.data(),        pivot_.data(),      work_.data(),
-            carry_.data(),      s.batch_steps.data(), s.slot_sign.data(), s.slot_index.data(),
-            s.tail_slot.data(), slot_pivot_.data(),   slot_y_.data()};
+FactorView Numeric::view(const Symbolic& s, int thread) noexcept {
+    double* stack = work_.data() + thread * (s.work_size - s.stack_begin);
+    return {s.fronts.data(),    s.children.data(),   s.rows.data(),
+            s.runs.data(),      s.sign.data(),       panel_.data(),
+            pivot_.data(),      work_.data(),        stack,
+            s.stack_begin,      carry_.data(),       s.batch_steps.data(),
+            s.slot_sign.data(), s.slot_index.data(), s.tail_slot.data(),
+            slot_pivot_.data(), slot_y_.data()};
 }
 
 void Numeric::clear(const Symbolic& symbolic, base::Executor& executor) noexcept {
@@ -52,7 +55,7 @@ void Numeric::clear(const Symbolic& symbolic, base::Executor& executor) noexcept
 }
 
 int Numeric::factor(const Symbolic& symbolic, base::Executor& executor) noexcept {
-    const FactorView v = view(symbolic);
+    const FactorView v = view(symbolic, 0);
     const FactorKernels& kernels = factor_kernels();
     const std::size_t batches = symbolic.batches.size(), tasks = symbolic.tasks.size();
     auto batch = [&](int i, int thread) noexcept {
@@ -62,7 +65,7 @@ int Numeric::factor(const Symbolic& symbolic, base::Executor& executor) noexcept
     auto subtree = [&](int i, int thread) noexcept {
         const TaskRange& t = symbolic.tasks[static_cast<std::size_t>(i)];
         wrong_[batches + static_cast<std::size_t>(i)] =
-            kernels.factor(v, t.begin, t.end, scratch(thread));
+            kernels.factor(view(symbolic, thread), t.begin, t.end, scratch(thread));
     };
     executor.for_each(static_cast<int>(batches), batch);
     executor.for_each(static_cast<int>(tasks), subtree);
@@ -105,38 +108,41 @@ void Numeric::cut_pieces(const Symbolic& s) {
         add_fronts(t.begin, t.end);
     }
     task_piece_.push_back(static_cast<std::int32_t>(pieces_.size()));
-    for (const std::int32_t f : s.top) add_fronts(f, f + 1);
+    for (std::size_t k = 0, next; k < s.top.size(); k = next) {
+        for (next = k + 1; next < s.top.size() && s.top[next] == s.top[next - 1] + 1;) ++next;
+        add_fronts(s.top[k], s.top[next - 1] + 1);
+    }
 }
 
-int Numeric::run_piece(const FactorView& v, const Symbolic& symbolic, int piece, Fill fill,
-                       double* x, double* scratch) noexcept {
+int Numeric::run_piece(const Symbolic& symbolic, int piece, Fill fill, double* x,
+                       int thread) noexcept {
+    const FactorView v = view(symbolic, thread);
     const Piece& p = pieces_[static_cast<std::size_t>(piece)];
     const FactorKernels& kernels = factor_kernels();
     std::fill(panel_.begin() + p.panel_begin, panel_.begin() + p.panel_end, 0.0);
     fill.write(fill.context, piece, panel_.data());
     if (static_cast<std::size_t>(piece) < symbolic.batches.size()) {
         const Batch& batch = symbolic.batches[static_cast<std::size_t>(p.begin)];
-        const int wrong = kernels.factor_batch(v, batch, scratch);
-        kernels.forward_batch(v, batch, x, scratch);
+        const int wrong = kernels.factor_batch(v, batch, scratch(thread));
+        kernels.forward_batch(v, batch, x, scratch(thread));
         return wrong;
     }
-    const int wrong = kernels.factor(v, p.begin, p.end, scratch);
-    kernels.forward(v, p.begin, p.end, x, scratch);
+    const int wrong = kernels.factor(v, p.begin, p.end, scratch(thread));
+    kernels.forward(v, p.begin, p.end, x, scratch(thread));
     return wrong;
 }
 
 int Numeric::factor_forward(const Symbolic& symbolic, Fill fill, double* x,
                             base::Executor& executor) noexcept {
-    const FactorView v = view(symbolic);
     const std::size_t batches = symbolic.batches.size(), tasks = symbolic.tasks.size();
     auto batch = [&](int i, int thread) noexcept {
-        wrong_[static_cast<std::size_t>(i)] = run_piece(v, symbolic, i, fill, x, scratch(thread));
+        wrong_[static_cast<std::size_t>(i)] = run_piece(symbolic, i, fill, x, thread);
     };
     auto subtree = [&](int i, int thread) noexcept {
         const auto k = static_cast<std::size_t>(i);
         int wrong = 0;
         for (std::int32_t p = task_piece_[k]; p < task_piece_[k + 1]; ++p)
-            wrong += run_piece(v, symbolic, p, fill, x, scratch(thread));
+            wrong += run_piece(symbolic, p, fill, x, thread);
         wrong_[batches + k] = wrong;
     };
     executor.for_each(static_cast<int>(batches), batch);
@@ -144,12 +150,12 @@ int Numeric::factor_forward(const Symbolic& symbolic, Fill fill, double* x,
     int wrong = 0;
     for (std::size_t i = 0; i < batches + tasks; ++i) wrong += wrong_[i];
     for (int p = task_piece_[tasks]; p < static_cast<int>(pieces_.size()); ++p)
-        wrong += run_piece(v, symbolic, p, fill, x, scratch(0));
+        wrong += run_piece(symbolic, p, fill, x, 0);
     return wrong;
 }
 
 void Numeric::solve(const Symbolic& symbolic, double* x, base::Executor& executor) noexcept {
-    const FactorView v = view(symbolic);
+    const FactorView v = view(symbolic, 0);
     const FactorKernels& kernels = factor_kernels();
     auto forward = [&](int i, int thread) noexcept {
         const TaskRange& t = symbolic.tasks[static_cast<std::size_t>(i)];
@@ -165,7 +171,7 @@ void Numeric::solve(const Symbolic& symbolic, double* x, base::Executor& executo
 }
 
 void Numeric::backward(const Symbolic& symbolic, double* x, base::Executor& executor) noexcept {
-    const FactorView v = view(symbolic);
+    const FactorView v = view(symbolic, 0);
     const FactorKernels& kernels = factor_kernels();
     auto backward = [&](int i, int thread) noexcept {
         const TaskRange& t = symbolic.tasks[static_cast<std::size_t>(i)];

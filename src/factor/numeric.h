@@ -70,9 +70,9 @@ class Numeric {
 
   private:
     void cut_pieces(const Symbolic& symbolic);
-    [[nodiscard]] int run_piece(const FactorView& v, const Symbolic& symbolic, int piece, Fill fill,
-                                double* x, double* scratch) noexcept;
-    [[nodiscard]] FactorView view(const Symbolic& symbolic) noexcept;
+    [[nodiscard]] int run_piece(const Symbolic& symbolic, int piece, Fill fill, double* x,
+                                int thread) noexcept;
+    [[nodiscard]] FactorView view(const Symbolic& symbolic, int thread) noexcept;
     [[nodiscard]] double* scratch(int thread) noexcept {
         return scratch_.data() + static_cast<std::ptrdiff_t>(thread) * scratch_stride_;
     }

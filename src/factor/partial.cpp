@@ -32,7 +32,7 @@ void keep_updates(Symbolic& s) noexcept {
         // Vector loads of an update matrix may read one vector past it.
         size += static_cast<std::int64_t>(f.ldu) * f.q + 8;
     }
-    s.work_size = size + 64;
+    s.stack_begin = s.work_size = size + 64;
     s.updates_kept = true;
 }
 
@@ -127,7 +127,7 @@ void Numeric::clear(const Symbolic&, const DirtyParts& dirty, base::Executor& ex
 
 int Numeric::refactor(const Symbolic& s, const DirtyParts& dirty,
                       base::Executor& executor) noexcept {
-    const FactorView v = view(s);
+    const FactorView v = view(s, 0);  // no stacks: every update has its place
     const FactorKernels& kernels = factor_kernels();
     const std::size_t batches = dirty.batches.size(), tasks = dirty.tasks.size() - 1;
     auto batch = [&](int i, int thread) noexcept {

@@ -20,6 +20,7 @@
 /// discipline: fronts at even depth push on one stack, at odd depth on another, and a front's
 /// children lie on top of the other stack when it is reached (partial.h gives each a place of its
 /// own instead). All addresses are therefore known here, and the numeric phase allocates nothing.
+/// The stacks of a task belong to the thread that does it: the next task finds them in cache.
 ///
 /// Subtrees of roughly equal work are *tasks* that run in parallel; the fronts above them are
 /// the *top* and run last. Tasks depend on the tree alone, never on the number of threads.
@@ -99,6 +100,7 @@ struct Symbolic {
 
     std::int32_t scalars = 0;
     std::int64_t panel_size = 0, work_size = 0;  ///< Doubles.
+    std::int64_t stack_begin = 0;                ///< Work from here on: one for each thread.
     bool updates_kept = false;                   ///< See partial.h.
     std::int32_t max_front = 0;                  ///< Largest ld.
     std::int64_t matrix_nnz = 0, factor_nnz = 0, flops = 0, critical_flops = 0;

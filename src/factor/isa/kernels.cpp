@@ -160,7 +160,7 @@ inline void extend_add(const FactorView& view, const Front& front, double* panel
     double* target = kPivots ? panel : update - front.p - static_cast<long>(front.p) * ld;
     for (std::int32_t i = front.child_begin; i < front.child_end; ++i) {
         const Front& child = view.fronts[view.children[i]];
-        const double* u = view.work + child.update;
+        const double* u = view.update(child.update);
         const Run* end = view.runs + child.run_end;
         const Run* run = view.runs + child.run_begin;
         if constexpr (!kPivots)
@@ -181,7 +181,7 @@ int factor_fronts(const FactorView& view, std::int32_t begin, std::int32_t end,
         const Front& front = view.fronts[f];
         if (front.batch >= 0) continue;
         double* panel = view.panel + front.panel;
-        double* update = view.work + front.update;
+        double* update = view.update(front.update);
         extend_add<true>(view, front, panel, update);
         for (int k0 = 0; k0 < front.p; k0 += kBlock) {
             const int k1 = k0 + kBlock < front.p ? k0 + kBlock : front.p;
