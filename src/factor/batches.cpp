@@ -144,6 +144,7 @@ class Builder {
         std::vector<std::vector<std::int32_t>> rows(at(steps));
         for (std::int32_t c : members)
             for (std::int32_t u = chains_.begin[at(c)]; u < chains_.begin[at(c + 1)]; ++u) {
+                if (chains_.unit(u).size() == 1) continue;  // a body without rows
                 auto& slots = rows[at(steps - (chains_.begin[at(c + 1)] - u))];
                 std::vector<std::int32_t> sizes, merged;
                 for (std::int32_t v : chains_.unit(u).subspan(1))
@@ -184,15 +185,15 @@ class Builder {
         for (std::int32_t u = first; u < last; ++u) {
             const std::int32_t k = steps - (last - u);
             const BatchStep& step = s_.batch_steps[at(batch.step_begin + k)];
-            std::vector<bool> used(rows[at(k)].size(), false);
+            used_.assign(rows[at(k)].size(), 0);
             for (std::int32_t v : chains_.unit(u)) {
                 std::int32_t slot = 0;
                 if (v != chains_.unit(u)[0]) {
                     slot = batch.body;
                     std::size_t r = 0;  // row_slots() made one for each
-                    while (used[r] || rows[at(k)][r] != pattern_.size[at(v)])
+                    while (used_[r] != 0 || rows[at(k)][r] != pattern_.size[at(v)])
                         slot += rows[at(k)][r++];
-                    used[r] = true;
+                    used_[r] = 1;
                 }
                 s_.node_step[at(v)] = batch.step_begin + k;
                 s_.node_slot[at(v)] = slot;
@@ -224,6 +225,7 @@ class Builder {
     Symbolic& s_;
     std::vector<std::int32_t> chain_of_;
     std::vector<std::vector<Touch>> touches_;
+    std::vector<std::uint8_t> used_;
 };
 
 }  // namespace

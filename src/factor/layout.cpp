@@ -11,12 +11,16 @@ namespace {
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
+/// Entries of a node are written so many at a time, and those past its end again by the next: a
+/// loop of fixed length is one or two vector stores.
+constexpr std::int32_t kWide = 8;
+static_assert(kWide >= kMaxBlock);
+
 constexpr std::int32_t round8(std::int32_t n) { return (n + 7) & ~7; }
 
-/// Empty, with the capacity of every array kept.
+/// Empty, with the capacity of every array kept. Arrays that are overwritten entry by entry keep
+/// their entries: emptied, they would be filled with zeros first.
 void reset(Symbolic& s) {
-    s.children.clear();
-    s.rows.clear();
     s.runs.clear();
     s.tasks.clear();
     s.top.clear();
@@ -55,17 +59,23 @@ void Layout::place_nodes(const Pattern& pattern, Symbolic& s) {
         s.node_offset[at(v)] = s.scalars;
         s.scalars += pattern.size[at(v)];
     }
-    s.sign.resize(at(s.scalars));
+    s.sign.resize(at(s.scalars + kWide));
     std::int8_t* sign = s.sign.data();
-    for (const std::int32_t v : s.order)
-        sign = std::fill_n(sign, pattern.size[at(v)], pattern.sign[at(v)]);
-    for (std::size_t v = 0; v < n; ++v) {
-        const std::int32_t d = pattern.size[v];
-        std::int32_t beside = 0;
-        for (const std::int32_t u : pattern.neighbours(static_cast<int>(v)))
-            beside += u > static_cast<std::int32_t>(v) ? pattern.size[at(u)] : 0;
-        s.matrix_nnz += d * (d + 1) / 2 + static_cast<std::int64_t>(d) * beside;
+    for (const std::int32_t v : s.order) {
+        for (std::int32_t c = 0; c < kWide; ++c) sign[c] = pattern.sign[at(v)];
+        sign += pattern.size[at(v)];
     }
+    s.sign.resize(at(s.scalars));
+    const std::int8_t* size = pattern.size.data();
+    std::int64_t diagonal = 0, beside_all = 0;
+    for (std::size_t v = 0; v < n; ++v) {
+        const std::int32_t d = size[v];
+        std::int32_t beside = 0;
+        for (const std::int32_t u : pattern.neighbours(static_cast<int>(v))) beside += size[u];
+        diagonal += d * (d + 1) / 2;
+        beside_all += static_cast<std::int64_t>(d) * beside;
+    }
+    s.matrix_nnz = diagonal + beside_all / 2;  // each edge from both sides
 }
 
 /// Fill in sizes, addresses, update rows.
@@ -73,6 +83,7 @@ void Layout::lay_out_fronts(const Pattern& pattern, const Columns& columns, Symb
     const std::size_t count = supernodes_.parent.size();
     s.fronts.resize(count);
     s.node_front.resize(s.order.size());
+    flops_.assign(count, 0);
     std::int64_t rows = 0;
     for (std::size_t f = 0; f < count; ++f) {
         Front& front = s.fronts[f];
@@ -102,15 +113,21 @@ void Layout::lay_out_fronts(const Pattern& pattern, const Columns& columns, Symb
         s.max_front = std::max(s.max_front, front.ld);
         s.factor_nnz += static_cast<std::int64_t>(front.p) * (front.p + 1) / 2 +
                         static_cast<std::int64_t>(front.p) * front.q;
-        s.flops += front_flops(front.p, front.q);
+        flops_[f] = front_flops(front.p, front.q);
+        s.flops += flops_[f];
     }
     s.panel_size += 64;  // vector loads may read past the last column
-    s.rows.resize(at(rows));
+    s.rows.resize(at(rows + kWide));
     std::int32_t* row = s.rows.data();
+    const std::int32_t* offsets = s.node_offset.data();
+    const std::int8_t* size = pattern.size.data();
     for (const Front& front : s.fronts)
-        for (const std::int32_t v : columns.rows(last_node(s, front)))
-            for (std::int32_t c = 0; c < pattern.size[at(v)]; ++c)
-                *row++ = s.node_offset[at(v)] + c;
+        for (const std::int32_t v : columns.rows(last_node(s, front))) {
+            const std::int32_t offset = offsets[v];
+            for (std::int32_t c = 0; c < kWide; ++c) row[c] = offset + c;
+            row += size[v];
+        }
+    s.rows.resize(at(rows));
 }
 
 void Layout::link_children(const Pattern& pattern, const Columns& columns, Symbolic& s) {
@@ -140,35 +157,40 @@ void Layout::link_children(const Pattern& pattern, const Columns& columns, Symbo
 /// Where the update rows of a front land in its parent.
 void Layout::find_runs(const Pattern& pattern, const Columns& columns, Front& front, Symbolic& s) {
     const Front& parent = s.fronts[at(front.parent)];
+    const std::int32_t p = parent.p, first = parent.offset;
     const auto own = columns.rows(last_node(s, front));
     const auto theirs = columns.rows(last_node(s, parent));
     const std::int32_t* scalars = s.rows.data() + parent.rows;
+    const std::int32_t* offsets = s.node_offset.data();
+    const std::int8_t* sizes = pattern.size.data();
     // Both lists ascend: walk along, or search where the parent's is much the longer one.
     const bool walk = theirs.size() <= 8 * own.size();
-    std::int32_t from = 0, behind = parent.p;
-    std::size_t next = 0;
+    std::int32_t from = 0, behind = p;
+    const std::int32_t* next = theirs.data();
+    Run run{0, 0, 0};
     for (const std::int32_t v : own) {
-        const std::int32_t offset = s.node_offset[at(v)], size = pattern.size[at(v)];
-        std::int32_t to = offset - parent.offset;
-        if (to >= parent.p) {
+        const std::int32_t size = sizes[v];
+        std::int32_t to = offsets[v] - first;
+        if (to >= p) {
             if (walk) {
-                while (theirs[next] != v) behind += pattern.size[at(theirs[next++])];
+                while (*next != v) behind += sizes[*next++];
                 to = behind;
             } else {
-                to =
-                    parent.p + static_cast<std::int32_t>(
-                                   std::lower_bound(scalars, scalars + parent.q, offset) - scalars);
+                to = p + static_cast<std::int32_t>(
+                             std::lower_bound(scalars, scalars + parent.q, offsets[v]) - scalars);
             }
         }
         // A run stays on one side of the parent's pivot boundary: its columns then lie
         // wholly in the panel or wholly in the update matrix.
-        if (static_cast<std::int32_t>(s.runs.size()) > front.run_begin && to != parent.p &&
-            s.runs.back().to + s.runs.back().length == to)
-            s.runs.back().length += size;
-        else
-            s.runs.push_back({from, to, size});
+        if (to == run.to + run.length && to != p && run.length > 0) {
+            run.length += size;
+        } else {
+            if (run.length > 0) s.runs.push_back(run);
+            run = {from, to, size};
+        }
         from += size;
     }
+    if (run.length > 0) s.runs.push_back(run);
 }
 
 /// Split the tree into parallel tasks and a serial top. Targets depend on the tree alone.
@@ -182,7 +204,7 @@ void Layout::choose_tasks(Symbolic& s) {
         // The constant stands for the work per front that flops do not show. A chain's work is
         // done before the tasks.
         const bool chain = front.batch >= 0;
-        const std::int64_t own = chain ? 0 : front_flops(front.p, front.q);
+        const std::int64_t own = flops_[f];
         subtree_[f] += own + (chain ? 0 : 600);
         path_[f] += chain ? chain_flops(s, front) : own;
         s.critical_flops = std::max(s.critical_flops, path_[f]);
@@ -302,8 +324,8 @@ void Layout::run(const Pattern& pattern, const Columns& columns, const Chains& c
 std::size_t Layout::bytes() const noexcept {
     return tree_.bytes() + base::bytes(supernodes_.begin) + base::bytes(supernodes_.parent) +
            base::bytes(chain_of_) + base::bytes(front_of_chain_) + base::bytes(cursor_) +
-           base::bytes(task_) + base::bytes(subtree_) + base::bytes(path_) + base::bytes(height_) +
-           base::bytes(peak_) + base::bytes(parity_) + base::bytes(crosses_);
+           base::bytes(task_) + base::bytes(flops_) + base::bytes(subtree_) + base::bytes(path_) +
+           base::bytes(height_) + base::bytes(peak_) + base::bytes(parity_) + base::bytes(crosses_);
 }
 
 }  // namespace hawser::factor

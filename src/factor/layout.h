@@ -32,7 +32,7 @@ class Layout {
     TreeBuilder tree_;
     Supernodes supernodes_;
     std::vector<std::int32_t> chain_of_, front_of_chain_, cursor_, task_;
-    std::vector<std::int64_t> subtree_, path_, height_, peak_;
+    std::vector<std::int64_t> flops_, subtree_, path_, height_, peak_;
     std::vector<std::uint8_t> parity_, crosses_;
 };
 
