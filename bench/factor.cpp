@@ -3,6 +3,7 @@
 #include <hawser/world.h>
 
 #include "commands.h"
+#include "linear/edits.h"
 #include "linear/report.h"
 #include "observe/svg.h"
 
@@ -23,7 +24,7 @@ struct FactorOptions {
     std::vector<int> scales{1};
     std::vector<std::string> only;
     std::string scene = "scenes/anchor_lines.json", matrix, blocks, json, picture;
-    int threads = 2;
+    int threads = 2, edits = 0;
     bool sweep = false, list = false;
     int reference_limit = 3'000'000;
     TrialOptions trial;
@@ -95,6 +96,9 @@ CLI::App* add_options(CLI::App& app, FactorOptions& o) {
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     app.add_flag("--sweep", o.sweep, "The rigid scene at scales 1 to 50: who gains from threads?");
+    app.add_option("--edits", o.edits,
+                   "Repair our analysis of the paper's scene through so many steps instead")
+        ->check(CLI::Range(4, 100'000));
     app.add_option("--reference-limit", o.reference_limit,
                    "No long double reference above this many scalars")
         ->capture_default_str();
@@ -124,6 +128,10 @@ int factor_command(int argc, char** argv) {
     FactorOptions o;
     add_options(app, o);
     CLI11_PARSE(app, argc, argv);
+    if (o.edits > 0) {
+        for (const int scale : o.scales) print_edits(o.edits, scale);
+        return 0;
+    }
     insist_on_fast_blas(argv - 1);  // argv[0] is the subcommand, before it is the program
     const std::vector<ProblemSource> sources = choose(o);
     if (o.list) {

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <hawser/factor.h>
+
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
@@ -134,6 +136,33 @@ TEST(Allocation, NoneInAWarmStepOfACommittedScene) {
             EXPECT_EQ(seen, 0) << file << " on " << threads;
             EXPECT_EQ(s.world.stats().growths, growths);
         }
+}
+
+/// Nor in the warm path of the solver by itself.
+TEST(Allocation, NoneInAWarmFactorisation) {
+    if (!HAWSER_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
+    constexpr int kNodes = 500;
+    BlockPattern p;
+    for (int i = 0; i < kNodes; ++i) {
+        p.size.push_back(3);
+        p.sign.push_back(1);
+        if (i > 0) p.edges.push_back({i, (i - 1) / 2});
+    }
+    for (const int threads : {1, 2}) {
+        BlockFactor f({.threads = threads, .partial = true});
+        f.analyse(p);
+        std::vector<double> k(static_cast<std::size_t>(f.value_count()), 0.01);
+        for (int i = 0; i < kNodes; ++i)
+            for (int d = 0; d < 3; ++d) k[static_cast<std::size_t>(f.value_begin(i) + 4 * d)] = 1.0;
+        std::vector<double> b(3 * kNodes, 1.0), x = b;
+        const std::vector<std::int32_t> changed{1, 400, kNodes + 7};
+        const Guard guard;
+        bool ok = f.factor(k) == Status::ok && f.solve(x) == Status::ok;
+        ok = ok && f.refactor(k, changed) == Status::ok && f.refine(k, b, x) == Status::ok;
+        ok = ok && f.residual(k, x, b) < 1e-15;
+        EXPECT_EQ(Guard::seen(), 0) << threads << " threads";
+        EXPECT_TRUE(ok);
+    }
 }
 
 /// Not in a step that fails either.

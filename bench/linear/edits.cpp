@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "linear/edits.h"
+
+#include "factor/repair.h"
+#include "linear/form.h"
+#include "paper_matrix/paper_matrix.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <ctime>
+#include <vector>
+
+namespace hawser::bench {
+namespace {
+
+/// Processor time of this thread [µs].
+double now() {
+    timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return 1e6 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_nsec);
+}
+
+template <class F>
+double time_of(F f) {
+    const double from = now();
+    f();
+    return now() - from;
+}
+
+double mean(const std::vector<double>& v) {
+    double sum = 0.0;
+    for (const double d : v) sum += d;
+    return v.empty() ? 0.0 : sum / static_cast<double>(v.size());
+}
+
+double median(std::vector<double> v) {
+    if (v.empty()) return 0.0;
+    std::sort(v.begin(), v.end());
+    return v[v.size() / 2];
+}
+
+void print_sequence(CableForm cables, bool condensed, int count, int steps, int scale) {
+    PaperOptions options;
+    options.form = cables;
+    options.scale = scale;
+    PaperScene scene(options);
+    const factor::Pattern first = make_form(scene.system(), condensed).pattern;
+    factor::Analysis repaired, updated, planned;
+    for (factor::Analysis* a : {&repaired, &updated, &planned}) a->plan(first);
+    const auto flops = static_cast<double>(repaired.symbolic().flops);
+    std::vector<double> repair, update, plan, columns;
+    std::string growth;
+    int replans = 0;
+    for (int step = 0; step < steps; ++step) {
+        scene.change_contacts(count, step);
+        const factor::Pattern p = make_form(scene.system(), condensed).pattern;
+        factor::RepairReport r;
+        repair.push_back(time_of([&] { r = repaired.repair(p); }));
+        columns.push_back(static_cast<double>(r.columns) / p.nodes());
+        update.push_back(time_of([&] { r = updated.update(p); }));
+        replans += r.replanned ? 1 : 0;
+        plan.push_back(time_of([&] { planned.plan(p); }));
+        if ((step + 1) % std::max(steps / 4, 1) == 0)
+            growth += fmt::format(" {:5.2f} {:4.2f}",
+                                  static_cast<double>(repaired.symbolic().flops) / flops,
+                                  static_cast<double>(planned.symbolic().flops) / flops);
+    }
+    fmt::print("{:<7} {:<9} {:>5} {:8.0f} {:8.0f} {:8.0f} {:6.2f} {:7} {:7.1f}% {}\n",
+               cables == CableForm::lumped ? "lumped" : "rigid", condensed ? "condensed" : "saddle",
+               count, median(repair), mean(update), median(plan), median(plan) / median(repair),
+               replans, 100.0 * mean(columns), growth);
+}
+
+}  // namespace
+
+void print_edits(int steps, int scale) {
+    fmt::print(
+        "scale {}, {} steps; us; columns computed again; flops over those at the start, each after "
+        "a quarter\nof the steps: repaired only, planned anew\n",
+        scale, steps);
+    fmt::print("{:<7} {:<9} {:>5} {:>8} {:>8} {:>8} {:>6} {:>7} {:>8}  growth\n", "cables", "form",
+               "edits", "repair", "update", "plan", "ratio", "replans", "columns");
+    for (const CableForm cables : {CableForm::lumped, CableForm::rigid})
+        for (const bool condensed : {false, true})
+            for (const int count : {10, 50, 200})
+                print_sequence(cables, condensed, count, steps, scale);
+}
+
+}  // namespace hawser::bench
