@@ -31,7 +31,7 @@
 /// after u.
 
 #include "assembly/view.h"
-#include "base/small.h"
+#include "base/simd.h"
 
 namespace hawser::HAWSER_ISA {
 
@@ -43,28 +43,24 @@ inline M3 full6(const double* s) {
     return {{s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5]}};
 }
 
-/// scale × projected arm stiffness of the force f, of size nf, at arm r, of length nr.
-inline void arm_stiffness(V3 f, double nf, V3 r, double nr, double scale, double* out) {
-    for (int i = 0; i < 6; ++i) out[i] = 0.0;
-    if (nf * nr < 1e-300) return;
-    const V3 fh = (1.0 / nf) * f, rh = (1.0 / nr) * r;
-    const V3 s = rh + fh, d = rh - fh;
-    const double c = dot(rh, fh), k = scale * nf * nr;
-    double e, ss, dd;  // K = e E − ss s sᵀ + dd d dᵀ
-    if (c >= 0) {
-        e = k * c;
-        ss = k * c / dot(s, s);
-        dd = 0.25 * k;
-    } else {
-        e = 0;
-        ss = 0;
-        dd = 0.5 * k * (c + 1.0) / dot(d, d);
-    }
+/// scale × projected arm stiffness of the force f, of size nf, at arm r, of length nr. Zero where
+/// either is.
+template <class T>
+inline void arm_stiffness(const V3T<T>& f, const T& nf, const V3T<T>& r, const T& nr,
+                          const T& scale, T* out) {
+    constexpr double kTiny = 1e-300;  // against 0/0
+    const V3T<T> fh = T(1.0 / (nf + kTiny)) * f, rh = T(1.0 / (nr + kTiny)) * r;
+    const V3T<T> s = rh + fh, d = rh - fh;
+    const T c = dot(rh, fh), k = scale * nf * nr, none = zero(c);
+    // K = e E − ss s sᵀ + dd d dᵀ
+    const T e = k * positive_part(c), ss = e * (1.0 / (dot(s, s) + kTiny));
+    const T obtuse = 0.5 * k * (c + 1.0) * (1.0 / (dot(d, d) + kTiny));
+    const T dd = select_greater(none, c, obtuse, 0.25 * k);
     out[0] = e - ss * s.x * s.x + dd * d.x * d.x;
-    out[1] = -ss * s.x * s.y + dd * d.x * d.y;
-    out[2] = -ss * s.x * s.z + dd * d.x * d.z;
+    out[1] = dd * d.x * d.y - ss * s.x * s.y;
+    out[2] = dd * d.x * d.z - ss * s.x * s.z;
     out[3] = e - ss * s.y * s.y + dd * d.y * d.y;
-    out[4] = -ss * s.y * s.z + dd * d.y * d.z;
+    out[4] = dd * d.y * d.z - ss * s.y * s.z;
     out[5] = e - ss * s.z * s.z + dd * d.z * d.z;
 }
 

@@ -227,6 +227,7 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.rotation_damping = def.rotation_damping;
     v.body_count = bodies.count();
     v.interaction_count = in.count();
+    v.dof_count = bodies.dofs;
     v.kind = reinterpret_cast<const std::uint8_t*>(bodies.kind.data());
     v.dof = dof_.data();
     v.dof_begin = bodies.dof_begin.data();

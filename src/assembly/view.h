@@ -74,7 +74,7 @@ struct GeoPlace {
 struct View {
     double h, gravity[3];
     double geometric_stiffness, rotation_damping;
-    std::int32_t body_count, interaction_count;
+    std::int32_t body_count, interaction_count, dof_count;
 
     // Bodies, see model/bodies.h.
     const std::uint8_t* kind;

@@ -47,6 +47,16 @@ HAWSER_INLINE V8 after_lane(const V8& v, int i) {
 }
 HAWSER_INLINE V8 reciprocal(const V8& v) { return 1.0 / v; }
 HAWSER_INLINE V8 positive_part(const V8& v) { return v > 0.0 ? v : V8{}; }
+/// a > b ? x : y, lane by lane.
+HAWSER_INLINE V8 select_greater(const V8& a, const V8& b, const V8& x, const V8& y) {
+    return a > b ? x : y;
+}
+// Not _mm512_sqrt_pd: g++ 12 warns falsely inside it.
+HAWSER_INLINE V8 root(const V8& v) { return _mm512_maskz_sqrt_pd(0xff, v); }
+/// p[0..n) = the first n lanes of v; nothing behind is touched.
+HAWSER_INLINE void store_first(double* p, const V8& v, int n) {
+    _mm512_mask_storeu_pd(p, static_cast<__mmask8>((1U << n) - 1U), v);
+}
 /// Lanes whose pivot has the wrong sign or is not finite get the sign itself.
 /// @return 1 in those lanes.
 HAWSER_INLINE V8 fix_pivot(V8& d, double sign) {
@@ -147,6 +157,31 @@ HAWSER_INLINE V8 positive_part(const V8& v) {
     for (int i = 0; i < kParts; ++i) o.part[i] = v.part[i] > 0.0 ? v.part[i] : Part{};
     return o;
 }
+HAWSER_INLINE V8 operator-(const V8& a) {
+    V8 o;
+    for (int i = 0; i < kParts; ++i) o.part[i] = -a.part[i];
+    return o;
+}
+/// a > b ? x : y, lane by lane.
+HAWSER_INLINE V8 select_greater(const V8& a, const V8& b, const V8& x, const V8& y) {
+    V8 o;
+    for (int i = 0; i < kParts; ++i) o.part[i] = a.part[i] > b.part[i] ? x.part[i] : y.part[i];
+    return o;
+}
+HAWSER_INLINE V8 root(const V8& v) {
+    V8 o;
+    for (int i = 0; i < kParts; ++i)
+#if defined(__AVX2__)
+        o.part[i] = __builtin_ia32_sqrtpd256(v.part[i]);
+#else
+        o.part[i] = __builtin_ia32_sqrtpd(v.part[i]);
+#endif
+    return o;
+}
+/// p[0..n) = the first n lanes of v; nothing behind is touched.
+HAWSER_INLINE void store_first(double* p, const V8& v, int n) {
+    for (int i = 0; i < n; ++i) p[i] = lane(v, i);
+}
 HAWSER_INLINE V8& operator+=(V8& a, const V8& b) { return a = a + b; }
 HAWSER_INLINE V8& operator-=(V8& a, const V8& b) { return a = a - b; }
 HAWSER_INLINE V8 operator/(double s, const V8& v) {
@@ -187,13 +222,28 @@ HAWSER_INLINE bool any(const V8& v) {
     return found;
 #endif
 }
-// The same for one number, and constants: for templates over either.
+// The same for one number, and what else templates over either need.
+HAWSER_INLINE double root(double v) { return __builtin_sqrt(v); }
+HAWSER_INLINE double select_greater(double a, double b, double x, double y) {
+    return a > b ? x : y;
+}
 HAWSER_INLINE bool any(double v) { return v != 0.0; }
 HAWSER_INLINE double positive_part(double v) { return v > 0.0 ? v : 0.0; }
 HAWSER_INLINE double zero(double) { return 0.0; }
 HAWSER_INLINE double one(double) { return 1.0; }
 HAWSER_INLINE V8 zero(const V8&) { return V8{}; }
 HAWSER_INLINE V8 one(const V8&) { return V8{} + 1.0; }
+/// A constant of the type of the first argument.
+template <class T>
+HAWSER_INLINE T constant(const T& like, double value) {
+    return zero(like) + value;
+}
+template <class T>
+HAWSER_INLINE V3T<T> select_greater(const T& a, const T& b, const V3T<T>& x, const V3T<T>& y) {
+    return {select_greater(a, b, x.x, y.x), select_greater(a, b, x.y, y.y),
+            select_greater(a, b, x.z, y.z)};
+}
+HAWSER_INLINE W8 norm(const V3T<W8>& a) { return root(dot(a, a)); }
 /// Sum of the lanes, in a fixed order.
 HAWSER_INLINE double sum(const V8& v) {
     return ((lane(v, 0) + lane(v, 4)) + (lane(v, 2) + lane(v, 6))) +

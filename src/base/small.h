@@ -28,7 +28,10 @@ template <class T>
 inline V3T<T> operator-(const V3T<T>& a, const V3T<T>& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-inline V3 operator-(const V3& a) { return {-a.x, -a.y, -a.z}; }
+template <class T>
+inline V3T<T> operator-(const V3T<T>& a) {
+    return {-a.x, -a.y, -a.z};
+}
 template <class T>
 inline V3T<T> operator*(const T& s, const V3T<T>& a) {
     return {s * a.x, s * a.y, s * a.z};
@@ -104,20 +107,6 @@ inline V3T<T> solve3(const M3T<T>& m, const V3T<T>& b) {
     const V3T<T> k = cross(c1, c2);
     const T inv = 1.0 / dot(c0, k);
     return {inv * dot(b, k), inv * dot(c0, cross(b, c2)), inv * dot(c0, cross(c1, b))};
-}
-/// A unit vector perpendicular to the unit vector t, and t × it: a deterministic basis.
-inline void perpendicular(V3 t, V3& n1, V3& n2) {
-    const double ax = t.x < 0 ? -t.x : t.x, ay = t.y < 0 ? -t.y : t.y, az = t.z < 0 ? -t.z : t.z;
-    V3 e{0, 0, 0};
-    if (ax <= ay && ax <= az)
-        e.x = 1;
-    else if (ay <= az)
-        e.y = 1;
-    else
-        e.z = 1;
-    n1 = e - dot(e, t) * t;
-    n1 = (1.0 / norm(n1)) * n1;
-    n2 = cross(t, n1);
 }
 
 }  // namespace hawser::HAWSER_ISA

@@ -33,6 +33,7 @@ struct FactorView {
     const std::int32_t* tail_slot;
     double* slot_pivot;  ///< 1/D.
     double* slot_y;      ///< Between forward and backward substitution.
+    bool distant;        ///< The panels are larger than a core's own cache.
 
     [[nodiscard]] double* update(std::int64_t place) const noexcept {
         return (place < stack_begin ? work : stack) + place;

@@ -34,6 +34,8 @@ void Numeric::reserve(const Symbolic& symbolic, int threads) {
     cut_pieces(symbolic);
 }
 
+constexpr std::int64_t kCached = 131'072;  // doubles: a megabyte
+
 FactorView Numeric::view(const Symbolic& s, int thread) noexcept {
     double* stack = work_.data() + thread * (s.work_size - s.stack_begin);
     return {s.fronts.data(),    s.children.data(),   s.rows.data(),
@@ -41,7 +43,7 @@ FactorView Numeric::view(const Symbolic& s, int thread) noexcept {
             pivot_.data(),      work_.data(),        stack,
             s.stack_begin,      carry_.data(),       s.batch_steps.data(),
             s.slot_sign.data(), s.slot_index.data(), s.tail_slot.data(),
-            slot_pivot_.data(), slot_y_.data()};
+            slot_pivot_.data(), slot_y_.data(),      s.panel_size > kCached};
 }
 
 void Numeric::clear(const Symbolic& symbolic, base::Executor& executor) noexcept {

@@ -43,7 +43,7 @@ Solved solve_with(const factor::FactorKernels& kernels, const BlockMatrix& m,
                                   pivot.data(),       work.data(),         work.data(),
                                   s.stack_begin,      carry.data(),        s.batch_steps.data(),
                                   s.slot_sign.data(), s.slot_index.data(), s.tail_slot.data(),
-                                  slot_pivot.data(),  slot_y.data()};
+                                  slot_pivot.data(),  slot_y.data(),       true};
     Solved out;
     const auto count = static_cast<std::int32_t>(s.fronts.size());
     for (const factor::Batch& batch : s.batches)

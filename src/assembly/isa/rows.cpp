@@ -3,6 +3,7 @@
 #include "assembly/isa/rows.h"
 
 #include "assembly/geo.h"
+#include "assembly/isa/lane_rows.h"
 #include "base/simd.h"
 #include "model/kinds/all.h"
 
@@ -105,6 +106,14 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
     const auto* data = static_cast<const typename K::Data*>(data_in);
     const double inv_h4 = 4.0 / view.h;
     for (std::int32_t k = begin; k < end; ++k) {
+        if constexpr (requires { K::kLaneDof; }) {
+            LaneRows<K> lanes(view);
+            if (k + kLanes <= end && lanes.take(ids + k)) {
+                lanes.evaluate(data + k);
+                k += kLanes - 1;
+                continue;
+            }
+        }
         const std::int32_t id = ids[k];
         const std::int32_t* body = view.body + kSlots * id;
         BodyRef refs[B];

@@ -219,7 +219,8 @@ void forward_batch(const FactorView& view, const Batch& batch, const double* x,
     Shift shift{batch.body / kTile, batch.window / kTile, 0};
     for (std::int32_t k = batch.step_begin; k < batch.step_end; ++k) {
         const BatchStep& step = view.batch_steps[k];
-        if (k + kAhead < batch.step_end) ask_for_panel(view, view.batch_steps[k + kAhead]);
+        if (view.distant && k + kAhead < batch.step_end)
+            ask_for_panel(view, view.batch_steps[k + kAhead]);
         const double* panel = view.panel + step.panel;
         double* y = view.slot_y + 8 * step.slot;
         const std::int32_t* index = view.slot_index + 8 * step.slot;
@@ -267,7 +268,8 @@ void backward_batch(const FactorView& view, const Batch& batch, double* x,
     double* z = behind + 8 * q;
     for (std::int32_t k = batch.step_end; k-- > batch.step_begin;) {
         const BatchStep& step = view.batch_steps[k];
-        if (k - kAhead >= batch.step_begin) ask_for_panel(view, view.batch_steps[k - kAhead]);
+        if (view.distant && k - kAhead >= batch.step_begin)
+            ask_for_panel(view, view.batch_steps[k - kAhead]);
         const double* panel = view.panel + step.panel;
         const double* y = view.slot_y + 8 * step.slot;
         const double* pivot = view.slot_pivot + 8 * step.slot;

@@ -21,7 +21,7 @@
 
 #include <hawser/interactions.h>
 
-#include "base/small.h"
+#include "base/simd.h"
 
 namespace hawser::HAWSER_ISA {
 
@@ -37,14 +37,14 @@ struct BodyRef {
     }
 };
 
-/// Rows of one interaction.
-template <int B, int R>
+/// Rows of one interaction; T: double, or a vector of several interactions' (base/simd.h).
+template <int B, int R, class T = double>
 struct Rows {
-    double g[R];        ///< Violation [m or rad]; for a velocity row the wanted speed u.
-    double J[B][R][6];  ///< Linear part, then angular part.
+    T g[R];        ///< Violation [m or rad]; for a velocity row the wanted speed u.
+    T J[B][R][6];  ///< Linear part, then angular part.
 
-    void set(int b, int r, V3 lin, V3 ang) {
-        double* p = J[b][r];
+    void set(int b, int r, const V3T<T>& lin, const V3T<T>& ang) {
+        T* p = J[b][r];
         p[0] = lin.x;
         p[1] = lin.y;
         p[2] = lin.z;
@@ -82,16 +82,31 @@ inline void constraint_rows(const InteractionDef& def, double h, int first, int 
 }
 
 /// Three rows: point of body 1 minus point of body 0.
-template <int R>
-inline void point_rows(const BodyRef* b, V3 ra, V3 rb, Rows<2, R>& out) {
-    const V3 d = b[1].x + rb - b[0].x - ra;
-    const V3 e[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    const double dd[3] = {d.x, d.y, d.z};
+template <int R, class T, class Ref>
+inline void point_rows(const Ref* b, const V3T<T>& ra, const V3T<T>& rb, Rows<2, R, T>& out) {
+    const V3T<T> d = b[1].x + rb - b[0].x - ra;
+    const T o = zero(d.x), i = one(d.x);
+    const V3T<T> e[3] = {{i, o, o}, {o, i, o}, {o, o, i}};
+    const T dd[3] = {d.x, d.y, d.z};
     for (int r = 0; r < 3; ++r) {
         out.g[r] = dd[r];
         out.set(0, r, -e[r], -cross(ra, e[r]));
         out.set(1, r, e[r], cross(rb, e[r]));
     }
+}
+
+/// A unit vector perpendicular to the unit vector t, and t × it: a deterministic basis, made from
+/// the axis that is farthest from t.
+template <class T>
+inline void perpendicular(const V3T<T>& t, V3T<T>& n1, V3T<T>& n2) {
+    const T o = zero(t.x), i = one(t.x);
+    const T xx = t.x * t.x, yy = t.y * t.y, zz = t.z * t.z;
+    const T not_x = select_greater(xx, yy, i, select_greater(xx, zz, i, o));
+    const T not_y = select_greater(yy, zz, i, o);
+    const V3T<T> e{i - not_x, not_x * (i - not_y), not_x * not_y};
+    n1 = e - dot(e, t) * t;
+    n1 = T(1.0 / norm(n1)) * n1;
+    n2 = cross(t, n1);
 }
 
 /// Row `r`: p·q = 0 for the axis p fixed in body 0 and q fixed in body 1.

@@ -21,13 +21,17 @@ struct Ball {
         .uses_frames = false,
         .row_units = "mmm",
         .doc = "Ball joint: a point of one body stays on a point of the other."};
-    struct Data {
-        double point[2][3];
+    static constexpr int kLaneDof = 6;
+    template <class T>
+    struct DataT {
+        T point[2][3];
     };
+    using Data = DataT<double>;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         constraint_rows(d, h, 0, 3, true, s);
     }
-    static void evaluate(const Data& d, const BodyRef* b, Rows<2, 3>& out) {
+    template <class T, class Ref>
+    static void evaluate(const DataT<T>& d, const Ref* b, Rows<2, 3, T>& out) {
         point_rows(b, b[0].arm(d.point[0]), b[1].arm(d.point[1]), out);
     }
 #ifdef HAWSER_KIND_SETUP

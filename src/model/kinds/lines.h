@@ -14,11 +14,13 @@
 
 namespace hawser::HAWSER_ISA::kinds {
 
-struct PointData {
-    double point[2][3];
-    double length;
-    double radius;  ///< Winch stretch only: metres of line per radian (or metre) of drum.
+template <class T>
+struct PointDataT {
+    T point[2][3];
+    T length;
+    T radius;  ///< Winch stretch only: metres of line per radian (or metre) of drum.
 };
+using PointData = PointDataT<double>;
 
 #ifdef HAWSER_KIND_SETUP
 inline PointData point_data(const InteractionDef& d, double length, double radius) {
@@ -32,12 +34,12 @@ inline PointData point_data(const InteractionDef& d, double length, double radiu
 #endif
 
 /// Row 0: distance of the points minus the rest length. A zero distance pushes along x.
-template <int B>
-inline void line_row(const PointData& d, const BodyRef* b, double length, Rows<B, 1>& out) {
-    const V3 ra = b[0].arm(d.point[0]), rb = b[1].arm(d.point[1]);
-    const V3 u = b[1].x + rb - b[0].x - ra;
-    const double l = norm(u);
-    const V3 n = l > 1e-12 ? (1.0 / l) * u : V3{1, 0, 0};
+template <int B, class T, class Ref>
+inline void line_row(const PointDataT<T>& d, const Ref* b, const T& length, Rows<B, 1, T>& out) {
+    const V3T<T> ra = b[0].arm(d.point[0]), rb = b[1].arm(d.point[1]);
+    const V3T<T> u = b[1].x + rb - b[0].x - ra;
+    const T l = norm(u), o = zero(l);
+    const V3T<T> n = select_greater(l, constant(l, 1e-12), T(1.0 / l) * u, {one(l), o, o});
     out.g[0] = l - length;
     out.set(0, 0, -n, -cross(ra, n));
     out.set(1, 0, n, cross(rb, n));
@@ -69,7 +71,11 @@ struct Distance {
         // A spring's elongation is not a violation.
         s[0].gap = s[0].compliance <= 1e-9;
     }
-    static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
+    static constexpr int kLaneDof = 3;
+    template <class T>
+    using DataT = PointDataT<T>;
+    template <class T, class Ref>
+    static void evaluate(const PointDataT<T>& d, const Ref* b, Rows<2, 1, T>& out) {
         line_row(d, b, d.length, out);
     }
 #ifdef HAWSER_KIND_SETUP
@@ -107,7 +113,11 @@ struct Stretch {
         .doc = "Axial stiffness of a wire element, compliance length/EA."};
     using Data = PointData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { stretch_rows(d, h, s); }
-    static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
+    static constexpr int kLaneDof = 3;
+    template <class T>
+    using DataT = PointDataT<T>;
+    template <class T, class Ref>
+    static void evaluate(const PointDataT<T>& d, const Ref* b, Rows<2, 1, T>& out) {
         line_row(d, b, d.length, out);
     }
 #ifdef HAWSER_KIND_SETUP
@@ -170,9 +180,12 @@ struct Bend {
         .row_units = "rr",
         .params = kBendParams,
         .doc = "Bending stiffness of a line at the middle one of three nodes in order."};
-    struct Data {
-        double point[3][3];
+    static constexpr int kLaneDof = 3;
+    template <class T>
+    struct DataT {
+        T point[3][3];
     };
+    using Data = DataT<double>;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         for (int r = 0; r < 2; ++r) {
             s[r].compliance =
@@ -180,24 +193,25 @@ struct Bend {
             s[r].damping_time = given(d.damping_time.data()[r], 2.0 * h);
         }
     }
-    static void evaluate(const Data& d, const BodyRef* b, Rows<3, 2>& out) {
-        V3 arm[3], p[3];
+    template <class T, class Ref>
+    static void evaluate(const DataT<T>& d, const Ref* b, Rows<3, 2, T>& out) {
+        V3T<T> arm[3], p[3];
         for (int i = 0; i < 3; ++i) {
             arm[i] = b[i].arm(d.point[i]);
             p[i] = b[i].x + arm[i];
         }
-        const V3 d1 = p[1] - p[0], d2 = p[2] - p[1];
-        const double i1 = 1.0 / (norm(d1) + 1e-300), i2 = 1.0 / (norm(d2) + 1e-300);
-        const V3 e1 = i1 * d1, e2 = i2 * d2;
-        V3 t = e1 + e2;
-        const double s = norm(t);
-        t = s > 1e-9 ? (1.0 / s) * t : e1;  // a wire folded back on itself
-        V3 n[2];
+        const V3T<T> d1 = p[1] - p[0], d2 = p[2] - p[1];
+        const T i1 = 1.0 / (norm(d1) + 1e-300), i2 = 1.0 / (norm(d2) + 1e-300);
+        const V3T<T> e1 = i1 * d1, e2 = i2 * d2, sum = e1 + e2;
+        const T s = norm(sum);
+        // else: a wire folded back on itself
+        const V3T<T> t = select_greater(s, constant(s, 1e-9), T(1.0 / s) * sum, e1);
+        V3T<T> n[2];
         perpendicular(t, n[0], n[1]);
         for (int r = 0; r < 2; ++r) {
             out.g[r] = dot(n[r], e2 - e1);
-            const V3 a = i1 * (n[r] - dot(n[r], e1) * e1);  // −∂g/∂p0
-            const V3 c = i2 * (n[r] - dot(n[r], e2) * e2);  // ∂g/∂p2
+            const V3T<T> a = i1 * (n[r] - dot(n[r], e1) * e1);  // −∂g/∂p0
+            const V3T<T> c = i2 * (n[r] - dot(n[r], e2) * e2);  // ∂g/∂p2
             out.set(0, r, a, cross(arm[0], a));
             out.set(1, r, -a - c, -cross(arm[1], a + c));
             out.set(2, r, c, cross(arm[2], c));

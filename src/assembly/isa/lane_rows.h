@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file lane_rows.h
+/// evaluate() for eight interactions of one kind at once, lane by lane another one, where all of
+/// their bodies are of the size that the kind names as kLaneDof. Same formulas as for one:
+/// the kinds' evaluate() and geo.h are templates over the number type.
+
+#include "assembly/geo.h"
+#include "assembly/isa/rows.h"
+#include "base/simd.h"
+#include "model/kinds/all.h"
+
+namespace hawser::HAWSER_ISA {
+
+/// Bodies of eight interactions as evaluate() sees them: lumps, and rigid bodies.
+struct LumpLanes {
+    V3T<W8> x;
+    [[nodiscard]] V3T<W8> arm(const W8*) const { return {W8{}, W8{}, W8{}}; }
+};
+struct RigidLanes {
+    V3T<W8> x;
+    M3T<W8> r;
+    [[nodiscard]] V3T<W8> arm(const W8* local) const {
+        return r * V3T<W8>{local[0], local[1], local[2]};
+    }
+};
+
+template <class K>
+struct LaneRows {
+    static constexpr int B = K::kBodies, R = K::kRows, D = K::kLaneDof, W = B * D;
+    static constexpr int kDataSize = sizeof(typename K::Data) / sizeof(double);
+    using Ref = std::conditional_t<D == 6, RigidLanes, LumpLanes>;
+
+    explicit LaneRows(const assembly::View& v) : view(v) {}
+
+    const assembly::View& view;
+    std::int32_t id[kLanes], row[kLanes], body[B][kLanes];
+
+    /// Eight entries from ids[0] on. @return false where they are not all of that size, or so near
+    /// the end of the arrays that vector loads would leave them.
+    bool take(const std::int32_t* ids) {
+        for (int l = 0; l < kLanes; ++l) {
+            id[l] = ids[l];
+            row[l] = view.row_begin[id[l]];
+            for (int b = 0; b < B; ++b) {
+                const std::int32_t i = view.body[kMaxInteractionBodies * id[l] + b];
+                body[b][l] = i;
+                if (view.dof[i] != D || i + 3 > view.body_count ||
+                    view.dof_begin[i] + kLanes > view.dof_count)
+                    return false;
+            }
+            if (K::kGeometry != Geometry::none && view.geo[id[l]].dof != D) return false;
+            if (K::kGeometry != Geometry::none && view.geo[id[l]].record < 0) return false;
+        }
+        return true;
+    }
+
+    /// First eight entries of body b of each lane, which has `scale` doubles.
+    void load_bodies(const double* base, int b, int scale, V8 (&v)[kLanes]) const {
+        std::int32_t from[kLanes];
+        for (int l = 0; l < kLanes; ++l) from[l] = scale * body[b][l];
+        load_lanes(base, from, v);
+    }
+    W8 pick(const double* values, const std::int32_t* index, int offset) const {
+        double v[kLanes];
+        for (int l = 0; l < kLanes; ++l) v[l] = values[index[l] + offset];
+        return load(v);
+    }
+
+    void evaluate(const typename K::Data* data) {
+        Ref refs[B];
+        V8 v[B][kLanes];
+        for (int b = 0; b < B; ++b) {
+            V8 t[kLanes];
+            load_bodies(view.x, b, 3, t);
+            refs[b].x = {t[0], t[1], t[2]};
+            if constexpr (D == 6) {
+                V8 last[kLanes];
+                load_bodies(view.r, b, 9, t);
+                load_bodies(view.r + 1, b, 9, last);
+                refs[b].r = {{t[0], t[1], t[2], t[3], t[4], t[5], t[6], t[7], last[7]}};
+            }
+            std::int32_t from[kLanes];
+            for (int l = 0; l < kLanes; ++l) from[l] = view.dof_begin[body[b][l]];
+            load_lanes(view.v, from, v[b]);
+        }
+        typename K::template DataT<W8> fields;
+        auto* field = reinterpret_cast<W8*>(&fields);
+        const auto* first = reinterpret_cast<const double*>(data);
+        for (int i = 0; i < kDataSize; ++i) {
+            double lanes[kLanes];
+            for (int l = 0; l < kLanes; ++l) lanes[l] = first[kDataSize * l + i];
+            field[i] = load(lanes);
+        }
+        Rows<B, R, W8> rows;
+        K::evaluate(fields, refs, rows);
+        write_rows(rows, v);
+        write_jacobian(rows);
+        for (int l = 0; l < kLanes; ++l)
+            if (view.parted[id[l]]) view.active[id[l]] = 0.0;
+        if constexpr (K::kGeometry == Geometry::line) line(refs, rows, v);
+        if constexpr (K::kGeometry == Geometry::joint) joint(fields, refs, v);
+    }
+
+    void write_rows(const Rows<B, R, W8>& rows, const V8 (&v)[B][kLanes]) const {
+        const double inv_h4 = 4.0 / view.h;
+        for (int r = 0; r < R; ++r) {
+            W8 speed{};
+            for (int b = 0; b < B; ++b)
+                for (int j = 0; j < D; ++j) speed += rows.J[b][r][j] * v[b][j];
+            const W8 c = pick(view.upsilon, row, r) * (speed - inv_h4 * rows.g[r]);
+            for (int l = 0; l < kLanes; ++l) {
+                view.g[row[l] + r] = lane(rows.g[r], l);
+                view.c[row[l] + r] = lane(c, l);
+            }
+        }
+    }
+
+    /// The packed Jacobians, eight entries of each at a time.
+    void write_jacobian(const Rows<B, R, W8>& rows) const {
+        for (int begin = 0; begin < R * W; begin += kLanes) {
+            V8 t[kLanes] = {};
+            const int count = R * W - begin < kLanes ? R * W - begin : kLanes;
+            for (int i = 0; i < count; ++i) {
+                const int entry = begin + i, r = entry / W, column = entry % W;
+                t[i] = rows.J[column / D][r][column % D];
+            }
+            put(view.jacobian, view.jac_begin, begin, count, t);
+        }
+    }
+
+    /// Entries [begin, begin + count) of what starts at base + start[id].
+    void put(double* base, const std::int32_t* start, int begin, int count, V8 (&t)[kLanes]) const {
+        transpose(t);
+        for (int l = 0; l < kLanes; ++l) {
+            double* to = base + start[id[l]] + begin;
+            if (count == kLanes)
+                store(to, t[l]);
+            else
+                store_first(to, t[l], count);
+        }
+    }
+    void put_record(int begin, int count, V8 (&t)[kLanes]) const {
+        transpose(t);
+        for (int l = 0; l < kLanes; ++l)
+            store_first(view.geo_record + view.geo[id[l]].record + begin, t[l], count);
+    }
+    void put_force(int begin, int count, V8 (&t)[kLanes]) const {
+        transpose(t);
+        for (int l = 0; l < kLanes; ++l)
+            store_first(view.geo_force + view.geo[id[l]].force + begin, t[l], count);
+    }
+
+    /// Record of a line between lumps, and K v.
+    void line(const Ref* refs, const Rows<B, R, W8>& rows, const V8 (&v)[B][kLanes]) const {
+        const double scale = 0.25 * view.h * view.h * view.geometric_stiffness;
+        const W8 none{}, tension = (-1.0 / view.h) * pick(view.lambda, row, 0);
+        const W8 length = norm(refs[1].x - refs[0].x);
+        const W8 at_least = constant(length, 1e-9);
+        const W8 size = select_greater(length, at_least, length, at_least);
+        const W8 pulls = positive_part(tension) * pick(view.active, id, 0);
+        const W8 w = scale * pulls * (1.0 / size);
+        const V3T<W8> u{rows.J[1][0][0], rows.J[1][0][1], rows.J[1][0][2]};
+        V8 record[kLanes] = {w, u.x, u.y, u.z, none, none, none, none};
+        put_record(0, assembly::kGeoLine, record);
+        const V3T<W8> rel{v[0][0] - v[1][0], v[0][1] - v[1][1], v[0][2] - v[1][2]};
+        const V3T<W8> t = w * (rel - dot(u, rel) * u);
+        V8 force[kLanes] = {t.x, t.y, t.z, -t.x, -t.y, -t.z, none, none};
+        put_force(0, 6, force);
+    }
+
+    /// Record of a joint between rigid bodies, and K v.
+    void joint(const typename K::template DataT<W8>& data, const Ref* refs,
+               const V8 (&v)[B][kLanes]) const {
+        const W8 none{}, on = (1.0 / view.h) * pick(view.active, id, 0);
+        const W8 scale = constant(on, 0.25 * view.h * view.h * view.geometric_stiffness);
+        const V3T<W8> f1{on * pick(view.lambda, row, 0), on * pick(view.lambda, row, 1),
+                         on * pick(view.lambda, row, 2)};
+        const V3T<W8> r0 = refs[0].arm(data.point[0]), r1 = refs[1].arm(data.point[1]);
+        const W8 nf = norm(f1), n0 = norm(r0), n1 = norm(r1);
+        W8 arm0[6], arm1[6];
+        arm_stiffness(-f1, nf, r0, n0, scale, arm0);
+        arm_stiffness(f1, nf, r1, n1, scale, arm1);
+        double swing[kLanes];
+        for (int l = 0; l < kLanes; ++l)
+            swing[l] = view.geo_record[view.geo[id[l]].record + assembly::kGeoSwing];
+        const W8 push = (view.h * view.h) * nf, s = 4.0 * push * load(swing);
+        const W8 unit = one(s), need = select_greater(unit, s, s * s, unit);
+        const W8 damping = push * view.rotation_damping * select_greater(n1, n0, n0, n1) * need;
+        V8 a[kLanes] = {none, none, none, none, r0.x, r0.y, r0.z, r1.x};
+        V8 b[kLanes] = {r1.y, r1.z, arm0[0], arm0[1], arm0[2], arm0[3], arm0[4], arm0[5]};
+        V8 c[kLanes] = {arm1[0], arm1[1], arm1[2], arm1[3], arm1[4], arm1[5], damping, none};
+        put_record(0, kLanes, a);
+        put_record(8, kLanes, b);
+        put_record(16, kLanes - 1, c);  // what follows is constant
+        const W8 d[3] = {damping * (v[1][3] - v[0][3]), damping * (v[1][4] - v[0][4]),
+                         damping * (v[1][5] - v[0][5])};
+        V8 low[kLanes] = {none, none, none, d[0], d[1], d[2], none, none};
+        V8 high[kLanes] = {none, -d[0], -d[1], -d[2], none, none, none, none};
+        put_force(0, kLanes, low);
+        put_force(8, 4, high);
+    }
+};
+
+}  // namespace hawser::HAWSER_ISA
