@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 namespace hawser::bench {
 namespace {
@@ -72,6 +73,19 @@ bool can_be_eliminated(const BlockSystem& s, int node) {
     return true;
 }
 
+std::vector<std::int32_t> order_alike(std::span<const BlockOp> ops) {
+    auto key = [&](std::int32_t i) {
+        const BlockOp& op = ops[at(i)];
+        return std::tuple(op.row_size, op.col_size, op.base < 0, op.row == op.col,
+                          op.end - op.begin);
+    };
+    std::vector<std::int32_t> order(ops.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::int32_t a, std::int32_t b) { return key(a) < key(b); });
+    return order;
+}
+
 BlockForm make_form(const BlockSystem& s, bool condensed) {
     BlockForm f;
     f.condensed = condensed;
@@ -113,6 +127,7 @@ BlockForm make_form(const BlockSystem& s, bool condensed) {
         }
     }
     f.pattern = factor::make_pattern(std::move(size), std::move(sign), from, to);
+    f.alike = order_alike(f.ops);
     f.tables = make_tables(s, f);
     return f;
 }

@@ -76,6 +76,7 @@ struct BlockForm {
     factor::Pattern pattern;           ///< Of the kept nodes.
     std::vector<std::int32_t> offset;  ///< First scalar of each kept node, one more at the end.
     std::vector<BlockOp> ops;          ///< Blocks of the lower triangle, by column, then row.
+    std::vector<std::int32_t> alike;   ///< The same, those of one shape and length together.
     std::vector<Contribution> contributions;
     SweepTables tables;
 
@@ -83,6 +84,10 @@ struct BlockForm {
 };
 
 [[nodiscard]] BlockForm make_form(const BlockSystem& system, bool condensed);
+
+/// Order of blocks by shape, then by the number of contributions: loops over alike blocks end where
+/// the processor expects it. @return indices, ascending among equals.
+[[nodiscard]] std::vector<std::int32_t> order_alike(std::span<const BlockOp> ops);
 
 /// The tables of a form whose nodes and offsets are known. @throws std::length_error if the system
 /// is too large for 32-bit addresses.

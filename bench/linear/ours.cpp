@@ -47,6 +47,9 @@ class Placer {
         }
     }
 
+    /// Where block i of the form is among the ops.
+    [[nodiscard]] std::size_t where(std::int32_t i) const { return at(where_[at(i)]); }
+
   private:
     /// A counting sort; chains come last, those in the lanes of one step together.
     void sort_by_column(const BlockForm& form, const factor::Symbolic& s) {
@@ -65,8 +68,9 @@ class Placer {
         for (std::int32_t& k : start_) sum += std::exchange(k, sum);
         cursor_ = start_;
         index_.resize(form.ops.size());
+        where_.resize(form.ops.size());
         for (std::size_t i = 0; i < form.ops.size(); ++i)
-            index_[at(cursor_[at(column_key_[i])]++)] = static_cast<std::int32_t>(i);
+            index_[at(where_[i] = cursor_[at(column_key_[i])]++)] = static_cast<std::int32_t>(i);
     }
 
     /// The row node must not come before the column node.
@@ -85,7 +89,7 @@ class Placer {
         op.stride = t.ld;
     }
 
-    std::vector<std::int32_t> key_, start_, cursor_, column_key_, index_, local_;
+    std::vector<std::int32_t> key_, start_, cursor_, column_key_, index_, where_, local_;
 };
 
 class Ours final : public Solver {
@@ -152,7 +156,8 @@ class Ours final : public Solver {
     void permute_back(std::vector<double>& x) const {
         for (std::size_t i = 0; i < place_.size(); ++i) x[at(place_[i])] = x_[i];
     }
-    /// The blocks of each piece: they lie together, as pieces end where fronts end.
+    /// The blocks of each piece: they lie together, as pieces end where fronts end. Within a piece,
+    /// which stays in cache while it is filled, alike ones follow each other.
     void sort_by_piece() {
         const std::vector<factor::Piece>& pieces = numeric_.pieces();
         piece_ops_.resize(pieces.size());
@@ -161,12 +166,23 @@ class Ours final : public Solver {
         std::sort(by_place_.begin(), by_place_.end(), [&](std::size_t a, std::size_t b) {
             return pieces[a].panel_begin < pieces[b].panel_begin;
         });
+        piece_of_.resize(ops_.size());
+        next_.resize(pieces.size());
         std::size_t k = 0;
         for (const std::size_t piece : by_place_) {
             const std::size_t begin = k;
             while (k < ops_.size() && ops_[k].to < pieces[piece].panel_end) ++k;
             piece_ops_[piece] = {begin, k};
+            std::fill_n(piece_of_.begin() + static_cast<std::ptrdiff_t>(begin), k - begin,
+                        static_cast<std::int32_t>(piece));
+            next_[piece] = begin;
         }
+        grouped_.resize(ops_.size());
+        for (const std::int32_t i : form_->alike) {
+            const std::size_t from = placer_.where(i);
+            grouped_[next_[at(piece_of_[from])]++] = ops_[from];
+        }
+        ops_.swap(grouped_);
     }
     /// Where each block is written.
     void find_places(base::Executor& executor) {
@@ -187,7 +203,9 @@ class Ours final : public Solver {
     factor::Numeric numeric_;
     std::vector<BlockOp> ops_;
     std::vector<std::pair<std::size_t, std::size_t>> piece_ops_;  ///< Of each piece: begin, end.
-    std::vector<std::size_t> by_place_;
+    std::vector<std::size_t> by_place_, next_;
+    std::vector<std::int32_t> piece_of_;
+    std::vector<BlockOp> grouped_;
     Input input_;
     std::vector<std::int32_t> place_;  ///< Of each permuted scalar in the form.
     std::vector<double> x_;

@@ -95,6 +95,14 @@ ScalarMatrix::ScalarMatrix(const BlockSystem& system, const BlockForm& form) {
     if (form.condensed) {
         ops_ = form.ops;
         lower = block_lower(form, ops_);
+        // Alike blocks together within stretches whose values stay in cache, as with our pieces.
+        constexpr std::size_t kStretch = 512;
+        std::vector<BlockOp> sorted;
+        for (std::size_t k = 0; k < ops_.size(); k += kStretch) {
+            const auto part = std::span(ops_).subspan(k, std::min(kStretch, ops_.size() - k));
+            for (const std::int32_t i : order_alike(part)) sorted.push_back(part[at(i)]);
+        }
+        ops_.swap(sorted);
         return;
     }
     // Numbers of the places instead of values: exact below 2^53, and none is zero.
