@@ -129,7 +129,10 @@ int factor_command(int argc, char** argv) {
     add_options(app, o);
     CLI11_PARSE(app, argc, argv);
     if (o.edits > 0) {
-        for (const int scale : o.scales) print_edits(o.edits, scale);
+        for (const int scale : o.scales) {
+            print_edits(o.edits, scale);
+            print_parts(scale);
+        }
         return 0;
     }
     insist_on_fast_blas(argv - 1);  // argv[0] is the subcommand, before it is the program
