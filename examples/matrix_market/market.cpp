@@ -150,7 +150,8 @@ std::vector<double> read_vector(const std::string& file, int scalars) {
             continue;
         }
         for (double value = 0.0; text >> value;) v.push_back(value);
-        if (!text.eof()) throw std::runtime_error(file + ": not a number: " + line);
+        if (!text.eof())
+            throw std::runtime_error(std::string(file).append(": not a number: ").append(line));
     }
     if (static_cast<int>(v.size()) != scalars)
         throw std::runtime_error(file + ": has " + std::to_string(v.size()) +
