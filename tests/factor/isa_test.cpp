@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The kernels of every instruction set that this processor has, called one beside the other.
 #include "factor/matrices.h"
+#include "support/sanitizer.h"
 
 #include <gtest/gtest.h>
 
@@ -114,7 +115,7 @@ TEST(InstructionSets, EveryFrontShape) {
 
 /// Wires in every lane pattern: batches of one to eight chains, and more.
 TEST(InstructionSets, Batches) {
-    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    for (std::uint64_t seed = 1; seed <= (kSanitized ? 5 : 40); ++seed) {
         Random random(seed);
         const BlockMatrix m = wires(random, 9, 12);
         const factor::Symbolic s = factor::analyse(m.pattern, factor::plan_elimination(m.pattern));
