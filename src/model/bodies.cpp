@@ -50,6 +50,23 @@ int Bodies::add(const BodyDef& def) {
     return id;
 }
 
+void Bodies::drift(int body, const double* velocity, const double* omega, double t) noexcept {
+    const auto b = static_cast<std::size_t>(body);
+    for (std::size_t i = 0; i < 3; ++i) x[3 * b + i] += t * velocity[i];
+    const double half = 0.5 * t;
+    if (omega != nullptr) turn(body, Quat(1.0, half * omega[0], half * omega[1], half * omega[2]));
+}
+
+void Bodies::turn(int body, const Quat& turn) noexcept {
+    double* p = &q[4 * static_cast<std::size_t>(body)];
+    const Quat now = (turn * Quat(p[0], p[1], p[2], p[3])).normalized();
+    p[0] = now.w();
+    p[1] = now.x();
+    p[2] = now.y();
+    p[3] = now.z();
+    refresh_rotation(body);
+}
+
 void Bodies::refresh_rotation(int body) noexcept {
     const auto b = static_cast<std::size_t>(body);
     const generic::M3 m = generic::rotation(&q[4 * b]);

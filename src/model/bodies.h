@@ -60,6 +60,11 @@ struct Bodies {
     }
     /// Append one body; the definition has been checked. @return its index.
     int add(const BodyDef& def);
+    /// Move by time t at constant velocity [m/s]; with ω [rad/s, world frame] also turn, by the
+    /// Cayley map of t ω. Scalars: not for them.
+    void drift(int body, const double* velocity, const double* omega, double t) noexcept;
+    /// q = turn ⊗ q, normalised, and r. @param turn  World frame, any length.
+    void turn(int body, const Quat& turn) noexcept;
     /// Recompute r from q for every rigid, fixed and kinematic body.
     void refresh_rotation(int body) noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;

@@ -74,14 +74,7 @@ void move_carriers(StepContext& ctx) noexcept {
         const double speed = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
         if (!(speed > 0.0)) continue;
         const double half = 0.5 * ctx.def.step * speed, s = std::sin(half) / speed;
-        const Quat turn(std::cos(half), s * w[0], s * w[1], s * w[2]);
-        double* q = &bodies.q[4 * b];
-        const Quat now = (turn * Quat(q[0], q[1], q[2], q[3])).normalized();
-        q[0] = now.w();
-        q[1] = now.x();
-        q[2] = now.y();
-        q[3] = now.z();
-        bodies.refresh_rotation(body);
+        bodies.turn(body, Quat(std::cos(half), s * w[0], s * w[1], s * w[2]));
     }
 }
 

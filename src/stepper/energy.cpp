@@ -27,19 +27,11 @@ void carriers_back(StepContext& ctx) noexcept {
     double* kept = ctx.carriers_before.data();
     for (std::int32_t body : b.driven) {
         const auto i = at(body);
-        double *x = &b.x[3 * i], *q = &b.q[4 * i];
         const double* v = &b.v_fixed[6 * i];
-        kept = std::copy_n(x, 3, kept);
-        kept = std::copy_n(q, 4, kept);
+        kept = std::copy_n(&b.x[3 * i], 3, kept);
+        kept = std::copy_n(&b.q[4 * i], 4, kept);
         kept = std::copy_n(&b.r[9 * i], 9, kept);
-        for (int k = 0; k < 3; ++k) x[k] += t * v[k];
-        const Quat turn(1.0, 0.5 * t * v[3], 0.5 * t * v[4], 0.5 * t * v[5]);
-        const Quat now = (turn * Quat(q[0], q[1], q[2], q[3])).normalized();
-        q[0] = now.w();
-        q[1] = now.x();
-        q[2] = now.y();
-        q[3] = now.z();
-        b.refresh_rotation(body);
+        b.drift(body, v, v + 3, t);
     }
 }
 

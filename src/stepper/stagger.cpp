@@ -11,21 +11,6 @@ namespace {
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-/// Move one body by time t at constant velocity; the rotation is the Cayley map of t ω.
-void drift(model::Bodies& bodies, std::int32_t body, const double* lin, const double* ang,
-           double t) noexcept {
-    for (std::size_t i = 0; i < 3; ++i) bodies.x[3 * at(body) + i] += t * lin[i];
-    if (ang == nullptr) return;
-    double* q = &bodies.q[4 * at(body)];
-    const Quat turn(1.0, 0.5 * t * ang[0], 0.5 * t * ang[1], 0.5 * t * ang[2]);
-    const Quat now = (turn * Quat(q[0], q[1], q[2], q[3])).normalized();
-    q[0] = now.w();
-    q[1] = now.x();
-    q[2] = now.y();
-    q[3] = now.z();
-    bodies.refresh_rotation(body);
-}
-
 /// What the trial step says about the torques on a body, for its gyroscopic impulse.
 void keep_spin_change(model::Bodies& bodies, const assembly::View& v, std::int32_t body) noexcept {
     const double* w = v.v_new + v.dof_begin[body] + 3;
@@ -49,11 +34,11 @@ void violations_at(StepContext& ctx, double t, std::vector<double>& g) {
         if (dof == 1)
             b.x[3 * at(body)] += t * v[0];
         else
-            drift(b, body, v, dof == 6 ? v + 3 : nullptr, t);
+            b.drift(body, v, dof == 6 ? v + 3 : nullptr, t);
     }
     for (std::int32_t body : b.driven) {
         const double* v = &b.v_fixed[6 * at(body)];
-        drift(b, body, v, v + 3, t);
+        b.drift(body, v, v + 3, t);
     }
     evaluate_rows(ctx);
     g.assign(ctx.interactions.g.begin(), ctx.interactions.g.end());
