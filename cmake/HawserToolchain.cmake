@@ -67,7 +67,8 @@ endfunction()
 # hawser_compile_fast(TARGET): a target in which no step's time is spent; -O3 would take half as
 # long again to compile.
 function(hawser_compile_fast target)
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+    target_compile_options(${target} PRIVATE
+        $<$<CONFIG:Release>:-O1> $<$<CONFIG:Sanitize>:-O0>)
 endfunction()
 
 # Warnings and code generation of one target.
