@@ -29,14 +29,14 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
     double mv[8] = {};
     if constexpr (!kAtRest)
         block_times(view.body_block + static_cast<long>(kBodyBlock) * body, dof, v, mv);
-    V8 acc = load(view.a + view.dof_begin[body]);
+    V8 acc = load_at_least(view.a + view.dof_begin[body], dof);
     const std::int32_t end = view.incident_begin[body + 1];
     for (std::int32_t k = view.incident_begin[body]; k < end; ++k) {
         const assembly::Incidence& in = view.incident[k];
         const double* jac = view.jacobian + in.jacobian;
         const double* yr = y + in.row;
-        for (int r = 0; r < in.rows; ++r) acc += yr[r] * load(jac + r * in.width);
-        if (!kAtRest && in.geo_force >= 0) acc -= load(view.geo_force + in.geo_force);
+        for (int r = 0; r < in.rows; ++r) acc += yr[r] * load_at_least(jac + r * in.width, dof);
+        if (!kAtRest && in.geo_force >= 0) acc -= load_at_least(view.geo_force + in.geo_force, dof);
     }
     double sum8[8];
     store(sum8, acc);

@@ -189,7 +189,7 @@ inline void row_products(const View& view, std::int32_t id, const double* u, Off
     for (int b = 0; b < view.bodies[id]; ++b) {
         const int dof = view.dof[body[b]];
         if (dof == 0) continue;
-        const V8 v = first_lanes(load(u + offset(body[b])), dof);
+        const V8 v = first_lanes(load_at_least(u + offset(body[b]), dof), dof);
         for (int r = 0; r < R; ++r) acc[r] += load(jac + r * width) * v;
         jac += dof;
     }
