@@ -9,12 +9,20 @@
 # tests this on the object files.
 
 set(HAWSER_ISA_NAMES sse2 avx2 avx512)
+# The source for AVX2 is that for SSE2 with wider parts: sanitizers, under which kernels take long
+# to compile, see one of the two.
+if(HAWSER_SANITIZE)
+    list(REMOVE_ITEM HAWSER_ISA_NAMES avx2)
+endif()
 set(HAWSER_ISA_FLAGS_sse2 "")
 set(HAWSER_ISA_FLAGS_avx2 -mavx2 -mfma)
 set(HAWSER_ISA_FLAGS_avx512 -mavx512f -mavx512dq -mavx512vl -mavx512bw -mavx2 -mfma
                             -mprefer-vector-width=512)
 
 function(hawser_add_isa_sources library)
+    if(NOT "avx2" IN_LIST HAWSER_ISA_NAMES)
+        target_compile_definitions(${library} PUBLIC HAWSER_NO_AVX2)
+    endif()
     file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/*/isa/*.cpp")
     if(NOT sources)
         return()

@@ -21,7 +21,7 @@ include(GoogleTest)
 # targets hawser_fast_tests and hawser_thread_tests build them.
 set(HAWSER_SLOW_TESTS slow validate)
 set(HAWSER_PROGRAM_TESTS bench cli)
-set(HAWSER_THREAD_TESTS factor runtime stepper world)
+set(HAWSER_THREAD_TESTS runtime stepper world)
 # Tests that need more than the library.
 set(HAWSER_OBSERVE_TESTS cli observe)
 set(HAWSER_SCENE_TESTS cli observe scene scenes slow stepper validate world)

@@ -9,7 +9,9 @@ const Kernels& kernels() noexcept {
         case base::Isa::avx512:
             return avx512::kAssemblyKernels;
         case base::Isa::avx2:
+#if !defined(HAWSER_NO_AVX2)
             return avx2::kAssemblyKernels;
+#endif
         case base::Isa::sse2:
             break;
     }

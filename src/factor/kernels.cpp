@@ -10,7 +10,9 @@ const FactorKernels& factor_kernels() noexcept {
         case base::Isa::avx512:
             return avx512::kFactorKernels;
         case base::Isa::avx2:
+#if !defined(HAWSER_NO_AVX2)
             return avx2::kFactorKernels;
+#endif
         case base::Isa::sse2:
             break;
     }

@@ -23,7 +23,9 @@ std::vector<Set> sets() {
                         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
                         __builtin_cpu_supports("avx512bw");
     return {{"sse2", true, &sse2::kFactorKernels},
+#if !defined(HAWSER_NO_AVX2)
             {"avx2", avx2, &avx2::kFactorKernels},
+#endif
             {"avx512", avx512, &avx512::kFactorKernels}};
 }
 
