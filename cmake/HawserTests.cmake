@@ -16,12 +16,14 @@ include(GoogleTest)
 
 # Labels. `slow`: takes long. `program`: belongs to the programs. `fast` and `fast-threads`: the
 # rest, without and with threads in the code under test. The preset asan-ubsan builds and runs
-# both but for the tests of `observe`, whose library takes long to compile; tsan runs of
+# both but for the tests of `observe` and `assembly`, which take long to compile (the kernels of
+# assembly run in the tests of `stepper` and `world`); tsan runs of
 # `fast-threads` the tests that have threads in their name and those of the thread pool. The
 # targets hawser_fast_tests and hawser_thread_tests build them.
 set(HAWSER_SLOW_TESTS slow validate)
 set(HAWSER_PROGRAM_TESTS bench cli)
 set(HAWSER_THREAD_TESTS runtime stepper world)
+set(HAWSER_UNSANITIZED_TESTS assembly observe)
 # Tests that need more than the library.
 set(HAWSER_OBSERVE_TESTS cli observe)
 set(HAWSER_SCENE_TESTS cli observe scene scenes slow stepper validate world)
@@ -65,7 +67,7 @@ function(hawser_add_test_executable target folder)
         set(label program)
     else()
         set(label fast)
-        if(NOT folder IN_LIST HAWSER_OBSERVE_TESTS)
+        if(NOT folder IN_LIST HAWSER_UNSANITIZED_TESTS)
             add_dependencies(hawser_fast_tests ${target})
         endif()
         if(folder IN_LIST HAWSER_THREAD_TESTS)
