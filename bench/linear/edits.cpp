@@ -3,23 +3,18 @@
 
 #include "factor/repair.h"
 #include "linear/form.h"
+#include "linear/timing.h"
 #include "paper_matrix/paper_matrix.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <ctime>
 #include <vector>
 
 namespace hawser::bench {
 namespace {
 
-/// Processor time of this thread [µs].
-double now() {
-    timespec t{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return 1e6 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_nsec);
-}
+double now() { return 1e6 * thread_seconds(); }  // µs
 
 template <class F>
 double time_of(F f) {
@@ -32,12 +27,6 @@ double mean(const std::vector<double>& v) {
     double sum = 0.0;
     for (const double d : v) sum += d;
     return v.empty() ? 0.0 : sum / static_cast<double>(v.size());
-}
-
-double median(std::vector<double> v) {
-    if (v.empty()) return 0.0;
-    std::sort(v.begin(), v.end());
-    return v[v.size() / 2];
 }
 
 void print_sequence(CableForm cables, bool condensed, int count, int steps, int scale) {

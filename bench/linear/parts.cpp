@@ -5,28 +5,19 @@
 #include "index.h"
 #include "linear/edits.h"
 #include "linear/form.h"
+#include "linear/timing.h"
 #include "paper_matrix/dice.h"
 #include "paper_matrix/paper_matrix.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <ctime>
 #include <vector>
 
 namespace hawser::bench {
 namespace {
 
-double now() {
-    timespec t{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return 1e6 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_nsec);
-}
-
-double median(std::vector<double> v) {
-    std::sort(v.begin(), v.end());
-    return v[v.size() / 2];
-}
+double now() { return 1e6 * thread_seconds(); }  // µs
 
 /// A diagonal matrix in the pattern of the scene: times and flops depend on the pattern alone.
 struct Parts {

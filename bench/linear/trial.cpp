@@ -2,10 +2,10 @@
 #include "linear/trial.h"
 
 #include "linear/sweeps.h"
+#include "linear/timing.h"
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -17,13 +17,6 @@ using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point from) {
     return std::chrono::duration<double>(Clock::now() - from).count();
-}
-
-/// Processor time of this thread: what one thread took, however busy the machine is.
-double thread_seconds() {
-    timespec t{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 /// Time of one phase after another.
@@ -43,12 +36,6 @@ class Watch {
     bool processor_;
     double last_;
 };
-
-double median(std::vector<double> v) {
-    if (v.empty()) return 0.0;
-    std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
-    return v[v.size() / 2];
-}
 
 bool wanted(const Variant& v, const TrialOptions& o) {
     const bool ours = v.library == "hawser";

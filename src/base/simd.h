@@ -53,10 +53,6 @@ HAWSER_INLINE V8 select_greater(const V8& a, const V8& b, const V8& x, const V8&
 }
 // Not _mm512_sqrt_pd: g++ 12 warns falsely inside it.
 HAWSER_INLINE V8 root(const V8& v) { return _mm512_maskz_sqrt_pd(0xff, v); }
-/// p[0..n) = the first n lanes of v; nothing behind is touched.
-HAWSER_INLINE void store_first(double* p, const V8& v, int n) {
-    _mm512_mask_storeu_pd(p, static_cast<__mmask8>((1U << n) - 1U), v);
-}
 /// Lanes whose pivot has the wrong sign or is not finite get the sign itself.
 /// @return 1 in those lanes.
 HAWSER_INLINE V8 fix_pivot(V8& d, double sign) {
@@ -177,10 +173,6 @@ HAWSER_INLINE V8 root(const V8& v) {
         o.part[i] = __builtin_ia32_sqrtpd(v.part[i]);
 #endif
     return o;
-}
-/// p[0..n) = the first n lanes of v; nothing behind is touched.
-HAWSER_INLINE void store_first(double* p, const V8& v, int n) {
-    for (int i = 0; i < n; ++i) p[i] = lane(v, i);
 }
 HAWSER_INLINE V8& operator+=(V8& a, const V8& b) { return a = a + b; }
 HAWSER_INLINE V8& operator-=(V8& a, const V8& b) { return a = a - b; }

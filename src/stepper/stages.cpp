@@ -49,12 +49,13 @@ void each(std::span<const assembly::IndexRange> ranges, F&& f) noexcept {
 }
 
 /// rows(strip), then own(begin, end) for the strip's own bodies, strip by strip; then own() for
-/// the shared bodies. The last argument of all is the place in ctx.norms.
+/// the shared bodies. The last argument of own() is a place in ctx.norms; that of the rows is
+/// `strip`.
 template <class Rows, class Own>
 void sweep(StepContext& ctx, Rows&& rows, Own&& own) noexcept {
     const assembly::Strips& strips = ctx.system.strips;
     auto strip = [&](int i, int) noexcept {
-        rows(i, i);
+        rows(i);
         each(strips.bodies(i), [&](std::int32_t a, std::int32_t b) { own(a, b, i); });
     };
     auto group = [&](int i, int) noexcept {
@@ -77,7 +78,7 @@ void start_solve(StepContext& ctx, const View& v) noexcept {
     const assembly::Kernels& k = assembly::kernels();
     sweep(
         ctx,
-        [&](int strip, int) {
+        [&](int strip) {
             each(ctx.system.strips.interactions(strip),
                  [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b); });
         },
@@ -104,11 +105,11 @@ Norms correct(StepContext& ctx, const View& v, bool first, Next next) noexcept {
     if (next == Next::measure) std::fill(ctx.norms.begin(), ctx.norms.end(), Norms{});
     sweep(
         ctx,
-        [&](int strip, int norm) {
+        [&](int strip) {
             each(strips.bodies(strip), add);
             each(strips.interactions(strip), [&](std::int32_t a, std::int32_t b) {
                 k.row_update(v, a, b, first);
-                if (next == Next::measure) k.row_norms(v, a, b, &ctx.norms[at(norm)]);
+                if (next == Next::measure) k.row_norms(v, a, b, &ctx.norms[at(strip)]);
             });
         },
         [&](std::int32_t a, std::int32_t b, int norm) {
@@ -179,7 +180,7 @@ void assemble_rows(StepContext& ctx) noexcept {
     const assembly::Kernels& k = assembly::kernels();
     sweep(
         ctx,
-        [&](int strip, int) {
+        [&](int strip) {
             evaluate_strip(ctx, v, strip);
             each(ctx.system.strips.interactions(strip),
                  [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b); });

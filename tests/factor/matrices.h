@@ -160,8 +160,12 @@ inline BlockMatrix wires(Random& random, int most_wires, int longest) {
     return m;
 }
 
-inline void fill(const BlockMatrix& m, const factor::Symbolic& s, double* values) {
+/// Write the blocks of the columns for which wanted(node) holds.
+template <class Wanted>
+inline void fill_columns(const BlockMatrix& m, const factor::Symbolic& s, double* values,
+                         Wanted&& wanted) {
     auto put = [&](int row, int column) {
+        if (!wanted(column)) return;
         const factor::BlockTarget t = s.target(row, column);
         const auto r = static_cast<std::size_t>(row), c = static_cast<std::size_t>(column);
         for (int j = 0; j < m.pattern.size[c]; ++j)
@@ -176,6 +180,10 @@ inline void fill(const BlockMatrix& m, const factor::Symbolic& s, double* values
             if (s.position[static_cast<std::size_t>(b)] < s.position[static_cast<std::size_t>(a)])
                 put(a, b);
     }
+}
+
+inline void fill(const BlockMatrix& m, const factor::Symbolic& s, double* values) {
+    fill_columns(m, s, values, [](int) { return true; });
 }
 
 inline Vector permuted(const BlockMatrix& m, const factor::Symbolic& s, const Vector& x,

@@ -19,22 +19,7 @@ using factor::Symbolic;
 
 /// Fill only the blocks of columns that must be refilled.
 void refill(const BlockMatrix& m, const Symbolic& s, const DirtyParts& dirty, double* values) {
-    auto put = [&](int row, int column) {
-        if (!dirty.refill(s, column)) return;
-        const factor::BlockTarget t = s.target(row, column);
-        const auto r = static_cast<std::size_t>(row), c = static_cast<std::size_t>(column);
-        for (int j = 0; j < m.pattern.size[c]; ++j)
-            for (int i = 0; i < m.pattern.size[r]; ++i)
-                values[t.address + static_cast<std::int64_t>(j) * t.ld +
-                       static_cast<std::int64_t>(i) * t.step] =
-                    m.dense(m.offset[r] + i, m.offset[c] + j);
-    };
-    for (int a = 0; a < m.pattern.nodes(); ++a) {
-        put(a, a);
-        for (std::int32_t b : m.pattern.neighbours(a))
-            if (s.position[static_cast<std::size_t>(b)] < s.position[static_cast<std::size_t>(a)])
-                put(a, b);
-    }
+    fill_columns(m, s, values, [&](int column) { return dirty.refill(s, column); });
 }
 
 /// New values for a random set of blocks. @return their columns.

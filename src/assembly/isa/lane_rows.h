@@ -125,30 +125,21 @@ struct LaneRows {
                 const int entry = begin + i, r = entry / W, column = entry % W;
                 t[i] = rows.J[column / D][r][column % D];
             }
-            put(view.jacobian, view.jac_begin, begin, count, t);
+            put(view.jacobian, [&](std::int32_t k) { return view.jac_begin[k]; }, begin, count, t);
         }
     }
 
-    /// Entries [begin, begin + count) of what starts at base + start[id].
-    void put(double* base, const std::int32_t* start, int begin, int count, V8 (&t)[kLanes]) const {
+    /// Entries [begin, begin + count) of what starts at base + start(id).
+    template <class Start>
+    void put(double* base, Start start, int begin, int count, V8 (&t)[kLanes]) const {
         transpose(t);
-        for (int l = 0; l < kLanes; ++l) {
-            double* to = base + start[id[l]] + begin;
-            if (count == kLanes)
-                store(to, t[l]);
-            else
-                store_first(to, t[l], count);
-        }
+        for (int l = 0; l < kLanes; ++l) store_lanes(base + start(id[l]) + begin, t[l], 0, count);
     }
     void put_record(int begin, int count, V8 (&t)[kLanes]) const {
-        transpose(t);
-        for (int l = 0; l < kLanes; ++l)
-            store_first(view.geo_record + view.geo[id[l]].record + begin, t[l], count);
+        put(view.geo_record, [&](std::int32_t i) { return view.geo[i].record; }, begin, count, t);
     }
     void put_force(int begin, int count, V8 (&t)[kLanes]) const {
-        transpose(t);
-        for (int l = 0; l < kLanes; ++l)
-            store_first(view.geo_force + view.geo[id[l]].force + begin, t[l], count);
+        put(view.geo_force, [&](std::int32_t i) { return view.geo[i].force; }, begin, count, t);
     }
 
     /// Record of a line between lumps, and K v.

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file timing.h
+/// Clock and median of the comparison.
+
+#include <algorithm>
+#include <ctime>
+#include <vector>
+
+namespace hawser::bench {
+
+/// Processor time of this thread [s]: what one thread took, however busy the machine is.
+inline double thread_seconds() {
+    timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// The upper one of the two in the middle; 0 of nothing.
+inline double median(std::vector<double> v) {
+    if (v.empty()) return 0.0;
+    std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
+    return v[v.size() / 2];
+}
+
+}  // namespace hawser::bench
