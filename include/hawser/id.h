@@ -19,5 +19,7 @@ struct Id {
 using BodyId = Id<struct BodyTag>;
 using InteractionId = Id<struct InteractionTag>;
 using InputId = Id<struct InputTag>;
+using ShapeId = Id<struct ShapeTag>;
+using MaterialId = Id<struct MaterialTag>;
 
 }  // namespace hawser
