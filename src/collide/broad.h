@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file broad.h
+/// Broad phase: pairs of shapes whose swept boxes meet.
+///
+/// Sort and sweep along one axis, by insertion into the order of the last step; shapes much larger
+/// than the others (seabed, decks, hulls) are kept out of it, since each would span the sweep, and
+/// are held against all shapes instead. What was sorted when, and which shapes count as large,
+/// changes the time that this takes and nothing else: pairs are handed out in ascending order.
+
+#include "base/executor.h"
+#include "base/memory.h"
+#include "collide/filter.h"
+#include "collide/placing.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace hawser::collide {
+
+struct Pair {
+    std::int32_t a, b;  ///< Shapes, a < b.
+    friend auto operator<=>(const Pair&, const Pair&) = default;
+};
+
+class Broad {
+  public:
+    /// Choose the large shapes by their boxes. @throws std::bad_alloc.
+    void prepare(const base::Array<Placed>& placed);
+    /// All pairs that the filter allows, ascending. @throws std::bad_alloc.
+    void find(const base::Array<Placed>& placed, const Filter& filter, double h, double margin,
+              base::Executor& pool, base::Array<Pair>& out);
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    struct Sorted {
+        double low[3], high[3];  ///< The axis of the sweep comes first.
+        std::int32_t shape;
+    };
+    void sort(const base::Array<Placed>& placed);
+    void sweep(int chunk, const Filter& filter);
+    void hold_against_large(int chunk, const base::Array<Placed>& placed, const Filter& filter,
+                            double h, double margin);
+    void gather(int lists, base::Array<Pair>& out);
+
+    std::vector<std::uint8_t> is_large_;
+    std::vector<std::int32_t> large_, small_;  ///< Shapes; large ones ascending.
+    int axis_ = 0;                             ///< Of the sweep.
+    base::Array<Sorted> sorted_;
+    std::vector<base::Array<Pair>> found_;  ///< By task.
+    std::vector<std::int32_t> first_;       ///< Where the pairs of each shape begin.
+};
+
+}  // namespace hawser::collide

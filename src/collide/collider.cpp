@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "collide/collider.h"
+
+#include "collide/touch.h"
+
+#include <algorithm>
+#include <new>
+
+namespace hawser::collide {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+constexpr int kPlaceChunk = 256;  ///< Shapes of one task.
+constexpr int kPairChunk = 32;    ///< Pairs of one task.
+
+/// Points of one friction memory are this many margins apart at most when the feature changes.
+constexpr double kMatchMargins = 2.0;
+
+int chunks(std::size_t count, int size) { return (static_cast<int>(count) + size - 1) / size; }
+
+}  // namespace
+
+/// Owners of lumps, see mark_duplicates().
+void Collider::find_owners(int body_count) {
+    std::vector<std::int32_t> owner(at(body_count), -1);
+    for (std::int32_t i = 0; i < count(); ++i) {
+        Shape& s = shapes_[at(i)];
+        if (!s.segment()) continue;
+        for (int end = 0; end < 2; ++end) {
+            std::int32_t& first = owner[at(s.body[end])];
+            s.owner[end] = first;
+            if (first < 0) first = i;
+        }
+    }
+}
+
+void Collider::prepare(const model::Bodies& bodies, const model::Interactions& interactions,
+                       double h) {
+    find_owners(bodies.count());
+    filter_.build(shapes_, bodies.count(), interactions);
+    placed_.assign(shapes_.size(), Placed{});
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+        placed_[i].geometry = shapes_[i].geometry;
+        place(shapes_[i], bodies, h, margin, placed_[i]);
+    }
+    broad_.prepare(placed_);
+}
+
+void Collider::place_all(const model::Bodies& bodies, double h, base::Executor& pool) noexcept {
+    auto task = [&](int i, int) noexcept {
+        const std::size_t end = std::min(shapes_.size(), at((i + 1) * kPlaceChunk));
+        for (std::size_t s = at(i * kPlaceChunk); s < end; ++s)
+            place(shapes_[s], bodies, h, margin, placed_[s]);
+    };
+    pool.for_each(chunks(shapes_.size(), kPlaceChunk), task);
+}
+
+void Collider::narrow(const model::Bodies& bodies, double h, base::Executor& pool) {
+    const int tasks = chunks(pairs_.size(), kPairChunk);
+    while (static_cast<int>(chunks_.size()) < tasks) {
+        // Room for whatever the pairs may give: tasks do not allocate.
+        chunks_.emplace_back(at(kPairChunk * kMaxManifold));
+        chunk_size_.push_back(0);
+    }
+    auto task = [&](int i, int) noexcept {
+        Contact* const begin = chunks_[at(i)].data();
+        Contact* to = begin;
+        const std::size_t end = std::min(pairs_.size(), at((i + 1) * kPairChunk));
+        for (std::size_t p = at(i * kPairChunk); p < end; ++p) {
+            const std::int32_t a = pairs_[p].a, b = pairs_[p].b;
+            const int n = touch(shapes_[at(a)], placed_[at(a)], shapes_[at(b)], placed_[at(b)],
+                                bodies, h, margin, to);
+            for (int k = 0; k < n; ++k, ++to) {
+                to->shape[0] = a;
+                to->shape[1] = b;
+                to->surface = Materials::surface(shapes_[at(a)].material, shapes_[at(b)].material);
+            }
+        }
+        chunk_size_[at(i)] = static_cast<std::int32_t>(to - begin);
+    };
+    pool.for_each(tasks, task);
+}
+
+void Collider::put_together(ContactSet& out) {
+    const int tasks = chunks(pairs_.size(), kPairChunk);
+    std::size_t total = 0;
+    for (int i = 0; i < tasks; ++i) total += at(chunk_size_[at(i)]);
+    out.contacts.resize(total);
+    auto to = out.contacts.begin();
+    for (int i = 0; i < tasks; ++i)
+        to = std::copy_n(chunks_[at(i)].begin(), chunk_size_[at(i)], to);
+    mark_duplicates(out.contacts, shapes_, drop_);
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < total; ++i) {
+        if (drop_[i] != 0) continue;
+        if (n != i) out.contacts[n] = out.contacts[i];
+        ++n;
+    }
+    out.contacts.resize(n);
+    found_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const Contact& c = out.contacts[i];
+        KeptContact& k = found_[i];
+        k = {{c.shape[0], c.shape[1]}, c.feature, 0, {}};
+        local_point(c, shapes_[at(c.shape[1])], placed_[at(c.shape[1])], k.at);
+    }
+    match(out.contacts, found_, kept_, kMatchMargins * margin, taken_);
+}
+
+bool Collider::collide(const model::Bodies& bodies, double h, ContactSet& out,
+                       base::Executor& pool) noexcept {
+    try {
+        place_all(bodies, h, pool);
+        broad_.find(placed_, filter_, h, margin, pool, pairs_);
+        narrow(bodies, h, pool);
+        put_together(out);
+    } catch (const std::bad_alloc&) {
+        out.contacts.clear();
+        found_.clear();
+        return false;
+    }
+    const std::size_t held = bytes() + base::bytes(out.contacts);
+    if (held > held_) ++growths_;
+    held_ = held;
+    return true;
+}
+
+std::size_t Collider::bytes() const noexcept {
+    std::size_t n = base::bytes(shapes_) + base::bytes(placed_) + base::bytes(pairs_) +
+                    base::bytes(kept_) + base::bytes(found_) + base::bytes(drop_) +
+                    base::bytes(taken_) + broad_.bytes();
+    for (const auto& c : chunks_) n += base::bytes(c);
+    return n;
+}
+
+}  // namespace hawser::collide

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file collider.h
+/// All shapes of a world, and stage collide: poses in, contacts out.
+///
+/// 1. Place every shape; box what it can reach within the step (placing.h).
+/// 2. Broad phase: pairs of boxes that meet (broad.h), as far as the filter allows (filter.h).
+/// 3. Narrow phase: the manifold of each pair (geometry.h), reduced (touch.h).
+/// 4. Duplicates at shared lumps go; each contact finds itself in the last step's set (match.h).
+///
+/// Pairs are dealt out in chunks of fixed size and results are put together in the order of their
+/// keys, so threads, and what the broad phase remembers, change no bit of them. Nothing is
+/// allocated while the numbers of shapes, pairs and contacts stay below what they have been.
+///
+/// Continuous detection: boxes and margins grow with the velocities, so that a contact is there in
+/// the step before two shapes would pass through each other; the solver then keeps gap + h v_n ≥ 0.
+/// Not covered: a speed that first arises within the step (more than margin/h per step), and the
+/// solver holds a shape off the tangent plane at the closest points, so that fast shapes can touch
+/// beside an edge which they would just have missed.
+
+#include "base/executor.h"
+#include "base/memory.h"
+#include "collide/broad.h"
+#include "collide/contacts.h"
+#include "collide/filter.h"
+#include "collide/match.h"
+#include "collide/materials.h"
+#include "collide/placing.h"
+#include "model/bodies.h"
+#include "model/interactions.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace hawser::collide {
+
+class Collider {
+  public:
+    Materials materials;
+    /// Shapes closer than this are in contact before they touch [m], see touch().
+    double margin = 0.02;
+
+    /// The definition has been checked (world/shape_checks.h) and its bodies exist. @return its
+    /// index. @throws DefError for vertices without volume, std::bad_alloc.
+    std::int32_t add(const ShapeDef& def, const model::Bodies& bodies);
+    [[nodiscard]] int count() const noexcept { return static_cast<int>(shapes_.size()); }
+    [[nodiscard]] const std::vector<Shape>& shapes() const noexcept { return shapes_; }
+
+    /// Set up for the shapes, materials, interactions that there are now. @throws std::bad_alloc.
+    void prepare(const model::Bodies& bodies, const model::Interactions& interactions, double h);
+
+    /// Contacts at the present poses; `out.surfaces` stays as surfaces() filled it.
+    /// @return false where memory could not grow; `out` is then empty.
+    [[nodiscard]] bool collide(const model::Bodies& bodies, double h, ContactSet& out,
+                               base::Executor& pool) noexcept;
+    /// The step with these contacts is done: from now on they are what Contact::previous counts.
+    /// Before it, collide() may be called again (a step that failed is tried again).
+    void keep() noexcept { kept_.swap(found_); }
+    /// Contacts of the last step that was done, in the order of its set: the memory that a restored
+    /// world needs to go on bit for bit.
+    [[nodiscard]] base::Array<KeptContact>& kept() noexcept { return kept_; }
+    [[nodiscard]] const base::Array<KeptContact>& kept() const noexcept { return kept_; }
+
+    void surfaces(double h, ContactSet& out) const { materials.surfaces(h, out.surfaces); }
+    /// Where each shape was in the last collide().
+    [[nodiscard]] const base::Array<Placed>& placed() const noexcept { return placed_; }
+    [[nodiscard]] std::size_t pairs() const noexcept { return pairs_.size(); }
+    /// Times that capacity grew in collide() since the start.
+    [[nodiscard]] std::int64_t growths() const noexcept { return growths_; }
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    void place_all(const model::Bodies& bodies, double h, base::Executor& pool) noexcept;
+    void narrow(const model::Bodies& bodies, double h, base::Executor& pool);
+    void put_together(ContactSet& out);
+    void find_owners(int body_count);
+
+    std::vector<Shape> shapes_;
+    std::vector<std::shared_ptr<const ShapeData>> data_;  ///< Of each shape, or null.
+    Filter filter_;
+    Broad broad_;
+    base::Array<Placed> placed_;
+    base::Array<Pair> pairs_;
+    std::vector<base::Array<Contact>> chunks_;  ///< Contacts by task of the narrow phase.
+    std::vector<std::int32_t> chunk_size_;
+    base::Array<KeptContact> kept_, found_;
+    base::Array<std::uint8_t> drop_, taken_;
+    std::size_t held_ = 0;  ///< Bytes at the last count of growths.
+    std::int64_t growths_ = 0;
+};
+
+}  // namespace hawser::collide

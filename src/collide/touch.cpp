@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "collide/touch.h"
+
+#include "base/small.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hawser::collide {
+namespace {
+
+using generic::dot;
+using generic::load3;
+using generic::store3;
+using generic::V3;
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Place on a segment nearer than this to an end, of its length, is the end.
+constexpr double kAtEnd = 1e-9;
+constexpr double kSameNormal = 0.95;  ///< Cosine: 18°.
+
+/// Slots of one side from c.slots on. `on` is on the surface, `inward` the unit vector from there
+/// into the shape.
+void add_side(Contact& c, const Shape& s, const Placed& p, const model::Bodies& bodies,
+              const double* on, const V3& inward) noexcept {
+    auto add = [&](std::int32_t body, double weight) {
+        c.body[c.slots] = body;
+        c.weight[c.slots++] = weight;
+    };
+    if (!s.segment()) return add(s.body[0], 1.0);
+    // On the axis, where the force is shared between the ends as on a beam on two supports.
+    const V3 q = load3(on) + p.geometry.radius * inward;
+    const V3 a = load3(&bodies.x[3 * at(s.body[0])]);
+    const V3 along = load3(&bodies.x[3 * at(s.body[1])]) - a;
+    const double square = dot(along, along);
+    const double t = square > 0.0 ? dot(q - a, along) / square : 0.5;
+    if (t <= kAtEnd) return add(s.body[0], 1.0);
+    if (t >= 1.0 - kAtEnd) return add(s.body[1], 1.0);
+    add(s.body[0], 1.0 - t);
+    add(s.body[1], t);
+}
+
+/// Velocity of side `side` at `point`.
+V3 velocity(const Contact& c, int side, const V3& point, const model::Bodies& bodies) noexcept {
+    V3 sum{0.0, 0.0, 0.0};
+    for (int i = side == 0 ? 0 : c.side_0; i < (side == 0 ? c.side_0 : c.slots); ++i) {
+        const Motion m = motion_of(bodies, c.body[i]);
+        const V3 arm = point - load3(&bodies.x[3 * at(c.body[i])]);
+        sum = sum + c.weight[i] * (load3(m.v) + generic::cross(load3(m.w), arm));
+    }
+    return sum;
+}
+
+/// Twice the area of triangle a b c.
+double area(const ManifoldPoint& a, const ManifoldPoint& b, const ManifoldPoint& c) noexcept {
+    const V3 o = load3(a.on[0]);
+    return generic::norm(generic::cross(load3(b.on[0]) - o, load3(c.on[0]) - o));
+}
+
+/// Choose kMaxPoints of the points `of` (more than that many); the first of equals wins.
+void choose(const Manifold& m, const int* of, int count, bool* keep) noexcept {
+    int chosen[kMaxPoints] = {of[0], -1, -1, -1};
+    for (int i = 1; i < count; ++i)
+        if (m.point[of[i]].gap < m.point[chosen[0]].gap) chosen[0] = of[i];
+    for (int k = 1; k < kMaxPoints; ++k) {
+        double best = -1.0;
+        for (int i = 0; i < count; ++i) {
+            const int p = of[i];
+            if (std::find(chosen, chosen + k, p) != chosen + k) continue;
+            const ManifoldPoint& q = m.point[p];
+            double gain = 0.0;
+            if (k == 1) {
+                const V3 d = load3(q.on[0]) - load3(m.point[chosen[0]].on[0]);
+                gain = dot(d, d);
+            } else if (k == 2) {
+                gain = area(m.point[chosen[0]], m.point[chosen[1]], q);
+            } else {
+                // What the point adds to a triangle: least where it is inside.
+                const double whole =
+                    area(m.point[chosen[0]], m.point[chosen[1]], m.point[chosen[2]]);
+                gain = area(m.point[chosen[0]], m.point[chosen[1]], q) +
+                       area(m.point[chosen[1]], m.point[chosen[2]], q) +
+                       area(m.point[chosen[2]], m.point[chosen[0]], q) - whole;
+                gain = std::max(gain, 0.0);
+            }
+            if (gain > best) {
+                best = gain;
+                chosen[k] = p;
+            }
+        }
+    }
+    for (const int p : chosen) keep[p] = true;
+}
+
+}  // namespace
+
+void reduce(Manifold& m) noexcept {
+    if (m.count <= kMaxPoints) return;
+    bool keep[kMaxManifold] = {}, done[kMaxManifold] = {};
+    for (int i = 0; i < m.count; ++i) {
+        if (done[i]) continue;
+        int group[kMaxManifold], count = 0;
+        for (int j = i; j < m.count; ++j)
+            if (!done[j] && dot(load3(m.point[i].normal), load3(m.point[j].normal)) > kSameNormal)
+                group[count++] = j;
+        for (int j = 0; j < count; ++j) done[group[j]] = true;
+        if (count > kMaxPoints)
+            choose(m, group, count, keep);
+        else
+            for (int j = 0; j < count; ++j) keep[group[j]] = true;
+        done[i] = true;
+    }
+    int kept = 0;
+    for (int i = 0; i < m.count; ++i)
+        if (keep[i]) m.point[kept++] = m.point[i];
+    m.count = kept;
+}
+
+int touch(const Shape& a, const Placed& pa, const Shape& b, const Placed& pb,
+          const model::Bodies& bodies, double h, double margin, Contact* out) noexcept {
+    const Collide collide = collide_function(a.geometry.kind, b.geometry.kind);
+    if (collide == nullptr) return 0;
+    Manifold m;
+    m.count = 0;
+    collide(pa.geometry, pa.at, pb.geometry, pb.at, margin + h * relative_speed(pa, pb), m);
+    reduce(m);
+    int count = 0;
+    for (int i = 0; i < m.count; ++i) {
+        const ManifoldPoint& p = m.point[i];
+        Contact& c = out[count];
+        c = Contact{};
+        std::fill_n(c.body, kMaxContactBodies, -1);
+        const V3 n = load3(p.normal);
+        add_side(c, a, pa, bodies, p.on[0], -n);
+        c.side_0 = c.slots;
+        add_side(c, b, pb, bodies, p.on[1], n);
+        const V3 middle = 0.5 * (load3(p.on[0]) + load3(p.on[1]));
+        const double opening =
+            dot(n, velocity(c, 1, middle, bodies) - velocity(c, 0, middle, bodies));
+        if (!(p.gap < margin + h * std::max(0.0, -opening))) continue;
+        c.feature = p.feature;
+        c.previous = -1;
+        store3(c.normal, n);
+        for (int s = 0; s < 2; ++s) std::copy_n(p.on[s], 3, c.on[s]);
+        c.gap = p.gap;
+        ++count;
+    }
+    // Stable, and of at most a handful.
+    for (int i = 1; i < count; ++i)
+        for (int j = i; j > 0 && out[j].feature < out[j - 1].feature; --j)
+            std::swap(out[j], out[j - 1]);
+    return count;
+}
+
+}  // namespace hawser::collide
