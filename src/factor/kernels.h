@@ -35,8 +35,21 @@ struct FactorView {
     double* slot_y;      ///< Between forward and backward substitution.
     bool distant;        ///< The panels are larger than a core's own cache.
 
+    // Unsymmetric fronts, see unsymmetric.h.
+    const std::uint8_t* unsymmetric = nullptr;  ///< 1 where a front is; null: none is.
+    double* upper = nullptr;                    ///< Uᵀ, laid out like the panels.
+    double* upper_work = nullptr;   ///< Like work: upper halves of update matrices, transposed.
+    double* upper_stack = nullptr;  ///< Like stack.
+    std::int8_t* wrong = nullptr;   ///< Set to 1 at wrong pivots, one a permuted scalar.
+
     [[nodiscard]] double* update(std::int64_t place) const noexcept {
         return (place < stack_begin ? work : stack) + place;
+    }
+    [[nodiscard]] double* upper_update(std::int64_t place) const noexcept {
+        return (place < stack_begin ? upper_work : upper_stack) + place;
+    }
+    [[nodiscard]] bool is_unsymmetric(std::int32_t front) const noexcept {
+        return unsymmetric != nullptr && unsymmetric[front] != 0;
     }
 };
 
@@ -47,7 +60,7 @@ struct FactorKernels {
     /// L y = x on fronts [begin, end); x is the permuted right-hand side, overwritten.
     void (*forward)(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
                     double* scratch) noexcept;
-    /// Lᵀ z = D⁻¹ y on fronts [end, begin) from the top down.
+    /// U z = D⁻¹ y on fronts [end, begin) from the top down; U = Lᵀ where symmetric.
     void (*backward)(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
                      double* scratch) noexcept;
     /// The same three for the chains of a batch, with the updates they hand to their parents.

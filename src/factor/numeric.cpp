@@ -18,32 +18,50 @@ void grow(base::Array<T>& array, std::int64_t size) {
 
 }  // namespace
 
-void Numeric::reserve(const Symbolic& symbolic, int threads) {
+void Numeric::reserve(const Symbolic& symbolic, int threads, bool unsymmetric) {
+    const std::int64_t work =
+        symbolic.work_size + (threads - 1) * (symbolic.work_size - symbolic.stack_begin);
     grow(panel_, symbolic.panel_size);
     grow(pivot_, symbolic.scalars);
-    grow(work_, symbolic.work_size + (threads - 1) * (symbolic.work_size - symbolic.stack_begin));
+    grow(work_, work);
     grow(carry_, static_cast<std::int64_t>(symbolic.rows.size()));
     const auto slots = kLaneCount * static_cast<std::int64_t>(symbolic.slot_sign.size());
     grow(slot_pivot_, slots);
     grow(slot_y_, slots);
     grow(wrong_, static_cast<std::int64_t>(symbolic.batches.size() + symbolic.tasks.size()));
-    const std::int64_t need = std::max(scratch_size(symbolic.max_front), symbolic.batch_scratch);
+    const std::int64_t need =
+        std::max(scratch_size(symbolic.max_front), (unsymmetric ? 2 : 1) * symbolic.batch_scratch);
     const std::int64_t stride = (need + 63) & ~std::int64_t{63};
     scratch_stride_ = std::max(scratch_stride_, stride);
     grow(scratch_, scratch_stride_ * threads);
     cut_pieces(symbolic);
+    unsymmetric_ = false;
+    wrong_nodes_.clear();
+    if (!unsymmetric) return;
+    grow(upper_, symbolic.panel_size);
+    grow(upper_work_, work);
+    grow(kind_, static_cast<std::int64_t>(symbolic.fronts.size()));
+    grow(wrong_mark_, symbolic.scalars);
+    wrong_nodes_.reserve(symbolic.order.size());
 }
 
 constexpr std::int64_t kCached = 131'072;  // doubles: a megabyte
 
 FactorView Numeric::view(const Symbolic& s, int thread) noexcept {
     double* stack = work_.data() + thread * (s.work_size - s.stack_begin);
-    return {s.fronts.data(),    s.children.data(),   s.rows.data(),
-            s.runs.data(),      s.sign.data(),       panel_.data(),
-            pivot_.data(),      work_.data(),        stack,
-            s.stack_begin,      carry_.data(),       s.batch_steps.data(),
-            s.slot_sign.data(), s.slot_index.data(), s.tail_slot.data(),
-            slot_pivot_.data(), slot_y_.data(),      s.panel_size > kCached};
+    FactorView v{s.fronts.data(),    s.children.data(),   s.rows.data(),
+                 s.runs.data(),      s.sign.data(),       panel_.data(),
+                 pivot_.data(),      work_.data(),        stack,
+                 s.stack_begin,      carry_.data(),       s.batch_steps.data(),
+                 s.slot_sign.data(), s.slot_index.data(), s.tail_slot.data(),
+                 slot_pivot_.data(), slot_y_.data(),      s.panel_size > kCached};
+    if (!unsymmetric_) return v;
+    v.unsymmetric = kind_.data();
+    v.upper = upper_.data();
+    v.upper_work = upper_work_.data();
+    v.upper_stack = v.upper_work + (stack - work_.data());
+    v.wrong = wrong_mark_.data();
+    return v;
 }
 
 void Numeric::clear(const Symbolic& symbolic, base::Executor& executor) noexcept {
@@ -56,7 +74,9 @@ void Numeric::clear(const Symbolic& symbolic, base::Executor& executor) noexcept
     executor.for_each(chunks, zero);
 }
 
-int Numeric::factor(const Symbolic& symbolic, base::Executor& executor) noexcept {
+int Numeric::factor(const Symbolic& symbolic, base::Executor& executor,
+                    const Unsymmetric* unsymmetric) noexcept {
+    use(symbolic, unsymmetric);
     const FactorView v = view(symbolic, 0);
     const FactorKernels& kernels = factor_kernels();
     const std::size_t batches = symbolic.batches.size(), tasks = symbolic.tasks.size();
@@ -74,7 +94,7 @@ int Numeric::factor(const Symbolic& symbolic, base::Executor& executor) noexcept
     int wrong = 0;
     for (std::size_t i = 0; i < batches + tasks; ++i) wrong += wrong_[i];
     for (std::int32_t f : symbolic.top) wrong += kernels.factor(v, f, f + 1, scratch(0));
-    return wrong;
+    return find_wrong(symbolic, wrong);
 }
 
 void Numeric::cut_pieces(const Symbolic& s) {
@@ -123,6 +143,8 @@ int Numeric::run_piece(const Symbolic& symbolic, int piece, Fill fill, double* x
     const FactorKernels& kernels = factor_kernels();
     std::fill(panel_.begin() + p.panel_begin, panel_.begin() + p.panel_end, 0.0);
     fill.write(fill.context, piece, panel_.data());
+    if (unsymmetric_ && copy_piece(symbolic, p))
+        fill.skew(fill.context, piece, panel_.data(), upper_.data());
     if (static_cast<std::size_t>(piece) < symbolic.batches.size()) {
         const Batch& batch = symbolic.batches[static_cast<std::size_t>(p.begin)];
         const int wrong = kernels.factor_batch(v, batch, scratch(thread));
@@ -135,7 +157,8 @@ int Numeric::run_piece(const Symbolic& symbolic, int piece, Fill fill, double* x
 }
 
 int Numeric::factor_forward(const Symbolic& symbolic, Fill fill, double* x,
-                            base::Executor& executor) noexcept {
+                            base::Executor& executor, const Unsymmetric* unsymmetric) noexcept {
+    use(symbolic, unsymmetric);
     const std::size_t batches = symbolic.batches.size(), tasks = symbolic.tasks.size();
     auto batch = [&](int i, int thread) noexcept {
         wrong_[static_cast<std::size_t>(i)] = run_piece(symbolic, i, fill, x, thread);
@@ -153,7 +176,7 @@ int Numeric::factor_forward(const Symbolic& symbolic, Fill fill, double* x,
     for (std::size_t i = 0; i < batches + tasks; ++i) wrong += wrong_[i];
     for (int p = task_piece_[tasks]; p < static_cast<int>(pieces_.size()); ++p)
         wrong += run_piece(symbolic, p, fill, x, 0);
-    return wrong;
+    return find_wrong(symbolic, wrong);
 }
 
 void Numeric::solve(const Symbolic& symbolic, double* x, base::Executor& executor) noexcept {
@@ -192,7 +215,8 @@ void Numeric::backward(const Symbolic& symbolic, double* x, base::Executor& exec
 std::size_t Numeric::bytes() const noexcept {
     return base::bytes(panel_) + base::bytes(pivot_) + base::bytes(work_) + base::bytes(carry_) +
            base::bytes(slot_pivot_) + base::bytes(slot_y_) + base::bytes(scratch_) +
-           base::bytes(wrong_);
+           base::bytes(wrong_) + base::bytes(upper_) + base::bytes(upper_work_) +
+           base::bytes(kind_) + base::bytes(wrong_mark_) + base::bytes(wrong_nodes_);
 }
 
 }  // namespace hawser::factor

@@ -5,15 +5,17 @@
 ///
 /// The matrix is written straight into the panels (Symbolic::target gives each block's
 /// address), which factor() then overwrites with L. Between two factorisations the panels
-/// must be cleared with clear() and filled again.
+/// must be cleared with clear() and filled again. Matrices with unsymmetric values: unsymmetric.h.
 
 #include "base/executor.h"
 #include "base/memory.h"
 #include "factor/kernels.h"
 #include "factor/partial.h"
 #include "factor/symbolic.h"
+#include "factor/unsymmetric.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace hawser::factor {
@@ -29,12 +31,16 @@ struct Piece {
 struct Fill {
     void (*write)(void* context, int piece, double* panel) noexcept;
     void* context;
+    /// Corrects the halves of a piece with unsymmetric fronts, which come equal as write() left
+    /// the lower one. Only those fronts have an upper half. Not needed without them.
+    void (*skew)(void* context, int piece, double* panel, double* upper) noexcept = nullptr;
 };
 
 class Numeric {
   public:
-    /// Make room for a structure and for that many threads; grows only. @throws std::bad_alloc.
-    void reserve(const Symbolic& symbolic, int threads);
+    /// Make room for a structure and for that many threads; grows only. With room for unsymmetric
+    /// fronts, the panels and update matrices take twice the memory. @throws std::bad_alloc.
+    void reserve(const Symbolic& symbolic, int threads, bool unsymmetric = false);
 
     /// Zero the panels.
     void clear(const Symbolic& symbolic, base::Executor& executor) noexcept;
@@ -42,17 +48,38 @@ class Numeric {
     /// Panel array; blocks are column-major at BlockTarget::address with stride ld. Of a
     /// diagonal block only the lower triangle is read.
     [[nodiscard]] double* values() noexcept { return panel_.data(); }
+    /// The upper half of the unsymmetric fronts, transposed, at the same addresses. Of a diagonal
+    /// block only what lies below its diagonal there is read.
+    [[nodiscard]] double* upper() noexcept { return upper_.data(); }
+    /// Make the upper half of the unsymmetric fronts equal to the lower one, or of the dirty
+    /// ones among them.
+    void copy_to_upper(const Symbolic& symbolic, const Unsymmetric& unsymmetric,
+                       base::Executor& executor) noexcept;
+    void copy_to_upper(const Symbolic& symbolic, const DirtyParts& dirty,
+                       const Unsymmetric& unsymmetric, base::Executor& executor) noexcept;
 
-    /// K = L D Lᵀ. @return number of pivots of the wrong sign or not finite (0 = success).
-    [[nodiscard]] int factor(const Symbolic& symbolic, base::Executor& executor) noexcept;
+    /// K = L D Lᵀ, or L D U on the fronts named by `unsymmetric`; the set need not outlive the
+    /// call. @return number of pivots of the wrong sign or not finite (0 = success).
+    [[nodiscard]] int factor(const Symbolic& symbolic, base::Executor& executor,
+                             const Unsymmetric* unsymmetric = nullptr) noexcept;
+
+    /// Nodes with wrong pivots in unsymmetric fronts met by the last factorisation or
+    /// refactorisation, in the order of elimination. Pivots after the first wrong one of a
+    /// subtree's path may be wrong for its sake.
+    [[nodiscard]] std::span<const std::int32_t> wrong_nodes() const noexcept {
+        return wrong_nodes_;
+    }
 
     /// Zero the panels of a part.
     void clear(const Symbolic& symbolic, const DirtyParts& dirty,
                base::Executor& executor) noexcept;
     /// The factorisation of a part, the rest being that of the last one (partial.h). The structure
-    /// has its updates kept. @return wrong pivots in that part.
+    /// has its updates kept. A front that is unsymmetric now and was not, or the other way round,
+    /// must be dirty: it is if the columns given to DirtyParts::find() include those of all blocks
+    /// that became unsymmetric or symmetric. @return wrong pivots in that part.
     [[nodiscard]] int refactor(const Symbolic& symbolic, const DirtyParts& dirty,
-                               base::Executor& executor) noexcept;
+                               base::Executor& executor,
+                               const Unsymmetric* unsymmetric = nullptr) noexcept;
 
     /// Pieces of the structure last given to reserve(), batches first.
     [[nodiscard]] const std::vector<Piece>& pieces() const noexcept { return pieces_; }
@@ -60,10 +87,11 @@ class Numeric {
     /// Fill, factor and substitute forward, piece by piece: one pass through memory instead of
     /// three. backward() completes x. @return as factor().
     [[nodiscard]] int factor_forward(const Symbolic& symbolic, Fill fill, double* x,
-                                     base::Executor& executor) noexcept;
+                                     base::Executor& executor,
+                                     const Unsymmetric* unsymmetric = nullptr) noexcept;
     void backward(const Symbolic& symbolic, double* x, base::Executor& executor) noexcept;
 
-    /// K x = b in place; x is in the permuted order (Symbolic::node_offset).
+    /// K x = b in place, as last factored; x is in the permuted order (Symbolic::node_offset).
     void solve(const Symbolic& symbolic, double* x, base::Executor& executor) noexcept;
 
     [[nodiscard]] std::size_t bytes() const noexcept;
@@ -72,6 +100,12 @@ class Numeric {
     void cut_pieces(const Symbolic& symbolic);
     [[nodiscard]] int run_piece(const Symbolic& symbolic, int piece, Fill fill, double* x,
                                 int thread) noexcept;
+    void use(const Symbolic& symbolic, const Unsymmetric* set) noexcept;
+    void copy_front(const Front& front) noexcept;
+    void copy_batch(const Symbolic& symbolic, const Batch& batch) noexcept;
+    /// @return whether the piece has an upper half.
+    bool copy_piece(const Symbolic& symbolic, const Piece& piece) noexcept;
+    [[nodiscard]] int find_wrong(const Symbolic& symbolic, int wrong) noexcept;
     [[nodiscard]] FactorView view(const Symbolic& symbolic, int thread) noexcept;
     [[nodiscard]] double* scratch(int thread) noexcept {
         return scratch_.data() + static_cast<std::ptrdiff_t>(thread) * scratch_stride_;
@@ -82,6 +116,13 @@ class Numeric {
     std::vector<std::int32_t> task_piece_;  ///< First piece of each task, then of the top.
     base::Array<int> wrong_;  ///< One a batch or task, so that the count needs no atomics.
     std::int64_t scratch_stride_ = 0;
+
+    // Of unsymmetric fronts; empty where no room was asked for.
+    base::Array<double> upper_, upper_work_;
+    base::Array<std::uint8_t> kind_;       ///< One a front, as last factored: 1 unsymmetric.
+    base::Array<std::int8_t> wrong_mark_;  ///< One a scalar; all zero between factorisations.
+    std::vector<std::int32_t> wrong_nodes_;
+    bool unsymmetric_ = false;  ///< Any front is.
 };
 
 }  // namespace hawser::factor

@@ -16,14 +16,13 @@ std::int64_t panel_end(const Front& f) {
     return f.panel + static_cast<std::int64_t>(f.ld) * f.p + (f.p + f.ldu > f.ld ? 8 : 0);
 }
 
-/// The panels of a batch are contiguous, step after step.
-PanelRange panel_of(const Symbolic& s, const Batch& batch) {
+}  // namespace
+
+PanelRange panel_of(const Symbolic& s, const Batch& batch) noexcept {
     const BatchStep& last = s.batch_steps[at(batch.step_end - 1)];
     return {s.batch_steps[at(batch.step_begin)].panel,
             last.panel + static_cast<std::int64_t>(kLaneCount) * last.p * (last.p + last.q)};
 }
-
-}  // namespace
 
 void keep_updates(Symbolic& s) noexcept {
     std::int64_t size = 0;
@@ -47,7 +46,8 @@ void DirtyParts::reserve(const Symbolic& s) {
     tasks.reserve(s.tasks.size() + 1);
 }
 
-void DirtyParts::find(const Symbolic& s, std::span<const std::int32_t> columns) noexcept {
+void DirtyParts::find(const Symbolic& s, std::span<const std::int32_t> columns,
+                      const Unsymmetric* unsymmetric) noexcept {
     if (++epoch_ == 0) {  // after 2³² calls: no mark may look fresh
         std::fill(front_mark_.begin(), front_mark_.end(), 0U);
         std::fill(batch_mark_.begin(), batch_mark_.end(), 0U);
@@ -74,12 +74,14 @@ void DirtyParts::find(const Symbolic& s, std::span<const std::int32_t> columns) 
     for (const std::int32_t f : fronts) {
         const Front& front = s.fronts[at(f)];
         add_panel(front.panel, panel_end(front));
-        flops += front_flops(front.p, front.q);
+        const bool twice = unsymmetric != nullptr && unsymmetric->is(f);
+        flops += (twice ? 2 : 1) * front_flops(front.p, front.q);
     }
     for (const std::int32_t b : batches) {
         const PanelRange r = panel_of(s, s.batches[at(b)]);
         add_panel(r.begin, r.end);
-        flops += s.batches[at(b)].flops;
+        const bool twice = unsymmetric != nullptr && unsymmetric->is_batch(b);
+        flops += (twice ? 2 : 1) * s.batches[at(b)].flops;
     }
     make_ranges(s);
 }
@@ -125,8 +127,9 @@ void Numeric::clear(const Symbolic&, const DirtyParts& dirty, base::Executor& ex
     executor.for_each(static_cast<int>(dirty.panels.size()), zero);
 }
 
-int Numeric::refactor(const Symbolic& s, const DirtyParts& dirty,
-                      base::Executor& executor) noexcept {
+int Numeric::refactor(const Symbolic& s, const DirtyParts& dirty, base::Executor& executor,
+                      const Unsymmetric* unsymmetric) noexcept {
+    use(s, unsymmetric);
     const FactorView v = view(s, 0);  // no stacks: every update has its place
     const FactorKernels& kernels = factor_kernels();
     const std::size_t batches = dirty.batches.size(), tasks = dirty.tasks.size() - 1;
@@ -147,7 +150,7 @@ int Numeric::refactor(const Symbolic& s, const DirtyParts& dirty,
     for (std::size_t i = 0; i < batches + tasks; ++i) wrong += wrong_[i];
     for (std::size_t k = at(dirty.tasks.back()); k < dirty.ranges.size(); ++k)
         wrong += kernels.factor(v, dirty.ranges[k].begin, dirty.ranges[k].end, scratch(0));
-    return wrong;
+    return find_wrong(s, wrong);
 }
 
 }  // namespace hawser::factor

@@ -24,6 +24,7 @@
 
 #include "base/memory.h"
 #include "factor/symbolic.h"
+#include "factor/unsymmetric.h"
 
 #include <cstdint>
 #include <span>
@@ -40,6 +41,9 @@ struct PanelRange {
     std::int64_t begin = 0, end = 0;
     friend bool operator==(const PanelRange&, const PanelRange&) = default;
 };
+
+/// The panels of a batch: contiguous, step after step.
+[[nodiscard]] PanelRange panel_of(const Symbolic& symbolic, const Batch& batch) noexcept;
 
 /// Fronts [begin, end) to factor in sequence; task −1: the serial top.
 struct FrontRange {
@@ -62,8 +66,10 @@ class DirtyParts {
     }
 
     /// Close a set of columns (nodes, any order, duplicates allowed) under "is an ancestor of".
+    /// `unsymmetric`, of the next factorisation, matters to `flops` only.
     /// @cost O(dirty fronts · log).
-    void find(const Symbolic& symbolic, std::span<const std::int32_t> columns) noexcept;
+    void find(const Symbolic& symbolic, std::span<const std::int32_t> columns,
+              const Unsymmetric* unsymmetric = nullptr) noexcept;
 
     /// Whether blocks in this column must be written again.
     [[nodiscard]] bool refill(const Symbolic& s, std::int32_t column) const noexcept {
@@ -78,7 +84,7 @@ class DirtyParts {
     std::vector<PanelRange> panels;     ///< To clear and refill; ascending, apart.
     std::vector<FrontRange> ranges;     ///< The fronts in runs, ascending.
     std::vector<std::int32_t> tasks;    ///< First of `ranges` of each dirty task, one more at end.
-    std::int64_t flops = 0;             ///< Of the refactorisation.
+    std::int64_t flops = 0;  ///< Of the refactorisation; an unsymmetric front counts twice.
 
   private:
     void add_panel(std::int64_t begin, std::int64_t end) noexcept;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The kernels of every instruction set that this processor has, called one beside the other.
+#include "factor/friction.h"
 #include "factor/matrices.h"
 #include "support/sanitizer.h"
 
@@ -31,7 +32,8 @@ std::vector<Set> sets() {
 
 /// Factor and solve all fronts in order with one set of kernels.
 Solved solve_with(const factor::FactorKernels& kernels, const BlockMatrix& m,
-                  const factor::Symbolic& s, const Vector& b) {
+                  const factor::Symbolic& s, const Vector& b,
+                  const factor::Unsymmetric* set = nullptr) {
     const auto n = static_cast<std::size_t>(s.scalars);
     base::Array<double> panel(static_cast<std::size_t>(s.panel_size), 0.0), pivot(n + 8),
         // Garbage that must never reach a result.
@@ -41,12 +43,24 @@ Solved solve_with(const factor::FactorKernels& kernels, const BlockMatrix& m,
             std::nan("")),
         x(n + 8, 0.0), slot_pivot(8 * s.slot_sign.size()), slot_y(8 * s.slot_sign.size());
     fill(m, s, panel.data());
-    const factor::FactorView view{s.fronts.data(),    s.children.data(),   s.rows.data(),
-                                  s.runs.data(),      s.sign.data(),       panel.data(),
-                                  pivot.data(),       work.data(),         work.data(),
-                                  s.stack_begin,      carry.data(),        s.batch_steps.data(),
-                                  s.slot_sign.data(), s.slot_index.data(), s.tail_slot.data(),
-                                  slot_pivot.data(),  slot_y.data(),       true};
+    factor::FactorView view{s.fronts.data(),    s.children.data(),   s.rows.data(),
+                            s.runs.data(),      s.sign.data(),       panel.data(),
+                            pivot.data(),       work.data(),         work.data(),
+                            s.stack_begin,      carry.data(),        s.batch_steps.data(),
+                            s.slot_sign.data(), s.slot_index.data(), s.tail_slot.data(),
+                            slot_pivot.data(),  slot_y.data(),       true};
+    base::Array<double> upper, upper_work;
+    std::vector<std::int8_t> wrong(n, 0);
+    if (set != nullptr) {
+        upper.assign(panel.begin(), panel.end());
+        upper_work = work;
+        scratch.resize(2 * scratch.size(), std::nan(""));
+        fill_upper(m, s, upper.data(), [&](int v) { return in_set(s, *set, v); });
+        view.unsymmetric = set->marks().data();
+        view.upper = upper.data();
+        view.upper_work = view.upper_stack = upper_work.data();
+        view.wrong = wrong.data();
+    }
     Solved out;
     const auto count = static_cast<std::int32_t>(s.fronts.size());
     for (const factor::Batch& batch : s.batches)
@@ -103,14 +117,23 @@ TEST(InstructionSets, EveryFrontShape) {
             std::vector<std::int32_t> order(static_cast<std::size_t>(nodes));
             for (int i = 0; i < nodes; ++i) order[static_cast<std::size_t>(i)] = i;
             const factor::Symbolic s = factor::analyse(m.pattern, order);
-            const Vector b = random_matrix(random, m.scalars(), 1), want = reference(m, b);
-            for (const Set& set : sets()) {
-                if (!set.available) continue;
-                const Solved got = solve_with(*set.kernels, m, s, b);
-                EXPECT_EQ(got.wrong, 0) << set.name << " p " << p << " q " << q;
-                // Diagonally dominant: a few units in the last place.
-                EXPECT_LE((got.x - want).norm(), 1e-13 * want.norm())
-                    << set.name << " p " << p << " q " << q;
+            const Vector b = random_matrix(random, m.scalars(), 1);
+            factor::Unsymmetric all;
+            all.reserve(s);
+            all.find(s, order);
+            for (const bool symmetric : {true, false}) {
+                if (!symmetric)
+                    for (const auto& [i, j] : edges) m.dense(i, j) = random.uniform(-1, 1);
+                const Vector want = reference(m, b);
+                for (const Set& set : sets()) {
+                    if (!set.available) continue;
+                    const Solved got =
+                        solve_with(*set.kernels, m, s, b, symmetric ? nullptr : &all);
+                    EXPECT_EQ(got.wrong, 0) << set.name << " p " << p << " q " << q;
+                    // Diagonally dominant: a few units in the last place.
+                    EXPECT_LE((got.x - want).norm(), 1e-13 * want.norm())
+                        << set.name << " p " << p << " q " << q;
+                }
             }
         }
 }
@@ -125,6 +148,28 @@ TEST(InstructionSets, Batches) {
         for (const Set& set : sets()) {
             if (!set.available) continue;
             const Solved got = solve_with(*set.kernels, m, s, b);
+            EXPECT_EQ(got.wrong, 0) << set.name << " seed " << seed;
+            EXPECT_LE((got.x - want).norm(), 1e-9 * want.norm()) << set.name << " seed " << seed;
+        }
+    }
+}
+
+/// Both families with unsymmetric blocks; every shape of front.
+TEST(InstructionSets, Unsymmetric) {
+    for (int seed = 1; seed <= (kSanitized ? 8 : 60); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed));
+        BlockMatrix m = seed % 2 == 0 ? wires(random, 9, 12)
+                                      : random_quasi_definite(random, random.integer(2, 45),
+                                                              random.uniform(0.02, 0.6));
+        const auto pairs = add_frictions(m, random, random.integer(1, 8));
+        const factor::Symbolic s = factor::analyse(m.pattern, factor::plan_elimination(m.pattern));
+        factor::Unsymmetric unsymmetric;
+        unsymmetric.reserve(s);
+        unsymmetric.find(s, columns_of(pairs));
+        const Vector b = random_matrix(random, m.scalars(), 1), want = reference(m, b);
+        for (const Set& set : sets()) {
+            if (!set.available) continue;
+            const Solved got = solve_with(*set.kernels, m, s, b, &unsymmetric);
             EXPECT_EQ(got.wrong, 0) << set.name << " seed " << seed;
             EXPECT_LE((got.x - want).norm(), 1e-9 * want.norm()) << set.name << " seed " << seed;
         }

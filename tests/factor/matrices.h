@@ -160,19 +160,22 @@ inline BlockMatrix wires(Random& random, int most_wires, int longest) {
     return m;
 }
 
-/// Write the blocks of the columns for which wanted(node) holds.
+/// Write the blocks of the columns for which wanted(node) holds: of the lower half or, transposed,
+/// of the upper one.
 template <class Wanted>
 inline void fill_columns(const BlockMatrix& m, const factor::Symbolic& s, double* values,
-                         Wanted&& wanted) {
+                         Wanted&& wanted, bool upper = false) {
     auto put = [&](int row, int column) {
         if (!wanted(column)) return;
         const factor::BlockTarget t = s.target(row, column);
         const auto r = static_cast<std::size_t>(row), c = static_cast<std::size_t>(column);
         for (int j = 0; j < m.pattern.size[c]; ++j)
-            for (int i = 0; i < m.pattern.size[r]; ++i)
+            for (int i = 0; i < m.pattern.size[r]; ++i) {
+                const int k = m.offset[r] + i, l = m.offset[c] + j;
                 values[t.address + static_cast<std::int64_t>(j) * t.ld +
                        static_cast<std::int64_t>(i) * t.step] =
-                    m.dense(m.offset[r] + i, m.offset[c] + j);
+                    upper ? m.dense(l, k) : m.dense(k, l);
+            }
     };
     for (int a = 0; a < m.pattern.nodes(); ++a) {
         put(a, a);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// A partial refactorisation gives the bits of a full one, and does no more than it says.
 #include "factor/partial.h"
+#include "factor/friction.h"
 #include "factor/matrices.h"
 #include "runtime/tasks.h"
 #include "support/sanitizer.h"
@@ -42,27 +43,11 @@ std::vector<std::int32_t> change(BlockMatrix& m, const Symbolic& s, Random& rand
     return columns;
 }
 
-/// Entries of L, below the diagonal of each panel: what lies above it counts for nothing.
-std::vector<double> entries_of_l(const Symbolic& s, const double* panel) {
-    std::vector<double> entries;
-    for (const factor::Front& f : s.fronts)
-        for (std::int64_t c = 0; c < f.p && f.batch < 0; ++c)
-            for (std::int64_t r = c + 1; r < f.p + f.q; ++r)
-                entries.push_back(panel[f.panel + c * f.ld + r]);
-    for (const factor::BatchStep& step : s.batch_steps)
-        for (std::int64_t r = 1; r < step.p + step.q; ++r)
-            for (std::int64_t c = 0; c < std::min<std::int64_t>(r, step.p); ++c)
-                for (std::int64_t lane = 0; lane < factor::kLaneCount; ++lane)
-                    entries.push_back(
-                        panel[step.panel + factor::kLaneCount * (r * step.p + c) + lane]);
-    return entries;
-}
-
 /// L bit for bit, and D through a solution.
 void expect_same_bits(const BlockMatrix& m, const Symbolic& s, factor::Numeric& part,
                       factor::Numeric& full, base::Executor& executor, Random& random) {
-    const std::vector<double> l = entries_of_l(s, part.values());
-    const std::vector<double> want = entries_of_l(s, full.values());
+    const std::vector<double> l = entries_below(s, part.values());
+    const std::vector<double> want = entries_below(s, full.values());
     EXPECT_EQ(std::memcmp(l.data(), want.data(), sizeof(double) * l.size()), 0);
     Vector x = random_matrix(random, m.scalars() + 8, 1);
     Vector y = x;

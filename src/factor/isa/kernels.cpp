@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Dense kernels of the multifrontal LDLᵀ (see factor/symbolic.h for the picture).
+/// Dense kernels of the multifrontal LDLᵀ and LDU (see factor/symbolic.h for the picture and
+/// factor/unsymmetric.h for the second half).
 ///
 /// Column strides are multiples of eight doubles (base/simd.h), and rows past p + q stay zero,
 /// so no loop has a remainder. Blocks of kBlock pivot columns are factored one column at a time,
 /// then everything to their right is updated by a register-blocked product.
+///
+/// An unsymmetric front has two *sides* of one shape: side 0 holds the lower half, side 1 the
+/// upper half transposed. With unscaled columns W₀ = L D and W₁ = (D U)ᵀ the Schur complement is
+/// C −= L (D U) = L W₁ᵀ, and transposed Cᵀ −= Uᵀ W₀ᵀ: each side is updated with the unscaled
+/// columns of the other. A symmetric front has one side, which is its own other.
 #include "factor/kernels.h"
 
 #include "base/simd.h"
 #include "factor/isa/batch.h"
 #include "factor/isa/substitution.h"
+#include "factor/isa/with_count.h"
 #include "factor/symbolic.h"
 
 namespace hawser::HAWSER_ISA {
@@ -20,71 +27,81 @@ using factor::Run;
 
 constexpr int kBlock = 8;  // pivot columns factored before the rest is updated
 
-/// Factor the N ≤ 8 columns from k0, a multiple of eight, of a panel of stride ld. w receives
-/// the unscaled columns, stride ld, rows as in the panel.
+/// The pivot columns of a front.
+template <int kSides>
+struct Trapezoid {
+    double* panel[kSides];  ///< Column stride ld.
+    double* w[kSides];      ///< Unscaled columns of the current block, likewise.
+    long ld;
+    double* pivot;  ///< 1/D.
+    const signed char* sign;
+    signed char* wrong;  ///< Marks of wrong pivots, of unsymmetric fronts.
+
+    [[nodiscard]] static constexpr int other(int side) { return kSides - 1 - side; }
+};
+
+/// Factor the N ≤ 8 columns from k0, a multiple of eight. w receives the unscaled columns, rows as
+/// in the panel.
 ///
 /// Rows k0 … k0 + 7 hold the triangle: N sequential pivots, in registers. The vectors of rows
-/// below it are then independent of each other: x_c = a_c − Σ_{b<c} L_cb x_b.
-template <int N>
-inline int factor_block(double* panel, long ld, int k0, double* w, double* pivot,
-                        const signed char* sign) {
+/// below it are then independent of each other: x_c = a_c − Σ_{b<c} U_bc x_b, with Uᵀ for L on
+/// side 1.
+template <int kSides, int N>
+inline int factor_block(const Trapezoid<kSides>& t, int k0) {
+    const long ld = t.ld;
     int wrong = 0;
-    V8 top[N];
-    double inverse[N], lower[N][N];
-    for (int c = 0; c < N; ++c) top[c] = load(panel + (k0 + c) * ld + k0);
+    V8 top[kSides][N];
+    double inverse[N], scaled[kSides][N][N];
+    for (int s = 0; s < kSides; ++s)
+        for (int c = 0; c < N; ++c) top[s][c] = load(t.panel[s] + (k0 + c) * ld + k0);
 #pragma GCC unroll 8
     for (int c = 0; c < N; ++c) {
-        double d = lane(top[c], c);
-        // Quasi-definite: the sign is known. !(…) also catches NaN.
-        if (!(d * sign[k0 + c] > 0.0) || d - d != 0.0) {
+        double d = lane(top[0][c], c);
+        // The sign is known, see Symbolic::sign. !(…) also catches NaN.
+        if (!(d * t.sign[k0 + c] > 0.0) || d - d != 0.0) {
             ++wrong;
-            d = sign[k0 + c];
+            d = t.sign[k0 + c];
+            if constexpr (kSides == 2) t.wrong[k0 + c] = 1;
         }
         inverse[c] = 1.0 / d;
-        pivot[k0 + c] = inverse[c];
-        const V8 l = after_lane(top[c] * inverse[c], c);
+        t.pivot[k0 + c] = inverse[c];
+        V8 l[kSides];
+        for (int s = 0; s < kSides; ++s) l[s] = after_lane(top[s][c] * inverse[c], c);
 #pragma GCC unroll 8
         for (int j = c + 1; j < N; ++j) {
-            const double wj = lane(top[c], j);
-            lower[j][c] = wj * inverse[c];
-            top[j] -= wj * l;
+            double wj[kSides];
+            for (int s = 0; s < kSides; ++s) {
+                wj[s] = lane(top[s][c], j);
+                scaled[s][j][c] = wj[s] * inverse[c];
+            }
+            for (int s = 0; s < kSides; ++s) top[s][j] -= wj[t.other(s)] * l[s];
         }
-        store(w + c * ld + k0, top[c]);
-        store(panel + (k0 + c) * ld + k0, l);
+        for (int s = 0; s < kSides; ++s) {
+            store(t.w[s] + c * ld + k0, top[s][c]);
+            store(t.panel[s] + (k0 + c) * ld + k0, l[s]);
+        }
     }
-    for (long i = k0 + 8; i < ld; i += 8) {
-        V8 x[N];
+    for (int s = 0; s < kSides; ++s) {
+        double *panel = t.panel[s] + k0 * ld, *w = t.w[s];
+        for (long i = k0 + 8; i < ld; i += 8) {
+            V8 x[N];
 #pragma GCC unroll 8
-        for (int c = 0; c < N; ++c) {
-            x[c] = load(panel + (k0 + c) * ld + i);
-            for (int b = 0; b < c; ++b) x[c] -= lower[c][b] * x[b];
-            store(w + c * ld + i, x[c]);
-            store(panel + (k0 + c) * ld + i, x[c] * inverse[c]);
+            for (int c = 0; c < N; ++c) {
+                x[c] = load(panel + c * ld + i);
+                for (int b = 0; b < c; ++b) x[c] -= scaled[t.other(s)][c][b] * x[b];
+                store(w + c * ld + i, x[c]);
+                store(panel + c * ld + i, x[c] * inverse[c]);
+            }
         }
     }
     return wrong;
 }
 
-inline int factor_columns(double* panel, long ld, int k0, int count, double* w, double* pivot,
-                          const signed char* sign) {
-    switch (count) {
-        case 1:
-            return factor_block<1>(panel, ld, k0, w, pivot, sign);
-        case 2:
-            return factor_block<2>(panel, ld, k0, w, pivot, sign);
-        case 3:
-            return factor_block<3>(panel, ld, k0, w, pivot, sign);
-        case 4:
-            return factor_block<4>(panel, ld, k0, w, pivot, sign);
-        case 5:
-            return factor_block<5>(panel, ld, k0, w, pivot, sign);
-        case 6:
-            return factor_block<6>(panel, ld, k0, w, pivot, sign);
-        case 7:
-            return factor_block<7>(panel, ld, k0, w, pivot, sign);
-        default:
-            return factor_block<8>(panel, ld, k0, w, pivot, sign);
-    }
+template <int kSides>
+inline int factor_columns(const Trapezoid<kSides>& t, int k0, int count) {
+    int wrong = 0;
+    with_count(count, [&]<int N>() { wrong = factor_block<kSides, N>(t, k0); });
+    return wrong;
 }
 
 /// C(:, 0..cols) −= L · Wᵀ for `cols` columns whose rows in l and w start at row0, or C = −L · Wᵀ
@@ -104,7 +121,7 @@ inline void update_columns(double* c, long ldc, const double* l, const double* w
     }
 }
 
-/// Symmetric update of the columns [begin, end) of a matrix whose row r lies at l + r. The last
+/// Update of the columns [begin, end) of one side of a matrix whose row r lies at l + r. The last
 /// columns go together, however many: a column alone waits for its own chain of sums.
 template <bool kFirst>
 inline void update_block(double* c, long ldc, const double* l, const double* w, long ld, int depth,
@@ -115,31 +132,7 @@ inline void update_block(double* c, long ldc, const double* l, const double* w, 
         j += N;
     };
     while (end - j >= 8) columns.template operator()<8>();
-    switch (end - j) {
-        case 7:
-            columns.template operator()<7>();
-            break;
-        case 6:
-            columns.template operator()<6>();
-            break;
-        case 5:
-            columns.template operator()<5>();
-            break;
-        case 4:
-            columns.template operator()<4>();
-            break;
-        case 3:
-            columns.template operator()<3>();
-            break;
-        case 2:
-            columns.template operator()<2>();
-            break;
-        case 1:
-            columns.template operator()<1>();
-            break;
-        default:
-            break;
-    }
+    if (end > j) with_count(end - j, columns);
 }
 
 /// to(0..rows, 0..columns) += from(0..rows, 0..columns).
@@ -153,14 +146,17 @@ inline void add_block(double* to, long ld_to, const double* from, long ld_from, 
 
 /// Add the columns of children's update matrices that are pivots of the front, or those that are
 /// not. A run of columns meets the runs of rows at and behind it in dense blocks; the triangle
-/// above the diagonal of the first comes along and is never read.
-template <bool kPivots>
+/// above the diagonal of the first comes along and is never read. Of a symmetric child both sides
+/// get the same.
+template <bool kPivots, int kSide>
 inline void extend_add(const FactorView& view, const Front& front, double* panel, double* update) {
     const long ld = kPivots ? front.ld : front.ldu;
     double* target = kPivots ? panel : update - front.p - static_cast<long>(front.p) * ld;
     for (std::int32_t i = front.child_begin; i < front.child_end; ++i) {
-        const Front& child = view.fronts[view.children[i]];
-        const double* u = view.update(child.update);
+        const std::int32_t id = view.children[i];
+        const Front& child = view.fronts[id];
+        const double* u = kSide == 1 && view.unsymmetric[id] != 0 ? view.upper_update(child.update)
+                                                                  : view.update(child.update);
         const Run* end = view.runs + child.run_end;
         const Run* run = view.runs + child.run_begin;
         if constexpr (!kPivots)
@@ -174,31 +170,53 @@ inline void extend_add(const FactorView& view, const Front& front, double* panel
     }
 }
 
+/// What the pivot columns [k0, k1) do to the rest of one side; w: of the other side.
+inline void update_rest(const Front& front, double* panel, double* update, const double* w, int k0,
+                        int k1) {
+    const double* l = panel + static_cast<long>(k0) * front.ld;
+    if (k1 < front.p)
+        update_block<false>(panel, front.ld, l, w, front.ld, k1 - k0, k1, front.p, front.ld);
+    if (k0 == 0)
+        update_block<true>(update, front.ldu, l + front.p, w + front.p, front.ld, k1 - k0, 0,
+                           front.q, front.ldu);
+    else
+        update_block<false>(update, front.ldu, l + front.p, w + front.p, front.ld, k1 - k0, 0,
+                            front.q, front.ldu);
+}
+
+template <int kSides>
+inline int factor_front(const FactorView& view, const Front& front, double* scratch) {
+    Trapezoid<kSides> t{{view.panel + front.panel}, {scratch}, front.ld, view.pivot + front.offset,
+                        view.sign + front.offset,   nullptr};
+    double* update[kSides] = {view.update(front.update)};
+    if constexpr (kSides == 2) {
+        t.panel[1] = view.upper + front.panel;
+        t.w[1] = scratch + kBlock * t.ld;
+        t.wrong = view.wrong + front.offset;
+        update[1] = view.upper_update(front.update);
+    }
+    int wrong = 0;
+    extend_add<true, 0>(view, front, t.panel[0], update[0]);
+    if constexpr (kSides == 2) extend_add<true, 1>(view, front, t.panel[1], update[1]);
+    for (int k0 = 0; k0 < front.p; k0 += kBlock) {
+        const int k1 = k0 + kBlock < front.p ? k0 + kBlock : front.p;
+        wrong += factor_columns(t, k0, k1 - k0);
+        for (int s = 0; s < kSides; ++s)
+            update_rest(front, t.panel[s], update[s], t.w[t.other(s)], k0, k1);
+    }
+    extend_add<false, 0>(view, front, t.panel[0], update[0]);
+    if constexpr (kSides == 2) extend_add<false, 1>(view, front, t.panel[1], update[1]);
+    return wrong;
+}
+
 int factor_fronts(const FactorView& view, std::int32_t begin, std::int32_t end,
                   double* scratch) noexcept {
     int wrong = 0;
     for (std::int32_t f = begin; f < end; ++f) {
         const Front& front = view.fronts[f];
         if (front.batch >= 0) continue;
-        double* panel = view.panel + front.panel;
-        double* update = view.update(front.update);
-        extend_add<true>(view, front, panel, update);
-        for (int k0 = 0; k0 < front.p; k0 += kBlock) {
-            const int k1 = k0 + kBlock < front.p ? k0 + kBlock : front.p;
-            wrong += factor_columns(panel, front.ld, k0, k1 - k0, scratch,
-                                    view.pivot + front.offset, view.sign + front.offset);
-            const double* l = panel + static_cast<long>(k0) * front.ld;
-            if (k1 < front.p)
-                update_block<false>(panel, front.ld, l, scratch, front.ld, k1 - k0, k1, front.p,
-                                    front.ld);
-            if (k0 == 0)
-                update_block<true>(update, front.ldu, l + front.p, scratch + front.p, front.ld,
-                                   k1 - k0, 0, front.q, front.ldu);
-            else
-                update_block<false>(update, front.ldu, l + front.p, scratch + front.p, front.ld,
-                                    k1 - k0, 0, front.q, front.ldu);
-        }
-        extend_add<false>(view, front, panel, update);
+        wrong += view.is_unsymmetric(f) ? factor_front<2>(view, front, scratch)
+                                        : factor_front<1>(view, front, scratch);
     }
     return wrong;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Substitution with the fronts of a multifrontal LDLᵀ (see factor/symbolic.h for the picture).
+/// Substitution with the fronts of a multifrontal LDLᵀ or LDU (see factor/symbolic.h for the
+/// picture).
 ///
 /// Blocks of up to eight pivots, whose number is a constant of the loops. The block's own triangle
 /// is a chain of dependent operations and stays in one vector; the rows below it are vectors that
@@ -8,6 +9,7 @@
 #include "factor/isa/substitution.h"
 
 #include "base/simd.h"
+#include "factor/isa/with_count.h"
 #include "factor/symbolic.h"
 
 namespace hawser::HAWSER_ISA {
@@ -18,37 +20,6 @@ using factor::Front;
 using factor::Run;
 
 constexpr int kBlock = 8;
-
-/// Call f with n = 1 … 8 as a constant.
-template <class F>
-HAWSER_INLINE void with_count(int n, F&& f) {
-    switch (n) {
-        case 1:
-            f.template operator()<1>();
-            break;
-        case 2:
-            f.template operator()<2>();
-            break;
-        case 3:
-            f.template operator()<3>();
-            break;
-        case 4:
-            f.template operator()<4>();
-            break;
-        case 5:
-            f.template operator()<5>();
-            break;
-        case 6:
-            f.template operator()<6>();
-            break;
-        case 7:
-            f.template operator()<7>();
-            break;
-        default:
-            f.template operator()<8>();
-            break;
-    }
-}
 
 /// Pivots [k, k + N) of L y = y, then y −= L y for the rows behind them, handed over by vectors:
 /// put(row, vector).
@@ -82,9 +53,10 @@ inline void gather_forward(const FactorView& view, const Front& front, const dou
     }
 }
 
-/// Columns [k, k + N) of Lᵀ z = y, the rows behind them being solved, from vector `from` on. The
-/// products with those come first and are independent of each other; then the small triangle, in
-/// which each entry waits only for the one before it. z comes with y_k … and leaves with z_k ….
+/// Columns [k, k + N) of U z = y with Uᵀ in the panel, the rows behind them being solved, from
+/// vector `from` on. The products with those come first and are independent of each other; then the
+/// small triangle, in which each entry waits only for the one before it. z comes with y_k … and
+/// leaves with z_k ….
 template <int N>
 HAWSER_INLINE void backward_block(const double* panel, long ld, int k, int from, const double* y,
                                   double* z) {
@@ -135,7 +107,7 @@ void backward_fronts(const FactorView& view, std::int32_t begin, std::int32_t en
     for (std::int32_t f = end; f-- > begin;) {
         const Front& front = view.fronts[f];
         if (front.batch >= 0) continue;
-        const double* panel = view.panel + front.panel;
+        const double* panel = (view.is_unsymmetric(f) ? view.upper : view.panel) + front.panel;
         const double* inverse = view.pivot + front.offset;
         const int ld = front.ld, p = front.p, n = front.p + front.q;
         double* xf = x + front.offset;

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file batch_parts.h
+/// What factorisation and substitution of batches (factor/batches.h) have in common: every scalar
+/// is a vector of eight lanes, so no loop has a remainder and no pivot waits for another lane.
+
+#include "base/simd.h"
+#include "factor/symbolic.h"
+
+namespace hawser::HAWSER_ISA {
+
+using factor::kTile;
+
+/// acc(i, j) −= Σ_k a(i, k) b(j, k), rows `stride` doubles apart.
+template <int NI, int NJ>
+HAWSER_INLINE void tile(V8 (&acc)[NI][NJ], const double* a, const double* b, long stride,
+                        int depth) {
+    for (int k = 0; k < depth; ++k) {
+        V8 l[NI], u[NJ];
+        for (int i = 0; i < NI; ++i) l[i] = load(a + i * stride + 8 * k);
+        for (int j = 0; j < NJ; ++j) u[j] = load(b + j * stride + 8 * k);
+        for (int i = 0; i < NI; ++i)
+            for (int j = 0; j < NJ; ++j) acc[i][j] -= l[i] * u[j];
+    }
+}
+
+/// Call f with the tile sizes as constants.
+template <class F>
+HAWSER_INLINE void with_size(int n, F&& f) {
+    switch (n) {
+        case 1:
+            f.template operator()<1>();
+            break;
+        case 2:
+            f.template operator()<2>();
+            break;
+        default:
+            f.template operator()<3>();
+            break;
+    }
+}
+
+/// Where the update slots of a step come from, in tiles: the tile that held them before.
+struct Shift {
+    int body, window, before;  ///< Tiles of a body; of the window; of the update slots before.
+    /// −1: new in this step.
+    [[nodiscard]] HAWSER_INLINE int from(int tile) const {
+        if (tile < window) return tile + body < window && before > 0 ? tile + body : -1;
+        return tile < before ? tile : -1;
+    }
+};
+
+}  // namespace hawser::HAWSER_ISA

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Substitution with batches (see factor/batches.h for the picture).
+#include "factor/isa/batch.h"
+#include "factor/isa/batch_parts.h"
+#include "factor/kernels.h"
+
+namespace hawser::HAWSER_ISA {
+namespace {
+
+using factor::Batch;
+using factor::BatchStep;
+using factor::FactorView;
+using factor::Front;
+
+/// Ask for the panel that comes some steps later: what is known long before need not be waited
+/// for. The substitutions read each entry once, and large factors come from memory.
+HAWSER_INLINE void ask_for_panel(const double* panel, const BatchStep& step) {
+    const double* p = panel + step.panel;
+    const long size = 8L * step.p * (step.p + step.q);
+    for (long i = 0; i < size; i += 8) __builtin_prefetch(p + i);
+}
+constexpr int kAhead = 2;  // steps
+
+}  // namespace
+
+/// y_p = L11⁻¹ (x_p + carried), carried −= L21 y_p.
+void forward_batch(const FactorView& view, const Batch& batch, const double* x,
+                   double* scratch) noexcept {
+    double* carried = scratch;
+    double* next = carried + 8 * batch.most_q;
+    Shift shift{batch.body / kTile, batch.window / kTile, 0};
+    for (std::int32_t k = batch.step_begin; k < batch.step_end; ++k) {
+        const BatchStep& step = view.batch_steps[k];
+        if (view.distant && k + kAhead < batch.step_end)
+            ask_for_panel(view.panel, view.batch_steps[k + kAhead]);
+        const double* panel = view.panel + step.panel;
+        double* y = view.slot_y + 8 * step.slot;
+        const std::int32_t* index = view.slot_index + 8 * step.slot;
+        const int p = step.p;
+        for (int i = 0; i < p; ++i) {
+            V8 v = gather_lanes(x, index + 8 * i);
+            if (i < batch.body && shift.before > 0) v += load(carried + 8 * i);
+            const double* row = panel + 8L * i * p;
+            for (int j = 0; j < i; ++j) v -= load(row + 8 * j) * load(y + 8 * j);
+            store(y + 8 * i, v);
+        }
+        for (int i = 0; i < step.q; i += kTile) {
+            const int from = shift.from(i / kTile);
+            V8 v[kTile][1];
+            for (int a = 0; a < kTile; ++a)
+                v[a][0] = from >= 0 ? load(carried + 8 * (kTile * from + a)) : V8{};
+            tile<kTile, 1>(v, panel + 8L * (p + i) * p, y, 8L * p, p);
+            for (int a = 0; a < kTile; ++a) store(next + 8 * (i + a), v[a][0]);
+        }
+        double* swap = carried;
+        carried = next;
+        next = swap;
+        shift.before = step.q / kTile;
+    }
+    for (int lane = 0; lane < factor::kLaneCount; ++lane) {
+        if (batch.front[lane] < 0) continue;
+        const Front& front = view.fronts[batch.front[lane]];
+        const std::int32_t* slot = view.tail_slot + front.rows;
+        for (int i = 0; i < front.q; ++i) view.carry[front.rows + i] = carried[8 * slot[i] + lane];
+    }
+}
+
+/// x_p = U11⁻¹ (D⁻¹ y_p − U12 x_behind), with Uᵀ in the place of L; of a symmetric batch it is L.
+void backward_batch(const FactorView& view, const Batch& batch, double* x,
+                    double* scratch) noexcept {
+    const double* halves = view.is_unsymmetric(batch.front[0]) ? view.upper : view.panel;
+    double* behind = scratch;
+    const int q = batch.most_q;
+    for (int i = 0; i < q; ++i) store(behind + 8 * i, V8{});
+    for (int lane = 0; lane < factor::kLaneCount; ++lane) {
+        if (batch.front[lane] < 0) continue;
+        const Front& front = view.fronts[batch.front[lane]];
+        const std::int32_t* slot = view.tail_slot + front.rows;
+        for (int i = 0; i < front.q; ++i) behind[8 * slot[i] + lane] = x[view.rows[front.rows + i]];
+    }
+    double* z = behind + 8 * q;
+    for (std::int32_t k = batch.step_end; k-- > batch.step_begin;) {
+        const BatchStep& step = view.batch_steps[k];
+        if (view.distant && k - kAhead >= batch.step_begin)
+            ask_for_panel(halves, view.batch_steps[k - kAhead]);
+        const double* panel = halves + step.panel;
+        const double* y = view.slot_y + 8 * step.slot;
+        const double* pivot = view.slot_pivot + 8 * step.slot;
+        const int p = step.p;
+        for (int j = 0; j < p; j += kTile)
+            with_size(p - j, [&]<int N>() {
+                V8 v[N];
+                for (int a = 0; a < N; ++a)
+                    v[a] = load(y + 8 * (j + a)) * load(pivot + 8 * (j + a));
+                const double* column = panel + 8L * p * p + 8 * j;
+                for (int i = 0; i < step.q; ++i, column += 8L * p) {
+                    const V8 b = load(behind + 8 * i);
+                    for (int a = 0; a < N; ++a) v[a] -= load(column + 8 * a) * b;
+                }
+                for (int a = 0; a < N; ++a) store(z + 8 * (j + a), v[a]);
+            });
+        for (int i = p; i-- > 0;) {
+            const V8 zi = load(z + 8 * i);
+            const double* row = panel + 8L * i * p;
+            for (int j = 0; j < i; ++j) store(z + 8 * j, load(z + 8 * j) - load(row + 8 * j) * zi);
+            scatter_lanes(x, view.slot_index + 8 * (step.slot + i), zi);
+        }
+        // This body now leads the window.
+        for (int i = batch.window; i-- > batch.body;)
+            store(behind + 8 * i, load(behind + 8 * (i - batch.body)));
+        for (int i = 0; i < batch.body; ++i) store(behind + 8 * i, load(z + 8 * i));
+    }
+}
+
+}  // namespace hawser::HAWSER_ISA

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "factor/unsymmetric.h"
+
+#include "factor/numeric.h"
+
+#include <algorithm>
+
+namespace hawser::factor {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+void Unsymmetric::reserve(const Symbolic& s) {
+    const std::size_t n = s.fronts.size(), batches_n = s.batches.size();
+    if (mark_.size() < n) mark_.resize(n, 0);
+    if (batch_mark_.size() < batches_n) batch_mark_.resize(batches_n, 0);
+    marked_.reserve(n);
+    fronts.reserve(n);
+    batches.reserve(batches_n);
+}
+
+void Unsymmetric::find(const Symbolic& s, std::span<const std::int32_t> columns) noexcept {
+    // Of the set before, perhaps of another structure.
+    for (const std::int32_t f : marked_) mark_[at(f)] = 0;
+    for (const std::int32_t b : batches) batch_mark_[at(b)] = 0;
+    marked_.clear();
+    fronts.clear();
+    batches.clear();
+    flops = s.flops;
+    auto mark = [&](std::int32_t f) {
+        mark_[at(f)] = 1;
+        marked_.push_back(f);
+    };
+    for (const std::int32_t node : columns)
+        for (std::int32_t f = s.node_front[at(node)]; f >= 0 && mark_[at(f)] == 0;
+             f = s.fronts[at(f)].parent) {
+            const Front& front = s.fronts[at(f)];
+            mark(f);
+            if (front.batch >= 0) {
+                if (batch_mark_[at(front.batch)] != 0) continue;
+                batch_mark_[at(front.batch)] = 1;
+                batches.push_back(front.batch);
+                flops += s.batches[at(front.batch)].flops;
+            } else {
+                fronts.push_back(f);
+                flops += front_flops(front.p, front.q);
+            }
+        }
+    // The other chains of a batch last: their parents are not in the set for their sake.
+    for (const std::int32_t b : batches)
+        for (const std::int32_t f : s.batches[at(b)].front)
+            if (f >= 0 && mark_[at(f)] == 0) mark(f);
+}
+
+bool Unsymmetric::is_piece(const Symbolic& s, const Piece& piece) const noexcept {
+    if (piece.begin == piece.end) return is_batch(piece.begin);
+    for (std::int32_t f = piece.begin; f < piece.end; ++f)
+        if (is(f) && s.fronts[at(f)].batch < 0) return true;
+    return false;
+}
+
+void Numeric::use(const Symbolic& s, const Unsymmetric* set) noexcept {
+    wrong_nodes_.clear();
+    unsymmetric_ = set != nullptr && !set->empty();
+    if (unsymmetric_) std::copy_n(set->marks().begin(), s.fronts.size(), kind_.begin());
+}
+
+void Numeric::copy_front(const Front& front) noexcept {
+    const auto size = static_cast<std::int64_t>(front.ld) * front.p;
+    std::copy_n(panel_.data() + front.panel, size, upper_.data() + front.panel);
+}
+
+void Numeric::copy_batch(const Symbolic& s, const Batch& batch) noexcept {
+    const PanelRange r = panel_of(s, batch);
+    std::copy(panel_.data() + r.begin, panel_.data() + r.end, upper_.data() + r.begin);
+}
+
+bool Numeric::copy_piece(const Symbolic& s, const Piece& piece) noexcept {
+    if (piece.begin == piece.end) {
+        const Batch& batch = s.batches[at(piece.begin)];
+        if (kind_[at(batch.front[0])] == 0) return false;
+        copy_batch(s, batch);
+        return true;
+    }
+    bool any = false;
+    for (std::int32_t f = piece.begin; f < piece.end; ++f) {
+        const Front& front = s.fronts[at(f)];
+        if (kind_[at(f)] == 0 || front.batch >= 0) continue;
+        copy_front(front);
+        any = true;
+    }
+    return any;
+}
+
+void Numeric::copy_to_upper(const Symbolic& s, const Unsymmetric& set,
+                            base::Executor& executor) noexcept {
+    auto front = [&](int i, int) noexcept { copy_front(s.fronts[at(set.fronts[at(i)])]); };
+    auto batch = [&](int i, int) noexcept { copy_batch(s, s.batches[at(set.batches[at(i)])]); };
+    executor.for_each(static_cast<int>(set.fronts.size()), front);
+    executor.for_each(static_cast<int>(set.batches.size()), batch);
+}
+
+void Numeric::copy_to_upper(const Symbolic& s, const DirtyParts& dirty, const Unsymmetric& set,
+                            base::Executor& executor) noexcept {
+    auto front = [&](int i, int) noexcept {
+        const std::int32_t f = dirty.fronts[at(i)];
+        if (set.is(f)) copy_front(s.fronts[at(f)]);
+    };
+    auto batch = [&](int i, int) noexcept {
+        const std::int32_t b = dirty.batches[at(i)];
+        if (set.is_batch(b)) copy_batch(s, s.batches[at(b)]);
+    };
+    executor.for_each(static_cast<int>(dirty.fronts.size()), front);
+    executor.for_each(static_cast<int>(dirty.batches.size()), batch);
+}
+
+int Numeric::find_wrong(const Symbolic& s, int wrong) noexcept {
+    if (wrong == 0 || !unsymmetric_) return wrong;
+    for (std::size_t k = 0; k < s.order.size(); ++k) {
+        const auto begin = wrong_mark_.begin() + s.node_offset[at(s.order[k])];
+        const auto end = k + 1 < s.order.size()
+                             ? wrong_mark_.begin() + s.node_offset[at(s.order[k + 1])]
+                             : wrong_mark_.begin() + s.scalars;
+        if (std::find(begin, end, 1) == end) continue;
+        wrong_nodes_.push_back(s.order[k]);
+        std::fill(begin, end, std::int8_t{0});
+    }
+    return wrong;
+}
+
+}  // namespace hawser::factor

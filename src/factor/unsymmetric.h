@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file unsymmetric.h
+/// Matrices with a symmetric pattern some of whose blocks have unsymmetric values: K = L D U, with
+/// unit triangles L and U, on the fronts and the schedule of LDLᵀ.
+///
+/// A front is *unsymmetric* when it holds such a block or when one of its children is
+/// unsymmetric: its update matrix then is. So the set is closed under "is an ancestor of"; a batch
+/// of chains (batches.h) is one unit, but parents of its chains without such blocks stay
+/// symmetric. All other fronts stay LDLᵀ with U = Lᵀ and cost what they cost without this.
+///
+/// The lower half of the matrix is written to the panels as ever. The upper half, transposed, is
+/// written to a second array of the same layout: block (column, row), transposed, at the address
+/// Symbolic::target(row, column). Both halves of a symmetric front would be equal, and the second
+/// is neither written nor read.
+///
+/// ```
+/// numeric.reserve(symbolic, threads, true); unsymmetric.reserve(symbolic);
+/// ...
+/// unsymmetric.find(symbolic, columns);           // of all blocks with unsymmetric values
+/// numeric.clear(symbolic, executor); fill the symmetric part of the values;
+/// numeric.copy_to_upper(symbolic, unsymmetric, executor);
+/// correct values() and upper() where the blocks are unsymmetric;
+/// numeric.factor(symbolic, executor, &unsymmetric); numeric.solve(symbolic, x, executor);
+/// ```
+/// There is no pivoting: the caller knows the sign of each pivot (Symbolic::sign), and where one
+/// comes out otherwise, Numeric::wrong_nodes() says at which nodes. D is positive on bodies if
+/// the symmetric part of K is definite there, which strong friction can spoil.
+///
+/// The arithmetic of the lower half of an unsymmetric front with symmetric values is that of
+/// LDLᵀ: it gives the same bits.
+
+#include "factor/symbolic.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hawser::factor {
+
+struct Piece;
+
+/// Which fronts are unsymmetric.
+class Unsymmetric {
+  public:
+    /// Room for any set in this structure; find() then allocates nothing. @throws std::bad_alloc.
+    void reserve(const Symbolic& symbolic);
+
+    /// Close a set of columns (nodes, any order, duplicates allowed; DirtyParts::column() of each
+    /// block) under "is an ancestor of". @cost O(marked fronts).
+    void find(const Symbolic& symbolic, std::span<const std::int32_t> columns) noexcept;
+
+    [[nodiscard]] bool is(std::int32_t front) const noexcept {
+        return mark_[static_cast<std::size_t>(front)] != 0;
+    }
+    [[nodiscard]] bool is_batch(std::int32_t batch) const noexcept {
+        return batch_mark_[static_cast<std::size_t>(batch)] != 0;
+    }
+    /// Whether any of a piece's panels has a second half. @cost O(fronts of the piece).
+    [[nodiscard]] bool is_piece(const Symbolic& symbolic, const Piece& piece) const noexcept;
+    [[nodiscard]] bool empty() const noexcept { return fronts.empty() && batches.empty(); }
+
+    /// One a front, 1 where unsymmetric; all chains of an unsymmetric batch are.
+    [[nodiscard]] const std::vector<std::uint8_t>& marks() const noexcept { return mark_; }
+
+    std::vector<std::int32_t> fronts;   ///< Without chains; in no order.
+    std::vector<std::int32_t> batches;  ///< In no order.
+    /// Of a full factorisation with this set: an unsymmetric front counts twice.
+    std::int64_t flops = 0;
+
+  private:
+    std::vector<std::uint8_t> mark_, batch_mark_;
+    std::vector<std::int32_t> marked_;  ///< All of mark_ that is not zero.
+};
+
+}  // namespace hawser::factor
