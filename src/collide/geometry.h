@@ -45,7 +45,8 @@ struct Manifold {
 
 /// Points at which two shapes are closer than `margin` [m, > 0]: enough of them for friction to
 /// hold what lies there (a lying capsule: two, a box on a face: four), in the order of `feature`.
-/// The first one has the smallest gap unless several tie.
+/// One of them has the smallest gap of the two shapes, along the normal of their distance.
+/// Two shapes that cannot touch (plane and plane, two without freedom) give none.
 using Collide = void (*)(const Geometry& a, const Placement& pa, const Geometry& b,
                          const Placement& pb, double margin, Manifold& out);
 

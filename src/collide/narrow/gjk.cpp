@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "collide/narrow/gjk.h"
+
+namespace hawser::collide::narrow {
+namespace {
+
+struct Simplex {
+    int count = 0;
+    V3 w[4];
+};
+
+V3 nearest_on_segment(const V3& a, const V3& b, Simplex& out) {
+    const V3 d = b - a;
+    const double dd = dot(d, d), t = -dot(a, d);
+    if (!(dd > 0.0) || t <= 0.0) {
+        out = {1, {a}};
+        return a;
+    }
+    if (t >= dd) {
+        out = {1, {b}};
+        return b;
+    }
+    out = {2, {a, b}};
+    return a + (t / dd) * d;
+}
+
+/// Point of a triangle nearest to the origin (C. Ericson, Real-Time Collision Detection, 5.1.5),
+/// with the plane's own normal for the interior: no cancellation in the distance.
+V3 nearest_on_triangle(const V3& a, const V3& b, const V3& c, Simplex& out) {
+    const V3 ab = b - a, ac = c - a, n = cross(ab, ac);
+    const double nn = dot(n, n), longest = std::fmax(dot(ab, ab), dot(ac, ac));
+    if (nn > 1e-28 * longest * longest) {
+        const double u = dot(n, cross(b, c)), v = dot(n, cross(c, a)), w = dot(n, cross(a, b));
+        if (u > 0.0 && v > 0.0 && w > 0.0) {
+            out = {3, {a, b, c}};
+            return (dot(n, a) / nn) * n;
+        }
+    }
+    Simplex s;
+    V3 best = nearest_on_segment(a, b, out);
+    for (int k = 0; k < 2; ++k) {
+        const V3 p = k ? nearest_on_segment(c, a, s) : nearest_on_segment(b, c, s);
+        if (dot(p, p) < dot(best, best)) best = p, out = s;
+    }
+    return best;
+}
+
+/// Nearest point of the simplex; the simplex shrinks to the part that it lies on. A tetrahedron
+/// that is kept holds the origin.
+V3 nearest(Simplex& s) {
+    const Simplex in = s;
+    if (in.count == 1) return in.w[0];
+    if (in.count == 2) return nearest_on_segment(in.w[0], in.w[1], s);
+    if (in.count == 3) return nearest_on_triangle(in.w[0], in.w[1], in.w[2], s);
+    static constexpr int kFaces[4][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}};
+    bool outside_any = false, first = true;
+    V3 best{0, 0, 0};
+    for (const auto& f : kFaces) {
+        const V3 &a = in.w[f[0]], &b = in.w[f[1]], &c = in.w[f[2]], &d = in.w[f[3]];
+        const V3 n = cross(b - a, c - a);
+        const double origin = -dot(n, a), other = dot(n, d - a);
+        const bool outside = origin * other <= 0.0;
+        outside_any = outside_any || outside;
+        if (!outside) continue;
+        Simplex t;
+        const V3 p = nearest_on_triangle(a, b, c, t);
+        if (first || dot(p, p) < dot(best, best)) best = p, s = t, first = false;
+    }
+    if (!outside_any) return {0, 0, 0};
+    return best;
+}
+
+}  // namespace
+
+GjkResult gjk(const Convex& a, const Convex& b, double enough) {
+    const double size = a.size + b.size + norm(b.c - a.c);
+    const double touching = 1e-10 * size;
+    GjkResult result{false, {1, 0, 0}, 0.0};
+    Simplex s;
+    V3 v = b.c - a.c;
+    if (dot(v, v) == 0.0) v = {1, 0, 0};
+    double last = 1e300;
+    for (int iteration = 0; iteration < 96; ++iteration) {
+        const double length = norm(v);
+        const V3 n = (1.0 / length) * v;
+        const V3 w = support(b, -n) - support(a, n);
+        const double bound = dot(w, n);
+        if (bound > enough) return {true, n, bound};
+        if (s.count > 0) {
+            if (length - bound <= 1e-14 * size + 1e-13 * length) return {true, n, length};
+            for (int i = 0; i < s.count; ++i)
+                if (dot(w - s.w[i], w - s.w[i]) == 0.0) return {true, n, length};
+        }
+        s.w[s.count++] = w;
+        const V3 next = nearest(s);
+        const double now = norm(next);
+        if (s.count == 4 || now <= touching) return result;
+        if (now >= last) return {true, n, length};  // As near as rounding lets it come.
+        last = now;
+        v = next;
+    }
+    result.apart = true;
+    result.distance = norm(v);
+    result.n = (1.0 / result.distance) * v;
+    return result;
+}
+
+}  // namespace hawser::collide::narrow

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "collide/narrow/manifold.h"
+
+#include "collide/narrow/overlap.h"
+
+#include <algorithm>
+
+namespace hawser::collide::narrow {
+namespace {
+
+/// Closer than this part of the size to an edge: on it. Rounding and the noise of a body at rest
+/// are far below.
+constexpr double kSnap = 1e-6;
+/// Differences of gaps below this part of the size are not told apart.
+constexpr double kSame = 1e-7;
+/// A gap smaller than those at the corners by more than this part of the size is worth a point.
+constexpr double kDeeper = 1e-8;
+/// Parts tilted by less face each other exactly: n is known to 1e-8 or better.
+constexpr double kFlat = 1e-6;
+
+/// The point of smallest gap, where the parts that face each other exactly overlap.
+Point deepest(const Convex& a, const Convex& b, const V3& n, double separation, double size) {
+    Poly pa, pb;
+    facing(a, n, kFlat, pa);
+    facing(b, -n, kFlat, pb);
+    Points found;
+    overlap(pa, pb, n, separation, kSnap * size, found);
+    const std::uint32_t name = feature(3, pa.vertex[0], pb.vertex[0]);
+    const Point* best = nullptr;
+    for (int i = 0; i < found.count; ++i)
+        if (!best || found.p[i].gap < best->gap) best = &found.p[i];
+    if (best) return {best->on0, best->on1, n, best->gap, name};
+    // Parallel parts that rounding has moved past each other: between their nearest corners.
+    V3 on0 = pa.p[0], on1 = pb.p[0];
+    double least = -1.0;
+    for (int i = 0; i < pa.count; ++i)
+        for (int j = 0; j < pb.count; ++j) {
+            const V3 d = pb.p[j] - pa.p[i];
+            const double distance = norm(d - dot(d, n) * n);
+            if (least < 0.0 || distance < least) least = distance, on0 = pa.p[i], on1 = pb.p[j];
+        }
+    const V3 middle = 0.5 * (on0 + on1);
+    const double half = 0.5 * separation;
+    return {middle - half * n, middle + half * n, n, separation, name};
+}
+
+/// Index of the largest value; a later one must exceed it by `tie`.
+template <class Value>
+int largest(const Points& points, double tie, Value value) {
+    int best = 0;
+    double most = value(points.p[0]);
+    for (int i = 1; i < points.count; ++i) {
+        const double x = value(points.p[i]);
+        if (x > most + tie) most = x, best = i;
+    }
+    return best;
+}
+
+void reduce(Points& points, double size) {
+    const double length_tie = kSame * size;
+    const V3 n = points.p[0].normal;
+    int keep[4];
+    keep[0] = largest(points, length_tie, [](const Point& p) { return -p.gap; });
+    const V3 p0 = points.p[keep[0]].on0;
+    keep[1] = largest(points, length_tie * size,
+                      [&](const Point& p) { return dot(p.on0 - p0, p.on0 - p0); });
+    const V3 across = cross(n, points.p[keep[1]].on0 - p0);
+    const double tie = length_tie * size;
+    keep[2] = largest(points, tie, [&](const Point& p) { return dot(p.on0 - p0, across); });
+    keep[3] = largest(points, tie, [&](const Point& p) { return -dot(p.on0 - p0, across); });
+    std::sort(keep, keep + 4);
+    int count = 0;
+    for (int k = 0; k < 4; ++k)
+        if (k == 0 || keep[k] != keep[k - 1]) points.p[count++] = points.p[keep[k]];
+    points.count = count;
+}
+
+void write(const Point& p, const double* origin, ManifoldPoint& out) {
+    const V3 o = generic::load3(origin);
+    generic::store3(out.on[0], p.on0 + o);
+    generic::store3(out.on[1], p.on1 + o);
+    generic::store3(out.normal, p.normal);
+    out.gap = p.gap;
+    out.feature = p.feature;
+}
+
+}  // namespace
+
+void add_points(const Convex& a, const Convex& b, const V3& n, double separation, double margin,
+                Points& out) {
+    const double rounding = a.rounding + b.rounding;
+    if (separation - rounding >= margin) return;
+    const double size = a.size + b.size + rounding;
+    Poly pa, pb;
+    facing(a, n, kTilt, pa);
+    facing(b, -n, kTilt, pb);
+    const int first = out.count;
+    overlap(pa, pb, n, separation, kSnap * size, out);
+    double least = separation + 1.0 + size;
+    for (int i = first; i < out.count; ++i) least = std::fmin(least, out.p[i].gap);
+    if (least > separation + kDeeper * size) out.add(deepest(a, b, n, separation, size));
+    int kept = first;
+    for (int i = first; i < out.count; ++i) {
+        Point p = out.p[i];
+        p.on0 = p.on0 + a.rounding * n;
+        p.on1 = p.on1 - b.rounding * n;
+        p.gap -= rounding;
+        if (p.gap < margin) out.p[kept++] = p;
+    }
+    out.count = kept;
+}
+
+void finish(Points& points, const double* origin, double size, Manifold& out) {
+    const auto by_feature = [](const Point& p, const Point& q) {
+        return p.feature != q.feature ? p.feature < q.feature : p.gap < q.gap;
+    };
+    std::sort(points.p, points.p + points.count, by_feature);
+    int count = 0;
+    for (int i = 0; i < points.count; ++i)
+        if (i == 0 || points.p[i].feature != points.p[i - 1].feature)
+            points.p[count++] = points.p[i];
+    points.count = count;
+    if (points.count > 4) reduce(points, size);
+    out.count = points.count;
+    for (int i = 0; i < points.count; ++i) write(points.p[i], origin, out.point[i]);
+}
+
+void finish(const Point& point, const double* origin, Manifold& out) {
+    out.count = 1;
+    write(point, origin, out.point[0]);
+}
+
+}  // namespace hawser::collide::narrow

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file manifold.h
+/// From the normal of two convex shapes to the contact points between them.
+///
+/// The parts of both cores that face each other (polygon, segment or point) are seen along the
+/// normal; the corners of where they overlap, lifted back onto both, are the contact points. The
+/// gap is a linear function on the overlap of two flat parts, so the smallest one is at a corner.
+/// Where the smallest gap of the cores is not there (a rim, a vertex of a part tilted by more than
+/// `kTilt`) the point that has it is added.
+///
+/// Of more than four points four are kept: the deepest, the one furthest from it, and the two that
+/// reach furthest to either side of the line between those. Ties within 1e-7 of the size go to the
+/// smaller feature, so that symmetric shapes do not flicker between equal choices.
+
+#include "collide/narrow/convex.h"
+
+namespace hawser::collide::narrow {
+
+/// Faces and edges tilted by up to 11.5 degrees take part in a manifold.
+inline constexpr double kTilt = 0.2;
+
+struct Point {
+    V3 on0, on1, normal;
+    double gap;
+    std::uint32_t feature;
+};
+
+inline constexpr int kMaxPoints = 64;
+struct Points {
+    int count = 0;
+    Point p[kMaxPoints];
+    void add(const Point& point) {
+        if (count < kMaxPoints) p[count++] = point;
+    }
+};
+
+/// Name of a contact of feature i of one side with j of the other. Kinds: 0 vertex of shape 0,
+/// 1 vertex of shape 1, 2 edge and edge, 3 the deepest point.
+inline std::uint32_t feature(unsigned kind, unsigned i, unsigned j) {
+    return (kind & 3U) << 30 | (i & 0x7fffU) << 15 | (j & 0x7fffU);
+}
+
+/// Contact points of two cores whose largest s(n) is `separation`, at the unit normal `n`; those
+/// with a gap (roundings taken off) below `margin`.
+void add_points(const Convex& a, const Convex& b, const V3& n, double separation, double margin,
+                Points& out);
+
+/// Reduce to four, sort by feature, and write with `origin` added.
+void finish(Points& points, const double* origin, double size, Manifold& out);
+/// One contact.
+void finish(const Point& point, const double* origin, Manifold& out);
+
+}  // namespace hawser::collide::narrow

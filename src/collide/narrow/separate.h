@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file separate.h
+/// Signed distance of any two convex cores, and its normal.
+
+#include "collide/narrow/convex.h"
+
+namespace hawser::collide::narrow {
+
+struct Separation {
+    V3 n;      ///< Unit, from a to b.
+    double s;  ///< Signed distance of the cores [m].
+};
+
+/// s(n) of two cores.
+double separation_along(const Convex& a, const Convex& b, const V3& n);
+
+/// The largest s(n) near a good guess: over the normals of faces near it, normals perpendicular
+/// to edges near it, and, on curved cores, Newton's method on the sphere. It never gets worse.
+Separation polish(const Convex& a, const Convex& b, const V3& guess);
+
+/// The largest s(n). Cores further apart than `enough` [m]: some n with s(n) > enough.
+Separation separate(const Convex& a, const Convex& b, double enough);
+
+}  // namespace hawser::collide::narrow

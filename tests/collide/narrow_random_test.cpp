@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Random pairs of shapes against a slow reference in long double; tests/slow has 100,000 of each.
+#include "support/collide/random_pairs.h"
+
+#include <gtest/gtest.h>
+
+namespace hawser {
+namespace {
+
+using Kinds = std::pair<ShapeKind, ShapeKind>;
+
+class NarrowRandom : public testing::TestWithParam<Kinds> {};
+
+TEST_P(NarrowRandom, AgreesWithTheReference) {
+    const auto [a, b] = GetParam();
+    const test::Score score = test::judge(a, b, 2000, 1'000'000);
+    const std::string text = test::describe(a, b, score);
+    EXPECT_GT(score.touching, 200) << text;
+    EXPECT_GT(score.apart, 50) << text;
+    EXPECT_EQ(score.wrong_verdicts, 0) << text;
+    EXPECT_EQ(score.bad_points, 0) << text;
+    // What is asked of collision: 1e-6 m and 1e-6 where the normal is unique.
+    EXPECT_LE(score.worst_gap, 1e-6) << text;
+    EXPECT_LE(score.worst_normal, 1e-6) << text;
+    EXPECT_LE(score.ambiguous, score.pairs / 100) << text;
+}
+
+INSTANTIATE_TEST_SUITE_P(Pairs, NarrowRandom, testing::ValuesIn(test::exact_pairs()),
+                         [](const auto& kinds) {
+                             return test::kind_name(kinds.param.first) + "_" +
+                                    test::kind_name(kinds.param.second);
+                         });
+
+}  // namespace
+}  // namespace hawser

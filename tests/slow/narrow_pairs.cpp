@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// 100,000 random pairs of shapes of each two kinds against a slow reference in long double.
+#include "support/collide/random_pairs.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+namespace hawser {
+namespace {
+
+TEST(NarrowPairs, AHundredThousandOfEachAgreeWithTheReference) {
+    for (const auto& [a, b] : test::exact_pairs()) {
+        const test::Score score = test::judge(a, b, 100'000, 1000);
+        std::printf("    %s\n", test::describe(a, b, score).c_str());
+        EXPECT_EQ(score.wrong_verdicts, 0);
+        EXPECT_EQ(score.bad_points, 0);
+        // What is asked of collision: 1e-6 m and 1e-6 where the normal is unique.
+        EXPECT_LE(score.worst_gap, 1e-6);
+        EXPECT_LE(score.worst_normal, 1e-6);
+        EXPECT_LE(score.ambiguous, score.pairs / 100);
+    }
+}
+
+}  // namespace
+}  // namespace hawser

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "support/collide/random_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace hawser::test {
+
+using collide::Geometry;
+using collide::Manifold;
+using collide::ManifoldPoint;
+using collide::Placement;
+using reference::Answer;
+using reference::Body;
+using reference::Real;
+using reference::Vec;
+
+Placement random_placement(Random& random, double reach) {
+    Placement p{};
+    const Vec3 x = random.vector(reach);
+    const Mat3 r = random.rotation().toRotationMatrix();
+    for (int i = 0; i < 3; ++i) {
+        p.x[i] = x[i];
+        for (int j = 0; j < 3; ++j) p.r[3 * i + j] = r(i, j);
+    }
+    return p;
+}
+
+Geometry random_geometry(Random& random, ShapeKind kind) {
+    Geometry g;
+    g.kind = kind;
+    g.radius = random.uniform(0.05, 1.0);
+    g.half_length = random.uniform(0.05, 1.5);
+    for (double& h : g.half_size) h = random.uniform(0.05, 1.5);
+    return g;
+}
+
+namespace {
+
+Vec vec(const double* x) { return {x[0], x[1], x[2]}; }
+
+Answer against_plane(const Body& a, const Body& plane) {
+    const Vec n = plane.axis[2];
+    return {dot(n, support(a, -1.0L * n) - plane.c) - a.rounding, -1.0L * n, 0};
+}
+
+bool well_formed(const Manifold& m, double margin) {
+    for (int i = 0; i < m.count; ++i) {
+        const ManifoldPoint& p = m.point[i];
+        const Vec n = vec(p.normal), d = vec(p.on[1]) - vec(p.on[0]);
+        if (!std::isfinite(p.gap + p.on[0][0] + p.on[0][1] + p.on[0][2])) return false;
+        if (std::fabs(length(n) - 1) > 1e-12L || !(p.gap < margin)) return false;
+        // (on[1] − on[0]) · n is the gap, to rounding of coordinates of a few metres.
+        if (std::fabs(dot(d, n) - p.gap) > 1e-12L) return false;
+        if (i > 0 && m.point[i - 1].feature >= p.feature) return false;
+    }
+    return m.count <= collide::kMaxManifold;
+}
+
+struct Pair {
+    Geometry a, b;
+    Placement pa, pb;
+    double margin;
+};
+
+Pair random_pair(ShapeKind a, ShapeKind b, std::uint64_t seed) {
+    Random random(seed);
+    Pair pair{random_geometry(random, a), random_geometry(random, b), {}, {}, 0.0};
+    pair.pa = random_placement(random, 5.0);
+    pair.pb = random_placement(random, 0.0);
+    // About half of the pairs overlap.
+    const Vec3 offset = random.vector(random.uniform(0.0, 1.8));
+    for (int k = 0; k < 3; ++k) pair.pb.x[k] = pair.pa.x[k] + offset[k];
+    pair.margin = random.chance(0.5) ? 0.01 : 0.6;
+    return pair;
+}
+
+void judge_one(const Pair& pair, std::uint64_t seed, Score& score) {
+    const Body a = reference::make_body(pair.a, pair.pa), b = reference::make_body(pair.b, pair.pb);
+    const Answer truth =
+        pair.b.kind == ShapeKind::plane ? against_plane(a, b) : reference::signed_distance(a, b);
+    Manifold m;
+    collide::collide_function(pair.a.kind, pair.b.kind)(pair.a, pair.pa, pair.b, pair.pb,
+                                                        pair.margin, m);
+    ++score.pairs;
+    ++(truth.gap < 0 ? score.touching : score.apart);
+    if (!well_formed(m, pair.margin)) ++score.bad_points;
+    const bool expected = truth.gap < pair.margin;
+    if (expected != (m.count > 0) && std::fabs(truth.gap - pair.margin) > 1e-6L)
+        ++score.wrong_verdicts;
+    if (m.count == 0 || !expected) return;
+    const ManifoldPoint* deepest = &m.point[0];
+    for (int i = 1; i < m.count; ++i)
+        if (m.point[i].gap < deepest->gap) deepest = &m.point[i];
+    if ((deepest->gap < 0) != (truth.gap < 0) && std::fabs(truth.gap) > 1e-6L)
+        ++score.wrong_verdicts;
+    const double gap_error = std::fabs(static_cast<double>(deepest->gap - truth.gap));
+    if (gap_error > score.worst_gap) score.worst_gap = gap_error, score.gap_pair = seed;
+    const Vec n = vec(deepest->normal);
+    const double normal_error = static_cast<double>(length(n - truth.n));
+    if (normal_error <= score.worst_normal || truth.normal_error > 1e-7L) return;
+    // Not unique: another normal, far away, that does as well.
+    const bool as_good =
+        pair.b.kind != ShapeKind::plane && separation_along(a, b, n) > truth.gap - 1e-9L;
+    if (as_good && normal_error > 1e-3) {
+        ++score.ambiguous;
+    } else {
+        score.worst_normal = normal_error;
+        score.normal_pair = seed;
+    }
+}
+
+}  // namespace
+
+Score judge(ShapeKind a, ShapeKind b, int count, std::uint64_t seed) {
+    Score score;
+    for (int i = 0; i < count; ++i) {
+        const std::uint64_t s = seed + static_cast<std::uint64_t>(i);
+        judge_one(random_pair(a, b, s), s, score);
+    }
+    return score;
+}
+
+std::vector<std::pair<ShapeKind, ShapeKind>> exact_pairs() {
+    using enum ShapeKind;
+    return {{sphere, sphere},     {sphere, capsule},  {sphere, box},   {sphere, cylinder},
+            {sphere, plane},      {capsule, capsule}, {capsule, box},  {capsule, cylinder},
+            {capsule, plane},     {box, box},         {box, cylinder}, {box, plane},
+            {cylinder, cylinder}, {cylinder, plane}};
+}
+
+std::string kind_name(ShapeKind kind) {
+    static const char* const kNames[] = {"sphere", "capsule",     "box",  "cylinder",
+                                         "plane",  "heightfield", "hull", "mesh"};
+    return kNames[static_cast<int>(kind)];
+}
+
+std::string describe(ShapeKind a, ShapeKind b, const Score& s) {
+    char text[300];
+    std::snprintf(text, sizeof text,
+                  "%-8s %-9s pairs %6d overlap %6d wrong %d bad %d gap %.1e m (%llu) normal %.1e "
+                  "(%llu) not unique %d",
+                  kind_name(a).c_str(), kind_name(b).c_str(), s.pairs, s.touching, s.wrong_verdicts,
+                  s.bad_points, s.worst_gap, static_cast<unsigned long long>(s.gap_pair),
+                  s.worst_normal, static_cast<unsigned long long>(s.normal_pair), s.ambiguous);
+    return text;
+}
+
+}  // namespace hawser::test

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file random_pairs.h
+/// Random shapes near each other, judged by the reference; shared by the quick and the long test.
+
+#include "collide/geometry.h"
+#include "support/collide/reference.h"
+#include "support/random.h"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hawser::test {
+
+collide::Placement random_placement(Random& random, double reach);
+collide::Geometry random_geometry(Random& random, ShapeKind kind);
+
+struct Score {
+    int pairs = 0, touching = 0, apart = 0, ambiguous = 0;
+    int wrong_verdicts = 0;                       ///< Outside a band of 1e-6 m.
+    double worst_gap = 0.0, worst_normal = 0.0;   ///< [m], [-].
+    std::uint64_t gap_pair = 0, normal_pair = 0;  ///< Seeds of the worst.
+    int bad_points = 0;  ///< Not finite, unsorted, not unit, beyond the margin, off the surface.
+};
+
+/// `count` random pairs from `seed` on.
+Score judge(ShapeKind a, ShapeKind b, int count, std::uint64_t seed);
+/// Pairs of kinds for which this is asked: those in closed form, and cylinders.
+std::vector<std::pair<ShapeKind, ShapeKind>> exact_pairs();
+std::string kind_name(ShapeKind kind);
+std::string describe(ShapeKind a, ShapeKind b, const Score& score);
+
+}  // namespace hawser::test
