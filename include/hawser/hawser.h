@@ -9,5 +9,6 @@
 #include <hawser/inspect.h>
 #include <hawser/interactions.h>
 #include <hawser/math.h>
+#include <hawser/shapes.h>
 #include <hawser/stats.h>
 #include <hawser/world.h>

@@ -92,6 +92,7 @@ struct StepStats {
     std::int64_t factor_nnz = 0;      ///< Scalars of L, diagonal included.
     std::int64_t factor_flops = 0;    ///< Multiply-adds counted as two, of one factorisation.
     std::int32_t factorisations = 0;  ///< In this step.
+    std::int32_t contacts = 0;        ///< Contact points, those near without touching included.
     std::int32_t flips_left = 0;      ///< Tension-only rows whose status was still changing.
     std::int64_t growths = 0;  ///< Times that capacity grew since the start (0 in a warm step).
     std::array<std::int64_t, kEventKindCount> event_count{};  ///< Since the start, by kind.

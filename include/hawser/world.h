@@ -15,13 +15,14 @@
 /// ```
 /// Set-up functions throw DefError, as does every function that is given an id of nothing; step()
 /// does not throw. A name that is not found gives an invalid id. A world is used by one thread at
-/// a time; different worlds are independent. Bodies, interactions and inputs may be added between
-/// steps; the next step analyses anew.
+/// a time; different worlds are independent. Bodies, interactions, shapes and inputs may be added
+/// between steps; the next step analyses anew.
 
 #include <hawser/def.h>
 #include <hawser/id.h>
 #include <hawser/interactions.h>
 #include <hawser/math.h>
+#include <hawser/shapes.h>
 #include <hawser/stats.h>
 
 #include <cstddef>
@@ -52,6 +53,13 @@ class World {
     InteractionId add_interaction(const InteractionDef& def);
     /// @throws DefError when the parameter cannot be driven or the name is taken.
     InputId add_input(const InputDef& def);
+    /// @throws DefError on a name that is taken, a value out of range.
+    MaterialId add_material(const MaterialDef& def);
+    /// A later pair of the same two materials replaces the first. @throws DefError likewise.
+    void add_material_pair(const MaterialPairDef& def);
+    /// @throws DefError on a body that cannot have such a shape, sizes out of range, a name that is
+    ///         taken, vertices that span no volume.
+    ShapeId add_shape(const ShapeDef& def);
     /// Analyse now instead of in the first step. @throws std::bad_alloc.
     void prepare();
 
@@ -105,6 +113,18 @@ class World {
     [[nodiscard]] std::array<double, kMaxInteractionRows> violation(InteractionId id) const;
     /// False once a stretch element has parted.
     [[nodiscard]] bool intact(InteractionId id) const;
+
+    // --- Shapes and contacts ----------------------------------------------------------------
+    /// Materials, the default one included, which is the first.
+    [[nodiscard]] int material_count() const noexcept;
+    [[nodiscard]] const MaterialDef& material_def(MaterialId id) const;
+    [[nodiscard]] MaterialId find_material(std::string_view name) const noexcept;
+    [[nodiscard]] int shape_count() const noexcept;
+    [[nodiscard]] const ShapeDef& shape_def(ShapeId id) const;  ///< As added.
+    [[nodiscard]] ShapeId find_shape(std::string_view name) const noexcept;
+    /// Contact points of the last step, ascending by their shapes; those that are near without
+    /// touching included. Empty before the first step and after restore().
+    [[nodiscard]] std::vector<ContactView> contacts() const;
 
     // --- Save and restore -------------------------------------------------------------------
     /// The whole dynamic state, warm start included. Restoring it in a world built from the

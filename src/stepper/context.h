@@ -7,6 +7,7 @@
 #include <hawser/stats.h>
 
 #include "assembly/system.h"
+#include "collide/collider.h"
 #include "model/bodies.h"
 #include "model/interactions.h"
 #include "runtime/tasks.h"
@@ -41,12 +42,18 @@ class EventRing {
 };
 
 struct StepContext {
-    explicit StepContext(const WorldDef& d) : def(d), pool(d.threads), events(65'536) {}
+    explicit StepContext(const WorldDef& d) : def(d), pool(d.threads), events(65'536) {
+        collider.margin = d.contact_margin;
+    }
 
     WorldDef def;
     model::Bodies bodies;
     model::Interactions interactions;
     assembly::System system;
+    collide::Collider collider;
+    collide::ContactSet contacts;         ///< Of the step being taken, or of the last one.
+    base::Array<double> contact_impulse;  ///< 3 a contact: on side 1, world frame [N s]; or empty.
+    base::Array<std::uint8_t> contact_sliding;  ///< 1 a contact: friction at its limit; or empty.
     runtime::Pool pool;
     EventRing events;
     StepStats stats;

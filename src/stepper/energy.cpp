@@ -122,6 +122,7 @@ std::uint64_t state_hash(const StepContext& ctx) noexcept {
     add(ctx.interactions.lambda);
     add(ctx.interactions.active);
     add(ctx.interactions.parted);
+    add(ctx.collider.kept());
     return base::fnv1a(&ctx.step, sizeof ctx.step, hash);
 }
 

@@ -164,6 +164,10 @@ void prepare(StepContext& ctx) {
     s.factor_nnz = ctx.system.symbolic.factor_nnz;
     s.factor_flops = ctx.system.symbolic.flops;
     ++s.growths;
+    if (ctx.collider.count() > 0) {
+        ctx.collider.prepare(ctx.bodies, ctx.interactions, ctx.def.step);
+        ctx.collider.surfaces(ctx.def.step, ctx.contacts);
+    }
     ctx.topology_changed = false;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 /// @file stages.h
 /// The stages that step() calls. `graph` and `analyse` run in prepare(), when the topology
-/// changed; `collide` has no work before there are contacts.
+/// changed; `collide` runs where there are shapes.
 
 #include "stepper/context.h"
 

@@ -39,6 +39,15 @@ auto timed(StepContext& ctx, Stage stage, F&& f) noexcept {
     return f(ctx);
 }
 
+/// Stage 2. Contacts at the present poses. @return false where memory could not grow.
+bool find_contacts(StepContext& ctx) noexcept {
+    const std::int64_t growths = ctx.collider.growths();
+    const bool found = ctx.collider.collide(ctx.bodies, ctx.def.step, ctx.contacts, ctx.pool);
+    ctx.stats.growths += ctx.collider.growths() - growths;
+    ctx.stats.contacts = static_cast<std::int32_t>(ctx.contacts.contacts.size());
+    return found;
+}
+
 /// Stages assemble, factor, nonsmooth.
 Status solve_velocities(StepContext& ctx) noexcept {
     remember(ctx);
@@ -93,6 +102,11 @@ Status step(StepContext& ctx) noexcept {
     ctx.stats.flips_left = 0;
 
     timed(ctx, Stage::prestep, prestep);
+    const bool shapes = ctx.collider.count() > 0;
+    if (shapes && !timed(ctx, Stage::collide, find_contacts)) {
+        ctx.pool.pause();
+        return ctx.stats.status = Status::out_of_memory;
+    }
     const Clock::time_point solver_begin = Clock::now();
     const double cpu_begin = thread_cpu_seconds();
     Status status = solve_velocities(ctx);
@@ -102,6 +116,7 @@ Status step(StepContext& ctx) noexcept {
         timed(ctx, Stage::integrate, integrate);
     else
         recall(ctx);
+    if (shapes && status == Status::ok) ctx.collider.keep();
 
     ctx.pool.pause();
     ctx.stats.step_seconds = std::chrono::duration<double>(Clock::now() - begin).count();

@@ -5,6 +5,7 @@
 
 #include <hawser/def.h>
 #include <hawser/interactions.h>
+#include <hawser/shapes.h>
 
 #include "model/bodies.h"
 
@@ -18,6 +19,12 @@ void check(const BodyDef& def);
 void check(const InteractionDef& def, const model::Bodies& bodies);
 /// Checks parameters once defaults have been filled in. @throws DefError
 void check_params(const InteractionDef& def);
+/// @throws DefError
+void check(const MaterialDef& def);
+/// @param materials  That there are. @throws DefError
+void check(const MaterialPairDef& def, int materials);
+/// @throws DefError
+void check(const ShapeDef& def, const model::Bodies& bodies, int materials);
 
 /// "body 'bob'" or "body 7 (unnamed)" for messages.
 [[nodiscard]] std::string label(const char* what, const std::string& name);

@@ -14,13 +14,15 @@
 namespace hawser {
 
 struct World::Impl {
-    explicit Impl(const WorldDef& def) : ctx(def) {}
+    explicit Impl(const WorldDef& def) : ctx(def), material_names{{"default", 0}} {}
 
     stepper::StepContext ctx;
     std::vector<BodyDef> body_defs;
+    std::vector<ShapeDef> shape_defs;
     std::vector<InputDef> inputs;
     std::vector<double> input_values;
-    std::unordered_map<std::string, std::int32_t> body_names, interaction_names, input_names;
+    std::unordered_map<std::string, std::int32_t> body_names, interaction_names, input_names,
+        material_names, shape_names;
 
     void apply_input(std::size_t index, double value);
 };

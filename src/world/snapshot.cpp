@@ -7,6 +7,7 @@
 #include "base/hash.h"
 #include "world/impl.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -14,11 +15,24 @@ namespace hawser {
 namespace {
 
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'A', 'P', '2'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'A', 'P', '3'};
     std::uint64_t layout = 0;      ///< See layout_of().
     std::uint64_t parameters = 0;  ///< See parameters_of().
+    std::uint64_t contacts = 0;    ///< Remembered from the last step.
     std::uint64_t bytes = 0;       ///< Of the arrays that follow.
 };
+
+/// Bytes of one contact in the arrays that resize_contacts() sizes.
+constexpr std::size_t kContactBytes = sizeof(collide::KeptContact);
+
+/// Arrays of the state with an entry a contact; what was shown of contacts is gone.
+void resize_contacts(stepper::StepContext& ctx, std::size_t count) {
+    ctx.collider.kept().resize(count);
+    ctx.contacts.contacts.clear();
+    ctx.contact_impulse.clear();
+    ctx.contact_sliding.clear();
+    ctx.stats.contacts = 0;
+}
 
 /// Visit every array of the state with f(pointer, bytes).
 template <class Context, class F>
@@ -41,6 +55,7 @@ void visit_state(Context& ctx, std::vector<double>& inputs, F&& f) {
     array(ctx.interactions.active);
     array(ctx.interactions.parted);
     array(ctx.interactions.saturated);
+    array(ctx.collider.kept());
     array(inputs);
     value(ctx.step);
     value(ctx.started);
@@ -58,15 +73,57 @@ std::uint64_t layout_of(const stepper::StepContext& ctx, std::size_t inputs) {
     add(ctx.interactions.body);
     add(ctx.interactions.rows);
     for (const InteractionDef& d : ctx.interactions.def) h = base::fnv1a(&d.kind, 1, h);
+    for (const collide::Shape& s : ctx.collider.shapes()) {
+        h = base::fnv1a(&s.geometry.kind, sizeof s.geometry.kind, h);
+        h = base::fnv1a(s.body, sizeof s.body, h);
+    }
     h = base::fnv1a(&ctx.def.step, sizeof ctx.def.step, h);
     return base::fnv1a(&inputs, sizeof inputs, h);
+}
+
+std::uint64_t hash_of(const MaterialDef& m, std::uint64_t h) {
+    const double values[] = {m.friction,     m.restitution, m.stiffness, m.tangential,
+                             m.damping_time, m.rolling,     m.torsional};
+    return base::fnv1a(values, sizeof values, h);
+}
+
+/// Of all that shapes and materials are, names apart.
+std::uint64_t hash_of(const std::vector<ShapeDef>& shapes, const collide::Collider& collider,
+                      std::uint64_t h) {
+    auto array = [&](const auto& a) { h = base::fnv1a(a.data(), a.size() * sizeof(a[0]), h); };
+    auto value = [&](const auto& v) { h = base::fnv1a(&v, sizeof v, h); };
+    value(collider.margin);
+    for (int i = 0; i < collider.materials.count(); ++i) h = hash_of(collider.materials.def(i), h);
+    for (const MaterialPairDef& pair : collider.materials.pairs()) {
+        value(pair.a.index);
+        value(pair.b.index);
+        h = hash_of(pair.values, h);
+    }
+    for (const ShapeDef& s : shapes) {
+        h = base::fnv1a(s.position.data(), sizeof(Vec3), h);
+        h = base::fnv1a(s.orientation.coeffs().data(), 4 * sizeof(double), h);
+        value(s.radius);
+        value(s.half_length);
+        h = base::fnv1a(s.half_size.data(), sizeof(Vec3), h);
+        value(s.rows);
+        value(s.columns);
+        array(s.cell);
+        array(s.heights);
+        array(s.vertices);
+        array(s.triangles);
+        value(s.material.index);
+        value(s.group);
+        value(s.touches);
+    }
+    return h;
 }
 
 /// What the bodies, interactions, inputs and settings are, apart from what is part of the state: a
 /// run goes on bit for bit with the same parameters only. Left out are parameters that inputs
 /// drive, applied forces, the number of threads, and the form, whose results agree to round-off.
-std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<InputDef>& inputs) {
-    std::uint64_t h = base::kFnvStart;
+std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<InputDef>& inputs,
+                            const std::vector<ShapeDef>& shapes) {
+    std::uint64_t h = hash_of(shapes, ctx.collider, base::kFnvStart);
     auto add = [&](const void* data, std::size_t bytes) { h = base::fnv1a(data, bytes, h); };
     auto array = [&](const auto& a) { add(a.data(), a.size() * sizeof(a[0])); };
     auto value = [&](const auto& v) { add(&v, sizeof v); };
@@ -124,7 +181,8 @@ std::vector<std::byte> World::save() const {
     if (m.ctx.topology_changed) stepper::prepare(m.ctx);
     Header header;
     header.layout = layout_of(m.ctx, m.inputs.size());
-    header.parameters = parameters_of(m.ctx, m.inputs);
+    header.parameters = parameters_of(m.ctx, m.inputs, m.shape_defs);
+    header.contacts = m.ctx.collider.kept().size();
     visit_state(m.ctx, m.input_values, [&](const void*, std::size_t n) { header.bytes += n; });
     std::vector<std::byte> out(sizeof header + header.bytes + sizeof(std::uint64_t));
     std::byte* to = out.data();
@@ -153,17 +211,22 @@ void World::restore(std::span<const std::byte> bytes) {
         throw DefError(
             "snapshot: it belongs to a world with other bodies, interactions, inputs "
             "or another step");
-    if (header.parameters != parameters_of(m.ctx, m.inputs))
+    if (header.parameters != parameters_of(m.ctx, m.inputs, m.shape_defs))
         throw DefError(
             "snapshot: it belongs to a world with other parameters (masses, inertias, points, "
             "lengths, stiffnesses, damping, gravity or ranges of inputs)");
     if (m.ctx.topology_changed) stepper::prepare(m.ctx);
     visit_state(m.ctx, m.input_values, [&](const void*, std::size_t n) { size += n; });
+    // All but the contacts has the size that this world has.
+    constexpr std::uint64_t kMostContacts = std::uint64_t{1} << 32;
+    size -= m.ctx.collider.kept().size() * kContactBytes;
+    size += std::min(header.contacts, kMostContacts) * kContactBytes;
     if (header.bytes != size || bytes.size() != sizeof header + size + sizeof sum ||
         sum != base::fnv1a(bytes.data(), bytes.size() - sizeof sum))
         throw DefError("snapshot: the bytes are damaged (checksum)");
     const auto analysed_x = m.ctx.analysed_x;
     const auto analysed_r = m.ctx.analysed_r;
+    resize_contacts(m.ctx, header.contacts);
     const std::byte* from = bytes.data() + sizeof header;
     visit_state(m.ctx, m.input_values, [&](void* to, std::size_t n) {
         if (n > 0) std::memcpy(to, from, n);

@@ -5,36 +5,17 @@
 #include "base/hash.h"
 #include "world/checks.h"
 #include "world/impl.h"
+#include "world/lookup.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace hawser {
-namespace {
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-/// Look up an index and refuse one that names nothing.
-std::size_t index_of(std::int32_t index, int count, const char* what) {
-    if (index < 0 || index >= count)
-        throw DefError(std::string("there is no ") + what + " with id " + std::to_string(index));
-    return at(index);
-}
-
-void claim(std::unordered_map<std::string, std::int32_t>& names, const std::string& name,
-           std::int32_t index, const char* what) {
-    if (name.empty()) return;
-    if (!names.emplace(name, index).second)
-        throw DefError(std::string(what) + " '" + name + "': the name is taken; names are unique");
-}
-
-std::int32_t lookup(const std::unordered_map<std::string, std::int32_t>& names,
-                    std::string_view name) {
-    const auto found = names.find(std::string(name));
-    return found == names.end() ? -1 : found->second;
-}
-
-}  // namespace
+using world::at;
+using world::claim;
+using world::index_of;
+using world::lookup;
 
 World::World(const WorldDef& def) {
     world::check(def);
@@ -315,7 +296,7 @@ SystemView World::inspect() const {
 
 std::size_t World::memory_bytes() const noexcept {
     const stepper::StepContext& c = impl_->ctx;
-    return c.bodies.bytes() + c.interactions.bytes() + c.system.bytes() +
+    return c.bodies.bytes() + c.interactions.bytes() + c.system.bytes() + c.collider.bytes() +
            impl_->body_defs.capacity() * sizeof(BodyDef);
 }
 

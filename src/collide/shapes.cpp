@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "collide/collider.h"
+
+#include <hawser/def.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace hawser::collide {
+namespace {
+
+Placement local_frame(const ShapeDef& def) {
+    Placement p{};
+    const Mat3 r = def.orientation.normalized().toRotationMatrix();
+    for (int i = 0; i < 3; ++i) {
+        p.x[i] = def.position[i];
+        for (int j = 0; j < 3; ++j) p.r[3 * i + j] = r(i, j);
+    }
+    return p;
+}
+
+}  // namespace
+
+std::int32_t Collider::add(const ShapeDef& def, const model::Bodies& bodies) {
+    Shape s{};
+    s.geometry = {def.kind,
+                  def.radius,
+                  def.half_length,
+                  {def.half_size.x(), def.half_size.y(), def.half_size.z()},
+                  nullptr};
+    s.local = local_frame(def);
+    s.body[0] = def.body.index;
+    s.body[1] = def.body_b.index;
+    s.owner[0] = s.owner[1] = -1;
+    s.material = std::max(def.material.index, 0);
+    s.group = def.group;
+    s.touches = def.touches;
+    for (const std::int32_t b : s.body) s.moves = s.moves || (b >= 0 && bodies.dof(b) > 0);
+    if (def.kind == ShapeKind::hull || def.kind == ShapeKind::mesh ||
+        def.kind == ShapeKind::heightfield)
+        throw DefError("shape '" + def.name + "': this kind of shape is not there yet");
+    std::shared_ptr<const ShapeData> data;
+    s.geometry.data = data.get();
+    data_.push_back(std::move(data));
+    shapes_.push_back(s);
+    return count() - 1;
+}
+
+}  // namespace hawser::collide

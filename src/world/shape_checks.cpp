@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a world refuses of shapes and materials.
+#include "world/checks.h"
+
+#include <cmath>
+#include <string>
+
+namespace hawser::world {
+namespace {
+
+constexpr double kLongest = 1e6;                 ///< [m].
+constexpr std::size_t kMostNodes = 1U << 24;     ///< Of a heightfield.
+constexpr std::size_t kMostVertices = 1U << 22;  ///< Of a mesh; as many triangles.
+constexpr std::size_t kMostHull = 4096;          ///< Vertices of a hull.
+
+[[noreturn]] void reject(const std::string& where, const std::string& what) {
+    throw DefError(where + ": " + what);
+}
+
+void within(const std::string& where, const char* field, double value, double low, double high) {
+    if (!(value >= low && value <= high))
+        reject(where, std::string(field) + " = " + std::to_string(value) + " is outside " +
+                          std::to_string(low) + " … " + std::to_string(high));
+}
+
+void length(const std::string& where, const char* field, double value) {
+    if (!(value > 0.0 && value <= kLongest))
+        reject(where, std::string(field) + " = " + std::to_string(value) +
+                          " m; it must be above 0 and at most 1e6 m");
+}
+
+void points(const std::string& where, const std::vector<Vec3>& vertices) {
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        for (int k = 0; k < 3; ++k)
+            if (!(std::abs(vertices[i][k]) <= kLongest))
+                reject(where, "vertex " + std::to_string(i) + " is not finite or beyond 1e6 m");
+}
+
+void check_values(const std::string& where, const MaterialDef& m) {
+    within(where, "friction", m.friction, 0.0, 100.0);
+    within(where, "restitution", m.restitution, 0.0, 1.0);
+    within(where, "stiffness", m.stiffness, 1.0, 1e12);
+    within(where, "tangential", m.tangential, 0.01, 10.0);
+    if (!std::isnan(m.damping_time)) within(where, "damping_time", m.damping_time, 0.0, 1e3);
+    within(where, "rolling", m.rolling, 0.0, 10.0);
+    within(where, "torsional", m.torsional, 0.0, 10.0);
+}
+
+void check_heightfield(const std::string& where, const ShapeDef& d) {
+    if (d.rows < 2 || d.columns < 2) reject(where, "a heightfield needs 2 rows and 2 columns");
+    const auto nodes = static_cast<std::size_t>(d.rows) * static_cast<std::size_t>(d.columns);
+    if (nodes > kMostNodes) reject(where, "a heightfield may have 16,777,216 nodes at most");
+    if (d.heights.size() != nodes)
+        reject(where, std::to_string(d.heights.size()) + " heights for " + std::to_string(d.rows) +
+                          " × " + std::to_string(d.columns) + " nodes");
+    for (const double c : d.cell) length(where, "cell", c);
+    for (const double z : d.heights)
+        if (!(std::abs(z) <= kLongest)) reject(where, "a height is not finite or beyond 1e6 m");
+}
+
+void check_mesh(const std::string& where, const ShapeDef& d) {
+    if (d.vertices.size() > kMostVertices || d.triangles.size() > kMostVertices)
+        reject(where, "a mesh may have 4,194,304 vertices and triangles at most");
+    if (d.triangles.empty()) reject(where, "a mesh needs triangles");
+    points(where, d.vertices);
+    for (std::size_t t = 0; t < d.triangles.size(); ++t)
+        for (const std::int32_t v : d.triangles[t])
+            if (v < 0 || static_cast<std::size_t>(v) >= d.vertices.size())
+                reject(where, "triangle " + std::to_string(t) + " names vertex " +
+                                  std::to_string(v) + " of " + std::to_string(d.vertices.size()));
+}
+
+void check_size(const std::string& where, const ShapeDef& d) {
+    const bool segment = d.body_b.valid();
+    switch (d.kind) {
+        case ShapeKind::sphere:
+            return length(where, "radius", d.radius);
+        case ShapeKind::capsule:
+        case ShapeKind::cylinder:
+            length(where, "radius", d.radius);
+            if (!segment) length(where, "half_length", d.half_length);
+            return;
+        case ShapeKind::box:
+            for (int k = 0; k < 3; ++k) length(where, "half_size", d.half_size[k]);
+            return;
+        case ShapeKind::plane:
+            return;
+        case ShapeKind::heightfield:
+            return check_heightfield(where, d);
+        case ShapeKind::hull:
+            if (d.vertices.size() < 4 || d.vertices.size() > kMostHull)
+                reject(where, "a hull needs 4 to 4,096 vertices, given " +
+                                  std::to_string(d.vertices.size()));
+            return points(where, d.vertices);
+        case ShapeKind::mesh:
+            return check_mesh(where, d);
+    }
+    reject(where, "unknown kind");
+}
+
+void check_bodies(const std::string& where, const ShapeDef& d, const model::Bodies& bodies) {
+    auto kind = [&](BodyId id, const char* which) {
+        if (id.index < 0 || id.index >= bodies.count())
+            reject(where, std::string(which) + " does not exist");
+        return bodies.kind[static_cast<std::size_t>(id.index)];
+    };
+    const BodyKind a = kind(d.body, "body");
+    if (d.body_b.valid()) {
+        if (d.kind != ShapeKind::capsule)
+            reject(where, "only a capsule lies between two bodies (a segment)");
+        if (d.body_b == d.body) reject(where, "a segment needs two different lumps");
+        if (a != BodyKind::lump || kind(d.body_b, "body_b") != BodyKind::lump)
+            reject(where, "a segment lies between two lumps");
+        return;
+    }
+    if (a == BodyKind::scalar) reject(where, "a scalar body has no place, so no shape");
+    if (a == BodyKind::lump) {
+        if (d.kind != ShapeKind::sphere)
+            reject(where,
+                   "a lump has no orientation: it takes a sphere, or a segment to another "
+                   "lump (body_b)");
+        if (!d.position.isZero(0.0))
+            reject(where, "the sphere of a lump is centred on it; position must be 0");
+    }
+    const bool moves = model::dof_of(a) > 0;
+    if (moves && d.kind == ShapeKind::mesh)
+        reject(where, "a mesh belongs to a body without freedom; give what moves a hull");
+}
+
+}  // namespace
+
+void check(const MaterialDef& def) {
+    if (def.name.empty()) throw DefError("a material needs a name");
+    check_values(label("material", def.name), def);
+}
+
+void check(const MaterialPairDef& def, int materials) {
+    const std::string where = "material pair";
+    for (const MaterialId id : {def.a, def.b})
+        if (id.index < 0 || id.index >= materials) reject(where, "a material does not exist");
+    check_values(where, def.values);
+}
+
+void check(const ShapeDef& def, const model::Bodies& bodies, int materials) {
+    const std::string where = label("shape", def.name);
+    check_bodies(where, def, bodies);
+    for (int k = 0; k < 3; ++k)
+        if (!(std::abs(def.position[k]) <= kLongest))
+            reject(where, "position is not finite or beyond 1e6 m");
+    const double norm = def.orientation.norm();
+    if (!(norm > 0.5 && norm < 2.0)) reject(where, "orientation is not a unit quaternion");
+    check_size(where, def);
+    if (def.material.index >= materials) reject(where, "the material does not exist");
+}
+
+}  // namespace hawser::world

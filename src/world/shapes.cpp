@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Shapes, materials and contacts of a world.
+#include <hawser/world.h>
+
+#include "world/checks.h"
+#include "world/impl.h"
+#include "world/lookup.h"
+
+namespace hawser {
+
+using world::at;
+using world::claim;
+using world::index_of;
+using world::lookup;
+
+MaterialId World::add_material(const MaterialDef& def) {
+    world::check(def);
+    Impl& m = *impl_;
+    claim(m.material_names, def.name, material_count(), "material");
+    m.ctx.topology_changed = true;
+    return MaterialId{m.ctx.collider.materials.add(def)};
+}
+
+void World::add_material_pair(const MaterialPairDef& def) {
+    world::check(def, material_count());
+    impl_->ctx.collider.materials.add_pair(def);
+    impl_->ctx.topology_changed = true;
+}
+
+ShapeId World::add_shape(const ShapeDef& def) {
+    Impl& m = *impl_;
+    world::check(def, m.ctx.bodies, material_count());
+    // First, so that a shape that the collider refuses leaves no name behind.
+    if (m.shape_names.contains(def.name)) claim(m.shape_names, def.name, 0, "shape");
+    const std::int32_t index = m.ctx.collider.add(def, m.ctx.bodies);
+    claim(m.shape_names, def.name, index, "shape");
+    m.shape_defs.push_back(def);
+    m.ctx.topology_changed = true;
+    return ShapeId{index};
+}
+
+int World::material_count() const noexcept { return impl_->ctx.collider.materials.count(); }
+const MaterialDef& World::material_def(MaterialId id) const {
+    (void)index_of(id.index, material_count(), "material");
+    return impl_->ctx.collider.materials.def(id.index);
+}
+MaterialId World::find_material(std::string_view name) const noexcept {
+    return MaterialId{lookup(impl_->material_names, name)};
+}
+int World::shape_count() const noexcept { return impl_->ctx.collider.count(); }
+const ShapeDef& World::shape_def(ShapeId id) const {
+    return impl_->shape_defs[index_of(id.index, shape_count(), "shape")];
+}
+ShapeId World::find_shape(std::string_view name) const noexcept {
+    return ShapeId{lookup(impl_->shape_names, name)};
+}
+
+std::vector<ContactView> World::contacts() const {
+    const stepper::StepContext& ctx = impl_->ctx;
+    std::vector<ContactView> out;
+    for (std::size_t i = 0; i < ctx.contacts.contacts.size(); ++i) {
+        const collide::Contact& c = ctx.contacts.contacts[i];
+        ContactView v;
+        v.shape[0] = ShapeId{c.shape[0]};
+        v.shape[1] = ShapeId{c.shape[1]};
+        v.force.setZero();
+        for (int k = 0; k < 3; ++k) {
+            v.point[k] = 0.5 * (c.on[0][k] + c.on[1][k]);
+            v.normal[k] = c.normal[k];
+            const std::size_t j = 3 * i + at(k);
+            if (j < ctx.contact_impulse.size()) v.force[k] = ctx.contact_impulse[j] / ctx.def.step;
+        }
+        v.gap = c.gap;
+        v.sliding = i < ctx.contact_sliding.size() && ctx.contact_sliding[i] != 0;
+        out.push_back(v);
+    }
+    return out;
+}
+
+}  // namespace hawser
