@@ -53,6 +53,12 @@ struct Table {
         for (const ShapeKind kind : {box, cylinder, hull}) set<narrow::convex_plane>(kind, plane);
         for (const ShapeKind kind : {capsule, box, cylinder})
             set<narrow::convex_convex>(kind, cylinder);
+        for (const ShapeKind kind : {sphere, capsule, box, cylinder, hull})
+            set<narrow::convex_convex>(kind, hull);
+        for (const ShapeKind kind : {sphere, capsule, box, cylinder, hull}) {
+            set<narrow::convex_mesh>(kind, mesh);
+            set<narrow::convex_heightfield>(kind, heightfield);
+        }
     }
 };
 

@@ -56,6 +56,17 @@ int largest(const Points& points, double tie, Value value) {
     return best;
 }
 
+void write(const Point& p, const double* origin, ManifoldPoint& out) {
+    const V3 o = generic::load3(origin);
+    generic::store3(out.on[0], p.on0 + o);
+    generic::store3(out.on[1], p.on1 + o);
+    generic::store3(out.normal, p.normal);
+    out.gap = p.gap;
+    out.feature = p.feature;
+}
+
+}  // namespace
+
 void reduce(Points& points, double size) {
     const double length_tie = kSame * size;
     const V3 n = points.p[0].normal;
@@ -68,23 +79,15 @@ void reduce(Points& points, double size) {
     const double tie = length_tie * size;
     keep[2] = largest(points, tie, [&](const Point& p) { return dot(p.on0 - p0, across); });
     keep[3] = largest(points, tie, [&](const Point& p) { return -dot(p.on0 - p0, across); });
+    // Points in a row need their ends alone.
+    for (int k = 2; k < 4; ++k)
+        if (std::fabs(dot(points.p[keep[k]].on0 - p0, across)) <= tie) keep[k] = keep[0];
     std::sort(keep, keep + 4);
     int count = 0;
     for (int k = 0; k < 4; ++k)
         if (k == 0 || keep[k] != keep[k - 1]) points.p[count++] = points.p[keep[k]];
     points.count = count;
 }
-
-void write(const Point& p, const double* origin, ManifoldPoint& out) {
-    const V3 o = generic::load3(origin);
-    generic::store3(out.on[0], p.on0 + o);
-    generic::store3(out.on[1], p.on1 + o);
-    generic::store3(out.normal, p.normal);
-    out.gap = p.gap;
-    out.feature = p.feature;
-}
-
-}  // namespace
 
 void add_points(const Convex& a, const Convex& b, const V3& n, double separation, double margin,
                 Points& out) {
@@ -110,19 +113,32 @@ void add_points(const Convex& a, const Convex& b, const V3& n, double separation
     out.count = kept;
 }
 
-void finish(Points& points, const double* origin, double size, Manifold& out) {
-    const auto by_feature = [](const Point& p, const Point& q) {
+namespace {
+
+/// By name; of equal names the deeper one stays.
+void sort(Points& points) {
+    std::sort(points.p, points.p + points.count, [](const Point& p, const Point& q) {
         return p.feature != q.feature ? p.feature < q.feature : p.gap < q.gap;
-    };
-    std::sort(points.p, points.p + points.count, by_feature);
+    });
     int count = 0;
     for (int i = 0; i < points.count; ++i)
         if (i == 0 || points.p[i].feature != points.p[i - 1].feature)
             points.p[count++] = points.p[i];
     points.count = count;
+}
+
+}  // namespace
+
+void write_sorted(Points& points, const double* origin, Manifold& out) {
+    sort(points);
+    out.count = std::min(points.count, kMaxManifold);
+    for (int i = 0; i < out.count; ++i) write(points.p[i], origin, out.point[i]);
+}
+
+void finish(Points& points, const double* origin, double size, Manifold& out) {
+    sort(points);
     if (points.count > 4) reduce(points, size);
-    out.count = points.count;
-    for (int i = 0; i < points.count; ++i) write(points.p[i], origin, out.point[i]);
+    write_sorted(points, origin, out);
 }
 
 void finish(const Point& point, const double* origin, Manifold& out) {

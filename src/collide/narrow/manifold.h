@@ -46,6 +46,11 @@ inline std::uint32_t feature(unsigned kind, unsigned i, unsigned j) {
 void add_points(const Convex& a, const Convex& b, const V3& n, double separation, double margin,
                 Points& out);
 
+/// Keep four of points of (nearly) one normal, in their order.
+void reduce(Points& points, double size);
+/// Sort by feature, keep the deeper one of equal names, write with `origin` added; at most
+/// kMaxManifold.
+void write_sorted(Points& points, const double* origin, Manifold& out);
 /// Reduce to four, sort by feature, and write with `origin` added.
 void finish(Points& points, const double* origin, double size, Manifold& out);
 /// One contact.

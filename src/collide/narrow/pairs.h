@@ -22,7 +22,7 @@ HAWSER_PAIR(capsule_plane);
 HAWSER_PAIR(box_box);
 HAWSER_PAIR(convex_plane);   ///< Box, cylinder or hull.
 HAWSER_PAIR(convex_convex);  ///< Any two of capsule, box, cylinder, hull; sphere with hull.
-HAWSER_PAIR(convex_mesh);    ///< Any with a mesh; a plane too.
+HAWSER_PAIR(convex_mesh);
 HAWSER_PAIR(convex_heightfield);
 HAWSER_PAIR(nothing);
 

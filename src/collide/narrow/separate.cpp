@@ -181,9 +181,53 @@ Separation polish(const Convex& a, const Convex& b, const V3& guess) {
     return best;
 }
 
+namespace {
+
+/// Cores without volume that meet: normals of triangles, and across one edge of each.
+Separation part_flat(const Convex& a, const Convex& b) {
+    V3 along = b.c - a.c;
+    if (!(dot(along, along) > 0.0)) along = {0, 0, 1};
+    Separation best{normalized(along), -1e300};
+    // Equal ones: the side on which the centres lie.
+    const double tie = 1e-12 * (a.size + b.size);
+    const auto propose = [&](V3 n) {
+        if (dot(n, along) < 0.0) n = -n;
+        for (const V3& m : {n, -n}) {
+            const double s = separation_along(a, b, m);
+            if (s > best.s + tie) best = {m, s};
+        }
+    };
+    V3 edge[2][3];
+    int edges[2] = {0, 0};
+    for (int i = 0; i < 2; ++i) {
+        const Convex& s = i ? b : a;
+        if (s.kind == ShapeKind::mesh) {
+            propose(s.face);
+            for (int k = 0; k < 3; ++k)
+                edge[i][edges[i]++] = normalized(s.corner[(k + 1) % 3] - s.corner[k]);
+        } else if (s.kind == ShapeKind::capsule && s.half_length > 0.0) {
+            edge[i][edges[i]++] = axis(s.r, 2);
+        }
+    }
+    for (int i = 0; i < edges[0]; ++i)
+        for (int j = 0; j < edges[1]; ++j) {
+            const V3 n = cross(edge[0][i], edge[1][j]);
+            if (norm(n) > 1e-9) propose(normalized(n));
+        }
+    if (best.s == -1e300) best.s = separation_along(a, b, best.n);
+    return best;
+}
+
+bool is_flat(const Convex& s) {
+    return s.kind == ShapeKind::sphere || s.kind == ShapeKind::capsule || s.kind == ShapeKind::mesh;
+}
+
+}  // namespace
+
 Separation separate(const Convex& a, const Convex& b, double enough) {
     const GjkResult apart = gjk(a, b, enough);
     if (apart.apart && apart.distance > enough) return {apart.n, apart.distance};
+    if (!apart.apart && is_flat(a) && is_flat(b)) return part_flat(a, b);
     return polish(a, b, apart.apart ? apart.n : epa(a, b));
 }
 

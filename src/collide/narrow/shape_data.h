@@ -7,6 +7,8 @@
 #include "collide/geometry.h"
 
 #include <cstdint>
+#include <memory>
+#include <string>
 #include <vector>
 
 namespace hawser::collide {
@@ -51,5 +53,20 @@ struct ShapeData {
     double cell[2] = {0, 0};
     std::vector<double> heights;
 };
+
+/// Checked and prepared data of a hull, mesh or heightfield; null for other kinds.
+/// Limits: hull: 65,536 points, of which 4,096 on the surface; mesh: 1,048,576 triangles and as
+/// many vertices; heightfield: 16,777,216 nodes.
+/// @throws DefError that names the field.
+[[nodiscard]] std::unique_ptr<ShapeData> make_shape_data(const ShapeDef& def);
+
+namespace narrow {
+// Parts of it, in hull.cpp, mesh.cpp, heightfield.cpp.
+void make_hull(const ShapeDef& def, ShapeData& out);
+void make_mesh(const ShapeDef& def, ShapeData& out);
+void make_heightfield(const ShapeDef& def, ShapeData& out);
+/// Throws a DefError about the shape's field.
+[[noreturn]] void refuse(const ShapeDef& def, const std::string& what);
+}  // namespace narrow
 
 }  // namespace hawser::collide

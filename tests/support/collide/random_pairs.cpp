@@ -27,13 +27,50 @@ Placement random_placement(Random& random, double reach) {
     return p;
 }
 
-Geometry random_geometry(Random& random, ShapeKind kind) {
-    Geometry g;
+namespace {
+
+/// Faces of the hull of a few points (no four in one plane), and its edges, by trying all.
+void find_faces(RandomShape& s) {
+    const std::size_t count = s.points.size();
+    std::vector<std::vector<int>> uses(count, std::vector<int>(count, 0));
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = i + 1; j < count; ++j)
+            for (std::size_t k = j + 1; k < count; ++k) {
+                const Vec3 n = (s.points[j] - s.points[i]).cross(s.points[k] - s.points[i]);
+                int above = 0, below = 0;
+                for (std::size_t m = 0; m < count; ++m) {
+                    if (m == i || m == j || m == k) continue;
+                    ++(n.dot(s.points[m] - s.points[i]) > 0.0 ? above : below);
+                }
+                if (above > 0 && below > 0) continue;
+                s.faces.push_back(n.normalized());
+                ++uses[i][j], ++uses[j][k], ++uses[i][k];
+            }
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = i + 1; j < count; ++j)
+            if (uses[i][j] > 0) s.edges.push_back((s.points[j] - s.points[i]).normalized());
+}
+
+}  // namespace
+
+RandomShape random_shape(Random& random, ShapeKind kind) {
+    RandomShape s;
+    Geometry& g = s.geometry;
     g.kind = kind;
     g.radius = random.uniform(0.05, 1.0);
     g.half_length = random.uniform(0.05, 1.5);
     for (double& h : g.half_size) h = random.uniform(0.05, 1.5);
-    return g;
+    if (kind != ShapeKind::hull && kind != ShapeKind::mesh) return s;
+    ShapeDef def;
+    def.kind = kind;
+    const int count = kind == ShapeKind::mesh ? 3 : random.integer(5, 12);
+    for (int i = 0; i < count; ++i) def.vertices.push_back(random.vector(1.2));
+    if (kind == ShapeKind::mesh) def.triangles = {{0, 1, 2}};
+    s.points = def.vertices;
+    find_faces(s);
+    s.data = collide::make_shape_data(def);
+    g.data = s.data.get();
+    return s;
 }
 
 namespace {
@@ -59,14 +96,14 @@ bool well_formed(const Manifold& m, double margin) {
 }
 
 struct Pair {
-    Geometry a, b;
+    RandomShape a, b;
     Placement pa, pb;
     double margin;
 };
 
 Pair random_pair(ShapeKind a, ShapeKind b, std::uint64_t seed) {
     Random random(seed);
-    Pair pair{random_geometry(random, a), random_geometry(random, b), {}, {}, 0.0};
+    Pair pair{random_shape(random, a), random_shape(random, b), {}, {}, 0.0};
     pair.pa = random_placement(random, 5.0);
     pair.pb = random_placement(random, 0.0);
     // About half of the pairs overlap.
@@ -76,13 +113,31 @@ Pair random_pair(ShapeKind a, ShapeKind b, std::uint64_t seed) {
     return pair;
 }
 
+Body body_of(const RandomShape& s, const Placement& placed) {
+    if (s.points.empty()) return reference::make_body(s.geometry, placed);
+    const auto turned = [&](const std::vector<Vec3>& list, bool shifted) {
+        std::vector<Vec> out;
+        for (const Vec3& v : list) {
+            Real x[3];
+            for (int i = 0; i < 3; ++i) {
+                x[i] = shifted ? placed.x[i] : 0.0;
+                for (int j = 0; j < 3; ++j) x[i] += Real(placed.r[3 * i + j]) * v[j];
+            }
+            out.push_back({x[0], x[1], x[2]});
+        }
+        return out;
+    };
+    return reference::make_points(turned(s.points, true), turned(s.faces, false),
+                                  turned(s.edges, false));
+}
+
 void judge_one(const Pair& pair, std::uint64_t seed, Score& score) {
-    const Body a = reference::make_body(pair.a, pair.pa), b = reference::make_body(pair.b, pair.pb);
+    const Body a = body_of(pair.a, pair.pa), b = body_of(pair.b, pair.pb);
+    const Geometry &ga = pair.a.geometry, &gb = pair.b.geometry;
     const Answer truth =
-        pair.b.kind == ShapeKind::plane ? against_plane(a, b) : reference::signed_distance(a, b);
+        gb.kind == ShapeKind::plane ? against_plane(a, b) : reference::signed_distance(a, b);
     Manifold m;
-    collide::collide_function(pair.a.kind, pair.b.kind)(pair.a, pair.pa, pair.b, pair.pb,
-                                                        pair.margin, m);
+    collide::collide_function(ga.kind, gb.kind)(ga, pair.pa, gb, pair.pb, pair.margin, m);
     ++score.pairs;
     ++(truth.gap < 0 ? score.touching : score.apart);
     if (!well_formed(m, pair.margin)) ++score.bad_points;
@@ -102,7 +157,7 @@ void judge_one(const Pair& pair, std::uint64_t seed, Score& score) {
     if (normal_error <= score.worst_normal || truth.normal_error > 1e-7L) return;
     // Not unique: another normal, far away, that does as well.
     const bool as_good =
-        pair.b.kind != ShapeKind::plane && separation_along(a, b, n) > truth.gap - 1e-9L;
+        gb.kind != ShapeKind::plane && separation_along(a, b, n) > truth.gap - 1e-9L;
     if (as_good && normal_error > 1e-3) {
         ++score.ambiguous;
     } else {
@@ -128,6 +183,13 @@ std::vector<std::pair<ShapeKind, ShapeKind>> exact_pairs() {
             {sphere, plane},      {capsule, capsule}, {capsule, box},  {capsule, cylinder},
             {capsule, plane},     {box, box},         {box, cylinder}, {box, plane},
             {cylinder, cylinder}, {cylinder, plane}};
+}
+
+std::vector<std::pair<ShapeKind, ShapeKind>> vertex_pairs() {
+    using enum ShapeKind;
+    return {{sphere, hull}, {capsule, hull},  {box, hull},    {cylinder, hull},
+            {hull, hull},   {hull, plane},    {sphere, mesh}, {capsule, mesh},
+            {box, mesh},    {cylinder, mesh}, {hull, mesh}};
 }
 
 std::string kind_name(ShapeKind kind) {

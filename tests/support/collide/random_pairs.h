@@ -4,10 +4,12 @@
 /// Random shapes near each other, judged by the reference; shared by the quick and the long test.
 
 #include "collide/geometry.h"
+#include "collide/narrow/shape_data.h"
 #include "support/collide/reference.h"
 #include "support/random.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,7 +17,14 @@
 namespace hawser::test {
 
 collide::Placement random_placement(Random& random, double reach);
-collide::Geometry random_geometry(Random& random, ShapeKind kind);
+/// A shape with its data, and what the reference needs of it (shape's frame).
+struct RandomShape {
+    collide::Geometry geometry;
+    std::shared_ptr<collide::ShapeData> data;
+    std::vector<Vec3> points, faces, edges;
+};
+/// Hull: of random points; mesh: one triangle.
+RandomShape random_shape(Random& random, ShapeKind kind);
 
 struct Score {
     int pairs = 0, touching = 0, apart = 0, ambiguous = 0;
@@ -29,6 +38,8 @@ struct Score {
 Score judge(ShapeKind a, ShapeKind b, int count, std::uint64_t seed);
 /// Pairs of kinds for which this is asked: those in closed form, and cylinders.
 std::vector<std::pair<ShapeKind, ShapeKind>> exact_pairs();
+/// Hulls and single triangles with all kinds that touch them.
+std::vector<std::pair<ShapeKind, ShapeKind>> vertex_pairs();
 std::string kind_name(ShapeKind kind);
 std::string describe(ShapeKind a, ShapeKind b, const Score& score);
 

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// Heights on a grid. Each cell is two triangles, cut from node (i, j) to node (i + 1, j + 1). The
+// ground is solid: whatever is below the surface, however deep, is pushed up along the normal of
+// the triangle above it. Beyond the border there is nothing.
+#include "collide/narrow/pairs.h"
+#include "collide/narrow/shape_data.h"
+#include "collide/narrow/triangle_contact.h"
+
+#include <hawser/shapes.h>
+
+#include <algorithm>
+
+namespace hawser::collide::narrow {
+namespace {
+
+constexpr long kMaxNodes = 16'777'216;
+/// The box of the ground reaches this far below the lowest node [m].
+constexpr double kBelow = 100.0;
+
+struct Ground {
+    const ShapeData& data;
+    V3 centre;  ///< Of the shape: the origin of what follows.
+
+    V3 node(int i, int j) const {
+        return V3{(j - 0.5 * (data.columns - 1)) * data.cell[0],
+                  (i - 0.5 * (data.rows - 1)) * data.cell[1],
+                  data.heights[static_cast<std::size_t>(i) * data.columns + j]} -
+               centre;
+    }
+    /// Unit normal of triangle `upper` of a cell; zero outside the grid.
+    V3 normal(int i, int j, bool upper) const {
+        if (i < 0 || j < 0 || i >= data.rows - 1 || j >= data.columns - 1) return {0, 0, 0};
+        const V3 a = node(i, j), c = node(i + 1, j + 1);
+        return upper ? normalized(cross(c - a, node(i + 1, j) - a))
+                     : normalized(cross(node(i, j + 1) - a, c - a));
+    }
+    SurfaceTriangle triangle(int i, int j, bool upper) const {
+        const V3 a = node(i, j), c = node(i + 1, j + 1);
+        const auto name = static_cast<std::uint32_t>(2 * (i * (data.columns - 1) + j) + upper);
+        if (upper)
+            return {make_triangle(a, c, node(i + 1, j)),
+                    {normal(i, j, false), normal(i + 1, j, false), normal(i, j - 1, false)},
+                    true,
+                    name};
+        return {make_triangle(a, node(i, j + 1), c),
+                {normal(i - 1, j, true), normal(i, j + 1, true), normal(i, j, true)},
+                true,
+                name};
+    }
+};
+
+}  // namespace
+
+void make_heightfield(const ShapeDef& def, ShapeData& out) {
+    const long nodes = static_cast<long>(def.rows) * def.columns;
+    if (def.rows < 2 || def.columns < 2)
+        refuse(def, "rows = " + std::to_string(def.rows) + ", columns = " +
+                        std::to_string(def.columns) + "; a heightfield needs 2 of each or more");
+    if (nodes > kMaxNodes)
+        refuse(def, "rows × columns = " + std::to_string(nodes) + "; at most " +
+                        std::to_string(kMaxNodes));
+    if (static_cast<long>(def.heights.size()) != nodes)
+        refuse(def, "heights has " + std::to_string(def.heights.size()) +
+                        " entries; rows × columns = " + std::to_string(nodes));
+    for (int k = 0; k < 2; ++k)
+        if (!(def.cell[k] > 0.0) || !std::isfinite(def.cell[k]))
+            refuse(def, "cell[" + std::to_string(k) + "] = " + std::to_string(def.cell[k]) +
+                            " must be positive");
+    for (std::size_t i = 0; i < def.heights.size(); ++i)
+        if (!std::isfinite(def.heights[i]))
+            refuse(def, "heights[" + std::to_string(i) + "] is not finite");
+    out.rows = def.rows;
+    out.columns = def.columns;
+    out.cell[0] = def.cell[0];
+    out.cell[1] = def.cell[1];
+    out.heights = def.heights;
+    const auto [low, high] = std::minmax_element(out.heights.begin(), out.heights.end());
+    out.high[0] = 0.5 * (out.columns - 1) * out.cell[0];
+    out.high[1] = 0.5 * (out.rows - 1) * out.cell[1];
+    out.high[2] = *high;
+    out.low[0] = -out.high[0];
+    out.low[1] = -out.high[1];
+    out.low[2] = *low - kBelow;
+}
+
+HAWSER_PAIR(convex_heightfield) {
+    out.count = 0;
+    const ShapeData& data = *b.data;
+    const M3 r = generic::load9(pb.r);
+    Placement local{};
+    generic::store3(local.x, tmul(r, generic::load3(pa.x) - generic::load3(pb.x)));
+    for (int k = 0; k < 3; ++k) {
+        const V3 column = tmul(r, axis(generic::load9(pa.r), k));
+        for (int i = 0; i < 3; ++i) local.r[3 * i + k] = at(column, i);
+    }
+    const Bounds box = bounds(a, local);
+    if (box.low[2] >= data.high[2] + margin) return;
+    const auto cell = [&](double x, int axis_index, int count) {
+        const double i = std::floor(x / data.cell[axis_index] + 0.5 * (count - 1));
+        return static_cast<int>(clamp(i, -1.0, static_cast<double>(count - 1)));
+    };
+    const int j0 = std::max(0, cell(box.low[0] - margin, 0, data.columns));
+    const int j1 = std::min(data.columns - 2, cell(box.high[0] + margin, 0, data.columns));
+    const int i0 = std::max(0, cell(box.low[1] - margin, 1, data.rows));
+    const int i1 = std::min(data.rows - 2, cell(box.high[1] + margin, 1, data.rows));
+    const Ground ground{data, generic::load3(local.x)};
+    const Convex shape = make_convex(a, local, local.x);
+    const double size = shape.size + shape.rounding, lowest = box.low[2] - margin - local.x[2];
+    Points points;
+    for (int i = i0; i <= i1; ++i)
+        for (int j = j0; j <= j1; ++j) {
+            const double top = std::max({ground.node(i, j).z, ground.node(i, j + 1).z,
+                                         ground.node(i + 1, j).z, ground.node(i + 1, j + 1).z});
+            if (top <= lowest) continue;
+            for (const bool upper : {false, true}) {
+                make_room(points, size);
+                touch_triangle(shape, ground.triangle(i, j, upper), margin, points);
+            }
+        }
+    for (int i = 0; i < points.count; ++i) {
+        Point& p = points.p[i];
+        p.on0 = r * (p.on0 + ground.centre);
+        p.on1 = r * (p.on1 + ground.centre);
+        p.normal = r * p.normal;
+    }
+    finish_surface(points, pb.x, size, out);
+}
+
+}  // namespace hawser::collide::narrow

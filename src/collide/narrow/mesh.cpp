@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+// Triangle meshes: checks, neighbours over edges, a tree of boxes, and the contact of a convex
+// shape with the triangles near it. Both sides of a triangle touch.
+#include "collide/narrow/pairs.h"
+#include "collide/narrow/shape_data.h"
+#include "collide/narrow/triangle_contact.h"
+
+#include <hawser/shapes.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace hawser::collide::narrow {
+namespace {
+
+constexpr std::size_t kMaxTriangles = 1'048'576;
+constexpr int kLeaf = 4, kMaxDepth = 64;
+
+struct TreeBuilder {
+    ShapeData& mesh;
+    std::vector<int> order;
+    std::vector<V3> centre;
+
+    int build(int first, int count) {
+        const int index = static_cast<int>(mesh.nodes.size());
+        mesh.nodes.push_back({{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}, first, count, -1});
+        MeshNode node = mesh.nodes.back();
+        double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300};
+        for (int i = first; i < first + count; ++i)
+            for (int k = 0; k < 3; ++k) {
+                low[k] = std::min(low[k], at(centre[order[i]], k));
+                high[k] = std::max(high[k], at(centre[order[i]], k));
+                for (int c = 0; c < 3; ++c) {
+                    const double x = at(mesh.vertices[mesh.triangles[3 * order[i] + c]], k);
+                    node.low[k] = std::min(node.low[k], x);
+                    node.high[k] = std::max(node.high[k], x);
+                }
+            }
+        if (count > kLeaf) {
+            int k = 0;
+            for (int j = 1; j < 3; ++j)
+                if (high[j] - low[j] > high[k] - low[k]) k = j;
+            const auto begin = order.begin() + first;
+            std::nth_element(begin, begin + count / 2, begin + count, [&](int i, int j) {
+                const double x = at(centre[i], k), y = at(centre[j], k);
+                return x != y ? x < y : i < j;
+            });
+            node.count = 0;
+            build(first, count / 2);
+            node.second = build(first + count / 2, count - count / 2);
+        }
+        mesh.nodes[index] = node;
+        return index;
+    }
+};
+
+/// Triangles in the order of the tree.
+void plant(ShapeData& mesh) {
+    const int count = static_cast<int>(mesh.triangles.size() / 3);
+    TreeBuilder tree{mesh, std::vector<int>(count), std::vector<V3>(count)};
+    for (int t = 0; t < count; ++t) {
+        tree.order[t] = t;
+        V3 sum{0, 0, 0};
+        for (int c = 0; c < 3; ++c) sum = sum + mesh.vertices[mesh.triangles[3 * t + c]];
+        tree.centre[t] = (1.0 / 3.0) * sum;
+    }
+    tree.build(0, count);
+    std::vector<std::int32_t> triangles;
+    for (const int t : tree.order) {
+        for (int c = 0; c < 3; ++c) triangles.push_back(mesh.triangles[3 * t + c]);
+        mesh.names.push_back(t);
+    }
+    mesh.triangles = std::move(triangles);
+}
+
+void find_neighbours(ShapeData& mesh) {
+    const int count = static_cast<int>(mesh.normals.size());
+    struct Sides {
+        int triangle[2], edge[2], uses = 0;
+        bool forward[2];
+    };
+    std::map<std::pair<int, int>, Sides> edges;
+    for (int t = 0; t < count; ++t)
+        for (int k = 0; k < 3; ++k) {
+            const int i = mesh.triangles[3 * t + k], j = mesh.triangles[3 * t + (k + 1) % 3];
+            Sides& s = edges[std::minmax(i, j)];
+            if (s.uses < 2) {
+                s.triangle[s.uses] = t;
+                s.edge[s.uses] = k;
+                s.forward[s.uses] = i < j;
+            }
+            ++s.uses;
+        }
+    mesh.neighbours.assign(3 * mesh.normals.size(), {0, 0, 0});
+    for (const auto& [key, s] : edges) {
+        if (s.uses != 2) continue;  // Border, or more than two meet: each is as a border.
+        const double same = s.forward[0] != s.forward[1] ? 1.0 : -1.0;
+        for (int i = 0; i < 2; ++i)
+            mesh.neighbours[3 * s.triangle[i] + s.edge[i]] = same * mesh.normals[s.triangle[1 - i]];
+    }
+}
+
+}  // namespace
+
+void make_mesh(const ShapeDef& def, ShapeData& out) {
+    if (def.triangles.empty()) refuse(def, "triangles is empty");
+    if (def.triangles.size() > kMaxTriangles || def.vertices.size() > kMaxTriangles)
+        refuse(def, "a mesh has at most " + std::to_string(kMaxTriangles) +
+                        " triangles and as many vertices");
+    for (const Vec3& v : def.vertices) out.vertices.push_back({v.x(), v.y(), v.z()});
+    const int count = static_cast<int>(def.vertices.size());
+    for (std::size_t t = 0; t < def.triangles.size(); ++t) {
+        const auto& corners = def.triangles[t];
+        const std::string where = "triangles[" + std::to_string(t) + "]";
+        for (const std::int32_t i : corners) {
+            if (i < 0 || i >= count)
+                refuse(def, where + " names vertex " + std::to_string(i) + "; there are " +
+                                std::to_string(count));
+            out.triangles.push_back(i);
+        }
+        const V3 &a = out.vertices[corners[0]], &b = out.vertices[corners[1]],
+                 &c = out.vertices[corners[2]];
+        const double longest = std::max({norm(b - a), norm(c - b), norm(a - c)});
+        // Thinner ones have no normal to speak of.
+        if (!(norm(cross(b - a, c - a)) > 1e-9 * longest * longest))
+            refuse(def, where + " has no area; leave it out");
+    }
+    plant(out);
+    for (std::size_t t = 0; t < def.triangles.size(); ++t) {
+        const V3& a = out.vertices[out.triangles[3 * t]];
+        out.normals.push_back(normalized(cross(out.vertices[out.triangles[3 * t + 1]] - a,
+                                               out.vertices[out.triangles[3 * t + 2]] - a)));
+    }
+    find_neighbours(out);
+}
+
+HAWSER_PAIR(convex_mesh) {
+    out.count = 0;
+    const ShapeData& mesh = *b.data;
+    // In the frame of the mesh.
+    const M3 r = generic::load9(pb.r);
+    Placement local{};
+    generic::store3(local.x, tmul(r, generic::load3(pa.x) - generic::load3(pb.x)));
+    for (int k = 0; k < 3; ++k) {
+        const V3 column = tmul(r, axis(generic::load9(pa.r), k));
+        for (int i = 0; i < 3; ++i) local.r[3 * i + k] = at(column, i);
+    }
+    const Bounds box = bounds(a, local);
+    // Seen from the shape's centre, so that a large mesh costs no digits.
+    const Convex shape = make_convex(a, local, local.x);
+    const V3 centre = generic::load3(local.x);
+    const double size = shape.size + shape.rounding;
+    Points points;
+    int stack[kMaxDepth], depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0) {
+        const int index = stack[--depth];
+        const MeshNode& node = mesh.nodes[index];
+        bool meets = true;
+        for (int k = 0; k < 3; ++k)
+            meets =
+                meets && node.low[k] < box.high[k] + margin && node.high[k] > box.low[k] - margin;
+        if (!meets) continue;
+        if (node.count == 0) {
+            stack[depth++] = node.second;
+            stack[depth++] = index + 1;
+            continue;
+        }
+        for (int t = node.first; t < node.first + node.count; ++t) {
+            const std::int32_t* v = &mesh.triangles[3 * t];
+            SurfaceTriangle triangle{
+                make_triangle(mesh.vertices[v[0]] - centre, mesh.vertices[v[1]] - centre,
+                              mesh.vertices[v[2]] - centre),
+                {mesh.neighbours[3 * t], mesh.neighbours[3 * t + 1], mesh.neighbours[3 * t + 2]},
+                false,
+                static_cast<std::uint32_t>(mesh.names[t])};
+            make_room(points, size);
+            touch_triangle(shape, triangle, margin, points);
+        }
+    }
+    for (int i = 0; i < points.count; ++i) {
+        Point& p = points.p[i];
+        p.on0 = r * (p.on0 + centre);
+        p.on1 = r * (p.on1 + centre);
+        p.normal = r * p.normal;
+    }
+    finish_surface(points, pb.x, size, out);
+}
+
+}  // namespace hawser::collide::narrow

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "collide/narrow/triangle_contact.h"
+
+#include "collide/narrow/overlap.h"
+#include "collide/narrow/separate.h"
+
+#include <algorithm>
+
+namespace hawser::collide::narrow {
+namespace {
+
+constexpr double kLean = 1e-3;       ///< Normals that lean out by less are allowed [rad].
+constexpr double kGroup = 0.99;      ///< Cosine between normals of one group.
+constexpr double kSamePlace = 1e-6;  ///< Of the size.
+
+/// Whether a normal m (out of the surface, on the side of n) may stand on the triangle.
+bool allowed(const SurfaceTriangle& t, const V3& n, const V3& m) {
+    for (int k = 0; k < 3; ++k) {
+        if (dot(t.neighbour[k], t.neighbour[k]) == 0.0) continue;
+        const V3 e = t.triangle.corner[(k + 1) % 3] - t.triangle.corner[k];
+        const V3 outward = normalized(cross(e, t.triangle.face));
+        const double up = dot(m, n), lean = std::atan2(dot(m, outward), up);
+        if (lean <= kLean) continue;
+        const V3 beyond = (dot(n, t.triangle.face) < 0.0 ? -1.0 : 1.0) * t.neighbour[k];
+        const double most = std::atan2(dot(beyond, outward), dot(beyond, n));
+        if (lean > std::fmax(most, 0.0) + kLean) return false;
+    }
+    return true;
+}
+
+std::uint32_t name_of(const SurfaceTriangle& t, std::uint32_t local) {
+    // Mixed (finaliser of MurmurHash3), as there is no room for both side by side.
+    std::uint32_t h = t.name * 0x9e3779b1U ^ local;
+    h = (h ^ h >> 16) * 0x85ebca6bU;
+    h = (h ^ h >> 13) * 0xc2b2ae35U;
+    return h ^ h >> 16;
+}
+
+bool over_triangle(const Convex& t, const V3& p, double snap) {
+    for (int k = 0; k < 3; ++k) {
+        const V3 e = t.corner[(k + 1) % 3] - t.corner[k];
+        if (dot(p - t.corner[k], normalized(cross(e, t.face))) > snap) return false;
+    }
+    return true;
+}
+
+/// What lies over the triangle along its normal n.
+void along_normal(const Convex& shape, const SurfaceTriangle& t, const V3& n, double margin,
+                  Points& out) {
+    Poly below, face;
+    facing(t.triangle, n, kTilt, face);
+    const double snap = kSamePlace * (shape.size + t.triangle.size);
+    // A facing part tilted further counts when nothing flat does: an edge deep across a ridge.
+    for (const double tilt : {kTilt, 0.5}) {
+        facing(shape, -n, tilt, below);
+        Points found;
+        if (below.count == 1) {
+            const double s = dot(n, below.p[0] - t.triangle.corner[0]);
+            if (over_triangle(t.triangle, below.p[0], snap))
+                found.add({below.p[0], below.p[0] - s * n, -n, s, feature(0, below.vertex[0], 0)});
+        } else {
+            overlap(below, face, -n, 0.0, snap, found);
+        }
+        for (int i = 0; i < found.count; ++i) {
+            Point p = found.p[i];
+            p.on0 = p.on0 - shape.rounding * n;
+            p.gap -= shape.rounding;
+            if (p.gap < margin) out.add(p);
+        }
+        if (found.count > 0) return;
+    }
+}
+
+}  // namespace
+
+void touch_triangle(const Convex& shape, const SurfaceTriangle& t, double margin, Points& out) {
+    const Convex& triangle = t.triangle;
+    const double enough = margin + shape.rounding;
+    V3 n = triangle.face;
+    const double height = dot(n, shape.c - triangle.c);
+    if (height < 0.0 && !t.solid) n = -n;
+    if (dot(n, support(shape, -n) - triangle.c) >= enough) return;
+    const Separation best = separate(shape, triangle, enough);
+    if (best.s >= enough) return;
+    const V3 m = -best.n;
+    Points found;
+    // A shape below the surface of a solid is pushed up, not down.
+    const bool wrong_side = t.solid && dot(m, n) <= 0.0;
+    if (!t.solid && dot(m, n) < 0.0) n = -n;
+    if (!wrong_side && allowed(t, n, m))
+        add_points(shape, triangle, best.n, best.s, margin, found);
+    else
+        along_normal(shape, t, n, margin, found);
+    const double same = kSamePlace * (shape.size + shape.rounding + triangle.size);
+    for (int i = 0; i < found.count; ++i) {
+        Point p = found.p[i];
+        p.feature = name_of(t, p.feature);
+        // On an edge, the first of two triangles has the point.
+        bool known = false;
+        for (int k = 0; k < out.count && !known; ++k) {
+            const V3 d = out.p[k].on1 - p.on1;
+            known = dot(d, d) < same * same && dot(out.p[k].normal, p.normal) > kGroup;
+        }
+        if (!known) out.add(p);
+    }
+}
+
+namespace {
+
+/// Group of each point by its normal, in the order of the points.
+int group(const Points& points, int* of) {
+    int groups = 0, first[kMaxPoints];
+    for (int i = 0; i < points.count; ++i) {
+        int g = 0;
+        while (g < groups && dot(points.p[first[g]].normal, points.p[i].normal) < kGroup) ++g;
+        if (g == groups) first[groups++] = i;
+        of[i] = g;
+    }
+    return groups;
+}
+
+void sort_by_gap(Points& points) {
+    std::sort(points.p, points.p + points.count, [](const Point& p, const Point& q) {
+        return p.gap != q.gap ? p.gap < q.gap : p.feature < q.feature;
+    });
+}
+
+/// Keep at most `most` points of each group.
+void thin(Points& points, double size, int most) {
+    int of[kMaxPoints];
+    const int groups = group(points, of);
+    Points kept;
+    for (int g = 0; g < groups; ++g) {
+        Points members;
+        for (int i = 0; i < points.count; ++i)
+            if (of[i] == g) members.add(points.p[i]);
+        if (members.count > 4 && most >= 4) reduce(members, size);
+        if (most < 4) {
+            sort_by_gap(members);
+            members.count = std::min(members.count, most);
+        }
+        for (int i = 0; i < members.count; ++i) kept.add(members.p[i]);
+    }
+    points = kept;
+}
+
+}  // namespace
+
+void make_room(Points& points, double size) {
+    // One triangle adds at most a dozen.
+    if (points.count <= kMaxPoints - 16) return;
+    thin(points, size, 4);
+    if (points.count > kMaxPoints / 2) thin(points, size, 1);
+    if (points.count > kMaxPoints / 2) {
+        sort_by_gap(points);
+        points.count = kMaxPoints / 2;
+    }
+}
+
+void finish_surface(Points& points, const double* origin, double size, Manifold& out) {
+    std::sort(points.p, points.p + points.count, [](const Point& p, const Point& q) {
+        return p.feature != q.feature ? p.feature < q.feature : p.gap < q.gap;
+    });
+    int of[kMaxPoints];
+    const int groups = group(points, of);
+    if (points.count > 4) thin(points, size, groups <= 2 ? 4 : (groups <= 4 ? 2 : 1));
+    if (points.count > kMaxManifold) {
+        sort_by_gap(points);
+        points.count = kMaxManifold;
+    }
+    write_sorted(points, origin, out);
+}
+
+}  // namespace hawser::collide::narrow
