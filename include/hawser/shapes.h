@@ -58,7 +58,8 @@ struct ShapeDef {
     ShapeKind kind = ShapeKind::sphere;
     BodyId body{};  ///< Required. Scalars have no shape; lumps: sphere or segment.
     /// Second lump of a segment (capsule only; half_length, position, orientation are then not
-    /// used); invalid: the shape belongs to `body` alone.
+    /// used); invalid: the shape belongs to `body` alone. One of the two may be a fixed body, whose
+    /// centre is then the end.
     BodyId body_b{};
     Vec3 position{0.0, 0.0, 0.0};         ///< Of the shape's frame in the body's frame [m].
     Quat orientation = Quat::Identity();  ///< Shape to body.

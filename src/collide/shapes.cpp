@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "collide/collider.h"
 
-#include <hawser/def.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -36,10 +34,7 @@ std::int32_t Collider::add(const ShapeDef& def, const model::Bodies& bodies) {
     s.group = def.group;
     s.touches = def.touches;
     for (const std::int32_t b : s.body) s.moves = s.moves || (b >= 0 && bodies.dof(b) > 0);
-    if (def.kind == ShapeKind::hull || def.kind == ShapeKind::mesh ||
-        def.kind == ShapeKind::heightfield)
-        throw DefError("shape '" + def.name + "': this kind of shape is not there yet");
-    std::shared_ptr<const ShapeData> data;
+    std::shared_ptr<const ShapeData> data = make_shape_data(def);
     s.geometry.data = data.get();
     data_.push_back(std::move(data));
     shapes_.push_back(s);

@@ -177,7 +177,10 @@ void expand_bodies(Description& out, const Scope& scope) {
     for (std::size_t i = 0; i < list->size(); ++i) {
         const Place place = scope.place / "bodies" / i;
         BodyDef def = read_body((*list)[i], scope, place);
-        out.add_body(std::move(def), out.keep(place));
+        const BodyId id = out.add_body(std::move(def), out.keep(place));
+        if (const auto shapes = (*list)[i].find("shapes"); shapes != (*list)[i].end()) {
+            expand_shapes(out, id, *shapes, place / "shapes");
+        }
     }
 }
 

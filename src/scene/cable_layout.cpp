@@ -224,6 +224,21 @@ void check_lengths(CableLayout& c, const Place& place) {
     }
 }
 
+void read_contact(CableLayout& c, Description& out, const Json& cable, const Place& place) {
+    const auto contact = cable.find("contact");
+    if (contact == cable.end()) {
+        return;
+    }
+    const Place at = place / "contact";
+    c.touches = true;
+    c.contact.kind = ShapeKind::capsule;
+    c.contact.radius = number_or(*contact, "radius", c.radius);
+    if (!(c.contact.radius > 0.0)) {
+        refuse(at, "a cable that touches needs \"radius\", or \"diameter\" in its line type");
+    }
+    read_surface(c.contact, out, *contact, at);
+}
+
 }  // namespace
 
 CableLayout lay_out_cable(Description& out, const Scope& scope, const Scope& to_scope,
@@ -238,6 +253,7 @@ CableLayout lay_out_cable(Description& out, const Scope& scope, const Scope& to_
     c.joint_compliance = number_or(cable, "compliance", out.default_compliance);
     c.joint_damping_time = number_or(cable, "damping_time", out.default_damping_time);
     read_line_type(c, cable, document, place);
+    read_contact(c, out, cable, place);
     read_ends(c, out, scope, to_scope, cable, place);
     read_elements(c, out, cable, place);
     place_nodes(c, out, scope, cable, place);

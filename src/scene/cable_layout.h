@@ -40,6 +40,9 @@ struct CableLayout {
     double joint_compliance = kDefault;
     double joint_damping_time = kDefault;
 
+    bool touches = false;  ///< It has shapes …
+    ShapeDef contact;      ///< … like this one; its radius is that of the contact.
+
     BodyId drum;               ///< Of the winch, if any.
     double drum_radius = 0.0;  ///< [m].
 };

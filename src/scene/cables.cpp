@@ -25,6 +25,9 @@ class Builder {
 
     void build() {
         c_.links ? build_links() : build_lumps();
+        if (c_.touches) {
+            c_.links ? add_link_shapes() : add_segments();
+        }
         out_.add_cable(std::move(cable_), at_);
     }
 
@@ -180,6 +183,41 @@ class Builder {
         const std::size_t end = c_.elements + (to_free ? 0 : 1);
         for (std::size_t i = from_free ? 1 : 0; i < end; ++i) {
             add_joint(i);
+        }
+    }
+
+    // --- Shapes ------------------------------------------------------------------------------
+
+    /// Segments of all elements but those that end on a body, which have no lump there.
+    void add_segments() {
+        const auto at_rest_or_lump = [&](std::size_t i) {
+            const BodyKind kind = out_.body(cable_.nodes[i]).kind;
+            return kind == BodyKind::lump || (kind == BodyKind::fixed && point(i).isZero(0.0));
+        };
+        const auto is_lump = [&](std::size_t i) {
+            return out_.body(cable_.nodes[i]).kind == BodyKind::lump;
+        };
+        for (std::size_t i = 0; i < c_.elements; ++i) {
+            if (!at_rest_or_lump(i) || !at_rest_or_lump(i + 1) || !(is_lump(i) || is_lump(i + 1))) {
+                continue;
+            }
+            ShapeDef def = c_.contact;
+            def.name = part("c", i);
+            def.body = cable_.nodes[i];
+            def.body_b = cable_.nodes[i + 1];
+            out_.add_shape(std::move(def), place_);
+        }
+    }
+
+    /// A capsule along each link.
+    void add_link_shapes() {
+        for (std::size_t i = 0; i < links_.size(); ++i) {
+            ShapeDef def = c_.contact;
+            def.name = part("c", i);
+            def.body = links_[i];
+            def.half_length = out_.body(links_[i]).half_size.x();
+            def.orientation = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitX());
+            out_.add_shape(std::move(def), place_);
         }
     }
 

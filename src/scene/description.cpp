@@ -45,6 +45,12 @@ BodyId Description::add_body(BodyDef def, int place) {
     return BodyId{index};
 }
 
+void Description::add_shape(ShapeDef def, int place) {
+    refuse_too_many(shapes.size(), "shapes", places_[static_cast<std::size_t>(place)]);
+    shapes.push_back(std::move(def));
+    shape_at_.push_back(static_cast<std::size_t>(place));
+}
+
 InteractionId Description::add_interaction(InteractionDef def, int place) {
     const auto index = static_cast<std::int32_t>(interactions.size());
     const Place& at = places_[static_cast<std::size_t>(place)];

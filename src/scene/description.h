@@ -6,9 +6,11 @@
 
 #include "scene/document.h"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace hawser::scene {
@@ -40,6 +42,9 @@ class Description {
     std::vector<InteractionDef> interactions;
     std::vector<InputDef> inputs;
     std::vector<Cable> cables;
+    std::vector<MaterialDef> materials;  ///< Material i of the list is i + 1 of the world.
+    std::vector<MaterialPairDef> material_pairs;
+    std::vector<ShapeDef> shapes;
 
     /// Take a place to which several items refer. @return its number.
     int keep(const Place& place);
@@ -49,6 +54,14 @@ class Description {
     }
     [[nodiscard]] const Place& input_place(std::size_t i) const { return places_[input_at_[i]]; }
 
+    [[nodiscard]] const Place& shape_place(std::size_t i) const { return places_[shape_at_[i]]; }
+
+    void add_shape(ShapeDef def, int place);
+    /// Bits of the groups named by a word or a list of words. A group comes to be by being named.
+    std::uint32_t groups(const Json& names, const Place& place);
+    /// Likewise for what a shape touches; check_groups() refuses names that no shape has.
+    std::uint32_t touched(const Json& names, const Place& place);
+    void check_groups() const;
     /// @throws SceneError when the name is taken or there are too many.
     BodyId add_body(BodyDef def, int place);
     InteractionId add_interaction(InteractionDef def, int place);
@@ -71,7 +84,10 @@ class Description {
 
   private:
     std::vector<Place> places_;
-    std::vector<std::size_t> body_at_, interaction_at_, input_at_;
+    std::vector<std::size_t> body_at_, interaction_at_, input_at_, shape_at_;
+    std::vector<std::string> group_names_{"default"};
+    std::uint32_t named_groups_ = 0;                           ///< Those that some shape is in.
+    std::vector<std::pair<std::uint32_t, Place>> touched_at_;  ///< Where each group is named.
     std::unordered_map<std::string, std::int32_t> body_names_, interaction_names_, input_names_,
         cable_names_;
     BodyId world_;
@@ -100,6 +116,12 @@ void expand_interactions(Description& out, const Scope& scope);
 /// One cable (cables.cpp). `to_scope` is where the name of its last end is looked up.
 void expand_cable(Description& out, const Scope& scope, const Scope& to_scope, const Json& cable,
                   const Document& document, const Place& place);
+/// Materials and their pairs (materials.cpp).
+void expand_materials(Description& out, const Document& document);
+/// Surface, groups of a shape, as far as given: "material", "groups", "touches" (materials.cpp).
+void read_surface(ShapeDef& def, Description& out, const Json& json, const Place& place);
+/// Shapes of a body (shapes.cpp).
+void expand_shapes(Description& out, BodyId body, const Json& list, const Place& place);
 /// Inputs of one scope (inputs.cpp).
 void expand_inputs(Description& out, const Scope& scope);
 /// Start from the stored state (state.cpp): bodies of copy 0, or the cables that join copies.

@@ -7,7 +7,7 @@
 namespace hawser::scene {
 namespace {
 
-/// Gathers line types and templates of included files.
+/// Gathers line types, templates and materials of included files.
 class Includer {
   public:
     Includer(Document& document, std::filesystem::path root_folder)
@@ -20,6 +20,7 @@ class Includer {
         if (depth > 0) {
             take(content, "line_types", place, document_.line_types);
             take(content, "templates", place, document_.templates);
+            take(content, "materials", place, document_.materials);
         }
         const auto list = content.find("include");
         if (list == content.end()) {
@@ -135,6 +136,7 @@ Document make_document(Json root, const std::filesystem::path& file, const Optio
                       .place = {file.string(), ""},
                       .line_types = {},
                       .templates = {},
+                      .materials = {},
                       .state = {}};
     check_shape(document.root, *format().scene, document.place);
     const Json original = document.root.contains("include")

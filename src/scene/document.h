@@ -17,6 +17,7 @@ struct Document {
     /// Where the entries that came from other files stand, by name.
     std::map<std::string, Place, std::less<>> line_types;
     std::map<std::string, Place, std::less<>> templates;
+    std::map<std::string, Place, std::less<>> materials;
     Place state;  ///< Of the state's "bodies".
 };
 

@@ -224,6 +224,7 @@ void read_settings(Description& out, const Json& root) {
     def.geometric_stiffness = number_or(settings, "geometric_stiffness", def.geometric_stiffness);
     def.rotation_damping = number_or(settings, "rotation_damping", def.rotation_damping);
     def.staggered_start = settings.value("staggered_start", def.staggered_start);
+    def.contact_margin = number_or(settings, "contact_margin", def.contact_margin);
     def.refinements = settings.value("refinements", def.refinements);
     out.duration = number_or(settings, "duration", out.duration);
     out.copies = root.contains("repeat") ? root["repeat"].value("copies", std::size_t{1}) : 1;
@@ -236,7 +237,9 @@ void read_settings(Description& out, const Json& root) {
 
 void expand(Description& out, const Document& document) {
     read_settings(out, document.root);
+    expand_materials(out, document);
     Expander(out, document).run();
+    out.check_groups();
     apply_state(out, document);
     expand_copies(out, document);
 }

@@ -65,7 +65,9 @@ ShapePtr settings() {
          {"staggered_start", boolean("true or false"), false, "true", "",
           "Take the initial velocities half a step back, which makes the scheme second order."},
          {"refinements", integer("an integer", 0, 4), false, "1", "",
-          "Steps of iterative refinement."}});
+          "Steps of iterative refinement."},
+         {"contact_margin", number("a length", 1e-6, 10.0), false, "0.02", "m",
+          "Shapes closer than this are in contact before they touch."}});
 }
 
 ShapePtr line_type() {
@@ -126,6 +128,8 @@ ShapePtr body() {
           "Drag about the axes of the body; one number for all three."},
          {"gravity", boolean("true or false"), false, "true (scalar: false)", "",
           "False: weightless, such as a ship afloat."},
+         {"shapes", list_of("a list of shapes", shape_of_body()), false, "none", "",
+          "What of it touches other things. A lump takes one sphere."},
          {"description", text("a text"), false, "", "", "Remarks."}},
         {{"orientation", "euler_deg"}, {"inertia", "box", "cylinder", "sphere"}});
 }
@@ -173,6 +177,8 @@ ShapePtr cable() {
           "m", "Added to the interior nodes."},
          {"tension_only", boolean("true or false"), false, "true", "", "False: it also pushes."},
          {"winch", winch, false, "", "", "Drum that pays it out."},
+         {"contact", cable_contact(), false, "it touches nothing", "",
+          "Its elements touch what they meet; an element that ends on a body does not."},
          {"compliance", number("a compliance", 0.0, 1e12), false, "of a ball joint", "m/N",
           "Of the ball joints of links."},
          {"damping_time", number("a time", 0.0, 1e12), false, "of a ball joint", "s",
@@ -261,8 +267,10 @@ std::vector<Field> common_fields(const ShapePtr& line, const ShapePtr& group) {
              "Version of the format: 1."},
             {"description", text("a text"), false, "", "", "Remarks."},
             {"include", list("a list of file names", text("a file name"), 0, 64), false, "", "",
-             "Files with line types and templates, relative to this one."},
+             "Files with line types, materials and templates, relative to this one."},
             {"line_types", map("line types by name", line), false, "", "", "Line types."},
+            {"materials", map("materials by name", material()), false, "", "",
+             "What shapes are made of. \"default\" has all the defaults and is always there."},
             {"templates", map("templates by name", group), false, "", "", "Templates."}};
 }
 
@@ -276,6 +284,8 @@ ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
                 {{"compliance", number_or_rows, false, "1e-12", "m/N or rad/(N m)", "Compliance."},
                  {"damping_time", number_or_rows, false, "two steps", "s", "Damping time."}}),
          false, "", "", "Defaults of constraints."},
+        {"material_pairs", list_of("a list of material pairs", material_pair()), false, "", "",
+         "How two given materials touch, in place of the mixing rules."},
         {"bodies", f.bodies, false, "", "", "Bodies."},
         {"interactions", f.interactions, false, "", "", "Interactions."},
         {"cables", f.cables, false, "", "", "Cables."},

@@ -12,6 +12,7 @@ inline constexpr int kFormatVersion = 1;
 /// Bodies, cable elements and interactions that one scene may have, copies included.
 inline constexpr std::size_t kMaxElements = 2'000'000;
 inline constexpr int kMaxCopies = 1000;
+inline constexpr std::size_t kMaxGroups = 32;  ///< Collision groups, "default" included.
 inline constexpr int kMaxIncludeDepth = 8;
 inline constexpr int kMaxInstanceDepth = 8;
 
@@ -32,6 +33,13 @@ struct Format {
 
 /// Shape of one interaction, by kind. See format_kinds.cpp.
 [[nodiscard]] ShapePtr interaction_shape();
+
+/// Shapes of a body, and what a material, a pair of them, a cable's contact is. See
+/// format_shapes.cpp.
+[[nodiscard]] ShapePtr shape_of_body();
+[[nodiscard]] ShapePtr material();
+[[nodiscard]] ShapePtr material_pair();
+[[nodiscard]] ShapePtr cable_contact();
 
 /// True for a parameter whose default is read off the pose in which the scene describes the
 /// bodies: the distance of two points, the height of a ship, the coordinate of a drum.

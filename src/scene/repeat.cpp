@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace hawser::scene {
 namespace {
 
 /// What of the description is copy 0.
 struct Extent {
-    std::size_t bodies, interactions, inputs, cables;
+    std::size_t bodies, interactions, inputs, cables, shapes;
 };
 
 std::string copy_prefix(int copy) { return std::to_string(copy) + ":"; }
@@ -52,7 +54,8 @@ class Copier {
           place_(document.place / "repeat"),
           repeat_(repeat),
           offset_(vector_of(repeat["offset"])),
-          base_{out.bodies.size(), out.interactions.size(), out.inputs.size(), out.cables.size()} {}
+          base_{out.bodies.size(), out.interactions.size(), out.inputs.size(), out.cables.size(),
+                out.shapes.size()} {}
 
     void run(int copies) {
         const std::size_t total = base_.bodies * static_cast<std::size_t>(copies);
@@ -135,6 +138,24 @@ class Copier {
             }
             out_.add_cable(std::move(cable), place_);
         }
+        for (std::size_t i = 0; i < base_.shapes; ++i) {
+            if (is_its_own_copy(out_.shapes[i])) {
+                continue;
+            }
+            ShapeDef def = out_.shapes[i];
+            rename(def.name, prefix);
+            def.body = mapped(def.body);
+            def.body_b = mapped(def.body_b);
+            out_.add_shape(std::move(def), number_);
+        }
+    }
+
+    /// A plane at rest along which the copies lie: it is there already for all of them.
+    [[nodiscard]] bool is_its_own_copy(const ShapeDef& def) const {
+        const BodyDef& body = out_.body(def.body);
+        const Vec3 normal = body.orientation * (def.orientation * Vec3::UnitZ());
+        return def.kind == ShapeKind::plane && body.kind == BodyKind::fixed &&
+               std::abs(normal.dot(offset_)) <= 1e-9 * offset_.norm();
     }
 
     /// Cables from copy `copy` to the next.

@@ -36,6 +36,16 @@ World build(const Description& description, int threads, const Place& settings_p
             at = &description.interaction_place(i);
             world.add_interaction(description.interactions[i]);
         }
+        for (const MaterialDef& material : description.materials) {
+            world.add_material(material);
+        }
+        for (const MaterialPairDef& pair : description.material_pairs) {
+            world.add_material_pair(pair);
+        }
+        for (std::size_t i = 0; i < description.shapes.size(); ++i) {
+            at = &description.shape_place(i);
+            world.add_shape(description.shapes[i]);
+        }
         for (std::size_t i = 0; i < description.inputs.size(); ++i) {
             at = &description.input_place(i);
             world.add_input(description.inputs[i]);

@@ -109,8 +109,11 @@ void check_bodies(const std::string& where, const ShapeDef& d, const model::Bodi
         if (d.kind != ShapeKind::capsule)
             reject(where, "only a capsule lies between two bodies (a segment)");
         if (d.body_b == d.body) reject(where, "a segment needs two different lumps");
-        if (a != BodyKind::lump || kind(d.body_b, "body_b") != BodyKind::lump)
-            reject(where, "a segment lies between two lumps");
+        const BodyKind b = kind(d.body_b, "body_b");
+        const bool lumps = a == BodyKind::lump || b == BodyKind::lump;
+        const auto fits = [](BodyKind k) { return k == BodyKind::lump || k == BodyKind::fixed; };
+        if (!lumps || !fits(a) || !fits(b))
+            reject(where, "a segment lies between two lumps, or a lump and a fixed body");
         return;
     }
     if (a == BodyKind::scalar) reject(where, "a scalar body has no place, so no shape");

@@ -2,6 +2,8 @@
 #pragma once
 /// Valid scenes that between them use every part of the format.
 
+#include "touching_scene.h"
+
 #include <array>
 #include <string_view>
 
@@ -164,6 +166,7 @@ inline constexpr std::string_view kPendulum = R"({
   "plot": {"motions": ["bob"]}
 })";
 
-inline constexpr std::array<std::string_view, 3> kGoodScenes = {kSite, kKinds, kPendulum};
+inline constexpr std::array<std::string_view, 4> kGoodScenes = {kSite, kKinds, kPendulum,
+                                                                kTouching};
 
 }  // namespace hawser::scene::test

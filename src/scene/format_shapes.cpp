@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/format.h"
+
+#include <utility>
+
+namespace hawser::scene {
+namespace {
+
+using namespace make;
+
+constexpr double kMostShapeLength = 1e6;
+constexpr std::size_t kMostHull = 4096;         ///< Vertices of a hull.
+constexpr std::size_t kMostPoints = 1'000'000;  ///< Of a mesh or heightfield.
+
+ShapePtr group_names(const char* what) {
+    const ShapePtr one = name("a group name");
+    return choice(what, {one, list("a list of group names", one, 1, kMaxGroups)});
+}
+
+std::vector<Field> surface_fields() {
+    return {{"material", text("a material name"), false, "default", "", "What it is made of."},
+            {"groups", group_names("a group name or a list of them"), false, "default", "",
+             "Collision groups that it is in; 32 in all."},
+            {"touches", group_names("a group name or a list of them"), false, "every group", "",
+             "Groups that it touches. Two shapes touch when each touches a group of the other."}};
+}
+
+std::vector<Field> values_of_material() {
+    return {
+        {"friction", number("a coefficient", 0.0, 100.0), false, "0.5", "1",
+         "Coulomb coefficient."},
+        {"restitution", number("a fraction", 0.0, 1.0), false, "0", "1",
+         "Of the speed of an impact."},
+        {"stiffness", number("a stiffness", 1.0, 1e12), false, "1e8", "N/m",
+         "Of one contact point, normal to the surface."},
+        {"tangential", number("a ratio", 0.01, 10.0), false, "0.7", "1",
+         "Tangential over normal stiffness while sticking."},
+        {"damping_time", number("a time", 0.0, 1e3), false, "two steps", "s", "Of the contact."},
+        {"rolling", number("a length", 0.0, 10.0), false, "0", "m",
+         "Rolling resistance: moment over normal force."},
+        {"torsional", number("a length", 0.0, 10.0), false, "0", "m",
+         "Resistance to spinning about the normal: moment over normal force."},
+        {"description", text("a text"), false, "", "", "Source and remarks."}};
+}
+
+ShapePtr length(const char* what) { return positive(what, kMostShapeLength); }
+ShapePtr axis() { return word("an axis", {"x", "y", "z"}); }
+
+/// One kind of shape: `fields` besides what all have.
+std::pair<std::string, ShapePtr> shape_kind(const std::string& kind, const std::string& what,
+                                            const std::string& doc, std::vector<Field> fields,
+                                            bool turns = true) {
+    std::vector<std::vector<std::string>> alternatives;
+    std::vector<Field> all{
+        {"kind", literal(word("the kind", {kind})), true, "", "", "The kind."},
+        {"name", name("a name"), false, "", "",
+         "Unique among the shapes of its body; NAME of body B is the shape B/NAME."},
+        {"position", vector3("a position"), false, "[0, 0, 0]", "m",
+         "Of the shape's frame in the body's frame."}};
+    if (turns) {
+        all.push_back({"orientation",
+                       list("an orientation [w, x, y, z]", number("a number", -1e6, 1e6), 4, 4),
+                       false, "[1, 0, 0, 0]", "1", "Of the shape's frame in the body's frame."});
+        all.push_back({"euler_deg",
+                       list("three angles [roll, pitch, yaw] in degrees",
+                            number("an angle", -36000, 36000), 3, 3),
+                       false, "", "deg", "The same as angles about x, then y, then z."});
+        alternatives.push_back({"orientation", "euler_deg"});
+        if (kind == "plane") alternatives.back().emplace_back("normal");
+    }
+    all.insert(all.end(), fields.begin(), fields.end());
+    const auto surface = surface_fields();
+    all.insert(all.end(), surface.begin(), surface.end());
+    all.push_back({"description", text("a text"), false, "", "", "Remarks."});
+    return {kind, object("shape_" + kind, what, doc, std::move(all), std::move(alternatives))};
+}
+
+std::vector<Field> along_axis(const char* what) {
+    return {{"radius", length("a length"), true, "", "m", "Radius."},
+            {"length", length("a length"), true, "", "m", what},
+            {"axis", axis(), false, "x", "", "Axis of the shape's frame along which it lies."}};
+}
+
+ShapePtr ground() {
+    return object(
+        "ground", "a ground", "Heights as a function of x and y in the shape's frame.",
+        {{"slope", list("two slopes", number("a slope", -100.0, 100.0), 2, 2), false, "[0, 0]", "1",
+          "Rise along x and along y."},
+         {"height", number("a height", -1e5, 1e5), false, "0", "m", "Of the waves …"},
+         {"length", list("two wave lengths", length("a length"), 2, 2), false, "", "m",
+          "… of these lengths along x and y: height cos(2 pi x/Lx) cos(2 pi y/Ly) is added."}});
+}
+
+std::vector<Field> heightfield() {
+    return {{"rows", integer("a number of rows", 2, 65536), true, "", "", "Nodes along y."},
+            {"columns", integer("a number of columns", 2, 65536), true, "", "", "Nodes along x."},
+            {"cell", list("two lengths", length("a length"), 2, 2), true, "", "m",
+             "Distance of nodes along x and along y. The field is centred on the shape's frame."},
+            {"heights", list("a list of heights", number("a height", -1e5, 1e5), 4, kMostPoints),
+             false, "", "m", "Row by row, each along x; the solid is below."},
+            {"ground", ground(), false, "flat", "", "In place of heights."}};
+}
+
+std::vector<Field> vertices(const char* what, std::size_t least, std::size_t most) {
+    return {{"vertices", list(what, vector3("a point"), least, most), true, "", "m",
+             "In the shape's frame."}};
+}
+
+std::vector<Field> mesh() {
+    auto fields = vertices("a list of points", 3, kMostPoints);
+    const ShapePtr corner = integer("an index of a vertex", 0, static_cast<double>(kMostPoints));
+    fields.push_back(
+        {"triangles",
+         list("a list of triangles", list("three indices", corner, 3, 3), 1, kMostPoints), true, "",
+         "", "Three indices of vertices each, from 0."});
+    return fields;
+}
+
+}  // namespace
+
+ShapePtr material() {
+    return object("material", "a material",
+                  "What touches how. Of two materials without a pair the geometric means of "
+                  "friction, rolling and torsional resistance, the larger restitution and damping "
+                  "time, and both stiffnesses in series hold.",
+                  values_of_material());
+}
+
+ShapePtr material_pair() {
+    std::vector<Field> fields{{"between", list("two material names", text("a material name"), 2, 2),
+                               true, "", "", "The two; they may be the same one."}};
+    const auto values = values_of_material();
+    fields.insert(fields.end(), values.begin(), values.end());
+    return object("material_pair", "a material pair",
+                  "How two materials touch. What it does not give has the default of a material.",
+                  std::move(fields));
+}
+
+ShapePtr cable_contact() {
+    std::vector<Field> fields{{"radius", positive("a length", 1e3), false,
+                               "half the diameter; of links their radius", "m",
+                               "Of the capsules along its elements."}};
+    const auto surface = surface_fields();
+    fields.insert(fields.end(), surface.begin(), surface.end());
+    return object("contact", "a contact", "How a cable touches.", std::move(fields));
+}
+
+ShapePtr shape_of_body() {
+    auto shape = std::make_shared<Shape>();
+    shape->type = Shape::Type::switched;
+    shape->id = "shape";
+    shape->what = "a shape";
+    shape->doc = "What of a body touches other things; \"kind\" selects which.";
+    shape->key = "kind";
+    shape->cases = {
+        shape_kind("sphere", "a sphere", "A ball.",
+                   {{"radius", length("a length"), true, "", "m", "Radius."}}, false),
+        shape_kind("capsule", "a capsule", "A cylinder with half balls at its ends.",
+                   along_axis("Between the centres of the half balls.")),
+        shape_kind(
+            "box", "a box", "A box.",
+            {{"half_size",
+              list("three half sizes [x, y, z]", positive("a length", kMostShapeLength), 3, 3),
+              true, "", "m", "Half sizes."}}),
+        shape_kind("cylinder", "a cylinder", "A cylinder with flat ends.",
+                   along_axis("Between its ends.")),
+        shape_kind("plane", "a plane", "A half-space: solid below the shape's x-y plane.",
+                   {{"normal", vector3("a direction"), false, "[0, 0, 1]", "1",
+                     "Direction out of the solid, in the body's frame."}}),
+        shape_kind("heightfield", "a heightfield",
+                   "Ground given by heights over the shape's x-y plane.", heightfield()),
+        shape_kind("hull", "a hull", "The convex hull of points.", vertices("a list of 4 to 4096 points", 4, kMostHull)),
+        shape_kind("mesh", "a mesh",
+                   "Triangles, both sides of which touch; only on a fixed or kinematic body.",
+                   mesh())};
+    return shape;
+}
+
+}  // namespace hawser::scene

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/description.h"
+
+#include <algorithm>
+
+namespace hawser::scene {
+namespace {
+
+void read_values(MaterialDef& def, const Json& json) {
+    def.friction = number_or(json, "friction", def.friction);
+    def.restitution = number_or(json, "restitution", def.restitution);
+    def.stiffness = number_or(json, "stiffness", def.stiffness);
+    def.tangential = number_or(json, "tangential", def.tangential);
+    def.damping_time = number_or(json, "damping_time", def.damping_time);
+    def.rolling = number_or(json, "rolling", def.rolling);
+    def.torsional = number_or(json, "torsional", def.torsional);
+}
+
+MaterialId find_material(const Description& out, const std::string& name, const Place& place) {
+    if (name == "default") {
+        return MaterialId{0};
+    }
+    std::vector<std::string> known{"default"};
+    for (std::size_t i = 0; i < out.materials.size(); ++i) {
+        if (out.materials[i].name == name) {
+            return MaterialId{static_cast<std::int32_t>(i) + 1};
+        }
+        known.push_back(out.materials[i].name);
+    }
+    refuse(place, "there is no material " + in_quotes(name) + suggestion(name, known));
+}
+
+/// Call f(name, place) for a word or each of a list of words.
+template <class F>
+void each_name(const Json& names, const Place& place, const F& f) {
+    if (names.is_string()) {
+        f(names.get<std::string>(), place);
+        return;
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        f(names[i].get<std::string>(), place / i);
+    }
+}
+
+}  // namespace
+
+void expand_materials(Description& out, const Document& document) {
+    const auto list = document.root.find("materials");
+    if (list != document.root.end()) {
+        for (const auto& [name, value] : list->items()) {
+            const auto elsewhere = document.materials.find(name);
+            const Place place = elsewhere != document.materials.end()
+                                    ? elsewhere->second
+                                    : document.place / "materials" / name;
+            if (!is_valid_name(name)) {
+                refuse(place, in_quotes(name) + " is not a name: letters, digits and _ . + -");
+            }
+            if (name == "default") {
+                refuse(place, "the material \"default\" is always there; choose another name");
+            }
+            MaterialDef def;
+            def.name = name;
+            read_values(def, value);
+            out.materials.push_back(std::move(def));
+        }
+    }
+    const auto pairs = document.root.find("material_pairs");
+    if (pairs == document.root.end()) {
+        return;
+    }
+    std::vector<std::pair<std::int32_t, std::int32_t>> seen;
+    for (std::size_t i = 0; i < pairs->size(); ++i) {
+        const Json& json = (*pairs)[i];
+        const Place place = document.place / "material_pairs" / i;
+        const auto one = [&](std::size_t k) {
+            return find_material(out, json["between"][k].get<std::string>(), place / "between" / k);
+        };
+        MaterialPairDef pair;
+        pair.a = one(0);
+        pair.b = one(1);
+        const auto key = std::minmax(pair.a.index, pair.b.index);
+        if (std::find(seen.begin(), seen.end(), std::pair(key.first, key.second)) != seen.end()) {
+            refuse(place, "these two materials have a pair already");
+        }
+        seen.emplace_back(key.first, key.second);
+        read_values(pair.values, json);
+        out.material_pairs.push_back(pair);
+    }
+}
+
+void read_surface(ShapeDef& def, Description& out, const Json& json, const Place& place) {
+    if (json.contains("material")) {
+        def.material = find_material(out, json["material"].get<std::string>(), place / "material");
+    }
+    if (json.contains("groups")) {
+        def.group = out.groups(json["groups"], place / "groups");
+    }
+    if (json.contains("touches")) {
+        def.touches = out.touched(json["touches"], place / "touches");
+    }
+}
+
+std::uint32_t Description::groups(const Json& names, const Place& place) {
+    std::uint32_t bits = 0;
+    each_name(names, place, [&](const std::string& name, const Place& at) {
+        auto found = std::find(group_names_.begin(), group_names_.end(), name);
+        if (found == group_names_.end()) {
+            if (group_names_.size() >= kMaxGroups) {
+                refuse(at, "the scene has more than 32 groups, \"default\" included");
+            }
+            found = group_names_.insert(found, name);
+        }
+        const std::uint32_t bit = 1U << (found - group_names_.begin());
+        named_groups_ |= bit;
+        bits |= bit;
+    });
+    return bits;
+}
+
+std::uint32_t Description::touched(const Json& names, const Place& place) {
+    const std::uint32_t before = named_groups_;
+    std::uint32_t bits = 0;
+    each_name(names, place, [&](const std::string& name, const Place& at) {
+        const std::uint32_t bit = groups(name, at);
+        touched_at_.emplace_back(bit, at);
+        bits |= bit;
+    });
+    named_groups_ = before;  // Naming a group here puts nothing into it.
+    return bits;
+}
+
+void Description::check_groups() const {
+    std::vector<std::string> known{"default"};
+    for (std::size_t g = 1; g < group_names_.size(); ++g) {
+        if ((named_groups_ >> g & 1U) != 0) {
+            known.push_back(group_names_[g]);
+        }
+    }
+    for (const auto& [bit, place] : touched_at_) {
+        if (bit == 1U || (named_groups_ & bit) != 0) {
+            continue;
+        }
+        std::size_t g = 0;
+        while (bit >> g != 1U) {
+            ++g;
+        }
+        refuse(place, "no shape is in the group " + in_quotes(group_names_[g]) +
+                          suggestion(group_names_[g], known));
+    }
+}
+
+}  // namespace hawser::scene

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/description.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace hawser::scene {
+namespace {
+
+constexpr std::array<const char*, 8> kShapeWords = {"sphere", "capsule",     "box",  "cylinder",
+                                                    "plane",  "heightfield", "hull", "mesh"};
+
+/// From the shape's z, along which the world has cylinders, to the axis that is named.
+Quat to_axis(const std::string& axis) {
+    return axis == "z"   ? Quat::Identity()
+           : axis == "y" ? Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitY())
+                         : Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitX());
+}
+
+void read_ground(ShapeDef& def, const Json& ground, const Place& place) {
+    const auto pair = [&](const char* key, double fallback) {
+        std::array<double, 2> value{fallback, fallback};
+        if (const auto entry = ground.find(key); entry != ground.end()) {
+            value = {(*entry)[0].get<double>(), (*entry)[1].get<double>()};
+        }
+        return value;
+    };
+    const double height = number_or(ground, "height", 0.0);
+    if (height != 0.0 && !ground.contains("length")) {
+        refuse(place, "waves need \"length\"");
+    }
+    const auto slope = pair("slope", 0.0);
+    const auto length = pair("length", 1.0);
+    constexpr double kTurn = 2.0 * std::numbers::pi;
+    for (int i = 0; i < def.rows; ++i) {
+        for (int j = 0; j < def.columns; ++j) {
+            const double x = (j - 0.5 * (def.columns - 1)) * def.cell[0];
+            const double y = (i - 0.5 * (def.rows - 1)) * def.cell[1];
+            def.heights.push_back(slope[0] * x + slope[1] * y +
+                                  height * std::cos(kTurn * x / length[0]) *
+                                      std::cos(kTurn * y / length[1]));
+        }
+    }
+}
+
+void read_heightfield(ShapeDef& def, const Json& json, const Place& place) {
+    constexpr std::size_t kMostNodes = 1'000'000;
+    def.rows = json["rows"].get<int>();
+    def.columns = json["columns"].get<int>();
+    def.cell = {json["cell"][0].get<double>(), json["cell"][1].get<double>()};
+    const auto nodes = static_cast<std::size_t>(def.rows) * static_cast<std::size_t>(def.columns);
+    if (nodes > kMostNodes) {
+        refuse(place, fmt::format("{} rows of {} are more than {} nodes", def.rows, def.columns,
+                                  kMostNodes));
+    }
+    if (json.contains("heights")) {
+        const Json& heights = json["heights"];
+        if (heights.size() != nodes) {
+            refuse(place / "heights", fmt::format("expected {} heights, {} rows of {}, found {}",
+                                                  nodes, def.rows, def.columns, heights.size()));
+        }
+        def.heights = heights.get<std::vector<double>>();
+    } else {
+        read_ground(def, json.value("ground", Json::object()), place / "ground");
+    }
+}
+
+void read_mesh(ShapeDef& def, const Json& json, const Place& place) {
+    const Json& list = json["triangles"];
+    for (std::size_t t = 0; t < list.size(); ++t) {
+        std::array<std::int32_t, 3> corners{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            corners[k] = list[t][k].get<std::int32_t>();
+            if (static_cast<std::size_t>(corners[k]) >= def.vertices.size()) {
+                refuse(place / "triangles" / t / k,
+                       fmt::format("there is no vertex {}; the last one is {}", corners[k],
+                                   def.vertices.size() - 1));
+            }
+        }
+        def.triangles.push_back(corners);
+    }
+}
+
+ShapeDef read_shape(const Json& json, const Place& place) {
+    ShapeDef def;
+    const auto& word = json["kind"].get_ref<const std::string&>();
+    for (std::size_t i = 0; i < kShapeWords.size(); ++i) {
+        if (word == kShapeWords[i]) {
+            def.kind = static_cast<ShapeKind>(i);
+        }
+    }
+    def.position = vector_or(json, "position", Vec3::Zero());
+    def.orientation = orientation_of(json, place);
+    def.radius = number_or(json, "radius", 0.0);
+    def.half_length = 0.5 * number_or(json, "length", 0.0);
+    def.half_size = vector_or(json, "half_size", Vec3::Zero());
+    if (def.kind == ShapeKind::capsule || def.kind == ShapeKind::cylinder) {
+        def.orientation = def.orientation * to_axis(text_or(json, "axis", "x"));
+    }
+    if (json.contains("normal")) {
+        const Vec3 normal = vector_of(json["normal"]);
+        if (!(normal.norm() > 1e-9)) {
+            refuse(place / "normal", "a direction must not be zero");
+        }
+        def.orientation = Quat::FromTwoVectors(Vec3::UnitZ(), normal);
+    }
+    if (def.kind == ShapeKind::heightfield) {
+        read_heightfield(def, json, place);
+    }
+    if (json.contains("vertices")) {
+        for (const Json& vertex : json["vertices"]) {
+            def.vertices.push_back(vector_of(vertex));
+        }
+    }
+    if (def.kind == ShapeKind::mesh) {
+        read_mesh(def, json, place);
+    }
+    return def;
+}
+
+}  // namespace
+
+void expand_shapes(Description& out, BodyId body, const Json& list, const Place& place) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const Place at = place / i;
+        ShapeDef def = read_shape(list[i], at);
+        def.body = body;
+        if (list[i].contains("name")) {
+            const auto name = list[i]["name"].get<std::string>();
+            for (const std::string& other : names) {
+                if (other == name) {
+                    refuse(at / "name", "the body has a shape " + in_quotes(name) + " already");
+                }
+            }
+            names.push_back(name);
+            def.name = out.body(body).name + "/" + name;
+        }
+        read_surface(def, out, list[i], at);
+        out.add_shape(std::move(def), out.keep(at));
+    }
+}
+
+}  // namespace hawser::scene

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes, materials and collision groups of scenes.
+#include "good_scenes.h"
+#include "support.h"
+
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+namespace hawser::scene::test {
+namespace {
+
+const ShapeDef& shape(const Description& d, const std::string& name) {
+    for (const ShapeDef& s : d.shapes) {
+        if (s.name == name) {
+            return s;
+        }
+    }
+    ADD_FAILURE() << "no shape " << name;
+    return d.shapes.front();
+}
+
+TEST(SceneShapes, become_definitions) {
+    const Description d = flat(kTouching);
+    EXPECT_EQ(d.settings.contact_margin, 0.03);
+    ASSERT_EQ(d.materials.size(), 2U);  // in the order of their names
+    EXPECT_EQ(d.materials[0].name, "mud");
+    EXPECT_EQ(d.materials[1].friction, 0.2);
+    EXPECT_EQ(d.materials[1].rolling, 1e-3);
+    EXPECT_TRUE(std::isnan(d.materials[0].damping_time));
+    ASSERT_EQ(d.material_pairs.size(), 2U);
+    EXPECT_EQ(d.material_pairs[0].a.index, 2);
+    EXPECT_EQ(d.material_pairs[0].b.index, 1);
+    EXPECT_EQ(d.material_pairs[0].values.stiffness, 5e5);
+    EXPECT_EQ(d.material_pairs[1].b.index, 0);
+    const ShapeDef& deck = shape(d, "ship/deck");
+    EXPECT_EQ(deck.kind, ShapeKind::box);
+    EXPECT_EQ(deck.material.index, 2);
+    EXPECT_EQ(deck.half_size, Vec3(40, 9, 0.5));
+    EXPECT_EQ(deck.touches, ~0U);
+    const ShapeDef& roller = shape(d, "ship/roller");
+    EXPECT_EQ(roller.half_length, 3.0);
+    EXPECT_NEAR((roller.orientation * Vec3::UnitZ() - Vec3::UnitY()).norm(), 0.0, 1e-15);
+    EXPECT_EQ(roller.group, deck.group);
+    EXPECT_EQ(std::popcount(deck.group), 2);
+    EXPECT_EQ(shape(d, "two/b/s").half_size.x(), 2.5);
+    EXPECT_EQ(shape(d, "two/b/s").material.index, 1);
+    EXPECT_EQ(shape(d, "one/b/s").material.index, 2);
+}
+
+TEST(SceneShapes, cables_get_segments_between_lumps) {
+    const Description d = flat(kTouching);
+    // The element at the ship ends on a rigid body and has none; the last one ends on a fixed body.
+    int segments = 0, links = 0;
+    for (const ShapeDef& s : d.shapes) {
+        segments += s.name.starts_with("tow/c") ? 1 : 0;
+        links += s.name.starts_with("links/c") ? 1 : 0;
+    }
+    EXPECT_EQ(segments, 7);
+    EXPECT_EQ(links, 4);
+    const ShapeDef& first = shape(d, "tow/c1");
+    EXPECT_EQ(d.body(first.body).name, "tow/1");
+    EXPECT_EQ(d.body(first.body_b).name, "tow/2");
+    EXPECT_EQ(first.radius, 0.04);
+    EXPECT_EQ(std::popcount(first.touches), 3);
+    EXPECT_NE(first.touches & first.group, 0U);
+    EXPECT_NE(first.touches & shape(d, "ship/deck").group, 0U);
+    EXPECT_EQ(first.touches & 1U, 0U);
+    const ShapeDef& link = shape(d, "links/c2");
+    EXPECT_FALSE(link.body_b.valid());
+    EXPECT_EQ(link.half_length, 5.0);
+    EXPECT_NEAR((link.orientation * Vec3::UnitZ() - Vec3::UnitX()).norm(), 0.0, 1e-15);
+}
+
+TEST(SceneShapes, copies_have_shapes_but_one_seabed) {
+    const Description d = flat(kTouching);
+    EXPECT_EQ(d.body(shape(d, "1:ship/deck").body).name, "1:ship");
+    EXPECT_EQ(d.body(shape(d, "1:tow/c1").body_b).name, "1:tow/2");
+    EXPECT_EQ(shape(d, "1:ship/deck").material.index, 2);
+    (void)shape(d, "join/c1");
+    int planes = 0;
+    for (const ShapeDef& s : d.shapes) {
+        planes += s.kind == ShapeKind::plane ? 1 : 0;
+    }
+    EXPECT_EQ(planes, 1);
+    // Tilted, the copies are planes of their own.
+    const Description tilted = flat(patched(
+        kTouching, R"([{"op":"replace","path":"/bodies/0/shapes/0/normal","value":[0, 0.1, 1]}])"));
+    EXPECT_EQ(tilted.shapes.size(), d.shapes.size() + 1);
+}
+
+TEST(SceneShapes, become_a_world) {
+    Scene scene = load_text(kTouching, "test.json");
+    const Description d = flat(kTouching);
+    EXPECT_EQ(scene.world.shape_count(), static_cast<int>(d.shapes.size()));
+    EXPECT_EQ(scene.world.settings().contact_margin, 0.03);
+    const ShapeId deck = scene.world.find_shape("1:ship/deck");
+    ASSERT_TRUE(deck.valid());
+    const ShapeDef& def = scene.world.shape_def(deck);
+    EXPECT_EQ(scene.world.material_def(def.material).name, "steel");
+    EXPECT_EQ(scene.world.body_def(def.body).name, "1:ship");
+    ASSERT_EQ(scene.world.step(), Status::ok);
+    EXPECT_GT(scene.world.contacts().size(), 0U);
+    const Scene again = load_text(scene.text, "again.json");
+    EXPECT_EQ(again.world.shape_count(), scene.world.shape_count());
+}
+
+TEST(SceneShapes, options_reach_them) {
+    Options options;
+    options.set = {"bodies.ship.shapes.roller.radius=1.5", "materials.mud.friction=0.9"};
+    const Description d = flat(kTouching, options);
+    EXPECT_EQ(shape(d, "ship/roller").radius, 1.5);
+    EXPECT_EQ(d.materials[0].friction, 0.9);
+}
+
+TEST(SceneShapes, materials_may_come_from_included_files) {
+    const TempFolder folder;
+    folder.write("parts/stuff.json", R"({"version": 1, "materials": {"ice": {"friction": 0.02}}})");
+    const auto file = folder.write("s.json", R"({
+      "version": 1, "name": "s", "include": ["parts/stuff.json"],
+      "bodies": [{"name": "b", "mass": 1, "sphere": 1,
+                  "shapes": [{"kind": "sphere", "radius": 1, "material": "ice"}]}]})");
+    const Scene scene = load_file(file);
+    EXPECT_EQ(scene.world.material_def(scene.world.find_material("ice")).friction, 0.02);
+}
+
+constexpr std::string_view kGround = R"({"version": 1, "name": "g", "bodies": [
+  {"name": "m", "kind": "lump", "mass": 1},
+  {"name": "g", "kind": "fixed", "shapes": [
+    {"kind": "heightfield", "name": "h", "rows": 3, "columns": 4, "cell": [2, 1],
+     "heights": [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]},
+    {"kind": "heightfield", "name": "f", "rows": 3, "columns": 5, "cell": [1, 0.5],
+     "ground": {"slope": [0.1, -0.2], "height": 2, "length": [4, 2]}},
+    {"kind": "heightfield", "name": "flat", "rows": 2, "columns": 2, "cell": [1, 1]},
+    {"kind": "hull", "name": "t",
+     "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]},
+    {"kind": "mesh", "name": "m", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]],
+     "triangles": [[0, 1, 2]]}]}]})";
+
+TEST(SceneShapes, ground_by_heights_or_by_a_function) {
+    const Description d = flat(kGround);
+    const ShapeDef& h = shape(d, "g/h");
+    EXPECT_EQ(h.rows, 3);
+    EXPECT_EQ(h.columns, 4);
+    EXPECT_EQ(h.heights[4], 4.0);
+    const ShapeDef& f = shape(d, "g/f");
+    ASSERT_EQ(f.heights.size(), 15U);
+    // Row 2, column 3: x = 1, y = 0.5; the waves are at a quarter along both.
+    EXPECT_NEAR(f.heights[13],
+                0.1 - 0.1 + 2.0 * std::cos(std::numbers::pi / 2) * std::cos(std::numbers::pi / 2),
+                1e-15);
+    EXPECT_NEAR(f.heights[7], 2.0, 1e-15);
+    for (const double z : shape(d, "g/flat").heights) {
+        EXPECT_EQ(z, 0.0);
+    }
+    EXPECT_EQ(shape(d, "g/t").vertices.size(), 4U);
+    EXPECT_EQ(shape(d, "g/m").triangles[0][2], 2);
+}
+
+struct Wrong {
+    std::string_view scene, patch, path, words;
+};
+
+// clang-format off
+constexpr Wrong kWrong[] = {
+{kTouching, R"([{"op":"replace","path":"/bodies/1/shapes/0/material","value":"stel"}])", "/bodies/1/shapes/0/material", "did you mean \"steel\""},
+{kTouching, R"([{"op":"replace","path":"/cables/0/contact/material","value":"x"}])", "/cables/0/contact/material", "no material"},
+{kTouching, R"([{"op":"replace","path":"/material_pairs/0/between/1","value":"md"}])", "/material_pairs/0/between/1", "did you mean \"mud\""},
+{kTouching, R"([{"op":"replace","path":"/material_pairs/1/between","value":["mud","steel"]}])", "/material_pairs/1", "already"},
+{kTouching, R"([{"op":"add","path":"/materials/default","value":{}}])", "/materials/default", "always there"},
+{kTouching, R"([{"op":"add","path":"/materials/a b","value":{}}])", "/materials/a b", "letters"},
+{kTouching, R"([{"op":"replace","path":"/materials/mud/friction","value":-1}])", "/materials/mud/friction", "at least 0"},
+{kTouching, R"([{"op":"add","path":"/materials/mud/frction","value":1}])", "/materials/mud/frction", "did you mean \"friction\""},
+{kTouching, R"([{"op":"replace","path":"/cables/0/contact/touches","value":["dck"]}])", "/cables/0/contact/touches/0", "did you mean \"deck\""},
+{kTouching, R"([{"op":"replace","path":"/cables/0/contact/groups","value":"two words"}])", "/cables/0/contact/groups", "group name"},
+{kTouching, R"([{"op":"replace","path":"/bodies/1/shapes/1/kind","value":"cilinder"}])", "/bodies/1/shapes/1/kind", "did you mean \"cylinder\""},
+{kTouching, R"([{"op":"remove","path":"/bodies/1/shapes/1/radius"}])", "/bodies/1/shapes/1", "radius"},
+{kTouching, R"([{"op":"replace","path":"/bodies/1/shapes/1/name","value":"deck"}])", "/bodies/1/shapes/1/name", "already"},
+{kTouching, R"([{"op":"add","path":"/bodies/1/shapes/1/half_size","value":[1,1,1]}])", "/bodies/1/shapes/1/half_size", "has no key"},
+{kTouching, R"([{"op":"replace","path":"/bodies/0/shapes/0/normal","value":[0,0,0]}])", "/bodies/0/shapes/0/normal", "zero"},
+{kTouching, R"([{"op":"add","path":"/bodies/0/shapes/0/euler_deg","value":[0,0,1]}])", "/bodies/0/shapes/0", "normal"},
+{kTouching, R"([{"op":"replace","path":"/bodies/2/shapes/0","value":{"kind":"box","half_size":[1,1,1]}}])", "/bodies/2/shapes/0", "orientation"},
+{kTouching, R"([{"op":"replace","path":"/settings/contact_margin","value":0}])", "/settings/contact_margin", "at least"},
+{kTouching, R"([{"op":"remove","path":"/line_types/wire/diameter"},{"op":"add","path":"/cables/1/radius","value":0.1}])", "/cables/0/contact", "radius"},
+{kGround, R"([{"op":"replace","path":"/bodies/1/shapes/0/rows","value":4}])", "/bodies/1/shapes/0/heights", "expected 16 heights"},
+{kGround, R"([{"op":"replace","path":"/bodies/1/shapes/0/rows","value":1}])", "/bodies/1/shapes/0/rows", "at least 2"},
+{kGround, R"([{"op":"replace","path":"/bodies/1/shapes/2/rows","value":60000},{"op":"replace","path":"/bodies/1/shapes/2/columns","value":60000}])", "/bodies/1/shapes/2", "more than"},
+{kGround, R"([{"op":"remove","path":"/bodies/1/shapes/1/ground/length"}])", "/bodies/1/shapes/1/ground", "length"},
+{kGround, R"([{"op":"replace","path":"/bodies/1/shapes/4/triangles/0/1","value":3}])", "/bodies/1/shapes/4/triangles/0/1", "no vertex 3"},
+{kGround, R"([{"op":"remove","path":"/bodies/1/shapes/3/vertices/0"}])", "/bodies/1/shapes/3/vertices", "4 to 4096"},
+};
+// clang-format on
+
+TEST(SceneShapes, mistakes_are_refused_where_they_are) {
+    for (const Wrong& wrong : kWrong) {
+        try {
+            (void)load_text(patched(wrong.scene, wrong.patch), "test.json");
+            ADD_FAILURE() << "accepted: " << wrong.patch;
+        } catch (const SceneError& error) {
+            EXPECT_EQ(error.path, wrong.path) << wrong.patch << "\n" << error.what();
+            EXPECT_NE(error.message.find(wrong.words), std::string::npos) << wrong.patch << "\n"
+                                                                          << error.what();
+        }
+    }
+}
+
+TEST(SceneShapes, no_more_than_32_groups) {
+    std::string groups;
+    for (int i = 0; i < 31; ++i) {
+        groups += (i == 0 ? "\"g" : ", \"g") + std::to_string(i) + "\"";
+    }
+    const auto scene = [&](const std::string& more) {
+        return R"({"version": 1, "name": "s", "bodies": [{"name": "b", "kind": "lump", "mass": 1,
+          "shapes": [{"kind": "sphere", "radius": 1, "groups": [)" +
+               groups + R"(]}]}, {"name": "c", "kind": "lump", "mass": 1, "shapes":
+          [{"kind": "sphere", "radius": 1, "groups": ")" +
+               more + R"("}]}]})";
+    };
+    EXPECT_EQ(refusal(scene("g30")), "");
+    EXPECT_NE(refusal(scene("one_more")).find("32 groups"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hawser::scene::test
