@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "collide/collider.h"
+#include "collide/narrow/shape_data.h"
 
 #include <algorithm>
 #include <utility>

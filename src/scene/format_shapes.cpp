@@ -169,7 +169,8 @@ ShapePtr shape_of_body() {
                      "Direction out of the solid, in the body's frame."}}),
         shape_kind("heightfield", "a heightfield",
                    "Ground given by heights over the shape's x-y plane.", heightfield()),
-        shape_kind("hull", "a hull", "The convex hull of points.", vertices("a list of 4 to 4096 points", 4, kMostHull)),
+        shape_kind("hull", "a hull", "The convex hull of points.",
+                   vertices("a list of 4 to 4096 points", 4, kMostHull)),
         shape_kind("mesh", "a mesh",
                    "Triangles, both sides of which touch; only on a fixed or kinematic body.",
                    mesh())};

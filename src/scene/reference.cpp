@@ -108,6 +108,11 @@ class Page {
             title.front() = static_cast<char>(std::toupper(title.front()));
             object(shape, title, "##");
         }
+        if (shape.type == Type::switched && shape.id == "shape") {
+            for (const auto& [kind, option] : shape.cases) {
+                object(*option, "Shape: " + kind, "##");
+            }
+        }
         if (shape.item) {
             inner(*shape.item);
         }

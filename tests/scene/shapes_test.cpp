@@ -179,7 +179,7 @@ constexpr Wrong kWrong[] = {
 {kTouching, R"([{"op":"add","path":"/bodies/1/shapes/1/half_size","value":[1,1,1]}])", "/bodies/1/shapes/1/half_size", "has no key"},
 {kTouching, R"([{"op":"replace","path":"/bodies/0/shapes/0/normal","value":[0,0,0]}])", "/bodies/0/shapes/0/normal", "zero"},
 {kTouching, R"([{"op":"add","path":"/bodies/0/shapes/0/euler_deg","value":[0,0,1]}])", "/bodies/0/shapes/0", "normal"},
-{kTouching, R"([{"op":"replace","path":"/bodies/2/shapes/0","value":{"kind":"box","half_size":[1,1,1]}}])", "/bodies/2/shapes/0", "orientation"},
+{kTouching, R"([{"op":"replace","path":"/bodies/3/shapes/0","value":{"kind":"box","half_size":[1,1,1]}}])", "/bodies/3/shapes/0", "orientation"},
 {kTouching, R"([{"op":"replace","path":"/settings/contact_margin","value":0}])", "/settings/contact_margin", "at least"},
 {kTouching, R"([{"op":"remove","path":"/line_types/wire/diameter"},{"op":"add","path":"/cables/1/radius","value":0.1}])", "/cables/0/contact", "radius"},
 {kGround, R"([{"op":"replace","path":"/bodies/1/shapes/0/rows","value":4}])", "/bodies/1/shapes/0/heights", "expected 16 heights"},

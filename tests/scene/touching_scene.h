@@ -28,6 +28,13 @@ inline constexpr std::string_view kTouching = R"({
       {"kind": "capsule", "position": [0, 9.5, 0], "radius": 0.5, "length": 20,
        "euler_deg": [0, 0, 10], "groups": "fender"},
       {"kind": "sphere", "position": [40, 0, 0], "radius": 2, "touches": ["ground", "ship"]}]},
+    {"name": "quay", "kind": "fixed", "position": [200, 0, 0], "shapes": [
+      {"kind": "heightfield", "rows": 2, "columns": 3, "cell": [5, 4], "heights": [0, 1, 0, 1, 2, 1]},
+      {"kind": "heightfield", "rows": 3, "columns": 3, "cell": [5, 4], "position": [0, 50, 0],
+       "ground": {"slope": [0.1, 0], "height": 0.5, "length": [10, 8]}},
+      {"kind": "hull", "vertices": [[0, -40, 0], [1, -40, 0], [0, -39, 0], [0, -40, 1]]},
+      {"kind": "mesh", "orientation": [1, 0, 0, 0], "vertices": [[0, 0, 9], [1, 0, 9], [0, 1, 9]],
+       "triangles": [[0, 1, 2]]}]},
     {"name": "buoy", "kind": "lump", "position": [-120, 0, -10], "mass": 500,
      "shapes": [{"kind": "sphere", "radius": 0.7}]}
   ],
