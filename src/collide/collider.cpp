@@ -4,6 +4,7 @@
 #include "collide/touch.h"
 
 #include <algorithm>
+#include <array>
 #include <new>
 
 namespace hawser::collide {
@@ -16,6 +17,9 @@ constexpr int kPairChunk = 32;    ///< Pairs of one task.
 
 /// Points of one friction memory are this many margins apart at most when the feature changes.
 constexpr double kMatchMargins = 2.0;
+
+/// Inside out: meets nothing, not even itself.
+constexpr Bounds kNowhere{{4e30, 4e30, 4e30}, {-4e30, -4e30, -4e30}};
 
 int chunks(std::size_t count, int size) { return (static_cast<int>(count) + size - 1) / size; }
 
@@ -35,9 +39,33 @@ void Collider::find_owners(int body_count) {
     }
 }
 
+/// The stretch between the two lumps of each segment: the one with the lowest id.
+void Collider::find_lines(const model::Interactions& interactions) {
+    using Line = std::array<std::int32_t, 3>;
+    std::vector<Line> lines;
+    for (std::int32_t i = 0; i < interactions.count(); ++i) {
+        const InteractionDef& d = interactions.def[at(i)];
+        if (d.kind != InteractionKind::Stretch && d.kind != InteractionKind::WinchStretch) continue;
+        const auto ends = std::minmax(d.body[0].index, d.body[1].index);
+        lines.push_back({ends.first, ends.second, i});
+    }
+    std::sort(lines.begin(), lines.end());
+    for (Shape& s : shapes_) {
+        s.line = -1;
+        if (!s.segment()) continue;
+        const auto ends = std::minmax(s.body[0], s.body[1]);
+        const auto found =
+            std::lower_bound(lines.begin(), lines.end(), Line{ends.first, ends.second, 0});
+        if (found != lines.end() && (*found)[0] == ends.first && (*found)[1] == ends.second)
+            s.line = (*found)[2];
+    }
+    parted_ = &interactions.parted;
+}
+
 void Collider::prepare(const model::Bodies& bodies, const model::Interactions& interactions,
                        double h) {
     find_owners(bodies.count());
+    find_lines(interactions);
     filter_.build(shapes_, bodies.count(), interactions);
     placed_.assign(shapes_.size(), Placed{});
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
@@ -50,8 +78,11 @@ void Collider::prepare(const model::Bodies& bodies, const model::Interactions& i
 void Collider::place_all(const model::Bodies& bodies, double h, base::Executor& pool) noexcept {
     auto task = [&](int i, int) noexcept {
         const std::size_t end = std::min(shapes_.size(), at((i + 1) * kPlaceChunk));
-        for (std::size_t s = at(i * kPlaceChunk); s < end; ++s)
+        for (std::size_t s = at(i * kPlaceChunk); s < end; ++s) {
             place(shapes_[s], bodies, h, margin, placed_[s]);
+            const std::int32_t line = shapes_[s].line;
+            if (line >= 0 && (*parted_)[at(line)] != 0) placed_[s].swept = kNowhere;
+        }
     };
     pool.for_each(chunks(shapes_.size(), kPlaceChunk), task);
 }

@@ -48,7 +48,9 @@ class Collider {
     [[nodiscard]] int count() const noexcept { return static_cast<int>(shapes_.size()); }
     [[nodiscard]] const std::vector<Shape>& shapes() const noexcept { return shapes_; }
 
-    /// Set up for the shapes, materials, interactions that there are now. @throws std::bad_alloc.
+    /// Set up for the shapes, materials, interactions that there are now. Keeps a pointer to
+    /// `interactions.parted`: a segment of a line that has parted touches nothing any more.
+    /// @throws std::bad_alloc.
     void prepare(const model::Bodies& bodies, const model::Interactions& interactions, double h);
 
     /// Contacts at the present poses; `out.surfaces` stays as surfaces() filled it.
@@ -76,9 +78,11 @@ class Collider {
     void narrow(const model::Bodies& bodies, double h, base::Executor& pool);
     void put_together(ContactSet& out);
     void find_owners(int body_count);
+    void find_lines(const model::Interactions& interactions);
 
     std::vector<Shape> shapes_;
     std::vector<std::shared_ptr<const ShapeData>> data_;  ///< Of each shape, or null.
+    const base::Array<std::uint8_t>* parted_ = nullptr;   ///< By interaction.
     Filter filter_;
     Broad broad_;
     base::Array<Placed> placed_;

@@ -16,6 +16,7 @@ struct Shape {
     Placement local;        ///< In the body's frame; not used by segments.
     std::int32_t body[2];   ///< Second: −1 unless a segment.
     std::int32_t owner[2];  ///< See Contacts at shared lumps in reduce.h; −1: the shape itself.
+    std::int32_t line;  ///< Interaction that a segment lies along, or −1: it goes when that parts.
     std::int32_t material;
     std::uint32_t group, touches;
     bool moves;  ///< Some body of it has freedom.

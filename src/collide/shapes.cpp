@@ -30,7 +30,7 @@ std::int32_t Collider::add(const ShapeDef& def, const model::Bodies& bodies) {
     s.local = local_frame(def);
     s.body[0] = def.body.index;
     s.body[1] = def.body_b.index;
-    s.owner[0] = s.owner[1] = -1;
+    s.owner[0] = s.owner[1] = s.line = -1;
     s.material = std::max(def.material.index, 0);
     s.group = def.group;
     s.touches = def.touches;

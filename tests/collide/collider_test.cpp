@@ -214,6 +214,29 @@ TEST(Collider, NothingIsInContactAcrossTheMarginOnAMovingDeck) {
     EXPECT_EQ(site.set.contacts.size(), 4U);
 }
 
+TEST(Collider, APartedLineTouchesNothing) {
+    Site site;
+    site.shape(ShapeKind::plane, site.body(BodyKind::fixed, Vec3::Zero()));
+    site.wire(line(5, {0, 0, 0.05}, {1, 0, 0}), 0.05);
+    for (int i = 0; i < 4; ++i) {
+        InteractionDef d{.kind = InteractionKind::Stretch, .body = {BodyId{i + 2}, BodyId{i + 1}}};
+        d.set("length", 1.0);
+        d.set("EA", 1e6);
+        site.interactions.add(d, site.bodies, site.h);
+    }
+    site.prepare();
+    ASSERT_TRUE(site.collide());
+    EXPECT_EQ(site.set.contacts.size(), 5U);
+    // The two in the middle: the outer lumps of the outer segments stay, and the inner ones.
+    site.interactions.parted[1] = site.interactions.parted[2] = 1;
+    ASSERT_TRUE(site.collide());
+    ASSERT_EQ(site.set.contacts.size(), 4U);
+    for (const Contact& c : site.set.contacts) {
+        EXPECT_NE(c.body[1], 3);
+        EXPECT_TRUE(c.shape[1] == 1 || c.shape[1] == 4);
+    }
+}
+
 TEST(Collider, ContactsRememberWhoTheyWere) {
     Site site;
     site.shape(ShapeKind::plane, site.body(BodyKind::fixed, Vec3::Zero()));

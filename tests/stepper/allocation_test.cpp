@@ -118,6 +118,63 @@ TEST(Allocation, NoneInAWarmStepOfTwoThreads) {
     expect_none(mixed(4, 30), 2);
 }
 
+/// A wire that lies on a floor and over a bar: contacts come and go in the first steps only.
+World lying_wire(int threads) {
+    WorldDef def;
+    def.threads = threads;
+    World w(def);
+    BodyDef ground;
+    ground.kind = BodyKind::fixed;
+    ShapeDef shape;
+    shape.kind = ShapeKind::plane;
+    shape.body = w.add_body(ground);
+    w.add_shape(shape);
+    shape.kind = ShapeKind::box;
+    shape.half_size = {0.5, 5.0, 0.5};
+    shape.position = {10.25, 0.0, 0.2};
+    w.add_shape(shape);
+    BodyId last{};
+    for (int i = 0; i < 60; ++i) {
+        BodyDef d;
+        d.kind = BodyKind::lump;
+        d.position = {0.5 * i, 0.0, i > 18 && i < 23 ? 0.76 : 0.06};
+        d.mass = 1.0;
+        d.gravity = false;
+        const BodyId now = w.add_body(d);
+        if (last.valid()) {
+            InteractionDef rod{.kind = InteractionKind::Distance, .body = {last, now}};
+            w.add_interaction(rod);
+            ShapeDef s;
+            s.kind = ShapeKind::capsule;
+            s.radius = 0.05;
+            s.body = last;
+            s.body_b = now;
+            w.add_shape(s);
+        }
+        last = now;
+    }
+    return w;
+}
+
+TEST(Allocation, NoneInAWarmStepWithContacts) {
+    if (!HAWSER_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
+    for (const int threads : {1, 2}) {
+        World w = lying_wire(threads);
+        for (int i = 0; i < 3; ++i) ASSERT_EQ(w.step(), Status::ok);
+        EXPECT_GT(w.stats().contacts, 50);
+        const auto growths = w.stats().growths;
+        long seen = 0;
+        {
+            const Guard guard;
+            for (int i = 0; i < 100; ++i) (void)w.step();
+            seen = Guard::seen();
+        }
+        EXPECT_EQ(w.stats().status, Status::ok);
+        EXPECT_EQ(seen, 0) << threads << " threads";
+        EXPECT_EQ(w.stats().growths, growths);
+    }
+}
+
 TEST(Allocation, NoneInAWarmStepOfACommittedScene) {
     if (!HAWSER_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
     for (const auto& file : scene_files())
