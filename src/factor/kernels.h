@@ -71,9 +71,13 @@ struct FactorKernels {
                            double* scratch) noexcept;
 };
 
-/// Doubles of scratch that a thread needs for fronts of at most this ld.
+/// Pivot columns whose unscaled values a front keeps in the scratch.
+inline constexpr int kDepth = 32;
+
+/// Doubles of scratch that a thread needs for symmetric fronts of at most this ld. With
+/// unsymmetric ones it needs twice this, or twice Symbolic::batch_scratch.
 [[nodiscard]] constexpr std::int64_t scratch_size(std::int32_t max_front) {
-    return 17 * static_cast<std::int64_t>(max_front) + 128;
+    return kDepth * static_cast<std::int64_t>(max_front) + 128;
 }
 
 /// The kernels for the instruction set of this process.

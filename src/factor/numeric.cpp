@@ -30,7 +30,7 @@ void Numeric::reserve(const Symbolic& symbolic, int threads, bool unsymmetric) {
     grow(slot_y_, slots);
     grow(wrong_, static_cast<std::int64_t>(symbolic.batches.size() + symbolic.tasks.size()));
     const std::int64_t need =
-        std::max(scratch_size(symbolic.max_front), (unsymmetric ? 2 : 1) * symbolic.batch_scratch);
+        (unsymmetric ? 2 : 1) * std::max(scratch_size(symbolic.max_front), symbolic.batch_scratch);
     const std::int64_t stride = (need + 63) & ~std::int64_t{63};
     scratch_stride_ = std::max(scratch_stride_, stride);
     grow(scratch_, scratch_stride_ * threads);

@@ -40,7 +40,7 @@ HAWSER_INLINE void mark_wrong(const Columns<2>& m, int c, const V8& bad) {
 
 /// Factor columns [c, c + N) of the panel, rows to n.
 template <int kSides, int N>
-inline void factor_columns(const Columns<kSides>& m, int c, int n, V8& bad) {
+inline void factor_columns(const Columns<kSides> m, int c, int n, V8& bad) {
     V8 inverse[N], scaled[kSides][N][N];
     {
         V8 a[kSides][N][N];
@@ -137,23 +137,26 @@ inline void add_window(double* panel, const BatchStep& step, const Shift& shift,
     }
 }
 
-/// Hand one side of the last window to the parents, lane by lane. The rows of a parent follow
-/// another order than the slots: an entry whose slots are the other way round is one of the other
-/// side.
-inline void store_tails(const FactorView& view, const Batch& batch, const double* window,
-                        const double* other, double* work) {
+/// Hand the last window to the parents' side, lane by lane. The rows of a parent follow another
+/// order than the slots: an entry whose slots are the other way round is one of the other side.
+template <int kSides>
+inline void store_tails(const FactorView& view, const Batch& batch,
+                        double* const (&window)[kSides]) {
     for (int lane = 0; lane < factor::kLaneCount; ++lane) {
         if (batch.front[lane] < 0) continue;
         const Front& front = view.fronts[batch.front[lane]];
         const std::int32_t* slot = view.tail_slot + front.rows;
-        double* update = work + front.update;
+        double* update[kSides] = {view.work + front.update};
+        if constexpr (kSides == 2) update[1] = view.upper_work + front.update;
         for (int j = 0; j < front.q; ++j) {
-            double* column = update + static_cast<long>(j) * front.ldu;
+            const long column = static_cast<long>(j) * front.ldu;
             for (int i = j; i < front.q; ++i) {
-                const bool same = slot[i] > slot[j];
-                const int r = same ? slot[i] : slot[j], c = same ? slot[j] : slot[i];
-                column[i] = (same ? window : other)[tile_at(r / kTile, c / kTile) +
-                                                    8 * (kTile * (r % kTile) + c % kTile) + lane];
+                const bool turned = slot[i] < slot[j];
+                const int r = turned ? slot[j] : slot[i], c = turned ? slot[i] : slot[j];
+                const long entry =
+                    tile_at(r / kTile, c / kTile) + 8 * (kTile * (r % kTile) + c % kTile) + lane;
+                update[0][column + i] = window[kSides == 2 && turned][entry];
+                if constexpr (kSides == 2) update[1][column + i] = window[!turned][entry];
             }
         }
     }
@@ -198,8 +201,7 @@ inline int factor_steps(const FactorView& view, const Batch& batch, double* scra
         }
         shift.before = step.q / kTile;
     }
-    store_tails(view, batch, window[0], window[kSides - 1], view.work);
-    if constexpr (kSides == 2) store_tails(view, batch, window[1], window[0], view.upper_work);
+    store_tails<kSides>(view, batch, window);
     return static_cast<int>(sum(bad)) - static_cast<int>(batch.unused);
 }
 

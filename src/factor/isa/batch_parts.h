@@ -5,6 +5,7 @@
 /// is a vector of eight lanes, so no loop has a remainder and no pivot waits for another lane.
 
 #include "base/simd.h"
+#include "factor/isa/keep.h"
 #include "factor/symbolic.h"
 
 namespace hawser::HAWSER_ISA {
@@ -17,8 +18,8 @@ HAWSER_INLINE void tile(V8 (&acc)[NI][NJ], const double* a, const double* b, lon
                         int depth) {
     for (int k = 0; k < depth; ++k) {
         V8 l[NI], u[NJ];
-        for (int i = 0; i < NI; ++i) l[i] = load(a + i * stride + 8 * k);
-        for (int j = 0; j < NJ; ++j) u[j] = load(b + j * stride + 8 * k);
+        for (int i = 0; i < NI; ++i) l[i] = keep(load(a + i * stride + 8 * k));
+        for (int j = 0; j < NJ; ++j) u[j] = keep(load(b + j * stride + 8 * k));
         for (int i = 0; i < NI; ++i)
             for (int j = 0; j < NJ; ++j) acc[i][j] -= l[i] * u[j];
     }

@@ -3,8 +3,9 @@
 /// factor/unsymmetric.h for the second half).
 ///
 /// Column strides are multiples of eight doubles (base/simd.h), and rows past p + q stay zero,
-/// so no loop has a remainder. Blocks of kBlock pivot columns are factored one column at a time,
-/// then everything to their right is updated by a register-blocked product.
+/// so no loop has a remainder. Blocks of kBlock pivot columns are factored one column at a time.
+/// What is behind kDepth of them is then updated by a register-blocked product. Each entry takes
+/// its pivots in order, so its bits depend neither on kBlock nor on kDepth.
 ///
 /// An unsymmetric front has two *sides* of one shape: side 0 holds the lower half, side 1 the
 /// upper half transposed. With unscaled columns W₀ = L D and W₁ = (D U)ᵀ the Schur complement is
@@ -25,7 +26,16 @@ using factor::FactorView;
 using factor::Front;
 using factor::Run;
 
-constexpr int kBlock = 8;  // pivot columns factored before the rest is updated
+constexpr int kBlock = 8;  // pivot columns whose triangle is in registers
+using factor::kDepth;      // pivot columns factored before the rest is updated
+// Vectors of rows and columns updated at once, as registers allow: V8 is one, two or four.
+#if defined(__AVX512F__)
+constexpr int kRows = 2, kColumns = 8;
+#elif defined(__AVX2__)
+constexpr int kRows = 1, kColumns = 4;
+#else
+constexpr int kRows = 1, kColumns = 2;
+#endif
 
 /// The pivot columns of a front.
 template <int kSides>
@@ -47,7 +57,7 @@ struct Trapezoid {
 /// below it are then independent of each other: x_c = a_c − Σ_{b<c} U_bc x_b, with Uᵀ for L on
 /// side 1.
 template <int kSides, int N>
-inline int factor_block(const Trapezoid<kSides>& t, int k0) {
+inline int factor_block(const Trapezoid<kSides> t, int k0) {
     const long ld = t.ld;
     int wrong = 0;
     V8 top[kSides][N];
@@ -98,27 +108,39 @@ inline int factor_block(const Trapezoid<kSides>& t, int k0) {
 }
 
 template <int kSides>
-inline int factor_columns(const Trapezoid<kSides>& t, int k0, int count) {
+inline int factor_columns(const Trapezoid<kSides> t, int k0, int count) {
     int wrong = 0;
     with_count(count, [&]<int N>() { wrong = factor_block<kSides, N>(t, k0); });
     return wrong;
 }
 
-/// C(:, 0..cols) −= L · Wᵀ for `cols` columns whose rows in l and w start at row0, or C = −L · Wᵀ
-/// where C holds nothing yet. The lower triangle is what counts; rows above it in the same vector
-/// are computed and never read.
+/// kVectors vectors of rows of C −= L · Wᵀ, or of C = −L · Wᵀ where C holds nothing yet.
+template <int kCols, int kVectors, bool kFirst>
+HAWSER_INLINE void update_rows(double* c, long ldc, const double* l, const double* w, long ld,
+                               int depth) {
+    V8 acc[kVectors][kCols];
+    for (int r = 0; r < kVectors; ++r)
+        for (int j = 0; j < kCols; ++j) acc[r][j] = kFirst ? V8{} : load(c + j * ldc + 8 * r);
+    for (int k = 0; k < depth; ++k) {
+        V8 v[kVectors];
+        for (int r = 0; r < kVectors; ++r) v[r] = load(l + k * ld + 8 * r);
+        for (int j = 0; j < kCols; ++j)
+            for (int r = 0; r < kVectors; ++r) acc[r][j] -= v[r] * w[k * ld + j];
+    }
+    for (int r = 0; r < kVectors; ++r)
+        for (int j = 0; j < kCols; ++j) store(c + j * ldc + 8 * r, acc[r][j]);
+}
+
+/// C(:, 0..cols) −= L · Wᵀ for `cols` columns whose rows in l and w start at row0. The lower
+/// triangle is what counts; rows above it in the same vector are computed and never read.
 template <int kCols, bool kFirst>
 inline void update_columns(double* c, long ldc, const double* l, const double* w, long ld,
                            int depth, int from, int rows) {
-    for (int i = from; i < rows; i += 8) {
-        V8 acc[kCols];
-        for (int j = 0; j < kCols; ++j) acc[j] = kFirst ? V8{} : load(c + j * ldc + i);
-        for (int k = 0; k < depth; ++k) {
-            const V8 v = load(l + k * ld + i);
-            for (int j = 0; j < kCols; ++j) acc[j] -= v * w[k * ld + j];
-        }
-        for (int j = 0; j < kCols; ++j) store(c + j * ldc + i, acc[j]);
-    }
+    int i = from;
+    for (; i + 8 * kRows <= rows; i += 8 * kRows)
+        update_rows<kCols, kRows, kFirst>(c + i, ldc, l + i, w, ld, depth);
+    if constexpr (kRows > 1)
+        for (; i < rows; i += 8) update_rows<kCols, 1, kFirst>(c + i, ldc, l + i, w, ld, depth);
 }
 
 /// Update of the columns [begin, end) of one side of a matrix whose row r lies at l + r. The last
@@ -131,7 +153,7 @@ inline void update_block(double* c, long ldc, const double* l, const double* w, 
         update_columns<N, kFirst>(c + j * ldc, ldc, l, w + j, ld, depth, j & ~7, rows);
         j += N;
     };
-    while (end - j >= 8) columns.template operator()<8>();
+    while (end - j >= kColumns) columns.template operator()<kColumns>();
     if (end > j) with_count(end - j, columns);
 }
 
@@ -170,18 +192,38 @@ inline void extend_add(const FactorView& view, const Front& front, double* panel
     }
 }
 
-/// What the pivot columns [k0, k1) do to the rest of one side; w: of the other side.
-inline void update_rest(const Front& front, double* panel, double* update, const double* w, int k0,
-                        int k1) {
-    const double* l = panel + static_cast<long>(k0) * front.ld;
-    if (k1 < front.p)
-        update_block<false>(panel, front.ld, l, w, front.ld, k1 - k0, k1, front.p, front.ld);
-    if (k0 == 0)
-        update_block<true>(update, front.ldu, l + front.p, w + front.p, front.ld, k1 - k0, 0,
+/// What the pivot columns [d0, d1) do to the columns and the update matrix behind them, on one
+/// side; w: of the other.
+inline void update_rest(const Front& front, double* panel, double* update, const double* w, int d0,
+                        int d1) {
+    const double* l = panel + static_cast<long>(d0) * front.ld;
+    if (d1 < front.p)
+        update_block<false>(panel, front.ld, l, w, front.ld, d1 - d0, d1, front.p, front.ld);
+    if (d0 == 0)
+        update_block<true>(update, front.ldu, l + front.p, w + front.p, front.ld, d1 - d0, 0,
                            front.q, front.ldu);
     else
-        update_block<false>(update, front.ldu, l + front.p, w + front.p, front.ld, k1 - k0, 0,
+        update_block<false>(update, front.ldu, l + front.p, w + front.p, front.ld, d1 - d0, 0,
                             front.q, front.ldu);
+}
+
+/// Factor the pivot columns [d0, d1), at most kDepth: each block first takes what those before it
+/// do, so that it is written once.
+template <int kSides>
+inline int factor_deep(const Trapezoid<kSides> t, int d0, int d1) {
+    int wrong = 0;
+    for (int k0 = d0; k0 < d1; k0 += kBlock) {
+        const int k1 = k0 + kBlock < d1 ? k0 + kBlock : d1;
+        Trapezoid<kSides> block = t;
+        for (int s = 0; s < kSides; ++s) {
+            if (k0 > d0)
+                update_block<false>(t.panel[s], t.ld, t.panel[s] + d0 * t.ld, t.w[t.other(s)], t.ld,
+                                    k0 - d0, k0, k1, static_cast<int>(t.ld));
+            block.w[s] += (k0 - d0) * t.ld;
+        }
+        wrong += factor_columns(block, k0, k1 - k0);
+    }
+    return wrong;
 }
 
 template <int kSides>
@@ -191,18 +233,18 @@ inline int factor_front(const FactorView& view, const Front& front, double* scra
     double* update[kSides] = {view.update(front.update)};
     if constexpr (kSides == 2) {
         t.panel[1] = view.upper + front.panel;
-        t.w[1] = scratch + kBlock * t.ld;
+        t.w[1] = scratch + kDepth * t.ld;
         t.wrong = view.wrong + front.offset;
         update[1] = view.upper_update(front.update);
     }
     int wrong = 0;
     extend_add<true, 0>(view, front, t.panel[0], update[0]);
     if constexpr (kSides == 2) extend_add<true, 1>(view, front, t.panel[1], update[1]);
-    for (int k0 = 0; k0 < front.p; k0 += kBlock) {
-        const int k1 = k0 + kBlock < front.p ? k0 + kBlock : front.p;
-        wrong += factor_columns(t, k0, k1 - k0);
+    for (int d0 = 0; d0 < front.p; d0 += kDepth) {
+        const int d1 = d0 + kDepth < front.p ? d0 + kDepth : front.p;
+        wrong += factor_deep(t, d0, d1);
         for (int s = 0; s < kSides; ++s)
-            update_rest(front, t.panel[s], update[s], t.w[t.other(s)], k0, k1);
+            update_rest(front, t.panel[s], update[s], t.w[t.other(s)], d0, d1);
     }
     extend_add<false, 0>(view, front, t.panel[0], update[0]);
     if constexpr (kSides == 2) extend_add<false, 1>(view, front, t.panel[1], update[1]);
