@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "observe/outlines.h"
 #include "observe/plots.h"
 #include "observe/projection.h"
 #include "observe/view_labels.h"
@@ -117,6 +118,8 @@ std::optional<Drawing> plot_views(const Recording& recording, const Series& seri
     Bounds bounds;
     add_to_bounds(recording, first, bounds);
     add_to_bounds(recording, frame, bounds);
+    add_outlines_to_bounds(recording, first, bounds);
+    add_outlines_to_bounds(recording, frame, bounds);
     widen_by_paths(recording, series, bounds);
     if (bounds.empty()) return std::nullopt;
     const Layout layout = arrange(bounds);
@@ -130,8 +133,11 @@ std::optional<Drawing> plot_views(const Recording& recording, const Series& seri
         const Axes& axes = layout.axes[k];
         const View& view = layout.view[k];
         axes.draw(drawing);
+        draw_grounds(drawing, axes, view, recording, frame);
+        draw_solids(drawing, axes, view, recording, first, true);
         draw_frame(drawing, axes, view, recording, first, {true, tension});
         draw_paths(drawing, axes, view, recording, series);
+        draw_solids(drawing, axes, view, recording, frame, false);
         draw_frame(drawing, axes, view, recording, frame, {false, tension});
         draw_names(drawing, axes, view, recording, frame);
         low = std::max(low, axes.frame.bottom());

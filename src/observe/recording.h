@@ -58,6 +58,21 @@ struct RecordedJoint {
     Vec3 point[2] = {Vec3::Zero(), Vec3::Zero()};  ///< In the bodies' frames [m].
 };
 
+enum class OutlineKind : std::uint8_t {
+    solid,  ///< The convex hull of the points, each with a ball of the radius around it.
+    plane,  ///< Through the first point; the second one is the direction out of the solid.
+    lines,  ///< Lines through `row` points each.
+};
+
+/// A shape that touches, for pictures.
+struct RecordedOutline {
+    std::int32_t body = -1;
+    OutlineKind kind = OutlineKind::solid;
+    double radius = 0.0;       ///< [m]
+    std::int32_t row = 0;      ///< Points of one line.
+    std::vector<Vec3> points;  ///< In the body's frame [m].
+};
+
 struct RecordedInput {
     std::int64_t step = 0;  ///< Set when this many steps had been taken.
     std::int32_t input = 0;
@@ -133,8 +148,9 @@ class Recording {
     std::int32_t element_count = 0;
     std::int64_t start_step = 0;
     std::uint64_t start_hash = 0;
-    std::span<const std::byte> snapshot;   ///< For World::restore.
-    std::vector<std::string> input_names;  ///< By index of RecordedInput::input; may be missing.
+    std::span<const std::byte> snapshot;    ///< For World::restore.
+    std::vector<std::string> input_names;   ///< By index of RecordedInput::input; may be missing.
+    std::vector<RecordedOutline> outlines;  ///< May be missing.
     std::vector<RecordedInput> inputs;
     std::vector<RecordedEvent> events;
     Ending ending = Ending::unknown;

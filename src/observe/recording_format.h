@@ -17,6 +17,7 @@ inline constexpr char kSettingsChunk[] = "CONF";
 inline constexpr char kLayoutChunk[] = "LAYT";
 inline constexpr char kSnapshotChunk[] = "SNAP";
 inline constexpr char kInputNamesChunk[] = "INAM";
+inline constexpr char kOutlineChunk[] = "SHAP";
 inline constexpr char kFrameChunk[] = "FRAM";
 inline constexpr char kInputsChunk[] = "INPT";
 inline constexpr char kEventChunk[] = "EVNT";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "observe/outlines.h"
 #include "observe/recording.h"
 #include "observe/recording_format.h"
 
@@ -146,6 +147,9 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
     } else if (kind == kInputNamesChunk) {
         input_names.resize(in.get_count(4));
         for (std::string& name : input_names) name = in.get_text();
+        in.expect_end();
+    } else if (kind == kOutlineChunk) {
+        outlines = get_outlines(in, bodies.size());
         in.expect_end();
     } else if (kind == kEventChunk) {
         RecordedEvent event;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "observe/outlines.h"
 #include "observe/recording.h"
 #include "observe/recording_format.h"
 
@@ -142,6 +143,10 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& file, const SceneI
     for (std::int32_t i = 0; i < world.input_count(); ++i)
         payload_.put_text(world.input_def({i}).name);
     write_chunk(kInputNamesChunk);
+    if (const auto outlines = outlines_of(scene, world); !outlines.empty()) {
+        put_outlines(payload_, outlines);
+        write_chunk(kOutlineChunk);
+    }
     add_frame(world);
 }
 

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "observe/outlines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hawser::observe {
+namespace {
+
+constexpr int kRim = 24;        ///< Points around something round.
+constexpr int kMostLines = 64;  ///< Of a ground along each side.
+constexpr std::size_t kMostTriangles = 4096;
+
+std::vector<Vec3> rim(double radius, double z) {
+    std::vector<Vec3> out;
+    for (int i = 0; i < kRim; ++i) {
+        const double t = 2.0 * std::numbers::pi * i / kRim;
+        out.emplace_back(radius * std::cos(t), radius * std::sin(t), z);
+    }
+    return out;
+}
+
+/// Rows and columns of a heightfield, every k-th, the last one included.
+void ground_lines(const ShapeDef& def, RecordedOutline& out) {
+    const auto some = [](int count) {
+        std::vector<int> at;
+        const int stride = (count + kMostLines - 1) / kMostLines;
+        for (int i = 0; i < count; i += stride) at.push_back(i);
+        if (at.back() != count - 1) at.push_back(count - 1);
+        return at;
+    };
+    const std::vector<int> columns = some(def.columns);
+    out.row = static_cast<std::int32_t>(columns.size());
+    for (const int i : some(def.rows))
+        for (const int j : columns)
+            out.points.emplace_back(
+                (j - 0.5 * (def.columns - 1)) * def.cell[0],
+                (i - 0.5 * (def.rows - 1)) * def.cell[1],
+                def.heights[static_cast<std::size_t>(i) * static_cast<std::size_t>(def.columns) +
+                            static_cast<std::size_t>(j)]);
+}
+
+/// In the shape's frame.
+RecordedOutline in_shape(const ShapeDef& def) {
+    RecordedOutline out;
+    out.body = def.body.index;
+    switch (def.kind) {
+        case ShapeKind::sphere:
+            out.radius = def.radius;
+            out.points = {Vec3::Zero()};
+            break;
+        case ShapeKind::capsule:
+            out.radius = def.radius;
+            out.points = {Vec3(0, 0, -def.half_length), Vec3(0, 0, def.half_length)};
+            break;
+        case ShapeKind::cylinder:
+            out.points = rim(def.radius, -def.half_length);
+            for (const Vec3& p : rim(def.radius, def.half_length)) out.points.push_back(p);
+            break;
+        case ShapeKind::box:
+            for (int i = 0; i < 8; ++i)
+                out.points.emplace_back(def.half_size.x() * ((i & 1) != 0 ? 1 : -1),
+                                        def.half_size.y() * ((i & 2) != 0 ? 1 : -1),
+                                        def.half_size.z() * ((i & 4) != 0 ? 1 : -1));
+            break;
+        case ShapeKind::hull:
+            out.points = def.vertices;
+            break;
+        case ShapeKind::plane:
+            out.kind = OutlineKind::plane;
+            out.points = {Vec3::Zero(), Vec3::UnitZ()};
+            break;
+        case ShapeKind::heightfield:
+            out.kind = OutlineKind::lines;
+            ground_lines(def, out);
+            break;
+        case ShapeKind::mesh:
+            out.kind = OutlineKind::lines;
+            out.row = 4;
+            for (std::size_t t = 0; t < std::min(def.triangles.size(), kMostTriangles); ++t)
+                for (const std::size_t k : {0U, 1U, 2U, 0U})
+                    out.points.push_back(
+                        def.vertices[static_cast<std::size_t>(def.triangles[t][k])]);
+            break;
+    }
+    return out;
+}
+
+double cross(const Point& o, const Point& a, const Point& b) {
+    return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+}
+
+/// Convex hull (monotone chain: A. M. Andrew, 1979).
+std::vector<Point> convex(std::vector<Point> p) {
+    std::sort(p.begin(), p.end(), [](const Point& a, const Point& b) {
+        return a.x < b.x || (a.x == b.x && a.y < b.y);
+    });
+    std::vector<Point> hull;
+    for (int side = 0; side < 2; ++side) {
+        const std::size_t first = hull.size();
+        for (const Point& q : p) {
+            while (hull.size() >= first + 2 && cross(hull[hull.size() - 2], hull.back(), q) <= 0.0)
+                hull.pop_back();
+            hull.push_back(q);
+        }
+        hull.pop_back();
+        std::reverse(p.begin(), p.end());
+    }
+    return hull;
+}
+
+Vec3 on_body(const Frame& frame, const RecordedOutline& o, std::size_t point) {
+    const Pose& pose = frame.poses[static_cast<std::size_t>(o.body)];
+    return pose.position + pose.orientation.normalized() * o.points[point];
+}
+
+constexpr Color kEarthLine{150, 128, 96, 255};
+
+/// The cut of a half-space with the plane of the picture through the middle of the panel.
+void draw_plane(Drawing& drawing, const Axes& axes, const View& view, const Vec3& at,
+                const Vec3& normal) {
+    const double nr = normal[view.right], nu = normal[view.up];
+    const double size = std::hypot(nr, nu);
+    if (size < 0.1) return;  // it faces the viewer
+    const double r = 0.5 * (axes.x.low + axes.x.high), u = 0.5 * (axes.y.low + axes.y.high);
+    // Nearest point of the line to the middle; the depth is that of the plane's own point.
+    const double d = (nr * (at[view.right] - r) + nu * (at[view.up] - u)) / size;
+    const double er = nr / size, eu = nu / size;
+    const double far = 2.0 * (std::abs(axes.x.span()) + std::abs(axes.y.span()));
+    const auto point = [&](double along, double out) {
+        return axes.at(r + (d + out) * er - along * eu, u + (d + out) * eu + along * er);
+    };
+    if (std::abs(d) > far) return;
+    drawing.add(Path{.points = {point(-far, 0), point(far, 0), point(far, -far), point(-far, -far)},
+                     .width = 0.0,
+                     .fill = {226, 214, 194, 110},
+                     .closed = true});
+    drawing.line(point(-far, 0), point(far, 0), kEarthLine, 1.4);
+}
+
+}  // namespace
+
+std::vector<RecordedOutline> outlines_of(const SceneInfo& scene, const World& world) {
+    std::vector<bool> in_cable(static_cast<std::size_t>(world.body_count()), false);
+    for (const CableInfo& cable : scene.cables)
+        for (std::size_t i = 1; i + 1 < cable.nodes.size(); ++i)
+            in_cable[static_cast<std::size_t>(cable.nodes[i].index)] = true;
+    std::vector<RecordedOutline> out;
+    for (std::int32_t s = 0; s < world.shape_count(); ++s) {
+        const ShapeDef& def = world.shape_def({s});
+        if (def.body_b.valid() || in_cable[static_cast<std::size_t>(def.body.index)]) continue;
+        RecordedOutline outline = in_shape(def);
+        const Quat turn = def.orientation.normalized();
+        for (std::size_t i = 0; i < outline.points.size(); ++i) {
+            const bool direction = outline.kind == OutlineKind::plane && i == 1;
+            outline.points[i] = turn * outline.points[i];
+            if (!direction) outline.points[i] += def.position;
+        }
+        out.push_back(std::move(outline));
+    }
+    return out;
+}
+
+void put_outlines(ByteWriter& out, const std::vector<RecordedOutline>& outlines) {
+    out.put(static_cast<std::uint32_t>(outlines.size()));
+    for (const RecordedOutline& o : outlines) {
+        out.put(o.body);
+        out.put(static_cast<std::uint8_t>(o.kind));
+        out.put(o.radius);
+        out.put(o.row);
+        out.put(static_cast<std::uint32_t>(o.points.size()));
+        for (const Vec3& p : o.points)
+            for (int k = 0; k < 3; ++k) out.put(p[k]);
+    }
+}
+
+std::vector<RecordedOutline> get_outlines(ByteReader& in, std::size_t bodies) {
+    std::vector<RecordedOutline> outlines(in.get_count(4 + 1 + 8 + 4 + 4));
+    for (RecordedOutline& o : outlines) {
+        o.body = in.get<std::int32_t>();
+        const auto kind = in.get<std::uint8_t>();
+        o.radius = in.get<double>();
+        o.row = in.get<std::int32_t>();
+        o.points.resize(in.get_count(24));
+        for (Vec3& p : o.points)
+            for (int k = 0; k < 3; ++k) p[k] = in.get<double>();
+        o.kind = static_cast<OutlineKind>(kind);
+        if (o.body < 0 || static_cast<std::size_t>(o.body) >= bodies || kind > 2 ||
+            !(o.radius >= 0.0) || o.points.empty() ||
+            (o.kind == OutlineKind::plane && o.points.size() != 2) ||
+            (o.kind == OutlineKind::lines && o.row < 2))
+            throw BadBytes("an outline makes no sense");
+    }
+    return outlines;
+}
+
+void add_outlines_to_bounds(const Recording& recording, const Frame& frame, Bounds& bounds) {
+    for (const RecordedOutline& o : recording.outlines) {
+        if (o.kind != OutlineKind::solid) continue;
+        for (std::size_t i = 0; i < o.points.size(); ++i)
+            for (const double r : {-o.radius, o.radius})
+                bounds.add(on_body(frame, o, i) + Vec3::Constant(r));
+    }
+}
+
+void draw_grounds(Drawing& drawing, const Axes& axes, const View& view, const Recording& recording,
+                  const Frame& frame) {
+    drawing.add(Clip{axes.frame});
+    for (const RecordedOutline& o : recording.outlines) {
+        if (o.kind == OutlineKind::plane) {
+            const Pose& pose = frame.poses[static_cast<std::size_t>(o.body)];
+            draw_plane(drawing, axes, view, on_body(frame, o, 0),
+                       pose.orientation.normalized() * o.points[1]);
+        } else if (o.kind == OutlineKind::lines) {
+            const auto row = static_cast<std::size_t>(o.row);
+            for (std::size_t i = 0; i + row <= o.points.size(); i += row) {
+                Path path{.points = {}, .stroke = kEarthLine.with_alpha(120), .width = 0.7};
+                for (std::size_t k = i; k < i + row; ++k)
+                    path.points.push_back(project(axes, view, on_body(frame, o, k)));
+                drawing.add(std::move(path));
+            }
+        }
+    }
+    drawing.add(Clip{});
+}
+
+void draw_solids(Drawing& drawing, const Axes& axes, const View& view, const Recording& recording,
+                 const Frame& frame, bool ghost) {
+    for (const RecordedOutline& o : recording.outlines) {
+        if (o.kind != OutlineKind::solid) continue;
+        std::vector<Point> points;
+        for (std::size_t i = 0; i < o.points.size(); ++i) {
+            const Vec3 centre = on_body(frame, o, i);
+            const int around = o.radius > 0.0 ? kRim : 1;
+            for (int k = 0; k < around; ++k) {
+                const double t = 2.0 * std::numbers::pi * k / kRim;
+                Vec3 p = centre;
+                p[view.right] += o.radius * std::cos(t);
+                p[view.up] += o.radius * std::sin(t);
+                points.push_back(project(axes, view, p));
+            }
+        }
+        drawing.add(Path{.points = convex(std::move(points)),
+                         .stroke = ghost ? Color{205, 210, 216, 255} : Color{52, 62, 74, 255},
+                         .width = ghost ? 0.8 : 1.0,
+                         .fill = ghost ? kNoColor : Color{176, 186, 200, 120},
+                         .closed = true});
+    }
+}
+
+}  // namespace hawser::observe
