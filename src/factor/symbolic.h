@@ -25,6 +25,8 @@
 /// Subtrees of roughly equal work are *tasks* that run in parallel; the fronts above them are
 /// the *top* and run last. Tasks depend on the tree alone, never on the number of threads.
 ///
+/// Unsymmetric values double some of the fronts, on the same structure: unsymmetric.h.
+///
 /// A chain (chains.h) is one front too, but only its update matrix is an ordinary one: its
 /// pivots are done in a batch (batches.h), before all tasks.
 

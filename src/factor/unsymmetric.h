@@ -24,8 +24,10 @@
 /// numeric.factor(symbolic, executor, &unsymmetric); numeric.solve(symbolic, x, executor);
 /// ```
 /// There is no pivoting: the caller knows the sign of each pivot (Symbolic::sign), and where one
-/// comes out otherwise, Numeric::wrong_nodes() says at which nodes. D is positive on bodies if
-/// the symmetric part of K is definite there, which strong friction can spoil.
+/// comes out otherwise, Numeric::wrong_nodes() says at which nodes. All signs are right if K, with
+/// the lines of negative nodes turned over, has a positive definite symmetric part; strong
+/// friction can spoil that, and that of stiff contacts does so sooner where it is condensed onto
+/// bodies than as a node of its own (docs/methods.md).
 ///
 /// The arithmetic of the lower half of an unsymmetric front with symmetric values is that of
 /// LDLᵀ: it gives the same bits.
