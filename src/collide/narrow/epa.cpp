@@ -32,7 +32,6 @@ struct Polytope {
         f.v[2] = static_cast<std::int16_t>(k);
         f.alive = true;
         f.n = (1.0 / length) * n;
-        // The corner nearest to the foot of the origin loses the fewest digits; any will do.
         f.d = dot(f.n, w[i]);
         return true;
     }
@@ -100,40 +99,30 @@ V3 difference(const Convex& a, const Convex& b, const V3& m) {
     return support(b, m) - support(a, -m);
 }
 
-/// Four corners that are not flat.
+/// Four corners that are not flat: each is looked for across those before it.
 bool start(const Convex& a, const Convex& b, double size, Polytope& out) {
-    static constexpr double kWays[7][3] = {{1, 0.03, 0.07},  {0.05, 1, 0.02},   {0.04, 0.06, 1},
-                                           {0.6, 0.5, 0.62}, {-0.6, 0.5, 0.61}, {0.6, -0.52, 0.6},
-                                           {0.6, 0.51, -0.6}};
-    V3 p[14];
-    for (int i = 0; i < 7; ++i) {
-        const V3 way = normalized(generic::load3(kWays[i]));
-        p[2 * i] = difference(a, b, way);
-        p[2 * i + 1] = difference(a, b, -way);
-    }
-    const auto furthest = [&](auto&& measure, int& best) {
+    const double flat = 1e-9 * size;
+    V3 p[4];
+    // Furthest of what lies along the given directions and against them.
+    const auto find = [&](const V3* ways, int count, V3& best, auto&& measure) {
         double most = -1.0;
-        for (int i = 0; i < 14; ++i) {
-            const double x = measure(p[i]);
-            if (x > most) most = x, best = i;
+        for (int i = 0; i < 2 * count; ++i) {
+            const V3 q = difference(a, b, i % 2 ? -ways[i / 2] : ways[i / 2]);
+            const double x = measure(q);
+            if (x > most) most = x, best = q;
         }
-        return most;
+        return most > flat;
     };
-    int i1 = 0, i2 = 0, i3 = 0;
-    const V3 o = p[0];
-    if (furthest([&](const V3& q) { return norm(q - o); }, i1) < 1e-9 * size) return false;
-    const V3 u = normalized(p[i1] - o);
-    if (furthest([&](const V3& q) { return norm(cross(q - o, u)); }, i2) < 1e-9 * size)
-        return false;
-    const V3 n = normalized(cross(p[i1] - o, p[i2] - o));
-    if (furthest([&](const V3& q) { return std::fabs(dot(q - o, n)); }, i3) < 1e-9 * size)
-        return false;
+    const V3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    p[0] = difference(a, b, axes[0]);
+    if (!find(axes, 3, p[1], [&](const V3& q) { return norm(q - p[0]); })) return false;
+    const V3 u = normalized(p[1] - p[0]), v = any_across(u), across[2] = {v, cross(u, v)};
+    if (!find(across, 2, p[2], [&](const V3& q) { return norm(cross(q - p[0], u)); })) return false;
+    const V3 n = normalized(cross(p[1] - p[0], p[2] - p[0]));
+    if (!find(&n, 1, p[3], [&](const V3& q) { return std::fabs(dot(q - p[0], n)); })) return false;
     out.vertices = 4;
-    out.w[0] = o;
-    out.w[1] = p[i1];
-    out.w[2] = p[i2];
-    out.w[3] = p[i3];
-    if (dot(p[i3] - o, n) > 0.0) std::swap(out.w[1], out.w[2]);
+    for (int i = 0; i < 4; ++i) out.w[i] = p[i];
+    if (dot(p[3] - p[0], n) > 0.0) std::swap(out.w[1], out.w[2]);
     return out.add_face(0, 1, 2) && out.add_face(0, 3, 1) && out.add_face(1, 3, 2) &&
            out.add_face(2, 3, 0);
 }

@@ -53,20 +53,29 @@ V3 nearest(Simplex& s) {
     if (in.count == 2) return nearest_on_segment(in.w[0], in.w[1], s);
     if (in.count == 3) return nearest_on_triangle(in.w[0], in.w[1], in.w[2], s);
     static constexpr int kFaces[4][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}};
-    bool outside_any = false, first = true;
+    bool outside[4], any = false;
+    double weights = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        const auto& f = kFaces[i];
+        const V3& a = in.w[f[0]];
+        const V3 n = cross(in.w[f[1]] - a, in.w[f[2]] - a);
+        const double origin = -dot(n, a), other = dot(n, in.w[f[3]] - a);
+        outside[i] = origin * other <= 0.0;
+        any = any || outside[i];
+        weights += origin / other;
+    }
+    // Barycentric coordinates of the origin add up to one, unless the tetrahedron is too flat to
+    // tell its inside.
+    if (!any && std::fabs(weights - 1.0) < 1e-6) return {0, 0, 0};
+    bool first = true;
     V3 best{0, 0, 0};
-    for (const auto& f : kFaces) {
-        const V3 &a = in.w[f[0]], &b = in.w[f[1]], &c = in.w[f[2]], &d = in.w[f[3]];
-        const V3 n = cross(b - a, c - a);
-        const double origin = -dot(n, a), other = dot(n, d - a);
-        const bool outside = origin * other <= 0.0;
-        outside_any = outside_any || outside;
-        if (!outside) continue;
+    for (int i = 0; i < 4; ++i) {
+        if (any && !outside[i]) continue;
+        const auto& f = kFaces[i];
         Simplex t;
-        const V3 p = nearest_on_triangle(a, b, c, t);
+        const V3 p = nearest_on_triangle(in.w[f[0]], in.w[f[1]], in.w[f[2]], t);
         if (first || dot(p, p) < dot(best, best)) best = p, s = t, first = false;
     }
-    if (!outside_any) return {0, 0, 0};
     return best;
 }
 

@@ -27,27 +27,46 @@ struct Ground {
                   data.heights[static_cast<std::size_t>(i) * data.columns + j]} -
                centre;
     }
-    /// Unit normal of triangle `upper` of a cell; zero outside the grid.
-    V3 normal(int i, int j, bool upper) const {
-        if (i < 0 || j < 0 || i >= data.rows - 1 || j >= data.columns - 1) return {0, 0, 0};
-        const V3 a = node(i, j), c = node(i + 1, j + 1);
-        return upper ? normalized(cross(c - a, node(i + 1, j) - a))
-                     : normalized(cross(node(i, j + 1) - a, c - a));
-    }
-    SurfaceTriangle triangle(int i, int j, bool upper) const {
-        const V3 a = node(i, j), c = node(i + 1, j + 1);
-        const auto name = static_cast<std::uint32_t>(2 * (i * (data.columns - 1) + j) + upper);
-        if (upper)
-            return {make_triangle(a, c, node(i + 1, j)),
-                    {normal(i, j, false), normal(i + 1, j, false), normal(i, j - 1, false)},
-                    true,
-                    name};
-        return {make_triangle(a, node(i, j + 1), c),
-                {normal(i - 1, j, true), normal(i, j + 1, true), normal(i, j, true)},
-                true,
-                name};
-    }
+    bool has(int i, int j) const { return i >= 0 && j >= 0 && i < data.rows && j < data.columns; }
 };
+
+int node_of(const Ground& g, int i, int j) { return i * g.data.columns + j; }
+
+int ring(const SurfaceTriangle& t, int corner, V3* out);
+
+/// Triangle of cell (i, j), and its neighbours' third corners.
+SurfaceTriangle triangle_of(const Ground& g, int i, int j, bool upper) {
+    static constexpr int kCorner[2][3][2] = {{{0, 0}, {0, 1}, {1, 1}}, {{0, 0}, {1, 1}, {1, 0}}};
+    static constexpr int kBeyond[2][3][2] = {{{-1, 0}, {1, 2}, {1, 0}}, {{0, 1}, {2, 1}, {0, -1}}};
+    const auto& corner = kCorner[upper];
+    SurfaceTriangle out{};
+    out.triangle = make_triangle(g.node(i + corner[0][0], j + corner[0][1]),
+                                 g.node(i + corner[1][0], j + corner[1][1]),
+                                 g.node(i + corner[2][0], j + corner[2][1]));
+    for (int k = 0; k < 3; ++k) {
+        const int p = i + kBeyond[upper][k][0], q = j + kBeyond[upper][k][1];
+        out.has_neighbour[k] = g.has(p, q);
+        if (g.has(p, q)) out.opposite[k] = g.node(p, q);
+    }
+    out.solid = true;
+    out.surface = &g;
+    out.index = 2 * node_of(g, i, j) + upper;
+    out.name = static_cast<std::uint32_t>(out.index);
+    out.ring = ring;
+    return out;
+}
+
+int ring(const SurfaceTriangle& t, int corner, V3* out) {
+    const Ground& g = *static_cast<const Ground*>(t.surface);
+    const int node = t.index / 2, upper = t.index % 2;
+    const int i = node / g.data.columns + (corner == 0 ? 0 : (corner == 1 ? upper : 1));
+    const int j = node % g.data.columns + (corner == 0 ? 0 : (corner == 1 ? 1 : 1 - upper));
+    static constexpr int kAround[6][2] = {{0, 1}, {1, 1}, {1, 0}, {0, -1}, {-1, -1}, {-1, 0}};
+    int count = 0;
+    for (const auto& d : kAround)
+        if (g.has(i + d[0], j + d[1])) out[count++] = g.node(i + d[0], j + d[1]);
+    return count;
+}
 
 }  // namespace
 
@@ -114,7 +133,7 @@ HAWSER_PAIR(convex_heightfield) {
             if (top <= lowest) continue;
             for (const bool upper : {false, true}) {
                 make_room(points, size);
-                touch_triangle(shape, ground.triangle(i, j, upper), margin, points);
+                touch_triangle(shape, triangle_of(ground, i, j, upper), margin, points);
             }
         }
     for (int i = 0; i < points.count; ++i) {

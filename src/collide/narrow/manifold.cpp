@@ -68,20 +68,50 @@ void write(const Point& p, const double* origin, ManifoldPoint& out) {
 }  // namespace
 
 void reduce(Points& points, double size) {
-    const double length_tie = kSame * size;
+    const double length_tie = kSame * size, tie = length_tie * size;
     const V3 n = points.p[0].normal;
+    const int deep = largest(points, length_tie, [](const Point& p) { return -p.gap; });
+    V3 centre{0, 0, 0};
+    for (int i = 0; i < points.count; ++i) centre = centre + points.p[i].on0;
+    centre = (1.0 / points.count) * centre;
+    const auto from = [&](const V3& o) {
+        return largest(points, tie, [&](const Point& p) { return dot(p.on0 - o, p.on0 - o); });
+    };
     int keep[4];
-    keep[0] = largest(points, length_tie, [](const Point& p) { return -p.gap; });
+    keep[0] = from(centre);
     const V3 p0 = points.p[keep[0]].on0;
-    keep[1] = largest(points, length_tie * size,
-                      [&](const Point& p) { return dot(p.on0 - p0, p.on0 - p0); });
-    const V3 across = cross(n, points.p[keep[1]].on0 - p0);
-    const double tie = length_tie * size;
-    keep[2] = largest(points, tie, [&](const Point& p) { return dot(p.on0 - p0, across); });
-    keep[3] = largest(points, tie, [&](const Point& p) { return -dot(p.on0 - p0, across); });
-    // Points in a row need their ends alone.
-    for (int k = 2; k < 4; ++k)
-        if (std::fabs(dot(points.p[keep[k]].on0 - p0, across)) <= tie) keep[k] = keep[0];
+    keep[1] = from(p0);
+    const V3 p1 = points.p[keep[1]].on0, across = cross(n, p1 - p0);
+    const auto side = [&](const Point& p) { return dot(p.on0 - p0, across); };
+    keep[2] = largest(points, tie, [&](const Point& p) { return std::fabs(side(p)); });
+    const double turn = side(points.p[keep[2]]);
+    if (std::fabs(turn) <= tie) {
+        keep[2] = keep[3] = keep[0];  // Points in a row need their ends alone.
+    } else {
+        // How far outside the triangle of the three.
+        const V3 p2 = points.p[keep[2]].on0;
+        const double sign = turn > 0.0 ? 1.0 : -1.0;
+        const V3 from_1 = sign * cross(n, p2 - p1), from_2 = sign * cross(n, p0 - p2);
+        const auto outside = [&](const Point& p) {
+            return std::max({-sign * side(p), -dot(p.on0 - p1, from_1), -dot(p.on0 - p2, from_2)});
+        };
+        keep[3] = largest(points, tie, outside);
+        if (outside(points.p[keep[3]]) <= tie) keep[3] = keep[0];
+    }
+    double least = 1e300;
+    for (const int k : keep) least = std::fmin(least, points.p[k].gap);
+    if (least > points.p[deep].gap + length_tie) {
+        // In the place of one that is there twice, or of the nearest.
+        int place = 0;
+        double nearest = 1e300;
+        for (int k = 0; k < 4; ++k) {
+            const V3 d = points.p[keep[k]].on0 - points.p[deep].on0;
+            const bool twice = k > 1 && (keep[k] == keep[0] || keep[k] == keep[1]);
+            const double distance = twice ? -1.0 : dot(d, d);
+            if (distance < nearest - tie) nearest = distance, place = k;
+        }
+        keep[place] = deep;
+    }
     std::sort(keep, keep + 4);
     int count = 0;
     for (int k = 0; k < 4; ++k)

@@ -9,9 +9,11 @@
 /// Where the smallest gap of the cores is not there (a rim, a vertex of a part tilted by more than
 /// `kTilt`) the point that has it is added.
 ///
-/// Of more than four points four are kept: the deepest, the one furthest from it, and the two that
-/// reach furthest to either side of the line between those. Ties within 1e-7 of the size go to the
-/// smaller feature, so that symmetric shapes do not flicker between equal choices.
+/// Of more than four points four are kept: the one furthest from their middle, the one furthest
+/// from that, the one furthest from the line between those, and the one furthest outside the
+/// triangle of the three; the deepest one takes the place of the nearest of them where it is not
+/// among them. Ties within 1e-7 of the size go to the smaller feature, so that symmetric shapes do
+/// not flicker between equal choices. Of points in a row the ends are kept.
 
 #include "collide/narrow/convex.h"
 

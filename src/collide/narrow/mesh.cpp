@@ -75,30 +75,70 @@ void plant(ShapeData& mesh) {
 }
 
 void find_neighbours(ShapeData& mesh) {
-    const int count = static_cast<int>(mesh.normals.size());
+    const int count = static_cast<int>(mesh.triangles.size() / 3);
     struct Sides {
-        int triangle[2], edge[2], uses = 0;
-        bool forward[2];
+        int place[2], uses = 0;  ///< 3 triangle + edge.
     };
     std::map<std::pair<int, int>, Sides> edges;
     for (int t = 0; t < count; ++t)
         for (int k = 0; k < 3; ++k) {
             const int i = mesh.triangles[3 * t + k], j = mesh.triangles[3 * t + (k + 1) % 3];
             Sides& s = edges[std::minmax(i, j)];
-            if (s.uses < 2) {
-                s.triangle[s.uses] = t;
-                s.edge[s.uses] = k;
-                s.forward[s.uses] = i < j;
-            }
+            if (s.uses < 2) s.place[s.uses] = 3 * t + k;
             ++s.uses;
         }
-    mesh.neighbours.assign(3 * mesh.normals.size(), {0, 0, 0});
+    mesh.opposite.assign(mesh.triangles.size(), -1);
+    mesh.ring_first.assign(mesh.vertices.size() + 1, 0);
     for (const auto& [key, s] : edges) {
-        if (s.uses != 2) continue;  // Border, or more than two meet: each is as a border.
-        const double same = s.forward[0] != s.forward[1] ? 1.0 : -1.0;
-        for (int i = 0; i < 2; ++i)
-            mesh.neighbours[3 * s.triangle[i] + s.edge[i]] = same * mesh.normals[s.triangle[1 - i]];
+        ++mesh.ring_first[key.first + 1];
+        ++mesh.ring_first[key.second + 1];
+        if (s.uses != 2) continue;
+        for (int i = 0; i < 2; ++i) {
+            const int other = s.place[1 - i];
+            mesh.opposite[s.place[i]] = mesh.triangles[other - other % 3 + (other + 2) % 3];
+        }
     }
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+        mesh.ring_first[v + 1] += mesh.ring_first[v];
+    mesh.ring.assign(2 * edges.size(), 0);
+    std::vector<int> fill(mesh.ring_first.begin(), mesh.ring_first.end());
+    for (const auto& [key, s] : edges) {
+        mesh.ring[fill[key.first]++] = key.second;
+        mesh.ring[fill[key.second]++] = key.first;
+    }
+}
+
+/// What the contact of a triangle needs, from the shape's centre.
+struct Seen {
+    const ShapeData& mesh;
+    V3 centre;
+};
+
+int ring(const SurfaceTriangle& t, int corner, V3* out) {
+    const Seen& seen = *static_cast<const Seen*>(t.surface);
+    const int v = seen.mesh.triangles[3 * t.index + corner];
+    int count = 0;
+    for (int i = seen.mesh.ring_first[v]; i < seen.mesh.ring_first[v + 1] && count < kMaxRing; ++i)
+        out[count++] = seen.mesh.vertices[seen.mesh.ring[i]] - seen.centre;
+    return count;
+}
+
+SurfaceTriangle triangle_of(const Seen& seen, int t) {
+    const ShapeData& mesh = seen.mesh;
+    const auto place = [&](int v) { return mesh.vertices[v] - seen.centre; };
+    const std::int32_t* v = &mesh.triangles[3 * t];
+    SurfaceTriangle out{};
+    out.triangle = make_triangle(place(v[0]), place(v[1]), place(v[2]));
+    for (int k = 0; k < 3; ++k) {
+        const int w = mesh.opposite[3 * t + k];
+        out.has_neighbour[k] = w >= 0;
+        if (w >= 0) out.opposite[k] = place(w);
+    }
+    out.name = static_cast<std::uint32_t>(mesh.names[t]);
+    out.surface = &seen;
+    out.index = t;
+    out.ring = ring;
+    return out;
 }
 
 }  // namespace
@@ -127,11 +167,6 @@ void make_mesh(const ShapeDef& def, ShapeData& out) {
             refuse(def, where + " has no area; leave it out");
     }
     plant(out);
-    for (std::size_t t = 0; t < def.triangles.size(); ++t) {
-        const V3& a = out.vertices[out.triangles[3 * t]];
-        out.normals.push_back(normalized(cross(out.vertices[out.triangles[3 * t + 1]] - a,
-                                               out.vertices[out.triangles[3 * t + 2]] - a)));
-    }
     find_neighbours(out);
 }
 
@@ -150,6 +185,7 @@ HAWSER_PAIR(convex_mesh) {
     // Seen from the shape's centre, so that a large mesh costs no digits.
     const Convex shape = make_convex(a, local, local.x);
     const V3 centre = generic::load3(local.x);
+    const Seen seen{mesh, centre};
     const double size = shape.size + shape.rounding;
     Points points;
     int stack[kMaxDepth], depth = 0;
@@ -168,15 +204,8 @@ HAWSER_PAIR(convex_mesh) {
             continue;
         }
         for (int t = node.first; t < node.first + node.count; ++t) {
-            const std::int32_t* v = &mesh.triangles[3 * t];
-            SurfaceTriangle triangle{
-                make_triangle(mesh.vertices[v[0]] - centre, mesh.vertices[v[1]] - centre,
-                              mesh.vertices[v[2]] - centre),
-                {mesh.neighbours[3 * t], mesh.neighbours[3 * t + 1], mesh.neighbours[3 * t + 2]},
-                false,
-                static_cast<std::uint32_t>(mesh.names[t])};
             make_room(points, size);
-            touch_triangle(shape, triangle, margin, points);
+            touch_triangle(shape, triangle_of(seen, t), margin, points);
         }
     }
     for (int i = 0; i < points.count; ++i) {

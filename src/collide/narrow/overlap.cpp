@@ -122,6 +122,8 @@ void segment_polygon(const View& view, const Poly& s, const Shadow& polygon, boo
                      double snap, Points& out) {
     const Flat p = view.flatten(s.p[0]), q = view.flatten(s.p[1]);
     const unsigned own = first ? 0U : 1U;
+    // Cuts at a corner of the polygon, at equal places but for rounding, go by the first edge.
+    const double same = snap / norm(s.p[1] - s.p[0]);
     double t[2] = {0.0, 1.0};
     std::uint32_t name[2] = {feature(own, s.vertex[0], 0), feature(own, s.vertex[1], 0)};
     for (int i = 0; i < polygon.count; ++i) {
@@ -135,18 +137,18 @@ void segment_polygon(const View& view, const Poly& s, const Shadow& polygon, boo
         if (d >= -snap && e >= -snap) continue;
         const double cut = d / (d - e);
         const int end = d < e ? 0 : 1;
-        if (end == 0 ? cut > t[0] : cut < t[1]) {
+        if (end == 0 ? cut > t[0] + same : cut < t[1] - same) {
             t[end] = cut;
             name[end] = feature(2, first ? s.edge[0] : polygon.edge[i],
                                 first ? polygon.edge[i] : s.edge[0]);
         }
     }
-    if (t[0] > t[1]) return;
+    if (t[0] > t[1] + same) return;
     for (int end = 0; end < 2; ++end) {
         const V3 on = s.p[0] + t[end] * (s.p[1] - s.p[0]);
         const V3 other = view.lift(view.flatten(on), polygon);
         put(first ? on : other, first ? other : on, view.n, name[end], out);
-        if (t[0] == t[1]) return;
+        if (t[1] - t[0] <= same) return;
     }
 }
 

@@ -78,9 +78,15 @@ bool around(const Convex& a, const Convex& b, const V3& e, const V3& guess, V3& 
         const double c = std::cos(x), s = std::sin(x);
         return dot(c * v - s * u, gradient(a, b, c * u + s * v));
     };
-    double low = -2.0 * kNear, high = 2.0 * kNear;
-    double at_low = slope(low), at_high = slope(high);
-    if (at_low <= 0.0 || at_high >= 0.0) return false;
+    // Other maxima may be near: the bracket shrinks until it holds one.
+    double low = 0.0, high = 0.0, at_low = 0.0, at_high = 0.0;
+    for (double reach = 2.0 * kNear; at_low <= 0.0 || at_high >= 0.0; reach *= 0.1) {
+        if (reach < 1e-7) return false;
+        low = -reach;
+        high = reach;
+        at_low = slope(low);
+        at_high = slope(high);
+    }
     // False position, halving the weight of an end that stays (Illinois), with a bisection when
     // it is slow.
     int kept = 0;
@@ -228,7 +234,13 @@ Separation separate(const Convex& a, const Convex& b, double enough) {
     const GjkResult apart = gjk(a, b, enough);
     if (apart.apart && apart.distance > enough) return {apart.n, apart.distance};
     if (!apart.apart && is_flat(a) && is_flat(b)) return part_flat(a, b);
-    return polish(a, b, apart.apart ? apart.n : epa(a, b));
+    if (!apart.apart) return polish(a, b, epa(a, b));
+    const Separation best = polish(a, b, apart.n);
+    // Where GJK could not tell apart from touching, its normal says little.
+    const double size = a.size + b.size;
+    if (best.s > apart.distance - 1e-6 * size || apart.distance > 1e-3 * size) return best;
+    const Separation other = is_flat(a) && is_flat(b) ? part_flat(a, b) : polish(a, b, epa(a, b));
+    return other.s > best.s ? other : best;
 }
 
 }  // namespace hawser::collide::narrow

@@ -43,10 +43,10 @@ struct ShapeData {
     // Mesh. Edge k of a triangle runs from corner k to the next.
     std::vector<std::int32_t> triangles;  ///< Three vertices each, in the order of the tree.
     std::vector<std::int32_t> names;      ///< Index in the definition, by triangle.
-    std::vector<generic::V3> normals;     ///< Unit, by triangle.
-    /// By triangle and edge: unit normal of the neighbour across it, on the same side; zero at
-    /// the border of the surface.
-    std::vector<generic::V3> neighbours;
+    /// By triangle and edge: third vertex of the neighbour across it; −1 at the border, or where
+    /// more than two triangles meet.
+    std::vector<std::int32_t> opposite;
+    std::vector<std::int32_t> ring, ring_first;  ///< Vertices around vertex v, as `star`.
     std::vector<MeshNode> nodes;
     // Heightfield.
     int rows = 0, columns = 0;

@@ -9,23 +9,27 @@
 namespace hawser::collide::narrow {
 namespace {
 
-constexpr double kLean = 1e-3;       ///< Normals that lean out by less are allowed [rad].
+constexpr double kLean = 1e-6;       ///< A neighbour that rises by less is flat [rad].
 constexpr double kGroup = 0.99;      ///< Cosine between normals of one group.
 constexpr double kSamePlace = 1e-6;  ///< Of the size.
 
-/// Whether a normal m (out of the surface, on the side of n) may stand on the triangle.
-bool allowed(const SurfaceTriangle& t, const V3& n, const V3& m) {
-    for (int k = 0; k < 3; ++k) {
-        if (dot(t.neighbour[k], t.neighbour[k]) == 0.0) continue;
-        const V3 e = t.triangle.corner[(k + 1) % 3] - t.triangle.corner[k];
-        const V3 outward = normalized(cross(e, t.triangle.face));
-        const double up = dot(m, n), lean = std::atan2(dot(m, outward), up);
-        if (lean <= kLean) continue;
-        const V3 beyond = (dot(n, t.triangle.face) < 0.0 ? -1.0 : 1.0) * t.neighbour[k];
-        const double most = std::atan2(dot(beyond, outward), dot(beyond, n));
-        if (lean > std::fmax(most, 0.0) + kLean) return false;
+/// Whether m (unit, out of the surface) is a normal at the part of the triangle that faces it.
+bool allowed(const SurfaceTriangle& t, const V3& m) {
+    Poly part;
+    facing(t.triangle, m, 1e-5, part);
+    if (part.count == 3) return true;
+    const V3& v = part.p[0];
+    const auto rises = [&](const V3& w) {
+        const V3 d = w - v;
+        return dot(m, d) > kLean * norm(d);
+    };
+    if (part.count == 2) {
+        const int k = part.edge[0];
+        return !t.has_neighbour[k] || !rises(t.opposite[k]);
     }
-    return true;
+    V3 ring[kMaxRing];
+    const int count = t.ring(t, part.vertex[0], ring);
+    return std::none_of(ring, ring + count, rises);
 }
 
 std::uint32_t name_of(const SurfaceTriangle& t, std::uint32_t local) {
@@ -81,17 +85,19 @@ void touch_triangle(const Convex& shape, const SurfaceTriangle& t, double margin
     if (height < 0.0 && !t.solid) n = -n;
     if (dot(n, support(shape, -n) - triangle.c) >= enough) return;
     const Separation best = separate(shape, triangle, enough);
-    if (best.s >= enough) return;
     const V3 m = -best.n;
-    Points found;
     // A shape below the surface of a solid is pushed up, not down.
-    const bool wrong_side = t.solid && dot(m, n) <= 0.0;
-    if (!t.solid && dot(m, n) < 0.0) n = -n;
-    if (!wrong_side && allowed(t, n, m))
+    const bool below = t.solid && dot(m, n) <= 0.0;
+    if (best.s >= enough && !below) return;
+    // The side of the centre, unless the other one is clearly nearer: at an edge of the shape m may
+    // lie in the plane.
+    if (!t.solid && dot(m, n) < -0.5) n = -n;
+    Points found;
+    if (!below && allowed(t, m))
         add_points(shape, triangle, best.n, best.s, margin, found);
     else
         along_normal(shape, t, n, margin, found);
-    const double same = kSamePlace * (shape.size + shape.rounding + triangle.size);
+    const double same = 4.0 * kSamePlace * (shape.size + shape.rounding + triangle.size);
     for (int i = 0; i < found.count; ++i) {
         Point p = found.p[i];
         p.feature = name_of(t, p.feature);
@@ -134,7 +140,12 @@ void thin(Points& points, double size, int most) {
         Points members;
         for (int i = 0; i < points.count; ++i)
             if (of[i] == g) members.add(points.p[i]);
-        if (members.count > 4 && most >= 4) reduce(members, size);
+        if (members.count > 2 && most >= 4) {
+            Points fewer = members;
+            reduce(fewer, size);
+            // Of up to four only those in a row are dropped: an edge across several triangles.
+            if (members.count > 4 || fewer.count == 2) members = fewer;
+        }
         if (most < 4) {
             sort_by_gap(members);
             members.count = std::min(members.count, most);
@@ -163,7 +174,7 @@ void finish_surface(Points& points, const double* origin, double size, Manifold&
     });
     int of[kMaxPoints];
     const int groups = group(points, of);
-    if (points.count > 4) thin(points, size, groups <= 2 ? 4 : (groups <= 4 ? 2 : 1));
+    if (points.count > 2) thin(points, size, groups <= 2 ? 4 : (groups <= 4 ? 2 : 1));
     if (points.count > kMaxManifold) {
         sort_by_gap(points);
         points.count = kMaxManifold;

@@ -4,33 +4,39 @@
 /// A convex shape against one triangle of a surface.
 ///
 /// Interior edges. A shape that slides over flat ground must not catch on the edges inside it. A
-/// contact normal that leans out over an edge is allowed up to the normal of the neighbour where
-/// the edge is convex, not at all where it is flat or concave, and freely at the border. Where it
-/// is not allowed, the normal of the triangle takes its place, and only what lies over the
-/// triangle along it touches; the neighbour has the rest.
+/// normal m out of the surface at an edge or a vertex is that of a nearest point only if no
+/// neighbouring vertex w rises towards it: m · (w − v) ≤ 0. Where one does, the normal of the
+/// triangle takes the place of m, and only what lies over the triangle along it touches; the
+/// neighbours have the rest. (Shapes that overlap a surface know no nearest point; they follow the
+/// same rule with the normal of least penetration.)
 
 #include "collide/narrow/manifold.h"
 
 namespace hawser::collide::narrow {
 
+inline constexpr int kMaxRing = 32;  ///< Vertices around a vertex; more are not looked at.
+
 struct SurfaceTriangle {
     Convex triangle;
-    /// Unit normals across edge k (from corner k to the next) on the side of triangle.face; zero:
-    /// border.
-    V3 neighbour[3];
+    /// Third corner of the neighbour across edge k (from corner k to the next), where there is one.
+    V3 opposite[3];
+    bool has_neighbour[3];
     bool solid;          ///< Solid below: pushes up whatever the depth. Else both sides touch.
     std::uint32_t name;  ///< Of the triangle in its surface.
+    const void* surface;
+    int index;
+    /// Vertices that share an edge with corner k; @return how many.
+    int (*ring)(const SurfaceTriangle& triangle, int corner, V3* out);
 };
 
 /// Adds the points closer than `margin`; normals from the shape to the surface.
 void touch_triangle(const Convex& shape, const SurfaceTriangle& surface, double margin,
                     Points& out);
 
-/// Makes room in `points` and reduces them to at most kMaxManifold: points of one normal (within
-/// 8 degrees) are one group; each keeps up to four, fewer where there are more than two groups.
-/// With `last`, sorted and written out.
+/// Reduce to at most kMaxManifold, sort and write: points of one normal (within 8 degrees) are one
+/// group; each keeps up to four, fewer where there are more than two groups.
 void finish_surface(Points& points, const double* origin, double size, Manifold& out);
-/// Keep at most four points of each normal, once they are many.
+/// Keep at most four points of each group, once they are many.
 void make_room(Points& points, double size);
 
 }  // namespace hawser::collide::narrow

@@ -113,6 +113,8 @@ Pair random_pair(ShapeKind a, ShapeKind b, std::uint64_t seed) {
     return pair;
 }
 
+}  // namespace
+
 Body body_of(const RandomShape& s, const Placement& placed) {
     if (s.points.empty()) return reference::make_body(s.geometry, placed);
     const auto turned = [&](const std::vector<Vec3>& list, bool shifted) {
@@ -130,6 +132,8 @@ Body body_of(const RandomShape& s, const Placement& placed) {
     return reference::make_points(turned(s.points, true), turned(s.faces, false),
                                   turned(s.edges, false));
 }
+
+namespace {
 
 void judge_one(const Pair& pair, std::uint64_t seed, Score& score) {
     const Body a = body_of(pair.a, pair.pa), b = body_of(pair.b, pair.pb);

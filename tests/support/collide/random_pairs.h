@@ -25,6 +25,7 @@ struct RandomShape {
 };
 /// Hull: of random points; mesh: one triangle.
 RandomShape random_shape(Random& random, ShapeKind kind);
+reference::Body body_of(const RandomShape& shape, const collide::Placement& placed);
 
 struct Score {
     int pairs = 0, touching = 0, apart = 0, ambiguous = 0;

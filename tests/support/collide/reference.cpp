@@ -135,6 +135,8 @@ Vec nearest(const Body& a, const Body& b, Real& gap) {
             for (int i = 0; i < count; ++i)
                 if (mask >> i & 1) q[n++] = w[i];
             if (n > 4 || !inside_nearest(q, n, point)) continue;
+            // Four points hold the origin, or are too flat to say so.
+            if (n == 4 && dot(point, point) > 1e-26L) continue;
             if (dot(point, point) < least) {
                 least = dot(point, point);
                 best = point;
@@ -235,7 +237,33 @@ struct Search {
             }
             if (!better) step /= 2;
         }
-        propose(m);
+        propose(newton(m));
+    }
+    /// The slopes of s over the tangent plane at m, shifted by (x, y).
+    std::array<Real, 2> slopes(Vec m, Vec u, Vec v, Real x, Real y) const {
+        const Vec way = m + x * u + y * v;
+        const Vec top = unit(way), g = difference(a, b, top);
+        const Vec across = (1 / length(way)) * (g - dot(g, top) * top);
+        return {dot(across, u), dot(across, v)};
+    }
+    /// A pattern search is slow along narrow ridges.
+    Vec newton(Vec m) const {
+        for (int i = 0; i < 12; ++i) {
+            const Vec u = unit(cross(m, std::fabs(m.x) < 0.6L ? Vec{1, 0, 0} : Vec{0, 1, 0}));
+            const Vec v = cross(m, u);
+            const Real h = 1e-7L;
+            const auto g = slopes(m, u, v, 0, 0);
+            const auto right = slopes(m, u, v, h, 0), left = slopes(m, u, v, -h, 0);
+            const auto up = slopes(m, u, v, 0, h), down = slopes(m, u, v, 0, -h);
+            const Real xx = (right[0] - left[0]) / (2 * h), xy = (right[1] - left[1]) / (2 * h);
+            const Real yy = (up[1] - down[1]) / (2 * h), det = xx * yy - xy * xy;
+            if (!(det > 0)) return m;
+            const Vec next = unit(m + (-(yy * g[0] - xy * g[1]) / det) * u +
+                                  (-(xx * g[1] - xy * g[0]) / det) * v);
+            if (!(cores(a, b, next) >= cores(a, b, m))) return m;
+            m = next;
+        }
+        return m;
     }
 };
 
