@@ -27,14 +27,19 @@ bool meet(const Bounds& a, const Bounds& b) noexcept {
            b.low[1] <= a.high[1] && a.low[2] <= b.high[2] && b.low[2] <= a.high[2];
 }
 
-/// Can a shape come closer to a plane than the margin? Both move; the box bounds the shape.
+/// Can a shape come closer to a plane than the margin? What it reaches is in its swept box, with
+/// half of the margin; the other half and the plane's own motion come on top.
 bool meets_plane(const Placed& plane, const Placed& s, double h, double margin) noexcept {
-    const V3 n{plane.at.r[2], plane.at.r[5], plane.at.r[8]};
-    const V3 from = load3(s.centre) - load3(plane.at.x);
-    double reach = margin + h * relative_speed(plane, s);
-    for (int i = 0; i < 3; ++i)
-        reach += 0.5 * (s.box.high[i] - s.box.low[i]) * std::abs(plane.at.r[3 * i + 2]);
-    return !(generic::dot(n, from) > reach);
+    const double* r = plane.at.r;
+    double least = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        const double n = r[3 * i + 2];
+        least += n * ((n > 0.0 ? s.swept.low[i] : s.swept.high[i]) - plane.at.x[i]);
+    }
+    const V3 w = load3(plane.motion.w);
+    const V3 v = load3(plane.motion.v) + generic::cross(w, load3(s.centre) - load3(plane.origin));
+    const double own = generic::norm(v) + generic::norm(w) * s.radius;
+    return !(least > 0.5 * margin + h * own);
 }
 
 double extent(const Placed& p) noexcept {

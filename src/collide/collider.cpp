@@ -87,7 +87,7 @@ void Collider::place_all(const model::Bodies& bodies, double h, base::Executor& 
     pool.for_each(chunks(shapes_.size(), kPlaceChunk), task);
 }
 
-void Collider::narrow(const model::Bodies& bodies, double h, base::Executor& pool) {
+void Collider::narrow(double h, base::Executor& pool) {
     const int tasks = chunks(pairs_.size(), kPairChunk);
     while (static_cast<int>(chunks_.size()) < tasks) {
         // Room for whatever the pairs may give: tasks do not allocate.
@@ -100,8 +100,8 @@ void Collider::narrow(const model::Bodies& bodies, double h, base::Executor& poo
         const std::size_t end = std::min(pairs_.size(), at((i + 1) * kPairChunk));
         for (std::size_t p = at(i * kPairChunk); p < end; ++p) {
             const std::int32_t a = pairs_[p].a, b = pairs_[p].b;
-            const int n = touch(shapes_[at(a)], placed_[at(a)], shapes_[at(b)], placed_[at(b)],
-                                bodies, h, margin, to);
+            const int n = touch(shapes_[at(a)], placed_[at(a)], shapes_[at(b)], placed_[at(b)], h,
+                                margin, to);
             for (int k = 0; k < n; ++k, ++to) {
                 to->shape[0] = a;
                 to->shape[1] = b;
@@ -144,7 +144,7 @@ bool Collider::collide(const model::Bodies& bodies, double h, ContactSet& out,
     try {
         place_all(bodies, h, pool);
         broad_.find(placed_, filter_, h, margin, pool, pairs_);
-        narrow(bodies, h, pool);
+        narrow(h, pool);
         put_together(out);
     } catch (const std::bad_alloc&) {
         out.contacts.clear();

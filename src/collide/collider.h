@@ -75,7 +75,7 @@ class Collider {
 
   private:
     void place_all(const model::Bodies& bodies, double h, base::Executor& pool) noexcept;
-    void narrow(const model::Bodies& bodies, double h, base::Executor& pool);
+    void narrow(double h, base::Executor& pool);
     void put_together(ContactSet& out);
     void find_owners(int body_count);
     void find_lines(const model::Interactions& interactions);

@@ -53,6 +53,7 @@ void place_segment(const Shape& s, const model::Bodies& bodies, Placed& p) noexc
     const V3 va = load3(ma.v), vb = load3(mb.v);
     store3(p.motion.v, 0.5 * (va + vb));
     store3(p.motion.w, {0.0, 0.0, 0.0});
+    store3(p.stretch, 0.5 * (vb - va));
     p.spread = 0.5 * generic::norm(vb - va);
 }
 
@@ -63,6 +64,7 @@ void place_on_body(const Shape& s, const model::Bodies& bodies, Placed& p) noexc
     store3(p.at.x, load3(x) + generic::load9(r) * load3(s.local.x));
     store3(p.origin, load3(x));
     p.motion = motion_of(bodies, s.body[0]);
+    store3(p.stretch, {0.0, 0.0, 0.0});
     p.spread = 0.0;
 }
 

@@ -33,13 +33,14 @@ struct Motion {
 struct Placed {
     Geometry geometry;  ///< That of a segment has the half_length of the step.
     Placement at;
-    Bounds box;        ///< Around the shape where it is; unbounded: ±1e30.
-    Bounds swept;      ///< Around all places that it can reach within the step, see place().
-    double centre[3];  ///< Of `box`; of an unbounded shape: its origin.
-    double radius;     ///< Of the sphere around `box`; 0 of an unbounded shape.
-    Motion motion;     ///< Of the body, at `origin`; of a segment: mean velocity of its ends.
-    double origin[3];  ///< Centre of mass of the body; of a segment: its middle.
-    double spread;     ///< Speed of a segment's ends against its middle [m/s].
+    Bounds box;         ///< Around the shape where it is; unbounded: ±1e30.
+    Bounds swept;       ///< Around all places that it can reach within the step, see place().
+    double centre[3];   ///< Of `box`; of an unbounded shape: its origin.
+    double radius;      ///< Of the sphere around `box`; 0 of an unbounded shape.
+    Motion motion;      ///< Of the body, at `origin`; of a segment: mean velocity of its ends.
+    double origin[3];   ///< Centre of mass of the body; of a segment: its middle.
+    double stretch[3];  ///< Velocity of a segment's end b against its middle [m/s]; else 0.
+    double spread;      ///< Its magnitude.
     bool unbounded;
 };
 

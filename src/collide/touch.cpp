@@ -14,42 +14,44 @@ using generic::dot;
 using generic::load3;
 using generic::store3;
 using generic::V3;
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
 /// Place on a segment nearer than this to an end, of its length, is the end.
 constexpr double kAtEnd = 1e-9;
 constexpr double kSameNormal = 0.95;  ///< Cosine: 18°.
 
 /// Slots of one side from c.slots on. `on` is on the surface, `inward` the unit vector from there
-/// into the shape.
-void add_side(Contact& c, const Shape& s, const Placed& p, const model::Bodies& bodies,
-              const double* on, const V3& inward) noexcept {
+/// into the shape. @return the place on a segment, from −1 at its first end to 1; else 0.
+double add_side(Contact& c, const Shape& s, const Placed& p, const double* on,
+                const V3& inward) noexcept {
     auto add = [&](std::int32_t body, double weight) {
         c.body[c.slots] = body;
         c.weight[c.slots++] = weight;
     };
-    if (!s.segment()) return add(s.body[0], 1.0);
+    if (!s.segment()) {
+        add(s.body[0], 1.0);
+        return 0.0;
+    }
     // On the axis, where the force is shared between the ends as on a beam on two supports.
-    const V3 q = load3(on) + p.geometry.radius * inward;
-    const V3 a = load3(&bodies.x[3 * at(s.body[0])]);
-    const V3 along = load3(&bodies.x[3 * at(s.body[1])]) - a;
-    const double square = dot(along, along);
-    const double t = square > 0.0 ? dot(q - a, along) / square : 0.5;
-    if (t <= kAtEnd) return add(s.body[0], 1.0);
-    if (t >= 1.0 - kAtEnd) return add(s.body[1], 1.0);
+    const V3 from = load3(on) + p.geometry.radius * inward - load3(p.at.x);
+    const double along = dot(from, {p.at.r[2], p.at.r[5], p.at.r[8]});
+    const double half = p.geometry.half_length;
+    const double t = half > 0.0 ? 0.5 + 0.5 * along / half : 0.5;
+    if (t <= kAtEnd) {
+        add(s.body[0], 1.0);
+        return -1.0;
+    }
+    if (t >= 1.0 - kAtEnd) {
+        add(s.body[1], 1.0);
+        return 1.0;
+    }
     add(s.body[0], 1.0 - t);
     add(s.body[1], t);
+    return 2.0 * t - 1.0;
 }
 
-/// Velocity of side `side` at `point`.
-V3 velocity(const Contact& c, int side, const V3& point, const model::Bodies& bodies) noexcept {
-    V3 sum{0.0, 0.0, 0.0};
-    for (int i = side == 0 ? 0 : c.side_0; i < (side == 0 ? c.side_0 : c.slots); ++i) {
-        const Motion m = motion_of(bodies, c.body[i]);
-        const V3 arm = point - load3(&bodies.x[3 * at(c.body[i])]);
-        sum = sum + c.weight[i] * (load3(m.v) + generic::cross(load3(m.w), arm));
-    }
-    return sum;
+/// Velocity of a shape at `point`; `place` is what add_side() returned.
+V3 velocity(const Placed& p, double place, const V3& point) noexcept {
+    return load3(p.motion.v) + generic::cross(load3(p.motion.w), point - load3(p.origin)) +
+           place * load3(p.stretch);
 }
 
 /// Twice the area of triangle a b c.
@@ -117,8 +119,8 @@ void reduce(Manifold& m) noexcept {
     m.count = kept;
 }
 
-int touch(const Shape& a, const Placed& pa, const Shape& b, const Placed& pb,
-          const model::Bodies& bodies, double h, double margin, Contact* out) noexcept {
+int touch(const Shape& a, const Placed& pa, const Shape& b, const Placed& pb, double h,
+          double margin, Contact* out) noexcept {
     const Collide collide = collide_function(a.geometry.kind, b.geometry.kind);
     if (collide == nullptr) return 0;
     Manifold m;
@@ -132,12 +134,11 @@ int touch(const Shape& a, const Placed& pa, const Shape& b, const Placed& pb,
         c = Contact{};
         std::fill_n(c.body, kMaxContactBodies, -1);
         const V3 n = load3(p.normal);
-        add_side(c, a, pa, bodies, p.on[0], -n);
+        const double ta = add_side(c, a, pa, p.on[0], -n);
         c.side_0 = c.slots;
-        add_side(c, b, pb, bodies, p.on[1], n);
+        const double tb = add_side(c, b, pb, p.on[1], n);
         const V3 middle = 0.5 * (load3(p.on[0]) + load3(p.on[1]));
-        const double opening =
-            dot(n, velocity(c, 1, middle, bodies) - velocity(c, 0, middle, bodies));
+        const double opening = dot(n, velocity(pb, tb, middle) - velocity(pa, ta, middle));
         if (!(p.gap < margin + h * std::max(0.0, -opening))) continue;
         c.feature = p.feature;
         c.previous = -1;

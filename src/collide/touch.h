@@ -5,7 +5,6 @@
 
 #include "collide/contacts.h"
 #include "collide/placing.h"
-#include "model/bodies.h"
 
 namespace hawser::collide {
 
@@ -23,7 +22,7 @@ void reduce(Manifold& manifold) noexcept;
 /// speculative contacts by which fast and thin things do not pass through each other; a contact
 /// that the step then does not close carries no force. `previous`, `surface` are left to the
 /// caller. @return how many, at most kMaxManifold.
-int touch(const Shape& a, const Placed& pa, const Shape& b, const Placed& pb,
-          const model::Bodies& bodies, double h, double margin, Contact* out) noexcept;
+int touch(const Shape& a, const Placed& pa, const Shape& b, const Placed& pb, double h,
+          double margin, Contact* out) noexcept;
 
 }  // namespace hawser::collide
