@@ -26,19 +26,30 @@ inline void add_friction(BlockMatrix& m, Random& random, int a, int b, double mu
     m.block(b, b) += k.bottomRightCorner(nb, nb);
 }
 
-/// Friction on `count` random pairs of neighbouring bodies. @return the nodes of all blocks that
-/// are unsymmetric then, pair by pair; fewer where there are no such pairs.
+/// The column of a row that is a node of its own gets a force that the row does not have. Small
+/// beside what is definite, so that every pivot has its sign in any order.
+inline void add_kept_friction(BlockMatrix& m, Random& random, int body, int row) {
+    const int nb = m.pattern.size[static_cast<std::size_t>(body)],
+              nr = m.pattern.size[static_cast<std::size_t>(row)];
+    m.block(body, row) += 0.05 * random_matrix(random, nb, nr);
+}
+
+/// Friction on `count` random pairs of neighbours, two bodies or a body and a row. @return the
+/// nodes of all blocks that are unsymmetric then, pair by pair; fewer where there are no such
+/// pairs.
 inline std::vector<std::pair<int, int>> add_frictions(BlockMatrix& m, Random& random, int count) {
     std::vector<std::pair<int, int>> pairs, chosen;
+    auto body = [&](int v) { return m.pattern.sign[static_cast<std::size_t>(v)] > 0; };
     for (int a = 0; a < m.pattern.nodes(); ++a)
         for (const std::int32_t b : m.pattern.neighbours(a))
-            if (b < a && m.pattern.sign[static_cast<std::size_t>(a)] > 0 &&
-                m.pattern.sign[static_cast<std::size_t>(b)] > 0)
-                pairs.emplace_back(a, b);
+            if (body(a) && (b < a || !body(b))) pairs.emplace_back(a, b);
     for (; count > 0 && !pairs.empty(); --count) {
         const auto& pair =
             pairs[static_cast<std::size_t>(random.integer(0, static_cast<int>(pairs.size()) - 1))];
-        add_friction(m, random, pair.first, pair.second, random.uniform(-1.5, 1.5));
+        if (body(pair.second))
+            add_friction(m, random, pair.first, pair.second, random.uniform(-1.5, 1.5));
+        else
+            add_kept_friction(m, random, pair.first, pair.second);
         chosen.push_back(pair);
     }
     return chosen;

@@ -166,12 +166,13 @@ TEST(InstructionSets, Unsymmetric) {
         factor::Unsymmetric unsymmetric;
         unsymmetric.reserve(s);
         unsymmetric.find(s, columns_of(pairs));
-        const Vector b = random_matrix(random, m.scalars(), 1), want = reference(m, b);
+        const Vector b = random_matrix(random, m.scalars(), 1);
         for (const Set& set : sets()) {
             if (!set.available) continue;
             const Solved got = solve_with(*set.kernels, m, s, b, &unsymmetric);
             EXPECT_EQ(got.wrong, 0) << set.name << " seed " << seed;
-            EXPECT_LE((got.x - want).norm(), 1e-9 * want.norm()) << set.name << " seed " << seed;
+            // Growth below 1e4 on 2⁻⁵³.
+            EXPECT_LE(backward_error(m, got.x, b), 1e-12) << set.name << " seed " << seed;
         }
     }
 }
