@@ -47,6 +47,9 @@ void quality(Out out, const Summary& s) {
                    s.momentum_residual_max, s.momentum_residual_median, s.constraint_residual_max);
     fmt::format_to(out, "  violation    {} at {} ({:.4g} s)\n", with_unit(s.violation_max, "m"),
                    s.violation_where, s.violation_time);
+    if (s.contacts_max > 0.0)
+        fmt::format_to(out, "  contacts     {:.0f} points in the median step, at most {:.0f}\n",
+                       s.contacts_median, s.contacts_max);
     if (s.stretch_error_max > 0.0)
         fmt::format_to(out, "  cable law    |l − l0 (1 + T/EA)| at most {:.2e} l0 ({:.4g} s)\n",
                        s.stretch_error_max, s.stretch_error_time);

@@ -63,6 +63,7 @@ void SummaryCollector::after_step(const World& world, std::span<const Event> eve
         if (summary_.events.size() < kListedEvents)
             summary_.events.push_back({event.time, to_string(event.kind),
                                        interaction_label(world, event.interaction), event.value});
+    contacts_.add(world.stats().contacts);
     watch_cables(world);
     watch_bodies(world);
     watch_energy(world);
@@ -120,6 +121,8 @@ Summary SummaryCollector::result(const World& world) const {
     out.momentum_residual_median = momentum_.median();
     out.constraint_residual_max = constraint_.max();
     out.constraint_residual_median = constraint_.median();
+    out.contacts_median = contacts_.median();
+    out.contacts_max = contacts_.max();
     // Potential energy has no natural zero: what was exchanged during the run is the measure.
     out.energy_scale = std::max(kinetic_max_, potential_high_ - potential_low_);
     for (std::size_t c = 0; c < out.cables.size(); ++c) {

@@ -53,6 +53,7 @@ struct Summary {
     std::int64_t timed_steps = 0;      ///< Of those, counted in the times below.
     double step = 0.0;                 ///< Time step [s].
     Form form = Form::automatic;
+    double contacts_median = 0.0, contacts_max = 0.0;  ///< Contact points of a step.
     Spread step_ms, solver_ms, solver_cpu_ms;
     std::array<double, kStageCount> stage_ms{};  ///< Medians.
     double momentum_residual_max = 0.0, momentum_residual_median = 0.0;
@@ -103,7 +104,7 @@ class SummaryCollector {
     std::vector<Pose> first_pose_;
     std::vector<BodyId> bodies_;
     std::vector<double> tension_sum_;
-    Samples step_, solver_, solver_cpu_, momentum_, constraint_;
+    Samples step_, solver_, solver_cpu_, momentum_, constraint_, contacts_;
     std::array<Samples, kStageCount> stage_{};
     double kinetic_max_ = 0.0, potential_low_ = 0.0, potential_high_ = 0.0;
 };

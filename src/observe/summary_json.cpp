@@ -87,6 +87,7 @@ Json sizes(const Summary& s) {
             {"interactions", last.interactions},
             {"equations", last.equations},
             {"islands", last.islands},
+            {"contacts", {{"median", s.contacts_median}, {"max", s.contacts_max}}},
             {"nnz", {{"matrix", last.matrix_nnz}, {"factor", last.factor_nnz}}},
             {"flops", last.factor_flops}};
 }

@@ -104,6 +104,7 @@ TEST(Summary, JsonHasAllFields) {
                             "interactions",
                             "equations",
                             "islands",
+                            "contacts",
                             "nnz",
                             "flops",
                             "steps",
