@@ -66,6 +66,9 @@ struct WorldDef {
     /// swing faster than the step resolves, such as links of a chain (docs/methods.md, 4).
     double rotation_damping = 0.1;
     bool staggered_start = true;  ///< v₀ taken at t = −h/2, which makes the scheme second order.
+    /// Relative residual at which the contacts of a step count as solved, 1e-12 to 1.
+    double contact_tolerance = 1e-6;
+    int contact_iterations = 60;  ///< Most Newton iterations of a step, 1-1000.
     int refinements = 1;          ///< Refinement steps on the saddle residual, 0-4.
     int threads = 1;              ///< Worker threads, 1-256; results do not depend on it.
     /// Shapes closer than this are in contact before they touch [m], 1e-6 to 10. It is to cover

@@ -19,6 +19,14 @@ Op make_op(std::int32_t id, Op::Kind kind, std::uint8_t a, std::uint8_t b) {
     return {0, 0, 0, id, 0, 0, kind, a, b, 0, 0, 0};
 }
 
+/// Indices of the places in [low, high), which are ascending.
+std::pair<std::int64_t, std::int64_t> between(const std::vector<std::int64_t>& places,
+                                              std::int64_t low, std::int64_t high) {
+    const auto a = std::lower_bound(places.begin(), places.end(), low);
+    const auto b = std::lower_bound(a, places.end(), high);
+    return {a - places.begin(), b - places.begin()};
+}
+
 }  // namespace
 
 /// Columns of one place in the panels (lanes of one step) stay together.
@@ -41,6 +49,10 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
         op.ld = t.ld;
         if (op.kind == Op::body_block) {
             op.dof_a = op.dof_b = dof_[at(op.id)];
+        } else if (op.kind == Op::contact) {
+            const ContactBlock& block = contacts.blocks[at(op.id)];
+            op.dof_a = dof_[at(op.a ? block.b : block.a)];
+            op.dof_b = dof_[at(op.a ? block.a : block.b)];
         } else {
             const std::int32_t* body = &in.body[at(kSlots * op.id)];
             std::int32_t offset = in.jac_begin[at(op.id)];
@@ -88,10 +100,19 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
             }
         }
     }
+    for (std::size_t k = 0; k < contacts.blocks.size(); ++k) {
+        const ContactBlock& block = contacts.blocks[k];
+        const std::int32_t na = node_of_body[at(block.a)], nb = node_of_body[at(block.b)];
+        const bool swap = symbolic.position[at(na)] < symbolic.position[at(nb)];
+        add(swap ? nb : na, swap ? na : nb,
+            make_op(static_cast<std::int32_t>(k), Op::contact, swap ? 1 : 0, 0));
+    }
     std::sort(entries.begin(), entries.end(),
               [](const OpEntry& p, const OpEntry& q) { return p.key() < q.key(); });
     ops.clear();
     lane_ops.clear();
+    op_place_.clear();
+    lane_place_.clear();
     const std::vector<factor::Piece>& pieces = numeric.pieces();
     piece_ops_.assign(pieces.size(), {});
     std::vector<std::size_t> by_place(pieces.size());
@@ -111,11 +132,16 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
                 for (std::size_t i = begin; i < end; ++i) ops.push_back(entries[i].op);
             else
                 share_lanes(std::span(entries).subspan(begin, end - begin), in);
+            op_place_.resize(ops.size(), entries[begin].place);
+            lane_place_.resize(lane_ops.size(), entries[begin].place);
             begin = end;
         }
         range.op_end = static_cast<std::int64_t>(ops.size());
         range.lane_end = static_cast<std::int64_t>(lane_ops.size());
     }
+    skew_ops_.clear();
+    for (std::size_t i = 0; i < ops.size(); ++i)
+        if (ops[i].kind == Op::contact) skew_ops_.push_back(static_cast<std::int32_t>(i));
 }
 
 void System::write_blocks(const View& view, int piece, double* panel) const noexcept {
@@ -124,12 +150,57 @@ void System::write_blocks(const View& view, int piece, double* panel) const noex
     kernels().gather_blocks(view, ops.data(), p.op_begin, p.op_end, panel);
 }
 
+void System::write_skew(const View& view, std::int64_t begin, std::int64_t end,
+                        double* upper) const noexcept {
+    auto i = std::lower_bound(skew_ops_.begin(), skew_ops_.end(), begin) - skew_ops_.begin();
+    for (auto k = static_cast<std::size_t>(i); k < skew_ops_.size() && skew_ops_[k] < end; ++k) {
+        const Op& op = ops[at(skew_ops_[k])];
+        if (contacts.block_skew[at(op.id)] == 0) continue;
+        const double* lower =
+            view.contact_block + static_cast<std::ptrdiff_t>(kContactBlock) * op.id;
+        // A body's own block is square: the other half is its transpose.
+        const bool own = contacts.blocks[at(op.id)].a == contacts.blocks[at(op.id)].b;
+        const double* other = own ? lower : lower + (op.a ? 0 : 36);
+        const double* mine = own ? lower : lower + (op.a ? 36 : 0);
+        double* out = upper + op.address;
+        for (int j = 0; j < op.dof_b; ++j)
+            for (int r = 0; r < op.dof_a; ++r)
+                out[r * op.step + j * op.ld] += other[6 * r + j] - mine[6 * j + r];
+    }
+}
+
+void System::write_skew(const View& view, int piece, double* upper) const noexcept {
+    write_skew(view, piece_ops_[at(piece)].op_begin, piece_ops_[at(piece)].op_end, upper);
+}
+
+void System::write_blocks(const View& view, const factor::DirtyParts& part,
+                          double* panel) const noexcept {
+    for (const factor::PanelRange& r : part.panels) {
+        const auto [lane_begin, lane_end] = between(lane_place_, r.begin, r.end);
+        kernels().gather_lane_blocks(view, lane_ops.data(), lane_begin, lane_end, panel);
+        const auto [begin, end] = between(op_place_, r.begin, r.end);
+        kernels().gather_blocks(view, ops.data(), begin, end, panel);
+    }
+}
+
+void System::write_skew(const View& view, const factor::DirtyParts& part,
+                        double* upper) const noexcept {
+    for (const factor::PanelRange& r : part.panels) {
+        const auto [begin, end] = between(op_place_, r.begin, r.end);
+        write_skew(view, begin, end, upper);
+    }
+}
+
 /// Ops of one batch step: those that do the same in several lanes become one.
 void System::share_lanes(std::span<const OpEntry> entries, const model::Interactions& in) {
     const auto first = static_cast<std::ptrdiff_t>(lane_ops.size());
     std::vector<Op> single;  // the only op so far of each new lane op
     for (const OpEntry& e : entries) {
         const Op& op = e.op;
+        if (op.kind == Op::contact) {
+            ops.push_back(op);
+            continue;
+        }
         const auto lane = static_cast<std::size_t>((op.address - e.place) % factor::kLaneCount);
         const std::uint8_t rows = op.kind == Op::body_block ? 0 : in.rows[at(op.id)];
         const std::int64_t base = op.address - static_cast<std::int64_t>(lane);

@@ -75,7 +75,13 @@ void System::analyse(const model::Bodies& bodies, model::Interactions& interacti
     choose_forms(bodies, interactions, def);
     build_pattern(bodies, interactions);
     symbolic = factor::analyse(pattern, factor::plan_elimination(pattern));
-    numeric.reserve(symbolic, threads);
+    const bool touching = !contacts.blocks.empty();
+    if (touching) {
+        factor::keep_updates(symbolic);
+        dirty.reserve(symbolic);
+        unsymmetric.reserve(symbolic);
+    }
+    numeric.reserve(symbolic, threads, touching);
     solution_.assign(at(symbolic.scalars) + 8, 0.0);
     for (int b = 0; b < bodies.count(); ++b)
         if (node_of_body[at(b)] >= 0)
@@ -151,6 +157,10 @@ void System::build_incidence(const model::Bodies& bodies, const model::Interacti
             column += dof_[at(body[b])];
         }
     }
+    for (const Contacts::Link& l : contacts.links) {
+        members.insert(members.end(), {l.first, l.second});
+        member_begin.push_back(static_cast<std::int32_t>(members.size()));
+    }
     std::vector<std::uint8_t> moves(dof_.begin(), dof_.end());
     islands = graph::find_islands(moves, member_begin, members);
 }
@@ -215,6 +225,8 @@ void System::build_pattern(const model::Bodies& bodies, const model::Interaction
                 if (!kept_[at(i)] || (in.geo[at(i)] >= 0 && b < 2))
                     link(na, node_of_body[at(in.body[at(kSlots * i + b)])]);
         }
+    for (const Contacts::Link& l : contacts.links)
+        link(node_of_body[at(l.first)], node_of_body[at(l.second)]);
     pattern = factor::make_pattern(std::move(size), std::move(sign), from, to);
 }
 
@@ -272,6 +284,9 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.jacobian = in.jacobian.data();
     v.geo_record = geo_record_.data();
     v.geo_force = geo_force_.data();
+    v.contact_block = contacts.block_value.data();
+    v.contact_block_used = contacts.block_used.data();
+    v.contact_impulse = contacts.impulse.empty() ? nullptr : contacts.impulse.data();
     v.incident_begin = incident_begin_.data();
     v.incident = incident_.data();
     v.body_offset = body_offset_.data();
@@ -286,7 +301,8 @@ std::size_t System::bytes() const noexcept {
            bytes(ops) + bytes(lane_ops) + bytes(incident_) + bytes(incident_begin_) +
            bytes(body_offset_) + bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) +
            bytes(v_new_) + bytes(momentum_) + bytes(geo_record_) + bytes(geo_force_) +
-           bytes(solution_) + bytes(node_of_body) + bytes(node_of_interaction) + strips.bytes();
+           bytes(solution_) + bytes(node_of_body) + bytes(node_of_interaction) + strips.bytes() +
+           contacts.bytes();
 }
 
 }  // namespace hawser::assembly

@@ -11,11 +11,13 @@
 
 #include <hawser/def.h>
 
+#include "assembly/contacts.h"
 #include "assembly/strips.h"
 #include "assembly/view.h"
 #include "base/executor.h"
 #include "base/memory.h"
 #include "factor/numeric.h"
+#include "factor/partial.h"
 #include "factor/symbolic.h"
 #include "graph/islands.h"
 #include "model/bodies.h"
@@ -45,9 +47,12 @@ class System {
     factor::Pattern pattern;
     factor::Symbolic symbolic;
     factor::Numeric numeric;
+    factor::DirtyParts dirty;         ///< Of a world in which something may touch, like …
+    factor::Unsymmetric unsymmetric;  ///< … this.
     graph::Islands islands;
     std::vector<std::int32_t> node_of_body, node_of_interaction;  ///< −1: no node.
     Strips strips;
+    Contacts contacts;
     base::Array<Op> ops;                  ///< By column of the matrix.
     base::Array<LaneOp> lane_ops;         ///< By place in the panels.
     std::vector<std::int32_t> one_sided;  ///< Interactions with kOneSided or kRange.
@@ -56,6 +61,18 @@ class System {
 
     /// Write the blocks of one of numeric.pieces() into its panels, which are zero.
     void write_blocks(const View& view, int piece, double* panel) const noexcept;
+    /// What contacts that slide add beyond the symmetric part that write_blocks() wrote to both
+    /// halves of a piece with unsymmetric fronts (factor/unsymmetric.h).
+    void write_skew(const View& view, int piece, double* upper) const noexcept;
+    /// The same for a part of the panels.
+    void write_blocks(const View& view, const factor::DirtyParts& part,
+                      double* panel) const noexcept;
+    void write_skew(const View& view, const factor::DirtyParts& part, double* upper) const noexcept;
+    /// Node whose column holds a block of contacts.
+    [[nodiscard]] std::int32_t column_of(const ContactBlock& block) const noexcept {
+        return factor::DirtyParts::column(symbolic, node_of_body[static_cast<std::size_t>(block.a)],
+                                          node_of_body[static_cast<std::size_t>(block.b)]);
+    }
 
     [[nodiscard]] std::size_t bytes() const noexcept;
 
@@ -70,10 +87,14 @@ class System {
         std::int64_t op_begin, op_end, lane_begin, lane_end;
     };
     void build_ops(const model::Bodies& bodies, const model::Interactions& interactions);
+    void write_skew(const View& view, std::int64_t begin, std::int64_t end,
+                    double* upper) const noexcept;
     void share_lanes(std::span<const OpEntry> entries, const model::Interactions& interactions);
     void reserve(const model::Bodies& bodies, model::Interactions& interactions, int threads);
 
     std::vector<PieceOps> piece_ops_;
+    std::vector<std::int64_t> op_place_, lane_place_;  ///< Of each op, ascending.
+    std::vector<std::int32_t> skew_ops_;               ///< Ops of contacts, ascending.
     base::Array<GeoPlace> geo_place_;
     base::Array<std::uint8_t> dof_, kept_;
     base::Array<std::int32_t> incident_begin_;

@@ -25,12 +25,13 @@ inline constexpr int kGeoLine = 4;     ///< Of them, those between bodies withou
 /// One contribution to one block of the matrix.
 struct Op {
     enum Kind : std::uint8_t {
-        body_block,   ///< M + hD of body `id` on the diagonal.
-        condensed,    ///< G_aᵀ Σ⁻¹ G_b of interaction `id` (rows: slot a, columns: slot b).
-        geometric,    ///< Geometric stiffness and damping of interaction `id` between slots.
-        kept_sigma,   ///< −Σ on the diagonal of a kept interaction.
-        kept_rows,    ///< G_b: the interaction is eliminated after body slot b.
-        kept_columns  ///< G_aᵀ: the interaction is eliminated before body slot a.
+        body_block,    ///< M + hD of body `id` on the diagonal.
+        condensed,     ///< G_aᵀ Σ⁻¹ G_b of interaction `id` (rows: slot a, columns: slot b).
+        geometric,     ///< Geometric stiffness and damping of interaction `id` between slots.
+        kept_sigma,    ///< −Σ on the diagonal of a kept interaction.
+        kept_rows,     ///< G_b: the interaction is eliminated after body slot b.
+        kept_columns,  ///< G_aᵀ: the interaction is eliminated before body slot a.
+        contact        ///< Block `id` of contacts; a: 1 where its second body has the rows.
     };
     std::int64_t address;
     std::int32_t step, ld;  ///< Distance of rows and of columns, factor::BlockTarget.
@@ -127,6 +128,11 @@ struct View {
     // Incidence: which (interaction, slot) pairs touch a body.
     const std::int32_t* incident_begin;
     const Incidence* incident;
+
+    // Contacts, see contact_rows.h; null in a world without shapes.
+    const double* contact_block;
+    const std::uint8_t* contact_block_used;
+    const double* contact_impulse;  ///< Packed like v: Jᵀλ of all contacts.
 
     // The permuted vector of the solver.
     const std::int32_t* body_offset;         ///< By body; −1 without freedom.

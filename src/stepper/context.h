@@ -10,6 +10,7 @@
 #include "collide/collider.h"
 #include "model/bodies.h"
 #include "model/interactions.h"
+#include "nonsmooth/gmres.h"
 #include "runtime/tasks.h"
 
 #include <algorithm>
@@ -41,6 +42,16 @@ class EventRing {
     std::int64_t count_ = 0, taken_ = 0;
 };
 
+/// Scratch of the solve for contacts, see newton.h.
+struct Newton {
+    std::vector<double> v, lambda;     ///< v₊, λ where an iteration began.
+    std::vector<double> contact;       ///< u and λ of contacts there, six a contact.
+    std::vector<nonsmooth::Law> laws;  ///< Of each contact, about the iterate.
+    nonsmooth::Gmres gmres;
+    std::vector<double> x, u;  ///< Three a contact.
+    std::int32_t iterations = 0, solves = 0;
+};
+
 struct StepContext {
     explicit StepContext(const WorldDef& d) : def(d), pool(d.threads), events(65'536) {
         collider.margin = d.contact_margin;
@@ -66,6 +77,10 @@ struct StepContext {
     double work = 0.0, drag = 0.0;            ///< Since the start [J].
     double drive = 0.0;                       ///< Likewise, see Energy::driven.
     double step_work = 0.0, step_drag = 0.0;  ///< Of the step being taken [J].
+    std::int64_t step_flops = 0;              ///< Of all factorisations of the step.
+    Newton newton;                            ///< Of a world in which something may touch.
+    std::vector<std::int32_t> columns;        ///< Scratch: nodes, one a block of contacts.
+    double contact_floor = 0.0;               ///< Impulse of a contact that does not count [N s].
     double residual_floor = 0.0;              ///< Denominator floor of the momentum residual.
     std::vector<assembly::Norms> norms;       ///< One a strip or group, merged in order.
     std::vector<double> active_before;        ///< Of one_sided interactions, for events.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stepper/stages.h"
 
+#include "stepper/contact.h"
 #include "stepper/drives.h"
 #include "stepper/step.h"
+#include "stepper/sweeps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,112 +15,13 @@ namespace {
 using assembly::Norms;
 using assembly::View;
 
-constexpr std::int32_t kChunk = StepContext::kChunk;
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-/// Run f(begin, end) over chunks of [0, count).
-template <class F>
-void over(StepContext& ctx, std::int32_t count, F&& f) noexcept {
-    auto task = [&](int i, int) noexcept { f(i * kChunk, std::min((i + 1) * kChunk, count)); };
-    ctx.pool.for_each(StepContext::chunks(count), task);
-}
-
-/// Merge in order, so that sums do not depend on threads.
-Norms merged(const std::vector<Norms>& parts) noexcept {
-    Norms n;
-    for (const Norms& p : parts) {
-        n.momentum += p.momentum;
-        n.impulse += p.impulse;
-        n.work += p.work;
-        n.drag += p.drag;
-        n.finite += p.finite;
-        if (!(p.constraint <= n.constraint)) n.constraint = p.constraint;
-        if (!(p.stretch <= n.stretch)) n.stretch = p.stretch;
-        if (p.gap > n.gap) {
-            n.gap = p.gap;
-            n.gap_id = p.gap_id;
-        }
-    }
-    return n;
-}
-
-/// Call f for each of some ranges.
-template <class F>
-void each(std::span<const assembly::IndexRange> ranges, F&& f) noexcept {
-    for (const assembly::IndexRange& r : ranges) f(r.begin, r.end);
-}
-
-/// rows(strip), then own(begin, end) for the strip's own bodies, strip by strip; then own() for
-/// the shared bodies. The last argument of own() is a place in ctx.norms; that of the rows is
-/// `strip`.
-template <class Rows, class Own>
-void sweep(StepContext& ctx, Rows&& rows, Own&& own) noexcept {
-    const assembly::Strips& strips = ctx.system.strips;
-    auto strip = [&](int i, int) noexcept {
-        rows(i);
-        each(strips.bodies(i), [&](std::int32_t a, std::int32_t b) { own(a, b, i); });
-    };
-    auto group = [&](int i, int) noexcept {
-        each(strips.shared(i),
-             [&](std::int32_t a, std::int32_t b) { own(a, b, strips.count() + i); });
-    };
-    ctx.pool.for_each(strips.count(), strip);
-    ctx.pool.for_each(strips.groups(), group);
-}
 
 void evaluate_strip(StepContext& ctx, const View& v, int strip) noexcept {
     for (const assembly::PoolRange& r : ctx.system.strips.pools(strip)) {
         const model::Pool& pool = ctx.interactions.pool[static_cast<std::size_t>(r.kind)];
         assembly::kernels().evaluate(v, r.kind, pool.ids.data(), pool.data.data(), r.begin, r.end);
     }
-}
-
-/// Right-hand side of the first solve, from rows and body terms.
-void start_solve(StepContext& ctx, const View& v) noexcept {
-    const assembly::Kernels& k = assembly::kernels();
-    sweep(
-        ctx,
-        [&](int strip) {
-            each(ctx.system.strips.interactions(strip),
-                 [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b); });
-        },
-        [&](std::int32_t a, std::int32_t b, int) { k.first_body_rhs(v, a, b); });
-    ctx.rhs_ready = true;
-}
-
-/// What follows a correction of v₊ and λ.
-enum class Next { solve, measure };
-
-/// One solve with the current residuals, the first one having been substituted forward already: v₊,
-/// λ corrected, residuals renewed. Then either the right-hand side of another one, or the norms of
-/// the solution as it stands.
-Norms correct(StepContext& ctx, const View& v, bool first, Next next) noexcept {
-    const assembly::Kernels& k = assembly::kernels();
-    const assembly::Strips& strips = ctx.system.strips;
-    if (first)
-        ctx.system.numeric.backward(ctx.system.symbolic, v.solution, ctx.pool);
-    else
-        ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
-    auto add = [&](std::int32_t a, std::int32_t b) { k.add_solution(v, a, b); };
-    auto add_shared = [&](int i, int) noexcept { each(strips.shared(i), add); };
-    ctx.pool.for_each(strips.groups(), add_shared);
-    if (next == Next::measure) std::fill(ctx.norms.begin(), ctx.norms.end(), Norms{});
-    sweep(
-        ctx,
-        [&](int strip) {
-            each(strips.bodies(strip), add);
-            each(strips.interactions(strip), [&](std::int32_t a, std::int32_t b) {
-                k.row_update(v, a, b, first);
-                if (next == Next::measure) k.row_norms(v, a, b, &ctx.norms[at(strip)]);
-            });
-        },
-        [&](std::int32_t a, std::int32_t b, int norm) {
-            if (next == Next::measure)
-                k.body_norms(v, a, b, &ctx.norms[at(norm)]);
-            else
-                k.body_rhs(v, a, b);
-        });
-    return next == Next::measure ? merged(ctx.norms) : Norms{};
 }
 
 /// G v₊ of a one-row interaction.
@@ -143,31 +46,41 @@ View view(StepContext& ctx) noexcept {
     return ctx.system.view(ctx.bodies, ctx.interactions, ctx.def);
 }
 
-void prepare(StepContext& ctx) {
+void analyse(StepContext& ctx) {
     ctx.analysed_x = ctx.bodies.x;
     ctx.analysed_r = ctx.bodies.r;
     ctx.system.analyse(ctx.bodies, ctx.interactions, ctx.def, ctx.pool.threads());
     ctx.norms.resize(at(ctx.system.strips.count() + ctx.system.strips.groups()));
-    ctx.active_before.resize(ctx.system.one_sided.size());
-    ctx.lambda_before.resize(ctx.interactions.lambda.size());
-    ctx.carriers_before.resize(16 * ctx.bodies.driven.size());
-    double mass = 0.0;
-    for (std::int32_t b : ctx.bodies.moving) mass += ctx.bodies.mass[at(b)];
-    // A millionth of the impulse of one gravity over a step: far below any real load.
-    ctx.residual_floor = 1e-6 * ctx.def.step * 9.81 * std::sqrt(mass) + 1e-300;
     StepStats& s = ctx.stats;
-    s.bodies = static_cast<std::int32_t>(ctx.bodies.moving.size());
-    s.interactions = ctx.interactions.count();
-    s.equations = ctx.bodies.dofs + ctx.interactions.row_count;
     s.islands = ctx.system.islands.count;
     s.matrix_nnz = ctx.system.symbolic.matrix_nnz;
     s.factor_nnz = ctx.system.symbolic.factor_nnz;
     s.factor_flops = ctx.system.symbolic.flops;
     ++s.growths;
+}
+
+void prepare(StepContext& ctx) {
     if (ctx.collider.count() > 0) {
         ctx.collider.prepare(ctx.bodies, ctx.interactions, ctx.def.step);
         ctx.collider.surfaces(ctx.def.step, ctx.contacts);
+        prepare_contacts(ctx);
     }
+    analyse(ctx);
+    ctx.active_before.resize(ctx.system.one_sided.size());
+    ctx.lambda_before.resize(ctx.interactions.lambda.size());
+    ctx.carriers_before.resize(16 * ctx.bodies.driven.size());
+    double mass = 0.0, least = 1e300;
+    for (std::int32_t b : ctx.bodies.moving) {
+        mass += ctx.bodies.mass[at(b)];
+        least = std::min(least, ctx.bodies.mass[at(b)]);
+    }
+    // A millionth of the impulse of one gravity over a step: far below any real load.
+    ctx.residual_floor = 1e-6 * ctx.def.step * 9.81 * std::sqrt(mass) + 1e-300;
+    ctx.contact_floor = 1e-6 * ctx.def.step * 9.81 * least;
+    StepStats& s = ctx.stats;
+    s.bodies = static_cast<std::int32_t>(ctx.bodies.moving.size());
+    s.interactions = ctx.interactions.count();
+    s.equations = ctx.bodies.dofs + ctx.interactions.row_count;
     ctx.topology_changed = false;
 }
 
@@ -196,45 +109,6 @@ void assemble_rows(StepContext& ctx) noexcept {
     ctx.rhs_ready = true;
 }
 
-Status factor_and_solve(StepContext& ctx) noexcept {
-    const View v = view(ctx);
-    assembly::System& s = ctx.system;
-    ++ctx.stats.factorisations;
-    if (!ctx.rhs_ready) start_solve(ctx, v);
-    ctx.rhs_ready = false;
-    auto write = [&](int piece, double* panel) noexcept { s.write_blocks(v, piece, panel); };
-    using Write = decltype(write);
-    const factor::Fill fill{
-        [](void* w, int piece, double* panel) noexcept { (*static_cast<Write*>(w))(piece, panel); },
-        &write};
-    if (s.numeric.factor_forward(s.symbolic, fill, v.solution, ctx.pool) > 0)
-        return Status::wrong_pivot;
-    Norms n;
-    for (int i = 0; i <= ctx.def.refinements; ++i)
-        n = correct(ctx, v, i == 0, i < ctx.def.refinements ? Next::solve : Next::measure);
-    auto momentum = [&] {
-        return std::sqrt(n.momentum) / std::max(std::sqrt(n.impulse), ctx.residual_floor);
-    };
-    // Stiff rows on very light bodies need one more; the residual says so.
-    constexpr double kGood = 1e-12;
-    for (int extra = 0; extra < 2 && ctx.def.refinements > 0 && momentum() > kGood; ++extra) {
-        const Norms before = n;
-        over(ctx, v.body_count,
-             [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
-        n = correct(ctx, v, false, Next::measure);
-        if (!(n.momentum < 0.25 * before.momentum)) break;
-    }
-    if (!std::isfinite(n.finite) || !std::isfinite(n.momentum)) return Status::not_finite;
-    ctx.stats.momentum_residual = momentum();
-    ctx.stats.constraint_residual = n.constraint;
-    ctx.stats.violation_max = n.gap;
-    ctx.stats.violation_worst = InteractionId{n.gap_id};
-    ctx.stats.stretch_error_max = n.stretch;
-    ctx.step_work = n.work;
-    ctx.step_drag = n.drag;
-    return Status::ok;
-}
-
 bool update_active_set(StepContext& ctx, int pass) noexcept {
     const View v = view(ctx);
     constexpr int kMaxPasses = 6;
@@ -248,7 +122,10 @@ bool update_active_set(StepContext& ctx, int pass) noexcept {
         const double pull = range && v.g[row] < 0.0 ? -1.0 : 1.0;
         if (v.active[id] != 0.0) {
             if (pull * v.lambda[row] <= 0.0) continue;
-            if (pass < kMaxPasses) v.active[id] = 0.0;
+            if (pass < kMaxPasses) {
+                v.active[id] = 0.0;
+                v.lambda[row] = 0.0;
+            }
         } else {
             if (pull * (v.c[row] - row_speed(v, id)) >= 0.0) continue;
             // Switching back and forth ends at kMaxPasses and shows in flips_left.
@@ -264,6 +141,7 @@ bool update_active_set(StepContext& ctx, int pass) noexcept {
 void integrate(StepContext& ctx) noexcept {
     const View v = view(ctx);
     ctx.drive += drive_work(ctx);
+    if (ctx.system.contacts.count() > 0) remember_contacts(ctx);
     over(ctx, v.body_count,
          [&](std::int32_t a, std::int32_t b) { assembly::kernels().integrate(v, a, b); });
     move_carriers(ctx);

@@ -10,6 +10,10 @@ namespace hawser::stepper {
 
 [[nodiscard]] assembly::View view(StepContext& ctx) noexcept;
 
+/// Stages graph and analyse: the system for the interactions and links there are.
+/// @throws std::bad_alloc.
+void analyse(StepContext& ctx);
+
 void push_event(StepContext& ctx, EventKind kind, std::int32_t id, double value) noexcept;
 
 /// Stage 1. Applies what inputs changed; nothing else acts before a step yet.
@@ -19,6 +23,13 @@ void prestep(StepContext& ctx) noexcept;
 void assemble_rows(StepContext& ctx) noexcept;
 /// Stage 6. Write the blocks of the matrix, factor, solve, refine: v₊ and λ.
 [[nodiscard]] Status factor_and_solve(StepContext& ctx) noexcept;
+/// The same once, without refinement: one iteration of a Newton method. `first`: from v₊ = 0, else
+/// from v₊ and λ as they are.
+[[nodiscard]] Status newton_solve(StepContext& ctx, bool first) noexcept;
+/// Likewise with the factorisation at hand.
+void continue_with_factor(StepContext& ctx) noexcept;
+/// Refine what newton_solve() found, and measure it.
+[[nodiscard]] Status refine(StepContext& ctx) noexcept;
 /// Stage 7. Tension-only and range rows: switch those whose force or gap has the wrong sign.
 /// @return true if the system must be solved again.
 [[nodiscard]] bool update_active_set(StepContext& ctx, int pass) noexcept;

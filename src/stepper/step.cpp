@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stepper/step.h"
 
+#include "stepper/contact.h"
+#include "stepper/newton.h"
 #include "stepper/stages.h"
 
 #include <algorithm>
@@ -48,9 +50,14 @@ bool find_contacts(StepContext& ctx) noexcept {
     return found;
 }
 
+Status start_moving(StepContext& ctx) noexcept { return start_contacts(ctx, false); }
+
 /// Stages assemble, factor, nonsmooth.
 Status solve_velocities(StepContext& ctx) noexcept {
     remember(ctx);
+    if (ctx.collider.count() > 0)
+        if (const Status status = timed(ctx, Stage::analyse, start_moving); status != Status::ok)
+            return status;
     timed(ctx, Stage::assemble, assemble_rows);
     return solve_assembled(ctx);
 }
@@ -73,6 +80,7 @@ void recall(StepContext& ctx) noexcept {
 
 Status solve_assembled(StepContext& ctx) noexcept {
     Status status = Status::ok;
+    if (ctx.system.contacts.count() > 0) return timed(ctx, Stage::factor, solve_contacts);
     for (int pass = 0;; ++pass) {
         status = timed(ctx, Stage::factor, factor_and_solve);
         if (status != Status::ok) return status;
@@ -90,7 +98,10 @@ Status step(StepContext& ctx) noexcept {
     }
     ctx.pool.resume();
     if (!ctx.started) {
-        const Status status = stagger(ctx);
+        Status status = Status::ok;
+        if (ctx.collider.count() > 0)
+            status = find_contacts(ctx) ? start_contacts(ctx, true) : Status::out_of_memory;
+        if (status == Status::ok) status = stagger(ctx);
         if (status != Status::ok) {
             ctx.pool.pause();
             return ctx.stats.status = status;
@@ -100,6 +111,9 @@ Status step(StepContext& ctx) noexcept {
     ctx.stats.stage_seconds.fill(0.0);
     ctx.stats.factorisations = 0;
     ctx.stats.flips_left = 0;
+    ctx.step_flops = 0;
+    ctx.newton.iterations = 0;
+    ctx.stats.natural_map = 0.0;
 
     timed(ctx, Stage::prestep, prestep);
     const bool shapes = ctx.collider.count() > 0;
@@ -112,6 +126,9 @@ Status step(StepContext& ctx) noexcept {
     Status status = solve_velocities(ctx);
     ctx.stats.solver_seconds = std::chrono::duration<double>(Clock::now() - solver_begin).count();
     ctx.stats.solver_cpu_seconds = thread_cpu_seconds() - cpu_begin;
+    ctx.stats.newton_iterations = ctx.newton.iterations;
+    ctx.stats.factor_work = static_cast<double>(ctx.step_flops) /
+                            static_cast<double>(std::max<std::int64_t>(1, ctx.stats.factor_flops));
     if (status == Status::ok)
         timed(ctx, Stage::integrate, integrate);
     else

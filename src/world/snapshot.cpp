@@ -5,6 +5,7 @@
 #include <hawser/world.h>
 
 #include "base/hash.h"
+#include "stepper/stages.h"
 #include "world/impl.h"
 
 #include <algorithm>
@@ -15,19 +16,23 @@ namespace hawser {
 namespace {
 
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'A', 'P', '3'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'A', 'P', '4'};
     std::uint64_t layout = 0;      ///< See layout_of().
     std::uint64_t parameters = 0;  ///< See parameters_of().
     std::uint64_t contacts = 0;    ///< Remembered from the last step.
+    std::uint64_t links = 0;       ///< Pairs of bodies that touched.
     std::uint64_t bytes = 0;       ///< Of the arrays that follow.
 };
 
 /// Bytes of one contact in the arrays that resize_contacts() sizes.
-constexpr std::size_t kContactBytes = sizeof(collide::KeptContact);
+constexpr std::size_t kContactBytes =
+    sizeof(collide::KeptContact) + sizeof(assembly::ContactMemory);
+constexpr std::size_t kLinkBytes = sizeof(assembly::Contacts::Link) + sizeof(std::int64_t);
 
 /// Arrays of the state with an entry a contact; what was shown of contacts is gone.
 void resize_contacts(stepper::StepContext& ctx, std::size_t count) {
     ctx.collider.kept().resize(count);
+    ctx.system.contacts.memory.resize(count);
     ctx.contacts.contacts.clear();
     ctx.contact_impulse.clear();
     ctx.contact_sliding.clear();
@@ -56,6 +61,10 @@ void visit_state(Context& ctx, std::vector<double>& inputs, F&& f) {
     array(ctx.interactions.parted);
     array(ctx.interactions.saturated);
     array(ctx.collider.kept());
+    array(ctx.system.contacts.memory);
+    // The order of elimination follows from them.
+    array(ctx.system.contacts.links);
+    array(ctx.system.contacts.link_used);
     array(inputs);
     value(ctx.step);
     value(ctx.started);
@@ -168,7 +177,7 @@ void analyse_as_saved(stepper::StepContext& ctx) {
     const auto active = ctx.interactions.active;
     ctx.bodies.x = ctx.analysed_x;
     ctx.bodies.r = ctx.analysed_r;
-    stepper::prepare(ctx);
+    stepper::analyse(ctx);
     ctx.bodies.x = x;
     ctx.bodies.r = r;
     ctx.interactions.active = active;
@@ -183,6 +192,7 @@ std::vector<std::byte> World::save() const {
     header.layout = layout_of(m.ctx, m.inputs.size());
     header.parameters = parameters_of(m.ctx, m.inputs, m.shape_defs);
     header.contacts = m.ctx.collider.kept().size();
+    header.links = m.ctx.system.contacts.links.size();
     visit_state(m.ctx, m.input_values, [&](const void*, std::size_t n) { header.bytes += n; });
     std::vector<std::byte> out(sizeof header + header.bytes + sizeof(std::uint64_t));
     std::byte* to = out.data();
@@ -218,21 +228,29 @@ void World::restore(std::span<const std::byte> bytes) {
     if (m.ctx.topology_changed) stepper::prepare(m.ctx);
     visit_state(m.ctx, m.input_values, [&](const void*, std::size_t n) { size += n; });
     // All but the contacts has the size that this world has.
-    constexpr std::uint64_t kMostContacts = std::uint64_t{1} << 32;
+    constexpr std::uint64_t kMost = std::uint64_t{1} << 32;
     size -= m.ctx.collider.kept().size() * kContactBytes;
-    size += std::min(header.contacts, kMostContacts) * kContactBytes;
+    size -= m.ctx.system.contacts.links.size() * kLinkBytes;
+    size += std::min(header.contacts, kMost) * kContactBytes;
+    size += std::min(header.links, kMost) * kLinkBytes;
     if (header.bytes != size || bytes.size() != sizeof header + size + sizeof sum ||
         sum != base::fnv1a(bytes.data(), bytes.size() - sizeof sum))
         throw DefError("snapshot: the bytes are damaged (checksum)");
     const auto analysed_x = m.ctx.analysed_x;
     const auto analysed_r = m.ctx.analysed_r;
+    const auto links = m.ctx.system.contacts.links;
     resize_contacts(m.ctx, header.contacts);
+    m.ctx.system.contacts.links.resize(header.links);
+    m.ctx.system.contacts.link_used.resize(header.links);
     const std::byte* from = bytes.data() + sizeof header;
     visit_state(m.ctx, m.input_values, [&](void* to, std::size_t n) {
         if (n > 0) std::memcpy(to, from, n);
         from += n;
     });
-    if (m.ctx.analysed_x != analysed_x || m.ctx.analysed_r != analysed_r) analyse_as_saved(m.ctx);
+    const bool relinked = links != m.ctx.system.contacts.links;
+    if (relinked) m.ctx.system.contacts.make_blocks();
+    if (relinked || m.ctx.analysed_x != analysed_x || m.ctx.analysed_r != analysed_r)
+        analyse_as_saved(m.ctx);
     m.ctx.time = static_cast<double>(m.ctx.step) * m.ctx.def.step;
     m.ctx.stats.step = m.ctx.step;
     m.ctx.stats.time = m.ctx.time;

@@ -4,6 +4,7 @@
 /// Contributions are listed by column of the matrix (see assembly/system.h), so that a range
 /// of columns can be written by one thread without touching another's, and every block is
 /// summed in a fixed order. Sizes are dispatched to unrolled code.
+#include "assembly/contact_rows.h"
 #include "assembly/geo.h"
 #include "assembly/isa/rows.h"
 #include "base/simd.h"
@@ -149,6 +150,15 @@ void kept(const View& view, const Op& op, Place out) {
         for (int j = 0; j < dof; ++j) g(r, j) += on * jac[r * op.width + j];
 }
 
+/// K_ab or K_ba of a pair of bodies in contact.
+void contact(const View& view, const Op& op, Place out) {
+    if (view.contact_block_used[op.id] == 0) return;
+    const double* block = view.contact_block +
+                          static_cast<long>(assembly::kContactBlock) * op.id + (op.a ? 36 : 0);
+    for (int j = 0; j < op.dof_b; ++j)
+        for (int i = 0; i < op.dof_a; ++i) out(i, j) += block[6 * j + i];
+}
+
 }  // namespace
 
 void gather_blocks(const View& view, const Op* ops, std::int64_t begin, std::int64_t end,
@@ -165,6 +175,9 @@ void gather_blocks(const View& view, const Op* ops, std::int64_t begin, std::int
                 break;
             case Op::body_block:
                 body_block(view, op, out);
+                break;
+            case Op::contact:
+                contact(view, op, out);
                 break;
             default:
                 kept(view, op, out);

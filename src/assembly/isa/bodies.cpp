@@ -38,6 +38,8 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
         for (int r = 0; r < in.rows; ++r) acc += yr[r] * load_at_least(jac + r * in.width, dof);
         if (!kAtRest && in.geo_force >= 0) acc -= load_at_least(view.geo_force + in.geo_force, dof);
     }
+    if (view.contact_impulse)
+        acc += load_at_least(view.contact_impulse + view.dof_begin[body], dof);
     double sum8[8];
     store(sum8, acc);
     // Entry by entry: reading mv as a vector would wait for its scalar stores.

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Contact points one by one: rows and law from geometry and memory, and what is remembered.
+#include "assembly/contacts.h"
+
+#include "base/small.h"
+
+#include <cmath>
+
+namespace hawser::assembly {
+namespace {
+
+using namespace hawser::generic;
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// A point that wanders farther than this from its anchors [m] rolls: they are set anew.
+constexpr double kWander = 1e-3;
+
+V3 body_position(const model::Bodies& b, std::int32_t body) { return load3(&b.x[3 * at(body)]); }
+bool turns(const model::Bodies& b, std::int32_t body) { return b.kind[at(body)] != BodyKind::lump; }
+
+/// Two unit vectors that make a right-handed frame with n.
+void tangents(const V3& n, V3& t1, V3& t2) {
+    const double x = std::fabs(n.x), y = std::fabs(n.y), z = std::fabs(n.z);
+    const V3 e = x <= y && x <= z ? V3{1, 0, 0} : (y <= z ? V3{0, 1, 0} : V3{0, 0, 1});
+    t1 = e - dot(e, n) * n;
+    t1 = (1.0 / norm(t1)) * t1;
+    t2 = cross(n, t1);
+}
+
+/// World position of an anchor.
+V3 anchor_point(const model::Bodies& b, const ContactMemory& m, int side) {
+    const std::int32_t first = m.body[side][0], second = m.body[side][1];
+    const V3 local = load3(m.anchor[side]);
+    if (second >= 0)
+        return m.share[side] * body_position(b, first) +
+               (1.0 - m.share[side]) * body_position(b, second) + local;
+    const V3 offset = turns(b, first) ? load9(&b.r[9 * at(first)]) * local : local;
+    return body_position(b, first) + offset;
+}
+
+/// Anchor of a side at a point of the world.
+void set_anchor(const model::Bodies& b, ContactMemory& m, int side, const V3& p) {
+    const std::int32_t first = m.body[side][0], second = m.body[side][1];
+    if (second >= 0) {
+        store3(m.anchor[side], p - m.share[side] * body_position(b, first) -
+                                   (1.0 - m.share[side]) * body_position(b, second));
+        return;
+    }
+    const V3 offset = p - body_position(b, first);
+    store3(m.anchor[side], turns(b, first) ? tmul(load9(&b.r[9 * at(first)]), offset) : offset);
+}
+
+/// Each side's bodies and shares, as they are now.
+void take_sides(const ContactRow& row, ContactMemory& m) {
+    for (int side = 0; side < 2; ++side) {
+        int found = 0;
+        m.body[side][1] = -1;
+        for (int i = 0; i < row.slots; ++i) {
+            const ContactSlot& s = row.slot[i];
+            if ((s.weight > 0.0) != (side == 1)) continue;
+            if (found == 0) m.share[side] = std::fabs(s.weight);
+            m.body[side][found == 0 ? 0 : 1] = s.body;
+            ++found;
+        }
+    }
+}
+
+V3 tangential(const V3& v, const V3& n) { return v - dot(v, n) * n; }
+
+/// Mean over the axes of w² (1/m + (r × e)ᵀ I⁻¹ (r × e)).
+double slot_mobility(const model::Bodies& b, const ContactSlot& s) {
+    if (s.dof == 0) return 0.0;
+    double sum = 1.0 / b.mass[at(s.body)];
+    if (s.dof == 6) {
+        const M3 r = load9(&b.r[9 * at(s.body)]), inverse = load9(&b.inv_inertia[9 * at(s.body)]);
+        const V3 arm = load3(s.arm);
+        const V3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        for (const V3& e : axes) {
+            const V3 c = tmul(r, cross(arm, e));
+            sum += dot(c, inverse * c) / 3.0;
+        }
+    }
+    return s.weight * s.weight * sum;
+}
+
+}  // namespace
+
+void Contacts::set(std::size_t index, const collide::Contact& in, const collide::Surface& surface,
+                   const model::Bodies& bodies, double h) noexcept {
+    ContactRow& row = rows[index];
+    nonsmooth::Cone& cone = cones[index];
+    ContactMemory& m = next_[index];
+    Extra& extra = extra_[index];
+    row = {};
+    cone = {};
+    const V3 n = load3(in.normal), on0 = load3(in.on[0]), on1 = load3(in.on[1]);
+    const V3 p = 0.5 * (on0 + on1);
+    V3 t1, t2;
+    tangents(n, t1, t2);
+    store3(row.axis, n);
+    store3(row.axis + 3, t1);
+    store3(row.axis + 6, t2);
+    row.slots = in.slots;
+    V3 carried{0, 0, 0};
+    for (int i = 0; i < in.slots; ++i) {
+        ContactSlot& s = row.slot[i];
+        s.body = in.body[i];
+        s.dof = dof_[at(s.body)];
+        s.dof_begin = dof_begin_[at(s.body)];
+        s.weight = i < in.side_0 ? -in.weight[i] : in.weight[i];
+        const V3 arm = p - body_position(bodies, s.body);
+        store3(s.arm, s.dof == 3 ? V3{0, 0, 0} : arm);
+        cone.mobility += slot_mobility(bodies, s);
+        if (bodies.kind[at(s.body)] == BodyKind::kinematic) {
+            const double* v = &bodies.v_fixed[6 * at(s.body)];
+            carried = carried + s.weight * (load3(v) + cross(load3(v + 3), arm));
+        }
+    }
+    store3(row.carried, load9(row.axis) * carried);
+
+    // Memory: what the same contact had, else none.
+    m = in.previous >= 0 ? memory[at(in.previous)] : ContactMemory{};
+    V3 gap_t{0, 0, 0};
+    bool anew = in.previous < 0;
+    if (!anew) {
+        const V3 a0 = anchor_point(bodies, m, 0), a1 = anchor_point(bodies, m, 1);
+        anew = norm(tangential(0.5 * (a0 + a1) - p, n)) > kWander;
+        gap_t = tangential(anew ? load3(m.rolled) : a1 - a0, n);
+    }
+    if (anew) {
+        take_sides(row, m);
+        set_anchor(bodies, m, 0, p);
+        set_anchor(bodies, m, 1, p + gap_t);
+    }
+    store3(extra.tangent_gap, gap_t);
+    store3(extra.point, p);
+    extra.epsilon_t = surface.tangential_compliance;
+
+    const double upsilon = 1.0 / (1.0 + 4.0 * surface.damping_time / h);
+    const double scale = 4.0 * upsilon / (h * h);
+    cone.sigma_n = scale * surface.compliance;
+    cone.sigma_t = scale * surface.tangential_compliance;
+    cone.friction = surface.friction;
+    cone.b[0] = in.gap > 0.0 ? -in.gap / h : -4.0 / h * upsilon * in.gap;
+    cone.b[1] = -4.0 / h * upsilon * dot(t1, gap_t);
+    cone.b[2] = -4.0 / h * upsilon * dot(t2, gap_t);
+    // Of a point that moves apart already, the speed is kept in part (SPOOK's Υ N v).
+    double speed = row.carried[0];
+    for (int i = 0; i < row.slots; ++i) {
+        const ContactSlot& s = row.slot[i];
+        if (s.dof == 0) continue;
+        const double* v = &bodies.v[at(s.dof_begin)];
+        V3 u = load3(v);
+        if (s.dof == 6) u = u + cross(load3(v + 3), load3(s.arm));
+        speed += s.weight * dot(n, u);
+    }
+    if (in.gap <= 0.0 && speed > 0.0) cone.b[0] += upsilon * speed;
+}
+
+void Contacts::remember(const model::Bodies& bodies, double h) noexcept {
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const ContactRow& row = rows[k];
+        const nonsmooth::Cone& c = cones[k];
+        ContactMemory& m = next_[k];
+        const Extra& extra = extra_[k];
+        const M3 e = load9(row.axis);
+        const V3 move = tmul(e, V3{0.0, h * c.u[1], h * c.u[2]});
+        store3(m.lambda, tmul(e, load3(c.lambda)));
+        if (c.touch == nonsmooth::Touch::stick) {
+            store3(m.rolled, load3(extra.tangent_gap) + move);
+            continue;
+        }
+        // Sliding: what the spring holds is what friction gives. Apart: nothing.
+        const double spring = c.touch == nonsmooth::Touch::slip ? -extra.epsilon_t / h : 0.0;
+        const V3 held = tmul(e, V3{0.0, spring * c.lambda[1], spring * c.lambda[2]});
+        store3(m.rolled, held);
+        const V3 p = load3(extra.point);
+        take_sides(row, m);
+        set_anchor(bodies, m, 0, p);
+        set_anchor(bodies, m, 1, p + held - move);
+    }
+    memory.swap(next_);
+}
+
+}  // namespace hawser::assembly

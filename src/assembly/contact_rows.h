@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file contact_rows.h
+/// Contact points as rows, for code compiled per instruction set.
+///
+/// The velocity of the point, side 1 minus side 0, is Σ w (v + ω × r) over the slots, w negative on
+/// side 0. Rows are its components along the axes n, t₁, t₂, so J of a slot is w E [1, −r̂] with E
+/// the axes as rows. Blocks and impulses are formed from w, r, E: J itself is never stored.
+
+#include "nonsmooth/cone.h"
+
+#include <cstdint>
+
+namespace hawser::assembly {
+
+struct ContactSlot {
+    std::int32_t dof_begin;  ///< Into packed velocities; unused without freedom.
+    std::int32_t body;
+    std::int32_t dof;  ///< 6, 3 or 0.
+    double weight;     ///< Negative on side 0.
+    double arm[3];     ///< From the centre of mass to the point, world frame [m].
+};
+
+struct ContactRow {
+    std::int32_t slots;
+    ContactSlot slot[4];
+    double axis[9];     ///< E, row-major: n, t₁, t₂ in the world frame.
+    double carried[3];  ///< Part of u from bodies with a prescribed velocity, along the axes.
+};
+
+/// One block of the matrix that contacts add to: bodies a ≤ b.
+struct ContactBlock {
+    std::int32_t a, b;
+    std::int32_t begin, end;  ///< Range of ContactTerm.
+};
+/// Slots i (of body a) and j (of body b) of one contact.
+struct ContactTerm {
+    std::int32_t contact;
+    std::int8_t i, j;
+};
+
+/// Doubles of one block: K_ab (6×6, column-major) and, K being unsymmetric, K_ba.
+inline constexpr int kContactBlock = 72;
+
+struct ContactKernels {
+    /// u of contacts [begin, end) at velocities v (packed); v null: at rest. Then λ = p − S u
+    /// and the impulse on each slot, six doubles a slot.
+    void (*update)(const ContactRow* rows, nonsmooth::Cone* cones, std::int32_t begin,
+                   std::int32_t end, const double* v, double* slot_impulse) noexcept;
+    /// Sum up those of blocks [begin, end) that changed.
+    void (*blocks)(const ContactRow* rows, const nonsmooth::Cone* cones, const ContactBlock* blocks,
+                   const std::uint8_t* changed, const ContactTerm* terms, std::int32_t begin,
+                   std::int32_t end, double* out) noexcept;
+};
+[[nodiscard]] const ContactKernels& contact_kernels() noexcept;
+
+}  // namespace hawser::assembly
+
+namespace hawser::sse2 {
+extern const assembly::ContactKernels kContactKernels;
+}
+namespace hawser::avx2 {
+extern const assembly::ContactKernels kContactKernels;
+}
+namespace hawser::avx512 {
+extern const assembly::ContactKernels kContactKernels;
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file cone.h
+/// One contact point with dry friction, as rows: the law, its linearisation, its residual.
+///
+/// Rows n (normal), t₁, t₂ (tangents) of a contact have velocities u = J v₊ [m/s] and impulses
+/// λ [N s] on side 1. With r = u + Σλ − b the law is (Coulomb's disk, exact)
+/// ```
+///   0 ≤ λ_n ⊥ r_n ≥ 0        ‖λ_t‖ ≤ μ λ_n;   r_t = 0 inside,   λ_t = −μ λ_n r_t/‖r_t‖ on the rim
+/// ```
+/// Σ > 0 is the contact's compliance (SPOOK: 4ε Υ/h²), b brings the gap and the bristle to zero.
+/// A number ρ > 0 turns it into an equation (P. Alart, A. Curnier, "A mixed formulation for
+/// frictional contact problems prone to Newton like solution methods", 1991): with y = λ − ρ r,
+/// ```
+///   λ = P(y):   open   y_n ≤ 0             λ = 0
+///               stick  ‖y_t‖ ≤ μ y_n       r = 0
+///               slip   else                r_n = 0,  λ_t = μ λ_n ŷ,  ŷ = y_t/‖y_t‖
+/// ```
+/// Newton's method replaces λ by its tangent there, λ = p − S u: S (3×3) is what the contact adds
+/// to the matrix as JᵀS J, p what it adds to the right-hand side. With κ = μ λ_n/‖y_t‖ < 1 and the
+/// tangent q ⟂ ŷ of a slipping contact
+/// ```
+///       open     stick          slip
+///   S   0        diag(Σ)⁻¹      ⎡ 1/Σ_n        0  ⎤    s = κρ/(1 − κ + κρΣ_t) ≤ 1/Σ_t
+///                               ⎣ μŷ/Σ_n   s q qᵀ ⎦
+/// ```
+/// The entry μŷ/Σ_n makes S unsymmetric. Coupling::lagged leaves it out: the disk keeps the radius
+/// of the last iterate, S is symmetric and positive, and each iteration solves a convex problem;
+/// more of them are needed.
+///
+/// ρ = 1/Σ makes y depend on u alone, so that velocities are a warm start; ρ = 1/(W + Σ), with W
+/// the diagonal of J M⁻¹ Jᵀ, is independent of how stiff the contact is.
+
+#include <cstdint>
+
+namespace hawser::nonsmooth {
+
+enum class Touch : std::uint8_t { open, stick, slip };
+
+/// How the radius of the friction disk follows the normal impulse within one iteration.
+enum class Coupling : std::uint8_t {
+    exact,   ///< With it: unsymmetric.
+    lagged,  ///< It stays that of the last iterate: symmetric.
+};
+
+struct Cone {
+    // The problem.
+    double b[3];              ///< [m/s].
+    double sigma_n, sigma_t;  ///< Σ [1/kg].
+    double mobility;          ///< W: mean diagonal entry of J M⁻¹ Jᵀ [1/kg].
+    double friction;          ///< μ.
+    // The iterate.
+    double u[3];       ///< J v₊ [m/s].
+    double lambda[3];  ///< Impulse: p − S u [N s].
+    // The linear law in the matrix as last factored.
+    double s[9];  ///< Row-major [kg].
+    double p[3];  ///< [N s].
+    Touch touch;
+    Coupling coupling;  ///< Of this contact, which may fall back to lagged.
+};
+
+/// A linear law λ = p − S u.
+struct Law {
+    double s[9];  ///< Row-major [kg].
+    double p[3];  ///< [N s].
+};
+
+/// ρ of the equation; `by_velocity`: 1/Σ.
+enum class Scaling : std::uint8_t { by_velocity, by_mobility };
+
+/// Linearise about (u, λ).
+[[nodiscard]] Law linearise(const Cone& cone, Scaling scaling, Touch& touch) noexcept;
+
+/// Nearest impulse within the cone K: λ_n ≥ 0, ‖λ_t‖ ≤ μ λ_n.
+void project(double friction, double lambda[3]) noexcept;
+
+/// λ − P(λ − ρ r) with ρ = 1/(W + Σ): zero exactly where the law holds [N s].
+/// P shortens λ_t to the disk of radius μ P(y)_n.
+void residual(const Cone& cone, const double u[3], const double lambda[3], double out[3]) noexcept;
+
+/// Relative residual of the law, independent of units and of how stiff the contact is:
+/// ‖λ − P_K(λ − ρ ũ)‖ / max(‖λ‖, ρ‖q‖), with ũ = r + (μ‖r_t‖, 0, 0) (G. De Saxcé, Z.-Q. Feng,
+/// 1998) and q the velocity that the point would have without its own impulse.
+/// 0/0 counts as 0. A contact with λ far below `floor` [N s] is measured against floor.
+[[nodiscard]] double natural_map(const Cone& cone, double floor) noexcept;
+
+}  // namespace hawser::nonsmooth

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file gmres.h
+/// A x = b for an operator that is only applied (Y. Saad, M. H. Schultz, "GMRES: a generalized
+/// minimal residual algorithm for solving nonsymmetric linear systems", 1986), without restart:
+/// few iterations are wanted, else the caller factors anew. Modified Gram-Schmidt, Givens
+/// rotations; sums in one order, so that a result depends on nothing but its inputs.
+
+#include <cstddef>
+#include <vector>
+
+namespace hawser::nonsmooth {
+
+class Gmres {
+  public:
+    /// Room for vectors of n entries and so many iterations. @throws std::bad_alloc.
+    void reserve(std::size_t n, int iterations);
+
+    /// Start with x = 0. @param b  n entries; ‖b‖ is the residual then.
+    void start(std::size_t n, const double* b) noexcept;
+    /// Vector that A is to be applied to next.
+    [[nodiscard]] const double* direction() const noexcept { return basis(count_); }
+    /// Where to put A times it.
+    [[nodiscard]] double* image() noexcept { return basis(count_ + 1); }
+    /// image() holds A direction(). @return residual over ‖b‖ with the directions so far.
+    double take() noexcept;
+    /// Combine the directions. @param x  n entries.
+    void solution(double* x) noexcept;
+
+    [[nodiscard]] int count() const noexcept { return count_; }
+    [[nodiscard]] double start_norm() const noexcept { return norm_; }
+
+  private:
+    [[nodiscard]] double* basis(int k) noexcept {
+        return basis_.data() + static_cast<std::size_t>(k) * n_;
+    }
+    [[nodiscard]] const double* basis(int k) const noexcept {
+        return basis_.data() + static_cast<std::size_t>(k) * n_;
+    }
+    [[nodiscard]] double& h(int row, int column) noexcept {
+        return h_[static_cast<std::size_t>(column * (limit_ + 1) + row)];
+    }
+
+    std::vector<double> basis_, h_, cosine_, sine_, g_;
+    std::size_t n_ = 0;
+    int limit_ = 0, count_ = 0;
+    double norm_ = 0.0;
+};
+
+}  // namespace hawser::nonsmooth

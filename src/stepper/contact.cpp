@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stepper/contact.h"
+
+#include "stepper/newton.h"
+#include "stepper/stages.h"
+#include "stepper/sweeps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::Contacts;
+using nonsmooth::Cone;
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Arrays for this step's contacts; growth is counted.
+void make_room(StepContext& ctx) {
+    Contacts& c = ctx.system.contacts;
+    const std::size_t held = c.bytes();
+    const std::size_t n = ctx.contacts.contacts.size();
+    c.begin(n);
+    reserve_newton(ctx, n);
+    ctx.contact_impulse.resize(3 * n);
+    ctx.contact_sliding.resize(n);
+    if (c.bytes() > held) ++ctx.stats.growths;
+}
+
+/// An acceleration is asked for at the start: what approaches goes on, what slides keeps sliding.
+void ask_for_acceleration(Cone& c, double gap) noexcept {
+    constexpr double kSlow = 0.05;   // [m/s]
+    constexpr double kClose = 1e-6;  // [m]
+    const bool slides = std::hypot(c.u[1], c.u[2]) > kSlow;
+    c.b[0] = gap > kClose || c.u[0] > kSlow ? -1e30 : c.u[0];
+    c.b[1] = slides ? 0.0 : c.u[1];
+    c.b[2] = slides ? 0.0 : c.u[2];
+}
+
+}  // namespace
+
+void prepare_contacts(StepContext& ctx) {
+    std::vector<std::int32_t> touching;
+    for (const collide::Shape& s : ctx.collider.shapes())
+        for (const std::int32_t b : s.body)
+            if (b >= 0) touching.push_back(b);
+    std::sort(touching.begin(), touching.end());
+    touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+    ctx.system.contacts.set_bodies(touching, ctx.bodies);
+}
+
+Status start_contacts(StepContext& ctx, bool at_rest) noexcept {
+    Contacts& c = ctx.system.contacts;
+    const collide::ContactSet& set = ctx.contacts;
+    try {
+        make_room(ctx);
+        for (std::size_t k = 0; k < set.contacts.size(); ++k)
+            c.set(k, set.contacts[k], set.surfaces[at(set.contacts[k].surface)], ctx.bodies,
+                  ctx.def.step);
+        if (!c.connect(ctx.step)) {
+            c.relink(ctx.step);
+            analyse(ctx);
+            if (!c.connect(ctx.step)) return Status::out_of_memory;
+        }
+        ctx.columns.reserve(c.blocks.size());
+    } catch (const std::bad_alloc&) {
+        return Status::out_of_memory;
+    }
+    // u of the last step's velocities; λ is that of the last step.
+    over(ctx, static_cast<std::int32_t>(c.count()),
+         [&](std::int32_t a, std::int32_t b) { c.update(ctx.bodies.v.data(), a, b); });
+    for (std::size_t k = 0; k < c.count(); ++k) {
+        c.recall_lambda(k);
+        if (at_rest) ask_for_acceleration(c.cones[k], set.contacts[k].gap);
+    }
+    if (c.count() > 0) linearise_first(ctx);
+    update_contacts(ctx, nullptr);
+    return Status::ok;
+}
+
+void update_contacts(StepContext& ctx, const double* v) noexcept {
+    Contacts& c = ctx.system.contacts;
+    over(ctx, static_cast<std::int32_t>(c.count()),
+         [&](std::int32_t a, std::int32_t b) { c.update(v, a, b); });
+    c.gather();
+}
+
+void remember_contacts(StepContext& ctx) noexcept {
+    Contacts& c = ctx.system.contacts;
+    c.remember(ctx.bodies, ctx.def.step);
+    for (std::size_t k = 0; k < c.count(); ++k) {
+        std::copy_n(c.memory[k].lambda, 3, &ctx.contact_impulse[3 * k]);
+        ctx.contact_sliding[k] = c.cones[k].touch == nonsmooth::Touch::slip ? 1 : 0;
+    }
+}
+
+}  // namespace hawser::stepper

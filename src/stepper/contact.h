@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file contact.h
+/// Contact points in a step: from collision to rows, and what they remember.
+
+#include "stepper/context.h"
+
+namespace hawser::stepper {
+
+/// Links between bodies that may touch, for the shapes there are. Part of prepare().
+void prepare_contacts(StepContext& ctx);
+
+/// Rows of the contacts that stage collide found, linearised about the last step's solution.
+/// Analyses the system where two bodies touch that did not before. @param at_rest  For the
+/// staggered start: nothing approaches or departs.
+[[nodiscard]] Status start_contacts(StepContext& ctx, bool at_rest) noexcept;
+
+/// Impulses of contacts at velocities v (null: at rest), and their sums by body.
+void update_contacts(StepContext& ctx, const double* v) noexcept;
+
+/// What friction remembers, before bodies move; and what readers see.
+void remember_contacts(StepContext& ctx) noexcept;
+
+}  // namespace hawser::stepper

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stepper/newton.h"
+
+#include "stepper/contact.h"
+#include "stepper/krylov.h"
+#include "stepper/stages.h"
+#include "stepper/sweeps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::Contacts;
+using nonsmooth::Cone;
+using nonsmooth::Coupling;
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+constexpr int kHalvings = 2;    ///< More make the iterates creep; some steps then never end.
+constexpr int kKrylovFrom = 2;  ///< First iteration that may do without a factorisation.
+
+/// Linear laws of all contacts about the iterate. @return contacts whose status changed.
+std::int32_t linearise(StepContext& ctx) noexcept {
+    Contacts& contacts = ctx.system.contacts;
+    std::int32_t flips = 0;
+    for (std::size_t k = 0; k < contacts.count(); ++k) {
+        Cone& c = contacts.cones[k];
+        const nonsmooth::Touch before = c.touch;
+        ctx.newton.laws[k] = nonsmooth::linearise(c, nonsmooth::Scaling::by_mobility, c.touch);
+        flips += c.touch != before ? 1 : 0;
+    }
+    return flips;
+}
+
+/// The laws go into the matrix: blocks that change.
+void adopt_laws(StepContext& ctx, bool first) noexcept {
+    Contacts& contacts = ctx.system.contacts;
+    for (std::size_t k = 0; k < contacts.count(); ++k) {
+        Cone& c = contacts.cones[k];
+        const nonsmooth::Law& law = ctx.newton.laws[k];
+        contacts.changed[k] = first || !std::equal(law.s, law.s + 9, c.s) ? 1 : 0;
+        std::copy_n(law.s, 9, c.s);
+        std::copy_n(law.p, 3, c.p);
+    }
+    contacts.mark_blocks();
+    over(ctx, static_cast<std::int32_t>(contacts.blocks.size()),
+         [&](std::int32_t a, std::int32_t b) { contacts.write_blocks(a, b); });
+}
+
+/// Σ (W + Σ) ‖λ − P‖² over contacts, a share t of the way: an energy [J].
+double merit(const StepContext& ctx, double t) noexcept {
+    double sum = 0.0;
+    const base::Array<Cone>& cones = ctx.system.contacts.cones;
+    for (std::size_t k = 0; k < cones.size(); ++k) {
+        const Cone& c = cones[k];
+        const double* before = &ctx.newton.contact[6 * k];
+        double u[3], lambda[3], e[3];
+        for (int i = 0; i < 3; ++i) {
+            u[i] = before[i] + t * (c.u[i] - before[i]);
+            lambda[i] = before[3 + i] + t * (c.lambda[i] - before[3 + i]);
+        }
+        nonsmooth::residual(c, u, lambda, e);
+        sum += (c.mobility + c.sigma_n) * e[0] * e[0] +
+               (c.mobility + c.sigma_t) * (e[1] * e[1] + e[2] * e[2]);
+    }
+    return sum;
+}
+
+void keep_iterate(StepContext& ctx) noexcept {
+    const assembly::View v = view(ctx);
+    std::copy_n(v.v_new, v.dof_count, ctx.newton.v.begin());
+    std::copy_n(v.lambda, ctx.interactions.row_count, ctx.newton.lambda.begin());
+    const base::Array<Cone>& cones = ctx.system.contacts.cones;
+    for (std::size_t k = 0; k < cones.size(); ++k) {
+        std::copy_n(cones[k].u, 3, &ctx.newton.contact[6 * k]);
+        std::copy_n(cones[k].lambda, 3, &ctx.newton.contact[6 * k + 3]);
+    }
+}
+
+/// Go back to a share t of the way from the iterate kept.
+void shorten(StepContext& ctx, double t) noexcept {
+    const assembly::View v = view(ctx);
+    auto between = [&](const std::vector<double>& from, double* to, std::int32_t n) {
+        for (std::int32_t i = 0; i < n; ++i) to[i] = from[at(i)] + t * (to[i] - from[at(i)]);
+    };
+    between(ctx.newton.v, v.v_new, v.dof_count);
+    between(ctx.newton.lambda, v.lambda, ctx.interactions.row_count);
+    base::Array<Cone>& cones = ctx.system.contacts.cones;
+    for (std::size_t k = 0; k < cones.size(); ++k) {
+        Cone& c = cones[k];
+        const double* from = &ctx.newton.contact[6 * k];
+        for (int i = 0; i < 3; ++i) {
+            c.u[i] = from[i] + t * (c.u[i] - from[i]);
+            c.lambda[i] = from[3 + i] + t * (c.lambda[i] - from[3 + i]);
+        }
+        for (int i = 0; i < 3; ++i)
+            c.p[i] = c.lambda[i] + c.s[3 * i] * c.u[0] + c.s[3 * i + 1] * c.u[1] +
+                     c.s[3 * i + 2] * c.u[2];
+    }
+}
+
+/// Choose how far to go from the iterate kept, whose merit was `before`. @return the new merit.
+double search(StepContext& ctx, double before) noexcept {
+    double now = merit(ctx, 1.0), best = now, best_t = 1.0, t = 1.0;
+    for (int k = 0; k < kHalvings && !(now <= before * (1.0 - 1e-4 * t)); ++k) {
+        t *= 0.5;
+        now = merit(ctx, t);
+        if (!(now < best)) continue;
+        best = now;
+        best_t = t;
+    }
+    if (best_t < 1.0) shorten(ctx, best_t);
+    return best;
+}
+
+/// Largest relative residual of the law.
+double worst(const StepContext& ctx) noexcept {
+    double largest = 0.0;
+    for (const Cone& c : ctx.system.contacts.cones)
+        largest = std::max(largest, nonsmooth::natural_map(c, ctx.contact_floor));
+    return largest;
+}
+
+/// Newton iterations from the iterate at hand. @param coupling  Of all contacts.
+Status iterate(StepContext& ctx, Coupling coupling) noexcept {
+    for (Cone& c : ctx.system.contacts.cones) c.coupling = coupling;
+    bool again = false;
+    double before = 0.0;
+    for (int it = 0;; ++it) {
+        ++ctx.newton.iterations;
+        if (it == 0 || again || it < kKrylovFrom || !find_impulses(ctx)) {
+            if (it > 0) adopt_laws(ctx, false);
+            if (const Status s = newton_solve(ctx, it == 0); s != Status::ok) return s;
+        } else {
+            continue_with_factor(ctx);
+        }
+        const double now = it > 0 ? search(ctx, before) : 0.0;
+        if (!std::isfinite(now)) return Status::not_finite;
+        again = update_active_set(ctx, it);
+        ctx.stats.natural_map = worst(ctx);
+        if (!std::isfinite(ctx.stats.natural_map)) return Status::not_finite;
+        const bool solved = ctx.stats.natural_map <= ctx.def.contact_tolerance && !again;
+        if (solved || it + 1 >= ctx.def.contact_iterations) return Status::ok;
+        keep_iterate(ctx);
+        ctx.stats.flips_left = linearise(ctx);
+        before = merit(ctx, 0.0);
+    }
+}
+
+}  // namespace
+
+void reserve_newton(StepContext& ctx, std::size_t contacts) {
+    Newton& n = ctx.newton;
+    n.laws.resize(contacts);
+    n.x.resize(3 * contacts);
+    n.u.resize(3 * contacts);
+    n.contact.resize(6 * contacts);
+    n.gmres.reserve(3 * contacts, kKrylovLimit);
+    n.v.resize(at(ctx.bodies.dofs));
+    n.lambda.resize(at(ctx.interactions.row_count));
+}
+
+void linearise_first(StepContext& ctx) noexcept {
+    for (Cone& c : ctx.system.contacts.cones) c.coupling = Coupling::exact;
+    (void)linearise(ctx);
+    adopt_laws(ctx, true);
+}
+
+Status solve_contacts(StepContext& ctx) noexcept {
+    ctx.newton.iterations = ctx.newton.solves = 0;
+    Status status = iterate(ctx, Coupling::exact);
+    if (status == Status::not_finite || status == Status::wrong_pivot) {
+        // From rest, symmetric.
+        for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
+            Cone& c = ctx.system.contacts.cones[k];
+            c.coupling = Coupling::lagged;
+            std::fill_n(c.u, 3, 0.0);
+            ctx.system.contacts.recall_lambda(k);
+        }
+        (void)linearise(ctx);
+        adopt_laws(ctx, true);
+        update_contacts(ctx, nullptr);
+        ctx.rhs_ready = false;
+        status = iterate(ctx, Coupling::lagged);
+    }
+    return status == Status::ok ? refine(ctx) : status;
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file newton.h
+/// The semismooth Newton method that finds which contacts are open, stick or slide.
+///
+/// Each iteration linearises every contact about the iterate (nonsmooth/cone.h) and solves all
+/// joints, elements and contacts at once. Where the impulses of the linear system and the law
+/// λ = P(y) agree, the step is solved. The first iterate is the velocity of the last step with
+/// its impulses.
+///
+/// **Along a step** velocities and impulses move together, so that the momentum balance and the
+/// joints hold at every point of it; how far to go is decided by the law's residual there, at the
+/// cost of a sweep over contacts.
+///
+/// **Matrix.** The first two iterations factor with JᵀS J in the matrix, in part where little of it
+/// changed (factor/partial.h), with L D U where contacts slide (factor/unsymmetric.h). Later ones
+/// change few contacts, or all by little: they use the factorisation at hand and find by GMRES the
+/// impulses w that make up for the difference, a handful of substitutions. When those do not
+/// suffice, the matrix is factored again.
+///
+/// **Safety.** A sliding contact's S is unsymmetric and its matrix may be singular where friction
+/// is so strong that it jams (Painlevé): when no solution comes of it, the step is done again with
+/// lagged coupling, symmetric and positive, for all contacts. The certificate says what is left.
+
+#include "stepper/context.h"
+
+namespace hawser::stepper {
+
+/// @throws std::bad_alloc.
+void reserve_newton(StepContext& ctx, std::size_t contacts);
+
+/// Linearise about the last step's solution.
+void linearise_first(StepContext& ctx) noexcept;
+
+/// Stages 6 and 7 of a world in which something touches; the right-hand side is that of
+/// assemble_rows().
+[[nodiscard]] Status solve_contacts(StepContext& ctx) noexcept;
+
+}  // namespace hawser::stepper

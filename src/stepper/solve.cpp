@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Right-hand sides, factorisation, corrections and their residuals.
+#include "stepper/contact.h"
+#include "stepper/stages.h"
+#include "stepper/sweeps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::Norms;
+using assembly::View;
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Merge in order, so that sums do not depend on threads.
+Norms merged(const std::vector<Norms>& parts) noexcept {
+    Norms n;
+    for (const Norms& p : parts) {
+        n.momentum += p.momentum;
+        n.impulse += p.impulse;
+        n.work += p.work;
+        n.drag += p.drag;
+        n.finite += p.finite;
+        if (!(p.constraint <= n.constraint)) n.constraint = p.constraint;
+        if (!(p.stretch <= n.stretch)) n.stretch = p.stretch;
+        if (p.gap > n.gap) {
+            n.gap = p.gap;
+            n.gap_id = p.gap_id;
+        }
+    }
+    return n;
+}
+
+/// Right-hand side of the first solve, from rows and body terms.
+void start_solve(StepContext& ctx, const View& v) noexcept {
+    const assembly::Kernels& k = assembly::kernels();
+    sweep(
+        ctx,
+        [&](int strip) {
+            each(ctx.system.strips.interactions(strip),
+                 [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b); });
+        },
+        [&](std::int32_t a, std::int32_t b, int) { k.first_body_rhs(v, a, b); });
+    ctx.rhs_ready = true;
+}
+
+/// Right-hand side that corrects v₊ and λ as they stand, after contacts or ranges changed.
+void continue_solve(StepContext& ctx, const View& v) noexcept {
+    const assembly::Kernels& k = assembly::kernels();
+    std::fill_n(v.solution, ctx.system.symbolic.scalars, 0.0);
+    update_contacts(ctx, v.v_new);
+    sweep(
+        ctx,
+        [&](int strip) {
+            each(ctx.system.strips.interactions(strip),
+                 [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
+        },
+        [&](std::int32_t a, std::int32_t b, int) { k.body_rhs(v, a, b); });
+    ctx.rhs_ready = true;
+}
+
+/// v₊ += solution, for all bodies.
+void add_everywhere(StepContext& ctx, const View& v) noexcept {
+    over(ctx, v.body_count,
+         [&](std::int32_t a, std::int32_t b) { assembly::kernels().add_solution(v, a, b); });
+}
+
+/// What follows a correction of v₊ and λ: the right-hand side of another one, or the norms of the
+/// solution as it stands.
+enum class Next { solve, measure };
+
+/// v₊, λ corrected by the solver's vector, residuals renewed. `first`: they are the solution.
+Norms correct(StepContext& ctx, const View& v, bool first, Next next) noexcept {
+    const assembly::Kernels& k = assembly::kernels();
+    const assembly::Strips& strips = ctx.system.strips;
+    const bool touching = ctx.system.contacts.count() > 0;
+    auto add = [&](std::int32_t a, std::int32_t b) { k.add_solution(v, a, b); };
+    if (touching) {
+        add_everywhere(ctx, v);
+        update_contacts(ctx, v.v_new);
+    } else {
+        auto add_shared = [&](int i, int) noexcept { each(strips.shared(i), add); };
+        ctx.pool.for_each(strips.groups(), add_shared);
+    }
+    if (next == Next::measure) std::fill(ctx.norms.begin(), ctx.norms.end(), Norms{});
+    sweep(
+        ctx,
+        [&](int strip) {
+            if (!touching) each(strips.bodies(strip), add);
+            each(strips.interactions(strip), [&](std::int32_t a, std::int32_t b) {
+                k.row_update(v, a, b, first);
+                if (next == Next::measure) k.row_norms(v, a, b, &ctx.norms[at(strip)]);
+            });
+        },
+        [&](std::int32_t a, std::int32_t b, int norm) {
+            if (next == Next::measure)
+                k.body_norms(v, a, b, &ctx.norms[at(norm)]);
+            else
+                k.body_rhs(v, a, b);
+        });
+    return next == Next::measure ? merged(ctx.norms) : Norms{};
+}
+
+double momentum_residual(const StepContext& ctx, const Norms& n) noexcept {
+    return std::sqrt(n.momentum) / std::max(std::sqrt(n.impulse), ctx.residual_floor);
+}
+
+/// More corrections while the residual asks for them, then what it is.
+Status finish_solve(StepContext& ctx, const View& v, Norms n) noexcept {
+    // Stiff rows on very light bodies need one more; the residual says so.
+    constexpr double kGood = 1e-12;
+    for (int extra = 0; extra < 2 && ctx.def.refinements > 0 && momentum_residual(ctx, n) > kGood;
+         ++extra) {
+        const Norms before = n;
+        over(ctx, v.body_count,
+             [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
+        ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
+        n = correct(ctx, v, false, Next::measure);
+        if (!(n.momentum < 0.25 * before.momentum)) break;
+    }
+    if (!std::isfinite(n.finite) || !std::isfinite(n.momentum)) return Status::not_finite;
+    ctx.stats.momentum_residual = momentum_residual(ctx, n);
+    ctx.stats.constraint_residual = n.constraint;
+    ctx.stats.violation_max = n.gap;
+    ctx.stats.violation_worst = InteractionId{n.gap_id};
+    ctx.stats.stretch_error_max = n.stretch;
+    ctx.step_work = n.work;
+    ctx.step_drag = n.drag;
+    return Status::ok;
+}
+
+}  // namespace
+
+namespace {
+
+/// What a factorisation writes: piece by piece, or the dirty part.
+struct Writer {
+    const assembly::System& system;
+    const View& view;
+    static void write(void* self, int piece, double* panel) noexcept {
+        const Writer& w = *static_cast<Writer*>(self);
+        w.system.write_blocks(w.view, piece, panel);
+    }
+    static void skew(void* self, int piece, double*, double* upper) noexcept {
+        const Writer& w = *static_cast<Writer*>(self);
+        w.system.write_skew(w.view, piece, upper);
+    }
+};
+
+/// Nodes of the columns of blocks that are marked.
+void collect_columns(const assembly::System& s, const std::vector<std::uint8_t>& marks,
+                     std::vector<std::int32_t>& columns) noexcept {
+    columns.clear();  // capacity: one a block
+    for (std::size_t k = 0; k < marks.size(); ++k)
+        if (marks[k]) columns.push_back(s.column_of(s.contacts.blocks[k]));
+}
+
+}  // namespace
+
+Status factor(StepContext& ctx, bool first) noexcept {
+    const View v = view(ctx);
+    assembly::System& s = ctx.system;
+    ++ctx.stats.factorisations;
+    ctx.rhs_ready = false;
+    const factor::Unsymmetric* set = nullptr;
+    if (s.contacts.count() > 0) {
+        collect_columns(s, s.contacts.block_skew, ctx.columns);
+        s.unsymmetric.find(s.symbolic, ctx.columns);
+        set = &s.unsymmetric;
+    }
+    const std::int64_t whole = set ? set->flops : s.symbolic.flops;
+    if (!first && set) {
+        collect_columns(s, s.contacts.block_changed, ctx.columns);
+        s.dirty.find(s.symbolic, ctx.columns, set);
+        // Beyond this share, one pass through memory beats fewer flops.
+        constexpr double kPartial = 0.7;
+        if (static_cast<double>(s.dirty.flops) < kPartial * static_cast<double>(whole)) {
+            ctx.step_flops += s.dirty.flops;
+            s.numeric.clear(s.symbolic, s.dirty, ctx.pool);
+            s.write_blocks(v, s.dirty, s.numeric.values());
+            s.numeric.copy_to_upper(s.symbolic, s.dirty, *set, ctx.pool);
+            s.write_skew(v, s.dirty, s.numeric.upper());
+            (void)s.numeric.refactor(s.symbolic, s.dirty, ctx.pool, set);
+            s.numeric.solve(s.symbolic, v.solution, ctx.pool);
+            return Status::ok;
+        }
+    }
+    ctx.step_flops += whole;
+    Writer writer{s, v};
+    const factor::Fill fill{Writer::write, &writer, Writer::skew};
+    if (s.numeric.factor_forward(s.symbolic, fill, v.solution, ctx.pool, set) > 0 && set == nullptr)
+        return Status::wrong_pivot;
+    s.numeric.backward(s.symbolic, v.solution, ctx.pool);
+    return Status::ok;
+}
+
+Status factor_and_solve(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    if (!ctx.rhs_ready) start_solve(ctx, v);
+    if (const Status status = factor(ctx, true); status != Status::ok) return status;
+    Norms n;
+    for (int i = 0; i <= ctx.def.refinements; ++i) {
+        if (i > 0) ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
+        n = correct(ctx, v, i == 0, i < ctx.def.refinements ? Next::solve : Next::measure);
+    }
+    return finish_solve(ctx, v, n);
+}
+
+Status newton_solve(StepContext& ctx, bool first) noexcept {
+    const View v = view(ctx);
+    if (first) {
+        if (!ctx.rhs_ready) {
+            update_contacts(ctx, nullptr);
+            start_solve(ctx, v);
+        }
+    } else {
+        continue_solve(ctx, v);
+    }
+    if (const Status status = factor(ctx, first); status != Status::ok) return status;
+    const assembly::Kernels& k = assembly::kernels();
+    add_everywhere(ctx, v);
+    update_contacts(ctx, v.v_new);
+    over(ctx, v.interaction_count,
+         [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, first); });
+    return Status::ok;
+}
+
+void continue_with_factor(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    continue_solve(ctx, v);
+    ctx.rhs_ready = false;
+    ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
+    add_everywhere(ctx, v);
+    update_contacts(ctx, v.v_new);
+    const assembly::Kernels& k = assembly::kernels();
+    over(ctx, v.interaction_count,
+         [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
+}
+
+Status refine(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    over(ctx, v.body_count,
+         [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
+    ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
+    return finish_solve(ctx, v, correct(ctx, v, false, Next::measure));
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file sweeps.h
+/// How a step goes through bodies and rows: coarse tasks of fixed size.
+
+#include "stepper/context.h"
+
+#include <algorithm>
+#include <span>
+
+namespace hawser::stepper {
+
+/// Run f(begin, end) over chunks of [0, count).
+template <class F>
+void over(StepContext& ctx, std::int32_t count, F&& f) noexcept {
+    constexpr std::int32_t size = StepContext::kChunk;
+    auto task = [&](int i, int) noexcept { f(i * size, std::min((i + 1) * size, count)); };
+    ctx.pool.for_each(StepContext::chunks(count), task);
+}
+
+/// Call f for each of some ranges.
+template <class F>
+void each(std::span<const assembly::IndexRange> ranges, F&& f) noexcept {
+    for (const assembly::IndexRange& r : ranges) f(r.begin, r.end);
+}
+
+/// rows(strip), then own(begin, end) for the strip's own bodies, strip by strip; then own() for
+/// the shared bodies. The last argument of own() is a place in ctx.norms; that of the rows is
+/// `strip`.
+template <class Rows, class Own>
+void sweep(StepContext& ctx, Rows&& rows, Own&& own) noexcept {
+    const assembly::Strips& strips = ctx.system.strips;
+    auto strip = [&](int i, int) noexcept {
+        rows(i);
+        each(strips.bodies(i), [&](std::int32_t a, std::int32_t b) { own(a, b, i); });
+    };
+    auto group = [&](int i, int) noexcept {
+        each(strips.shared(i),
+             [&](std::int32_t a, std::int32_t b) { own(a, b, strips.count() + i); });
+    };
+    ctx.pool.for_each(strips.count(), strip);
+    ctx.pool.for_each(strips.groups(), group);
+}
+
+}  // namespace hawser::stepper
