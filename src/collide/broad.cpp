@@ -2,6 +2,7 @@
 #include "collide/broad.h"
 
 #include "base/small.h"
+#include "collide/grow.h"
 
 #include <algorithm>
 #include <atomic>
@@ -18,7 +19,10 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 constexpr int kSweepChunk = 128;  ///< Places in the sweep of one task.
 constexpr int kLargeChunk = 256;  ///< Shapes that one task holds against all large ones.
 constexpr double kLarge = 8.0;    ///< Times the median size.
-constexpr int kSomeAnyway = 4;    ///< Fewer shapes than this are all large.
+constexpr double kStrip = 4.0;    ///< Width of a strip, likewise.
+constexpr int kMostStrips = 1024;
+constexpr std::size_t kRoom = 512;  ///< Pairs that a task finds without growing.
+constexpr int kSomeAnyway = 4;      ///< Fewer shapes than this are all large.
 
 int chunks(std::size_t count, int size) { return (static_cast<int>(count) + size - 1) / size; }
 
@@ -88,15 +92,16 @@ void Broad::prepare(const base::Array<Placed>& placed) {
     const double n = std::max<double>(1.0, static_cast<double>(small_.size()));
     const double spread[3] = {square.x - sum.x * sum.x / n, square.y - sum.y * sum.y / n,
                               square.z - sum.z * sum.z / n};
-    axis_ = static_cast<int>(std::max_element(spread, spread + 3) - spread);
-    found_.resize(static_cast<std::size_t>(chunks(small_.size(), kSweepChunk) +
-                                           chunks(placed.size(), kLargeChunk)));
+    std::sort(axis_, axis_ + 3, [&](int a, int b) {
+        return spread[a] > spread[b] || (spread[a] == spread[b] && a < b);
+    });
+    width_ = by_size.empty() ? 1.0 : std::max(kStrip * *middle, 1e-9);
     first_.resize(placed.size() + 2);
     sorted_.resize(small_.size());
+    strip_begin_.reserve(kMostStrips + 2);
 }
 
 void Broad::sort(const base::Array<Placed>& placed) {
-    const int axes[3] = {axis_, (axis_ + 1) % 3, (axis_ + 2) % 3};
     auto less = [](const Sorted& a, const Sorted& b) {
         return a.low[0] < b.low[0] || (a.low[0] == b.low[0] && a.shape < b.shape);
     };
@@ -108,8 +113,8 @@ void Broad::sort(const base::Array<Placed>& placed) {
         s.shape = small_[i];
         const Bounds& box = placed[at(s.shape)].swept;
         for (int k = 0; k < 3; ++k) {
-            s.low[k] = box.low[axes[k]];
-            s.high[k] = box.high[axes[k]];
+            s.low[k] = box.low[axis_[k]];
+            s.high[k] = box.high[axis_[k]];
         }
         std::size_t to = i;
         for (; to > 0 && moved <= most && less(s, sorted_[to - 1]); --to, ++moved)
@@ -120,19 +125,47 @@ void Broad::sort(const base::Array<Placed>& placed) {
     for (std::size_t i = 0; i < small_.size(); ++i) small_[i] = sorted_[i].shape;
 }
 
+void Broad::cut_into_strips() {
+    double low = 1e300, high = -1e300;
+    for (const Sorted& s : sorted_) {
+        if (s.low[0] > s.high[0]) continue;  // a box of nothing
+        low = std::min(low, s.low[1]);
+        high = std::max(high, s.high[1]);
+    }
+    const double span = std::max(high - low, 0.0);
+    const int count = static_cast<int>(std::clamp(span / width_, 1.0, double{kMostStrips}));
+    const double per_length = span > 0.0 ? count / span : 0.0;
+    auto strip = [&](double x) {
+        return static_cast<std::int32_t>(std::clamp((x - low) * per_length, 0.0, count - 1.0));
+    };
+    strip_begin_.assign(static_cast<std::size_t>(count) + 2, 0);
+    for (Sorted& s : sorted_) {
+        if (s.low[0] > s.high[0]) continue;
+        s.first = strip(s.low[1]);
+        for (std::int32_t k = s.first; k <= strip(s.high[1]); ++k) ++strip_begin_[at(k) + 2];
+    }
+    for (std::size_t k = 2; k < strip_begin_.size(); ++k) strip_begin_[k] += strip_begin_[k - 1];
+    resize_with_room(entries_, at(strip_begin_.back()));
+    for (Sorted& s : sorted_) {
+        if (s.low[0] > s.high[0]) continue;
+        for (s.strip = s.first; s.strip <= strip(s.high[1]); ++s.strip)
+            entries_[at(strip_begin_[at(s.strip) + 1]++)] = s;
+    }
+}
+
 void Broad::sweep(int chunk, const Filter& filter) {
     base::Array<Pair>& found = found_[at(chunk)];
     found.clear();
-    const std::size_t count = sorted_.size();
-    const std::size_t end = std::min(count, at((chunk + 1) * kSweepChunk));
+    const std::size_t end = std::min(entries_.size(), at((chunk + 1) * kSweepChunk));
     for (std::size_t i = at(chunk * kSweepChunk); i < end; ++i) {
-        const Sorted& s = sorted_[i];
-        for (std::size_t j = i + 1; j < count && sorted_[j].low[0] <= s.high[0]; ++j) {
-            const Sorted& o = sorted_[j];
+        const Sorted& s = entries_[i];
+        const std::size_t stop = at(strip_begin_[at(s.strip) + 1]);
+        for (std::size_t j = i + 1; j < stop && entries_[j].low[0] <= s.high[0]; ++j) {
+            const Sorted& o = entries_[j];
             if (s.low[1] > o.high[1] || o.low[1] > s.high[1] || s.low[2] > o.high[2] ||
                 o.low[2] > s.high[2])
                 continue;
-            if (!filter.allows(s.shape, o.shape)) continue;
+            if (std::max(s.first, o.first) != s.strip || !filter.allows(s.shape, o.shape)) continue;
             found.push_back({std::min(s.shape, o.shape), std::max(s.shape, o.shape)});
         }
     }
@@ -140,7 +173,7 @@ void Broad::sweep(int chunk, const Filter& filter) {
 
 void Broad::hold_against_large(int chunk, const base::Array<Placed>& placed, const Filter& filter,
                                double h, double margin) {
-    base::Array<Pair>& found = found_[at(chunks(small_.size(), kSweepChunk) + chunk)];
+    base::Array<Pair>& found = found_[at(chunks(entries_.size(), kSweepChunk) + chunk)];
     found.clear();
     const auto count = static_cast<std::int32_t>(placed.size());
     const std::int32_t begin = chunk * kLargeChunk, end = std::min(count, begin + kLargeChunk);
@@ -162,7 +195,7 @@ void Broad::gather(int lists, base::Array<Pair>& out) {
     for (int l = 0; l < lists; ++l)
         for (const Pair& p : found_[at(l)]) ++first_[at(p.a) + 2];
     for (std::size_t i = 2; i < first_.size(); ++i) first_[i] += first_[i - 1];
-    out.resize(at(first_.back()));
+    resize_with_room(out, at(first_.back()));
     for (int l = 0; l < lists; ++l)
         for (const Pair& p : found_[at(l)]) out[at(first_[at(p.a) + 1]++)] = p;
     for (std::size_t i = 0; i + 2 < first_.size(); ++i) {
@@ -175,8 +208,11 @@ void Broad::gather(int lists, base::Array<Pair>& out) {
 void Broad::find(const base::Array<Placed>& placed, const Filter& filter, double h, double margin,
                  base::Executor& pool, base::Array<Pair>& out) {
     sort(placed);
-    const int sweeps = chunks(small_.size(), kSweepChunk);
+    cut_into_strips();
+    const int sweeps = chunks(entries_.size(), kSweepChunk);
     const int others = large_.empty() ? 0 : chunks(placed.size(), kLargeChunk);
+    const auto tasks = static_cast<std::size_t>(sweeps + others);
+    while (found_.size() < tasks) found_.emplace_back().reserve(kRoom);
     run(pool, sweeps + others, [&](int i) {
         if (i < sweeps)
             sweep(i, filter);
@@ -188,7 +224,8 @@ void Broad::find(const base::Array<Placed>& placed, const Filter& filter, double
 
 std::size_t Broad::bytes() const noexcept {
     std::size_t n = base::bytes(is_large_) + base::bytes(large_) + base::bytes(small_) +
-                    base::bytes(sorted_) + base::bytes(first_);
+                    base::bytes(sorted_) + base::bytes(entries_) + base::bytes(strip_begin_) +
+                    base::bytes(first_);
     for (const auto& f : found_) n += base::bytes(f);
     return n;
 }

@@ -3,10 +3,13 @@
 /// @file broad.h
 /// Broad phase: pairs of shapes whose swept boxes meet.
 ///
-/// Sort and sweep along one axis, by insertion into the order of the last step; shapes much larger
-/// than the others (seabed, decks, hulls) are kept out of it, since each would span the sweep, and
-/// are held against all shapes instead. What was sorted when, and which shapes count as large,
-/// changes the time that this takes and nothing else: pairs are handed out in ascending order.
+/// Sort and sweep along one axis, by insertion into the order of the last step, in strips along a
+/// second axis: of a wide field of shapes only those of one strip are held against each other. A
+/// shape is in every strip that its box meets; a pair counts in the first strip that both are in.
+/// Shapes much larger than the others (seabed, decks, hulls) are kept out of it, since each would
+/// span the sweep, and are held against all shapes instead. What was sorted when, how wide strips
+/// are, and which shapes count as large, changes the time that this takes and nothing else: pairs
+/// are handed out in ascending order.
 
 #include "base/executor.h"
 #include "base/memory.h"
@@ -35,10 +38,13 @@ class Broad {
 
   private:
     struct Sorted {
-        double low[3], high[3];  ///< The axis of the sweep comes first.
+        double low[3], high[3];  ///< The axis of the sweep comes first, that of the strips second.
         std::int32_t shape;
+        std::int32_t first,
+            strip;  ///< First strip of the shape, and the one that this entry is in.
     };
     void sort(const base::Array<Placed>& placed);
+    void cut_into_strips();
     void sweep(int chunk, const Filter& filter);
     void hold_against_large(int chunk, const base::Array<Placed>& placed, const Filter& filter,
                             double h, double margin);
@@ -46,10 +52,13 @@ class Broad {
 
     std::vector<std::uint8_t> is_large_;
     std::vector<std::int32_t> large_, small_;  ///< Shapes; large ones ascending.
-    int axis_ = 0;                             ///< Of the sweep.
-    base::Array<Sorted> sorted_;
-    std::vector<base::Array<Pair>> found_;  ///< By task.
-    std::vector<std::int32_t> first_;       ///< Where the pairs of each shape begin.
+    int axis_[3] = {0, 1, 2};                  ///< Of the sweep, of the strips, the third.
+    double width_ = 1.0;                       ///< Of a strip, at least [m].
+    base::Array<Sorted> sorted_;               ///< Small shapes along the first axis.
+    base::Array<Sorted> entries_;              ///< The same strip by strip.
+    std::vector<std::int32_t> strip_begin_;    ///< In entries_.
+    std::vector<base::Array<Pair>> found_;     ///< By task.
+    std::vector<std::int32_t> first_;          ///< Where the pairs of each shape begin.
 };
 
 }  // namespace hawser::collide

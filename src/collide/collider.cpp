@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "collide/collider.h"
 
+#include "collide/grow.h"
 #include "collide/touch.h"
 
 #include <algorithm>
@@ -89,7 +90,8 @@ void Collider::place_all(const model::Bodies& bodies, double h, base::Executor& 
 
 void Collider::narrow(double h, base::Executor& pool) {
     const int tasks = chunks(pairs_.size(), kPairChunk);
-    while (static_cast<int>(chunks_.size()) < tasks) {
+    const int room = static_cast<int>(chunks_.size()) < tasks ? tasks + tasks / 2 + 1 : 0;
+    while (static_cast<int>(chunks_.size()) < room) {
         // Room for whatever the pairs may give: tasks do not allocate.
         chunks_.emplace_back(at(kPairChunk * kMaxManifold));
         chunk_size_.push_back(0);
@@ -117,7 +119,7 @@ void Collider::put_together(ContactSet& out) {
     const int tasks = chunks(pairs_.size(), kPairChunk);
     std::size_t total = 0;
     for (int i = 0; i < tasks; ++i) total += at(chunk_size_[at(i)]);
-    out.contacts.resize(total);
+    resize_with_room(out.contacts, total);
     auto to = out.contacts.begin();
     for (int i = 0; i < tasks; ++i)
         to = std::copy_n(chunks_[at(i)].begin(), chunk_size_[at(i)], to);
@@ -129,7 +131,7 @@ void Collider::put_together(ContactSet& out) {
         ++n;
     }
     out.contacts.resize(n);
-    found_.resize(n);
+    resize_with_room(found_, n);
     for (std::size_t i = 0; i < n; ++i) {
         const Contact& c = out.contacts[i];
         KeptContact& k = found_[i];

@@ -2,6 +2,7 @@
 #include "collide/match.h"
 
 #include "base/small.h"
+#include "collide/grow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -132,14 +133,15 @@ void local_point(const Contact& contact, const Shape& side, const Placed& placed
 
 void mark_duplicates(const std::vector<Contact>& contacts, const std::vector<Shape>& shapes,
                      base::Array<std::uint8_t>& drop) {
-    drop.resize(contacts.size());
+    resize_with_room(drop, contacts.size());
     for (std::size_t i = 0; i < contacts.size(); ++i)
         drop[i] = is_duplicate(contacts, i, shapes) ? 1 : 0;
 }
 
 void match(std::vector<Contact>& contacts, const base::Array<KeptContact>& now,
            const base::Array<KeptContact>& last, double radius, base::Array<std::uint8_t>& taken) {
-    taken.assign(last.size(), 0);
+    resize_with_room(taken, last.size());
+    std::fill(taken.begin(), taken.end(), std::uint8_t{0});
     std::size_t p = 0;
     for (std::size_t a = 0, b = 0; a < contacts.size(); a = b) {
         for (b = a + 1; b < contacts.size() && same_pair(now[a], now[b]);) ++b;
