@@ -16,6 +16,8 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 constexpr int kPlaceChunk = 256;  ///< Shapes of one task.
 constexpr int kPairChunk = 32;    ///< Pairs of one task.
 
+constexpr std::size_t kChunkRoom = kPairChunk * kMaxManifold;
+
 /// Points of one friction memory are this many margins apart at most when the feature changes.
 constexpr double kMatchMargins = 2.0;
 
@@ -93,11 +95,11 @@ void Collider::narrow(double h, base::Executor& pool) {
     const int room = static_cast<int>(chunks_.size()) < tasks ? tasks + tasks / 2 + 1 : 0;
     while (static_cast<int>(chunks_.size()) < room) {
         // Room for whatever the pairs may give: tasks do not allocate.
-        chunks_.emplace_back(at(kPairChunk * kMaxManifold));
+        chunks_.push_back(std::make_unique_for_overwrite<Contact[]>(kChunkRoom));
         chunk_size_.push_back(0);
     }
     auto task = [&](int i, int) noexcept {
-        Contact* const begin = chunks_[at(i)].data();
+        Contact* const begin = chunks_[at(i)].get();
         Contact* to = begin;
         const std::size_t end = std::min(pairs_.size(), at((i + 1) * kPairChunk));
         for (std::size_t p = at(i * kPairChunk); p < end; ++p) {
@@ -121,8 +123,7 @@ void Collider::put_together(ContactSet& out) {
     for (int i = 0; i < tasks; ++i) total += at(chunk_size_[at(i)]);
     resize_with_room(out.contacts, total);
     auto to = out.contacts.begin();
-    for (int i = 0; i < tasks; ++i)
-        to = std::copy_n(chunks_[at(i)].begin(), chunk_size_[at(i)], to);
+    for (int i = 0; i < tasks; ++i) to = std::copy_n(chunks_[at(i)].get(), chunk_size_[at(i)], to);
     mark_duplicates(out.contacts, shapes_, drop_);
     std::size_t n = 0;
     for (std::size_t i = 0; i < total; ++i) {
@@ -163,8 +164,7 @@ std::size_t Collider::bytes() const noexcept {
     std::size_t n = base::bytes(shapes_) + base::bytes(placed_) + base::bytes(pairs_) +
                     base::bytes(kept_) + base::bytes(found_) + base::bytes(drop_) +
                     base::bytes(taken_) + broad_.bytes();
-    for (const auto& c : chunks_) n += base::bytes(c);
-    return n;
+    return n + chunks_.size() * kChunkRoom * sizeof(Contact);
 }
 
 }  // namespace hawser::collide

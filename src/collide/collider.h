@@ -87,7 +87,7 @@ class Collider {
     Broad broad_;
     base::Array<Placed> placed_;
     base::Array<Pair> pairs_;
-    std::vector<base::Array<Contact>> chunks_;  ///< Contacts by task of the narrow phase.
+    std::vector<std::unique_ptr<Contact[]>> chunks_;  ///< Contacts by task of the narrow phase.
     std::vector<std::int32_t> chunk_size_;
     base::Array<KeptContact> kept_, found_;
     base::Array<std::uint8_t> drop_, taken_;
