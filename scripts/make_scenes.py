@@ -7,9 +7,12 @@ Usage: scripts/make_scenes.py        (standard library only; the files are commi
 
 import scenes_benchmark
 import scenes_cables
+import scenes_contact
+import scenes_contact_wires
 import scenes_mechanisms
 import scenes_scheme
 
 if __name__ == "__main__":
-    for module in (scenes_scheme, scenes_mechanisms, scenes_cables, scenes_benchmark):
+    for module in (scenes_scheme, scenes_mechanisms, scenes_cables, scenes_benchmark,
+                   scenes_contact, scenes_contact_wires):
         module.main()

@@ -93,7 +93,26 @@ def tow_zigzag():
     })
 
 
-def mooring():
+SEABED, ON_SEABED = -100.1, 186.8  # height of the floor, length of line that lies on it [m]
+
+
+def on_seabed(x, y):
+    """Nodes of a mooring line that lies straight on the floor, its axis at -100 m, then hangs as
+    a catenary of a = 100 m up to its end (±35, ±35, 0)."""
+    end_x, end_y = math.copysign(35, x), math.copysign(35, y)
+    span = math.hypot(end_x - x, end_y - y)
+    nodes = []
+    for i in range(1, 90):
+        s = 4.0 * i
+        along, z = s, -100.0
+        if s > ON_SEABED:
+            s -= ON_SEABED
+            along, z = ON_SEABED + 100 * math.asinh(s / 100), math.hypot(100, s) - 200
+        nodes.append([x + (end_x - x) * along / span, y + (end_y - y) * along / span, z])
+    return nodes
+
+
+def mooring(title, description, seabed):
     rig, ship = 2e7, 4e6
     x = 433.155
     line = {"line_type": "wire", "as": "links", "radius": 0.1, "length": 360, "elements": 90,
@@ -101,7 +120,8 @@ def mooring():
     cables = []
     for sx, sy, corner in ((1, 1, "ne"), (-1, 1, "nw"), (-1, -1, "sw"), (1, -1, "se")):
         for i, (ax, ay) in enumerate(((302.109, 208.462), (208.462, 302.109))):
-            cables.append({"name": f"mooring_{corner}{i + 1}", **line,
+            more = {"shape": on_seabed(sx * ax, sy * ay), "contact": {}} if seabed else {}
+            cables.append({"name": f"mooring_{corner}{i + 1}", **line, **more,
                            "from": {"at": [sx * ax, sy * ay, -100]},
                            "to": {"body": "rig", "point": [sx * 35, sy * 35, 0]}})
     for name, s in (("east", 1), ("west", -1)):
@@ -115,13 +135,17 @@ def mooring():
                        "box": [40, 9, 4], "gravity": False, "force": [s * 5e5, 0, 0],
                        "linear_damping": 1e5})
     heave = 80 * 18 * 1025 * 9.81
+    touching = {}
+    if seabed:
+        bodies.append({"name": "seabed", "kind": "fixed", "position": [0, 0, SEABED],
+                       "shapes": [{"kind": "plane"}]})
+        touching["material_pairs"] = [{"between": ["default", "default"], "friction": 0.5,
+                                       "stiffness": 1e7}]
     write({
-        "name": "mooring",
-        "description": "A rig of 20,000 t on eight mooring lines, pulled by two ships of 4,000 t "
-                       "with 500 kN each on tow lines. Lines of 90 rigid links of 4 m and 200 kg "
-                       "start as catenaries.",
+        "name": title, "description": description,
         "settings": {"step": STEP, "duration": 20},
         "line_types": {"wire": {"mass_per_length": 50, "drag": 5}},
+        **touching,
         "bodies": bodies,
         "interactions": [hydrostatic("rig", rig, 0.3 * 70 * 70 * 1025 * 9.81, 0),
                          hydrostatic("ship_east", ship, heave, 0),
@@ -136,4 +160,8 @@ def main():
     heavy_hook()
     hook_conical()
     tow_zigzag()
-    mooring()
+    mooring("mooring", "A rig of 20,000 t on eight mooring lines, pulled by two ships of 4,000 t "
+            "with 500 kN each on tow lines. Lines of 90 rigid links of 4 m and 200 kg "
+            "start as catenaries.", False)
+    mooring("mooring_seabed", "The scene mooring with a floor 100.1 m below: 186.8 m of every "
+            "mooring line lie on it, friction 0.5.", True)

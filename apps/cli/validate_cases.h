@@ -27,6 +27,15 @@ void case_momentum(Report& report);
 // validate_beams.cpp
 void case_beams(Report& report);
 void case_euler_column(Report& report);
+// validate_contact.cpp
+void case_capstan(Report& report);
+void case_incline(Report& report);
+void case_belt(Report& report);
+void case_rolling_sphere(Report& report);
+void case_spinning_disk(Report& report);
+void case_painleve(Report& report);
+void case_stacks(Report& report);
+void case_walls(Report& report);
 // validate_scheme.cpp
 void case_static_violation(Report& report);
 void case_violation_decay(Report& report);

@@ -74,6 +74,11 @@ TEST(Validate, beams) { expect_pass("beams", 4); }
 TEST(Validate, momentum) { expect_pass("momentum", 3); }
 TEST(Validate, scheme) { expect_pass("A.2.1 A.2.2 A.2.3 A.2.4 A.2.5 A.2.6 A.2.7", 20); }
 
+TEST(Validate, friction) {
+    expect_pass("capstan incline belt rolling_sphere spinning_disk painleve", 20);
+}
+TEST(Validate, stacks_and_walls) { expect_pass("stacks walls", 14); }
+
 TEST(Validate, unknown_case_is_refused) { EXPECT_EQ(validate("no_such_case").code, 1); }
 
 // A scene that is not what the case describes must be noticed: the rod is 1 % too long.
