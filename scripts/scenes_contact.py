@@ -156,16 +156,6 @@ def belt():
            **rock(1e6, 0.4), "bodies": bodies, "plot": {"motions": ["box", "stack2"]}})
 
 
-def bouncing_ball():
-    write({"name": "bouncing_ball", "description": "A ball falls 1 m and bounces with restitution "
-           "0.8: to 0.64, 0.4096, ... m.",
-           "settings": {"step": 1 / 240, "duration": 4},
-           **rock(1e7, 0.3, restitution=0.8),
-           "bodies": [GROUND, {"name": "ball", "position": [0, 0, 1.1], "mass": 1, "sphere": 0.1,
-                               "shapes": [{"kind": "sphere", "radius": 0.1}]}],
-           "plot": {"motions": ["ball"]}})
-
-
 def wedge():
     """Half angle 10°; its faces lie on the two slopes. Pushed by 5 times its weight, it holds
     part of that when let go, because mu > tan(half angle)."""
@@ -245,7 +235,6 @@ def main():
     stacks()
     arch()
     belt()
-    bouncing_ball()
     wedge()
     painleve()
     spinning_disk()

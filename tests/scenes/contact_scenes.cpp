@@ -22,7 +22,8 @@ struct Watched {
     double worst_map = 0.0, violation = 0.0;
     int contacts_min = 1 << 30, contacts_max = 0;
 
-    explicit Watched(const std::string& name) : scene(scene::load_file("scenes/" + name + ".json")) {}
+    explicit Watched(const std::string& name)
+        : scene(scene::load_file("scenes/" + name + ".json")) {}
 
     World& world() { return scene.world; }
     Vec3 position(const std::string& name) {
@@ -97,6 +98,23 @@ TEST(ContactScenes, AnchorIsDraggedByItsFriction) {
     const double weight = 0.87 * 9.81;
     const double exact = 0.8 * 15000.0 * weight + 0.7 * 126.5 * (120.0 - 2.0) * weight;
     EXPECT_NEAR(sum / count / exact, 1.0, 0.01);  // The anchor rocks; mean over 8 s.
+}
+
+TEST(ContactScenes, PileOfChainComesToRest) {
+    Watched run("chain_pile");
+    World& world = run.world();
+    ASSERT_TRUE(run.to(4.0));
+    double highest = 0.0, fastest = 0.0;
+    for (const BodyId node : run.scene.cables.at(0).nodes) {
+        highest = std::max(highest, world.pose(node).position.z());
+    }
+    ASSERT_TRUE(run.to(5.0));
+    for (const BodyId node : run.scene.cables.at(0).nodes) {
+        fastest = std::max(fastest, world.velocity(node).linear.norm());
+    }
+    EXPECT_LT(highest, 0.2);   // Two thicknesses: one layer across the other.
+    EXPECT_LT(fastest, 1e-3);  // Spans between flakes swing on by 0.1 mm, undamped.
+    EXPECT_LE(run.worst_map, kCertified);
 }
 
 TEST(ContactScenes, SeabedHoldsTheMooring) {
