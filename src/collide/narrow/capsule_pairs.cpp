@@ -9,38 +9,16 @@
 // that enters the box leaves along the least of six axes: faces, and edges with the segment.
 #include "collide/narrow/manifold.h"
 #include "collide/narrow/pairs.h"
-#include "collide/narrow/separate.h"
+#include "collide/narrow/segment.h"
 
 #include <algorithm>
 
 namespace hawser::collide::narrow {
 namespace {
 
-struct Segment {
-    V3 c, d;      ///< Centre, unit direction.
-    double half;  ///< Half the length [m].
-    V3 at(double t) const { return c + t * d; }
-    double nearest(const V3& p) const { return clamp(dot(p - c, d), -half, half); }
-};
-
 Segment segment(const Geometry& g, const Placement& p, const double* origin) {
     return {generic::load3(p.x) - generic::load3(origin), axis(generic::load9(p.r), 2),
             g.half_length};
-}
-
-/// Parameters of the nearest points of two segments.
-void nearest(const Segment& a, const Segment& b, double& s, double& t) {
-    const V3 w = b.c - a.c;
-    const double k = dot(a.d, b.d), wa = dot(w, a.d), wb = dot(w, b.d);
-    const V3 across = cross(a.d, b.d);
-    const double det = dot(across, across);
-    s = det > 1e-24 ? clamp(dot(cross(w, b.d), across) / det, -a.half, a.half)
-                    : clamp(wa, -a.half, a.half);
-    t = k * s - wb;
-    if (t < -b.half || t > b.half) {
-        t = clamp(t, -b.half, b.half);
-        s = clamp(wa + k * t, -a.half, a.half);
-    }
 }
 
 /// Contact of the points at s and t. `fallback`: normal where they coincide.

@@ -124,7 +124,7 @@ HAWSER_PAIR(convex_heightfield) {
     const int i1 = std::min(data.rows - 2, cell(box.high[1] + margin, 1, data.rows));
     const Ground ground{data, generic::load3(local.x)};
     const Convex shape = make_convex(a, local, local.x);
-    const double size = shape.size + shape.rounding, lowest = box.low[2] - margin - local.x[2];
+    const double lowest = box.low[2] - margin - local.x[2];
     Points points;
     for (int i = i0; i <= i1; ++i)
         for (int j = j0; j <= j1; ++j) {
@@ -132,7 +132,7 @@ HAWSER_PAIR(convex_heightfield) {
                                          ground.node(i + 1, j).z, ground.node(i + 1, j + 1).z});
             if (top <= lowest) continue;
             for (const bool upper : {false, true}) {
-                make_room(points, size);
+                make_room(points, shape);
                 touch_triangle(shape, triangle_of(ground, i, j, upper), margin, points);
             }
         }
@@ -142,7 +142,7 @@ HAWSER_PAIR(convex_heightfield) {
         p.on1 = r * (p.on1 + ground.centre);
         p.normal = r * p.normal;
     }
-    finish_surface(points, pb.x, size, out);
+    finish_surface(points, pb.x, shape, out);
 }
 
 }  // namespace hawser::collide::narrow

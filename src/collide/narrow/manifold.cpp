@@ -67,7 +67,7 @@ void write(const Point& p, const double* origin, ManifoldPoint& out) {
 
 }  // namespace
 
-void reduce(Points& points, double size) {
+void reduce(Points& points, double size, bool row) {
     const double length_tie = kSame * size, tie = length_tie * size;
     const V3 n = points.p[0].normal;
     const int deep = largest(points, length_tie, [](const Point& p) { return -p.gap; });
@@ -85,7 +85,7 @@ void reduce(Points& points, double size) {
     const auto side = [&](const Point& p) { return dot(p.on0 - p0, across); };
     keep[2] = largest(points, tie, [&](const Point& p) { return std::fabs(side(p)); });
     const double turn = side(points.p[keep[2]]);
-    if (std::fabs(turn) <= tie) {
+    if (row || std::fabs(turn) <= tie) {
         keep[2] = keep[3] = keep[0];  // Points in a row need their ends alone.
     } else {
         // How far outside the triangle of the three.

@@ -48,8 +48,9 @@ inline std::uint32_t feature(unsigned kind, unsigned i, unsigned j) {
 void add_points(const Convex& a, const Convex& b, const V3& n, double separation, double margin,
                 Points& out);
 
-/// Keep four of points of (nearly) one normal, in their order.
-void reduce(Points& points, double size);
+/// Keep four of points of (nearly) one normal, in their order; with `row`, the ends of the row and
+/// the deepest.
+void reduce(Points& points, double size, bool row = false);
 /// Sort by feature, keep the deeper one of equal names, write with `origin` added; at most
 /// kMaxManifold.
 void write_sorted(Points& points, const double* origin, Manifold& out);

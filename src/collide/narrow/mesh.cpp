@@ -186,7 +186,6 @@ HAWSER_PAIR(convex_mesh) {
     const Convex shape = make_convex(a, local, local.x);
     const V3 centre = generic::load3(local.x);
     const Seen seen{mesh, centre};
-    const double size = shape.size + shape.rounding;
     Points points;
     int stack[kMaxDepth], depth = 0;
     stack[depth++] = 0;
@@ -204,7 +203,7 @@ HAWSER_PAIR(convex_mesh) {
             continue;
         }
         for (int t = node.first; t < node.first + node.count; ++t) {
-            make_room(points, size);
+            make_room(points, shape);
             touch_triangle(shape, triangle_of(seen, t), margin, points);
         }
     }
@@ -214,7 +213,7 @@ HAWSER_PAIR(convex_mesh) {
         p.on1 = r * (p.on1 + centre);
         p.normal = r * p.normal;
     }
-    finish_surface(points, pb.x, size, out);
+    finish_surface(points, pb.x, shape, out);
 }
 
 }  // namespace hawser::collide::narrow

@@ -3,6 +3,7 @@
 
 #include "collide/narrow/epa.h"
 #include "collide/narrow/gjk.h"
+#include "collide/narrow/segment.h"
 #include "collide/narrow/shape_data.h"
 
 namespace hawser::collide::narrow {
@@ -154,27 +155,24 @@ double separation_along(const Convex& a, const Convex& b, const V3& n) {
     return dot(n, gradient(a, b, n));
 }
 
-Separation polish(const Convex& a, const Convex& b, const V3& guess) {
+Separation polish(const Convex& a, const Convex& b, const V3& guess, double most) {
     Separation best{guess, separation_along(a, b, guess)};
     const double size = a.size + b.size;
-    // Exact normals win ties against iterated ones.
-    double tie = 1e-14 * size;
+    // Normals of faces win ties against those across edges, and these against iterated ones.
+    const double tie = 1e-14 * size;
+    bool exact = false;
     const auto propose = [&](const V3& n) {
         const double s = separation_along(a, b, n);
-        if (s > best.s - tie) best = {n, s};
+        if (s > best.s + (exact ? tie : -tie)) best = {n, s}, exact = true;
     };
-    const bool curved = a.kind == ShapeKind::cylinder || b.kind == ShapeKind::cylinder;
-    if (curved) propose(newton(a, b, guess));
+    // An exact normal as good as can be ends the search; an iterated one may still be 1e-6 off.
+    const double enough = most - 1e-13 * size;
     Nearby of_a, of_b;
     look_around(a, guess, of_a);
     look_around(b, -guess, of_b);
-    if (curved) {
-        V3 n;
-        for (int i = 0; i < of_a.edges; ++i)
-            if (around(a, b, of_a.edge[i], guess, n)) propose(n);
-        for (int i = 0; i < of_b.edges; ++i)
-            if (around(a, b, of_b.edge[i], guess, n)) propose(n);
-    }
+    for (int i = 0; i < of_a.faces; ++i) propose(of_a.face[i]);
+    for (int i = 0; i < of_b.faces; ++i) propose(-of_b.face[i]);
+    if (exact && best.s >= enough) return best;
     for (int i = 0; i < of_a.edges; ++i)
         for (int j = 0; j < of_b.edges; ++j) {
             const V3 m = cross(of_a.edge[i], of_b.edge[j]);
@@ -182,8 +180,18 @@ Separation polish(const Convex& a, const Convex& b, const V3& guess) {
             if (length < 1e-4) continue;
             propose((dot(m, guess) < 0.0 ? -1.0 / length : 1.0 / length) * m);
         }
-    for (int i = 0; i < of_a.faces; ++i) propose(of_a.face[i]);
-    for (int i = 0; i < of_b.faces; ++i) propose(-of_b.face[i]);
+    const bool curved = a.kind == ShapeKind::cylinder || b.kind == ShapeKind::cylinder;
+    if (!curved || (exact && best.s >= enough)) return best;
+    const auto refine = [&](const V3& n) {
+        const double s = separation_along(a, b, n);
+        if (s > best.s + (exact ? tie : -tie)) best = {n, s};
+    };
+    refine(newton(a, b, guess));
+    V3 n;
+    for (int i = 0; i < of_a.edges; ++i)
+        if (around(a, b, of_a.edge[i], guess, n)) refine(n);
+    for (int i = 0; i < of_b.edges; ++i)
+        if (around(a, b, of_b.edge[i], guess, n)) refine(n);
     return best;
 }
 
@@ -231,15 +239,21 @@ bool is_flat(const Convex& s) {
 }  // namespace
 
 Separation separate(const Convex& a, const Convex& b, double enough) {
+    const bool first_thin = a.kind == ShapeKind::sphere || a.kind == ShapeKind::capsule;
+    Separation closed{};
+    if (first_thin && b.kind == ShapeKind::mesh)
+        return segment_triangle(segment_of(a), b, closed) ? closed : part_flat(a, b);
+    if (first_thin && b.kind == ShapeKind::cylinder)
+        return segment_cylinder(segment_of(a), b, closed) ? closed : polish(a, b, epa(a, b), 0.0);
     const GjkResult apart = gjk(a, b, enough);
     if (apart.apart && apart.distance > enough) return {apart.n, apart.distance};
     if (!apart.apart && is_flat(a) && is_flat(b)) return part_flat(a, b);
-    if (!apart.apart) return polish(a, b, epa(a, b));
-    const Separation best = polish(a, b, apart.n);
+    if (!apart.apart) return polish(a, b, epa(a, b), 0.0);
+    const Separation best = polish(a, b, apart.n, apart.distance);
     // Where GJK could not tell apart from touching, its normal says little.
     const double size = a.size + b.size;
     if (best.s > apart.distance - 1e-6 * size || apart.distance > 1e-3 * size) return best;
-    const Separation other = is_flat(a) && is_flat(b) ? part_flat(a, b) : polish(a, b, epa(a, b));
+    const Separation other = is_flat(a) && is_flat(b) ? part_flat(a, b) : polish(a, b, epa(a, b), 0.0);
     return other.s > best.s ? other : best;
 }
 

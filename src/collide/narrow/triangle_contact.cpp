@@ -84,6 +84,12 @@ void touch_triangle(const Convex& shape, const SurfaceTriangle& t, double margin
     const double height = dot(n, shape.c - triangle.c);
     if (height < 0.0 && !t.solid) n = -n;
     if (dot(n, support(shape, -n) - triangle.c) >= enough) return;
+    // Beyond an edge by more than that.
+    for (int k = 0; k < 3; ++k) {
+        const V3& v = triangle.corner[k];
+        const V3 e = triangle.corner[(k + 1) % 3] - v, outward = cross(e, triangle.face);
+        if (dot(outward, support(shape, -outward) - v) >= enough * norm(outward)) return;
+    }
     const Separation best = separate(shape, triangle, enough);
     const V3 m = -best.n;
     // A shape below the surface of a solid is pushed up, not down.
@@ -132,7 +138,9 @@ void sort_by_gap(Points& points) {
 }
 
 /// Keep at most `most` points of each group.
-void thin(Points& points, double size, int most) {
+void thin(Points& points, const Convex& shape, int most) {
+    const double size = shape.size + shape.rounding;
+    const bool row = shape.kind == ShapeKind::capsule;
     int of[kMaxPoints];
     const int groups = group(points, of);
     Points kept;
@@ -142,9 +150,9 @@ void thin(Points& points, double size, int most) {
             if (of[i] == g) members.add(points.p[i]);
         if (members.count > 2 && most >= 4) {
             Points fewer = members;
-            reduce(fewer, size);
+            reduce(fewer, size, row);
             // Of up to four only those in a row are dropped: an edge across several triangles.
-            if (members.count > 4 || fewer.count == 2) members = fewer;
+            if (row || members.count > 4 || fewer.count == 2) members = fewer;
         }
         if (most < 4) {
             sort_by_gap(members);
@@ -157,24 +165,24 @@ void thin(Points& points, double size, int most) {
 
 }  // namespace
 
-void make_room(Points& points, double size) {
+void make_room(Points& points, const Convex& shape) {
     // One triangle adds at most a dozen.
     if (points.count <= kMaxPoints - 16) return;
-    thin(points, size, 4);
-    if (points.count > kMaxPoints / 2) thin(points, size, 1);
+    thin(points, shape, 4);
+    if (points.count > kMaxPoints / 2) thin(points, shape, 1);
     if (points.count > kMaxPoints / 2) {
         sort_by_gap(points);
         points.count = kMaxPoints / 2;
     }
 }
 
-void finish_surface(Points& points, const double* origin, double size, Manifold& out) {
+void finish_surface(Points& points, const double* origin, const Convex& shape, Manifold& out) {
     std::sort(points.p, points.p + points.count, [](const Point& p, const Point& q) {
         return p.feature != q.feature ? p.feature < q.feature : p.gap < q.gap;
     });
     int of[kMaxPoints];
     const int groups = group(points, of);
-    if (points.count > 2) thin(points, size, groups <= 2 ? 4 : (groups <= 4 ? 2 : 1));
+    if (points.count > 2) thin(points, shape, groups <= 2 ? 4 : (groups <= 4 ? 2 : 1));
     if (points.count > kMaxManifold) {
         sort_by_gap(points);
         points.count = kMaxManifold;

@@ -34,9 +34,10 @@ void touch_triangle(const Convex& shape, const SurfaceTriangle& surface, double 
                     Points& out);
 
 /// Reduce to at most kMaxManifold, sort and write: points of one normal (within 8 degrees) are one
-/// group; each keeps up to four, fewer where there are more than two groups.
-void finish_surface(Points& points, const double* origin, double size, Manifold& out);
+/// group; each keeps up to four (of a capsule: its ends and the deepest), fewer where there are
+/// more than two groups.
+void finish_surface(Points& points, const double* origin, const Convex& shape, Manifold& out);
 /// Keep at most four points of each group, once they are many.
-void make_room(Points& points, double size);
+void make_room(Points& points, const Convex& shape);
 
 }  // namespace hawser::collide::narrow
