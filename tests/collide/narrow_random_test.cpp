@@ -28,6 +28,34 @@ TEST_P(NarrowRandom, AgreesWithTheReference) {
     EXPECT_LE(score.ambiguous, score.pairs / 100) << text;
 }
 
+TEST_P(NarrowRandom, AlignedShapesAgreeToo) {
+    const auto [a, b] = GetParam();
+    const int count = test::kSanitized ? 50 : 600;
+    const test::Score score = test::judge(a, b, count, 1, test::Draw::aligned);
+    const std::string text = test::describe(a, b, score);
+    EXPECT_EQ(score.wrong_verdicts, 0) << text;
+    EXPECT_EQ(score.bad_points, 0) << text;
+    EXPECT_LE(score.worst_gap, 1e-6) << text;
+    EXPECT_LE(score.worst_normal, 1e-6) << text;
+}
+
+TEST_P(NarrowRandom, ExtremeSizesAgreeToo) {
+    const auto [a, b] = GetParam();
+    const int count = test::kSanitized ? 50 : 400;
+    const test::Score score = test::judge(a, b, count, 1, test::Draw::extreme);
+    const std::string text = test::describe(a, b, score);
+    EXPECT_EQ(score.wrong_verdicts, 0) << text;
+    EXPECT_EQ(score.bad_points, 0) << text;
+    // Near the axis of a drum of 60 m all ways out are nearly as short: a small cylinder there
+    // may get one that is longer by 2e-5 of that. Else 1e-7 of 100 m, what a corner of a manifold
+    // may be off the deepest point.
+    const bool drums = a == ShapeKind::cylinder && b == ShapeKind::cylinder;
+    EXPECT_LE(score.worst_gap, drums ? 2e-3 : 1e-5) << text;
+    if (!drums) {
+        EXPECT_LE(score.worst_normal, 1e-6) << text;
+    }
+}
+
 std::string name_of(const testing::TestParamInfo<Kinds>& kinds) {
     return test::kind_name(kinds.param.first) + "_" + test::kind_name(kinds.param.second);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "collide/narrow/segment.h"
 
+#include "collide/narrow/epa.h"
+
 namespace hawser::collide::narrow {
 namespace {
 
@@ -13,13 +15,23 @@ bool over(const Convex& t, const V3& p) {
     return true;
 }
 
-/// How a point lies to a cylinder, in its frame: what it is over the surface by, as a vector.
-V3 excess(const V3& p, double radius, double half_length) {
+/// What a point is over the surface of a cylinder by, in its frame: from the nearest point of the
+/// solid. `rate`: second derivative of half its square along d.
+V3 excess(const V3& p, const V3& d, double radius, double half_length, double& rate) {
+    V3 by{0, 0, 0};
+    rate = 0.0;
     const double across = std::sqrt(p.x * p.x + p.y * p.y);
-    const double k = across > radius ? 1.0 - radius / across : 0.0;
-    const double z = p.z > half_length ? p.z - half_length
-                                       : (p.z < -half_length ? p.z + half_length : 0.0);
-    return {k * p.x, k * p.y, z};
+    if (across > radius) {
+        const double ratio = radius / across, along = (p.x * d.x + p.y * d.y) / across;
+        by.x = (1.0 - ratio) * p.x;
+        by.y = (1.0 - ratio) * p.y;
+        rate += (1.0 - ratio) * (d.x * d.x + d.y * d.y) + ratio * along * along;
+    }
+    if (std::fabs(p.z) > half_length) {
+        by.z = p.z > 0.0 ? p.z - half_length : p.z + half_length;
+        rate += d.z * d.z;
+    }
+    return by;
 }
 
 }  // namespace
@@ -60,45 +72,46 @@ bool segment_triangle(const Segment& a, const Convex& t, Separation& out) {
 
 bool segment_cylinder(const Segment& a, const Convex& cylinder, Separation& out) {
     const V3 c = tmul(cylinder.r, a.c - cylinder.c), d = tmul(cylinder.r, a.d);
-    const auto over_by = [&](double t) {
-        return excess(c + t * d, cylinder.radius, cylinder.half_length);
-    };
-    // Half the square of the distance is convex along the segment; this is its slope.
-    const auto slope = [&](double t) { return dot(over_by(t), d); };
-    double low = -a.half, high = a.half, t = low;
-    if (a.half > 0.0) {
-        double at_low = slope(low), at_high = slope(high);
-        if (at_low >= 0.0) {
-            t = low;
-        } else if (at_high <= 0.0) {
-            t = high;
-        } else {
-            // False position (Illinois), with a bisection when it is slow.
-            int kept = 0;
-            for (int i = 0; i < 60 && high - low > 1e-15 * a.half; ++i) {
-                t = low + (high - low) * at_low / (at_low - at_high);
-                if (i % 4 == 3 || !(t > low) || !(t < high)) t = 0.5 * (low + high);
-                const double y = slope(t);
-                if (y == 0.0) break;
-                if (y < 0.0) {
-                    low = t;
-                    at_low = y;
-                    if (kept == 1) at_high *= 0.5;
-                    kept = 1;
-                } else {
-                    high = t;
-                    at_high = y;
-                    if (kept == -1) at_low *= 0.5;
-                    kept = -1;
-                }
-            }
-        }
+    // Half the square of the distance is convex along the segment; its slope is zero at the nearest
+    // point. Newton's method within a bracket.
+    double low = -a.half, high = a.half, t = clamp(-dot(c, d), low, high), rate = 0.0;
+    V3 by = excess(c + t * d, d, cylinder.radius, cylinder.half_length, rate);
+    for (int i = 0; i < 90; ++i) {
+        const double slope = dot(by, d);
+        if (slope == 0.0) break;
+        (slope > 0.0 ? high : low) = t;
+        double next = t - slope / rate;
+        // Where the distance has kinks it may go back and forth.
+        if (i > 12 && i % 2 == 1) next = 0.5 * (low + high);
+        if (!(next > low)) next = i > 0 && low > -a.half ? 0.5 * (low + high) : low;
+        if (!(next < high)) next = i > 0 && high < a.half ? 0.5 * (low + high) : high;
+        if (next == t) break;
+        t = next;
+        by = excess(c + t * d, d, cylinder.radius, cylinder.half_length, rate);
     }
-    const V3 by = over_by(t);
     const double distance = norm(by);
     if (!(distance > kTouching * (a.half + cylinder.size))) return false;
     out = {cylinder.r * ((-1.0 / distance) * by), distance};
     return true;
+}
+
+Separation leave_cylinder(const Convex& a, const Convex& cylinder) {
+    Separation best = polish(a, cylinder, epa(a, cylinder), 0.0);
+    const V3 z = axis(cylinder.r, 2);
+    const auto propose = [&](V3 n) {
+        const double length = norm(n);
+        if (!(length > 1e-9 * cylinder.radius)) return;
+        const Separation other = polish(a, cylinder, (1.0 / length) * n, 0.0);
+        if (other.s > best.s + 1e-14 * cylinder.size) best = other;
+    };
+    const Segment s = segment_of(a);
+    for (const double t : {-s.half, s.half}) {
+        const V3 p = s.at(t) - cylinder.c;
+        propose(dot(p, z) * z - p);
+    }
+    const V3 across = cylinder.radius * cross(z, s.d);
+    propose(dot(across, s.c - cylinder.c) > 0.0 ? -across : across);
+    return best;
 }
 
 }  // namespace hawser::collide::narrow

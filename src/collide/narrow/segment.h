@@ -37,5 +37,8 @@ inline void nearest(const Segment& a, const Segment& b, double& s, double& t) {
 bool segment_triangle(const Segment& a, const Convex& triangle, Separation& out);
 /// Segment and solid cylinder, likewise.
 bool segment_cylinder(const Segment& a, const Convex& cylinder, Separation& out);
+/// Where they meet: the best of what the expanding polytope gives and of the ways out of the round
+/// side, which may all be nearly as short.
+Separation leave_cylinder(const Convex& segment, const Convex& cylinder);
 
 }  // namespace hawser::collide::narrow

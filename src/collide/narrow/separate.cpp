@@ -236,6 +236,21 @@ bool is_flat(const Convex& s) {
     return s.kind == ShapeKind::sphere || s.kind == ShapeKind::capsule || s.kind == ShapeKind::mesh;
 }
 
+/// Cores of which one has a volume, and which meet.
+Separation part_solid(const Convex& a, const Convex& b) {
+    Separation best = polish(a, b, epa(a, b), 0.0);
+    // Near the axis of a round body all ways out are nearly as short; try the one at hand too.
+    for (const Convex* round : {&a, &b}) {
+        if (round->kind != ShapeKind::cylinder) continue;
+        const V3 z = axis(round->r, 2), d = b.c - a.c, across = d - dot(d, z) * z;
+        const double length = norm(across);
+        if (!(length > 1e-9 * round->radius)) continue;
+        const Separation other = polish(a, b, (1.0 / length) * across, 0.0);
+        if (other.s > best.s + 1e-14 * round->size) best = other;
+    }
+    return best;
+}
+
 }  // namespace
 
 Separation separate(const Convex& a, const Convex& b, double enough) {
@@ -244,16 +259,16 @@ Separation separate(const Convex& a, const Convex& b, double enough) {
     if (first_thin && b.kind == ShapeKind::mesh)
         return segment_triangle(segment_of(a), b, closed) ? closed : part_flat(a, b);
     if (first_thin && b.kind == ShapeKind::cylinder)
-        return segment_cylinder(segment_of(a), b, closed) ? closed : polish(a, b, epa(a, b), 0.0);
+        return segment_cylinder(segment_of(a), b, closed) ? closed : leave_cylinder(a, b);
     const GjkResult apart = gjk(a, b, enough);
     if (apart.apart && apart.distance > enough) return {apart.n, apart.distance};
     if (!apart.apart && is_flat(a) && is_flat(b)) return part_flat(a, b);
-    if (!apart.apart) return polish(a, b, epa(a, b), 0.0);
+    if (!apart.apart) return part_solid(a, b);
     const Separation best = polish(a, b, apart.n, apart.distance);
     // Where GJK could not tell apart from touching, its normal says little.
     const double size = a.size + b.size;
     if (best.s > apart.distance - 1e-6 * size || apart.distance > 1e-3 * size) return best;
-    const Separation other = is_flat(a) && is_flat(b) ? part_flat(a, b) : polish(a, b, epa(a, b), 0.0);
+    const Separation other = is_flat(a) && is_flat(b) ? part_flat(a, b) : part_solid(a, b);
     return other.s > best.s ? other : best;
 }
 

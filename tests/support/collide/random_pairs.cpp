@@ -113,6 +113,51 @@ Pair random_pair(ShapeKind a, ShapeKind b, std::uint64_t seed) {
     return pair;
 }
 
+Placement on_grid(Random& random) {
+    const Quat q = Quat(Eigen::AngleAxisd(random.integer(0, 7) * M_PI / 4, Vec3(0, 0, 1))) *
+                   Quat(Eigen::AngleAxisd(random.integer(0, 7) * M_PI / 4, Vec3(1, 0, 0))) *
+                   Quat(Eigen::AngleAxisd(random.integer(0, 1) * M_PI / 2, Vec3(0, 1, 0)));
+    const Mat3 r = q.toRotationMatrix();
+    Placement p{};
+    for (int i = 0; i < 3; ++i) {
+        p.x[i] = 0.25 * random.integer(-6, 6);
+        for (int j = 0; j < 3; ++j) p.r[3 * i + j] = r(i, j);
+    }
+    return p;
+}
+
+Pair aligned_pair(ShapeKind a, ShapeKind b, std::uint64_t seed) {
+    Random random(seed);
+    Pair pair{random_shape(random, a), random_shape(random, b), {}, {}, 0.1};
+    for (RandomShape* s : {&pair.a, &pair.b}) {
+        Geometry& g = s->geometry;
+        g.radius = 0.25 * random.integer(1, 3);
+        g.half_length = 0.25 * random.integer(1, 4);
+        for (double& h : g.half_size) h = 0.25 * random.integer(1, 4);
+    }
+    pair.pa = on_grid(random);
+    pair.pb = on_grid(random);
+    return pair;
+}
+
+Pair extreme_pair(ShapeKind a, ShapeKind b, std::uint64_t seed) {
+    Random random(seed);
+    Pair pair{random_shape(random, a), random_shape(random, b), {}, {}, 0.05};
+    double reach = 0.0;
+    for (RandomShape* s : {&pair.a, &pair.b}) {
+        Geometry& g = s->geometry;
+        g.radius = std::pow(10.0, random.uniform(-3, 2));
+        g.half_length = std::pow(10.0, random.uniform(-3, 2));
+        for (double& h : g.half_size) h = std::pow(10.0, random.uniform(-3, 2));
+        reach += std::max({g.radius, g.half_length, g.half_size[0], g.half_size[1]});
+    }
+    pair.pa = random_placement(random, 100.0);
+    pair.pb = random_placement(random, 0.0);
+    const Vec3 offset = random.vector(reach * std::pow(10.0, random.uniform(-3, 0)));
+    for (int k = 0; k < 3; ++k) pair.pb.x[k] = pair.pa.x[k] + offset[k];
+    return pair;
+}
+
 }  // namespace
 
 Body body_of(const RandomShape& s, const Placement& placed) {
@@ -135,7 +180,7 @@ Body body_of(const RandomShape& s, const Placement& placed) {
 
 namespace {
 
-void judge_one(const Pair& pair, std::uint64_t seed, Score& score) {
+void judge_one(const Pair& pair, std::uint64_t seed, Draw draw, Score& score) {
     const Body a = body_of(pair.a, pair.pa), b = body_of(pair.b, pair.pb);
     const Geometry &ga = pair.a.geometry, &gb = pair.b.geometry;
     const Answer truth =
@@ -161,8 +206,9 @@ void judge_one(const Pair& pair, std::uint64_t seed, Score& score) {
     if (normal_error <= score.worst_normal || truth.normal_error > 1e-7L) return;
     // Not unique: another normal, far away, that does as well.
     const bool as_good =
-        gb.kind != ShapeKind::plane && separation_along(a, b, n) > truth.gap - 1e-9L;
-    if (as_good && normal_error > 1e-3) {
+        gb.kind != ShapeKind::plane &&
+        separation_along(a, b, n) > truth.gap - (draw == Draw::aligned ? 1e-8L : 1e-9L);
+    if (as_good && (normal_error > 1e-3 || draw == Draw::aligned)) {
         ++score.ambiguous;
     } else {
         score.worst_normal = normal_error;
@@ -172,11 +218,13 @@ void judge_one(const Pair& pair, std::uint64_t seed, Score& score) {
 
 }  // namespace
 
-Score judge(ShapeKind a, ShapeKind b, int count, std::uint64_t seed) {
+Score judge(ShapeKind a, ShapeKind b, int count, std::uint64_t seed, Draw draw) {
     Score score;
+    const auto make =
+        draw == Draw::random ? random_pair : (draw == Draw::aligned ? aligned_pair : extreme_pair);
     for (int i = 0; i < count; ++i) {
         const std::uint64_t s = seed + static_cast<std::uint64_t>(i);
-        judge_one(random_pair(a, b, s), s, score);
+        judge_one(make(a, b, s), s, draw, score);
     }
     return score;
 }

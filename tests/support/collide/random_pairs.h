@@ -35,8 +35,16 @@ struct Score {
     int bad_points = 0;  ///< Not finite, unsorted, not unit, beyond the margin, off the surface.
 };
 
-/// `count` random pairs from `seed` on.
-Score judge(ShapeKind a, ShapeKind b, int count, std::uint64_t seed);
+/// Where pairs come from.
+enum class Draw {
+    random,
+    aligned,  ///< Turned by multiples of 45°, sizes and places on a grid: parallel, touching,
+              ///< equal.
+    extreme,  ///< Sizes from 1 mm to 100 m.
+};
+
+/// `count` pairs from `seed` on.
+Score judge(ShapeKind a, ShapeKind b, int count, std::uint64_t seed, Draw draw = Draw::random);
 /// Pairs of kinds for which this is asked: those in closed form, and cylinders.
 std::vector<std::pair<ShapeKind, ShapeKind>> exact_pairs();
 /// Hulls and single triangles with all kinds that touch them.

@@ -290,6 +290,11 @@ Answer signed_distance(const Body& a, const Body& b) {
             search.propose(unit(m));
             search.propose(-1.0L * unit(m));
         }
+    // Points, and lines along each other, that coincide: any normal across them.
+    if (a.faces.empty() && b.faces.empty()) {
+        const Vec e = a.edges.empty() ? (b.edges.empty() ? Vec{0, 0, 1} : b.edges[0]) : a.edges[0];
+        search.propose(unit(cross(e, std::fabs(e.x) < 0.6L ? Vec{1, 0, 0} : Vec{0, 1, 0})));
+    }
     const bool curved = a.kind == ShapeKind::cylinder || b.kind == ShapeKind::cylinder;
     if (curved) {
         for (const Vec& e : a.edges) search.circle(e);
