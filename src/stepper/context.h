@@ -50,6 +50,7 @@ struct Newton {
     nonsmooth::Gmres gmres;
     std::vector<double> x, u;  ///< Three a contact.
     std::int32_t iterations = 0, solves = 0;
+    std::uint64_t factored_rows = 0;  ///< Which one-sided rows were active in the matrix: hash.
 };
 
 struct StepContext {

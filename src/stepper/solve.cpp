@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace hawser::stepper {
 namespace {
@@ -158,6 +159,19 @@ void collect_columns(const assembly::System& s, const std::vector<std::uint8_t>&
         if (marks[k]) columns.push_back(s.column_of(s.contacts.blocks[k]));
 }
 
+/// Whether one-sided rows have switched since the last factorisation: their blocks changed then,
+/// which the dirty part, found from contacts, does not hold. Takes note of the rows as they are.
+bool rows_switched(StepContext& ctx) noexcept {
+    std::uint64_t hash = 0xcbf29ce484222325U;  // FNV-1a over one bit a row
+    for (const std::int32_t id : ctx.system.one_sided) {
+        hash ^= ctx.interactions.active[static_cast<std::size_t>(id)] != 0.0 ? 1U : 0U;
+        hash *= 0x100000001b3U;
+    }
+    const bool switched = hash != ctx.newton.factored_rows;
+    ctx.newton.factored_rows = hash;
+    return switched;
+}
+
 }  // namespace
 
 Status factor(StepContext& ctx, bool first) noexcept {
@@ -172,7 +186,8 @@ Status factor(StepContext& ctx, bool first) noexcept {
         set = &s.unsymmetric;
     }
     const std::int64_t whole = set ? set->flops : s.symbolic.flops;
-    if (!first && set) {
+    const bool switched = rows_switched(ctx);
+    if (!first && set && !switched) {
         collect_columns(s, s.contacts.block_changed, ctx.columns);
         s.dirty.find(s.symbolic, ctx.columns, set);
         // Beyond this share, one pass through memory beats fewer flops.
