@@ -12,7 +12,6 @@ namespace hawser::collide {
 namespace {
 
 using narrow::at;
-using narrow::axis;
 
 /// The function for the same pair given the other way round.
 template <Collide kFunction>
