@@ -12,6 +12,9 @@ int step_command(int argc, char** argv);
 /// Time factorisation and solution of a scene's matrix against libraries.
 int factor_command(int argc, char** argv);
 
+/// Compare the methods for contacts with friction.
+int friction_command(int argc, char** argv);
+
 /// Compare engines on heavy_hook, tow_zigzag and mooring.
 int peers_command(int argc, char** argv);
 

@@ -18,6 +18,8 @@ constexpr Command kCommands[] = {
     {"step", "time and memory of a whole step, by scale", hawser::bench::step_command},
     {"factor", "our factorisation against libraries, on many matrices",
      hawser::bench::factor_command},
+    {"friction", "methods for contacts with friction beside each other",
+     hawser::bench::friction_command},
     {"peers", "our steps against other engines, on three scenes", hawser::bench::peers_command},
 };
 

@@ -12,6 +12,12 @@ void SceneOptions::add_to(CLI::App& command) {
     command.add_option("--step", step, "Time step [s] instead of the scene's")->check(positive());
     command.add_option("--form", form, "Form of the equations: auto, saddle or condensed")
         ->check(CLI::IsMember({"auto", "saddle", "condensed"}));
+    command
+        .add_option("--nonsmooth", nonsmooth,
+                    "How contacts with friction are solved: newton, pivoting, split, pgs or convex")
+        ->check(CLI::IsMember({"newton", "pivoting", "split", "pgs", "convex"}));
+    command.add_option("--sweeps", sweeps, "Sweeps a step of --nonsmooth split and pgs")
+        ->check(CLI::Range(1, 100000));
     command.add_option("--threads", threads, "Worker threads; results do not depend on it")
         ->check(CLI::Range(1, kMostThreads))
         ->capture_default_str();
@@ -30,6 +36,8 @@ scene::Scene SceneOptions::load() const {
     scene::Options options;
     options.scale = scale;
     options.set = set;
+    if (nonsmooth) options.set.push_back("settings.nonsmooth=" + *nonsmooth);
+    if (sweeps) options.set.push_back("settings.nonsmooth_sweeps=" + std::to_string(*sweeps));
     options.step = step;
     options.threads = threads;
     if (form)

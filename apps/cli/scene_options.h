@@ -17,7 +17,8 @@ namespace hawser::cli {
 struct SceneOptions {
     std::string file;
     std::optional<double> step;
-    std::optional<std::string> form;
+    std::optional<std::string> form, nonsmooth;
+    std::optional<int> sweeps;
     int threads = 1;
     int scale = 1;
     std::vector<std::string> set;

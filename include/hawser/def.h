@@ -56,6 +56,17 @@ enum class Form : std::uint8_t {
     condensed,  ///< Every row with compliance > 0 eliminated first into the bodies' blocks.
 };
 
+/// How contacts with dry friction are solved. All but `newton` are there to be compared with it
+/// (docs/nonsmooth.md).
+enum class Nonsmooth : std::uint8_t {
+    newton,    ///< Exact disk friction, semismooth Newton method over all rows at once.
+    pivoting,  ///< Box friction along two axes, block principal pivoting; bounds of earlier passes.
+    split,     ///< Joints and normals direct, then sweeps over tangents: projected Gauss-Seidel.
+    pgs,       ///< Projected Gauss-Seidel for every row. Geometric stiffness and rotation damping
+               ///< are then off: they couple bodies beside the rows.
+    convex,    ///< Associated cone: what slides also lifts.
+};
+
 /// Settings of a world; fixed once it has been created. The world refuses values out of range.
 struct WorldDef {
     double step = 1.0 / 60.0;       ///< Time step h [s], 1e-7 to 1.
@@ -69,8 +80,10 @@ struct WorldDef {
     /// Relative residual at which the contacts of a step count as solved, 1e-12 to 1.
     double contact_tolerance = 1e-6;
     int contact_iterations = 60;  ///< Most Newton iterations of a step, 1-1000.
-    int refinements = 1;          ///< Refinement steps on the saddle residual, 0-4.
-    int threads = 1;              ///< Worker threads, 1-256; results do not depend on it.
+    Nonsmooth nonsmooth = Nonsmooth::newton;
+    int nonsmooth_sweeps = 50;  ///< Sweeps a step of `split` and `pgs`, 1 to 100,000.
+    int refinements = 1;        ///< Refinement steps on the saddle residual, 0-4.
+    int threads = 1;            ///< Worker threads, 1-256; results do not depend on it.
     /// Shapes closer than this are in contact before they touch [m], 1e-6 to 10. It is to cover
     /// what a shape moves within a step from rest: ½ to 1 g h², 3 mm at 60 Hz.
     double contact_margin = 0.02;

@@ -212,6 +212,14 @@ class Expander {
     std::set<std::string> prefixes_;
 };
 
+Nonsmooth nonsmooth_from(const std::string& word) {
+    return word == "pivoting" ? Nonsmooth::pivoting
+           : word == "split"  ? Nonsmooth::split
+           : word == "pgs"    ? Nonsmooth::pgs
+           : word == "convex" ? Nonsmooth::convex
+                              : Nonsmooth::newton;
+}
+
 void read_settings(Description& out, const Json& root) {
     const Json settings = root.value("settings", Json::object());
     WorldDef& def = out.settings;
@@ -225,6 +233,8 @@ void read_settings(Description& out, const Json& root) {
     def.rotation_damping = number_or(settings, "rotation_damping", def.rotation_damping);
     def.staggered_start = settings.value("staggered_start", def.staggered_start);
     def.contact_margin = number_or(settings, "contact_margin", def.contact_margin);
+    def.nonsmooth = nonsmooth_from(text_or(settings, "nonsmooth", "newton"));
+    def.nonsmooth_sweeps = settings.value("nonsmooth_sweeps", def.nonsmooth_sweeps);
     def.refinements = settings.value("refinements", def.refinements);
     out.duration = number_or(settings, "duration", out.duration);
     out.copies = root.contains("repeat") ? root["repeat"].value("copies", std::size_t{1}) : 1;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stepper/contact.h"
 
+#include "stepper/gauss_seidel.h"
 #include "stepper/newton.h"
+#include "stepper/nonsmooth.h"
 #include "stepper/stages.h"
 #include "stepper/sweeps.h"
 
@@ -24,6 +26,7 @@ void make_room(StepContext& ctx) {
     const std::size_t n = ctx.contacts.contacts.size();
     c.begin(n);
     reserve_newton(ctx, n);
+    if (ctx.def.nonsmooth == Nonsmooth::split) reserve_gauss_seidel(ctx, n);
     ctx.contact_impulse.resize(3 * n);
     ctx.contact_sliding.resize(n);
     if (c.bytes() > held) ++ctx.stats.growths;
@@ -75,7 +78,7 @@ Status start_contacts(StepContext& ctx, bool at_rest) noexcept {
         c.recall_lambda(k);
         if (at_rest) ask_for_acceleration(c.cones[k], set.contacts[k].gap);
     }
-    if (c.count() > 0) linearise_first(ctx);
+    if (c.count() > 0) begin_contacts(ctx);
     update_contacts(ctx, nullptr);
     return Status::ok;
 }

@@ -10,6 +10,7 @@
 #include "collide/collider.h"
 #include "model/bodies.h"
 #include "model/interactions.h"
+#include "nonsmooth/box.h"
 #include "nonsmooth/gmres.h"
 #include "runtime/tasks.h"
 
@@ -48,7 +49,12 @@ struct Newton {
     std::vector<double> contact;       ///< u and λ of contacts there, six a contact.
     std::vector<nonsmooth::Law> laws;  ///< Of each contact, about the iterate.
     nonsmooth::Gmres gmres;
-    std::vector<double> x, u;  ///< Three a contact.
+    std::vector<double> x, u;              ///< Three a contact.
+    std::vector<nonsmooth::Bound> bounds;  ///< Three a contact, of method pivoting.
+    std::vector<nonsmooth::Touch> touch;   ///< One a contact, of method split.
+    std::vector<double> limit;             ///< Of friction in a contact, likewise [N s].
+    /// See gauss_seidel.h: of bodies; G M⁻¹ Gᵀ of rows, J M⁻¹ Jᵀ of contacts [1/kg].
+    std::vector<double> inverse_mass, row_mobility, mobility;
     std::int32_t iterations = 0, solves = 0;
     std::uint64_t factored_rows = 0;  ///< Which one-sided rows were active in the matrix: hash.
 };
@@ -56,6 +62,8 @@ struct Newton {
 struct StepContext {
     explicit StepContext(const WorldDef& d) : def(d), pool(d.threads), events(65'536) {
         collider.margin = d.contact_margin;
+        // They couple bodies beside the rows, which a sweep over rows does not see.
+        if (d.nonsmooth == Nonsmooth::pgs) def.geometric_stiffness = def.rotation_damping = 0.0;
     }
 
     WorldDef def;

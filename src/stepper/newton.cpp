@@ -2,6 +2,7 @@
 #include "stepper/newton.h"
 
 #include "stepper/contact.h"
+#include "stepper/iterate.h"
 #include "stepper/krylov.h"
 #include "stepper/stages.h"
 #include "stepper/sweeps.h"
@@ -34,21 +35,6 @@ std::int32_t linearise(StepContext& ctx) noexcept {
     return flips;
 }
 
-/// The laws go into the matrix: blocks that change.
-void adopt_laws(StepContext& ctx, bool first) noexcept {
-    Contacts& contacts = ctx.system.contacts;
-    for (std::size_t k = 0; k < contacts.count(); ++k) {
-        Cone& c = contacts.cones[k];
-        const nonsmooth::Law& law = ctx.newton.laws[k];
-        contacts.changed[k] = first || !std::equal(law.s, law.s + 9, c.s) ? 1 : 0;
-        std::copy_n(law.s, 9, c.s);
-        std::copy_n(law.p, 3, c.p);
-    }
-    contacts.mark_blocks();
-    over(ctx, static_cast<std::int32_t>(contacts.blocks.size()),
-         [&](std::int32_t a, std::int32_t b) { contacts.write_blocks(a, b); });
-}
-
 /// Σ (W + Σ) ‖λ − P‖² over contacts, a share t of the way: an energy [J].
 double merit(const StepContext& ctx, double t) noexcept {
     double sum = 0.0;
@@ -68,39 +54,6 @@ double merit(const StepContext& ctx, double t) noexcept {
     return sum;
 }
 
-void keep_iterate(StepContext& ctx) noexcept {
-    const assembly::View v = view(ctx);
-    std::copy_n(v.v_new, v.dof_count, ctx.newton.v.begin());
-    std::copy_n(v.lambda, ctx.interactions.row_count, ctx.newton.lambda.begin());
-    const base::Array<Cone>& cones = ctx.system.contacts.cones;
-    for (std::size_t k = 0; k < cones.size(); ++k) {
-        std::copy_n(cones[k].u, 3, &ctx.newton.contact[6 * k]);
-        std::copy_n(cones[k].lambda, 3, &ctx.newton.contact[6 * k + 3]);
-    }
-}
-
-/// Go back to a share t of the way from the iterate kept.
-void shorten(StepContext& ctx, double t) noexcept {
-    const assembly::View v = view(ctx);
-    auto between = [&](const std::vector<double>& from, double* to, std::int32_t n) {
-        for (std::int32_t i = 0; i < n; ++i) to[i] = from[at(i)] + t * (to[i] - from[at(i)]);
-    };
-    between(ctx.newton.v, v.v_new, v.dof_count);
-    between(ctx.newton.lambda, v.lambda, ctx.interactions.row_count);
-    base::Array<Cone>& cones = ctx.system.contacts.cones;
-    for (std::size_t k = 0; k < cones.size(); ++k) {
-        Cone& c = cones[k];
-        const double* from = &ctx.newton.contact[6 * k];
-        for (int i = 0; i < 3; ++i) {
-            c.u[i] = from[i] + t * (c.u[i] - from[i]);
-            c.lambda[i] = from[3 + i] + t * (c.lambda[i] - from[3 + i]);
-        }
-        for (int i = 0; i < 3; ++i)
-            c.p[i] = c.lambda[i] + c.s[3 * i] * c.u[0] + c.s[3 * i + 1] * c.u[1] +
-                     c.s[3 * i + 2] * c.u[2];
-    }
-}
-
 /// Choose how far to go from the iterate kept, whose merit was `before`. @return the new merit.
 double search(StepContext& ctx, double before) noexcept {
     double now = merit(ctx, 1.0), best = now, best_t = 1.0, t = 1.0;
@@ -113,14 +66,6 @@ double search(StepContext& ctx, double before) noexcept {
     }
     if (best_t < 1.0) shorten(ctx, best_t);
     return best;
-}
-
-/// Largest relative residual of the law.
-double worst(const StepContext& ctx) noexcept {
-    double largest = 0.0;
-    for (const Cone& c : ctx.system.contacts.cones)
-        largest = std::max(largest, nonsmooth::natural_map(c, ctx.contact_floor));
-    return largest;
 }
 
 /// Newton iterations from the iterate at hand. @param coupling  Of all contacts.
@@ -160,15 +105,18 @@ void reserve_newton(StepContext& ctx, std::size_t contacts) {
     n.gmres.reserve(3 * contacts, kKrylovLimit);
     n.v.resize(at(ctx.bodies.dofs));
     n.lambda.resize(at(ctx.interactions.row_count));
+    n.bounds.resize(3 * contacts);
+    n.limit.resize(contacts);
+    n.touch.resize(contacts);
 }
 
-void linearise_first(StepContext& ctx) noexcept {
+void begin_newton(StepContext& ctx) noexcept {
     for (Cone& c : ctx.system.contacts.cones) c.coupling = Coupling::exact;
     (void)linearise(ctx);
     adopt_laws(ctx, true);
 }
 
-Status solve_contacts(StepContext& ctx) noexcept {
+Status solve_newton(StepContext& ctx) noexcept {
     ctx.newton.iterations = ctx.newton.solves = 0;
     Status status = iterate(ctx, Coupling::exact);
     if (status == Status::not_finite || status == Status::wrong_pivot) {

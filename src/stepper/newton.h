@@ -30,10 +30,9 @@ namespace hawser::stepper {
 void reserve_newton(StepContext& ctx, std::size_t contacts);
 
 /// Linearise about the last step's solution.
-void linearise_first(StepContext& ctx) noexcept;
+void begin_newton(StepContext& ctx) noexcept;
 
-/// Stages 6 and 7 of a world in which something touches; the right-hand side is that of
-/// assemble_rows().
-[[nodiscard]] Status solve_contacts(StepContext& ctx) noexcept;
+/// Stages 6 and 7; the right-hand side is that of assemble_rows().
+[[nodiscard]] Status solve_newton(StepContext& ctx) noexcept;
 
 }  // namespace hawser::stepper

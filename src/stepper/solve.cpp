@@ -109,6 +109,18 @@ double momentum_residual(const StepContext& ctx, const Norms& n) noexcept {
     return std::sqrt(n.momentum) / std::max(std::sqrt(n.impulse), ctx.residual_floor);
 }
 
+Status report(StepContext& ctx, const Norms& n) noexcept {
+    if (!std::isfinite(n.finite) || !std::isfinite(n.momentum)) return Status::not_finite;
+    ctx.stats.momentum_residual = momentum_residual(ctx, n);
+    ctx.stats.constraint_residual = n.constraint;
+    ctx.stats.violation_max = n.gap;
+    ctx.stats.violation_worst = InteractionId{n.gap_id};
+    ctx.stats.stretch_error_max = n.stretch;
+    ctx.step_work = n.work;
+    ctx.step_drag = n.drag;
+    return Status::ok;
+}
+
 /// More corrections while the residual asks for them, then what it is.
 Status finish_solve(StepContext& ctx, const View& v, Norms n) noexcept {
     // Stiff rows on very light bodies need one more; the residual says so.
@@ -122,15 +134,7 @@ Status finish_solve(StepContext& ctx, const View& v, Norms n) noexcept {
         n = correct(ctx, v, false, Next::measure);
         if (!(n.momentum < 0.25 * before.momentum)) break;
     }
-    if (!std::isfinite(n.finite) || !std::isfinite(n.momentum)) return Status::not_finite;
-    ctx.stats.momentum_residual = momentum_residual(ctx, n);
-    ctx.stats.constraint_residual = n.constraint;
-    ctx.stats.violation_max = n.gap;
-    ctx.stats.violation_worst = InteractionId{n.gap_id};
-    ctx.stats.stretch_error_max = n.stretch;
-    ctx.step_work = n.work;
-    ctx.step_drag = n.drag;
-    return Status::ok;
+    return report(ctx, n);
 }
 
 }  // namespace
@@ -261,6 +265,23 @@ Status refine(StepContext& ctx) noexcept {
          [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
     ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
     return finish_solve(ctx, v, correct(ctx, v, false, Next::measure));
+}
+
+Status measure(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    const assembly::Kernels& k = assembly::kernels();
+    std::fill(ctx.norms.begin(), ctx.norms.end(), Norms{});
+    sweep(
+        ctx,
+        [&](int strip) {
+            each(ctx.system.strips.interactions(strip), [&](std::int32_t a, std::int32_t b) {
+                k.row_norms(v, a, b, &ctx.norms[at(strip)]);
+            });
+        },
+        [&](std::int32_t a, std::int32_t b, int norm) {
+            k.body_norms(v, a, b, &ctx.norms[at(norm)]);
+        });
+    return report(ctx, merged(ctx.norms));
 }
 
 }  // namespace hawser::stepper

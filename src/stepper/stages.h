@@ -30,6 +30,8 @@ void assemble_rows(StepContext& ctx) noexcept;
 void continue_with_factor(StepContext& ctx) noexcept;
 /// Refine what newton_solve() found, and measure it.
 [[nodiscard]] Status refine(StepContext& ctx) noexcept;
+/// Measure v₊, λ and row residuals as they stand, found without the matrix.
+[[nodiscard]] Status measure(StepContext& ctx) noexcept;
 /// Stage 7. Tension-only and range rows: switch those whose force or gap has the wrong sign.
 /// @return true if the system must be solved again.
 [[nodiscard]] bool update_active_set(StepContext& ctx, int pass) noexcept;

@@ -2,7 +2,7 @@
 #include "stepper/step.h"
 
 #include "stepper/contact.h"
-#include "stepper/newton.h"
+#include "stepper/nonsmooth.h"
 #include "stepper/stages.h"
 
 #include <algorithm>
@@ -80,6 +80,7 @@ void recall(StepContext& ctx) noexcept {
 
 Status solve_assembled(StepContext& ctx) noexcept {
     Status status = Status::ok;
+    if (ctx.def.nonsmooth == Nonsmooth::pgs) return timed(ctx, Stage::nonsmooth, solve_pgs);
     if (ctx.system.contacts.count() > 0) return timed(ctx, Stage::factor, solve_contacts);
     for (int pass = 0;; ++pass) {
         status = timed(ctx, Stage::factor, factor_and_solve);

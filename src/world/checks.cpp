@@ -72,6 +72,9 @@ void check(const WorldDef& def) {
         refuse(where, "contact_tolerance must be 1e-12 to 1");
     if (def.contact_iterations < 1 || def.contact_iterations > 1000)
         refuse(where, "contact_iterations must be 1 to 1000");
+    if (def.nonsmooth > Nonsmooth::convex) refuse(where, "unknown nonsmooth method");
+    if (def.nonsmooth_sweeps < 1 || def.nonsmooth_sweeps > 100'000)
+        refuse(where, "nonsmooth_sweeps must be 1 to 100000");
     if (!(def.contact_margin >= 1e-6 && def.contact_margin <= 10.0))
         refuse(where, "contact_margin must be 1e-6 to 10 m");
     if (def.threads < 1 || def.threads > 256) refuse(where, "threads must be 1 to 256");

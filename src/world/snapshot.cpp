@@ -144,6 +144,8 @@ std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<I
     value(ctx.def.geometric_stiffness);
     value(ctx.def.rotation_damping);
     value(ctx.def.refinements);
+    value(ctx.def.nonsmooth);
+    value(ctx.def.nonsmooth_sweeps);
     for (const InputDef& input : inputs) {
         array(input.name);
         array(input.param);

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stepper/iterate.h"
+
+#include "nonsmooth/cone.h"
+#include "stepper/stages.h"
+#include "stepper/sweeps.h"
+
+#include <algorithm>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::Contacts;
+using nonsmooth::Cone;
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+void adopt_laws(StepContext& ctx, bool first) noexcept {
+    Contacts& contacts = ctx.system.contacts;
+    for (std::size_t k = 0; k < contacts.count(); ++k) {
+        Cone& c = contacts.cones[k];
+        const nonsmooth::Law& law = ctx.newton.laws[k];
+        contacts.changed[k] = first || !std::equal(law.s, law.s + 9, c.s) ? 1 : 0;
+        std::copy_n(law.s, 9, c.s);
+        std::copy_n(law.p, 3, c.p);
+    }
+    contacts.mark_blocks();
+    over(ctx, static_cast<std::int32_t>(contacts.blocks.size()),
+         [&](std::int32_t a, std::int32_t b) { contacts.write_blocks(a, b); });
+}
+
+void keep_iterate(StepContext& ctx) noexcept {
+    const assembly::View v = view(ctx);
+    std::copy_n(v.v_new, v.dof_count, ctx.newton.v.begin());
+    std::copy_n(v.lambda, ctx.interactions.row_count, ctx.newton.lambda.begin());
+    const base::Array<Cone>& cones = ctx.system.contacts.cones;
+    for (std::size_t k = 0; k < cones.size(); ++k) {
+        std::copy_n(cones[k].u, 3, &ctx.newton.contact[6 * k]);
+        std::copy_n(cones[k].lambda, 3, &ctx.newton.contact[6 * k + 3]);
+    }
+}
+
+void shorten(StepContext& ctx, double t) noexcept {
+    const assembly::View v = view(ctx);
+    auto between = [&](const std::vector<double>& from, double* to, std::int32_t n) {
+        for (std::int32_t i = 0; i < n; ++i) to[i] = from[at(i)] + t * (to[i] - from[at(i)]);
+    };
+    between(ctx.newton.v, v.v_new, v.dof_count);
+    between(ctx.newton.lambda, v.lambda, ctx.interactions.row_count);
+    base::Array<Cone>& cones = ctx.system.contacts.cones;
+    for (std::size_t k = 0; k < cones.size(); ++k) {
+        Cone& c = cones[k];
+        const double* from = &ctx.newton.contact[6 * k];
+        for (int i = 0; i < 3; ++i) {
+            c.u[i] = from[i] + t * (c.u[i] - from[i]);
+            c.lambda[i] = from[3 + i] + t * (c.lambda[i] - from[3 + i]);
+        }
+        for (int i = 0; i < 3; ++i)
+            c.p[i] = c.lambda[i] + c.s[3 * i] * c.u[0] + c.s[3 * i + 1] * c.u[1] +
+                     c.s[3 * i + 2] * c.u[2];
+    }
+}
+
+double worst(const StepContext& ctx) noexcept {
+    double largest = 0.0;
+    for (const Cone& c : ctx.system.contacts.cones)
+        largest = std::max(largest, nonsmooth::natural_map(c, ctx.contact_floor));
+    return largest;
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+// Laws of one contact: projections, natural maps, derivatives against differences.
+#include "nonsmooth/cone.h"
+#include "nonsmooth/associated.h"
+#include "support/random.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hawser::nonsmooth {
+namespace {
+
+using test::Random;
+
+Cone random_cone(Random& random) {
+    Cone c{};
+    c.sigma_n = std::pow(10.0, random.uniform(-6, -2));
+    c.sigma_t = c.sigma_n * random.uniform(0.5, 2.0);
+    c.mobility = std::pow(10.0, random.uniform(-4, 0));
+    c.friction = random.uniform(0.05, 1.5);
+    for (int i = 0; i < 3; ++i) {
+        c.b[i] = random.uniform(-1e-2, 1e-2);
+        c.u[i] = random.uniform(-1e-1, 1e-1);
+        c.lambda[i] = random.uniform(-1.0, 1.0) / c.mobility * 0.05;
+    }
+    return c;
+}
+
+double norm_of(const double* a, const double* b) {
+    double s = 0.0;
+    for (int i = 0; i < 3; ++i) s += (a[i] - b[i]) * (a[i] - b[i]);
+    return std::sqrt(s);
+}
+
+TEST(Project, GivesTheNearestPointOfTheCone) {
+    Random random(1);
+    for (int trial = 0; trial < 2000; ++trial) {
+        const double mu = trial % 10 == 0 ? 0.0 : random.uniform(0.0, 2.0);
+        double y[3], p[3], again[3];
+        for (double& v : y) v = random.uniform(-3, 3);
+        std::copy_n(y, 3, p);
+        project(mu, p);
+        ASSERT_GE(p[0], 0.0);
+        ASSERT_LE(std::hypot(p[1], p[2]), mu * p[0] + 1e-14);
+        std::copy_n(p, 3, again);
+        project(mu, again);
+        ASSERT_LE(norm_of(p, again), 1e-14);
+        // Nearest: ⟨y − p, z − p⟩ ≤ 0 for every z of the cone.
+        for (int other = 0; other < 20; ++other) {
+            const double n = random.uniform(0, 4), a = random.uniform(0, 6.3),
+                         r = mu * n * random.unit();
+            const double z[3] = {n, r * std::cos(a), r * std::sin(a)};
+            double dot = 0.0;
+            for (int i = 0; i < 3; ++i) dot += (y[i] - p[i]) * (z[i] - p[i]);
+            ASSERT_LE(dot, 1e-12);
+        }
+    }
+}
+
+/// λ and u that satisfy Coulomb's law exactly, with a given status.
+void make_solution(Cone& c, Touch touch, Random& random) {
+    const double n = touch == Touch::open ? 0.0 : random.uniform(0.1, 10.0);
+    const double angle = random.uniform(0, 6.28), x = std::cos(angle), y = std::sin(angle);
+    const double radius = c.friction * n * (touch == Touch::stick ? random.uniform(0, 0.95) : 1.0);
+    const double slip = touch == Touch::slip ? random.uniform(1e-3, 1.0) : 0.0;
+    const double apart = touch == Touch::open ? random.uniform(1e-3, 1.0) : 0.0;
+    c.lambda[0] = n;
+    c.lambda[1] = -radius * x;
+    c.lambda[2] = -radius * y;
+    const double r[3] = {apart, slip * x, slip * y};
+    for (int i = 0; i < 3; ++i)
+        c.u[i] = r[i] + c.b[i] - (i == 0 ? c.sigma_n : c.sigma_t) * c.lambda[i];
+}
+
+TEST(NaturalMap, VanishesExactlyWhereTheLawHolds) {
+    Random random(2);
+    for (int trial = 0; trial < 3000; ++trial) {
+        Cone c = random_cone(random);
+        make_solution(c, static_cast<Touch>(trial % 3), random);
+        double e[3];
+        residual(c, c.u, c.lambda, e);
+        ASSERT_LE(natural_map(c, 1e-9), 1e-11) << trial;
+        ASSERT_LE(std::hypot(e[0], e[1], e[2]), 1e-11 * (1.0 + c.lambda[0])) << trial;
+        // And nowhere else: an impulse that is off by a tenth shows.
+        if (trial % 3 == 0) continue;
+        const double change = 0.1 * c.lambda[0];
+        c.lambda[trial % 2] += change;
+        c.u[trial % 2] += c.mobility * change;  // what the point would answer
+        ASSERT_GE(natural_map(c, 1e-9), 1e-3) << trial;
+    }
+}
+
+TEST(NaturalMap, DoesNotDependOnUnits) {
+    Random random(3);
+    for (int trial = 0; trial < 500; ++trial) {
+        Cone c = random_cone(random), d = c;
+        const double mass = 1e5, speed = 1e-2;  // λ scales with both, Σ and W with 1/mass
+        d.sigma_n /= mass;
+        d.sigma_t /= mass;
+        d.mobility /= mass;
+        for (int i = 0; i < 3; ++i) {
+            d.b[i] *= speed;
+            d.u[i] *= speed;
+            d.lambda[i] *= mass * speed;
+        }
+        ASSERT_NEAR(natural_map(c, 1e-12), natural_map(d, 1e-12 * mass * speed), 1e-12);
+    }
+}
+
+/// The linear law touches the nonlinear one: P(y(u, λ)) − (p − S u) has the tangent that Newton's
+/// equation says. by_velocity: P depends on u alone, so −S is its derivative.
+TEST(Linearise, IsTheDerivativeByVelocity) {
+    Random random(4);
+    int seen[3] = {};
+    for (int trial = 0; trial < 3000; ++trial) {
+        Cone c = random_cone(random);
+        c.coupling = Coupling::exact;
+        Touch touch{}, other{};
+        const Law law = linearise(c, Scaling::by_velocity, touch);
+        const double step = 1e-7;
+        for (int j = 0; j < 3; ++j) {
+            double value[2][3];
+            bool same = true;
+            for (int side = 0; side < 2; ++side) {
+                Cone d = c;
+                d.u[j] += side == 0 ? -step : step;
+                const Law at = linearise(d, Scaling::by_velocity, other);
+                same = same && other == touch;
+                for (int i = 0; i < 3; ++i) {
+                    value[side][i] = at.p[i];
+                    for (int k = 0; k < 3; ++k) value[side][i] -= at.s[3 * i + k] * d.u[k];
+                }
+            }
+            if (!same) continue;
+            ++seen[static_cast<int>(touch)];
+            for (int i = 0; i < 3; ++i)
+                ASSERT_NEAR((value[1][i] - value[0][i]) / (2 * step), -law.s[3 * i + j],
+                            1e-4 / c.sigma_t)
+                    << trial << " row " << i << " column " << j;
+        }
+    }
+    for (const int count : seen) EXPECT_GT(count, 100);
+}
+
+TEST(Linearise, KeepsASolutionWhateverTheScaling) {
+    Random random(5);
+    for (int trial = 0; trial < 3000; ++trial) {
+        Cone c = random_cone(random);
+        const Touch wanted = static_cast<Touch>(trial % 3);
+        make_solution(c, wanted, random);
+        for (const Coupling coupling : {Coupling::exact, Coupling::lagged}) {
+            c.coupling = coupling;
+            Touch touch{};
+            const Law law = linearise(c, Scaling::by_mobility, touch);
+            ASSERT_EQ(touch, wanted);
+            for (int i = 0; i < 3; ++i) {
+                double lambda = law.p[i], size = std::fabs(law.p[i]) + 1e-3;
+                for (int k = 0; k < 3; ++k) {
+                    lambda -= law.s[3 * i + k] * c.u[k];
+                    size += std::fabs(law.s[3 * i + k] * c.u[k]);
+                }
+                // Rounding of the terms, which are large where Σ is small.
+                ASSERT_NEAR(lambda, c.lambda[i], 1e-12 * size + 1e-12 * c.lambda[0]) << trial;
+            }
+        }
+    }
+}
+
+TEST(Associated, DerivativeIsSymmetricPositiveAndRight) {
+    Random random(6);
+    int seen[3] = {};
+    for (int trial = 0; trial < 3000; ++trial) {
+        Cone c = random_cone(random);
+        Touch touch{}, other{};
+        const Law law = linearise_associated(c, touch);
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                ASSERT_NEAR(law.s[3 * i + j], law.s[3 * j + i], 1e-12 / c.sigma_t);
+        double x[3], quadratic = 0.0;
+        for (double& v : x) v = random.uniform(-1, 1);
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) quadratic += x[i] * law.s[3 * i + j] * x[j];
+        ASSERT_GE(quadratic, -1e-10 / c.sigma_t);
+        const double step = 1e-7;
+        for (int j = 0; j < 3; ++j) {
+            double low[3], high[3];
+            Cone d = c;
+            d.u[j] -= step;
+            (void)linearise_associated(d, other);
+            if (other != touch) continue;
+            associated_impulse(c, d.u, low);
+            d.u[j] += 2 * step;
+            (void)linearise_associated(d, other);
+            if (other != touch) continue;
+            associated_impulse(c, d.u, high);
+            ++seen[static_cast<int>(touch)];
+            for (int i = 0; i < 3; ++i)
+                ASSERT_NEAR((high[i] - low[i]) / (2 * step), -law.s[3 * i + j], 1e-4 / c.sigma_t);
+        }
+    }
+    for (const int count : seen) EXPECT_GT(count, 100);
+}
+
+TEST(Associated, MinimisesItsFunction) {
+    Random random(7);
+    for (int trial = 0; trial < 500; ++trial) {
+        const Cone c = random_cone(random);
+        double lambda[3];
+        associated_impulse(c, c.u, lambda);
+        auto value = [&](const double* l) {
+            double s = 0.0;
+            for (int i = 0; i < 3; ++i)
+                s +=
+                    0.5 * (i == 0 ? c.sigma_n : c.sigma_t) * l[i] * l[i] - l[i] * (c.b[i] - c.u[i]);
+            return s;
+        };
+        const double least = value(lambda);
+        const double size = std::fabs(lambda[0]) + 1.0;
+        for (int other = 0; other < 50; ++other) {
+            double z[3] = {lambda[0] + random.uniform(-1, 1) * size,
+                           lambda[1] + random.uniform(-1, 1) * size,
+                           lambda[2] + random.uniform(-1, 1) * size};
+            project(c.friction, z);
+            ASSERT_LE(least, value(z) + 1e-12 * (std::fabs(least) + c.sigma_n * size * size));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace hawser::nonsmooth
