@@ -65,7 +65,8 @@ Motion motion_of(const World& world) {
 /// The scene as it stands, at rest, with drag on every body that would stop it alone within
 /// `stop_time`. Drag is implicit in the step and takes nothing from the equilibrium, which has
 /// no motion. (Scaling or zeroing velocities between steps instead makes stiff rows unstable:
-/// the scheme keeps half of their force in the velocity of the step before.)
+/// the scheme keeps half of their force in the velocity of the step before.) Contacts forget what
+/// friction held, so that a scene settles to where little friction is needed.
 World with_drag(const World& from, double stop_time) {
     World world(from.settings());
     for (std::int32_t i = 0; i < from.body_count(); ++i) {
@@ -93,6 +94,10 @@ World with_drag(const World& from, double stop_time) {
         }
         world.add_interaction(def);
     }
+    for (std::int32_t i = 1; i < from.material_count(); ++i)
+        world.add_material(from.material_def({i}));  // 0, the default, is there
+    for (const MaterialPairDef& pair : from.material_pairs()) world.add_material_pair(pair);
+    for (std::int32_t i = 0; i < from.shape_count(); ++i) world.add_shape(from.shape_def({i}));
     return world;
 }
 

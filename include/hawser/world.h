@@ -119,6 +119,8 @@ class World {
     [[nodiscard]] int material_count() const noexcept;
     [[nodiscard]] const MaterialDef& material_def(MaterialId id) const;
     [[nodiscard]] MaterialId find_material(std::string_view name) const noexcept;
+    /// As added, in that order.
+    [[nodiscard]] std::span<const MaterialPairDef> material_pairs() const noexcept;
     [[nodiscard]] int shape_count() const noexcept;
     [[nodiscard]] const ShapeDef& shape_def(ShapeId id) const;  ///< As added.
     [[nodiscard]] ShapeId find_shape(std::string_view name) const noexcept;

@@ -47,6 +47,9 @@ const MaterialDef& World::material_def(MaterialId id) const {
 MaterialId World::find_material(std::string_view name) const noexcept {
     return MaterialId{lookup(impl_->material_names, name)};
 }
+std::span<const MaterialPairDef> World::material_pairs() const noexcept {
+    return impl_->ctx.collider.materials.pairs();
+}
 int World::shape_count() const noexcept { return impl_->ctx.collider.count(); }
 const ShapeDef& World::shape_def(ShapeId id) const {
     return impl_->shape_defs[index_of(id.index, shape_count(), "shape")];
