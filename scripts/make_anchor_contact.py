@@ -37,6 +37,7 @@ DECK_Z, ROLLER_AT, ROLLER_R = 1.2, (-40.0, -0.2), 1.75
 WINCH_X, WIRE_D = -8.0, 0.076
 WIRE_Z = ROLLER_AT[1] + ROLLER_R + WIRE_D / 2
 DECK_K = 1e7
+PIN_X, PIN_R, WORK_Y, TOW_Y = -37.0, 0.15, 1.0, -1.75  # guide pins, two to a wire
 FLAKE, ROWS, PITCH = 20, 5, 1.2  # elements of a flake, flakes, length of an element
 BARGE, BARGE_HALF, FENDER_K, FENDER_R = 2.0e6, (30.0, 7.0, 3.0), 1e6, 0.6
 PRESS = 2e5  # barge on fenders [N]
@@ -139,6 +140,13 @@ def handler(template):
          "half_size": [20, 8, 0.5], "material": "deck", "groups": "ship"},
         {"kind": "box", "name": "side", "half_size": [35, 9, 3], "material": "deck",
          "groups": "side", "touches": "fenders"}]
+    for line, y in (("work", WORK_Y), ("tow", TOW_Y)):
+        body["hull"]["shapes"] += [
+            {"kind": "capsule", "name": f"{line}_pin{k + 1}", "radius": PIN_R, "length": 2,
+             "axis": "z", "position": [PIN_X, y + s * (PIN_R + WIRE_D / 2 + 0.01), WIRE_Z],
+             "material": "roller", "groups": "ship"} for k, s in enumerate((-1, 1))]
+    body["hull"]["force"] = ["${thrust}", "${side}", 0]
+    t["parameters"]["side"] = 0
     body["roller"]["shapes"] = [{"kind": "cylinder", "radius": ROLLER_R, "length": 6, "axis": "y",
                                  "material": "roller", "groups": "ship"}]
     sunk = ANCHOR * G / (4 * DECK_K)
@@ -251,6 +259,13 @@ def materials():
         pair("fender", "deck", 0.3, FENDER_K)]
 
 
+def with_handler(instance):
+    if instance["template"] != "ahts":
+        return instance
+    side = {"side": PRESS} if instance["name"] == "ahts1" else {}
+    return instance | {"template": "handler", "parameters": instance["parameters"] | side}
+
+
 def main():
     scene = json.loads((ROOT / "anchor_lines.json").read_text())
     state = json.loads((ROOT / "anchor_lines.settled.json").read_text())["bodies"]
@@ -285,8 +300,7 @@ def main():
         "templates": {"handler": handler(template)},
         "bodies": scene["bodies"] + [seabed, alongside] + anchors,
         "interactions": scene["interactions"] + [water] + interactions,
-        "instances": [i | ({"template": "handler"} if i["template"] == "ahts" else {})
-                      for i in scene["instances"]],
+        "instances": [with_handler(i) for i in scene["instances"]],
         "cables": cables,
         "plot": {"tensions": ["mooring1", "chain1", "work1", "tow1"],
                  "motions": ["rig", "ahts1/hull", "barge"]},

@@ -112,6 +112,10 @@ struct LaneRows {
             for (int l = 0; l < kLanes; ++l) {
                 view.g[row[l] + r] = lane(rows.g[r], l);
                 view.c[row[l] + r] = lane(c, l);
+                if (view.flags[id[l]] & 1) {
+                    view.c[row[l] + r] += when_slack(lane(rows.g[r], l), lane(speed, l),
+                                                     view.upsilon[row[l] + r], view.h);
+                }
             }
         }
     }

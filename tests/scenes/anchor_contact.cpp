@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sizes and first seconds of the frozen scene anchor_contact.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "scene/scene.h"
+
+namespace hawser {
+namespace {
+
+TEST(AnchorContact, StartsSettledAndCertified) {
+    scene::Scene scene = scene::load_file("scenes/anchor_contact.json");
+    World& world = scene.world;
+    EXPECT_GE(world.interaction_count(), 3000);
+    int least = 1 << 30;
+    double map = 0.0, violation = 0.0;
+    for (int i = 0; i < 120; ++i) {
+        ASSERT_EQ(world.step(), Status::ok) << "step " << i;
+        const StepStats& stats = world.stats();
+        least = std::min(least, stats.contacts);
+        map = std::max(map, stats.natural_map);
+        violation = std::max(violation, stats.violation_max);
+    }
+    EXPECT_GE(least, 1000);
+    EXPECT_LE(map, 1e-6);        // What the solver promises of every step.
+    EXPECT_LE(violation, 1e-3);  // Compliance times force of the joints.
+    EXPECT_EQ(world.stats().islands, 1);
+    EXPECT_GE(world.stats().equations + 3 * least, 9500);
+    double fastest = 0.0;
+    for (int i = 0; i < world.body_count(); ++i) {
+        if (world.body_def({i}).kind != BodyKind::scalar) {
+            fastest = std::max(fastest, world.velocity({i}).linear.norm());
+        }
+    }
+    EXPECT_LT(fastest, 0.05);  // Friction takes up its load anew at the start.
+}
+
+}  // namespace
+}  // namespace hawser
