@@ -8,6 +8,7 @@
 #include "support/recipe.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 
 #include <cmath>
 
@@ -231,6 +232,12 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
             out.c[row] = velocity ? s.g[r] - prescribed
                                   : ups * (out.g.row(row) * v + prescribed) -
                                         4.0 / h * ups * s.g[r] - prescribed;
+            if (in.flags[i] & model::kOneSided) {
+                // x̄₋, where the line was half a step ago: slack is 0 in the mean (x̄₋ + x̄₊)/2.
+                const double before = s.g[r] - 0.5 * h * (out.g.row(row) * v + prescribed);
+                const double mean = 4.0 / h * ups;  // factor of x̄ in c
+                out.c[row] += mean * 0.5 * std::min(before, 0.0);
+            }
         }
         if (!idle) add_geometry(ctx, id, s, out);
     }

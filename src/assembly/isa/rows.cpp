@@ -167,8 +167,7 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
                 view.c[row + r] =
                     ups * (speed[r] + prescribed[r] - inv_h4 * rows.g[r]) - prescribed[r];
                 if (view.flags[id] & 1) {
-                    view.c[row + r] +=
-                        when_slack(rows.g[r], speed[r] + prescribed[r], ups, view.h);
+                    view.c[row + r] += when_slack(rows.g[r], speed[r] + prescribed[r], ups, view.h);
                 }
             }
         }
