@@ -89,7 +89,12 @@ TEST(NaturalMap, VanishesExactlyWhereTheLawHolds) {
         const double change = 0.1 * c.lambda[0];
         c.lambda[trial % 2] += change;
         c.u[trial % 2] += c.mobility * change;  // what the point would answer
-        ASSERT_GE(natural_map(c, 1e-9), 1e-3) << trial;
+        // Relative to λ or to the impulse that would stop the point, whichever is larger.
+        const double rho = 1.0 / (c.mobility + std::max(c.sigma_n, c.sigma_t));
+        double size = std::hypot(c.lambda[0], c.lambda[1], c.lambda[2]), q[3];
+        for (int i = 0; i < 3; ++i) q[i] = rho * (c.u[i] - c.b[i] - c.mobility * c.lambda[i]);
+        size = std::max(size, std::hypot(q[0], q[1], q[2]));
+        ASSERT_GE(natural_map(c, 1e-9), 0.1 * change / size) << trial;
     }
 }
 
