@@ -53,11 +53,12 @@ HAWSER_INLINE V8 select_greater(const V8& a, const V8& b, const V8& x, const V8&
 }
 // Not _mm512_sqrt_pd: g++ 12 warns falsely inside it.
 HAWSER_INLINE V8 root(const V8& v) { return _mm512_maskz_sqrt_pd(0xff, v); }
-/// Lanes whose pivot has the wrong sign or is not finite get the sign itself.
-/// @return 1 in those lanes.
+/// Lanes whose pivot has the wrong sign or is not finite get the sign itself; kKeep: those that are
+/// finite and not zero stay. @return 1 in lanes of the wrong sign, or not finite.
+template <bool kKeep>
 HAWSER_INLINE V8 fix_pivot(V8& d, double sign) {
-    const I8 good = (d * sign > 0.0) & (d - d == 0.0);
-    d = good ? d : V8{} + sign;
+    const I8 finite = d - d == 0.0, good = (d * sign > 0.0) & finite;
+    d = (kKeep ? (d != 0.0) & finite : good) ? d : V8{} + sign;
     return good ? V8{} : V8{} + 1.0;
 }
 /// x[index] lane by lane; 0 where the index is negative.
@@ -182,11 +183,14 @@ HAWSER_INLINE V8 operator/(double s, const V8& v) {
     return o;
 }
 HAWSER_INLINE V8 reciprocal(const V8& v) { return 1.0 / v; }
+template <bool kKeep>
 HAWSER_INLINE V8 fix_pivot(V8& d, double sign) {
     V8 bad;
     for (int i = 0; i < kParts; ++i) {
-        const PartMask good = (d.part[i] * sign > 0.0) & (d.part[i] - d.part[i] == 0.0);
-        d.part[i] = good ? d.part[i] : Part{} + sign;
+        const PartMask finite = d.part[i] - d.part[i] == 0.0;
+        const PartMask good = (d.part[i] * sign > 0.0) & finite;
+        const PartMask keep = kKeep ? (d.part[i] != 0.0) & finite : good;
+        d.part[i] = keep ? d.part[i] : Part{} + sign;
         bad.part[i] = good ? Part{} : Part{} + 1.0;
     }
     return bad;

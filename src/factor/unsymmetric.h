@@ -23,11 +23,11 @@
 /// correct values() and upper() where the blocks are unsymmetric;
 /// numeric.factor(symbolic, executor, &unsymmetric); numeric.solve(symbolic, x, executor);
 /// ```
-/// There is no pivoting: the caller knows the sign of each pivot (Symbolic::sign), and where one
-/// comes out otherwise, Numeric::wrong_nodes() says at which nodes. All signs are right if K, with
-/// the lines of negative nodes turned over, has a positive definite symmetric part; strong
-/// friction can spoil that, and that of stiff contacts does so sooner where it is condensed onto
-/// bodies than as a node of its own (docs/methods.md).
+/// There is no pivoting. Numeric::wrong_nodes() says at which nodes a pivot has not the sign that
+/// Symbolic::sign tells, which strong friction does: a sliding contact whose normal leans against
+/// the axes by more than its friction angle leaves a negative first pivot in a body's block that
+/// is regular as a whole. Such a pivot is used as it is unless it is zero; what digits it costs,
+/// refinement on the residual restores.
 ///
 /// The arithmetic of the lower half of an unsymmetric front with symmetric values is that of
 /// LDLᵀ: it gives the same bits.

@@ -83,7 +83,7 @@ Status iterate(StepContext& ctx, Coupling coupling) noexcept {
         }
         const double now = it > 0 ? search(ctx, before) : 0.0;
         if (!std::isfinite(now)) return Status::not_finite;
-        again = update_active_set(ctx, it);
+        again = update_active_set(ctx, it, ctx.def.contact_iterations - 1);
         ctx.stats.natural_map = worst(ctx);
         if (!std::isfinite(ctx.stats.natural_map)) return Status::not_finite;
         const bool solved = ctx.stats.natural_map <= ctx.def.contact_tolerance && !again;

@@ -86,6 +86,25 @@ void prepare(StepContext& ctx) {
 
 void prestep(StepContext&) noexcept {}
 
+/// A line that was slack comes taut within a step: the midpoint rule would take from the motion
+/// what it has no store for, and the line would throw back more than hit it. It starts with the
+/// damping of a constraint, two steps.
+void ease_taut_lines(StepContext& ctx) noexcept {
+    model::Interactions& in = ctx.interactions;
+    const double h = ctx.def.step;
+    for (const std::int32_t id : ctx.system.one_sided) {
+        if (!(in.flags[at(id)] & model::kOneSided)) continue;
+        const auto row = at(in.row_begin[at(id)]);
+        if (in.epsilon[row] == 0.0) continue;
+        const double tau = in.active[at(id)] != 0.0 ? in.tau[row] : std::max(in.tau[row], 2.0 * h);
+        const double upsilon = 1.0 / (1.0 + 4.0 * tau / h);
+        if (upsilon == in.upsilon[row]) continue;
+        in.upsilon[row] = upsilon;
+        in.sigma[row] = 4.0 * in.epsilon[row] * upsilon / (h * h);
+        if (in.inv_sigma[row] != 0.0) in.inv_sigma[row] = 1.0 / in.sigma[row];
+    }
+}
+
 void evaluate_rows(StepContext& ctx) noexcept {
     const View v = view(ctx);
     auto strip = [&](int i, int) noexcept { evaluate_strip(ctx, v, i); };
@@ -95,6 +114,7 @@ void evaluate_rows(StepContext& ctx) noexcept {
 void assemble_rows(StepContext& ctx) noexcept {
     const View v = view(ctx);
     const assembly::Kernels& k = assembly::kernels();
+    ease_taut_lines(ctx);
     sweep(
         ctx,
         [&](int strip) {
@@ -109,9 +129,12 @@ void assemble_rows(StepContext& ctx) noexcept {
     ctx.rhs_ready = true;
 }
 
-bool update_active_set(StepContext& ctx, int pass) noexcept {
+bool update_active_set(StepContext& ctx, int pass, int limit) noexcept {
     const View v = view(ctx);
-    constexpr int kMaxPasses = 6;
+    // All that ask for it are switched at first; then, since two may go on switching each other for
+    // ever, the first one only (K. G. Murty's least index rule, which ends).
+    constexpr int kTogether = 6;
+    const bool last = pass >= limit;
     std::int32_t flips = 0;
     for (std::int32_t id : ctx.system.one_sided) {
         if (v.parted[id]) continue;
@@ -122,20 +145,20 @@ bool update_active_set(StepContext& ctx, int pass) noexcept {
         const double pull = range && v.g[row] < 0.0 ? -1.0 : 1.0;
         if (v.active[id] != 0.0) {
             if (pull * v.lambda[row] <= 0.0) continue;
-            if (pass < kMaxPasses) {
+            if (!last) {
                 v.active[id] = 0.0;
                 v.lambda[row] = 0.0;
             }
         } else {
             if (pull * (v.c[row] - row_speed(v, id)) >= 0.0) continue;
-            // Switching back and forth ends at kMaxPasses and shows in flips_left.
-            if (pass < kMaxPasses) v.active[id] = 1.0;
+            if (!last) v.active[id] = 1.0;
         }
         ++flips;
+        if (pass >= kTogether && !last) break;
     }
     if (flips > 0) ctx.rhs_ready = false;
-    ctx.stats.flips_left = pass < kMaxPasses ? 0 : flips;
-    return flips > 0 && pass < kMaxPasses;
+    ctx.stats.flips_left = last ? flips : 0;
+    return flips > 0 && !last;
 }
 
 void integrate(StepContext& ctx) noexcept {

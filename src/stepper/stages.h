@@ -34,7 +34,8 @@ void continue_with_factor(StepContext& ctx) noexcept;
 [[nodiscard]] Status measure(StepContext& ctx) noexcept;
 /// Stage 7. Tension-only and range rows: switch those whose force or gap has the wrong sign.
 /// @return true if the system must be solved again.
-[[nodiscard]] bool update_active_set(StepContext& ctx, int pass) noexcept;
+/// Pass `limit` switches nothing.
+[[nodiscard]] bool update_active_set(StepContext& ctx, int pass, int limit) noexcept;
 /// Stage 8. Poses, velocities, forces, line breaks, energy bookkeeping, time.
 void integrate(StepContext& ctx) noexcept;
 

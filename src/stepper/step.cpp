@@ -79,14 +79,16 @@ void recall(StepContext& ctx) noexcept {
 }
 
 Status solve_assembled(StepContext& ctx) noexcept {
+    constexpr int kMostPasses = 20;  // what then still switches shows in flips_left
     Status status = Status::ok;
     if (ctx.def.nonsmooth == Nonsmooth::pgs) return timed(ctx, Stage::nonsmooth, solve_pgs);
     if (ctx.system.contacts.count() > 0) return timed(ctx, Stage::factor, solve_contacts);
     for (int pass = 0;; ++pass) {
         status = timed(ctx, Stage::factor, factor_and_solve);
         if (status != Status::ok) return status;
-        const bool again = timed(ctx, Stage::nonsmooth,
-                                 [&](StepContext& c) { return update_active_set(c, pass); });
+        const bool again = timed(ctx, Stage::nonsmooth, [&](StepContext& c) {
+            return update_active_set(c, pass, kMostPasses);
+        });
         if (!again) return status;
     }
 }

@@ -52,7 +52,7 @@ inline void factor_columns(const Columns<kSides> m, int c, int n, V8& bad) {
         }
         for (int j = 0; j < N; ++j) {
             V8 d = a[0][j][j];
-            const V8 wrong = fix_pivot(d, m.sign[c + j]);
+            const V8 wrong = fix_pivot < kSides == 2 > (d, m.sign[c + j]);
             if constexpr (kSides == 2) mark_wrong(m, c + j, wrong);
             bad += wrong;
             inverse[j] = reciprocal(d);

@@ -70,8 +70,9 @@ inline int factor_block(const Trapezoid<kSides> t, int k0) {
         // The sign is known, see Symbolic::sign. !(…) also catches NaN.
         if (!(d * t.sign[k0 + c] > 0.0) || d - d != 0.0) {
             ++wrong;
-            d = t.sign[k0 + c];
             if constexpr (kSides == 2) t.wrong[k0 + c] = 1;
+            // See unsymmetric.h: there the other sign may be right.
+            if (kSides == 1 || d == 0.0 || d - d != 0.0) d = t.sign[k0 + c];
         }
         inverse[c] = 1.0 / d;
         t.pivot[k0 + c] = inverse[c];
