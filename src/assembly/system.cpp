@@ -168,6 +168,9 @@ void System::build_incidence(const model::Bodies& bodies, const model::Interacti
 void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
                           const WorldDef& def) {
     kept_.assign(at(in.count()), 0);
+    one_sided_mobility.clear();
+    for (const std::int32_t id : one_sided)
+        one_sided_mobility.push_back(mobility(bodies, in, id, 0));
     const double h = def.step;
     for (int i = 0; i < in.count(); ++i) {
         bool keep = def.form == Form::saddle;

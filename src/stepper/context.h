@@ -45,9 +45,10 @@ class EventRing {
 
 /// Scratch of the solve for contacts, see newton.h.
 struct Newton {
-    std::vector<double> v, lambda;     ///< v₊, λ where an iteration began.
-    std::vector<double> contact;       ///< u and λ of contacts there, six a contact.
-    std::vector<nonsmooth::Law> laws;  ///< Of each contact, about the iterate.
+    std::vector<double> v, lambda;       ///< v₊, λ where an iteration began.
+    std::vector<double> contact;         ///< u and λ of contacts there, six a contact.
+    std::vector<double> line, line_end;  ///< λ and r of one-sided rows, see lines.h.
+    std::vector<nonsmooth::Law> laws;    ///< Of each contact, about the iterate.
     nonsmooth::Gmres gmres;
     std::vector<double> x, u;              ///< Three a contact.
     std::vector<nonsmooth::Bound> bounds;  ///< Three a contact, of method pivoting.
@@ -56,7 +57,6 @@ struct Newton {
     /// See gauss_seidel.h: of bodies; G M⁻¹ Gᵀ of rows, J M⁻¹ Jᵀ of contacts [1/kg].
     std::vector<double> inverse_mass, row_mobility, mobility;
     std::int32_t iterations = 0, solves = 0;
-    std::uint64_t factored_rows = 0;  ///< Which one-sided rows were active in the matrix: hash.
 };
 
 struct StepContext {

@@ -4,6 +4,7 @@
 #include "stepper/contact.h"
 #include "stepper/iterate.h"
 #include "stepper/krylov.h"
+#include "stepper/lines.h"
 #include "stepper/stages.h"
 #include "stepper/sweeps.h"
 
@@ -20,6 +21,8 @@ using nonsmooth::Coupling;
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 constexpr int kHalvings = 2;    ///< More make the iterates creep; some steps then never end.
+constexpr double kSlow = 0.25;  ///< Merit left after an iteration that asks for a factorisation.
+constexpr int kSwitching = 12;  ///< Iterations in which slack lines may still switch.
 constexpr int kKrylovFrom = 2;  ///< First iteration that may do without a factorisation.
 
 /// Linear laws of all contacts about the iterate. @return contacts whose status changed.
@@ -37,7 +40,7 @@ std::int32_t linearise(StepContext& ctx) noexcept {
 
 /// Σ (W + Σ) ‖λ − P‖² over contacts, a share t of the way: an energy [J].
 double merit(const StepContext& ctx, double t) noexcept {
-    double sum = 0.0;
+    double sum = lines_merit(ctx, t);
     const base::Array<Cone>& cones = ctx.system.contacts.cones;
     for (std::size_t k = 0; k < cones.size(); ++k) {
         const Cone& c = cones[k];
@@ -54,8 +57,13 @@ double merit(const StepContext& ctx, double t) noexcept {
     return sum;
 }
 
-/// Choose how far to go from the iterate kept, whose merit was `before`. @return the new merit.
-double search(StepContext& ctx, double before) noexcept {
+/// How far to go from an iterate, and what its merit is there.
+struct Way {
+    double share = 1.0, merit = 0.0;
+};
+
+/// Choose how far to go from the iterate kept, whose merit was `before`.
+Way search(StepContext& ctx, double before) noexcept {
     double now = merit(ctx, 1.0), best = now, best_t = 1.0, t = 1.0;
     for (int k = 0; k < kHalvings && !(now <= before * (1.0 - 1e-4 * t)); ++k) {
         t *= 0.5;
@@ -65,30 +73,34 @@ double search(StepContext& ctx, double before) noexcept {
         best_t = t;
     }
     if (best_t < 1.0) shorten(ctx, best_t);
-    return best;
+    return {best_t, best};
 }
 
 /// Newton iterations from the iterate at hand. @param coupling  Of all contacts.
 Status iterate(StepContext& ctx, Coupling coupling) noexcept {
     for (Cone& c : ctx.system.contacts.cones) c.coupling = coupling;
-    bool again = false;
+    bool again = false, slow = false;
     double before = 0.0;
     for (int it = 0;; ++it) {
         ++ctx.newton.iterations;
-        if (it == 0 || again || it < kKrylovFrom || !find_impulses(ctx)) {
+        if (it < kKrylovFrom || again || slow || !find_impulses(ctx)) {
             if (it > 0) adopt_laws(ctx, false);
-            if (const Status s = newton_solve(ctx, it == 0); s != Status::ok) return s;
+            if (const Status s = newton_solve(ctx, it == 0, it == 0 || again); s != Status::ok)
+                return s;
         } else {
             continue_with_factor(ctx);
         }
-        const double now = it > 0 ? search(ctx, before) : 0.0;
-        if (!std::isfinite(now)) return Status::not_finite;
-        again = update_active_set(ctx, it, ctx.def.contact_iterations - 1);
+        take_lines(ctx);
+        const Way way = it > 0 ? search(ctx, before) : Way{};
+        if (!std::isfinite(way.merit)) return Status::not_finite;
+        slow = it > 0 && way.merit > kSlow * before;
+        keep_iterate(ctx);
+        keep_lines(ctx);
+        again = switch_lines(ctx, way.share) > 0;
         ctx.stats.natural_map = worst(ctx);
         if (!std::isfinite(ctx.stats.natural_map)) return Status::not_finite;
         const bool solved = ctx.stats.natural_map <= ctx.def.contact_tolerance && !again;
         if (solved || it + 1 >= ctx.def.contact_iterations) return Status::ok;
-        keep_iterate(ctx);
         ctx.stats.flips_left = linearise(ctx);
         before = merit(ctx, 0.0);
     }
@@ -108,6 +120,7 @@ void reserve_newton(StepContext& ctx, std::size_t contacts) {
     n.bounds.resize(3 * contacts);
     n.limit.resize(contacts);
     n.touch.resize(contacts);
+    reserve_lines(ctx);
 }
 
 void begin_newton(StepContext& ctx) noexcept {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace hawser::stepper {
 namespace {
@@ -163,22 +162,10 @@ void collect_columns(const assembly::System& s, const std::vector<std::uint8_t>&
         if (marks[k]) columns.push_back(s.column_of(s.contacts.blocks[k]));
 }
 
-/// Whether one-sided rows have switched since the last factorisation: their blocks changed then,
-/// which the dirty part, found from contacts, does not hold. Takes note of the rows as they are.
-bool rows_switched(StepContext& ctx) noexcept {
-    std::uint64_t hash = 0xcbf29ce484222325U;  // FNV-1a over one bit a row
-    for (const std::int32_t id : ctx.system.one_sided) {
-        hash ^= ctx.interactions.active[static_cast<std::size_t>(id)] != 0.0 ? 1U : 0U;
-        hash *= 0x100000001b3U;
-    }
-    const bool switched = hash != ctx.newton.factored_rows;
-    ctx.newton.factored_rows = hash;
-    return switched;
-}
-
 }  // namespace
 
-Status factor(StepContext& ctx, bool first) noexcept {
+/// `whole`: rows changed besides contacts.
+Status factor(StepContext& ctx, bool whole) noexcept {
     const View v = view(ctx);
     assembly::System& s = ctx.system;
     ++ctx.stats.factorisations;
@@ -189,14 +176,13 @@ Status factor(StepContext& ctx, bool first) noexcept {
         s.unsymmetric.find(s.symbolic, ctx.columns);
         set = &s.unsymmetric;
     }
-    const std::int64_t whole = set ? set->flops : s.symbolic.flops;
-    const bool switched = rows_switched(ctx);
-    if (!first && set && !switched) {
+    const std::int64_t all = set ? set->flops : s.symbolic.flops;
+    if (!whole && set) {
         collect_columns(s, s.contacts.block_changed, ctx.columns);
         s.dirty.find(s.symbolic, ctx.columns, set);
         // Beyond this share, one pass through memory beats fewer flops.
         constexpr double kPartial = 0.7;
-        if (static_cast<double>(s.dirty.flops) < kPartial * static_cast<double>(whole)) {
+        if (static_cast<double>(s.dirty.flops) < kPartial * static_cast<double>(all)) {
             ctx.step_flops += s.dirty.flops;
             s.numeric.clear(s.symbolic, s.dirty, ctx.pool);
             s.write_blocks(v, s.dirty, s.numeric.values());
@@ -207,7 +193,7 @@ Status factor(StepContext& ctx, bool first) noexcept {
             return Status::ok;
         }
     }
-    ctx.step_flops += whole;
+    ctx.step_flops += all;
     Writer writer{s, v};
     const factor::Fill fill{Writer::write, &writer, Writer::skew};
     if (s.numeric.factor_forward(s.symbolic, fill, v.solution, ctx.pool, set) > 0 && set == nullptr)
@@ -228,7 +214,7 @@ Status factor_and_solve(StepContext& ctx) noexcept {
     return finish_solve(ctx, v, n);
 }
 
-Status newton_solve(StepContext& ctx, bool first) noexcept {
+Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept {
     const View v = view(ctx);
     if (first) {
         if (!ctx.rhs_ready) {
@@ -238,7 +224,7 @@ Status newton_solve(StepContext& ctx, bool first) noexcept {
     } else {
         continue_solve(ctx, v);
     }
-    if (const Status status = factor(ctx, first); status != Status::ok) return status;
+    if (const Status status = factor(ctx, whole); status != Status::ok) return status;
     const assembly::Kernels& k = assembly::kernels();
     add_everywhere(ctx, v);
     update_contacts(ctx, v.v_new);

@@ -24,7 +24,8 @@ void evaluate_strip(StepContext& ctx, const View& v, int strip) noexcept {
     }
 }
 
-/// G v₊ of a one-row interaction.
+}  // namespace
+
 double row_speed(const View& v, std::int32_t id) noexcept {
     const double* jac = v.jacobian + v.jac_begin[id];
     double sum = 0.0;
@@ -34,8 +35,6 @@ double row_speed(const View& v, std::int32_t id) noexcept {
     }
     return sum;
 }
-
-}  // namespace
 
 void push_event(StepContext& ctx, EventKind kind, std::int32_t id, double value) noexcept {
     ctx.events.push({ctx.time, kind, InteractionId{id}, value});

@@ -25,13 +25,16 @@ void assemble_rows(StepContext& ctx) noexcept;
 [[nodiscard]] Status factor_and_solve(StepContext& ctx) noexcept;
 /// The same once, without refinement: one iteration of a Newton method. `first`: from v₊ = 0, else
 /// from v₊ and λ as they are.
-[[nodiscard]] Status newton_solve(StepContext& ctx, bool first) noexcept;
+/// `whole`: other rows changed besides contacts, so that the matrix is factored whole.
+[[nodiscard]] Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept;
 /// Likewise with the factorisation at hand.
 void continue_with_factor(StepContext& ctx) noexcept;
 /// Refine what newton_solve() found, and measure it.
 [[nodiscard]] Status refine(StepContext& ctx) noexcept;
 /// Measure v₊, λ and row residuals as they stand, found without the matrix.
 [[nodiscard]] Status measure(StepContext& ctx) noexcept;
+/// G v₊ of a one-row interaction.
+[[nodiscard]] double row_speed(const assembly::View& v, std::int32_t id) noexcept;
 /// Stage 7. Tension-only and range rows: switch those whose force or gap has the wrong sign.
 /// @return true if the system must be solved again.
 /// Pass `limit` switches nothing.
