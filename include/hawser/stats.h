@@ -96,6 +96,7 @@ struct StepStats {
     std::int32_t flips_left = 0;      ///< Tension-only rows whose status was still changing.
     double natural_map = 0.0;  ///< Largest relative residual of a contact's law, see friction.
     double factor_work = 0.0;  ///< Flops of the step's factorisations over those of one LDLᵀ.
+    std::int64_t impacts = 0;  ///< Steps with an impact stage, since the start.
     std::int32_t newton_iterations = 0;  ///< Of the solve for contacts.
     std::int64_t growths = 0;  ///< Times that capacity grew since the start (0 in a warm step).
     std::array<std::int64_t, kEventKindCount> event_count{};  ///< Since the start, by kind.

@@ -54,7 +54,7 @@ void prepare_contacts(StepContext& ctx) {
     ctx.system.contacts.set_bodies(touching, ctx.bodies);
 }
 
-Status start_contacts(StepContext& ctx, bool at_rest) noexcept {
+Status start_contacts(StepContext& ctx, Phase phase) noexcept {
     Contacts& c = ctx.system.contacts;
     const collide::ContactSet& set = ctx.contacts;
     try {
@@ -76,8 +76,9 @@ Status start_contacts(StepContext& ctx, bool at_rest) noexcept {
          [&](std::int32_t a, std::int32_t b) { c.update(ctx.bodies.v.data(), a, b); });
     for (std::size_t k = 0; k < c.count(); ++k) {
         c.recall_lambda(k);
-        if (at_rest) ask_for_acceleration(c.cones[k], set.contacts[k].gap);
+        if (phase == Phase::stagger) ask_for_acceleration(c.cones[k], set.contacts[k].gap);
     }
+    if (phase == Phase::impact) return Status::ok;
     if (c.count() > 0) begin_contacts(ctx);
     update_contacts(ctx, nullptr);
     return Status::ok;

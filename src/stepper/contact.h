@@ -10,10 +10,16 @@ namespace hawser::stepper {
 /// Links between bodies that may touch, for the shapes there are. Part of prepare().
 void prepare_contacts(StepContext& ctx);
 
+/// What contacts are started for.
+enum class Phase : std::uint8_t {
+    regular,
+    stagger,  ///< The staggered start: nothing approaches or departs.
+    impact,   ///< See impact.h, which sets the laws.
+};
+
 /// Rows of the contacts that stage collide found, linearised about the last step's solution.
-/// Analyses the system where two bodies touch that did not before. @param at_rest  For the
-/// staggered start: nothing approaches or departs.
-[[nodiscard]] Status start_contacts(StepContext& ctx, bool at_rest) noexcept;
+/// Analyses the system where two bodies touch that did not before.
+[[nodiscard]] Status start_contacts(StepContext& ctx, Phase phase) noexcept;
 
 /// Impulses of contacts at velocities v (null: at rest), and their sums by body.
 void update_contacts(StepContext& ctx, const double* v) noexcept;

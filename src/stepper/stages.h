@@ -26,7 +26,7 @@ void assemble_rows(StepContext& ctx) noexcept;
 /// The same once, without refinement: one iteration of a Newton method. `first`: from v₊ = 0, else
 /// from v₊ and λ as they are.
 /// `whole`: other rows changed besides contacts, so that the matrix is factored whole.
-[[nodiscard]] Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept;
+[[nodiscard]] Status newton_solve(StepContext& ctx, bool first, bool whole = true) noexcept;
 /// Likewise with the factorisation at hand.
 void continue_with_factor(StepContext& ctx) noexcept;
 /// Refine what newton_solve() found, and measure it.
@@ -38,7 +38,7 @@ void continue_with_factor(StepContext& ctx) noexcept;
 /// Stage 7. Tension-only and range rows: switch those whose force or gap has the wrong sign.
 /// @return true if the system must be solved again.
 /// Pass `limit` switches nothing.
-[[nodiscard]] bool update_active_set(StepContext& ctx, int pass, int limit) noexcept;
+[[nodiscard]] bool update_active_set(StepContext& ctx, int pass, int limit = 20) noexcept;
 /// Stage 8. Poses, velocities, forces, line breaks, energy bookkeeping, time.
 void integrate(StepContext& ctx) noexcept;
 

@@ -2,6 +2,7 @@
 #include "stepper/step.h"
 
 #include "stepper/contact.h"
+#include "stepper/impact.h"
 #include "stepper/nonsmooth.h"
 #include "stepper/stages.h"
 
@@ -50,7 +51,13 @@ bool find_contacts(StepContext& ctx) noexcept {
     return found;
 }
 
-Status start_moving(StepContext& ctx) noexcept { return start_contacts(ctx, false); }
+/// Contacts of the step, after impacts.
+Status start_moving(StepContext& ctx) noexcept {
+    bool found = false;
+    Status status = start_contacts(ctx, Phase::regular);
+    if (status == Status::ok) status = impact(ctx, found);
+    return status == Status::ok && found ? start_contacts(ctx, Phase::regular) : status;
+}
 
 /// Stages assemble, factor, nonsmooth.
 Status solve_velocities(StepContext& ctx) noexcept {
@@ -103,7 +110,8 @@ Status step(StepContext& ctx) noexcept {
     if (!ctx.started) {
         Status status = Status::ok;
         if (ctx.collider.count() > 0)
-            status = find_contacts(ctx) ? start_contacts(ctx, true) : Status::out_of_memory;
+            status =
+                find_contacts(ctx) ? start_contacts(ctx, Phase::stagger) : Status::out_of_memory;
         if (status == Status::ok) status = stagger(ctx);
         if (status != Status::ok) {
             ctx.pool.pause();

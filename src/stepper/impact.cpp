@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stepper/impact.h"
+
+#include "stepper/contact.h"
+#include "stepper/newton.h"
+#include "stepper/stages.h"
+#include "stepper/step.h"
+#include "stepper/sweeps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::View;
+using nonsmooth::Cone;
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+constexpr double kStiff = 1e-6;  ///< Σ over W: an error of e by a millionth.
+
+/// Slower than this things come to rest without a bounce [m/s].
+double threshold(const StepContext& ctx) noexcept {
+    return std::max(1e-3, 2.0 * ctx.def.gravity.norm() * ctx.def.step);
+}
+
+double restitution(const StepContext& ctx, std::size_t k) noexcept {
+    const collide::ContactSet& set = ctx.contacts;
+    return set.surfaces[at(set.contacts[k].surface)].restitution;
+}
+
+bool hits(const StepContext& ctx, std::size_t k) noexcept {
+    const double speed = ctx.system.contacts.cones[k].u[0];
+    return speed < -threshold(ctx) && ctx.contacts.contacts[k].gap + ctx.def.step * speed < 0.0;
+}
+
+/// The stage's law for every contact.
+void set_laws(StepContext& ctx, double scale) noexcept {
+    for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
+        Cone& c = ctx.system.contacts.cones[k];
+        const double e = scale * restitution(ctx, k);
+        const bool touches = ctx.contacts.contacts[k].gap <= 0.0;
+        c.b[0] = e > 0.0 && hits(ctx, k) ? -e * c.u[0] : (touches ? 0.0 : -1e30);
+        c.b[1] = c.b[2] = 0.0;
+        // An impact has no time to compress anything; enough stays for points that repeat others.
+        c.sigma_n = std::min(c.sigma_n, kStiff * c.mobility);
+        c.sigma_t = std::min(c.sigma_t, kStiff * c.mobility);
+        std::fill_n(c.lambda, 3, 0.0);
+    }
+}
+
+/// Right-hand sides of rows and bodies such that without contacts nothing changes.
+void hold_motion(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    const assembly::Kernels& k = assembly::kernels();
+    std::copy_n(v.v, v.dof_count, v.v_new);
+    std::fill_n(v.lambda, ctx.interactions.row_count, 0.0);
+    std::fill_n(v.solution, ctx.system.symbolic.scalars, 0.0);
+    std::fill_n(v.a, v.dof_count, 0.0);
+    std::fill(ctx.system.contacts.impulse.begin(), ctx.system.contacts.impulse.end(), 0.0);
+    // Twice: the first gives G v, the second residuals of zero.
+    for (int pass = 0; pass < 2; ++pass) {
+        over(ctx, v.interaction_count,
+             [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
+        if (pass > 0) break;
+        for (std::int32_t id = 0; id < v.interaction_count; ++id)
+            for (std::int32_t r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r)
+                v.c[r] -= v.active[id] != 0.0 ? v.residual[r] + v.sigma[r] * v.lambda[r] : 0.0;
+        std::fill_n(v.lambda, ctx.interactions.row_count, 0.0);
+        std::fill_n(v.residual, ctx.interactions.row_count, 0.0);
+        std::fill_n(v.solution, ctx.system.symbolic.scalars, 0.0);
+    }
+    over(ctx, v.body_count, [&](std::int32_t a, std::int32_t b) { k.body_rhs(v, a, b); });
+    for (const std::int32_t body : ctx.bodies.moving)
+        for (int j = 0; j < v.dof[body]; ++j)
+            v.a[v.dof_begin[body] + j] = -v.solution[v.body_offset[body] + j];
+}
+
+/// ½ vᵀ M v [J], M without damping and geometric stiffness.
+double kinetic(const StepContext& ctx, const double* velocity) noexcept {
+    const model::Bodies& b = ctx.bodies;
+    double sum = 0.0;
+    for (const std::int32_t body : b.moving) {
+        const double* v = velocity + b.dof_begin[at(body)];
+        const int dof = b.dof(body);
+        const double m = b.mass[at(body)];
+        for (int j = 0; j < std::min(dof, 3); ++j) sum += 0.5 * m * v[j] * v[j];
+        if (dof < 6) continue;
+        const double* r = &b.r[9 * at(body)];
+        const double* inertia = &b.inertia[9 * at(body)];
+        double w[3];
+        for (int i = 0; i < 3; ++i) w[i] = r[i] * v[3] + r[3 + i] * v[4] + r[6 + i] * v[5];
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) sum += 0.5 * w[i] * inertia[3 * i + j] * w[j];
+    }
+    return sum;
+}
+
+/// One attempt. @return ok, and v_new holds v⁺; else velocities stay.
+Status attempt(StepContext& ctx, double scale) noexcept {
+    if (const Status s = start_contacts(ctx, Phase::impact); s != Status::ok) return s;
+    set_laws(ctx, scale);
+    assemble_rows(ctx);
+    hold_motion(ctx);
+    begin_newton(ctx);
+    update_contacts(ctx, nullptr);
+    ctx.rhs_ready = false;
+    return solve_newton(ctx);
+}
+
+}  // namespace
+
+Status impact(StepContext& ctx, bool& found) noexcept {
+    const std::size_t count = ctx.system.contacts.count();
+    found = false;
+    bool bouncy = false;
+    for (std::size_t k = 0; k < count && !bouncy; ++k) bouncy = restitution(ctx, k) > 0.0;
+    if (!bouncy) return Status::ok;
+    update_contacts(ctx, ctx.bodies.v.data());
+    for (std::size_t k = 0; k < count && !found; ++k)
+        found = restitution(ctx, k) > 0.0 && hits(ctx, k);
+    if (!found) update_contacts(ctx, nullptr);
+    if (!found) return Status::ok;
+    ++ctx.stats.impacts;
+    const View v = view(ctx);
+    const double before = kinetic(ctx, v.v);
+    Status status = Status::ok;
+    for (const double scale : {1.0, 0.0}) {
+        status = attempt(ctx, scale);
+        const bool good = status == Status::ok && kinetic(ctx, v.v_new) <= before * (1.0 + 1e-9);
+        if (good) std::copy_n(v.v_new, v.dof_count, v.v);
+        // Lines and multipliers go on from the last step.
+        recall(ctx);
+        if (good || status == Status::out_of_memory) break;
+    }
+    return status == Status::out_of_memory ? status : Status::ok;
+}
+
+}  // namespace hawser::stepper
