@@ -4,6 +4,7 @@
 #include "stepper/stages.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hawser::stepper {
 namespace {
@@ -72,8 +73,11 @@ std::int32_t switch_lines(StepContext& ctx, double t) noexcept {
         const double d = direction(v, id);
         if (d == 0.0) continue;
         const Point p = along(ctx.newton, i, t);
-        const double on = d * (p.lambda + p.r / stiffness_scale(ctx, v, i)) < 0.0 ? 1.0 : 0.0;
-        if (on == v.active[id]) continue;
+        const double y = d * (p.lambda + p.r / stiffness_scale(ctx, v, i));
+        const double on = y < 0.0 ? 1.0 : 0.0;
+        // Lines that lie about are slack and taut by rounding: that decides nothing.
+        const double error = on != 0.0 ? y - d * p.lambda : d * p.lambda;
+        if (on == v.active[id] || std::fabs(error) <= ctx.contact_floor) continue;
         v.active[id] = on;
         if (on == 0.0) v.lambda[v.row_begin[id]] = 0.0;
         ++switched;
