@@ -229,6 +229,16 @@ def rolling_sphere():
            **rock(k, 0.2), "bodies": bodies, "plot": {"motions": ["ball0", "ball1"]}})
 
 
+def bouncing_ball():
+    write({"name": "bouncing_ball", "description": "A ball falls 1 m and bounces with restitution "
+           "0.8: to 0.64, 0.4096, ... m.",
+           "settings": {"step": 1 / 240, "duration": 4},
+           **rock(1e7, 0.3, restitution=0.8),
+           "bodies": [GROUND, {"name": "ball", "position": [0, 0, 1.1], "mass": 1, "sphere": 0.1,
+                               "shapes": [{"kind": "sphere", "radius": 0.1}]}],
+           "plot": {"motions": ["ball"]}})
+
+
 def main():
     inclines()
     walls()
@@ -239,6 +249,7 @@ def main():
     painleve()
     spinning_disk()
     rolling_sphere()
+    bouncing_ball()
 
 
 if __name__ == "__main__":

@@ -40,6 +40,7 @@ constexpr Case kCases[] = {
     {"18.1", "belt", "boxes put on a moving belt", case_belt},
     {"19", "rolling_sphere", "sliding balls begin to roll", case_rolling_sphere},
     {"19.1", "spinning_disk", "disks that spin and slide", case_spinning_disk},
+    {"20", "bouncing_ball", "a ball bounces until it rests", case_bouncing_ball},
     {"21", "painleve", "Painleve's rod", case_painleve},
     {"22", "stacks", "ten boxes, the top one 1e3 and 1e6 times as heavy", case_stacks},
     {"22.1", "walls", "walls of 90 and 133 bricks", case_walls},

@@ -32,6 +32,7 @@ void case_capstan(Report& report);
 void case_incline(Report& report);
 void case_belt(Report& report);
 void case_rolling_sphere(Report& report);
+void case_bouncing_ball(Report& report);
 void case_spinning_disk(Report& report);
 void case_painleve(Report& report);
 void case_stacks(Report& report);

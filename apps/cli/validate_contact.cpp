@@ -287,4 +287,31 @@ void case_capstan(Report& report) {
                    "relative; contacts give, tensions ripple as elements pass");
 }
 
+void case_bouncing_ball(Report& report) {
+    constexpr double kRestitution = 0.8, kRadius = 0.1, kHeight = 1.0;  // of the scene
+    scene::Scene s = open_scene("bouncing_ball", 1.0 / 9600.0);
+    const BodyId ball = body(s.world, "ball");
+    std::vector<double> tops;
+    double before = 0.0, lowest = 0.0, last = kHeight;
+    while (s.world.time() < s.duration) {
+        advance(s.world, 1);
+        const double v = s.world.velocity(ball).linear.z();
+        const double z = s.world.pose(ball).position.z() - kRadius;
+        lowest = std::min(lowest, z);
+        if (before > 0.0 && v <= 0.0) tops.push_back(std::max(z, last));
+        before = v;
+        last = z;
+    }
+    for (std::size_t n = 1; n <= 4 && n <= tops.size(); ++n)
+        report.compare(fmt::format("top of bounce {} [m]", n),
+                       {std::pow(kRestitution, 2.0 * static_cast<double>(n)) * kHeight},
+                       {tops[n - 1]}, 5e-3,
+                       "relative; first order: it bounces where the step begins in which it would "
+                       "touch, up to v h high");
+    report.compare("penetration [m]", {0.0}, {std::min(0.0, lowest)}, 1e-5,
+                   "absolute: m g/k = 1e-6 m", 1.0);
+    report.compare("speed at the end [m/s]", {0.0}, {last > 1e-3 ? 1.0 : before}, 1e-9,
+                   "absolute; it has come to rest", 1.0);
+}
+
 }  // namespace hawser::cli

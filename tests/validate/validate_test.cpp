@@ -77,6 +77,7 @@ TEST(Validate, scheme) { expect_pass("A.2.1 A.2.2 A.2.3 A.2.4 A.2.5 A.2.6 A.2.7"
 TEST(Validate, friction) {
     expect_pass("capstan incline belt rolling_sphere spinning_disk painleve", 20);
 }
+TEST(Validate, bouncing_ball) { expect_pass("20", 6); }
 TEST(Validate, stacks_and_walls) { expect_pass("stacks walls", 14); }
 
 TEST(Validate, unknown_case_is_refused) { EXPECT_EQ(validate("no_such_case").code, 1); }
