@@ -289,11 +289,12 @@ void case_capstan(Report& report) {
 
 void case_bouncing_ball(Report& report) {
     constexpr double kRestitution = 0.8, kRadius = 0.1, kHeight = 1.0;  // of the scene
+    constexpr double kEnd = 5.0;  // the last bounce ends at 4.06 s
     scene::Scene s = open_scene("bouncing_ball", 1.0 / 9600.0);
     const BodyId ball = body(s.world, "ball");
     std::vector<double> tops;
     double before = 0.0, lowest = 0.0, last = kHeight;
-    while (s.world.time() < s.duration) {
+    while (s.world.time() < kEnd) {
         advance(s.world, 1);
         const double v = s.world.velocity(ball).linear.z();
         const double z = s.world.pose(ball).position.z() - kRadius;
