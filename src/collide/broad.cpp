@@ -211,7 +211,7 @@ void Broad::find(const base::Array<Placed>& placed, const Filter& filter, double
     cut_into_strips();
     const int sweeps = chunks(entries_.size(), kSweepChunk);
     const int others = large_.empty() ? 0 : chunks(placed.size(), kLargeChunk);
-    const auto tasks = static_cast<std::size_t>(sweeps + others);
+    const auto tasks = static_cast<std::size_t>(sweeps) + static_cast<std::size_t>(others);
     while (found_.size() < tasks) found_.emplace_back().reserve(kRoom);
     run(pool, sweeps + others, [&](int i) {
         if (i < sweeps)

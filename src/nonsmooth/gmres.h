@@ -38,7 +38,8 @@ class Gmres {
         return basis_.data() + static_cast<std::size_t>(k) * n_;
     }
     [[nodiscard]] double& h(int row, int column) noexcept {
-        return h_[static_cast<std::size_t>(column * (limit_ + 1) + row)];
+        return h_[static_cast<std::size_t>(column) * (static_cast<std::size_t>(limit_) + 1) +
+                  static_cast<std::size_t>(row)];
     }
 
     std::vector<double> basis_, h_, cosine_, sine_, g_;

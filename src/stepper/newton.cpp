@@ -21,6 +21,7 @@ using nonsmooth::Coupling;
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 constexpr int kHalvings = 2;    ///< More make the iterates creep; some steps then never end.
+constexpr int kPatience = 8;    ///< Iterations before slow ones ask for a factorisation.
 constexpr double kSlow = 0.25;  ///< Merit left after an iteration that asks for a factorisation.
 constexpr int kSwitching = 12;  ///< Iterations in which slack lines may still switch.
 constexpr int kKrylovFrom = 2;  ///< First iteration that may do without a factorisation.
@@ -93,7 +94,7 @@ Status iterate(StepContext& ctx, Coupling coupling) noexcept {
         take_lines(ctx);
         const Way way = it > 0 ? search(ctx, before) : Way{};
         if (!std::isfinite(way.merit)) return Status::not_finite;
-        slow = it > 0 && way.merit > kSlow * before;
+        slow = it > kPatience && way.merit > kSlow * before;
         keep_iterate(ctx);
         keep_lines(ctx);
         again = switch_lines(ctx, way.share) > 0;
@@ -132,7 +133,9 @@ void begin_newton(StepContext& ctx) noexcept {
 Status solve_newton(StepContext& ctx) noexcept {
     ctx.newton.iterations = ctx.newton.solves = 0;
     Status status = iterate(ctx, Coupling::exact);
-    if (status == Status::not_finite || status == Status::wrong_pivot) {
+    const bool unsolved =
+        status == Status::ok && ctx.stats.natural_map > ctx.def.contact_tolerance;
+    if (unsolved || status == Status::not_finite || status == Status::wrong_pivot) {
         // From rest, symmetric.
         for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
             Cone& c = ctx.system.contacts.cones[k];

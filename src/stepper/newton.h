@@ -19,7 +19,7 @@
 /// suffice, the matrix is factored again.
 ///
 /// **Safety.** A sliding contact's S is unsymmetric and its matrix may be singular where friction
-/// is so strong that it jams (Painlevé): when no solution comes of it, the step is done again with
+/// is so strong that it jams (Painlevé): when its iterations do not end, the step is done again with
 /// lagged coupling, symmetric and positive, for all contacts. The certificate says what is left.
 
 #include "stepper/context.h"

@@ -185,8 +185,8 @@ TEST(Allocation, NoneInAWarmStepOfACommittedScene) {
             options.threads = threads;
             scene::Scene s = scene::load_file(file, options);
             for (int i = 0; i < 3; ++i) ASSERT_EQ(s.world.step(), Status::ok) << file;
-            // A step in which more touches than ever before, or two bodies for the first time, grows
-            // and says so; every other one is warm.
+            // A step in which more touches than ever before, or two bodies for the first time,
+            // grows and says so; every other one is warm.
             int warm = 0;
             for (int i = 0; i < 20; ++i) {
                 const std::int64_t growths = s.world.stats().growths;

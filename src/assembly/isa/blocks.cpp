@@ -153,8 +153,8 @@ void kept(const View& view, const Op& op, Place out) {
 /// K_ab or K_ba of a pair of bodies in contact.
 void contact(const View& view, const Op& op, Place out) {
     if (view.contact_block_used[op.id] == 0) return;
-    const double* block = view.contact_block +
-                          static_cast<long>(assembly::kContactBlock) * op.id + (op.a ? 36 : 0);
+    const double* block =
+        view.contact_block + static_cast<long>(assembly::kContactBlock) * op.id + (op.a ? 36 : 0);
     for (int j = 0; j < op.dof_b; ++j)
         for (int i = 0; i < op.dof_a; ++i) out(i, j) += block[6 * j + i];
 }
