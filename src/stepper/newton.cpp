@@ -133,8 +133,7 @@ void begin_newton(StepContext& ctx) noexcept {
 Status solve_newton(StepContext& ctx) noexcept {
     ctx.newton.iterations = ctx.newton.solves = 0;
     Status status = iterate(ctx, Coupling::exact);
-    const bool unsolved =
-        status == Status::ok && ctx.stats.natural_map > ctx.def.contact_tolerance;
+    const bool unsolved = status == Status::ok && ctx.stats.natural_map > ctx.def.contact_tolerance;
     if (unsolved || status == Status::not_finite || status == Status::wrong_pivot) {
         // From rest, symmetric.
         for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {

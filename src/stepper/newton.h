@@ -19,8 +19,9 @@
 /// suffice, the matrix is factored again.
 ///
 /// **Safety.** A sliding contact's S is unsymmetric and its matrix may be singular where friction
-/// is so strong that it jams (Painlevé): when its iterations do not end, the step is done again with
-/// lagged coupling, symmetric and positive, for all contacts. The certificate says what is left.
+/// is so strong that it jams (Painlevé): when its iterations do not end, the step is done again
+/// with lagged coupling, symmetric and positive, for all contacts. The certificate says what is
+/// left.
 
 #include "stepper/context.h"
 
