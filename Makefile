@@ -8,12 +8,13 @@ BIN    := build/$(PRESET)/bin
 DEMO   := out/demo
 CXX_FILES = git ls-files -co --exclude-standard '*.cpp' '*.h'
 
-.PHONY: help demo test build bench format format-check layers tidy check clean packages
+.PHONY: help demo test test-long build bench format format-check layers tidy check clean packages
 .NOTPARALLEL:
 
 help:
 	@echo "make demo      install what is missing, build, simulate the anchor lines of a rig, plot"
 	@echo "make test      install what is missing, build, run all tests"
+	@echo "make test-long 100,000 random pairs of shapes of each two kinds: five minutes"
 	@echo "make bench     build with the foreign engines installed, run the comparisons"
 	@echo "make build     build everything   (PRESET=$(PRESET); others: debug relassert asan-ubsan tsan)"
 	@echo "make format    format all C++ files; format-check only looks"
@@ -51,6 +52,10 @@ demo: packages build/$(PRESET)/build.ninja
 
 test: build
 	@ctest --test-dir build/$(PRESET) --output-on-failure --no-tests=error -j $(JOBS)
+
+# What takes minutes and is not part of test.
+test-long: build
+	@HAWSER_LONG=1 build/$(PRESET)/bin/hawser_test_slow --gtest_filter='NarrowPairs.*'
 
 bench:
 	@scripts/install_packages.sh build bench

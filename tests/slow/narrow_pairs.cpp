@@ -5,11 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <cstdlib>
 
 namespace hawser {
 namespace {
 
 TEST(NarrowPairs, AHundredThousandOfEachAgreeWithTheReference) {
+    if (std::getenv("HAWSER_LONG") == nullptr)
+        GTEST_SKIP()
+            << "takes five minutes of a core: make test-long; tests/collide has 2,000 each";
     auto pairs = test::exact_pairs();
     const auto more = test::vertex_pairs();
     pairs.insert(pairs.end(), more.begin(), more.end());
