@@ -31,7 +31,6 @@
 
 namespace hawser::assembly {
 
-inline constexpr int kContactSlots = 4;
 /// Steps that an unused link stays for.
 inline constexpr std::int64_t kKeepLinks = 120;
 

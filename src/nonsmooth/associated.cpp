@@ -64,21 +64,13 @@ Law linearise_associated(const Cone& c, Touch& touch) noexcept {
 
 double associated_map(const Cone& c, double floor) noexcept {
     const double rho = 1.0 / (c.mobility + std::max(c.sigma_n, c.sigma_t));
-    double y[3], error = 0.0, size = 0.0, free = 0.0;
+    double y[3];
     for (int i = 0; i < 3; ++i) {
         const double sigma = i == 0 ? c.sigma_n : c.sigma_t;
         y[i] = c.lambda[i] - rho * (c.u[i] + sigma * c.lambda[i] - c.b[i]);
     }
     project(c.friction, y);
-    for (int i = 0; i < 3; ++i) {
-        const double e = c.lambda[i] - y[i];
-        const double q = rho * (c.u[i] - c.b[i] - c.mobility * c.lambda[i]);
-        error += e * e;
-        size += c.lambda[i] * c.lambda[i];
-        free += q * q;
-    }
-    if (error == 0.0) return 0.0;
-    return std::sqrt(error) / std::max({std::sqrt(size), std::sqrt(free), floor});
+    return relative_distance(c, y, rho, floor);
 }
 
 }  // namespace hawser::nonsmooth

@@ -101,14 +101,7 @@ void residual(const Cone& c, const double u[3], const double lambda[3], double o
     out[2] = lambda[2] - shorten * y2;
 }
 
-double natural_map(const Cone& c, double floor) noexcept {
-    double r[3];
-    gap_rate(c, c.u, c.lambda, r);
-    const double rho = 1.0 / (c.mobility + std::max(c.sigma_n, c.sigma_t));
-    const double shift = c.friction * std::sqrt(r[1] * r[1] + r[2] * r[2]);
-    double y[3] = {c.lambda[0] - rho * (r[0] + shift), c.lambda[1] - rho * r[1],
-                   c.lambda[2] - rho * r[2]};
-    project(c.friction, y);
+double relative_distance(const Cone& c, const double y[3], double rho, double floor) noexcept {
     double error = 0.0, size = 0.0, free = 0.0;
     for (int i = 0; i < 3; ++i) {
         const double e = c.lambda[i] - y[i];
@@ -119,6 +112,17 @@ double natural_map(const Cone& c, double floor) noexcept {
     }
     if (error == 0.0) return 0.0;
     return std::sqrt(error) / std::max({std::sqrt(size), std::sqrt(free), floor});
+}
+
+double natural_map(const Cone& c, double floor) noexcept {
+    double r[3];
+    gap_rate(c, c.u, c.lambda, r);
+    const double rho = 1.0 / (c.mobility + std::max(c.sigma_n, c.sigma_t));
+    const double shift = c.friction * std::sqrt(r[1] * r[1] + r[2] * r[2]);
+    double y[3] = {c.lambda[0] - rho * (r[0] + shift), c.lambda[1] - rho * r[1],
+                   c.lambda[2] - rho * r[2]};
+    project(c.friction, y);
+    return relative_distance(c, y, rho, floor);
 }
 
 }  // namespace hawser::nonsmooth

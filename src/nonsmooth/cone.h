@@ -78,6 +78,10 @@ void project(double friction, double lambda[3]) noexcept;
 /// P shortens λ_t to the disk of radius μ P(y)_n.
 void residual(const Cone& cone, const double u[3], const double lambda[3], double out[3]) noexcept;
 
+/// ‖λ − y‖ / max(‖λ‖, ρ‖q‖, floor), see natural_map().
+[[nodiscard]] double relative_distance(const Cone& cone, const double y[3], double rho,
+                                       double floor) noexcept;
+
 /// Relative residual of the law, independent of units and of how stiff the contact is:
 /// ‖λ − P_K(λ − ρ ũ)‖ / max(‖λ‖, ρ‖q‖), with ũ = r + (μ‖r_t‖, 0, 0) (G. De Saxcé, Z.-Q. Feng,
 /// 1998) and q the velocity that the point would have without its own impulse.

@@ -56,7 +56,7 @@ struct Newton {
     std::vector<double> limit;             ///< Of friction in a contact, likewise [N s].
     /// See gauss_seidel.h: of bodies; G M⁻¹ Gᵀ of rows, J M⁻¹ Jᵀ of contacts [1/kg].
     std::vector<double> inverse_mass, row_mobility, mobility;
-    std::int32_t iterations = 0, solves = 0;
+    std::int32_t iterations = 0;
 };
 
 struct StepContext {

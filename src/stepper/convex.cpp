@@ -74,7 +74,7 @@ void begin_convex(StepContext& ctx) noexcept {
 }
 
 Status solve_convex(StepContext& ctx) noexcept {
-    ctx.newton.iterations = ctx.newton.solves = 0;
+    ctx.newton.iterations = 0;
     constexpr int kKrylovFrom = 2;  // as in newton.cpp
     bool again = false;
     for (int it = 0;; ++it) {

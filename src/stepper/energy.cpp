@@ -49,30 +49,33 @@ void carriers_forth(StepContext& ctx) noexcept {
 
 }  // namespace
 
+double kinetic_energy(const model::Bodies& b, const double* velocity) noexcept {
+    double sum = 0.0;
+    for (std::int32_t body : b.moving) {
+        const auto i = at(body);
+        const double* v = velocity + b.dof_begin[i];
+        const int dof = b.dof(body);
+        for (int k = 0; k < std::min(dof, 3); ++k) sum += 0.5 * b.mass[i] * v[k] * v[k];
+        if (dof < 6) continue;
+        const double* r = &b.r[9 * i];
+        double w[3];
+        for (int k = 0; k < 3; ++k) w[k] = r[k] * v[3] + r[3 + k] * v[4] + r[6 + k] * v[5];
+        sum += 0.5 * quadratic(&b.inertia[9 * i], w);
+    }
+    return sum;
+}
+
 Energy energy(StepContext& ctx) noexcept {
     Energy e;
     const model::Bodies& b = ctx.bodies;
     const double half = 0.5 * ctx.def.step;
+    e.kinetic = kinetic_energy(b, b.v.data());
     for (std::int32_t body : b.moving) {
         const auto i = at(body);
+        if (!b.weight[i] || b.dof(body) == 1) continue;
         const double* v = &b.v[at(b.dof_begin[i])];
-        const int dof = b.dof(body);
-        const double m = b.mass[i];
-        if (dof == 1) {
-            e.kinetic += 0.5 * m * v[0] * v[0];
-            continue;
-        }
-        for (int k = 0; k < 3; ++k) {
-            e.kinetic += 0.5 * m * v[k] * v[k];
-            if (b.weight[i])
-                e.gravity -= m * ctx.def.gravity[k] * (b.x[3 * i + at(k)] - half * v[k]);
-        }
-        if (dof == 6) {
-            const double* r = &b.r[9 * i];
-            double w[3];
-            for (int k = 0; k < 3; ++k) w[k] = r[k] * v[3] + r[3 + k] * v[4] + r[6 + k] * v[5];
-            e.kinetic += 0.5 * quadratic(&b.inertia[9 * i], w);
-        }
+        for (int k = 0; k < 3; ++k)
+            e.gravity -= b.mass[i] * ctx.def.gravity[k] * (b.x[3 * i + at(k)] - half * v[k]);
     }
     const assembly::View v = view(ctx);
     // evaluate_rows() decides afresh which ranges are active; the state keeps what it had.

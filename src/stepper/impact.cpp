@@ -56,45 +56,24 @@ void hold_motion(StepContext& ctx) noexcept {
     const assembly::Kernels& k = assembly::kernels();
     std::copy_n(v.v, v.dof_count, v.v_new);
     std::fill_n(v.lambda, ctx.interactions.row_count, 0.0);
-    std::fill_n(v.solution, ctx.system.symbolic.scalars, 0.0);
     std::fill_n(v.a, v.dof_count, 0.0);
     std::fill(ctx.system.contacts.impulse.begin(), ctx.system.contacts.impulse.end(), 0.0);
-    // Twice: the first gives G v, the second residuals of zero.
-    for (int pass = 0; pass < 2; ++pass) {
+    auto update_rows = [&] {
+        std::fill_n(v.solution, ctx.system.symbolic.scalars, 0.0);
         over(ctx, v.interaction_count,
              [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
-        if (pass > 0) break;
-        for (std::int32_t id = 0; id < v.interaction_count; ++id)
-            for (std::int32_t r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r)
-                v.c[r] -= v.active[id] != 0.0 ? v.residual[r] + v.sigma[r] * v.lambda[r] : 0.0;
-        std::fill_n(v.lambda, ctx.interactions.row_count, 0.0);
-        std::fill_n(v.residual, ctx.interactions.row_count, 0.0);
-        std::fill_n(v.solution, ctx.system.symbolic.scalars, 0.0);
-    }
+    };
+    update_rows();  // residual + Σλ = c − G v, and c becomes G v
+    for (std::int32_t id = 0; id < v.interaction_count; ++id)
+        for (std::int32_t r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r)
+            v.c[r] -= v.active[id] != 0.0 ? v.residual[r] + v.sigma[r] * v.lambda[r] : 0.0;
+    std::fill_n(v.lambda, ctx.interactions.row_count, 0.0);
+    std::fill_n(v.residual, ctx.interactions.row_count, 0.0);
+    update_rows();  // residuals of zero
     over(ctx, v.body_count, [&](std::int32_t a, std::int32_t b) { k.body_rhs(v, a, b); });
     for (const std::int32_t body : ctx.bodies.moving)
         for (int j = 0; j < v.dof[body]; ++j)
             v.a[v.dof_begin[body] + j] = -v.solution[v.body_offset[body] + j];
-}
-
-/// ½ vᵀ M v [J], M without damping and geometric stiffness.
-double kinetic(const StepContext& ctx, const double* velocity) noexcept {
-    const model::Bodies& b = ctx.bodies;
-    double sum = 0.0;
-    for (const std::int32_t body : b.moving) {
-        const double* v = velocity + b.dof_begin[at(body)];
-        const int dof = b.dof(body);
-        const double m = b.mass[at(body)];
-        for (int j = 0; j < std::min(dof, 3); ++j) sum += 0.5 * m * v[j] * v[j];
-        if (dof < 6) continue;
-        const double* r = &b.r[9 * at(body)];
-        const double* inertia = &b.inertia[9 * at(body)];
-        double w[3];
-        for (int i = 0; i < 3; ++i) w[i] = r[i] * v[3] + r[3 + i] * v[4] + r[6 + i] * v[5];
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) sum += 0.5 * w[i] * inertia[3 * i + j] * w[j];
-    }
-    return sum;
 }
 
 /// One attempt. @return ok, and v_new holds v⁺; else velocities stay.
@@ -120,15 +99,18 @@ Status impact(StepContext& ctx, bool& found) noexcept {
     update_contacts(ctx, ctx.bodies.v.data());
     for (std::size_t k = 0; k < count && !found; ++k)
         found = restitution(ctx, k) > 0.0 && hits(ctx, k);
-    if (!found) update_contacts(ctx, nullptr);
-    if (!found) return Status::ok;
+    if (!found) {
+        update_contacts(ctx, nullptr);
+        return Status::ok;
+    }
     ++ctx.stats.impacts;
     const View v = view(ctx);
-    const double before = kinetic(ctx, v.v);
+    const double before = kinetic_energy(ctx.bodies, v.v);
     Status status = Status::ok;
     for (const double scale : {1.0, 0.0}) {
         status = attempt(ctx, scale);
-        const bool good = status == Status::ok && kinetic(ctx, v.v_new) <= before * (1.0 + 1e-9);
+        const bool good =
+            status == Status::ok && kinetic_energy(ctx.bodies, v.v_new) <= before * (1.0 + 1e-9);
         if (good) std::copy_n(v.v_new, v.dof_count, v.v);
         // Lines and multipliers go on from the last step.
         recall(ctx);

@@ -62,7 +62,6 @@ bool find_impulses(StepContext& ctx) noexcept {
                 y[3 * k + i] = x[3 * k + i] + scale_of(c) * (after[i] - before[i]);
         }
         left = gmres.take();
-        ++ctx.newton.solves;
         // Two flops an entry of L, forward and backward.
         ctx.step_flops += 4 * ctx.system.symbolic.factor_nnz;
     }

@@ -23,15 +23,6 @@ double stiffness_scale(const StepContext& ctx, const View& v, std::size_t i) noe
     return ctx.system.one_sided_mobility[i] + v.sigma[v.row_begin[ctx.system.one_sided[i]]];
 }
 
-void read(StepContext& ctx, std::vector<double>& state) noexcept {
-    const View v = view(ctx);
-    for (std::size_t i = 0; i < ctx.system.one_sided.size(); ++i) {
-        const std::int32_t id = ctx.system.one_sided[i], row = v.row_begin[id];
-        state[2 * i] = v.lambda[row];
-        state[2 * i + 1] = v.c[row] - row_speed(v, id) - v.sigma[row] * v.lambda[row];
-    }
-}
-
 struct Point {
     double lambda, r;
 };
@@ -47,8 +38,24 @@ void reserve_lines(StepContext& ctx) {
     ctx.newton.line_end.resize(2 * ctx.system.one_sided.size());
 }
 
-void keep_lines(StepContext& ctx) noexcept { read(ctx, ctx.newton.line); }
-void take_lines(StepContext& ctx) noexcept { read(ctx, ctx.newton.line_end); }
+void take_lines(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    for (std::size_t i = 0; i < ctx.system.one_sided.size(); ++i) {
+        const std::int32_t id = ctx.system.one_sided[i], row = v.row_begin[id];
+        ctx.newton.line_end[2 * i] = v.lambda[row];
+        ctx.newton.line_end[2 * i + 1] = v.c[row] - row_speed(v, id) - v.sigma[row] * v.lambda[row];
+    }
+}
+
+void keep_lines(StepContext& ctx, double t) noexcept {
+    Newton& n = ctx.newton;
+    if (t == 1.0) return n.line.swap(n.line_end);
+    for (std::size_t i = 0; i < ctx.system.one_sided.size(); ++i) {
+        const Point p = along(n, i, t);
+        n.line[2 * i] = p.lambda;
+        n.line[2 * i + 1] = p.r;
+    }
+}
 
 double lines_merit(const StepContext& ctx, double t) noexcept {
     const View v = view(const_cast<StepContext&>(ctx));
@@ -65,14 +72,14 @@ double lines_merit(const StepContext& ctx, double t) noexcept {
     return sum;
 }
 
-std::int32_t switch_lines(StepContext& ctx, double t) noexcept {
+std::int32_t switch_lines(StepContext& ctx) noexcept {
     const View v = view(ctx);
     std::int32_t switched = 0;
     for (std::size_t i = 0; i < ctx.system.one_sided.size(); ++i) {
         const std::int32_t id = ctx.system.one_sided[i];
         const double d = direction(v, id);
         if (d == 0.0) continue;
-        const Point p = along(ctx.newton, i, t);
+        const Point p{ctx.newton.line[2 * i], ctx.newton.line[2 * i + 1]};
         const double y = d * (p.lambda + p.r / stiffness_scale(ctx, v, i));
         const double on = y < 0.0 ? 1.0 : 0.0;
         // Lines that lie about are slack and taut by rounding: that decides nothing.

@@ -13,12 +13,13 @@ namespace hawser::stepper {
 
 /// Room for the rows there are. @throws std::bad_alloc.
 void reserve_lines(StepContext& ctx);
-/// λ and r where an iteration begins, and where its step ends.
-void keep_lines(StepContext& ctx) noexcept;
+/// λ and r where a step ends.
 void take_lines(StepContext& ctx) noexcept;
+/// A share t of the way is where the next step begins.
+void keep_lines(StepContext& ctx, double t) noexcept;
 /// Σ (W + Σ) (λ − P)² a share t of the way [J].
 [[nodiscard]] double lines_merit(const StepContext& ctx, double t) noexcept;
-/// Switch rows by what they ask for a share t of the way. @return how many.
-[[nodiscard]] std::int32_t switch_lines(StepContext& ctx, double t) noexcept;
+/// Switch rows by what they ask for where the next step begins. @return how many.
+[[nodiscard]] std::int32_t switch_lines(StepContext& ctx) noexcept;
 
 }  // namespace hawser::stepper

@@ -23,7 +23,6 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 constexpr int kHalvings = 2;    ///< More make the iterates creep; some steps then never end.
 constexpr int kPatience = 8;    ///< Iterations before slow ones ask for a factorisation.
 constexpr double kSlow = 0.25;  ///< Merit left after an iteration that asks for a factorisation.
-constexpr int kSwitching = 12;  ///< Iterations in which slack lines may still switch.
 constexpr int kKrylovFrom = 2;  ///< First iteration that may do without a factorisation.
 
 /// Linear laws of all contacts about the iterate. @return contacts whose status changed.
@@ -96,11 +95,12 @@ Status iterate(StepContext& ctx, Coupling coupling) noexcept {
         if (!std::isfinite(way.merit)) return Status::not_finite;
         slow = it > kPatience && way.merit > kSlow * before;
         keep_iterate(ctx);
-        keep_lines(ctx);
-        again = switch_lines(ctx, way.share) > 0;
+        keep_lines(ctx, way.share);
+        again = switch_lines(ctx) > 0;
         ctx.stats.natural_map = worst(ctx);
         if (!std::isfinite(ctx.stats.natural_map)) return Status::not_finite;
         const bool solved = ctx.stats.natural_map <= ctx.def.contact_tolerance && !again;
+        if (solved) ctx.stats.flips_left = 0;
         if (solved || it + 1 >= ctx.def.contact_iterations) return Status::ok;
         ctx.stats.flips_left = linearise(ctx);
         before = merit(ctx, 0.0);
@@ -131,7 +131,7 @@ void begin_newton(StepContext& ctx) noexcept {
 }
 
 Status solve_newton(StepContext& ctx) noexcept {
-    ctx.newton.iterations = ctx.newton.solves = 0;
+    ctx.newton.iterations = 0;
     Status status = iterate(ctx, Coupling::exact);
     const bool unsolved = status == Status::ok && ctx.stats.natural_map > ctx.def.contact_tolerance;
     if (unsolved || status == Status::not_finite || status == Status::wrong_pivot) {
@@ -148,7 +148,9 @@ Status solve_newton(StepContext& ctx) noexcept {
         ctx.rhs_ready = false;
         status = iterate(ctx, Coupling::lagged);
     }
-    return status == Status::ok ? refine(ctx) : status;
+    if (status == Status::ok) status = refine(ctx);
+    if (status == Status::ok) ctx.stats.natural_map = worst(ctx);  // of what the step ends with
+    return status;
 }
 
 }  // namespace hawser::stepper

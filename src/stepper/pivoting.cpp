@@ -117,7 +117,6 @@ void begin_pivoting(StepContext& ctx) noexcept {
 }
 
 Status solve_pivoting(StepContext& ctx) noexcept {
-    ctx.newton.solves = 0;
     int rounds = 0;
     for (int i = 0; i < kPasses; ++i) {
         if (const Status s = pass(ctx, rounds); s != Status::ok) return s;

@@ -162,6 +162,12 @@ void collect_columns(const assembly::System& s, const std::vector<std::uint8_t>&
         if (marks[k]) columns.push_back(s.column_of(s.contacts.blocks[k]));
 }
 
+/// Wrong pivots fail a factorisation, but for those that sliding contacts may bring about
+/// (factor/unsymmetric.h).
+bool fails(const factor::Numeric& numeric, int wrong) noexcept {
+    return wrong > 0 && numeric.wrong_nodes().empty();
+}
+
 }  // namespace
 
 /// `whole`: rows changed besides contacts.
@@ -188,7 +194,8 @@ Status factor(StepContext& ctx, bool whole) noexcept {
             s.write_blocks(v, s.dirty, s.numeric.values());
             s.numeric.copy_to_upper(s.symbolic, s.dirty, *set, ctx.pool);
             s.write_skew(v, s.dirty, s.numeric.upper());
-            (void)s.numeric.refactor(s.symbolic, s.dirty, ctx.pool, set);
+            if (fails(s.numeric, s.numeric.refactor(s.symbolic, s.dirty, ctx.pool, set)))
+                return Status::wrong_pivot;
             s.numeric.solve(s.symbolic, v.solution, ctx.pool);
             return Status::ok;
         }
@@ -196,7 +203,7 @@ Status factor(StepContext& ctx, bool whole) noexcept {
     ctx.step_flops += all;
     Writer writer{s, v};
     const factor::Fill fill{Writer::write, &writer, Writer::skew};
-    if (s.numeric.factor_forward(s.symbolic, fill, v.solution, ctx.pool, set) > 0 && set == nullptr)
+    if (fails(s.numeric, s.numeric.factor_forward(s.symbolic, fill, v.solution, ctx.pool, set)))
         return Status::wrong_pivot;
     s.numeric.backward(s.symbolic, v.solution, ctx.pool);
     return Status::ok;

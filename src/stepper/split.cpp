@@ -96,7 +96,7 @@ void begin_split(StepContext& ctx) noexcept {
 }
 
 Status solve_split(StepContext& ctx) noexcept {
-    ctx.newton.iterations = ctx.newton.solves = 0;
+    ctx.newton.iterations = 0;
     if (const Status s = solve_normals(ctx, true); s != Status::ok) return s;
     if (const Status s = sweep_tangents(ctx); s != Status::ok) return s;
     // The sweeps moved v₊ without the normals; the solver takes it up from the momentum balance.

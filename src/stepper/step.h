@@ -34,6 +34,9 @@ Status step(StepContext& ctx) noexcept;
 /// Evaluate every interaction at the current poses (g, Jacobian), as stage 5 does.
 void evaluate_rows(StepContext& ctx) noexcept;
 
+/// ½ vᵀ M v [J], M without damping and geometric stiffness. @param velocity  Packed.
+[[nodiscard]] double kinetic_energy(const model::Bodies& bodies, const double* velocity) noexcept;
+
 /// Energy at the half-step position, see hawser::Energy.
 [[nodiscard]] Energy energy(StepContext& ctx) noexcept;
 

@@ -178,8 +178,6 @@ TEST(Allocation, NoneInAWarmStepWithContacts) {
 TEST(Allocation, NoneInAWarmStepOfACommittedScene) {
     if (!HAWSER_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
     for (const auto& file : scene_files()) {
-        // Never warm in these steps: one layer falls on the other, which makes new contacts.
-        if (std::string(file).find("chain_pile") != std::string::npos) continue;
         for (const int threads : {1, 2}) {
             scene::Options options;
             options.threads = threads;
