@@ -26,6 +26,7 @@ std::atomic<long> allocations{0};
 }  // namespace
 
 #if HAWSER_COUNTS_ALLOCATIONS
+// NOLINTBEGIN(bugprone-reserved-identifier): the names under which glibc exports its own malloc.
 extern "C" {
 void* __libc_malloc(std::size_t);
 void* __libc_calloc(std::size_t, std::size_t);
@@ -57,6 +58,7 @@ int posix_memalign(void** p, std::size_t alignment, std::size_t n) {
     return *p == nullptr ? ENOMEM : 0;
 }
 }
+// NOLINTEND(bugprone-reserved-identifier)
 #endif
 
 namespace hawser::test {
