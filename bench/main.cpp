@@ -20,6 +20,8 @@ constexpr Command kCommands[] = {
      hawser::bench::factor_command},
     {"friction", "methods for contacts with friction beside each other",
      hawser::bench::friction_command},
+    {"hashes", "the same bits for any number of threads and after restoring",
+     hawser::bench::hashes_command},
     {"peers", "our steps against other engines, on three scenes", hawser::bench::peers_command},
 };
 

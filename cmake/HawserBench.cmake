@@ -13,12 +13,13 @@ endif()
 set(own_sources peers/scenes peers/forest peers/meter peers/reference
                 paper_matrix/block_system paper_matrix/paper_scene paper_matrix/paper_values
                 paper_matrix/structures paper_matrix/matrix_market
-                linear/form linear/assemble linear/tables linear/sweeps linear/reference)
+                linear/form linear/assemble linear/tables linear/sweeps linear/reference
+                hashes/compare)
 list(TRANSFORM own_sources REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/bench/\\1.cpp")
 list(REMOVE_ITEM bench_sources ${own_sources})
 list(APPEND own_sources "${PROJECT_SOURCE_DIR}/examples/matrix_market/market.cpp")
 add_library(hawser_bench_own OBJECT ${own_sources})
-hawser_use(hawser_bench_own)
+hawser_use(hawser_bench_own hawser_scene)
 hawser_unity(hawser_bench_own 7)
 target_include_directories(hawser_bench_own PRIVATE
     ${PROJECT_SOURCE_DIR}/bench ${PROJECT_SOURCE_DIR}/examples)

@@ -26,7 +26,7 @@ set(HAWSER_THREAD_TESTS runtime stepper world)
 set(HAWSER_UNSANITIZED_TESTS assembly observe)
 # Tests that need more than the library.
 set(HAWSER_OBSERVE_TESTS cli observe)
-set(HAWSER_SCENE_TESTS cli observe scene scenes slow stepper validate world)
+set(HAWSER_SCENE_TESTS bench cli observe scene scenes slow stepper validate world)
 add_custom_target(hawser_fast_tests)
 add_custom_target(hawser_thread_tests)
 

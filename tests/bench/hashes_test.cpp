@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Scenes with contacts give the same bits for any number of threads, and after restoring a state
+/// into a world with another number. `hawser-bench hashes` takes 1,000 steps of each.
+#include "hashes/compare.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace hawser::bench {
+namespace {
+
+void expect_equal(const HashComparison& c) {
+    EXPECT_EQ(c.status, Status::ok) << c.scene;
+    for (const HashRun& r : c.runs)
+        EXPECT_EQ(r.first_difference, 0)
+            << c.scene << ": step that differs on " << r.threads
+            << " thread(s), restored from a state of " << r.restored_from;
+}
+
+/// Until something slides, or lands where nothing slides.
+const std::map<std::string, int> kSteps = {{"bouncing_ball", 200}, {"painleve", 500}};
+constexpr int kFewSteps = 20;
+const std::set<std::string> kAtRest = {"arch", "bouncing_ball", "box_stack", "box_stack_1e6"};
+
+TEST(Hashes, DoNotDependOnThreadsOrRestoring) {
+    const auto files = contact_scenes("scenes");
+    EXPECT_GE(files.size(), 18U);
+    for (const std::string& file : files) {
+        const std::string name = file.substr(7, file.size() - 12);
+        HashOptions options;
+        const auto steps = kSteps.find(name);
+        options.steps = steps == kSteps.end() ? kFewSteps : steps->second;
+        const HashComparison c = compare_hashes(file, options);
+        EXPECT_EQ(c.scene, name);
+        EXPECT_EQ(c.runs.size(), 7U) << "three from the start, four from states";
+        expect_equal(c);
+        EXPECT_GT(c.contacts_max, 0) << name;
+        EXPECT_EQ(c.sliding_steps > 0, !kAtRest.contains(name)) << name;
+    }
+}
+
+TEST(Hashes, DoNotDependOnThreadsWithAnyMethod) {
+    for (const char* scene : {"incline", "wall_648", "chain_pile"}) {
+        std::set<std::uint64_t> hashes;
+        for (const char* method : {"newton", "pivoting", "split", "pgs", "convex"}) {
+            HashOptions options;
+            options.steps = 14;
+            options.threads = {1, 2, 4};
+            options.set = {std::string("settings.nonsmooth=") + method};
+            const HashComparison c =
+                compare_hashes(std::string("scenes/") + scene + ".json", options);
+            SCOPED_TRACE(method);
+            expect_equal(c);
+            EXPECT_GT(c.contacts_max, 0);
+            hashes.insert(c.hash);
+        }
+        EXPECT_EQ(hashes.size(), 5U) << scene << ": methods differ in their last bits at least";
+    }
+}
+
+}  // namespace
+}  // namespace hawser::bench
