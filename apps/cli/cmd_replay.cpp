@@ -101,6 +101,11 @@ class Replay {
                    recording_.inputs[next_].step <= world_.step_count();
                  ++next_)
                 world_.set_input({recording_.inputs[next_].input}, recording_.inputs[next_].value);
+            const auto& cuts = recording_.cuts;
+            while (next_cut_ < cuts.size() && cuts[next_cut_].step < world_.step_count())
+                ++next_cut_;
+            if (next_cut_ < cuts.size() && cuts[next_cut_].step == world_.step_count())
+                world_.cut_next_step(cuts[next_cut_].iterations);
             if (const Status status = world_.step(); status != Status::ok) {
                 progress.close();
                 fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}\n", world_.time(),
@@ -114,7 +119,7 @@ class Replay {
 
     const observe::Recording& recording_;
     World& world_;
-    std::size_t next_ = 0;
+    std::size_t next_ = 0, next_cut_ = 0;
 };
 
 int replay(const ReplayOptions& options) {

@@ -58,6 +58,18 @@ void add_run(CLI::App& app, Command& chosen) {
                                             "TIME [s] and FILE: save the state at that time");
     save->type_name("TIME FILE");
     command->add_option("--restore", options->restore, "Continue from a saved state");
+    command
+        ->add_option("--budget", options->scene.budget_ms,
+                     "CPU time of the solver's slowest thread in a step [ms]: the solve for "
+                     "contacts ends when another iteration would exceed it")
+        ->check(positive());
+    command
+        ->add_option("--budget-work", options->scene.budget_mflop,
+                     "The same as work [Mflop], which makes no difference between machines")
+        ->check(positive());
+    command->add_flag("--verify", options->verify,
+                      "Compute contacts and momentum of every step anew, by separate code, and "
+                      "fail where they disagree");
     command->add_flag("--quiet", options->quiet, "No progress and no report");
     command->callback([&chosen, options, save_at, save] {
         if (save->count() > 0) std::tie(options->save_time, options->save_file) = *save_at;

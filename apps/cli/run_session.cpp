@@ -73,6 +73,7 @@ RunSession::RunSession(const RunOptions& options)
     if (!options.summary.empty() && !std::ofstream(options.summary))
         throw std::runtime_error(fmt::format("{}: cannot write the summary", options.summary));
     collector_ = std::make_unique<observe::SummaryCollector>(info_, world);
+    if (options.verify) verifier_ = std::make_unique<observe::Verifier>(world);
 }
 
 void RunSession::choose_stride() {
@@ -102,6 +103,7 @@ int RunSession::run() {
             break;
         }
         apply_inputs();
+        if (verifier_) verifier_->before_step(world);
         const Status status = world.step();
         ++done_;
         if (status != Status::ok) {
@@ -109,6 +111,11 @@ int RunSession::run() {
             break;
         }
         after_step();
+        if (verifier_) wrong_ = verifier_->after_step(world);
+        if (!wrong_.empty()) {
+            ending = observe::Ending::failed;
+            break;
+        }
         progress.at(done_);
         if (pacer_) pacer_->wait();
     }
@@ -135,6 +142,8 @@ void RunSession::after_step() {
     collector_->after_step(world, events);
     const bool frame = done_ % stride_ == 0 || done_ == steps_;
     if (recording_) {
+        if (const StepStats& stats = world.stats(); stats.cut)
+            recording_->add_cut({stats.step - 1, stats.newton_iterations});
         for (const Event& event : events) recording_->add_event(world, event);
         if (frame) recording_->add_frame(world);
     }
@@ -160,6 +169,7 @@ int RunSession::finish(observe::Ending ending, double wall_seconds) {
         summary.missed_frames = pacer_->missed();
         summary.lateness_max = pacer_->lateness_max();
     }
+    if (verifier_) summary.verified = verifier_->result();
     if (ending == observe::Ending::interrupted) summary.outcome = "interrupted";
     if (ending == observe::Ending::failed) summary.outcome = "failed";
     if (recording_) recording_->finish(world, ending);
@@ -172,6 +182,11 @@ int RunSession::finish(observe::Ending ending, double wall_seconds) {
         fmt::print("{}", observe::report(summary));
         if (!written_.empty()) fmt::print("  wrote        {}\n", fmt::join(written_, ", "));
         std::fflush(stdout);
+    }
+    if (!wrong_.empty()) {
+        fmt::print(stderr, "hawser: --verify: the step to {:.6g} s is wrong: {}\n", world.time(),
+                   wrong_);
+        return kFailed;
     }
     if (ending == observe::Ending::failed) {
         fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}; the state before it stays\n",

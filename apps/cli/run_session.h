@@ -20,7 +20,7 @@ namespace hawser::cli {
 struct RunOptions {
     SceneOptions scene;
     std::optional<double> duration;  ///< Time at which the run ends [s].
-    bool realtime = false, rt = false, quiet = false;
+    bool realtime = false, rt = false, quiet = false, verify = false;
     std::string control, record, csv, summary, restore, save_file;
     std::optional<double> save_time;  ///< [s]
     std::int32_t stride = 0;          ///< Steps from frame to frame; 0 = chosen by size.
@@ -52,6 +52,8 @@ class RunSession {
     std::unique_ptr<observe::RecordingWriter> recording_;
     std::unique_ptr<observe::CsvWriter> csv_;
     std::unique_ptr<observe::SummaryCollector> collector_;
+    std::unique_ptr<observe::Verifier> verifier_;
+    std::string wrong_;  ///< What the verifier found.
     std::unique_ptr<Pacer> pacer_;
     bool saved_ = false;
     std::vector<std::string> written_;

@@ -40,6 +40,8 @@ scene::Scene SceneOptions::load() const {
     if (sweeps) options.set.push_back("settings.nonsmooth_sweeps=" + std::to_string(*sweeps));
     options.step = step;
     options.threads = threads;
+    options.budget = 1e-3 * budget_ms;
+    options.budget_work = 1e6 * budget_mflop;
     if (form)
         options.form = *form == "saddle"      ? Form::saddle
                        : *form == "condensed" ? Form::condensed

@@ -20,6 +20,7 @@ struct SceneOptions {
     std::optional<std::string> form, nonsmooth;
     std::optional<int> sweeps;
     int threads = 1;
+    double budget_ms = 0.0, budget_mflop = 0.0;  ///< 0: none. `run` has options for them.
     int scale = 1;
     std::vector<std::string> set;
 

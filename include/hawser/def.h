@@ -86,6 +86,10 @@ struct WorldDef {
     int nonsmooth_sweeps = 50;  ///< Sweeps a step of `split` and `pgs`, 1 to 100,000.
     int refinements = 1;        ///< Refinement steps on the saddle residual, 0-4.
     int threads = 1;            ///< Worker threads, 1-256; results do not depend on it.
+    /// Limits of a step's solve for contacts, 0: none. Where the next iteration would exceed one,
+    /// the best iterate is taken (StepStats::cut). At least one iteration is made.
+    double budget = 0.0;       ///< Solver CPU time of the slowest thread [s]; not repeatable.
+    double budget_work = 0.0;  ///< Flops of factorisations and substitutions; repeatable.
     /// Shapes closer than this are in contact before they touch [m], 1e-6 to 10. It is to cover
     /// what a shape moves within a step from rest: ½ to 1 g h², 3 mm at 60 Hz.
     double contact_margin = 0.02;

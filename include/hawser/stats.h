@@ -64,6 +64,9 @@ struct Energy {
     /// that inputs change, by winches, and by bodies with a prescribed velocity.
     double driven = 0.0;
     double dissipated = 0.0;  ///< Energy taken since the start by body damping (drag).
+    /// Energy taken since the start by contacts: by tangential impulses, and by normal ones
+    /// (impact, damping). What their springs hold at the moment is part of it.
+    double friction = 0.0, contact = 0.0;
     [[nodiscard]] double mechanical() const noexcept { return kinetic + gravity + elastic; }
 };
 
@@ -93,11 +96,13 @@ struct StepStats {
     std::int64_t factor_flops = 0;    ///< Multiply-adds counted as two, of one factorisation.
     std::int32_t factorisations = 0;  ///< In this step.
     std::int32_t contacts = 0;        ///< Contact points, those near without touching included.
-    std::int32_t flips_left = 0;      ///< Tension-only rows whose status was still changing.
-    double natural_map = 0.0;  ///< Largest relative residual of a contact's law, see friction.
+    /// Tension-only rows and contacts whose status was still changing when the solve ended.
+    std::int32_t flips_left = 0;
+    double natural_map = 0.0;  ///< Largest relative residual of a contact's law (docs/methods.md).
     double factor_work = 0.0;  ///< Flops of the step's factorisations over those of one LDLᵀ.
     std::int64_t impacts = 0;  ///< Steps with an impact stage, since the start.
     std::int32_t newton_iterations = 0;  ///< Of the solve for contacts.
+    bool cut = false;          ///< The budget ended the solve for contacts after newton_iterations.
     std::int64_t growths = 0;  ///< Times that capacity grew since the start (0 in a warm step).
     std::array<std::int64_t, kEventKindCount> event_count{};  ///< Since the start, by kind.
 };

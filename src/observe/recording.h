@@ -79,6 +79,12 @@ struct RecordedInput {
     double value = 0.0;
 };
 
+/// A step whose solve for contacts a budget ended.
+struct RecordedCut {
+    std::int64_t step = 0;  ///< Taken when this many steps had been taken.
+    std::int32_t iterations = 0;
+};
+
 struct RecordedEvent {
     double time = 0.0;  ///< [s]
     EventKind kind = EventKind::warning;
@@ -108,6 +114,7 @@ class RecordingWriter {
                     const RecordingSettings& settings);
     void add_frame(const World& world);
     void add_inputs(std::span<const RecordedInput> changes);
+    void add_cut(const RecordedCut& cut);
     void add_event(const World& world, const Event& event);
     void finish(const World& world, Ending ending);
 
@@ -152,6 +159,7 @@ class Recording {
     std::vector<std::string> input_names;   ///< By index of RecordedInput::input; may be missing.
     std::vector<RecordedOutline> outlines;  ///< May be missing.
     std::vector<RecordedInput> inputs;
+    std::vector<RecordedCut> cuts;
     std::vector<RecordedEvent> events;
     Ending ending = Ending::unknown;
     std::int64_t end_step = 0;   ///< With an ending only.

@@ -20,6 +20,7 @@ inline constexpr char kInputNamesChunk[] = "INAM";
 inline constexpr char kOutlineChunk[] = "SHAP";
 inline constexpr char kFrameChunk[] = "FRAM";
 inline constexpr char kInputsChunk[] = "INPT";
+inline constexpr char kCutChunk[] = "CUTS";
 inline constexpr char kEventChunk[] = "EVNT";
 inline constexpr char kEndChunk[] = "DONE";
 

@@ -151,6 +151,14 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
     } else if (kind == kOutlineChunk) {
         outlines = get_outlines(in, bodies.size());
         in.expect_end();
+    } else if (kind == kCutChunk) {
+        RecordedCut cut;
+        cut.step = in.get<std::int64_t>();
+        cut.iterations = in.get<std::int32_t>();
+        in.expect_end();
+        if (cut.iterations < 1 || (!cuts.empty() && cut.step <= cuts.back().step))
+            throw BadBytes("cuts are not in the order of time");
+        cuts.push_back(cut);
     } else if (kind == kEventChunk) {
         RecordedEvent event;
         event.time = in.get<double>();

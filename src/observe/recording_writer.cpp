@@ -203,6 +203,12 @@ void RecordingWriter::add_inputs(std::span<const RecordedInput> changes) {
     write_chunk(kInputsChunk);
 }
 
+void RecordingWriter::add_cut(const RecordedCut& cut) {
+    payload_.put(cut.step);
+    payload_.put(cut.iterations);
+    write_chunk(kCutChunk);
+}
+
 void RecordingWriter::add_event(const World& world, const Event& event) {
     payload_.put(event.time);
     payload_.put(static_cast<std::uint8_t>(event.kind));

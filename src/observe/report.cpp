@@ -28,6 +28,11 @@ void times(Out out, const Summary& s) {
                        s.step_ms.median, s.step_ms.p99, s.step_ms.max);
         fmt::format_to(out, "  (solver {:.4g} ms; first {} steps left out)\n", s.solver_ms.median,
                        kWarmUpSteps);
+        fmt::format_to(out,
+                       "  wall, cpu    step p50/p95/p99 {:.4g}/{:.4g}/{:.4g} ms, solver's slowest "
+                       "thread {:.4g}/{:.4g}/{:.4g} ms of CPU time\n",
+                       s.step_ms.median, s.step_ms.p95, s.step_ms.p99, s.solver_cpu_ms.median,
+                       s.solver_cpu_ms.p95, s.solver_cpu_ms.p99);
         fmt::format_to(out, "  stages [ms] ");
         for (std::size_t k = 0; k < s.stage_ms.size(); ++k)
             if (s.stage_ms[k] > 1e-3 * s.step_ms.median)
@@ -42,14 +47,44 @@ void times(Out out, const Summary& s) {
                        s.missed_frames, s.steps, 1e3 * s.lateness_max);
 }
 
+void friction(Out out, const Summary& s) {
+    const FrictionFigures& f = s.friction;
+    fmt::format_to(out, "  contacts     {:.0f} points in the median step, at most {:.0f}\n",
+                   s.contacts_median, s.contacts_max);
+    fmt::format_to(out, "               with them {:.0f} interactions, {:.0f} equations\n",
+                   s.interactions.median, s.equations.median);
+    fmt::format_to(out,
+                   "  friction     natural map p50 {:.2e}, p95 {:.2e}, max {:.2e}; {} of {} steps "
+                   "uncertified\n",
+                   f.natural_map.median, f.natural_map.p95, f.natural_map.max, f.uncertified_steps,
+                   f.steps);
+    fmt::format_to(out,
+                   "               factorisations a step median {:.3g}, p90 {:.3g}, max {:.3g}; "
+                   "friction took {}, contact {}\n",
+                   f.factorisations.median, f.factorisations.p90, f.factorisations.max,
+                   with_unit(s.energy_end.friction - s.energy_start.friction, "J"),
+                   with_unit(s.energy_end.contact - s.energy_start.contact, "J"));
+    if (s.budget_ms <= 0.0 && s.budget_mflop <= 0.0) return;
+    fmt::format_to(out, "  budget      ");
+    if (s.budget_ms > 0.0)
+        fmt::format_to(out, " {:.4g} ms: kept in {:.4g} % of steps;", s.budget_ms,
+                       100.0 * s.within_budget);
+    if (s.budget_mflop > 0.0) fmt::format_to(out, " {:.4g} Mflop;", s.budget_mflop);
+    fmt::format_to(out, " cut {} steps, residual p50 {:.2e}, max {:.2e}\n", f.cut_steps,
+                   f.cut_residual.median, f.cut_residual.max);
+}
+
 void quality(Out out, const Summary& s) {
     fmt::format_to(out, "  residuals    momentum {:.2e} (median {:.2e}), constraint {:.2e}\n",
                    s.momentum_residual_max, s.momentum_residual_median, s.constraint_residual_max);
     fmt::format_to(out, "  violation    {} at {} ({:.4g} s)\n", with_unit(s.violation_max, "m"),
                    s.violation_where, s.violation_time);
-    if (s.contacts_max > 0.0)
-        fmt::format_to(out, "  contacts     {:.0f} points in the median step, at most {:.0f}\n",
-                       s.contacts_median, s.contacts_max);
+    if (s.contacts_max > 0.0) friction(out, s);
+    if (const Verification& v = s.verified; v.steps > 0)
+        fmt::format_to(out,
+                       "  verified     {} steps: natural map {:.2e} (differs by {:.2e}), momentum "
+                       "of {} free bodies {:.2e}\n",
+                       v.steps, v.natural_map, v.difference, v.free_bodies, v.momentum);
     if (s.stretch_error_max > 0.0)
         fmt::format_to(out, "  cable law    |l − l0 (1 + T/EA)| at most {:.2e} l0 ({:.4g} s)\n",
                        s.stretch_error_max, s.stretch_error_time);

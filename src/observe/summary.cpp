@@ -14,10 +14,22 @@ namespace {
 constexpr double kMilliseconds = 1e3;
 
 Spread spread(const Samples& samples) {
-    return {samples.median(), samples.quantile(0.99), samples.max()};
+    return {samples.median(), samples.quantile(0.90), samples.quantile(0.95),
+            samples.quantile(0.99), samples.max()};
 }
 
 }  // namespace
+
+double energy_drift(const Energy& from, const Energy& to) noexcept {
+    const auto gained = [](const Energy& e) {
+        return e.mechanical() - e.applied - e.driven + e.dissipated + e.friction + e.contact;
+    };
+    return gained(to) - gained(from);
+}
+
+double Summary::energy_drift() const noexcept {
+    return observe::energy_drift(energy_start, energy_end);
+}
 
 SummaryCollector::SummaryCollector(const SceneInfo& scene, const World& world)
     : scene_(scene), bodies_(watched_bodies(scene, world)) {
@@ -28,6 +40,8 @@ SummaryCollector::SummaryCollector(const SceneInfo& scene, const World& world)
     summary_.step = world.settings().step;
     summary_.form = world.settings().form;
     summary_.threads = world.settings().threads;
+    summary_.budget_ms = kMilliseconds * world.settings().budget;
+    summary_.budget_mflop = 1e-6 * world.settings().budget_work;
     summary_.load_start = load_average();
     for (const CableInfo& cable : scene.cables)
         summary_.cables.push_back({cable.name, HUGE_VAL, 0.0, -HUGE_VAL, cable.breaking_load});
@@ -56,6 +70,7 @@ void SummaryCollector::after_step(const World& world, std::span<const Event> eve
         step_.add(kMilliseconds * stats.step_seconds);
         solver_.add(kMilliseconds * stats.solver_seconds);
         solver_cpu_.add(kMilliseconds * stats.solver_cpu_seconds);
+        within_budget_ += stats.solver_cpu_seconds <= world.settings().budget ? 1 : 0;
         for (std::size_t s = 0; s < stage_.size(); ++s)
             stage_[s].add(kMilliseconds * stats.stage_seconds[s]);
     }
@@ -63,10 +78,26 @@ void SummaryCollector::after_step(const World& world, std::span<const Event> eve
         if (summary_.events.size() < kListedEvents)
             summary_.events.push_back({event.time, to_string(event.kind),
                                        interaction_label(world, event.interaction), event.value});
-    contacts_.add(world.stats().contacts);
+    watch_contacts(world);
     watch_cables(world);
     watch_bodies(world);
     watch_energy(world);
+}
+
+void SummaryCollector::watch_contacts(const World& world) {
+    const StepStats& stats = world.stats();
+    contacts_.add(stats.contacts);
+    interactions_.add(stats.interactions + stats.contacts);
+    equations_.add(stats.equations + 3.0 * stats.contacts);
+    if (stats.contacts == 0) return;
+    FrictionFigures& f = summary_.friction;
+    ++f.steps;
+    map_.add(stats.natural_map);
+    work_.add(stats.factor_work);
+    f.flips_left = std::max(f.flips_left, stats.flips_left);
+    f.uncertified_steps += stats.natural_map <= world.settings().contact_tolerance ? 0 : 1;
+    f.cut_steps += stats.cut ? 1 : 0;
+    if (stats.cut) cut_.add(stats.natural_map);
 }
 
 void SummaryCollector::watch_cables(const World& world) {
@@ -102,6 +133,8 @@ void SummaryCollector::watch_energy(const World& world) {
     if (summary_.steps == 1) {
         summary_.energy_start = energy;
         potential_low_ = potential_high_ = potential;
+    } else {
+        step_drift_.add(std::abs(energy_drift(summary_.energy_end, energy)));
     }
     summary_.energy_end = energy;
     kinetic_max_ = std::max(kinetic_max_, energy.kinetic);
@@ -123,6 +156,15 @@ Summary SummaryCollector::result(const World& world) const {
     out.constraint_residual_median = constraint_.median();
     out.contacts_median = contacts_.median();
     out.contacts_max = contacts_.max();
+    out.interactions = spread(interactions_);
+    out.equations = spread(equations_);
+    out.friction.natural_map = spread(map_);
+    out.friction.factorisations = spread(work_);
+    out.friction.cut_residual = spread(cut_);
+    out.energy_step_drift = spread(step_drift_);
+    if (out.timed_steps > 0)
+        out.within_budget =
+            static_cast<double>(within_budget_) / static_cast<double>(out.timed_steps);
     // Potential energy has no natural zero: what was exchanged during the run is the measure.
     out.energy_scale = std::max(kinetic_max_, potential_high_ - potential_low_);
     for (std::size_t c = 0; c < out.cables.size(); ++c) {

@@ -3,6 +3,7 @@
 /// @file summary.h
 /// Collects the figures of a run step by step and writes them as JSON (docs/cli.md).
 
+#include "observe/certificate.h"
 #include "observe/samples.h"
 #include "observe/scene_info.h"
 
@@ -21,7 +22,17 @@ inline constexpr std::int64_t kWarmUpSteps = 60;
 inline constexpr std::size_t kListedEvents = 100;
 
 struct Spread {
-    double median = 0.0, p99 = 0.0, max = 0.0;
+    double median = 0.0, p90 = 0.0, p95 = 0.0, p99 = 0.0, max = 0.0;
+};
+
+/// The solve for contacts, over the steps in which there were any.
+struct FrictionFigures {
+    std::int64_t steps = 0;              ///< With contacts.
+    Spread natural_map, factorisations;  ///< See StepStats::natural_map, factor_work.
+    std::int32_t flips_left = 0;         ///< Largest of a step.
+    std::int64_t uncertified_steps = 0;  ///< Residual above WorldDef::contact_tolerance.
+    std::int64_t cut_steps = 0;          ///< Ended by a budget.
+    Spread cut_residual;                 ///< Natural map of these.
 };
 
 struct CableFigures {
@@ -54,7 +65,12 @@ struct Summary {
     double step = 0.0;                 ///< Time step [s].
     Form form = Form::automatic;
     double contacts_median = 0.0, contacts_max = 0.0;  ///< Contact points of a step.
+    FrictionFigures friction;
+    Spread interactions, equations;  ///< Of a step, contact points and their rows included.
     Spread step_ms, solver_ms, solver_cpu_ms;
+    double budget_ms = 0.0, budget_mflop = 0.0;  ///< 0: none.
+    Verification verified;                       ///< With --verify; no steps without.
+    double within_budget = 1.0;                  ///< Share of timed steps with solver_cpu_ms ≤.
     std::array<double, kStageCount> stage_ms{};  ///< Medians.
     double momentum_residual_max = 0.0, momentum_residual_median = 0.0;
     double constraint_residual_max = 0.0, constraint_residual_median = 0.0;
@@ -65,6 +81,7 @@ struct Summary {
     double stretch_error_time = 0.0;  ///< [s]
     Energy energy_start, energy_end;
     double energy_scale = 0.0;  ///< What the drift is relative to [J].
+    Spread energy_step_drift;   ///< |Drift| of a single step [J].
     std::vector<ListedEvent> events;
     std::vector<CableFigures> cables;
     std::vector<BodyFigures> bodies;
@@ -76,14 +93,12 @@ struct Summary {
     std::int64_t missed_frames = -1;  ///< With --realtime; −1 without.
     double lateness_max = 0.0;        ///< With --realtime [s].
 
-    /// Change of mechanical energy that applied and driven work and drag do not explain [J].
-    [[nodiscard]] double energy_drift() const noexcept {
-        return energy_end.mechanical() - energy_start.mechanical() -
-               (energy_end.applied - energy_start.applied) -
-               (energy_end.driven - energy_start.driven) +
-               (energy_end.dissipated - energy_start.dissipated);
-    }
+    /// See energy_drift(from, to) [J].
+    [[nodiscard]] double energy_drift() const noexcept;
 };
+
+/// Change of mechanical energy that applied and driven work, drag and contacts do not explain [J].
+[[nodiscard]] double energy_drift(const Energy& from, const Energy& to) noexcept;
 
 /// Watches a run. Costs O(elements) a step.
 class SummaryCollector {
@@ -98,6 +113,7 @@ class SummaryCollector {
     void watch_cables(const World& world);
     void watch_bodies(const World& world);
     void watch_energy(const World& world);
+    void watch_contacts(const World& world);
 
     const SceneInfo& scene_;
     Summary summary_;
@@ -105,6 +121,8 @@ class SummaryCollector {
     std::vector<BodyId> bodies_;
     std::vector<double> tension_sum_;
     Samples step_, solver_, solver_cpu_, momentum_, constraint_, contacts_;
+    Samples map_, work_, cut_, step_drift_, interactions_, equations_;
+    std::int64_t within_budget_ = 0;
     std::array<Samples, kStageCount> stage_{};
     double kinetic_max_ = 0.0, potential_low_ = 0.0, potential_high_ = 0.0;
 };

@@ -25,7 +25,28 @@ const char* form_name(Form form) {
     return "auto";
 }
 
-Json spread(const Spread& s) { return {{"median", s.median}, {"p99", s.p99}, {"max", s.max}}; }
+Json spread(const Spread& s) {
+    return {{"median", s.median}, {"p95", s.p95}, {"p99", s.p99}, {"max", s.max}};
+}
+
+Json friction(const FrictionFigures& f) {
+    const Spread &map = f.natural_map, &work = f.factorisations;
+    return {{"steps", f.steps},
+            {"natural_map", {{"p50", map.median}, {"p95", map.p95}, {"max", map.max}}},
+            {"factorisations", {{"median", work.median}, {"p90", work.p90}, {"max", work.max}}},
+            {"flips_left", f.flips_left},
+            {"uncertified_steps", f.uncertified_steps}};
+}
+
+Json budget(const Summary& s) {
+    const FrictionFigures& f = s.friction;
+    const auto limit = [](double value) { return value > 0.0 ? Json(value) : Json(); };
+    return {{"ms", limit(s.budget_ms)},
+            {"mflop", limit(s.budget_mflop)},
+            {"cut_steps", f.cut_steps},
+            {"residual", {{"p50", f.cut_residual.median}, {"max", f.cut_residual.max}}},
+            {"within", s.budget_ms > 0.0 ? Json(s.within_budget) : Json()}};
+}
 
 Json energy(const Energy& e) {
     return {{"mechanical", e.mechanical()},
@@ -41,7 +62,13 @@ Json energy_balance(const Summary& s) {
             {"applied", s.energy_end.applied - s.energy_start.applied},
             {"driven", s.energy_end.driven - s.energy_start.driven},
             {"dissipated", s.energy_end.dissipated - s.energy_start.dissipated},
+            {"friction", s.energy_end.friction - s.energy_start.friction},
+            {"contact", s.energy_end.contact - s.energy_start.contact},
             {"drift", drift},
+            {"step_drift",
+             {{"median", s.energy_step_drift.median},
+              {"p95", s.energy_step_drift.p95},
+              {"max", s.energy_step_drift.max}}},
             {"scale", s.energy_scale},
             {"drift_relative", s.energy_scale > 0.0 ? Json(drift / s.energy_scale) : Json()}};
 }
@@ -86,6 +113,9 @@ Json sizes(const Summary& s) {
     return {{"bodies", last.bodies},
             {"interactions", last.interactions},
             {"equations", last.equations},
+            {"interactions_with_contacts",
+             {{"median", s.interactions.median}, {"max", s.interactions.max}}},
+            {"equations_with_contacts", {{"median", s.equations.median}, {"max", s.equations.max}}},
             {"islands", last.islands},
             {"contacts", {{"median", s.contacts_median}, {"max", s.contacts_max}}},
             {"nnz", {{"matrix", last.matrix_nnz}, {"factor", last.factor_nnz}}},
@@ -129,6 +159,14 @@ std::string to_json(const Summary& s) {
                     {"time", {{"start", s.start_time}, {"end", s.last.time}}},
                     {"wall_seconds", s.wall_seconds}});
     out.update(times(s));
+    if (s.budget_ms > 0.0 || s.budget_mflop > 0.0) out["budget"] = budget(s);
+    out["friction"] = friction(s.friction);
+    if (const Verification& v = s.verified; v.steps > 0)
+        out["verified"] = {{"verified_steps", v.steps},
+                           {"natural_map", v.natural_map},
+                           {"largest_disagreement", v.difference},
+                           {"momentum", v.momentum},
+                           {"free_bodies", v.free_bodies}};
     out.update(Json{
         {"residuals",
          {{"momentum", {{"max", s.momentum_residual_max}, {"median", s.momentum_residual_median}}},

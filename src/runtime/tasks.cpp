@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/tasks.h"
 
+#include <pthread.h>
+#include <ctime>
+
 namespace hawser::runtime {
 namespace {
 
@@ -33,6 +36,17 @@ void Pool::resume() noexcept {
 void Pool::pause() noexcept {
     if (workers_.empty() || (awake_.load(std::memory_order_relaxed) & 1U) == 0) return;
     awake_.fetch_add(1, std::memory_order_release);
+}
+
+double Pool::cpu_seconds(int thread) noexcept {
+    clockid_t clock = CLOCK_THREAD_CPUTIME_ID;
+    if (thread > 0) {
+        const auto worker = workers_[static_cast<std::size_t>(thread - 1)].native_handle();
+        if (pthread_getcpuclockid(worker, &clock) != 0) return 0.0;
+    }
+    timespec t{};
+    clock_gettime(clock, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 bool Pool::drain(int thread) noexcept {

@@ -31,6 +31,9 @@ class Pool final : public base::Executor {
     /// Let the workers sleep.
     void pause() noexcept;
 
+    /// CPU time that a thread has used since it began [s]; 0: the calling thread.
+    [[nodiscard]] double cpu_seconds(int thread) noexcept;
+
     void run(int count, Task task, void* context) noexcept override;
     [[nodiscard]] int threads() const noexcept override {
         return static_cast<int>(workers_.size()) + 1;

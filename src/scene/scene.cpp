@@ -22,9 +22,11 @@ std::uint64_t hash_text(std::string_view text) {
 }
 
 /// Hand the flat lists to a new world. What it refuses is reported at its place in the file.
-World build(const Description& description, int threads, const Place& settings_place) {
+World build(const Description& description, const Options& options, const Place& settings_place) {
     WorldDef settings = description.settings;
-    settings.threads = threads;
+    settings.threads = options.threads;
+    settings.budget = options.budget;
+    settings.budget_work = options.budget_work;
     const Place* at = &settings_place;
     try {
         World world(settings);
@@ -136,7 +138,7 @@ Scene make_scene(Json root, const std::filesystem::path& file, const Options& op
                 .text = std::move(text),
                 .hash = hash,
                 .duration = description.duration,
-                .world = build(description, options.threads, document.place / "settings"),
+                .world = build(description, options, document.place / "settings"),
                 .cables = {},
                 .plot_tensions = {},
                 .plot_motions = {},

@@ -29,6 +29,7 @@ void make_room(StepContext& ctx) {
     if (ctx.def.nonsmooth == Nonsmooth::split) reserve_gauss_seidel(ctx, n);
     ctx.contact_impulse.resize(3 * n);
     ctx.contact_sliding.resize(n);
+    ctx.contact_speed.resize(3 * n);
     if (c.bytes() > held) ++ctx.stats.growths;
 }
 
@@ -75,6 +76,7 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
     over(ctx, static_cast<std::int32_t>(c.count()),
          [&](std::int32_t a, std::int32_t b) { c.update(ctx.bodies.v.data(), a, b); });
     for (std::size_t k = 0; k < c.count(); ++k) {
+        std::copy_n(c.cones[k].u, 3, &ctx.contact_speed[3 * k]);
         c.recall_lambda(k);
         if (phase == Phase::stagger) ask_for_acceleration(c.cones[k], set.contacts[k].gap);
     }
@@ -89,6 +91,23 @@ void update_contacts(StepContext& ctx, const double* v) noexcept {
     over(ctx, static_cast<std::int32_t>(c.count()),
          [&](std::int32_t a, std::int32_t b) { c.update(v, a, b); });
     c.gather();
+}
+
+// λ·J(v + v₊)/2 is exactly what a contact does to the kinetic energy of the bodies that move: all
+// of λ·(u + u₊)/2 but the part of bodies with a prescribed velocity, which is their work.
+void count_contact_work(StepContext& ctx) noexcept {
+    const Contacts& contacts = ctx.system.contacts;
+    for (std::size_t k = 0; k < contacts.count(); ++k) {
+        const Cone& c = contacts.cones[k];
+        const double* before = &ctx.contact_speed[3 * k];
+        double taken[3];
+        for (int i = 0; i < 3; ++i) {
+            taken[i] = -0.5 * c.lambda[i] * (before[i] + c.u[i]);
+            ctx.drive -= c.lambda[i] * contacts.rows[k].carried[i];
+        }
+        ctx.contact += taken[0];
+        ctx.friction += taken[1] + taken[2];
+    }
 }
 
 void remember_contacts(StepContext& ctx) noexcept {

@@ -24,6 +24,9 @@ enum class Phase : std::uint8_t {
 /// Impulses of contacts at velocities v (null: at rest), and their sums by body.
 void update_contacts(StepContext& ctx, const double* v) noexcept;
 
+/// What contacts took from the bodies' energy in this step, before bodies move.
+void count_contact_work(StepContext& ctx) noexcept;
+
 /// What friction remembers, before bodies move; and what readers see.
 void remember_contacts(StepContext& ctx) noexcept;
 

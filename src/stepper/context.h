@@ -12,7 +12,9 @@
 #include "model/interactions.h"
 #include "nonsmooth/box.h"
 #include "nonsmooth/gmres.h"
+#include "runtime/stopwatch.h"
 #include "runtime/tasks.h"
+#include "stepper/budget.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -73,8 +75,13 @@ struct StepContext {
     collide::Collider collider;
     collide::ContactSet contacts;         ///< Of the step being taken, or of the last one.
     base::Array<double> contact_impulse;  ///< 3 a contact: on side 1, world frame [N s]; or empty.
+    base::Array<double> contact_speed;    ///< 3 a contact: u where the step began [m/s].
     base::Array<std::uint8_t> contact_sliding;  ///< 1 a contact: friction at its limit; or empty.
     runtime::Pool pool;
+    runtime::PoolStopwatch pool_stopwatch{pool};
+    runtime::Stopwatch* stopwatch = &pool_stopwatch;  ///< Of the solver; tests put their own.
+    Budget budget;
+    int cut_after = 0;  ///< Newton iterations imposed on the next step; 0: none.
     EventRing events;
     StepStats stats;
 
@@ -85,6 +92,7 @@ struct StepContext {
     bool started = false;                     ///< The staggered start has been made.
     double work = 0.0, drag = 0.0;            ///< Since the start [J].
     double drive = 0.0;                       ///< Likewise, see Energy::driven.
+    double friction = 0.0, contact = 0.0;     ///< Likewise, see Energy.
     double step_work = 0.0, step_drag = 0.0;  ///< Of the step being taken [J].
     std::int64_t step_flops = 0;              ///< Of all factorisations of the step.
     Newton newton;                            ///< Of a world in which something may touch.

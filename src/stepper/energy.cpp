@@ -107,6 +107,8 @@ Energy energy(StepContext& ctx) noexcept {
     e.applied = ctx.work;
     e.driven = ctx.drive;
     e.dissipated = ctx.drag;
+    e.friction = ctx.friction;
+    e.contact = ctx.contact;
     return e;
 }
 

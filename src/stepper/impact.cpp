@@ -109,9 +109,12 @@ Status impact(StepContext& ctx, bool& found) noexcept {
     Status status = Status::ok;
     for (const double scale : {1.0, 0.0}) {
         status = attempt(ctx, scale);
-        const bool good =
-            status == Status::ok && kinetic_energy(ctx.bodies, v.v_new) <= before * (1.0 + 1e-9);
-        if (good) std::copy_n(v.v_new, v.dof_count, v.v);
+        const double after = status == Status::ok ? kinetic_energy(ctx.bodies, v.v_new) : 0.0;
+        const bool good = status == Status::ok && after <= before * (1.0 + 1e-9);
+        if (good) {
+            ctx.contact += before - after;
+            std::copy_n(v.v_new, v.dof_count, v.v);
+        }
         // Lines and multipliers go on from the last step.
         recall(ctx);
         if (good || status == Status::out_of_memory) break;

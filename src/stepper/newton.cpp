@@ -76,6 +76,43 @@ Way search(StepContext& ctx, double before) noexcept {
     return {best_t, best};
 }
 
+/// Whether the budget allows another iteration.
+bool affordable(StepContext& ctx) noexcept {
+    const double seconds = ctx.budget.needs_time() ? ctx.stopwatch->seconds() : 0.0;
+    return ctx.budget.another({seconds, static_cast<double>(ctx.step_flops)},
+                              ctx.newton.iterations);
+}
+
+/// Impulses onto their cones.
+void project_all(StepContext& ctx) noexcept {
+    for (Cone& c : ctx.system.contacts.cones) {
+        nonsmooth::project(c.friction, c.lambda);
+        for (int i = 0; i < 3; ++i)  // the law in the matrix goes through it
+            c.p[i] = c.lambda[i] + c.s[3 * i] * c.u[0] + c.s[3 * i + 1] * c.u[1] +
+                     c.s[3 * i + 2] * c.u[2];
+    }
+}
+
+/// Iterations ended before the step was solved, see newton.h.
+Status end_early(StepContext& ctx) noexcept {
+    Contacts& contacts = ctx.system.contacts;
+    constexpr double kPoor = 0.1;  // Worse tells less than how the last step ended.
+    const bool poor = ctx.stats.natural_map > kPoor;
+    for (std::size_t k = 0; k < contacts.count(); ++k) {
+        Cone& c = contacts.cones[k];
+        c.coupling = Coupling::lagged;
+        if (!poor) continue;
+        std::copy_n(&ctx.contact_speed[3 * k], 3, c.u);
+        contacts.recall_lambda(k);
+    }
+    ctx.stats.flips_left = linearise(ctx);
+    adopt_laws(ctx, false);
+    if (const Status s = newton_solve(ctx, false, true); s != Status::ok) return s;
+    project_all(ctx);
+    update_contacts(ctx, view(ctx).v_new);
+    return Status::ok;
+}
+
 /// Newton iterations from the iterate at hand. @param coupling  Of all contacts.
 Status iterate(StepContext& ctx, Coupling coupling) noexcept {
     for (Cone& c : ctx.system.contacts.cones) c.coupling = coupling;
@@ -99,10 +136,14 @@ Status iterate(StepContext& ctx, Coupling coupling) noexcept {
         again = switch_lines(ctx) > 0;
         ctx.stats.natural_map = worst(ctx);
         if (!std::isfinite(ctx.stats.natural_map)) return Status::not_finite;
-        const bool solved = ctx.stats.natural_map <= ctx.def.contact_tolerance && !again;
-        if (solved) ctx.stats.flips_left = 0;
-        if (solved || it + 1 >= ctx.def.contact_iterations) return Status::ok;
+        if (ctx.stats.natural_map <= ctx.def.contact_tolerance && !again) {
+            ctx.stats.flips_left = 0;
+            return Status::ok;
+        }
         ctx.stats.flips_left = linearise(ctx);
+        // Not where lines have just switched: their rows would be left unsolved.
+        ctx.stats.cut = !again && !affordable(ctx);
+        if (ctx.stats.cut || it + 1 >= ctx.def.contact_iterations) return Status::ok;
         before = merit(ctx, 0.0);
     }
 }
@@ -133,8 +174,11 @@ void begin_newton(StepContext& ctx) noexcept {
 Status solve_newton(StepContext& ctx) noexcept {
     ctx.newton.iterations = 0;
     Status status = iterate(ctx, Coupling::exact);
-    const bool unsolved = status == Status::ok && ctx.stats.natural_map > ctx.def.contact_tolerance;
-    if (unsolved || status == Status::not_finite || status == Status::wrong_pivot) {
+    const auto unsolved = [&] {
+        return status == Status::ok && ctx.stats.natural_map > ctx.def.contact_tolerance;
+    };
+    const bool try_lagged = unsolved() && !ctx.stats.cut;
+    if (try_lagged || status == Status::not_finite || status == Status::wrong_pivot) {
         // From rest, symmetric.
         for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
             Cone& c = ctx.system.contacts.cones[k];
@@ -148,6 +192,7 @@ Status solve_newton(StepContext& ctx) noexcept {
         ctx.rhs_ready = false;
         status = iterate(ctx, Coupling::lagged);
     }
+    if (unsolved()) status = end_early(ctx);
     if (status == Status::ok) status = refine(ctx);
     if (status == Status::ok) ctx.stats.natural_map = worst(ctx);  // of what the step ends with
     return status;

@@ -163,6 +163,7 @@ bool update_active_set(StepContext& ctx, int pass, int limit) noexcept {
 void integrate(StepContext& ctx) noexcept {
     const View v = view(ctx);
     ctx.drive += drive_work(ctx);
+    count_contact_work(ctx);
     if (ctx.collider.count() > 0) remember_contacts(ctx);
     over(ctx, v.body_count,
          [&](std::int32_t a, std::int32_t b) { assembly::kernels().integrate(v, a, b); });

@@ -8,19 +8,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <new>
 
 namespace hawser::stepper {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double thread_cpu_seconds() noexcept {
-    timespec t{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 /// Adds the wall time of a scope to one stage.
 class StageTimer {
@@ -66,6 +59,10 @@ Status solve_velocities(StepContext& ctx) noexcept {
         if (const Status status = timed(ctx, Stage::analyse, start_moving); status != Status::ok)
             return status;
     timed(ctx, Stage::assemble, assemble_rows);
+    // Impacts are not limited. Ending a solve takes one factorisation; 0 is no limit.
+    const double work = ctx.def.budget_work - static_cast<double>(ctx.stats.factor_flops);
+    ctx.budget.begin(ctx.def.budget, ctx.def.budget_work > 0.0 ? std::max(1.0, work) : 0.0,
+                     ctx.cut_after);
     return solve_assembled(ctx);
 }
 
@@ -125,6 +122,7 @@ Status step(StepContext& ctx) noexcept {
     ctx.step_flops = 0;
     ctx.newton.iterations = 0;
     ctx.stats.natural_map = 0.0;
+    ctx.stats.cut = false;
 
     timed(ctx, Stage::prestep, prestep);
     const bool shapes = ctx.collider.count() > 0;
@@ -133,17 +131,21 @@ Status step(StepContext& ctx) noexcept {
         return ctx.stats.status = Status::out_of_memory;
     }
     const Clock::time_point solver_begin = Clock::now();
-    const double cpu_begin = thread_cpu_seconds();
+    ctx.stopwatch->start();
     Status status = solve_velocities(ctx);
     ctx.stats.solver_seconds = std::chrono::duration<double>(Clock::now() - solver_begin).count();
-    ctx.stats.solver_cpu_seconds = thread_cpu_seconds() - cpu_begin;
+    ctx.stats.solver_cpu_seconds = ctx.stopwatch->seconds();
+    ctx.budget.finished(ctx.stats.solver_cpu_seconds);
+    ctx.budget.end();  // a trial step is not limited
     ctx.stats.newton_iterations = ctx.newton.iterations;
     ctx.stats.factor_work = static_cast<double>(ctx.step_flops) /
                             static_cast<double>(std::max<std::int64_t>(1, ctx.stats.factor_flops));
-    if (status == Status::ok)
+    if (status == Status::ok) {
         timed(ctx, Stage::integrate, integrate);
-    else
+        ctx.cut_after = 0;
+    } else {
         recall(ctx);
+    }
     if (shapes && status == Status::ok) ctx.collider.keep();
 
     ctx.pool.pause();

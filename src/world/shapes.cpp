@@ -74,6 +74,16 @@ std::vector<ContactView> World::contacts() const {
             if (j < ctx.contact_impulse.size()) v.force[k] = ctx.contact_impulse[j] / ctx.def.step;
         }
         v.gap = c.gap;
+        if (const auto& rows = ctx.system.contacts; i < rows.cones.size()) {
+            const nonsmooth::Cone& cone = rows.cones[i];
+            v.friction = cone.friction;
+            v.softness[0] = cone.sigma_n;
+            v.softness[1] = cone.sigma_t;
+            const double* axis = rows.rows[i].axis;
+            for (int k = 0; k < 3; ++k)
+                v.target[k] =
+                    axis[k] * cone.b[0] + axis[3 + k] * cone.b[1] + axis[6 + k] * cone.b[2];
+        }
         v.sliding = i < ctx.contact_sliding.size() && ctx.contact_sliding[i] != 0;
         out.push_back(v);
     }

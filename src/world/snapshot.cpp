@@ -16,7 +16,7 @@ namespace hawser {
 namespace {
 
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'A', 'P', '4'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'A', 'P', '5'};
     std::uint64_t layout = 0;      ///< See layout_of().
     std::uint64_t parameters = 0;  ///< See parameters_of().
     std::uint64_t contacts = 0;    ///< Remembered from the last step.
@@ -71,6 +71,8 @@ void visit_state(Context& ctx, std::vector<double>& inputs, F&& f) {
     value(ctx.work);
     value(ctx.drag);
     value(ctx.drive);
+    value(ctx.friction);
+    value(ctx.contact);
     value(ctx.stats.event_count);
 }
 

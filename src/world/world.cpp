@@ -99,6 +99,8 @@ void World::prepare() {
 
 Status World::step() noexcept { return stepper::step(impl_->ctx); }
 
+void World::cut_next_step(int iterations) noexcept { impl_->ctx.cut_after = iterations; }
+
 double World::time() const noexcept { return impl_->ctx.time; }
 std::int64_t World::step_count() const noexcept { return impl_->ctx.step; }
 const StepStats& World::stats() const noexcept { return impl_->ctx.stats; }

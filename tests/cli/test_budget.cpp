@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Budgets and verification of the program.
+#include "program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace hawser::test {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(Budget, CutStepsAreRecordedAndReplayed) {
+    const auto folder = test_folder();
+    const auto run = [&](std::vector<std::string> more) {
+        std::vector<std::string> words{"run",       "scenes/arch.json", "--duration", "0.5",
+                                       "--summary", folder / "s.json",  "--quiet"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome outcome = run_program(words);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return Json::parse(read_text(folder / "s.json"));
+    };
+    for (const auto& budget :
+         {std::pair{"--budget", "0.001"}, std::pair{"--budget-work", "0.01"}}) {
+        const Json s = run({budget.first, budget.second, "--record", folder / "r.hwr"});
+        EXPECT_GT(s["budget"]["cut_steps"].get<int>(), 5) << budget.first;
+        EXPECT_GE(s["budget"]["residual"]["max"], s["budget"]["residual"]["p50"]);
+        const Outcome replay = run_program({"replay", folder / "r.hwr", "--threads", "2"});
+        EXPECT_EQ(replay.code, 0) << replay.out << replay.err;
+    }
+    const Json one = run({"--budget-work", "0.01"});
+    EXPECT_EQ(one["state_hash"], run({"--budget-work", "0.01", "--threads", "2"})["state_hash"]);
+    // In two parts.
+    (void)run({"--budget-work", "0.01", "--save-at", "0.25", folder / "half.hws"});
+    EXPECT_EQ(one["state_hash"],
+              run({"--budget-work", "0.01", "--restore", folder / "half.hws"})["state_hash"]);
+}
+
+TEST(Verify, SaysWhatItComputed) {
+    const auto folder = test_folder();
+    const Outcome outcome = run_program({"run", "scenes/belt.json", "--duration", "0.5", "--verify",
+                                         "--summary", folder / "s.json"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("verified"), std::string::npos);
+    const Json s = Json::parse(read_text(folder / "s.json"));
+    EXPECT_EQ(s["verified"]["verified_steps"], 30);
+    EXPECT_EQ(s["verified"]["free_bodies"], 4);
+}
+
+}  // namespace
+}  // namespace hawser::test

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Separate code agrees with the solver, finds what is wrong, and the energy of contacts adds up.
+#include "observe/certificate.h"
+#include "observe/summary.h"
+#include "scene/scene.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <string>
+
+namespace hawser {
+namespace {
+
+scene::Scene contact_scene(const char* name) {
+    return scene::load_file(std::string("scenes/") + name + ".json");
+}
+
+TEST(Certificate, SeparateCodeAgrees) {
+    // Boxes that slide and stand, a moving belt, a wire's segments on a cylinder.
+    for (const char* name : {"incline_slide", "belt", "wire_cylinder", "rolling_sphere"}) {
+        scene::Scene scene = contact_scene(name);
+        observe::Verifier verifier(scene.world);
+        for (int i = 0; i < 60; ++i) {
+            verifier.before_step(scene.world);
+            ASSERT_EQ(scene.world.step(), Status::ok);
+            ASSERT_EQ(verifier.after_step(scene.world), "") << name << ", step " << i;
+        }
+        EXPECT_EQ(verifier.result().steps, 60);
+        // The figures of both come from sums of a few terms in another order.
+        EXPECT_LE(verifier.result().difference, 1e-9) << name;
+    }
+}
+
+TEST(Certificate, FindsWrongVelocities) {
+    scene::Scene scene = contact_scene("belt");
+    observe::Verifier verifier(scene.world);
+    const BodyId box = scene.world.find_body("box");
+    for (int i = 0; i < 3; ++i) {
+        verifier.before_step(scene.world);
+        ASSERT_EQ(scene.world.step(), Status::ok);
+        ASSERT_EQ(verifier.after_step(scene.world), "");
+    }
+    verifier.before_step(scene.world);
+    ASSERT_EQ(scene.world.step(), Status::ok);
+    Twist twist = scene.world.velocity(box);
+    twist.linear.x() += 1e-4;
+    scene.world.set_velocity(box, twist);
+    EXPECT_NE(verifier.after_step(scene.world), "");
+}
+
+TEST(Certificate, FrictionTakesWhatSlidingLoses) {
+    // 100 kg boxes, μ = 0.4, a belt at 2 m/s. Velocities live half a step before positions: sliding
+    // begins at −h/2 with v = 2 + μ g h/2 to go. Friction takes ½ m v² of each of four boxes and the
+    // belt does m v times its speed.
+    scene::Scene scene = contact_scene("belt");
+    const double belt = 2.0, v = belt + 0.5 * 0.4 * 9.81 * scene.world.settings().step;
+    while (scene.world.time() < 1.5) ASSERT_EQ(scene.world.step(), Status::ok);
+    const Energy e = scene.world.energy();
+    EXPECT_NEAR(e.kinetic, 4.0 * 50.0 * belt * belt, 1e-3 * 800.0);
+    // In the step in which sliding ends and in shear of the contacts' springs (1e6 N/m) the boxes
+    // differ from points under constant friction by some J.
+    EXPECT_NEAR(e.friction, 4.0 * 50.0 * v * v, 1e-2 * 800.0);
+    EXPECT_NEAR(e.driven, 4.0 * 100.0 * v * belt, 1e-2 * 1600.0);
+}
+
+TEST(Certificate, SummaryBalancesEnergyAndCountsContacts) {
+    scene::Scene scene = contact_scene("incline_slide");
+    observe::SceneInfo info;
+    observe::SummaryCollector collector(info, scene.world);
+    for (int i = 0; i < 60; ++i) {
+        ASSERT_EQ(scene.world.step(), Status::ok);
+        collector.after_step(scene.world, scene.world.take_events());
+    }
+    const observe::Summary summary = collector.result(scene.world);
+    // What contacts take is booked as the exact change that the scheme makes: what is left is
+    // round-off of sums of 1e5 J.
+    EXPECT_LT(std::abs(summary.energy_drift()), 1e-6 * summary.energy_scale);
+    EXPECT_GT(summary.energy_end.friction, 0.1 * summary.energy_scale);
+    const auto json = nlohmann::json::parse(observe::to_json(summary));
+    EXPECT_LE(json["friction"]["natural_map"]["p95"].get<double>(), 1e-6);
+    EXPECT_EQ(json["friction"]["uncertified_steps"], 0);
+    EXPECT_EQ(json["friction"]["flips_left"], 0);
+    EXPECT_GE(json["friction"]["factorisations"]["median"].get<double>(), 0.5);
+    EXPECT_EQ(json["contacts"]["median"], 32.0);  // Four a box.
+    EXPECT_EQ(json["equations_with_contacts"]["median"], 8 * 6 + 3 * 32.0);
+    EXPECT_FALSE(json.contains("budget"));
+    EXPECT_NE(observe::report(summary).find("natural map"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hawser

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Limits of a step's cost, with a clock of the test's own.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "stepper/step.h"
+
+namespace hawser {
+namespace {
+
+/// Every look at it costs a tick of CPU time.
+struct TickingClock final : runtime::Stopwatch {
+    double tick, now = 0.0;
+    int looks = 0;
+    explicit TickingClock(double t) : tick(t) {}
+    void start() noexcept override { now = 0.0; }
+    double seconds() noexcept override {
+        ++looks;
+        return now += tick;
+    }
+};
+
+/// A leaning pile of boxes pushed sideways: several iterations a step.
+std::unique_ptr<stepper::StepContext> pile(const WorldDef& def) {
+    auto ctx = std::make_unique<stepper::StepContext>(def);
+    const auto add = [&](const BodyDef& body, ShapeDef shape) {
+        shape.body = BodyId{ctx->bodies.add(body)};
+        ctx->collider.add(shape, ctx->bodies);
+    };
+    ShapeDef plane, box;
+    plane.kind = ShapeKind::plane;
+    box.kind = ShapeKind::box;
+    box.half_size = {0.5, 0.5, 0.25};
+    add({.kind = BodyKind::fixed}, plane);
+    for (int i = 0; i < 6; ++i)
+        add({.position = {0.1 * i, 0.0, 0.25 + 0.499 * i},
+             .velocity = {i % 2 == 0 ? 1.5 : -0.5, 0.3 * i, 0.0},
+             .mass = 100.0,
+             .inertia = Mat3::Identity() * 10.0},
+            box);
+    ctx->topology_changed = true;
+    return ctx;
+}
+
+TEST(Budget, AssumesThatTheNextIterationCostsWhatTheLastDid) {
+    stepper::Budget b;
+    b.begin(10.0, 0.0, 0);
+    EXPECT_TRUE(b.another({3.0, 0.0}, 1));                               // next: 6
+    EXPECT_TRUE(b.another({6.5, 0.0}, 2));                               // next: 10
+    EXPECT_FALSE(b.another({7.0, 0.0}, 3) && b.another({9.0, 0.0}, 4));  // 7.5, then 11
+    b.finished(11.0);  // 2 after the last look: kept for the next step
+    b.begin(10.0, 0.0, 0);
+    EXPECT_FALSE(b.another({4.5, 0.0}, 1));  // 9 + 2
+    b.begin(0.0, 100.0, 0);
+    EXPECT_TRUE(b.another({1e9, 50.0}, 1));
+    EXPECT_FALSE(b.another({1e9, 80.0}, 2));
+    b.begin(1e-9, 1e-9, 3);  // imposed: limits of cost do not count
+    EXPECT_FALSE(b.needs_time());
+    EXPECT_TRUE(b.another({1.0, 1.0}, 2));
+    EXPECT_FALSE(b.another({1.0, 1.0}, 3));
+    b.end();
+    EXPECT_TRUE(b.another({1e9, 1e9}, 1000));
+}
+
+TEST(Budget, CutsWithTheClockAndRepeatsWithoutIt) {
+    WorldDef def;
+    def.budget = 2.5e-3;
+    auto timed = pile(def);
+    auto repeated = pile({});
+    TickingClock clock(1e-3), never(1e9);
+    timed->stopwatch = &clock;
+    repeated->stopwatch = &never;  // Whatever it says, nothing depends on it.
+    int cuts = 0;
+    for (int i = 0; i < 40; ++i) {
+        ASSERT_EQ(stepper::step(*timed), Status::ok);
+        const StepStats& s = timed->stats;
+        // One look an iteration, and one at the end: from the second step on the end is known to
+        // take 1 ms, so that a second iteration would end at 2 + 1 ms.
+        if (s.cut) {
+            EXPECT_EQ(s.newton_iterations, i == 0 ? 2 : 1) << "step " << i;
+        } else {
+            EXPECT_LE(s.natural_map, def.contact_tolerance);
+        }
+        cuts += s.cut ? 1 : 0;
+        if (s.cut) repeated->cut_after = s.newton_iterations;
+        ASSERT_EQ(stepper::step(*repeated), Status::ok);
+        EXPECT_EQ(repeated->stats.cut, s.cut);
+        EXPECT_EQ(repeated->cut_after, 0);
+        ASSERT_EQ(stepper::state_hash(*repeated), stepper::state_hash(*timed)) << "step " << i;
+    }
+    EXPECT_GT(cuts, 10);
+    EXPECT_GT(clock.looks, 40);
+    for (const double x : timed->bodies.x) EXPECT_TRUE(std::isfinite(x));
+}
+
+TEST(Budget, OfWorkIsTheSameForAnyNumberOfThreads) {
+    std::vector<std::uint64_t> hashes;
+    int cuts = 0;
+    for (const int threads : {1, 2, 4}) {
+        WorldDef def;
+        def.threads = threads;
+        def.budget_work = 1.0;  // less than any iteration: one is made all the same
+        auto ctx = pile(def);
+        for (int i = 0; i < 40; ++i) {
+            ASSERT_EQ(stepper::step(*ctx), Status::ok);
+            cuts += ctx->stats.cut ? 1 : 0;
+            EXPECT_LE(ctx->stats.newton_iterations, 2);
+        }
+        hashes.push_back(stepper::state_hash(*ctx));
+    }
+    EXPECT_GT(cuts, 30);
+    EXPECT_EQ(hashes[0], hashes[1]);
+    EXPECT_EQ(hashes[0], hashes[2]);
+}
+
+TEST(Stopwatch, CountsWhatAWorkerComputes) {
+    runtime::Pool pool(2);
+    runtime::PoolStopwatch watch(pool);
+    pool.resume();
+    watch.start();
+    auto burn = [](int, int) noexcept {
+        double x = 1.0;
+        for (int i = 0; i < 2'000'000; ++i) x = std::sqrt(x + i);
+        volatile double sink = x;
+        (void)sink;
+    };
+    pool.for_each(8, burn);
+    pool.pause();
+    // 2 million square roots and additions take more than a millisecond on any processor.
+    EXPECT_GT(watch.seconds(), 1e-3);
+}
+
+}  // namespace
+}  // namespace hawser
