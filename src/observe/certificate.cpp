@@ -218,6 +218,9 @@ double Verifier::momentum_residual(const World& world) {
                                 drag(def.angular_damping, now.angular) - angular_[slot(b)]);
         residual += l.dot(def.inertia.llt().solve(l));
     }
+    // An impact stage jumps velocities within the step: begin anew.
+    if (world.stats().impacts != impacts_) seen_ = 0;
+    impacts_ = world.stats().impacts;
     // Velocities before a world's first step belong to another time, so that the change of spin is
     // known from the second step on and used in the third.
     return ++seen_ > 2 ? std::sqrt(residual) / std::max(std::sqrt(impulse), momentum_floor_) : 0.0;

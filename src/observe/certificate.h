@@ -52,6 +52,7 @@ class Verifier {
     std::vector<std::int32_t> free_;      ///< Bodies without interactions.
     std::vector<Vec3> change_;            ///< Of spin by torque in the last step, body frame.
     std::vector<Vec3> linear_, angular_;  ///< Impulses of contacts on each body.
+    std::int64_t impacts_ = 0;            ///< Until the last step.
     int seen_ = 0;                        ///< Steps whose momentum was computed.
     double step_ = 0.0, floor_ = 0.0, momentum_floor_ = 0.0;
     Verification result_;
