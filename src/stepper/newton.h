@@ -19,11 +19,10 @@
 /// suffice, the matrix is factored again.
 ///
 /// **When iterations end** before that (WorldDef::budget, budget_work, contact_iterations), the
-/// last iterate, whose merit is the least so far, is taken and the contacts are linearised about it once more
-/// with lagged coupling, which is symmetric and never singular; the impulses of that solve are
-/// projected onto their cones, and the refinement balances momentum with each contact's law through
-/// the projected impulse. Limits of cost are looked at where no tension-only line or range has just
-/// switched.
+/// contacts are linearised about the last iterate once more with lagged coupling, which is
+/// symmetric and never singular; the impulses of that solve are projected onto their cones, and the
+/// refinement balances momentum with each contact's law through the projected impulse. Limits of
+/// cost are looked at where no tension-only line or range has just switched.
 ///
 /// **Safety.** A sliding contact's S is unsymmetric and its matrix may be singular where friction
 /// is so strong that it jams (Painlevé): when its iterations do not end, the step is done again

@@ -78,6 +78,8 @@ void check(const WorldDef& def) {
     if (!(def.budget >= 0.0 && def.budget <= 1e6)) refuse(where, "budget must be 0 to 1e6 s");
     if (!(def.budget_work >= 0.0 && def.budget_work <= 1e18))
         refuse(where, "budget_work must be 0 to 1e18 flops");
+    if ((def.budget > 0.0 || def.budget_work > 0.0) && def.nonsmooth != Nonsmooth::newton)
+        refuse(where, "a budget needs the nonsmooth method newton");
     if (!(def.contact_margin >= 1e-6 && def.contact_margin <= 10.0))
         refuse(where, "contact_margin must be 1e-6 to 10 m");
     if (def.threads < 1 || def.threads > 256) refuse(where, "threads must be 1 to 256");

@@ -36,6 +36,16 @@ TEST(Budget, CutStepsAreRecordedAndReplayed) {
               run({"--budget-work", "0.01", "--restore", folder / "half.hws"})["state_hash"]);
 }
 
+TEST(Budget, IsRefusedByOtherMethods) {
+    for (const auto* method : {"pivoting", "split", "pgs", "convex"}) {
+        const Outcome outcome = run_program({"run", "scenes/arch.json", "--duration", "0.1",
+                                             "--budget", "5", "--nonsmooth", method});
+        EXPECT_EQ(outcome.code, 1) << method;
+        EXPECT_NE(outcome.err.find("a budget needs the nonsmooth method newton"), std::string::npos)
+            << outcome.err;
+    }
+}
+
 TEST(Verify, SaysWhatItComputed) {
     const auto folder = test_folder();
     const Outcome outcome = run_program({"run", "scenes/belt.json", "--duration", "0.5", "--verify",

@@ -52,17 +52,19 @@ TEST(Certificate, FindsWrongVelocities) {
 
 TEST(Certificate, FrictionTakesWhatSlidingLoses) {
     // 100 kg boxes, μ = 0.4, a belt at 2 m/s. Velocities live half a step before positions: sliding
-    // begins at −h/2 with v = 2 + μ g h/2 to go. Friction takes ½ m v² of each of four boxes and the
-    // belt does m v times its speed.
+    // begins at −h/2 with v = 2 + μ g h/2 to go. Friction takes ½ m v² of each of four boxes and
+    // the belt does m v times its speed.
     scene::Scene scene = contact_scene("belt");
     const double belt = 2.0, v = belt + 0.5 * 0.4 * 9.81 * scene.world.settings().step;
     while (scene.world.time() < 1.5) ASSERT_EQ(scene.world.step(), Status::ok);
     const Energy e = scene.world.energy();
     EXPECT_NEAR(e.kinetic, 4.0 * 50.0 * belt * belt, 1e-3 * 800.0);
-    // In the step in which sliding ends and in shear of the contacts' springs (1e6 N/m) the boxes
-    // differ from points under constant friction by some J.
-    EXPECT_NEAR(e.friction, 4.0 * 50.0 * v * v, 1e-2 * 800.0);
-    EXPECT_NEAR(e.driven, 4.0 * 100.0 * v * belt, 1e-2 * 1600.0);
+    // The stack is no point: as the belt catches its foot it rocks on its soft contacts, and the
+    // velocities at −h/2 fall short of μ g h/2 = 0.033 m/s (the top box has 0.020 m/s after the
+    // first step): by 1.7 N s in all, 3.3 J at the belt's speed. Normal impulses take another 1 J.
+    EXPECT_NEAR(e.friction + e.contact, 4.0 * 50.0 * v * v, 4.0);
+    EXPECT_NEAR(e.driven, 4.0 * 100.0 * v * belt, 4.0);
+    EXPECT_LT(std::abs(e.contact), 1.5);
 }
 
 TEST(Certificate, SummaryBalancesEnergyAndCountsContacts) {
