@@ -12,6 +12,12 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 # for: a user's -mavx would change the layout of public types. 16 bytes fits every x86-64.
 set(HAWSER_ABI_DEFINITIONS EIGEN_MAX_ALIGN_BYTES=16)
 
+# Most of the time to compile goes into headers (Eigen, nlohmann-json, GoogleTest). A unity build
+# reads them once for many sources, precompiled headers do so for a whole target: together the
+# build costs a third. Names in anonymous namespaces of one target must then differ from each
+# other (but for the library), and a missing include is only seen by other presets and clang-tidy.
+option(HAWSER_UNITY "Compile several sources of a target together, with precompiled headers" OFF)
+
 if(PROJECT_IS_TOP_LEVEL)
     if(NOT CMAKE_BUILD_TYPE)
         set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
@@ -28,6 +34,12 @@ if(PROJECT_IS_TOP_LEVEL)
     find_program(HAWSER_CCACHE ccache)
     if(HAWSER_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
         set(CMAKE_CXX_COMPILER_LAUNCHER "${HAWSER_CCACHE}")
+        if(HAWSER_UNITY)
+            # ccache refuses precompiled headers without; no source uses __TIME__. Not for other
+            # presets: clang-tidy does not see through env.
+            list(PREPEND CMAKE_CXX_COMPILER_LAUNCHER
+                env CCACHE_SLOPPINESS=pch_defines,time_macros)
+        endif()
     endif()
     find_program(HAWSER_MOLD mold)
     if(HAWSER_MOLD)
@@ -51,16 +63,19 @@ endif()
 
 option(HAWSER_WERROR "Treat warnings as errors" ${PROJECT_IS_TOP_LEVEL})
 
-# Most of the time to compile goes into headers (Eigen, nlohmann-json, GoogleTest). A unity build
-# reads them once for many sources: the whole build costs a third. Names in anonymous namespaces
-# of one target must then differ from each other.
-option(HAWSER_UNITY "Compile several sources of a target together" OFF)
-
 # hawser_unity(TARGET BATCH): compile up to BATCH sources together, where HAWSER_UNITY is on. Not
 # for the library `hawser`: its sources are many-sided and few.
 function(hawser_unity target batch)
     if(HAWSER_UNITY)
         set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${batch})
+    endif()
+endfunction()
+
+# hawser_precompile(TARGET HEADER...): read these headers once for all sources of a target, where
+# HAWSER_UNITY is on. Sources include what they use all the same.
+function(hawser_precompile target)
+    if(HAWSER_UNITY)
+        target_precompile_headers(${target} PRIVATE ${ARGN})
     endif()
 endfunction()
 
