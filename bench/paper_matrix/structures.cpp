@@ -3,6 +3,8 @@
 
 #include "paper_matrix/dice.h"
 
+#include <hawser/math.h>
+
 #include <Eigen/Dense>
 
 #include <array>
@@ -22,8 +24,7 @@ constexpr double kHalf = 0.5;  ///< Of a link [m].
 /// A rigid body of the given mass and semi-axes, turned so that its first axis is `u`.
 int add_rigid(SystemBuilder& builder, double mass, const Vec3& size, const Vec3& u) {
     const Vec3 s = size.cwiseAbs2();
-    const Eigen::Matrix3d turn =
-        Eigen::Quaterniond::FromTwoVectors(Vec3::UnitX(), u).toRotationMatrix();
+    const Eigen::Matrix3d turn = turn_between(Vec3::UnitX(), u).toRotationMatrix();
     const Eigen::Matrix3d moment =
         turn * (mass / 5.0 * Vec3(s.y() + s.z(), s.x() + s.z(), s.x() + s.y())).asDiagonal() *
         turn.transpose();

@@ -135,7 +135,7 @@ class Builder {
         BodyDef def;
         def.name = part("", i);
         def.position = 0.5 * (c_.nodes[i] + c_.nodes[i + 1]);
-        def.orientation = Quat::FromTwoVectors(Vec3::UnitX(), along);
+        def.orientation = turn_between(Vec3::UnitX(), along);
         const Vec3 difference = node_velocity(i + 1) - node_velocity(i);
         def.velocity = 0.5 * (node_velocity(i) + node_velocity(i + 1));
         def.angular_velocity = along.cross(difference) / (length * length);
@@ -216,7 +216,7 @@ class Builder {
             def.name = part("c", i);
             def.body = links_[i];
             def.half_length = out_.body(links_[i]).half_size.x();
-            def.orientation = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitX());
+            def.orientation = turn_between(Vec3::UnitZ(), Vec3::UnitX());
             out_.add_shape(std::move(def), place_);
         }
     }

@@ -16,8 +16,8 @@ constexpr std::array<const char*, 8> kShapeWords = {"sphere", "capsule",     "bo
 /// From the shape's z, along which the world has cylinders, to the axis that is named.
 Quat to_axis(const std::string& axis) {
     return axis == "z"   ? Quat::Identity()
-           : axis == "y" ? Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitY())
-                         : Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitX());
+           : axis == "y" ? turn_between(Vec3::UnitZ(), Vec3::UnitY())
+                         : turn_between(Vec3::UnitZ(), Vec3::UnitX());
 }
 
 void read_ground(ShapeDef& def, const Json& ground, const Place& place) {
@@ -105,7 +105,7 @@ ShapeDef read_shape(const Json& json, const Place& place) {
         if (!(normal.norm() > 1e-9)) {
             refuse(place / "normal", "a direction must not be zero");
         }
-        def.orientation = Quat::FromTwoVectors(Vec3::UnitZ(), normal);
+        def.orientation = turn_between(Vec3::UnitZ(), normal);
     }
     if (def.kind == ShapeKind::heightfield) {
         read_heightfield(def, json, place);

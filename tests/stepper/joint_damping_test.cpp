@@ -26,7 +26,7 @@ Recipe taut_chain(InteractionKind joint, double damping) {
     BodyId last = r.ground();
     for (int i = 0; i < kLinks; ++i) {
         const Vec3 a = node(i), b = node(i + 1);
-        const Quat q = Quat::FromTwoVectors(Vec3::UnitX(), b - a);
+        const Quat q = turn_between(Vec3::UnitX(), b - a);
         const BodyId link = r.rigid(0.5 * (a + b), q, kMass, {0.06, kAcross, kAcross});
         InteractionDef d = r.at(joint, {last, link}, a, about_y);
         if (joint == InteractionKind::Universal)  // its second axis stands square to the first
