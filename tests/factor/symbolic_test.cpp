@@ -301,12 +301,14 @@ TEST(Symbolic, InvariantsOnLargeForests) {
         c.pattern = factor::make_pattern(size, sign, from, to);
         c.symbolic = factor::analyse(c.pattern, factor::order_nodes(c.pattern));
         EXPECT_GT(c.symbolic.tasks.size(), 5U);
+        bool checked = false;  // rapidcheck asks a hundred times, but nothing is drawn here
         ASSERT_TRUE(rc::check("large forest", [&] {
+            if (checked) return;
+            checked = true;
             check_fronts(c);
             check_runs(c);
             check_fill(c);
             check_updates(c.symbolic, check_tasks(c.symbolic));
-            RC_SUCCEED("checked");
         }));
     }
 }
