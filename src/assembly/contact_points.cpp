@@ -4,6 +4,7 @@
 
 #include "base/small.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hawser::assembly {
@@ -27,6 +28,11 @@ void tangents(const V3& n, V3& t1, V3& t2) {
     t1 = (1.0 / norm(t1)) * t1;
     t2 = cross(n, t1);
 }
+
+/// Least Σ over W: what is harder loses its bodies' masses in rounding, since contacts are
+/// condensed. It is met by grains of less than a milligram at the default stiffness, which sink in
+/// by this share of what gravity moves them within a step.
+constexpr double kLeastSigma = 1e-10;
 
 /// World position of an anchor.
 V3 anchor_point(const model::Bodies& b, const ContactMemory& m, int side) {
@@ -135,12 +141,13 @@ void Contacts::set(std::size_t index, const collide::Contact& in, const collide:
     }
     store3(extra.tangent_gap, gap_t);
     store3(extra.point, p);
-    extra.epsilon_t = surface.tangential_compliance;
 
     const double upsilon = 1.0 / (1.0 + 4.0 * surface.damping_time / h);
     const double scale = 4.0 * upsilon / (h * h);
-    cone.sigma_n = scale * surface.compliance;
-    cone.sigma_t = scale * surface.tangential_compliance;
+    const double least = kLeastSigma * cone.mobility;
+    cone.sigma_n = std::max(scale * surface.compliance, least);
+    cone.sigma_t = std::max(scale * surface.tangential_compliance, least);
+    extra.epsilon_t = cone.sigma_t / scale;
     cone.friction = surface.friction;
     cone.b[0] = in.gap > 0.0 ? -in.gap / h : -4.0 / h * upsilon * in.gap;
     cone.b[1] = -4.0 / h * upsilon * dot(t1, gap_t);

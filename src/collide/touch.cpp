@@ -134,6 +134,8 @@ int touch(const Shape& a, const Placed& pa, const Shape& b, const Placed& pb, do
         c = Contact{};
         std::fill_n(c.body, kMaxContactBodies, -1);
         const V3 n = load3(p.normal);
+        // Of shapes so far away that they are smaller than a rounding there.
+        if (!(std::fabs(dot(n, n) - 1.0) < 1e-6) || !std::isfinite(p.gap)) continue;
         const double ta = add_side(c, a, pa, p.on[0], -n);
         c.side_0 = c.slots;
         const double tb = add_side(c, b, pb, p.on[1], n);

@@ -20,19 +20,14 @@ void gap_rate(const Cone& c, const double u[3], const double lambda[3], double r
 
 }  // namespace
 
-Law linearise(const Cone& c, Scaling scaling, Touch& status) noexcept {
-    const bool velocity = scaling == Scaling::by_velocity;
-    const double rho_n = 1.0 / (c.sigma_n + (velocity ? 0.0 : c.mobility));
-    const double rho_t = 1.0 / (c.sigma_t + (velocity ? 0.0 : kTangential * c.mobility));
+Law linearise(const Cone& c, Touch& status) noexcept {
+    const double rho_n = 1.0 / (c.sigma_n + c.mobility);
+    const double rho_t = 1.0 / (c.sigma_t + kTangential * c.mobility);
     double r[3];
     gap_rate(c, c.u, c.lambda, r);
-    // The part of λ cancels where ρ = 1/Σ: left out, so that no rounding of a stale λ remains.
-    const double keep_n = velocity ? 0.0 : 1.0, keep_t = keep_n;
-    const double own_n = velocity ? c.sigma_n * c.lambda[0] : 0.0;
-    const double own_t = velocity ? c.sigma_t : 0.0;
-    const double y_n = keep_n * c.lambda[0] - rho_n * (r[0] - own_n);
-    const double y1 = keep_t * c.lambda[1] - rho_t * (r[1] - own_t * c.lambda[1]);
-    const double y2 = keep_t * c.lambda[2] - rho_t * (r[2] - own_t * c.lambda[2]);
+    const double y_n = c.lambda[0] - rho_n * r[0];
+    const double y1 = c.lambda[1] - rho_t * r[1];
+    const double y2 = c.lambda[2] - rho_t * r[2];
 
     Law law{};
     double* s = law.s;
@@ -56,7 +51,7 @@ Law linearise(const Cone& c, Scaling scaling, Touch& status) noexcept {
             s[4] = st * qx * qx;
             s[5] = s[7] = st * qx * qy;
             s[8] = st * qy * qy;
-            const double along = velocity ? 0.0 : qx * c.lambda[1] + qy * c.lambda[2];
+            const double along = qx * c.lambda[1] + qy * c.lambda[2];
             const double pq = along * (1.0 - 1.0 / part) + st * (qx * c.u[1] + qy * c.u[2]);
             p[1] = pq * qx;
             p[2] = pq * qy;

@@ -28,8 +28,8 @@
 /// of the last iterate, S is symmetric and positive, and each iteration solves a convex problem;
 /// more of them are needed.
 ///
-/// ρ = 1/Σ makes y depend on u alone, so that velocities are a warm start; ρ = 1/(W + Σ), with W
-/// the diagonal of J M⁻¹ Jᵀ, is independent of how stiff the contact is.
+/// ρ = 1/(W + Σ), with W the diagonal of J M⁻¹ Jᵀ, is independent of how stiff the contact is;
+/// where W = 0, y depends on u alone.
 
 #include <cstdint>
 
@@ -65,11 +65,8 @@ struct Law {
     double p[3];  ///< [N s].
 };
 
-/// ρ of the equation; `by_velocity`: 1/Σ.
-enum class Scaling : std::uint8_t { by_velocity, by_mobility };
-
 /// Linearise about (u, λ).
-[[nodiscard]] Law linearise(const Cone& cone, Scaling scaling, Touch& touch) noexcept;
+[[nodiscard]] Law linearise(const Cone& cone, Touch& touch) noexcept;
 
 /// Nearest impulse within the cone K: λ_n ≥ 0, ‖λ_t‖ ≤ μ λ_n.
 void project(double friction, double lambda[3]) noexcept;

@@ -10,9 +10,6 @@
 namespace hawser::scene {
 namespace {
 
-constexpr std::array<const char*, 8> kShapeWords = {"sphere", "capsule",     "box",  "cylinder",
-                                                    "plane",  "heightfield", "hull", "mesh"};
-
 /// From the shape's z, along which the world has cylinders, to the axis that is named.
 Quat to_axis(const std::string& axis) {
     return axis == "z"   ? Quat::Identity()
@@ -87,8 +84,8 @@ void read_mesh(ShapeDef& def, const Json& json, const Place& place) {
 ShapeDef read_shape(const Json& json, const Place& place) {
     ShapeDef def;
     const auto& word = json["kind"].get_ref<const std::string&>();
-    for (std::size_t i = 0; i < kShapeWords.size(); ++i) {
-        if (word == kShapeWords[i]) {
+    for (int i = 0; i <= static_cast<int>(ShapeKind::mesh); ++i) {
+        if (word == to_string(static_cast<ShapeKind>(i))) {
             def.kind = static_cast<ShapeKind>(i);
         }
     }

@@ -6,6 +6,7 @@
 #include "stepper/nonsmooth.h"
 #include "stepper/stages.h"
 #include "stepper/sweeps.h"
+#include "stepper/timer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +57,7 @@ void prepare_contacts(StepContext& ctx) {
 }
 
 Status start_contacts(StepContext& ctx, Phase phase) noexcept {
+    const StageTimer timer(ctx, Stage::assemble);
     Contacts& c = ctx.system.contacts;
     const collide::ContactSet& set = ctx.contacts;
     try {
@@ -64,6 +66,7 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
             c.set(k, set.contacts[k], set.surfaces[at(set.contacts[k].surface)], ctx.bodies,
                   ctx.def.step);
         if (!c.connect(ctx.step)) {
+            const StageTimer again(ctx, Stage::analyse);
             c.relink(ctx.step);
             analyse(ctx);
             if (!c.connect(ctx.step)) return Status::out_of_memory;

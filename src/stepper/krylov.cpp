@@ -2,6 +2,7 @@
 #include "stepper/krylov.h"
 
 #include "stepper/stages.h"
+#include "stepper/timer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +52,9 @@ bool find_impulses(StepContext& ctx) noexcept {
         }
         std::fill_n(v.solution, ctx.system.symbolic.scalars, 0.0);
         contacts.scatter(w, v.solution, v.body_offset);
-        ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
+        timed(ctx, Stage::factor, [&](StepContext& c) {
+            c.system.numeric.solve(c.system.symbolic, v.solution, c.pool);
+        });
         contacts.collect(v.solution, v.body_offset, u);
         for (std::size_t k = 0; k < count; ++k) {
             const Cone& c = contacts.cones[k];

@@ -32,7 +32,7 @@ std::int32_t linearise(StepContext& ctx) noexcept {
     for (std::size_t k = 0; k < contacts.count(); ++k) {
         Cone& c = contacts.cones[k];
         const nonsmooth::Touch before = c.touch;
-        ctx.newton.laws[k] = nonsmooth::linearise(c, nonsmooth::Scaling::by_mobility, c.touch);
+        ctx.newton.laws[k] = nonsmooth::linearise(c, c.touch);
         flips += c.touch != before ? 1 : 0;
     }
     return flips;

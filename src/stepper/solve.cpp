@@ -3,6 +3,7 @@
 #include "stepper/contact.h"
 #include "stepper/stages.h"
 #include "stepper/sweeps.h"
+#include "stepper/timer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -210,6 +211,7 @@ Status factor(StepContext& ctx, bool whole) noexcept {
 }
 
 Status factor_and_solve(StepContext& ctx) noexcept {
+    const StageTimer timer(ctx, Stage::factor);
     const View v = view(ctx);
     if (!ctx.rhs_ready) start_solve(ctx, v);
     if (const Status status = factor(ctx, true); status != Status::ok) return status;
@@ -222,6 +224,7 @@ Status factor_and_solve(StepContext& ctx) noexcept {
 }
 
 Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept {
+    const StageTimer timer(ctx, Stage::factor);
     const View v = view(ctx);
     if (first) {
         if (!ctx.rhs_ready) {
@@ -241,6 +244,7 @@ Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept {
 }
 
 void continue_with_factor(StepContext& ctx) noexcept {
+    const StageTimer timer(ctx, Stage::factor);
     const View v = view(ctx);
     continue_solve(ctx, v);
     ctx.rhs_ready = false;
@@ -253,6 +257,7 @@ void continue_with_factor(StepContext& ctx) noexcept {
 }
 
 Status refine(StepContext& ctx) noexcept {
+    const StageTimer timer(ctx, Stage::factor);
     const View v = view(ctx);
     over(ctx, v.body_count,
          [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });

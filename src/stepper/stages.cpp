@@ -5,6 +5,7 @@
 #include "stepper/drives.h"
 #include "stepper/step.h"
 #include "stepper/sweeps.h"
+#include "stepper/timer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,6 +112,7 @@ void evaluate_rows(StepContext& ctx) noexcept {
 }
 
 void assemble_rows(StepContext& ctx) noexcept {
+    const StageTimer timer(ctx, Stage::assemble);
     const View v = view(ctx);
     const assembly::Kernels& k = assembly::kernels();
     ease_taut_lines(ctx);

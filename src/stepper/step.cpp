@@ -5,6 +5,7 @@
 #include "stepper/impact.h"
 #include "stepper/nonsmooth.h"
 #include "stepper/stages.h"
+#include "stepper/timer.h"
 
 #include <algorithm>
 #include <chrono>
@@ -14,26 +15,6 @@ namespace hawser::stepper {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Adds the wall time of a scope to one stage.
-class StageTimer {
-  public:
-    StageTimer(StepContext& ctx, Stage stage) noexcept
-        : to_(ctx.stats.stage_seconds[static_cast<std::size_t>(stage)]), from_(Clock::now()) {}
-    ~StageTimer() { to_ += std::chrono::duration<double>(Clock::now() - from_).count(); }
-    StageTimer(const StageTimer&) = delete;
-    StageTimer& operator=(const StageTimer&) = delete;
-
-  private:
-    double& to_;
-    Clock::time_point from_;
-};
-
-template <class F>
-auto timed(StepContext& ctx, Stage stage, F&& f) noexcept {
-    const StageTimer timer(ctx, stage);
-    return f(ctx);
-}
 
 /// Stage 2. Contacts at the present poses. @return false where memory could not grow.
 bool find_contacts(StepContext& ctx) noexcept {
@@ -48,17 +29,17 @@ bool find_contacts(StepContext& ctx) noexcept {
 Status start_moving(StepContext& ctx) noexcept {
     bool found = false;
     Status status = start_contacts(ctx, Phase::regular);
-    if (status == Status::ok) status = impact(ctx, found);
+    if (status == Status::ok)
+        status = timed(ctx, Stage::nonsmooth, [&](StepContext& c) { return impact(c, found); });
     return status == Status::ok && found ? start_contacts(ctx, Phase::regular) : status;
 }
 
-/// Stages assemble, factor, nonsmooth.
+/// Stages assemble, factor, nonsmooth; analyse where bodies touch that have not done so before.
 Status solve_velocities(StepContext& ctx) noexcept {
     remember(ctx);
     if (ctx.collider.count() > 0)
-        if (const Status status = timed(ctx, Stage::analyse, start_moving); status != Status::ok)
-            return status;
-    timed(ctx, Stage::assemble, assemble_rows);
+        if (const Status status = start_moving(ctx); status != Status::ok) return status;
+    assemble_rows(ctx);
     // Impacts are not limited. Ending a solve takes one factorisation; 0 is no limit.
     const double work = ctx.def.budget_work - static_cast<double>(ctx.stats.factor_flops);
     ctx.budget.begin(ctx.def.budget, ctx.def.budget_work > 0.0 ? std::max(1.0, work) : 0.0,
@@ -86,9 +67,9 @@ Status solve_assembled(StepContext& ctx) noexcept {
     constexpr int kMostPasses = 20;  // what then still switches shows in flips_left
     Status status = Status::ok;
     if (ctx.def.nonsmooth == Nonsmooth::pgs) return timed(ctx, Stage::nonsmooth, solve_pgs);
-    if (ctx.system.contacts.count() > 0) return timed(ctx, Stage::factor, solve_contacts);
+    if (ctx.system.contacts.count() > 0) return timed(ctx, Stage::nonsmooth, solve_contacts);
     for (int pass = 0;; ++pass) {
-        status = timed(ctx, Stage::factor, factor_and_solve);
+        status = factor_and_solve(ctx);
         if (status != Status::ok) return status;
         const bool again = timed(ctx, Stage::nonsmooth, [&](StepContext& c) {
             return update_active_set(c, pass, kMostPasses);

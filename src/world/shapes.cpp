@@ -8,6 +8,12 @@
 
 namespace hawser {
 
+const char* to_string(ShapeKind kind) noexcept {
+    constexpr const char* kNames[] = {"sphere", "capsule",     "box",  "cylinder",
+                                      "plane",  "heightfield", "hull", "mesh"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
 using world::at;
 using world::claim;
 using world::index_of;

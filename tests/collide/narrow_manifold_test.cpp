@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contact points at rest: how many, where, and whether they keep their names.
 #include "collide/geometry.h"
+#include "support/collide/place.h"
 #include "support/collide/random_pairs.h"
 #include "support/random.h"
 
@@ -17,20 +18,10 @@ namespace {
 using collide::Geometry;
 using collide::Manifold;
 using collide::Placement;
+using test::place;
+using test::turn;
 using enum ShapeKind;
 
-Placement place(const Vec3& x, const Quat& q = Quat::Identity()) {
-    Placement p{};
-    const Mat3 r = q.toRotationMatrix();
-    for (int i = 0; i < 3; ++i) {
-        p.x[i] = x[i];
-        for (int j = 0; j < 3; ++j) p.r[3 * i + j] = r(i, j);
-    }
-    return p;
-}
-Quat turn(double angle, const Vec3& about) {
-    return Quat(Eigen::AngleAxisd(angle, about.normalized()));
-}
 const Quat kLying = turn(M_PI / 2, Vec3(0, 1, 0));  // z along x.
 
 Geometry shape(ShapeKind kind) {

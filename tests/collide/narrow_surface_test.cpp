@@ -2,6 +2,7 @@
 // Heightfields and meshes: no ghosts at interior edges, points that hold what lies there, depth.
 #include "collide/geometry.h"
 #include "collide/narrow/shape_data.h"
+#include "support/collide/place.h"
 #include "support/collide/random_pairs.h"
 #include "support/random.h"
 #include "support/sanitizer.h"
@@ -22,20 +23,9 @@ using collide::Geometry;
 using collide::Manifold;
 using collide::Placement;
 using collide::ShapeData;
+using test::place;
+using test::turn;
 using enum ShapeKind;
-
-Placement place_at(const Vec3& x, const Quat& q = Quat::Identity()) {
-    Placement p{};
-    const Mat3 r = q.toRotationMatrix();
-    for (int i = 0; i < 3; ++i) {
-        p.x[i] = x[i];
-        for (int j = 0; j < 3; ++j) p.r[3 * i + j] = r(i, j);
-    }
-    return p;
-}
-Quat turned_by(double angle, const Vec3& about) {
-    return Quat(Eigen::AngleAxisd(angle, about.normalized()));
-}
 
 using Height = std::function<double(double, double)>;
 
@@ -97,7 +87,7 @@ std::vector<Mover> movers() {
     g.half_size[0] = 0.5;
     g.half_size[1] = 0.7;
     g.half_size[2] = 0.3;
-    const Quat lying = turned_by(M_PI / 2, Vec3(0, 1, 0));
+    const Quat lying = turn(M_PI / 2, Vec3(0, 1, 0));
     std::vector<Mover> list = {{"sphere", g, Quat::Identity(), 0.3, 1, nullptr},
                                {"lying capsule", g, lying, 0.3, 2, nullptr},
                                {"box", g, Quat::Identity(), 0.3, 4, nullptr},
@@ -139,9 +129,9 @@ TEST(NarrowSurface, SlidingOverFlatGroundMeetsNoEdge) {
                 if (i % 4 == 0) x.x() = 0.5 * random.integer(-6, 6);
                 if (i % 8 == 0) x.y() = 0.5 * random.integer(-6, 6);
                 const double heading = i % 3 == 0 ? 0.0 : random.uniform(-3, 3);
-                const Quat q = turned_by(heading, Vec3(0, 0, 1)) * mover.attitude;
+                const Quat q = turn(heading, Vec3(0, 0, 1)) * mover.attitude;
                 const Manifold m =
-                    touch(mover.geometry, place_at(x, q), ground.geometry, place_at({0, 0, 0}));
+                    touch(mover.geometry, place(x, q), ground.geometry, place({0, 0, 0}));
                 ASSERT_EQ(m.count, mover.points)
                     << mover.name << " on " << test::kind_name(ground.geometry.kind) << " at "
                     << x.transpose();
@@ -157,8 +147,8 @@ TEST(NarrowSurface, PointsHoldTheShape) {
     for (const Surface& ground : surfaces(flat))
         for (const Mover& mover : movers()) {
             const Vec3 x(0.13, -0.21, mover.height - 1e-4);
-            const Manifold m = touch(mover.geometry, place_at(x, mover.attitude), ground.geometry,
-                                     place_at({0, 0, 0}));
+            const Manifold m =
+                touch(mover.geometry, place(x, mover.attitude), ground.geometry, place({0, 0, 0}));
             ASSERT_EQ(m.count, mover.points);
             Vec3 mean(0, 0, 0);
             for (int k = 0; k < m.count; ++k)
@@ -174,7 +164,7 @@ TEST(NarrowSurface, NamesSurviveNoise) {
             for (const Vec3& at : {Vec3(0.13, -0.21, 0), Vec3(0, 0, 0), Vec3(0.5, 0.25, 0)}) {
                 const auto names = [&](const Vec3& x, const Quat& q) {
                     const Manifold m =
-                        touch(mover.geometry, place_at(x, q), ground.geometry, place_at({0, 0, 0}));
+                        touch(mover.geometry, place(x, q), ground.geometry, place({0, 0, 0}));
                     std::vector<std::uint32_t> list;
                     for (int k = 0; k < m.count; ++k) list.push_back(m.point[k].feature);
                     return list;
@@ -182,10 +172,9 @@ TEST(NarrowSurface, NamesSurviveNoise) {
                 const Vec3 x = at + Vec3(0, 0, mover.height - 1e-4);
                 const auto first = names(x, mover.attitude);
                 for (int i = 0; i < 50; ++i)
-                    EXPECT_EQ(
-                        names(x + random.vector(1e-9),
-                              turned_by(1e-9 * random.unit(), random.vector(1)) * mover.attitude),
-                        first)
+                    EXPECT_EQ(names(x + random.vector(1e-9),
+                                    turn(1e-9 * random.unit(), random.vector(1)) * mover.attitude),
+                              first)
                         << mover.name << " on " << test::kind_name(ground.geometry.kind) << " at "
                         << at.transpose();
             }
@@ -207,7 +196,7 @@ TEST(NarrowSurface, SlopesAndMovedFrames) {
             const double x = random.uniform(-3, 3), y = random.uniform(-3, 3);
             const Vec3 centre = Vec3(x, y, slope(x, y)) + (0.4 + gap) * up;
             const Manifold m =
-                touch(ball, place_at(shift + q * centre), ground.geometry, place_at(shift, q));
+                touch(ball, place(shift + q * centre), ground.geometry, place(shift, q));
             ASSERT_EQ(m.count, 1);
             EXPECT_NEAR(m.point[0].gap, gap, 1e-9);
             const double* n = m.point[0].normal;
@@ -223,8 +212,7 @@ TEST(NarrowSurface, RidgesAndValleys) {
     const auto ridge = [](double x, double) { return -std::fabs(x); };
     const auto valley = [](double x, double) { return std::fabs(x); };
     for (const Surface& ground : surfaces(ridge)) {
-        const Manifold m =
-            touch(ball, place_at({0, 0.2, 0.41}), ground.geometry, place_at({0, 0, 0}));
+        const Manifold m = touch(ball, place({0, 0.2, 0.41}), ground.geometry, place({0, 0, 0}));
         ASSERT_EQ(m.count, 1);
         EXPECT_NEAR(m.point[0].gap, 0.01, 1e-12);
         EXPECT_NEAR(m.point[0].normal[2], -1.0, 1e-12);
@@ -233,16 +221,15 @@ TEST(NarrowSurface, RidgesAndValleys) {
         beam.kind = box;
         beam.half_size[0] = 1.0;
         beam.half_size[1] = beam.half_size[2] = 0.2;
-        const Manifold cross = touch(
-            beam,
-            place_at({0, 0.1, 0.2 * std::sqrt(2.0) - 0.01}, turned_by(M_PI / 4, Vec3(1, 0, 0))),
-            ground.geometry, place_at({0, 0, 0}));
+        const Manifold cross =
+            touch(beam, place({0, 0.1, 0.2 * std::sqrt(2.0) - 0.01}, turn(M_PI / 4, Vec3(1, 0, 0))),
+                  ground.geometry, place({0, 0, 0}));
         ASSERT_GE(cross.count, 1);
         EXPECT_NEAR(least_gap(cross), -0.01, 1e-9);
     }
     for (const Surface& ground : surfaces(valley)) {
-        const Manifold m = touch(ball, place_at({0, 0.2, 0.4 * std::sqrt(2.0) - 0.01}),
-                                 ground.geometry, place_at({0, 0, 0}));
+        const Manifold m = touch(ball, place({0, 0.2, 0.4 * std::sqrt(2.0) - 0.01}),
+                                 ground.geometry, place({0, 0, 0}));
         ASSERT_EQ(m.count, 2);
         EXPECT_NEAR(m.point[0].gap, -0.01 / std::sqrt(2.0), 1e-9);
         EXPECT_NEAR(m.point[1].gap, -0.01 / std::sqrt(2.0), 1e-9);
@@ -255,17 +242,17 @@ TEST(NarrowSurface, GroundPushesUpFromAnyDepthAndAMeshToEitherSide) {
     for (const Mover& mover : movers())
         for (const double depth : {0.1, 0.5, 2.0, 20.0}) {
             const Manifold m =
-                touch(mover.geometry, place_at({0.13, -0.2, mover.height - depth}, mover.attitude),
-                      both[0].geometry, place_at({0, 0, 0}));
+                touch(mover.geometry, place({0.13, -0.2, mover.height - depth}, mover.attitude),
+                      both[0].geometry, place({0, 0, 0}));
             ASSERT_GE(m.count, 1) << mover.name << depth;
             EXPECT_NEAR(least_gap(m), -depth, 1e-9) << mover.name;
             EXPECT_NEAR(m.point[0].normal[2], -1.0, 1e-9);
         }
     for (const Mover& mover : movers()) {
-        const Manifold m = touch(mover.geometry,
-                                 place_at({0.13, -0.2, -mover.height + 0.01},
-                                          turned_by(M_PI, Vec3(1, 0, 0)) * mover.attitude),
-                                 both[1].geometry, place_at({0, 0, 0}));
+        const Manifold m = touch(
+            mover.geometry,
+            place({0.13, -0.2, -mover.height + 0.01}, turn(M_PI, Vec3(1, 0, 0)) * mover.attitude),
+            both[1].geometry, place({0, 0, 0}));
         ASSERT_EQ(m.count, mover.points) << mover.name;
         EXPECT_NEAR(least_gap(m), -0.01, 1e-9);
         EXPECT_NEAR(m.point[0].normal[2], 1.0, 1e-9);
@@ -286,7 +273,7 @@ TEST(NarrowSurface, RoughGroundGivesTheDistance) {
                 const test::RandomShape shape = test::random_shape(random, kind);
                 const Vec3 at(random.uniform(-2, 2), random.uniform(-2, 2),
                               random.uniform(0.5, 2.5));
-                const Placement pa = place_at(at, random.rotation());
+                const Placement pa = place(at, random.rotation());
                 const reference::Body body = test::body_of(shape, pa);
                 reference::Real least = 1e30L;
                 for (const auto& t : def.triangles) {
@@ -304,7 +291,7 @@ TEST(NarrowSurface, RoughGroundGivesTheDistance) {
                 }
                 if (least < 1e-6L) continue;
                 const Manifold m =
-                    touch(shape.geometry, pa, ground.geometry, place_at({0, 0, 0}), 0.5);
+                    touch(shape.geometry, pa, ground.geometry, place({0, 0, 0}), 0.5);
                 EXPECT_EQ(m.count > 0, least < 0.5L) << test::kind_name(kind) << i;
                 if (m.count == 0 || least >= 0.5L) continue;
                 ++seen;

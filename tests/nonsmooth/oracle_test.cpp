@@ -190,7 +190,7 @@ double newton(Problem& p, int iterations) {
         std::vector<Law> laws;
         for (Cone& c : p.cones) {
             c.coupling = Coupling::exact;
-            laws.push_back(linearise(c, Scaling::by_mobility, c.touch));
+            laws.push_back(linearise(c, c.touch));
         }
         const std::vector<Cone> from = p.cones;
         const double before = merit(p);

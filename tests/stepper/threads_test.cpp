@@ -27,5 +27,16 @@ TEST(Threads, StateHashDoesNotDependOnThreads) {
     }
 }
 
+/// Collider, contacts and what iterates on them: two chunks of contacts and more.
+TEST(Threads, StateHashDoesNotDependOnThreadsWithContacts) {
+    const int steps = test::kSanitized ? 3 : 20;
+    for (const char* name : {"wall_648.json", "chain_pile.json"}) {
+        const std::uint64_t serial = hash_after(name, 1, steps);
+        ASSERT_NE(serial, 0U);
+        for (const int threads : {2, 4})
+            EXPECT_EQ(hash_after(name, threads, steps), serial) << name << " on " << threads;
+    }
+}
+
 }  // namespace
 }  // namespace hawser

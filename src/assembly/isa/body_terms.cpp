@@ -62,7 +62,9 @@ V3T<T> free_rotation(const M3T<T>& inertia, const M3T<T>& inverse, const V3T<T>&
                                1e-34 * (square * square))))
             break;
     }
-    return u;
+    // Where h|ω| is far above one that may not have come to an end, and energy would grow without
+    // bound: such a spin stays as it is.
+    return select_greater(1.5 * dot(w, iw), dot(u, inertia * u), u, w);
 }
 
 /// Gyroscopic impulse between the spin and the change δ that torques make to it in this step,

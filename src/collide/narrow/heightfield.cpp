@@ -105,13 +105,7 @@ void make_heightfield(const ShapeDef& def, ShapeData& out) {
 HAWSER_PAIR(convex_heightfield) {
     out.count = 0;
     const ShapeData& data = *b.data;
-    const M3 r = generic::load9(pb.r);
-    Placement local{};
-    generic::store3(local.x, tmul(r, generic::load3(pa.x) - generic::load3(pb.x)));
-    for (int k = 0; k < 3; ++k) {
-        const V3 column = tmul(r, axis(generic::load9(pa.r), k));
-        for (int i = 0; i < 3; ++i) local.r[3 * i + k] = at(column, i);
-    }
+    const Placement local = seen_from(pa, pb);
     const Bounds box = bounds(a, local);
     if (box.low[2] >= data.high[2] + margin) return;
     const auto cell = [&](double x, int axis_index, int count) {
@@ -136,13 +130,7 @@ HAWSER_PAIR(convex_heightfield) {
                 touch_triangle(shape, triangle_of(ground, i, j, upper), margin, points);
             }
         }
-    for (int i = 0; i < points.count; ++i) {
-        Point& p = points.p[i];
-        p.on0 = r * (p.on0 + ground.centre);
-        p.on1 = r * (p.on1 + ground.centre);
-        p.normal = r * p.normal;
-    }
-    finish_surface(points, pb.x, shape, out);
+    finish_surface(points, pb, ground.centre, shape, out);
 }
 
 }  // namespace hawser::collide::narrow

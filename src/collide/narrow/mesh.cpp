@@ -173,14 +173,7 @@ void make_mesh(const ShapeDef& def, ShapeData& out) {
 HAWSER_PAIR(convex_mesh) {
     out.count = 0;
     const ShapeData& mesh = *b.data;
-    // In the frame of the mesh.
-    const M3 r = generic::load9(pb.r);
-    Placement local{};
-    generic::store3(local.x, tmul(r, generic::load3(pa.x) - generic::load3(pb.x)));
-    for (int k = 0; k < 3; ++k) {
-        const V3 column = tmul(r, axis(generic::load9(pa.r), k));
-        for (int i = 0; i < 3; ++i) local.r[3 * i + k] = at(column, i);
-    }
+    const Placement local = seen_from(pa, pb);
     const Bounds box = bounds(a, local);
     // Seen from the shape's centre, so that a large mesh costs no digits.
     const Convex shape = make_convex(a, local, local.x);
@@ -207,13 +200,7 @@ HAWSER_PAIR(convex_mesh) {
             touch_triangle(shape, triangle_of(seen, t), margin, points);
         }
     }
-    for (int i = 0; i < points.count; ++i) {
-        Point& p = points.p[i];
-        p.on0 = r * (p.on0 + centre);
-        p.on1 = r * (p.on1 + centre);
-        p.normal = r * p.normal;
-    }
-    finish_surface(points, pb.x, shape, out);
+    finish_surface(points, pb, centre, shape, out);
 }
 
 }  // namespace hawser::collide::narrow

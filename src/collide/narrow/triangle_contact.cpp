@@ -176,7 +176,26 @@ void make_room(Points& points, const Convex& shape) {
     }
 }
 
-void finish_surface(Points& points, const double* origin, const Convex& shape, Manifold& out) {
+Placement seen_from(const Placement& shape, const Placement& surface) noexcept {
+    const M3 r = generic::load9(surface.r);
+    Placement local{};
+    generic::store3(local.x, tmul(r, generic::load3(shape.x) - generic::load3(surface.x)));
+    for (int k = 0; k < 3; ++k) {
+        const V3 column = tmul(r, axis(generic::load9(shape.r), k));
+        for (int i = 0; i < 3; ++i) local.r[3 * i + k] = at(column, i);
+    }
+    return local;
+}
+
+void finish_surface(Points& points, const Placement& surface, const V3& centre, const Convex& shape,
+                    Manifold& out) {
+    const M3 r = generic::load9(surface.r);
+    for (int i = 0; i < points.count; ++i) {
+        Point& p = points.p[i];
+        p.on0 = r * (p.on0 + centre);
+        p.on1 = r * (p.on1 + centre);
+        p.normal = r * p.normal;
+    }
     std::sort(points.p, points.p + points.count, [](const Point& p, const Point& q) {
         return p.feature != q.feature ? p.feature < q.feature : p.gap < q.gap;
     });
@@ -187,7 +206,7 @@ void finish_surface(Points& points, const double* origin, const Convex& shape, M
         sort_by_gap(points);
         points.count = kMaxManifold;
     }
-    write_sorted(points, origin, out);
+    write_sorted(points, surface.x, out);
 }
 
 }  // namespace hawser::collide::narrow

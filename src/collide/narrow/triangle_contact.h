@@ -33,10 +33,14 @@ struct SurfaceTriangle {
 void touch_triangle(const Convex& shape, const SurfaceTriangle& surface, double margin,
                     Points& out);
 
-/// Reduce to at most kMaxManifold, sort and write: points of one normal (within 8 degrees) are one
-/// group; each keeps up to four (of a capsule: its ends and the deepest), fewer where there are
-/// more than two groups.
-void finish_surface(Points& points, const double* origin, const Convex& shape, Manifold& out);
+/// A shape's place in the frame of a surface.
+[[nodiscard]] Placement seen_from(const Placement& shape, const Placement& surface) noexcept;
+
+/// Points about `centre` in the surface's frame to the world; reduce to at most kMaxManifold, sort
+/// and write: points of one normal (within 8 degrees) are one group; each keeps up to four (of a
+/// capsule: its ends and the deepest), fewer where there are more than two groups.
+void finish_surface(Points& points, const Placement& surface, const V3& centre, const Convex& shape,
+                    Manifold& out);
 /// Keep at most four points of each group, once they are many.
 void make_room(Points& points, const Convex& shape);
 

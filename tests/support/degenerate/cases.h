@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file cases.h
+/// Worlds at the edge of sense, through the public interface.
+
+#include "support/yard.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace hawser::test {
+
+inline constexpr ShapeKind kMoving[] = {ShapeKind::sphere, ShapeKind::capsule, ShapeKind::box,
+                                        ShapeKind::cylinder, ShapeKind::hull};
+inline constexpr double kWhatever = 1e300;
+
+struct Degenerate {
+    std::string name;
+    std::function<void(Yard&)> build;
+    /// Greatest speed of a body's centre, ever [m/s]: what the case can explain.
+    double fastest = kWhatever;
+    int steps = 60;
+    std::function<void(World&, int)> before_step{};
+    WorldDef def{};
+};
+using Cases = std::vector<Degenerate>;
+
+// Shapes.
+Cases coincident();  ///< Four bodies in one place, each two kinds.
+Cases faces();       ///< Faces on faces: zero gap, redundant points, no room.
+Cases ratios();      ///< Masses and moments of inertia.
+Cases sizes();       ///< 1e-6 m to 1e5 m.
+Cases features();    ///< Segments without length, slivers, flat hulls.
+
+// Motions.
+Cases weightless();  ///< Contact without normal force.
+Cases frictions();   ///< μ = 0 and 100.
+Cases teleported();  ///< Set into each other before every step.
+Cases fast();        ///< Spinning, shot.
+Cases materials();   ///< Ends of the ranges.
+Cases steps_and_gravity();
+
+}  // namespace hawser::test
