@@ -9,10 +9,11 @@ import scenes_benchmark
 import scenes_cables
 import scenes_contact
 import scenes_contact_wires
+import scenes_joints
 import scenes_mechanisms
 import scenes_scheme
 
 if __name__ == "__main__":
     for module in (scenes_scheme, scenes_mechanisms, scenes_cables, scenes_benchmark,
-                   scenes_contact, scenes_contact_wires):
+                   scenes_contact, scenes_contact_wires, scenes_joints):
         module.main()

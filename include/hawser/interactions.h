@@ -48,7 +48,10 @@ namespace hawser {
     X(SlideMotor,     "slide_motor")      \
     X(ScalarMotor,    "scalar_motor")     \
     X(HingeRange,     "hinge_range")      \
-    X(SlideRange,     "slide_range")
+    X(SlideRange,     "slide_range")      \
+    X(HingeFriction,  "hinge_friction")   \
+    X(SlideFriction,  "slide_friction")   \
+    X(ScalarFriction, "scalar_friction")
 // clang-format on
 
 enum class InteractionKind : std::uint8_t {
@@ -64,6 +67,7 @@ inline constexpr int kInteractionKindCount = 0
 inline constexpr int kMaxInteractionBodies = 3;
 inline constexpr int kMaxInteractionRows = 6;
 inline constexpr int kMaxInteractionParams = 8;
+inline constexpr int kMaxFrictionLoads = 2;
 
 /// Marks a field that takes its default from the kind's table.
 inline constexpr double kDefault = std::numeric_limits<double>::quiet_NaN();
@@ -89,6 +93,7 @@ struct KindInfo {
     bool uses_frames = false;             ///< Reads InteractionDef::frame.
     const char* row_units = "";           ///< One letter a row: m metre, r radian, v velocity row.
     int scalar_slot = -1;                 ///< Slot that must be a scalar body; others must not.
+    bool takes_loads = false;             ///< Reads InteractionDef::load.
     bool length_from_pose = false;        ///< "length" defaults to the initial distance.
     std::span<const ParamInfo> params{};  ///< At most kMaxInteractionParams.
     const char* doc = "";                 ///< What it does, in one or two sentences.
@@ -99,6 +104,14 @@ struct KindInfo {
 [[nodiscard]] const KindInfo& kind_info(InteractionKind kind) noexcept;
 /// @return nullptr when no kind has this name.
 [[nodiscard]] const KindInfo* find_kind(std::string_view name) noexcept;
+
+/// What presses on dry friction: the force of another interaction, of which a share is the bound.
+struct FrictionLoad {
+    InteractionId interaction{};  ///< Added before; none: no load.
+    /// Of the norm of its rows in metres [1], for a torque [m], 0 to 1e6: μ of a slide, μ times
+    /// the radius of a bearing, tanh(μδ/2) of each end of a line round an angle δ.
+    double factor = 0.0;
+};
 
 /// One interaction between 1-3 bodies. A definition: World::add_interaction copies it whole.
 struct InteractionDef {
@@ -124,6 +137,9 @@ struct InteractionDef {
 
     /// Parameters in the order of KindInfo::params; kDefault = the table's default.
     std::array<double, kMaxInteractionParams> params = filled8();
+
+    /// Of kinds with friction: their bound is the parameter plus Σ factor ‖force‖ of these.
+    std::array<FrictionLoad, kMaxFrictionLoads> load{};
 
     /// Set one parameter by its name. @throws DefError when the kind has no such parameter.
     InteractionDef& set(std::string_view param, double value);

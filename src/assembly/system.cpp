@@ -54,6 +54,15 @@ double swing_rate(const model::Bodies& bodies, const model::Interactions& in, in
     return rate;
 }
 
+/// Motors without a range stay out of the way, unless an input may give them one.
+bool is_bounded(const model::Interactions& in, int id) {
+    const int flags = in.flags[at(id)];
+    if (flags & (model::kOneSided | model::kRange | model::kFriction)) return true;
+    return (flags & model::kMotor) &&
+           ((flags & model::kByInput) || in.low[at(id)] > -model::kUnbounded ||
+            in.high[at(id)] < model::kUnbounded);
+}
+
 }  // namespace
 
 void System::analyse(const model::Bodies& bodies, model::Interactions& interactions,
@@ -115,11 +124,11 @@ void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) 
             geo_record_[at(geo_place_[at(i)].record + kGeoSwing)] = swing_rate(bodies, in, i);
     for (base::Array<double>* a : {&a_, &v_new_, &momentum_})
         a->assign(at(bodies.dofs) + kSlack, 0.0);
-    one_sided.clear();
+    bounded.clear();
     breakable.clear();
     breaking_load.clear();
     for (int i = 0; i < in.count(); ++i) {
-        if (in.flags[at(i)] & (model::kOneSided | model::kRange)) one_sided.push_back(i);
+        if (is_bounded(in, i)) bounded.push_back(i);
         if (in.flags[at(i)] & model::kBreakable) {
             breakable.push_back(i);
             breaking_load.push_back(in.def[at(i)].get("breaking_load"));
@@ -168,9 +177,8 @@ void System::build_incidence(const model::Bodies& bodies, const model::Interacti
 void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
                           const WorldDef& def) {
     kept_.assign(at(in.count()), 0);
-    one_sided_mobility.clear();
-    for (const std::int32_t id : one_sided)
-        one_sided_mobility.push_back(mobility(bodies, in, id, 0));
+    bounded_mobility.clear();
+    for (const std::int32_t id : bounded) bounded_mobility.push_back(mobility(bodies, in, id, 0));
     const double h = def.step;
     for (int i = 0; i < in.count(); ++i) {
         bool keep = def.form == Form::saddle;
@@ -273,6 +281,7 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.jac_begin = in.jac_begin.data();
     v.geo = geo_place_.data();
     v.active = in.active.data();
+    v.held = in.held.data();
     v.parted = in.parted.data();
     v.inv_length = in.inv_length.data();
     v.epsilon = in.epsilon.data();

@@ -53,10 +53,10 @@ class System {
     std::vector<std::int32_t> node_of_body, node_of_interaction;  ///< −1: no node.
     Strips strips;
     Contacts contacts;
-    base::Array<Op> ops;                     ///< By column of the matrix.
-    base::Array<LaneOp> lane_ops;            ///< By place in the panels.
-    std::vector<std::int32_t> one_sided;     ///< Interactions with kOneSided or kRange.
-    std::vector<double> one_sided_mobility;  ///< Of their row: G M⁻¹ Gᵀ at the last analysis.
+    base::Array<Op> ops;                   ///< By column of the matrix.
+    base::Array<LaneOp> lane_ops;          ///< By place in the panels.
+    std::vector<std::int32_t> bounded;     ///< Interactions with a bounded force, ascending.
+    std::vector<double> bounded_mobility;  ///< Of their first row: G M⁻¹ Gᵀ at the last analysis.
     std::vector<std::int32_t> breakable;
     std::vector<double> breaking_load;  ///< Of each breakable one [N].
 

@@ -108,6 +108,7 @@ struct View {
     const std::int32_t* jac_begin;
     const GeoPlace* geo;
     double* active;
+    const double* held;  ///< By interaction: impulse of its first row while idle.
     const std::uint8_t* parted;
     const double* inv_length;  ///< 1/l₀ of wire elements, 0 for all else.
     const double* epsilon;

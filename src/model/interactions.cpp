@@ -28,6 +28,8 @@ std::uint8_t flags_of(const InteractionDef& d, const generic::RowSpec& first,
     int flag = 0;
     if (first.one_sided) flag |= kOneSided;
     if (first.range) flag |= kRange;
+    if (first.friction) flag |= kFriction;
+    if (has_force_range(d.kind)) flag |= kMotor;
     if (is_stretch(d.kind)) {
         if (d.get("breaking_load") < 1e30) flag |= kBreakable;
         if (std::isnan(d.compliance[0])) flag |= kFromLength;
@@ -37,12 +39,19 @@ std::uint8_t flags_of(const InteractionDef& d, const generic::RowSpec& first,
     return static_cast<std::uint8_t>(flag);
 }
 
-/// Write the Data of `def` at `out` (stride bytes).
-void write_data(const InteractionDef& def, std::byte* out) {
-    generic::with_kind(def.kind, [&]<class K>() {
-        const typename K::Data data = K::make(def);
-        std::memcpy(out, &data, sizeof data);
-    });
+/// Range of the force of the first row [N or N m].
+void force_range(const InteractionDef& d, int flags, double& low, double& high) {
+    low = -kUnbounded;
+    high = kUnbounded;
+    if (flags & kMotor) {
+        low = d.params[1];
+        high = d.params[2];
+    } else if (flags & kFriction) {
+        low = -d.params[0];
+        high = d.params[0];
+    } else if (flags & kOneSided) {
+        high = 0.0;
+    }
 }
 
 }  // namespace
@@ -82,7 +91,6 @@ int Interactions::add(const InteractionDef& filled, const Bodies& bodies_in, dou
     pool_index.push_back(static_cast<std::int32_t>(p.ids.size()));
     p.ids.push_back(id);
     p.data.resize(p.ids.size() * stride);
-    write_data(d, p.data.data() + (p.ids.size() - 1) * stride);
 
     int width = 0;
     for (int b = 0; b < kMaxInteractionBodies; ++b) {
@@ -103,6 +111,13 @@ int Interactions::add(const InteractionDef& filled, const Bodies& bodies_in, dou
     geo.push_back(geometry == generic::Geometry::none ? -1 : geo_count++);
     active.push_back(1.0);
     parted.push_back(0);
+    held.push_back(0.0);
+    low.push_back(0.0);
+    high.push_back(0.0);
+    force_range(filled, flags.back(), low.back(), high.back());
+    anchor.push_back(0.0);
+    write_data(id);
+    add_loads(d);
 
     for (int r = 0; r < info.rows; ++r) {
         const auto k = static_cast<std::size_t>(r);
@@ -122,12 +137,47 @@ int Interactions::add(const InteractionDef& filled, const Bodies& bodies_in, dou
     if (is_stretch(d.kind)) follow_length(id, bodies_in, h);
     if (d.kind == InteractionKind::WinchStretch && (flags.back() & kFromLength))
         winches.push_back(id);
-    if (has_force_range(d.kind)) {
+    if (flags.back() & kMotor) {
         motors.push_back(id);
         saturated.push_back(0);
     }
-    if (has_force_range(d.kind) || (flags.back() & kCarried)) working.push_back(id);
+    if (flags.back() & kFriction) {
+        frictions.push_back(id);
+        set_anchor(id, row_state(id, bodies_in).g[0]);
+    }
+    if (flags.back() & (kMotor | kFriction | kCarried)) working.push_back(id);
     return id;
+}
+
+void Interactions::add_loads(const InteractionDef& d) {
+    load_begin.push_back(-1);
+    if (!d.load[0].interaction.valid() && !d.load[1].interaction.valid()) return;
+    load_begin.back() = static_cast<std::int32_t>(loads.size());
+    for (const FrictionLoad& load : d.load) {
+        Load& l = loads.emplace_back();
+        if (!load.interaction.valid()) continue;
+        const auto of = at(load.interaction.index);
+        const std::string_view units = kind_info(def[of].kind).row_units;
+        l.row_begin = row_begin[of];
+        l.rows = static_cast<std::int32_t>(std::min(units.find_first_not_of('m'), units.size()));
+        l.factor = load.factor;
+    }
+}
+
+/// Write the Data of an interaction into its pool.
+void Interactions::write_data(int id) noexcept {
+    const InteractionDef& d = def[at(id)];
+    Pool& p = pool[static_cast<std::size_t>(d.kind)];
+    generic::with_kind(d.kind, [&]<class K>() {
+        typename K::Data data = K::make(d);
+        if constexpr (requires { data.anchor; }) data.anchor = anchor[at(id)];
+        std::memcpy(p.data.data() + at(pool_index[at(id)]) * p.stride, &data, sizeof data);
+    });
+}
+
+void Interactions::set_anchor(int id, double coordinate) noexcept {
+    anchor[at(id)] = coordinate;
+    write_data(id);
 }
 
 void Interactions::mark_driven(int id) {
@@ -138,8 +188,8 @@ void Interactions::mark_driven(int id) {
 
 void Interactions::refresh(int id, const Bodies& bodies_in, double h) noexcept {
     const InteractionDef& d = def[at(id)];
-    Pool& p = pool[static_cast<std::size_t>(d.kind)];
-    write_data(d, p.data.data() + at(pool_index[at(id)]) * p.stride);
+    write_data(id);
+    force_range(d, flags[at(id)], low[at(id)], high[at(id)]);
     if (is_stretch(d.kind)) follow_length(id, bodies_in, h);
 }
 
@@ -189,7 +239,7 @@ RowState Interactions::row_state(int id, const Bodies& b) const noexcept {
 }
 
 double Interactions::elastic(int id, const Bodies& b, double h) const noexcept {
-    if (active[at(id)] == 0.0) return 0.0;
+    if (active[at(id)] == 0.0 && !(flags[at(id)] & kFriction)) return 0.0;
     const RowState s = row_state(id, b);
     double energy = 0.0;
     for (int r = 0; r < rows[at(id)]; ++r) {
@@ -205,10 +255,11 @@ std::size_t Interactions::bytes() const noexcept {
     using base::bytes;
     std::size_t total = bytes(def) + bytes(pool_index) + bytes(body) + bytes(bodies) + bytes(rows) +
                         bytes(flags) + bytes(row_begin) + bytes(jac_begin) + bytes(geo) +
-                        bytes(active) + bytes(parted) + bytes(inv_length) + bytes(epsilon) +
-                        bytes(tau) + bytes(upsilon) + bytes(sigma) + bytes(inv_sigma) + bytes(g) +
-                        bytes(c) + bytes(residual) + bytes(lambda) + bytes(multiplier) +
-                        bytes(force) + bytes(row_flags) + bytes(jacobian);
+                        bytes(active) + bytes(held) + bytes(low) + bytes(high) + bytes(anchor) +
+                        bytes(load_begin) + bytes(loads) + bytes(parted) + bytes(inv_length) +
+                        bytes(epsilon) + bytes(tau) + bytes(upsilon) + bytes(sigma) +
+                        bytes(inv_sigma) + bytes(g) + bytes(c) + bytes(residual) + bytes(lambda) +
+                        bytes(multiplier) + bytes(force) + bytes(row_flags) + bytes(jacobian);
     for (const Pool& p : pool) total += bytes(p.ids) + bytes(p.data);
     return total;
 }

@@ -38,10 +38,24 @@ enum InteractionFlag : std::uint8_t {
     kFromLength = 8,  ///< Its compliance is length/EA and follows the length.
     kByInput = 16,    ///< An input drives one of its parameters.
     kCarried = 32,    ///< Touches a body with a prescribed velocity.
+    kMotor = 64,      ///< Its force has a range.
+    kFriction = 128,  ///< Its force has a bound, and its anchor gives way there.
 };
+
+/// No bound: far beyond any force [N].
+inline constexpr double kUnbounded = 1e30;
 
 /// Rows softer than this [m/N] store energy worth counting.
 inline constexpr double kElasticCompliance = 1e-11;
+
+/// Flags of interactions whose force is bounded.
+inline constexpr int kBounded = kOneSided | kRange | kMotor | kFriction;
+
+/// What adds to the bound of a row with friction: factor ‖force of the rows‖.
+struct Load {
+    std::int32_t row_begin = 0, rows = 0;  ///< rows = 0: nothing.
+    double factor = 0.0;
+};
 
 /// Rows of one interaction at given poses.
 struct RowState {
@@ -59,15 +73,23 @@ struct Interactions {
     base::Array<std::int32_t> body;  ///< kMaxInteractionBodies an id; −1 behind the last.
     base::Array<std::uint8_t> bodies, rows, flags;
     base::Array<std::int32_t> row_begin, jac_begin;
-    std::vector<std::int32_t> geo;        ///< Index of the geometric-stiffness record, or −1.
-    base::Array<double> active;           ///< 1, or 0: slack, inside its range or parted.
+    std::vector<std::int32_t> geo;  ///< Index of the geometric-stiffness record, or −1.
+    /// 1; or 0: its rows ask for nothing, and the first has the impulse `held`: slack, inside its
+    /// range or parted (0), or a motor or friction at a bound.
+    base::Array<double> active;
+    base::Array<double> held;              ///< [N s or N m s]; follows λ, not part of the state.
+    base::Array<double> low, high;         ///< Bounds of the force, loads apart [N or N m].
+    base::Array<double> anchor;            ///< Of friction, see kinds/friction.h [m or rad].
+    std::vector<std::int32_t> load_begin;  ///< First of kMaxFrictionLoads in `loads`, or −1.
+    std::vector<Load> loads;
     base::Array<std::uint8_t> parted;     ///< 1 once a line has parted.
     base::Array<double> inv_length;       ///< 1/l₀ of wire elements, 0 for all else.
     std::vector<std::int32_t> working;    ///< Those through which work enters: motors, driven by an
                                           ///< input, touching a prescribed velocity. Ascending.
     std::vector<std::int32_t> motors;     ///< Those with a force range, ascending.
+    std::vector<std::int32_t> frictions;  ///< Those with friction, ascending.
     std::vector<std::int32_t> winches;    ///< Winch stretches whose compliance follows the length.
-    std::vector<std::uint8_t> saturated;  ///< 1 a motor: its force is outside its range.
+    std::vector<std::uint8_t> saturated;  ///< 1 a motor: its force is at an end of its range.
 
     // By row.
     base::Array<double> epsilon, tau;    ///< ε, τ (γ, – for velocity rows).
@@ -90,12 +112,18 @@ struct Interactions {
     void mark_driven(int id);
     /// Rebuild the pool entry, and a compliance of length/EA, after a parameter changed.
     void refresh(int id, const Bodies& bodies_in, double h) noexcept;
+    /// Where friction holds on. [m or rad]
+    void set_anchor(int id, double coordinate) noexcept;
     /// Compliance and length of a wire element at its present rest length, which a drum pays out.
     void follow_length(int id, const Bodies& bodies_in, double h) noexcept;
     [[nodiscard]] RowState row_state(int id, const Bodies& bodies_in) const noexcept;
     /// Elastic energy at the half-step position [J].
     [[nodiscard]] double elastic(int id, const Bodies& bodies_in, double h) const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    void write_data(int id) noexcept;
+    void add_loads(const InteractionDef& d);
 };
 
 /// Fill in the defaults that a kind takes from the initial poses.

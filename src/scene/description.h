@@ -106,6 +106,11 @@ struct Scope {
 [[nodiscard]] BodyId resolve_body(Description& out, const Scope& scope, const std::string& name,
                                   const Place& place);
 
+/// Interaction with this local name, among those there are so far. @throws SceneError with the
+/// nearest name.
+[[nodiscard]] InteractionId resolve_interaction(const Description& out, const Scope& scope,
+                                                const std::string& name, const Place& place);
+
 /// Fill the description with everything in the document; see expand.cpp.
 void expand(Description& out, const Document& document);
 

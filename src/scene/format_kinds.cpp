@@ -40,6 +40,20 @@ Field parameter_field(const KindInfo& kind, const ParamInfo& param) {
     return field;
 }
 
+ShapePtr loads_shape() {
+    return make::list(
+        "one or two loads",
+        make::object(
+            "friction_load", "a load of friction",
+            "The force of another interaction, of which a share adds to the bound of friction.",
+            {{"interaction", make::text("an interaction's name"), true, "", "",
+              "Defined before; its rows in metres count: the force of a joint, of a line."},
+             {"factor", make::number("a factor", 0.0, 1e6), true, "", "1, or m for a torque",
+              "Friction coefficient of a slide; times the radius of a bearing; "
+              "tanh(μδ/2) of each end of a line round an angle δ."}}),
+        1, static_cast<std::size_t>(kMaxFrictionLoads));
+}
+
 ShapePtr kind_shape(const KindInfo& kind) {
     const auto count = static_cast<std::size_t>(kind.bodies);
     const std::string counted =
@@ -85,6 +99,10 @@ ShapePtr kind_shape(const KindInfo& kind) {
                       "s", "Of every row, or one number a row."});
     for (const ParamInfo& param : kind.params) {
         fields.push_back(parameter_field(kind, param));
+    }
+    if (kind.takes_loads) {
+        fields.push_back({"loads", loads_shape(), false, "none", "",
+                          "Interactions whose force adds to the largest one, at most two."});
     }
     return make::object(fmt::format("interaction_{}", kind.name), article(kind.name), kind.doc,
                         std::move(fields), std::move(alternatives));

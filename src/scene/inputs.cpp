@@ -2,7 +2,6 @@
 #include "scene/description.h"
 
 namespace hawser::scene {
-namespace {
 
 InteractionId resolve_interaction(const Description& out, const Scope& scope,
                                   const std::string& name, const Place& place) {
@@ -18,6 +17,8 @@ InteractionId resolve_interaction(const Description& out, const Scope& scope,
     }
     refuse(place, "there is no interaction " + in_quotes(name) + suggestion(name, known));
 }
+
+namespace {
 
 std::string resolve_param(const KindInfo& kind, const std::string& name, const Place& place) {
     std::vector<std::string> known;

@@ -78,6 +78,7 @@ class Reader {
         read_rows("compliance", def_.compliance, out_.default_compliance);
         read_rows("damping_time", def_.damping_time, out_.default_damping_time);
         read_params();
+        read_loads();
         return def_;
     }
 
@@ -179,6 +180,20 @@ class Reader {
         if (json_.contains("min") && json_.contains("max") &&
             json_["min"].get<double>() > json_["max"].get<double>()) {
             refuse(place_ / "min", "must not be greater than \"max\"");
+        }
+    }
+
+    void read_loads() {
+        const auto list = json_.find("loads");
+        if (list == json_.end()) {
+            return;
+        }
+        for (std::size_t i = 0; i < list->size(); ++i) {
+            const Json& load = (*list)[i];
+            def_.load[i].interaction =
+                resolve_interaction(out_, scope_, load["interaction"].get<std::string>(),
+                                    place_ / "loads" / i / "interaction");
+            def_.load[i].factor = load["factor"].get<double>();
         }
     }
 

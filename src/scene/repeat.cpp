@@ -98,6 +98,9 @@ class Copier {
             return id.valid() ? bodies[static_cast<std::size_t>(id.index)] : id;
         };
         const auto first = static_cast<std::int32_t>(out_.interactions.size());
+        const auto shifted = [&](InteractionId id) {
+            return id.valid() ? InteractionId{first + id.index} : id;
+        };
         for (std::size_t i = 0; i < base_.interactions; ++i) {
             InteractionDef def = out_.interactions[i];
             rename(def.name, prefix);
@@ -108,11 +111,11 @@ class Copier {
                 }
                 def.body[b] = mapped(def.body[b]);
             }
+            for (FrictionLoad& load : def.load) {
+                load.interaction = shifted(load.interaction);
+            }
             out_.add_interaction(std::move(def), number_);
         }
-        const auto shifted = [&](InteractionId id) {
-            return id.valid() ? InteractionId{first + id.index} : id;
-        };
         for (std::size_t i = 0; i < base_.inputs; ++i) {
             InputDef def = out_.inputs[i];
             rename(def.name, prefix);

@@ -46,12 +46,18 @@ class EventRing {
     std::int64_t count_ = 0, taken_ = 0;
 };
 
-/// Scratch of the solve for contacts, see newton.h.
+/// First row of an interaction with a bounded force, see bounds.h.
+struct BoundedRow {
+    double lambda = 0.0, r = 0.0;
+};
+
+/// Scratch of the solve for contacts and bounded rows, see newton.h.
 struct Newton {
-    std::vector<double> v, lambda;       ///< v₊, λ where an iteration began.
-    std::vector<double> contact;         ///< u and λ of contacts there, six a contact.
-    std::vector<double> line, line_end;  ///< λ and r of one-sided rows, see lines.h.
-    std::vector<nonsmooth::Law> laws;    ///< Of each contact, about the iterate.
+    std::vector<double> v, lambda;         ///< v₊, λ where an iteration began.
+    std::vector<double> contact;           ///< u and λ of contacts there, six a contact.
+    std::vector<BoundedRow> row, row_end;  ///< Where an iteration begins, and ends.
+    double bound_time = 0.0;               ///< That bounds of forces act for, see bounds.h [s].
+    std::vector<nonsmooth::Law> laws;      ///< Of each contact, about the iterate.
     nonsmooth::Gmres gmres;
     std::vector<double> x, u;              ///< Three a contact.
     std::vector<nonsmooth::Bound> bounds;  ///< Three a contact, of method pivoting.
@@ -103,7 +109,7 @@ struct StepContext {
     double contact_floor = 0.0;               ///< Impulse of a contact that does not count [N s].
     double residual_floor = 0.0;              ///< Denominator floor of the momentum residual.
     std::vector<assembly::Norms> norms;       ///< One a strip or group, merged in order.
-    std::vector<double> active_before;        ///< Of one_sided interactions, for events.
+    std::vector<double> active_before;        ///< Of bounded interactions, for events.
     /// Positions and rotations at the last analysis, which chose forms and floors by them.
     base::Array<double> analysed_x, analysed_r;
     std::vector<double> carriers_before;  ///< Poses of kinematic bodies, for the energy.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Work that enters through interactions, lines whose length a drum pays out, and motors beyond
-/// their force range.
+/// Work that enters through interactions, lines whose length a drum pays out, and motors at an end
+/// of their force range.
 #include "stepper/drives.h"
 
 #include "stepper/stages.h"
@@ -54,10 +54,10 @@ double drive_work(StepContext& ctx) noexcept {
     const assembly::View v = view(ctx);
     double work = 0.0;
     for (const std::int32_t id : ctx.interactions.working) {
-        if (v.active[id] == 0.0) continue;
+        if (v.active[id] == 0.0 && v.held[id] == 0.0) continue;
         const int flags = v.flags[id];
         const bool velocity = (v.row_flags[v.row_begin[id]] & model::kRowVelocity) != 0;
-        const bool driven = velocity || (flags & model::kByInput) != 0;
+        const bool driven = velocity || (flags & (model::kByInput | model::kFriction)) != 0;
         if (driven) work += work_on_bodies(v, id, true);
         if (flags & model::kCarried) work += work_of_carriers(ctx, v, id, driven);
     }
@@ -95,11 +95,10 @@ void report_saturation(StepContext& ctx) noexcept {
     model::Interactions& in = ctx.interactions;
     for (std::size_t i = 0; i < in.motors.size(); ++i) {
         const std::int32_t id = in.motors[i];
-        const double force = in.force[at(in.row_begin[at(id)])];
-        const auto& params = in.def[at(id)].params;
-        const bool outside = force < params[1] || force > params[2];
-        if (outside && !in.saturated[i]) push_event(ctx, EventKind::saturation, id, force);
-        in.saturated[i] = outside ? 1 : 0;
+        const bool at_end = in.active[at(id)] == 0.0;
+        if (at_end && !in.saturated[i])
+            push_event(ctx, EventKind::saturation, id, in.force[at(in.row_begin[at(id)])]);
+        in.saturated[i] = at_end ? 1 : 0;
     }
 }
 

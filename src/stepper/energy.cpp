@@ -80,13 +80,13 @@ Energy energy(StepContext& ctx) noexcept {
     const assembly::View v = view(ctx);
     // evaluate_rows() decides afresh which ranges are active; the state keeps what it had.
     for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
-        ctx.active_before[i] = v.active[ctx.system.one_sided[i]];
+        ctx.active_before[i] = v.active[ctx.system.bounded[i]];
     // The rows' own bodies go back by −(h/2) G v below.
     carriers_back(ctx);
     evaluate_rows(ctx);
     carriers_forth(ctx);
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
-        if (v.active[id] == 0.0) continue;
+        if (v.active[id] == 0.0 && !(v.flags[id] & model::kFriction)) continue;
         const double* jac = v.jacobian + v.jac_begin[id];
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
@@ -103,7 +103,7 @@ Energy energy(StepContext& ctx) noexcept {
         }
     }
     for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
-        v.active[ctx.system.one_sided[i]] = ctx.active_before[i];
+        v.active[ctx.system.bounded[i]] = ctx.active_before[i];
     e.applied = ctx.work;
     e.driven = ctx.drive;
     e.dissipated = ctx.drag;
@@ -127,6 +127,7 @@ std::uint64_t state_hash(const StepContext& ctx) noexcept {
     add(ctx.interactions.lambda);
     add(ctx.interactions.active);
     add(ctx.interactions.parted);
+    add(ctx.interactions.anchor);
     add(ctx.collider.kept());
     return base::fnv1a(&ctx.step, sizeof ctx.step, hash);
 }

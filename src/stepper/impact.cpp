@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stepper/impact.h"
 
+#include "stepper/bounds.h"
 #include "stepper/contact.h"
 #include "stepper/newton.h"
 #include "stepper/stages.h"
@@ -63,7 +64,8 @@ void hold_motion(StepContext& ctx) noexcept {
         over(ctx, v.interaction_count,
              [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
     };
-    update_rows();  // residual + Σλ = c − G v, and c becomes G v
+    hold_bounds(ctx, 0.0);  // forces with a bound make no impulse
+    update_rows();          // residual + Σλ = c − G v, and c becomes G v
     for (std::int32_t id = 0; id < v.interaction_count; ++id)
         for (std::int32_t r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r)
             v.c[r] -= v.active[id] != 0.0 ? v.residual[r] + v.sigma[r] * v.lambda[r] : 0.0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stepper/newton.h"
 
+#include "stepper/bounds.h"
 #include "stepper/contact.h"
 #include "stepper/iterate.h"
 #include "stepper/krylov.h"
-#include "stepper/lines.h"
 #include "stepper/stages.h"
 #include "stepper/sweeps.h"
 
@@ -40,7 +40,7 @@ std::int32_t linearise(StepContext& ctx) noexcept {
 
 /// Σ (W + Σ) ‖λ − P‖² over contacts, a share t of the way: an energy [J].
 double merit(const StepContext& ctx, double t) noexcept {
-    double sum = lines_merit(ctx, t);
+    double sum = bounds_merit(ctx, t);
     const base::Array<Cone>& cones = ctx.system.contacts.cones;
     for (std::size_t k = 0; k < cones.size(); ++k) {
         const Cone& c = cones[k];
@@ -127,14 +127,16 @@ Status iterate(StepContext& ctx, Coupling coupling) noexcept {
         } else {
             continue_with_factor(ctx);
         }
-        take_lines(ctx);
+        take_bounds(ctx);
         const Way way = it > 0 ? search(ctx, before) : Way{};
         if (!std::isfinite(way.merit)) return Status::not_finite;
         slow = it > kPatience && way.merit > kSlow * before;
         keep_iterate(ctx);
-        keep_lines(ctx, way.share);
-        again = switch_lines(ctx) > 0;
-        ctx.stats.natural_map = worst(ctx);
+        keep_bounds(ctx, way.share);
+        const bool last = it + 1 >= ctx.def.contact_iterations;
+        const Switched switched = switch_bounds(ctx, ctx.contact_floor, last ? 0 : kAnyRows);
+        again = switched.rows > 0;
+        ctx.stats.natural_map = std::max(worst(ctx), switched.moved);
         if (!std::isfinite(ctx.stats.natural_map)) return Status::not_finite;
         if (ctx.stats.natural_map <= ctx.def.contact_tolerance && !again) {
             ctx.stats.flips_left = 0;
@@ -143,7 +145,7 @@ Status iterate(StepContext& ctx, Coupling coupling) noexcept {
         ctx.stats.flips_left = linearise(ctx);
         // Not where lines have just switched: their rows would be left unsolved.
         ctx.stats.cut = !again && !affordable(ctx);
-        if (ctx.stats.cut || it + 1 >= ctx.def.contact_iterations) return Status::ok;
+        if (ctx.stats.cut || last) return Status::ok;
         before = merit(ctx, 0.0);
     }
 }
@@ -162,7 +164,6 @@ void reserve_newton(StepContext& ctx, std::size_t contacts) {
     n.bounds.resize(3 * contacts);
     n.limit.resize(contacts);
     n.touch.resize(contacts);
-    reserve_lines(ctx);
 }
 
 void begin_newton(StepContext& ctx) noexcept {

@@ -2,6 +2,7 @@
 /// Method pgs: projected Gauss-Seidel for every row, as most engines do it. No matrix. A sweep goes
 /// through the rows of all interactions in their order, then through the contacts: normal, then
 /// both tangents on the disk. It starts from the impulses of the last step.
+#include "stepper/bounds.h"
 #include "stepper/contact.h"
 #include "stepper/gauss_seidel.h"
 #include "stepper/iterate.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <new>
 
 namespace hawser::stepper {
@@ -60,28 +60,12 @@ double row_mobility(const StepContext& ctx, const View& v, std::int32_t id, int 
     return sum;
 }
 
-struct Range {
-    double low, high;
-};
-/// Impulses that a row may have.
-Range range_of(const View& v, std::int32_t id) noexcept {
-    constexpr double kAll = std::numeric_limits<double>::infinity();
-    if (v.parted[id]) return {0.0, 0.0};
-    if (v.flags[id] & model::kOneSided) return {-kAll, 0.0};
-    if (v.flags[id] & model::kRange) {
-        const double g = v.g[v.row_begin[id]];
-        if (g == 0.0) return {0.0, 0.0};
-        return g < 0.0 ? Range{0.0, kAll} : Range{-kAll, 0.0};
-    }
-    return {-kAll, kAll};
-}
-
 /// Velocities without rows, then with the impulses of the last step.
 void start(StepContext& ctx, const View& v) noexcept {
     for (std::int32_t b = 0; b < v.body_count; ++b)
         if (v.dof[b] > 0) answer(ctx, b, v.dof[b], v.a + v.dof_begin[b], v.v_new + v.dof_begin[b]);
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
-        const Range range = range_of(v, id);
+        const ImpulseRange range = impulse_range(ctx, id);
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
             v.lambda[row] = std::clamp(v.lambda[row], range.low, range.high);
@@ -98,7 +82,7 @@ void start(StepContext& ctx, const View& v) noexcept {
 
 void sweep_rows(StepContext& ctx, const View& v) noexcept {
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
-        const Range range = range_of(v, id);
+        const ImpulseRange range = impulse_range(ctx, id);
         if (range.low == range.high) continue;
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
@@ -115,15 +99,18 @@ void sweep_rows(StepContext& ctx, const View& v) noexcept {
 }
 
 /// What is left in the rows, for the certificate.
-void take_residuals(const View& v) noexcept {
+void take_residuals(StepContext& ctx, const View& v) noexcept {
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
-        const Range range = range_of(v, id);
-        const bool bounded = std::isfinite(range.low) || std::isfinite(range.high);
-        if (bounded) v.active[id] = v.lambda[v.row_begin[id]] != 0.0 ? 1.0 : 0.0;
+        const ImpulseRange range = impulse_range(ctx, id);
+        const double first = v.lambda[v.row_begin[id]];
+        if ((v.flags[id] & model::kBounded) || v.parted[id])
+            v.active[id] = range.low < first && first < range.high ? 1.0 : 0.0;
+        ctx.interactions.held[static_cast<std::size_t>(id)] = v.active[id] == 0.0 ? first : 0.0;
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
-            v.residual[row] =
-                v.active[id] * (v.c[row] - row_speed(v, id, r)) - v.sigma[row] * v.lambda[row];
+            const double idle = r == 0 ? (1.0 - v.active[id]) * v.held[id] : 0.0;
+            v.residual[row] = v.active[id] * (v.c[row] - row_speed(v, id, r)) -
+                              v.sigma[row] * (v.lambda[row] - idle);
         }
     }
 }
@@ -152,7 +139,7 @@ Status solve_pgs(StepContext& ctx) noexcept {
     ctx.newton.iterations = ctx.def.nonsmooth_sweeps;
     freeze_impulses(ctx);
     if (ctx.system.contacts.count() > 0) update_contacts(ctx, v.v_new);
-    take_residuals(v);
+    take_residuals(ctx, v);
     if (ctx.system.contacts.count() > 0) ctx.stats.natural_map = worst(ctx);
     if (!std::isfinite(ctx.stats.natural_map)) return Status::not_finite;
     return measure(ctx);

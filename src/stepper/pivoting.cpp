@@ -8,6 +8,7 @@
 /// (K. Murty, 1974), which ends with certainty, until it has. Each round is one symmetric
 /// factorisation, of what changed. Passes go on until the bounds stand still.
 #include "nonsmooth/box.h"
+#include "stepper/bounds.h"
 #include "stepper/iterate.h"
 #include "stepper/nonsmooth.h"
 #include "stepper/stages.h"

@@ -8,6 +8,7 @@
 /// exactly, and what joints and normals answer to friction is known a step later: long chains are
 /// viscous and stiff stacks creep.
 #include "nonsmooth/relax.h"
+#include "stepper/bounds.h"
 #include "stepper/contact.h"
 #include "stepper/gauss_seidel.h"
 #include "stepper/iterate.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stepper/stages.h"
 
+#include "stepper/bounds.h"
 #include "stepper/contact.h"
 #include "stepper/drives.h"
 #include "stepper/step.h"
@@ -66,7 +67,8 @@ void prepare(StepContext& ctx) {
         prepare_contacts(ctx);
     }
     analyse(ctx);
-    ctx.active_before.resize(ctx.system.one_sided.size());
+    reserve_bounds(ctx);
+    ctx.active_before.resize(ctx.system.bounded.size());
     ctx.lambda_before.resize(ctx.interactions.lambda.size());
     ctx.carriers_before.resize(16 * ctx.bodies.driven.size());
     double mass = 0.0, least = 1e300;
@@ -92,7 +94,7 @@ void prestep(StepContext&) noexcept {}
 void ease_taut_lines(StepContext& ctx) noexcept {
     model::Interactions& in = ctx.interactions;
     const double h = ctx.def.step;
-    for (const std::int32_t id : ctx.system.one_sided) {
+    for (const std::int32_t id : ctx.system.bounded) {
         if (!(in.flags[at(id)] & model::kOneSided)) continue;
         const auto row = at(in.row_begin[at(id)]);
         if (in.epsilon[row] == 0.0) continue;
@@ -116,6 +118,7 @@ void assemble_rows(StepContext& ctx) noexcept {
     const View v = view(ctx);
     const assembly::Kernels& k = assembly::kernels();
     ease_taut_lines(ctx);
+    hold_bounds(ctx, ctx.def.step);
     sweep(
         ctx,
         [&](int strip) {
@@ -128,38 +131,6 @@ void assemble_rows(StepContext& ctx) noexcept {
             k.first_body_rhs(v, a, b);
         });
     ctx.rhs_ready = true;
-}
-
-bool update_active_set(StepContext& ctx, int pass, int limit) noexcept {
-    const View v = view(ctx);
-    // All that ask for it are switched at first; then, since two may go on switching each other for
-    // ever, the first one only (K. G. Murty's least index rule, which ends).
-    constexpr int kTogether = 6;
-    const bool last = pass >= limit;
-    std::int32_t flips = 0;
-    for (std::int32_t id : ctx.system.one_sided) {
-        if (v.parted[id]) continue;
-        const std::int32_t row = v.row_begin[id];
-        const bool range = (v.flags[id] & model::kRange) != 0;
-        if (range && v.g[row] == 0.0) continue;
-        // A line pulls: λ < 0. A range pushes back: λ has the sign opposite to its violation.
-        const double pull = range && v.g[row] < 0.0 ? -1.0 : 1.0;
-        if (v.active[id] != 0.0) {
-            if (pull * v.lambda[row] <= 0.0) continue;
-            if (!last) {
-                v.active[id] = 0.0;
-                v.lambda[row] = 0.0;
-            }
-        } else {
-            if (pull * (v.c[row] - row_speed(v, id)) >= 0.0) continue;
-            if (!last) v.active[id] = 1.0;
-        }
-        ++flips;
-        if (pass >= kTogether && !last) break;
-    }
-    if (flips > 0) ctx.rhs_ready = false;
-    ctx.stats.flips_left = last ? flips : 0;
-    return flips > 0 && !last;
 }
 
 void integrate(StepContext& ctx) noexcept {
@@ -189,9 +160,10 @@ void integrate(StepContext& ctx) noexcept {
         push_event(ctx, EventKind::line_break, id, tension);
     }
     for (std::size_t i = 0; i < ctx.active_before.size(); ++i) {
-        const std::int32_t id = ctx.system.one_sided[i];
+        const std::int32_t id = ctx.system.bounded[i];
         const double now = v.active[id];
         if (now == ctx.active_before[i] || v.parted[id]) continue;
+        if (v.flags[id] & (model::kMotor | model::kFriction)) continue;
         const std::int32_t row = v.row_begin[id];
         if (v.flags[id] & model::kRange) {
             if (now != 0.0) push_event(ctx, EventKind::range, id, v.g[row]);
@@ -200,6 +172,7 @@ void integrate(StepContext& ctx) noexcept {
                        now != 0.0 ? -v.force_of_row[row] : 0.0);
         }
     }
+    move_anchors(ctx);
     report_saturation(ctx);
     follow_winches(ctx);
     // Above this the solution no longer satisfies its own equations to engineering accuracy.

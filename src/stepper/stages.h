@@ -35,10 +35,6 @@ void continue_with_factor(StepContext& ctx) noexcept;
 [[nodiscard]] Status measure(StepContext& ctx) noexcept;
 /// G v₊ of a one-row interaction.
 [[nodiscard]] double row_speed(const assembly::View& v, std::int32_t id) noexcept;
-/// Stage 7. Tension-only and range rows: switch those whose force or gap has the wrong sign.
-/// @return true if the system must be solved again.
-/// Pass `limit` switches nothing.
-[[nodiscard]] bool update_active_set(StepContext& ctx, int pass, int limit = 20) noexcept;
 /// Stage 8. Poses, velocities, forces, line breaks, energy bookkeeping, time.
 void integrate(StepContext& ctx) noexcept;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stepper/step.h"
 
+#include "stepper/bounds.h"
 #include "stepper/contact.h"
 #include "stepper/impact.h"
 #include "stepper/nonsmooth.h"
@@ -53,29 +54,21 @@ void remember(StepContext& ctx) noexcept {
     const model::Interactions& in = ctx.interactions;
     std::copy(in.lambda.begin(), in.lambda.end(), ctx.lambda_before.begin());
     for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
-        ctx.active_before[i] = in.active[static_cast<std::size_t>(ctx.system.one_sided[i])];
+        ctx.active_before[i] = in.active[static_cast<std::size_t>(ctx.system.bounded[i])];
 }
 
 void recall(StepContext& ctx) noexcept {
     model::Interactions& in = ctx.interactions;
     std::copy(ctx.lambda_before.begin(), ctx.lambda_before.end(), in.lambda.begin());
     for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
-        in.active[static_cast<std::size_t>(ctx.system.one_sided[i])] = ctx.active_before[i];
+        in.active[static_cast<std::size_t>(ctx.system.bounded[i])] = ctx.active_before[i];
 }
 
 Status solve_assembled(StepContext& ctx) noexcept {
-    constexpr int kMostPasses = 20;  // what then still switches shows in flips_left
-    Status status = Status::ok;
     if (ctx.def.nonsmooth == Nonsmooth::pgs) return timed(ctx, Stage::nonsmooth, solve_pgs);
     if (ctx.system.contacts.count() > 0) return timed(ctx, Stage::nonsmooth, solve_contacts);
-    for (int pass = 0;; ++pass) {
-        status = factor_and_solve(ctx);
-        if (status != Status::ok) return status;
-        const bool again = timed(ctx, Stage::nonsmooth, [&](StepContext& c) {
-            return update_active_set(c, pass, kMostPasses);
-        });
-        if (!again) return status;
-    }
+    const Status status = factor_and_solve(ctx);
+    return status == Status::ok ? timed(ctx, Stage::nonsmooth, settle_bounds) : status;
 }
 
 Status step(StepContext& ctx) noexcept {

@@ -111,7 +111,7 @@ void check(const BodyDef& def) {
     if (def.kind == BodyKind::rigid) check_inertia(where, def.inertia);
 }
 
-void check(const InteractionDef& def, const model::Bodies& bodies) {
+void check(const InteractionDef& def, const model::Bodies& bodies, int interactions) {
     const std::string where = label("interaction", def.name);
     if (static_cast<int>(def.kind) >= kInteractionKindCount) refuse(where, "unknown kind");
     const KindInfo& info = kind_info(def.kind);
@@ -144,6 +144,15 @@ void check(const InteractionDef& def, const model::Bodies& bodies) {
         if (info.uses_frames) unit_quaternion(where, "frame", def.frame[slot]);
     }
     if (!moves) refuse(where, "couples no body that moves");
+    for (const FrictionLoad& load : def.load) {
+        if (!load.interaction.valid()) continue;
+        if (!kind_info(def.kind).takes_loads)
+            refuse(where, std::string("a ") + info.name + " takes no loads");
+        if (load.interaction.index >= interactions)
+            refuse(where, "its load does not exist; interactions that load it are added before");
+        if (!(load.factor >= 0.0 && load.factor <= 1e6))
+            refuse(where, "factor of a load must be 0 to 1e6");
+    }
     for (int r = 0; r < info.rows; ++r) {
         const double e = def.compliance[static_cast<std::size_t>(r)];
         const double t = def.damping_time[static_cast<std::size_t>(r)];

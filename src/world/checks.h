@@ -16,7 +16,7 @@ void check(const WorldDef& def);
 /// @throws DefError
 void check(const BodyDef& def);
 /// Checks bodies, points, frames and row constants. @throws DefError
-void check(const InteractionDef& def, const model::Bodies& bodies);
+void check(const InteractionDef& def, const model::Bodies& bodies, int interactions);
 /// Checks parameters once defaults have been filled in. @throws DefError
 void check_params(const InteractionDef& def);
 /// @throws DefError

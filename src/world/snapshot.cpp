@@ -16,7 +16,7 @@ namespace hawser {
 namespace {
 
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'A', 'P', '5'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'A', 'P', '6'};
     std::uint64_t layout = 0;      ///< See layout_of().
     std::uint64_t parameters = 0;  ///< See parameters_of().
     std::uint64_t contacts = 0;    ///< Remembered from the last step.
@@ -60,6 +60,7 @@ void visit_state(Context& ctx, std::vector<double>& inputs, F&& f) {
     array(ctx.interactions.active);
     array(ctx.interactions.parted);
     array(ctx.interactions.saturated);
+    array(ctx.interactions.anchor);
     array(ctx.collider.kept());
     array(ctx.system.contacts.memory);
     // The order of elimination follows from them.
@@ -165,6 +166,10 @@ std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<I
         }
         array(d.compliance);
         array(d.damping_time);
+        for (const FrictionLoad& load : d.load) {
+            value(load.interaction.index);
+            value(load.factor);
+        }
         if ((ctx.interactions.flags[i] & model::kByInput) != 0)
             for (const InputDef& input : inputs)
                 if (input.interaction.index == static_cast<std::int32_t>(i))
@@ -262,6 +267,8 @@ void World::restore(std::span<const std::byte> bytes) {
     // as they were, which is not what an input said last if set_force() came after it.
     for (std::size_t i = 0; i < m.inputs.size(); ++i)
         if (m.inputs[i].interaction.valid()) m.apply_input(i, m.input_values[i]);
+    for (const std::int32_t id : m.ctx.interactions.frictions)
+        m.ctx.interactions.set_anchor(id, m.ctx.interactions.anchor[static_cast<std::size_t>(id)]);
     for (const std::int32_t id : m.ctx.interactions.winches)
         m.ctx.interactions.follow_length(id, m.ctx.bodies, m.ctx.def.step);
 }

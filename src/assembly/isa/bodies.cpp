@@ -80,9 +80,11 @@ void first_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept 
     for (std::int32_t id = begin; id < end; ++id) {
         const std::int32_t row = view.row_begin[id];
         for (int r = 0; r < view.rows[id]; ++r) {
-            const double residual = view.active[id] * view.c[row + r];
+            const double idle = r == 0 ? (1.0 - view.active[id]) * view.held[id] : 0.0;
+            const double asked = view.active[id] * view.c[row + r];
+            const double residual = asked + view.sigma[row + r] * idle;
             view.residual[row + r] = residual;
-            view.multiplier[row + r] = view.inv_sigma[row + r] * residual;
+            view.multiplier[row + r] = view.inv_sigma[row + r] * asked + idle;
             if (view.interaction_offset[id] >= 0)
                 view.solution[view.interaction_offset[id] + r] = residual;
         }

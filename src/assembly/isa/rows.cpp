@@ -166,6 +166,9 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
                 view.g[row + r] = rows.g[r];
                 view.c[row + r] =
                     ups * (speed[r] + prescribed[r] - inv_h4 * rows.g[r]) - prescribed[r];
+                // What slid has no memory of its speed: it is to stop.
+                if (view.flags[id] & 128)
+                    view.c[row + r] -= (1.0 - view.active[id]) * ups * speed[r];
                 if (view.flags[id] & 1) {
                     view.c[row + r] += when_slack(rows.g[r], speed[r] + prescribed[r], ups, view.h);
                 }
@@ -206,18 +209,19 @@ inline void row_products(const View& view, std::int32_t id, const double* u, Off
 template <int R>
 inline void row_update_one(const View& view, std::int32_t id, bool first) {
     const std::int32_t row = view.row_begin[id], offset = view.interaction_offset[id];
-    const double on = view.active[id];
+    const double on = view.active[id], idle = (1.0 - on) * view.held[id];
     double total[8];
     row_products<R>(view, id, view.v_new, [&](std::int32_t b) { return view.dof_begin[b]; }, total);
     if (offset >= 0) {
         for (int r = 0; r < R; ++r) {
             const double before = first ? 0.0 : view.lambda[row + r];
             const double lambda = before - view.solution[offset + r];
+            const double kept = r == 0 ? idle : 0.0;
             const double residual =
-                on * (view.c[row + r] - total[r]) - view.sigma[row + r] * lambda;
+                on * (view.c[row + r] - total[r]) - view.sigma[row + r] * (lambda - kept);
             view.lambda[row + r] = lambda;
             view.residual[row + r] = residual;
-            view.multiplier[row + r] = on * lambda;
+            view.multiplier[row + r] = on * lambda + kept;
             view.solution[offset + r] = residual;
         }
         return;
@@ -230,12 +234,14 @@ inline void row_update_one(const View& view, std::int32_t id, bool first) {
     for (int r = 0; r < R; ++r) {
         const double inverse = view.inv_sigma[row + r];
         const double change = first ? total[r] : delta[r];
-        const double before = first ? 0.0 : view.lambda[row + r];
+        const double kept = r == 0 ? idle : 0.0;
+        const double before = first ? kept : view.lambda[row + r];
         const double lambda = before + on * inverse * (view.residual[row + r] - change);
-        const double residual = on * (view.c[row + r] - total[r]) - view.sigma[row + r] * lambda;
+        const double residual =
+            on * (view.c[row + r] - total[r]) - view.sigma[row + r] * (lambda - kept);
         view.lambda[row + r] = lambda;
         view.residual[row + r] = residual;
-        view.multiplier[row + r] = on * (lambda + inverse * residual);
+        view.multiplier[row + r] = on * (lambda + inverse * residual) + kept;
     }
 }
 

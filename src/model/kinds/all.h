@@ -4,6 +4,7 @@
 /// Every kind. The list itself is HAWSER_INTERACTION_KINDS in <hawser/interactions.h>.
 
 #include "model/kinds/drives.h"
+#include "model/kinds/friction.h"
 #include "model/kinds/joints.h"
 #include "model/kinds/lines.h"
 

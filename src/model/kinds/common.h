@@ -62,6 +62,7 @@ struct RowSpec {
     bool gap = false;           ///< A translational constraint: counts in violation_max.
     bool one_sided = false;     ///< Only pulls (λ ≤ 0).
     bool range = false;         ///< Idle while inside its range.
+    bool friction = false;      ///< Its force is bounded, and what it holds on to gives way.
 };
 
 /// Geometric stiffness: none; of the arms of a joint; of a line between two points.

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file friction.h
+/// Dry friction in hinges, on slides and of scalar bodies; with a bound that an input drives,
+/// brakes.
+///
+/// ```
+///   q ──┤ spring ε ├── anchor ──┤ gives way beyond F ├──
+/// ```
+/// A coordinate q hangs on an anchor by a stiff spring: g = q − anchor. While |force| ≤ F the
+/// anchor stays, so that nothing creeps: at rest g = −ε f. At ±F the row has that force, and the
+/// anchor follows at the distance ε F (stepper/bounds.h). F is a parameter plus a share of what
+/// other interactions carry: of a bearing's own force, or of the two ends of a line round a
+/// bollard.
+
+#include "model/kinds/common.h"
+
+namespace hawser::HAWSER_ISA::kinds {
+
+inline constexpr ParamInfo kTorqueParams[] = {
+    {"torque", "N m", 0.0, 0.0, 1e30, "Largest torque, loads apart.", true}};
+inline constexpr ParamInfo kForceParams[] = {
+    {"force", "N", 0.0, 0.0, 1e30, "Largest force, loads apart.", true}};
+
+inline void friction_rows(const InteractionDef& d, double h, RowSpec* s) {
+    constraint_rows(d, h, 0, 1, false, s);
+    s[0].friction = true;
+}
+
+struct JointFrictionData {
+    double anchor;  ///< Part of the state: Interactions::anchor.
+    JointData joint;
+#ifdef HAWSER_KIND_SETUP
+    static JointFrictionData of(const InteractionDef& d) { return {0.0, JointData::of(d)}; }
+#endif
+};
+
+/// Friction of a hinge.
+struct HingeFriction {
+    static constexpr int kBodies = 2, kRows = 1;
+    static constexpr Geometry kGeometry = Geometry::none;
+    static constexpr KindInfo kInfo{
+        .kind = InteractionKind::HingeFriction,
+        .name = "hinge_friction",
+        .bodies = 2,
+        .rows = 1,
+        .uses_points = false,
+        .uses_frames = true,
+        .row_units = "r",
+        .takes_loads = true,
+        .params = kTorqueParams,
+        .doc = "Dry friction, or a brake, about z of the frames. It takes `loads`."};
+    using Data = JointFrictionData;
+    static void defaults(const InteractionDef& d, double h, RowSpec* s) { friction_rows(d, h, s); }
+    static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
+        V3 t;
+        const double q = twist(axes(b[0], d.joint.frame[0]), axes(b[1], d.joint.frame[1]), t);
+        out.g[0] = turned(q - d.anchor);
+        out.set(0, 0, {0, 0, 0}, -t);
+        out.set(1, 0, {0, 0, 0}, t);
+    }
+    /// The same angle in [−π, π].
+    static double turned(double angle) {
+        constexpr double kTurn = 6.283185307179586;
+        return angle - kTurn * __builtin_round(angle / kTurn);
+    }
+#ifdef HAWSER_KIND_SETUP
+    static Data make(const InteractionDef& d) { return Data::of(d); }
+#endif
+};
+
+/// Friction of a slider.
+struct SlideFriction {
+    static constexpr int kBodies = 2, kRows = 1;
+    static constexpr Geometry kGeometry = Geometry::none;
+    static constexpr KindInfo kInfo{
+        .kind = InteractionKind::SlideFriction,
+        .name = "slide_friction",
+        .bodies = 2,
+        .rows = 1,
+        .uses_points = true,
+        .uses_frames = true,
+        .row_units = "m",
+        .takes_loads = true,
+        .params = kForceParams,
+        .doc = "Dry friction, or a brake, along z of frame 0. It takes `loads`."};
+    using Data = JointFrictionData;
+    static void defaults(const InteractionDef& d, double h, RowSpec* s) { friction_rows(d, h, s); }
+    static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
+        const V3 ra = b[0].arm(d.joint.point[0]), rb = b[1].arm(d.joint.point[1]);
+        slide_row(axes(b[0], d.joint.frame[0]).z, ra, rb, b[1].x + rb - b[0].x - ra, 0, out);
+        out.g[0] -= d.anchor;
+    }
+#ifdef HAWSER_KIND_SETUP
+    static Data make(const InteractionDef& d) { return Data::of(d); }
+#endif
+};
+
+/// Friction of a scalar body.
+struct ScalarFriction {
+    static constexpr int kBodies = 1, kRows = 1;
+    static constexpr Geometry kGeometry = Geometry::none;
+    static constexpr KindInfo kInfo{
+        .kind = InteractionKind::ScalarFriction,
+        .name = "scalar_friction",
+        .bodies = 1,
+        .rows = 1,
+        .uses_points = false,
+        .uses_frames = false,
+        .row_units = "m",
+        .scalar_slot = 0,
+        .takes_loads = true,
+        .params = kForceParams,
+        .doc = "Dry friction, or a brake, of a scalar body (drum, spool). It takes `loads`."};
+    struct Data {
+        double anchor;
+    };
+    static void defaults(const InteractionDef& d, double h, RowSpec* s) { friction_rows(d, h, s); }
+    static void evaluate(const Data& d, const BodyRef* b, Rows<1, 1>& out) {
+        out.g[0] = b[0].x.x - d.anchor;
+        out.set(0, 0, {1, 0, 0}, {0, 0, 0});
+    }
+#ifdef HAWSER_KIND_SETUP
+    static Data make(const InteractionDef&) { return {0.0}; }
+#endif
+};
+
+}  // namespace hawser::HAWSER_ISA::kinds

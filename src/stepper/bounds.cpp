@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stepper/bounds.h"
+
+#include "stepper/stages.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::View;
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// What others add to the bound of friction, by their impulses at hand [N s].
+double load_of(const StepContext& ctx, std::int32_t id) noexcept {
+    const model::Interactions& in = ctx.interactions;
+    if (in.load_begin[at(id)] < 0) return 0.0;
+    double sum = 0.0;
+    for (int i = 0; i < kMaxFrictionLoads; ++i) {
+        const model::Load& load = in.loads[at(in.load_begin[at(id)] + i)];
+        double square = 0.0;
+        for (std::int32_t r = load.row_begin; r < load.row_begin + load.rows; ++r)
+            square += in.lambda[at(r)] * in.lambda[at(r)];
+        sum += load.factor * std::sqrt(square);
+    }
+    return sum;
+}
+
+double stiffness_scale(const StepContext& ctx, std::size_t i) noexcept {
+    const model::Interactions& in = ctx.interactions;
+    return ctx.system.bounded_mobility[i] + in.sigma[at(in.row_begin[at(ctx.system.bounded[i])])];
+}
+
+/// λ, and r = c − G v − Σλ, which is 0 of an active row: it has been solved for.
+BoundedRow row_now(const View& v, std::int32_t id) noexcept {
+    const std::int32_t row = v.row_begin[id];
+    const double lambda = v.lambda[row];
+    const double r =
+        v.active[id] != 0.0 ? 0.0 : v.c[row] - row_speed(v, id) - v.sigma[row] * lambda;
+    return {lambda, r};
+}
+
+BoundedRow along(const Newton& n, std::size_t i, double t) noexcept {
+    const BoundedRow &a = n.row[i], &b = n.row_end[i];
+    return {a.lambda + t * (b.lambda - a.lambda), a.r + t * (b.r - a.r)};
+}
+
+/// λ and v₊ as they stand. All that ask for it are switched at first; then, since two may go on
+/// switching each other for ever, the first one only (K. G. Murty's least index rule, which ends).
+Switched switch_solved(StepContext& ctx, int pass) noexcept {
+    constexpr int kTogether = 6, kMostPasses = 20;
+    take_bounds(ctx);
+    keep_bounds(ctx, 1.0);
+    const Switched s = switch_bounds(ctx, 0.0, pass < kTogether ? kAnyRows : pass < kMostPasses);
+    ctx.stats.flips_left = pass < kMostPasses ? 0 : s.rows;
+    if (s.rows > 0) ctx.rhs_ready = false;
+    return pass < kMostPasses ? s : Switched{};
+}
+
+}  // namespace
+
+ImpulseRange impulse_range(const StepContext& ctx, std::int32_t id) noexcept {
+    const model::Interactions& in = ctx.interactions;
+    const int flags = in.flags[at(id)];
+    if (in.parted[at(id)]) return {0.0, 0.0};
+    if (flags & model::kRange) {
+        constexpr double kAll = model::kUnbounded;
+        const double g = in.g[at(in.row_begin[at(id)])];
+        return {g > 0.0 ? -kAll : 0.0, g < 0.0 ? kAll : 0.0};
+    }
+    // A line's force has no bound in an impact either.
+    const double time = flags & (model::kMotor | model::kFriction) ? ctx.newton.bound_time : 1.0;
+    ImpulseRange range{time * in.low[at(id)], time * in.high[at(id)]};
+    if (flags & model::kFriction) {
+        const double load = load_of(ctx, id);
+        range.low -= load;
+        range.high += load;
+    }
+    range.low = std::min(range.low, range.high);
+    return range;
+}
+
+void reserve_bounds(StepContext& ctx) {
+    ctx.newton.row.resize(ctx.system.bounded.size());
+    ctx.newton.row_end.resize(ctx.system.bounded.size());
+}
+
+void hold_bounds(StepContext& ctx, double time) noexcept {
+    model::Interactions& in = ctx.interactions;
+    ctx.newton.bound_time = time;
+    for (const std::int32_t id : ctx.system.bounded) {
+        double& held = in.held[at(id)];
+        held = 0.0;
+        if (in.active[at(id)] != 0.0 || !(in.flags[at(id)] & (model::kMotor | model::kFriction)))
+            continue;
+        const ImpulseRange range = impulse_range(ctx, id);
+        const double last = in.lambda[at(in.row_begin[at(id)])];
+        held = last == 0.0 ? std::clamp(0.0, range.low, range.high)
+                           : (last < 0.0 ? range.low : range.high);
+    }
+}
+
+void take_bounds(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    for (std::size_t i = 0; i < ctx.system.bounded.size(); ++i)
+        ctx.newton.row_end[i] = row_now(v, ctx.system.bounded[i]);
+}
+
+void keep_bounds(StepContext& ctx, double t) noexcept {
+    Newton& n = ctx.newton;
+    if (t == 1.0) return n.row.swap(n.row_end);
+    for (std::size_t i = 0; i < n.row.size(); ++i) n.row[i] = along(n, i, t);
+}
+
+double bounds_merit(const StepContext& ctx, double t) noexcept {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < ctx.system.bounded.size(); ++i) {
+        const ImpulseRange range = impulse_range(ctx, ctx.system.bounded[i]);
+        const double scale = stiffness_scale(ctx, i);
+        const BoundedRow p = along(ctx.newton, i, t);
+        const double e = p.lambda - std::clamp(p.lambda + p.r / scale, range.low, range.high);
+        sum += scale * e * e;
+    }
+    return sum;
+}
+
+Switched switch_bounds(StepContext& ctx, double floor, std::int32_t most) noexcept {
+    const View v = view(ctx);
+    Switched out;
+    for (std::size_t i = 0; i < ctx.system.bounded.size(); ++i) {
+        const std::int32_t id = ctx.system.bounded[i], row = v.row_begin[id];
+        const ImpulseRange range = impulse_range(ctx, id);
+        if (v.parted[id] || ((v.flags[id] & model::kRange) && range.low == range.high)) continue;
+        const BoundedRow p = ctx.newton.row[i];
+        const double y = p.lambda + p.r / stiffness_scale(ctx, i);
+        const double projected = std::clamp(y, range.low, range.high);
+        const bool active = range.low < y && y < range.high, was_active = v.active[id] != 0.0;
+        const double change = std::fabs(projected - p.lambda);
+        if (active && was_active) continue;
+        // Lines that lie about are slack and taut by rounding: that decides nothing.
+        if (active != was_active && change <= floor) continue;
+        if (active != was_active && out.rows++ >= most) continue;
+        if (most == 0) continue;
+        v.active[id] = active ? 1.0 : 0.0;
+        if (active) continue;
+        double& held = ctx.interactions.held[at(id)];
+        if (!was_active && held != projected)
+            out.moved = std::max(out.moved, std::fabs(projected - held) /
+                                                std::max({std::fabs(projected), floor, 1e-300}));
+        held = projected;
+        v.lambda[row] = projected;
+    }
+    return out;
+}
+
+Status settle_bounds(StepContext& ctx) noexcept {
+    constexpr int kMostSolves = 100;
+    int pass = 0;
+    for (int solves = 0; solves < kMostSolves; ++solves) {
+        const Switched now = switch_solved(ctx, pass);
+        ctx.stats.natural_map = now.moved;
+        Status status = Status::ok;
+        if (now.rows > 0) {
+            ++pass;
+            status = factor_and_solve(ctx);
+        } else if (now.moved > ctx.def.contact_tolerance) {
+            continue_with_factor(ctx);
+            status = refine(ctx);
+        } else {
+            break;
+        }
+        if (status != Status::ok) return status;
+    }
+    return Status::ok;
+}
+
+bool update_active_set(StepContext& ctx, int pass) noexcept {
+    const Switched s = switch_solved(ctx, pass);
+    return s.rows > 0 || s.moved > ctx.def.contact_tolerance;
+}
+
+void move_anchors(StepContext& ctx) noexcept {
+    model::Interactions& in = ctx.interactions;
+    for (const std::int32_t id : in.frictions) {
+        if (in.active[at(id)] != 0.0) continue;
+        const auto row = at(in.row_begin[at(id)]);
+        const double g = in.row_state(id, ctx.bodies).g[0];
+        in.set_anchor(id, in.anchor[at(id)] + g + in.epsilon[row] * in.force[row]);
+    }
+}
+
+}  // namespace hawser::stepper
