@@ -37,6 +37,10 @@ void case_spinning_disk(Report& report);
 void case_painleve(Report& report);
 void case_stacks(Report& report);
 void case_walls(Report& report);
+void case_joint_friction(Report& report);
+void case_bollard(Report& report);
+void case_joint_limits(Report& report);
+void case_motor_limits(Report& report);
 // validate_scheme.cpp
 void case_static_violation(Report& report);
 void case_violation_decay(Report& report);

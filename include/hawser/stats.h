@@ -38,7 +38,7 @@ enum class EventKind : std::uint8_t {
     line_break,  ///< A stretch element exceeded its breaking load and parted. value: tension [N].
     slack,       ///< A tension-only element went slack. value: 0.
     taut,        ///< A slack element came under load. value: tension [N].
-    saturation,  ///< A motor's force left its range, which is not enforced yet; once each time.
+    saturation,  ///< A motor's force reached an end of its range; once each time.
                  ///< value: force [N or N m].
     range,       ///< A joint reached the end of its range. value: how far beyond [m or rad].
     input_clamped,  ///< An input was outside its range. value: the value asked for.

@@ -147,9 +147,7 @@ void events(Out out, const Summary& s) {
     }
     fmt::format_to(out, "\n  events       {}\n", counts.empty() ? "none" : counts);
     if (s.last.event_count[static_cast<std::size_t>(EventKind::saturation)] > 0)
-        fmt::format_to(out,
-                       "  warning      a motor needed more force than its range allows; ranges are "
-                       "not enforced yet\n");
+        fmt::format_to(out, "  warning      a motor gave all the force that its range allows\n");
     constexpr std::size_t kShown = 10;
     for (std::size_t i = 0; i < std::min(kShown, s.events.size()); ++i)
         fmt::format_to(out, "    {:10.4f} s  {:<13} {}  {:.6g}\n", s.events[i].time,

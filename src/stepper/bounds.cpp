@@ -42,6 +42,12 @@ BoundedRow row_now(const View& v, std::int32_t id) noexcept {
     return {lambda, r};
 }
 
+/// The end of the range that an impulse was at when the ends were elsewhere.
+double moved_with(const ImpulseRange& range, double held) noexcept {
+    if (held == 0.0) return std::clamp(0.0, range.low, range.high);
+    return held < 0.0 ? range.low : range.high;
+}
+
 BoundedRow along(const Newton& n, std::size_t i, double t) noexcept {
     const BoundedRow &a = n.row[i], &b = n.row_end[i];
     return {a.lambda + t * (b.lambda - a.lambda), a.r + t * (b.r - a.r)};
@@ -96,9 +102,7 @@ void hold_bounds(StepContext& ctx, double time) noexcept {
         if (in.active[at(id)] != 0.0 || !(in.flags[at(id)] & (model::kMotor | model::kFriction)))
             continue;
         const ImpulseRange range = impulse_range(ctx, id);
-        const double last = in.lambda[at(in.row_begin[at(id)])];
-        held = last == 0.0 ? std::clamp(0.0, range.low, range.high)
-                           : (last < 0.0 ? range.low : range.high);
+        held = moved_with(range, in.lambda[at(in.row_begin[at(id)])]);
     }
 }
 
@@ -134,7 +138,10 @@ Switched switch_bounds(StepContext& ctx, double floor, std::int32_t most) noexce
         const ImpulseRange range = impulse_range(ctx, id);
         if (v.parted[id] || ((v.flags[id] & model::kRange) && range.low == range.high)) continue;
         const BoundedRow p = ctx.newton.row[i];
-        const double y = p.lambda + p.r / stiffness_scale(ctx, i);
+        double& held = ctx.interactions.held[at(id)];
+        // An idle row goes where its bound has gone; only then it is asked whether it stays.
+        const double lambda = v.active[id] != 0.0 ? p.lambda : moved_with(range, held);
+        const double y = lambda + p.r / stiffness_scale(ctx, i);
         const double projected = std::clamp(y, range.low, range.high);
         const bool active = range.low < y && y < range.high, was_active = v.active[id] != 0.0;
         const double change = std::fabs(projected - p.lambda);
@@ -145,7 +152,6 @@ Switched switch_bounds(StepContext& ctx, double floor, std::int32_t most) noexce
         if (most == 0) continue;
         v.active[id] = active ? 1.0 : 0.0;
         if (active) continue;
-        double& held = ctx.interactions.held[at(id)];
         if (!was_active && held != projected)
             out.moved = std::max(out.moved, std::fabs(projected - held) /
                                                 std::max({std::fabs(projected), floor, 1e-300}));

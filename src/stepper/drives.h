@@ -18,7 +18,7 @@ void move_carriers(StepContext& ctx) noexcept;
 /// drums' coordinates. The strain energy that goes onto or comes off the drum is counted as driven.
 void follow_winches(StepContext& ctx) noexcept;
 
-/// Log motors whose force has left their range. The range is not enforced.
+/// Log motors whose force has come to an end of its range.
 void report_saturation(StepContext& ctx) noexcept;
 
 }  // namespace hawser::stepper

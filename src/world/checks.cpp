@@ -111,7 +111,8 @@ void check(const BodyDef& def) {
     if (def.kind == BodyKind::rigid) check_inertia(where, def.inertia);
 }
 
-void check(const InteractionDef& def, const model::Bodies& bodies, int interactions) {
+void check(const InteractionDef& def, const model::Bodies& bodies,
+           const std::vector<InteractionDef>& before) {
     const std::string where = label("interaction", def.name);
     if (static_cast<int>(def.kind) >= kInteractionKindCount) refuse(where, "unknown kind");
     const KindInfo& info = kind_info(def.kind);
@@ -148,8 +149,12 @@ void check(const InteractionDef& def, const model::Bodies& bodies, int interacti
         if (!load.interaction.valid()) continue;
         if (!kind_info(def.kind).takes_loads)
             refuse(where, std::string("a ") + info.name + " takes no loads");
-        if (load.interaction.index >= interactions)
+        if (load.interaction.index >= static_cast<int>(before.size()))
             refuse(where, "its load does not exist; interactions that load it are added before");
+        const InteractionDef& other = before[static_cast<std::size_t>(load.interaction.index)];
+        if (kind_info(other.kind).row_units[0] != 'm')
+            refuse(where, std::string("a ") + kind_info(other.kind).name +
+                              " carries no force that could load it");
         if (!(load.factor >= 0.0 && load.factor <= 1e6))
             refuse(where, "factor of a load must be 0 to 1e6");
     }

@@ -9,6 +9,8 @@
 
 #include "model/bodies.h"
 
+#include <vector>
+
 namespace hawser::world {
 
 /// @throws DefError
@@ -16,7 +18,8 @@ void check(const WorldDef& def);
 /// @throws DefError
 void check(const BodyDef& def);
 /// Checks bodies, points, frames and row constants. @throws DefError
-void check(const InteractionDef& def, const model::Bodies& bodies, int interactions);
+void check(const InteractionDef& def, const model::Bodies& bodies,
+           const std::vector<InteractionDef>& before);
 /// Checks parameters once defaults have been filled in. @throws DefError
 void check_params(const InteractionDef& def);
 /// @throws DefError

@@ -38,7 +38,7 @@ BodyId World::add_body(const BodyDef& def) {
 
 InteractionId World::add_interaction(const InteractionDef& def) {
     Impl& m = *impl_;
-    world::check(def, m.ctx.bodies, interaction_count());
+    world::check(def, m.ctx.bodies, m.ctx.interactions.def);
     if (m.ctx.interactions.count() >= m.ctx.def.max_interactions)
         throw DefError("too many interactions; raise WorldDef::max_interactions");
     InteractionDef d = def;

@@ -61,6 +61,9 @@ TEST(Interactions, every_kind_is_read) {
     EXPECT_NEAR(interaction(d, "distance").get("length"), 2.0, 1e-15);
     EXPECT_NEAR(interaction(d, "winch_stretch").get("length"), 2.0, 1e-15);
     EXPECT_EQ(interaction(d, "lock").compliance[3], 1e-9);
+    const FrictionLoad& load = interaction(d, "hinge_friction").load[0];
+    EXPECT_EQ(d.interactions[static_cast<std::size_t>(load.interaction.index)].name, "hinge");
+    EXPECT_EQ(load.factor, 0.1);
     const InteractionDef& u = interaction(d, "universal");
     EXPECT_TRUE((u.frame[0] * Vec3::UnitZ()).isApprox(Vec3::UnitY(), 1e-12));
     EXPECT_TRUE((u.frame[1] * Vec3::UnitZ()).isApprox(Vec3::UnitZ(), 1e-12));

@@ -154,7 +154,12 @@ inline constexpr std::string_view kKinds = R"({
     {"name": "hinge_range", "kind": "hinge_range", "bodies": ["a", "b"], "axis": [0, 0, 1],
      "min": -1, "max": 1},
     {"name": "slide_range", "kind": "slide_range", "bodies": ["a", "b"], "axis": [1, 0, 0],
-     "min": -1, "max": 1}
+     "min": -1, "max": 1},
+    {"name": "hinge_friction", "kind": "hinge_friction", "bodies": ["a", "b"], "axis": [0, 0, 1],
+     "torque": 5, "loads": [{"interaction": "hinge", "factor": 0.1}]},
+    {"name": "slide_friction", "kind": "slide_friction", "bodies": ["a", "b"], "axis": [1, 0, 0],
+     "force": 5},
+    {"name": "scalar_friction", "kind": "scalar_friction", "bodies": ["d"], "force": 5}
   ]
 })";
 

