@@ -79,8 +79,8 @@ struct WorldDef {
     bool staggered_start = true;  ///< v₀ taken at t = −h/2, which makes the scheme second order.
     /// Relative residual at which the contacts of a step count as solved, 1e-12 to 1.
     double contact_tolerance = 1e-6;
-    /// Most iterations of a step, 1-1000; Newton's method, where they do not suffice, starts again
-    /// with as many that are symmetric.
+    /// Most iterations of an attempt, 1-1000; Newton's method, where they do not suffice, starts
+    /// again: through softer tangents, then with iterations that are symmetric.
     int contact_iterations = 60;
     Nonsmooth nonsmooth = Nonsmooth::newton;
     int nonsmooth_sweeps = 50;  ///< Sweeps a step of `split` and `pgs`, 1 to 100,000.

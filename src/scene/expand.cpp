@@ -234,6 +234,8 @@ void read_settings(Description& out, const Json& root) {
     def.staggered_start = settings.value("staggered_start", def.staggered_start);
     def.contact_margin = number_or(settings, "contact_margin", def.contact_margin);
     def.nonsmooth = nonsmooth_from(text_or(settings, "nonsmooth", "newton"));
+    def.contact_tolerance = number_or(settings, "contact_tolerance", def.contact_tolerance);
+    def.contact_iterations = settings.value("contact_iterations", def.contact_iterations);
     def.nonsmooth_sweeps = settings.value("nonsmooth_sweeps", def.nonsmooth_sweeps);
     def.refinements = settings.value("refinements", def.refinements);
     out.duration = number_or(settings, "duration", out.duration);

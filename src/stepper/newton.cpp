@@ -114,7 +114,7 @@ Status end_early(StepContext& ctx) noexcept {
 }
 
 /// Newton iterations from the iterate at hand. @param coupling  Of all contacts.
-Status iterate(StepContext& ctx, Coupling coupling) noexcept {
+Status iterate(StepContext& ctx, Coupling coupling, double tolerance) noexcept {
     for (Cone& c : ctx.system.contacts.cones) c.coupling = coupling;
     bool again = false, slow = false;
     double before = 0.0;
@@ -138,7 +138,7 @@ Status iterate(StepContext& ctx, Coupling coupling) noexcept {
         again = switched.rows > 0;
         ctx.stats.natural_map = std::max(worst(ctx), switched.moved);
         if (!std::isfinite(ctx.stats.natural_map)) return Status::not_finite;
-        if (ctx.stats.natural_map <= ctx.def.contact_tolerance && !again) {
+        if (ctx.stats.natural_map <= tolerance && !again) {
             ctx.stats.flips_left = 0;
             return Status::ok;
         }
@@ -148,6 +148,43 @@ Status iterate(StepContext& ctx, Coupling coupling) noexcept {
         if (ctx.stats.cut || last) return Status::ok;
         before = merit(ctx, 0.0);
     }
+}
+
+/// Begin again at the velocities and impulses that contacts hold.
+void restart(StepContext& ctx) noexcept {
+    (void)linearise(ctx);
+    adopt_laws(ctx, true);
+    update_contacts(ctx, nullptr);
+    ctx.rhs_ready = false;
+}
+
+/// From where the last step ended, see newton.h.
+void go_back(StepContext& ctx) noexcept {
+    for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
+        std::copy_n(&ctx.contact_speed[3 * k], 3, ctx.system.contacts.cones[k].u);
+        ctx.system.contacts.recall_lambda(k);
+    }
+}
+
+bool solved(const StepContext& ctx, Status status) noexcept {
+    return status == Status::ok && ctx.stats.natural_map <= ctx.def.contact_tolerance;
+}
+
+/// Continuation, see newton.h.
+Status from_soft(StepContext& ctx) noexcept {
+    constexpr double kRough = 1e-2;  // what a softer system needs to be a start for the next
+    for (const double soften : {1024.0, 32.0}) {  // powers of two: exactly undone
+        for (Cone& c : ctx.system.contacts.cones) c.sigma_t *= soften;
+        restart(ctx);
+        const Status status = iterate(ctx, Coupling::exact, kRough);
+        for (Cone& c : ctx.system.contacts.cones) c.sigma_t /= soften;
+        if (status != Status::ok) return status;
+        if (ctx.stats.cut) break;
+    }
+    ctx.stats.natural_map = worst(ctx);
+    if (ctx.stats.cut) return Status::ok;
+    restart(ctx);
+    return iterate(ctx, Coupling::exact, ctx.def.contact_tolerance);
 }
 
 }  // namespace
@@ -174,26 +211,23 @@ void begin_newton(StepContext& ctx) noexcept {
 
 Status solve_newton(StepContext& ctx) noexcept {
     ctx.newton.iterations = 0;
-    Status status = iterate(ctx, Coupling::exact);
-    const auto unsolved = [&] {
-        return status == Status::ok && ctx.stats.natural_map > ctx.def.contact_tolerance;
-    };
-    const bool try_lagged = unsolved() && !ctx.stats.cut;
-    if (try_lagged || status == Status::not_finite || status == Status::wrong_pivot) {
-        // From rest, symmetric.
-        for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
-            Cone& c = ctx.system.contacts.cones[k];
+    const bool cold = ctx.step == 0;
+    const double tolerance = ctx.def.contact_tolerance;
+    Status status = cold ? from_soft(ctx) : iterate(ctx, Coupling::exact, tolerance);
+    if (!cold && !solved(ctx, status) && !ctx.stats.cut) {
+        go_back(ctx);
+        status = from_soft(ctx);
+    }
+    if (!solved(ctx, status) && !ctx.stats.cut) {
+        go_back(ctx);
+        for (Cone& c : ctx.system.contacts.cones) {
             c.coupling = Coupling::lagged;
             std::fill_n(c.u, 3, 0.0);
-            ctx.system.contacts.recall_lambda(k);
         }
-        (void)linearise(ctx);
-        adopt_laws(ctx, true);
-        update_contacts(ctx, nullptr);
-        ctx.rhs_ready = false;
-        status = iterate(ctx, Coupling::lagged);
+        restart(ctx);
+        status = iterate(ctx, Coupling::lagged, tolerance);
     }
-    if (unsolved()) status = end_early(ctx);
+    if (status == Status::ok && !solved(ctx, status)) status = end_early(ctx);
     if (status == Status::ok) status = refine(ctx);
     if (status == Status::ok) ctx.stats.natural_map = worst(ctx);  // of what the step ends with
     return status;

@@ -24,10 +24,15 @@
 /// refinement balances momentum with each contact's law through the projected impulse. Limits of
 /// cost are looked at where no tension-only line or range has just switched.
 ///
-/// **Safety.** A sliding contact's S is unsymmetric and its matrix may be singular where friction
-/// is so strong that it jams (Painlevé): when its iterations do not end, the step is done again
-/// with lagged coupling, symmetric and positive, for all contacts. The certificate says what is
-/// left.
+/// **Cold start.** With nothing to start from, stiff tangents send the iterates anywhere. The first
+/// step therefore solves with tangents 1024 and 32 times as soft first, roughly; each solution is
+/// the start of the next. On walls of 648 and 976 contacts that halves the work of the first step;
+/// with contacts 1000 times as stiff it ends where it otherwise does not.
+///
+/// **Safety.** When the iterations do not end, the step is done again from soft tangents. A sliding
+/// contact's S is unsymmetric and its matrix may be singular where friction is so strong that it
+/// jams (Painlevé): what then still does not end is done again with lagged coupling, symmetric and
+/// positive, for all contacts. The certificate says what is left.
 
 #include "stepper/context.h"
 

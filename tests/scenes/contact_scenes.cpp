@@ -56,6 +56,22 @@ TEST(ContactScenes, ArchStands) {
     EXPECT_LE(run.worst_map, kCertified);
 }
 
+/// The wall with contacts up to a hundred times as stiff, pushed from the first step on, before
+/// there is anything to start from.
+TEST(ContactScenes, StiffContactsStartCold) {
+    for (const char* stiffness : {"1e9", "1e10"}) {
+        scene::Options options;
+        options.set = {std::string("material_pairs.0.stiffness=") + stiffness,
+                       "material_pairs.0.tangential=5"};
+        World world = scene::load_file("scenes/wall_648.json", options).world;
+        for (int k = 0; k < 3; ++k) {
+            ASSERT_EQ(world.step(), Status::ok);
+            EXPECT_LE(world.stats().natural_map, kCertified) << stiffness << ", step " << k;
+            EXPECT_EQ(world.stats().flips_left, 0);
+        }
+    }
+}
+
 TEST(ContactScenes, WedgeJams) {
     Watched run("wedge");
     World& world = run.world();
