@@ -18,7 +18,7 @@ int friction_command(int argc, char** argv);
 /// Compare state hashes between numbers of threads, and after restoring.
 int hashes_command(int argc, char** argv);
 
-/// Compare engines on heavy_hook, tow_zigzag and mooring.
+/// Compare engines on the scenes of peers/scenes.h.
 int peers_command(int argc, char** argv);
 
 }  // namespace hawser::bench

@@ -22,7 +22,7 @@ constexpr Command kCommands[] = {
      hawser::bench::friction_command},
     {"hashes", "the same bits for any number of threads and after restoring",
      hawser::bench::hashes_command},
-    {"peers", "our steps against other engines, on three scenes", hawser::bench::peers_command},
+    {"peers", "our steps against other engines, on six scenes", hawser::bench::peers_command},
 };
 
 int usage(std::FILE* out, int code) {

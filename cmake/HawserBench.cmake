@@ -10,7 +10,8 @@ if(NOT bench_sources)
 endif()
 
 # What is compared needs no foreign engine or solver: it is tested everywhere.
-set(own_sources peers/scenes peers/forest peers/meter peers/reference
+set(own_sources peers/scenes peers/scene_parts peers/mooring_scenes peers/stack_scenes
+                peers/forest peers/meter peers/reference
                 paper_matrix/block_system paper_matrix/paper_scene paper_matrix/paper_values
                 paper_matrix/structures paper_matrix/matrix_market
                 linear/form linear/assemble linear/tables linear/sweeps linear/reference

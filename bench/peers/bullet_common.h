@@ -13,6 +13,7 @@
 #include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
 #include <btBulletCollisionCommon.h>
 #include <btBulletDynamicsCommon.h>
+#include <memory>
 
 namespace hawser::bench {
 
@@ -28,12 +29,45 @@ struct BulletParts {
     btDbvtBroadphase broadphase;
 };
 
-/// A Bullet world that never looks for contacts.
+/// A Bullet world that looks for contacts only where the scene has any.
 template <class World>
-class WithoutCollision : public World {
+class CollidesIfAsked : public World {
   public:
     using World::World;
-    void performDiscreteCollisionDetection() override {}
+    void performDiscreteCollisionDetection() override {
+        if (collides) World::performDiscreteCollisionDetection();
+    }
+    bool collides = false;
+};
+
+/// Shape of a body, or null.
+std::unique_ptr<btCollisionShape> bullet_shape(const BodyShape& shape);
+
+/// What a scene with contacts adds to a Bullet world: the floor, surfaces, collision groups.
+class BulletTouching {
+  public:
+    /// @pre scene.touching
+    BulletTouching(const Scene& scene, btCollisionWorld& world, BulletParts& parts);
+    ~BulletTouching();
+    BulletTouching(const BulletTouching&) = delete;
+    BulletTouching& operator=(const BulletTouching&) = delete;
+
+    /// Friction of an object.
+    void surface(btCollisionObject& object) const;
+
+    /// Collision group of bodies, and what they touch.
+    [[nodiscard]] int group() const;
+    [[nodiscard]] int mask() const;
+
+    /// Contact points of the last step.
+    [[nodiscard]] int points() const;
+
+  private:
+    btCollisionWorld& world_;
+    BulletParts& parts_;
+    Touching how_;
+    btStaticPlaneShape plane_;
+    btCollisionObject floor_;
 };
 
 }  // namespace hawser::bench

@@ -8,10 +8,12 @@
 
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+#include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 #include <BulletDynamics/Featherstone/btMultiBodyMLCPConstraintSolver.h>
 #include <BulletDynamics/Featherstone/btMultiBodyPoint2Point.h>
 #include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace hawser::bench {
@@ -21,21 +23,24 @@ namespace {
 // 0.8; but at 0.8 a closure at the end of a taut line rings (tow_zigzag, second layout).
 constexpr double kFeatherstoneErp = 0.2;
 
-/// A world of multibodies that is one island and has no colliders.
+/// A world of multibodies that is one island.
 ///
 /// Bullet finds islands through colliders, and hands over no closures when there are none, so
-/// the closures are given to the solver here. The prediction of poses that serves soft bodies
-/// only is left out. Both make the engine faster than its default world.
-class TreeWorld final : public WithoutCollision<btMultiBodyDynamicsWorld> {
+/// closures and contacts are given to the solver here. The prediction of poses that serves soft
+/// bodies only is left out. Both make the engine faster than its default world.
+class TreeWorld final : public CollidesIfAsked<btMultiBodyDynamicsWorld> {
   public:
-    using WithoutCollision::WithoutCollision;
+    using CollidesIfAsked::CollidesIfAsked;
 
     void solveConstraints(btContactSolverInfo& info) override {
         solveExternalForces(info);
-        if (const int n = m_sortedMultiBodyConstraints.size(); n > 0)
-            m_multiBodyConstraintSolver->solveMultiBodyGroup(nullptr, 0, nullptr, 0, nullptr, 0,
-                                                             &m_sortedMultiBodyConstraints[0], n,
-                                                             info, nullptr, getDispatcher());
+        const int closures = m_sortedMultiBodyConstraints.size();
+        const int touching = collides ? getDispatcher()->getNumManifolds() : 0;
+        if (closures + touching > 0)
+            m_multiBodyConstraintSolver->solveMultiBodyGroup(
+                nullptr, 0, getDispatcher()->getInternalManifoldPointer(), touching, nullptr, 0,
+                closures > 0 ? &m_sortedMultiBodyConstraints[0] : nullptr, closures, info, nullptr,
+                getDispatcher());
         solveInternalConstraints(info);
     }
     void calculateSimulationIslands() override {}
@@ -66,12 +71,17 @@ class FeatherstoneRunner final : public Runner {
         info.m_splitImpulse = 0;
         // A warm start above 1000 N s makes btDantzigSolver report failure; it needs none.
         info.m_solverMode &= ~SOLVER_USE_WARMSTARTING;
+        if (scene.touching) {
+            touching_.emplace(scene, world_, parts_);
+            world_.collides = true;
+        }
         place_.resize(scene.bodies.size());
         for (const auto& tree : spanning_forest(scene, layout)) add_tree(tree);
         for (const int j : layout.closures) close(scene.joints[static_cast<std::size_t>(j)]);
     }
     ~FeatherstoneRunner() override {
         for (auto& c : closures_) world_.removeMultiBodyConstraint(c.get());
+        for (auto& c : colliders_) world_.removeCollisionObject(c.get());
         for (auto& t : trees_) world_.removeMultiBody(t.get());
         if (ground_) world_.removeMultiBody(ground_.get());
     }
@@ -82,6 +92,8 @@ class FeatherstoneRunner final : public Runner {
         std::string text = "layout '" + layout_.name + "', " + std::to_string(n) + " closures";
         return n > 0 ? text + ", ERP 0.2" : text;
     }
+
+    int contacts() const override { return touching_ ? touching_->points() : -1; }
 
     double substep(const std::vector<Load>& loads) override {
         for (std::size_t i = 0; i < place_.size(); ++i) {
@@ -158,7 +170,26 @@ class FeatherstoneRunner final : public Runner {
         }
         tree->finalizeMultiDof();
         world_.addMultiBody(tree.get());
+        for (const TreeNode& n : nodes) add_collider(n.body);
         trees_.push_back(std::move(tree));
+    }
+
+    void add_collider(int i) {
+        auto shape = bullet_shape(body(i).shape);
+        if (!touching_ || !shape) return;
+        const Place p = place_[static_cast<std::size_t>(i)];
+        auto collider = std::make_unique<btMultiBodyLinkCollider>(p.tree, p.link);
+        const BodyState& s = body(i).start;
+        collider->setCollisionShape(shape.get());
+        collider->setWorldTransform(btTransform(to_bullet(s.q), to_bullet(s.x)));
+        touching_->surface(*collider);
+        world_.addCollisionObject(collider.get(), touching_->group(), touching_->mask());
+        if (p.link < 0)
+            p.tree->setBaseCollider(collider.get());
+        else
+            p.tree->getLink(p.link).m_collider = collider.get();
+        colliders_.push_back(std::move(collider));
+        shapes_.push_back(std::move(shape));
     }
 
     void place(btMultiBody& tree, int body, int link) {
@@ -198,6 +229,9 @@ class FeatherstoneRunner final : public Runner {
     btDantzigSolver dantzig_;
     btMultiBodyMLCPConstraintSolver mlcp_;
     TreeWorld world_;
+    std::optional<BulletTouching> touching_;
+    std::vector<std::unique_ptr<btCollisionShape>> shapes_;
+    std::vector<std::unique_ptr<btMultiBodyLinkCollider>> colliders_;
     std::vector<std::unique_ptr<btMultiBody>> trees_;
     std::unique_ptr<btMultiBody> ground_;
     std::vector<std::unique_ptr<btMultiBodyPoint2Point>> closures_;

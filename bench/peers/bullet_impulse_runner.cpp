@@ -4,6 +4,8 @@
 #include "bullet_common.h"
 #include "runner.h"
 
+#include <optional>
+
 namespace hawser::bench {
 namespace {
 
@@ -18,6 +20,10 @@ class ImpulseRunner final : public Runner {
     ImpulseRunner(const Scene& scene, int substeps) : substeps_(substeps), world_(scene.gravity) {
         world_.world.getSolverInfo().m_numIterations = kIterations;
         world_.world.getSolverInfo().m_erp = kBulletErp;
+        if (scene.touching) {
+            touching_.emplace(scene, world_.world, world_.parts);
+            world_.world.collides = true;
+        }
         for (const Body& b : scene.bodies) add_body(b);
         for (const BallJoint& j : scene.joints) {
             if (j.a == kWorld || j.b == kWorld) {
@@ -38,6 +44,7 @@ class ImpulseRunner final : public Runner {
 
     int substeps() const override { return substeps_; }
     std::string settings() const override { return "ERP 0.8, 50 iterations"; }
+    int contacts() const override { return touching_ ? touching_->points() : -1; }
 
     double substep(const std::vector<Load>& loads) override {
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -67,28 +74,34 @@ class ImpulseRunner final : public Runner {
         }
         BulletParts parts;
         btSequentialImpulseConstraintSolver solver;
-        WithoutCollision<btDiscreteDynamicsWorld> world;
+        CollidesIfAsked<btDiscreteDynamicsWorld> world;
     };
 
     btRigidBody& body(int i) { return *bodies_[static_cast<std::size_t>(i)]; }
 
     void add_body(const Body& b) {
-        btRigidBody::btRigidBodyConstructionInfo info(b.mass, nullptr, &shape_,
-                                                      to_bullet(b.inertia));
+        shapes_.push_back(bullet_shape(b.shape));
+        const bool touches = touching_ && shapes_.back();
+        btRigidBody::btRigidBodyConstructionInfo info(
+            b.mass, nullptr, touches ? shapes_.back().get() : &empty_, to_bullet(b.inertia));
         info.m_startWorldTransform = btTransform(to_bullet(b.start.q), to_bullet(b.start.x));
         auto body = std::make_unique<btRigidBody>(info);
         body->setDamping(0, 0);
         body->setActivationState(DISABLE_DEACTIVATION);
         body->setLinearVelocity(to_bullet(b.start.v));
         body->setAngularVelocity(to_bullet(b.start.w));
-        world_.world.addRigidBody(body.get(), 0, 0);
+        world_.world.addRigidBody(body.get(), touches ? touching_->group() : 0,
+                                  touches ? touching_->mask() : 0);
+        if (touches) touching_->surface(*body);
         if (b.afloat) body->setGravity(btVector3(0, 0, 0));
         bodies_.push_back(std::move(body));
     }
 
     int substeps_;
-    btEmptyShape shape_;
+    btEmptyShape empty_;
+    std::vector<std::unique_ptr<btCollisionShape>> shapes_;
     World world_;
+    std::optional<BulletTouching> touching_;
     std::vector<std::unique_ptr<btRigidBody>> bodies_;
     std::vector<std::unique_ptr<btPoint2PointConstraint>> joints_;
 };

@@ -92,6 +92,7 @@ void Meter::substep(const std::vector<BodyState>& before, const std::vector<Load
     work_ += last_work_;
 
     frame_time_ += h;
+    substep_time_ = h;
     for (std::size_t k = 0; k < scene_.towed.size(); ++k) {
         const std::size_t i = at(scene_.towed[k]);
         const Vec3 force =
@@ -110,9 +111,9 @@ std::optional<double> Meter::reference_tension(std::size_t ship, double t) const
 }
 
 void Meter::measure_tension(double t) {
-    // A mean force belongs to the middle of its frame; if it takes the velocity from half a step
-    // before the frame to half a step before its end, to the start of the frame.
-    const double middle = t - (staggered_ ? 1.0 : 0.5) * frame_time_;
+    // A mean force belongs to the middle of its frame; if it takes the velocity from half a
+    // substep before the frame to half a substep before its end, to half a substep earlier.
+    const double middle = t - 0.5 * frame_time_ - (staggered_ ? 0.5 * substep_time_ : 0.0);
     if (!scene_.towed.empty()) times_.push_back(middle);
     for (std::size_t k = 0; k < scene_.towed.size(); ++k) {
         const auto ref = reference_tension(k, middle);
@@ -159,11 +160,26 @@ void Meter::measure_mode(const std::vector<BodyState>& s, double t) {
     m_.mode_amplitude = mode_sum_ / ++mode_count_;
 }
 
-void Meter::frame(const std::vector<BodyState>& before, const std::vector<BodyState>& now,
-                  double t) {
-    const double gap = largest_gap(now);
-    if (!(gap <= m_.gap)) m_.gap = gap;
+void Meter::measure_contact(const std::vector<BodyState>& s) {
+    const auto worsen = [](std::optional<double>& worst, double value) {
+        if (!(value <= worst.value_or(-1.0))) worst = value;
+    };
+    if (scene_.top >= 0) {
+        const Vec3 moved = s[at(scene_.top)].x - scene_.bodies[at(scene_.top)].start.x;
+        worsen(m_.drop, std::abs(moved.z()));
+        worsen(m_.sideways, moved.head<2>().norm());
+    }
+    if (!scene_.touching) return;
+    for (std::size_t i = 0; i < s.size(); ++i) {
+        const BodyShape& shape = scene_.bodies[i].shape;
+        if (shape.kind != BodyShape::Kind::capsule) continue;
+        const double end = shape.half_length * std::abs((s[i].q * Vec3::UnitX()).z());
+        worsen(m_.sink, std::max(0.0, scene_.touching->floor - (s[i].x.z() - end - shape.radius)));
+    }
+}
 
+void Meter::measure_energy(const std::vector<BodyState>& before,
+                           const std::vector<BodyState>& now) {
     double work = work_;
     double e = 0.0;
     if (staggered_) {
@@ -177,8 +193,18 @@ void Meter::frame(const std::vector<BodyState>& before, const std::vector<BodySt
     } else {
         e = energy(now);
     }
+    m_.finite = std::isfinite(e);
+    if (scene_.touching) return;
     m_.energy_end = (e - energy_start_ - work) / scene_.energy_scale;
     if (!(std::abs(m_.energy_end) <= std::abs(m_.energy_drift))) m_.energy_drift = m_.energy_end;
+}
+
+void Meter::frame(const std::vector<BodyState>& before, const std::vector<BodyState>& now,
+                  double t) {
+    const double gap = largest_gap(now);
+    if (!(gap <= m_.gap)) m_.gap = gap;
+    measure_energy(before, now);
+    measure_contact(now);
 
     if (scene_.block >= 0 && !reference_.block.empty() && reference_.covers(t)) {
         const double d = (now[at(scene_.block)].x - reference_.block_at(t)).norm();
@@ -186,7 +212,7 @@ void Meter::frame(const std::vector<BodyState>& before, const std::vector<BodySt
     }
     measure_tension(t);
     measure_mode(now, t);
-    m_.finite = std::isfinite(gap) && std::isfinite(e);
+    m_.finite = m_.finite && std::isfinite(gap);
 }
 
 std::string Meter::why_not(int frames) const {
@@ -196,6 +222,9 @@ std::string Meter::why_not(int frames) const {
         return number("energy drift %.2g %%", 100.0 * m_.energy_drift);
     if (m_.block_error && !(*m_.block_error <= kBlockLimit))
         return number("block error %.2g m", *m_.block_error);
+    if (m_.drop && !(*m_.drop <= kMovedLimit)) return number("dropped %.2g m", *m_.drop);
+    if (m_.sideways && !(*m_.sideways <= kMovedLimit))
+        return number("moved %.2g m sideways", *m_.sideways);
     if (count_ > 0) {
         // Divided by the samples of the whole run: what is left could at best be exact.
         const double all = (frames - kSettle / kFrame) * static_cast<double>(scene_.towed.size());

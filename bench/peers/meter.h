@@ -17,6 +17,7 @@ inline constexpr double kGapLimit = 1e-3;      ///< Largest joint position error
 inline constexpr double kTensionLimit = 0.02;  ///< Relative rms tension error after 1 s.
 inline constexpr double kEnergyLimit = 0.01;   ///< Largest relative energy drift.
 inline constexpr double kBlockLimit = 0.1;     ///< Largest error of the block's path [m].
+inline constexpr double kMovedLimit = 1e-3;    ///< Drop and sideways motion of Scene::top [m].
 inline constexpr double kSettle = 1.0;         ///< Tension counts after this time [s].
 
 /// What was measured so far. An empty optional: nothing to compare with.
@@ -27,10 +28,14 @@ struct Measures {
     std::optional<double> tension_mean;    ///< (mean T - mean T_ref) / mean T_ref.
     std::optional<double> tension_ripple;  ///< rms of T about its mean / mean T_ref.
     std::optional<double> tension_worst;   ///< Largest |T - T_ref| / T_ref.
-    double energy_drift = 0.0;             ///< Of largest size, signed, relative.
+    /// Of largest size, signed, relative; 0 in a scene with contacts: nobody tells what those take.
+    double energy_drift = 0.0;
     double energy_end = 0.0;               ///< At the end of the run, signed, relative.
     std::optional<double> block_error;     ///< Largest distance to the reference path [m].
     std::optional<double> mode_amplitude;  ///< Sine mode over the last second / its start.
+    std::optional<double> drop;            ///< Largest vertical motion of Scene::top [m].
+    std::optional<double> sideways;        ///< Largest horizontal motion of Scene::top [m].
+    std::optional<double> sink;            ///< Deepest point of a capsule below the floor [m].
     bool finite = true;
 };
 
@@ -70,6 +75,8 @@ class Meter {
   private:
     void measure_tension(double t);
     void measure_mode(const std::vector<BodyState>& s, double t);
+    void measure_contact(const std::vector<BodyState>& s);
+    void measure_energy(const std::vector<BodyState>& before, const std::vector<BodyState>& now);
     [[nodiscard]] std::optional<double> reference_tension(std::size_t ship, double t) const;
 
     const Scene& scene_;
@@ -82,7 +89,7 @@ class Meter {
     std::vector<std::vector<double>> substep_tension_;
     std::vector<double> times_;
     std::vector<std::vector<double>> tensions_;
-    double frame_time_ = 0.0;
+    double frame_time_ = 0.0, substep_time_ = 0.0;
     double sum_e2_ = 0.0, sum_sub2_ = 0.0, sum_t_ = 0.0, sum_t2_ = 0.0, sum_ref_ = 0.0;
     int count_ = 0, count_sub_ = 0;
     double mode_sum_ = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Our own engine through its public interface: rigid links, ball joints, one step per frame.
+// Our own engine through its public interface: rigid links, ball joints, contacts.
 #include <hawser/world.h>
 
 #include <stdexcept>
@@ -11,8 +11,11 @@ namespace {
 
 class OursRunner final : public Runner {
   public:
-    explicit OursRunner(const Scene& scene)
-        : world_({.step = kFrame, .gravity = {0.0, 0.0, -scene.gravity}}) {
+    OursRunner(const Scene& scene, int substeps)
+        : substeps_(substeps),
+          world_({.step = kFrame / substeps,
+                  .gravity = {0.0, 0.0, -scene.gravity},
+                  .contact_tolerance = substeps > 1 ? 1e-10 : WorldDef{}.contact_tolerance}) {
         ground_ = world_.add_body({.name = "ground", .kind = BodyKind::fixed});
         for (const Body& b : scene.bodies) {
             bodies_.push_back(world_.add_body({.position = b.start.x,
@@ -37,11 +40,13 @@ class OursRunner final : public Runner {
                 if (j.a == scene.towed[k] || j.b == scene.towed[k]) tow_[k] = joint;
             }
         }
+        if (scene.touching) add_shapes(scene);
         world_.prepare();
     }
 
-    int substeps() const override { return 1; }
+    int substeps() const override { return substeps_; }
     std::string settings() const override { return "defaults, one thread"; }
+    int contacts() const override { return world_.stats().contacts; }
 
     double substep(const std::vector<Load>& /*loads*/) override {
         Status status = Status::ok;
@@ -92,6 +97,32 @@ class OursRunner final : public Runner {
         (void)world_.add_interaction(def);
     }
 
+    void add_shapes(const Scene& scene) {
+        MaterialDef same{.name = "same"};
+        same.friction = scene.touching->friction;
+        same.stiffness = scene.touching->stiffness;
+        const MaterialId material = world_.add_material(same);
+        world_.add_material_pair({.a = material, .b = material, .values = same});
+        (void)world_.add_shape({.kind = ShapeKind::plane,
+                                .body = ground_,
+                                .position = {0.0, 0.0, scene.touching->floor},
+                                .material = material});
+        for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+            const BodyShape& from = scene.bodies[i].shape;
+            if (from.kind == BodyShape::Kind::none) continue;
+            ShapeDef def{.kind = ShapeKind::box, .body = bodies_[i], .half_size = from.half_size};
+            def.material = material;
+            if (from.kind == BodyShape::Kind::capsule) {
+                def.kind = ShapeKind::capsule;
+                def.orientation = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitX());
+                def.radius = from.radius;
+                def.half_length = from.half_length;
+            }
+            (void)world_.add_shape(def);
+        }
+    }
+
+    int substeps_;
     World world_;
     BodyId ground_;
     std::vector<BodyId> bodies_;
@@ -100,8 +131,8 @@ class OursRunner final : public Runner {
 
 }  // namespace
 
-std::unique_ptr<Runner> make_ours(const Scene& scene) {
-    return std::make_unique<OursRunner>(scene);
+std::unique_ptr<Runner> make_ours(const Scene& scene, int substeps) {
+    return std::make_unique<OursRunner>(scene, substeps);
 }
 
 }  // namespace hawser::bench

@@ -39,7 +39,7 @@ const TreeLayout& layout(const Scene& scene, std::size_t choice, bool few_closur
 std::vector<Engine> engines_with_layout(std::size_t choice) {
     std::vector<Engine> all;
     all.push_back({"hawser", "ours, h = 1/60 s without substeps", true,
-                   [](const Scene& s, int) { return make_ours(s); }});
+                   [](const Scene& s, int n) { return make_ours(s, n); }});
 #if HAWSER_HAVE_ODE
     all.push_back({"ode-step", "ODE dWorldStep (direct, dense)", false,
                    [](const Scene& s, int n) { return make_ode(s, n, false); }});
@@ -55,9 +55,10 @@ std::vector<Engine> engines_with_layout(std::size_t choice) {
                    }});
 #endif
 #if HAWSER_HAVE_SIMBODY
-    all.push_back(
-        {"simbody", "Simbody, reduced coordinates", false,
-         [choice](const Scene& s, int n) { return make_simbody(s, n, layout(s, choice, true)); }});
+    all.push_back({"simbody", "Simbody, reduced coordinates; joints only", false,
+                   [choice](const Scene& s, int n) {
+                       return s.touching ? nullptr : make_simbody(s, n, layout(s, choice, true));
+                   }});
 #endif
     (void)choice;
     return all;
@@ -111,6 +112,7 @@ bool Trial::frame() {
         meter_.substep(before_, loads_, now_, h, own ? &tow_ : nullptr);
     }
     frame_ms_.push_back(1e3 * time);
+    if (const int n = runner_->contacts(); n >= 0) contacts_.push_back(n);
     ++frames_;
     meter_.frame(before_, now_, frames_ * kFrame);
     return !over();
@@ -142,6 +144,7 @@ PeerResult Trial::result() const {
     r.ms_per_frame = percentile(sorted, 0.5);
     r.ms_p99 = percentile(sorted, 0.99);
     r.frame_ms = frame_ms_;
+    r.contacts = contacts_;
     r.tension_times = meter_.tension_times();
     r.tensions = meter_.tensions();
     return r;

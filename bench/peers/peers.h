@@ -43,6 +43,7 @@ struct PeerResult {
     double ms_p99 = 0.0;        ///< 99th percentile of the same [ms].
     Measures measures;
     std::vector<double> frame_ms;               ///< Every frame, the first included [ms].
+    std::vector<int> contacts;                  ///< Points at the end of every frame, or empty.
     std::vector<double> tension_times;          ///< Middle of every frame [s].
     std::vector<std::vector<double>> tensions;  ///< Per towed ship, mean of every frame [N].
 };
@@ -72,6 +73,7 @@ class Trial {
     std::vector<Load> loads_;
     std::vector<Vec3> tow_;
     std::vector<double> frame_ms_;
+    std::vector<int> contacts_;
     int frames_ = 0, total_ = 0;
 };
 

@@ -48,6 +48,9 @@ class Runner {
     /// Force of the tow line on every ship of Scene::towed, mean over the last substep [N].
     /// Without it the force follows from the momentum balance of the ship.
     virtual bool tow_force(std::vector<Vec3>& /*out*/) const { return false; }
+
+    /// Contact points of the last substep; -1 where the simulator has none or does not tell.
+    [[nodiscard]] virtual int contacts() const { return -1; }
 };
 
 /// Wall time of one call [s].
@@ -64,7 +67,8 @@ std::unique_ptr<Runner> make_bullet_featherstone(const Scene& scene, int substep
                                                  const TreeLayout& layout);
 std::unique_ptr<Runner> make_simbody(const Scene& scene, int substeps, const TreeLayout& layout);
 
-/// Our own engine, one step per frame; null where this program is built without it.
-std::unique_ptr<Runner> make_ours(const Scene& scene);
+/// Our own engine; more than one substep serves to make references alone, and solves contacts to
+/// 1e-10.
+std::unique_ptr<Runner> make_ours(const Scene& scene, int substeps);
 
 }  // namespace hawser::bench

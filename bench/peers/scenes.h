@@ -27,6 +27,15 @@ struct BodyState {
     Vec3 w = Vec3::Zero();      ///< Angular velocity, in the world frame [rad/s].
 };
 
+/// What of a body touches others, about its mass centre and along its axes; none: nothing.
+struct BodyShape {
+    enum class Kind { none, capsule, box };
+    Kind kind = Kind::none;
+    double radius = 0.0;            ///< Capsule [m].
+    double half_length = 0.0;       ///< Capsule, between its ends' centres, along body x [m].
+    Vec3 half_size = Vec3::Zero();  ///< Box [m].
+};
+
 /// A rigid body whose body axes are its principal axes.
 struct Body {
     double mass = 0.0;            ///< [kg]
@@ -34,6 +43,24 @@ struct Body {
     BodyState start;              ///< Pose and velocity at t = 0.
     double drag = 0.0;            ///< Force = -drag * v on the mass centre [N s/m].
     bool afloat = false;          ///< Buoyancy equals weight: gravity does no work on it.
+    BodyShape shape;
+};
+
+/// Contacts of a scene: a floor, and how everything that touches does so.
+struct Touching {
+    double floor = 0.0;      ///< Height of a fixed horizontal plane, solid below [m].
+    bool bodies = false;     ///< Bodies touch each other, too; else the floor alone.
+    double friction = 0.5;   ///< Coulomb coefficient everywhere.
+    double stiffness = 0.0;  ///< Of one contact point, for engines that give contacts one [N/m].
+};
+
+/// What ours is to reach on a scene, beside *holds*; 0: not asked.
+struct Wanted {
+    double gap = 0.0;          ///< Largest joint position error [m].
+    double tension = 0.0;      ///< Relative rms tension error.
+    double moved = 0.0;        ///< Drop and sideways motion of the top [m].
+    double ms = 0.0;           ///< Median time of a frame [ms].
+    int contacts[2] = {0, 0};  ///< Range of contact points of every frame.
 };
 
 /// Ball joint that is closed at the start.
@@ -72,7 +99,7 @@ struct TreeLayout {
 /// One scene. `bodies` and `joints` keep their order in every engine.
 struct Scene {
     std::string name;
-    std::string code;        ///< S1, S2p or S3.
+    std::string code;        ///< S1, S2p, S3, S3c or S4.
     double gravity = 9.81;   ///< [m/s2], along -z.
     double duration = 10.0;  ///< Length of the comparison [s].
     std::vector<Body> bodies;
@@ -86,8 +113,11 @@ struct Scene {
     double energy_scale = 1.0;        ///< Energy that a drift is relative to [J].
     int cable_first = -1;             ///< First link of the cable with a sine start, or -1.
     int cable_links = 0;
-    double sine = 0.0;        ///< Amplitude of the sine start [m].
-    double sine_omega = 0.0;  ///< Angular frequency of that mode [rad/s].
+    double sine = 0.0;                 ///< Amplitude of the sine start [m].
+    double sine_omega = 0.0;           ///< Angular frequency of that mode [rad/s].
+    std::optional<Touching> touching;  ///< Contacts; without: none.
+    int top = -1;                      ///< Body of which drop and sideways motion count, or -1.
+    Wanted wanted;
 };
 
 /// S1: 100 links of 1 m and 10 kg, a block of 50 t, released straight at 20 degrees.
@@ -99,7 +129,18 @@ struct Scene {
 /// S3: a rig on eight mooring lines and two tow lines of 90 links to two pulling ships.
 [[nodiscard]] Scene mooring();
 
-/// Scene by name (heavy_hook, tow_zigzag, mooring) or code (S1, S2p, S3); throws if unknown.
+/// S3c: S3 with a floor 100.1 m below, on which 186.8 m of every mooring line lie; friction 0.5.
+[[nodiscard]] Scene mooring_seabed();
+
+/// S4: nine boxes of 1 m and 1 kg with one of `top` on them; friction 0.5. Contacts are as stiff
+/// as makes the top sink by a quarter of a millimetre.
+[[nodiscard]] Scene box_stack();      ///< 1,000 kg on top.
+[[nodiscard]] Scene box_stack_1e6();  ///< 1,000,000 kg on top.
+
+/// All scenes, in the order of the comparison.
+[[nodiscard]] std::vector<Scene> all_scenes();
+
+/// Scene by name or code; throws if unknown.
 [[nodiscard]] Scene scene_by_name(const std::string& name);
 
 /// Force and torque on one mass centre, in the world frame.
