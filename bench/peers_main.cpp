@@ -78,36 +78,42 @@ Options parse(int argc, char** argv) {
     return o;
 }
 
-/// A peer on a scene with contacts, where few hold: every number of substeps tells something.
-std::vector<PeerResult> climb(const Engine& engine, const Scene& scene, const Reference& reference,
-                              const Options& o) {
+/// A scene with contacts, where few peers hold: every number of substeps tells something. One run
+/// after the other, each told at once.
+std::vector<PeerResult> climb(const Scene& scene, const Reference& reference, const Options& o) {
     std::vector<PeerResult> rows;
-    for (const int n : {1, 4, 16, 64}) {
-        if (n > std::max(1, o.search.max_substeps)) break;
-        const int substeps = o.substeps > 0 ? o.substeps : n;
-        std::fprintf(stderr, "%s: %s, %d substeps\n", scene.name.c_str(), engine.name.c_str(),
-                     substeps);
-        const double wall = seconds(
-            [&] { rows.push_back(run_peer(engine, scene, substeps, reference, o.search, false)); });
-        // Four times as many take four times as long.
-        if (o.substeps > 0 || 4.0 * wall > o.search.budget) break;
-    }
-    return rows;
-}
-
-std::vector<PeerResult> compare(const Scene& scene, const Options& o) {
-    const Reference reference = load_reference(o.reference, scene);
-    const double duration = o.search.duration > 0.0 ? o.search.duration : scene.duration;
-    std::vector<PeerResult> failed;
-    std::vector<std::unique_ptr<Trial>> trials;
     for (const std::string& name : o.engines) {
         const Engine engine = engine_by_name(name);
         if (!engine.make(scene, 1)) {
             fmt::print("{:<22}  left out: not in this build, or without such contacts\n", name);
             continue;
         }
-        if (scene.touching && !engine.ours) {
-            for (PeerResult& r : climb(engine, scene, reference, o)) failed.push_back(r);
+        for (const int n : {1, 4, 16, 64}) {
+            if (n > std::max(1, o.search.max_substeps)) break;
+            const int substeps = engine.ours || o.substeps == 0 ? n : o.substeps;
+            std::fprintf(stderr, "%s: %s, %d substeps ...\n", scene.name.c_str(), name.c_str(),
+                         substeps);
+            const double wall = seconds([&] {
+                rows.push_back(run_peer(engine, scene, substeps, reference, o.search, false));
+            });
+            print_row(scene, rows.back());
+            // Four times as many take four times as long.
+            if (engine.ours || o.substeps > 0 || 4.0 * wall > o.search.budget) break;
+        }
+    }
+    return rows;
+}
+
+std::vector<PeerResult> compare(const Scene& scene, const Options& o) {
+    const Reference reference = load_reference(o.reference, scene);
+    if (scene.touching) return climb(scene, reference, o);
+    const double duration = o.search.duration > 0.0 ? o.search.duration : scene.duration;
+    std::vector<PeerResult> failed;
+    std::vector<std::unique_ptr<Trial>> trials;
+    for (const std::string& name : o.engines) {
+        const Engine engine = engine_by_name(name);
+        if (!engine.make(scene, 1)) {
+            fmt::print("{:<22}  not in this build\n", name);
             continue;
         }
         int substeps = engine.ours ? 1 : o.substeps;
@@ -167,7 +173,7 @@ int peers_command(int argc, char** argv) {
         print_header(scene);
         const std::vector<PeerResult> results = compare(scene, o);
         for (const PeerResult& r : results) {
-            print_row(scene, r);
+            if (!scene.touching) print_row(scene, r);
             all.push_back(to_json(scene, r));
         }
         met = print_verdict(scene, results) && met;

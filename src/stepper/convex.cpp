@@ -82,7 +82,8 @@ Status solve_convex(StepContext& ctx) noexcept {
         ++ctx.newton.iterations;
         if (it == 0 || again || it < kKrylovFrom || !find_impulses(ctx)) {
             if (it > 0) adopt_laws(ctx, false);
-            if (const Status s = newton_solve(ctx, it == 0); s != Status::ok) return s;
+            if (const Status s = newton_solve(ctx, it == 0, it == 0 || again); s != Status::ok)
+                return s;
         } else {
             continue_with_factor(ctx);
         }

@@ -59,10 +59,11 @@ int pivot(StepContext& ctx, bool murty) noexcept {
 /// One pass. @param rounds  Factorisations, of all passes.
 Status pass(StepContext& ctx, int& rounds) noexcept {
     int best = std::numeric_limits<int>::max(), trials = kTrials;
-    for (;;) {
-        if (const Status s = newton_solve(ctx, rounds == 0); s != Status::ok) return s;
+    for (bool again = false;;) {
+        if (const Status s = newton_solve(ctx, rounds == 0, rounds == 0 || again); s != Status::ok)
+            return s;
         ++rounds;
-        const bool again = update_active_set(ctx, rounds - 1);
+        again = update_active_set(ctx, rounds - 1);
         const int count = pivot(ctx, trials == 0);
         ctx.stats.flips_left = count;
         if (count == 0 && !again) return Status::ok;

@@ -49,17 +49,19 @@ bool bears(const Cone& c) noexcept {
 
 /// Joints and normals. @param first  From v₊ = 0.
 Status solve_normals(StepContext& ctx, bool first) noexcept {
+    bool again = false;
     for (int round = 0;; ++round) {
         bool changed = false;
         for (const std::uint8_t c : ctx.system.contacts.changed) changed = changed || c != 0;
         if (first || changed) {
-            if (const Status s = newton_solve(ctx, first); s != Status::ok) return s;
+            if (const Status s = newton_solve(ctx, first, first || again); s != Status::ok)
+                return s;
         } else {
             continue_with_factor(ctx);
         }
         first = false;
         ++ctx.newton.iterations;
-        const bool again = update_active_set(ctx, round);
+        again = update_active_set(ctx, round);
         std::int32_t flips = 0;
         for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
             const Cone& c = ctx.system.contacts.cones[k];

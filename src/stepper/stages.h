@@ -26,7 +26,7 @@ void assemble_rows(StepContext& ctx) noexcept;
 /// The same once, without refinement: one iteration of a Newton method. `first`: from v₊ = 0, else
 /// from v₊ and λ as they are.
 /// `whole`: other rows changed besides contacts, so that the matrix is factored whole.
-[[nodiscard]] Status newton_solve(StepContext& ctx, bool first, bool whole = true) noexcept;
+[[nodiscard]] Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept;
 /// Likewise with the factorisation at hand.
 void continue_with_factor(StepContext& ctx) noexcept;
 /// Refine what newton_solve() found, and measure it.
