@@ -93,9 +93,10 @@ std::vector<PeerResult> climb(const Scene& scene, const Reference& reference, co
             const int substeps = engine.ours || o.substeps == 0 ? n : o.substeps;
             std::fprintf(stderr, "%s: %s, %d substeps ...\n", scene.name.c_str(), name.c_str(),
                          substeps);
-            const double wall = seconds([&] {
-                rows.push_back(run_peer(engine, scene, substeps, reference, o.search, false));
-            });
+            const double wall =
+                spent([&] {
+                    rows.push_back(run_peer(engine, scene, substeps, reference, o.search, false));
+                }).wall;
             print_row(scene, rows.back());
             // Four times as many take four times as long.
             if (engine.ours || o.substeps > 0 || 4.0 * wall > o.search.budget) break;

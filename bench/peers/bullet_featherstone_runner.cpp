@@ -95,7 +95,7 @@ class FeatherstoneRunner final : public Runner {
 
     int contacts() const override { return touching_ ? touching_->points() : -1; }
 
-    double substep(const std::vector<Load>& loads) override {
+    Spent substep(const std::vector<Load>& loads) override {
         for (std::size_t i = 0; i < place_.size(); ++i) {
             const Place& p = place_[i];
             btVector3 force = to_bullet(loads[i].force);
@@ -109,7 +109,7 @@ class FeatherstoneRunner final : public Runner {
                 p.tree->addLinkTorque(p.link, to_bullet(loads[i].torque));
             }
         }
-        return seconds([&] { world_.stepSimulation(kFrame / substeps_, 0); });
+        return spent([&] { world_.stepSimulation(kFrame / substeps_, 0); });
     }
 
     void read(std::vector<BodyState>& out) const override {

@@ -46,13 +46,13 @@ class ImpulseRunner final : public Runner {
     std::string settings() const override { return "ERP 0.8, 50 iterations"; }
     int contacts() const override { return touching_ ? touching_->points() : -1; }
 
-    double substep(const std::vector<Load>& loads) override {
+    Spent substep(const std::vector<Load>& loads) override {
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
             bodies_[i]->applyCentralForce(to_bullet(loads[i].force));
             bodies_[i]->applyTorque(to_bullet(loads[i].torque));
         }
         // No fixed step: exactly one internal step of this length.
-        return seconds([&] { world_.world.stepSimulation(kFrame / substeps_, 0); });
+        return spent([&] { world_.world.stepSimulation(kFrame / substeps_, 0); });
     }
 
     void read(std::vector<BodyState>& out) const override {

@@ -57,14 +57,14 @@ class OdeRunner final : public Runner {
         return floor_ ? all + ", contacts ERP 0.2 and the scene's stiffness" : all;
     }
 
-    double substep(const std::vector<Load>& loads) override {
+    Spent substep(const std::vector<Load>& loads) override {
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
             const Load& l = loads[i];
             dBodyAddForce(bodies_[i], l.force.x(), l.force.y(), l.force.z());
             dBodyAddTorque(bodies_[i], l.torque.x(), l.torque.y(), l.torque.z());
         }
         const double h = kFrame / substeps_;
-        return seconds([&] {
+        return spent([&] {
             find_contacts();
             quick_ ? dWorldQuickStep(world_, h) : dWorldStep(world_, h);
         });

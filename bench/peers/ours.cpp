@@ -48,9 +48,9 @@ class OursRunner final : public Runner {
     std::string settings() const override { return "defaults, one thread"; }
     int contacts() const override { return world_.stats().contacts; }
 
-    double substep(const std::vector<Load>& /*loads*/) override {
+    Spent substep(const std::vector<Load>& /*loads*/) override {
         Status status = Status::ok;
-        const double time = seconds([&] { status = world_.step(); });
+        const Spent time = spent([&] { status = world_.step(); });
         if (status != Status::ok)
             throw std::runtime_error("our step failed at t = " + std::to_string(world_.time()));
         return time;

@@ -102,16 +102,19 @@ Trial::Trial(const Engine& engine, const Scene& scene, const Reference& referenc
 bool Trial::frame() {
     if (over()) return false;
     const double h = kFrame / runner_->substeps();
-    double time = 0.0;
+    Spent time;
     for (int i = 0; i < runner_->substeps(); ++i) {
         before_ = now_;
         external_loads(scene_, now_, loads_);
-        time += runner_->substep(loads_);
+        const Spent now = runner_->substep(loads_);
+        time.wall += now.wall;
+        time.cpu += now.cpu;
         runner_->read(now_);
         const bool own = runner_->tow_force(tow_);
         meter_.substep(before_, loads_, now_, h, own ? &tow_ : nullptr);
     }
-    frame_ms_.push_back(1e3 * time);
+    frame_ms_.push_back(1e3 * time.wall);
+    frame_cpu_ms_.push_back(1e3 * time.cpu);
     if (const int n = runner_->contacts(); n >= 0) contacts_.push_back(n);
     ++frames_;
     meter_.frame(before_, now_, frames_ * kFrame);
@@ -143,6 +146,7 @@ PeerResult Trial::result() const {
     const std::vector<double> sorted = settled_times(frame_ms_);
     r.ms_per_frame = percentile(sorted, 0.5);
     r.ms_p99 = percentile(sorted, 0.99);
+    r.cpu_ms = percentile(settled_times(frame_cpu_ms_), 0.5);
     r.frame_ms = frame_ms_;
     r.contacts = contacts_;
     r.tension_times = meter_.tension_times();

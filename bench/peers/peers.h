@@ -39,8 +39,9 @@ struct PeerResult {
     std::string why_not;        ///< First broken limit; empty if it holds.
     std::string unchecked;      ///< What *holds* could not look at, for want of a reference.
     double simulated = 0.0;     ///< Time that was simulated [s].
-    double ms_per_frame = 0.0;  ///< Median over frames, the first 60 left out [ms].
+    double ms_per_frame = 0.0;  ///< Median wall time of frames, the first 60 left out [ms].
     double ms_p99 = 0.0;        ///< 99th percentile of the same [ms].
+    double cpu_ms = 0.0;        ///< Median of a frame's CPU time, likewise [ms].
     Measures measures;
     std::vector<double> frame_ms;               ///< Every frame, the first included [ms].
     std::vector<int> contacts;                  ///< Points at the end of every frame, or empty.
@@ -72,7 +73,7 @@ class Trial {
     std::vector<BodyState> before_, now_;
     std::vector<Load> loads_;
     std::vector<Vec3> tow_;
-    std::vector<double> frame_ms_;
+    std::vector<double> frame_ms_, frame_cpu_ms_;
     std::vector<int> contacts_;
     int frames_ = 0, total_ = 0;
 };

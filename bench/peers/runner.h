@@ -9,12 +9,20 @@
 
 #include "scenes.h"
 
+#include <time.h>
+
 #include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace hawser::bench {
+
+/// Time that a call took.
+struct Spent {
+    double wall = 0.0;  ///< [s]
+    double cpu = 0.0;   ///< Of the calling thread [s]: what wall time would be with nobody else.
+};
 
 /// A simulator with one scene loaded.
 class Runner {
@@ -35,8 +43,8 @@ class Runner {
     /// `loads` has one entry per body, evaluated at the present state (external_loads). A
     /// simulator with load models of its own ignores it. Handing loads over may happen before
     /// the returned time starts.
-    /// @returns wall time of the simulator [s].
-    virtual double substep(const std::vector<Load>& loads) = 0;
+    /// @returns time of the simulator.
+    virtual Spent substep(const std::vector<Load>& loads) = 0;
 
     /// Poses and velocities of all bodies, in scene order.
     virtual void read(std::vector<BodyState>& out) const = 0;
@@ -53,12 +61,21 @@ class Runner {
     [[nodiscard]] virtual int contacts() const { return -1; }
 };
 
-/// Wall time of one call [s].
+/// CPU time of this thread so far [s].
+inline double cpu_of_thread() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Time of one call.
 template <class F>
-double seconds(F&& f) {
+Spent spent(F&& f) {
     const auto t0 = std::chrono::steady_clock::now();
+    const double cpu = cpu_of_thread();
     f();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
+    return {std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count(),
+            cpu_of_thread() - cpu};
 }
 
 std::unique_ptr<Runner> make_ode(const Scene& scene, int substeps, bool quick);

@@ -59,7 +59,7 @@ struct Wanted {
     double gap = 0.0;          ///< Largest joint position error [m].
     double tension = 0.0;      ///< Relative rms tension error.
     double moved = 0.0;        ///< Drop and sideways motion of the top [m].
-    double ms = 0.0;           ///< Median time of a frame [ms].
+    double ms = 0.0;           ///< Median CPU time of a frame [ms].
     int contacts[2] = {0, 0};  ///< Range of contact points of every frame.
 };
 

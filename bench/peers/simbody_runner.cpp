@@ -56,7 +56,7 @@ class SimbodyRunner final : public Runner {
                std::to_string(layout_.closures.size()) + " closures";
     }
 
-    double substep(const std::vector<Load>& loads) override {
+    Spent substep(const std::vector<Load>& loads) override {
         for (std::size_t i = 0; i < mobod_.size(); ++i) {
             const Body& b = scene_.bodies[i];
             Vec3 force = loads[i].force;
@@ -65,7 +65,7 @@ class SimbodyRunner final : public Runner {
                 state_, at(static_cast<int>(i)),
                 SimTK::SpatialVec(to_simbody(loads[i].torque), to_simbody(force)));
         }
-        return seconds([&] { advance(kFrame / substeps_); });
+        return spent([&] { advance(kFrame / substeps_); });
     }
 
     void read(std::vector<BodyState>& out) const override {
