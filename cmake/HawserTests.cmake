@@ -14,19 +14,18 @@ find_package(PNG QUIET)
 find_package(Python3 COMPONENTS Interpreter REQUIRED)
 include(GoogleTest)
 
-# Labels. `slow`: takes long. `program`: belongs to the programs. `fast` and `fast-threads`: the
-# rest, without and with threads in the code under test. The preset asan-ubsan builds and runs
+# Labels. `slow`: takes long. `program`: belongs to the programs. `fast` and `threads`: the rest,
+# without and with several threads in the code under test. The preset asan-ubsan builds and runs
 # both but for the tests of `observe` and `assembly`, which take long to compile (the kernels of
-# assembly run in the tests of `stepper` and `world`); tsan runs of
-# `fast-threads` the tests that have threads in their name and those of the thread pool. The
-# targets hawser_fast_tests and hawser_thread_tests build them.
+# assembly run in the tests of `stepper` and `world`); tsan those labelled `threads`. The targets
+# hawser_fast_tests and hawser_thread_tests build them.
 set(HAWSER_SLOW_TESTS slow validate)
 set(HAWSER_PROGRAM_TESTS bench cli)
-set(HAWSER_THREAD_TESTS runtime stepper world)
+set(HAWSER_THREAD_TESTS runtime threads)
 set(HAWSER_UNSANITIZED_TESTS assembly observe)
 # Tests that need more than the library.
 set(HAWSER_OBSERVE_TESTS cli observe)
-set(HAWSER_SCENE_TESTS bench cli observe scene scenes slow stepper validate world)
+set(HAWSER_SCENE_TESTS bench cli observe scene scenes slow stepper threads validate world)
 add_custom_target(hawser_fast_tests)
 add_custom_target(hawser_thread_tests)
 
@@ -36,6 +35,31 @@ if(support_sources)
     hawser_use(hawser_test_support)
     target_include_directories(hawser_test_support PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     target_link_libraries(hawser_test_support PUBLIC GTest::gtest)
+endif()
+
+# Options of sources of tests; what they test keeps its own optimisation.
+function(hawser_test_settings target)
+    target_compile_options(${target} PRIVATE
+        $<$<CONFIG:Release>:-O1 -g0> $<$<CONFIG:Sanitize>:-O0>)
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+    foreach(library IN ITEMS rapidcheck fmt::fmt PNG::PNG nlohmann_json::nlohmann_json)
+        if(TARGET ${library})
+            target_link_libraries(${target} PRIVATE ${library})
+        endif()
+    endforeach()
+    target_link_libraries(${target} PRIVATE AMD::AMD GTest::gtest)
+endfunction()
+
+# The executables share one set of precompiled headers. The preset tsan builds too few of them.
+if(HAWSER_UNITY AND NOT HAWSER_SANITIZE STREQUAL "thread")
+    file(CONFIGURE OUTPUT test_headers.cpp CONTENT "")
+    add_library(hawser_test_headers OBJECT "${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp")
+    hawser_use(hawser_test_headers)
+    hawser_test_settings(hawser_test_headers)
+    target_compile_options(hawser_test_headers PRIVATE -fPIE)  # as executables have it
+    hawser_precompile(hawser_test_headers <Eigen/Dense> <gtest/gtest.h> <hawser/hawser.h>
+        <algorithm> <cmath> <filesystem> <fstream> <map> <set> <string>
+        $<$<TARGET_EXISTS:nlohmann_json::nlohmann_json>:<nlohmann/json.hpp$<ANGLE-R>>)
 endif()
 
 function(hawser_add_test_executable target folder)
@@ -49,17 +73,14 @@ function(hawser_add_test_executable target folder)
     endif()
     hawser_use(${target} ${libraries})
     hawser_unity(${target} 6)
-    # Sources of tests; what they test keeps its own optimisation.
-    target_compile_options(${target} PRIVATE
-        $<$<CONFIG:Release>:-O1 -g0> $<$<CONFIG:Sanitize>:-O0>)
-    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-    foreach(library IN ITEMS hawser_test_support rapidcheck fmt::fmt PNG::PNG
-                             nlohmann_json::nlohmann_json)
-        if(TARGET ${library})
-            target_link_libraries(${target} PRIVATE ${library})
-        endif()
-    endforeach()
-    target_link_libraries(${target} PRIVATE AMD::AMD GTest::gtest GTest::gtest_main)
+    hawser_test_settings(${target})
+    if(TARGET hawser_test_support)
+        target_link_libraries(${target} PRIVATE hawser_test_support)
+    endif()
+    target_link_libraries(${target} PRIVATE GTest::gtest_main)
+    if(TARGET hawser_test_headers)
+        target_precompile_headers(${target} REUSE_FROM hawser_test_headers)
+    endif()
 
     if(folder IN_LIST HAWSER_SLOW_TESTS)
         set(label slow)
@@ -71,7 +92,7 @@ function(hawser_add_test_executable target folder)
             add_dependencies(hawser_fast_tests ${target})
         endif()
         if(folder IN_LIST HAWSER_THREAD_TESTS)
-            set(label fast-threads)
+            set(label threads)
             add_dependencies(hawser_thread_tests ${target})
         endif()
     endif()

@@ -21,6 +21,9 @@ Isa detect() noexcept {
         for (Isa i : {Isa::sse2, Isa::avx2})
             if (std::strcmp(wish, to_string(i)) == 0 && i < best) best = i;
     }
+#if defined(HAWSER_NO_AVX512)
+    if (best == Isa::avx512) best = Isa::avx2;
+#endif
 #if defined(HAWSER_NO_AVX2)
     if (best == Isa::avx2) best = Isa::sse2;
 #endif

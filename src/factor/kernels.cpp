@@ -8,7 +8,9 @@ namespace hawser::factor {
 const FactorKernels& factor_kernels() noexcept {
     switch (base::isa()) {
         case base::Isa::avx512:
+#if !defined(HAWSER_NO_AVX512)
             return avx512::kFactorKernels;
+#endif
         case base::Isa::avx2:
 #if !defined(HAWSER_NO_AVX2)
             return avx2::kFactorKernels;

@@ -19,15 +19,20 @@ struct Set {
 
 std::vector<Set> sets() {
     __builtin_cpu_init();
-    const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") &&
-                        __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
-                        __builtin_cpu_supports("avx512bw");
-    return {{"sse2", true, &sse2::kFactorKernels},
+    [[maybe_unused]] const bool avx2 =
+        __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    [[maybe_unused]] const bool avx512 =
+        avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+    return {
+        {"sse2", true, &sse2::kFactorKernels},
 #if !defined(HAWSER_NO_AVX2)
-            {"avx2", avx2, &avx2::kFactorKernels},
+        {"avx2", avx2, &avx2::kFactorKernels},
 #endif
-            {"avx512", avx512, &avx512::kFactorKernels}};
+#if !defined(HAWSER_NO_AVX512)
+        {"avx512", avx512, &avx512::kFactorKernels},
+#endif
+    };
 }
 
 /// Factor and solve all fronts in order with one set of kernels.

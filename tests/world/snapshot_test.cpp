@@ -1,32 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Save and restore: the continuation is the same bit for bit, damage is refused, and the
-/// number of threads changes nothing.
+/// Save and restore: the continuation is the same bit for bit, and damage is refused.
 #include <hawser/inspect.h>
 
-#include "support/recipe.h"
+#include "support/small_recipes.h"
 
 #include <gtest/gtest.h>
-
-#include <functional>
-#include <string>
 
 namespace hawser::test {
 namespace {
 
-struct Case {
-    const char* name;
-    std::function<Recipe()> make;
-};
-
-const Case kCases[] = {
-    {"pendulum", [] { return pendulum(); }},  {"link_chain", [] { return link_chain(12); }},
-    {"wire", [] { return wire(20); }},        {"mixed_1", [] { return mixed(1); }},
-    {"mixed_2", [] { return mixed(2, 10); }}, {"mixed_3", [] { return mixed(3, 14); }},
-};
-
 class EachRecipe : public testing::TestWithParam<Case> {};
-INSTANTIATE_TEST_SUITE_P(Recipes, EachRecipe, testing::ValuesIn(kCases),
-                         [](const auto& each) { return std::string(each.param.name); });
+INSTANTIATE_TEST_SUITE_P(Recipes, EachRecipe, testing::ValuesIn(kSmallRecipes), name_of);
 
 TEST_P(EachRecipe, ContinuesBitForBitAfterRestore) {
     const Recipe recipe = GetParam().make();
@@ -53,19 +37,6 @@ TEST_P(EachRecipe, ContinuesBitForBitAfterRestore) {
     }
 }
 
-TEST_P(EachRecipe, SameHashForAnyNumberOfThreads) {
-    const Recipe recipe = GetParam().make();
-    World one = recipe.make();
-    for (int i = 0; i < 20; ++i) ASSERT_EQ(one.step(), Status::ok);
-    for (int threads : {2, 3, 4, 8}) {
-        WorldDef def = recipe.world;
-        def.threads = threads;
-        World many = recipe.make(def);
-        for (int i = 0; i < 20; ++i) ASSERT_EQ(many.step(), Status::ok);
-        EXPECT_EQ(many.state_hash(), one.state_hash()) << threads << " threads";
-    }
-}
-
 TEST_P(EachRecipe, ReadingDoesNotChangeTheState) {
     const Recipe recipe = GetParam().make();
     World a = recipe.make(), b = recipe.make();
@@ -77,20 +48,6 @@ TEST_P(EachRecipe, ReadingDoesNotChangeTheState) {
         (void)a.memory_bytes();
         for (int k = 0; k < a.interaction_count(); ++k) (void)a.violation(InteractionId{k});
         ASSERT_EQ(a.state_hash(), b.state_hash()) << "step " << i;
-    }
-}
-
-/// Large enough for several tasks and chunks a thread.
-TEST(Threads, SameHashForALargeIsland) {
-    Recipe recipe = mixed(11, 150);
-    World one = recipe.make();
-    for (int i = 0; i < 5; ++i) ASSERT_EQ(one.step(), Status::ok);
-    for (int threads : {2, 3, 4, 8}) {
-        WorldDef def = recipe.world;
-        def.threads = threads;
-        World many = recipe.make(def);
-        for (int i = 0; i < 5; ++i) ASSERT_EQ(many.step(), Status::ok);
-        EXPECT_EQ(many.state_hash(), one.state_hash()) << threads << " threads";
     }
 }
 
