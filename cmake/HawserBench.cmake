@@ -48,6 +48,8 @@ if(simbody_sources)
     list(REMOVE_ITEM bench_sources ${simbody_sources})
 endif()
 
+# The commands first: they read CLI11 and nlohmann-json, the rest does not.
+hawser_first(bench_sources "/bench/([a-z_]+|hashes/[a-z]+)\\.cpp$")
 add_executable(hawser_bench ${bench_sources} $<TARGET_OBJECTS:hawser_bench_own>)
 set_target_properties(hawser_bench PROPERTIES OUTPUT_NAME hawser-bench)
 hawser_use(hawser_bench hawser_observe hawser_scene)

@@ -71,6 +71,15 @@ function(hawser_unity target batch)
     endif()
 endfunction()
 
+# hawser_first(LIST REGEX): put the sources of a list first that match, so that they share units.
+function(hawser_first list regex)
+    set(first ${${list}})
+    set(rest ${${list}})
+    list(FILTER first INCLUDE REGEX "${regex}")
+    list(FILTER rest EXCLUDE REGEX "${regex}")
+    set(${list} ${first} ${rest} PARENT_SCOPE)
+endfunction()
+
 # hawser_precompile(TARGET HEADER...): read these headers once for all sources of a target, where
 # HAWSER_UNITY is on. Sources include what they use all the same.
 function(hawser_precompile target)
