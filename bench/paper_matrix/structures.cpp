@@ -50,11 +50,12 @@ void add_ball(SystemBuilder& builder, const Side& a, const Side& b) {
     for (const Side& side : {a, b}) {
         if (side.body >= 0) {
             std::array<double, 18> rows{};
-            for (int i = 0; i < 3; ++i) {
+            double* row = rows.data();
+            for (int i = 0; i < 3; ++i, row += 6) {
                 const Vec3 direction = factor * Vec3::Unit(i), turn = side.arm.cross(direction);
                 for (int k = 0; k < 3; ++k) {
-                    rows[static_cast<std::size_t>(6 * i + k)] = direction[k];
-                    rows[static_cast<std::size_t>(6 * i + 3 + k)] = turn[k];
+                    row[k] = direction[k];
+                    row[3 + k] = turn[k];
                 }
             }
             builder.add_block(node, side.body, rows);
