@@ -26,7 +26,7 @@ BodyDef block(const Vec3& at, const Vec3& velocity, double mass = 100.0) {
 }
 
 /// z of the frame along x of the world.
-Quat along_x() { return Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitX()); }
+Quat along_x() { return turn_between(Vec3::UnitZ(), Vec3::UnitX()); }
 
 struct Slider {
     BodyId ground, block;
