@@ -114,7 +114,7 @@ class OursRunner final : public Runner {
             def.material = material;
             if (from.kind == BodyShape::Kind::capsule) {
                 def.kind = ShapeKind::capsule;
-                def.orientation = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitX());
+                def.orientation = turn_between(Vec3::UnitZ(), Vec3::UnitX());
                 def.radius = from.radius;
                 def.half_length = from.half_length;
             }
