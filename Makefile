@@ -14,7 +14,7 @@ CXX_FILES = git ls-files -co --exclude-standard '*.cpp' '*.h'
 help:
 	@echo "make demo      install what is missing, build, simulate the anchor lines of a rig, plot"
 	@echo "make test      install what is missing, build, run all tests"
-	@echo "make test-long pairs of shapes by the 100,000, hashes of all scenes: fifteen minutes"
+	@echo "make test-long pairs of shapes, extreme worlds, hashes of all scenes: twenty minutes"
 	@echo "make bench     build with the foreign engines installed, run the comparisons"
 	@echo "make build     build everything   (PRESET=$(PRESET); others: debug relassert asan-ubsan tsan)"
 	@echo "make format    format all C++ files; format-check only looks"
@@ -56,6 +56,7 @@ test: build
 # What takes minutes and is not part of test.
 test-long: build
 	@HAWSER_LONG=1 $(BIN)/hawser_test_slow --gtest_filter='NarrowPairs.*'
+	@HAWSER_LONG=1 $(BIN)/hawser_test_world --gtest_filter='Degenerate*'
 	@$(BIN)/hawser-bench hashes --steps 1000
 	@$(BIN)/hawser-bench hashes --steps 200 --nonsmooth pivoting split pgs convex
 

@@ -186,8 +186,6 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
             const auto row = at(in.row_begin[at(i)] + r);
             const double w = mobility(bodies, in, i, r);
             const bool velocity = in.row_flags[row] & model::kRowVelocity;
-            // The step may ease it for a line that was slack.
-            if (!velocity) in.upsilon[row] = 1.0 / (1.0 + 4.0 * in.tau[row] / h);
             double sigma =
                 velocity ? in.epsilon[row] / h : 4.0 * in.epsilon[row] * in.upsilon[row] / (h * h);
             // A rigid row may repeat others (closed loops): a floor keeps the pivots' signs.

@@ -88,25 +88,6 @@ void prepare(StepContext& ctx) {
 
 void prestep(StepContext&) noexcept {}
 
-/// A line that was slack comes taut within a step: the midpoint rule would take from the motion
-/// what it has no store for, and the line would throw back more than hit it. It starts with the
-/// damping of a constraint, two steps.
-void ease_taut_lines(StepContext& ctx) noexcept {
-    model::Interactions& in = ctx.interactions;
-    const double h = ctx.def.step;
-    for (const std::int32_t id : ctx.system.bounded) {
-        if (!(in.flags[at(id)] & model::kOneSided)) continue;
-        const auto row = at(in.row_begin[at(id)]);
-        if (in.epsilon[row] == 0.0) continue;
-        const double tau = in.active[at(id)] != 0.0 ? in.tau[row] : std::max(in.tau[row], 2.0 * h);
-        const double upsilon = 1.0 / (1.0 + 4.0 * tau / h);
-        if (upsilon == in.upsilon[row]) continue;
-        in.upsilon[row] = upsilon;
-        in.sigma[row] = 4.0 * in.epsilon[row] * upsilon / (h * h);
-        if (in.inv_sigma[row] != 0.0) in.inv_sigma[row] = 1.0 / in.sigma[row];
-    }
-}
-
 void evaluate_rows(StepContext& ctx) noexcept {
     const View v = view(ctx);
     auto strip = [&](int i, int) noexcept { evaluate_strip(ctx, v, i); };
@@ -117,7 +98,6 @@ void assemble_rows(StepContext& ctx) noexcept {
     const StageTimer timer(ctx, Stage::assemble);
     const View v = view(ctx);
     const assembly::Kernels& k = assembly::kernels();
-    ease_taut_lines(ctx);
     hold_bounds(ctx, ctx.def.step);
     sweep(
         ctx,
