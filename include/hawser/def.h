@@ -87,7 +87,8 @@ struct WorldDef {
     int refinements = 1;        ///< Refinement steps on the saddle residual, 0-4.
     int threads = 1;            ///< Worker threads, 1-256; results do not depend on it.
     /// Limits of a step's solve for contacts, 0: none. Where the next iteration would exceed one,
-    /// the solve ends (StepStats::cut). At least one iteration is made. For method newton only.
+    /// the best iterate is projected (StepStats::cut). At least one iteration is made. For method
+    /// newton only.
     double budget = 0.0;       ///< Solver CPU time of the slowest thread [s]; not repeatable.
     double budget_work = 0.0;  ///< Flops of factorisations and substitutions; repeatable.
     /// Shapes closer than this are in contact before they touch [m], 1e-6 to 10. It is to cover

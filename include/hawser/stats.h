@@ -67,6 +67,9 @@ struct Energy {
     /// Energy taken since the start by contacts: by tangential impulses, and by normal ones
     /// (impact, damping). What their springs hold at the moment is part of it.
     double friction = 0.0, contact = 0.0;
+    /// Energy taken since the start by rows: by their damping, where lines come taut or part, where
+    /// limits are met, and by corrections of rigid rows.
+    double damped = 0.0;
     [[nodiscard]] double mechanical() const noexcept { return kinetic + gravity + elastic; }
 };
 

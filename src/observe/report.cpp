@@ -91,12 +91,13 @@ void quality(Out out, const Summary& s) {
     const double drift = s.energy_drift();
     fmt::format_to(out,
                    "  energy       {} changed by {}: applied {}, driven {}, drag took {}, "
-                   "other {}",
+                   "rows {}, other {}",
                    with_unit(s.energy_start.mechanical(), "J"),
                    with_unit(s.energy_end.mechanical() - s.energy_start.mechanical(), "J"),
                    with_unit(s.energy_end.applied - s.energy_start.applied, "J"),
                    with_unit(s.energy_end.driven - s.energy_start.driven, "J"),
                    with_unit(s.energy_end.dissipated - s.energy_start.dissipated, "J"),
+                   with_unit(s.energy_end.damped - s.energy_start.damped, "J"),
                    with_unit(drift, "J"));
     // At rest nothing is exchanged, and a part of nothing says nothing.
     if (s.energy_scale > 1e-6 * std::abs(s.energy_start.mechanical()))

@@ -64,6 +64,7 @@ Json energy_balance(const Summary& s) {
             {"dissipated", s.energy_end.dissipated - s.energy_start.dissipated},
             {"friction", s.energy_end.friction - s.energy_start.friction},
             {"contact", s.energy_end.contact - s.energy_start.contact},
+            {"damped", s.energy_end.damped - s.energy_start.damped},
             {"drift", drift},
             {"step_drift",
              {{"median", s.energy_step_drift.median},

@@ -65,6 +65,10 @@ struct Newton {
     std::vector<double> limit;             ///< Of friction in a contact, likewise [N s].
     /// See gauss_seidel.h: of bodies; G M⁻¹ Gᵀ of rows, J M⁻¹ Jᵀ of contacts [1/kg].
     std::vector<double> inverse_mass, row_mobility, mobility;
+    /// The best iterate so far with the lines as they are, where a later one was worse: v₊, λ, and u
+    /// and λ of contacts; its merit, see newton.cpp [J].
+    std::vector<double> best_v, best_lambda, best_contact;
+    double best = 0.0;
     std::int32_t iterations = 0;
 };
 
@@ -102,6 +106,7 @@ struct StepContext {
     double work = 0.0, drag = 0.0;            ///< Since the start [J].
     double drive = 0.0;                       ///< Likewise, see Energy::driven.
     double friction = 0.0, contact = 0.0;     ///< Likewise, see Energy.
+    double damped = 0.0;                      ///< Likewise.
     double step_work = 0.0, step_drag = 0.0;  ///< Of the step being taken [J].
     std::int64_t step_flops = 0;              ///< Of all factorisations of the step.
     Newton newton;                            ///< Of a world in which something may touch.

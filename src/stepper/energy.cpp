@@ -86,7 +86,10 @@ Energy energy(StepContext& ctx) noexcept {
     evaluate_rows(ctx);
     carriers_forth(ctx);
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
-        if (v.active[id] == 0.0 && !(v.flags[id] & model::kFriction)) continue;
+        // What a line holds follows from its length, not from whether the last step found it taut.
+        const bool line = (v.flags[id] & model::kOneSided) != 0;
+        const bool idle = v.active[id] == 0.0 && !(v.flags[id] & model::kFriction);
+        if (line ? v.parted[id] != 0 : idle) continue;
         const double* jac = v.jacobian + v.jac_begin[id];
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
@@ -99,7 +102,7 @@ Energy energy(StepContext& ctx) noexcept {
                 v.epsilon[row] <= model::kElasticCompliance)
                 continue;
             const double g = v.g[row] - half * speed;
-            e.elastic += 0.5 * g * g / v.epsilon[row];
+            if (!line || g > 0.0) e.elastic += 0.5 * g * g / v.epsilon[row];
         }
     }
     for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
@@ -109,6 +112,7 @@ Energy energy(StepContext& ctx) noexcept {
     e.dissipated = ctx.drag;
     e.friction = ctx.friction;
     e.contact = ctx.contact;
+    e.damped = ctx.damped;
     return e;
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hawser::stepper {
 namespace {
@@ -93,9 +94,32 @@ void project_all(StepContext& ctx) noexcept {
     }
 }
 
+/// The iterate kept is the best so far, and the one at hand is worse: set it aside.
+void set_best_aside(Newton& n, double merit) noexcept {
+    n.best = merit;
+    n.best_v.swap(n.v);
+    n.best_lambda.swap(n.lambda);
+    n.best_contact.swap(n.contact);
+}
+
+/// Back to the iterate set aside. Its rows hold as those at hand do: to round-off.
+void take_best(StepContext& ctx) noexcept {
+    const assembly::View v = view(ctx);
+    const Newton& n = ctx.newton;
+    std::copy_n(n.best_v.begin(), v.dof_count, v.v_new);
+    std::copy_n(n.best_lambda.begin(), ctx.interactions.row_count, v.lambda);
+    for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
+        Cone& c = ctx.system.contacts.cones[k];
+        std::copy_n(&n.best_contact[6 * k], 3, c.u);
+        std::copy_n(&n.best_contact[6 * k + 3], 3, c.lambda);
+    }
+    ctx.stats.natural_map = worst(ctx);
+}
+
 /// Iterations ended before the step was solved, see newton.h.
 Status end_early(StepContext& ctx) noexcept {
     Contacts& contacts = ctx.system.contacts;
+    if (ctx.newton.best < merit(ctx, 0.0)) take_best(ctx);
     constexpr double kPoor = 0.1;  // Worse tells less than how the last step ended.
     const bool poor = ctx.stats.natural_map > kPoor;
     for (std::size_t k = 0; k < contacts.count(); ++k) {
@@ -118,6 +142,7 @@ Status iterate(StepContext& ctx, Coupling coupling, double tolerance) noexcept {
     for (Cone& c : ctx.system.contacts.cones) c.coupling = coupling;
     bool again = false, slow = false;
     double before = 0.0;
+    ctx.newton.best = std::numeric_limits<double>::infinity();
     for (int it = 0;; ++it) {
         ++ctx.newton.iterations;
         if (it < kKrylovFrom || again || slow || !find_impulses(ctx)) {
@@ -131,11 +156,15 @@ Status iterate(StepContext& ctx, Coupling coupling, double tolerance) noexcept {
         const Way way = it > 0 ? search(ctx, before) : Way{};
         if (!std::isfinite(way.merit)) return Status::not_finite;
         slow = it > kPatience && way.merit > kSlow * before;
+        if (it > 0 && way.merit > before && before < ctx.newton.best)
+            set_best_aside(ctx.newton, before);
         keep_iterate(ctx);
         keep_bounds(ctx, way.share);
         const bool last = it + 1 >= ctx.def.contact_iterations;
         const Switched switched = switch_bounds(ctx, ctx.contact_floor, last ? 0 : kAnyRows);
         again = switched.rows > 0;
+        if (again || switched.moved > 0.0)
+            ctx.newton.best = std::numeric_limits<double>::infinity();  // other rows, or impulses
         ctx.stats.natural_map = std::max(worst(ctx), switched.moved);
         if (!std::isfinite(ctx.stats.natural_map)) return Status::not_finite;
         if (ctx.stats.natural_map <= tolerance && !again) {
@@ -198,6 +227,9 @@ void reserve_newton(StepContext& ctx, std::size_t contacts) {
     n.gmres.reserve(3 * contacts, kKrylovLimit);
     n.v.resize(at(ctx.bodies.dofs));
     n.lambda.resize(at(ctx.interactions.row_count));
+    n.best_contact.resize(6 * contacts);
+    n.best_v.resize(at(ctx.bodies.dofs));
+    n.best_lambda.resize(at(ctx.interactions.row_count));
     n.bounds.resize(3 * contacts);
     n.limit.resize(contacts);
     n.touch.resize(contacts);

@@ -19,10 +19,11 @@
 /// suffice, the matrix is factored again.
 ///
 /// **When iterations end** before that (WorldDef::budget, budget_work, contact_iterations), the
-/// contacts are linearised about the last iterate once more with lagged coupling, which is
-/// symmetric and never singular; the impulses of that solve are projected onto their cones, and the
-/// refinement balances momentum with each contact's law through the projected impulse. Limits of
-/// cost are looked at where no tension-only line or range has just switched.
+/// contacts are linearised once more about the iterate of the least merit with lagged coupling,
+/// which is symmetric and never singular; the impulses of that solve are projected onto their
+/// cones, and the refinement balances momentum with each contact's law through the projected
+/// impulse. Where even the best iterate is poor, the end of the last step takes its place. Limits
+/// of cost are looked at where no tension-only line or range has just switched.
 ///
 /// **Cold start.** With nothing to start from, stiff tangents send the iterates anywhere. The first
 /// step therefore solves with tangents 1024 and 32 times as soft first, roughly; each solution is

@@ -116,6 +116,7 @@ void assemble_rows(StepContext& ctx) noexcept {
 void integrate(StepContext& ctx) noexcept {
     const View v = view(ctx);
     ctx.drive += drive_work(ctx);
+    ctx.damped += row_losses(ctx);
     count_contact_work(ctx);
     if (ctx.collider.count() > 0) remember_contacts(ctx);
     over(ctx, v.body_count,
@@ -135,6 +136,7 @@ void integrate(StepContext& ctx) noexcept {
         const std::int32_t id = ctx.system.breakable[i];
         const double tension = -v.force_of_row[v.row_begin[id]];
         if (v.parted[id] || tension <= ctx.system.breaking_load[i]) continue;
+        ctx.damped += held_by_line(ctx, id);
         ctx.interactions.parted[at(id)] = 1;
         v.active[id] = 0.0;
         push_event(ctx, EventKind::line_break, id, tension);

@@ -16,7 +16,7 @@ namespace hawser {
 namespace {
 
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'A', 'P', '6'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'A', 'P', '7'};
     std::uint64_t layout = 0;      ///< See layout_of().
     std::uint64_t parameters = 0;  ///< See parameters_of().
     std::uint64_t contacts = 0;    ///< Remembered from the last step.
@@ -74,6 +74,7 @@ void visit_state(Context& ctx, std::vector<double>& inputs, F&& f) {
     value(ctx.drive);
     value(ctx.friction);
     value(ctx.contact);
+    value(ctx.damped);
     value(ctx.stats.event_count);
 }
 
