@@ -65,8 +65,8 @@ struct Newton {
     std::vector<double> limit;             ///< Of friction in a contact, likewise [N s].
     /// See gauss_seidel.h: of bodies; G M⁻¹ Gᵀ of rows, J M⁻¹ Jᵀ of contacts [1/kg].
     std::vector<double> inverse_mass, row_mobility, mobility;
-    /// The best iterate so far with the lines as they are, where a later one was worse: v₊, λ, and u
-    /// and λ of contacts; its merit, see newton.cpp [J].
+    /// The best iterate so far with the lines as they are, where a later one was worse: v₊, λ, and
+    /// u and λ of contacts; its merit, see newton.cpp [J].
     std::vector<double> best_v, best_lambda, best_contact;
     double best = 0.0;
     std::int32_t iterations = 0;

@@ -96,6 +96,23 @@ TEST(Budget, CutsWithTheClockAndRepeatsWithoutIt) {
     for (const double x : timed->bodies.x) EXPECT_TRUE(std::isfinite(x));
 }
 
+TEST(Budget, IterationsThatRunOutLeaveMomentumBalanced) {
+    WorldDef def;
+    def.contact_iterations = 2;
+    auto ctx = pile(def);
+    int open = 0;
+    for (int i = 0; i < 40; ++i) {
+        ASSERT_EQ(stepper::step(*ctx), Status::ok);
+        const StepStats& s = ctx->stats;
+        EXPECT_FALSE(s.cut);
+        // That of a solved step is 1e-13; this leaves room for badly conditioned laws.
+        EXPECT_LE(s.momentum_residual, 1e-9) << "step " << i;
+        open += s.natural_map > def.contact_tolerance ? 1 : 0;
+    }
+    EXPECT_GT(open, 5);
+    for (const double x : ctx->bodies.x) EXPECT_TRUE(std::isfinite(x));
+}
+
 TEST(Budget, OfWorkIsTheSameForAnyNumberOfThreads) {
     std::vector<std::uint64_t> hashes;
     int cuts = 0;
