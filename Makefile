@@ -14,7 +14,7 @@ CXX_FILES = git ls-files -co --exclude-standard '*.cpp' '*.h'
 help:
 	@echo "make demo      install what is missing, build, simulate the anchor lines of a rig, plot"
 	@echo "make test      install what is missing, build, run all tests"
-	@echo "make test-long pairs of shapes, extreme worlds, hashes of all scenes: twenty minutes"
+	@echo "make test-long 100,000 random pairs of shapes of each two kinds, hashes of 1,000 steps: minutes"
 	@echo "make bench     build with the foreign engines installed, run the comparisons"
 	@echo "make build     build everything   (PRESET=$(PRESET); others: debug relassert asan-ubsan tsan)"
 	@echo "make format    format all C++ files; format-check only looks"

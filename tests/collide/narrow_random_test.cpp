@@ -28,6 +28,19 @@ TEST_P(NarrowRandom, AgreesWithTheReference) {
     EXPECT_LE(score.ambiguous, score.pairs / 100) << text;
 }
 
+TEST(NarrowRandomGround, AgreesWithTheReference) {
+    for (const ShapeKind kind : test::ground_kinds()) {
+        const int count = test::kSanitized ? 50 : 1000;
+        const test::Score score = test::judge_ground(kind, count, 1'000'000);
+        const std::string text = test::describe(kind, ShapeKind::heightfield, score);
+        EXPECT_GT(score.touching, count / 10) << text;
+        EXPECT_GT(score.apart, count / 10) << text;
+        EXPECT_EQ(score.wrong_verdicts, 0) << text;
+        EXPECT_EQ(score.bad_points, 0) << text;
+        EXPECT_LE(score.worst_gap, 1e-5) << text;
+    }
+}
+
 TEST_P(NarrowRandom, AlignedShapesAgreeToo) {
     const auto [a, b] = GetParam();
     const int count = test::kSanitized ? 50 : 600;

@@ -32,5 +32,17 @@ TEST(NarrowPairs, AHundredThousandOfEachAgreeWithTheReference) {
     }
 }
 
+TEST(NarrowPairs, AHundredThousandOnGroundAgreeWithTheReference) {
+    if (std::getenv("HAWSER_LONG") == nullptr)
+        GTEST_SKIP() << "takes minutes of a core: make test-long; tests/collide has 1,000 each";
+    for (const ShapeKind kind : test::ground_kinds()) {
+        const test::Score score = test::judge_ground(kind, 100'000, 1000);
+        std::printf("    %s\n", test::describe(kind, ShapeKind::heightfield, score).c_str());
+        EXPECT_EQ(score.wrong_verdicts, 0);
+        EXPECT_EQ(score.bad_points, 0);
+        EXPECT_LE(score.worst_gap, 1e-5);  // as for hulls and meshes
+    }
+}
+
 }  // namespace
 }  // namespace hawser

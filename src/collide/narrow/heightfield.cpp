@@ -2,7 +2,13 @@
 // Heights on a grid. Each cell is two triangles, cut from node (i, j) to node (i + 1, j + 1). The
 // ground is solid: whatever is below the surface, however deep, is pushed up along the normal of
 // the triangle above it. Beyond the border there is nothing.
+//
+// Below a sharp valley the spaces along the normals of its triangles leave a wedge free, and a
+// shape across a sharp ridge may have its deepest point of each triangle over another one. What
+// then no triangle claims goes along the normal of one that is above its middle, or that it cuts:
+// the nearest.
 #include "collide/narrow/pairs.h"
+#include "collide/narrow/separate.h"
 #include "collide/narrow/shape_data.h"
 #include "collide/narrow/triangle_contact.h"
 
@@ -68,6 +74,40 @@ int ring(const SurfaceTriangle& t, int corner, V3* out) {
     return count;
 }
 
+/// Deepest point of a shape along a triangle's normal; its gap may be positive.
+Point along_face(const Convex& shape, const SurfaceTriangle& t) {
+    const V3 n = t.triangle.face;
+    const V3 p = support(shape, -n) - shape.rounding * n;
+    const double gap = dot(n, p - t.triangle.corner[0]);
+    return {p, p - gap * n, -n, gap, t.name};
+}
+
+/// The cells under a shape, both ends included.
+struct Cells {
+    int i0, i1, j0, j1;
+};
+
+/// A shape in the ground that no triangle claimed, see above.
+void claim(const Convex& shape, const Ground& g, const Cells& cells, Points& out) {
+    const V3 middle = shape.c + g.centre;
+    const double u = middle.x / g.data.cell[0] + 0.5 * (g.data.columns - 1);
+    const double v = middle.y / g.data.cell[1] + 0.5 * (g.data.rows - 1);
+    Point found{};
+    for (int i = cells.i0; i <= cells.i1; ++i)
+        for (int j = cells.j0; j <= cells.j1; ++j)
+            for (const bool upper : {false, true}) {
+                const SurfaceTriangle t = triangle_of(g, i, j, upper);
+                const Point p = along_face(shape, t);
+                if (p.gap >= 0.0 || (found.gap < 0.0 && p.gap <= found.gap)) continue;
+                const bool above = std::floor(v) == i && std::floor(u) == j &&
+                                   (v - i > u - j) == upper &&
+                                   dot(t.triangle.face, shape.c - t.triangle.corner[0]) < 0.0;
+                if (!above && separate(shape, t.triangle, 0.0).s >= shape.rounding) continue;
+                found = p;
+            }
+    if (found.gap < 0.0) out.add(found);
+}
+
 }  // namespace
 
 void make_heightfield(const ShapeDef& def, ShapeData& out) {
@@ -130,6 +170,9 @@ HAWSER_PAIR(convex_heightfield) {
                 touch_triangle(shape, triangle_of(ground, i, j, upper), margin, points);
             }
         }
+    const auto in_ground = [](const Point& p) { return p.gap < 0.0; };
+    if (std::none_of(points.p, points.p + points.count, in_ground))
+        claim(shape, ground, {i0, i1, j0, j1}, points);
     finish_surface(points, pb, ground.centre, shape, out);
 }
 

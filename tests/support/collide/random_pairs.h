@@ -47,6 +47,11 @@ enum class Draw {
 Score judge(ShapeKind a, ShapeKind b, int count, std::uint64_t seed, Draw draw = Draw::random);
 /// Pairs of kinds for which this is asked: those in closed form, and cylinders.
 std::vector<std::pair<ShapeKind, ShapeKind>> exact_pairs();
+/// A convex shape and random ground. Apart, the distance is that to the nearest triangle. What
+/// overlaps is asked for the verdict only: its way out is up, which is not the shortest.
+Score judge_ground(ShapeKind a, int count, std::uint64_t seed);
+/// Those that touch a heightfield.
+std::vector<ShapeKind> ground_kinds();
 /// Hulls and single triangles with all kinds that touch them.
 std::vector<std::pair<ShapeKind, ShapeKind>> vertex_pairs();
 std::string kind_name(ShapeKind kind);
