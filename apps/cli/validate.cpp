@@ -44,6 +44,8 @@ constexpr Case kCases[] = {
     {"18.4", "motor_limits", "motors at the end of their force", case_motor_limits},
     {"19", "rolling_sphere", "sliding balls begin to roll", case_rolling_sphere},
     {"19.1", "spinning_disk", "disks that spin and slide", case_spinning_disk},
+    {"19.2", "rolling_resistance", "balls with resistance to rolling and spinning",
+     case_rolling_resistance},
     {"20", "bouncing_ball", "a ball bounces until it rests", case_bouncing_ball},
     {"21", "painleve", "Painleve's rod", case_painleve},
     {"22", "stacks", "ten boxes, the top one 1e3 and 1e6 times as heavy", case_stacks},

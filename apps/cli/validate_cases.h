@@ -41,6 +41,8 @@ void case_joint_friction(Report& report);
 void case_bollard(Report& report);
 void case_joint_limits(Report& report);
 void case_motor_limits(Report& report);
+// validate_resistance.cpp
+void case_rolling_resistance(Report& report);
 // validate_scheme.cpp
 void case_static_violation(Report& report);
 void case_violation_decay(Report& report);

@@ -43,7 +43,9 @@ struct MaterialDef {
     double tangential = 0.7;
     /// Damping time τ of the contact [s], 0 to 1e3; kDefault: two steps.
     double damping_time = std::numeric_limits<double>::quiet_NaN();
-    double rolling = 0.0;    ///< Rolling resistance: moment over normal force [m], 0 to 10.
+    /// Rolling resistance: moment over normal force [m], 0 to 10. This and the next act between
+    /// bodies with an orientation, not on lumps and segments, and need Nonsmooth::newton.
+    double rolling = 0.0;
     double torsional = 0.0;  ///< Resistance to spinning about the normal, likewise [m].
 };
 
@@ -90,6 +92,11 @@ struct ContactView {
     double friction = 0.0;    ///< μ.
     double softness[2] = {};  ///< Σ of the normal and of the tangents [1/kg].
     Vec3 target{0, 0, 0};     ///< b: velocity that closes gap and bristle, world frame [m/s].
+    // Resistance to rolling and spinning, likewise; zeros where there is none.
+    Vec3 moment{0, 0, 0};                   ///< On the second shape, world frame [N m].
+    double rolling = 0.0, torsional = 0.0;  ///< Moment over normal force, at most [m].
+    double turn_softness = 0.0;             ///< Σ [1/(kg m²)].
+    Vec3 turn_target{0, 0, 0};              ///< b [rad/s].
 };
 
 }  // namespace hawser

@@ -29,11 +29,6 @@ void tangents(const V3& n, V3& t1, V3& t2) {
     t2 = cross(n, t1);
 }
 
-/// Least Σ over W: what is harder loses its bodies' masses in rounding, since contacts are
-/// condensed. It is met by grains of less than a milligram at the default stiffness, which sink in
-/// by this share of what gravity moves them within a step.
-constexpr double kLeastSigma = 1e-10;
-
 /// World position of an anchor.
 V3 anchor_point(const model::Bodies& b, const ContactMemory& m, int side) {
     const std::int32_t first = m.body[side][0], second = m.body[side][1];
@@ -108,6 +103,7 @@ void Contacts::set(std::size_t index, const collide::Contact& in, const collide:
     store3(row.axis + 3, t1);
     store3(row.axis + 6, t2);
     row.slots = in.slots;
+    row.resistance = -1;
     V3 carried{0, 0, 0};
     for (int i = 0; i < in.slots; ++i) {
         ContactSlot& s = row.slot[i];
@@ -188,6 +184,7 @@ void Contacts::remember(const model::Bodies& bodies, double h) noexcept {
         set_anchor(bodies, m, 1, p + held - move);
     }
     memory.swap(next_);
+    resistances.remember(rows, h);
 }
 
 }  // namespace hawser::assembly

@@ -8,6 +8,7 @@
 /// the axes as rows. Blocks and impulses are formed from w, r, E: J itself is never stored.
 
 #include "nonsmooth/cone.h"
+#include "nonsmooth/resistance.h"
 
 #include <cstdint>
 
@@ -23,9 +24,19 @@ struct ContactSlot {
 
 struct ContactRow {
     std::int32_t slots;
+    std::int32_t resistance;  ///< Index of its ResistanceRow, or −1.
     ContactSlot slot[4];
     double axis[9];     ///< E, row-major: n, t₁, t₂ in the world frame.
     double carried[3];  ///< Part of u from bodies with a prescribed velocity, along the axes.
+};
+
+/// Rows of relative rotation of a contact between two bodies with an orientation, along its axes:
+/// J of a slot is w E [0, 1].
+struct ResistanceRow {
+    std::int32_t contact;
+    double carried[3];  ///< Part of u from bodies with a prescribed velocity [rad/s].
+    double gap[3];      ///< g along the axes where the step began [rad].
+    double epsilon;     ///< [rad/(N m)].
 };
 
 /// One block of the matrix that contacts add to: bodies a ≤ b.
@@ -39,6 +50,11 @@ struct ContactTerm {
     std::int8_t i, j;
 };
 
+/// Least Σ over W: what is harder loses its bodies' masses in rounding, since contacts are
+/// condensed. It is met by grains of less than a milligram at the default stiffness, which sink in
+/// by this share of what gravity moves them within a step.
+inline constexpr double kLeastSigma = 1e-10;
+
 /// Doubles of one block: K_ab (6×6, column-major) and, K being unsymmetric, K_ba.
 inline constexpr int kContactBlock = 72;
 
@@ -47,8 +63,15 @@ struct ContactKernels {
     /// and the impulse on each slot, six doubles a slot.
     void (*update)(const ContactRow* rows, nonsmooth::Cone* cones, std::int32_t begin,
                    std::int32_t end, const double* v, double* slot_impulse) noexcept;
+    /// u and λ of resistances [begin, end), after update() of their contacts; their torque is added
+    /// to the impulses on slots.
+    void (*turn)(const ContactRow* rows, const nonsmooth::Cone* cones,
+                 const ResistanceRow* resistance_rows, nonsmooth::Resistance* resistances,
+                 std::int32_t begin, std::int32_t end, const double* v,
+                 double* slot_impulse) noexcept;
     /// Sum up those of blocks [begin, end) that changed.
-    void (*blocks)(const ContactRow* rows, const nonsmooth::Cone* cones, const ContactBlock* blocks,
+    void (*blocks)(const ContactRow* rows, const nonsmooth::Cone* cones,
+                   const nonsmooth::Resistance* resistances, const ContactBlock* blocks,
                    const std::uint8_t* changed, const ContactTerm* terms, std::int32_t begin,
                    std::int32_t end, double* out) noexcept;
 };

@@ -165,6 +165,11 @@ void Contacts::update(const double* v, std::int32_t begin, std::int32_t end) noe
     contact_kernels().update(rows.data(), cones.data(), begin, end, v, slot_impulse.data());
 }
 
+void Contacts::update_resistances(const double* v, std::int32_t begin, std::int32_t end) noexcept {
+    contact_kernels().turn(rows.data(), cones.data(), resistances.rows.data(),
+                           resistances.laws.data(), begin, end, v, slot_impulse.data());
+}
+
 void Contacts::gather() noexcept {
     for (std::size_t i = 0; i < touched_.size(); ++i) {
         const std::int32_t body = touched_[i];
@@ -190,6 +195,7 @@ void Contacts::scatter(const double* x, double* solution,
             if (s.dof == 6) add3(to + 3, cross(load3(s.arm), f));
         }
     }
+    resistances.scatter(rows, x + 3 * rows.size(), solution, offset);
 }
 
 void Contacts::collect(const double* solution, const std::int32_t* offset,
@@ -207,6 +213,7 @@ void Contacts::collect(const double* solution, const std::int32_t* offset,
         }
         store3(u + 3 * k, load9(row.axis) * sum);
     }
+    resistances.collect(rows, solution, offset, u + 3 * rows.size());
 }
 
 void Contacts::mark_blocks() noexcept {
@@ -217,6 +224,8 @@ void Contacts::mark_blocks() noexcept {
             const nonsmooth::Cone& c = cones[contact];
             change |= changed[contact];
             skew |= c.s[3] != 0.0 || c.s[6] != 0.0 ? 1 : 0;
+            if (const std::int32_t r = rows[contact].resistance; r >= 0)
+                skew |= any3(resistances.laws[at(r)].column) ? 1 : 0;
         }
         // One that became symmetric is written again as well.
         block_changed[k] = change;
@@ -225,8 +234,8 @@ void Contacts::mark_blocks() noexcept {
 }
 
 void Contacts::write_blocks(std::int32_t begin, std::int32_t end) noexcept {
-    contact_kernels().blocks(rows.data(), cones.data(), blocks.data(), block_changed.data(),
-                             terms_.data(), begin, end, block_value.data());
+    contact_kernels().blocks(rows.data(), cones.data(), resistances.laws.data(), blocks.data(),
+                             block_changed.data(), terms_.data(), begin, end, block_value.data());
 }
 
 std::size_t Contacts::bytes() const noexcept {
@@ -234,7 +243,7 @@ std::size_t Contacts::bytes() const noexcept {
     return bytes(rows) + bytes(cones) + bytes(memory) + bytes(next_) + bytes(blocks) +
            bytes(block_value) + bytes(impulse) + bytes(slot_impulse) + bytes(links) +
            bytes(link_used) + bytes(extra_) + bytes(needed_) + bytes(terms_) + bytes(incident_) +
-           bytes(touched_) + bytes(touched_before_) + bytes(incident_begin_);
+           bytes(touched_) + bytes(touched_before_) + bytes(incident_begin_) + resistances.bytes();
 }
 
 }  // namespace hawser::assembly

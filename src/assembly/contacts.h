@@ -20,6 +20,7 @@
 #include <hawser/def.h>
 
 #include "assembly/contact_rows.h"
+#include "assembly/resistances.h"
 #include "base/memory.h"
 #include "collide/contacts.h"
 #include "model/bodies.h"
@@ -69,11 +70,14 @@ class Contacts {
 
     /// u, λ and the impulses on bodies at velocities v; null: at rest.
     void update(const double* v, std::int32_t begin, std::int32_t end) noexcept;
+    /// Then the same of resistances [begin, end).
+    void update_resistances(const double* v, std::int32_t begin, std::int32_t end) noexcept;
     /// λ of contact k: that of the last step.
     void recall_lambda(std::size_t k) noexcept;
     /// Jᵀλ of every body, after update() of all.
     void gather() noexcept;
-    /// Jᵀx added to the solver's vector, for an impulse x on each contact (three a contact).
+    /// Jᵀx added to the solver's vector, for an impulse x on each contact (three a contact, then
+    /// three a resistance).
     void scatter(const double* x, double* solution, const std::int32_t* offset) const noexcept;
     /// J times the solver's vector.
     void collect(const double* solution, const std::int32_t* offset, double* u) const noexcept;
@@ -85,10 +89,13 @@ class Contacts {
     void remember(const model::Bodies& bodies, double h) noexcept;
 
     [[nodiscard]] std::size_t count() const noexcept { return rows.size(); }
+    /// Contacts and resistances: rows in threes.
+    [[nodiscard]] std::size_t triples() const noexcept { return count() + resistances.count(); }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
     base::Array<ContactRow> rows;
     base::Array<nonsmooth::Cone> cones;
+    Resistances resistances;
     /// Of the contacts of the last step that was done, in the order of its set. Part of the state.
     base::Array<ContactMemory> memory;
     std::vector<ContactBlock> blocks;  ///< Bodies' own, then links; sorted.

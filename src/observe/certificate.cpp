@@ -109,7 +109,7 @@ void Verifier::before_step(const World& world) {
 std::string Verifier::after_step(const World& world) {
     double map = 0.0;
     for (const ContactView& contact : world.contacts())
-        map = std::max(map, natural_map(world, contact));
+        map = std::max({map, natural_map(world, contact), turn_map(world, contact)});
     const StepStats& stats = world.stats();
     const double difference = std::abs(map - stats.natural_map);
     const double momentum = momentum_residual(world);
@@ -181,6 +181,41 @@ double Verifier::natural_map(const World& world, const ContactView& contact) {
     const Vec3 q = rho * (u - contact.target - mobility * lambda);
     if (error.norm() == 0.0) return 0.0;
     return error.norm() / std::max({lambda.norm(), q.norm(), floor_});
+}
+
+double Verifier::turn_map(const World& world, const ContactView& contact) {
+    if (contact.rolling == 0.0 && contact.torsional == 0.0) return 0.0;
+    const Vec3 &n = contact.normal, lambda = step_ * contact.moment;
+    Vec3 u = Vec3::Zero();
+    double mobility = 0.0;
+    for (int k = 0; k < 2; ++k) {
+        const std::int32_t b = world.shape_def(contact.shape[k]).body.index;
+        const BodyDef& def = world.body_def({b});
+        const double sign = k == 0 ? -1.0 : 1.0;
+        u += sign * world.velocity({b}).angular;
+        angular_[slot(b)] += sign * lambda;
+        if (is_free(def.kind)) mobility += def.inertia.inverse().trace() / 3.0;
+    }
+    // Parts that are free have no row.
+    const auto rows = [&](const Vec3& x) -> Vec3 {
+        const Vec3 about = x.dot(n) * n;
+        return (contact.torsional > 0.0 ? about : Vec3(Vec3::Zero())) +
+               (contact.rolling > 0.0 ? Vec3(x - about) : Vec3(Vec3::Zero()));
+    };
+    const double rho = 1.0 / (mobility + contact.turn_softness);
+    const Vec3 r = u + contact.turn_softness * lambda - contact.turn_target;
+    const Vec3 y = rows(lambda - rho * r);
+    const double normal = std::max(0.0, step_ * contact.force.dot(n));
+    const double spin = y.dot(n), most = contact.torsional * normal;
+    const Vec3 roll = y - spin * n;
+    const double length = roll.norm(), radius = contact.rolling * normal;
+    const Vec3 nearest =
+        std::clamp(spin, -most, most) * n + (length > radius ? radius / length : 1.0) * roll;
+    const double error = (rows(lambda) - nearest).norm();
+    if (error == 0.0) return 0.0;
+    const Vec3 q = rho * rows(u - contact.turn_target - mobility * lambda);
+    return error / std::max({rows(lambda).norm(), q.norm(),
+                             floor_ * std::max(contact.rolling, contact.torsional)});
 }
 
 // Iδ of a body between its free spin and now, less what couples spin and its change.

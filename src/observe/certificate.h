@@ -5,7 +5,8 @@
 /// the solver's code. docs/methods.md, 8.
 ///
 /// **Contacts**: every point's Jacobian from poses, place and shapes; from it, v₊ and the impulses
-/// the natural map, whose largest is compared with StepStats::natural_map.
+/// the natural map (of resistance to rolling and spinning its own), whose largest is compared with
+/// StepStats::natural_map.
 ///
 /// **Momentum** of every body that no interaction holds, translation and rotation with its
 /// gyroscopic terms: what changed against gravity, applied forces, drag and contacts. Bodies that
@@ -44,6 +45,8 @@ class Verifier {
     };
     [[nodiscard]] Side side_of(const World& world, ShapeId shape, const Vec3& on_axis) const;
     [[nodiscard]] double natural_map(const World& world, const ContactView& contact);
+    /// Of its resistance to rolling and spinning.
+    [[nodiscard]] double turn_map(const World& world, const ContactView& contact);
     [[nodiscard]] double momentum_residual(const World& world);
     [[nodiscard]] Vec3 spin_impulse(std::int32_t body, const Mat3& inertia, const Twist& now);
 

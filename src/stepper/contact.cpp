@@ -26,12 +26,20 @@ void make_room(StepContext& ctx) {
     const std::size_t held = c.bytes();
     const std::size_t n = ctx.contacts.contacts.size();
     c.begin(n);
-    reserve_newton(ctx, n);
     if (ctx.def.nonsmooth == Nonsmooth::split) reserve_gauss_seidel(ctx, n);
     ctx.contact_impulse.resize(3 * n);
     ctx.contact_sliding.resize(n);
-    ctx.contact_speed.resize(3 * n);
     if (c.bytes() > held) ++ctx.stats.growths;
+}
+
+/// Resistances of this step's contacts, and arrays for as many rows.
+void make_resistances(StepContext& ctx) {
+    Contacts& c = ctx.system.contacts;
+    const std::size_t held = c.resistances.bytes();
+    c.resistances.begin(ctx.contacts, c.rows, ctx.bodies, ctx.def.step);
+    reserve_newton(ctx);
+    ctx.contact_speed.resize(3 * c.triples());
+    if (c.resistances.bytes() > held) ++ctx.stats.growths;
 }
 
 /// An acceleration is asked for at the start: what approaches goes on, what slides keeps sliding.
@@ -42,6 +50,24 @@ void ask_for_acceleration(Cone& c, double gap) noexcept {
     c.b[0] = gap > kClose || c.u[0] > kSlow ? -1e30 : c.u[0];
     c.b[1] = slides ? 0.0 : c.u[1];
     c.b[2] = slides ? 0.0 : c.u[2];
+}
+
+/// Likewise what rolls and spins.
+void ask_for_acceleration(nonsmooth::Resistance& a) noexcept {
+    constexpr double kSlow = 0.05;  // [rad/s]
+    a.b[0] = std::fabs(a.u[0]) > kSlow ? 0.0 : a.u[0];
+    const bool rolls = std::hypot(a.u[1], a.u[2]) > kSlow;
+    a.b[1] = rolls ? 0.0 : a.u[1];
+    a.b[2] = rolls ? 0.0 : a.u[2];
+}
+
+/// u, λ and the impulses on slots.
+void update_rows(StepContext& ctx, const double* v) noexcept {
+    Contacts& c = ctx.system.contacts;
+    over(ctx, static_cast<std::int32_t>(c.count()),
+         [&](std::int32_t a, std::int32_t b) { c.update(v, a, b); });
+    over(ctx, static_cast<std::int32_t>(c.resistances.count()),
+         [&](std::int32_t a, std::int32_t b) { c.update_resistances(v, a, b); });
 }
 
 }  // namespace
@@ -65,6 +91,7 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
         for (std::size_t k = 0; k < set.contacts.size(); ++k)
             c.set(k, set.contacts[k], set.surfaces[at(set.contacts[k].surface)], ctx.bodies,
                   ctx.def.step);
+        make_resistances(ctx);
         if (!c.connect(ctx.step)) {
             const StageTimer again(ctx, Stage::analyse);
             c.relink(ctx.step);
@@ -76,12 +103,17 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
         return Status::out_of_memory;
     }
     // u of the last step's velocities; λ is that of the last step.
-    over(ctx, static_cast<std::int32_t>(c.count()),
-         [&](std::int32_t a, std::int32_t b) { c.update(ctx.bodies.v.data(), a, b); });
+    update_rows(ctx, ctx.bodies.v.data());
+    c.resistances.recall(c.rows);
     for (std::size_t k = 0; k < c.count(); ++k) {
         std::copy_n(c.cones[k].u, 3, &ctx.contact_speed[3 * k]);
         c.recall_lambda(k);
         if (phase == Phase::stagger) ask_for_acceleration(c.cones[k], set.contacts[k].gap);
+    }
+    double* speed = ctx.contact_speed.data() + 3 * c.count();
+    for (nonsmooth::Resistance& a : c.resistances.laws) {
+        speed = std::copy_n(a.u, 3, speed);
+        if (phase == Phase::stagger) ask_for_acceleration(a);
     }
     if (phase == Phase::impact) return Status::ok;
     if (c.count() > 0) begin_contacts(ctx);
@@ -90,10 +122,8 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
 }
 
 void update_contacts(StepContext& ctx, const double* v) noexcept {
-    Contacts& c = ctx.system.contacts;
-    over(ctx, static_cast<std::int32_t>(c.count()),
-         [&](std::int32_t a, std::int32_t b) { c.update(v, a, b); });
-    c.gather();
+    update_rows(ctx, v);
+    ctx.system.contacts.gather();
 }
 
 // λ·J(v + v₊)/2 is exactly what a contact does to the kinetic energy of the bodies that move: all
@@ -110,6 +140,15 @@ void count_contact_work(StepContext& ctx) noexcept {
         }
         ctx.contact += taken[0];
         ctx.friction += taken[1] + taken[2];
+    }
+    const assembly::Resistances& resistances = contacts.resistances;
+    const double* before = ctx.contact_speed.data() + 3 * contacts.count();
+    for (std::size_t k = 0; k < resistances.count(); ++k, before += 3) {
+        const nonsmooth::Resistance& a = resistances.laws[k];
+        for (int i = 0; i < 3; ++i) {
+            ctx.friction -= 0.5 * a.lambda[i] * (before[i] + a.u[i]);
+            ctx.drive -= a.lambda[i] * resistances.rows[k].carried[i];
+        }
     }
 }
 

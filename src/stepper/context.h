@@ -12,6 +12,7 @@
 #include "model/interactions.h"
 #include "nonsmooth/box.h"
 #include "nonsmooth/gmres.h"
+#include "nonsmooth/resistance.h"
 #include "runtime/stopwatch.h"
 #include "runtime/tasks.h"
 #include "stepper/budget.h"
@@ -54,12 +55,13 @@ struct BoundedRow {
 /// Scratch of the solve for contacts and bounded rows, see newton.h.
 struct Newton {
     std::vector<double> v, lambda;         ///< v₊, λ where an iteration began.
-    std::vector<double> contact;           ///< u and λ of contacts there, six a contact.
+    std::vector<double> contact;           ///< u and λ there, six a contact, then six a resistance.
     std::vector<BoundedRow> row, row_end;  ///< Where an iteration begins, and ends.
     double bound_time = 0.0;               ///< That bounds of forces act for, see bounds.h [s].
     std::vector<nonsmooth::Law> laws;      ///< Of each contact, about the iterate.
+    std::vector<nonsmooth::ResistanceLaw> turns;  ///< Of each resistance, likewise.
     nonsmooth::Gmres gmres;
-    std::vector<double> x, u;              ///< Three a contact.
+    std::vector<double> x, u;              ///< Three a contact, then three a resistance.
     std::vector<nonsmooth::Bound> bounds;  ///< Three a contact, of method pivoting.
     std::vector<nonsmooth::Touch> touch;   ///< One a contact, of method split.
     std::vector<double> limit;             ///< Of friction in a contact, likewise [N s].
@@ -86,7 +88,7 @@ struct StepContext {
     collide::Collider collider;
     collide::ContactSet contacts;         ///< Of the step being taken, or of the last one.
     base::Array<double> contact_impulse;  ///< 3 a contact: on side 1, world frame [N s]; or empty.
-    base::Array<double> contact_speed;    ///< 3 a contact: u where the step began [m/s].
+    base::Array<double> contact_speed;    ///< u where the step began, as in Newton::x.
     base::Array<std::uint8_t> contact_sliding;  ///< 1 a contact: friction at its limit; or empty.
     runtime::Pool pool;
     runtime::PoolStopwatch pool_stopwatch{pool};

@@ -49,6 +49,11 @@ void set_laws(StepContext& ctx, double scale) noexcept {
         c.sigma_t = std::min(c.sigma_t, kStiff * c.mobility);
         std::fill_n(c.lambda, 3, 0.0);
     }
+    for (nonsmooth::Resistance& a : ctx.system.contacts.resistances.laws) {
+        std::fill_n(a.b, 3, 0.0);
+        a.sigma = std::min(a.sigma, kStiff * a.mobility);
+        std::fill_n(a.lambda, 3, 0.0);
+    }
 }
 
 /// Right-hand sides of rows and bodies such that without contacts nothing changes.

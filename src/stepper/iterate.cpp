@@ -12,6 +12,7 @@ namespace {
 
 using assembly::Contacts;
 using nonsmooth::Cone;
+using nonsmooth::Resistance;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -26,6 +27,17 @@ void adopt_laws(StepContext& ctx, bool first) noexcept {
         std::copy_n(law.s, 9, c.s);
         std::copy_n(law.p, 3, c.p);
     }
+    assembly::Resistances& resistances = contacts.resistances;
+    for (std::size_t k = 0; k < resistances.count(); ++k) {
+        nonsmooth::Resistance& a = resistances.laws[k];
+        const nonsmooth::ResistanceLaw& law = ctx.newton.turns[k];
+        const bool same =
+            std::equal(law.s, law.s + 9, a.s) && std::equal(law.column, law.column + 3, a.column);
+        if (!same) contacts.changed[at(resistances.rows[k].contact)] = 1;
+        std::copy_n(law.s, 9, a.s);
+        std::copy_n(law.column, 3, a.column);
+        std::copy_n(law.p, 3, a.p);
+    }
     contacts.mark_blocks();
     over(ctx, static_cast<std::int32_t>(contacts.blocks.size()),
          [&](std::int32_t a, std::int32_t b) { contacts.write_blocks(a, b); });
@@ -39,6 +51,11 @@ void keep_iterate(StepContext& ctx) noexcept {
     for (std::size_t k = 0; k < cones.size(); ++k) {
         std::copy_n(cones[k].u, 3, &ctx.newton.contact[6 * k]);
         std::copy_n(cones[k].lambda, 3, &ctx.newton.contact[6 * k + 3]);
+    }
+    const base::Array<Resistance>& turns = ctx.system.contacts.resistances.laws;
+    for (std::size_t k = 0; k < turns.size(); ++k) {
+        double* to = &ctx.newton.contact[6 * (cones.size() + k)];
+        std::copy_n(turns[k].lambda, 3, std::copy_n(turns[k].u, 3, to));
     }
 }
 
@@ -61,12 +78,29 @@ void shorten(StepContext& ctx, double t) noexcept {
             c.p[i] = c.lambda[i] + c.s[3 * i] * c.u[0] + c.s[3 * i + 1] * c.u[1] +
                      c.s[3 * i + 2] * c.u[2];
     }
+    assembly::Resistances& resistances = ctx.system.contacts.resistances;
+    for (std::size_t k = 0; k < resistances.count(); ++k) {
+        Resistance& a = resistances.laws[k];
+        const double* from = &ctx.newton.contact[6 * (cones.size() + k)];
+        for (int i = 0; i < 3; ++i) {
+            a.u[i] = from[i] + t * (a.u[i] - from[i]);
+            a.lambda[i] = from[3 + i] + t * (a.lambda[i] - from[3 + i]);
+        }
+        nonsmooth::take_impulse(a, cones[at(resistances.rows[k].contact)].u[0]);
+    }
 }
 
 double worst(const StepContext& ctx) noexcept {
     double largest = 0.0;
     for (const Cone& c : ctx.system.contacts.cones)
         largest = std::max(largest, nonsmooth::natural_map(c, ctx.contact_floor));
+    const Contacts& contacts = ctx.system.contacts;
+    const assembly::Resistances& resistances = contacts.resistances;
+    for (std::size_t k = 0; k < resistances.count(); ++k)
+        largest = std::max(largest,
+                           nonsmooth::natural_map(resistances.laws[k],
+                                                  contacts.cones[at(resistances.rows[k].contact)],
+                                                  ctx.contact_floor));
     return largest;
 }
 

@@ -36,12 +36,22 @@ std::int32_t linearise(StepContext& ctx) noexcept {
         ctx.newton.laws[k] = nonsmooth::linearise(c, c.touch);
         flips += c.touch != before ? 1 : 0;
     }
+    assembly::Resistances& resistances = contacts.resistances;
+    for (std::size_t k = 0; k < resistances.count(); ++k) {
+        nonsmooth::Resistance& a = resistances.laws[k];
+        const nonsmooth::Touch spun = a.spins, rolled = a.rolls;
+        ctx.newton.turns[k] = nonsmooth::linearise(
+            a, contacts.cones[at(resistances.rows[k].contact)], a.spins, a.rolls);
+        flips += a.spins != spun || a.rolls != rolled ? 1 : 0;
+    }
     return flips;
 }
 
+double resistance_merit(const StepContext& ctx, double t) noexcept;
+
 /// Σ (W + Σ) ‖λ − P‖² over contacts, a share t of the way: an energy [J].
 double merit(const StepContext& ctx, double t) noexcept {
-    double sum = bounds_merit(ctx, t);
+    double sum = bounds_merit(ctx, t) + resistance_merit(ctx, t);
     const base::Array<Cone>& cones = ctx.system.contacts.cones;
     for (std::size_t k = 0; k < cones.size(); ++k) {
         const Cone& c = cones[k];
@@ -54,6 +64,29 @@ double merit(const StepContext& ctx, double t) noexcept {
         nonsmooth::residual(c, u, lambda, e);
         sum += (c.mobility + c.sigma_n) * e[0] * e[0] +
                (c.mobility + c.sigma_t) * (e[1] * e[1] + e[2] * e[2]);
+    }
+    return sum;
+}
+
+/// The part of resistances in merit().
+double resistance_merit(const StepContext& ctx, double t) noexcept {
+    const Contacts& contacts = ctx.system.contacts;
+    const assembly::Resistances& resistances = contacts.resistances;
+    double sum = 0.0;
+    for (std::size_t k = 0; k < resistances.count(); ++k) {
+        const nonsmooth::Resistance& a = resistances.laws[k];
+        const std::size_t contact = at(resistances.rows[k].contact);
+        const Cone& c = contacts.cones[contact];
+        const double* normal = &ctx.newton.contact[6 * contact];
+        const double* before = &ctx.newton.contact[6 * (contacts.count() + k)];
+        double u[3], lambda[3], e[3];
+        for (int i = 0; i < 3; ++i) {
+            u[i] = before[i] + t * (a.u[i] - before[i]);
+            lambda[i] = before[3 + i] + t * (a.lambda[i] - before[3 + i]);
+        }
+        nonsmooth::residual(a, c, normal[0] + t * (c.u[0] - normal[0]),
+                            normal[3] + t * (c.lambda[0] - normal[3]), u, lambda, e);
+        sum += (a.mobility + a.sigma) * (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
     }
     return sum;
 }
@@ -92,6 +125,27 @@ void project_all(StepContext& ctx) noexcept {
             c.p[i] = c.lambda[i] + c.s[3 * i] * c.u[0] + c.s[3 * i + 1] * c.u[1] +
                      c.s[3 * i + 2] * c.u[2];
     }
+    assembly::Resistances& resistances = ctx.system.contacts.resistances;
+    for (std::size_t k = 0; k < resistances.count(); ++k) {
+        const Cone& c = ctx.system.contacts.cones[at(resistances.rows[k].contact)];
+        nonsmooth::limit(resistances.laws[k], c.lambda[0], resistances.laws[k].lambda);
+        nonsmooth::take_impulse(resistances.laws[k], c.u[0]);
+    }
+}
+
+/// From where the last step ended, see newton.h.
+void go_back(StepContext& ctx) noexcept {
+    Contacts& contacts = ctx.system.contacts;
+    const double* speed = ctx.contact_speed.data();
+    for (std::size_t k = 0; k < contacts.count(); ++k, speed += 3) {
+        std::copy_n(speed, 3, contacts.cones[k].u);
+        contacts.recall_lambda(k);
+    }
+    for (nonsmooth::Resistance& a : contacts.resistances.laws) {
+        std::copy_n(speed, 3, a.u);
+        speed += 3;
+    }
+    contacts.resistances.recall(contacts.rows);
 }
 
 /// The iterate kept is the best so far, and the one at hand is worse: set it aside.
@@ -113,6 +167,12 @@ void take_best(StepContext& ctx) noexcept {
         std::copy_n(&n.best_contact[6 * k], 3, c.u);
         std::copy_n(&n.best_contact[6 * k + 3], 3, c.lambda);
     }
+    const double* from = n.best_contact.data() + 6 * ctx.system.contacts.count();
+    for (nonsmooth::Resistance& a : ctx.system.contacts.resistances.laws) {
+        std::copy_n(from, 3, a.u);
+        std::copy_n(from + 3, 3, a.lambda);
+        from += 6;
+    }
     ctx.stats.natural_map = worst(ctx);
 }
 
@@ -121,14 +181,8 @@ Status end_early(StepContext& ctx) noexcept {
     Contacts& contacts = ctx.system.contacts;
     if (ctx.newton.best < merit(ctx, 0.0)) take_best(ctx);
     constexpr double kPoor = 0.1;  // Worse tells less than how the last step ended.
-    const bool poor = ctx.stats.natural_map > kPoor;
-    for (std::size_t k = 0; k < contacts.count(); ++k) {
-        Cone& c = contacts.cones[k];
-        c.coupling = Coupling::lagged;
-        if (!poor) continue;
-        std::copy_n(&ctx.contact_speed[3 * k], 3, c.u);
-        contacts.recall_lambda(k);
-    }
+    for (Cone& c : contacts.cones) c.coupling = Coupling::lagged;
+    if (ctx.stats.natural_map > kPoor) go_back(ctx);
     ctx.stats.flips_left = linearise(ctx);
     adopt_laws(ctx, false);
     if (const Status s = newton_solve(ctx, false, true); s != Status::ok) return s;
@@ -187,26 +241,23 @@ void restart(StepContext& ctx) noexcept {
     ctx.rhs_ready = false;
 }
 
-/// From where the last step ended, see newton.h.
-void go_back(StepContext& ctx) noexcept {
-    for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
-        std::copy_n(&ctx.contact_speed[3 * k], 3, ctx.system.contacts.cones[k].u);
-        ctx.system.contacts.recall_lambda(k);
-    }
-}
-
 bool solved(const StepContext& ctx, Status status) noexcept {
     return status == Status::ok && ctx.stats.natural_map <= ctx.def.contact_tolerance;
+}
+
+void soften_by(StepContext& ctx, double factor) noexcept {
+    for (Cone& c : ctx.system.contacts.cones) c.sigma_t *= factor;
+    for (nonsmooth::Resistance& a : ctx.system.contacts.resistances.laws) a.sigma *= factor;
 }
 
 /// Continuation, see newton.h.
 Status from_soft(StepContext& ctx) noexcept {
     constexpr double kRough = 1e-2;  // what a softer system needs to be a start for the next
     for (const double soften : {1024.0, 32.0}) {  // powers of two: exactly undone
-        for (Cone& c : ctx.system.contacts.cones) c.sigma_t *= soften;
+        soften_by(ctx, soften);
         restart(ctx);
         const Status status = iterate(ctx, Coupling::exact, kRough);
-        for (Cone& c : ctx.system.contacts.cones) c.sigma_t /= soften;
+        soften_by(ctx, 1.0 / soften);
         if (status != Status::ok) return status;
         if (ctx.stats.cut) break;
     }
@@ -218,16 +269,19 @@ Status from_soft(StepContext& ctx) noexcept {
 
 }  // namespace
 
-void reserve_newton(StepContext& ctx, std::size_t contacts) {
+void reserve_newton(StepContext& ctx) {
     Newton& n = ctx.newton;
+    const std::size_t contacts = ctx.system.contacts.count(),
+                      triples = ctx.system.contacts.triples();
     n.laws.resize(contacts);
-    n.x.resize(3 * contacts);
-    n.u.resize(3 * contacts);
-    n.contact.resize(6 * contacts);
-    n.gmres.reserve(3 * contacts, kKrylovLimit);
+    n.turns.resize(triples - contacts);
+    n.x.resize(3 * triples);
+    n.u.resize(3 * triples);
+    n.contact.resize(6 * triples);
+    n.gmres.reserve(3 * triples, kKrylovLimit);
     n.v.resize(at(ctx.bodies.dofs));
     n.lambda.resize(at(ctx.interactions.row_count));
-    n.best_contact.resize(6 * contacts);
+    n.best_contact.resize(6 * triples);
     n.best_v.resize(at(ctx.bodies.dofs));
     n.best_lambda.resize(at(ctx.interactions.row_count));
     n.bounds.resize(3 * contacts);
@@ -256,6 +310,8 @@ Status solve_newton(StepContext& ctx) noexcept {
             c.coupling = Coupling::lagged;
             std::fill_n(c.u, 3, 0.0);
         }
+        for (nonsmooth::Resistance& a : ctx.system.contacts.resistances.laws)
+            std::fill_n(a.u, 3, 0.0);
         restart(ctx);
         status = iterate(ctx, Coupling::lagged, tolerance);
     }

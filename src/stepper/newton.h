@@ -39,8 +39,8 @@
 
 namespace hawser::stepper {
 
-/// @throws std::bad_alloc.
-void reserve_newton(StepContext& ctx, std::size_t contacts);
+/// Scratch for the contacts of this step. @throws std::bad_alloc.
+void reserve_newton(StepContext& ctx);
 
 /// Linearise about the last step's solution.
 void begin_newton(StepContext& ctx) noexcept;

@@ -22,10 +22,10 @@ void check(const InteractionDef& def, const model::Bodies& bodies,
            const std::vector<InteractionDef>& before);
 /// Checks parameters once defaults have been filled in. @throws DefError
 void check_params(const InteractionDef& def);
-/// @throws DefError
-void check(const MaterialDef& def);
+/// @param method  Not all of them have every resistance. @throws DefError
+void check(const MaterialDef& def, Nonsmooth method);
 /// @param materials  That there are. @throws DefError
-void check(const MaterialPairDef& def, int materials);
+void check(const MaterialPairDef& def, int materials, Nonsmooth method);
 /// @throws DefError
 void check(const ShapeDef& def, const model::Bodies& bodies, int materials);
 

@@ -36,7 +36,23 @@ void points(const std::string& where, const std::vector<Vec3>& vertices) {
                 reject(where, "vertex " + std::to_string(i) + " is not finite or beyond 1e6 m");
 }
 
-void check_values(const std::string& where, const MaterialDef& m) {
+const char* name_of(Nonsmooth method) {
+    switch (method) {
+        case Nonsmooth::newton:
+            return "newton";
+        case Nonsmooth::pivoting:
+            return "pivoting";
+        case Nonsmooth::split:
+            return "split";
+        case Nonsmooth::pgs:
+            return "pgs";
+        case Nonsmooth::convex:
+            break;
+    }
+    return "convex";
+}
+
+void check_values(const std::string& where, const MaterialDef& m, Nonsmooth method) {
     within(where, "friction", m.friction, 0.0, 100.0);
     within(where, "restitution", m.restitution, 0.0, 1.0);
     within(where, "stiffness", m.stiffness, 1.0, 1e12);
@@ -44,6 +60,9 @@ void check_values(const std::string& where, const MaterialDef& m) {
     if (!std::isnan(m.damping_time)) within(where, "damping_time", m.damping_time, 0.0, 1e3);
     within(where, "rolling", m.rolling, 0.0, 10.0);
     within(where, "torsional", m.torsional, 0.0, 10.0);
+    if (method != Nonsmooth::newton && (m.rolling > 0.0 || m.torsional > 0.0))
+        reject(where, std::string("rolling and torsional resistance need the method newton; ") +
+                          name_of(method) + " does not have them");
 }
 
 void check_heightfield(const std::string& where, const ShapeDef& d) {
@@ -132,16 +151,16 @@ void check_bodies(const std::string& where, const ShapeDef& d, const model::Bodi
 
 }  // namespace
 
-void check(const MaterialDef& def) {
+void check(const MaterialDef& def, Nonsmooth method) {
     if (def.name.empty()) throw DefError("a material needs a name");
-    check_values(label("material", def.name), def);
+    check_values(label("material", def.name), def, method);
 }
 
-void check(const MaterialPairDef& def, int materials) {
+void check(const MaterialPairDef& def, int materials, Nonsmooth method) {
     const std::string where = "material pair";
     for (const MaterialId id : {def.a, def.b})
         if (id.index < 0 || id.index >= materials) reject(where, "a material does not exist");
-    check_values(where, def.values);
+    check_values(where, def.values, method);
 }
 
 void check(const ShapeDef& def, const model::Bodies& bodies, int materials) {

@@ -19,16 +19,38 @@ using world::claim;
 using world::index_of;
 using world::lookup;
 
+namespace {
+
+/// What a contact that resists rolling or spinning says of it.
+void add_resistance(const stepper::StepContext& ctx, std::size_t i, ContactView& v) {
+    const assembly::Contacts& contacts = ctx.system.contacts;
+    if (i >= contacts.count() || contacts.rows[i].resistance < 0) return;
+    const double* axis = contacts.rows[i].axis;
+    const auto& law = contacts.resistances.laws[at(contacts.rows[i].resistance)];
+    const auto in_world = [&](const double* x, int k) {
+        return axis[k] * x[0] + axis[3 + k] * x[1] + axis[6 + k] * x[2];
+    };
+    for (int k = 0; k < 3; ++k) {
+        v.moment[k] = in_world(law.lambda, k) / ctx.def.step;
+        v.turn_target[k] = in_world(law.b, k);
+    }
+    v.rolling = law.rolling;
+    v.torsional = law.torsional;
+    v.turn_softness = law.sigma;
+}
+
+}  // namespace
+
 MaterialId World::add_material(const MaterialDef& def) {
-    world::check(def);
     Impl& m = *impl_;
+    world::check(def, m.ctx.def.nonsmooth);
     claim(m.material_names, def.name, material_count(), "material");
     m.ctx.topology_changed = true;
     return MaterialId{m.ctx.collider.materials.add(def)};
 }
 
 void World::add_material_pair(const MaterialPairDef& def) {
-    world::check(def, material_count());
+    world::check(def, material_count(), impl_->ctx.def.nonsmooth);
     impl_->ctx.collider.materials.add_pair(def);
     impl_->ctx.topology_changed = true;
 }
@@ -90,6 +112,7 @@ std::vector<ContactView> World::contacts() const {
                 v.target[k] =
                     axis[k] * cone.b[0] + axis[3 + k] * cone.b[1] + axis[6 + k] * cone.b[2];
         }
+        add_resistance(ctx, i, v);
         v.sliding = i < ctx.contact_sliding.size() && ctx.contact_sliding[i] != 0;
         out.push_back(v);
     }

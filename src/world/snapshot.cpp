@@ -16,23 +16,26 @@ namespace hawser {
 namespace {
 
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'A', 'P', '7'};
-    std::uint64_t layout = 0;      ///< See layout_of().
-    std::uint64_t parameters = 0;  ///< See parameters_of().
-    std::uint64_t contacts = 0;    ///< Remembered from the last step.
-    std::uint64_t links = 0;       ///< Pairs of bodies that touched.
-    std::uint64_t bytes = 0;       ///< Of the arrays that follow.
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'A', 'P', '8'};
+    std::uint64_t layout = 0;       ///< See layout_of().
+    std::uint64_t parameters = 0;   ///< See parameters_of().
+    std::uint64_t contacts = 0;     ///< Remembered from the last step.
+    std::uint64_t resistances = 0;  ///< Those of them that resist rolling or spinning.
+    std::uint64_t links = 0;        ///< Pairs of bodies that touched.
+    std::uint64_t bytes = 0;        ///< Of the arrays that follow.
 };
 
 /// Bytes of one contact in the arrays that resize_contacts() sizes.
 constexpr std::size_t kContactBytes =
     sizeof(collide::KeptContact) + sizeof(assembly::ContactMemory);
+constexpr std::size_t kResistanceBytes = sizeof(assembly::ResistanceMemory);
 constexpr std::size_t kLinkBytes = sizeof(assembly::Contacts::Link) + sizeof(std::int64_t);
 
 /// Arrays of the state with an entry a contact; what was shown of contacts is gone.
-void resize_contacts(stepper::StepContext& ctx, std::size_t count) {
+void resize_contacts(stepper::StepContext& ctx, std::size_t count, std::size_t resistances) {
     ctx.collider.kept().resize(count);
     ctx.system.contacts.memory.resize(count);
+    ctx.system.contacts.resistances.memory.resize(resistances);
     ctx.contacts.contacts.clear();
     ctx.contact_impulse.clear();
     ctx.contact_sliding.clear();
@@ -63,6 +66,7 @@ void visit_state(Context& ctx, std::vector<double>& inputs, F&& f) {
     array(ctx.interactions.anchor);
     array(ctx.collider.kept());
     array(ctx.system.contacts.memory);
+    array(ctx.system.contacts.resistances.memory);
     // The order of elimination follows from them.
     array(ctx.system.contacts.links);
     array(ctx.system.contacts.link_used);
@@ -202,6 +206,7 @@ std::vector<std::byte> World::save() const {
     header.layout = layout_of(m.ctx, m.inputs.size());
     header.parameters = parameters_of(m.ctx, m.inputs, m.shape_defs);
     header.contacts = m.ctx.collider.kept().size();
+    header.resistances = m.ctx.system.contacts.resistances.memory.size();
     header.links = m.ctx.system.contacts.links.size();
     visit_state(m.ctx, m.input_values, [&](const void*, std::size_t n) { header.bytes += n; });
     std::vector<std::byte> out(sizeof header + header.bytes + sizeof(std::uint64_t));
@@ -240,8 +245,10 @@ void World::restore(std::span<const std::byte> bytes) {
     // All but the contacts has the size that this world has.
     constexpr std::uint64_t kMost = std::uint64_t{1} << 32;
     size -= m.ctx.collider.kept().size() * kContactBytes;
+    size -= m.ctx.system.contacts.resistances.memory.size() * kResistanceBytes;
     size -= m.ctx.system.contacts.links.size() * kLinkBytes;
     size += std::min(header.contacts, kMost) * kContactBytes;
+    size += std::min(header.resistances, kMost) * kResistanceBytes;
     size += std::min(header.links, kMost) * kLinkBytes;
     if (header.bytes != size || bytes.size() != sizeof header + size + sizeof sum ||
         sum != base::fnv1a(bytes.data(), bytes.size() - sizeof sum))
@@ -249,7 +256,7 @@ void World::restore(std::span<const std::byte> bytes) {
     const auto analysed_x = m.ctx.analysed_x;
     const auto analysed_r = m.ctx.analysed_r;
     const auto links = m.ctx.system.contacts.links;
-    resize_contacts(m.ctx, header.contacts);
+    resize_contacts(m.ctx, header.contacts, header.resistances);
     m.ctx.system.contacts.links.resize(header.links);
     m.ctx.system.contacts.link_used.resize(header.links);
     const std::byte* from = bytes.data() + sizeof header;

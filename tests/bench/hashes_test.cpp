@@ -23,7 +23,8 @@ void expect_equal(const HashComparison& c) {
 /// Until something slides, or lands where nothing slides.
 const std::map<std::string, int> kSteps = {{"bouncing_ball", 200}, {"painleve", 500}};
 constexpr int kFewSteps = 20;
-const std::set<std::string> kAtRest = {"arch", "bouncing_ball", "box_stack", "box_stack_1e6"};
+const std::set<std::string> kAtRest = {"arch", "bouncing_ball", "box_stack", "box_stack_1e6",
+                                       "rolling_resistance"};
 
 TEST(Hashes, DoNotDependOnThreadsOrRestoring) {
     const auto files = contact_scenes("scenes");

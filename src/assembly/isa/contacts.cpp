@@ -12,6 +12,7 @@ using assembly::ContactRow;
 using assembly::ContactSlot;
 using assembly::ContactTerm;
 using assembly::kContactBlock;
+using assembly::ResistanceRow;
 
 /// Eᵀ S E: the linearised law in the world frame.
 M3 world_law(const ContactRow& row, const double* s) {
@@ -36,6 +37,21 @@ void add_block(const M3& s, const ContactSlot& a, const ContactSlot& b, double* 
         add3(o, column[j]);
         if (a.dof == 6) add3(o + 3, cross(ra, column[j]));
     }
+}
+
+/// The same of the resistance that belongs to the contact: J of a slot is w E [0, 1], and of what
+/// is coupled to the normal velocity w n [1, −r̂].
+void add_resistance(const ContactRow& row, const nonsmooth::Resistance& law, const ContactSlot& a,
+                    const ContactSlot& b, double* out) {
+    const double w = a.weight * b.weight;
+    const M3 e = load9(row.axis);
+    const M3 transposed{{e.a[0], e.a[3], e.a[6], e.a[1], e.a[4], e.a[7], e.a[2], e.a[5], e.a[8]}};
+    const M3 s = congruence(transposed, law.s);
+    const V3 n = load3(row.axis), lever = cross(load3(b.arm), n);
+    const V3 column = w * tmul(e, load3(law.column));
+    const double normal[6] = {n.x, n.y, n.z, lever.x, lever.y, lever.z};
+    for (int j = 0; j < 6; ++j) add3(out + 6 * j + 3, normal[j] * column);
+    for (int j = 0; j < 3; ++j) add3(out + 6 * (3 + j) + 3, w * V3{s.a[j], s.a[3 + j], s.a[6 + j]});
 }
 
 }  // namespace
@@ -70,10 +86,35 @@ void update_contacts(const ContactRow* rows, nonsmooth::Cone* cones, std::int32_
     }
 }
 
+void turn_contacts(const ContactRow* rows, const nonsmooth::Cone* cones,
+                   const ResistanceRow* resistance_rows, nonsmooth::Resistance* resistances,
+                   std::int32_t begin, std::int32_t end, const double* v,
+                   double* slot_impulse) noexcept {
+    for (std::int32_t k = begin; k < end; ++k) {
+        const ResistanceRow& at = resistance_rows[k];
+        const ContactRow& row = rows[at.contact];
+        nonsmooth::Resistance& a = resistances[k];
+        V3 u{0, 0, 0};
+        if (v != nullptr) {
+            for (int i = 0; i < 2; ++i) {
+                const ContactSlot& s = row.slot[i];
+                if (s.dof == 6) u = u + s.weight * load3(v + s.dof_begin + 3);
+            }
+        }
+        const M3 e = load9(row.axis);
+        store3(a.u, load3(at.carried) + e * u);
+        const double normal = cones[at.contact].u[0];
+        store3(a.lambda, load3(a.p) - load9(a.s) * load3(a.u) - normal * load3(a.column));
+        const V3 torque = tmul(e, load3(a.lambda));
+        double* out = slot_impulse + 24L * at.contact;
+        for (int i = 0; i < 2; ++i) add3(out + 6 * i + 3, row.slot[i].weight * torque);
+    }
+}
+
 void contact_blocks(const ContactRow* rows, const nonsmooth::Cone* cones,
-                    const ContactBlock* blocks, const std::uint8_t* changed,
-                    const ContactTerm* terms, std::int32_t begin, std::int32_t end,
-                    double* out) noexcept {
+                    const nonsmooth::Resistance* resistances, const ContactBlock* blocks,
+                    const std::uint8_t* changed, const ContactTerm* terms, std::int32_t begin,
+                    std::int32_t end, double* out) noexcept {
     for (std::int32_t k = begin; k < end; ++k) {
         if (changed[k] == 0) continue;
         const ContactBlock& block = blocks[k];
@@ -88,11 +129,15 @@ void contact_blocks(const ContactRow* rows, const nonsmooth::Cone* cones,
             const ContactSlot &a = row.slot[term.i], &b = row.slot[term.j];
             add_block(s, a, b, sum);
             if (block.a != block.b) add_block(s, b, a, sum + 36);
+            if (row.resistance < 0) continue;
+            const nonsmooth::Resistance& law = resistances[row.resistance];
+            add_resistance(row, law, a, b, sum);
+            if (block.a != block.b) add_resistance(row, law, b, a, sum + 36);
         }
     }
 }
 
 extern const assembly::ContactKernels kContactKernels;
-const assembly::ContactKernels kContactKernels = {update_contacts, contact_blocks};
+const assembly::ContactKernels kContactKernels = {update_contacts, turn_contacts, contact_blocks};
 
 }  // namespace hawser::HAWSER_ISA
