@@ -75,7 +75,8 @@ TEST(Validate, momentum) { expect_pass("momentum", 3); }
 TEST(Validate, scheme) { expect_pass("A.2.1 A.2.2 A.2.3 A.2.4 A.2.5 A.2.6 A.2.7", 20); }
 
 TEST(Validate, friction) {
-    expect_pass("capstan incline belt rolling_sphere rolling_resistance spinning_disk painleve", 28);
+    expect_pass("capstan incline belt rolling_sphere rolling_resistance spinning_disk painleve",
+                28);
 }
 TEST(Validate, bouncing_ball) { expect_pass("20", 6); }
 TEST(Validate, stacks_and_walls) { expect_pass("stacks walls", 14); }
