@@ -13,7 +13,7 @@ namespace {
 
 using test::between;
 
-constexpr double kStep = 1.0 / 60.0;
+constexpr double kFrame = 1.0 / 60.0;
 
 BodyDef block(const Vec3& at, const Vec3& velocity, double mass = 100.0) {
     BodyDef d;
@@ -85,7 +85,7 @@ TEST_P(Bounds, FrictionOfASlideStopsAndHolds) {
     const double slows = 1.0 + 0.2 * 9.81;  // F/m + mu g
     for (int k = 0; k < 30; ++k) ASSERT_EQ(w.step(), Status::ok);
     // The bound follows its load to contact_tolerance, 1e-6.
-    EXPECT_NEAR(w.velocity(s.block).linear.x(), 2.0 - slows * (w.time() - 0.5 * kStep), 1e-6);
+    EXPECT_NEAR(w.velocity(s.block).linear.x(), 2.0 - slows * (w.time() - 0.5 * kFrame), 1e-6);
     EXPECT_NEAR(w.force(s.friction)[0], -slows * 100.0, 1e-3);
     for (int k = 0; k < 60; ++k) ASSERT_EQ(w.step(), Status::ok);
     EXPECT_LT(w.velocity(s.block).linear.norm(), 1e-12);
@@ -164,7 +164,7 @@ TEST_P(Bounds, OtherMethodsKnowThem) {
         for (int k = 0; k < 30; ++k) ASSERT_EQ(w.step(), Status::ok);
         // Sweeps leave a little in the rows.
         const double close = method == Nonsmooth::pgs ? 1e-3 : 1e-6;
-        EXPECT_NEAR(w.velocity(s.block).linear.x(), 2.0 - 3.0 * (w.time() - 0.5 * kStep), close);
+        EXPECT_NEAR(w.velocity(s.block).linear.x(), 2.0 - 3.0 * (w.time() - 0.5 * kFrame), close);
         for (int k = 0; k < 60; ++k) ASSERT_EQ(w.step(), Status::ok);
         EXPECT_LT(w.velocity(s.block).linear.norm(), close);
     }
@@ -188,7 +188,7 @@ TEST(BoundsOfHinges, FrictionTurnsMoreThanOnce) {
     const InteractionId f = w.add_interaction(friction);
     for (int k = 0; k < 300; ++k) ASSERT_EQ(w.step(), Status::ok);
     // 5 s at −1 rad/s² : 37.5 rad, six turns.
-    EXPECT_NEAR(w.velocity(b).angular.z(), 10.0 - (5.0 - 0.5 * kStep), 1e-9);
+    EXPECT_NEAR(w.velocity(b).angular.z(), 10.0 - (5.0 - 0.5 * kFrame), 1e-9);
     EXPECT_NEAR(w.force(f)[0], -2.0, 1e-12);
     for (int k = 0; k < 600; ++k) ASSERT_EQ(w.step(), Status::ok);
     EXPECT_LT(w.velocity(b).angular.norm(), 1e-12);
