@@ -61,7 +61,8 @@ struct Energy {
     double elastic = 0.0;  ///< Σ g²/(2ε) over rows with compliance > 1e-11, hydrostatics included.
     double applied = 0.0;  ///< Work done since the start by applied forces and torques.
     /// Work done since the start by motors (negative where they brake), by lengths and targets
-    /// that inputs change, by winches, and by bodies with a prescribed velocity.
+    /// that inputs change, by winches, and by bodies with a prescribed velocity; less what friction
+    /// in joints took.
     double driven = 0.0;
     double dissipated = 0.0;  ///< Energy taken since the start by body damping (drag).
     /// Energy taken since the start by contacts: by tangential impulses, and by normal ones

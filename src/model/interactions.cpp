@@ -239,7 +239,7 @@ RowState Interactions::row_state(int id, const Bodies& b) const noexcept {
 }
 
 double Interactions::elastic(int id, const Bodies& b, double h) const noexcept {
-    if (active[at(id)] == 0.0 && !(flags[at(id)] & kFriction)) return 0.0;
+    if (active[at(id)] == 0.0 || (flags[at(id)] & kFriction)) return 0.0;
     const RowState s = row_state(id, b);
     double energy = 0.0;
     for (int r = 0; r < rows[at(id)]; ++r) {

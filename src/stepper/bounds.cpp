@@ -53,16 +53,20 @@ BoundedRow along(const Newton& n, std::size_t i, double t) noexcept {
     return {a.lambda + t * (b.lambda - a.lambda), a.r + t * (b.r - a.r)};
 }
 
+constexpr int kMostPasses = 20;
+
 /// λ and v₊ as they stand. All that ask for it are switched at first; then, since two may go on
 /// switching each other for ever, the first one only (K. G. Murty's least index rule, which ends).
-Switched switch_solved(StepContext& ctx, int pass) noexcept {
-    constexpr int kTogether = 6, kMostPasses = 20;
+/// @return how many ask for it; none are switched from kMostPasses on.
+std::int32_t switch_solved(StepContext& ctx, int pass) noexcept {
+    constexpr int kTogether = 6;
     take_bounds(ctx);
     keep_bounds(ctx, 1.0);
-    const Switched s = switch_bounds(ctx, 0.0, pass < kTogether ? kAnyRows : pass < kMostPasses);
-    ctx.stats.flips_left = pass < kMostPasses ? 0 : s.rows;
-    if (s.rows > 0) ctx.rhs_ready = false;
-    return pass < kMostPasses ? s : Switched{};
+    const std::int32_t rows =
+        switch_bounds(ctx, 0.0, pass < kTogether ? kAnyRows : pass < kMostPasses);
+    ctx.stats.flips_left = pass < kMostPasses ? 0 : rows;
+    if (rows > 0) ctx.rhs_ready = false;
+    return rows;
 }
 
 }  // namespace
@@ -130,52 +134,66 @@ double bounds_merit(const StepContext& ctx, double t) noexcept {
     return sum;
 }
 
-Switched switch_bounds(StepContext& ctx, double floor, std::int32_t most) noexcept {
+double bounds_map(const StepContext& ctx) noexcept {
+    const model::Interactions& in = ctx.interactions;
+    double largest = 0.0;
+    for (const std::int32_t id : in.frictions) {
+        if (in.active[at(id)] != 0.0) continue;
+        const double held = in.held[at(id)], bound = moved_with(impulse_range(ctx, id), held);
+        if (bound == held) continue;
+        largest = std::max(largest,
+                           std::fabs(bound - held) / std::max(std::fabs(bound), ctx.contact_floor));
+    }
+    return largest;
+}
+
+std::int32_t switch_bounds(StepContext& ctx, double floor, std::int32_t most) noexcept {
     const View v = view(ctx);
-    Switched out;
+    std::int32_t asking = 0;
     for (std::size_t i = 0; i < ctx.system.bounded.size(); ++i) {
         const std::int32_t id = ctx.system.bounded[i], row = v.row_begin[id];
         const ImpulseRange range = impulse_range(ctx, id);
         if (v.parted[id] || ((v.flags[id] & model::kRange) && range.low == range.high)) continue;
         const BoundedRow p = ctx.newton.row[i];
         double& held = ctx.interactions.held[at(id)];
+        const bool was_active = v.active[id] != 0.0;
         // An idle row goes where its bound has gone; only then it is asked whether it stays.
-        const double lambda = v.active[id] != 0.0 ? p.lambda : moved_with(range, held);
+        const double lambda = was_active ? p.lambda : moved_with(range, held);
         const double y = lambda + p.r / stiffness_scale(ctx, i);
-        const double projected = std::clamp(y, range.low, range.high);
-        const bool active = range.low < y && y < range.high, was_active = v.active[id] != 0.0;
-        const double change = std::fabs(projected - p.lambda);
+        const bool active = range.low < y && y < range.high;
         if (active && was_active) continue;
-        // Lines that lie about are slack and taut by rounding: that decides nothing.
-        if (active != was_active && change <= floor) continue;
-        if (active != was_active && out.rows++ >= most) continue;
+        const double projected = std::clamp(y, range.low, range.high);
+        if (active != was_active) {
+            // Lines that lie about are slack and taut by rounding: that decides nothing.
+            if (std::fabs(projected - p.lambda) <= floor) continue;
+            if (asking++ >= most) continue;
+        }
         if (most == 0) continue;
         v.active[id] = active ? 1.0 : 0.0;
         if (active) continue;
-        if (!was_active && held != projected)
-            out.moved = std::max(out.moved, std::fabs(projected - held) /
-                                                std::max({std::fabs(projected), floor, 1e-300}));
         held = projected;
         v.lambda[row] = projected;
     }
-    return out;
+    return asking;
 }
 
 Status settle_bounds(StepContext& ctx) noexcept {
-    constexpr int kMostSolves = 100;
-    int pass = 0;
-    for (int solves = 0; solves < kMostSolves; ++solves) {
-        const Switched now = switch_solved(ctx, pass);
-        ctx.stats.natural_map = now.moved;
+    constexpr int kMostSolves = 100;  // of bounds that move
+    const double tolerance = ctx.def.contact_tolerance;
+    for (int pass = 0, solves = 0; pass <= kMostPasses; ++solves) {
+        ctx.stats.natural_map = bounds_map(ctx);
+        // In the end nothing is moved, so that λ is what has been solved for.
+        if (solves >= kMostSolves) pass = kMostPasses;
         Status status = Status::ok;
-        if (now.rows > 0) {
+        const bool moved = ctx.stats.natural_map > tolerance;
+        const std::int32_t rows = switch_solved(ctx, pass);
+        if (pass == kMostPasses || (rows == 0 && !moved)) break;
+        if (rows > 0) {
             ++pass;
             status = factor_and_solve(ctx);
-        } else if (now.moved > ctx.def.contact_tolerance) {
+        } else {
             continue_with_factor(ctx);
             status = refine(ctx);
-        } else {
-            break;
         }
         if (status != Status::ok) return status;
     }
@@ -183,8 +201,9 @@ Status settle_bounds(StepContext& ctx) noexcept {
 }
 
 bool update_active_set(StepContext& ctx, int pass) noexcept {
-    const Switched s = switch_solved(ctx, pass);
-    return s.rows > 0 || s.moved > ctx.def.contact_tolerance;
+    const bool moved = bounds_map(ctx) > ctx.def.contact_tolerance;
+    const std::int32_t rows = switch_solved(ctx, pass);
+    return pass < kMostPasses && (rows > 0 || moved);
 }
 
 void move_anchors(StepContext& ctx) noexcept {

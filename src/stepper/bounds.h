@@ -48,14 +48,14 @@ void keep_bounds(StepContext& ctx, double t) noexcept;
 
 inline constexpr std::int32_t kAnyRows = 0x7fffffff;
 
-/// What an iterate asked for.
-struct Switched {
-    std::int32_t rows = 0;  ///< That ask to be active, or idle.
-    double moved = 0.0;     ///< Largest relative change of a held impulse.
-};
-/// Switch rows by where the next iteration begins. @param floor  Impulse that does not count
-/// [N s]. @param most  Rows that may switch, the first ones; 0: only count.
-Switched switch_bounds(StepContext& ctx, double floor, std::int32_t most) noexcept;
+/// Largest relative distance of friction at its bound from where its loads have moved that: the
+/// part of joints in the residual of a step.
+[[nodiscard]] double bounds_map(const StepContext& ctx) noexcept;
+
+/// Switch rows by where the next iteration begins; idle ones go with their bound. @param floor
+/// Impulse that does not count [N s]. @param most  Rows that may switch, the first ones; 0: only
+/// count. @return rows that ask to be active, or idle.
+std::int32_t switch_bounds(StepContext& ctx, double floor, std::int32_t most) noexcept;
 
 /// The same for a solution λ, v₊ as it stands. @return whether to solve again.
 [[nodiscard]] bool update_active_set(StepContext& ctx, int pass) noexcept;

@@ -116,6 +116,7 @@ struct StepContext {
     double contact_floor = 0.0;               ///< Impulse of a contact that does not count [N s].
     double residual_floor = 0.0;              ///< Denominator floor of the momentum residual.
     std::vector<assembly::Norms> norms;       ///< One a strip or group, merged in order.
+    std::vector<double> losses;               ///< One a strip, of row_losses().
     std::vector<double> active_before;        ///< Of bounded interactions, for events.
     /// Positions and rotations at the last analysis, which chose forms and floors by them.
     base::Array<double> analysed_x, analysed_r;

@@ -57,7 +57,11 @@ double drive_work(StepContext& ctx) noexcept {
         if (v.active[id] == 0.0 && v.held[id] == 0.0) continue;
         const int flags = v.flags[id];
         const bool velocity = (v.row_flags[v.row_begin[id]] & model::kRowVelocity) != 0;
-        const bool driven = velocity || (flags & (model::kByInput | model::kFriction)) != 0;
+        if (flags & model::kFriction) {  // with what its spring holds
+            work += work_on_bodies(v, id, false);
+            continue;
+        }
+        const bool driven = velocity || (flags & model::kByInput) != 0;
         if (driven) work += work_on_bodies(v, id, true);
         if (flags & model::kCarried) work += work_of_carriers(ctx, v, id, driven);
     }

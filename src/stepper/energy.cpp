@@ -88,8 +88,8 @@ Energy energy(StepContext& ctx) noexcept {
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
         // What a line holds follows from its length, not from whether the last step found it taut.
         const bool line = (v.flags[id] & model::kOneSided) != 0;
-        const bool idle = v.active[id] == 0.0 && !(v.flags[id] & model::kFriction);
-        if (line ? v.parted[id] != 0 : idle) continue;
+        if (v.flags[id] & model::kFriction) continue;  // counted as driven
+        if (line ? v.parted[id] != 0 : v.active[id] == 0.0) continue;
         const double* jac = v.jacobian + v.jac_begin[id];
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;

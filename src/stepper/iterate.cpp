@@ -90,6 +90,51 @@ void shorten(StepContext& ctx, double t) noexcept {
     }
 }
 
+namespace {
+
+/// The part of resistances in contacts_merit().
+double resistance_merit(const StepContext& ctx, double t) noexcept {
+    const Contacts& contacts = ctx.system.contacts;
+    const assembly::Resistances& resistances = contacts.resistances;
+    double sum = 0.0;
+    for (std::size_t k = 0; k < resistances.count(); ++k) {
+        const Resistance& a = resistances.laws[k];
+        const std::size_t contact = at(resistances.rows[k].contact);
+        const Cone& c = contacts.cones[contact];
+        const double* normal = &ctx.newton.contact[6 * contact];
+        const double* before = &ctx.newton.contact[6 * (contacts.count() + k)];
+        double u[3], lambda[3], e[3];
+        for (int i = 0; i < 3; ++i) {
+            u[i] = before[i] + t * (a.u[i] - before[i]);
+            lambda[i] = before[3 + i] + t * (a.lambda[i] - before[3 + i]);
+        }
+        nonsmooth::residual(a, c, normal[0] + t * (c.u[0] - normal[0]),
+                            normal[3] + t * (c.lambda[0] - normal[3]), u, lambda, e);
+        sum += (a.mobility + a.sigma) * (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
+    }
+    return sum;
+}
+
+}  // namespace
+
+double contacts_merit(const StepContext& ctx, double t) noexcept {
+    double sum = resistance_merit(ctx, t);
+    const base::Array<Cone>& cones = ctx.system.contacts.cones;
+    for (std::size_t k = 0; k < cones.size(); ++k) {
+        const Cone& c = cones[k];
+        const double* before = &ctx.newton.contact[6 * k];
+        double u[3], lambda[3], e[3];
+        for (int i = 0; i < 3; ++i) {
+            u[i] = before[i] + t * (c.u[i] - before[i]);
+            lambda[i] = before[3 + i] + t * (c.lambda[i] - before[3 + i]);
+        }
+        nonsmooth::residual(c, u, lambda, e);
+        sum += (c.mobility + c.sigma_n) * e[0] * e[0] +
+               (c.mobility + c.sigma_t) * (e[1] * e[1] + e[2] * e[2]);
+    }
+    return sum;
+}
+
 double worst(const StepContext& ctx) noexcept {
     double largest = 0.0;
     for (const Cone& c : ctx.system.contacts.cones)

@@ -18,6 +18,9 @@ void keep_iterate(StepContext& ctx) noexcept;
 /// Go back to a share t of the way from the iterate kept. The laws' p follow, so that λ = p − S u.
 void shorten(StepContext& ctx, double t) noexcept;
 
+/// Σ (W + Σ) ‖λ − P‖² over contacts, a share t of the way: an energy [J].
+[[nodiscard]] double contacts_merit(const StepContext& ctx, double t) noexcept;
+
 /// Largest relative residual of Coulomb's law over contacts, see nonsmooth::natural_map().
 [[nodiscard]] double worst(const StepContext& ctx) noexcept;
 

@@ -4,6 +4,10 @@
 /// −λ(ġ + ġ₊)/2, taken from the motion, is exactly (g⁺² − g⁻²)/2ε, held, plus τġ₊(g⁺ − g⁻)/ε, lost.
 #include "stepper/drives.h"
 #include "stepper/stages.h"
+#include "stepper/sweeps.h"
+
+#include <cmath>
+#include <numeric>
 
 namespace hawser::stepper {
 namespace {
@@ -50,13 +54,21 @@ double held(const View& v, std::int32_t id, std::int32_t row, double now, double
     return 0.5 * g * g / v.epsilon[row];
 }
 
+/// Whether a line was taut at the last half-step position, so that assembly left its c as it is
+/// (when_slack() in assembly/isa/rows.h). @param before  ġ by c; of a line that was slack it gives
+/// 0.
+bool was_taut(const View& v, std::int32_t row, double before) noexcept {
+    return v.g[row] - 0.5 * v.h * before > 1e-9 * std::fabs(v.g[row]);
+}
+
 double losses_of(StepContext& ctx, const View& v, std::int32_t id) noexcept {
     const int flags = v.flags[id];
     Rates rate;
-    if (flags & (model::kOneSided | model::kCarried))
+    rates_by_rows(v, id, rate);
+    const bool line = (flags & model::kOneSided) != 0;
+    if ((flags & model::kCarried) ||
+        (line && (v.active[id] == 0.0 || !was_taut(v, v.row_begin[id], rate.before[0]))))
         rates_by_jacobian(ctx, v, id, rate);
-    else
-        rates_by_rows(v, id, rate);
     double taken = 0.0;
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
@@ -75,14 +87,20 @@ double losses_of(StepContext& ctx, const View& v, std::int32_t id) noexcept {
 
 double row_losses(StepContext& ctx) noexcept {
     const View v = view(ctx);
-    double taken = 0.0;
-    for (std::int32_t id = 0; id < v.interaction_count; ++id) {
-        const bool line = (v.flags[id] & model::kOneSided) != 0;
-        if (v.flags[id] & model::kFriction) continue;  // counted as driven
-        if (v.parted[id] || (!line && v.active[id] == 0.0)) continue;
-        taken += losses_of(ctx, v, id);
-    }
-    return taken;
+    auto strip = [&](int i, int) noexcept {
+        double taken = 0.0;
+        each(ctx.system.strips.interactions(i), [&](std::int32_t begin, std::int32_t end) {
+            for (std::int32_t id = begin; id < end; ++id) {
+                const bool line = (v.flags[id] & model::kOneSided) != 0;
+                if (v.flags[id] & model::kFriction) continue;  // counted as driven
+                if (v.parted[id] || (!line && v.active[id] == 0.0)) continue;
+                taken += losses_of(ctx, v, id);
+            }
+        });
+        ctx.losses[static_cast<std::size_t>(i)] = taken;
+    };
+    ctx.pool.for_each(ctx.system.strips.count(), strip);
+    return std::accumulate(ctx.losses.begin(), ctx.losses.end(), 0.0);
 }
 
 double held_by_line(StepContext& ctx, std::int32_t id) noexcept {

@@ -47,48 +47,9 @@ std::int32_t linearise(StepContext& ctx) noexcept {
     return flips;
 }
 
-double resistance_merit(const StepContext& ctx, double t) noexcept;
-
-/// Σ (W + Σ) ‖λ − P‖² over contacts, a share t of the way: an energy [J].
+/// Σ (W + Σ) ‖λ − P‖² over all, a share t of the way: an energy [J].
 double merit(const StepContext& ctx, double t) noexcept {
-    double sum = bounds_merit(ctx, t) + resistance_merit(ctx, t);
-    const base::Array<Cone>& cones = ctx.system.contacts.cones;
-    for (std::size_t k = 0; k < cones.size(); ++k) {
-        const Cone& c = cones[k];
-        const double* before = &ctx.newton.contact[6 * k];
-        double u[3], lambda[3], e[3];
-        for (int i = 0; i < 3; ++i) {
-            u[i] = before[i] + t * (c.u[i] - before[i]);
-            lambda[i] = before[3 + i] + t * (c.lambda[i] - before[3 + i]);
-        }
-        nonsmooth::residual(c, u, lambda, e);
-        sum += (c.mobility + c.sigma_n) * e[0] * e[0] +
-               (c.mobility + c.sigma_t) * (e[1] * e[1] + e[2] * e[2]);
-    }
-    return sum;
-}
-
-/// The part of resistances in merit().
-double resistance_merit(const StepContext& ctx, double t) noexcept {
-    const Contacts& contacts = ctx.system.contacts;
-    const assembly::Resistances& resistances = contacts.resistances;
-    double sum = 0.0;
-    for (std::size_t k = 0; k < resistances.count(); ++k) {
-        const nonsmooth::Resistance& a = resistances.laws[k];
-        const std::size_t contact = at(resistances.rows[k].contact);
-        const Cone& c = contacts.cones[contact];
-        const double* normal = &ctx.newton.contact[6 * contact];
-        const double* before = &ctx.newton.contact[6 * (contacts.count() + k)];
-        double u[3], lambda[3], e[3];
-        for (int i = 0; i < 3; ++i) {
-            u[i] = before[i] + t * (a.u[i] - before[i]);
-            lambda[i] = before[3 + i] + t * (a.lambda[i] - before[3 + i]);
-        }
-        nonsmooth::residual(a, c, normal[0] + t * (c.u[0] - normal[0]),
-                            normal[3] + t * (c.lambda[0] - normal[3]), u, lambda, e);
-        sum += (a.mobility + a.sigma) * (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
-    }
-    return sum;
+    return bounds_merit(ctx, t) + contacts_merit(ctx, t);
 }
 
 /// How far to go from an iterate, and what its merit is there.
@@ -148,6 +109,10 @@ void go_back(StepContext& ctx) noexcept {
     contacts.resistances.recall(contacts.rows);
 }
 
+void forget_best(StepContext& ctx) noexcept {
+    ctx.newton.best = std::numeric_limits<double>::infinity();
+}
+
 /// The iterate kept is the best so far, and the one at hand is worse: set it aside.
 void set_best_aside(Newton& n, double merit) noexcept {
     n.best = merit;
@@ -196,7 +161,7 @@ Status iterate(StepContext& ctx, Coupling coupling, double tolerance) noexcept {
     for (Cone& c : ctx.system.contacts.cones) c.coupling = coupling;
     bool again = false, slow = false;
     double before = 0.0;
-    ctx.newton.best = std::numeric_limits<double>::infinity();
+    forget_best(ctx);
     for (int it = 0;; ++it) {
         ++ctx.newton.iterations;
         if (it < kKrylovFrom || again || slow || !find_impulses(ctx)) {
@@ -215,17 +180,17 @@ Status iterate(StepContext& ctx, Coupling coupling, double tolerance) noexcept {
         keep_iterate(ctx);
         keep_bounds(ctx, way.share);
         const bool last = it + 1 >= ctx.def.contact_iterations;
-        const Switched switched = switch_bounds(ctx, ctx.contact_floor, last ? 0 : kAnyRows);
-        again = switched.rows > 0;
-        if (again || switched.moved > 0.0)
-            ctx.newton.best = std::numeric_limits<double>::infinity();  // other rows, or impulses
-        ctx.stats.natural_map = std::max(worst(ctx), switched.moved);
+        const double moved = bounds_map(ctx);
+        const std::int32_t asking = switch_bounds(ctx, ctx.contact_floor, last ? 0 : kAnyRows);
+        again = asking > 0;
+        if (again || moved > 0.0) forget_best(ctx);  // other rows, or impulses
+        ctx.stats.natural_map = std::max(worst(ctx), moved);
         if (!std::isfinite(ctx.stats.natural_map)) return Status::not_finite;
         if (ctx.stats.natural_map <= tolerance && !again) {
             ctx.stats.flips_left = 0;
             return Status::ok;
         }
-        ctx.stats.flips_left = linearise(ctx);
+        ctx.stats.flips_left = linearise(ctx) + asking;
         // Not where lines have just switched: their rows would be left unsolved.
         ctx.stats.cut = !again && !affordable(ctx);
         if (ctx.stats.cut || last) return Status::ok;
@@ -242,7 +207,8 @@ void restart(StepContext& ctx) noexcept {
 }
 
 bool solved(const StepContext& ctx, Status status) noexcept {
-    return status == Status::ok && ctx.stats.natural_map <= ctx.def.contact_tolerance;
+    return status == Status::ok && ctx.stats.natural_map <= ctx.def.contact_tolerance &&
+           ctx.stats.flips_left == 0;
 }
 
 void soften_by(StepContext& ctx, double factor) noexcept {
@@ -262,6 +228,7 @@ Status from_soft(StepContext& ctx) noexcept {
         if (ctx.stats.cut) break;
     }
     ctx.stats.natural_map = worst(ctx);
+    forget_best(ctx);  // its merit was that of a softer system
     if (ctx.stats.cut) return Status::ok;
     restart(ctx);
     return iterate(ctx, Coupling::exact, ctx.def.contact_tolerance);
@@ -317,7 +284,8 @@ Status solve_newton(StepContext& ctx) noexcept {
     }
     if (status == Status::ok && !solved(ctx, status)) status = end_early(ctx);
     if (status == Status::ok) status = refine(ctx);
-    if (status == Status::ok) ctx.stats.natural_map = worst(ctx);  // of what the step ends with
+    if (status == Status::ok)  // of what the step ends with
+        ctx.stats.natural_map = std::max(worst(ctx), bounds_map(ctx));
     return status;
 }
 

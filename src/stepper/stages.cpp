@@ -52,6 +52,7 @@ void analyse(StepContext& ctx) {
     ctx.analysed_r = ctx.bodies.r;
     ctx.system.analyse(ctx.bodies, ctx.interactions, ctx.def, ctx.pool.threads());
     ctx.norms.resize(at(ctx.system.strips.count() + ctx.system.strips.groups()));
+    ctx.losses.resize(at(ctx.system.strips.count()));
     StepStats& s = ctx.stats;
     s.islands = ctx.system.islands.count;
     s.matrix_nnz = ctx.system.symbolic.matrix_nnz;

@@ -128,6 +128,27 @@ TEST_P(Bounds, ABrakeFollowsItsInput) {
     EXPECT_NEAR(w.velocity(s.block).linear.x(), 5.0, 1e-6);
 }
 
+/// What a spring of friction holds is part of what friction took, so that the balance closes.
+TEST_P(Bounds, ASoftBrakeBalances) {
+    World w;
+    const Slider s = add_slider(w, 0, 2.0, 0.0, 0.0);
+    InteractionDef soft = w.interaction_def(s.friction);
+    soft.name = "soft";
+    soft.compliance[0] = 1e-5;
+    soft.set("force", 300.0);
+    w.add_interaction(soft);
+    if (GetParam()) add_boxes(w);
+    ASSERT_EQ(w.step(), Status::ok);
+    const Energy a = w.energy();
+    for (int k = 0; k < 90; ++k) ASSERT_EQ(w.step(), Status::ok);
+    const Energy b = w.energy();
+    EXPECT_LT(w.velocity(s.block).linear.norm(), 1e-4) << "it swings on its spring";
+    EXPECT_LT(b.driven - a.driven, -180.0);  // ½ m v² less a step
+    const double left = b.mechanical() - a.mechanical() - (b.driven - a.driven) +
+                        (b.friction - a.friction) + (b.contact - a.contact) + (b.damped - a.damped);
+    EXPECT_NEAR(left, 0.0, 1e-6) << "of 200 J, or 1,600 with the boxes";
+}
+
 TEST_P(Bounds, SnapshotsAndThreadsKeepTheBits) {
     auto make = [&](int threads) {
         WorldDef def;

@@ -97,6 +97,20 @@ struct Hold {
 #endif
 };
 
+/// Row 0: the angle of frame 1 against frame 0 about z.
+inline void hinge_row(const JointData& joint, const BodyRef* b, Rows<2, 1>& out) {
+    V3 t;
+    out.g[0] = twist(axes(b[0], joint.frame[0]), axes(b[1], joint.frame[1]), t);
+    out.set(0, 0, {0, 0, 0}, -t);
+    out.set(1, 0, {0, 0, 0}, t);
+}
+
+/// Row 0: the travel of body 1 along z of frame 0.
+inline void travel_row(const JointData& joint, const BodyRef* b, Rows<2, 1>& out) {
+    const V3 ra = b[0].arm(joint.point[0]), rb = b[1].arm(joint.point[1]);
+    slide_row(axes(b[0], joint.frame[0]).z, ra, rb, b[1].x + rb - b[0].x - ra, 0, out);
+}
+
 inline constexpr ParamInfo kMotorParams[] = {
     {"speed", "m/s or rad/s", 0.0, -1e6, 1e6, "Speed wanted.", true},
     {"force_min", "N or N m", -1e30, -1e30, 1e30, "Smallest force or torque.", true},
@@ -158,8 +172,7 @@ struct SlideMotor {
     using Data = MotorData;
     static void defaults(const InteractionDef& d, double, RowSpec* s) { motor_rows(d, s); }
     static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
-        const V3 ra = b[0].arm(d.joint.point[0]), rb = b[1].arm(d.joint.point[1]);
-        slide_row(axes(b[0], d.joint.frame[0]).z, ra, rb, b[1].x + rb - b[0].x - ra, 0, out);
+        travel_row(d.joint, b, out);
         out.g[0] = d.speed;
     }
 #ifdef HAWSER_KIND_SETUP
@@ -232,10 +245,8 @@ struct HingeRange {
     using Data = RangeData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { range_rows(d, h, s); }
     static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
-        V3 t;
-        out.g[0] = d.outside(twist(axes(b[0], d.joint.frame[0]), axes(b[1], d.joint.frame[1]), t));
-        out.set(0, 0, {0, 0, 0}, -t);
-        out.set(1, 0, {0, 0, 0}, t);
+        hinge_row(d.joint, b, out);
+        out.g[0] = d.outside(out.g[0]);
     }
 #ifdef HAWSER_KIND_SETUP
     static Data make(const InteractionDef& d) { return RangeData::of(d); }
@@ -258,8 +269,7 @@ struct SlideRange {
     using Data = RangeData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { range_rows(d, h, s); }
     static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
-        const V3 ra = b[0].arm(d.joint.point[0]), rb = b[1].arm(d.joint.point[1]);
-        slide_row(axes(b[0], d.joint.frame[0]).z, ra, rb, b[1].x + rb - b[0].x - ra, 0, out);
+        travel_row(d.joint, b, out);
         out.g[0] = d.outside(out.g[0]);
     }
 #ifdef HAWSER_KIND_SETUP

@@ -13,7 +13,7 @@
 /// other interactions carry: of a bearing's own force, or of the two ends of a line round a
 /// bollard.
 
-#include "model/kinds/common.h"
+#include "model/kinds/drives.h"
 
 namespace hawser::HAWSER_ISA::kinds {
 
@@ -53,11 +53,8 @@ struct HingeFriction {
     using Data = JointFrictionData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { friction_rows(d, h, s); }
     static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
-        V3 t;
-        const double q = twist(axes(b[0], d.joint.frame[0]), axes(b[1], d.joint.frame[1]), t);
-        out.g[0] = turned(q - d.anchor);
-        out.set(0, 0, {0, 0, 0}, -t);
-        out.set(1, 0, {0, 0, 0}, t);
+        hinge_row(d.joint, b, out);
+        out.g[0] = turned(out.g[0] - d.anchor);
     }
     /// The same angle in [−π, π].
     static double turned(double angle) {
@@ -87,8 +84,7 @@ struct SlideFriction {
     using Data = JointFrictionData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { friction_rows(d, h, s); }
     static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
-        const V3 ra = b[0].arm(d.joint.point[0]), rb = b[1].arm(d.joint.point[1]);
-        slide_row(axes(b[0], d.joint.frame[0]).z, ra, rb, b[1].x + rb - b[0].x - ra, 0, out);
+        travel_row(d.joint, b, out);
         out.g[0] -= d.anchor;
     }
 #ifdef HAWSER_KIND_SETUP
