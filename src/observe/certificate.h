@@ -8,9 +8,15 @@
 /// the natural map (of resistance to rolling and spinning its own), whose largest is compared with
 /// StepStats::natural_map.
 ///
-/// **Momentum** of every body that no interaction holds, translation and rotation with its
-/// gyroscopic terms: what changed against gravity, applied forces, drag and contacts. Bodies that
-/// interactions hold are not covered: their rows' Jacobians are the solver's own.
+/// **Momentum** of bodies, translation and rotation with its gyroscopic terms: what changed against
+/// gravity, applied forces, drag, contacts, interactions by the forces of their rows, geometric
+/// stiffness and damping of joints (interaction_forces.h). Left out in a step are the bodies of an
+/// interaction whose force rounding decides on.
+///
+/// **Bounds**: what only pulls does not push, motors keep to their range, friction in joints to its
+/// bound with its loads, limits push only at an end.
+
+#include "observe/interaction_forces.h"
 
 #include <hawser/hawser.h>
 
@@ -22,10 +28,13 @@ namespace hawser::observe {
 
 struct Verification {
     std::int64_t steps = 0;
-    double natural_map = 0.0;      ///< Largest, of steps that no budget cut.
-    double difference = 0.0;       ///< Largest |natural map − StepStats::natural_map|.
-    double momentum = 0.0;         ///< Largest relative residual.
-    std::int32_t free_bodies = 0;  ///< Whose momentum was computed.
+    double natural_map = 0.0;  ///< Largest, of steps that no budget cut.
+    double difference = 0.0;   ///< Largest |natural map − StepStats::natural_map|.
+    double momentum = 0.0;     ///< Largest relative residual.
+    double bounds = 0.0;       ///< Largest relative excess over the bound of a row.
+    std::int32_t moving_bodies = 0;
+    /// Of them, those whose momentum was computed; the fewest of all steps that were.
+    std::int32_t covered_bodies = 0;
 };
 
 class Verifier {
@@ -47,14 +56,25 @@ class Verifier {
     [[nodiscard]] double natural_map(const World& world, const ContactView& contact);
     /// Of its resistance to rolling and spinning.
     [[nodiscard]] double turn_map(const World& world, const ContactView& contact);
+    /// Largest of contacts.
+    [[nodiscard]] double step_map(const World& world);
+    /// Rows outside their bounds. @return by how much at most, 0: within what counts as nothing.
+    [[nodiscard]] double bound_excess(const World& world);
+    void add_interactions(const World& world);
     [[nodiscard]] double momentum_residual(const World& world);
     [[nodiscard]] Vec3 spin_impulse(std::int32_t body, const Mat3& inertia, const Twist& now);
 
     std::vector<Pose> pose_;
     std::vector<Twist> twist_;
-    std::vector<std::int32_t> free_;      ///< Bodies without interactions.
-    std::vector<Vec3> change_;            ///< Of spin by torque in the last step, body frame.
-    std::vector<Vec3> linear_, angular_;  ///< Impulses of contacts on each body.
+    std::vector<std::int32_t> moving_;
+    std::vector<std::vector<double>> last_;  ///< Forces of each interaction's rows before the step.
+    std::vector<bool> intact_;               ///< Before the step, by interaction.
+    std::vector<bool> unsure_;               ///< Bodies left out in this step.
+    std::vector<Mat3> mobility_;             ///< Inverse inertia, body frame.
+    std::vector<Vec3> change_;               ///< Of spin by torque in the last step, body frame.
+    std::vector<Vec3> linear_, angular_;  ///< Impulses of contacts and interactions on each body.
+    bool loads_ = false;                  ///< Friction in joints depends on other forces.
+    double impulse_ = 0.0;                ///< Σ of their squares in the norm of M⁻¹.
     std::int64_t impacts_ = 0;            ///< Until the last step.
     int seen_ = 0;                        ///< Steps whose momentum was computed.
     double step_ = 0.0, floor_ = 0.0, momentum_floor_ = 0.0;

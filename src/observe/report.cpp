@@ -83,8 +83,9 @@ void quality(Out out, const Summary& s) {
     if (const Verification& v = s.verified; v.steps > 0)
         fmt::format_to(out,
                        "  verified     {} steps: natural map {:.2e} (differs by {:.2e}), momentum "
-                       "of {} free bodies {:.2e}\n",
-                       v.steps, v.natural_map, v.difference, v.free_bodies, v.momentum);
+                       "of {} of {} bodies {:.2e}, bounds {:.2e}\n",
+                       v.steps, v.natural_map, v.difference, v.covered_bodies, v.moving_bodies,
+                       v.momentum, v.bounds);
     if (s.stretch_error_max > 0.0)
         fmt::format_to(out, "  cable law    |l − l0 (1 + T/EA)| at most {:.2e} l0 ({:.4g} s)\n",
                        s.stretch_error_max, s.stretch_error_time);

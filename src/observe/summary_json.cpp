@@ -167,7 +167,9 @@ std::string to_json(const Summary& s) {
                            {"natural_map", v.natural_map},
                            {"largest_disagreement", v.difference},
                            {"momentum", v.momentum},
-                           {"free_bodies", v.free_bodies}};
+                           {"bounds", v.bounds},
+                           {"covered_bodies", v.covered_bodies},
+                           {"moving_bodies", v.moving_bodies}};
     out.update(Json{
         {"residuals",
          {{"momentum", {{"max", s.momentum_residual_max}, {"median", s.momentum_residual_median}}},

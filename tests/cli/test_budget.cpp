@@ -54,7 +54,7 @@ TEST(Verify, SaysWhatItComputed) {
     EXPECT_NE(outcome.out.find("verified"), std::string::npos);
     const Json s = Json::parse(read_text(folder / "s.json"));
     EXPECT_EQ(s["verified"]["verified_steps"], 30);
-    EXPECT_EQ(s["verified"]["free_bodies"], 4);
+    EXPECT_EQ(s["verified"]["covered_bodies"], 4);
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ TEST(Certificate, HoldsForStepsThatABudgetCuts) {
     }
     EXPECT_GT(cuts, 5);
     EXPECT_GT(open, 5);
-    EXPECT_GT(verifier.result().free_bodies, 10);
+    EXPECT_GT(verifier.result().covered_bodies, 10);
     EXPECT_LE(verifier.result().momentum, 1e-9);
 }
 

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Geometric stiffness and damping beside the rows, and bounds of the rows' forces.
+#include "observe/interaction_forces.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hawser::observe {
+
+namespace {
+
+constexpr double kNoBound = std::numeric_limits<double>::infinity();
+
+bool is_line(InteractionKind kind) {
+    return kind == InteractionKind::Distance || kind == InteractionKind::Stretch ||
+           kind == InteractionKind::WinchStretch;
+}
+
+bool is_joint(InteractionKind kind) {
+    return kind == InteractionKind::Ball || kind == InteractionKind::Hinge ||
+           kind == InteractionKind::Universal || kind == InteractionKind::Lock;
+}
+
+// How the torque of a force that stays as it is changes as its arm turns; the part of it that
+// pushes back.
+Mat3 arm_stiffness(const Vec3& force, const Vec3& arm) {
+    const Mat3 outer = force * arm.transpose();
+    const Mat3 k = force.dot(arm) * Mat3::Identity() - 0.5 * (outer + outer.transpose());
+    const Eigen::SelfAdjointEigenSolver<Mat3> eigen(k);
+    return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
+           eigen.eigenvectors().transpose();
+}
+
+// |r|/I, I the mean moment of inertia about the axes across the arm.
+double swing(const BodyDef& body, const Vec3& arm) {
+    if (arm.norm() == 0.0) return 0.0;
+    const Vec3 u = arm.normalized();
+    return 2.0 * arm.norm() / (body.inertia.trace() - u.dot(body.inertia * u));
+}
+
+double angle_of(const Attached& on) {
+    const Quat turn = on.frame(0).conjugate() * on.frame(1);
+    return std::remainder(2.0 * std::atan2(turn.z(), turn.w()), 2.0 * std::acos(-1.0));
+}
+
+double travel_of(const Attached& on) { return on.axis(0, 2).dot(on.point(1) - on.point(0)); }
+
+// Norm of the rows of a load that are in metres [N].
+double load_size(const World& world, InteractionId id) {
+    const std::string_view units = kind_info(world.interaction_def(id).kind).row_units;
+    const std::span<const double> f = world.force(id);
+    double square = 0.0;
+    for (std::size_t r = 0; r < f.size(); ++r)
+        if (units[r] == 'm') square += f[r] * f[r];
+    return std::sqrt(square);
+}
+
+ForceRange friction_range(const World& world, InteractionId id, const char* bound) {
+    double most = parameter(world, id, bound);
+    for (const FrictionLoad& load : world.interaction_def(id).load)
+        if (load.interaction.valid()) most += load.factor * load_size(world, load.interaction);
+    return {-most, most, true, true};
+}
+
+ForceRange limit_range(const World& world, InteractionId id, double q) {
+    const InteractionDef& def = world.interaction_def(id);
+    const double below = def.get("min") - q, above = q - def.get("max");
+    // Where rounding decides on which side of its end it is, either is right.
+    const double noise = 1e-12 * (1.0 + std::abs(q));
+    return {above > -noise ? -kNoBound : 0.0, below > -noise ? kNoBound : 0.0, true, false};
+}
+
+}  // namespace
+
+Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<const Pose> pose,
+                            std::span<const Twist> before, std::span<const double> last) {
+    const Attached on(world, id, pose);
+    const InteractionKind kind = on.def().kind;
+    const WorldDef& settings = world.settings();
+    Wrenches out;
+    if (!(is_line(kind) || is_joint(kind)) || settings.nonsmooth == Nonsmooth::pgs) return out;
+    const double h = settings.step, scale = 0.25 * h * h * settings.geometric_stiffness;
+    const Vec3 between = on.point(1) - on.point(0);
+    Vec3 pull;  // on body 1
+    if (is_line(kind)) {
+        if (!(last[0] < 0.0)) return out;  // only what is under tension
+        pull = last[0] * between.normalized();
+    } else {
+        pull = Vec3(last[0], last[1], last[2]);
+    }
+    Vec3 arm[2], moved[2], turned[2], spin[2];  // changes of velocity; ω + ω₊
+    for (int b = 0; b < 2; ++b) {
+        const BodyId body = on.def().body[static_cast<std::size_t>(b)];
+        const Twist &old = before[static_cast<std::size_t>(body.index)], now = world.velocity(body);
+        const bool turns = !on.is_point(b);
+        arm[b] = on.point(b) - on.center(b);
+        turned[b] = turns ? Vec3(now.angular - old.angular) : Vec3::Zero();
+        spin[b] = turns ? Vec3(now.angular + old.angular) : Vec3::Zero();
+        moved[b] = now.linear - old.linear + turned[b].cross(arm[b]);
+        if (on.kind(b) == BodyKind::rigid)
+            out.on[static_cast<std::size_t>(b)].torque -=
+                scale * (arm_stiffness(b == 0 ? Vec3(-pull) : pull, arm[b]) * turned[b]);
+    }
+    if (is_line(kind)) {
+        const Vec3 u = between.normalized(), apart = moved[1] - moved[0];
+        const Vec3 across =
+            scale * -last[0] / std::max(between.norm(), 1e-9) * (apart - apart.dot(u) * u);
+        out.on[0].force += across;
+        out.on[0].torque += arm[0].cross(across);
+        out.on[1].force -= across;
+        out.on[1].torque -= arm[1].cross(across);
+    } else if (on.kind(0) == BodyKind::rigid && on.kind(1) == BodyKind::rigid) {
+        double fastest = 0.0;
+        for (int b = 0; b < 2; ++b) {
+            const auto slot = static_cast<std::size_t>(b);
+            fastest =
+                std::max(fastest, swing(world.body_def(on.def().body[slot]), on.def().point[slot]));
+        }
+        const double s = h * h * pull.norm() * fastest;
+        const double damping = settings.rotation_damping * h * h * pull.norm() *
+                               std::min(arm[0].norm(), arm[1].norm()) * std::min(1.0, 16.0 * s * s);
+        const Vec3 torque = damping * (spin[1] - spin[0]);
+        out.on[0].torque += torque;
+        out.on[1].torque -= torque;
+    }
+    return out;
+}
+
+ForceRange force_range(const World& world, InteractionId id, std::span<const Pose> pose) {
+    const Attached on(world, id, pose);
+    switch (on.def().kind) {
+        case InteractionKind::Stretch:
+        case InteractionKind::WinchStretch:
+            if (!(on.def().get("tension_only") > 0.5)) return {};
+            return {-kNoBound, 0.0, true, false};
+        case InteractionKind::HingeMotor:
+        case InteractionKind::SlideMotor:
+        case InteractionKind::ScalarMotor: {
+            const double high = parameter(world, id, "force_max");
+            return {std::min(parameter(world, id, "force_min"), high), high, true, false};
+        }
+        case InteractionKind::HingeRange:
+            return limit_range(world, id, angle_of(on));
+        case InteractionKind::SlideRange:
+            return limit_range(world, id, travel_of(on));
+        case InteractionKind::HingeFriction:
+            return friction_range(world, id, "torque");
+        case InteractionKind::SlideFriction:
+        case InteractionKind::ScalarFriction:
+            return friction_range(world, id, "force");
+        default:
+            return {};
+    }
+}
+
+}  // namespace hawser::observe
