@@ -105,6 +105,8 @@ struct StepStats {
     double natural_map = 0.0;  ///< Largest relative residual of a contact's law (docs/methods.md).
     double factor_work = 0.0;  ///< Flops of the step's factorisations over those of one LDLᵀ.
     std::int64_t impacts = 0;  ///< Steps with an impact stage, since the start.
+    /// Of those, stages done again without bouncing, since it would have gained energy or failed.
+    std::int64_t impact_retries = 0;
     std::int32_t newton_iterations = 0;  ///< Of the solve for contacts.
     bool cut = false;          ///< The budget ended the solve for contacts after newton_iterations.
     std::int64_t growths = 0;  ///< Times that capacity grew since the start (0 in a warm step).

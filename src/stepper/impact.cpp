@@ -115,6 +115,7 @@ Status impact(StepContext& ctx, bool& found) noexcept {
     const double before = kinetic_energy(ctx.bodies, v.v);
     Status status = Status::ok;
     for (const double scale : {1.0, 0.0}) {
+        if (scale == 0.0) ++ctx.stats.impact_retries;
         status = attempt(ctx, scale);
         const double after = status == Status::ok ? kinetic_energy(ctx.bodies, v.v_new) : 0.0;
         const bool good = status == Status::ok && after <= before * (1.0 + 1e-9);
