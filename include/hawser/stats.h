@@ -99,7 +99,8 @@ struct StepStats {
     std::int64_t factor_nnz = 0;      ///< Scalars of L, diagonal included.
     std::int64_t factor_flops = 0;    ///< Multiply-adds counted as two, of one factorisation.
     std::int32_t factorisations = 0;  ///< In this step.
-    std::int32_t contacts = 0;        ///< Contact points, those near without touching included.
+    std::int32_t partial_factorisations = 0;  ///< Of those, of what contacts changed only.
+    std::int32_t contacts = 0;  ///< Contact points, those near without touching included.
     /// Tension-only rows and contacts whose status was still changing when the solve ended.
     std::int32_t flips_left = 0;
     double natural_map = 0.0;  ///< Largest relative residual of a contact's law (docs/methods.md).

@@ -191,6 +191,7 @@ Status factor(StepContext& ctx, bool whole) noexcept {
         constexpr double kPartial = 0.7;
         if (static_cast<double>(s.dirty.flops) < kPartial * static_cast<double>(all)) {
             ctx.step_flops += s.dirty.flops;
+            ++ctx.stats.partial_factorisations;
             s.numeric.clear(s.symbolic, s.dirty, ctx.pool);
             s.write_blocks(v, s.dirty, s.numeric.values());
             s.numeric.copy_to_upper(s.symbolic, s.dirty, *set, ctx.pool);

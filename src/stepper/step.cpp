@@ -92,6 +92,7 @@ Status step(StepContext& ctx) noexcept {
     const Clock::time_point begin = Clock::now();
     ctx.stats.stage_seconds.fill(0.0);
     ctx.stats.factorisations = 0;
+    ctx.stats.partial_factorisations = 0;
     ctx.stats.flips_left = 0;
     ctx.step_flops = 0;
     ctx.newton.iterations = 0;
