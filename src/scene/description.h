@@ -125,8 +125,10 @@ void expand_cable(Description& out, const Scope& scope, const Scope& to_scope, c
 void expand_materials(Description& out, const Document& document);
 /// Surface, groups of a shape, as far as given: "material", "groups", "touches" (materials.cpp).
 void read_surface(ShapeDef& def, Description& out, const Json& json, const Place& place);
-/// Shapes of a body (shapes.cpp).
+/// Shapes of a body, without its segments (shapes.cpp).
 void expand_shapes(Description& out, BodyId body, const Json& list, const Place& place);
+/// Segments between the bodies of one scope and others, when all bodies are there (shapes.cpp).
+void expand_segments(Description& out, const Scope& scope);
 /// Inputs of one scope (inputs.cpp).
 void expand_inputs(Description& out, const Scope& scope);
 /// Start from the stored state (state.cpp): bodies of copy 0, or the cables that join copies.

@@ -42,6 +42,7 @@ class Expander {
         add_bodies(std::move(root), 0);
         for (const InstanceScope& item : scopes_) {
             with_note(item.note, [&] {
+                expand_segments(out_, item.scope);
                 expand_interactions(out_, item.scope);
                 expand_inputs(out_, item.scope);
             });

@@ -138,7 +138,7 @@ ShapePtr body() {
          {"gravity", boolean("true or false"), false, "true (scalar: false)", "",
           "False: weightless, such as a ship afloat."},
          {"shapes", list_of("a list of shapes", shape_of_body()), false, "none", "",
-          "What of it touches other things. A lump takes one sphere."},
+          "What of it touches other things. A lump takes spheres and segments."},
          {"description", text("a text"), false, "", "", "Remarks."}},
         {{"orientation", "euler_deg"}, {"inertia", "box", "cylinder", "sphere"}});
 }

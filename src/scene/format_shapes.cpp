@@ -49,14 +49,16 @@ ShapePtr axis() { return word("an axis", {"x", "y", "z"}); }
 /// One kind of shape: `fields` besides what all have.
 std::pair<std::string, ShapePtr> shape_kind(const std::string& kind, const std::string& what,
                                             const std::string& doc, std::vector<Field> fields,
-                                            bool turns = true) {
+                                            bool turns = true, bool placed = true) {
     std::vector<std::vector<std::string>> alternatives;
     std::vector<Field> all{
         {"kind", literal(word("the kind", {kind})), true, "", "", "The kind."},
         {"name", name("a name"), false, "", "",
-         "Unique among the shapes of its body; NAME of body B is the shape B/NAME."},
-        {"position", vector3("a position"), false, "[0, 0, 0]", "m",
-         "Of the shape's frame in the body's frame."}};
+         "Unique among the shapes of its body; NAME of body B is the shape B/NAME."}};
+    if (placed) {
+        all.push_back({"position", vector3("a position"), false, "[0, 0, 0]", "m",
+                       "Of the shape's frame in the body's frame."});
+    }
     if (turns) {
         all.push_back({"orientation",
                        list("an orientation [w, x, y, z]", number("a number", -1e6, 1e6), 4, 4),
@@ -157,6 +159,12 @@ ShapePtr shape_of_body() {
                    {{"radius", length("a length"), true, "", "m", "Radius."}}, false),
         shape_kind("capsule", "a capsule", "A cylinder with half balls at its ends.",
                    along_axis("Between the centres of the half balls.")),
+        shape_kind("segment", "a segment",
+                   "A capsule from this lump to another one, such as an element of a line; one of "
+                   "the two may be a fixed body, whose centre is then the end.",
+                   {{"to", text("a body name"), true, "", "", "The other body."},
+                    {"radius", length("a length"), true, "", "m", "Radius."}},
+                   false, false),
         shape_kind(
             "box", "a box", "A box.",
             {{"half_size",

@@ -118,22 +118,83 @@ ShapeDef read_shape(const Json& json, const Place& place) {
     return def;
 }
 
+bool is_segment(const Json& shape) { return shape["kind"] == "segment"; }
+
+/// What of a body may be an end of a segment.
+void check_end(const BodyDef& body, const Place& place) {
+    if (body.kind != BodyKind::lump && body.kind != BodyKind::fixed) {
+        refuse(place, "a segment lies between two lumps, or a lump and a fixed body; " +
+                          in_quotes(body.name) + " is neither a lump nor fixed");
+    }
+}
+
+ShapeDef read_segment(Description& out, const Scope& scope, BodyId body, const Json& json,
+                      const Place& place) {
+    check_end(out.body(body), place / "kind");
+    ShapeDef def;
+    def.kind = ShapeKind::capsule;
+    def.body = body;
+    def.body_b = resolve_body(out, scope, json["to"].get<std::string>(), place / "to");
+    def.radius = json["radius"].get<double>();
+    check_end(out.body(def.body_b), place / "to");
+    if (def.body_b.index == def.body.index) {
+        refuse(place / "to", "a segment needs two different bodies");
+    }
+    if (out.body(body).kind == BodyKind::fixed && out.body(def.body_b).kind == BodyKind::fixed) {
+        refuse(place / "to", "one end of a segment must be a lump; both are fixed");
+    }
+    if (json.contains("name")) {
+        def.name = out.body(body).name + "/" + json["name"].get<std::string>();
+    }
+    return def;
+}
+
 }  // namespace
+
+void expand_segments(Description& out, const Scope& scope) {
+    const auto bodies = scope.content->find("bodies");
+    if (bodies == scope.content->end()) {
+        return;
+    }
+    for (std::size_t b = 0; b < bodies->size(); ++b) {
+        const Json& body = (*bodies)[b];
+        const auto shapes = body.find("shapes");
+        if (shapes == body.end()) {
+            continue;
+        }
+        for (std::size_t i = 0; i < shapes->size(); ++i) {
+            if (!is_segment((*shapes)[i])) {
+                continue;
+            }
+            const Place at = scope.place / "bodies" / b / "shapes" / i;
+            const BodyId id = out.find_body(scope.prefix + body["name"].get<std::string>());
+            ShapeDef def = read_segment(out, scope, id, (*shapes)[i], at);
+            read_surface(def, out, (*shapes)[i], at);
+            out.add_shape(std::move(def), out.keep(at));
+        }
+    }
+}
 
 void expand_shapes(Description& out, BodyId body, const Json& list, const Place& place) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < list.size(); ++i) {
         const Place at = place / i;
-        ShapeDef def = read_shape(list[i], at);
-        def.body = body;
+        std::string name;
         if (list[i].contains("name")) {
-            const auto name = list[i]["name"].get<std::string>();
+            name = list[i]["name"].get<std::string>();
             for (const std::string& other : names) {
                 if (other == name) {
                     refuse(at / "name", "the body has a shape " + in_quotes(name) + " already");
                 }
             }
             names.push_back(name);
+        }
+        if (is_segment(list[i])) {
+            continue;  // Its other end may not be there yet: expand_segments().
+        }
+        ShapeDef def = read_shape(list[i], at);
+        def.body = body;
+        if (!name.empty()) {
             def.name = out.body(body).name + "/" + name;
         }
         read_surface(def, out, list[i], at);

@@ -72,6 +72,50 @@ TEST(SceneShapes, cables_get_segments_between_lumps) {
     EXPECT_NEAR((link.orientation * Vec3::UnitZ() - Vec3::UnitX()).norm(), 0.0, 1e-15);
 }
 
+TEST(SceneShapes, segments_between_lumps_of_ones_own) {
+    const Description d = flat(kTouching);
+    const ShapeDef& stay = shape(d, "buoy/stay");
+    EXPECT_EQ(stay.kind, ShapeKind::capsule);
+    EXPECT_EQ(d.body(stay.body).name, "buoy");
+    EXPECT_EQ(d.body(stay.body_b).name, "weight");  // which comes after the buoy
+    EXPECT_EQ(stay.radius, 0.03);
+    EXPECT_EQ(stay.group, shape(d, "tow/c1").group);
+    const ShapeDef& copy = shape(d, "1:buoy/stay");
+    EXPECT_EQ(d.body(copy.body).name, "1:buoy");
+    EXPECT_EQ(d.body(copy.body_b).name, "1:weight");
+    // Nodes of cables and bodies of instances are bodies too, and so is the world.
+    for (const char* other : {"tow/3", "quay", "world"}) {
+        const Description more =
+            flat(patched(kTouching, R"([{"op":"replace","path":"/bodies/3/shapes/1/to","value":")" +
+                                        std::string(other) + R"("}])"));
+        EXPECT_EQ(more.body(shape(more, "buoy/stay").body_b).name, other);
+    }
+}
+
+TEST(SceneShapes, a_segment_of_ones_own_carries) {
+    // A ball dropped on a strut between two fixed ends, by way of a lump in their middle, stays on
+    // it: without the segments it would fall past the lump, which it misses.
+    Scene scene = load_text(R"({"version": 1, "name": "s", "settings": {"step": 0.005},
+      "bodies": [
+        {"name": "left", "kind": "fixed", "position": [-1, 0, 0],
+         "shapes": [{"kind": "segment", "to": "node", "radius": 0.1}]},
+        {"name": "node", "kind": "lump", "position": [0, 0, 0], "mass": 10, "gravity": false},
+        {"name": "ball", "position": [-0.5, 0, 0.31], "mass": 1, "sphere": 0.2,
+         "shapes": [{"kind": "sphere", "radius": 0.2}]}],
+      "interactions": [{"kind": "distance", "bodies": ["world", "node"], "points": [[5, 0, 0], [0, 0, 0]]},
+        {"kind": "distance", "bodies": ["world", "node"], "points": [[0, 5, 0], [0, 0, 0]]},
+        {"kind": "distance", "bodies": ["world", "node"], "points": [[0, 0, 5], [0, 0, 0]]}]})",
+                            "strut.json");
+    for (int i = 0; i < 200; ++i) {
+        ASSERT_EQ(scene.world.step(), Status::ok);
+    }
+    const Vec3 ball = scene.world.pose(scene.world.find_body("ball")).position;
+    // On top of it, less what the contact gives (9.81 N on 1e8 N/m) and the rods give.
+    EXPECT_NEAR(ball.z(), 0.3, 1e-4);
+    ASSERT_EQ(scene.world.contacts().size(), 1U);
+    EXPECT_NEAR(scene.world.contacts().front().force.norm(), 9.81, 1e-3);
+}
+
 TEST(SceneShapes, copies_have_shapes_but_one_seabed) {
     const Description d = flat(kTouching);
     EXPECT_EQ(d.body(shape(d, "1:ship/deck").body).name, "1:ship");
@@ -180,6 +224,18 @@ constexpr Wrong kWrong[] = {
 {kTouching, R"([{"op":"replace","path":"/bodies/0/shapes/0/normal","value":[0,0,0]}])", "/bodies/0/shapes/0/normal", "zero"},
 {kTouching, R"([{"op":"add","path":"/bodies/0/shapes/0/euler_deg","value":[0,0,1]}])", "/bodies/0/shapes/0", "normal"},
 {kTouching, R"([{"op":"replace","path":"/bodies/3/shapes/0","value":{"kind":"box","half_size":[1,1,1]}}])", "/bodies/3/shapes/0", "orientation"},
+{kTouching, R"([{"op":"replace","path":"/bodies/3/shapes/1/to","value":"wieght"}])", "/bodies/3/shapes/1/to", "did you mean \"weight\""},
+{kTouching, R"([{"op":"replace","path":"/bodies/3/shapes/1/to","value":"buoy"}])", "/bodies/3/shapes/1/to", "two different"},
+{kTouching, R"([{"op":"replace","path":"/bodies/3/shapes/1/to","value":"ship"}])", "/bodies/3/shapes/1/to", "neither a lump nor fixed"},
+{kTouching, R"([{"op":"add","path":"/bodies/1/shapes/-","value":{"kind":"segment","to":"buoy","radius":1}}])", "/bodies/1/shapes/4/kind", "neither a lump nor fixed"},
+{kTouching, R"([{"op":"add","path":"/bodies/0/shapes/-","value":{"kind":"segment","to":"quay","radius":1}}])", "/bodies/0/shapes/1/to", "must be a lump"},
+{kTouching, R"([{"op":"replace","path":"/bodies/3/shapes/1/to","value":["buoy"]}])", "/bodies/3/shapes/1/to", "a body name"},
+{kTouching, R"([{"op":"remove","path":"/bodies/3/shapes/1/to"}])", "/bodies/3/shapes/1", "\"to\""},
+{kTouching, R"([{"op":"remove","path":"/bodies/3/shapes/2/radius"}])", "/bodies/3/shapes/2", "radius"},
+{kTouching, R"([{"op":"add","path":"/bodies/3/shapes/1/length","value":1}])", "/bodies/3/shapes/1/length", "has no key"},
+{kTouching, R"([{"op":"add","path":"/bodies/3/shapes/1/position","value":[0,0,0]}])", "/bodies/3/shapes/1/position", "has no key"},
+{kTouching, R"([{"op":"add","path":"/bodies/3/shapes/2/name","value":"stay"}])", "/bodies/3/shapes/2/name", "already"},
+{kTouching, R"([{"op":"replace","path":"/bodies/3/shapes/1/groups","value":"a b"}])", "/bodies/3/shapes/1/groups", "group name"},
 {kTouching, R"([{"op":"replace","path":"/settings/contact_margin","value":0}])", "/settings/contact_margin", "at least"},
 {kTouching, R"([{"op":"remove","path":"/line_types/wire/diameter"},{"op":"add","path":"/cables/1/radius","value":0.1}])", "/cables/0/contact", "radius"},
 {kGround, R"([{"op":"replace","path":"/bodies/1/shapes/0/rows","value":4}])", "/bodies/1/shapes/0/heights", "expected 16 heights"},

@@ -36,7 +36,10 @@ inline constexpr std::string_view kTouching = R"({
       {"kind": "mesh", "orientation": [1, 0, 0, 0], "vertices": [[0, 0, 9], [1, 0, 9], [0, 1, 9]],
        "triangles": [[0, 1, 2]]}]},
     {"name": "buoy", "kind": "lump", "position": [-120, 0, -10], "mass": 500,
-     "shapes": [{"kind": "sphere", "radius": 0.7}]}
+     "shapes": [{"kind": "sphere", "radius": 0.7},
+      {"kind": "segment", "name": "stay", "to": "weight", "radius": 0.03, "groups": "wires"},
+      {"kind": "segment", "to": "seabed", "radius": 0.02, "material": "steel", "touches": "ship"}]},
+    {"name": "weight", "kind": "lump", "position": [-120, 0, -15], "mass": 300}
   ],
   "line_types": {"wire": {"mass_per_length": 20, "EA": 2e8, "diameter": 0.08}},
   "cables": [
