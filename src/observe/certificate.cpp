@@ -79,6 +79,7 @@ void Verifier::before_step(const World& world) {
     }
     unsure_.assign(unsure_.size(), false);
     impulse_ = 0.0;
+    wrong_law_.clear();
 }
 
 std::string Verifier::after_step(const World& world) {
@@ -96,6 +97,7 @@ std::string Verifier::after_step(const World& world) {
     result_.momentum = std::max(result_.momentum, momentum);
     result_.bounds = std::max(result_.bounds, excess);
     if (!stats.cut) result_.natural_map = std::max(result_.natural_map, map);
+    if (!wrong_law_.empty()) return wrong_law_;
     // Comparisons written so that what is not a number fails.
     if (!(difference <= kRoundOff + 1e-6 * stats.natural_map))
         return fmt::format("the natural map is {:.3e}, the step says {:.3e}", map,
@@ -150,7 +152,7 @@ Verifier::Side Verifier::side_of(const World& world, ShapeId shape, const Vec3& 
 double Verifier::natural_map(const World& world, const ContactView& contact) {
     const Vec3 &n = contact.normal, lambda = step_ * contact.force;
     Vec3 u = Vec3::Zero();
-    double mobility = 0.0;
+    double mobility = 0.0, speed = 0.0;
     for (int k = 0; k < 2; ++k) {
         const double sign = k == 0 ? -1.0 : 1.0;
         const double to_axis = 0.5 * contact.gap + world.shape_def(contact.shape[k]).radius;
@@ -159,10 +161,11 @@ double Verifier::natural_map(const World& world, const ContactView& contact) {
             const std::int32_t b = side.body[i];
             const BodyDef& def = world.body_def({b});
             const double w = side.share[i];
-            const Twist now = world.velocity({b});
+            const Twist now = world.velocity({b}), before = twist_[slot(b)];
             const bool turns = def.kind != BodyKind::lump;
             const Vec3 arm = turns ? Vec3(contact.point - pose_[slot(b)].position) : Vec3::Zero();
             u += sign * w * (now.linear + now.angular.cross(arm));
+            speed += sign * w * n.dot(before.linear + before.angular.cross(arm));
             linear_[slot(b)] += sign * w * lambda;
             angular_[slot(b)] += sign * w * arm.cross(lambda);
             if (!is_free(def.kind)) continue;
@@ -175,19 +178,15 @@ double Verifier::natural_map(const World& world, const ContactView& contact) {
             mobility += w * w * own;
         }
     }
-    // A point that is apart closes within the step at most: its target is not taken on trust.
-    const Vec3 target =
-        contact.gap > 0.0
-            ? Vec3(contact.target - contact.target.dot(n) * n - contact.gap / step_ * n)
-            : contact.target;
+    check_law(world, contact, mobility, speed);
     // ‖λ − P_K(λ − ρ ũ)‖ over the larger of ‖λ‖ and ρ‖q‖.
     const double sn = contact.softness[0], st = contact.softness[1];
     const Vec3 lambda_n = lambda.dot(n) * n;
-    const Vec3 r = u + sn * lambda_n + st * (lambda - lambda_n) - target;
+    const Vec3 r = u + sn * lambda_n + st * (lambda - lambda_n) - contact.target;
     const double shift = contact.friction * (r - r.dot(n) * n).norm();
     const double rho = 1.0 / (mobility + std::max(sn, st));
     const Vec3 error = lambda - onto_cone(lambda - rho * (r + shift * n), n, contact.friction);
-    const Vec3 q = rho * (u - target - mobility * lambda);
+    const Vec3 q = rho * (u - contact.target - mobility * lambda);
     if (error.norm() == 0.0) return 0.0;
     return error.norm() / std::max({lambda.norm(), q.norm(), floor_});
 }

@@ -6,7 +6,8 @@
 ///
 /// **Contacts**: every point's Jacobian from poses, place and shapes; from it, v₊ and the impulses
 /// the natural map (of resistance to rolling and spinning its own), whose largest is compared with
-/// StepStats::natural_map.
+/// StepStats::natural_map. μ, Σ and the target velocity b along the normal are computed from the
+/// materials, gap and velocities.
 ///
 /// **Momentum** of bodies, translation and rotation with its gyroscopic terms: what changed against
 /// gravity, applied forces, drag, contacts, interactions by the forces of their rows, geometric
@@ -54,6 +55,8 @@ class Verifier {
     };
     [[nodiscard]] Side side_of(const World& world, ShapeId shape, const Vec3& on_axis) const;
     [[nodiscard]] double natural_map(const World& world, const ContactView& contact);
+    /// μ, Σ, b along the normal. @param speed  Along the normal, before the step; > 0: apart.
+    void check_law(const World& world, const ContactView& contact, double mobility, double speed);
     /// Of its resistance to rolling and spinning.
     [[nodiscard]] double turn_map(const World& world, const ContactView& contact);
     /// Largest of contacts.
@@ -75,6 +78,7 @@ class Verifier {
     std::vector<Vec3> linear_, angular_;  ///< Impulses of contacts and interactions on each body.
     bool loads_ = false;                  ///< Friction in joints depends on other forces.
     double impulse_ = 0.0;                ///< Σ of their squares in the norm of M⁻¹.
+    std::string wrong_law_;               ///< The first contact of the step that has one.
     std::int64_t impacts_ = 0;            ///< Until the last step.
     int seen_ = 0;                        ///< Steps whose momentum was computed.
     double step_ = 0.0, floor_ = 0.0, momentum_floor_ = 0.0;

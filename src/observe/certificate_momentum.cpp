@@ -133,10 +133,10 @@ double Verifier::momentum_residual(const World& world) {
     // known from the second step on and used in the third.
     if (++seen_ <= 2) return 0.0;
     result_.covered_bodies = std::min(result_.covered_bodies, covered);
-    // What little impulse a body without load has drowns in the rounding of its momentum: 1e-5 of
-    // that counts as impulse, so that kRoundOff is 1e-14 of it.
+    // What little impulse a body without load has drowns in the rounding of its momentum: 1e-4 of
+    // that counts as impulse, so that kRoundOff is 1e-13 of it.
     return std::sqrt(residual) /
-           std::max({std::sqrt(impulse), momentum_floor_, 1e-5 * std::sqrt(momentum)});
+           std::max({std::sqrt(impulse), momentum_floor_, 1e-4 * std::sqrt(momentum)});
 }
 
 }  // namespace hawser::observe

@@ -50,6 +50,53 @@ TEST(Certificate, FindsWrongVelocities) {
     EXPECT_NE(verifier.after_step(scene.world), "");
 }
 
+/// What the verifier says of a sixth step of the belt after which, or before which, something has
+/// been changed behind its back.
+template <class Before, class After>
+std::string said_of_belt(const Before& before, const After& after) {
+    scene::Scene scene = contact_scene("belt");
+    observe::Verifier verifier(scene.world);
+    for (int i = 0; i < 6; ++i) {
+        verifier.before_step(scene.world);
+        if (i == 5) before(scene.world);
+        EXPECT_EQ(scene.world.step(), Status::ok);
+        if (i == 5) after(scene.world);
+        const std::string wrong = verifier.after_step(scene.world);
+        if (i == 5) return wrong;
+        EXPECT_EQ(wrong, "");
+    }
+    return {};
+}
+
+TEST(Certificate, FindsLawsThatAreNotThoseOfTheMaterials) {
+    const auto nothing = [](World&) {};
+    EXPECT_EQ(said_of_belt(nothing, nothing), "");
+    // The pair of the scene, and what is given after the step is solved.
+    const scene::Scene scene = contact_scene("belt");
+    ASSERT_EQ(scene.world.material_pairs().size(), 1U);
+    const MaterialPairDef pair = scene.world.material_pairs().front();
+    const auto with = [&](double MaterialDef::* value, double factor) {
+        return said_of_belt(nothing, [&](World& world) {
+            MaterialPairDef other = pair;
+            other.values.*value *= factor;
+            world.add_material_pair(other);
+        });
+    };
+    EXPECT_EQ(with(&MaterialDef::friction, 1.0), "");
+    EXPECT_NE(with(&MaterialDef::friction, 1.0001).find("friction"), std::string::npos);
+    EXPECT_NE(with(&MaterialDef::stiffness, 1.0001).find("softness"), std::string::npos);
+    EXPECT_NE(with(&MaterialDef::tangential, 1.0001).find("tangential"), std::string::npos);
+    // What moves away keeps a part of its speed: the target follows the velocity before the step.
+    const std::string lifted = said_of_belt(
+        [](World& world) {
+            Twist twist = world.velocity(world.find_body("box"));
+            twist.linear.z() += 1e-3;
+            world.set_velocity(world.find_body("box"), twist);
+        },
+        nothing);
+    EXPECT_NE(lifted.find("target velocity"), std::string::npos) << lifted;
+}
+
 TEST(Certificate, HoldsForStepsThatABudgetCuts) {
     // Some seven factorisations a step, too few for the arch as it settles: the natural map is
     // large, but it is what the step says, and momentum of the stones is balanced.
