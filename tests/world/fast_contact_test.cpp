@@ -17,8 +17,8 @@ constexpr int kFastSteps = 10;
 constexpr double kWireRadius = 0.0025, kElement = 0.5;
 
 /// Lumps of 0.1 kg from `from` on, every `apart`, joined by elements; the ends fixed or free.
-std::vector<BodyId> add_wire(World& w, int nodes, const Vec3& from, const Vec3& apart,
-                             const Vec3& velocity, double length, bool held) {
+std::vector<BodyId> add_fast_wire(World& w, int nodes, const Vec3& from, const Vec3& apart,
+                                  const Vec3& velocity, double length, bool held) {
     std::vector<BodyId> wire;
     for (int i = 0; i < nodes; ++i) {
         BodyDef d;
@@ -66,10 +66,10 @@ void expect_held(double speed, double step, const Eigen::Vector2d& aside, double
     WorldDef def;
     def.step = step;
     World w(def);
-    const auto taut = add_wire(w, 9, {-1.75, 0.0, 0.0}, {kElement, 0.0, 0.0}, Vec3::Zero(),
-                               kElement * (1.0 - 2e-3), true);
-    const auto falling = add_wire(w, 4, {aside.x(), aside.y() - 1.5 * kElement, height},
-                                  {0.0, kElement, 0.0}, {0.0, 0.0, -speed}, kElement, false);
+    const auto taut = add_fast_wire(w, 9, {-1.75, 0.0, 0.0}, {kElement, 0.0, 0.0}, Vec3::Zero(),
+                                    kElement * (1.0 - 2e-3), true);
+    const auto falling = add_fast_wire(w, 4, {aside.x(), aside.y() - 1.5 * kElement, height},
+                                       {0.0, kElement, 0.0}, {0.0, 0.0, -speed}, kElement, false);
     int touching = 0;
     for (int i = 0; i < kFastSteps; ++i) {
         ASSERT_EQ(w.step(), Status::ok) << i;

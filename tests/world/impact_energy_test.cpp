@@ -11,7 +11,7 @@
 namespace hawser::test {
 namespace {
 
-constexpr double kHalfLength = 0.5, kRadius = 0.01, kInertia = kHalfLength * kHalfLength / 3.0;
+constexpr double kHalfLength = 0.5, kRodRadius = 0.01, kInertia = kHalfLength * kHalfLength / 3.0;
 
 struct Strike {
     double angle;  ///< Of the rod from the vertical [rad].
@@ -33,7 +33,7 @@ double rod_energy(const Vec3& v) {
 Vec3 struck(const Strike& s, double restitution) {
     const Vec3 before(s.along, -1.0, 0.0);
     const double x = -kHalfLength * std::sin(s.angle);
-    const double z = -kHalfLength * std::cos(s.angle) - kRadius;
+    const double z = -kHalfLength * std::cos(s.angle) - kRodRadius;
     Eigen::Matrix<double, 2, 3> j;
     j << 0.0, 1.0, -x, 1.0, 0.0, z;
     const Eigen::Matrix<double, 3, 2> jt =
@@ -71,11 +71,11 @@ World make_rod(const Strike& s, double gap, BodyId& rod) {
     d.mass = 1.0;
     d.inertia = Vec3(kInertia, kInertia, 1e-4).asDiagonal();
     d.orientation = Quat(Eigen::AngleAxisd(s.angle, Vec3::UnitY()));
-    d.position = {0.0, 0.0, kHalfLength * std::cos(s.angle) + kRadius + gap};
+    d.position = {0.0, 0.0, kHalfLength * std::cos(s.angle) + kRodRadius + gap};
     d.velocity = {s.along, 0.0, -1.0};
     shape.body = rod = w.add_body(d);
     shape.kind = ShapeKind::capsule;
-    shape.radius = kRadius;
+    shape.radius = kRodRadius;
     shape.half_length = kHalfLength;
     w.add_shape(shape);
     return w;
