@@ -2,21 +2,17 @@
 /// Method pivoting: box friction with the bounds of an earlier pass (nonsmooth/box.h).
 ///
 /// Within a pass the bounds are numbers and the problem is a linear complementarity problem with a
-/// P-matrix. All infeasible rows change at once (block principal pivoting; J. Júdice, F. Pires, "A
-/// block principal pivoting algorithm for large-scale strictly monotone linear complementarity
-/// problems", 1994); when their number has not fallen in kTrials rounds only the last of them does
-/// (K. Murty, 1974), which ends with certainty, until it has. Each round is one symmetric
-/// factorisation, of what changed. Passes go on until the bounds stand still.
+/// P-matrix; nonsmooth/pivot.h says which rows change from round to round. Each round is one
+/// symmetric factorisation, of what changed. Passes go on until the bounds stand still.
 #include "nonsmooth/box.h"
+#include "nonsmooth/pivot.h"
 #include "stepper/bounds.h"
 #include "stepper/iterate.h"
 #include "stepper/nonsmooth.h"
 #include "stepper/stages.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 namespace hawser::stepper {
 namespace {
@@ -24,7 +20,6 @@ namespace {
 using nonsmooth::Bound;
 using nonsmooth::Cone;
 
-constexpr int kTrials = 10;
 constexpr int kPasses = 8;
 
 void make_laws(StepContext& ctx) noexcept {
@@ -36,44 +31,19 @@ void make_laws(StepContext& ctx) noexcept {
     }
 }
 
-/// Rows that are to change; they do, or the last of them alone. @return their number.
-int pivot(StepContext& ctx, bool murty) noexcept {
-    int count = 0;
-    for (std::size_t k = ctx.system.contacts.count(); k-- > 0;) {
-        const Cone& c = ctx.system.contacts.cones[k];
-        Bound* rows = &ctx.newton.bounds[3 * k];
-        std::array<Bound, 3> wanted{};
-        const int here =
-            nonsmooth::box_pivots(c, rows, ctx.newton.limit[k], ctx.contact_floor, wanted.data());
-        if (here > 0 && !murty) std::copy_n(wanted.data(), 3, rows);
-        for (std::size_t i = 3; murty && count == 0 && here > 0 && i-- > 0;) {
-            if (wanted[i] == rows[i]) continue;
-            rows[i] = wanted[i];
-            break;
-        }
-        count += here;
-    }
-    return count;
-}
-
 /// One pass. @param rounds  Factorisations, of all passes.
 Status pass(StepContext& ctx, int& rounds) noexcept {
-    int best = std::numeric_limits<int>::max(), trials = kTrials;
+    nonsmooth::PivotProgress progress;
     for (bool again = false;;) {
         if (const Status s = newton_solve(ctx, rounds == 0, rounds == 0 || again); s != Status::ok)
             return s;
         ++rounds;
         again = update_active_set(ctx, rounds - 1);
-        const int count = pivot(ctx, trials == 0);
+        const int count = nonsmooth::pivot(ctx.system.contacts.cones, ctx.newton.bounds,
+                                           ctx.newton.limit, ctx.contact_floor, progress);
         ctx.stats.flips_left = count;
         if (count == 0 && !again) return Status::ok;
         if (rounds >= ctx.def.contact_iterations) return Status::ok;
-        if (count < best) {
-            best = count;
-            trials = kTrials;
-        } else if (trials > 0) {
-            --trials;
-        }
         make_laws(ctx);
         adopt_laws(ctx, false);
     }
