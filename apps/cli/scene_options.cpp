@@ -18,6 +18,11 @@ void SceneOptions::add_to(CLI::App& command) {
         ->check(CLI::IsMember({"newton", "pivoting", "split", "pgs", "convex"}));
     command.add_option("--sweeps", sweeps, "Sweeps a step of --nonsmooth split and pgs")
         ->check(CLI::Range(1, 100000));
+    command
+        .add_option(
+            "--sleep", sleep,
+            "Islands at rest for this long [s] sleep until something disturbs them; 0: never")
+        ->check(CLI::Range(0.0, 1e6));
     command.add_option("--threads", threads, "Worker threads; results do not depend on it")
         ->check(CLI::Range(1, kMostThreads))
         ->capture_default_str();
@@ -38,6 +43,7 @@ scene::Scene SceneOptions::load() const {
     options.set = set;
     if (nonsmooth) options.set.push_back("settings.nonsmooth=" + *nonsmooth);
     if (sweeps) options.set.push_back("settings.nonsmooth_sweeps=" + std::to_string(*sweeps));
+    if (sleep) options.set.push_back("settings.sleep_after=" + std::to_string(*sleep));
     options.step = step;
     options.threads = threads;
     options.budget = 1e-3 * budget_ms;

@@ -19,6 +19,7 @@ struct SceneOptions {
     std::optional<double> step;
     std::optional<std::string> form, nonsmooth;
     std::optional<int> sweeps;
+    std::optional<double> sleep;  ///< [s]
     int threads = 1;
     double budget_ms = 0.0, budget_mflop = 0.0;  ///< 0: none. `run` has options for them.
     int scale = 1;

@@ -94,6 +94,11 @@ struct WorldDef {
     /// Shapes closer than this are in contact before they touch [m], 1e-6 to 10. It is to cover
     /// what a shape moves within a step from rest: ½ to 1 g h², 3 mm at 60 Hz.
     double contact_margin = 0.02;
+    /// Islands whose bodies have been slower than sleep_speed for this long [s] sleep: they are
+    /// left out of the step until something disturbs them. 0: never. docs/methods.md, 9.
+    double sleep_after = 0.0;
+    /// Speed [m/s] below which a body is at rest: √(2T/m), T its kinetic energy. 0 to 1.
+    double sleep_speed = 1e-4;
     std::int32_t max_bodies = 4'000'000;        ///< Refuse to grow beyond this.
     std::int32_t max_interactions = 8'000'000;  ///< Refuse to grow beyond this.
 };

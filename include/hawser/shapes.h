@@ -88,7 +88,9 @@ struct ContactView {
     double gap = 0.0;      ///< Distance [m]; negative: penetration.
     Vec3 force;            ///< On the second shape, world frame [N].
     bool sliding = false;  ///< Friction at its limit.
-    // The law that the step's impulses follow, for checks of it (docs/methods.md, 8).
+    bool asleep = false;   ///< Between bodies that sleep: its force is that of their last step.
+    // The law that the step's impulses follow, for checks of it (docs/methods.md, 8). Zeros, the
+    // moment apart, where it sleeps.
     double friction = 0.0;    ///< μ.
     double softness[2] = {};  ///< Σ of the normal and of the tangents [1/kg].
     Vec3 target{0, 0, 0};     ///< b: velocity that closes gap and bristle, world frame [m/s].

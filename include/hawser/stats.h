@@ -92,6 +92,7 @@ struct StepStats {
     double stretch_error_max = 0.0;    ///< Largest |l − l₀(1 + T/EA)| / l₀ over stretch elements.
 
     std::int32_t bodies = 0;  ///< Bodies that move.
+    std::int32_t asleep = 0;  ///< Of these, asleep.
     std::int32_t interactions = 0;
     std::int32_t equations = 0;  ///< Velocity unknowns + rows of all interactions.
     std::int32_t islands = 0;

@@ -100,6 +100,11 @@ class World {
     /// Move a body between steps; multipliers are kept. Velocity is used as it is (no staggering).
     void set_pose(BodyId id, const Pose& pose);
     void set_velocity(BodyId id, const Twist& twist);
+    /// Whether it sleeps (WorldDef::sleep_after). Its velocity is then that of its last step.
+    [[nodiscard]] bool asleep(BodyId id) const;
+    /// Wake it, and all that it holds to, in the next step. All that changes a body, its forces or
+    /// what acts on it wakes it anyhow.
+    void wake(BodyId id);
     /// World position of a point given in the body's frame, from its centre of mass [m].
     [[nodiscard]] Vec3 world_point(BodyId id, const Vec3& local) const;
 
@@ -127,8 +132,8 @@ class World {
     [[nodiscard]] int shape_count() const noexcept;
     [[nodiscard]] const ShapeDef& shape_def(ShapeId id) const;  ///< As added.
     [[nodiscard]] ShapeId find_shape(std::string_view name) const noexcept;
-    /// Contact points of the last step, ascending by their shapes; those that are near without
-    /// touching included. Empty before the first step and after restore().
+    /// Contact points of the last step, ascending by their shapes, those that sleep last; those
+    /// that are near without touching included. Empty before the first step and after restore().
     [[nodiscard]] std::vector<ContactView> contacts() const;
 
     // --- Save and restore -------------------------------------------------------------------

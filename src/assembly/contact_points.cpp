@@ -122,9 +122,9 @@ void Contacts::set(std::size_t index, const collide::Contact& in, const collide:
     store3(row.carried, load9(row.axis) * carried);
 
     // Memory: what the same contact had, else none.
-    m = in.previous >= 0 ? memory[at(in.previous)] : ContactMemory{};
+    m = in.previous >= 0 ? memory[at(in.previous)] : kNoMemory;
     V3 gap_t{0, 0, 0};
-    bool anew = in.previous < 0;
+    bool anew = m.body[0][0] < 0;
     if (!anew) {
         const V3 a0 = anchor_point(bodies, m, 0), a1 = anchor_point(bodies, m, 1);
         anew = norm(tangential(0.5 * (a0 + a1) - p, n)) > kWander;

@@ -73,10 +73,10 @@ std::int32_t Contacts::block_of(std::int32_t a, std::int32_t b) const noexcept {
            static_cast<std::int32_t>(found - links.begin());
 }
 
-void Contacts::begin(std::size_t count) {
+void Contacts::begin(std::size_t count, std::size_t asleep) {
     rows.resize(count);
     cones.resize(count);
-    next_.resize(count);
+    next_.resize(count + asleep);
     changed.resize(count);
     extra_.resize(count);
     slot_impulse.resize(24 * count + 8);

@@ -44,6 +44,9 @@ struct ContactMemory {
     double lambda[3];  ///< Impulse of the last step, world axes [N s].
 };
 
+/// Of a point that bodies came to have while they fell asleep.
+inline constexpr ContactMemory kNoMemory{{{-1, -1}, {-1, -1}}, {}, {}, {}, {}};
+
 class Contacts {
   public:
     /// Bodies first < second.
@@ -55,8 +58,13 @@ class Contacts {
     /// Bodies that have shapes; call when that changes. @throws std::bad_alloc.
     void set_bodies(std::span<const std::int32_t> touching, const model::Bodies& bodies);
 
-    /// Begin a step with so many contacts. @throws std::bad_alloc when the number grows.
-    void begin(std::size_t count);
+    /// Begin a step with so many contacts, and `asleep` behind them that have no rows but keep what
+    /// they remember. @throws std::bad_alloc when the number grows.
+    void begin(std::size_t count, std::size_t asleep);
+    /// Contact `index` of the step's set sleeps.
+    void set_asleep(std::size_t index, std::int32_t previous) noexcept {
+        next_[index] = previous >= 0 ? memory[static_cast<std::size_t>(previous)] : kNoMemory;
+    }
     void set(std::size_t index, const collide::Contact& in, const collide::Surface& surface,
              const model::Bodies& bodies, double h) noexcept;
     /// After all set(): blocks and incidences. @return false: pairs touch that are no links yet;

@@ -75,7 +75,8 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
                            op});
     };
     for (std::int32_t b : bodies.moving)
-        add(node_of_body[at(b)], node_of_body[at(b)], make_op(b, Op::body_block, 0, 0));
+        if (dof_[at(b)] > 0)
+            add(node_of_body[at(b)], node_of_body[at(b)], make_op(b, Op::body_block, 0, 0));
     for (std::int32_t i = 0; i < in.count(); ++i) {
         const std::int32_t own = node_of_interaction[at(i)];
         if (own >= 0) add(own, own, make_op(i, Op::kept_sigma, 0, 0));
@@ -103,6 +104,7 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
     for (std::size_t k = 0; k < contacts.blocks.size(); ++k) {
         const ContactBlock& block = contacts.blocks[k];
         const std::int32_t na = node_of_body[at(block.a)], nb = node_of_body[at(block.b)];
+        if (na < 0 || nb < 0) continue;  // asleep
         const bool swap = symbolic.position[at(na)] < symbolic.position[at(nb)];
         add(swap ? nb : na, swap ? na : nb,
             make_op(static_cast<std::int32_t>(k), Op::contact, swap ? 1 : 0, 0));

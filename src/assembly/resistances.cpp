@@ -91,19 +91,28 @@ void Resistances::begin(const collide::ContactSet& set, base::Array<ContactRow>&
         for (std::size_t i = 0; i < 3; ++i)
             laws.back().b[i] = -4.0 / h * upsilon * rows.back().gap[i];
     }
+    // What sleeps keeps its memory.
+    for (std::size_t k = contacts.size(); k < set.contacts.size(); ++k) {
+        const ResistanceMemory* m = find(set.contacts[k].previous);
+        if (m == nullptr) continue;
+        next_.push_back(*m);
+        next_.back().contact = static_cast<std::int32_t>(k);
+    }
+}
+
+const ResistanceMemory* Resistances::find(std::int32_t contact) const noexcept {
+    const auto found = std::lower_bound(
+        memory.begin(), memory.end(), contact,
+        [](const ResistanceMemory& a, std::int32_t wanted) { return a.contact < wanted; });
+    return contact >= 0 && found != memory.end() && found->contact == contact ? &*found : nullptr;
 }
 
 /// g of this step, and the reference that it is measured from.
 void Resistances::recall_turn(std::size_t index, std::int32_t previous, const ContactRow& contact,
                               const model::Bodies& bodies) noexcept {
     ResistanceMemory& m = next_[index];
-    const auto found = std::lower_bound(
-        memory.begin(), memory.end(), previous,
-        [](const ResistanceMemory& a, std::int32_t wanted) { return a.contact < wanted; });
-    if (previous >= 0 && found != memory.end() && found->contact == previous)
-        m = *found;
-    else
-        m = {0, 1, {}, {}, {}};
+    const ResistanceMemory* last = find(previous);
+    m = last != nullptr ? *last : ResistanceMemory{0, 1, {}, {}, {}};
     m.contact = rows[index].contact;
     const std::int32_t side0 = contact.slot[0].body, side1 = contact.slot[1].body;
     const M3 frame = load9(&bodies.r[9 * at(side0)]);

@@ -49,6 +49,8 @@ class Resistances {
                  const std::int32_t* offset, double* u) const noexcept;
     /// After the solve, before the bodies move.
     void remember(const base::Array<ContactRow>& contacts, double h) noexcept;
+    /// Memory of a contact of the last step's set; null: none.
+    [[nodiscard]] const ResistanceMemory* find(std::int32_t contact) const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;
 
     base::Array<ResistanceRow> rows;

@@ -36,7 +36,8 @@ void collect(const std::vector<std::int32_t>& bucket, std::int32_t buckets,
 
 }  // namespace
 
-void Strips::build(std::span<const std::uint8_t> dof, const model::Interactions& in) {
+void Strips::build(std::span<const std::uint8_t> dof, std::span<const std::uint8_t> rests,
+                   const model::Interactions& in) {
     const auto body_count = static_cast<std::int32_t>(dof.size());
     // An interaction goes with the last of its bodies that move.
     std::vector<std::int32_t> last(at(in.count()), 0), work(dof.size(), 1);
@@ -60,6 +61,10 @@ void Strips::build(std::span<const std::uint8_t> dof, const model::Interactions&
 
     std::vector<std::int32_t> interaction_strip(at(in.count())), own = strip_of;
     for (std::int32_t i = 0; i < in.count(); ++i) {
+        if (rests[at(i)]) {
+            interaction_strip[at(i)] = -1;
+            continue;
+        }
         const std::int32_t s = interaction_strip[at(i)] = strip_of[at(last[at(i)])];
         for (int b = 0; b < in.bodies[at(i)]; ++b) {
             const std::int32_t body = in.body[at(kMaxInteractionBodies * i + b)];

@@ -38,8 +38,10 @@ struct PoolRange {
 
 class Strips {
   public:
-    /// @param dof  Degrees of freedom by body. @throws std::bad_alloc.
-    void build(std::span<const std::uint8_t> dof, const model::Interactions& interactions);
+    /// @param dof  Degrees of freedom by body. @param rests  1 an interaction that is left out.
+    /// @throws std::bad_alloc.
+    void build(std::span<const std::uint8_t> dof, std::span<const std::uint8_t> rests,
+               const model::Interactions& interactions);
 
     [[nodiscard]] int count() const noexcept { return static_cast<int>(body_begin_.size()) - 1; }
     [[nodiscard]] std::span<const IndexRange> bodies(int strip) const noexcept {

@@ -67,20 +67,19 @@ bool is_bounded(const model::Interactions& in, int id) {
 
 void System::analyse(const model::Bodies& bodies, model::Interactions& interactions,
                      const WorldDef& def, int threads) {
-    dof_.resize(at(bodies.count()));
-    for (int b = 0; b < bodies.count(); ++b) dof_[at(b)] = static_cast<std::uint8_t>(bodies.dof(b));
+    find_resting(bodies, interactions);
     reserve(bodies, interactions, threads);
-    strips.build(dof_, interactions);
+    strips.build(dof_, rests_, interactions);
     build_incidence(bodies, interactions);
     // The Jacobians at the current poses decide the forms.
     interaction_offset_.assign(at(interactions.count()), -1);
     body_offset_.assign(at(bodies.count()), -1);
     const View v = view(const_cast<model::Bodies&>(bodies), interactions, def);
-    for (int k = 0; k < kInteractionKindCount; ++k) {
-        const model::Pool& pool = interactions.pool[at(k)];
-        kernels().evaluate(v, static_cast<InteractionKind>(k), pool.ids.data(), pool.data.data(), 0,
-                           static_cast<std::int32_t>(pool.ids.size()));
-    }
+    for (int s = 0; s < strips.count(); ++s)
+        for (const PoolRange& r : strips.pools(s)) {
+            const model::Pool& pool = interactions.pool[static_cast<std::size_t>(r.kind)];
+            kernels().evaluate(v, r.kind, pool.ids.data(), pool.data.data(), r.begin, r.end);
+        }
     choose_forms(bodies, interactions, def);
     build_pattern(bodies, interactions);
     symbolic = factor::analyse(pattern, factor::plan_elimination(pattern));
@@ -101,6 +100,16 @@ void System::analyse(const model::Bodies& bodies, model::Interactions& interacti
     build_ops(bodies, interactions);
 }
 
+void System::find_resting(const model::Bodies& bodies, const model::Interactions& in) {
+    dof_.resize(at(bodies.count()));
+    for (int b = 0; b < bodies.count(); ++b)
+        dof_[at(b)] = static_cast<std::uint8_t>(bodies.asleep[at(b)] ? 0 : bodies.dof(b));
+    rests_.assign(at(in.count()), 0);
+    for (int i = 0; i < in.count(); ++i)
+        for (int b = 0; b < in.bodies[at(i)]; ++b)
+            rests_[at(i)] |= bodies.asleep[at(in.body[at(kSlots * i + b)])];
+}
+
 void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) {
     // Vector loads read up to seven entries past the end.
     constexpr std::size_t kSlack = 8;
@@ -109,7 +118,7 @@ void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) 
     geo_place_.assign(at(in.count()), {});
     std::int32_t record = 0, force = 0;
     for (int i = 0; i < in.count(); ++i) {
-        if (in.geo[at(i)] < 0) continue;
+        if (in.geo[at(i)] < 0 || rests(i)) continue;
         const std::int32_t* body = &in.body[at(kSlots * i)];
         auto is_point = [&](std::int32_t b) { return dof_[at(b)] == 3 || dof_[at(b)] == 1; };
         const bool points = is_point(body[0]) && is_point(body[1]);
@@ -128,6 +137,7 @@ void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) 
     breakable.clear();
     breaking_load.clear();
     for (int i = 0; i < in.count(); ++i) {
+        if (rests(i)) continue;
         if (is_bounded(in, i)) bounded.push_back(i);
         if (in.flags[at(i)] & model::kBreakable) {
             breakable.push_back(i);
@@ -181,6 +191,7 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
     for (const std::int32_t id : bounded) bounded_mobility.push_back(mobility(bodies, in, id, 0));
     const double h = def.step;
     for (int i = 0; i < in.count(); ++i) {
+        if (rests(i)) continue;
         bool keep = def.form == Form::saddle;
         for (int r = 0; r < in.rows[at(i)]; ++r) {
             const auto row = at(in.row_begin[at(i)] + r);
@@ -212,6 +223,7 @@ void System::build_pattern(const model::Bodies& bodies, const model::Interaction
     node_of_body.assign(at(bodies.count()), -1);
     node_of_interaction.assign(at(in.count()), -1);
     for (std::int32_t b : bodies.moving) {
+        if (dof_[at(b)] == 0) continue;
         node_of_body[at(b)] = static_cast<std::int32_t>(size.size());
         size.push_back(static_cast<std::int8_t>(dof_[at(b)]));
         sign.push_back(1);
@@ -313,8 +325,8 @@ std::size_t System::bytes() const noexcept {
            bytes(ops) + bytes(lane_ops) + bytes(incident_) + bytes(incident_begin_) +
            bytes(body_offset_) + bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) +
            bytes(v_new_) + bytes(momentum_) + bytes(geo_record_) + bytes(geo_force_) +
-           bytes(solution_) + bytes(node_of_body) + bytes(node_of_interaction) + strips.bytes() +
-           contacts.bytes();
+           bytes(solution_) + bytes(rests_) + bytes(node_of_body) + bytes(node_of_interaction) +
+           strips.bytes() + contacts.bytes();
 }
 
 }  // namespace hawser::assembly

@@ -36,7 +36,8 @@ inline constexpr double kSafeRatio = 1e10;
 class System {
   public:
     /// Choose forms, order, analyse, make room. Called when the set of bodies or interactions
-    /// changed. @throws std::bad_alloc.
+    /// changed, or which bodies are asleep: these count as fixed, and what holds them is left out.
+    /// @throws std::bad_alloc.
     void analyse(const model::Bodies& bodies, model::Interactions& interactions,
                  const WorldDef& def, int threads);
 
@@ -75,9 +76,14 @@ class System {
                                           node_of_body[static_cast<std::size_t>(block.b)]);
     }
 
+    /// Whether an interaction is left out, since its bodies sleep.
+    [[nodiscard]] bool rests(std::int32_t id) const noexcept {
+        return rests_[static_cast<std::size_t>(id)] != 0;
+    }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
+    void find_resting(const model::Bodies& bodies, const model::Interactions& interactions);
     void build_incidence(const model::Bodies& bodies, const model::Interactions& interactions);
     void choose_forms(const model::Bodies& bodies, model::Interactions& interactions,
                       const WorldDef& def);
@@ -97,7 +103,7 @@ class System {
     std::vector<std::int64_t> op_place_, lane_place_;  ///< Of each op, ascending.
     std::vector<std::int32_t> skew_ops_;               ///< Ops of contacts, ascending.
     base::Array<GeoPlace> geo_place_;
-    base::Array<std::uint8_t> dof_, kept_;
+    base::Array<std::uint8_t> dof_, kept_, rests_;
     base::Array<std::int32_t> incident_begin_;
     base::Array<Incidence> incident_;
     base::Array<std::int32_t> body_offset_, interaction_offset_;

@@ -139,7 +139,35 @@ void Collider::put_together(ContactSet& out) {
         k = {{c.shape[0], c.shape[1]}, c.feature, 0, {}};
         local_point(c, shapes_[at(c.shape[1])], placed_[at(c.shape[1])], k.at);
     }
-    match(out.contacts, found_, kept_, kMatchMargins * margin, taken_);
+    match(out.contacts, found_, kept_, kept_awake_, kMatchMargins * margin, taken_);
+    out.awake = found_awake_ = n;
+}
+
+bool Collider::set_aside(ContactSet& out, const base::Array<std::uint8_t>& asleep) noexcept {
+    const auto rests = [&](const Contact& c) {
+        for (int i = 0; i < c.slots; ++i)
+            if (asleep[at(c.body[i])] != 0) return true;
+        return false;
+    };
+    const auto n =
+        static_cast<std::size_t>(std::count_if(out.contacts.begin(), out.contacts.end(), rests));
+    try {
+        resize_with_room(aside_, n);
+        resize_with_room(aside_kept_, n);
+    } catch (const std::bad_alloc&) {
+        return false;
+    }
+    std::size_t awake = 0, put = 0;
+    for (std::size_t i = 0; i < out.contacts.size(); ++i) {
+        const bool aside = rests(out.contacts[i]);
+        (aside ? aside_[put] : out.contacts[awake]) = out.contacts[i];
+        (aside ? aside_kept_[put] : found_[awake]) = found_[i];
+        ++(aside ? put : awake);
+    }
+    std::copy_n(aside_.begin(), n, out.contacts.begin() + static_cast<std::ptrdiff_t>(awake));
+    std::copy_n(aside_kept_.begin(), n, found_.begin() + static_cast<std::ptrdiff_t>(awake));
+    out.awake = found_awake_ = awake;
+    return true;
 }
 
 bool Collider::collide(const model::Bodies& bodies, double h, ContactSet& out,
@@ -151,6 +179,7 @@ bool Collider::collide(const model::Bodies& bodies, double h, ContactSet& out,
         put_together(out);
     } catch (const std::bad_alloc&) {
         out.contacts.clear();
+        out.awake = found_awake_ = 0;
         found_.clear();
         return false;
     }
@@ -163,7 +192,8 @@ bool Collider::collide(const model::Bodies& bodies, double h, ContactSet& out,
 std::size_t Collider::bytes() const noexcept {
     std::size_t n = base::bytes(shapes_) + base::bytes(placed_) + base::bytes(pairs_) +
                     base::bytes(kept_) + base::bytes(found_) + base::bytes(drop_) +
-                    base::bytes(taken_) + broad_.bytes();
+                    base::bytes(taken_) + base::bytes(aside_) + base::bytes(aside_kept_) +
+                    broad_.bytes();
     return n + chunks_.size() * kChunkRoom * sizeof(Contact);
 }
 

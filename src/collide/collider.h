@@ -7,6 +7,7 @@
 /// 2. Broad phase: pairs of boxes that meet (broad.h), as far as the filter allows (filter.h).
 /// 3. Narrow phase: the manifold of each pair (geometry.h), reduced (touch.h).
 /// 4. Duplicates at shared lumps go; each contact finds itself in the last step's set (match.h).
+///    What is asleep goes to the end (set_aside()).
 ///
 /// Pairs are dealt out in chunks of fixed size and results are put together in the order of their
 /// keys, so threads, and what the broad phase remembers, change no bit of them. Nothing is
@@ -59,11 +60,22 @@ class Collider {
                                base::Executor& pool) noexcept;
     /// The step with these contacts is done: from now on they are what Contact::previous counts.
     /// Before it, collide() may be called again (a step that failed is tried again).
-    void keep() noexcept { kept_.swap(found_); }
+    void keep() noexcept {
+        kept_.swap(found_);
+        kept_awake_ = found_awake_;
+    }
+    /// Contacts that act on a body asleep go behind the others: each either has no other body with
+    /// freedom, or only such as sleep too. @param asleep  1 a body. @return false where memory
+    /// could not grow.
+    [[nodiscard]] bool set_aside(ContactSet& out, const base::Array<std::uint8_t>& asleep) noexcept;
     /// Contacts of the last step that was done, in the order of its set: the memory that a restored
     /// world needs to go on bit for bit.
     [[nodiscard]] base::Array<KeptContact>& kept() noexcept { return kept_; }
     [[nodiscard]] const base::Array<KeptContact>& kept() const noexcept { return kept_; }
+
+    /// Of kept(), those that took part: they come first.
+    [[nodiscard]] std::size_t& kept_awake() noexcept { return kept_awake_; }
+    [[nodiscard]] const std::size_t& kept_awake() const noexcept { return kept_awake_; }
 
     void surfaces(double h, ContactSet& out) const { materials.surfaces(h, out.surfaces); }
     /// Where each shape was in the last collide().
@@ -89,7 +101,9 @@ class Collider {
     base::Array<Pair> pairs_;
     std::vector<std::unique_ptr<Contact[]>> chunks_;  ///< Contacts by task of the narrow phase.
     std::vector<std::int32_t> chunk_size_;
-    base::Array<KeptContact> kept_, found_;
+    base::Array<KeptContact> kept_, found_, aside_kept_;
+    std::vector<Contact> aside_;
+    std::size_t kept_awake_ = 0, found_awake_ = 0;
     base::Array<std::uint8_t> drop_, taken_;
     std::size_t held_ = 0;  ///< Bytes at the last count of growths.
     std::int64_t growths_ = 0;

@@ -39,7 +39,9 @@ struct Contact {
 };
 
 struct ContactSet {
-    std::vector<Contact> contacts;  ///< Ascending by (shape 0, shape 1, feature).
+    /// Ascending by (shape 0, shape 1, feature): those that take part, then those that are asleep.
+    std::vector<Contact> contacts;
+    std::size_t awake = 0;  ///< How many take part.
     std::vector<Surface> surfaces;
 };
 

@@ -139,17 +139,22 @@ void mark_duplicates(const std::vector<Contact>& contacts, const std::vector<Sha
 }
 
 void match(std::vector<Contact>& contacts, const base::Array<KeptContact>& now,
-           const base::Array<KeptContact>& last, double radius, base::Array<std::uint8_t>& taken) {
+           const base::Array<KeptContact>& last, std::size_t awake, double radius,
+           base::Array<std::uint8_t>& taken) {
     resize_with_room(taken, last.size());
     std::fill(taken.begin(), taken.end(), std::uint8_t{0});
-    std::size_t p = 0;
+    const std::size_t ends[2] = {awake, last.size()};
+    std::size_t from[2] = {0, awake};
     for (std::size_t a = 0, b = 0; a < contacts.size(); a = b) {
         for (b = a + 1; b < contacts.size() && same_pair(now[a], now[b]);) ++b;
-        while (p < last.size() && before(last[p], now[a].shape[0], now[a].shape[1])) ++p;
-        std::size_t q = p;
-        while (q < last.size() && same_pair(last[q], now[a])) ++q;
-        match_pair(contacts, now, last, a, b, p, q, radius, taken);
-        p = q;
+        for (int part = 0; part < 2; ++part) {
+            std::size_t p = from[part];
+            while (p < ends[part] && before(last[p], now[a].shape[0], now[a].shape[1])) ++p;
+            std::size_t q = p;
+            while (q < ends[part] && same_pair(last[q], now[a])) ++q;
+            if (p < q) match_pair(contacts, now, last, a, b, p, q, radius, taken);
+            from[part] = q;
+        }
     }
 }
 

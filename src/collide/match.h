@@ -40,8 +40,10 @@ void mark_duplicates(const std::vector<Contact>& contacts, const std::vector<Sha
 
 /// Fill in Contact::previous. The same key, else the nearest one of the same two shapes that has
 /// no successor yet and is within `radius` [m] of the same place on side 1: memory of friction
-/// outlives a change of feature. @param taken  Scratch; resized.
+/// outlives a change of feature. @param awake  Of the last step's contacts, so many come first,
+/// ascending; then the others, ascending likewise. @param taken  Scratch; resized.
 void match(std::vector<Contact>& contacts, const base::Array<KeptContact>& now,
-           const base::Array<KeptContact>& last, double radius, base::Array<std::uint8_t>& taken);
+           const base::Array<KeptContact>& last, std::size_t awake, double radius,
+           base::Array<std::uint8_t>& taken);
 
 }  // namespace hawser::collide

@@ -46,6 +46,8 @@ int Bodies::add(const BodyDef& def) {
     append3(damping, def.linear_damping);
     append3(damping, def.angular_damping);
     weight.push_back(def.gravity && def.kind != BodyKind::scalar ? 1 : 0);
+    asleep.push_back(0);
+    quiet.push_back(0);
     dofs += d;
     return id;
 }

@@ -52,6 +52,10 @@ struct Bodies {
     base::Array<double> damping;      ///< 6 a body: drag along and about the body's axes.
     base::Array<std::uint8_t> weight;  ///< 1: gravity acts.
 
+    /// 1: asleep, see stepper/sleep.h. Part of the state, like …
+    base::Array<std::uint8_t> asleep;
+    base::Array<std::int32_t> quiet;  ///< … the steps that it has been at rest for.
+
     std::int32_t dofs = 0;
 
     [[nodiscard]] int count() const noexcept { return static_cast<int>(kind.size()); }

@@ -60,6 +60,7 @@ Verifier::Verifier(const World& world) : step_(world.settings().step) {
     linear_.resize(bodies);
     angular_.resize(bodies);
     unsure_.resize(bodies);
+    slept_.resize(bodies);
     last_.resize(slot(world.interaction_count()));
     intact_.resize(last_.size());
     result_.moving_bodies = result_.covered_bodies = static_cast<std::int32_t>(moving_.size());
@@ -71,6 +72,7 @@ void Verifier::before_step(const World& world) {
         twist_[slot(b)] = world.velocity({b});
         linear_[slot(b)].setZero();
         angular_[slot(b)].setZero();
+        slept_[slot(b)] = world.asleep({b});
     }
     for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
         const auto force = world.force({i});
@@ -117,7 +119,8 @@ std::string Verifier::after_step(const World& world) {
 double Verifier::step_map(const World& world) {
     double map = 0.0;
     for (const ContactView& contact : world.contacts())
-        map = std::max({map, natural_map(world, contact), turn_map(world, contact)});
+        if (!contact.asleep)
+            map = std::max({map, natural_map(world, contact), turn_map(world, contact)});
     return map;
 }
 

@@ -98,6 +98,7 @@ double Verifier::momentum_residual(const World& world) {
     double momentum = 0.0;
     std::int32_t covered = 0;
     for (const std::int32_t b : moving_) {
+        if (slept_[index_of(b)] && world.asleep({b})) continue;
         const BodyDef& def = world.body_def({b});
         const Twist now = world.velocity({b}), force = applied(world, b);
         const bool turns = def.kind == BodyKind::rigid, scalar = def.kind == BodyKind::scalar;

@@ -80,6 +80,9 @@ void quality(Out out, const Summary& s) {
     fmt::format_to(out, "  violation    {} at {} ({:.4g} s)\n", with_unit(s.violation_max, "m"),
                    s.violation_where, s.violation_time);
     if (s.contacts_max > 0.0) friction(out, s);
+    if (s.asleep_max > 0.0)
+        fmt::format_to(out, "  asleep       {:.0f} bodies in the median step, at most {:.0f}\n",
+                       s.asleep_median, s.asleep_max);
     if (const Verification& v = s.verified; v.steps > 0)
         fmt::format_to(out,
                        "  verified     {} steps: natural map {:.2e} (differs by {:.2e}), momentum "

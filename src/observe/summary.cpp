@@ -88,15 +88,18 @@ void SummaryCollector::after_step(const World& world, std::span<const Event> eve
 void SummaryCollector::watch_contacts(const World& world) {
     const StepStats& stats = world.stats();
     contacts_.add(stats.contacts);
+    asleep_.add(stats.asleep);
     interactions_.add(stats.interactions + stats.contacts);
     equations_.add(stats.equations + 3.0 * stats.contacts);
-    if (stats.contacts == 0) return;
+    if (stats.contacts == 0 && stats.natural_map == 0.0 && stats.flips_left == 0) return;
     FrictionFigures& f = summary_.friction;
     ++f.steps;
     map_.add(stats.natural_map);
     work_.add(stats.factor_work);
     f.flips_left = std::max(f.flips_left, stats.flips_left);
-    f.uncertified_steps += stats.natural_map <= world.settings().contact_tolerance ? 0 : 1;
+    const bool solved =
+        stats.natural_map <= world.settings().contact_tolerance && stats.flips_left == 0;
+    f.uncertified_steps += solved ? 0 : 1;
     f.cut_steps += stats.cut ? 1 : 0;
     if (stats.cut) cut_.add(stats.natural_map);
 }
@@ -157,6 +160,8 @@ Summary SummaryCollector::result(const World& world) const {
     out.constraint_residual_median = constraint_.median();
     out.contacts_median = contacts_.median();
     out.contacts_max = contacts_.max();
+    out.asleep_median = asleep_.median();
+    out.asleep_max = asleep_.max();
     out.interactions = spread(interactions_);
     out.equations = spread(equations_);
     out.friction.natural_map = spread(map_);

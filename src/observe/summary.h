@@ -27,12 +27,13 @@ struct Spread {
 
 /// The solve for contacts, over the steps in which there were any.
 struct FrictionFigures {
-    std::int64_t steps = 0;              ///< With contacts.
+    std::int64_t steps = 0;              ///< With contacts, or with a residual.
     Spread natural_map, factorisations;  ///< See StepStats::natural_map, factor_work.
     std::int32_t flips_left = 0;         ///< Largest of a step.
-    std::int64_t uncertified_steps = 0;  ///< Residual above WorldDef::contact_tolerance.
-    std::int64_t cut_steps = 0;          ///< Ended by a budget.
-    Spread cut_residual;                 ///< Natural map of these.
+    /// Residual above WorldDef::contact_tolerance, or rows and contacts whose status was open.
+    std::int64_t uncertified_steps = 0;
+    std::int64_t cut_steps = 0;  ///< Ended by a budget.
+    Spread cut_residual;         ///< Natural map of these.
 };
 
 struct CableFigures {
@@ -65,6 +66,7 @@ struct Summary {
     double step = 0.0;                 ///< Time step [s].
     Form form = Form::automatic;
     double contacts_median = 0.0, contacts_max = 0.0;  ///< Contact points of a step.
+    double asleep_median = 0.0, asleep_max = 0.0;      ///< Bodies of a step.
     FrictionFigures friction;
     Spread interactions, equations;  ///< Of a step, contact points and their rows included.
     Spread step_ms, solver_ms, solver_cpu_ms;
@@ -120,7 +122,7 @@ class SummaryCollector {
     std::vector<Pose> first_pose_;
     std::vector<BodyId> bodies_;
     std::vector<double> tension_sum_;
-    Samples step_, solver_, solver_cpu_, momentum_, constraint_, contacts_;
+    Samples step_, solver_, solver_cpu_, momentum_, constraint_, contacts_, asleep_;
     Samples map_, work_, cut_, step_drift_, interactions_, equations_;
     std::int64_t within_budget_ = 0;
     std::array<Samples, kStageCount> stage_{};

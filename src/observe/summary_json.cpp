@@ -118,6 +118,7 @@ Json sizes(const Summary& s) {
              {{"median", s.interactions.median}, {"max", s.interactions.max}}},
             {"equations_with_contacts", {{"median", s.equations.median}, {"max", s.equations.max}}},
             {"islands", last.islands},
+            {"asleep", {{"median", s.asleep_median}, {"max", s.asleep_max}}},
             {"contacts", {{"median", s.contacts_median}, {"max", s.contacts_max}}},
             {"nnz", {{"matrix", last.matrix_nnz}, {"factor", last.factor_nnz}}},
             {"flops", last.factor_flops}};

@@ -234,6 +234,8 @@ void read_settings(Description& out, const Json& root) {
     def.rotation_damping = number_or(settings, "rotation_damping", def.rotation_damping);
     def.staggered_start = settings.value("staggered_start", def.staggered_start);
     def.contact_margin = number_or(settings, "contact_margin", def.contact_margin);
+    def.sleep_after = number_or(settings, "sleep_after", def.sleep_after);
+    def.sleep_speed = number_or(settings, "sleep_speed", def.sleep_speed);
     def.nonsmooth = nonsmooth_from(text_or(settings, "nonsmooth", "newton"));
     def.contact_tolerance = number_or(settings, "contact_tolerance", def.contact_tolerance);
     def.contact_iterations = settings.value("contact_iterations", def.contact_iterations);

@@ -76,7 +76,11 @@ ShapePtr settings() {
          {"refinements", integer("an integer", 0, 4), false, "1", "",
           "Steps of iterative refinement."},
          {"contact_margin", number("a length", 1e-6, 10.0), false, "0.02", "m",
-          "Shapes closer than this are in contact before they touch."}});
+          "Shapes closer than this are in contact before they touch."},
+         {"sleep_after", number("a time", 0.0, 1e6), false, "0", "s",
+          "Islands at rest for this long sleep until something disturbs them; 0 is never."},
+         {"sleep_speed", number("a speed", 0.0, 1.0), false, "1e-4", "m/s",
+          "Speed √(2T/m) below which a body is at rest, T its kinetic energy."}});
 }
 
 ShapePtr line_type() {

@@ -55,6 +55,13 @@ BoundedRow along(const Newton& n, std::size_t i, double t) noexcept {
 
 constexpr int kMostPasses = 20;
 
+/// Whether no row asks to switch. Nothing is moved.
+bool wants_none(StepContext& ctx) noexcept {
+    take_bounds(ctx);
+    keep_bounds(ctx, 1.0);
+    return switch_bounds(ctx, 0.0, 0) == 0;
+}
+
 /// λ and v₊ as they stand. All that ask for it are switched at first; then, since two may go on
 /// switching each other for ever, the first one only (K. G. Murty's least index rule, which ends).
 /// @return how many ask for it; none are switched from kMostPasses on.
@@ -138,7 +145,7 @@ double bounds_map(const StepContext& ctx) noexcept {
     const model::Interactions& in = ctx.interactions;
     double largest = 0.0;
     for (const std::int32_t id : in.frictions) {
-        if (in.active[at(id)] != 0.0) continue;
+        if (in.active[at(id)] != 0.0 || ctx.system.rests(id)) continue;
         const double held = in.held[at(id)], bound = moved_with(impulse_range(ctx, id), held);
         if (bound == held) continue;
         largest = std::max(largest,
@@ -186,6 +193,10 @@ Status settle_bounds(StepContext& ctx) noexcept {
         if (solves >= kMostSolves) pass = kMostPasses;
         Status status = Status::ok;
         const bool moved = ctx.stats.natural_map > tolerance;
+        if (!moved && pass < kMostPasses && wants_none(ctx)) {
+            ctx.stats.flips_left = 0;
+            break;
+        }
         const std::int32_t rows = switch_solved(ctx, pass);
         if (pass == kMostPasses || (rows == 0 && !moved)) break;
         if (rows > 0) {
@@ -209,7 +220,7 @@ bool update_active_set(StepContext& ctx, int pass) noexcept {
 void move_anchors(StepContext& ctx) noexcept {
     model::Interactions& in = ctx.interactions;
     for (const std::int32_t id : in.frictions) {
-        if (in.active[at(id)] != 0.0) continue;
+        if (in.active[at(id)] != 0.0 || ctx.system.rests(id)) continue;
         const auto row = at(in.row_begin[at(id)]);
         const double g = in.row_state(id, ctx.bodies).g[0];
         in.set_anchor(id, in.anchor[at(id)] + g + in.epsilon[row] * in.force[row]);

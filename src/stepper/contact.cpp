@@ -24,11 +24,11 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 void make_room(StepContext& ctx) {
     Contacts& c = ctx.system.contacts;
     const std::size_t held = c.bytes();
-    const std::size_t n = ctx.contacts.contacts.size();
-    c.begin(n);
+    const std::size_t all = ctx.contacts.contacts.size(), n = ctx.contacts.awake;
+    c.begin(n, all - n);
     if (ctx.def.nonsmooth == Nonsmooth::split) reserve_gauss_seidel(ctx, n);
-    ctx.contact_impulse.resize(3 * n);
-    ctx.contact_sliding.resize(n);
+    ctx.contact_impulse.resize(3 * all);
+    ctx.contact_sliding.resize(all);
     if (c.bytes() > held) ++ctx.stats.growths;
 }
 
@@ -88,9 +88,11 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
     const collide::ContactSet& set = ctx.contacts;
     try {
         make_room(ctx);
-        for (std::size_t k = 0; k < set.contacts.size(); ++k)
+        for (std::size_t k = 0; k < set.awake; ++k)
             c.set(k, set.contacts[k], set.surfaces[at(set.contacts[k].surface)], ctx.bodies,
                   ctx.def.step);
+        for (std::size_t k = set.awake; k < set.contacts.size(); ++k)
+            c.set_asleep(k, set.contacts[k].previous);
         make_resistances(ctx);
         if (!c.connect(ctx.step)) {
             const StageTimer again(ctx, Stage::analyse);
@@ -155,9 +157,10 @@ void count_contact_work(StepContext& ctx) noexcept {
 void remember_contacts(StepContext& ctx) noexcept {
     Contacts& c = ctx.system.contacts;
     c.remember(ctx.bodies, ctx.def.step);
-    for (std::size_t k = 0; k < c.count(); ++k) {
+    for (std::size_t k = 0; k < ctx.contacts.contacts.size(); ++k) {
         std::copy_n(c.memory[k].lambda, 3, &ctx.contact_impulse[3 * k]);
-        ctx.contact_sliding[k] = c.cones[k].touch == nonsmooth::Touch::slip ? 1 : 0;
+        const bool slides = k < c.count() && c.cones[k].touch == nonsmooth::Touch::slip;
+        ctx.contact_sliding[k] = slides ? 1 : 0;
     }
 }
 

@@ -74,6 +74,12 @@ struct Newton {
     std::int32_t iterations = 0;
 };
 
+/// Scratch of sleep.h, by body.
+struct Sleep {
+    std::vector<std::int32_t> island;  ///< Union-find: of what it holds to.
+    std::vector<std::uint8_t> mark;    ///< Of the first body of an island.
+};
+
 struct StepContext {
     explicit StepContext(const WorldDef& d) : def(d), pool(d.threads), events(65'536) {
         collider.margin = d.contact_margin;
@@ -113,11 +119,12 @@ struct StepContext {
     std::int64_t step_flops = 0;              ///< Of all factorisations of the step.
     Newton newton;                            ///< Of a world in which something may touch.
     std::vector<std::int32_t> columns;        ///< Scratch: nodes, one a block of contacts.
-    double contact_floor = 0.0;               ///< Impulse of a contact that does not count [N s].
-    double residual_floor = 0.0;              ///< Denominator floor of the momentum residual.
-    std::vector<assembly::Norms> norms;       ///< One a strip or group, merged in order.
-    std::vector<double> losses;               ///< One a strip, of row_losses().
-    std::vector<double> active_before;        ///< Of bounded interactions, for events.
+    Sleep sleep;
+    double contact_floor = 0.0;          ///< Impulse of a contact that does not count [N s].
+    double residual_floor = 0.0;         ///< Denominator floor of the momentum residual.
+    std::vector<assembly::Norms> norms;  ///< One a strip or group, merged in order.
+    std::vector<double> losses;          ///< One a strip, of row_losses().
+    std::vector<double> active_before;   ///< Of bounded interactions, for events.
     /// Positions and rotations at the last analysis, which chose forms and floors by them.
     base::Array<double> analysed_x, analysed_r;
     std::vector<double> carriers_before;  ///< Poses of kinematic bodies, for the energy.

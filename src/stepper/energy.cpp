@@ -49,19 +49,23 @@ void carriers_forth(StepContext& ctx) noexcept {
 
 }  // namespace
 
+double kinetic_energy_of(const model::Bodies& b, std::int32_t body,
+                         const double* velocity) noexcept {
+    const auto i = at(body);
+    const double* v = velocity + b.dof_begin[i];
+    const int dof = b.dof(body);
+    double sum = 0.0;
+    for (int k = 0; k < std::min(dof, 3); ++k) sum += 0.5 * b.mass[i] * v[k] * v[k];
+    if (dof < 6) return sum;
+    const double* r = &b.r[9 * i];
+    double w[3];
+    for (int k = 0; k < 3; ++k) w[k] = r[k] * v[3] + r[3 + k] * v[4] + r[6 + k] * v[5];
+    return sum + 0.5 * quadratic(&b.inertia[9 * i], w);
+}
+
 double kinetic_energy(const model::Bodies& b, const double* velocity) noexcept {
     double sum = 0.0;
-    for (std::int32_t body : b.moving) {
-        const auto i = at(body);
-        const double* v = velocity + b.dof_begin[i];
-        const int dof = b.dof(body);
-        for (int k = 0; k < std::min(dof, 3); ++k) sum += 0.5 * b.mass[i] * v[k] * v[k];
-        if (dof < 6) continue;
-        const double* r = &b.r[9 * i];
-        double w[3];
-        for (int k = 0; k < 3; ++k) w[k] = r[k] * v[3] + r[3 + k] * v[4] + r[6 + k] * v[5];
-        sum += 0.5 * quadratic(&b.inertia[9 * i], w);
-    }
+    for (std::int32_t body : b.moving) sum += kinetic_energy_of(b, body, velocity);
     return sum;
 }
 
@@ -91,9 +95,11 @@ Energy energy(StepContext& ctx) noexcept {
         if (v.flags[id] & model::kFriction) continue;  // counted as driven
         if (line ? v.parted[id] != 0 : v.active[id] == 0.0) continue;
         const double* jac = v.jacobian + v.jac_begin[id];
+        const bool rests = ctx.system.rests(id);  // and has not been evaluated
+        const model::RowState s = rests ? ctx.interactions.row_state(id, b) : model::RowState{};
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
-            double speed = 0.0;
+            double speed = rests ? s.rate[r] : 0.0;
             for (int k = 0; k < v.bodies[id]; ++k) {
                 const std::int32_t body = v.body[kMaxInteractionBodies * id + k];
                 for (int j = 0; j < v.dof[body]; ++j) speed += *jac++ * v.v[v.dof_begin[body] + j];
@@ -101,7 +107,7 @@ Energy energy(StepContext& ctx) noexcept {
             if ((v.row_flags[row] & model::kRowVelocity) ||
                 v.epsilon[row] <= model::kElasticCompliance)
                 continue;
-            const double g = v.g[row] - half * speed;
+            const double g = (rests ? s.g[r] : v.g[row]) - half * speed;
             if (!line || g > 0.0) e.elastic += 0.5 * g * g / v.epsilon[row];
         }
     }
@@ -133,6 +139,7 @@ std::uint64_t state_hash(const StepContext& ctx) noexcept {
     add(ctx.interactions.parted);
     add(ctx.interactions.anchor);
     add(ctx.collider.kept());
+    add(ctx.bodies.asleep);
     return base::fnv1a(&ctx.step, sizeof ctx.step, hash);
 }
 

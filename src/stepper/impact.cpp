@@ -66,8 +66,8 @@ void hold_motion(StepContext& ctx) noexcept {
     std::fill(ctx.system.contacts.impulse.begin(), ctx.system.contacts.impulse.end(), 0.0);
     auto update_rows = [&] {
         std::fill_n(v.solution, ctx.system.symbolic.scalars, 0.0);
-        over(ctx, v.interaction_count,
-             [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
+        over_interactions(ctx,
+                          [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
     };
     hold_bounds(ctx, 0.0);  // forces with a bound make no impulse
     update_rows();          // residual + Σλ = c − G v, and c becomes G v
@@ -118,7 +118,9 @@ Status impact(StepContext& ctx, bool& found) noexcept {
         if (scale == 0.0) ++ctx.stats.impact_retries;
         status = attempt(ctx, scale);
         const double after = status == Status::ok ? kinetic_energy(ctx.bodies, v.v_new) : 0.0;
-        const bool good = status == Status::ok && after <= before * (1.0 + 1e-9);
+        const bool good = status == Status::ok && after <= before * (1.0 + 1e-9) &&
+                          ctx.stats.flips_left == 0 &&
+                          ctx.stats.natural_map <= ctx.def.contact_tolerance;
         if (good) {
             ctx.contact += before - after;
             std::copy_n(v.v_new, v.dof_count, v.v);

@@ -10,7 +10,8 @@
 /// ```
 /// with friction as ever, resting contacts at e = 0, and rows of lines and motors as they move.
 /// The regular stage then starts from v⁺. Newton's law with friction can create energy
-/// (T. R. Kane, 1984): should ½ vᵀM v grow, the stage is done again with e = 0, then left out.
+/// (T. R. Kane, 1984): should ½ vᵀM v grow, or the stage end uncertified, it is done again with e =
+/// 0, then left out.
 ///
 /// Limits: a body bounces where it is at the start of the step in which it would touch, up to
 /// h |u_n| above the surface; contacts that meet within one step meet at once.

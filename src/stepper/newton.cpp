@@ -25,6 +25,7 @@ constexpr int kHalvings = 2;    ///< More make the iterates creep; some steps th
 constexpr int kPatience = 8;    ///< Iterations before slow ones ask for a factorisation.
 constexpr double kSlow = 0.25;  ///< Merit left after an iteration that asks for a factorisation.
 constexpr int kKrylovFrom = 2;  ///< First iteration that may do without a factorisation.
+constexpr int kTogether = 8;    ///< Iterations in which any number of rows may switch.
 
 /// Linear laws of all contacts about the iterate. @return contacts whose status changed.
 std::int32_t linearise(StepContext& ctx) noexcept {
@@ -160,6 +161,7 @@ Status end_early(StepContext& ctx) noexcept {
 Status iterate(StepContext& ctx, Coupling coupling, double tolerance) noexcept {
     for (Cone& c : ctx.system.contacts.cones) c.coupling = coupling;
     bool again = false, slow = false;
+    int switches = 0;  // iterations that ended with some
     double before = 0.0;
     forget_best(ctx);
     for (int it = 0;; ++it) {
@@ -181,8 +183,11 @@ Status iterate(StepContext& ctx, Coupling coupling, double tolerance) noexcept {
         keep_bounds(ctx, way.share);
         const bool last = it + 1 >= ctx.def.contact_iterations;
         const double moved = bounds_map(ctx);
-        const std::int32_t asking = switch_bounds(ctx, ctx.contact_floor, last ? 0 : kAnyRows);
+        // Rows may go on switching each other: then the first one only, as in bounds.cpp.
+        const std::int32_t most = last ? 0 : (switches < kTogether ? kAnyRows : 1);
+        const std::int32_t asking = switch_bounds(ctx, ctx.contact_floor, most);
         again = asking > 0;
+        switches += again ? 1 : 0;
         if (again || moved > 0.0) forget_best(ctx);  // other rows, or impulses
         ctx.stats.natural_map = std::max(worst(ctx), moved);
         if (!std::isfinite(ctx.stats.natural_map)) return Status::not_finite;

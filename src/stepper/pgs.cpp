@@ -65,6 +65,7 @@ void start(StepContext& ctx, const View& v) noexcept {
     for (std::int32_t b = 0; b < v.body_count; ++b)
         if (v.dof[b] > 0) answer(ctx, b, v.dof[b], v.a + v.dof_begin[b], v.v_new + v.dof_begin[b]);
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
+        if (ctx.system.rests(id)) continue;
         const ImpulseRange range = impulse_range(ctx, id);
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
@@ -82,6 +83,7 @@ void start(StepContext& ctx, const View& v) noexcept {
 
 void sweep_rows(StepContext& ctx, const View& v) noexcept {
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
+        if (ctx.system.rests(id)) continue;
         const ImpulseRange range = impulse_range(ctx, id);
         if (range.low == range.high) continue;
         for (int r = 0; r < v.rows[id]; ++r) {
@@ -101,6 +103,7 @@ void sweep_rows(StepContext& ctx, const View& v) noexcept {
 /// What is left in the rows, for the certificate.
 void take_residuals(StepContext& ctx, const View& v) noexcept {
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
+        if (ctx.system.rests(id)) continue;
         const ImpulseRange range = impulse_range(ctx, id);
         const double first = v.lambda[v.row_begin[id]];
         if ((v.flags[id] & model::kBounded) || v.parted[id])

@@ -239,8 +239,7 @@ Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept {
     const assembly::Kernels& k = assembly::kernels();
     add_everywhere(ctx, v);
     update_contacts(ctx, v.v_new);
-    over(ctx, v.interaction_count,
-         [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, first); });
+    over_interactions(ctx, [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, first); });
     return Status::ok;
 }
 
@@ -253,8 +252,7 @@ void continue_with_factor(StepContext& ctx) noexcept {
     add_everywhere(ctx, v);
     update_contacts(ctx, v.v_new);
     const assembly::Kernels& k = assembly::kernels();
-    over(ctx, v.interaction_count,
-         [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
+    over_interactions(ctx, [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
 }
 
 Status refine(StepContext& ctx) noexcept {

@@ -4,6 +4,7 @@
 #include "stepper/bounds.h"
 #include "stepper/contact.h"
 #include "stepper/drives.h"
+#include "stepper/sleep.h"
 #include "stepper/step.h"
 #include "stepper/sweeps.h"
 #include "stepper/timer.h"
@@ -53,6 +54,8 @@ void analyse(StepContext& ctx) {
     ctx.system.analyse(ctx.bodies, ctx.interactions, ctx.def, ctx.pool.threads());
     ctx.norms.resize(at(ctx.system.strips.count() + ctx.system.strips.groups()));
     ctx.losses.resize(at(ctx.system.strips.count()));
+    reserve_bounds(ctx);
+    ctx.active_before.resize(ctx.system.bounded.size());
     StepStats& s = ctx.stats;
     s.islands = ctx.system.islands.count;
     s.matrix_nnz = ctx.system.symbolic.matrix_nnz;
@@ -67,9 +70,9 @@ void prepare(StepContext& ctx) {
         ctx.collider.surfaces(ctx.def.step, ctx.contacts);
         prepare_contacts(ctx);
     }
+    wake_all(ctx);
     analyse(ctx);
-    reserve_bounds(ctx);
-    ctx.active_before.resize(ctx.system.bounded.size());
+    reserve_sleep(ctx);
     ctx.lambda_before.resize(ctx.interactions.lambda.size());
     ctx.carriers_before.resize(16 * ctx.bodies.driven.size());
     double mass = 0.0, least = 1e300;

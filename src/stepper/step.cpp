@@ -5,6 +5,7 @@
 #include "stepper/contact.h"
 #include "stepper/impact.h"
 #include "stepper/nonsmooth.h"
+#include "stepper/sleep.h"
 #include "stepper/stages.h"
 #include "stepper/timer.h"
 
@@ -101,7 +102,7 @@ Status step(StepContext& ctx) noexcept {
 
     timed(ctx, Stage::prestep, prestep);
     const bool shapes = ctx.collider.count() > 0;
-    if (shapes && !timed(ctx, Stage::collide, find_contacts)) {
+    if ((shapes && !timed(ctx, Stage::collide, find_contacts)) || !wake_disturbed(ctx)) {
         ctx.pool.pause();
         return ctx.stats.status = Status::out_of_memory;
     }
@@ -122,6 +123,7 @@ Status step(StepContext& ctx) noexcept {
         recall(ctx);
     }
     if (shapes && status == Status::ok) ctx.collider.keep();
+    if (status == Status::ok) fall_asleep(ctx);
 
     ctx.pool.pause();
     ctx.stats.step_seconds = std::chrono::duration<double>(Clock::now() - begin).count();

@@ -36,6 +36,9 @@ void evaluate_rows(StepContext& ctx) noexcept;
 
 /// ½ vᵀ M v [J], M without damping and geometric stiffness. @param velocity  Packed.
 [[nodiscard]] double kinetic_energy(const model::Bodies& bodies, const double* velocity) noexcept;
+/// The same of one body that moves.
+[[nodiscard]] double kinetic_energy_of(const model::Bodies& bodies, std::int32_t body,
+                                       const double* velocity) noexcept;
 
 /// Energy at the half-step position, see hawser::Energy.
 [[nodiscard]] Energy energy(StepContext& ctx) noexcept;

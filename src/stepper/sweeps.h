@@ -42,4 +42,12 @@ void sweep(StepContext& ctx, Rows&& rows, Own&& own) noexcept {
     ctx.pool.for_each(strips.groups(), group);
 }
 
+/// f(begin, end) for ranges that make up all interactions but those that sleep.
+template <class F>
+void over_interactions(StepContext& ctx, F&& f) noexcept {
+    const assembly::Strips& strips = ctx.system.strips;
+    auto strip = [&](int i, int) noexcept { each(strips.interactions(i), f); };
+    ctx.pool.for_each(strips.count(), strip);
+}
+
 }  // namespace hawser::stepper

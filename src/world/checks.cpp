@@ -72,6 +72,10 @@ void check(const WorldDef& def) {
         refuse(where, "contact_tolerance must be 1e-12 to 1");
     if (def.contact_iterations < 1 || def.contact_iterations > 1000)
         refuse(where, "contact_iterations must be 1 to 1000");
+    if (!(def.sleep_after >= 0.0 && def.sleep_after <= 1e6))
+        refuse(where, "sleep_after must be 0 to 1e6 s");
+    if (!(def.sleep_speed >= 0.0 && def.sleep_speed <= 1.0))
+        refuse(where, "sleep_speed must be 0 to 1 m/s");
     if (def.nonsmooth > Nonsmooth::convex) refuse(where, "unknown nonsmooth method");
     if (def.nonsmooth_sweeps < 1 || def.nonsmooth_sweeps > 100'000)
         refuse(where, "nonsmooth_sweeps must be 1 to 100000");

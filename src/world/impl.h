@@ -5,6 +5,7 @@
 
 #include <hawser/world.h>
 
+#include "stepper/sleep.h"
 #include "stepper/step.h"
 
 #include <string>
@@ -25,6 +26,8 @@ struct World::Impl {
         material_names, shape_names;
 
     void apply_input(std::size_t index, double value);
+    /// What an input acts on wakes.
+    void disturb(const InputDef& input) noexcept;
 };
 
 }  // namespace hawser

@@ -24,6 +24,11 @@ namespace {
 /// What a contact that resists rolling or spinning says of it.
 void add_resistance(const stepper::StepContext& ctx, std::size_t i, ContactView& v) {
     const assembly::Contacts& contacts = ctx.system.contacts;
+    if (v.asleep) {
+        if (const auto* m = contacts.resistances.find(static_cast<std::int32_t>(i)); m != nullptr)
+            for (int k = 0; k < 3; ++k) v.moment[k] = m->lambda[k] / ctx.def.step;
+        return;
+    }
     if (i >= contacts.count() || contacts.rows[i].resistance < 0) return;
     const double* axis = contacts.rows[i].axis;
     const auto& law = contacts.resistances.laws[at(contacts.rows[i].resistance)];
@@ -102,6 +107,7 @@ std::vector<ContactView> World::contacts() const {
             if (j < ctx.contact_impulse.size()) v.force[k] = ctx.contact_impulse[j] / ctx.def.step;
         }
         v.gap = c.gap;
+        v.asleep = i >= ctx.contacts.awake;
         if (const auto& rows = ctx.system.contacts; i < rows.cones.size()) {
             const nonsmooth::Cone& cone = rows.cones[i];
             v.friction = cone.friction;

@@ -16,7 +16,7 @@ namespace hawser {
 namespace {
 
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'A', 'P', '8'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'A', 'P', '9'};
     std::uint64_t layout = 0;       ///< See layout_of().
     std::uint64_t parameters = 0;   ///< See parameters_of().
     std::uint64_t contacts = 0;     ///< Remembered from the last step.
@@ -37,6 +37,7 @@ void resize_contacts(stepper::StepContext& ctx, std::size_t count, std::size_t r
     ctx.system.contacts.memory.resize(count);
     ctx.system.contacts.resistances.memory.resize(resistances);
     ctx.contacts.contacts.clear();
+    ctx.contacts.awake = 0;
     ctx.contact_impulse.clear();
     ctx.contact_sliding.clear();
     ctx.stats.contacts = 0;
@@ -58,6 +59,8 @@ void visit_state(Context& ctx, std::vector<double>& inputs, F&& f) {
     // Forms and the floors of rigid rows were chosen at these poses.
     array(ctx.analysed_x);
     array(ctx.analysed_r);
+    array(ctx.bodies.asleep);
+    array(ctx.bodies.quiet);
     array(ctx.interactions.lambda);
     array(ctx.interactions.force);
     array(ctx.interactions.active);
@@ -65,6 +68,7 @@ void visit_state(Context& ctx, std::vector<double>& inputs, F&& f) {
     array(ctx.interactions.saturated);
     array(ctx.interactions.anchor);
     array(ctx.collider.kept());
+    value(ctx.collider.kept_awake());
     array(ctx.system.contacts.memory);
     array(ctx.system.contacts.resistances.memory);
     // The order of elimination follows from them.
@@ -153,6 +157,8 @@ std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<I
     value(ctx.def.rotation_damping);
     value(ctx.def.refinements);
     value(ctx.def.nonsmooth);
+    value(ctx.def.sleep_after);
+    value(ctx.def.sleep_speed);
     value(ctx.def.nonsmooth_sweeps);
     for (const InputDef& input : inputs) {
         array(input.name);
@@ -256,6 +262,7 @@ void World::restore(std::span<const std::byte> bytes) {
     const auto analysed_x = m.ctx.analysed_x;
     const auto analysed_r = m.ctx.analysed_r;
     const auto links = m.ctx.system.contacts.links;
+    const auto asleep = m.ctx.bodies.asleep;
     resize_contacts(m.ctx, header.contacts, header.resistances);
     m.ctx.system.contacts.links.resize(header.links);
     m.ctx.system.contacts.link_used.resize(header.links);
@@ -266,7 +273,15 @@ void World::restore(std::span<const std::byte> bytes) {
     });
     const bool relinked = links != m.ctx.system.contacts.links;
     if (relinked) m.ctx.system.contacts.make_blocks();
-    if (relinked || m.ctx.analysed_x != analysed_x || m.ctx.analysed_r != analysed_r)
+    // Whatever the bytes say: what has no freedom is awake, and no more contacts than there are.
+    m.ctx.collider.kept_awake() = std::min(m.ctx.collider.kept_awake(), header.contacts);
+    for (std::int32_t b = 0; b < m.ctx.bodies.count(); ++b) {
+        std::uint8_t& flag = m.ctx.bodies.asleep[static_cast<std::size_t>(b)];
+        flag = flag != 0 && m.ctx.bodies.dof(b) > 0 ? 1 : 0;
+    }
+    stepper::count_asleep(m.ctx);
+    if (relinked || asleep != m.ctx.bodies.asleep || m.ctx.analysed_x != analysed_x ||
+        m.ctx.analysed_r != analysed_r)
         analyse_as_saved(m.ctx);
     m.ctx.time = static_cast<double>(m.ctx.step) * m.ctx.def.step;
     m.ctx.stats.step = m.ctx.step;

@@ -147,8 +147,21 @@ void World::set_input(InputId id, double value) {
                    : 0.0;
     };
     const double before = elastic();
+    if (clamped != impl_->input_values[i]) impl_->disturb(def);
     impl_->apply_input(i, clamped);
     c.drive += elastic() - before;
+}
+
+void World::Impl::disturb(const InputDef& input) noexcept {
+    if (!input.interaction.valid()) {
+        stepper::disturb(ctx, input.body.index);
+        return;
+    }
+    const std::size_t first = kMaxInteractionBodies * at(input.interaction.index);
+    for (std::size_t b = 0; b < ctx.interactions.bodies[at(input.interaction.index)]; ++b) {
+        const std::int32_t body = ctx.interactions.body[first + b];
+        if (ctx.bodies.dof(body) > 0) stepper::disturb(ctx, body);
+    }
 }
 
 void World::Impl::apply_input(std::size_t index, double value) {
@@ -166,8 +179,10 @@ void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
     const std::size_t b = index_of(body.index, body_count(), "body");
     if (!force.allFinite() || !torque.allFinite()) throw DefError("an applied force is not finite");
     for (int i = 0; i < 3; ++i) {
-        impl_->ctx.bodies.force[6 * b + at(i)] = force[i];
-        impl_->ctx.bodies.force[6 * b + 3 + at(i)] = torque[i];
+        double* now = &impl_->ctx.bodies.force[6 * b + at(i)];
+        if (now[0] != force[i] || now[3] != torque[i]) stepper::disturb(impl_->ctx, body.index);
+        now[0] = force[i];
+        now[3] = torque[i];
     }
 }
 
@@ -203,6 +218,7 @@ void World::set_pose(BodyId id, const Pose& pose) {
     if (!pose.position.allFinite() || !std::isfinite(norm) || norm < 0.5)
         throw DefError(world::label("body", impl_->body_defs[b].name) + ": the pose is not valid");
     model::Bodies& s = impl_->ctx.bodies;
+    stepper::disturb(impl_->ctx, id.index);
     for (int i = 0; i < 3; ++i) s.x[3 * b + at(i)] = pose.position[i];
     if (s.kind[b] == BodyKind::scalar)
         for (const std::int32_t w : impl_->ctx.interactions.winches)
@@ -224,7 +240,18 @@ void World::set_velocity(BodyId id, const Twist& twist) {
     if (s.kind[b] == BodyKind::fixed) throw DefError("a fixed body has no velocity");
     double* v = dof == 0 ? &s.v_fixed[6 * b] : &s.v[at(s.dof_begin[b])];
     const int count = dof == 0 ? 6 : dof;
+    // What a prescribed velocity carries wakes in the step (stepper/sleep.h).
+    if (dof > 0) stepper::disturb(impl_->ctx, id.index);
     for (int i = 0; i < count; ++i) v[i] = i < 3 ? twist.linear[i] : twist.angular[i - 3];
+}
+
+bool World::asleep(BodyId id) const {
+    return impl_->ctx.bodies.asleep[index_of(id.index, body_count(), "body")] != 0;
+}
+
+void World::wake(BodyId id) {
+    (void)index_of(id.index, body_count(), "body");
+    stepper::disturb(impl_->ctx, id.index);
 }
 
 Vec3 World::world_point(BodyId id, const Vec3& local) const {
@@ -248,17 +275,11 @@ std::span<const double> World::force(InteractionId id) const {
 
 std::array<double, kMaxInteractionRows> World::violation(InteractionId id) const {
     const std::size_t i = index_of(id.index, interaction_count(), "interaction");
-    stepper::StepContext& ctx = impl_->ctx;
-    if (ctx.topology_changed) stepper::prepare(ctx);
-    const model::Interactions& in = ctx.interactions;
-    const model::Pool& pool = in.pool[static_cast<std::size_t>(in.def[i].kind)];
-    const double was_active = in.active[i];
-    assembly::kernels().evaluate(ctx.system.view(ctx.bodies, ctx.interactions, ctx.def),
-                                 in.def[i].kind, pool.ids.data(), pool.data.data(),
-                                 in.pool_index[i], in.pool_index[i] + 1);
-    ctx.interactions.active[i] = was_active;
+    const model::Interactions& in = impl_->ctx.interactions;
+    const model::RowState s = in.row_state(id.index, impl_->ctx.bodies);
     std::array<double, kMaxInteractionRows> g{};
-    for (std::size_t r = 0; r < in.rows[i]; ++r) g[r] = in.g[at(in.row_begin[i]) + r];
+    for (std::size_t r = 0; r < in.rows[i]; ++r)
+        if ((in.row_flags[at(in.row_begin[i]) + r] & model::kRowVelocity) == 0) g[r] = s.g[r];
     return g;
 }
 

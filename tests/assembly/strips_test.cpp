@@ -63,7 +63,7 @@ TEST(Strips, HoldEverythingOnce) {
 
 TEST(Strips, AreEmptyWithoutBodies) {
     Strips strips;
-    strips.build({}, model::Interactions{});
+    strips.build({}, {}, model::Interactions{});
     EXPECT_EQ(strips.count(), 0);
     EXPECT_EQ(strips.groups(), 0);
 }

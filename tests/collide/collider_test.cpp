@@ -281,7 +281,7 @@ TEST(Collider, MemoryOutlivesAChangeOfFeature) {
     }
     last[0].feature = 1;  // claims by key what lies elsewhere
     base::Array<std::uint8_t> taken;
-    collide::match(contacts, now, last, 0.01, taken);
+    collide::match(contacts, now, last, last.size(), 0.01, taken);
     EXPECT_EQ(contacts[1].previous, 0);
     EXPECT_EQ(contacts[0].previous, 2);
     EXPECT_EQ(contacts[2].previous, -1);  // its neighbour is taken, the next one too far

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stepper/sleep.h"
+
+#include "stepper/stages.h"
+#include "stepper/step.h"
+#include "stepper/timer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <numeric>
+
+namespace hawser::stepper {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Islands are looked for every so many steps.
+constexpr std::int64_t kEvery = 8;
+
+bool moves(const model::Bodies& b, std::int32_t body) noexcept { return b.dof(body) > 0; }
+
+/// A kinematic body that is under way.
+bool carries(const model::Bodies& b, std::int32_t body) noexcept {
+    const double* v = &b.v_fixed[6 * at(body)];
+    return b.kind[at(body)] == BodyKind::kinematic &&
+           std::any_of(v, v + 6, [](double x) { return x != 0.0; });
+}
+
+/// First body of the island of a body that moves, by path halving.
+std::int32_t root(std::vector<std::int32_t>& island, std::int32_t body) noexcept {
+    while (island[at(body)] != body) body = island[at(body)] = island[at(island[at(body)])];
+    return body;
+}
+
+/// Call f with the bodies of each interaction, contact and segment: what holds together.
+template <class F>
+void each_bond(const StepContext& ctx, F&& f) noexcept {
+    const model::Interactions& in = ctx.interactions;
+    for (std::int32_t i = 0; i < in.count(); ++i)
+        f(std::span(&in.body[at(kMaxInteractionBodies * i)], in.bodies[at(i)]));
+    for (const collide::Contact& c : ctx.contacts.contacts) f(std::span(c.body, c.slots));
+    for (const collide::Shape& s : ctx.collider.shapes())
+        if (s.segment()) f(std::span(s.body));
+}
+
+void find_islands(StepContext& ctx) noexcept {
+    std::vector<std::int32_t>& island = ctx.sleep.island;
+    std::iota(island.begin(), island.end(), 0);
+    each_bond(ctx, [&](std::span<const std::int32_t> bodies) {
+        std::int32_t first = -1;
+        for (const std::int32_t b : bodies) {
+            if (!moves(ctx.bodies, b)) continue;
+            const std::int32_t r = root(island, b);
+            // The smallest index is the root, so that numbering does not matter.
+            if (first >= 0 && r != first) island[at(std::max(r, first))] = std::min(r, first);
+            first = first < 0 ? r : std::min(r, first);
+        }
+    });
+}
+
+/// Mark the islands of bodies for which `wanted` holds, and those that a body under way touches.
+template <class F>
+void mark_islands(StepContext& ctx, F&& wanted) noexcept {
+    Sleep& s = ctx.sleep;
+    std::fill(s.mark.begin(), s.mark.end(), std::uint8_t{0});
+    for (const std::int32_t b : ctx.bodies.moving)
+        if (wanted(b)) s.mark[at(root(s.island, b))] = 1;
+    if (std::none_of(ctx.bodies.driven.begin(), ctx.bodies.driven.end(),
+                     [&](std::int32_t b) { return carries(ctx.bodies, b); }))
+        return;
+    each_bond(ctx, [&](std::span<const std::int32_t> bodies) {
+        if (std::none_of(bodies.begin(), bodies.end(),
+                         [&](std::int32_t b) { return carries(ctx.bodies, b); }))
+            return;
+        for (const std::int32_t b : bodies)
+            if (moves(ctx.bodies, b)) s.mark[at(root(s.island, b))] = 1;
+    });
+}
+
+/// A body sleeps from now on, or wakes. @return whether that is new.
+bool set_asleep(StepContext& ctx, std::int32_t body, bool asleep) noexcept {
+    std::uint8_t& now = ctx.bodies.asleep[at(body)];
+    if ((now != 0) == asleep) return false;
+    now = asleep ? 1 : 0;
+    ctx.stats.asleep += asleep ? 1 : -1;
+    return true;
+}
+
+/// Whether islands that sleep may have to wake. Rarely: then they are looked for.
+bool disturbed(const StepContext& ctx) noexcept {
+    const model::Bodies& b = ctx.bodies;
+    for (const std::int32_t body : b.moving)
+        if (b.asleep[at(body)] != 0 && b.quiet[at(body)] == 0) return true;
+    for (const std::int32_t body : b.driven)
+        if (carries(b, body)) return true;
+    const auto meet = [&](const collide::Contact& c) {
+        bool asleep = false, awake = false;
+        for (const std::int32_t body : std::span(c.body, c.slots)) {
+            asleep = asleep || b.asleep[at(body)] != 0;
+            awake = awake || (moves(b, body) && b.asleep[at(body)] == 0);
+        }
+        return asleep && awake;
+    };
+    return std::any_of(ctx.contacts.contacts.begin(), ctx.contacts.contacts.end(), meet);
+}
+
+/// Islands with a body that is awake or disturbed wake whole: where one that sleeps and one that is
+/// awake have come close, they are one by now. @return whether any woke.
+bool wake_islands(StepContext& ctx) noexcept {
+    model::Bodies& b = ctx.bodies;
+    find_islands(ctx);
+    mark_islands(
+        ctx, [&](std::int32_t body) { return b.asleep[at(body)] == 0 || b.quiet[at(body)] == 0; });
+    bool woken = false;
+    for (const std::int32_t body : b.moving) {
+        if (ctx.sleep.mark[at(root(ctx.sleep.island, body))] == 0) continue;
+        if (!set_asleep(ctx, body, false)) continue;
+        b.quiet[at(body)] = 0;
+        woken = true;
+    }
+    return woken;
+}
+
+/// The system without what sleeps. Where memory ends the next step begins with prepare(), awake.
+bool analyse_anew(StepContext& ctx) noexcept {
+    const StageTimer timer(ctx, Stage::analyse);
+    try {
+        analyse(ctx);
+        return true;
+    } catch (const std::bad_alloc&) {
+        ctx.topology_changed = true;
+        return false;
+    }
+}
+
+}  // namespace
+
+void reserve_sleep(StepContext& ctx) {
+    ctx.sleep.island.resize(at(ctx.bodies.count()));
+    ctx.sleep.mark.resize(at(ctx.bodies.count()));
+}
+
+void wake_all(StepContext& ctx) noexcept {
+    std::fill(ctx.bodies.asleep.begin(), ctx.bodies.asleep.end(), std::uint8_t{0});
+    std::fill(ctx.bodies.quiet.begin(), ctx.bodies.quiet.end(), 0);
+    ctx.stats.asleep = 0;
+}
+
+void count_asleep(StepContext& ctx) noexcept {
+    ctx.stats.asleep = static_cast<std::int32_t>(
+        std::count(ctx.bodies.asleep.begin(), ctx.bodies.asleep.end(), std::uint8_t{1}));
+}
+
+void disturb(StepContext& ctx, std::int32_t body) noexcept {
+    if (moves(ctx.bodies, body))
+        ctx.bodies.quiet[at(body)] = 0;
+    else
+        std::fill(ctx.bodies.quiet.begin(), ctx.bodies.quiet.end(), 0);
+}
+
+bool wake_disturbed(StepContext& ctx) noexcept {
+    if (ctx.stats.asleep == 0) return true;
+    if (disturbed(ctx) && wake_islands(ctx) && !analyse_anew(ctx)) return false;
+    return ctx.stats.asleep == 0 || ctx.collider.set_aside(ctx.contacts, ctx.bodies.asleep);
+}
+
+void fall_asleep(StepContext& ctx) noexcept {
+    if (!(ctx.def.sleep_after > 0.0)) return;
+    model::Bodies& b = ctx.bodies;
+    // The other methods end where they end.
+    const bool certified = ctx.def.nonsmooth != Nonsmooth::newton ||
+                           (!ctx.stats.cut && ctx.stats.natural_map <= ctx.def.contact_tolerance);
+    const auto most =
+        static_cast<std::int32_t>(std::min(std::ceil(ctx.def.sleep_after / ctx.def.step), 1e9));
+    bool any = false;
+    for (const std::int32_t body : b.moving) {
+        if (b.asleep[at(body)] != 0) continue;
+        const double limit = ctx.def.sleep_speed * ctx.def.sleep_speed;
+        const double square = 2.0 * kinetic_energy_of(b, body, b.v.data()) / b.mass[at(body)];
+        std::int32_t& quiet = b.quiet[at(body)];
+        quiet = certified && square < limit ? std::min(quiet + 1, most) : 0;
+        any = any || quiet == most;
+    }
+    if (!any || ctx.step % kEvery != 0) return;
+    find_islands(ctx);
+    mark_islands(ctx, [&](std::int32_t body) { return b.quiet[at(body)] < most; });
+    bool fallen = false;
+    for (const std::int32_t body : b.moving)
+        if (ctx.sleep.mark[at(root(ctx.sleep.island, body))] == 0)
+            fallen = set_asleep(ctx, body, true) || fallen;
+    if (fallen) (void)analyse_anew(ctx);
+}
+
+}  // namespace hawser::stepper

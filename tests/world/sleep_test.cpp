@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Islands at rest sleep, keep every bit while they do, and go on from there when they wake.
+#include <gtest/gtest.h>
+
+#include <hawser/hawser.h>
+
+#include <string>
+#include <vector>
+
+namespace hawser {
+namespace {
+
+/// A stack of three boxes, a ball that resists rolling, a wire that hangs, a slide with a brake on
+/// a slope: four islands.
+struct SleepYard {
+    World w;
+    BodyId ground{}, box[3], ball{}, node[4], slide{}, anchor{};
+    InputId brake{}, push{};
+
+    explicit SleepYard(const WorldDef& def) : w(def) {
+        BodyDef fixed;
+        fixed.kind = BodyKind::fixed;
+        fixed.name = "ground";
+        ground = w.add_body(fixed);
+        const bool rolling = def.nonsmooth == Nonsmooth::newton;
+        MaterialDef m;
+        m.name = "felt";
+        m.friction = 0.6;
+        m.stiffness = 1e7;
+        m.rolling = rolling ? 0.05 : 0.0;
+        const MaterialId felt = w.add_material(m);
+        ShapeDef plane;
+        plane.kind = ShapeKind::plane;
+        plane.body = ground;
+        plane.material = felt;
+        w.add_shape(plane);
+        for (int i = 0; i < 3; ++i) box[i] = add_box({0.0, 0.0, 0.5 + 1.0 * i});
+        BodyDef round;
+        round.name = "ball";
+        round.mass = 10.0;
+        round.inertia = 0.4 * 10.0 * 0.25 * Mat3::Identity();
+        round.position = {5.0, 0.0, 0.5};
+        round.velocity = {0.3, 0.0, 0.0};
+        if (!rolling) round.velocity.setZero();
+        ball = w.add_body(round);
+        ShapeDef sphere;
+        sphere.radius = 0.5;
+        sphere.body = ball;
+        sphere.material = felt;
+        w.add_shape(sphere);
+        add_wire();
+        add_slide();
+    }
+
+    BodyId add_box(const Vec3& at) {
+        BodyDef d;
+        d.mass = 100.0;
+        d.inertia = 100.0 / 6.0 * Mat3::Identity();
+        d.position = at;
+        const BodyId id = w.add_body(d);
+        ShapeDef s;
+        s.kind = ShapeKind::box;
+        s.half_size = {0.5, 0.5, 0.5};
+        s.body = id;
+        w.add_shape(s);
+        return id;
+    }
+
+    void add_wire() {
+        BodyId last = ground;
+        for (int i = 0; i < 4; ++i) {
+            BodyDef d;
+            d.kind = BodyKind::lump;
+            d.mass = 2.0;
+            d.position = {10.0, 0.0, 9.0 - i};
+            d.linear_damping = {40.0, 40.0, 40.0};
+            node[i] = w.add_body(d);
+            InteractionDef s;
+            s.kind = InteractionKind::Stretch;
+            s.body = {last, node[i]};
+            if (i == 0) s.point[0] = {10.0, 0.0, 10.0};
+            s.set("EA", 1e6);
+            w.add_interaction(s);
+            last = node[i];
+        }
+    }
+
+    void add_slide() {
+        BodyDef d;
+        d.mass = 20.0;
+        d.inertia = Mat3::Identity();
+        d.position = {20.0, 0.0, 5.0};
+        slide = w.add_body(d);
+        InteractionDef p;
+        p.kind = InteractionKind::Prismatic;
+        p.body = {ground, slide};
+        p.point[0] = d.position;
+        // z of the frames leans by 45 degrees.
+        p.frame[0] = p.frame[1] = Quat(Eigen::AngleAxisd(0.785398163, Vec3::UnitY()));
+        w.add_interaction(p);
+        InteractionDef f = p;
+        f.kind = InteractionKind::SlideFriction;
+        f.compliance.fill(kDefault);
+        f.damping_time.fill(kDefault);
+        f.params.fill(kDefault);
+        f.name = "brake";
+        f.set("force", 300.0);
+        const InteractionId held = w.add_interaction(f);
+        InputDef in;
+        in.name = "brake";
+        in.interaction = held;
+        in.param = "force";
+        brake = w.add_input(in);
+        InputDef thrust;
+        thrust.name = "push";
+        thrust.body = node[3];
+        push = w.add_input(thrust);
+    }
+
+    void run(int steps) {
+        for (int i = 0; i < steps; ++i) ASSERT_EQ(w.step(), Status::ok) << i;
+    }
+    [[nodiscard]] std::vector<BodyId> moving() const {
+        return {box[0], box[1], box[2], ball, node[0], node[1], node[2], node[3], slide};
+    }
+    [[nodiscard]] std::vector<double> state() const {
+        std::vector<double> out;
+        const auto add = [&](const auto& a) {
+            out.insert(out.end(), a.data(), a.data() + a.size());
+        };
+        for (const BodyId id : moving()) {
+            add(w.pose(id).position);
+            add(w.pose(id).orientation.coeffs());
+            add(w.velocity(id).linear);
+            add(w.velocity(id).angular);
+        }
+        return out;
+    }
+    [[nodiscard]] std::string asleep() const {
+        std::string out;
+        for (const BodyId id : moving()) out += w.asleep(id) ? 'z' : '.';
+        return out;
+    }
+};
+
+WorldDef sleepy(Nonsmooth method = Nonsmooth::newton, int threads = 1) {
+    WorldDef def;
+    def.sleep_after = 0.5;
+    def.sleep_speed = 1e-4;
+    def.nonsmooth = method;
+    def.threads = threads;
+    return def;
+}
+
+constexpr int kSettled = 600;
+constexpr const char* kAll = "zzzzzzzzz";
+
+TEST(Sleep, IsOffByDefault) {
+    SleepYard y{WorldDef{}};
+    y.run(kSettled);
+    EXPECT_EQ(y.asleep(), ".........");
+    EXPECT_EQ(y.w.stats().asleep, 0);
+}
+
+TEST(Sleep, KeepsEveryBitAndLeavesNothingToSolve) {
+    SleepYard y(sleepy());
+    y.run(kSettled);
+    ASSERT_EQ(y.asleep(), kAll);
+    EXPECT_EQ(y.w.stats().asleep, 9);
+    const std::vector<double> before = y.state();
+    const Energy energy = y.w.energy();
+    const std::vector<ContactView> contacts = y.w.contacts();
+    y.run(300);
+    EXPECT_EQ(y.state(), before);
+    EXPECT_EQ(y.w.energy().mechanical(), energy.mechanical());
+    EXPECT_EQ(y.w.energy().friction, energy.friction);
+    EXPECT_EQ(y.w.stats().matrix_nnz, 0);
+    EXPECT_EQ(y.w.stats().islands, 0);
+    // What carries still shows what it carries: 3 boxes and a ball.
+    const std::vector<ContactView> now = y.w.contacts();
+    ASSERT_EQ(now.size(), contacts.size());
+    double weight = 0.0;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        EXPECT_TRUE(now[i].asleep);
+        EXPECT_EQ(now[i].force, contacts[i].force);
+        if (y.w.shape_def(now[i].shape[0]).body.index == y.ground.index) weight += now[i].force.z();
+    }
+    EXPECT_NEAR(weight, 310.0 * 9.81, 1e-3);
+    EXPECT_NEAR(-y.w.force({0})[0], 8.0 * 9.81, 1e-3);
+}
+
+/// However long the sleep, the step after it is the same.
+TEST(Sleep, EndsWhereItBegan) {
+    std::vector<double> after[2];
+    for (int k = 0; k < 2; ++k) {
+        SleepYard y(sleepy());
+        y.run(kSettled + 200 * k);
+        ASSERT_EQ(y.asleep(), kAll);
+        for (const BodyId id : y.moving()) y.w.wake(id);
+        y.run(20);
+        EXPECT_EQ(y.asleep(), ".........");
+        after[k] = y.state();
+    }
+    EXPECT_EQ(after[0], after[1]);
+}
+
+/// An island goes on as if it had not slept: as one that has not goes on from the step in which the
+/// other fell asleep, to the rounding of another order of elimination.
+TEST(Sleep, IsNotNoticed) {
+    SleepYard y(sleepy()), other{WorldDef{}};
+    int steps = 0;
+    while (!y.w.asleep(y.box[0]) && steps < kSettled) {
+        y.run(1);
+        other.run(1);
+        ++steps;
+    }
+    ASSERT_LT(steps, kSettled);
+    y.run(64);
+    y.w.wake(y.box[1]);
+    const auto kick = [](SleepYard& s) {
+        s.w.set_velocity(s.box[2], {{0.5, 0.2, 0.0}, {0, 0, 1}});
+    };
+    kick(y);
+    kick(other);
+    for (int i = 0; i < 60; ++i) {
+        y.run(1);
+        other.run(1);
+        for (int k = 0; k < 3; ++k) {
+            const Pose p = y.w.pose(y.box[k]), q = other.w.pose(other.box[k]);
+            EXPECT_LT((p.position - q.position).norm(), 1e-9) << k << " at " << i;
+        }
+    }
+}
+
+TEST(Sleep, WhatIsTouchedWakes) {
+    SleepYard y(sleepy());
+    y.run(kSettled);
+    ASSERT_EQ(y.asleep(), kAll);
+    y.w.set_input(y.brake, 300.0);  // as it was
+    y.w.set_force(y.box[0], Vec3::Zero(), Vec3::Zero());
+    y.run(1);
+    EXPECT_EQ(y.asleep(), kAll);
+    y.w.set_input(y.brake, 50.0);
+    y.run(1);
+    EXPECT_EQ(y.asleep(), "zzzzzzzz.");
+    y.run(30);
+    EXPECT_GT(y.w.velocity(y.slide).linear.norm(), 1.0);
+    y.w.set_input(y.push, 5.0);
+    y.run(1);
+    EXPECT_EQ(y.asleep(), "zzzz.....");
+    y.w.set_force(y.ball, {0, 20.0, 0}, Vec3::Zero());
+    y.run(1);
+    EXPECT_EQ(y.asleep(), "zzz......");
+    Pose p = y.w.pose(y.box[2]);
+    p.position.x() += 0.1;
+    y.w.set_pose(y.box[2], p);
+    y.run(1);
+    EXPECT_EQ(y.asleep(), ".........");
+}
+
+TEST(Sleep, ABlowWakesTheStackAndNothingElse) {
+    SleepYard y(sleepy());
+    y.run(kSettled);
+    ASSERT_EQ(y.asleep(), kAll);
+    y.w.set_velocity(y.ball, {{-12.0, 0.0, 0.0}, {0.0, -24.0, 0.0}});
+    const double before = y.w.pose(y.box[0]).position.x();
+    int woken = 0;
+    for (int i = 0; i < 180; ++i) {
+        y.run(1);
+        if (woken == 0 && !y.w.asleep(y.box[0])) {
+            woken = i;
+            EXPECT_EQ(y.asleep(), "....zzzzz");
+        }
+    }
+    EXPECT_GT(woken, 10);
+    EXPECT_LT(y.w.pose(y.box[0]).position.x(), before - 1e-3);
+}
+
+TEST(Sleep, CarriersThatMoveKeepAwake) {
+    WorldDef def = sleepy();
+    World w(def);
+    BodyDef d;
+    d.kind = BodyKind::kinematic;
+    const BodyId deck = w.add_body(d);
+    ShapeDef plane;
+    plane.kind = ShapeKind::plane;
+    plane.body = deck;
+    w.add_shape(plane);
+    d.kind = BodyKind::rigid;
+    d.mass = 100.0;
+    d.inertia = 100.0 / 6.0 * Mat3::Identity();
+    d.position = {0, 0, 0.5};
+    const BodyId box = w.add_body(d);
+    ShapeDef s;
+    s.kind = ShapeKind::box;
+    s.half_size = {0.5, 0.5, 0.5};
+    s.body = box;
+    w.add_shape(s);
+    d.kind = BodyKind::lump;
+    d.position = {5, 0, -1};
+    d.linear_damping = {40, 40, 40};
+    const BodyId bob = w.add_body(d);
+    InteractionDef line;
+    line.kind = InteractionKind::Stretch;
+    line.body = {deck, bob};
+    line.point[0] = {5, 0, 0};
+    line.set("EA", 1e6);
+    w.add_interaction(line);
+    const auto run = [&](int steps) {
+        for (int i = 0; i < steps; ++i) ASSERT_EQ(w.step(), Status::ok);
+    };
+    run(240);
+    EXPECT_TRUE(w.asleep(box));
+    EXPECT_TRUE(w.asleep(bob));
+    // Slower than sleep_speed: the cargo is at rest by speed alone, but its carrier is not.
+    w.set_velocity(deck, {{5e-5, 0, 0}, Vec3::Zero()});
+    run(1);
+    EXPECT_FALSE(w.asleep(box));
+    EXPECT_FALSE(w.asleep(bob));
+    run(240);
+    EXPECT_FALSE(w.asleep(box));
+    EXPECT_NEAR(w.pose(box).position.x(), 241 * 5e-5 / 60.0, 1e-6);
+    w.set_velocity(deck, {});
+    run(240);
+    EXPECT_TRUE(w.asleep(box));
+    EXPECT_TRUE(w.asleep(bob));
+    // A pose that is set wakes whatever might hold to it.
+    Pose p = w.pose(deck);
+    p.position.z() += 0.01;
+    w.set_pose(deck, p);
+    run(1);
+    EXPECT_FALSE(w.asleep(box));
+    EXPECT_FALSE(w.asleep(bob));
+}
+
+TEST(Sleep, AddingABodyWakesAll) {
+    SleepYard y(sleepy());
+    y.run(kSettled);
+    ASSERT_EQ(y.asleep(), kAll);
+    const BodyId more = y.add_box({0.0, 0.0, 4.0});
+    y.run(1);
+    EXPECT_EQ(y.w.stats().asleep, 0);
+    y.run(kSettled);
+    EXPECT_TRUE(y.w.asleep(more));
+    EXPECT_EQ(y.w.stats().asleep, 10);
+    EXPECT_NEAR(y.w.pose(more).position.z(), 3.5, 1e-3);
+}
+
+TEST(Sleep, SnapshotsAndThreadsKeepTheBits) {
+    const auto disturb = [](SleepYard& y, int step) {
+        if (step == 20) y.w.set_input(y.brake, 50.0);
+        if (step == 50) y.w.set_velocity(y.ball, {{-12.0, 0.0, 0.0}, {0.0, -24.0, 0.0}});
+    };
+    SleepYard y(sleepy());
+    y.run(kSettled);
+    const std::vector<std::byte> saved = y.w.save();
+    std::vector<std::uint64_t> hashes;
+    for (int i = 0; i < 400; ++i) {
+        disturb(y, i);
+        y.run(1);
+        hashes.push_back(y.w.state_hash());
+    }
+    for (const int threads : {1, 2, 4}) {
+        SleepYard z(sleepy(Nonsmooth::newton, threads));
+        z.w.restore(saved);
+        EXPECT_EQ(z.asleep(), kAll);
+        EXPECT_EQ(z.w.stats().asleep, 9);
+        for (int i = 0; i < 400; ++i) {
+            disturb(z, i);
+            z.run(1);
+            ASSERT_EQ(z.w.state_hash(), hashes[static_cast<std::size_t>(i)]) << threads << " " << i;
+        }
+    }
+    // Settings of sleep are part of what must agree.
+    SleepYard awake{WorldDef{}};
+    EXPECT_THROW(awake.w.restore(saved), DefError);
+}
+
+class SleepMethods : public testing::TestWithParam<Nonsmooth> {};
+
+TEST_P(SleepMethods, FallAsleepAndWake) {
+    WorldDef def = sleepy(GetParam());
+    // Sweeps end where they end.
+    def.sleep_speed = 1e-2;
+    SleepYard y(def);
+    y.run(kSettled);
+    EXPECT_EQ(y.asleep(), kAll);
+    const std::vector<double> before = y.state();
+    y.run(60);
+    EXPECT_EQ(y.state(), before);
+    y.w.set_velocity(y.ball, {{-12.0, 0.0, 0.0}, {0.0, -24.0, 0.0}});
+    y.w.set_input(y.brake, 50.0);
+    y.run(30);
+    EXPECT_EQ(y.asleep(), "....zzzz.");
+    EXPECT_LT(y.w.pose(y.ball).position.x(), 3.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SleepMethods,
+                         testing::Values(Nonsmooth::newton, Nonsmooth::pivoting, Nonsmooth::split,
+                                         Nonsmooth::pgs, Nonsmooth::convex));
+
+}  // namespace
+}  // namespace hawser
