@@ -111,7 +111,7 @@ std::string Verifier::after_step(const World& world) {
     // that were still switching are reported as such.
     if (!stats.cut && stats.flips_left == 0 && !(excess <= stats.natural_map + kRoundOff))
         return fmt::format("the force of a row is beyond its bound by {:.3e}, relative", excess);
-    if (!(momentum <= kRoundOff + better))
+    if (!(momentum <= kRoundOff))
         return fmt::format("momentum is off by {:.3e}, relative", momentum);
     return {};
 }

@@ -25,7 +25,7 @@ constexpr int kHalvings = 2;    ///< More make the iterates creep; some steps th
 constexpr int kPatience = 8;    ///< Iterations before slow ones ask for a factorisation.
 constexpr double kSlow = 0.25;  ///< Merit left after an iteration that asks for a factorisation.
 constexpr int kKrylovFrom = 2;  ///< First iteration that may do without a factorisation.
-constexpr int kTogether = 8;    ///< Iterations in which any number of rows may switch.
+constexpr int kTogether = 24;   ///< Iterations in which any number of rows may switch.
 
 /// Linear laws of all contacts about the iterate. @return contacts whose status changed.
 std::int32_t linearise(StepContext& ctx) noexcept {
