@@ -72,6 +72,24 @@ TEST(ContactScenes, StiffContactsStartCold) {
     }
 }
 
+/// Pivoting factors what its contacts changed, not the whole. (Newton's method does where few of
+/// many contacts change, tests/world/block_test.cpp; on this wall what changes in an iteration
+/// takes four fifths of the work at the median, and then the whole is factored.)
+TEST(ContactScenes, PivotingOnTheWallFactorsWhatChanged) {
+    scene::Options options;
+    options.set = {"settings.nonsmooth=pivoting"};
+    World world = scene::load_file("scenes/wall_648.json", options).world;
+    std::int64_t all = 0, partial = 0;
+    for (int k = 0; k < 20; ++k) {
+        ASSERT_EQ(world.step(), Status::ok);
+        const StepStats& stats = world.stats();
+        all += stats.factorisations;
+        partial += stats.partial_factorisations;
+        ASSERT_LT(stats.partial_factorisations, stats.factorisations) << "the first is whole";
+    }
+    EXPECT_GT(2 * partial, all);
+}
+
 TEST(ContactScenes, WedgeJams) {
     Watched run("wedge");
     World& world = run.world();

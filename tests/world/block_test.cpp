@@ -6,13 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace hawser::test {
 namespace {
 
 constexpr double kBlockMass = 100.0, kBlockFriction = 0.5, kBlockHalfHeight = 0.25;
 
-World block_on_floor(BodyId& block) {
+/// Blocks in a row, far apart.
+World blocks_on_floor(int count, std::vector<BodyId>& blocks) {
     World w;
     MaterialDef material;
     material.name = "wood";
@@ -27,11 +29,20 @@ World block_on_floor(BodyId& block) {
     d.kind = BodyKind::rigid;
     d.mass = kBlockMass;
     d.inertia = Vec3(10.0, 10.0, 15.0).asDiagonal();
-    d.position = {0.0, 0.0, kBlockHalfHeight};
-    s.body = block = w.add_body(d);
     s.kind = ShapeKind::box;
     s.half_size = {0.5, 0.5, kBlockHalfHeight};
-    w.add_shape(s);
+    for (int i = 0; i < count; ++i) {
+        d.position = {0.0, 3.0 * i, kBlockHalfHeight};
+        blocks.push_back(s.body = w.add_body(d));
+        w.add_shape(s);
+    }
+    return w;
+}
+
+World block_on_floor(BodyId& block) {
+    std::vector<BodyId> blocks;
+    World w = blocks_on_floor(1, blocks);
+    block = blocks[0];
     return w;
 }
 
@@ -79,6 +90,37 @@ TEST(Block, ExactlyAtTheLimitOfFrictionItNeitherFailsNorRunsAway) {
     // Above: the difference accelerates it, from half a step before 0 on.
     (void)pushed_way(1.1, speed);
     EXPECT_NEAR(speed, 0.1 * limit * 2.0, 0.1 * limit * h);
+}
+
+/// One of eight blocks is pushed: the step's second factorisation is of its contacts alone, and
+/// finds what it finds for a single block.
+TEST(Block, IterationsFactorWhatChangedOnly) {
+    const Vec3 push(2.0 * kBlockFriction * kBlockMass * 9.81, 0.0, 0.0);
+    BodyId single;
+    World alone = block_on_floor(single);
+    std::vector<BodyId> blocks;
+    World w = blocks_on_floor(8, blocks);
+    for (int i = 0; i < 30; ++i) {
+        ASSERT_EQ(alone.step(), Status::ok);
+        ASSERT_EQ(w.step(), Status::ok);
+    }
+    EXPECT_EQ(w.stats().partial_factorisations, 0) << "at rest one factorisation does";
+    alone.set_force(single, push, Vec3::Zero());
+    w.set_force(blocks[3], push, Vec3::Zero());
+    ASSERT_EQ(alone.step(), Status::ok);
+    ASSERT_EQ(w.step(), Status::ok);
+    EXPECT_GE(w.stats().partial_factorisations, 1);
+    EXPECT_LT(w.stats().partial_factorisations, w.stats().factorisations);
+    EXPECT_LE(w.stats().natural_map, w.settings().contact_tolerance);
+    const Twist expected = alone.velocity(single), pushed = w.velocity(blocks[3]);
+    EXPECT_GT(expected.linear.x(), 0.01);
+    // The same equations with other numbers beside them: the tolerance of the iterations.
+    EXPECT_LT((pushed.linear - expected.linear).norm(), 1e-6 * expected.linear.norm());
+    EXPECT_LT((pushed.angular - expected.angular).norm(), 1e-6 * expected.linear.norm());
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        if (i == 3) continue;
+        EXPECT_LT(w.velocity(blocks[i]).linear.norm(), 1e-9) << i;
+    }
 }
 
 }  // namespace
