@@ -78,6 +78,10 @@ TEST(Validate, friction) {
     expect_pass("capstan incline belt rolling_sphere rolling_resistance spinning_disk painleve",
                 28);
 }
+TEST(Validate, bollard) { expect_pass("bollard", 3); }
+TEST(Validate, joints_at_their_bounds) {
+    expect_pass("joint_friction joint_limits motor_limits", 17);
+}
 TEST(Validate, bouncing_ball) { expect_pass("20", 6); }
 TEST(Validate, stacks_and_walls) { expect_pass("stacks walls", 14); }
 
