@@ -60,7 +60,10 @@ int hashes_command(int argc, char** argv) {
     std::vector<std::string> files, methods{"newton"};
     HashOptions options;
     std::string json;
-    app.add_option("SCENE", files, "Scene files; default: all of scenes/ with contacts");
+    app.add_option(
+        "SCENE", files,
+        "Scene files; default: all of scenes/ with contacts, or friction, ranges or motors "
+        "of joints");
     app.add_option("--steps", options.steps, "Steps of each run")
         ->check(CLI::Range(2, 10'000'000))
         ->capture_default_str();
@@ -73,7 +76,7 @@ int hashes_command(int argc, char** argv) {
     app.add_option("--json", json, "Write the figures to this file");
     CLI11_PARSE(app, argc, argv);
 
-    if (files.empty()) files = contact_scenes("scenes");
+    if (files.empty()) files = nonsmooth_scenes("scenes");
     if (methods.front() == "all") methods = {"newton", "pivoting", "split", "pgs", "convex"};
     fmt::print("hashes after every step, {} thread(s), saved half way; {}\n",
                fmt::join(options.threads, ", "), instruction_set());

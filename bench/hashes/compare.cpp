@@ -17,6 +17,16 @@ scene::Scene load_for_hashes(const std::string& file, const HashOptions& options
     return scene::load_file(file, o);
 }
 
+/// Whether a joint has friction, a range, or a motor whose force may be limited.
+bool has_bounds(const World& world) {
+    for (int i = 0; i < world.interaction_count(); ++i) {
+        const std::string kind = kind_info(world.interaction_def(InteractionId{i}).kind).name;
+        if (kind.ends_with("_friction") || kind.ends_with("_range") || kind.ends_with("_motor"))
+            return true;
+    }
+    return false;
+}
+
 /// What a step that failed counts as: its state is that of the step before.
 constexpr std::uint64_t kFailed = 0;
 
@@ -85,14 +95,14 @@ HashComparison compare_hashes(const std::string& file, const HashOptions& option
     return out;
 }
 
-std::vector<std::string> contact_scenes(const std::string& folder) {
+std::vector<std::string> nonsmooth_scenes(const std::string& folder) {
     std::vector<std::string> found;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();
         // A state or a part has a name of two words: "anchor_lines.settled.json".
         if (!name.ends_with(".json") || name.find('.') + 5 != name.size()) continue;
-        if (scene::load_file(entry.path()).world.shape_count() > 0)
-            found.push_back(entry.path().string());
+        const World world = scene::load_file(entry.path()).world;
+        if (world.shape_count() > 0 || has_bounds(world)) found.push_back(entry.path().string());
     }
     std::sort(found.begin(), found.end());
     return found;

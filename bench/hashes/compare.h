@@ -46,7 +46,8 @@ struct HashComparison {
 /// @throws scene::SceneError; DefError.
 [[nodiscard]] HashComparison compare_hashes(const std::string& file, const HashOptions& options);
 
-/// Scene files of a folder in which something can touch, by name.
-[[nodiscard]] std::vector<std::string> contact_scenes(const std::string& folder);
+/// Scene files of a folder in which something can touch, or a joint has friction, a range or a
+/// motor, by name.
+[[nodiscard]] std::vector<std::string> nonsmooth_scenes(const std::string& folder);
 
 }  // namespace hawser::bench
