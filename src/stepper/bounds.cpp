@@ -102,11 +102,18 @@ ImpulseRange impulse_range(const StepContext& ctx, std::int32_t id) noexcept {
 void reserve_bounds(StepContext& ctx) {
     ctx.newton.row.resize(ctx.system.bounded.size());
     ctx.newton.row_end.resize(ctx.system.bounded.size());
+    const model::Interactions& in = ctx.interactions;
+    ctx.newton.loaded.clear();
+    for (const std::int32_t id : ctx.system.bounded)
+        if ((in.flags[at(id)] & model::kFriction) && in.load_begin[at(id)] >= 0)
+            ctx.newton.loaded.push_back(id);
+    ctx.newton.follow.reserve(ctx.newton.loaded.size());
 }
 
 void hold_bounds(StepContext& ctx, double time) noexcept {
     model::Interactions& in = ctx.interactions;
     ctx.newton.bound_time = time;
+    ctx.newton.follow.restart();
     for (const std::int32_t id : ctx.system.bounded) {
         double& held = in.held[at(id)];
         held = 0.0;
@@ -154,9 +161,36 @@ double bounds_map(const StepContext& ctx) noexcept {
     return largest;
 }
 
+namespace {
+
+/// Impulses at bounds that follow their loads, where they are idle. Others are not part of it.
+void read_held(const StepContext& ctx, double* out) noexcept {
+    for (const std::int32_t id : ctx.newton.loaded)
+        *out++ = ctx.interactions.active[at(id)] == 0.0 ? ctx.interactions.held[at(id)] : 0.0;
+}
+
+/// Bounds moved with their loads: farther, by what that did the last times.
+void extrapolate_bounds(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    nonsmooth::Anderson& follow = ctx.newton.follow;
+    read_held(ctx, follow.image());
+    const double* x = follow.next(ctx.contact_floor);
+    for (const std::int32_t id : ctx.newton.loaded) {
+        double& held = ctx.interactions.held[at(id)];
+        const double there = *x++;
+        // Friction does not turn round, whatever its load.
+        if (v.active[id] != 0.0 || !(there * held > 0.0)) continue;
+        held = v.lambda[v.row_begin[id]] = there;
+    }
+}
+
+}  // namespace
+
 std::int32_t switch_bounds(StepContext& ctx, double floor, std::int32_t most) noexcept {
     const View v = view(ctx);
     std::int32_t asking = 0;
+    const bool follows = most > 0 && !ctx.newton.loaded.empty();
+    if (follows) read_held(ctx, ctx.newton.follow.x());
     for (std::size_t i = 0; i < ctx.system.bounded.size(); ++i) {
         const std::int32_t id = ctx.system.bounded[i], row = v.row_begin[id];
         const ImpulseRange range = impulse_range(ctx, id);
@@ -181,6 +215,8 @@ std::int32_t switch_bounds(StepContext& ctx, double floor, std::int32_t most) no
         held = projected;
         v.lambda[row] = projected;
     }
+    if (follows && asking == 0) extrapolate_bounds(ctx);
+    if (asking > 0) ctx.newton.follow.restart();
     return asking;
 }
 

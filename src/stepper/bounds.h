@@ -17,9 +17,11 @@
 /// statuses of the last, and those that the solution contradicts change. A status changes the
 /// matrix; a bound that moves with a load changes the right-hand side only.
 ///
-/// Limits. The bound of friction lags an iteration behind its load; loads that friction itself
-/// makes up by a share s take log(1e-6)/log(s) iterations, each the cost of a solve. A line round a
-/// bollard has s = tanh(μδ/2).
+/// **Loads.** The bound of friction lags an iteration behind its load; loads that friction itself
+/// makes up by a share s would take log(1e-6)/log(s) iterations, each the cost of a substitution: a
+/// line round a bollard has s = tanh(μδ/2), for three turns at μ = 0.3 that is 2,000 of them. While
+/// no status changes λ is affine in the bounds, so that Anderson's acceleration ends after as many
+/// iterations as there are bounds that depend on each other, and one (nonsmooth/anderson.h).
 
 #include "stepper/context.h"
 

@@ -10,6 +10,7 @@
 #include "collide/collider.h"
 #include "model/bodies.h"
 #include "model/interactions.h"
+#include "nonsmooth/anderson.h"
 #include "nonsmooth/box.h"
 #include "nonsmooth/gmres.h"
 #include "nonsmooth/resistance.h"
@@ -58,6 +59,8 @@ struct Newton {
     std::vector<double> contact;           ///< u and λ there, six a contact, then six a resistance.
     std::vector<BoundedRow> row, row_end;  ///< Where an iteration begins, and ends.
     double bound_time = 0.0;               ///< That bounds of forces act for, see bounds.h [s].
+    std::vector<std::int32_t> loaded;      ///< Rows of friction whose bound moves, likewise.
+    nonsmooth::Anderson follow;            ///< Their impulses.
     std::vector<nonsmooth::Law> laws;      ///< Of each contact, about the iterate.
     std::vector<nonsmooth::ResistanceLaw> turns;  ///< Of each resistance, likewise.
     nonsmooth::Gmres gmres;

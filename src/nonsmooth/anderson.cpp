@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nonsmooth/anderson.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::nonsmooth {
+namespace {
+
+double dot(const double* a, const double* b, std::size_t n) noexcept {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < n; ++i) sum += a[i] * b[i];
+    return sum;
+}
+
+/// A difference that says nothing beyond the later ones, to rounding.
+constexpr double kDependent = 1e-10;
+/// Growth of the residual that ends a history.
+constexpr double kWorse = 100;
+
+}  // namespace
+
+void Anderson::reserve(std::size_t n) {
+    n_ = n;
+    for (std::vector<double>* a : {&x_, &image_, &f_, &last_f_, &last_image_, &weight_})
+        a->resize(n);
+    for (std::vector<double>* a : {&df_, &dg_, &q_}) a->resize(n * kDepth);
+    restart();
+}
+
+const double* Anderson::next(double floor) noexcept {
+    for (std::size_t i = 0; i < n_; ++i) {
+        f_[i] = image_[i] - x_[i];
+        // Weights of the first iteration, so that norms can be compared.
+        if (count_ < 0) weight_[i] = 1.0 / (std::fabs(image_[i]) + floor);
+        f_[i] *= weight_[i];
+    }
+    const double norm = std::sqrt(dot(f_.data(), f_.data(), n_));
+    if (count_ >= 0 && norm > kWorse * norm_) count_ = -1;
+    if (count_ >= 0) {
+        // The oldest goes.
+        std::rotate(df_.begin(), df_.end() - static_cast<std::ptrdiff_t>(n_), df_.end());
+        std::rotate(dg_.begin(), dg_.end() - static_cast<std::ptrdiff_t>(n_), dg_.end());
+        for (std::size_t i = 0; i < n_; ++i) {
+            df(0)[i] = f_[i] - last_f_[i];
+            dg(0)[i] = image_[i] - last_image_[i];
+        }
+    }
+    count_ = std::min(count_ + 1, kDepth);
+    norm_ = norm;
+    last_f_ = f_;
+    last_image_ = image_;
+    // Modified Gram-Schmidt from the latest on; dependent ones are left out.
+    double r[kDepth][kDepth] = {}, rhs[kDepth] = {};
+    int used = 0, index[kDepth];
+    for (int j = 0; j < count_; ++j) {
+        double* v = q(used);
+        std::copy_n(df(j), n_, v);
+        const double whole = std::sqrt(dot(v, v, n_));
+        for (int k = 0; k < used; ++k) {
+            r[k][used] = dot(q(k), v, n_);
+            for (std::size_t i = 0; i < n_; ++i) v[i] -= r[k][used] * q(k)[i];
+        }
+        const double left = std::sqrt(dot(v, v, n_));
+        if (!(left > kDependent * whole)) continue;
+        for (std::size_t i = 0; i < n_; ++i) v[i] /= left;
+        r[used][used] = left;
+        rhs[used] = dot(v, f_.data(), n_);
+        index[used++] = j;
+    }
+    std::copy(image_.begin(), image_.end(), x_.begin());
+    for (int k = used - 1; k >= 0; --k) {
+        double gamma = rhs[k];
+        for (int l = k + 1; l < used; ++l) gamma -= r[k][l] * rhs[l];
+        gamma /= r[k][k];
+        rhs[k] = gamma;
+        for (std::size_t i = 0; i < n_; ++i) x_[i] -= gamma * dg(index[k])[i];
+    }
+    return x_.data();
+}
+
+}  // namespace hawser::nonsmooth

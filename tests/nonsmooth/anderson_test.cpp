@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nonsmooth/anderson.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace hawser::nonsmooth {
+namespace {
+
+/// Iterations until x = F(x) to `tolerance`, or `most`.
+template <class F>
+int iterate_to(Anderson& a, Eigen::VectorXd& x, F&& f, double tolerance, int most) {
+    for (int k = 1; k <= most; ++k) {
+        const Eigen::VectorXd image = f(x);
+        if ((image - x).cwiseAbs().maxCoeff() <= tolerance * image.cwiseAbs().maxCoeff()) return k;
+        std::copy_n(x.data(), x.size(), a.x());
+        std::copy_n(image.data(), image.size(), a.image());
+        x = Eigen::Map<const Eigen::VectorXd>(a.next(1e-12), x.size());
+    }
+    return most + 1;
+}
+
+/// F(x) = A x + b with a spectral radius of 0.999: n + 1 evaluations find the fixed point, one more
+/// sees it.
+TEST(AndersonAcceleration, EndsAfterAsManyIterationsAsUnknowns) {
+    std::mt19937_64 random(7);
+    std::normal_distribution<double> normal;
+    for (int n = 1; n <= Anderson::kDepth; ++n)
+        for (int trial = 0; trial < 20; ++trial) {
+            Eigen::MatrixXd a(n, n);
+            Eigen::VectorXd b(n);
+            for (int i = 0; i < n; ++i) {
+                b[i] = normal(random);
+                for (int j = 0; j < n; ++j) a(i, j) = normal(random);
+            }
+            a *= 0.999 / a.eigenvalues().cwiseAbs().maxCoeff();
+            Anderson accelerate;
+            accelerate.reserve(static_cast<std::size_t>(n));
+            Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
+            const int taken = iterate_to(
+                accelerate, x, [&](const auto& y) { return (a * y + b).eval(); }, 1e-9, 60);
+            // Where growth forgot a history in between, once more.
+            EXPECT_LE(taken, 2 * n + 4) << n;
+            const Eigen::VectorXd exact =
+                (Eigen::MatrixXd::Identity(n, n) - a).fullPivLu().solve(b);
+            // 1e-9 over 1 − 0.999, and what is not normal about A.
+            EXPECT_LT((x - exact).norm(), 1e-4 * exact.norm()) << n;
+        }
+}
+
+/// A map that is not affine, with kinks such as bounds have.
+TEST(AndersonAcceleration, ConvergesThroughKinks) {
+    Anderson accelerate;
+    accelerate.reserve(2);
+    Eigen::VectorXd x = Eigen::VectorXd::Constant(2, 1.0);
+    const auto f = [](const Eigen::VectorXd& y) {
+        return Eigen::VectorXd{{1.0 + 0.99 * std::fabs(y[1]), 2.0 + 0.98 * std::max(y[0], 3.0)}};
+    };
+    EXPECT_LE(iterate_to(accelerate, x, f, 1e-12, 60), 20);
+    EXPECT_NEAR(x[0], 2.98 / (1.0 - 0.99 * 0.98), 1e-7);
+}
+
+TEST(AndersonAcceleration, ForgetsWhatItIsToldTo) {
+    const auto affine = [](double slope, const Eigen::VectorXd& y) -> Eigen::VectorXd {
+        return slope * y + Eigen::VectorXd::Ones(1);
+    };
+    Anderson accelerate;
+    accelerate.reserve(1);
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(1);
+    EXPECT_LE(
+        iterate_to(accelerate, x, [&](const auto& y) { return affine(0.9, y); }, 1e-12, 60), 4);
+    accelerate.restart();
+    EXPECT_LE(
+        iterate_to(accelerate, x, [&](const auto& y) { return affine(-0.9, y); }, 1e-12, 60), 4);
+    EXPECT_NEAR(x[0], 1.0 / 1.9, 1e-12);
+}
+
+}  // namespace
+}  // namespace hawser::nonsmooth
