@@ -161,8 +161,9 @@ void Contacts::set(std::size_t index, const collide::Contact& in, const collide:
     if (in.gap <= 0.0 && speed > 0.0) cone.b[0] += upsilon * speed;
 }
 
-void Contacts::remember(const model::Bodies& bodies, double h) noexcept {
-    for (std::size_t k = 0; k < rows.size(); ++k) {
+void Contacts::remember(const model::Bodies& bodies, double h, std::int32_t begin,
+                        std::int32_t end) noexcept {
+    for (std::size_t k = at(begin); k < at(end); ++k) {
         const ContactRow& row = rows[k];
         const nonsmooth::Cone& c = cones[k];
         ContactMemory& m = next_[k];
@@ -183,6 +184,9 @@ void Contacts::remember(const model::Bodies& bodies, double h) noexcept {
         set_anchor(bodies, m, 0, p);
         set_anchor(bodies, m, 1, p + held - move);
     }
+}
+
+void Contacts::keep(double h) noexcept {
     memory.swap(next_);
     resistances.remember(rows, h);
 }

@@ -170,8 +170,8 @@ void Contacts::update_resistances(const double* v, std::int32_t begin, std::int3
                            resistances.laws.data(), begin, end, v, slot_impulse.data());
 }
 
-void Contacts::gather() noexcept {
-    for (std::size_t i = 0; i < touched_.size(); ++i) {
+void Contacts::gather(std::int32_t begin, std::int32_t end) noexcept {
+    for (std::size_t i = at(begin); i < at(end); ++i) {
         const std::int32_t body = touched_[i];
         double sum[6] = {};
         for (std::int32_t k = incident_begin_[i]; k < incident_begin_[i + 1]; ++k)

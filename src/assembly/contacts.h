@@ -82,8 +82,10 @@ class Contacts {
     void update_resistances(const double* v, std::int32_t begin, std::int32_t end) noexcept;
     /// λ of contact k: that of the last step.
     void recall_lambda(std::size_t k) noexcept;
-    /// Jᵀλ of every body, after update() of all.
-    void gather() noexcept;
+    /// Bodies with contacts in this step.
+    [[nodiscard]] std::size_t touched() const noexcept { return touched_.size(); }
+    /// Jᵀλ of some of these, after update() of all.
+    void gather(std::int32_t begin, std::int32_t end) noexcept;
     /// Jᵀx added to the solver's vector, for an impulse x on each contact (three a contact, then
     /// three a resistance).
     void scatter(const double* x, double* solution, const std::int32_t* offset) const noexcept;
@@ -93,8 +95,11 @@ class Contacts {
     void mark_blocks() noexcept;
     void write_blocks(std::int32_t begin, std::int32_t end) noexcept;
 
-    /// After the solve, before the bodies move: the memory that the next step starts from.
-    void remember(const model::Bodies& bodies, double h) noexcept;
+    /// After the solve, before the bodies move: the memory that the next step starts from, of
+    /// contacts [begin, end). When all have been done, keep().
+    void remember(const model::Bodies& bodies, double h, std::int32_t begin,
+                  std::int32_t end) noexcept;
+    void keep(double h) noexcept;
 
     [[nodiscard]] std::size_t count() const noexcept { return rows.size(); }
     /// Contacts and resistances: rows in threes.

@@ -15,6 +15,7 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 constexpr int kPlaceChunk = 256;  ///< Shapes of one task.
 constexpr int kPairChunk = 32;    ///< Pairs of one task.
+constexpr int kContactChunk = 256;
 
 constexpr std::size_t kChunkRoom = kPairChunk * kMaxManifold;
 
@@ -28,7 +29,7 @@ int chunks(std::size_t count, int size) { return (static_cast<int>(count) + size
 
 }  // namespace
 
-/// Owners of lumps, see mark_duplicates().
+/// Owners of lumps, see is_duplicate().
 void Collider::find_owners(int body_count) {
     std::vector<std::int32_t> owner(at(body_count), -1);
     for (std::int32_t i = 0; i < count(); ++i) {
@@ -117,14 +118,20 @@ void Collider::narrow(double h, base::Executor& pool) {
     pool.for_each(tasks, task);
 }
 
-void Collider::put_together(ContactSet& out) {
+void Collider::put_together(ContactSet& out, base::Executor& pool) {
     const int tasks = chunks(pairs_.size(), kPairChunk);
     std::size_t total = 0;
     for (int i = 0; i < tasks; ++i) total += at(chunk_size_[at(i)]);
     resize_with_room(out.contacts, total);
     auto to = out.contacts.begin();
     for (int i = 0; i < tasks; ++i) to = std::copy_n(chunks_[at(i)].get(), chunk_size_[at(i)], to);
-    mark_duplicates(out.contacts, shapes_, drop_);
+    resize_with_room(drop_, total);
+    auto mark = [&](int i, int) noexcept {
+        const std::size_t end = std::min(total, at((i + 1) * kContactChunk));
+        for (std::size_t k = at(i * kContactChunk); k < end; ++k)
+            drop_[k] = is_duplicate(out.contacts, k, shapes_) ? 1 : 0;
+    };
+    pool.for_each(chunks(total, kContactChunk), mark);
     std::size_t n = 0;
     for (std::size_t i = 0; i < total; ++i) {
         if (drop_[i] != 0) continue;
@@ -133,12 +140,15 @@ void Collider::put_together(ContactSet& out) {
     }
     out.contacts.resize(n);
     resize_with_room(found_, n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const Contact& c = out.contacts[i];
-        KeptContact& k = found_[i];
-        k = {{c.shape[0], c.shape[1]}, c.feature, 0, {}};
-        local_point(c, shapes_[at(c.shape[1])], placed_[at(c.shape[1])], k.at);
-    }
+    auto keep = [&](int i, int) noexcept {
+        const std::size_t end = std::min(n, at((i + 1) * kContactChunk));
+        for (std::size_t k = at(i * kContactChunk); k < end; ++k) {
+            const Contact& c = out.contacts[k];
+            found_[k] = {{c.shape[0], c.shape[1]}, c.feature, 0, {}};
+            local_point(c, shapes_[at(c.shape[1])], placed_[at(c.shape[1])], found_[k].at);
+        }
+    };
+    pool.for_each(chunks(n, kContactChunk), keep);
     match(out.contacts, found_, kept_, kept_awake_, kMatchMargins * margin, taken_);
     out.awake = found_awake_ = n;
 }
@@ -176,7 +186,7 @@ bool Collider::collide(const model::Bodies& bodies, double h, ContactSet& out,
         place_all(bodies, h, pool);
         broad_.find(placed_, filter_, h, margin, pool, pairs_);
         narrow(h, pool);
-        put_together(out);
+        put_together(out, pool);
     } catch (const std::bad_alloc&) {
         out.contacts.clear();
         out.awake = found_awake_ = 0;

@@ -88,7 +88,7 @@ class Collider {
   private:
     void place_all(const model::Bodies& bodies, double h, base::Executor& pool) noexcept;
     void narrow(double h, base::Executor& pool);
-    void put_together(ContactSet& out);
+    void put_together(ContactSet& out, base::Executor& pool);
     void find_owners(int body_count);
     void find_lines(const model::Interactions& interactions);
 

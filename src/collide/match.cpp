@@ -68,25 +68,6 @@ bool same_contact(const Contact& c, int s, const Contact& o, int t) noexcept {
     return true;
 }
 
-bool is_duplicate(const std::vector<Contact>& contacts, std::size_t i,
-                  const std::vector<Shape>& shapes) noexcept {
-    const Contact& c = contacts[i];
-    for (int s = 0; s < 2; ++s) {
-        const Shape& shape = shapes[at(c.shape[s])];
-        const Side side = side_of(c, s);
-        if (!shape.segment() || side.slots != 1) continue;
-        const std::int32_t owner = shape.owner[side.body == shape.body[0] ? 0 : 1];
-        const std::int32_t other = c.shape[1 - s];
-        if (owner < 0 || owner == other) continue;
-        const std::int32_t a = std::min(owner, other), b = std::max(owner, other);
-        const int t = owner < other ? 0 : 1;
-        for (std::size_t j = find(contacts, i, a, b);
-             j < contacts.size() && contacts[j].shape[0] == a && contacts[j].shape[1] == b; ++j)
-            if (same_contact(c, s, contacts[j], t)) return true;
-    }
-    return false;
-}
-
 double distance_squared(const double* a, const double* b) noexcept {
     const V3 d = load3(a) - load3(b);
     return dot(d, d);
@@ -131,11 +112,23 @@ void local_point(const Contact& contact, const Shape& side, const Placed& placed
     store3(out, side.segment() ? d : generic::tmul(generic::load9(placed.at.r), d));
 }
 
-void mark_duplicates(const std::vector<Contact>& contacts, const std::vector<Shape>& shapes,
-                     base::Array<std::uint8_t>& drop) {
-    resize_with_room(drop, contacts.size());
-    for (std::size_t i = 0; i < contacts.size(); ++i)
-        drop[i] = is_duplicate(contacts, i, shapes) ? 1 : 0;
+bool is_duplicate(const std::vector<Contact>& contacts, std::size_t i,
+                  const std::vector<Shape>& shapes) noexcept {
+    const Contact& c = contacts[i];
+    for (int s = 0; s < 2; ++s) {
+        const Shape& shape = shapes[at(c.shape[s])];
+        const Side side = side_of(c, s);
+        if (!shape.segment() || side.slots != 1) continue;
+        const std::int32_t owner = shape.owner[side.body == shape.body[0] ? 0 : 1];
+        const std::int32_t other = c.shape[1 - s];
+        if (owner < 0 || owner == other) continue;
+        const std::int32_t a = std::min(owner, other), b = std::max(owner, other);
+        const int t = owner < other ? 0 : 1;
+        for (std::size_t j = find(contacts, i, a, b);
+             j < contacts.size() && contacts[j].shape[0] == a && contacts[j].shape[1] == b; ++j)
+            if (same_contact(c, s, contacts[j], t)) return true;
+    }
+    return false;
 }
 
 void match(std::vector<Contact>& contacts, const base::Array<KeptContact>& now,

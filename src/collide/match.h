@@ -34,9 +34,9 @@ void local_point(const Contact& contact, const Shape& side, const Placed& placed
 /// on a plane touches it in n + 1 points, whatever it slides over. Where the owner touches the
 /// other shape elsewhere along its length both stay: each carries its share, which changes
 /// smoothly as the wire moves.
-/// @param contacts  Ascending by their keys. @param drop  1 for those to leave out; resized.
-void mark_duplicates(const std::vector<Contact>& contacts, const std::vector<Shape>& shapes,
-                     base::Array<std::uint8_t>& drop);
+/// @param contacts  Ascending by their keys. @return whether contact i is one to leave out.
+[[nodiscard]] bool is_duplicate(const std::vector<Contact>& contacts, std::size_t i,
+                                const std::vector<Shape>& shapes) noexcept;
 
 /// Fill in Contact::previous. The same key, else the nearest one of the same two shapes that has
 /// no successor yet and is within `radius` [m] of the same place on side 1: memory of friction

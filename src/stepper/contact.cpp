@@ -26,6 +26,7 @@ void make_room(StepContext& ctx) {
     const std::size_t held = c.bytes();
     const std::size_t all = ctx.contacts.contacts.size(), n = ctx.contacts.awake;
     c.begin(n, all - n);
+    ctx.partial.resize(at(StepContext::chunks(static_cast<std::int32_t>(n))));
     if (ctx.def.nonsmooth == Nonsmooth::split) reserve_gauss_seidel(ctx, n);
     ctx.contact_impulse.resize(3 * all);
     ctx.contact_sliding.resize(all);
@@ -88,9 +89,11 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
     const collide::ContactSet& set = ctx.contacts;
     try {
         make_room(ctx);
-        for (std::size_t k = 0; k < set.awake; ++k)
-            c.set(k, set.contacts[k], set.surfaces[at(set.contacts[k].surface)], ctx.bodies,
-                  ctx.def.step);
+        over(ctx, static_cast<std::int32_t>(set.awake), [&](std::int32_t a, std::int32_t b) {
+            for (std::size_t k = at(a); k < at(b); ++k)
+                c.set(k, set.contacts[k], set.surfaces[at(set.contacts[k].surface)], ctx.bodies,
+                      ctx.def.step);
+        });
         for (std::size_t k = set.awake; k < set.contacts.size(); ++k)
             c.set_asleep(k, set.contacts[k].previous);
         make_resistances(ctx);
@@ -107,11 +110,13 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
     // u of the last step's velocities; λ is that of the last step.
     update_rows(ctx, ctx.bodies.v.data());
     c.resistances.recall(c.rows);
-    for (std::size_t k = 0; k < c.count(); ++k) {
-        std::copy_n(c.cones[k].u, 3, &ctx.contact_speed[3 * k]);
-        c.recall_lambda(k);
-        if (phase == Phase::stagger) ask_for_acceleration(c.cones[k], set.contacts[k].gap);
-    }
+    over(ctx, static_cast<std::int32_t>(c.count()), [&](std::int32_t a, std::int32_t b) {
+        for (std::size_t k = at(a); k < at(b); ++k) {
+            std::copy_n(c.cones[k].u, 3, &ctx.contact_speed[3 * k]);
+            c.recall_lambda(k);
+            if (phase == Phase::stagger) ask_for_acceleration(c.cones[k], set.contacts[k].gap);
+        }
+    });
     double* speed = ctx.contact_speed.data() + 3 * c.count();
     for (nonsmooth::Resistance& a : c.resistances.laws) {
         speed = std::copy_n(a.u, 3, speed);
@@ -125,7 +130,9 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
 
 void update_contacts(StepContext& ctx, const double* v) noexcept {
     update_rows(ctx, v);
-    ctx.system.contacts.gather();
+    Contacts& c = ctx.system.contacts;
+    over(ctx, static_cast<std::int32_t>(c.touched()),
+         [&](std::int32_t a, std::int32_t b) { c.gather(a, b); });
 }
 
 // λ·J(v + v₊)/2 is exactly what a contact does to the kinetic energy of the bodies that move: all
@@ -156,7 +163,9 @@ void count_contact_work(StepContext& ctx) noexcept {
 
 void remember_contacts(StepContext& ctx) noexcept {
     Contacts& c = ctx.system.contacts;
-    c.remember(ctx.bodies, ctx.def.step);
+    over(ctx, static_cast<std::int32_t>(c.count()),
+         [&](std::int32_t a, std::int32_t b) { c.remember(ctx.bodies, ctx.def.step, a, b); });
+    c.keep(ctx.def.step);
     for (std::size_t k = 0; k < ctx.contacts.contacts.size(); ++k) {
         std::copy_n(c.memory[k].lambda, 3, &ctx.contact_impulse[3 * k]);
         const bool slides = k < c.count() && c.cones[k].touch == nonsmooth::Touch::slip;

@@ -122,6 +122,7 @@ struct StepContext {
     std::int64_t step_flops = 0;              ///< Of all factorisations of the step.
     Newton newton;                            ///< Of a world in which something may touch.
     std::vector<std::int32_t> columns;        ///< Scratch: nodes, one a block of contacts.
+    std::vector<double> partial;              ///< Scratch of merged_over().
     Sleep sleep;
     double contact_floor = 0.0;          ///< Impulse of a contact that does not count [N s].
     double residual_floor = 0.0;         ///< Denominator floor of the momentum residual.

@@ -135,17 +135,30 @@ double contacts_merit(const StepContext& ctx, double t) noexcept {
     return sum;
 }
 
-double worst(const StepContext& ctx) noexcept {
-    double largest = 0.0;
-    for (const Cone& c : ctx.system.contacts.cones)
-        largest = std::max(largest, nonsmooth::natural_map(c, ctx.contact_floor));
+namespace {
+
+/// The larger, or what is not a number.
+double nan_or_more(double a, double b) noexcept { return b <= a || a != a ? a : b; }
+
+}  // namespace
+
+double worst(StepContext& ctx) noexcept {
     const Contacts& contacts = ctx.system.contacts;
+    auto some = [&](std::int32_t begin, std::int32_t end) {
+        double largest = 0.0;
+        for (std::size_t k = at(begin); k < at(end); ++k)
+            largest =
+                nan_or_more(largest, nonsmooth::natural_map(contacts.cones[k], ctx.contact_floor));
+        return largest;
+    };
+    double largest =
+        merged_over(ctx, static_cast<std::int32_t>(contacts.count()), some, nan_or_more);
     const assembly::Resistances& resistances = contacts.resistances;
     for (std::size_t k = 0; k < resistances.count(); ++k)
-        largest = std::max(largest,
-                           nonsmooth::natural_map(resistances.laws[k],
-                                                  contacts.cones[at(resistances.rows[k].contact)],
-                                                  ctx.contact_floor));
+        largest = nan_or_more(
+            largest, nonsmooth::natural_map(resistances.laws[k],
+                                            contacts.cones[at(resistances.rows[k].contact)],
+                                            ctx.contact_floor));
     return largest;
 }
 

@@ -22,6 +22,6 @@ void shorten(StepContext& ctx, double t) noexcept;
 [[nodiscard]] double contacts_merit(const StepContext& ctx, double t) noexcept;
 
 /// Largest relative residual of Coulomb's law over contacts, see nonsmooth::natural_map().
-[[nodiscard]] double worst(const StepContext& ctx) noexcept;
+[[nodiscard]] double worst(StepContext& ctx) noexcept;
 
 }  // namespace hawser::stepper

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace hawser::stepper {
@@ -30,13 +31,18 @@ constexpr int kTogether = 24;   ///< Iterations in which any number of rows may 
 /// Linear laws of all contacts about the iterate. @return contacts whose status changed.
 std::int32_t linearise(StepContext& ctx) noexcept {
     Contacts& contacts = ctx.system.contacts;
-    std::int32_t flips = 0;
-    for (std::size_t k = 0; k < contacts.count(); ++k) {
-        Cone& c = contacts.cones[k];
-        const nonsmooth::Touch before = c.touch;
-        ctx.newton.laws[k] = nonsmooth::linearise(c, c.touch);
-        flips += c.touch != before ? 1 : 0;
-    }
+    auto some = [&](std::int32_t begin, std::int32_t end) {
+        std::int32_t changed = 0;
+        for (std::size_t k = at(begin); k < at(end); ++k) {
+            Cone& c = contacts.cones[k];
+            const nonsmooth::Touch before = c.touch;
+            ctx.newton.laws[k] = nonsmooth::linearise(c, c.touch);
+            changed += c.touch != before ? 1 : 0;
+        }
+        return static_cast<double>(changed);
+    };
+    auto flips = static_cast<std::int32_t>(
+        merged_over(ctx, static_cast<std::int32_t>(contacts.count()), some, std::plus<double>()));
     assembly::Resistances& resistances = contacts.resistances;
     for (std::size_t k = 0; k < resistances.count(); ++k) {
         nonsmooth::Resistance& a = resistances.laws[k];

@@ -18,6 +18,20 @@ void over(StepContext& ctx, std::int32_t count, F&& f) noexcept {
     ctx.pool.for_each(StepContext::chunks(count), task);
 }
 
+/// The results of f(begin, end) over chunks of [0, count), merged in their order: they do not
+/// depend on threads. There is room for as many as there are contacts (contact.cpp).
+template <class F, class Merge>
+[[nodiscard]] double merged_over(StepContext& ctx, std::int32_t count, F&& f,
+                                 Merge&& merge) noexcept {
+    over(ctx, count, [&](std::int32_t a, std::int32_t b) {
+        ctx.partial[static_cast<std::size_t>(a / StepContext::kChunk)] = f(a, b);
+    });
+    double sum = 0.0;
+    for (int i = 0; i < StepContext::chunks(count); ++i)
+        sum = merge(sum, ctx.partial[static_cast<std::size_t>(i)]);
+    return sum;
+}
+
 /// Call f for each of some ranges.
 template <class F>
 void each(std::span<const assembly::IndexRange> ranges, F&& f) noexcept {
