@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Random pairs of shapes against a slow reference in long double; tests/slow has 100,000 of each.
+#include "support/collide/ground_pairs.h"
 #include "support/collide/random_pairs.h"
 #include "support/sanitizer.h"
 
@@ -29,16 +30,19 @@ TEST_P(NarrowRandom, AgreesWithTheReference) {
 }
 
 TEST(NarrowRandomGround, AgreesWithTheReference) {
-    for (const ShapeKind kind : test::ground_kinds()) {
-        const int count = test::kSanitized ? 50 : 1000;
-        const test::Score score = test::judge_ground(kind, count, 1'000'000);
-        const std::string text = test::describe(kind, ShapeKind::heightfield, score);
-        EXPECT_GT(score.touching, count / 10) << text;
-        EXPECT_GT(score.apart, count / 10) << text;
-        EXPECT_EQ(score.wrong_verdicts, 0) << text;
-        EXPECT_EQ(score.bad_points, 0) << text;
-        EXPECT_LE(score.worst_gap, 1e-5) << text;
-    }
+    for (const test::Ground ground : test::grounds())
+        for (const ShapeKind kind : test::ground_kinds()) {
+            const int count = test::kSanitized ? 20 : 300;
+            const auto score = test::judge_ground(kind, ground, count, 1'000'000);
+            const std::string text = test::describe(kind, ground, score);
+            EXPECT_GT(score.touching, count / 10) << text;
+            EXPECT_GT(score.apart, count / 10) << text;
+            EXPECT_GT(score.normals, count / 4) << text;
+            EXPECT_EQ(score.wrong_verdicts, 0) << text;
+            EXPECT_EQ(score.bad_points, 0) << text;
+            EXPECT_LE(score.worst_gap, 1e-6) << text;
+            EXPECT_LE(score.worst_normal, 1e-6) << text;
+        }
 }
 
 TEST_P(NarrowRandom, AlignedShapesAgreeToo) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // 100,000 random pairs of shapes of each two kinds against a slow reference in long double.
+#include "support/collide/ground_pairs.h"
 #include "support/collide/random_pairs.h"
 
 #include <gtest/gtest.h>
@@ -34,14 +35,17 @@ TEST(NarrowPairs, AHundredThousandOfEachAgreeWithTheReference) {
 
 TEST(NarrowPairs, AHundredThousandOnGroundAgreeWithTheReference) {
     if (std::getenv("HAWSER_LONG") == nullptr)
-        GTEST_SKIP() << "takes minutes of a core: make test-long; tests/collide has 1,000 each";
-    for (const ShapeKind kind : test::ground_kinds()) {
-        const test::Score score = test::judge_ground(kind, 100'000, 1000);
-        std::printf("    %s\n", test::describe(kind, ShapeKind::heightfield, score).c_str());
-        EXPECT_EQ(score.wrong_verdicts, 0);
-        EXPECT_EQ(score.bad_points, 0);
-        EXPECT_LE(score.worst_gap, 1e-5);  // as for hulls and meshes
-    }
+        GTEST_SKIP() << "takes minutes of a core: make test-long; tests/collide has 300 each";
+    for (const test::Ground ground : test::grounds())
+        for (const ShapeKind kind : test::ground_kinds()) {
+            const auto score = test::judge_ground(kind, ground, 100'000, 1000);
+            std::printf("    %s\n", test::describe(kind, ground, score).c_str());
+            std::fflush(stdout);
+            EXPECT_EQ(score.wrong_verdicts, 0);
+            EXPECT_EQ(score.bad_points, 0);
+            EXPECT_LE(score.worst_gap, 1e-6);
+            EXPECT_LE(score.worst_normal, 1e-6);
+        }
 }
 
 }  // namespace

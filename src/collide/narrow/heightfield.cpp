@@ -74,14 +74,6 @@ int ring(const SurfaceTriangle& t, int corner, V3* out) {
     return count;
 }
 
-/// Deepest point of a shape along a triangle's normal; its gap may be positive.
-Point along_face(const Convex& shape, const SurfaceTriangle& t) {
-    const V3 n = t.triangle.face;
-    const V3 p = support(shape, -n) - shape.rounding * n;
-    const double gap = dot(n, p - t.triangle.corner[0]);
-    return {p, p - gap * n, -n, gap, t.name};
-}
-
 /// The cells under a shape, both ends included.
 struct Cells {
     int i0, i1, j0, j1;
@@ -89,7 +81,7 @@ struct Cells {
 
 /// A shape in the ground that no triangle claimed, see above.
 void claim(const Convex& shape, const Ground& g, const Cells& cells, Points& out) {
-    const V3 middle = shape.c + g.centre;
+    const V3 local = middle_of(shape), middle = local + g.centre;
     const double u = middle.x / g.data.cell[0] + 0.5 * (g.data.columns - 1);
     const double v = middle.y / g.data.cell[1] + 0.5 * (g.data.rows - 1);
     Point found{};
@@ -97,11 +89,11 @@ void claim(const Convex& shape, const Ground& g, const Cells& cells, Points& out
         for (int j = cells.j0; j <= cells.j1; ++j)
             for (const bool upper : {false, true}) {
                 const SurfaceTriangle t = triangle_of(g, i, j, upper);
-                const Point p = along_face(shape, t);
+                const Point p = along_face(shape, t, t.triangle.face);
                 if (p.gap >= 0.0 || (found.gap < 0.0 && p.gap <= found.gap)) continue;
                 const bool above = std::floor(v) == i && std::floor(u) == j &&
                                    (v - i > u - j) == upper &&
-                                   dot(t.triangle.face, shape.c - t.triangle.corner[0]) < 0.0;
+                                   dot(t.triangle.face, local - t.triangle.corner[0]) < 0.0;
                 if (!above && separate(shape, t.triangle, 0.0).s >= shape.rounding) continue;
                 found = p;
             }
@@ -160,6 +152,7 @@ HAWSER_PAIR(convex_heightfield) {
     const Convex shape = make_convex(a, local, local.x);
     const double lowest = box.low[2] - margin - local.x[2];
     Points points;
+    Point nearest{};  // Not asked for of a solid.
     for (int i = i0; i <= i1; ++i)
         for (int j = j0; j <= j1; ++j) {
             const double top = std::max({ground.node(i, j).z, ground.node(i, j + 1).z,
@@ -167,12 +160,10 @@ HAWSER_PAIR(convex_heightfield) {
             if (top <= lowest) continue;
             for (const bool upper : {false, true}) {
                 make_room(points, shape);
-                touch_triangle(shape, triangle_of(ground, i, j, upper), margin, points);
+                touch_triangle(shape, triangle_of(ground, i, j, upper), margin, points, nearest);
             }
         }
-    const auto in_ground = [](const Point& p) { return p.gap < 0.0; };
-    if (std::none_of(points.p, points.p + points.count, in_ground))
-        claim(shape, ground, {i0, i1, j0, j1}, points);
+    if (none_overlaps(points)) claim(shape, ground, {i0, i1, j0, j1}, points);
     finish_surface(points, pb, ground.centre, shape, out);
 }
 

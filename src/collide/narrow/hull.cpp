@@ -232,6 +232,8 @@ void make_hull(const ShapeDef& def, ShapeData& out) {
         refuse(def, "vertices has " + std::to_string(out.vertices.size()) +
                         " points on its hull; at most " + std::to_string(kMaxHull));
     link(def, out);
+    for (const V3& v : out.vertices) out.middle = out.middle + v;
+    out.middle = (1.0 / static_cast<double>(out.vertices.size())) * out.middle;
 }
 
 }  // namespace hawser::collide::narrow

@@ -180,6 +180,7 @@ HAWSER_PAIR(convex_mesh) {
     const V3 centre = generic::load3(local.x);
     const Seen seen{mesh, centre};
     Points points;
+    Point nearest{};
     int stack[kMaxDepth], depth = 0;
     stack[depth++] = 0;
     while (depth > 0) {
@@ -197,9 +198,10 @@ HAWSER_PAIR(convex_mesh) {
         }
         for (int t = node.first; t < node.first + node.count; ++t) {
             make_room(points, shape);
-            touch_triangle(shape, triangle_of(seen, t), margin, points);
+            touch_triangle(shape, triangle_of(seen, t), margin, points, nearest);
         }
     }
+    if (nearest.gap < 0.0 && none_overlaps(points)) points.add(nearest);
     finish_surface(points, pb, centre, shape, out);
 }
 

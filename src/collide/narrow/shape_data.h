@@ -35,6 +35,7 @@ struct ShapeData {
     double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};  ///< Box in the shape's frame [m].
     std::vector<generic::V3> vertices;               ///< Hull: those on its surface only.
     // Hull.
+    generic::V3 middle{0, 0, 0};  ///< Mean of the vertices, within the hull [m].
     std::vector<HullFace> faces;
     std::vector<std::int32_t> loop;       ///< Vertices of the faces.
     std::vector<std::int32_t> loop_edge;  ///< Edge from loop[i] to the next of its face.

@@ -3,6 +3,7 @@
 
 #include "collide/narrow/overlap.h"
 #include "collide/narrow/separate.h"
+#include "collide/narrow/shape_data.h"
 
 #include <algorithm>
 
@@ -12,6 +13,7 @@ namespace {
 constexpr double kLean = 1e-6;       ///< A neighbour that rises by less is flat [rad].
 constexpr double kGroup = 0.99;      ///< Cosine between normals of one group.
 constexpr double kSamePlace = 1e-6;  ///< Of the size.
+constexpr double kDeeper = 1e-8;     ///< Of the size: a deeper point is worth adding.
 
 /// Whether m (unit, out of the surface) is a normal at the part of the triangle that faces it.
 bool allowed(const SurfaceTriangle& t, const V3& m) {
@@ -65,23 +67,48 @@ void along_normal(const Convex& shape, const SurfaceTriangle& t, const V3& n, do
         } else {
             overlap(below, face, -n, 0.0, snap, found);
         }
+        if (found.count == 0) continue;
+        // Corners stand for a rim; its lowest point lies between two of them.
+        const V3 deep = support(shape, -n);
+        const double lowest = dot(n, deep - t.triangle.corner[0]);
+        double least = found.p[0].gap;
+        for (int i = 1; i < found.count; ++i) least = std::min(least, found.p[i].gap);
+        if (lowest < least - kDeeper * shape.size && over_triangle(t.triangle, deep, snap))
+            found.add({deep, deep - lowest * n, -n, lowest, feature(3, below.vertex[0], 0)});
         for (int i = 0; i < found.count; ++i) {
             Point p = found.p[i];
             p.on0 = p.on0 - shape.rounding * n;
             p.gap -= shape.rounding;
             if (p.gap < margin) out.add(p);
         }
-        if (found.count > 0) return;
+        return;
     }
 }
 
 }  // namespace
 
-void touch_triangle(const Convex& shape, const SurfaceTriangle& t, double margin, Points& out) {
+V3 middle_of(const Convex& shape) {
+    if (shape.kind != ShapeKind::hull || shape.data == nullptr) return shape.c;
+    return shape.c + shape.r * shape.data->middle;
+}
+
+Point along_face(const Convex& shape, const SurfaceTriangle& t, const V3& n) {
+    const V3 p = support(shape, -n) - shape.rounding * n;
+    const double gap = dot(n, p - t.triangle.corner[0]);
+    return {p, p - gap * n, -n, gap, t.name};
+}
+
+bool none_overlaps(const Points& points) {
+    return std::none_of(points.p, points.p + points.count,
+                        [](const Point& p) { return p.gap < 0.0; });
+}
+
+void touch_triangle(const Convex& shape, const SurfaceTriangle& t, double margin, Points& out,
+                    Point& nearest) {
     const Convex& triangle = t.triangle;
     const double enough = margin + shape.rounding;
     V3 n = triangle.face;
-    const double height = dot(n, shape.c - triangle.c);
+    const double height = dot(n, middle_of(shape) - triangle.c);
     if (height < 0.0 && !t.solid) n = -n;
     if (dot(n, support(shape, -n) - triangle.c) >= enough) return;
     // Beyond an edge by more than that.
@@ -95,15 +122,21 @@ void touch_triangle(const Convex& shape, const SurfaceTriangle& t, double margin
     // A shape below the surface of a solid is pushed up, not down.
     const bool below = t.solid && dot(m, n) <= 0.0;
     if (best.s >= enough && !below) return;
-    // The side of the centre, unless the other one is clearly nearer: at an edge of the shape m may
+    // The side of the middle, unless the other one is clearly nearer: at an edge of the shape m may
     // lie in the plane.
     if (!t.solid && dot(m, n) < -0.5) n = -n;
+    if (!t.solid && best.s < shape.rounding) {
+        const Point p = along_face(shape, t, n);
+        if (nearest.gap == 0.0 || p.gap > nearest.gap) nearest = p;
+    }
     Points found;
     if (!below && allowed(t, m))
         add_points(shape, triangle, best.n, best.s, margin, found);
     else
         along_normal(shape, t, n, margin, found);
     const double same = 4.0 * kSamePlace * (shape.size + shape.rounding + triangle.size);
+    // What is apart from a triangle with two sides, and deep, is over the other side.
+    if (!t.solid && best.s > shape.rounding + same && !none_overlaps(found)) return;
     for (int i = 0; i < found.count; ++i) {
         Point p = found.p[i];
         p.feature = name_of(t, p.feature);

@@ -8,7 +8,11 @@
 /// neighbouring vertex w rises towards it: m · (w − v) ≤ 0. Where one does, the normal of the
 /// triangle takes the place of m, and only what lies over the triangle along it touches; the
 /// neighbours have the rest. (Shapes that overlap a surface know no nearest point; they follow the
-/// same rule with the normal of least penetration.)
+/// same rule with the normal of least penetration.) A triangle with two sides that a shape does
+/// not overlap pushes nothing: what lies over it is beyond it, or nowhere.
+///
+/// What overlaps triangles of a surface and is claimed by none of them, such as a shape whose
+/// deepest point of each lies over another one, goes along the normal of the nearest of them.
 
 #include "collide/narrow/manifold.h"
 
@@ -29,9 +33,18 @@ struct SurfaceTriangle {
     int (*ring)(const SurfaceTriangle& triangle, int corner, V3* out);
 };
 
-/// Adds the points closer than `margin`; normals from the shape to the surface.
-void touch_triangle(const Convex& shape, const SurfaceTriangle& surface, double margin,
-                    Points& out);
+/// Adds the points closer than `margin`; normals from the shape to the surface. `nearest`: of the
+/// triangles with two sides that the shape overlaps so far, its deepest point along the normal of
+/// the nearest; a gap of 0: none.
+void touch_triangle(const Convex& shape, const SurfaceTriangle& surface, double margin, Points& out,
+                    Point& nearest);
+
+/// Deepest point of a shape along the triangle's normal n; its gap may be positive.
+[[nodiscard]] Point along_face(const Convex& shape, const SurfaceTriangle& t, const V3& n);
+/// Whether no point is deep.
+[[nodiscard]] bool none_overlaps(const Points& points);
+/// Middle of a shape: of a hull, the mean of its vertices, as its frame may lie anywhere.
+[[nodiscard]] V3 middle_of(const Convex& shape);
 
 /// A shape's place in the frame of a surface.
 [[nodiscard]] Placement seen_from(const Placement& shape, const Placement& surface) noexcept;

@@ -29,7 +29,8 @@ Placement random_placement(Random& random, double reach) {
 
 namespace {
 
-/// Faces of the hull of a few points (no four in one plane), and its edges, by trying all.
+/// Faces of the hull of a few points (no four in one plane), and its edges, by trying all; points
+/// inside it are dropped.
 void find_faces(RandomShape& s) {
     const std::size_t count = s.points.size();
     std::vector<std::vector<int>> uses(count, std::vector<int>(count, 0));
@@ -49,6 +50,14 @@ void find_faces(RandomShape& s) {
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = i + 1; j < count; ++j)
             if (uses[i][j] > 0) s.edges.push_back((s.points[j] - s.points[i]).normalized());
+    std::vector<Vec3> surface;
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = 0; j < count; ++j)
+            if (uses[std::min(i, j)][std::max(i, j)] > 0) {
+                surface.push_back(s.points[i]);
+                break;
+            }
+    s.points = surface;
 }
 
 }  // namespace
@@ -82,6 +91,8 @@ Answer against_plane(const Body& a, const Body& plane) {
     return {dot(n, support(a, -1.0L * n) - plane.c) - a.rounding, -1.0L * n, 0};
 }
 
+}  // namespace
+
 bool well_formed(const Manifold& m, double margin) {
     for (int i = 0; i < m.count; ++i) {
         const ManifoldPoint& p = m.point[i];
@@ -94,6 +105,8 @@ bool well_formed(const Manifold& m, double margin) {
     }
     return m.count <= collide::kMaxManifold;
 }
+
+namespace {
 
 struct Pair {
     RandomShape a, b;
@@ -227,110 +240,6 @@ Score judge(ShapeKind a, ShapeKind b, int count, std::uint64_t seed, Draw draw) 
         judge_one(make(a, b, s), s, draw, score);
     }
     return score;
-}
-
-namespace {
-
-/// Random ground of 3 × 3 cells, 12 m wide: more than any of the shapes reaches from its middle.
-struct Ground {
-    static constexpr int kNodes = 4;
-    static constexpr double kCell = 4.0;
-    std::shared_ptr<const collide::ShapeData> data;
-    Vec3 node[kNodes][kNodes];
-
-    /// Height at a place [m].
-    [[nodiscard]] double height(double x, double y) const {
-        const double u = x / kCell + 1.5, v = y / kCell + 1.5;
-        const int j = static_cast<int>(u), i = static_cast<int>(v);
-        const auto z = [&](int di, int dj) { return node[i + di][j + dj].z(); };
-        return v - i < u - j
-                   ? z(0, 0) + (u - j) * (z(0, 1) - z(0, 0)) + (v - i) * (z(1, 1) - z(0, 1))
-                   : z(0, 0) + (v - i) * (z(1, 0) - z(0, 0)) + (u - j) * (z(1, 1) - z(1, 0));
-    }
-    /// Signed distance to the nearest triangle.
-    [[nodiscard]] Real distance(const Body& body) const {
-        Real least = 1e30L;
-        for (int i = 0; i + 1 < kNodes; ++i)
-            for (int j = 0; j + 1 < kNodes; ++j)
-                for (const Vec3* third : {&node[i][j + 1], &node[i + 1][j]}) {
-                    std::vector<Vec> corners;
-                    for (const Vec3* x : {&node[i][j], third, &node[i + 1][j + 1]})
-                        corners.push_back({x->x(), x->y(), x->z()});
-                    const Body triangle = reference::make_points(corners, {}, {});
-                    least = std::min(least, reference::signed_distance(body, triangle).gap);
-                }
-        return least;
-    }
-};
-
-Ground random_ground(Random& random) {
-    Ground ground;
-    ShapeDef def;
-    def.kind = ShapeKind::heightfield;
-    def.rows = def.columns = Ground::kNodes;
-    def.cell = {Ground::kCell, Ground::kCell};
-    for (int i = 0; i < Ground::kNodes; ++i)
-        for (int j = 0; j < Ground::kNodes; ++j) {
-            def.heights.push_back(random.uniform(-1.0, 1.0));
-            ground.node[i][j] = {Ground::kCell * (j - 1.5), Ground::kCell * (i - 1.5),
-                                 def.heights.back()};
-        }
-    ground.data = collide::make_shape_data(def);
-    return ground;
-}
-
-void judge_ground_pair(ShapeKind kind, std::uint64_t seed, Score& score) {
-    Random random(seed);
-    const RandomShape shape = random_shape(random, kind);
-    const Ground ground = random_ground(random);
-    Placement pa = random_placement(random, 0.0), pb{};
-    for (int i = 0; i < 3; ++i) pb.r[4 * i] = 1.0;
-    Vec3 middle(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-0.5, 3.0));
-    for (int i = 0; i < 3; ++i) pa.x[i] = middle[i];
-    const double margin = random.chance(0.5) ? 0.01 : 0.6;
-    const Body body = body_of(shape, pa);
-    if (!body.points.empty()) {  // a hull need not hold its own origin
-        middle.setZero();
-        for (const Vec& x : body.points)
-            middle += Vec3(x.x, x.y, x.z) / static_cast<double>(body.points.size());
-    }
-    const Real truth = ground.distance(body);
-    const bool inside = truth < 0 || middle.z() < ground.height(middle.x(), middle.y());
-    Geometry geometry;
-    geometry.kind = ShapeKind::heightfield;
-    geometry.data = ground.data.get();
-    Manifold m;
-    collide::collide_function(kind, ShapeKind::heightfield)(shape.geometry, pa, geometry, pb,
-                                                            margin, m);
-    ++score.pairs;
-    ++(inside ? score.touching : score.apart);
-    if (!well_formed(m, margin)) ++score.bad_points;
-    Real least = 1e30L;
-    for (int i = 0; i < m.count; ++i) least = std::min<Real>(least, m.point[i].gap);
-    if (inside) {
-        const bool grazes = std::fabs(truth) <= 1e-6L;
-        if ((m.count == 0 || least >= 0) && !grazes) ++score.wrong_verdicts;
-        return;
-    }
-    if ((m.count > 0) != (truth < margin) && std::fabs(truth - margin) > 1e-6L)
-        ++score.wrong_verdicts;
-    if (m.count == 0 || !(truth < margin)) return;
-    const double error = std::fabs(static_cast<double>(least - truth));
-    if (error > score.worst_gap) score.worst_gap = error, score.gap_pair = seed;
-}
-
-}  // namespace
-
-Score judge_ground(ShapeKind a, int count, std::uint64_t seed) {
-    Score score;
-    for (int i = 0; i < count; ++i)
-        judge_ground_pair(a, seed + static_cast<std::uint64_t>(i), score);
-    return score;
-}
-
-std::vector<ShapeKind> ground_kinds() {
-    using enum ShapeKind;
-    return {sphere, capsule, box, cylinder, hull};
 }
 
 std::vector<std::pair<ShapeKind, ShapeKind>> exact_pairs() {

@@ -35,6 +35,9 @@ struct Score {
     int bad_points = 0;  ///< Not finite, unsorted, not unit, beyond the margin, off the surface.
 };
 
+/// Finite, unit, sorted, closer than the margin, (on[1] − on[0]) · normal = gap.
+bool well_formed(const collide::Manifold& m, double margin);
+
 /// Where pairs come from.
 enum class Draw {
     random,
@@ -47,11 +50,6 @@ enum class Draw {
 Score judge(ShapeKind a, ShapeKind b, int count, std::uint64_t seed, Draw draw = Draw::random);
 /// Pairs of kinds for which this is asked: those in closed form, and cylinders.
 std::vector<std::pair<ShapeKind, ShapeKind>> exact_pairs();
-/// A convex shape and random ground. Apart, the distance is that to the nearest triangle. What
-/// overlaps is asked for the verdict only: its way out is up, which is not the shortest.
-Score judge_ground(ShapeKind a, int count, std::uint64_t seed);
-/// Those that touch a heightfield.
-std::vector<ShapeKind> ground_kinds();
 /// Hulls and single triangles with all kinds that touch them.
 std::vector<std::pair<ShapeKind, ShapeKind>> vertex_pairs();
 std::string kind_name(ShapeKind kind);
