@@ -18,135 +18,9 @@ using reference::Vec;
 
 namespace {
 
-constexpr int kNodes = 4;
-constexpr double kCell = 4.0;
 constexpr Real kBand = 1e-6L;  ///< Verdicts and depths within it are equal [m].
 /// Normals and places this close to the bounds between two rules may follow either.
 constexpr Real kEither = 1e-4L;
-
-struct Face {
-    std::array<int, 3> vertex;
-    std::array<int, 3> beyond;  ///< Third vertex of the neighbour across edge k; −1: none.
-    Body body;
-    Vec corner[3], normal;
-};
-
-struct Surface {
-    ShapeDef def;
-    bool solid = false;
-    Placement placed{};
-    std::shared_ptr<const collide::ShapeData> data;
-    std::vector<Vec3> vertices;
-    std::vector<Face> faces;
-    std::vector<Vec> world;
-    std::vector<std::vector<int>> ring;
-};
-
-void add_grid(Surface& s, Random& random) {
-    for (int i = 0; i < kNodes; ++i)
-        for (int j = 0; j < kNodes; ++j) {
-            s.def.heights.push_back(random.uniform(-1.0, 1.0));
-            s.vertices.emplace_back(kCell * (j - 1.5), kCell * (i - 1.5), s.def.heights.back());
-        }
-    for (int i = 0; i + 1 < kNodes; ++i)
-        for (int j = 0; j + 1 < kNodes; ++j) {
-            const int v = kNodes * i + j;
-            s.def.triangles.push_back({v, v + 1, v + kNodes + 1});
-            s.def.triangles.push_back({v, v + kNodes + 1, v + kNodes});
-        }
-}
-
-/// Nine vertices around, a top and a bottom.
-void add_rock(Surface& s, Random& random) {
-    constexpr int kAround = 9;
-    for (int k = 0; k < kAround; ++k) {
-        const double angle = 2.0 * M_PI * k / kAround, r = random.uniform(2.0, 5.0);
-        s.vertices.emplace_back(r * std::cos(angle), r * std::sin(angle),
-                                random.uniform(-0.5, 0.5));
-    }
-    s.vertices.emplace_back(random.uniform(-0.5, 0.5), 0.0, random.uniform(0.8, 2.0));
-    s.vertices.emplace_back(0.0, random.uniform(-0.5, 0.5), random.uniform(-2.0, -0.8));
-    for (int k = 0; k < kAround; ++k) {
-        s.def.triangles.push_back({k, (k + 1) % kAround, kAround});
-        s.def.triangles.push_back({k, (k + 1) % kAround, kAround + 1});
-    }
-}
-
-void connect(Surface& s) {
-    s.ring.resize(s.vertices.size());
-    for (std::size_t t = 0; t < s.def.triangles.size(); ++t) {
-        const auto& v = s.def.triangles[t];
-        Face face{{v[0], v[1], v[2]}, {-1, -1, -1}, {}, {}, {}};
-        for (int k = 0; k < 3; ++k) {
-            const int p = v[k], q = v[(k + 1) % 3];
-            for (const auto& [from, to] : {std::pair(p, q), std::pair(q, p)})
-                if (std::find(s.ring[from].begin(), s.ring[from].end(), to) == s.ring[from].end())
-                    s.ring[from].push_back(to);
-            for (std::size_t other = 0; other < s.def.triangles.size(); ++other) {
-                const auto& w = s.def.triangles[other];
-                const auto has = [&](int x) { return std::find(w.begin(), w.end(), x) != w.end(); };
-                if (other == t || !has(p) || !has(q)) continue;
-                for (const int x : w)
-                    if (x != p && x != q) face.beyond[k] = x;
-            }
-        }
-        s.faces.push_back(face);
-    }
-}
-
-/// In the surface's frame.
-Vec local(const Placement& p, Vec x) {
-    const Vec d = x - Vec{p.x[0], p.x[1], p.x[2]};
-    const auto column = [&](int k) { return Vec{p.r[k], p.r[3 + k], p.r[6 + k]}; };
-    return {dot(column(0), d), dot(column(1), d), dot(column(2), d)};
-}
-
-Vec turned(const Placement& p, const Vec3& v) {
-    Real x[3];
-    for (int i = 0; i < 3; ++i) {
-        x[i] = 0;
-        for (int j = 0; j < 3; ++j) x[i] += Real(p.r[3 * i + j]) * v[j];
-    }
-    return {x[0], x[1], x[2]};
-}
-
-void put(Surface& s, const Placement& placed) {
-    s.placed = placed;
-    for (const Vec3& v : s.vertices)
-        s.world.push_back(turned(placed, v) + Vec{placed.x[0], placed.x[1], placed.x[2]});
-    const Vec up = turned(placed, Vec3(0, 0, 1));
-    for (Face& f : s.faces) {
-        std::vector<Vec> edges;
-        for (int k = 0; k < 3; ++k) f.corner[k] = s.world[f.vertex[k]];
-        for (int k = 0; k < 3; ++k) edges.push_back(unit(f.corner[(k + 1) % 3] - f.corner[k]));
-        f.normal = unit(cross(edges[0], edges[1]));
-        if (dot(f.normal, up) < 0) f.normal = -1.0L * f.normal;
-        f.body = reference::make_points({f.corner[0], f.corner[1], f.corner[2]}, {f.normal}, edges);
-    }
-}
-
-Surface random_surface(Random& random, Ground kind) {
-    Surface s;
-    s.solid = kind == Ground::heightfield;
-    if (kind == Ground::rock)
-        add_rock(s, random);
-    else
-        add_grid(s, random);
-    connect(s);
-    if (s.solid) {
-        s.def.kind = ShapeKind::heightfield;
-        s.def.rows = s.def.columns = kNodes;
-        s.def.cell = {kCell, kCell};
-    } else {
-        s.def.kind = ShapeKind::mesh;
-        s.def.vertices = s.vertices;
-        for (auto& t : s.def.triangles)
-            if (random.chance(0.5)) std::swap(t[1], t[2]);
-    }
-    s.data = collide::make_shape_data(s.def);
-    put(s, random_placement(random, 5.0));
-    return s;
-}
 
 // --- What a triangle claims ---------------------------------------------------------------
 
@@ -225,24 +99,6 @@ Real at_least(const Body& a, const Face& f) {
     return most;
 }
 
-void claim(const Surface& s, const Body& a, const Face& f, const Answer& answer, Claims& out) {
-    const Vec m = -1.0L * answer.n;
-    const Real along = dot(m, f.normal);
-    const Holds holds = allowed(s, f, m);
-    const bool below = s.solid && along <= 0;
-    const bool unsure = holds == Holds::either || (s.solid && std::fabs(along) < kEither);
-    if (unsure || (!below && holds == Holds::yes))
-        out.list.push_back({answer.gap, answer.n, &f, answer.normal_error, !unsure});
-    if (!unsure && !below && holds == Holds::yes) return;
-    if (!s.solid && answer.gap > 0) return;
-    const Real centre = dot(f.normal, a.c - f.corner[0]);
-    const bool either = !s.solid && std::fabs(along) < 0.5L + kEither &&
-                        (std::fabs(centre) < kEither || std::fabs(along) > 0.5L - kEither);
-    const bool up = s.solid || (std::fabs(along) < 0.5L ? centre > 0 : along > 0);
-    if (up || either) claim_along(a, f, f.normal, !unsure && !either, out);
-    if (!up || either) claim_along(a, f, -1.0L * f.normal, !unsure && !either, out);
-}
-
 /// Whether the triangle's cell (of a heightfield) meets the box around the shape, by how much.
 Real under_box(const Surface& s, const Body& a, const Face& f) {
     Real least = 1e30L;
@@ -260,6 +116,26 @@ Real under_box(const Surface& s, const Body& a, const Face& f) {
         least = std::min({least, high - from, to - low});
     }
     return least;
+}
+
+void claim(const Surface& s, const Body& a, const Face& f, const Answer& answer, Claims& out) {
+    const Vec m = -1.0L * answer.n;
+    const Real along = dot(m, f.normal);
+    const Holds holds = allowed(s, f, m);
+    const bool below = s.solid && along <= 0;
+    const bool unsure = holds == Holds::either || (s.solid && std::fabs(along) < kEither);
+    if (unsure || (!below && holds == Holds::yes))
+        out.list.push_back({answer.gap, answer.n, &f, answer.normal_error, !unsure});
+    if (!unsure && !below && holds == Holds::yes) return;
+    if (!s.solid && answer.gap > 0) return;
+    const Real centre = dot(f.normal, a.c - f.corner[0]);
+    const bool either = !s.solid && std::fabs(along) < 0.5L + kEither &&
+                        (std::fabs(centre) < kEither || std::fabs(along) > 0.5L - kEither);
+    const bool up = s.solid || (std::fabs(along) < 0.5L ? centre > 0 : along > 0);
+    // Cells beyond the box around the shape may be left out, or not: it need not be the least one.
+    const bool sure = !unsure && !either && (!s.solid || under_box(s, a, f) > kEither);
+    if (up || either) claim_along(a, f, f.normal, sure, out);
+    if (!up || either) claim_along(a, f, -1.0L * f.normal, sure, out);
 }
 
 bool is_above(const Surface& s, const Face& f, Vec point) {
@@ -304,8 +180,7 @@ Claims claims_on(const Surface& s, const Body& a, Vec middle, Real margin) {
             claim(s, a, f, answer, out);
         } else {
             out.truth = std::min(out.truth, bound);
-            // Wholly below the triangle: pushed up where it is under it. Cells beyond the box
-            // around the shape may be left out, or not: that box need not be the least one.
+            // Wholly below the triangle: pushed up where it is under it.
             const bool below = separation_along(a, f.body, f.normal) > 0;
             if (s.solid) claim_along(a, f, f.normal, below && under_box(s, a, f) > kEither, out);
         }
@@ -361,16 +236,22 @@ void judge_inside(const Claims& claims, const Body& a, const ManifoldPoint& p, s
     Real sure = 0;
     for (const Claim& c : claims.list)
         if (c.sure) sure = std::min(sure, c.gap);
+    const Claim* own = nullptr;
+    Real error = 1e30L;
     for (const Claim& c : claims.list) {
         if (std::fabs(c.gap - p.gap) > kBand || p.gap > sure + kBand) continue;
-        ++score.own;
-        judge_gap(c.gap - p.gap, seed, score);
-        return judge_normal(claims.list, p.gap, a, n, seed, score);
+        if (length(n - c.n) < error) own = &c, error = length(n - c.n);
     }
+    // One beside its triangle may happen to be as deep as the claim of another.
     for (const Face* f : claims.clipped) {
-        if (p.gap > sure + kBand || !on_triangle(*f, on1)) continue;
+        if (error < kBand || p.gap > sure + kBand || !on_triangle(*f, on1)) continue;
         if (1 - std::fabs(dot(n, f->normal)) > 1e-13L || off_boundary(a, on0, n) > kBand) continue;
         return void(++score.beside);
+    }
+    if (own != nullptr) {
+        ++score.own;
+        judge_gap(own->gap - p.gap, seed, score);
+        return judge_normal(claims.list, p.gap, a, n, seed, score);
     }
     if (sure < 0) return judge_gap(sure - p.gap, seed, score);
     ++score.left;

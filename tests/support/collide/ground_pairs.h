@@ -10,25 +10,20 @@
 ///    signed distance holds if no vertex of the neighbours rises towards it. Else the normal of
 ///    the triangle takes its place (on a heightfield: up; on a mesh: the side of the shape's
 ///    centre, unless the other one is clearly nearer), and only what lies over the triangle along
-///    it touches: surely so if the shape's deepest point does.
-/// 3. A heightfield is solid: what is below is pushed up along the normal of the triangle above.
+///    it touches: surely so if the shape's deepest point does. A triangle of a mesh that the shape
+///    does not overlap pushes nothing.
+/// 3. A heightfield is solid: what is below is pushed up along the normal of the triangle above,
+///    of the cells over the box around the shape.
 /// 4. What overlaps a surface and is claimed by none of its triangles goes along the normal of the
 ///    nearest triangle that it cuts (heightfield: or that is above its middle).
 /// The deepest point of a manifold must be the deepest claim, or deeper, in a triangle of the
 /// second kind whose deepest point lies beside it: then it is on the boundary of the shape and on
-/// the triangle, along the triangle's normal.
+/// the triangle, along the triangle's normal. Rules meet within 1e-4: there either one will do.
 
+#include "support/collide/ground_surface.h"
 #include "support/collide/random_pairs.h"
 
-#include <array>
-
 namespace hawser::test {
-
-enum class Ground {
-    heightfield,  ///< 3 × 3 cells of 4 m, heights within ±1 m.
-    terrain,      ///< The same as a mesh; some triangles the other way around.
-    rock,         ///< A closed mesh, about 8 m wide, with edges bent both ways.
-};
 
 struct GroundScore : Score {
     int own = 0;      ///< Touching ones whose depth a claim gives (1.–3.).
