@@ -2,23 +2,7 @@
 #pragma once
 /// @file ground_pairs.h
 /// Random convex shapes on surfaces of 18 triangles, judged by the reference in long double.
-///
-/// The reference is written from what triangle_contact.h, shapes.h and geometry.h promise:
-/// 1. Apart: the least gap is the distance to the nearest triangle, along the normal of the two
-///    nearest points.
-/// 2. Where shape and triangle overlap, or the triangle is not the nearest one, the normal of its
-///    signed distance holds if no vertex of the neighbours rises towards it. Else the normal of
-///    the triangle takes its place (on a heightfield: up; on a mesh: the side of the shape's
-///    centre, unless the other one is clearly nearer), and only what lies over the triangle along
-///    it touches: surely so if the shape's deepest point does. A triangle of a mesh that the shape
-///    does not overlap pushes nothing.
-/// 3. A heightfield is solid: what is below is pushed up along the normal of the triangle above,
-///    of the cells over the box around the shape.
-/// 4. What overlaps a surface and is claimed by none of its triangles goes along the normal of the
-///    nearest triangle that it cuts (heightfield: or that is above its middle).
-/// The deepest point of a manifold must be the deepest claim, or deeper, in a triangle of the
-/// second kind whose deepest point lies beside it: then it is on the boundary of the shape and on
-/// the triangle, along the triangle's normal. Rules meet within 1e-4: there either one will do.
+/// What is right says ground_claims.h.
 
 #include "support/collide/ground_surface.h"
 #include "support/collide/random_pairs.h"
