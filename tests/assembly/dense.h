@@ -5,6 +5,7 @@
 /// for the assembly: [M̃ Gᵀ; G −Σ][v₊; −λ] = [a; c].
 #define HAWSER_KIND_SETUP
 #include "model/kinds/all.h"
+#include "support/dense_reference.h"
 #include "support/recipe.h"
 
 #include <Eigen/Dense>
@@ -16,8 +17,6 @@ namespace hawser::test {
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
-using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
-using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
 struct DenseStep {
     Matrix mass;       ///< M + h D.
@@ -38,9 +37,13 @@ inline Mat3 skew(const Vec3& r) {
 
 /// Largest positive semi-definite part of a symmetric matrix.
 inline Mat3 projected(const Mat3& k) {
-    const Eigen::SelfAdjointEigenSolver<Mat3> s(0.5 * (k + k.transpose()));
-    return s.eigenvectors() * s.eigenvalues().cwiseMax(0.0).asDiagonal() *
-           s.eigenvectors().transpose();
+    const Spectrum s = spectrum(k);
+    Mat3 sum = Mat3::Zero();
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 axis = s.vectors.col(i);
+        sum += std::max(s.values[i], 0.0) * axis * axis.transpose();
+    }
+    return sum;
 }
 
 /// What one interaction needs to be written down.

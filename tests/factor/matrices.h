@@ -8,10 +8,12 @@
 #include "factor/numeric.h"
 #include "factor/ordering.h"
 #include "factor/symbolic.h"
+#include "support/dense_reference.h"
 #include "support/random.h"
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -21,8 +23,6 @@ namespace hawser::test {
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
-using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
-using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
 /// A block pattern with values, in the order of the nodes.
 struct BlockMatrix {
@@ -231,18 +231,18 @@ inline Solved solve(const BlockMatrix& m, const Vector& b) {
 /// Largest entry of b − K x over ‖K‖ ‖x‖ + ‖b‖ (infinity norms), in long double.
 inline double backward_error(const BlockMatrix& m, const Vector& x, const Vector& b) {
     if (b.size() == 0) return 0.0;
-    const LongVector r =
-        b.cast<long double>() - m.dense.cast<long double>() * x.cast<long double>();
+    long double most = 0.0L;
+    for (Eigen::Index i = 0; i < b.size(); ++i) {
+        long double r = b[i];
+        for (Eigen::Index j = 0; j < x.size(); ++j)
+            r -= static_cast<long double>(m.dense(i, j)) * x[j];
+        most = std::max(most, std::abs(r));
+    }
     const double k = m.dense.cwiseAbs().rowwise().sum().maxCoeff();
-    return static_cast<double>(r.cwiseAbs().maxCoeff()) /
-           (k * x.cwiseAbs().maxCoeff() + b.cwiseAbs().maxCoeff());
+    return static_cast<double>(most) / (k * x.cwiseAbs().maxCoeff() + b.cwiseAbs().maxCoeff());
 }
 
 /// Reference in long double with full pivoting.
-inline Vector reference(const BlockMatrix& m, const Vector& b) {
-    return Eigen::FullPivLU<LongMatrix>(m.dense.cast<long double>())
-        .solve(b.cast<long double>())
-        .cast<double>();
-}
+inline Vector reference(const BlockMatrix& m, const Vector& b) { return solve_dense(m.dense, b); }
 
 }  // namespace hawser::test

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nonsmooth/anderson.h"
 
-#include <gtest/gtest.h>
+#include "support/dense_reference.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,13 +32,23 @@ TEST(AndersonAcceleration, EndsAfterAsManyIterationsAsUnknowns) {
     std::normal_distribution<double> normal;
     for (int n = 1; n <= Anderson::kDepth; ++n)
         for (int trial = 0; trial < 20; ++trial) {
-            Eigen::MatrixXd a(n, n);
+            Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n, n);
             Eigen::VectorXd b(n);
             for (int i = 0; i < n; ++i) {
                 b[i] = normal(random);
-                for (int j = 0; j < n; ++j) a(i, j) = normal(random);
+                // A general matrix up to a rotation of the space (Schur's form), its eigenvalues
+                // known; a normal matrix of this size has a radius of √n.
+                for (int j = i + 1; j < n; ++j) a(i, j) = normal(random) / std::sqrt(n);
+                a(i, i) = std::uniform_real_distribution<>(-0.999, 0.999)(random);
             }
-            a *= 0.999 / a.eigenvalues().cwiseAbs().maxCoeff();
+            a(n / 2, n / 2) = trial % 2 == 0 ? 0.999 : -0.999;
+            // Every third matrix has a pair of complex eigenvalues of that radius.
+            if (trial % 3 == 0 && n > 1) {
+                const double angle = std::uniform_real_distribution<>(0.1, 3.0)(random);
+                a(0, 0) = a(1, 1) = 0.999 * std::cos(angle);
+                a(1, 0) = 0.999 * std::sin(angle);
+                a(0, 1) = -a(1, 0);
+            }
             Anderson accelerate;
             accelerate.reserve(static_cast<std::size_t>(n));
             Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
@@ -47,8 +56,7 @@ TEST(AndersonAcceleration, EndsAfterAsManyIterationsAsUnknowns) {
                 accelerate, x, [&](const auto& y) { return (a * y + b).eval(); }, 1e-9, 60);
             // Where growth forgot a history in between, once more.
             EXPECT_LE(taken, 2 * n + 4) << n;
-            const Eigen::VectorXd exact =
-                (Eigen::MatrixXd::Identity(n, n) - a).fullPivLu().solve(b);
+            const Eigen::VectorXd exact = test::solve_dense(Eigen::MatrixXd::Identity(n, n) - a, b);
             // 1e-9 over 1 − 0.999, and what is not normal about A.
             EXPECT_LT((x - exact).norm(), 1e-4 * exact.norm()) << n;
         }

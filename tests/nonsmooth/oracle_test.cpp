@@ -7,6 +7,7 @@
 #include "nonsmooth/cone.h"
 #include "nonsmooth/pivot.h"
 #include "nonsmooth/relax.h"
+#include "support/dense_reference.h"
 #include "support/random.h"
 #include "support/sanitizer.h"
 
@@ -112,7 +113,7 @@ VectorXd brute_force(const Problem& p, const std::vector<double>& limit, int& so
             b[i] = -at_bounds[free[static_cast<std::size_t>(i)]];
         }
         if (m > 0) {
-            const VectorXd x = a.ldlt().solve(b);
+            const VectorXd x = test::solve_dense(a, b);
             for (int i = 0; i < m; ++i) lambda[free[static_cast<std::size_t>(i)]] = x[i];
         }
         const VectorXd r = p.w * lambda + p.q + 0.01 * lambda;
