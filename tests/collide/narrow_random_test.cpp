@@ -42,6 +42,10 @@ TEST(NarrowRandomGround, AgreesWithTheReference) {
             EXPECT_EQ(score.bad_points, 0) << text;
             EXPECT_LE(score.worst_gap, 1e-6) << text;
             EXPECT_LE(score.worst_normal, 1e-6) << text;
+            // What is not compared to the last digit stays the smaller part.
+            EXPECT_LE(score.ambiguous, 1 + score.pairs / 50) << text;
+            EXPECT_LE(score.beside, 2 + score.touching / 3) << text;
+            EXPECT_LE(score.left, 2 + score.touching / 15) << text;
         }
 }
 

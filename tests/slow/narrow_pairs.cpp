@@ -45,6 +45,10 @@ TEST(NarrowPairs, AHundredThousandOnGroundAgreeWithTheReference) {
             EXPECT_EQ(score.bad_points, 0);
             EXPECT_LE(score.worst_gap, 1e-6);
             EXPECT_LE(score.worst_normal, 1e-6);
+            // What is not compared to the last digit stays the smaller part.
+            EXPECT_LE(score.ambiguous, 1 + score.pairs / 50);
+            EXPECT_LE(score.beside, 2 + score.touching / 3);
+            EXPECT_LE(score.left, 2 + score.touching / 15);
         }
 }
 
