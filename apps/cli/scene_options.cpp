@@ -3,6 +3,8 @@
 
 #include "commands.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace hawser::cli {
@@ -43,7 +45,7 @@ scene::Scene SceneOptions::load() const {
     options.set = set;
     if (nonsmooth) options.set.push_back("settings.nonsmooth=" + *nonsmooth);
     if (sweeps) options.set.push_back("settings.nonsmooth_sweeps=" + std::to_string(*sweeps));
-    if (sleep) options.set.push_back("settings.sleep_after=" + std::to_string(*sleep));
+    if (sleep) options.set.push_back(fmt::format("settings.sleep_after={}", *sleep));
     options.step = step;
     options.threads = threads;
     options.budget = 1e-3 * budget_ms;

@@ -102,8 +102,8 @@ class World {
     void set_velocity(BodyId id, const Twist& twist);
     /// Whether it sleeps (WorldDef::sleep_after). Its velocity is then that of its last step.
     [[nodiscard]] bool asleep(BodyId id) const;
-    /// Wake it, and all that it holds to, in the next step. All that changes a body, its forces or
-    /// what acts on it wakes it anyhow.
+    /// Wake it, and all that it holds to, in the next step; a fixed or kinematic body: all there
+    /// are. All that changes a body, its forces or what acts on it wakes it anyhow.
     void wake(BodyId id);
     /// World position of a point given in the body's frame, from its centre of mass [m].
     [[nodiscard]] Vec3 world_point(BodyId id, const Vec3& local) const;

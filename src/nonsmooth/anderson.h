@@ -8,9 +8,9 @@
 /// ```
 ///   x₊ = F(x) − ΔF γ,   γ = argmin ‖f − Δf γ‖
 /// ```
-/// For one unknown this is the secant method; where F is affine, as in GMRES, n unknowns take at
-/// most n + 1 iterations, however slowly x ← F(x) by itself converges. Where f grows all the same,
-/// history is forgotten and a plain step made.
+/// For one unknown this is the secant method; where F is affine, as in GMRES, n ≤ kDepth unknowns
+/// take at most n + 1 iterations, however slowly x ← F(x) by itself converges. Where f grows a
+/// hundredfold all the same, history is forgotten and a plain step made.
 
 #include <cstddef>
 #include <vector>

@@ -94,7 +94,7 @@ Status solve_convex(StepContext& ctx) noexcept {
         if ((left <= ctx.def.contact_tolerance && !again) || it + 1 >= ctx.def.contact_iterations)
             break;
         keep_iterate(ctx);
-        ctx.stats.flips_left = linearise(ctx);
+        ctx.stats.flips_left += linearise(ctx);  // to those of rows
     }
     ctx.stats.natural_map = worst(ctx);
     return refine(ctx);

@@ -140,6 +140,7 @@ std::uint64_t state_hash(const StepContext& ctx) noexcept {
     add(ctx.interactions.anchor);
     add(ctx.collider.kept());
     add(ctx.bodies.asleep);
+    add(ctx.bodies.quiet);
     return base::fnv1a(&ctx.step, sizeof ctx.step, hash);
 }
 

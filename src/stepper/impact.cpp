@@ -19,7 +19,8 @@ using nonsmooth::Cone;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-constexpr double kStiff = 1e-6;  ///< Σ over W: an error of e by a millionth.
+constexpr double kStiff = 1e-6;   ///< Σ over W: an error of e by a millionth.
+constexpr double kSolved = 1e-8;  ///< Residual that rounding reaches with it.
 
 /// Slower than this things come to rest without a bounce [m/s].
 double threshold(const StepContext& ctx) noexcept {
@@ -120,7 +121,7 @@ Status impact(StepContext& ctx, bool& found) noexcept {
         const double after = status == Status::ok ? kinetic_energy(ctx.bodies, v.v_new) : 0.0;
         const bool good = status == Status::ok && after <= before * (1.0 + 1e-9) &&
                           ctx.stats.flips_left == 0 &&
-                          ctx.stats.natural_map <= ctx.def.contact_tolerance;
+                          ctx.stats.natural_map <= std::max(kSolved, ctx.def.contact_tolerance);
         if (good) {
             ctx.contact += before - after;
             std::copy_n(v.v_new, v.dof_count, v.v);
@@ -129,6 +130,8 @@ Status impact(StepContext& ctx, bool& found) noexcept {
         recall(ctx);
         if (good || status == Status::out_of_memory) break;
     }
+    ctx.stats.flips_left = 0;  // the step's own solve is to come
+    ctx.newton.iterations = 0;
     return status == Status::out_of_memory ? status : Status::ok;
 }
 

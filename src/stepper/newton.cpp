@@ -168,6 +168,7 @@ Status iterate(StepContext& ctx, Coupling coupling, double tolerance) noexcept {
     for (Cone& c : ctx.system.contacts.cones) c.coupling = coupling;
     bool again = false, slow = false;
     int switches = 0;  // iterations that ended with some
+    ctx.newton.follow.restart();
     double before = 0.0;
     forget_best(ctx);
     for (int it = 0;; ++it) {

@@ -41,7 +41,7 @@ Status pass(StepContext& ctx, int& rounds) noexcept {
         again = update_active_set(ctx, rounds - 1);
         const int count = nonsmooth::pivot(ctx.system.contacts.cones, ctx.newton.bounds,
                                            ctx.newton.limit, ctx.contact_floor, progress);
-        ctx.stats.flips_left = count;
+        ctx.stats.flips_left += count;  // to those of rows
         if (count == 0 && !again) return Status::ok;
         if (rounds >= ctx.def.contact_iterations) return Status::ok;
         make_laws(ctx);

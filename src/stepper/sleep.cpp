@@ -17,6 +17,7 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Islands are looked for every so many steps.
 constexpr std::int64_t kEvery = 8;
+constexpr std::int32_t kMostQuiet = 1'000'000'000;  ///< Steps.
 
 bool moves(const model::Bodies& b, std::int32_t body) noexcept { return b.dof(body) > 0; }
 
@@ -33,15 +34,33 @@ std::int32_t root(std::vector<std::int32_t>& island, std::int32_t body) noexcept
     return body;
 }
 
-/// Call f with the bodies of each interaction, contact and segment: what holds together.
+/// Bodies of an interaction and of what loads it.
+struct Members {
+    std::int32_t body[kMaxInteractionBodies * (1 + kMaxFrictionLoads)];
+    std::size_t count = 0;
+    void add(const model::Interactions& in, std::int32_t id) noexcept {
+        for (int b = 0; b < in.bodies[at(id)]; ++b)
+            body[count++] = in.body[at(kMaxInteractionBodies * id + b)];
+    }
+};
+
+/// Call f with the bodies of each interaction, contact and segment: what holds together. Friction
+/// belongs to its loads, whether they share a body or not.
 template <class F>
 void each_bond(const StepContext& ctx, F&& f) noexcept {
     const model::Interactions& in = ctx.interactions;
-    for (std::int32_t i = 0; i < in.count(); ++i)
-        f(std::span(&in.body[at(kMaxInteractionBodies * i)], in.bodies[at(i)]));
-    for (const collide::Contact& c : ctx.contacts.contacts) f(std::span(c.body, c.slots));
+    for (std::int32_t i = 0; i < in.count(); ++i) {
+        Members m;
+        m.add(in, i);
+        if (in.load_begin[at(i)] >= 0)
+            for (const FrictionLoad& load : in.def[at(i)].load)
+                if (load.interaction.valid()) m.add(in, load.interaction.index);
+        f(std::span<const std::int32_t>(m.body, m.count));
+    }
+    for (const collide::Contact& c : ctx.contacts.contacts)
+        f(std::span<const std::int32_t>(c.body, c.slots));
     for (const collide::Shape& s : ctx.collider.shapes())
-        if (s.segment()) f(std::span(s.body));
+        if (s.segment()) f(std::span<const std::int32_t>(s.body));
 }
 
 void find_islands(StepContext& ctx) noexcept {
@@ -87,22 +106,21 @@ bool set_asleep(StepContext& ctx, std::int32_t body, bool asleep) noexcept {
     return true;
 }
 
-/// Whether islands that sleep may have to wake. Rarely: then they are looked for.
+/// Whether an island has to wake.
 bool disturbed(const StepContext& ctx) noexcept {
     const model::Bodies& b = ctx.bodies;
     for (const std::int32_t body : b.moving)
         if (b.asleep[at(body)] != 0 && b.quiet[at(body)] == 0) return true;
-    for (const std::int32_t body : b.driven)
-        if (carries(b, body)) return true;
-    const auto meet = [&](const collide::Contact& c) {
-        bool asleep = false, awake = false;
-        for (const std::int32_t body : std::span(c.body, c.slots)) {
+    bool found = false;
+    each_bond(ctx, [&](std::span<const std::int32_t> bodies) {
+        bool asleep = false, moving = false;
+        for (const std::int32_t body : bodies) {
             asleep = asleep || b.asleep[at(body)] != 0;
-            awake = awake || (moves(b, body) && b.asleep[at(body)] == 0);
+            moving = moving || carries(b, body) || (moves(b, body) && b.asleep[at(body)] == 0);
         }
-        return asleep && awake;
-    };
-    return std::any_of(ctx.contacts.contacts.begin(), ctx.contacts.contacts.end(), meet);
+        found = found || (asleep && moving);
+    });
+    return found;
 }
 
 /// Islands with a body that is awake or disturbed wake whole: where one that sleeps and one that is
@@ -126,7 +144,10 @@ bool wake_islands(StepContext& ctx) noexcept {
 bool analyse_anew(StepContext& ctx) noexcept {
     const StageTimer timer(ctx, Stage::analyse);
     try {
+        // An analysis looks at which limits are met, which is for the step to find and to report.
+        const base::Array<double> active = ctx.interactions.active;
         analyse(ctx);
+        ctx.interactions.active = active;
         return true;
     } catch (const std::bad_alloc&) {
         ctx.topology_changed = true;
@@ -147,16 +168,23 @@ void wake_all(StepContext& ctx) noexcept {
     ctx.stats.asleep = 0;
 }
 
-void count_asleep(StepContext& ctx) noexcept {
+void check_asleep(StepContext& ctx) noexcept {
+    for (std::int32_t b = 0; b < ctx.bodies.count(); ++b) {
+        std::uint8_t& flag = ctx.bodies.asleep[at(b)];
+        flag = flag != 0 && moves(ctx.bodies, b) ? 1 : 0;
+        std::int32_t& quiet = ctx.bodies.quiet[at(b)];
+        quiet = std::clamp(quiet, 0, kMostQuiet);
+    }
     ctx.stats.asleep = static_cast<std::int32_t>(
         std::count(ctx.bodies.asleep.begin(), ctx.bodies.asleep.end(), std::uint8_t{1}));
 }
 
+void disturb_all(StepContext& ctx) noexcept {
+    std::fill(ctx.bodies.quiet.begin(), ctx.bodies.quiet.end(), 0);
+}
+
 void disturb(StepContext& ctx, std::int32_t body) noexcept {
-    if (moves(ctx.bodies, body))
-        ctx.bodies.quiet[at(body)] = 0;
-    else
-        std::fill(ctx.bodies.quiet.begin(), ctx.bodies.quiet.end(), 0);
+    if (moves(ctx.bodies, body)) ctx.bodies.quiet[at(body)] = 0;
 }
 
 bool wake_disturbed(StepContext& ctx) noexcept {
@@ -170,9 +198,10 @@ void fall_asleep(StepContext& ctx) noexcept {
     model::Bodies& b = ctx.bodies;
     // The other methods end where they end.
     const bool certified = ctx.def.nonsmooth != Nonsmooth::newton ||
-                           (!ctx.stats.cut && ctx.stats.natural_map <= ctx.def.contact_tolerance);
-    const auto most =
-        static_cast<std::int32_t>(std::min(std::ceil(ctx.def.sleep_after / ctx.def.step), 1e9));
+                           (!ctx.stats.cut && ctx.stats.flips_left == 0 &&
+                            ctx.stats.natural_map <= ctx.def.contact_tolerance);
+    const auto most = static_cast<std::int32_t>(
+        std::min<double>(std::ceil(ctx.def.sleep_after / ctx.def.step), kMostQuiet));
     bool any = false;
     for (const std::int32_t body : b.moving) {
         if (b.asleep[at(body)] != 0) continue;

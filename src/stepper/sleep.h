@@ -5,8 +5,8 @@
 ///
 /// A body is *at rest* while √(2T/m) < WorldDef::sleep_speed, T its kinetic energy, at the end of
 /// steps that are certified (with method newton). An *island* is what hangs together by
-/// interactions, contacts and segments of wires between bodies that move; fixed and kinematic
-/// bodies do not join islands. It falls asleep once all of its bodies have been at rest for
+/// interactions, what loads their friction, contacts and segments of wires between bodies that
+/// move; fixed and kinematic bodies do not join islands. It falls asleep once all of its bodies have been at rest for
 /// WorldDef::sleep_after, unless a kinematic body that moves belongs to one of its interactions or
 /// contacts. The system is then analysed anew with the island's bodies as fixed ones.
 ///
@@ -19,8 +19,10 @@
 /// - one of its shapes comes within the contact margin of a body that is awake, or of a kinematic
 ///   body that moves;
 /// - a kinematic body of one of its interactions moves;
-/// - an input of one of its interactions or bodies changes, an applied force, a pose or a velocity
-///   is set, or World::wake() asks for it. A pose set of a fixed or kinematic body wakes all.
+/// - an input changes what acts on one of its interactions or bodies, another applied force or a
+///   velocity is set, or World::wake() asks for it.
+/// A pose that is set, of a body that sleeps or is fixed or kinematic, wakes all, since contacts do
+/// not tell any more what leant on it; so does what is added to the world, in the next step.
 ///
 /// Limits: what is slower than sleep_speed for sleep_after is at rest by definition, be it the
 /// turning point of a very slow swing. Shapes of sleeping bodies still take part in collision
@@ -35,11 +37,13 @@ void reserve_sleep(StepContext& ctx);
 /// Without analysing: part of prepare().
 void wake_all(StepContext& ctx) noexcept;
 
-/// StepStats::asleep, of flags that were restored.
-void count_asleep(StepContext& ctx) noexcept;
+/// Of flags that were restored, whatever they were: what cannot move is awake; StepStats::asleep.
+void check_asleep(StepContext& ctx) noexcept;
 
-/// A body, or what it holds to, is changed from outside the step.
+/// A body that moves is changed from outside the step: its island wakes.
 void disturb(StepContext& ctx, std::int32_t body) noexcept;
+/// Something is no longer where it was, so that contacts do not tell what leant on it: all wake.
+void disturb_all(StepContext& ctx) noexcept;
 
 /// Before the step is solved: islands that are disturbed wake; contacts of the others are set
 /// aside. @return false where memory could not grow.

@@ -26,6 +26,8 @@ struct World::Impl {
         material_names, shape_names;
 
     void apply_input(std::size_t index, double value);
+    /// What acts at present where an input does: its value, unless something else set it since.
+    [[nodiscard]] double applied(const InputDef& input) const;
     /// What an input acts on wakes.
     void disturb(const InputDef& input) noexcept;
 };

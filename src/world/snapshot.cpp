@@ -245,7 +245,7 @@ void World::restore(std::span<const std::byte> bytes) {
     if (header.parameters != parameters_of(m.ctx, m.inputs, m.shape_defs))
         throw DefError(
             "snapshot: it belongs to a world with other parameters (masses, inertias, points, "
-            "lengths, stiffnesses, damping, gravity or ranges of inputs)");
+            "lengths, stiffnesses, damping, gravity, ranges of inputs, method, sleep)");
     if (m.ctx.topology_changed) stepper::prepare(m.ctx);
     visit_state(m.ctx, m.input_values, [&](const void*, std::size_t n) { size += n; });
     // All but the contacts has the size that this world has.
@@ -275,11 +275,7 @@ void World::restore(std::span<const std::byte> bytes) {
     if (relinked) m.ctx.system.contacts.make_blocks();
     // Whatever the bytes say: what has no freedom is awake, and no more contacts than there are.
     m.ctx.collider.kept_awake() = std::min(m.ctx.collider.kept_awake(), header.contacts);
-    for (std::int32_t b = 0; b < m.ctx.bodies.count(); ++b) {
-        std::uint8_t& flag = m.ctx.bodies.asleep[static_cast<std::size_t>(b)];
-        flag = flag != 0 && m.ctx.bodies.dof(b) > 0 ? 1 : 0;
-    }
-    stepper::count_asleep(m.ctx);
+    stepper::check_asleep(m.ctx);
     if (relinked || asleep != m.ctx.bodies.asleep || m.ctx.analysed_x != analysed_x ||
         m.ctx.analysed_r != analysed_r)
         analyse_as_saved(m.ctx);

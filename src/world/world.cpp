@@ -147,9 +147,15 @@ void World::set_input(InputId id, double value) {
                    : 0.0;
     };
     const double before = elastic();
-    if (clamped != impl_->input_values[i]) impl_->disturb(def);
+    if (clamped != impl_->applied(def) || clamped != impl_->input_values[i]) impl_->disturb(def);
     impl_->apply_input(i, clamped);
     c.drive += elastic() - before;
+}
+
+double World::Impl::applied(const InputDef& input) const {
+    if (input.interaction.valid())
+        return ctx.interactions.def[at(input.interaction.index)].get(input.param);
+    return ctx.bodies.force[6 * at(input.body.index) + at(input.component)];
 }
 
 void World::Impl::disturb(const InputDef& input) noexcept {
@@ -159,8 +165,7 @@ void World::Impl::disturb(const InputDef& input) noexcept {
     }
     const std::size_t first = kMaxInteractionBodies * at(input.interaction.index);
     for (std::size_t b = 0; b < ctx.interactions.bodies[at(input.interaction.index)]; ++b) {
-        const std::int32_t body = ctx.interactions.body[first + b];
-        if (ctx.bodies.dof(body) > 0) stepper::disturb(ctx, body);
+        stepper::disturb(ctx, ctx.interactions.body[first + b]);
     }
 }
 
@@ -218,6 +223,8 @@ void World::set_pose(BodyId id, const Pose& pose) {
     if (!pose.position.allFinite() || !std::isfinite(norm) || norm < 0.5)
         throw DefError(world::label("body", impl_->body_defs[b].name) + ": the pose is not valid");
     model::Bodies& s = impl_->ctx.bodies;
+    // What leant on it hangs in the air now.
+    if (s.dof(id.index) == 0 || s.asleep[b] != 0) stepper::disturb_all(impl_->ctx);
     stepper::disturb(impl_->ctx, id.index);
     for (int i = 0; i < 3; ++i) s.x[3 * b + at(i)] = pose.position[i];
     if (s.kind[b] == BodyKind::scalar)
@@ -251,6 +258,7 @@ bool World::asleep(BodyId id) const {
 
 void World::wake(BodyId id) {
     (void)index_of(id.index, body_count(), "body");
+    if (impl_->ctx.bodies.dof(id.index) == 0) stepper::disturb_all(impl_->ctx);
     stepper::disturb(impl_->ctx, id.index);
 }
 

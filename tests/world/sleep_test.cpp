@@ -204,6 +204,112 @@ TEST(Sleep, CarriersThatMoveKeepAwake) {
     EXPECT_FALSE(w.asleep(bob));
 }
 
+TEST(Sleep, WhatLosesItsSupportFalls) {
+    SleepYard y(sleepy());
+    y.run(kSettled);
+    ASSERT_EQ(y.asleep(), kAll);
+    Pose p = y.w.pose(y.box[0]);
+    p.position.x() += 20.0;
+    y.w.set_pose(y.box[0], p);
+    y.run(kSettled);
+    EXPECT_NEAR(y.w.pose(y.box[1]).position.z(), 0.5, 1e-3);
+    EXPECT_NEAR(y.w.pose(y.box[2]).position.z(), 1.5, 1e-3);
+}
+
+/// What acts may be other than what the input said last.
+TEST(Sleep, InputsThatChangeNothingButTheForceWake) {
+    SleepYard y(sleepy());
+    InputDef in;
+    in.name = "shove";
+    in.body = y.ball;
+    const InputId shove = y.w.add_input(in);
+    y.w.set_input(shove, 60.0);
+    y.w.set_force(y.ball, Vec3::Zero(), Vec3::Zero());
+    y.run(kSettled);
+    ASSERT_TRUE(y.w.asleep(y.ball));
+    const double x = y.w.pose(y.ball).position.x();
+    y.w.set_input(shove, 60.0);
+    y.run(60);
+    EXPECT_GT(y.w.pose(y.ball).position.x(), x + 0.5);
+}
+
+/// A slide that is held by what another one carries, without a body in common.
+TEST(Sleep, LoadsOfFrictionBelongToIt) {
+    World w(sleepy());
+    BodyDef d;
+    d.kind = BodyKind::fixed;
+    const BodyId ground = w.add_body(d);
+    d.kind = BodyKind::rigid;
+    d.mass = 10.0;
+    d.inertia = Mat3::Identity();
+    const auto slide = [&](double x, const Quat& along) {
+        d.position = {x, 0, 0};
+        InteractionDef s;
+        s.kind = InteractionKind::Prismatic;
+        s.body = {ground, w.add_body(d)};
+        s.point[0] = d.position;
+        s.frame[0] = s.frame[1] = along;
+        return w.add_interaction(s);
+    };
+    const InteractionId bears = slide(0.0, Quat(Eigen::AngleAxisd(1.5707963, Vec3::UnitY())));
+    const InteractionId hangs = slide(5.0, Quat::Identity());
+    InteractionDef f = w.interaction_def(hangs);
+    const BodyId weight = f.body[1], load = w.interaction_def(bears).body[1];
+    f.kind = InteractionKind::SlideFriction;
+    f.compliance.fill(kDefault);
+    f.damping_time.fill(kDefault);
+    f.params.fill(kDefault);
+    f.load[0] = {bears, 2.0};
+    w.add_interaction(f);
+    for (int i = 0; i < 240; ++i) ASSERT_EQ(w.step(), Status::ok);
+    ASSERT_TRUE(w.asleep(weight));
+    w.set_force(load, {0, 0, 98.1}, Vec3::Zero());
+    for (int i = 0; i < 60; ++i) ASSERT_EQ(w.step(), Status::ok);
+    EXPECT_LT(w.pose(weight).position.z(), -4.0);
+}
+
+/// Which limits are met is for a step to find: an analysis in between takes no event away.
+TEST(Sleep, LosesNoEvent) {
+    std::int64_t met[2] = {};
+    int slept = 0;
+    for (int sleeps = 0; sleeps < 2; ++sleeps) {
+        WorldDef def;
+        def.sleep_after = sleeps ? 0.01 : 0.0;
+        World w(def);
+        BodyDef d;
+        d.kind = BodyKind::fixed;
+        const BodyId ground = w.add_body(d);
+        d.kind = BodyKind::rigid;
+        d.mass = 10.0;
+        d.inertia = Mat3::Identity();
+        d.gravity = false;
+        const BodyId still = w.add_body(d);
+        for (int k = 0; k < 60; ++k) {
+            d.position = {2.0 + k, 0, 0};
+            d.velocity = {0, 0, 1.0};
+            InteractionDef s;
+            s.kind = InteractionKind::Prismatic;
+            s.body = {ground, w.add_body(d)};
+            s.point[0] = d.position;
+            w.add_interaction(s);
+            InteractionDef range = s;
+            range.kind = InteractionKind::SlideRange;
+            // Each is met in another step.
+            range.set("min", -10.0).set("max", 0.3 + k / 60.0);
+            w.add_interaction(range);
+        }
+        for (int i = 0; i < 100; ++i) {
+            if (i % 5 == 0) w.wake(still);
+            slept += w.asleep(still) ? 1 : 0;
+            ASSERT_EQ(w.step(), Status::ok);
+        }
+        met[sleeps] = w.stats().event_count[static_cast<std::size_t>(EventKind::range)];
+    }
+    EXPECT_EQ(met[0], met[1]);
+    EXPECT_GE(met[0], 60);
+    EXPECT_GT(slept, 10);
+}
+
 TEST(Sleep, AddingABodyWakesAll) {
     SleepYard y(sleepy());
     y.run(kSettled);
