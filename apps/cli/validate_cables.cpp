@@ -30,7 +30,9 @@ LineModes line_modes(const World& world, const scene::Cable& cable,
         if (world.body_def(cable.nodes[i]).kind == BodyKind::lump) moving.push_back(i);
     }
     const auto n = static_cast<Eigen::Index>(moving.size());
-    Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
+    // Of the stiffness: a node is joined to its two neighbours.
+    Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(n);
+    Eigen::VectorXd beside = Eigen::VectorXd::Zero(std::max<Eigen::Index>(n - 1, 0));
     m.weight.resize(n);
     for (Eigen::Index a = 0; a < n; ++a) {
         const std::size_t i = moving[static_cast<std::size_t>(a)];
@@ -40,17 +42,24 @@ LineModes line_modes(const World& world, const scene::Cable& cable,
             if (e >= pull.size()) continue;
             const Vec3 d =
                 world.pose(cable.nodes[e + 1]).position - world.pose(cable.nodes[e]).position;
-            stiffness(a, a) += pull[e] / d.norm();
+            diagonal[a] += pull[e] / d.norm();
             if (e == i && a + 1 < n) {
-                stiffness(a, a + 1) = stiffness(a + 1, a) = -pull[e] / d.norm();
+                beside[a] = -pull[e] / d.norm();
             }
         }
     }
-    const Eigen::MatrixXd mass = m.weight.asDiagonal();
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness, mass);
+    // M^(-1/2) K M^(-1/2) has the same frequencies, its vectors are M^(1/2) u.
+    const Eigen::VectorXd root = m.weight.cwiseSqrt();
+    for (Eigen::Index a = 0; a < n; ++a) diagonal[a] /= m.weight[a];
+    for (Eigen::Index a = 0; a + 1 < n; ++a) beside[a] /= root[a] * root[a + 1];
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+    solver.computeFromTridiagonal(diagonal, beside);
     m.omega = solver.eigenvalues().cwiseSqrt();
     m.shape = solver.eigenvectors();
-    for (Eigen::Index j = 0; j < n; ++j) m.shape.col(j) /= m.shape.col(j).cwiseAbs().maxCoeff();
+    for (Eigen::Index j = 0; j < n; ++j) {
+        for (Eigen::Index a = 0; a < n; ++a) m.shape(a, j) /= root[a];
+        m.shape.col(j) /= m.shape.col(j).cwiseAbs().maxCoeff();
+    }
     return m;
 }
 
