@@ -6,9 +6,10 @@
 /// A body is *at rest* while √(2T/m) < WorldDef::sleep_speed, T its kinetic energy, at the end of
 /// steps that are certified (with method newton). An *island* is what hangs together by
 /// interactions, what loads their friction, contacts and segments of wires between bodies that
-/// move; fixed and kinematic bodies do not join islands. It falls asleep once all of its bodies have been at rest for
-/// WorldDef::sleep_after, unless a kinematic body that moves belongs to one of its interactions or
-/// contacts. The system is then analysed anew with the island's bodies as fixed ones.
+/// move; fixed and kinematic bodies do not join islands. It falls asleep once all of its bodies
+/// have been at rest for WorldDef::sleep_after, unless a kinematic body that moves belongs to one
+/// of its interactions or contacts. The system is then analysed anew with the island's bodies as
+/// fixed ones.
 ///
 /// **Exact.** Nothing of the state changes while an island sleeps: poses, velocities (which are not
 /// quite zero), λ, anchors and memories of friction stay bit by bit, so that the first step after
