@@ -187,6 +187,7 @@ template <bool kKeep>
 HAWSER_INLINE V8 fix_pivot(V8& d, double sign) {
     V8 bad;
     for (int i = 0; i < kParts; ++i) {
+        // NOLINTNEXTLINE(misc-redundant-expression): not of what is infinite or no number
         const PartMask finite = d.part[i] - d.part[i] == 0.0;
         const PartMask good = (d.part[i] * sign > 0.0) & finite;
         const PartMask keep = kKeep ? (d.part[i] != 0.0) & finite : good;

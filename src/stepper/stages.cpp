@@ -15,7 +15,6 @@
 namespace hawser::stepper {
 namespace {
 
-using assembly::Norms;
 using assembly::View;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
