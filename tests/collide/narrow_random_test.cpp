@@ -35,9 +35,11 @@ TEST(NarrowRandomGround, AgreesWithTheReference) {
             const int count = test::kSanitized ? 20 : 300;
             const auto score = test::judge_ground(kind, ground, count, 1'000'000);
             const std::string text = test::describe(kind, ground, score);
-            EXPECT_GT(score.touching, count / 10) << text;
-            EXPECT_GT(score.apart, count / 10) << text;
-            EXPECT_GT(score.normals, count / 4) << text;
+            if (!test::kSanitized) {  // of twenty, chance decides
+                EXPECT_GT(score.touching, count / 10) << text;
+                EXPECT_GT(score.apart, count / 10) << text;
+                EXPECT_GT(score.normals, count / 4) << text;
+            }
             EXPECT_EQ(score.wrong_verdicts, 0) << text;
             EXPECT_EQ(score.bad_points, 0) << text;
             EXPECT_LE(score.worst_gap, 1e-6) << text;

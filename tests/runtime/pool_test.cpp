@@ -95,7 +95,7 @@ TEST(Pool, ScratchOfAThreadIsItsOwn) {
 /// must still wake up. The rounds differ in how far the workers have come; without the order of
 /// reads in Pool::work a run of 20,000 hangs more often than not.
 TEST(Pool, AlwaysShutsDown) {
-    const int rounds = test::kSanitized ? 4'000 : 20'000;
+    const int rounds = test::kSanitized ? 1'500 : 12'000;
     std::atomic<bool> finished{false};
     std::thread work([&] {
         for (int round = 0; round < rounds; ++round) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sizes and first seconds of the frozen scene anchor_contact.
 
+#include "support/sanitizer.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +31,7 @@ TEST(AnchorContact, StartsSettledAndCertified) {
     World& world = scene.world;
     int least = 1 << 30;
     double map = 0.0, violation = 0.0;
-    for (int i = 0; i < 120; ++i) {
+    for (int i = 0; i < (test::kSanitized ? 20 : 120); ++i) {
         ASSERT_EQ(world.step(), Status::ok) << "step " << i;
         const StepStats& stats = world.stats();
         least = std::min(least, stats.contacts);

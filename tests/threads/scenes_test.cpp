@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace hawser {
 namespace {
 
@@ -19,10 +21,11 @@ std::uint64_t hash_after(const char* name, int threads, int steps) {
 
 TEST(Threads, StateHashDoesNotDependOnThreads) {
     const int steps = test::kSanitized ? 6 : 60;
+    const std::vector<int> counts = test::kSanitized ? std::vector{2, 3} : std::vector{2, 3, 4, 8};
     for (const char* name : {"anchor_lines.json", "mooring.json"}) {
         const std::uint64_t serial = hash_after(name, 1, steps);
         ASSERT_NE(serial, 0U);
-        for (const int threads : {2, 3, 4, 8})
+        for (const int threads : counts)
             EXPECT_EQ(hash_after(name, threads, steps), serial) << name << " on " << threads;
     }
 }

@@ -15,7 +15,7 @@ TEST(SceneRestore, ContinuesBitForBitAtTwentyRandomSteps) {
         scene::Scene one = scene::load_file(file), other = scene::load_file(file);
         World &a = one.world, &b = other.world;
         test::Random random(17);
-        for (int round = 0; round < (test::kSanitized ? 4 : 20); ++round) {
+        for (int round = 0; round < (test::kSanitized ? 2 : 20); ++round) {
             for (int i = random.integer(0, 4); i > 0; --i) ASSERT_EQ(a.step(), Status::ok) << file;
             b.restore(a.save());
             ASSERT_EQ(a.state_hash(), b.state_hash()) << file << " round " << round;
