@@ -57,6 +57,7 @@ void Contacts::make_blocks() {
         blocks.push_back({b, b, 0, 0});
     }
     for (const Link& link : links) blocks.push_back({link.first, link.second, 0, 0});
+    connected_ = false;
     block_value.assign(blocks.size() * kContactBlock + 8, 0.0);
     block_used.assign(blocks.size(), 0);
     block_changed.assign(blocks.size(), 0);
@@ -79,6 +80,8 @@ void Contacts::begin(std::size_t count, std::size_t asleep) {
     next_.resize(count + asleep);
     changed.resize(count);
     extra_.resize(count);
+    if (bodies_of_.size() != count) connected_ = false;
+    bodies_of_.resize(count);
     slot_impulse.resize(24 * count + 8);
     needed_.resize(16 * count);
     terms_.resize(16 * count);
@@ -93,7 +96,26 @@ void Contacts::recall_lambda(std::size_t k) noexcept {
     store3(cones[k].lambda, load9(rows[k].axis) * load3(next_[k].lambda));
 }
 
+bool Contacts::same_bodies() noexcept {
+    bool same = true;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const ContactRow& row = rows[k];
+        std::array<std::int32_t, 4> now{-1, -1, -1, -1};
+        for (int i = 0; i < row.slots; ++i) now[static_cast<std::size_t>(i)] = row.slot[i].body;
+        same = same && now == bodies_of_[k];
+        bodies_of_[k] = now;
+    }
+    return same;
+}
+
 bool Contacts::connect(std::int64_t step) noexcept {
+    // Mostly the same bodies touch as in the last step.
+    if (same_bodies() && connected_) {
+        for (std::size_t i = 0; i < links.size(); ++i)
+            if (block_used[touching_.size() + i]) link_used[i] = step;
+        return true;
+    }
+    connected_ = false;
     // Blocks.
     missing_.clear();
     for (ContactBlock& b : blocks) b.begin = b.end = 0;
@@ -158,6 +180,7 @@ bool Contacts::connect(std::int64_t step) noexcept {
     for (std::size_t i = touched_.size(); i > 0; --i) incident_begin_[i] = incident_begin_[i - 1];
     incident_begin_[0] = 0;
     for (const std::int32_t b : touched_) place_[at(b)] = -1;
+    connected_ = true;
     return true;
 }
 
@@ -243,7 +266,8 @@ std::size_t Contacts::bytes() const noexcept {
     return bytes(rows) + bytes(cones) + bytes(memory) + bytes(next_) + bytes(blocks) +
            bytes(block_value) + bytes(impulse) + bytes(slot_impulse) + bytes(links) +
            bytes(link_used) + bytes(extra_) + bytes(needed_) + bytes(terms_) + bytes(incident_) +
-           bytes(touched_) + bytes(touched_before_) + bytes(incident_begin_) + resistances.bytes();
+           bytes(touched_) + bytes(bodies_of_) + bytes(touched_before_) + bytes(incident_begin_) +
+           resistances.bytes();
 }
 
 }  // namespace hawser::assembly

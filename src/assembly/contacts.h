@@ -25,6 +25,7 @@
 #include "collide/contacts.h"
 #include "model/bodies.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -123,6 +124,8 @@ class Contacts {
 
   private:
     [[nodiscard]] std::int32_t block_of(std::int32_t a, std::int32_t b) const noexcept;
+    /// Whether contacts act on the same bodies as when this was last asked.
+    [[nodiscard]] bool same_bodies() noexcept;
 
     struct Extra {
         double epsilon_t;
@@ -140,6 +143,8 @@ class Contacts {
     std::vector<std::int32_t> touched_, touched_before_;   ///< Bodies.
     std::vector<std::int32_t> place_;                      ///< By body: index in touched_.
     std::vector<Link> missing_;
+    bool connected_ = false;  ///< Blocks, terms and incidences belong to …
+    std::vector<std::array<std::int32_t, 4>> bodies_of_;  ///< … the bodies of each contact.
     std::vector<std::int32_t> dof_begin_, dof_;
 };
 
