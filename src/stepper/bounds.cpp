@@ -55,13 +55,6 @@ BoundedRow along(const Newton& n, std::size_t i, double t) noexcept {
 
 constexpr int kMostPasses = 20;
 
-/// Whether no row asks to switch. Nothing is moved.
-bool wants_none(StepContext& ctx) noexcept {
-    take_bounds(ctx);
-    keep_bounds(ctx, 1.0);
-    return switch_bounds(ctx, 0.0, 0) == 0;
-}
-
 /// λ and v₊ as they stand. All that ask for it are switched at first; then, since two may go on
 /// switching each other for ever, the first one only (K. G. Murty's least index rule, which ends).
 /// @return how many ask for it; none are switched from kMostPasses on.
@@ -220,6 +213,12 @@ std::int32_t switch_bounds(StepContext& ctx, double floor, std::int32_t most) no
     return asking;
 }
 
+std::int32_t asking_rows(StepContext& ctx, double floor) noexcept {
+    take_bounds(ctx);
+    keep_bounds(ctx, 1.0);
+    return switch_bounds(ctx, floor, 0);
+}
+
 Status settle_bounds(StepContext& ctx) noexcept {
     constexpr int kMostSolves = 100;  // of bounds that move
     const double tolerance = ctx.def.contact_tolerance;
@@ -229,7 +228,7 @@ Status settle_bounds(StepContext& ctx) noexcept {
         if (solves >= kMostSolves) pass = kMostPasses;
         Status status = Status::ok;
         const bool moved = ctx.stats.natural_map > tolerance;
-        if (!moved && pass < kMostPasses && wants_none(ctx)) {
+        if (!moved && pass < kMostPasses && asking_rows(ctx, 0.0) == 0) {
             ctx.stats.flips_left = 0;
             break;
         }

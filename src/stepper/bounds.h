@@ -59,7 +59,10 @@ inline constexpr std::int32_t kAnyRows = 0x7fffffff;
 /// count. @return rows that ask to be active, or idle.
 std::int32_t switch_bounds(StepContext& ctx, double floor, std::int32_t most) noexcept;
 
-/// The same for a solution λ, v₊ as it stands. @return whether to solve again.
+/// Rows that ask to switch where λ, v₊ are as they stand. Nothing is moved. @param floor  As above.
+[[nodiscard]] std::int32_t asking_rows(StepContext& ctx, double floor) noexcept;
+
+/// switch_bounds() for a solution λ, v₊ as it stands. @return whether to solve again.
 [[nodiscard]] bool update_active_set(StepContext& ctx, int pass) noexcept;
 
 /// Solve again until the rows of a world without contacts agree with their bounds. Statuses that

@@ -294,10 +294,13 @@ Status solve_newton(StepContext& ctx) noexcept {
         restart(ctx);
         status = iterate(ctx, Coupling::lagged, tolerance);
     }
-    if (status == Status::ok && !solved(ctx, status)) status = end_early(ctx);
+    const bool early = status == Status::ok && !solved(ctx, status);
+    if (early) status = end_early(ctx);
     if (status == Status::ok) status = refine(ctx);
-    if (status == Status::ok)  // of what the step ends with
-        ctx.stats.natural_map = std::max(worst(ctx), bounds_map(ctx));
+    if (status != Status::ok) return status;
+    // Of what the step ends with.
+    ctx.stats.natural_map = std::max(worst(ctx), bounds_map(ctx));
+    if (early) ctx.stats.flips_left += asking_rows(ctx, ctx.contact_floor);
     return status;
 }
 

@@ -115,6 +115,43 @@ TEST_P(Capstans, HoldsBelowIt) {
     EXPECT_NEAR(w.pose(c.weight).position.z(), z, 1e-9) << "it hangs still for 10 s";
 }
 
+/// One iteration cannot switch a line that comes taut and solve with it: such a step says so,
+/// though its contacts, at rest, are solved.
+TEST(BoundsLeftOpen, AreCountedWhereIterationsEnd) {
+    WorldDef def;
+    def.contact_iterations = 1;
+    World w(def);
+    BodyDef d;
+    d.kind = BodyKind::fixed;
+    const BodyId ground = w.add_body(d);
+    ShapeDef plane;
+    plane.kind = ShapeKind::plane;
+    plane.body = ground;
+    w.add_shape(plane);
+    d.kind = BodyKind::rigid;
+    d.mass = 100.0;
+    d.inertia = 10.0 * Mat3::Identity();
+    d.position = {5.0, 0.0, 0.5};
+    ShapeDef box;
+    box.kind = ShapeKind::box;
+    box.half_size = {0.5, 0.5, 0.5};
+    box.body = w.add_body(d);
+    w.add_shape(box);
+    d.kind = BodyKind::lump;
+    d.mass = 10.0;
+    d.position = {0.0, 0.0, 19.5};
+    InteractionDef line = between(InteractionKind::Stretch, {ground, w.add_body(d)});
+    line.point[0] = {0.0, 0.0, 20.0};
+    line.set("EA", 1e6).set("length", 2.0).set("tension_only", 1.0);
+    w.add_interaction(line);
+    int open = 0;
+    for (int k = 0; k < 60; ++k) {
+        ASSERT_EQ(w.step(), Status::ok);
+        if (w.stats().natural_map <= def.contact_tolerance && w.stats().flips_left > 0) ++open;
+    }
+    EXPECT_GT(open, 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Worlds, Capstans, testing::Bool(), [](const auto& with) {
     return std::string(with.param ? "WithContacts" : "Alone");
 });
