@@ -29,13 +29,13 @@ Vec3 onto_cone(const Vec3& x, const Vec3& n, double mu) {
     return on_rim * n + (mu * on_rim / length) * tangent;
 }
 
+}  // namespace
+
 Mat3 cross_matrix(const Vec3& a) {
     Mat3 m;
     m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
     return m;
 }
-
-}  // namespace
 
 Verifier::Verifier(const World& world) : step_(world.settings().step) {
     const auto bodies = slot(world.body_count());

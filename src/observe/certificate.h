@@ -27,6 +27,9 @@
 
 namespace hawser::observe {
 
+/// a × as a matrix.
+[[nodiscard]] Mat3 cross_matrix(const Vec3& a);
+
 struct Verification {
     std::int64_t steps = 0;
     double natural_map = 0.0;  ///< Largest, of steps that no budget cut.

@@ -18,12 +18,6 @@ Vec3 spun(const Mat3& inertia, const Vec3& w, double h) {
     return l + 0.5 * h * w.cross(l) + 0.25 * h * h * w.dot(l) * w;
 }
 
-Mat3 cross_of(const Vec3& a) {
-    Mat3 m;
-    m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-    return m;
-}
-
 // Spin after h without torque (docs/methods.md, 3), by Newton's method: fixed points do not
 // converge for slender bodies.
 Vec3 free_spin(const Mat3& inertia, const Vec3& w, double h) {
@@ -31,7 +25,7 @@ Vec3 free_spin(const Mat3& inertia, const Vec3& w, double h) {
     Vec3 u = w;
     for (int i = 0; i < 30; ++i) {
         const Vec3 l = inertia * u;
-        const Mat3 slope = inertia + 0.5 * h * (cross_of(u) * inertia - cross_of(l)) +
+        const Mat3 slope = inertia + 0.5 * h * (cross_matrix(u) * inertia - cross_matrix(l)) +
                            0.25 * h * h * (u.dot(l) * Mat3::Identity() + 2.0 * u * l.transpose());
         const Vec3 change = slope.partialPivLu().solve(target - spun(inertia, u, h));
         u += change;

@@ -36,22 +36,6 @@ void points(const std::string& where, const std::vector<Vec3>& vertices) {
                 reject(where, "vertex " + std::to_string(i) + " is not finite or beyond 1e6 m");
 }
 
-const char* name_of(Nonsmooth method) {
-    switch (method) {
-        case Nonsmooth::newton:
-            return "newton";
-        case Nonsmooth::pivoting:
-            return "pivoting";
-        case Nonsmooth::split:
-            return "split";
-        case Nonsmooth::pgs:
-            return "pgs";
-        case Nonsmooth::convex:
-            break;
-    }
-    return "convex";
-}
-
 void check_values(const std::string& where, const MaterialDef& m, Nonsmooth method) {
     within(where, "friction", m.friction, 0.0, 100.0);
     within(where, "restitution", m.restitution, 0.0, 1.0);
@@ -61,8 +45,7 @@ void check_values(const std::string& where, const MaterialDef& m, Nonsmooth meth
     within(where, "rolling", m.rolling, 0.0, 10.0);
     within(where, "torsional", m.torsional, 0.0, 10.0);
     if (method != Nonsmooth::newton && (m.rolling > 0.0 || m.torsional > 0.0))
-        reject(where, std::string("rolling and torsional resistance need the method newton; ") +
-                          name_of(method) + " does not have them");
+        reject(where, "rolling and torsional resistance need the method newton");
 }
 
 void check_heightfield(const std::string& where, const ShapeDef& d) {
