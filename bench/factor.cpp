@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "linear/edits.h"
 #include "linear/report.h"
+#include "linear/schedule.h"
 #include "observe/svg.h"
 
 #include <fmt/core.h>
@@ -25,7 +26,7 @@ struct FactorOptions {
     std::vector<std::string> only;
     std::string scene = "scenes/anchor_lines.json", matrix, blocks, json, picture;
     int threads = 2, edits = 0;
-    bool sweep = false, list = false;
+    bool sweep = false, list = false, schedule = false, saddle = false;
     int reference_limit = 3'000'000;
     TrialOptions trial;
 };
@@ -99,6 +100,9 @@ CLI::App* add_options(CLI::App& app, FactorOptions& o) {
     app.add_option("--edits", o.edits,
                    "Repair our analysis of the paper's scene through so many steps instead")
         ->check(CLI::Range(4, 100'000));
+    app.add_flag("--schedule", o.schedule,
+                 "Ours alone: measured on 1 and 2 threads, simulated on up to 64");
+    app.add_flag("--saddle", o.saddle, "With --schedule: rows kept; else they are eliminated");
     app.add_option("--reference-limit", o.reference_limit,
                    "No long double reference above this many scalars")
         ->capture_default_str();
@@ -115,6 +119,36 @@ void insist_on_fast_blas(char** argv) {
         return;
     setenv("OPENBLAS_CORETYPE", isa == "avx512" ? "SKYLAKEX" : "HASWELL", 1);
     execv("/proc/self/exe", argv);  // goes on as it is where that fails
+}
+
+int schedules(const std::vector<ProblemSource>& sources, const FactorOptions& o) {
+    PoolCosts costs = measure_pool_costs();
+    costs.wake = 0.0;  // what is timed comes after a solution that is not
+    nlohmann::json all = nlohmann::json::array();
+    print_schedule_head(costs);
+    std::vector<ScheduleReport> reports;
+    for (const ProblemSource& p : sources) {
+        reports.push_back(measure_schedule(p, !o.saddle, o.trial.rounds, costs));
+        print_schedule(reports.back());
+        all.push_back(to_json(reports.back()));
+    }
+    fmt::print(
+        "x: speed-up, measured on 2 threads and simulated on more. serial: outside loops; path:\n"
+        "with endless threads that cost nothing; both over the time of one thread. *: other "
+        "programs kept\ntwo threads from having two processors in most samples.\n");
+    for (const ScheduleReport& r : reports) {
+        fmt::print("\n{}, {}\n", r.name, r.form);
+        print_schedule_loops(r);
+    }
+    if (!o.json.empty())
+        std::ofstream(o.json) << nlohmann::json{{"instruction_set", instruction_set()},
+                                                {"start_us", 1e6 * costs.start},
+                                                {"join_us", 1e6 * costs.join},
+                                                {"deal_us", 1e6 * costs.deal},
+                                                {"matrices", all}}
+                                     .dump(2)
+                              << '\n';
+    return 0;
 }
 
 }  // namespace
@@ -141,6 +175,7 @@ int factor_command(int argc, char** argv) {
         for (const ProblemSource& p : sources) fmt::print("{}\n", p.name);
         return 0;
     }
+    if (o.schedule) return schedules(sources, o);
     fmt::print("kernels {}, BLAS {}; one thread: processor time, more: wall time\n",
                instruction_set(), blas_core());
     std::vector<ProblemReport> reports;

@@ -9,6 +9,8 @@
 #include <hawser/inspect.h>
 #include <hawser/interactions.h>
 #include <hawser/math.h>
+#include <hawser/schedule.h>
 #include <hawser/shapes.h>
 #include <hawser/stats.h>
+#include <hawser/trace.h>
 #include <hawser/world.h>

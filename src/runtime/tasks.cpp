@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/tasks.h"
 
+#include "runtime/trace.h"
+
 #include <pthread.h>
 #include <ctime>
 
@@ -69,6 +71,44 @@ bool Pool::drain(int thread) noexcept {
 }
 
 void Pool::run(int count, Task task, void* context) noexcept {
+    if (trace_ == nullptr)
+        deal(count, task, context);
+    else
+        deal_recorded(count, task, context);
+}
+
+void Pool::deal_recorded(int count, Task task, void* context) noexcept {
+    struct Recorded {
+        Trace& trace;
+        Task task;
+        void* context;
+        TraceSpan like;
+    } r{*trace_, task, context, {}};
+    r.like.step = trace_->step;
+    r.like.stage = trace_->stage;
+    r.like.loop = trace_->loops++;
+    TraceSpan loop = r.like;
+    loop.kind = SpanKind::loop;
+    loop.task = count;
+    loop.begin = trace_->now();
+    deal(
+        count,
+        [](void* c, int i, int thread) noexcept {
+            const Recorded& recorded = *static_cast<const Recorded*>(c);
+            TraceSpan span = recorded.like;
+            span.task = i;
+            span.thread = thread;
+            span.begin = recorded.trace.now();
+            recorded.task(recorded.context, i, thread);
+            span.end = recorded.trace.now();
+            recorded.trace.push(span);
+        },
+        &r);
+    loop.end = trace_->now();
+    trace_->push(loop);
+}
+
+void Pool::deal(int count, Task task, void* context) noexcept {
     if (workers_.empty() || count <= 1 || (awake_.load(std::memory_order_relaxed) & 1U) == 0) {
         for (int i = 0; i < count; ++i) task(context, i, 0);
         return;

@@ -18,6 +18,8 @@
 
 namespace hawser::runtime {
 
+class Trace;
+
 class Pool final : public base::Executor {
   public:
     /// @param threads  Including the caller; at least 1.
@@ -34,12 +36,17 @@ class Pool final : public base::Executor {
     /// CPU time that a thread has used since it began [s]; 0: the calling thread.
     [[nodiscard]] double cpu_seconds(int thread) noexcept;
 
+    /// From now on loops and tasks are written down there; nullptr: no longer. Between loops only.
+    void record(Trace* trace) noexcept { trace_ = trace; }
+
     void run(int count, Task task, void* context) noexcept override;
     [[nodiscard]] int threads() const noexcept override {
         return static_cast<int>(workers_.size()) + 1;
     }
 
   private:
+    void deal(int count, Task task, void* context) noexcept;
+    void deal_recorded(int count, Task task, void* context) noexcept;
     void work(const std::stop_token& stop, int thread) noexcept;
     bool drain(int thread) noexcept;
 
@@ -55,6 +62,7 @@ class Pool final : public base::Executor {
     alignas(64) std::atomic<Task> task_{nullptr};
     std::atomic<void*> context_{nullptr};
     std::atomic<std::int32_t> count_{0};
+    Trace* trace_ = nullptr;
     std::vector<std::jthread> workers_;
 };
 

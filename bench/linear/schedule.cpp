@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "linear/schedule.h"
+
+#include "index.h"
+#include "linear/sweeps.h"
+#include "linear/timing.h"
+#include "runtime/tasks.h"
+#include "runtime/trace.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::bench {
+namespace {
+
+/// Runs on one thread what more threads would be given to do.
+class Pretend final : public base::Executor {
+  public:
+    Pretend(runtime::Pool& pool, int threads) : pool_(pool), threads_(threads) {}
+    void run(int count, Task task, void* context) noexcept override {
+        pool_.run(count, task, context);
+    }
+    [[nodiscard]] int threads() const noexcept override { return threads_; }
+
+  private:
+    runtime::Pool& pool_;
+    int threads_;
+};
+
+constexpr int kMarks = 5;
+constexpr const char* kPhase[kMarks - 1] = {"condense", "factor", "backward", "refine"};
+
+/// When each phase of one solution began and the last one ended [s].
+struct Marks {
+    double at[kMarks] = {};
+    bool disturbed = false;
+    [[nodiscard]] double solve() const noexcept { return at[3] - at[1]; }
+    [[nodiscard]] double whole() const noexcept { return at[4] - at[0]; }
+};
+
+class Work {
+  public:
+    Work(const ProblemSource& source, bool condensed)
+        : problem_(source.system()), condensed_(condensed), solver_(make_ours(Order::library)) {
+        base::SerialExecutor serial;
+        vectors_.resize(problem_.system);
+        solver_->analyse(problem_.input(condensed), serial);
+        // Room for the second thread; serial executors use the first.
+        Pretend two(one_, 2);
+        solver_->analyse(problem_.input(condensed), two);
+    }
+
+    /// One solution after another that is not counted: threads are awake, and another number of
+    /// threads has left the values in other caches.
+    Marks run(base::Executor& executor, runtime::Pool& pool) {
+        pool.resume();
+        (void)solve(executor);
+        double before[2], after[2];
+        processor(pool, before);
+        Marks m = solve(executor);
+        processor(pool, after);
+        pool.pause();
+        // A switch of threads takes microseconds at least; the clocks themselves about one.
+        for (int t = 0; t < pool.threads(); ++t)
+            if (m.whole() - (after[t] - before[t]) > 0.01 * m.whole() + 3e-6) m.disturbed = true;
+        return m;
+    }
+
+    [[nodiscard]] runtime::Pool& one() noexcept { return one_; }
+    [[nodiscard]] runtime::Pool& two() noexcept { return two_; }
+    [[nodiscard]] runtime::Trace& trace() noexcept { return trace_; }
+
+  private:
+    static void processor(runtime::Pool& pool, double* seconds) {
+        for (int t = 0; t < pool.threads(); ++t) seconds[t] = pool.cpu_seconds(t);
+    }
+
+    Marks solve(base::Executor& team) {
+        const Input in = problem_.input(condensed_);
+        std::vector<double>& inverse = problem_.inverse;
+        Marks m;
+        m.at[0] = trace_.now();
+        invert_sigma(*in.system, *in.form, inverse, team);
+        fold(*in.system, *in.form, inverse, vectors_, team);
+        solver_->refresh(in, team);
+        m.at[1] = trace_.now();
+        solver_->factor_and_begin(vectors_.folded, team);
+        m.at[2] = trace_.now();
+        solver_->finish(vectors_.folded, team);
+        m.at[3] = trace_.now();
+        unfold(*in.system, *in.form, inverse, vectors_, team);
+        fold_residual(*in.system, *in.form, vectors_, team);
+        solver_->solve(vectors_.folded, team);
+        add_correction(*in.system, *in.form, inverse, vectors_, team);
+        m.at[4] = trace_.now();
+        return m;
+    }
+
+    Problem problem_;
+    bool condensed_;
+    std::unique_ptr<Solver> solver_;
+    SweepVectors vectors_;
+    runtime::Pool one_{1}, two_{2};
+    runtime::Trace trace_{1, 1 << 16};
+};
+
+/// Samples of one stretch.
+struct Stretch {
+    std::vector<double> one, two, serial, critical;
+    std::vector<double> predicted[std::size(kScheduleThreads)];
+    std::vector<double> speed_up[std::size(kScheduleThreads)];
+
+    void predict(const ProgramTimes& p, std::size_t k, const PoolCosts& costs) {
+        const double seconds = simulate(p, kScheduleThreads[k], costs).seconds;
+        predicted[k].push_back(seconds);
+        speed_up[k].push_back(p.work() / seconds);
+        if (k + 1 < std::size(kScheduleThreads)) return;
+        serial.push_back(p.serial());
+        critical.push_back(p.critical());
+    }
+    [[nodiscard]] ScheduleTimes times() const {
+        ScheduleTimes t;
+        t.one = median(one);
+        t.two = median(two);
+        t.one_best = *std::min_element(one.begin(), one.end());
+        t.two_best = *std::min_element(two.begin(), two.end());
+        t.serial = median(serial);
+        t.critical = median(critical);
+        for (const auto& v : predicted) t.predicted.push_back(median(v));
+        for (const auto& v : speed_up) t.speed_up.push_back(median(v));
+        return t;
+    }
+};
+
+std::vector<ScheduleLoop> describe_loops(const std::vector<TraceSpan>& spans, const Marks& marks,
+                                         const PoolCosts& costs) {
+    std::vector<ScheduleLoop> loops;
+    for (int k = 0; k + 1 < kMarks; ++k) {
+        const ProgramTimes p = program_of(spans, marks.at[k], marks.at[k + 1]);
+        const Simulated eight = simulate(p, 8, costs);
+        for (std::size_t i = 0; i < p.loops.size(); ++i) {
+            const LoopTimes& l = p.loops[i];
+            ScheduleLoop s{kPhase[k], static_cast<int>(l.task.size()), l.before};
+            for (const double t : l.task) {
+                s.sum += t;
+                s.longest = std::max(s.longest, t);
+            }
+            s.eight = eight.loop[i];
+            loops.push_back(s);
+        }
+        loops.push_back({kPhase[k], 0, p.after});
+    }
+    return loops;
+}
+
+}  // namespace
+
+ScheduleReport measure_schedule(const ProblemSource& source, bool condensed, int rounds,
+                                const PoolCosts& costs) {
+    Work work(source, condensed);
+    ScheduleReport report;
+    report.name = source.name;
+    report.form = condensed ? "condensed" : "saddle";
+    Stretch solve, whole;
+    std::vector<TraceSpan> spans;
+    auto counted = [&](base::Executor& executor, runtime::Pool& pool) {
+        Marks m;
+        for (int attempt = 0; attempt < 20; ++attempt) {
+            m = work.run(executor, pool);
+            ++report.samples;
+            if (!m.disturbed) break;
+            ++report.disturbed;
+        }
+        return m;
+    };
+    std::size_t disturbed_two = 0;
+    for (int round = 0; round < rounds; ++round) {
+        const Marks a = counted(work.one(), work.one()), b = counted(work.two(), work.two());
+        solve.one.push_back(a.solve());
+        whole.one.push_back(a.whole());
+        solve.two.push_back(b.solve());
+        whole.two.push_back(b.whole());
+        disturbed_two += b.disturbed ? 1U : 0U;
+        for (std::size_t k = 0; k < std::size(kScheduleThreads); ++k) {
+            Pretend team(work.one(), kScheduleThreads[k]);
+            work.one().record(&work.trace());
+            const Marks m = counted(team, work.one());
+            work.one().record(nullptr);
+            spans.clear();
+            work.trace().copy(m.at[0], spans);
+            solve.predict(program_of(spans, m.at[1], m.at[3]), k, costs);
+            whole.predict(program_of(spans, m.at[0], m.at[4]), k, costs);
+            if (kScheduleThreads[k] == 8) report.loops = describe_loops(spans, m, costs);
+        }
+    }
+    report.quiet = 2 * disturbed_two < solve.two.size();
+    report.solve = solve.times();
+    report.whole = whole.times();
+    return report;
+}
+
+void print_schedule_head(const PoolCosts& costs) {
+    fmt::print(
+        "Task times of one thread, dealt out to p threads by the simulator. A loop costs {:.2f} us "
+        "until\nanother thread has begun and {:.2f} us to join; a task costs {:.3f} us to take.\n"
+        "{:<18} {:<14} {:>9} {:>9} {:>9} {:>6} {:>5}  {:>5} {:>5} {:>5} {:>5} {:>5} {:>7} {:>7}\n",
+        1e6 * costs.start, 1e6 * costs.join, 1e6 * costs.deal, "matrix", "work", "T(1) ms",
+        "T(2) ms", "simulated", "dev", "x 2", "x 4", "x 8", "x 16", "x 32", "x 64", "serial",
+        "path");
+}
+
+void print_schedule(const ScheduleReport& r) {
+    auto line = [&](const char* what, const ScheduleTimes& t) {
+        fmt::print(
+            "{:<18} {:<14} {:>9.4g} {:>9.4g} {:>9.4g} {:>5.1f}% {:>5.2f}{} {:>5.2f} {:>5.2f} "
+            "{:>5.2f} {:>5.2f} {:>5.2f} {:>6.1f}% {:>6.1f}%\n",
+            r.name, what, 1e3 * t.one, 1e3 * t.two, 1e3 * t.predicted[1], 100.0 * t.deviation(),
+            t.one / t.two, r.quiet ? ' ' : '*', t.speed_up[2], t.speed_up[3], t.speed_up[4],
+            t.speed_up[5], t.speed_up[6], 100.0 * t.serial / t.predicted[0],
+            100.0 * t.critical / t.predicted[0]);
+    };
+    line("factor + solve", r.solve);
+    line("all", r.whole);
+}
+
+void print_schedule_loops(const ScheduleReport& r) {
+    fmt::print("{:>20} {:>6} {:>12} {:>10} {:>10} {:>10} {:>8}\n", "phase", "tasks", "before us",
+               "tasks us", "longest", "8 threads", "speed-up");
+    for (const ScheduleLoop& l : r.loops) {
+        if (l.tasks == 0)
+            fmt::print("{:>20} {:>6} {:>12.2f}\n", l.phase, "-", 1e6 * l.before);
+        else
+            fmt::print("{:>20} {:>6} {:>12.2f} {:>10.2f} {:>10.2f} {:>10.2f} {:>8.2f}\n", l.phase,
+                       l.tasks, 1e6 * l.before, 1e6 * l.sum, 1e6 * l.longest, 1e6 * l.eight,
+                       l.sum / l.eight);
+    }
+    if (r.disturbed > 0)
+        fmt::print("  {} of {} samples were disturbed by other programs and taken again\n",
+                   r.disturbed, r.samples);
+}
+
+nlohmann::json to_json(const ScheduleReport& r) {
+    auto times = [](const ScheduleTimes& t) {
+        return nlohmann::json{{"t1_ms", 1e3 * t.one},
+                              {"t2_ms", 1e3 * t.two},
+                              {"t1_best_ms", 1e3 * t.one_best},
+                              {"t2_best_ms", 1e3 * t.two_best},
+                              {"simulated_seconds", t.predicted},
+                              {"simulated_speed_up", t.speed_up},
+                              {"deviation", t.deviation()},
+                              {"serial_ms", 1e3 * t.serial},
+                              {"critical_ms", 1e3 * t.critical}};
+    };
+    nlohmann::json loops = nlohmann::json::array();
+    for (const ScheduleLoop& l : r.loops)
+        loops.push_back({{"phase", l.phase},
+                         {"tasks", l.tasks},
+                         {"before_us", 1e6 * l.before},
+                         {"sum_us", 1e6 * l.sum},
+                         {"longest_us", 1e6 * l.longest},
+                         {"eight_us", 1e6 * l.eight}});
+    return {{"matrix", r.name},
+            {"form", r.form},
+            {"threads", kScheduleThreads},
+            {"factor_solve", times(r.solve)},
+            {"all", times(r.whole)},
+            {"loops", loops},
+            {"samples", r.samples},
+            {"disturbed", r.disturbed}};
+}
+
+}  // namespace hawser::bench

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file schedule.h
+/// Our solution on more threads than the machine has: task times of one thread, dealt out by the
+/// simulator of hawser/schedule.h, checked against what two threads take.
+
+#include "linear/problem.h"
+
+#include <hawser/schedule.h>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace hawser::bench {
+
+/// Measured and predicted times of one stretch of the work [s].
+struct ScheduleTimes {
+    double one = 0.0, two = 0.0;            ///< Measured, medians.
+    double one_best = 0.0, two_best = 0.0;  ///< Measured, shortest.
+    std::vector<double> predicted;          ///< By kScheduleThreads, medians.
+    std::vector<double> speed_up;  ///< Likewise: over one thread in the same run of the tasks.
+    double serial = 0.0, critical = 0.0;  ///< Medians.
+    [[nodiscard]] double deviation() const noexcept { return predicted[1] / two - 1.0; }
+};
+
+/// A loop of the work and the code before it, one thread [s].
+struct ScheduleLoop {
+    std::string phase;
+    int tasks = 0;
+    double before = 0.0, sum = 0.0, longest = 0.0, eight = 0.0;  ///< eight: from start to join.
+};
+
+struct ScheduleReport {
+    std::string name, form;
+    ScheduleTimes solve;  ///< Factorisation with its values, and substitution.
+    ScheduleTimes whole;  ///< Condense, factor, solve, refine once.
+    std::vector<ScheduleLoop> loops;
+    int samples = 0, disturbed = 0;  ///< Disturbed: a thread had lost its processor.
+    bool quiet = false;              ///< Most samples of two threads had both processors.
+};
+
+inline constexpr int kScheduleThreads[] = {1, 2, 4, 8, 16, 32, 64};
+
+/// @param condensed  The form. @param rounds  Samples of each measurement.
+[[nodiscard]] ScheduleReport measure_schedule(const ProblemSource& source, bool condensed,
+                                              int rounds, const PoolCosts& costs);
+
+void print_schedule_head(const PoolCosts& costs);
+void print_schedule(const ScheduleReport& report);
+/// What bounds it: every loop with the code before it.
+void print_schedule_loops(const ScheduleReport& report);
+[[nodiscard]] nlohmann::json to_json(const ScheduleReport& report);
+
+}  // namespace hawser::bench
