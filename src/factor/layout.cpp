@@ -24,6 +24,7 @@ void reset(Symbolic& s) {
     s.runs.clear();
     s.tasks.clear();
     s.top.clear();
+    s.top_tasks.clear();
     s.batches.clear();
     s.batch_steps.clear();
     s.slot_sign.clear();
@@ -39,15 +40,6 @@ void reset(Symbolic& s) {
 /// The last pivot's node: its structure covers every pivot's rows behind the front.
 std::int32_t last_node(const Symbolic& s, const Front& front) {
     return s.order[at(front.node_end - 1)];
-}
-
-/// Flops of the steps that a chain takes part in.
-std::int64_t chain_flops(const Symbolic& s, const Front& front) {
-    const Batch& batch = s.batches[at(front.batch)];
-    std::int64_t flops = 0;
-    for (std::int32_t k = batch.step_begin; k < batch.step_end; ++k)
-        flops += front_flops(s.batch_steps[at(k)].p, s.batch_steps[at(k)].q);
-    return flops;
 }
 
 }  // namespace
@@ -193,108 +185,6 @@ void Layout::find_runs(const Pattern& pattern, const Columns& columns, Front& fr
     if (run.length > 0) s.runs.push_back(run);
 }
 
-/// Split the tree into parallel tasks and a serial top. Targets depend on the tree alone.
-void Layout::choose_tasks(Symbolic& s) {
-    const std::size_t count = s.fronts.size();
-    subtree_.assign(count, 0);
-    path_.assign(count, 0);
-    std::int64_t total = 0;
-    for (std::size_t f = 0; f < count; ++f) {
-        const Front& front = s.fronts[f];
-        // The constant stands for the work per front that flops do not show. A chain's work is
-        // done before the tasks.
-        const bool chain = front.batch >= 0;
-        const std::int64_t own = flops_[f];
-        subtree_[f] += own + (chain ? 0 : 600);
-        path_[f] += chain ? chain_flops(s, front) : own;
-        s.critical_flops = std::max(s.critical_flops, path_[f]);
-        if (front.parent < 0) {
-            total += subtree_[f];
-            continue;
-        }
-        subtree_[at(front.parent)] += subtree_[f];
-        path_[at(front.parent)] = std::max(path_[at(front.parent)], path_[f]);
-    }
-    constexpr std::int64_t kParts = 48, kSmallest = 40'000;
-    const std::int64_t target = std::max(total / kParts, kSmallest);
-    // Top: every front whose subtree is larger than the target.
-    std::int32_t begin = 0;
-    std::int64_t work = 0;
-    auto close = [&](std::int32_t end) {
-        if (end > begin) s.tasks.push_back({begin, end, work});
-        begin = end;
-        work = 0;
-    };
-    for (std::size_t f = 0; f < count; ++f) {
-        const auto id = static_cast<std::int32_t>(f);
-        if (subtree_[f] > target) {
-            close(id);
-            s.top.push_back(id);
-            begin = id + 1;
-        } else if (s.fronts[f].parent < 0 || subtree_[at(s.fronts[f].parent)] > target) {
-            work += subtree_[f];
-            if (work >= target / 2) close(id + 1);
-        }
-    }
-    close(static_cast<std::int32_t>(count));
-}
-
-/// Addresses of the update matrices: two stacks for each task, by parity of depth. All tasks have
-/// them in the same place, of which each thread has its own.
-void Layout::place_updates(Symbolic& s) {
-    const std::size_t count = s.fronts.size();
-    task_.assign(count, -1);
-    for (std::size_t t = 0; t < s.tasks.size(); ++t)
-        std::fill(task_.begin() + s.tasks[t].begin, task_.begin() + s.tasks[t].end,
-                  static_cast<std::int32_t>(t));
-    parity_.assign(count, 0);
-    for (std::size_t f = count; f-- > 0;)
-        if (s.fronts[f].parent >= 0) parity_[f] = parity_[at(s.fronts[f].parent)] ^ 1;
-    const std::size_t stacks = 2 * (s.tasks.size() + 1);
-    height_.assign(stacks, 0);
-    peak_.assign(stacks, 0);
-    auto stack_of = [&](std::size_t f) {
-        return 2 * at(task_[f] + 1) + parity_[f];  // −1 + 1: 0 is the top
-    };
-    std::int64_t shared = 0;  // updates handed from a task to the top
-    crosses_.assign(count, 0);
-    auto size_of = [&](const Front& f) { return static_cast<std::int64_t>(f.ldu) * f.q; };
-    for (std::size_t f = 0; f < count; ++f) {
-        Front& front = s.fronts[f];
-        for (std::int32_t c = front.child_begin; c < front.child_end; ++c) {
-            const std::size_t child = at(s.children[at(c)]);
-            if (!crosses_[child]) height_[stack_of(child)] -= size_of(s.fronts[child]);
-        }
-        // All chains are done before any task: their updates wait outside the stacks.
-        crosses_[f] =
-            front.parent >= 0 && (front.batch >= 0 || task_[at(front.parent)] != task_[f]);
-        if (crosses_[f]) {
-            front.update = shared;
-            shared += size_of(front);
-            continue;
-        }
-        const std::size_t k = stack_of(f);
-        front.update = height_[k];
-        if (front.parent >= 0) height_[k] += size_of(front);
-        peak_[k] = std::max(peak_[k], front.update + size_of(front));
-    }
-    // At least one vector between stacks, for the same reason.
-    auto round = [](std::int64_t size) { return (size + 8 + 63) & ~std::int64_t{63}; };
-    const std::int64_t top = round(shared);
-    s.stack_begin = top + round(peak_[0]) + round(peak_[1]);
-    std::int64_t even = 0, odd = 0;
-    for (std::size_t k = 2; k < stacks; k += 2) {
-        even = std::max(even, peak_[k]);
-        odd = std::max(odd, peak_[k + 1]);
-    }
-    const std::int64_t base[] = {top, top + round(peak_[0]), s.stack_begin,
-                                 s.stack_begin + round(even)};
-    for (std::size_t f = 0; f < count; ++f)
-        if (!crosses_[f])
-            s.fronts[f].update += base[std::min(stack_of(f), std::size_t{2} + parity_[f])];
-    s.work_size = base[3] + round(odd) + 64;
-}
-
 void Layout::run(const Pattern& pattern, const Columns& columns, const Chains& chains,
                  Symbolic& s) {
     reset(s);
@@ -315,6 +205,7 @@ void Layout::run(const Pattern& pattern, const Columns& columns, const Chains& c
     lay_out_batches(pattern, chains, front_of_chain_, s);
     link_children(pattern, columns, s);
     choose_tasks(s);
+    link_tasks(s);
     if (s.updates_kept)
         keep_updates(s);
     else
@@ -325,7 +216,8 @@ std::size_t Layout::bytes() const noexcept {
     return tree_.bytes() + base::bytes(supernodes_.begin) + base::bytes(supernodes_.parent) +
            base::bytes(chain_of_) + base::bytes(front_of_chain_) + base::bytes(cursor_) +
            base::bytes(task_) + base::bytes(flops_) + base::bytes(subtree_) + base::bytes(path_) +
-           base::bytes(height_) + base::bytes(peak_) + base::bytes(parity_) + base::bytes(crosses_);
+           base::bytes(height_) + base::bytes(parity_) + base::bytes(crosses_) +
+           base::bytes(edges_);
 }
 
 }  // namespace hawser::factor

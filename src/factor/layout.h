@@ -8,6 +8,7 @@
 #include "factor/tree.h"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace hawser::factor {
@@ -26,14 +27,17 @@ class Layout {
     void lay_out_fronts(const Pattern& pattern, const Columns& columns, Symbolic& s);
     void link_children(const Pattern& pattern, const Columns& columns, Symbolic& s);
     void find_runs(const Pattern& pattern, const Columns& columns, Front& front, Symbolic& s);
-    void choose_tasks(Symbolic& s);
+    void choose_tasks(Symbolic& s);  // tasks.cpp
+    void choose_top_tasks(Symbolic& s, std::int64_t target);
+    void link_tasks(Symbolic& s);
     void place_updates(Symbolic& s);
 
     TreeBuilder tree_;
     Supernodes supernodes_;
     std::vector<std::int32_t> chain_of_, front_of_chain_, cursor_, task_;
-    std::vector<std::int64_t> flops_, subtree_, path_, height_, peak_;
+    std::vector<std::int64_t> flops_, subtree_, path_, height_;
     std::vector<std::uint8_t> parity_, crosses_;
+    std::vector<std::pair<std::int32_t, std::int32_t>> edges_;
 };
 
 }  // namespace hawser::factor

@@ -2,6 +2,7 @@
 #include "factor/numeric.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace hawser::factor {
 namespace {
@@ -28,7 +29,8 @@ void Numeric::reserve(const Symbolic& symbolic, int threads, bool unsymmetric) {
     const auto slots = kLaneCount * static_cast<std::int64_t>(symbolic.slot_sign.size());
     grow(slot_pivot_, slots);
     grow(slot_y_, slots);
-    grow(wrong_, static_cast<std::int64_t>(symbolic.batches.size() + symbolic.tasks.size()));
+    grow(wrong_, symbolic.graph.nodes());
+    queue_.reserve(symbolic.graph);
     const std::int64_t need =
         (unsymmetric ? 2 : 1) * std::max(scratch_size(symbolic.max_front), symbolic.batch_scratch);
     const std::int64_t stride = (need + 63) & ~std::int64_t{63};
@@ -74,27 +76,50 @@ void Numeric::clear(const Symbolic& symbolic, base::Executor& executor) noexcept
     executor.for_each(chunks, zero);
 }
 
+/// on_batch(batch, node, thread) or on_fronts(begin, end, node, thread) for all of them, the ranges
+/// of a node in their order, going down in the reverse one.
+template <class Batches, class Fronts>
+void Numeric::run_tasks(const Symbolic& s, bool up, base::Executor& executor, Batches&& on_batch,
+                        Fronts&& on_fronts) noexcept {
+    const std::size_t batches = s.batches.size(), below = batches + s.tasks.size();
+    auto node = [&](int i, int thread) noexcept {
+        const auto n = static_cast<std::size_t>(i);
+        if (n < batches) {
+            on_batch(s.batches[n], n, thread);
+        } else if (n < below) {
+            const TaskRange& t = s.tasks[n - batches];
+            on_fronts(t.begin, t.end, n, thread);
+        } else {
+            const TaskRange& t = s.top_tasks[n - below];
+            for (std::int32_t k = 0; k < t.end - t.begin; ++k) {
+                const std::int32_t f =
+                    s.top[static_cast<std::size_t>(up ? t.begin + k : t.end - 1 - k)];
+                on_fronts(f, f + 1, n, thread);
+            }
+        }
+    };
+    queue_.run(s.graph, up, executor, node);
+}
+
+int Numeric::count_wrong(const Symbolic& symbolic) noexcept {
+    const int wrong = std::accumulate(wrong_.begin(), wrong_.begin() + symbolic.graph.nodes(), 0);
+    return find_wrong(symbolic, wrong);
+}
+
 int Numeric::factor(const Symbolic& symbolic, base::Executor& executor,
                     const Unsymmetric* unsymmetric) noexcept {
     use(symbolic, unsymmetric);
-    const FactorView v = view(symbolic, 0);
     const FactorKernels& kernels = factor_kernels();
-    const std::size_t batches = symbolic.batches.size(), tasks = symbolic.tasks.size();
-    auto batch = [&](int i, int thread) noexcept {
-        const auto k = static_cast<std::size_t>(i);
-        wrong_[k] = kernels.factor_batch(v, symbolic.batches[k], scratch(thread));
-    };
-    auto subtree = [&](int i, int thread) noexcept {
-        const TaskRange& t = symbolic.tasks[static_cast<std::size_t>(i)];
-        wrong_[batches + static_cast<std::size_t>(i)] =
-            kernels.factor(view(symbolic, thread), t.begin, t.end, scratch(thread));
-    };
-    executor.for_each(static_cast<int>(batches), batch);
-    executor.for_each(static_cast<int>(tasks), subtree);
-    int wrong = 0;
-    for (std::size_t i = 0; i < batches + tasks; ++i) wrong += wrong_[i];
-    for (std::int32_t f : symbolic.top) wrong += kernels.factor(v, f, f + 1, scratch(0));
-    return find_wrong(symbolic, wrong);
+    std::fill_n(wrong_.begin(), symbolic.graph.nodes(), 0);
+    run_tasks(
+        symbolic, true, executor,
+        [&](const Batch& batch, std::size_t node, int thread) noexcept {
+            wrong_[node] = kernels.factor_batch(view(symbolic, thread), batch, scratch(thread));
+        },
+        [&](std::int32_t begin, std::int32_t end, std::size_t node, int thread) noexcept {
+            wrong_[node] += kernels.factor(view(symbolic, thread), begin, end, scratch(thread));
+        });
+    return count_wrong(symbolic);
 }
 
 void Numeric::cut_pieces(const Symbolic& s) {
@@ -103,6 +128,7 @@ void Numeric::cut_pieces(const Symbolic& s) {
     pieces_.clear();
     task_piece_.clear();
     for (std::size_t i = 0; i < s.batches.size(); ++i) {
+        task_piece_.push_back(static_cast<std::int32_t>(pieces_.size()));
         const Batch& b = s.batches[i];
         const BatchStep& last = s.batch_steps[static_cast<std::size_t>(b.step_end) - 1];
         const std::int64_t size =
@@ -129,11 +155,15 @@ void Numeric::cut_pieces(const Symbolic& s) {
         task_piece_.push_back(static_cast<std::int32_t>(pieces_.size()));
         add_fronts(t.begin, t.end);
     }
-    task_piece_.push_back(static_cast<std::int32_t>(pieces_.size()));
-    for (std::size_t k = 0, next; k < s.top.size(); k = next) {
-        for (next = k + 1; next < s.top.size() && s.top[next] == s.top[next - 1] + 1;) ++next;
-        add_fronts(s.top[k], s.top[next - 1] + 1);
+    for (const TaskRange& t : s.top_tasks) {
+        task_piece_.push_back(static_cast<std::int32_t>(pieces_.size()));
+        const std::span<const std::int32_t> top(s.top.begin() + t.begin, s.top.begin() + t.end);
+        for (std::size_t k = 0, next; k < top.size(); k = next) {
+            for (next = k + 1; next < top.size() && top[next] == top[next - 1] + 1;) ++next;
+            add_fronts(top[k], top[next - 1] + 1);
+        }
     }
+    task_piece_.push_back(static_cast<std::int32_t>(pieces_.size()));
 }
 
 int Numeric::run_piece(const Symbolic& symbolic, int piece, Fill fill, double* x,
@@ -159,64 +189,50 @@ int Numeric::run_piece(const Symbolic& symbolic, int piece, Fill fill, double* x
 int Numeric::factor_forward(const Symbolic& symbolic, Fill fill, double* x,
                             base::Executor& executor, const Unsymmetric* unsymmetric) noexcept {
     use(symbolic, unsymmetric);
-    const std::size_t batches = symbolic.batches.size(), tasks = symbolic.tasks.size();
-    auto batch = [&](int i, int thread) noexcept {
-        wrong_[static_cast<std::size_t>(i)] = run_piece(symbolic, i, fill, x, thread);
-    };
-    auto subtree = [&](int i, int thread) noexcept {
-        const auto k = static_cast<std::size_t>(i);
+    auto node = [&](int i, int thread) noexcept {
+        const auto n = static_cast<std::size_t>(i);
         int wrong = 0;
-        for (std::int32_t p = task_piece_[k]; p < task_piece_[k + 1]; ++p)
+        for (std::int32_t p = task_piece_[n]; p < task_piece_[n + 1]; ++p)
             wrong += run_piece(symbolic, p, fill, x, thread);
-        wrong_[batches + k] = wrong;
+        wrong_[n] = wrong;
     };
-    executor.for_each(static_cast<int>(batches), batch);
-    executor.for_each(static_cast<int>(tasks), subtree);
-    int wrong = 0;
-    for (std::size_t i = 0; i < batches + tasks; ++i) wrong += wrong_[i];
-    for (int p = task_piece_[tasks]; p < static_cast<int>(pieces_.size()); ++p)
-        wrong += run_piece(symbolic, p, fill, x, 0);
-    return find_wrong(symbolic, wrong);
+    queue_.run(symbolic.graph, true, executor, node);
+    return count_wrong(symbolic);
 }
 
 void Numeric::solve(const Symbolic& symbolic, double* x, base::Executor& executor) noexcept {
     const FactorView v = view(symbolic, 0);
     const FactorKernels& kernels = factor_kernels();
-    auto forward = [&](int i, int thread) noexcept {
-        const TaskRange& t = symbolic.tasks[static_cast<std::size_t>(i)];
-        kernels.forward(v, t.begin, t.end, x, scratch(thread));
-    };
-    auto forward_batch = [&](int i, int thread) noexcept {
-        kernels.forward_batch(v, symbolic.batches[static_cast<std::size_t>(i)], x, scratch(thread));
-    };
-    executor.for_each(static_cast<int>(symbolic.batches.size()), forward_batch);
-    executor.for_each(static_cast<int>(symbolic.tasks.size()), forward);
-    for (std::int32_t f : symbolic.top) kernels.forward(v, f, f + 1, x, scratch(0));
+    run_tasks(
+        symbolic, true, executor,
+        [&](const Batch& batch, std::size_t, int thread) noexcept {
+            kernels.forward_batch(v, batch, x, scratch(thread));
+        },
+        [&](std::int32_t begin, std::int32_t end, std::size_t, int thread) noexcept {
+            kernels.forward(v, begin, end, x, scratch(thread));
+        });
     backward(symbolic, x, executor);
 }
 
 void Numeric::backward(const Symbolic& symbolic, double* x, base::Executor& executor) noexcept {
     const FactorView v = view(symbolic, 0);
     const FactorKernels& kernels = factor_kernels();
-    auto backward = [&](int i, int thread) noexcept {
-        const TaskRange& t = symbolic.tasks[static_cast<std::size_t>(i)];
-        kernels.backward(v, t.begin, t.end, x, scratch(thread));
-    };
-    auto backward_batch = [&](int i, int thread) noexcept {
-        kernels.backward_batch(v, symbolic.batches[static_cast<std::size_t>(i)], x,
-                               scratch(thread));
-    };
-    for (std::size_t k = symbolic.top.size(); k-- > 0;)
-        kernels.backward(v, symbolic.top[k], symbolic.top[k] + 1, x, scratch(0));
-    executor.for_each(static_cast<int>(symbolic.tasks.size()), backward);
-    executor.for_each(static_cast<int>(symbolic.batches.size()), backward_batch);
+    run_tasks(
+        symbolic, false, executor,
+        [&](const Batch& batch, std::size_t, int thread) noexcept {
+            kernels.backward_batch(v, batch, x, scratch(thread));
+        },
+        [&](std::int32_t begin, std::int32_t end, std::size_t, int thread) noexcept {
+            kernels.backward(v, begin, end, x, scratch(thread));
+        });
 }
 
 std::size_t Numeric::bytes() const noexcept {
     return base::bytes(panel_) + base::bytes(pivot_) + base::bytes(work_) + base::bytes(carry_) +
            base::bytes(slot_pivot_) + base::bytes(slot_y_) + base::bytes(scratch_) +
            base::bytes(wrong_) + base::bytes(upper_) + base::bytes(upper_work_) +
-           base::bytes(kind_) + base::bytes(wrong_mark_) + base::bytes(wrong_nodes_);
+           base::bytes(kind_) + base::bytes(wrong_mark_) + base::bytes(wrong_nodes_) +
+           queue_.bytes();
 }
 
 }  // namespace hawser::factor

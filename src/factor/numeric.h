@@ -105,6 +105,10 @@ class Numeric {
     void copy_batch(const Symbolic& symbolic, const Batch& batch) noexcept;
     /// @return whether the piece has an upper half.
     bool copy_piece(const Symbolic& symbolic, const Piece& piece) noexcept;
+    template <class Batches, class Fronts>
+    void run_tasks(const Symbolic& s, bool up, base::Executor& executor, Batches&& on_batch,
+                   Fronts&& on_fronts) noexcept;
+    [[nodiscard]] int count_wrong(const Symbolic& symbolic) noexcept;
     [[nodiscard]] int find_wrong(const Symbolic& symbolic, int wrong) noexcept;
     [[nodiscard]] FactorView view(const Symbolic& symbolic, int thread) noexcept;
     [[nodiscard]] double* scratch(int thread) noexcept {
@@ -113,8 +117,9 @@ class Numeric {
 
     base::Array<double> panel_, pivot_, work_, carry_, slot_pivot_, slot_y_, scratch_;
     std::vector<Piece> pieces_;
-    std::vector<std::int32_t> task_piece_;  ///< First piece of each task, then of the top.
-    base::Array<int> wrong_;  ///< One a batch or task, so that the count needs no atomics.
+    std::vector<std::int32_t> task_piece_;  ///< First piece of each node of the graph.
+    base::Array<int> wrong_;                ///< One a node, so that the count needs no atomics.
+    TaskQueue queue_;
     std::int64_t scratch_stride_ = 0;
 
     // Of unsymmetric fronts; empty where no room was asked for.

@@ -23,17 +23,19 @@
 /// The stacks of a task belong to the thread that does it: the next task finds them in cache.
 ///
 /// Subtrees of roughly equal work are *tasks* that run in parallel; the fronts above them are
-/// the *top* and run last. Tasks depend on the tree alone, never on the number of threads.
+/// the *top*, cut into paths that run as soon as what they wait for is done (task_graph.h). Tasks
+/// depend on the tree alone, never on the number of threads.
 ///
 /// Unsymmetric values double some of the fronts, on the same structure: unsymmetric.h.
 ///
 /// A chain (chains.h) is one front too, but only its update matrix is an ordinary one: its
-/// pivots are done in a batch (batches.h), before all tasks.
+/// pivots are done in a batch (batches.h), before the tasks that take its update.
 
 #include "base/memory.h"
 #include "factor/batches.h"
 #include "factor/ordering.h"
 #include "factor/pattern.h"
+#include "factor/task_graph.h"
 
 #include <cstdint>
 #include <span>
@@ -71,7 +73,7 @@ struct BlockTarget {
     std::int32_t ld = 0;
 };
 
-/// A contiguous range of fronts that no other task touches.
+/// A contiguous range of fronts (of `top`: of its entries) that no other task touches.
 struct TaskRange {
     std::int32_t begin, end;
     std::int64_t flops;
@@ -87,9 +89,11 @@ struct Symbolic {
     std::vector<std::int32_t> children;     ///< Grouped by front, ascending.
     std::vector<std::int32_t> rows;         ///< Permuted scalar index of each update row.
     std::vector<Run> runs;
-    std::vector<std::int8_t> sign;  ///< Expected sign of each permuted pivot.
-    std::vector<TaskRange> tasks;   ///< Parallel part, in postorder.
-    std::vector<std::int32_t> top;  ///< Serial fronts after the tasks, ascending.
+    std::vector<std::int8_t> sign;     ///< Expected sign of each permuted pivot.
+    std::vector<TaskRange> tasks;      ///< Subtrees, in postorder.
+    std::vector<std::int32_t> top;     ///< Fronts above them, by task, ascending within each.
+    std::vector<TaskRange> top_tasks;  ///< Ranges of `top`: each a path towards the root.
+    TaskGraph graph;                   ///< Of batches, tasks, top_tasks, numbered in this order.
 
     std::vector<Batch> batches;  ///< Done first, each by one thread.
     std::vector<BatchStep> batch_steps;

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "factor/layout.h"
+
+#include <algorithm>
+
+namespace hawser::factor {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Flops of the steps that a chain takes part in.
+std::int64_t chain_flops(const Symbolic& s, const Front& front) {
+    const Batch& batch = s.batches[at(front.batch)];
+    std::int64_t flops = 0;
+    for (std::int32_t k = batch.step_begin; k < batch.step_end; ++k)
+        flops += front_flops(s.batch_steps[at(k)].p, s.batch_steps[at(k)].q);
+    return flops;
+}
+
+}  // namespace
+
+/// Split the tree into subtrees and the paths above them. Targets depend on the tree alone.
+void Layout::choose_tasks(Symbolic& s) {
+    const std::size_t count = s.fronts.size();
+    subtree_.assign(count, 0);
+    path_.assign(count, 0);
+    std::int64_t total = 0;
+    for (std::size_t f = 0; f < count; ++f) {
+        const Front& front = s.fronts[f];
+        // The constant stands for the work per front that flops do not show. A chain's work is
+        // done before the tasks.
+        const bool chain = front.batch >= 0;
+        const std::int64_t own = flops_[f];
+        subtree_[f] += own + (chain ? 0 : 600);
+        path_[f] += chain ? chain_flops(s, front) : own;
+        s.critical_flops = std::max(s.critical_flops, path_[f]);
+        if (front.parent < 0) {
+            total += subtree_[f];
+            continue;
+        }
+        subtree_[at(front.parent)] += subtree_[f];
+        path_[at(front.parent)] = std::max(path_[at(front.parent)], path_[f]);
+    }
+    constexpr std::int64_t kParts = 48, kSmallest = 40'000;
+    const std::int64_t target = std::max(total / kParts, kSmallest);
+    // Top: every front whose subtree is larger than the target.
+    std::int32_t begin = 0;
+    std::int64_t work = 0;
+    auto close = [&](std::int32_t end) {
+        if (end > begin) s.tasks.push_back({begin, end, work});
+        begin = end;
+        work = 0;
+    };
+    task_.assign(count, -1);
+    for (std::size_t f = 0; f < count; ++f) {
+        const auto id = static_cast<std::int32_t>(f);
+        if (subtree_[f] > target) {
+            close(id);
+            s.top.push_back(id);
+            begin = id + 1;
+        } else if (s.fronts[f].parent < 0 || subtree_[at(s.fronts[f].parent)] > target) {
+            work += subtree_[f];
+            if (work >= target / 2) close(id + 1);
+        }
+    }
+    close(static_cast<std::int32_t>(count));
+    for (std::size_t t = 0; t < s.tasks.size(); ++t)
+        std::fill(task_.begin() + s.tasks[t].begin, task_.begin() + s.tasks[t].end,
+                  static_cast<std::int32_t>(t));
+    choose_top_tasks(s, target);
+}
+
+/// A front of the top goes on where its only child in the top ends, as it has to wait for that one
+/// anyway, until the path is as much work as a subtree: what hangs on its far end may come late.
+void Layout::choose_top_tasks(Symbolic& s, std::int64_t target) {
+    const auto below = static_cast<std::int32_t>(s.tasks.size());
+    for (const std::int32_t f : s.top) {
+        const Front& front = s.fronts[at(f)];
+        std::int32_t before = -1, children = 0;
+        for (std::int32_t c = front.child_begin; c < front.child_end; ++c) {
+            const std::int32_t owner = task_[at(s.children[at(c)])];
+            if (owner < below) continue;
+            before = owner;
+            ++children;
+        }
+        const std::int64_t work = flops_[at(f)] + 600;
+        if (children == 1 && s.top_tasks[at(before - below)].flops + work <= target) {
+            task_[at(f)] = before;
+            s.top_tasks[at(before - below)].flops += work;
+        } else {
+            task_[at(f)] = below + static_cast<std::int32_t>(s.top_tasks.size());
+            s.top_tasks.push_back({0, 0, work});
+        }
+    }
+    std::stable_sort(s.top.begin(), s.top.end(),
+                     [&](std::int32_t a, std::int32_t b) { return task_[at(a)] < task_[at(b)]; });
+    for (std::size_t k = 0; k < s.top.size(); ++k) {
+        TaskRange& task = s.top_tasks[at(task_[at(s.top[k])] - below)];
+        if (task.end == 0) task.begin = static_cast<std::int32_t>(k);
+        task.end = static_cast<std::int32_t>(k) + 1;
+    }
+}
+
+/// The graph: who hands an update matrix to whom.
+void Layout::link_tasks(Symbolic& s) {
+    const auto batches = static_cast<std::int32_t>(s.batches.size());
+    s.graph.work.clear();
+    for (const Batch& b : s.batches) s.graph.work.push_back(b.flops);
+    for (const TaskRange& t : s.tasks) s.graph.work.push_back(t.flops);
+    for (const TaskRange& t : s.top_tasks) s.graph.work.push_back(t.flops);
+    auto node_of = [&](const Front& f, std::size_t id) {
+        return f.batch >= 0 ? f.batch : batches + task_[id];
+    };
+    edges_.clear();
+    for (std::size_t f = 0; f < s.fronts.size(); ++f) {
+        const Front& front = s.fronts[f];
+        if (front.parent < 0) continue;
+        const std::int32_t from = node_of(front, f);
+        const std::int32_t to = node_of(s.fronts[at(front.parent)], at(front.parent));
+        if (from != to) edges_.emplace_back(from, to);
+    }
+    s.graph.build(edges_);
+}
+
+/// Addresses of the update matrices: two stacks for each task, by parity of depth. All tasks have
+/// them in the same place, of which each thread has its own. What a task hands to another lives
+/// outside.
+void Layout::place_updates(Symbolic& s) {
+    const std::size_t count = s.fronts.size();
+    parity_.assign(count, 0);
+    for (std::size_t f = count; f-- > 0;)
+        if (s.fronts[f].parent >= 0) parity_[f] = parity_[at(s.fronts[f].parent)] ^ 1;
+    const std::size_t stacks = 2 * (s.tasks.size() + s.top_tasks.size());
+    height_.assign(stacks, 0);
+    auto stack_of = [&](std::size_t f) { return 2 * at(task_[f]) + parity_[f]; };
+    std::int64_t shared = 0, even = 0, odd = 0;  // updates handed on; heights of the stacks
+    crosses_.assign(count, 0);
+    auto size_of = [&](const Front& f) { return static_cast<std::int64_t>(f.ldu) * f.q; };
+    for (std::size_t f = 0; f < count; ++f) {
+        Front& front = s.fronts[f];
+        for (std::int32_t c = front.child_begin; c < front.child_end; ++c) {
+            const std::size_t child = at(s.children[at(c)]);
+            if (!crosses_[child]) height_[stack_of(child)] -= size_of(s.fronts[child]);
+        }
+        crosses_[f] =
+            front.parent >= 0 && (front.batch >= 0 || task_[at(front.parent)] != task_[f]);
+        if (crosses_[f]) {
+            front.update = shared;
+            // Vector loads may read one vector past it.
+            shared += size_of(front) + 8;
+            continue;
+        }
+        const std::size_t k = stack_of(f);
+        front.update = height_[k];
+        if (front.parent >= 0) height_[k] += size_of(front);
+        std::int64_t& peak = parity_[f] != 0 ? odd : even;
+        peak = std::max(peak, front.update + size_of(front));
+    }
+    // At least one vector between stacks, for the same reason.
+    auto round = [](std::int64_t size) { return (size + 8 + 63) & ~std::int64_t{63}; };
+    s.stack_begin = round(shared);
+    const std::int64_t base[] = {s.stack_begin, s.stack_begin + round(even)};
+    for (std::size_t f = 0; f < count; ++f)
+        if (!crosses_[f]) s.fronts[f].update += base[parity_[f]];
+    s.work_size = base[1] + round(odd) + 64;
+}
+
+}  // namespace hawser::factor

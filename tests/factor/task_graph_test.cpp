@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every node once, after all that it waits for, whoever runs it; priorities by hand.
+#include "factor/task_graph.h"
+
+#include "runtime/tasks.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <utility>
+#include <vector>
+
+namespace hawser::test {
+namespace {
+
+using factor::TaskGraph;
+using factor::TaskQueue;
+
+using Edges = std::vector<std::pair<std::int32_t, std::int32_t>>;
+
+TaskGraph graph_of(std::vector<std::int64_t> work, Edges edges) {
+    TaskGraph graph;
+    graph.work = std::move(work);
+    graph.build(edges);
+    return graph;
+}
+
+/// A tree in which node i hands on to i / 3 steps further up, with a second edge now and then.
+TaskGraph large() {
+    constexpr std::int32_t kNodes = 400;
+    Edges edges;
+    std::vector<std::int64_t> work;
+    for (std::int32_t i = 0; i < kNodes; ++i) {
+        work.push_back(1 + i * 7 % 13);
+        if (i + 1 < kNodes) edges.emplace_back(i, i + 1 + (kNodes - i - 2) / 2);
+        if (i % 5 == 0 && i + 1 < kNodes) edges.emplace_back(i, kNodes - 1);
+    }
+    return graph_of(std::move(work), edges);
+}
+
+/// Run and note the sequence in which nodes begin and end.
+void expect_in_order(const TaskGraph& graph, bool up, base::Executor& executor, int repeat) {
+    TaskQueue queue;
+    queue.reserve(graph);
+    const auto n = static_cast<std::size_t>(graph.nodes());
+    for (int k = 0; k < repeat; ++k) {
+        std::atomic<int> clock{0};
+        std::vector<int> begun(n, -1), ended(n, -1);
+        auto node = [&](int i, int) noexcept {
+            const auto v = static_cast<std::size_t>(i);
+            begun[v] = clock.fetch_add(1);
+            ended[v] = clock.fetch_add(1);
+        };
+        queue.run(graph, up, executor, node);
+        const TaskGraph::Way& way = up ? graph.up : graph.down;
+        for (std::size_t v = 0; v < n; ++v) {
+            ASSERT_GE(begun[v], 0) << "node " << v << " was left out";
+            for (std::int32_t e = way.start[v]; e < way.start[v + 1]; ++e)
+                ASSERT_LT(ended[v],
+                          begun[static_cast<std::size_t>(way.next[static_cast<std::size_t>(e)])]);
+        }
+        ASSERT_EQ(clock.load(), 2 * graph.nodes()) << "a node ran twice";
+    }
+}
+
+TEST(TaskGraph, KeepsTheOrderForAnyNumberOfThreads) {
+    const TaskGraph graph = large();
+    for (const int threads : {1, 2, 3, 8}) {
+        runtime::Pool pool(threads);
+        pool.resume();
+        for (const bool up : {true, false}) expect_in_order(graph, up, pool, 20);
+        pool.pause();
+        expect_in_order(graph, true, pool, 1);  // workers asleep: the caller does all
+    }
+}
+
+TEST(TaskGraph, TakesNoNodesAndNoEdges) {
+    runtime::Pool pool(2);
+    pool.resume();
+    expect_in_order(graph_of({}, {}), true, pool, 1);
+    expect_in_order(graph_of({1, 1, 1}, {}), false, pool, 1);
+}
+
+TEST(TaskGraph, RanksByTheWorkThatIsLeft) {
+    // 0 (5) ─┐        Left going up: 0: 5 + 2 + 1 = 8, 1: 3 + 2 + 1 = 6, 2: 9 + 1 = 10.
+    // 1 (3) ─┴ 3 (2) ─┐
+    // 2 (9) ──────────┴ 4 (1)
+    const TaskGraph graph =
+        graph_of({5, 3, 9, 2, 1}, {{0, 3}, {1, 3}, {3, 4}, {2, 4}, {0, 3}});  // one twice
+    EXPECT_EQ(graph.up.by_rank, (std::vector<std::int32_t>{2, 0, 1, 3, 4}));
+    EXPECT_EQ(graph.up.waits, (std::vector<std::int32_t>{0, 0, 0, 2, 2}));
+    EXPECT_EQ(graph.down.by_rank, (std::vector<std::int32_t>{4, 2, 3, 0, 1}));
+    EXPECT_EQ(graph.down.waits, (std::vector<std::int32_t>{1, 1, 1, 1, 0}));
+    EXPECT_EQ(graph.path, 10);
+}
+
+}  // namespace
+}  // namespace hawser::test
