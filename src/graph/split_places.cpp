@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Where clusters go, where wires are cut, and how cuts slide.
+#include "graph/split.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace hawser::graph {
+namespace {
+
+constexpr double kSlack = 1.05;   ///< An island is divided from this many shares on.
+constexpr double kBig = 0.25;     ///< Clusters of so many shares are placed first.
+constexpr double kLevel = 0.02;   ///< Imbalance that is left alone.
+constexpr double kWindow = 0.10;  ///< Cuts slide so many shares at most.
+/// Nodes of a wire that stay with what it is fastened to: beside a hull forces change fastest.
+constexpr std::int32_t kStub = 2;
+/// A cut moves from one step to the next only where its weight falls below this share.
+constexpr double kWorth = 0.8;
+
+}  // namespace
+
+void Splitter::choose() {
+    part_.assign(at(clusters), -1);
+    load_.assign(at(options_.parts), 0);
+    std::int64_t total = 0;
+    largest_cluster = 0;
+    for (std::int32_t c = 0; c < clusters; ++c) {
+        total += node_cost_[at(c)];
+        largest_cluster = std::max(largest_cluster, node_cost_[at(c)]);
+    }
+    share_ = total / options_.parts;
+    for (std::int32_t c = 0; c < clusters; ++c)
+        if (group_part_[at(c)] >= 0) put(c, group_part_[at(c)]);
+    place_islands();
+    place_clusters();
+    place_wires();
+    level();
+    slide();
+}
+
+void Splitter::put(std::int32_t cluster, std::int32_t part) noexcept {
+    if (part_[at(cluster)] >= 0) load_[at(part_[at(cluster)])] -= node_cost_[at(cluster)];
+    part_[at(cluster)] = part;
+    load_[at(part)] += node_cost_[at(cluster)];
+}
+
+/// Islands that fit stay whole.
+void Splitter::place_islands() {
+    const std::int32_t islands = cost_.islands();
+    island_cost_.assign(at(islands), 0);
+    lane_.assign(at(islands), -1);
+    for (const std::int32_t c : cost_.order) {
+        const std::int32_t i = cost_.island[at(c)];
+        island_cost_[at(i)] += node_cost_[at(c)];
+        if (group_part_[at(c)] >= 0) lane_[at(i)] = -2;
+    }
+    const double most = kSlack * static_cast<double>(share_);
+    order_.clear();
+    for (std::int32_t i = 0; i < islands; ++i)
+        if (lane_[at(i)] != -2 &&
+            (options_.parts == 1 || static_cast<double>(island_cost_[at(i)]) <= most))
+            order_.push_back(i);
+    std::sort(order_.begin(), order_.end(), [&](std::int32_t a, std::int32_t b) {
+        const std::int64_t x = island_cost_[at(a)], y = island_cost_[at(b)];
+        return x != y ? x > y : a < b;
+    });
+    for (const std::int32_t i : order_) {
+        const auto part =
+            static_cast<std::int32_t>(std::min_element(load_.begin(), load_.end()) - load_.begin());
+        for (std::int32_t k = cost_.begin[at(i)]; k < cost_.begin[at(i) + 1]; ++k)
+            put(cost_.order[at(k)], part);
+    }
+}
+
+/// Big clusters dearest first, the others by their place in the line.
+void Splitter::place_clusters() {
+    order_.clear();
+    open_.assign(at(clusters), 0);
+    std::int64_t left = 0;
+    for (std::int32_t c = 0; c < clusters; ++c) {
+        if (part_[at(c)] >= 0) continue;
+        open_[at(c)] = 1;
+        left += node_cost_[at(c)];
+        if (units_.unit[at(c)] >= units_.wires &&
+            static_cast<double>(node_cost_[at(c)]) > kBig * static_cast<double>(share_))
+            order_.push_back(c);
+    }
+    std::sort(order_.begin(), order_.end(), [&](std::int32_t a, std::int32_t b) {
+        const std::int64_t x = node_cost_[at(a)], y = node_cost_[at(b)];
+        return x != y ? x > y : a < b;
+    });
+    std::int64_t rooms = 0;
+    room_.resize(load_.size());
+    for (std::size_t p = 0; p < load_.size(); ++p)
+        rooms += room_[p] = std::max<std::int64_t>(0, share_ - load_[p]);
+    for (const std::int32_t c : order_) {
+        // The fullest part that it fits into, so that wires between two of them need no cut;
+        // the emptiest if there is none.
+        std::int32_t best = -1, emptiest = 0;
+        for (std::int32_t p = 0; p < options_.parts; ++p) {
+            if (load_[at(p)] < load_[at(emptiest)]) emptiest = p;
+            const bool fits = load_[at(p)] + node_cost_[at(c)] <= share_;
+            if (fits && (best < 0 || load_[at(p)] > load_[at(best)])) best = p;
+        }
+        put(c, best < 0 ? emptiest : best);
+    }
+    std::int64_t passed = 0;
+    for (const std::int32_t c : lineup_.order) {
+        if (!open_[at(c)]) continue;
+        const std::int64_t middle = passed + node_cost_[at(c)] / 2;
+        passed += node_cost_[at(c)];
+        if (part_[at(c)] >= 0 || units_.unit[at(c)] < units_.wires) continue;
+        // The part that this share of all rooms falls to.
+        const double wanted = static_cast<double>(middle) /
+                              static_cast<double>(std::max<std::int64_t>(1, left)) *
+                              static_cast<double>(rooms);
+        double sum = 0.0;
+        std::int32_t part = 0;
+        for (std::size_t p = 0; p < room_.size(); ++p) {
+            if (room_[p] > 0) part = static_cast<std::int32_t>(p);
+            sum += static_cast<double>(room_[p]);
+            if (sum >= wanted) break;
+        }
+        put(c, part);
+    }
+}
+
+std::int32_t Splitter::part_beside(std::int32_t cluster, std::int32_t wire) const noexcept {
+    for (const Neighbour u : neighbours_.of(cluster))
+        if (units_.unit[at(u.node())] != wire && part_[at(u.node())] >= 0)
+            return part_[at(u.node())];
+    return -1;
+}
+
+/// A wire goes with what holds it; between two parts it is cut so that both fill up alike.
+void Splitter::place_wires() {
+    for (std::int32_t w = 0; w < units_.wires; ++w) {
+        const auto nodes = units_.nodes_of(w);
+        std::int32_t a = part_beside(nodes.front(), w), b = part_beside(nodes.back(), w);
+        if (a < 0) a = b;
+        if (a < 0)
+            a = static_cast<std::int32_t>(std::min_element(load_.begin(), load_.end()) -
+                                          load_.begin());
+        if (b < 0) b = a;
+        std::int64_t sum = 0;
+        for (const std::int32_t c : nodes) sum += part_[at(c)] < 0 ? node_cost_[at(c)] : 0;
+        const double room_a = static_cast<double>(std::max<std::int64_t>(1, share_ - load_[at(a)]));
+        const double room_b = static_cast<double>(std::max<std::int64_t>(1, share_ - load_[at(b)]));
+        const auto first =
+            static_cast<std::int64_t>(static_cast<double>(sum) * room_a / (room_a + room_b));
+        std::int64_t passed = 0;
+        for (const std::int32_t c : nodes) {
+            if (part_[at(c)] >= 0) continue;
+            passed += node_cost_[at(c)];
+            put(c, a == b || passed <= first ? a : b);
+        }
+    }
+}
+
+/// Sand from the fullest part to the emptiest, until they are about even.
+void Splitter::level() {
+    stuck_.assign(load_.size(), 0);
+    for (std::int32_t round = 0; round < 4 * options_.parts; ++round) {
+        std::int32_t from = -1, to = 0;
+        for (std::int32_t p = 0; p < options_.parts; ++p) {
+            if (!stuck_[at(p)] && (from < 0 || load_[at(p)] > load_[at(from)])) from = p;
+            if (load_[at(p)] < load_[at(to)]) to = p;
+        }
+        if (from < 0) return;
+        const std::int64_t amount = std::min(load_[at(from)] - share_, share_ - load_[at(to)]);
+        if (static_cast<double>(amount) <= kLevel * static_cast<double>(share_)) {
+            stuck_[at(from)] = 1;
+            continue;
+        }
+        if (!move_sand(from, to, amount)) stuck_[at(from)] = 1;
+    }
+}
+
+/// Give nodes of a wire in one part to another: beside a cut between the two, else at a free end,
+/// else out of the middle.
+bool Splitter::move_sand(std::int32_t from, std::int32_t to, std::int64_t amount) {
+    struct Choice {
+        int kind = 0;
+        std::int64_t cost = 0;
+        std::int32_t begin = 0, step = 1, end = 0;
+    } best;
+    for (std::int32_t w = 0; w < units_.wires; ++w) {
+        const std::int32_t first = units_.begin[at(w)], last = units_.begin[at(w) + 1] - 1;
+        const auto part = [&](std::int32_t k) { return part_[at(units_.nodes[at(k)])]; };
+        const auto held = [&](std::int32_t k) { return part_beside(units_.nodes[at(k)], w) >= 0; };
+        for (std::int32_t a = first, b; a <= last; a = b + 1) {
+            b = a;
+            while (b < last && part(b + 1) == part(a)) ++b;
+            if (part(a) != from || group_part_[at(units_.nodes[at(a)])] >= 0) continue;
+            const bool left = a > first && part(a - 1) == to, right = b < last && part(b + 1) == to;
+            const bool free_left = a == first && !held(first),
+                       free_right = b == last && !held(last);
+            // Each end of the run that stays keeps its stub.
+            std::int32_t low = a, high = b;
+            const bool at_left = left || (!right && free_left);
+            const int kind = left || right ? 3 : free_left || free_right ? 2 : 1;
+            if (kind == 1 || !at_left) low = std::min(b + 1, a + kStub);
+            if (kind == 1 || at_left) high = std::max(a - 1, b - kStub);
+            std::int64_t sum = 0;
+            for (std::int32_t k = low; k <= high; ++k) sum += node_cost_[at(units_.nodes[at(k)])];
+            sum = std::min(sum, amount);
+            if (sum == 0 || kind < best.kind || (kind == best.kind && sum <= best.cost)) continue;
+            best = {kind, sum, at_left || kind == 1 ? low : high, at_left || kind == 1 ? 1 : -1,
+                    at_left || kind == 1 ? high : low};
+        }
+    }
+    if (best.kind == 0 || static_cast<double>(best.cost) < kLevel * static_cast<double>(share_))
+        return false;
+    std::int32_t k = best.begin;
+    if (best.kind == 1) {  // leave the same on both sides
+        std::int64_t all = 0, skip = 0;
+        for (std::int32_t i = best.begin; i <= best.end; ++i)
+            all += node_cost_[at(units_.nodes[at(i)])];
+        for (; skip < (all - best.cost) / 2; ++k) skip += node_cost_[at(units_.nodes[at(k)])];
+    }
+    std::int64_t moved = 0;
+    for (;; k += best.step) {
+        const std::int32_t c = units_.nodes[at(k)];
+        if (moved > 0 && moved + node_cost_[at(c)] / 2 > best.cost) break;
+        put(c, to);
+        moved += node_cost_[at(c)];
+        if (k == best.end) break;
+    }
+    return true;
+}
+
+/// Best place for the cut behind `left`, as an index of units_.nodes.
+std::int32_t Splitter::slide_to(std::int32_t wire, std::int32_t left) const noexcept {
+    const auto part = [&](std::int32_t k) { return part_[at(units_.nodes[at(k)])]; };
+    const auto room = static_cast<std::int64_t>(kWindow * static_cast<double>(share_));
+    std::int32_t best = left;
+    for (const std::int32_t step : {-1, 1}) {
+        std::int64_t moved = 0;
+        std::int32_t k = left;
+        for (;;) {
+            const std::int32_t crossed = step < 0 ? k : k + 1;  // node that changes its part
+            const std::int32_t next = k + step;
+            if (next < units_.begin[at(wire)] + kStub - 1 ||
+                next + 1 > units_.begin[at(wire) + 1] - kStub)
+                break;
+            const std::int32_t side = step < 0 ? part(left) : part(left + 1);
+            if (part(crossed) != side || part(step < 0 ? next : next + 1) != side) break;
+            if (group_part_[at(units_.nodes[at(crossed)])] >= 0) break;
+            moved += node_cost_[at(units_.nodes[at(crossed)])];
+            if (moved > room) break;
+            k = next;
+            const std::int64_t here = weight_[at(k)], there = weight_[at(best)];
+            if (here < there || (here == there && std::abs(k - left) < std::abs(best - left)))
+                best = k;
+        }
+    }
+    return best;
+}
+
+void Splitter::cut_behind(std::int32_t old_left, std::int32_t left) noexcept {
+    const std::int32_t a = part_[at(units_.nodes[at(old_left)])];
+    const std::int32_t b = part_[at(units_.nodes[at(old_left) + 1])];
+    for (std::int32_t k = old_left + 1; k <= left; ++k) put(units_.nodes[at(k)], a);
+    for (std::int32_t k = left + 1; k <= old_left; ++k) put(units_.nodes[at(k)], b);
+}
+
+void Splitter::slide() {
+    for (std::int32_t w = 0; w < units_.wires; ++w)
+        for (std::int32_t k = units_.begin[at(w)]; k + 1 < units_.begin[at(w) + 1]; ++k) {
+            if (part_[at(units_.nodes[at(k)])] == part_[at(units_.nodes[at(k + 1)])]) continue;
+            const std::int32_t to = slide_to(w, k);
+            cut_behind(k, to);
+            k = std::max(k, to);
+        }
+}
+
+/// Slide the one cut that gains most, if it is worth it.
+void Splitter::move_one() {
+    std::int32_t from = -1, to = -1;
+    std::int64_t gain = 0;
+    for (std::int32_t w = 0; w < units_.wires; ++w)
+        for (std::int32_t k = units_.begin[at(w)]; k + 1 < units_.begin[at(w) + 1]; ++k) {
+            if (part_[at(units_.nodes[at(k)])] == part_[at(units_.nodes[at(k + 1)])]) continue;
+            const std::int32_t best = slide_to(w, k);
+            const std::int64_t old = weight_[at(k)], now = weight_[at(best)];
+            if (static_cast<double>(now) > kWorth * static_cast<double>(old) || old - now <= gain)
+                continue;
+            gain = old - now;
+            from = k;
+            to = best;
+        }
+    if (from >= 0) cut_behind(from, to);
+}
+
+}  // namespace hawser::graph

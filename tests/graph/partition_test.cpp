@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Properties of partitions, on graphs at random and on wires.
+#include "graph/partition.h"
+#include "graph/split.h"
+#include "support/random.h"
+#include "support/sanitizer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace hawser::test {
+namespace {
+
+using graph::at;
+using graph::Hypergraph;
+using graph::kNeverCut;
+using graph::kNoPart;
+using graph::kSeparator;
+using graph::Partition;
+using graph::PartitionOptions;
+
+struct Graph {
+    std::vector<std::uint8_t> size;
+    std::vector<std::int32_t> begin{0}, members, edge_weight, node_weight, group;
+
+    int node(int scalars) {
+        size.push_back(static_cast<std::uint8_t>(scalars));
+        node_weight.push_back(0);
+        group.push_back(-1);
+        return static_cast<int>(size.size()) - 1;
+    }
+    int edge(const std::vector<int>& nodes, std::int32_t weight = 1) {
+        members.insert(members.end(), nodes.begin(), nodes.end());
+        begin.push_back(static_cast<std::int32_t>(members.size()));
+        edge_weight.push_back(weight);
+        return static_cast<int>(edge_weight.size()) - 1;
+    }
+    /// Lumps in a row with stretch and bend, from one node (or none: −1) to another.
+    std::vector<int> wire(int from, int count, int to) {
+        std::vector<int> all;
+        if (from >= 0) all.push_back(from);
+        for (int i = 0; i < count; ++i) all.push_back(node(3));
+        if (to >= 0) all.push_back(to);
+        for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+            edge({all[i], all[i + 1]});
+            if (i + 2 < all.size()) edge({all[i], all[i + 1], all[i + 2]});
+        }
+        return all;
+    }
+    [[nodiscard]] Hypergraph view() const {
+        return {size, begin, members, edge_weight, node_weight, group, {}};
+    }
+};
+
+/// Anything: hubs, wires, clusters, what does not move, islands, repeated edges.
+Graph any_graph(Random& random) {
+    Graph g;
+    const int start = random.integer(1, 40);
+    for (int i = 0; i < start; ++i) g.node(random.chance(0.1) ? 0 : random.integer(1, 6));
+    const auto pick = [&] { return random.integer(0, static_cast<int>(g.size.size()) - 1); };
+    const int wires = random.integer(0, 6);
+    for (int i = 0; i < wires; ++i)
+        g.wire(random.chance(0.8) ? pick() : -1, random.integer(1, 40),
+               random.chance(0.5) ? pick() : -1);
+    const int edges = random.integer(0, 3 * static_cast<int>(g.size.size()));
+    for (int i = 0; i < edges; ++i) {
+        std::vector<int> nodes{pick()};
+        for (int k = random.integer(0, 2); k > 0; --k) nodes.push_back(pick());
+        g.edge(nodes, random.chance(0.3) ? kNeverCut : random.integer(0, 100));
+    }
+    if (random.chance(0.5)) {  // a star
+        const int hub = pick();
+        for (int i = random.integer(10, 60); i > 0; --i) g.edge({hub, pick()});
+    }
+    for (std::size_t v = 0; v < g.size.size(); ++v) {
+        g.node_weight[v] = random.integer(0, 50);
+        if (random.chance(0.02)) g.group[v] = random.integer(0, 2);
+    }
+    return g;
+}
+
+void expect_sums(const Graph& g, const Partition& p, const std::vector<std::int64_t>& cost) {
+    std::vector<std::int64_t> sums(p.cost.size(), 0);
+    std::int64_t between = 0;
+    for (std::size_t v = 0; v < g.size.size(); ++v) {
+        if (p.part[v] == kNoPart) continue;
+        (p.part[v] == kSeparator ? between : sums[at(p.part[v])]) += cost[v];
+    }
+    EXPECT_EQ(sums, p.cost);
+    EXPECT_EQ(between, p.separator_cost);
+}
+
+/// Every moving node in exactly one part or between them; no edge joins two parts.
+void expect_separated(const Graph& g, const Partition& p) {
+    ASSERT_EQ(p.part.size(), g.size.size());
+    std::vector<std::int32_t> between;
+    for (std::size_t v = 0; v < g.size.size(); ++v) {
+        ASSERT_EQ(p.part[v] == kNoPart, g.size[v] == 0);
+        ASSERT_LT(p.part[v], p.parts);
+        if (p.part[v] == kSeparator) between.push_back(static_cast<std::int32_t>(v));
+    }
+    ASSERT_EQ(between, p.separator);
+    ASSERT_TRUE(p.cut.empty());
+    for (int e = 0; e < g.view().edges(); ++e) {
+        int part = -1;
+        for (const std::int32_t v : g.view().edge(e)) {
+            if (p.part[at(v)] < 0) continue;
+            ASSERT_TRUE(part < 0 || part == p.part[at(v)]) << "edge " << e;
+            part = p.part[at(v)];
+        }
+    }
+}
+
+/// Every moving node in one part; exactly the edges between parts are cut; what must stay whole is.
+void expect_split(const Graph& g, const Partition& p) {
+    std::vector<std::int32_t> cut;
+    for (std::size_t v = 0; v < g.size.size(); ++v)
+        ASSERT_TRUE(g.size[v] == 0 ? p.part[v] == kNoPart : p.part[v] >= 0 && p.part[v] < p.parts);
+    for (int e = 0; e < g.view().edges(); ++e) {
+        int low = p.parts, high = -1;
+        for (const std::int32_t v : g.view().edge(e)) {
+            if (p.part[at(v)] < 0) continue;
+            low = std::min(low, p.part[at(v)]);
+            high = std::max(high, p.part[at(v)]);
+        }
+        if (high > low) cut.push_back(e);
+        if (g.edge_weight[at(e)] == kNeverCut) {
+            ASSERT_FALSE(high > low) << "edge " << e;
+        }
+    }
+    EXPECT_EQ(cut, p.cut);
+}
+
+TEST(Partition, AnyGraphFallsIntoParts) {
+    graph::Partitioner partitioner;
+    Partition p;
+    std::size_t separators = 0;
+    const int rounds = kSanitized ? 60 : 800;
+    for (int round = 0; round < rounds; ++round) {
+        SCOPED_TRACE(round);
+        Random random(static_cast<std::uint64_t>(round) + 1);
+        const Graph g = any_graph(random);
+        const PartitionOptions options{random.integer(1, 9)};
+        partitioner.read(g.view());
+        partitioner.separate(options, p);
+        EXPECT_EQ(p.parts, options.parts);
+        expect_separated(g, p);
+        expect_sums(g, p, partitioner.cost.node);
+        if (HasFatalFailure()) return;
+        separators += p.separator.size();
+        // Buffers of earlier graphs leave no trace.
+        graph::Partitioner other;
+        Partition q;
+        other.read(g.view());
+        other.separate(options, q);
+        EXPECT_EQ(p.part, q.part);
+    }
+    EXPECT_GT(separators, static_cast<std::size_t>(rounds));
+}
+
+TEST(Partition, AnyGraphSplits) {
+    graph::Splitter splitter;
+    Partition p;
+    std::size_t cuts = 0;
+    const int rounds = kSanitized ? 60 : 800;
+    for (int round = 0; round < rounds; ++round) {
+        SCOPED_TRACE(round);
+        Random random(static_cast<std::uint64_t>(round) + 1);
+        Graph g = any_graph(random);
+        // A group is one part, so what may not be cut must not join two groups.
+        const bool groups = random.chance(0.3);
+        for (std::size_t e = 0; groups && e < g.edge_weight.size(); ++e)
+            g.edge_weight[e] = std::min(g.edge_weight[e], 100);
+        if (!groups) std::fill(g.group.begin(), g.group.end(), -1);
+        PartitionOptions options{random.integer(1, 9)};
+        splitter.split(g.view(), options, p);
+        expect_split(g, p);
+        for (std::size_t v = 0; v < g.size.size(); ++v) {
+            if (g.group[v] < 0 || g.size[v] == 0) continue;
+            ASSERT_EQ(p.part[v], g.group[v]);
+        }
+        if (HasFatalFailure()) return;
+        cuts += p.cut.size();
+        graph::Splitter other;
+        Partition q;
+        other.split(g.view(), options, q);
+        EXPECT_EQ(p.part, q.part);
+        // The next steps: weights change, something new may touch.
+        for (int step = 0; step < 3; ++step) {
+            for (std::int32_t& w : g.edge_weight)
+                if (w != kNeverCut) w = random.integer(0, 100);
+            if (!groups && random.chance(0.5)) {
+                const int last = static_cast<int>(g.size.size()) - 1;
+                g.edge({random.integer(0, last), random.integer(0, last)}, kNeverCut);
+            }
+            splitter.follow(g.view(), options, p);
+            expect_split(g, p);
+            if (HasFatalFailure()) return;
+        }
+    }
+    EXPECT_GT(cuts, static_cast<std::size_t>(rounds));
+}
+
+/// Two hulls with four wires between them, and four that hang free.
+Graph fleet() {
+    Graph g;
+    const int a = g.node(6), b = g.node(6);
+    for (int i = 0; i < 4; ++i) g.wire(a, 100, b);
+    for (int i = 0; i < 4; ++i) g.wire(i % 2 == 0 ? a : b, 100, -1);
+    return g;
+}
+
+TEST(Partition, WiresAreCutWhereTheyBalance) {
+    const Graph g = fleet();
+    graph::Partitioner partitioner;
+    Partition p;
+    partitioner.read(g.view());
+    partitioner.separate({4}, p);
+    expect_separated(g, p);
+    EXPECT_LT(p.imbalance(), 1.1);
+    // Both hulls, and two nodes of a wire for each of three cuts at most.
+    EXPECT_LE(p.separator.size(), 8U);
+
+    graph::Splitter splitter;
+    splitter.split(g.view(), {4}, p);
+    expect_split(g, p);
+    EXPECT_LT(p.imbalance(), 1.1);
+    // A cut wire loses one stretch and two bends.
+    EXPECT_LE(p.cut.size(), 3U * 8U);
+}
+
+TEST(Partition, IslandsThatFitStayWhole) {
+    Graph g;
+    for (int i = 0; i < 8; ++i) g.wire(-1, 50, -1);
+    graph::Partitioner partitioner;
+    Partition p;
+    partitioner.read(g.view());
+    partitioner.separate({4}, p);
+    EXPECT_TRUE(p.separator.empty());
+    EXPECT_EQ(p.imbalance(), 1.0);
+    graph::Splitter splitter;
+    splitter.split(g.view(), {4}, p);
+    EXPECT_TRUE(p.cut.empty());
+    EXPECT_EQ(p.imbalance(), 1.0);
+}
+
+TEST(Partition, CostIsThePapersFormula) {
+    // A ring of five and a pendant: n_b = 2 but for one 3 and one 1, one loop of five.
+    Graph g;
+    for (int i = 0; i < 6; ++i) g.node(3);
+    for (int i = 0; i < 5; ++i) g.edge({i, (i + 1) % 5});
+    g.edge({2, 5});
+    graph::Partitioner partitioner;
+    partitioner.read(g.view());
+    ASSERT_EQ(partitioner.cost.islands(), 1);
+    EXPECT_EQ(partitioner.cost.paper[0], 4 * 4 + 9 + 1 + 5);
+
+    // Bending of three neighbours closes no loop.
+    Graph w;
+    w.wire(-1, 10, -1);
+    partitioner.read(w.view());
+    std::int64_t squares = 0;
+    for (const std::int32_t n : partitioner.neighbours.edges) squares += n * n;
+    EXPECT_EQ(partitioner.cost.paper[0], squares);
+}
+
+TEST(Partition, LongestFirstSharesOut) {
+    const std::vector<std::int64_t> cost{3, 7, 5, 5, 4, 6};
+    std::vector<std::int32_t> lane(cost.size()), order;
+    std::vector<std::int64_t> load(3, 0);
+    graph::share_out(cost, lane, load, order);
+    EXPECT_EQ(load, (std::vector<std::int64_t>{10, 10, 10}));
+}
+
+}  // namespace
+}  // namespace hawser::test
