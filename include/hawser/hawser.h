@@ -9,6 +9,7 @@
 #include <hawser/inspect.h>
 #include <hawser/interactions.h>
 #include <hawser/math.h>
+#include <hawser/partition.h>
 #include <hawser/schedule.h>
 #include <hawser/shapes.h>
 #include <hawser/stats.h>

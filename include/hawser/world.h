@@ -34,7 +34,9 @@
 
 namespace hawser {
 
-struct SystemView;  // inspect.h
+struct SystemView;        // inspect.h
+struct PartitionView;     // partition.h
+struct PartitionRequest;  // partition.h
 
 class World {
   public:
@@ -148,7 +150,10 @@ class World {
 
     // --- Inspection -------------------------------------------------------------------------
     [[nodiscard]] const WorldDef& settings() const noexcept;
-    [[nodiscard]] SystemView inspect() const;                 ///< See inspect.h.
+    [[nodiscard]] SystemView inspect() const;  ///< See inspect.h.
+    /// Parts of about equal cost of the present state, see partition.h. @throws DefError on a
+    /// request that makes no sense.
+    [[nodiscard]] PartitionView partition(const PartitionRequest& request) const;
     [[nodiscard]] std::size_t memory_bytes() const noexcept;  ///< Held by state and solver.
 
   private:

@@ -27,8 +27,8 @@ class Units {
     [[nodiscard]] std::int32_t count() const noexcept {
         return static_cast<std::int32_t>(begin.size()) - 1;
     }
-    [[nodiscard]] std::span<const std::int32_t> nodes_of(std::int32_t unit) const noexcept {
-        return {nodes.data() + begin[at(unit)], nodes.data() + begin[at(unit) + 1]};
+    [[nodiscard]] std::span<const std::int32_t> nodes_of(std::int32_t u) const noexcept {
+        return {nodes.data() + begin[at(u)], nodes.data() + begin[at(u) + 1]};
     }
 
     std::vector<std::int32_t> unit;   ///< By node; −1: does not move.

@@ -228,7 +228,7 @@ TEST(Partition, WiresAreCutWhereTheyBalance) {
     expect_split(g, p);
     EXPECT_LT(p.imbalance(), 1.1);
     // A cut wire loses one stretch and two bends.
-    EXPECT_LE(p.cut.size(), 3U * 8U);
+    EXPECT_LE(p.cut.size(), 3U * 12U);
 }
 
 TEST(Partition, IslandsThatFitStayWhole) {

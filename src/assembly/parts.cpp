@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assembly/parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::assembly {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// More interactions than a link of a wire has: two joints, three times bending, two of twist.
+constexpr std::int32_t kMostOfLink = 8;
+constexpr double kSpeed = 0.1;       // v₀ [m/s]
+constexpr double kViolation = 0.01;  // g₀ [m]
+constexpr double kShare = 0.01;      // of the mean row force in F
+
+bool is_wire_row(InteractionKind kind) {
+    switch (kind) {
+        case InteractionKind::Stretch:
+        case InteractionKind::Bend:
+        case InteractionKind::Twist:
+        case InteractionKind::Distance:
+        case InteractionKind::Ball:
+            return true;
+        default:
+            return false;
+    }
+}
+
+/// Thousandths, bounded so that sums of a few do not overflow.
+std::int32_t thousandths(double weight) {
+    return static_cast<std::int32_t>(std::min(1e6, 1000.0 * weight) + 0.5);
+}
+
+}  // namespace
+
+void PartGraph::build(const model::Bodies& bodies, const model::Interactions& in,
+                      std::span<const Contacts::Link> links) {
+    const auto n = at(bodies.count());
+    size.resize(n);
+    for (int b = 0; b < bodies.count(); ++b)
+        size[at(b)] = static_cast<std::uint8_t>(bodies.asleep[at(b)] ? 0 : bodies.dof(b));
+    begin.assign(1, 0);
+    members.clear();
+    degree_.assign(n, 0);
+    for (int i = 0; i < in.count(); ++i) {
+        for (int b = 0; b < in.bodies[at(i)]; ++b) {
+            const std::int32_t body = in.body[at(kMaxInteractionBodies * i + b)];
+            members.push_back(body);
+            ++degree_[at(body)];
+        }
+        begin.push_back(static_cast<std::int32_t>(members.size()));
+    }
+    for (const Contacts::Link& l : links) {
+        members.insert(members.end(), {l.first, l.second});
+        begin.push_back(static_cast<std::int32_t>(members.size()));
+    }
+    whole_.assign(begin.size() - 1, 1);
+    for (int i = 0; i < in.count(); ++i) {
+        if (!is_wire_row(in.def[at(i)].kind)) continue;
+        bool same = true;
+        std::uint8_t first = 0;
+        for (std::int32_t k = begin[at(i)]; k < begin[at(i) + 1]; ++k) {
+            const std::size_t b = at(members[at(k)]);
+            if (size[b] == 0) continue;
+            same &= degree_[b] <= kMostOfLink && (first == 0 || size[b] == first);
+            first = size[b];
+        }
+        whole_[at(i)] = same ? 0 : 1;
+    }
+    edge_weight.assign(whole_.size(), 0);
+    for (std::size_t e = 0; e < whole_.size(); ++e)
+        if (whole_[e]) edge_weight[e] = graph::kNeverCut;
+    node_weight.assign(n, 0);
+    net_force.assign(n, 0.0);
+    speed.assign(at(in.count()), 0.0);
+    violation.assign(at(in.count()), 0.0);
+}
+
+void PartGraph::weigh(const model::Bodies& bodies, const model::Interactions& in,
+                      const Contacts& contacts, const WorldDef& def) {
+    net_.assign(3 * size.size(), 0.0);
+    double squares = 0.0;
+    for (int i = 0; i < in.count(); ++i) {
+        const std::int32_t* body = &in.body[at(kMaxInteractionBodies * i)];
+        int width = 0;
+        bool rests = false;
+        for (int b = 0; b < in.bodies[at(i)]; ++b) {
+            width += size[at(body[b])];
+            rests |= bodies.asleep[at(body[b])] != 0;
+        }
+        if (rests || in.jacobian.empty()) continue;
+        double sum = 0.0, off = 0.0;
+        for (int r = 0; r < in.rows[at(i)]; ++r) {
+            const std::size_t row = at(in.row_begin[at(i)] + r);
+            const double* jac = &in.jacobian[at(in.jac_begin[at(i)] + r * width)];
+            const double lambda = in.lambda[row];
+            double rate = 0.0;
+            for (int b = 0; b < in.bodies[at(i)]; ++b) {
+                const std::size_t id = at(body[b]);
+                const int dof = size[id];
+                const double* v = dof > 0 ? &bodies.v[at(bodies.dof_begin[id])] : nullptr;
+                for (int j = 0; j < dof; ++j) rate += jac[j] * v[j];
+                for (int j = 0; j < dof && j < 3; ++j) net_[3 * id + at(j)] += jac[j] * lambda;
+                jac += dof;
+            }
+            sum += std::abs(rate);
+            squares += lambda * lambda;
+            if ((in.row_flags[row] & model::kRowVelocity) == 0) off += std::abs(in.g[row]);
+        }
+        speed[at(i)] = sum;
+        violation[at(i)] = off;
+        if (!whole_[at(i)])
+            edge_weight[at(i)] = thousandths(sum / kSpeed) + thousandths(off / kViolation);
+    }
+    const double per_h = 1.0 / def.step;
+    const double mean = in.row_count > 0 ? per_h * std::sqrt(squares / in.row_count) : 0.0;
+    const double gravity = def.gravity.norm();
+    for (std::size_t b = 0; b < size.size(); ++b) {
+        if (size[b] == 0) continue;
+        const double* p = &net_[3 * b];
+        net_force[b] = per_h * std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+        const double usual = bodies.mass[b] * gravity + kShare * mean + 1e-300;
+        node_weight[b] = thousandths(net_force[b] / usual);
+    }
+    for (const ContactRow& row : contacts.rows)
+        for (int s = 0; s < row.slots; ++s) {
+            std::int32_t& w = node_weight[at(row.slot[s].body)];
+            if (w < kTouchWeight) w += kTouchWeight;
+        }
+}
+
+}  // namespace hawser::assembly
