@@ -31,8 +31,15 @@ void Cost::search(const Neighbours& neighbours, std::int32_t root) {
     // Far neighbours are reached through near ones.
     for (; next < order.size(); ++next) {
         const std::int32_t v = order[next];
-        for (const Neighbour u : neighbours.of(v))
-            if (u.near() && island[at(u.node())] < 0) reach(u.node(), v);
+        scanned_[at(v)] = 1;
+        for (const Neighbour n : neighbours.of(v)) {
+            if (!n.near()) continue;
+            const std::int32_t u = n.node();
+            if (island[at(u)] < 0)
+                reach(u, v);
+            else if (scanned_[at(u)] && u != parent_[at(v)])
+                close_loop(u, v);
+        }
     }
 }
 
@@ -48,18 +55,16 @@ std::int32_t Cost::meet(std::int32_t u, std::int32_t v) const noexcept {
     return u;
 }
 
-void Cost::count_loops(const Neighbours& neighbours) {
-    // One at both ends of a loop, taken back above where they meet; then sums over subtrees.
-    for (const std::int32_t v : order)
-        for (const Neighbour n : neighbours.of(v)) {
-            const std::int32_t u = n.node();
-            if (!n.near() || u <= v || parent_[at(u)] == v || parent_[at(v)] == u) continue;
-            const std::int32_t top = meet(u, v);
-            ++loops[at(u)];
-            ++loops[at(v)];
-            --loops[at(top)];
-            if (parent_[at(top)] != top) --loops[at(parent_[at(top)])];
-        }
+/// One at both ends of a loop, taken back above where they meet; sums over subtrees follow.
+void Cost::close_loop(std::int32_t u, std::int32_t v) noexcept {
+    const std::int32_t top = meet(u, v);
+    ++loops[at(u)];
+    ++loops[at(v)];
+    --loops[at(top)];
+    if (parent_[at(top)] != top) --loops[at(parent_[at(top)])];
+}
+
+void Cost::sum_loops() noexcept {
     for (std::size_t k = order.size(); k-- > 0;) {
         const std::int32_t v = order[k];
         if (parent_[at(v)] != v) loops[at(parent_[at(v)])] += loops[at(v)];
@@ -71,6 +76,7 @@ void Cost::build(const Hypergraph& graph, const Neighbours& neighbours) {
     island.assign(n, -1);
     loops.assign(n, 0);
     node.assign(n, 0);
+    scanned_.assign(n, 0);
     parent_.resize(n);
     jump_.resize(n);
     depth_.resize(n);
@@ -87,7 +93,7 @@ void Cost::build(const Hypergraph& graph, const Neighbours& neighbours) {
                 search(neighbours, static_cast<std::int32_t>(v));
                 begin.push_back(static_cast<std::int32_t>(order.size()));
             }
-    count_loops(neighbours);
+    sum_loops();
     paper.assign(at(islands()), 0);
     for (const std::int32_t v : order) {
         const std::int64_t edges = neighbours.edges[at(v)], s = graph.size[at(v)];

@@ -40,10 +40,12 @@ class Cost {
 
   private:
     void search(const Neighbours& neighbours, std::int32_t root);
-    void count_loops(const Neighbours& neighbours);
+    void close_loop(std::int32_t u, std::int32_t v) noexcept;
+    void sum_loops() noexcept;
     [[nodiscard]] std::int32_t meet(std::int32_t u, std::int32_t v) const noexcept;
 
-    std::vector<std::int32_t> parent_, jump_, depth_, heavy_;
+    std::vector<std::int32_t> parent_, jump_, depth_;
+    std::vector<std::uint8_t> scanned_;
 };
 
 }  // namespace hawser::graph

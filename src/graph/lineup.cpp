@@ -26,55 +26,43 @@ void Lineup::connect(const Hypergraph& graph, const Neighbours& neighbours, cons
         const std::int32_t size = graph.size[at(units.nodes[at(units.begin[at(u)])])];
         weight_[at(u)] = u < units.wires ? kReach * size : size;
     }
+    // Of a unit that nothing has touched: all that its neighbours would add to the frontier.
+    key_.assign(at(count), 0);
+    for (std::int32_t u = 0; u < count; ++u)
+        for (std::int32_t k = start_[at(u)]; k < start_[at(u) + 1]; ++k)
+            key_[at(u)] += weight_[at(adjacent_[at(k)])];
 }
 
-void Lineup::put(std::int32_t unit) noexcept {
+/// List a candidate under its present key; what it was listed under before is passed over later.
+void Lineup::list(std::int32_t unit) {
     const std::int32_t b = bucket(unit);
-    next_[at(unit)] = -1;
-    previous_[at(unit)] = tail_[at(b)];
-    (tail_[at(b)] < 0 ? head_[at(b)] : next_[at(tail_[at(b)])]) = unit;
-    tail_[at(b)] = unit;
-    listed_[at(unit)] = 1;
+    entries_.push_back({unit, head_[at(b)]});
+    head_[at(b)] = static_cast<std::int32_t>(entries_.size()) - 1;
     lowest_ = std::min(lowest_, b);
-}
-
-void Lineup::take(std::int32_t unit) noexcept {
-    const std::int32_t b = bucket(unit), p = previous_[at(unit)], n = next_[at(unit)];
-    (p < 0 ? head_[at(b)] : next_[at(p)]) = n;
-    (n < 0 ? tail_[at(b)] : previous_[at(n)]) = p;
-    listed_[at(unit)] = 0;
-}
-
-/// Make a unit a candidate: its key is what its untouched neighbours add to the frontier.
-void Lineup::offer(std::int32_t unit) {
-    std::int32_t key = 0;
-    for (std::int32_t k = start_[at(unit)]; k < start_[at(unit) + 1]; ++k) {
-        const std::int32_t u = adjacent_[at(k)];
-        if (state_[at(u)] <= candidate) key += weight_[at(u)];
-    }
-    key_[at(unit)] = key;
-    state_[at(unit)] = candidate;
-    put(unit);
 }
 
 /// A unit joins the frontier; its neighbours become candidates, cheaper by it.
 void Lineup::touch(std::int32_t unit) {
-    if (state_[at(unit)] == untouched) offer(unit);
     state_[at(unit)] = touched;
-    take(unit);
-    key_[at(unit)] -= weight_[at(unit)];
-    put(unit);
+    const std::int32_t weight = weight_[at(unit)];
+    key_[at(unit)] -= weight;
+    list(unit);
     for (std::int32_t k = start_[at(unit)]; k < start_[at(unit) + 1]; ++k) {
         const std::int32_t u = adjacent_[at(k)];
-        if (state_[at(u)] == placed) continue;
-        if (state_[at(u)] == untouched) {
-            offer(u);
-            continue;
-        }
-        take(u);
-        key_[at(u)] -= weight_[at(unit)];
-        put(u);
+        key_[at(u)] -= weight;
+        if (state_[at(u)] != placed) list(u);
     }
+}
+
+/// The candidate that enlarges the frontier least, −1: none.
+std::int32_t Lineup::cheapest() noexcept {
+    for (; lowest_ < kBuckets; ++lowest_)
+        while (head_[at(lowest_)] >= 0) {
+            const Entry e = entries_[at(head_[at(lowest_)])];
+            head_[at(lowest_)] = e.next;
+            if (state_[at(e.unit)] != placed && bucket(e.unit) == lowest_) return e.unit;
+        }
+    return -1;
 }
 
 /// Neighbours of an end of a wire outside it: those in the line count double.
@@ -99,17 +87,13 @@ void Lineup::append(const Neighbours& neighbours, const Units& units, std::int32
 }
 
 void Lineup::grow(const Neighbours& neighbours, const Units& units, std::int32_t start) {
-    offer(start);
-    for (;;) {
-        while (lowest_ < kBuckets && head_[at(lowest_)] < 0) ++lowest_;
-        if (lowest_ == kBuckets) return;
-        const std::int32_t unit = head_[at(lowest_)];
-        if (state_[at(unit)] != touched) touch(unit);
-        take(unit);
+    list(start);
+    for (std::int32_t unit = cheapest(); unit >= 0; unit = cheapest()) {
+        if (state_[at(unit)] == untouched) touch(unit);
         state_[at(unit)] = placed;
         append(neighbours, units, unit);
         for (std::int32_t k = start_[at(unit)]; k < start_[at(unit) + 1]; ++k)
-            if (state_[at(adjacent_[at(k)])] <= candidate) touch(adjacent_[at(k)]);
+            if (state_[at(adjacent_[at(k)])] == untouched) touch(adjacent_[at(k)]);
     }
 }
 
@@ -117,13 +101,10 @@ void Lineup::build(const Hypergraph& graph, const Neighbours& neighbours, const 
                    const Units& units) {
     connect(graph, neighbours, units);
     const auto count = at(units.count());
-    key_.assign(count, 0);
-    next_.resize(count);
-    previous_.resize(count);
     state_.assign(count, untouched);
-    listed_.assign(count, 0);
     head_.fill(-1);
-    tail_.fill(-1);
+    entries_.clear();
+    entries_.reserve(adjacent_.size() + 2 * count);
     place.assign(graph.size.size(), -1);
     order.clear();
     order.reserve(graph.size.size());

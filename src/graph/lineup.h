@@ -8,7 +8,7 @@
 /// frontier and its neighbours (King, "An automatic reordering scheme for simultaneous equations
 /// derived from network systems", 1970; candidates as in Sloan's method, 1986): a wire between
 /// two hubs that are waiting costs nothing, so wires come before the hubs that hold them. Ties
-/// go to the unit that became a candidate first. Units are as wires.h makes them, which is what
+/// go to the unit that was touched last. Units are as wires.h makes them, which is what
 /// makes this quick: about a tenth of a microsecond a node.
 
 #include "graph/cost.h"
@@ -33,15 +33,17 @@ class Lineup {
 
   private:
     static constexpr std::int32_t kLow = -64, kBuckets = 512;
-    enum State : std::uint8_t { untouched, candidate, touched, placed };
+    enum State : std::uint8_t { untouched, touched, placed };
+    struct Entry {
+        std::int32_t unit, next;
+    };
 
     void connect(const Hypergraph& graph, const Neighbours& neighbours, const Units& units);
     void grow(const Neighbours& neighbours, const Units& units, std::int32_t start);
     void append(const Neighbours& neighbours, const Units& units, std::int32_t unit);
     void touch(std::int32_t unit);
-    void offer(std::int32_t unit);
-    void put(std::int32_t unit) noexcept;
-    void take(std::int32_t unit) noexcept;
+    void list(std::int32_t unit);
+    [[nodiscard]] std::int32_t cheapest() noexcept;
     [[nodiscard]] std::int32_t bucket(std::int32_t unit) const noexcept {
         const std::int32_t b = key_[at(unit)] - kLow;
         return b < 0 ? 0 : b >= kBuckets ? kBuckets - 1 : b;
@@ -51,10 +53,12 @@ class Lineup {
 
     // Units and their neighbours.
     std::vector<std::int32_t> start_, adjacent_, weight_, mark_;
-    // Candidates by how much they enlarge the frontier: lists, oldest first.
-    std::vector<std::int32_t> key_, next_, previous_;
-    std::vector<std::uint8_t> state_, listed_;
-    std::array<std::int32_t, kBuckets> head_{}, tail_{};
+    // Candidates by how much they enlarge the frontier: lists, newest first, with entries that
+    // no longer hold.
+    std::vector<std::int32_t> key_;
+    std::vector<std::uint8_t> state_;
+    std::vector<Entry> entries_;
+    std::array<std::int32_t, kBuckets> head_{};
     std::int32_t lowest_ = 0;
 };
 

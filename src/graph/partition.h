@@ -85,6 +85,10 @@ class Partitioner {
     std::vector<std::int64_t> island_cost_, small_cost_, load_, prefix_;
     std::vector<std::int32_t> island_lane_, order_, place_, line_, cut_, lane_of_, segment_;
     std::vector<Profile> profile_;
+    struct Reach {
+        std::int32_t low, high;  ///< Places of the first and last neighbour, itself included.
+    };
+    std::vector<Reach> reach_;          ///< By place of the line.
     std::vector<std::int64_t> weight_;  ///< Cost of the nodes of the line in this round.
 };
 

@@ -54,6 +54,7 @@ void Partitioner::place_islands(const PartitionOptions& options, Partition& out)
 /// it, of nodes ahead of it with one behind, and of hubs with both.
 void Partitioner::find_profile() {
     profile_.assign(line_.size() + 2, {0, 0, 0});
+    reach_.resize(line_.size());
     for (std::size_t k = 0; k < line_.size(); ++k) {
         const std::int32_t v = line_[k];
         auto low = static_cast<std::int32_t>(k), high = low;
@@ -65,6 +66,7 @@ void Partitioner::find_profile() {
             high = std::max(high, p);
         }
         const std::int32_t size = graph.size[at(v)];
+        reach_[k] = {low, high};
         if (hub) {
             profile_[at(low) + 1].hubs += size;
             profile_[at(high) + 1].hubs -= size;
@@ -150,9 +152,14 @@ void Partitioner::assign(Partition& out) {
         segment_[at(line_[k])] = static_cast<std::int32_t>(j);
     }
     out.separator.clear();
-    for (const std::int32_t v : line_) {
-        const bool between = is_between(v);
-        out.part[at(v)] = between ? kSeparator : lane_of_[at(segment_[at(v)])];
+    const auto end = static_cast<std::int32_t>(line_.size());
+    for (std::size_t k = 0; k < line_.size(); ++k) {
+        const std::int32_t v = line_[k], s = segment_[at(v)];
+        const std::int32_t low = s == 0 ? 0 : cut_[at(s) - 1];
+        const std::int32_t high = at(s) < cut_.size() ? cut_[at(s)] : end;
+        const bool reaches = reach_[k].low < low || reach_[k].high >= high;
+        const bool between = reaches && is_between(v);
+        out.part[at(v)] = between ? kSeparator : lane_of_[at(s)];
         if (between) out.separator.push_back(v);
     }
     join_back(out);
@@ -197,7 +204,6 @@ void Partitioner::separate(const PartitionOptions& options, Partition& out) {
         for (int round = 0; round < kRounds; ++round) {
             choose_places(options);
             assign(out);
-            sum_up(out);
             if (round + 1 == kRounds) break;
             for (std::size_t k = 0; k < line_.size(); ++k)
                 weight_[k] = out.part[at(line_[k])] >= 0 ? cost.node[at(line_[k])] : 0;

@@ -15,10 +15,10 @@ void Units::find_ends(const Hypergraph& graph, const Neighbours& neighbours) {
         like_[v] = graph.size[v] == 0 || hub[v] ? -1 : 0;
     }
     for (std::size_t v = 0; v < n; ++v) {
-        if (like_[v] < 0) continue;
+        const auto all = neighbours.of(static_cast<std::int32_t>(v));
+        if (like_[v] < 0 || all.size() <= 2 * kReach) continue;
         std::int32_t degree = 0;
-        for (const Neighbour u : neighbours.of(static_cast<std::int32_t>(v)))
-            degree += hub[at(u.node())] ? 0 : 1;
+        for (const Neighbour u : all) degree += hub[at(u.node())] ? 0 : 1;
         if (degree > 2 * kReach) like_[v] = -1;
     }
     for (std::size_t v = 0; v < n; ++v) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Properties of partitions, on graphs at random and on wires.
 #include "graph/partition.h"
+#include "graph/follow.h"
 #include "graph/split.h"
 #include "support/random.h"
 #include "support/sanitizer.h"
@@ -158,6 +159,76 @@ TEST(Partition, AnyGraphFallsIntoParts) {
         EXPECT_EQ(p.part, q.part);
     }
     EXPECT_GT(separators, static_cast<std::size_t>(rounds));
+}
+
+TEST(Partition, SeparatorsFollowEdits) {
+    graph::Partitioner partitioner;
+    Partition p;
+    const int rounds = kSanitized ? 30 : 300;
+    for (int round = 0; round < rounds; ++round) {
+        SCOPED_TRACE(round);
+        Random random(static_cast<std::uint64_t>(round) + 1);
+        Graph g = any_graph(random);
+        if (g.view().edges() == 0) continue;
+        partitioner.read(g.view());
+        partitioner.separate({random.integer(1, 9)}, p);
+        graph::Follower follower;
+        follower.start(g.view(), partitioner.cost.node, p);
+        const auto last = static_cast<int>(g.size.size()) - 1;
+        for (int step = 0; step < 20; ++step) {
+            for (int k = random.integer(1, 20); k > 0; --k) {
+                // Members move; their number stays, so that this test's own arrays can follow.
+                const int e = random.integer(0, g.view().edges() - 1);
+                std::vector<std::int32_t> members(g.view().edge(e).begin(), g.view().edge(e).end());
+                for (std::int32_t& v : members)
+                    if (random.chance(0.6)) v = random.integer(0, last);
+                std::copy(members.begin(), members.end(), g.members.begin() + g.begin[at(e)]);
+                follower.change(e, members);
+            }
+            follower.copy_to(p);
+            expect_separated(g, p);
+            expect_sums(g, p, partitioner.cost.node);
+            if (HasFatalFailure()) return;
+        }
+    }
+}
+
+/// A cut is where the weights say, and only there do three otherwise equal wires differ.
+TEST(Partition, CutsSlideToTheLowestWeight) {
+    Graph g;
+    const int a = g.node(6), b = g.node(6);
+    const std::vector<int> wire = g.wire(a, 100, b);
+    std::fill(g.edge_weight.begin(), g.edge_weight.end(), 100);
+    graph::Splitter splitter;
+    Partition p;
+    splitter.split(g.view(), {2}, p);
+    const auto cut_at = [&] {
+        for (std::size_t i = 0; i + 1 < wire.size(); ++i)
+            if (p.part[at(wire[i])] != p.part[at(wire[i + 1])]) return static_cast<int>(i);
+        return -1;
+    };
+    const int even = cut_at();
+    ASSERT_GT(even, 40);
+    ASSERT_LT(even, 60);
+    // Three cheap rows (two bends and a stretch) two places on.
+    const int cheap = even + 2;
+    for (int e = 0; e < g.view().edges(); ++e) {
+        int low = 1000, high = -1;
+        for (const std::int32_t v : g.view().edge(e))
+            for (std::size_t i = 0; i < wire.size(); ++i)
+                if (wire[i] == v) {
+                    low = std::min(low, static_cast<int>(i));
+                    high = std::max(high, static_cast<int>(i));
+                }
+        if (low <= cheap && high > cheap) g.edge_weight[at(e)] = 10;
+    }
+    splitter.follow(g.view(), {2}, p);
+    EXPECT_EQ(cut_at(), cheap);
+    // Dearer now, but still the cheapest place by far: nothing moves.
+    g.node_weight[at(wire[at(cheap)])] = 100;
+    const auto kept = p.part;
+    splitter.follow(g.view(), {2}, p);
+    EXPECT_EQ(p.part, kept);
 }
 
 TEST(Partition, AnyGraphSplits) {
