@@ -18,6 +18,7 @@ constexpr const char* kRunFooter = R"(Examples:
   hawser run scenes/anchor_lines.json --duration 60 --record run.hwr --summary run.json
   hawser run scene.json --set settings.step=0.005 --set bodies.rig.mass=2e7 --csv run.csv
   hawser run scene.json --control levers.csv --realtime
+  hawser run scene.json --duration 5 --threads 2 --trace run.json --trace run.svg
   hawser run scene.json --save-at 10 ten.hws; hawser run scene.json --restore ten.hws
 
 A CONTROL file has the line "time,<input>,<input>,…" and below it times and values, which hold
@@ -33,6 +34,7 @@ void add_outputs(CLI::App& command, RunOptions& options) {
         ->check(CLI::Range(1, 1000000));
     command.add_option("--csv", options.csv, "Write tensions and motions over time");
     command.add_option("--summary", options.summary, "Write the figures of the run as JSON");
+    options.trace.add_to(command);
 }
 
 }  // namespace

@@ -72,6 +72,7 @@ RunSession::RunSession(const RunOptions& options)
     }
     if (!options.summary.empty() && !std::ofstream(options.summary))
         throw std::runtime_error(fmt::format("{}: cannot write the summary", options.summary));
+    options.trace.start(world);
     collector_ = std::make_unique<observe::SummaryCollector>(info_, world);
     if (options.verify) verifier_ = std::make_unique<observe::Verifier>(world);
 }
@@ -178,8 +179,10 @@ int RunSession::finish(observe::Ending ending, double wall_seconds) {
         write_summary(summary);
         written_.push_back(options_.summary);
     }
+    const std::string timeline = options_.trace.finish(world, info_.name);
+    written_.insert(written_.end(), options_.trace.files.begin(), options_.trace.files.end());
     if (!options_.quiet) {
-        fmt::print("{}", observe::report(summary));
+        fmt::print("{}{}", observe::report(summary), timeline);
         if (!written_.empty()) fmt::print("  wrote        {}\n", fmt::join(written_, ", "));
         std::fflush(stdout);
     }

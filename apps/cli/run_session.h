@@ -9,6 +9,7 @@
 #include "observe/summary.h"
 #include "realtime.h"
 #include "scene_options.h"
+#include "trace_output.h"
 
 #include <memory>
 #include <optional>
@@ -24,6 +25,7 @@ struct RunOptions {
     std::string control, record, csv, summary, restore, save_file;
     std::optional<double> save_time;  ///< [s]
     std::int32_t stride = 0;          ///< Steps from frame to frame; 0 = chosen by size.
+    TraceOptions trace;
 };
 
 class RunSession {

@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace hawser::bench {
@@ -22,6 +23,8 @@ class Pretend final : public base::Executor {
     void run(int count, Task task, void* context) noexcept override {
         pool_.run(count, task, context);
     }
+    void announce(const base::TaskOrder& order) noexcept override { pool_.announce(order); }
+    void begin_node(int node, int thread) noexcept override { pool_.begin_node(node, thread); }
     [[nodiscard]] int threads() const noexcept override { return threads_; }
 
   private:
@@ -134,7 +137,7 @@ struct Stretch {
     }
 };
 
-std::vector<ScheduleLoop> describe_loops(const std::vector<TraceSpan>& spans, const Marks& marks,
+std::vector<ScheduleLoop> describe_loops(const TraceView& spans, const Marks& marks,
                                          const PoolCosts& costs) {
     std::vector<ScheduleLoop> loops;
     for (int k = 0; k + 1 < kMarks; ++k) {
@@ -143,10 +146,8 @@ std::vector<ScheduleLoop> describe_loops(const std::vector<TraceSpan>& spans, co
         for (std::size_t i = 0; i < p.loops.size(); ++i) {
             const LoopTimes& l = p.loops[i];
             ScheduleLoop s{kPhase[k], static_cast<int>(l.task.size()), l.before};
-            for (const double t : l.task) {
-                s.sum += t;
-                s.longest = std::max(s.longest, t);
-            }
+            for (const double t : l.task) s.sum += t;
+            s.path = l.critical();
             s.eight = eight.loop[i];
             loops.push_back(s);
         }
@@ -164,10 +165,11 @@ ScheduleReport measure_schedule(const ProblemSource& source, bool condensed, int
     report.name = source.name;
     report.form = condensed ? "condensed" : "saddle";
     Stretch solve, whole;
-    std::vector<TraceSpan> spans;
+    TraceView spans;
     auto counted = [&](base::Executor& executor, runtime::Pool& pool) {
         Marks m;
-        for (int attempt = 0; attempt < 20; ++attempt) {
+        const auto begin = std::chrono::steady_clock::now();
+        while (std::chrono::steady_clock::now() - begin < std::chrono::milliseconds(100)) {
             m = work.run(executor, pool);
             ++report.samples;
             if (!m.disturbed) break;
@@ -188,7 +190,6 @@ ScheduleReport measure_schedule(const ProblemSource& source, bool condensed, int
             work.one().record(&work.trace());
             const Marks m = counted(team, work.one());
             work.one().record(nullptr);
-            spans.clear();
             work.trace().copy(m.at[0], spans);
             solve.predict(program_of(spans, m.at[1], m.at[3]), k, costs);
             whole.predict(program_of(spans, m.at[0], m.at[4]), k, costs);
@@ -227,13 +228,13 @@ void print_schedule(const ScheduleReport& r) {
 
 void print_schedule_loops(const ScheduleReport& r) {
     fmt::print("{:>20} {:>6} {:>12} {:>10} {:>10} {:>10} {:>8}\n", "phase", "tasks", "before us",
-               "tasks us", "longest", "8 threads", "speed-up");
+               "tasks us", "path us", "8 threads", "speed-up");
     for (const ScheduleLoop& l : r.loops) {
         if (l.tasks == 0)
             fmt::print("{:>20} {:>6} {:>12.2f}\n", l.phase, "-", 1e6 * l.before);
         else
             fmt::print("{:>20} {:>6} {:>12.2f} {:>10.2f} {:>10.2f} {:>10.2f} {:>8.2f}\n", l.phase,
-                       l.tasks, 1e6 * l.before, 1e6 * l.sum, 1e6 * l.longest, 1e6 * l.eight,
+                       l.tasks, 1e6 * l.before, 1e6 * l.sum, 1e6 * l.path, 1e6 * l.eight,
                        l.sum / l.eight);
     }
     if (r.disturbed > 0)
@@ -259,7 +260,7 @@ nlohmann::json to_json(const ScheduleReport& r) {
                          {"tasks", l.tasks},
                          {"before_us", 1e6 * l.before},
                          {"sum_us", 1e6 * l.sum},
-                         {"longest_us", 1e6 * l.longest},
+                         {"path_us", 1e6 * l.path},
                          {"eight_us", 1e6 * l.eight}});
     return {{"matrix", r.name},
             {"form", r.form},

@@ -29,7 +29,9 @@ struct ScheduleTimes {
 struct ScheduleLoop {
     std::string phase;
     int tasks = 0;
-    double before = 0.0, sum = 0.0, longest = 0.0, eight = 0.0;  ///< eight: from start to join.
+    double before = 0.0, sum = 0.0;
+    double path = 0.0;   ///< With endless threads.
+    double eight = 0.0;  ///< On eight, from start to join.
 };
 
 struct ScheduleReport {

@@ -5,8 +5,9 @@
 ///
 /// The library runs a step as *loops* of independent tasks with code between them that only the
 /// calling thread runs. A loop's tasks are dealt out in order, each to the first thread that is
-/// free (src/runtime/tasks.h); a loop ends with its last task. Given the time of every task and of
-/// all code between, this file replays that dealing for any number of threads:
+/// free (src/runtime/tasks.h); where tasks wait for each other, a free thread takes the most urgent
+/// ready one (src/factor/task_graph.h). A loop ends with its last task. Given the time of every
+/// task and of all code between, this file replays that dealing for any number of threads:
 ///
 /// ```
 /// caller   before ─┬─ task 0 ── task 2 ─┬─ before ─┬─ …
@@ -19,7 +20,6 @@
 #include <hawser/trace.h>
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace hawser {
@@ -28,9 +28,10 @@ namespace hawser {
 struct LoopTimes {
     double before = 0.0;       ///< Of the calling thread alone, since the last loop [s].
     std::vector<double> task;  ///< Of each task, in the order of dealing [s].
-    /// Where given: the later task that waits for this one, −1: none. Empty: all independent.
-    std::vector<std::int32_t> parent{};
-    Stage stage = Stage::prestep;
+    TaskWaits waits{};
+    std::int8_t stage = -1;  ///< As in TraceSpan.
+    /// Longest sum of tasks that wait for each other [s].
+    [[nodiscard]] double critical() const;
 };
 
 struct ProgramTimes {
@@ -39,7 +40,7 @@ struct ProgramTimes {
     [[nodiscard]] double work() const noexcept;    ///< Of one thread: everything [s].
     [[nodiscard]] double serial() const noexcept;  ///< Outside loops [s].
     /// Of any number of threads that cost nothing: what must wait for each other [s].
-    [[nodiscard]] double critical() const noexcept;
+    [[nodiscard]] double critical() const;
 };
 
 /// What dealing out tasks costs; zero on one thread, and where a loop has one task.
@@ -64,8 +65,7 @@ struct Simulated {
 [[nodiscard]] Simulated simulate(const ProgramTimes& program, int threads, const PoolCosts& costs,
                                  std::vector<TraceSpan>* spans = nullptr);
 
-/// The program that one thread ran from `begin` to `end` [s]: its loops and tasks are in `spans`,
-/// sorted by begin.
-[[nodiscard]] ProgramTimes program_of(std::span<const TraceSpan> spans, double begin, double end);
+/// The program that one thread ran from `begin` to `end` [s]; the trace has all of it.
+[[nodiscard]] ProgramTimes program_of(const TraceView& trace, double begin, double end);
 
 }  // namespace hawser

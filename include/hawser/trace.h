@@ -31,15 +31,24 @@ struct TraceSpan {
     std::int32_t task = -1;         ///< Of a task: its index in the loop. Of a loop: their number.
     std::int32_t thread = 0;        ///< 0: the thread that called World::step().
     SpanKind kind = SpanKind::task;
-    Stage stage = Stage::prestep;  ///< Innermost; of a step: not used.
+    std::int8_t stage = -1;  ///< The innermost one, a value of Stage; −1: outside all.
     [[nodiscard]] double seconds() const noexcept { return end - begin; }
+};
+
+/// Which tasks of a loop wait for which. Task i sets free next[start[i]] to next[start[i + 1]]; of
+/// the ready ones that with the lowest rank goes first. Empty: all are independent and go by index.
+struct TaskWaits {
+    std::vector<std::int32_t> start, next, rank;
 };
 
 /// The spans of whole steps, sorted by begin, longer ones first. See World::trace().
 struct TraceView {
     std::vector<TraceSpan> spans;
+    std::vector<std::int32_t> graph_loop;  ///< Loops whose tasks wait for each other, ascending.
+    std::vector<TaskWaits> graph;          ///< Of each of them.
     int threads = 1;
-    std::int64_t steps_lost = 0;  ///< Steps traced whose room newer ones needed.
+    std::int64_t steps = 0;       ///< That it holds.
+    std::int64_t steps_lost = 0;  ///< Steps traced before, whose room newer ones needed.
 };
 
 }  // namespace hawser

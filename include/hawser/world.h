@@ -37,6 +37,7 @@ namespace hawser {
 struct SystemView;        // inspect.h
 struct PartitionView;     // partition.h
 struct PartitionRequest;  // partition.h
+struct TraceView;         // trace.h
 
 class World {
   public:
@@ -155,6 +156,13 @@ class World {
     /// request that makes no sense.
     [[nodiscard]] PartitionView partition(const PartitionRequest& request) const;
     [[nodiscard]] std::size_t memory_bytes() const noexcept;  ///< Held by state and solver.
+
+    /// From the next step on write down what each thread does and when, with room for so many spans
+    /// of each thread: a step of some thousand bodies leaves a few hundred. 0 ends it. What was
+    /// written before is dropped. @throws std::bad_alloc.
+    void start_trace(std::size_t spans);
+    /// The last steps of which nothing has been overwritten, at most so many.
+    [[nodiscard]] TraceView trace(std::int64_t steps = 1'000'000) const;
 
   private:
     struct Impl;

@@ -4,7 +4,16 @@
 /// The one interface through which the solver reaches threads. Algorithms hand over a list of
 /// independent tasks; who runs them, and how many do, cannot change a result.
 
+#include <cstdint>
+#include <span>
+
 namespace hawser::base {
+
+/// Tasks that wait for each other, for those who watch: what a node sets free (next[start[i]] to
+/// next[start[i + 1]]), and which of those ready goes first (the lowest rank).
+struct TaskOrder {
+    std::span<const std::int32_t> start, next, rank;
+};
 
 class Executor {
   public:
@@ -14,6 +23,14 @@ class Executor {
     virtual void run(int count, Task task, void* context) noexcept = 0;
     /// Threads that may run tasks; `thread` above is in [0, threads()).
     [[nodiscard]] virtual int threads() const noexcept = 0;
+
+    /// The next run() is of the nodes of a graph, which its tasks choose themselves.
+    virtual void announce(const TaskOrder& order) noexcept { static_cast<void>(order); }
+    /// In such a task: it is this node, and what it waited for is done.
+    virtual void begin_node(int node, int thread) noexcept {
+        static_cast<void>(node);
+        static_cast<void>(thread);
+    }
 
     /// Run a callable with signature void(int index, int thread) noexcept.
     template <class F>

@@ -59,14 +59,21 @@ class TaskQueue {
     template <class F>
     void run(const TaskGraph& graph, bool up, base::Executor& executor, F& f) noexcept {
         const int n = graph.nodes();
+        const TaskGraph::Way& way = up ? graph.up : graph.down;
+        executor.announce({way.start, way.next, way.rank});
         if (executor.threads() == 1) {
-            for (int i = 0; i < n; ++i) f(up ? i : n - 1 - i, 0);
+            auto one = [&](int i, int thread) noexcept {
+                const int node = up ? i : n - 1 - i;
+                executor.begin_node(node, thread);
+                f(node, thread);
+            };
+            executor.for_each(n, one);
             return;
         }
-        const TaskGraph::Way& way = up ? graph.up : graph.down;
         begin(way);
         auto task = [&](int, int thread) noexcept {
             const std::int32_t node = take(way);
+            executor.begin_node(node, thread);
             f(node, thread);
             finish(way, node);
         };

@@ -40,11 +40,11 @@ void record_loops(runtime::Pool& pool, CostSamples& samples) {
     for (int k = 0; k < kLoops; ++k) pool.for_each(kTasks, spin);
     pool.pause();
     pool.record(nullptr);
-    std::vector<TraceSpan> spans;
-    trace.copy(0.0, spans);
+    TraceView view;
+    trace.copy(0.0, view);
     std::vector<double> begin(kLoops, 0.0), end(kLoops, 0.0), last(kLoops, 0.0);
     double first = -1.0;
-    for (const TraceSpan& s : spans) {
+    for (const TraceSpan& s : view.spans) {
         const auto k = static_cast<std::size_t>(s.loop);
         if (s.kind == SpanKind::loop) {
             begin[k] = s.begin;

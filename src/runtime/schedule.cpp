@@ -2,10 +2,15 @@
 #include <hawser/schedule.h>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
+#include <queue>
+#include <utility>
 
 namespace hawser {
 namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 double sum(const std::vector<double>& v) noexcept {
     return std::accumulate(v.begin(), v.end(), 0.0);
@@ -14,22 +19,25 @@ double sum(const std::vector<double>& v) noexcept {
 /// Deals out one loop; threads are free from the given times on.
 class Dealer {
   public:
-    Dealer(const LoopTimes& loop, double deal) : loop_(loop), deal_(deal) {
-        if (!loop.parent.empty()) ready_.assign(loop.task.size(), 0.0);
+    Dealer(const LoopTimes& loop, double deal, std::vector<double>& free)
+        : loop_(loop), waits_(loop.waits), deal_(deal), free_(free), left_(loop.task.size()) {
+        if (independent()) return;
+        blocked_.assign(loop.task.size(), 0);
+        for (const std::int32_t v : waits_.next) ++blocked_[at(v)];
+        for (std::size_t i = 0; i < blocked_.size(); ++i)
+            if (blocked_[i] == 0) release(i);
     }
 
-    /// @return end of the last task. `free` is when each thread can take its first task.
-    double run(std::vector<double>& free, std::vector<TraceSpan>* spans, const TraceSpan& like) {
+    /// @return end of the last task.
+    double run(std::vector<TraceSpan>* spans, const TraceSpan& like) {
         double last = 0.0, ticket = 0.0;
-        for (std::size_t i = 0; i < loop_.task.size(); ++i) {
-            const auto thread = std::min_element(free.begin(), free.end());
+        for (; left_ > 0; --left_) {
+            const auto thread = std::min_element(free_.begin(), free_.end());
             ticket = std::max(*thread, ticket) + deal_;
-            const double begin = ready_.empty() ? ticket : std::max(ticket, ready_[i]);
+            double begin = ticket;
+            const std::size_t i = take(begin);
             const double end = *thread = begin + loop_.task[i];
-            if (!ready_.empty() && loop_.parent[i] >= 0) {
-                double& ready = ready_[static_cast<std::size_t>(loop_.parent[i])];
-                ready = std::max(ready, end);
-            }
+            if (!independent()) running_.emplace(end, i);
             last = std::max(last, end);
             if (spans == nullptr) continue;
             TraceSpan s = like;
@@ -37,31 +45,45 @@ class Dealer {
             s.begin = begin;
             s.end = end;
             s.task = static_cast<std::int32_t>(i);
-            s.thread = static_cast<std::int32_t>(thread - free.begin());
+            s.thread = static_cast<std::int32_t>(thread - free_.begin());
             spans->push_back(s);
         }
         return last;
     }
 
   private:
-    const LoopTimes& loop_;
-    double deal_;
-    std::vector<double> ready_;  ///< When all that a task waits for has ended.
-};
-
-/// Longest sum of tasks that wait for each other.
-double longest_path(const LoopTimes& loop) {
-    std::vector<double> path(loop.task.size(), 0.0);
-    double longest = 0.0;
-    for (std::size_t i = 0; i < path.size(); ++i) {
-        path[i] += loop.task[i];
-        longest = std::max(longest, path[i]);
-        if (loop.parent.empty() || loop.parent[i] < 0) continue;
-        double& up = path[static_cast<std::size_t>(loop.parent[i])];
-        up = std::max(up, path[i]);
+    [[nodiscard]] bool independent() const { return waits_.start.empty(); }
+    void release(std::size_t i) { ready_.emplace(waits_.rank[i], i); }
+    void finish_first() {
+        const std::size_t i = running_.top().second;
+        running_.pop();
+        for (std::int32_t k = waits_.start[i]; k < waits_.start[i + 1]; ++k)
+            if (--blocked_[at(waits_.next[at(k)])] == 0) release(at(waits_.next[at(k)]));
     }
-    return longest;
-}
+    /// The task that a thread free at `time` begins, and when.
+    std::size_t take(double& time) {
+        if (independent()) return loop_.task.size() - left_;
+        while (!running_.empty() && (running_.top().first <= time || ready_.empty())) {
+            time = std::max(time, running_.top().first);
+            finish_first();
+        }
+        const std::size_t i = ready_.top().second;
+        ready_.pop();
+        return i;
+    }
+
+    template <class Key>
+    using Queue = std::priority_queue<std::pair<Key, std::size_t>,
+                                      std::vector<std::pair<Key, std::size_t>>, std::greater<>>;
+    const LoopTimes& loop_;
+    const TaskWaits& waits_;
+    double deal_;
+    std::vector<double>& free_;
+    std::size_t left_;
+    std::vector<std::int32_t> blocked_;  ///< How many tasks each one waits for.
+    Queue<std::int32_t> ready_;          ///< By rank.
+    Queue<double> running_;              ///< By end.
+};
 
 }  // namespace
 
@@ -77,9 +99,15 @@ double ProgramTimes::work() const noexcept {
     return total;
 }
 
-double ProgramTimes::critical() const noexcept {
+double LoopTimes::critical() const {
+    // With a thread for each task, every one begins as soon as it can.
+    std::vector<double> free(std::max<std::size_t>(task.size(), 1), 0.0);
+    return Dealer(*this, 0.0, free).run(nullptr, {});
+}
+
+double ProgramTimes::critical() const {
     double total = serial();
-    for (const LoopTimes& l : loops) total += longest_path(l);
+    for (const LoopTimes& l : loops) total += l.critical();
     return total;
 }
 
@@ -102,7 +130,7 @@ Simulated simulate(const ProgramTimes& program, int threads, const PoolCosts& co
         span.stage = loop.stage;
         span.begin = now;
         span.loop = static_cast<std::int32_t>(k);
-        const double last = Dealer(loop, shared ? costs.deal : 0.0).run(free, spans, span);
+        const double last = Dealer(loop, shared ? costs.deal : 0.0, free).run(spans, span);
         now = std::max(now, last) + (shared ? costs.join : 0.0);
         span.end = now;
         span.task = static_cast<std::int32_t>(loop.task.size());
@@ -113,19 +141,24 @@ Simulated simulate(const ProgramTimes& program, int threads, const PoolCosts& co
     return result;
 }
 
-ProgramTimes program_of(std::span<const TraceSpan> spans, double begin, double end) {
+ProgramTimes program_of(const TraceView& trace, double begin, double end) {
     ProgramTimes p;
     double last = begin;
     std::int32_t number = -1;
-    for (const TraceSpan& s : spans) {
+    for (const TraceSpan& s : trace.spans) {
         if (s.begin < begin || s.end > end) continue;
         if (s.kind == SpanKind::loop) {
             p.loops.push_back({s.begin - last, {}, {}, s.stage});
-            p.loops.back().task.assign(static_cast<std::size_t>(s.task), 0.0);
+            LoopTimes& l = p.loops.back();
+            l.task.assign(at(s.task), 0.0);
+            const auto g =
+                std::lower_bound(trace.graph_loop.begin(), trace.graph_loop.end(), s.loop);
+            if (g != trace.graph_loop.end() && *g == s.loop)
+                l.waits = trace.graph[static_cast<std::size_t>(g - trace.graph_loop.begin())];
             number = s.loop;
             last = s.end;
         } else if (s.kind == SpanKind::task && s.loop == number) {
-            p.loops.back().task[static_cast<std::size_t>(s.task)] = s.seconds();
+            p.loops.back().task[at(s.task)] = s.seconds();
         }
     }
     p.after = end - last;

@@ -98,14 +98,19 @@ void Pool::deal_recorded(int count, Task task, void* context) noexcept {
             TraceSpan span = recorded.like;
             span.task = i;
             span.thread = thread;
-            span.begin = recorded.trace.now();
-            recorded.task(recorded.context, i, thread);
-            span.end = recorded.trace.now();
-            recorded.trace.push(span);
+            recorded.trace.task(span, [&] { recorded.task(recorded.context, i, thread); });
         },
         &r);
     loop.end = trace_->now();
     trace_->push(loop);
+}
+
+void Pool::announce(const base::TaskOrder& order) noexcept {
+    if (trace_ != nullptr) trace_->announce(order);
+}
+
+void Pool::begin_node(int node, int thread) noexcept {
+    if (trace_ != nullptr) trace_->begin_node(node, thread);
 }
 
 void Pool::deal(int count, Task task, void* context) noexcept {

@@ -40,6 +40,8 @@ class Pool final : public base::Executor {
     void record(Trace* trace) noexcept { trace_ = trace; }
 
     void run(int count, Task task, void* context) noexcept override;
+    void announce(const base::TaskOrder& order) noexcept override;
+    void begin_node(int node, int thread) noexcept override;
     [[nodiscard]] int threads() const noexcept override {
         return static_cast<int>(workers_.size()) + 1;
     }

@@ -8,7 +8,25 @@ namespace hawser::runtime {
 
 Trace::Trace(int threads, std::size_t capacity)
     : ring_(static_cast<std::size_t>(std::max(threads, 1))) {
-    for (Ring& r : ring_) r.span.resize(std::max<std::size_t>(capacity, 1));
+    capacity = std::max<std::size_t>(capacity, 1);
+    for (Ring& r : ring_) r.span.resize(capacity);
+    // Every node is a task; a node has about two edges.
+    graphs_.resize(capacity / 8 + 1);
+    numbers_.resize(4 * capacity);
+}
+
+void Trace::announce(const base::TaskOrder& order) noexcept {
+    Graph& g = graphs_[graph_count_++ % graphs_.size()];
+    g = {loops, static_cast<std::int32_t>(order.rank.size()),
+         static_cast<std::int32_t>(order.next.size()), number_count_};
+    for (const auto part : {order.start, order.next, order.rank})
+        for (const std::int32_t n : part) numbers_[number_count_++ % numbers_.size()] = n;
+}
+
+std::vector<std::int32_t> Trace::numbers(std::uint64_t begin, std::size_t count) const {
+    std::vector<std::int32_t> out(count);
+    for (std::size_t i = 0; i < count; ++i) out[i] = numbers_[(begin + i) % numbers_.size()];
+    return out;
 }
 
 double Trace::lost_until() const noexcept {
@@ -17,17 +35,31 @@ double Trace::lost_until() const noexcept {
     return until;
 }
 
-void Trace::copy(double from, std::vector<TraceSpan>& to) const {
+void Trace::copy(double from, TraceView& to) const {
+    to = {};
+    to.threads = threads();
     for (const Ring& r : ring_) {
-        const std::size_t held =
-            static_cast<std::size_t>(std::min<std::uint64_t>(r.count, r.span.size()));
+        const auto held = static_cast<std::size_t>(std::min<std::uint64_t>(r.count, r.span.size()));
         for (std::size_t i = 0; i < held; ++i)
-            if (r.span[i].begin >= from) to.push_back(r.span[i]);
+            if (r.span[i].begin >= from) to.spans.push_back(r.span[i]);
     }
-    std::sort(to.begin(), to.end(), [](const TraceSpan& a, const TraceSpan& b) {
+    std::sort(to.spans.begin(), to.spans.end(), [](const TraceSpan& a, const TraceSpan& b) {
         return std::tuple(a.begin, -a.end, a.kind, a.thread, a.task) <
                std::tuple(b.begin, -b.end, b.kind, b.thread, b.task);
     });
+    std::int32_t first = loops;
+    for (const TraceSpan& s : to.spans)
+        if (s.kind == SpanKind::loop) first = std::min(first, s.loop);
+    const std::uint64_t kept = std::min<std::uint64_t>(graph_count_, graphs_.size());
+    for (std::uint64_t k = graph_count_ - kept; k < graph_count_; ++k) {
+        const Graph& g = graphs_[k % graphs_.size()];
+        if (g.loop < first || number_count_ - g.begin > numbers_.size()) continue;
+        const auto nodes = static_cast<std::size_t>(g.nodes);
+        const auto edges = static_cast<std::size_t>(g.edges);
+        to.graph_loop.push_back(g.loop);
+        to.graph.push_back({numbers(g.begin, nodes + 1), numbers(g.begin + nodes + 1, edges),
+                            numbers(g.begin + nodes + 1 + edges, nodes)});
+    }
 }
 
 }  // namespace hawser::runtime

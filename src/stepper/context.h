@@ -16,11 +16,13 @@
 #include "nonsmooth/resistance.h"
 #include "runtime/stopwatch.h"
 #include "runtime/tasks.h"
+#include "runtime/trace.h"
 #include "stepper/budget.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace hawser::stepper {
@@ -102,6 +104,7 @@ struct StepContext {
     runtime::Pool pool;
     runtime::PoolStopwatch pool_stopwatch{pool};
     runtime::Stopwatch* stopwatch = &pool_stopwatch;  ///< Of the solver; tests put their own.
+    std::unique_ptr<runtime::Trace> trace;            ///< What threads do; none: not written down.
     Budget budget;
     int cut_after = 0;  ///< Newton iterations imposed on the next step; 0: none.
     EventRing events;

@@ -90,6 +90,7 @@ Status step(StepContext& ctx) noexcept {
             return ctx.stats.status = status;
         }
     }
+    const StepTimer timer(ctx);
     const Clock::time_point begin = Clock::now();
     ctx.stats.stage_seconds.fill(0.0);
     ctx.stats.factorisations = 0;

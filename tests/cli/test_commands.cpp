@@ -184,10 +184,10 @@ TEST(Run, ControlMovesInputsAndReplays) {
 
 TEST(Run, CtrlCWritesWhatThereIs) {
     const auto folder = test_folder();
-    const Outcome run =
-        run_program({"run", kMooring, "--duration", "100000", "--realtime", "--record",
-                     folder / "r.hwr", "--csv", folder / "r.csv", "--summary", folder / "s.json"},
-                    1.5);
+    const Outcome run = run_program(
+        {"run", kMooring, "--duration", "100000", "--realtime", "--record", folder / "r.hwr",
+         "--csv", folder / "r.csv", "--summary", folder / "s.json", "--trace", folder / "t.json"},
+        1.5);
     EXPECT_EQ(run.code, 130) << run.err;
     EXPECT_NE(run.out.find("interrupted"), std::string::npos);
     const json summary = json::parse(read_text(folder / "s.json"));
@@ -198,6 +198,29 @@ TEST(Run, CtrlCWritesWhatThereIs) {
     EXPECT_EQ(replay.code, 0) << replay.err << replay.out;
     EXPECT_EQ(replay.out.find("not complete"), std::string::npos) << replay.out;
     EXPECT_EQ(read_text(folder / "r.csv").back(), '\n');
+    const json trace = json::parse(read_text(folder / "t.json"));
+    EXPECT_GE(trace["otherData"]["steps"].get<int>(), 5);
+}
+
+TEST(Run, TracesTheLastSteps) {
+    const auto folder = test_folder();
+    const Outcome run = run_program({"run", kMooring, "--duration", "0.5", "--threads", "2",
+                                     "--trace", folder / "t.json", "--trace", folder / "t.svg",
+                                     "--trace-steps", "3", "--trace-step", "2"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.out.find("timeline     step 2: "), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("linear algebra"), std::string::npos);
+    const json trace = json::parse(read_text(folder / "t.json"));
+    EXPECT_EQ(trace["otherData"]["steps"], 3);
+    EXPECT_NE(read_text(folder / "t.svg").find("thread 1"), std::string::npos);
+    // The state is the same without a trace; one thread is simulated on more.
+    const Outcome one = run_program({"run", kMooring, "--duration", "0.5", "--trace",
+                                     folder / "t.svg", "--save-at", "0.5", folder / "a.hws"});
+    EXPECT_NE(one.out.find("simulated    2 threads"), std::string::npos) << one.out;
+    (void)run_program({"run", kMooring, "--duration", "0.5", "--save-at", "0.5", folder / "b.hws"});
+    EXPECT_EQ(read_text(folder / "a.hws"), read_text(folder / "b.hws"));
+    EXPECT_EQ(run_program({"run", kMooring, "--trace", folder / "t.txt"}).code, 1);
+    EXPECT_EQ(run_program({"run", kMooring, "--trace", "/proc/none/t.json"}).code, 1);
 }
 
 TEST(Run, RealtimeKeepsPace) {

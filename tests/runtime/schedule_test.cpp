@@ -76,28 +76,46 @@ TEST(Schedule, EveryCostAppearsOnceALoop) {
     EXPECT_NEAR(simulate(one_loop(std::vector<double>(10, 0.0)), 4, costs).seconds, 1.0, kRounding);
 }
 
-TEST(Schedule, ATaskWaitsForItsChildren) {
-    // A binary tree of 2^5 − 1 equal tasks in postorder of levels: 5 levels deep.
-    constexpr int kLevels = 5;
-    LoopTimes loop;
-    int begin = 0;
-    for (int width = 1 << (kLevels - 1); width > 0; width /= 2) {
-        for (int i = 0; i < width; ++i) {
-            loop.task.push_back(1.0);
-            loop.parent.push_back(width == 1 ? -1 : begin + width + i / 2);
-        }
-        begin += width;
+/// Every task sets its parent free; the rank is the order of the tasks.
+TaskWaits towards(const std::vector<std::int32_t>& parent) {
+    TaskWaits w;
+    w.start.push_back(0);
+    for (const std::int32_t p : parent) {
+        if (p >= 0) w.next.push_back(p);
+        w.start.push_back(static_cast<std::int32_t>(w.next.size()));
     }
-    ProgramTimes p;
-    p.loops.push_back(loop);
+    w.rank.resize(parent.size());
+    std::iota(w.rank.begin(), w.rank.end(), 0);
+    return w;
+}
+
+TEST(Schedule, ATaskWaitsForItsChildren) {
+    // A binary tree of 2^5 − 1 equal tasks, level by level: 5 levels deep.
+    constexpr int kLevels = 5;
+    std::vector<std::int32_t> parent;
+    for (int width = 1 << (kLevels - 1), begin = 0; width > 0; begin += width, width /= 2)
+        for (int i = 0; i < width; ++i) parent.push_back(width == 1 ? -1 : begin + width + i / 2);
+    ProgramTimes p = one_loop(std::vector<double>(parent.size(), 1.0));
+    p.loops[0].waits = towards(parent);
     EXPECT_NEAR(p.critical(), kLevels, kRounding);
     EXPECT_NEAR(simulate(p, 16, {}).seconds, kLevels, kRounding);
     EXPECT_NEAR(simulate(p, 1, {}).seconds, 31.0, kRounding);
     EXPECT_NEAR(simulate(p, 4, {}).seconds, 4 + 2 + 1 + 1 + 1, kRounding);
     // A chain of tasks gains nothing.
-    for (std::size_t i = 0; i < loop.task.size(); ++i)
-        p.loops[0].parent[i] = i + 1 < loop.task.size() ? static_cast<std::int32_t>(i + 1) : -1;
+    for (std::size_t i = 0; i < parent.size(); ++i)
+        parent[i] = i + 1 < parent.size() ? static_cast<std::int32_t>(i + 1) : -1;
+    p.loops[0].waits = towards(parent);
     EXPECT_NEAR(simulate(p, 64, {}).seconds, 31.0, kRounding);
+}
+
+TEST(Schedule, TheMostUrgentReadyTaskGoesFirst) {
+    // Two short tasks, then one with a long one behind it; by rank the latter comes first.
+    ProgramTimes p = one_loop({1.0, 1.0, 1.0, 5.0});
+    p.loops[0].waits = towards({-1, -1, 3, -1});
+    EXPECT_NEAR(simulate(p, 2, {}).seconds, 7.0, kRounding);
+    p.loops[0].waits.rank = {2, 3, 0, 1};
+    EXPECT_NEAR(simulate(p, 2, {}).seconds, 6.0, kRounding);
+    EXPECT_NEAR(p.critical(), 6.0, kRounding);
 }
 
 /// One chain of blocks of size s, cut into k parts: a part with one boundary costs 7/3 s³ a block,
@@ -178,9 +196,9 @@ TEST(Schedule, ReadsTheProgramThatAPoolRecorded) {
     const double end = trace.now();
     pool.record(nullptr);
     pool.for_each(5, spin);  // not recorded
-    std::vector<TraceSpan> spans;
-    trace.copy(0.0, spans);
-    const ProgramTimes p = program_of(spans, begin, end);
+    TraceView view;
+    trace.copy(0.0, view);
+    const ProgramTimes p = program_of(view, begin, end);
     ASSERT_EQ(p.loops.size(), 3U);
     EXPECT_EQ(p.loops[0].task.size(), 30U);
     EXPECT_EQ(p.loops[1].task.size(), 0U);

@@ -85,11 +85,12 @@ TEST(Allocation, TheCounterCounts) {
     EXPECT_GE(Guard::seen(), before + 1);
 }
 
-void expect_none(const Recipe& recipe, int threads) {
+void expect_none(const Recipe& recipe, int threads, std::size_t trace = 0) {
     if (!HAWSER_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
     WorldDef def = recipe.world;
     def.threads = threads;
     World w = recipe.make(def);
+    w.start_trace(trace);
     for (int i = 0; i < 3; ++i) ASSERT_EQ(w.step(), Status::ok);
     const auto growths = w.stats().growths;
     long seen = 0;
@@ -118,6 +119,11 @@ TEST(Allocation, NoneInAWarmStep) {
 TEST(Allocation, NoneInAWarmStepOfTwoThreads) {
     expect_none(link_chain(200), 2);
     expect_none(mixed(4, 30), 2);
+}
+
+TEST(Allocation, NoneInAWarmStepThatIsTraced) {
+    expect_none(mixed(1, 10), 1, 500);  // wraps
+    expect_none(mixed(4, 30), 2, 500);
 }
 
 /// A wire that lies on a floor and over a bar: contacts come and go in the first steps only.

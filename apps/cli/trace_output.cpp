@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trace_output.h"
+
+#include "observe/host.h"
+#include "observe/svg.h"
+#include "observe/timeline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+
+namespace hawser::cli {
+
+namespace {
+
+// Spans of each thread: a step of a thousand bodies leaves some hundreds. 12 MB a thread.
+constexpr std::size_t kTraceSpans = std::size_t{1} << 18;
+
+bool is_picture(const std::string& file) { return file.ends_with(".svg"); }
+
+void write_trace(const std::string& file, const std::string& text) {
+    std::ofstream out(file, std::ios::binary);
+    out << text;
+    out.close();
+    if (!out) throw std::runtime_error(fmt::format("{}: cannot write the trace", file));
+}
+
+/// What more threads would bring, where one has run: the median over the steps.
+std::string predict_more_threads(const TraceView& trace) {
+    const PoolCosts costs = measure_pool_costs();
+    std::string line = "  simulated   ";
+    for (const int threads : {2, 4, 8, 16}) {
+        std::vector<double> gain;
+        for (const TraceSpan& s : trace.spans) {
+            if (s.kind != SpanKind::step) continue;
+            const ProgramTimes p = program_of(trace, s.begin, s.end);
+            gain.push_back(p.work() / simulate(p, threads, costs).seconds);
+        }
+        if (gain.empty()) return {};
+        const auto middle = gain.begin() + static_cast<std::ptrdiff_t>(gain.size() / 2);
+        std::nth_element(gain.begin(), middle, gain.end());
+        line += fmt::format(" {} threads x {:.2f}{}", threads, *middle, threads < 16 ? "," : "\n");
+    }
+    return line;
+}
+
+}  // namespace
+
+void TraceOptions::add_to(CLI::App& command) {
+    command
+        .add_option("--trace", files,
+                    "Write what each thread did: FILE.json for chrome://tracing and Perfetto, "
+                    "FILE.svg as a picture of one step; may be given twice")
+        ->check([](const std::string& file) {
+            return file.ends_with(".json") || is_picture(file)
+                       ? std::string()
+                       : fmt::format("{}: a trace is written as .json or .svg", file);
+        });
+    command.add_option("--trace-steps", steps, "Last steps that FILE.json holds")
+        ->check(CLI::Range(1, 1'000'000))
+        ->capture_default_str();
+    command
+        .add_option("--trace-step", step,
+                    "Number of the step in FILE.svg; by default one of median length")
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
+}
+
+void TraceOptions::start(World& world) const {
+    if (files.empty()) return;
+    for (const std::string& file : files) write_trace(file, {});
+    world.start_trace(kTraceSpans);
+}
+
+std::string TraceOptions::finish(const World& world, const std::string& scene) const {
+    if (files.empty()) return {};
+    const TraceView all = world.trace(), last = world.trace(steps);
+    const bool any = all.steps > 0;
+    // A step that is gone, or has not come, gives way to the typical one.
+    const bool held = std::any_of(all.spans.begin(), all.spans.end(), [&](const TraceSpan& s) {
+        return s.kind == SpanKind::step && s.step == step;
+    });
+    observe::Timeline shown;
+    if (any) shown = observe::timeline_of(all, held ? step : observe::typical_step(all));
+    for (const std::string& file : files) {
+        if (!is_picture(file)) {
+            write_trace(file, observe::to_trace_events(last, scene));
+            continue;
+        }
+        const std::string parameters =
+            fmt::format("{}, {}, {}, step {:.6g} ms", scene, observe::processor_model(),
+                        instruction_set(), 1e3 * world.settings().step);
+        write_trace(file,
+              observe::to_svg(observe::plot_timelines(
+                  {shown},
+                  fmt::format("What {} thread{} did", shown.threads, shown.threads == 1 ? "" : "s"),
+                  parameters)));
+    }
+    if (!any) return "  timeline     no whole step was traced\n";
+    std::string lines = fmt::format("  timeline     {}\n", observe::describe(shown));
+    if (step > 0 && !held)
+        lines += fmt::format("               step {} is not among the {} that were kept\n", step,
+                             all.steps);
+    return all.threads == 1 ? lines + predict_more_threads(all) : lines;
+}
+
+}  // namespace hawser::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file trace_output.h
+/// `--trace`: what the threads of a run did, as a file for trace viewers and as a picture.
+
+#include <hawser/hawser.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hawser::cli {
+
+struct TraceOptions {
+    std::vector<std::string> files;  ///< *.json: the last steps; *.svg: one of them.
+    std::int64_t steps = 20;         ///< Most steps in a *.json.
+    std::int64_t step = 0;           ///< Of the picture; 0: the one of median length.
+
+    void add_to(CLI::App& command);
+    /// Begin to write down. @throws std::runtime_error where a file cannot be written.
+    void start(World& world) const;
+    /// Write the files. @return lines for the report; empty where nothing was asked for.
+    [[nodiscard]] std::string finish(const World& world, const std::string& scene) const;
+};
+
+}  // namespace hawser::cli

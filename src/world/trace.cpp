@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <hawser/trace.h>
+
+#include "world/impl.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace hawser {
+
+void World::start_trace(std::size_t spans) {
+    stepper::StepContext& c = impl_->ctx;
+    c.pool.record(nullptr);
+    c.trace = spans > 0 ? std::make_unique<runtime::Trace>(c.pool.threads(), spans) : nullptr;
+    c.pool.record(c.trace.get());
+}
+
+TraceView World::trace(std::int64_t steps) const {
+    TraceView view;
+    const runtime::Trace* const trace = impl_->ctx.trace.get();
+    if (trace == nullptr) return view;
+    trace->copy(trace->lost_until(), view);
+    // Whole steps, and of these the last.
+    std::vector<double> begin;
+    double end = 0.0;
+    for (const TraceSpan& s : view.spans) {
+        if (s.kind != SpanKind::step) continue;
+        begin.push_back(s.begin);
+        end = s.end;
+    }
+    const auto kept = static_cast<std::size_t>(
+        std::clamp<std::int64_t>(steps, 0, static_cast<std::int64_t>(begin.size())));
+    const double from =
+        kept > 0 ? begin[begin.size() - kept] : std::numeric_limits<double>::infinity();
+    std::erase_if(view.spans, [&](const TraceSpan& s) { return s.begin < from || s.end > end; });
+    view.steps = static_cast<std::int64_t>(kept);
+    view.steps_lost = trace->steps - static_cast<std::int64_t>(begin.size());
+    return view;
+}
+
+}  // namespace hawser
