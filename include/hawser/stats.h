@@ -112,6 +112,10 @@ struct StepStats {
     std::int32_t newton_iterations = 0;  ///< Of the solve for contacts.
     bool cut = false;          ///< The budget ended the solve for contacts after newton_iterations.
     std::int64_t growths = 0;  ///< Times that capacity grew since the start (0 in a warm step).
+    /// Analyses since the start that made a new order of elimination, and those that repaired the
+    /// one there was (bodies touch for the first time, some are added, fall asleep or wake).
+    std::int64_t plans = 0, repairs = 0;
+    std::int64_t columns_repaired = 0;  ///< Block columns that these repairs computed.
     std::array<std::int64_t, kEventKindCount> event_count{};  ///< Since the start, by kind.
 };
 

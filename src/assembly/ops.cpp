@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <bit>
 #include <numeric>
-#include <tuple>
 
 namespace hawser::assembly {
 namespace {
@@ -13,11 +12,6 @@ namespace {
 constexpr int kSlots = kMaxInteractionBodies;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-/// An op whose address and offsets are still to be filled in.
-Op make_op(std::int32_t id, Op::Kind kind, std::uint8_t a, std::uint8_t b) {
-    return {0, 0, 0, id, 0, 0, kind, a, b, 0, 0, 0};
-}
 
 /// Indices of the places in [low, high), which are ascending.
 std::pair<std::int64_t, std::int64_t> between(const std::vector<std::int64_t>& places,
@@ -29,75 +23,36 @@ std::pair<std::int64_t, std::int64_t> between(const std::vector<std::int64_t>& p
 
 }  // namespace
 
-/// Columns of one place in the panels (lanes of one step) stay together.
-struct System::OpEntry {
-    std::int64_t place;
-    std::int32_t column, index;
-    Op op;
-    [[nodiscard]] auto key() const { return std::tie(place, column, index); }
-};
-
-void System::build_ops(const model::Bodies& bodies, const model::Interactions& in) {
-    // Collect the ops, then sort by place in the panels and by column; within one column they stay
-    // in the order of collection: body block first, then interactions by id. Columns of one place
-    // (lanes of one step) stay together.
-    std::vector<OpEntry> entries;
-    auto add = [&](std::int32_t row, std::int32_t column, Op op) {
-        const factor::BlockTarget t = symbolic.target(row, column);
-        op.address = t.address;
-        op.step = t.step;
-        op.ld = t.ld;
-        if (op.kind == Op::body_block) {
-            op.dof_a = op.dof_b = dof_[at(op.id)];
-        } else if (op.kind == Op::contact) {
-            const ContactBlock& block = contacts.blocks[at(op.id)];
-            op.dof_a = dof_[at(op.a ? block.b : block.a)];
-            op.dof_b = dof_[at(op.a ? block.a : block.b)];
-        } else {
-            const std::int32_t* body = &in.body[at(kSlots * op.id)];
-            std::int32_t offset = in.jac_begin[at(op.id)];
-            for (int b = 0; b < in.bodies[at(op.id)]; ++b) {
-                const std::uint8_t dof = dof_[at(body[b])];
-                if (b == op.a) {
-                    op.jac_a = offset;
-                    op.dof_a = dof;
-                }
-                if (b == op.b) {
-                    op.jac_b = offset;
-                    op.dof_b = dof;
-                }
-                offset += dof;
-                op.width = static_cast<std::uint8_t>(op.width + dof);
-            }
-        }
-        entries.push_back({symbolic.column_address(symbolic.position[at(column)]),
-                           symbolic.position[at(column)], static_cast<std::int32_t>(entries.size()),
-                           op});
+/// The ops before they have addresses: body blocks first, then interactions by id, then contacts.
+void System::collect_ops(const model::Bodies& bodies, const model::Interactions& in) {
+    op_entries_.clear();
+    auto add = [&](std::int32_t row, std::int32_t column, std::int32_t id, Op::Kind kind, int a,
+                   int b) {
+        op_entries_.push_back({row, column, id, kind, static_cast<std::uint8_t>(a),
+                               static_cast<std::uint8_t>(b)});
     };
+    auto position = [&](std::int32_t node) { return symbolic.position[at(node)]; };
     for (std::int32_t b : bodies.moving)
         if (dof_[at(b)] > 0)
-            add(node_of_body[at(b)], node_of_body[at(b)], make_op(b, Op::body_block, 0, 0));
+            add(node_of_body[at(b)], node_of_body[at(b)], b, Op::body_block, 0, 0);
     for (std::int32_t i = 0; i < in.count(); ++i) {
         const std::int32_t own = node_of_interaction[at(i)];
-        if (own >= 0) add(own, own, make_op(i, Op::kept_sigma, 0, 0));
+        if (own >= 0) add(own, own, i, Op::kept_sigma, 0, 0);
         for (int a = 0; a < in.bodies[at(i)]; ++a) {
             const std::int32_t na = node_of_body[at(in.body[at(kSlots * i + a)])];
             if (na < 0) continue;
-            const auto sa = static_cast<std::uint8_t>(a);
             if (own >= 0) {
-                if (symbolic.position[at(own)] > symbolic.position[at(na)])
-                    add(own, na, make_op(i, Op::kept_rows, 0, sa));
+                if (position(own) > position(na))
+                    add(own, na, i, Op::kept_rows, 0, a);
                 else
-                    add(na, own, make_op(i, Op::kept_columns, sa, 0));
+                    add(na, own, i, Op::kept_columns, a, 0);
             }
             for (int b = 0; b < in.bodies[at(i)]; ++b) {
                 const std::int32_t nb = node_of_body[at(in.body[at(kSlots * i + b)])];
-                if (nb < 0 || symbolic.position[at(na)] < symbolic.position[at(nb)]) continue;
+                if (nb < 0 || position(na) < position(nb)) continue;
                 if (na == nb && a != b) continue;  // a body twice in one interaction is refused
-                const auto sb = static_cast<std::uint8_t>(b);
-                if (own < 0) add(na, nb, make_op(i, Op::condensed, sa, sb));
-                if (in.geo[at(i)] >= 0 && a < 2 && b < 2)
-                    add(na, nb, make_op(i, Op::geometric, sa, sb));
+                if (own < 0) add(na, nb, i, Op::condensed, a, b);
+                if (in.geo[at(i)] >= 0 && a < 2 && b < 2) add(na, nb, i, Op::geometric, a, b);
             }
         }
     }
@@ -105,12 +60,70 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
         const ContactBlock& block = contacts.blocks[k];
         const std::int32_t na = node_of_body[at(block.a)], nb = node_of_body[at(block.b)];
         if (na < 0 || nb < 0) continue;  // asleep
-        const bool swap = symbolic.position[at(na)] < symbolic.position[at(nb)];
-        add(swap ? nb : na, swap ? na : nb,
-            make_op(static_cast<std::int32_t>(k), Op::contact, swap ? 1 : 0, 0));
+        const bool swap = position(na) < position(nb);
+        add(swap ? nb : na, swap ? na : nb, static_cast<std::int32_t>(k), Op::contact, swap ? 1 : 0,
+            0);
     }
-    std::sort(entries.begin(), entries.end(),
-              [](const OpEntry& p, const OpEntry& q) { return p.key() < q.key(); });
+}
+
+Op System::placed(const OpEntry& entry, const model::Interactions& in) const {
+    const factor::BlockTarget t = symbolic.target(entry.row, entry.column);
+    Op op{t.address, t.step, t.ld, entry.id, 0, 0, entry.kind, entry.a, entry.b, 0, 0, 0};
+    if (op.kind == Op::body_block) {
+        op.dof_a = op.dof_b = dof_[at(op.id)];
+        return op;
+    }
+    if (op.kind == Op::contact) {
+        const ContactBlock& block = contacts.blocks[at(op.id)];
+        op.dof_a = dof_[at(op.a ? block.b : block.a)];
+        op.dof_b = dof_[at(op.a ? block.a : block.b)];
+        return op;
+    }
+    const std::int32_t* body = &in.body[at(kSlots * op.id)];
+    std::int32_t offset = in.jac_begin[at(op.id)];
+    for (int b = 0; b < in.bodies[at(op.id)]; ++b) {
+        const std::uint8_t dof = dof_[at(body[b])];
+        if (b == op.a) {
+            op.jac_a = offset;
+            op.dof_a = dof;
+        }
+        if (b == op.b) {
+            op.jac_b = offset;
+            op.dof_b = dof;
+        }
+        offset += dof;
+        op.width = static_cast<std::uint8_t>(op.width + dof);
+    }
+    return op;
+}
+
+/// Sort the entries by place in the panels and by column; within one column they stay in the order
+/// of collection. Columns of one place (lanes of one step) come together.
+void System::sort_ops() {
+    const std::size_t n = symbolic.order.size();
+    column_place_.resize(n);
+    for (std::size_t k = 0; k < n; ++k)
+        column_place_[k] = {symbolic.column_address(static_cast<std::int32_t>(k)),
+                            static_cast<std::int32_t>(k)};
+    std::sort(column_place_.begin(), column_place_.end());
+    op_begin_.assign(n + 1, 0);
+    for (const OpEntry& e : op_entries_) ++op_begin_[at(symbolic.position[at(e.column)])];
+    std::int32_t sum = 0;
+    for (const auto& [place, k] : column_place_) {
+        const std::int32_t count = op_begin_[at(k)];
+        op_begin_[at(k)] = sum;
+        sum += count;
+    }
+    op_order_.resize(op_entries_.size());
+    for (std::size_t i = 0; i < op_entries_.size(); ++i)
+        op_order_[at(op_begin_[at(symbolic.position[at(op_entries_[i].column)])]++)] =
+            static_cast<std::int32_t>(i);
+}
+
+void System::build_ops(const model::Bodies& bodies, const model::Interactions& in) {
+    collect_ops(bodies, in);
+    sort_ops();
+    std::vector<Op> together;
     ops.clear();
     lane_ops.clear();
     op_place_.clear();
@@ -122,21 +135,28 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
     std::sort(by_place.begin(), by_place.end(), [&](std::size_t p, std::size_t q) {
         return pieces[p].panel_begin < pieces[q].panel_begin;
     });
-    std::size_t begin = 0;
+    std::size_t column = 0;
+    std::int32_t begin = 0;
     for (const std::size_t k : by_place) {
         PieceOps& range = piece_ops_[k];
         range.op_begin = static_cast<std::int64_t>(ops.size());
         range.lane_begin = static_cast<std::int64_t>(lane_ops.size());
-        while (begin < entries.size() && entries[begin].place < pieces[k].panel_end) {
-            std::size_t end = begin;
-            while (end < entries.size() && entries[end].place == entries[begin].place) ++end;
-            if (entries[begin].op.step == 1)
-                for (std::size_t i = begin; i < end; ++i) ops.push_back(entries[i].op);
+        while (column < column_place_.size()) {
+            const std::int64_t place = column_place_[column].first;
+            if (place >= pieces[k].panel_end) break;
+            std::int32_t end = begin;  // sort_ops() left where each column's entries end
+            for (; column < column_place_.size() && column_place_[column].first == place; ++column)
+                end = op_begin_[at(column_place_[column].second)];
+            together.clear();
+            for (; begin < end; ++begin)
+                together.push_back(placed(op_entries_[at(op_order_[at(begin)])], in));
+            if (together.empty()) continue;
+            if (together.front().step == 1)
+                ops.insert(ops.end(), together.begin(), together.end());
             else
-                share_lanes(std::span(entries).subspan(begin, end - begin), in);
-            op_place_.resize(ops.size(), entries[begin].place);
-            lane_place_.resize(lane_ops.size(), entries[begin].place);
-            begin = end;
+                share_lanes(together, place, in);
+            op_place_.resize(ops.size(), place);
+            lane_place_.resize(lane_ops.size(), place);
         }
         range.op_end = static_cast<std::int64_t>(ops.size());
         range.lane_end = static_cast<std::int64_t>(lane_ops.size());
@@ -144,6 +164,11 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
     skew_ops_.clear();
     for (std::size_t i = 0; i < ops.size(); ++i)
         if (ops[i].kind == Op::contact) skew_ops_.push_back(static_cast<std::int32_t>(i));
+    if (contacts.blocks.empty()) {  // the next time is not soon
+        op_entries_ = {};
+        column_place_ = {};
+        op_begin_ = op_order_ = {};
+    }
 }
 
 void System::write_blocks(const View& view, int piece, double* panel) const noexcept {
@@ -194,16 +219,16 @@ void System::write_skew(const View& view, const factor::DirtyParts& part,
 }
 
 /// Ops of one batch step: those that do the same in several lanes become one.
-void System::share_lanes(std::span<const OpEntry> entries, const model::Interactions& in) {
+void System::share_lanes(std::span<const Op> together, std::int64_t place,
+                         const model::Interactions& in) {
     const auto first = static_cast<std::ptrdiff_t>(lane_ops.size());
     std::vector<Op> single;  // the only op so far of each new lane op
-    for (const OpEntry& e : entries) {
-        const Op& op = e.op;
+    for (const Op& op : together) {
         if (op.kind == Op::contact) {
             ops.push_back(op);
             continue;
         }
-        const auto lane = static_cast<std::size_t>((op.address - e.place) % factor::kLaneCount);
+        const auto lane = static_cast<std::size_t>((op.address - place) % factor::kLaneCount);
         const std::uint8_t rows = op.kind == Op::body_block ? 0 : in.rows[at(op.id)];
         const std::int64_t base = op.address - static_cast<std::int64_t>(lane);
         auto same = [&](const LaneOp& l) {

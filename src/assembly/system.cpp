@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assembly/system.h"
 
-#include "factor/ordering.h"
-
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -66,11 +64,12 @@ bool is_bounded(const model::Interactions& in, int id) {
 }  // namespace
 
 void System::analyse(const model::Bodies& bodies, model::Interactions& interactions,
-                     const WorldDef& def, int threads) {
+                     const WorldDef& def, int threads, const factor::AnalysisState* state) {
     find_resting(bodies, interactions);
     reserve(bodies, interactions, threads);
     strips.build(dof_, rests_, interactions);
     build_incidence(bodies, interactions);
+    find_islands(interactions);
     // The Jacobians at the current poses decide the forms.
     interaction_offset_.assign(at(interactions.count()), -1);
     body_offset_.assign(at(bodies.count()), -1);
@@ -81,11 +80,44 @@ void System::analyse(const model::Bodies& bodies, model::Interactions& interacti
             kernels().evaluate(v, r.kind, pool.ids.data(), pool.data.data(), r.begin, r.end);
         }
     choose_forms(bodies, interactions, def);
-    build_pattern(bodies, interactions);
-    symbolic = factor::analyse(pattern, factor::plan_elimination(pattern));
+    find_order(bodies, interactions, state);
+    place(bodies, interactions, threads);
+}
+
+void System::relink(const model::Bodies& bodies, const model::Interactions& interactions,
+                    int threads) {
+    find_islands(interactions);
+    find_order(bodies, interactions, nullptr);
+    place(bodies, interactions, threads);
+}
+
+void System::find_order(const model::Bodies& bodies, const model::Interactions& interactions,
+                        const factor::AnalysisState* state) {
+    factor::Pattern next;
+    const std::int32_t changed = build_pattern(bodies, interactions, next);
+    analysis.keep_updates(!contacts.blocks.empty());
+    const bool repairable = ordered_ && changed <= kRepairable * next.nodes();
+    report_ = {};
+    // Until this is done there is none; after std::bad_alloc there will be none.
+    ordered_ = false;
+    if (state == nullptr && repairable) {
+        report_ = analysis.update(next, old_of_new_);
+    } else {
+        if (state != nullptr)
+            analysis.resume(next, *state);
+        else
+            analysis.plan(next);
+        report_.replanned = true;
+        report_.columns = next.nodes();
+    }
+    ordered_ = true;
+}
+
+/// Addresses of everything in the structure.
+void System::place(const model::Bodies& bodies, const model::Interactions& interactions,
+                   int threads) {
     const bool touching = !contacts.blocks.empty();
     if (touching) {
-        factor::keep_updates(symbolic);
         dirty.reserve(symbolic);
         unsymmetric.reserve(symbolic);
     }
@@ -148,17 +180,11 @@ void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) 
 
 void System::build_incidence(const model::Bodies& bodies, const model::Interactions& in) {
     incident_begin_.assign(at(bodies.count()) + 1, 0);
-    std::vector<std::int32_t> member_begin{0}, members;
-    for (int i = 0; i < in.count(); ++i) {
-        for (int b = 0; b < in.bodies[at(i)]; ++b) {
-            const std::int32_t body = in.body[at(kSlots * i + b)];
-            ++incident_begin_[at(body) + 1];
-            members.push_back(body);
-        }
-        member_begin.push_back(static_cast<std::int32_t>(members.size()));
-    }
+    for (int i = 0; i < in.count(); ++i)
+        for (int b = 0; b < in.bodies[at(i)]; ++b)
+            ++incident_begin_[at(in.body[at(kSlots * i + b)]) + 1];
     for (int b = 0; b < bodies.count(); ++b) incident_begin_[at(b) + 1] += incident_begin_[at(b)];
-    incident_.resize(members.size());
+    incident_.resize(at(incident_begin_.back()));
     std::vector<std::int32_t> cursor(incident_begin_.begin(), incident_begin_.end() - 1);
     for (int i = 0; i < in.count(); ++i) {
         const std::int32_t* body = &in.body[at(kSlots * i)];
@@ -175,6 +201,15 @@ void System::build_incidence(const model::Bodies& bodies, const model::Interacti
             if (geo && place.dof == 6) incidence.geo_arm = place.record + 10 + 6 * b;
             column += dof_[at(body[b])];
         }
+    }
+}
+
+void System::find_islands(const model::Interactions& in) {
+    std::vector<std::int32_t> member_begin{0}, members;
+    for (int i = 0; i < in.count(); ++i) {
+        for (int b = 0; b < in.bodies[at(i)]; ++b)
+            members.push_back(in.body[at(kSlots * i + b)]);
+        member_begin.push_back(static_cast<std::int32_t>(members.size()));
     }
     for (const Contacts::Link& l : contacts.links) {
         members.insert(members.end(), {l.first, l.second});
@@ -218,19 +253,27 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
     }
 }
 
-void System::build_pattern(const model::Bodies& bodies, const model::Interactions& in) {
+std::int32_t System::build_pattern(const model::Bodies& bodies, const model::Interactions& in,
+                                   factor::Pattern& next) {
     std::vector<std::int8_t> size, sign;
+    node_of_body.swap(body_before_);
+    node_of_interaction.swap(interaction_before_);
     node_of_body.assign(at(bodies.count()), -1);
     node_of_interaction.assign(at(in.count()), -1);
+    body_before_.resize(at(bodies.count()), -1);
+    interaction_before_.resize(at(in.count()), -1);
+    old_of_new_.clear();
     for (std::int32_t b : bodies.moving) {
         if (dof_[at(b)] == 0) continue;
         node_of_body[at(b)] = static_cast<std::int32_t>(size.size());
+        old_of_new_.push_back(body_before_[at(b)]);
         size.push_back(static_cast<std::int8_t>(dof_[at(b)]));
         sign.push_back(1);
     }
     for (int i = 0; i < in.count(); ++i)
         if (kept_[at(i)]) {
             node_of_interaction[at(i)] = static_cast<std::int32_t>(size.size());
+            old_of_new_.push_back(interaction_before_[at(i)]);
             size.push_back(static_cast<std::int8_t>(in.rows[at(i)]));
             sign.push_back(-1);
         }
@@ -250,7 +293,10 @@ void System::build_pattern(const model::Bodies& bodies, const model::Interaction
         }
     for (const Contacts::Link& l : contacts.links)
         link(node_of_body[at(l.first)], node_of_body[at(l.second)]);
-    pattern = factor::make_pattern(std::move(size), std::move(sign), from, to);
+    next = factor::make_pattern(std::move(size), std::move(sign), from, to);
+    std::int32_t stay = 0;
+    for (const std::int32_t old : old_of_new_) stay += old >= 0 ? 1 : 0;
+    return pattern.nodes() - stay + next.nodes() - stay;
 }
 
 View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef& def) noexcept {
@@ -321,8 +367,8 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
 
 std::size_t System::bytes() const noexcept {
     using base::bytes;
-    return bytes(pattern.adjacent) + bytes(pattern.start) + symbolic.bytes() + numeric.bytes() +
-           bytes(ops) + bytes(lane_ops) + bytes(incident_) + bytes(incident_begin_) +
+    return analysis.bytes() + numeric.bytes() +
+           bytes(ops) + bytes(lane_ops) + bytes(op_entries_) + bytes(op_order_) + bytes(incident_) + bytes(incident_begin_) +
            bytes(body_offset_) + bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) +
            bytes(v_new_) + bytes(momentum_) + bytes(geo_record_) + bytes(geo_force_) +
            bytes(solution_) + bytes(rests_) + bytes(node_of_body) + bytes(node_of_interaction) +

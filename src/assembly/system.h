@@ -8,6 +8,9 @@
 /// pivot order, not a second code path: residuals are always those of the saddle system, and
 /// refinement works on them. Automatic choice: condensed when G M⁻¹Gᵀ/Σ ≤ kSafeRatio for each
 /// row, beyond which the sum would lose the body's own digits.
+///
+/// The order of elimination follows what happens: where bodies touch for the first time, or some
+/// are added, it is repaired (factor/repair.h) and so depends on the past; it is part of the state.
 
 #include <hawser/def.h>
 
@@ -18,6 +21,7 @@
 #include "base/memory.h"
 #include "factor/numeric.h"
 #include "factor/partial.h"
+#include "factor/repair.h"
 #include "factor/symbolic.h"
 #include "graph/islands.h"
 #include "model/bodies.h"
@@ -25,6 +29,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace hawser::assembly {
@@ -33,20 +38,34 @@ namespace hawser::assembly {
 /// residual the error at 1e9 is 1e-15, at 1e12 it is 1e-9 (see docs/methods.md).
 inline constexpr double kSafeRatio = 1e10;
 
+/// Part of the nodes that may come or go for a repair; beyond, a new order is made.
+inline constexpr double kRepairable = 0.125;
+
 class System {
   public:
+    System() = default;
+    System(const System&) = delete;
+    System& operator=(const System&) = delete;
+
     /// Choose forms, order, analyse, make room. Called when the set of bodies or interactions
     /// changed, or which bodies are asleep: these count as fixed, and what holds them is left out.
+    /// @param state  Of the analysis of the same system elsewhere, to go on from; null: none.
     /// @throws std::bad_alloc.
     void analyse(const model::Bodies& bodies, model::Interactions& interactions,
-                 const WorldDef& def, int threads);
+                 const WorldDef& def, int threads, const factor::AnalysisState* state = nullptr);
+    /// Follow to contacts.links: order, structure and addresses. Forms and floors stay as they are.
+    /// @throws std::bad_alloc; analyse() then.
+    void relink(const model::Bodies& bodies, const model::Interactions& interactions, int threads);
+    /// What the last of these did.
+    [[nodiscard]] const factor::RepairReport& report() const noexcept { return report_; }
 
     /// Raw pointers for the kernels; valid until the next analyse().
     [[nodiscard]] View view(model::Bodies& bodies, model::Interactions& interactions,
                             const WorldDef& def) noexcept;
 
-    factor::Pattern pattern;
-    factor::Symbolic symbolic;
+    factor::Analysis analysis;
+    const factor::Pattern& pattern = analysis.pattern();
+    const factor::Symbolic& symbolic = analysis.symbolic();
     factor::Numeric numeric;
     factor::DirtyParts dirty;         ///< Of a world in which something may touch, like …
     factor::Unsymmetric unsymmetric;  ///< … this.
@@ -87,8 +106,19 @@ class System {
     void build_incidence(const model::Bodies& bodies, const model::Interactions& interactions);
     void choose_forms(const model::Bodies& bodies, model::Interactions& interactions,
                       const WorldDef& def);
-    void build_pattern(const model::Bodies& bodies, const model::Interactions& interactions);
-    struct OpEntry;
+    /// Nodes and edges, and what each node was. @return of these how many came or went.
+    std::int32_t build_pattern(const model::Bodies& bodies, const model::Interactions& interactions,
+                               factor::Pattern& next);
+    void find_islands(const model::Interactions& interactions);
+    void find_order(const model::Bodies& bodies, const model::Interactions& interactions,
+                    const factor::AnalysisState* state);
+    void place(const model::Bodies& bodies, const model::Interactions& interactions, int threads);
+    /// One block of one contribution, before it has an address.
+    struct OpEntry {
+        std::int32_t row, column, id;  ///< Nodes; see Op.
+        Op::Kind kind;
+        std::uint8_t a, b;
+    };
     /// The ops of one piece.
     struct PieceOps {
         std::int64_t op_begin, op_end, lane_begin, lane_end;
@@ -96,9 +126,20 @@ class System {
     void build_ops(const model::Bodies& bodies, const model::Interactions& interactions);
     void write_skew(const View& view, std::int64_t begin, std::int64_t end,
                     double* upper) const noexcept;
-    void share_lanes(std::span<const OpEntry> entries, const model::Interactions& interactions);
+    void collect_ops(const model::Bodies& bodies, const model::Interactions& interactions);
+    void sort_ops();
+    [[nodiscard]] Op placed(const OpEntry& entry, const model::Interactions& interactions) const;
+    void share_lanes(std::span<const Op> together, std::int64_t place,
+                     const model::Interactions& interactions);
     void reserve(const model::Bodies& bodies, model::Interactions& interactions, int threads);
 
+    factor::RepairReport report_;
+    bool ordered_ = false;                    ///< There is an order to repair.
+    std::vector<std::int32_t> old_of_new_;    ///< Nodes.
+    std::vector<std::int32_t> body_before_, interaction_before_;  ///< Their nodes.
+    std::vector<OpEntry> op_entries_;
+    std::vector<std::pair<std::int64_t, std::int32_t>> column_place_;  ///< Addresses, positions.
+    std::vector<std::int32_t> op_begin_, op_order_;
     std::vector<PieceOps> piece_ops_;
     std::vector<std::int64_t> op_place_, lane_place_;  ///< Of each op, ascending.
     std::vector<std::int32_t> skew_ops_;               ///< Ops of contacts, ascending.

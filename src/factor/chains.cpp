@@ -4,6 +4,8 @@
 #include "factor/body_graph.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <functional>
 
 namespace hawser::factor {
 namespace {
@@ -217,6 +219,55 @@ Chains find_chains(const Pattern& pattern) {
         }
     }
     return chains;
+}
+
+bool chains_fit(const Pattern& pattern, const Chains& chains,
+                std::span<const std::int32_t> position) {
+    auto ascends = [](const std::vector<std::int32_t>& begin, std::size_t end) {
+        return !begin.empty() && begin.front() == 0 && at(begin.back()) == end &&
+               std::adjacent_find(begin.begin(), begin.end(), std::greater_equal<>()) ==
+                   begin.end();
+    };
+    const auto count = static_cast<std::size_t>(chains.count());
+    if (!ascends(chains.unit_begin, chains.nodes.size()) ||
+        !ascends(chains.begin, chains.unit_begin.size() - 1) ||
+        chains.body_size.size() != count || chains.reach.size() != count)
+        return false;
+    const std::size_t n = pattern.size.size();
+    std::vector<std::int32_t> unit_of(n, -1), chain_of(n, -1);
+    for (int c = 0; c < chains.count(); ++c)
+        for (std::int32_t u = chains.begin[at(c)]; u < chains.begin[at(c) + 1]; ++u)
+            for (const std::int32_t v : chains.unit(u)) {
+                if (v < 0 || at(v) >= n || unit_of[at(v)] >= 0) return false;
+                unit_of[at(v)] = u;
+                chain_of[at(v)] = c;
+            }
+    for (int c = 0; c < chains.count(); ++c) {
+        const std::int32_t begin = chains.begin[at(c)], end = chains.begin[at(c) + 1];
+        const std::int32_t last = position[at(chains.unit(end - 1).back())];
+        const int size = chains.body_size[at(c)], reach = chains.reach[at(c)];
+        if ((size != 3 && size != 6) || (reach != 1 && reach != 2)) return false;
+        std::int32_t before = -1;
+        for (std::int32_t u = begin; u < end; ++u) {
+            bool joined = u + 1 == end;
+            for (const std::int32_t v : chains.unit(u)) {
+                const bool body = v == chains.unit(u).front();
+                if (pattern.sign[at(v)] != (body ? 1 : -1) || position[at(v)] < before ||
+                    (body && pattern.size[at(v)] != size))
+                    return false;
+                before = position[at(v)];
+                for (const std::int32_t w : pattern.neighbours(v)) {
+                    const bool inside = chain_of[at(w)] == c;
+                    if (inside ? std::abs(unit_of[at(w)] - u) > reach
+                               : chain_of[at(w)] >= 0 || position[at(w)] < last)
+                        return false;
+                    joined |= inside && unit_of[at(w)] == u + 1;
+                }
+            }
+            if (!joined) return false;
+        }
+    }
+    return true;
 }
 
 }  // namespace hawser::factor

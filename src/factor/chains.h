@@ -45,9 +45,15 @@ struct Chains {
         const auto u = static_cast<std::size_t>(unit);
         return {nodes.data() + unit_begin[u], nodes.data() + unit_begin[u + 1]};
     }
+    friend bool operator==(const Chains&, const Chains&) = default;
 };
 
 /// Find wires and cut them. Deterministic: depends on the pattern alone. @throws std::bad_alloc.
 [[nodiscard]] Chains find_chains(const Pattern& pattern);
+
+/// Whether chains from elsewhere (a file) are chains of this pattern, as batches.h needs them, and
+/// eliminated as such. @param position  Of each node in the order of elimination.
+[[nodiscard]] bool chains_fit(const Pattern& pattern, const Chains& chains,
+                              std::span<const std::int32_t> position);
 
 }  // namespace hawser::factor

@@ -8,11 +8,11 @@ namespace hawser::factor {
 namespace {
 
 /// Contents are not kept. Structures that follow a changing pattern (repair.h) grow again and
-/// again: from the second time on with room to spare.
+/// again: with room to spare where that is expected, and from the second time on.
 template <class T>
-void grow(base::Array<T>& array, std::int64_t size) {
+void grow(base::Array<T>& array, std::int64_t size, bool spare = false) {
     if (static_cast<std::int64_t>(array.size()) >= size) return;
-    const std::int64_t room = array.empty() ? size : size + size / 4;
+    const std::int64_t room = array.empty() && !spare ? size : size + size / 4;
     base::Array<T>().swap(array);
     array.resize(static_cast<std::size_t>(room));
 }
@@ -22,9 +22,9 @@ void grow(base::Array<T>& array, std::int64_t size) {
 void Numeric::reserve(const Symbolic& symbolic, int threads, bool unsymmetric) {
     const std::int64_t work =
         symbolic.work_size + (threads - 1) * (symbolic.work_size - symbolic.stack_begin);
-    grow(panel_, symbolic.panel_size);
+    grow(panel_, symbolic.panel_size, symbolic.updates_kept);
     grow(pivot_, symbolic.scalars);
-    grow(work_, work);
+    grow(work_, work, symbolic.updates_kept);
     grow(carry_, static_cast<std::int64_t>(symbolic.rows.size()));
     const auto slots = kLaneCount * static_cast<std::int64_t>(symbolic.slot_sign.size());
     grow(slot_pivot_, slots);
@@ -40,8 +40,8 @@ void Numeric::reserve(const Symbolic& symbolic, int threads, bool unsymmetric) {
     unsymmetric_ = false;
     wrong_nodes_.clear();
     if (!unsymmetric) return;
-    grow(upper_, symbolic.panel_size);
-    grow(upper_work_, work);
+    grow(upper_, symbolic.panel_size, symbolic.updates_kept);
+    grow(upper_work_, work, symbolic.updates_kept);
     grow(kind_, static_cast<std::int64_t>(symbolic.fronts.size()));
     grow(wrong_mark_, symbolic.scalars);
     wrong_nodes_.reserve(symbolic.order.size());

@@ -26,6 +26,7 @@ namespace hawser::factor {
 struct Elimination {
     std::vector<std::int32_t> order;
     Chains chains;
+    friend bool operator==(const Elimination&, const Elimination&) = default;
 };
 [[nodiscard]] Elimination plan_elimination(const Pattern& pattern);
 

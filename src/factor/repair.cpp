@@ -51,6 +51,25 @@ void Analysis::plan(const Pattern& pattern, Elimination elimination) {
     planned_flops_ = symbolic_.flops;
 }
 
+bool Analysis::resume(const Pattern& pattern, const AnalysisState& state) {
+    const std::size_t n = pattern.size.size();
+    const std::vector<std::int32_t>& order = state.elimination.order;
+    std::vector<std::int32_t> position(n, -1);
+    bool fits = order.size() == n && state.between.size() == n;
+    for (std::size_t k = 0; fits && k < n; ++k) {
+        fits = order[k] >= 0 && at(order[k]) < n && position[at(order[k])] < 0;
+        if (fits) position[at(order[k])] = static_cast<std::int32_t>(k);
+    }
+    if (!fits || !chains_fit(pattern, state.elimination.chains, position)) {
+        plan(pattern);
+        return false;
+    }
+    plan(pattern, state.elimination);
+    between_ = state.between;
+    planned_flops_ = state.planned_flops;
+    return true;
+}
+
 RepairReport Analysis::update(const Pattern& next, std::span<const std::int32_t> old_of_new) {
     RepairReport report = repair(next, old_of_new);
     if (static_cast<double>(symbolic_.flops) > kReplan * static_cast<double>(planned_flops_)) {

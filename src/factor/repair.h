@@ -48,6 +48,15 @@ struct RepairReport {
     bool replanned = false;      ///< update(): the order was made anew.
 };
 
+/// All that later repairs depend on beside the pattern. An analysis planned with it goes on as the
+/// one that it was taken from: member by member, after any repairs.
+struct AnalysisState {
+    Elimination elimination;
+    std::vector<std::uint8_t> between;  ///< By node: placed where branches met.
+    std::int64_t planned_flops = 0;     ///< At the last plan.
+    friend bool operator==(const AnalysisState&, const AnalysisState&) = default;
+};
+
 class Analysis {
   public:
     using Planner = std::function<Elimination(const Pattern&)>;
@@ -60,6 +69,8 @@ class Analysis {
     void plan(const Pattern& pattern);
     /// The same with this order.
     void plan(const Pattern& pattern, Elimination elimination);
+    /// Go on from a state. @return false, and a plan() from nothing: it belongs to another pattern.
+    bool resume(const Pattern& pattern, const AnalysisState& state);
 
     /// Follow to another pattern. @param old_of_new  For each of its nodes the node that it was,
     /// −1: new, each old node at most once; empty: nodes keep their numbers, further ones are new.
@@ -73,6 +84,11 @@ class Analysis {
     [[nodiscard]] const Columns& columns() const noexcept { return columns_; }
     /// Order and chains as they are now.
     [[nodiscard]] Elimination elimination() const { return {symbolic_.order, chains_}; }
+    [[nodiscard]] AnalysisState state() const {
+        return {elimination(), between_, planned_flops_};
+    }
+    /// That of the last call.
+    [[nodiscard]] const Pattern& pattern() const noexcept { return pattern_; }
     /// Flops at the last plan.
     [[nodiscard]] std::int64_t planned_flops() const noexcept { return planned_flops_; }
     [[nodiscard]] std::size_t bytes() const noexcept;

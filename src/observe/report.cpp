@@ -42,6 +42,12 @@ void times(Out out, const Summary& s) {
         fmt::format_to(out, "  step         not timed: the run has no more than {} steps\n",
                        kWarmUpSteps);
     }
+    if (s.analyses > 0)
+        fmt::format_to(out,
+                       "  analysis     {} planned, {} repaired with {} block columns; in {} steps, "
+                       "at most {:.3g} ms\n",
+                       s.last.plans, s.last.repairs, s.last.columns_repaired, s.analyses,
+                       s.analyse_ms_max);
     if (s.missed_frames >= 0)
         fmt::format_to(out, "  real time    {} of {} frames late, at most {:.3g} ms\n",
                        s.missed_frames, s.steps, 1e3 * s.lateness_max);

@@ -67,6 +67,11 @@ void SummaryCollector::after_step(const World& world, std::span<const Event> eve
         summary_.stretch_error_max = stats.stretch_error_max;
         summary_.stretch_error_time = stats.time;
     }
+    if (const double analyse = stats.stage_seconds[static_cast<std::size_t>(Stage::analyse)];
+        analyse > 0.0) {
+        ++summary_.analyses;
+        summary_.analyse_ms_max = std::max(summary_.analyse_ms_max, kMilliseconds * analyse);
+    }
     if (summary_.steps > kWarmUpSteps) {
         step_.add(kMilliseconds * stats.step_seconds);
         solver_.add(kMilliseconds * stats.solver_seconds);

@@ -132,7 +132,13 @@ Json times(const Summary& s) {
             {"step_ms", spread(s.step_ms)},
             {"solver_ms", spread(s.solver_ms)},
             {"solver_cpu_ms", spread(s.solver_cpu_ms)},
-            {"stage_ms", stages}};
+            {"stage_ms", stages},
+            {"analyses",
+             {{"steps", s.analyses},
+              {"ms_max", s.analyse_ms_max},
+              {"plans", s.last.plans},
+              {"repairs", s.last.repairs},
+              {"columns_repaired", s.last.columns_repaired}}}};
 }
 
 Json machine(const Summary& s) {

@@ -100,7 +100,10 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
         if (!c.connect(ctx.step)) {
             const StageTimer again(ctx, Stage::analyse);
             c.relink(ctx.step);
-            analyse(ctx);
+            // Should memory end in between, the next step begins anew.
+            ctx.topology_changed = true;
+            relink(ctx);
+            ctx.topology_changed = false;
             if (!c.connect(ctx.step)) return Status::out_of_memory;
         }
         ctx.columns.reserve(c.blocks.size());

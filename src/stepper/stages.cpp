@@ -26,6 +26,18 @@ void evaluate_strip(StepContext& ctx, const View& v, int strip) noexcept {
     }
 }
 
+void count_analysis(StepContext& ctx) noexcept {
+    StepStats& s = ctx.stats;
+    s.islands = ctx.system.islands.count;
+    s.matrix_nnz = ctx.system.symbolic.matrix_nnz;
+    s.factor_nnz = ctx.system.symbolic.factor_nnz;
+    s.factor_flops = ctx.system.symbolic.flops;
+    const factor::RepairReport& report = ctx.system.report();
+    ++(report.replanned ? s.plans : s.repairs);
+    if (!report.replanned) s.columns_repaired += report.columns;
+    ++s.growths;
+}
+
 }  // namespace
 
 double row_speed(const View& v, std::int32_t id) noexcept {
@@ -47,20 +59,20 @@ View view(StepContext& ctx) noexcept {
     return ctx.system.view(ctx.bodies, ctx.interactions, ctx.def);
 }
 
-void analyse(StepContext& ctx) {
+void analyse(StepContext& ctx, const factor::AnalysisState* state) {
     ctx.analysed_x = ctx.bodies.x;
     ctx.analysed_r = ctx.bodies.r;
-    ctx.system.analyse(ctx.bodies, ctx.interactions, ctx.def, ctx.pool.threads());
+    ctx.system.analyse(ctx.bodies, ctx.interactions, ctx.def, ctx.pool.threads(), state);
     ctx.norms.resize(at(ctx.system.strips.count() + ctx.system.strips.groups()));
     ctx.losses.resize(at(ctx.system.strips.count()));
     reserve_bounds(ctx);
     ctx.active_before.resize(ctx.system.bounded.size());
-    StepStats& s = ctx.stats;
-    s.islands = ctx.system.islands.count;
-    s.matrix_nnz = ctx.system.symbolic.matrix_nnz;
-    s.factor_nnz = ctx.system.symbolic.factor_nnz;
-    s.factor_flops = ctx.system.symbolic.flops;
-    ++s.growths;
+    count_analysis(ctx);
+}
+
+void relink(StepContext& ctx) {
+    ctx.system.relink(ctx.bodies, ctx.interactions, ctx.pool.threads());
+    count_analysis(ctx);
 }
 
 void prepare(StepContext& ctx) {

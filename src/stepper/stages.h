@@ -11,8 +11,10 @@ namespace hawser::stepper {
 [[nodiscard]] assembly::View view(StepContext& ctx) noexcept;
 
 /// Stages graph and analyse: the system for the interactions and links there are.
-/// @throws std::bad_alloc.
-void analyse(StepContext& ctx);
+/// @param state  Of the analysis of a saved world, to go on from. @throws std::bad_alloc.
+void analyse(StepContext& ctx, const factor::AnalysisState* state = nullptr);
+/// The same where only links changed. @throws std::bad_alloc; prepare() then.
+void relink(StepContext& ctx);
 
 void push_event(StepContext& ctx, EventKind kind, std::int32_t id, double value) noexcept;
 

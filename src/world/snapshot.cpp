@@ -16,12 +16,14 @@ namespace hawser {
 namespace {
 
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'A', 'P', '9'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '0'};
     std::uint64_t layout = 0;       ///< See layout_of().
     std::uint64_t parameters = 0;   ///< See parameters_of().
     std::uint64_t contacts = 0;     ///< Remembered from the last step.
     std::uint64_t resistances = 0;  ///< Those of them that resist rolling or spinning.
     std::uint64_t links = 0;        ///< Pairs of bodies that touched.
+    std::uint64_t nodes = 0;        ///< Of the order of elimination.
+    std::uint64_t chained = 0, units = 0, chains = 0;  ///< Nodes in chains, and so on.
     std::uint64_t bytes = 0;        ///< Of the arrays that follow.
 };
 
@@ -43,9 +45,30 @@ void resize_contacts(stepper::StepContext& ctx, std::size_t count, std::size_t r
     ctx.stats.contacts = 0;
 }
 
+/// Arrays for an order of elimination.
+factor::AnalysisState room_for_order(const Header& header) {
+    factor::AnalysisState s;
+    s.elimination.order.resize(header.nodes);
+    s.between.resize(header.nodes);
+    factor::Chains& c = s.elimination.chains;
+    c.nodes.resize(header.chained);
+    c.unit_begin.resize(header.units + 1);
+    c.begin.resize(header.chains + 1);
+    c.body_size.resize(header.chains);
+    c.reach.resize(header.chains);
+    return s;
+}
+
+/// Bytes of the order of elimination in the arrays.
+std::uint64_t order_bytes(const Header& h) {
+    constexpr std::uint64_t kNode = sizeof(std::int32_t) + 1;
+    return kNode * h.nodes + sizeof(std::int32_t) * (h.chained + h.units + 1) +
+           (sizeof(std::int32_t) + 2) * h.chains + sizeof(std::int32_t);
+}
+
 /// Visit every array of the state with f(pointer, bytes).
-template <class Context, class F>
-void visit_state(Context& ctx, std::vector<double>& inputs, F&& f) {
+template <class Context, class Order, class F>
+void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f) {
     auto array = [&](auto& a) { f(a.data(), a.size() * sizeof(a[0])); };
     auto value = [&](auto& v) { f(&v, sizeof v); };
     array(ctx.bodies.x);
@@ -71,9 +94,17 @@ void visit_state(Context& ctx, std::vector<double>& inputs, F&& f) {
     value(ctx.collider.kept_awake());
     array(ctx.system.contacts.memory);
     array(ctx.system.contacts.resistances.memory);
-    // The order of elimination follows from them.
     array(ctx.system.contacts.links);
     array(ctx.system.contacts.link_used);
+    // Repaired again and again, the order of elimination depends on the past.
+    array(order.elimination.order);
+    array(order.between);
+    array(order.elimination.chains.nodes);
+    array(order.elimination.chains.unit_begin);
+    array(order.elimination.chains.begin);
+    array(order.elimination.chains.body_size);
+    array(order.elimination.chains.reach);
+    value(order.planned_flops);
     array(inputs);
     value(ctx.step);
     value(ctx.started);
@@ -191,13 +222,13 @@ std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<I
 }
 
 /// Analyse at the poses at which the saved world was analysed; the state stays as it is.
-void analyse_as_saved(stepper::StepContext& ctx) {
+void analyse_as_saved(stepper::StepContext& ctx, const factor::AnalysisState& order) {
     const auto x = ctx.bodies.x;
     const auto r = ctx.bodies.r;
     const auto active = ctx.interactions.active;
     ctx.bodies.x = ctx.analysed_x;
     ctx.bodies.r = ctx.analysed_r;
-    stepper::analyse(ctx);
+    stepper::analyse(ctx, &order);
     ctx.bodies.x = x;
     ctx.bodies.r = r;
     ctx.interactions.active = active;
@@ -214,7 +245,14 @@ std::vector<std::byte> World::save() const {
     header.contacts = m.ctx.collider.kept().size();
     header.resistances = m.ctx.system.contacts.resistances.memory.size();
     header.links = m.ctx.system.contacts.links.size();
-    visit_state(m.ctx, m.input_values, [&](const void*, std::size_t n) { header.bytes += n; });
+    const factor::AnalysisState order = m.ctx.system.analysis.state();
+    const factor::Chains& chains = order.elimination.chains;
+    header.nodes = order.elimination.order.size();
+    header.chained = chains.nodes.size();
+    header.units = chains.unit_begin.size() - 1;
+    header.chains = chains.begin.size() - 1;
+    visit_state(m.ctx, m.input_values, order,
+                [&](const void*, std::size_t n) { header.bytes += n; });
     std::vector<std::byte> out(sizeof header + header.bytes + sizeof(std::uint64_t));
     std::byte* to = out.data();
     auto put = [&](const void* from, std::size_t n) {
@@ -222,7 +260,7 @@ std::vector<std::byte> World::save() const {
         to += n;
     };
     put(&header, sizeof header);
-    visit_state(m.ctx, m.input_values, put);
+    visit_state(m.ctx, m.input_values, order, put);
     const std::uint64_t sum = base::fnv1a(out.data(), out.size() - sizeof sum);
     put(&sum, sizeof sum);
     return out;
@@ -247,8 +285,9 @@ void World::restore(std::span<const std::byte> bytes) {
             "snapshot: it belongs to a world with other parameters (masses, inertias, points, "
             "lengths, stiffnesses, damping, gravity, ranges of inputs, method, sleep)");
     if (m.ctx.topology_changed) stepper::prepare(m.ctx);
-    visit_state(m.ctx, m.input_values, [&](const void*, std::size_t n) { size += n; });
-    // All but the contacts has the size that this world has.
+    factor::AnalysisState order;
+    visit_state(m.ctx, m.input_values, order, [&](const void*, std::size_t n) { size += n; });
+    // All but the contacts and the order has the size that this world has.
     constexpr std::uint64_t kMost = std::uint64_t{1} << 32;
     size -= m.ctx.collider.kept().size() * kContactBytes;
     size -= m.ctx.system.contacts.resistances.memory.size() * kResistanceBytes;
@@ -256,6 +295,11 @@ void World::restore(std::span<const std::byte> bytes) {
     size += std::min(header.contacts, kMost) * kContactBytes;
     size += std::min(header.resistances, kMost) * kResistanceBytes;
     size += std::min(header.links, kMost) * kLinkBytes;
+    size -= order_bytes({});
+    Header order_of = header;
+    for (std::uint64_t* n : {&order_of.nodes, &order_of.chained, &order_of.units, &order_of.chains})
+        *n = std::min(*n, kMost);
+    size += order_bytes(order_of);
     if (header.bytes != size || bytes.size() != sizeof header + size + sizeof sum ||
         sum != base::fnv1a(bytes.data(), bytes.size() - sizeof sum))
         throw DefError("snapshot: the bytes are damaged (checksum)");
@@ -266,8 +310,9 @@ void World::restore(std::span<const std::byte> bytes) {
     resize_contacts(m.ctx, header.contacts, header.resistances);
     m.ctx.system.contacts.links.resize(header.links);
     m.ctx.system.contacts.link_used.resize(header.links);
+    order = room_for_order(header);
     const std::byte* from = bytes.data() + sizeof header;
-    visit_state(m.ctx, m.input_values, [&](void* to, std::size_t n) {
+    visit_state(m.ctx, m.input_values, order, [&](void* to, std::size_t n) {
         if (n > 0) std::memcpy(to, from, n);
         from += n;
     });
@@ -277,8 +322,8 @@ void World::restore(std::span<const std::byte> bytes) {
     m.ctx.collider.kept_awake() = std::min(m.ctx.collider.kept_awake(), header.contacts);
     stepper::check_asleep(m.ctx);
     if (relinked || asleep != m.ctx.bodies.asleep || m.ctx.analysed_x != analysed_x ||
-        m.ctx.analysed_r != analysed_r)
-        analyse_as_saved(m.ctx);
+        m.ctx.analysed_r != analysed_r || m.ctx.system.analysis.state() != order)
+        analyse_as_saved(m.ctx, order);
     m.ctx.time = static_cast<double>(m.ctx.step) * m.ctx.def.step;
     m.ctx.stats.step = m.ctx.step;
     m.ctx.stats.time = m.ctx.time;
