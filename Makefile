@@ -58,6 +58,8 @@ test-long: build
 	@HAWSER_LONG=1 $(BIN)/hawser_test_slow --gtest_filter='NarrowPairs.*'
 	@HAWSER_LONG=1 $(BIN)/hawser_test_world --gtest_filter='Degenerate*'
 	@$(BIN)/hawser-bench hashes --steps 1000
+	@$(BIN)/hawser-bench hashes scenes/anchor_lines.json scenes/mooring.json --steps 600 \
+	    --threads 1 2 3 4 8
 	@$(BIN)/hawser-bench hashes --steps 200 --nonsmooth pivoting split pgs convex
 
 bench:

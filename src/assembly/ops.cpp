@@ -28,13 +28,12 @@ void System::collect_ops(const model::Bodies& bodies, const model::Interactions&
     op_entries_.clear();
     auto add = [&](std::int32_t row, std::int32_t column, std::int32_t id, Op::Kind kind, int a,
                    int b) {
-        op_entries_.push_back({row, column, id, kind, static_cast<std::uint8_t>(a),
-                               static_cast<std::uint8_t>(b)});
+        op_entries_.push_back(
+            {row, column, id, kind, static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)});
     };
     auto position = [&](std::int32_t node) { return symbolic.position[at(node)]; };
     for (std::int32_t b : bodies.moving)
-        if (dof_[at(b)] > 0)
-            add(node_of_body[at(b)], node_of_body[at(b)], b, Op::body_block, 0, 0);
+        if (dof_[at(b)] > 0) add(node_of_body[at(b)], node_of_body[at(b)], b, Op::body_block, 0, 0);
     for (std::int32_t i = 0; i < in.count(); ++i) {
         const std::int32_t own = node_of_interaction[at(i)];
         if (own >= 0) add(own, own, i, Op::kept_sigma, 0, 0);

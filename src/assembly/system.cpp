@@ -207,8 +207,7 @@ void System::build_incidence(const model::Bodies& bodies, const model::Interacti
 void System::find_islands(const model::Interactions& in) {
     std::vector<std::int32_t> member_begin{0}, members;
     for (int i = 0; i < in.count(); ++i) {
-        for (int b = 0; b < in.bodies[at(i)]; ++b)
-            members.push_back(in.body[at(kSlots * i + b)]);
+        for (int b = 0; b < in.bodies[at(i)]; ++b) members.push_back(in.body[at(kSlots * i + b)]);
         member_begin.push_back(static_cast<std::int32_t>(members.size()));
     }
     for (const Contacts::Link& l : contacts.links) {
@@ -367,12 +366,12 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
 
 std::size_t System::bytes() const noexcept {
     using base::bytes;
-    return analysis.bytes() + numeric.bytes() +
-           bytes(ops) + bytes(lane_ops) + bytes(op_entries_) + bytes(op_order_) + bytes(incident_) + bytes(incident_begin_) +
-           bytes(body_offset_) + bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) +
-           bytes(v_new_) + bytes(momentum_) + bytes(geo_record_) + bytes(geo_force_) +
-           bytes(solution_) + bytes(rests_) + bytes(node_of_body) + bytes(node_of_interaction) +
-           strips.bytes() + contacts.bytes();
+    return analysis.bytes() + numeric.bytes() + bytes(ops) + bytes(lane_ops) + bytes(op_entries_) +
+           bytes(op_order_) + bytes(incident_) + bytes(incident_begin_) + bytes(body_offset_) +
+           bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) + bytes(v_new_) +
+           bytes(momentum_) + bytes(geo_record_) + bytes(geo_force_) + bytes(solution_) +
+           bytes(rests_) + bytes(node_of_body) + bytes(node_of_interaction) + strips.bytes() +
+           contacts.bytes();
 }
 
 }  // namespace hawser::assembly

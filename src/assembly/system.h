@@ -134,8 +134,8 @@ class System {
     void reserve(const model::Bodies& bodies, model::Interactions& interactions, int threads);
 
     factor::RepairReport report_;
-    bool ordered_ = false;                    ///< There is an order to repair.
-    std::vector<std::int32_t> old_of_new_;    ///< Nodes.
+    bool ordered_ = false;                                        ///< There is an order to repair.
+    std::vector<std::int32_t> old_of_new_;                        ///< Nodes.
     std::vector<std::int32_t> body_before_, interaction_before_;  ///< Their nodes.
     std::vector<OpEntry> op_entries_;
     std::vector<std::pair<std::int64_t, std::int32_t>> column_place_;  ///< Addresses, positions.

@@ -230,8 +230,8 @@ bool chains_fit(const Pattern& pattern, const Chains& chains,
     };
     const auto count = static_cast<std::size_t>(chains.count());
     if (!ascends(chains.unit_begin, chains.nodes.size()) ||
-        !ascends(chains.begin, chains.unit_begin.size() - 1) ||
-        chains.body_size.size() != count || chains.reach.size() != count)
+        !ascends(chains.begin, chains.unit_begin.size() - 1) || chains.body_size.size() != count ||
+        chains.reach.size() != count)
         return false;
     const std::size_t n = pattern.size.size();
     std::vector<std::int32_t> unit_of(n, -1), chain_of(n, -1);

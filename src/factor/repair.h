@@ -84,9 +84,7 @@ class Analysis {
     [[nodiscard]] const Columns& columns() const noexcept { return columns_; }
     /// Order and chains as they are now.
     [[nodiscard]] Elimination elimination() const { return {symbolic_.order, chains_}; }
-    [[nodiscard]] AnalysisState state() const {
-        return {elimination(), between_, planned_flops_};
-    }
+    [[nodiscard]] AnalysisState state() const { return {elimination(), between_, planned_flops_}; }
     /// That of the last call.
     [[nodiscard]] const Pattern& pattern() const noexcept { return pattern_; }
     /// Flops at the last plan.

@@ -42,9 +42,9 @@ void times(Out out, const Summary& s) {
         fmt::format_to(out, "  step         not timed: the run has no more than {} steps\n",
                        kWarmUpSteps);
     }
-    if (s.analyses > 0)
+    if (s.last.plans + s.last.repairs > 1)
         fmt::format_to(out,
-                       "  analysis     {} planned, {} repaired with {} block columns; in {} steps, "
+                       "  analyses     {} planned, {} repaired with {} block columns; in {} steps, "
                        "at most {:.3g} ms\n",
                        s.last.plans, s.last.repairs, s.last.columns_repaired, s.analyses,
                        s.analyse_ms_max);

@@ -74,8 +74,8 @@ struct Summary {
     Verification verified;                       ///< With --verify; no steps without.
     double within_budget = 1.0;                  ///< Share of timed steps with solver_cpu_ms ≤.
     std::array<double, kStageCount> stage_ms{};  ///< Medians.
-    std::int64_t analyses = 0;    ///< Steps of this run, of all, with one.
-    double analyse_ms_max = 0.0;  ///< Longest of these.
+    std::int64_t analyses = 0;                   ///< Steps of this run, of all, with one.
+    double analyse_ms_max = 0.0;                 ///< Longest of these.
     double momentum_residual_max = 0.0, momentum_residual_median = 0.0;
     double constraint_residual_max = 0.0, constraint_residual_median = 0.0;
     double violation_max = 0.0;  ///< [m]

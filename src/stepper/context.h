@@ -114,6 +114,7 @@ struct StepContext {
     std::int64_t step = 0;
     int stage_now = -1;  ///< Whose time is counted, see timer.h; −1: no one's.
     std::chrono::steady_clock::time_point stage_since{};
+    bool factor_whole = false;  ///< Never in part: for tests, to compare bits.
     bool rhs_ready = false;  ///< The solver's vector holds the right-hand side of the first solve.
     bool topology_changed = true;             ///< Bodies or interactions were added.
     bool started = false;                     ///< The staggered start has been made.

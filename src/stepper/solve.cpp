@@ -184,7 +184,7 @@ Status factor(StepContext& ctx, bool whole) noexcept {
         set = &s.unsymmetric;
     }
     const std::int64_t all = set ? set->flops : s.symbolic.flops;
-    if (!whole && set) {
+    if (!whole && !ctx.factor_whole && set) {
         collect_columns(s, s.contacts.block_changed, ctx.columns);
         s.dirty.find(s.symbolic, ctx.columns, set);
         // Beyond this share, one pass through memory beats fewer flops.

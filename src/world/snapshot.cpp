@@ -24,7 +24,7 @@ struct Header {
     std::uint64_t links = 0;        ///< Pairs of bodies that touched.
     std::uint64_t nodes = 0;        ///< Of the order of elimination.
     std::uint64_t chained = 0, units = 0, chains = 0;  ///< Nodes in chains, and so on.
-    std::uint64_t bytes = 0;        ///< Of the arrays that follow.
+    std::uint64_t bytes = 0;                           ///< Of the arrays that follow.
 };
 
 /// Bytes of one contact in the arrays that resize_contacts() sizes.

@@ -48,6 +48,19 @@ TEST(Hashes, DoNotDependOnThreadsOrRestoring) {
     }
 }
 
+/// The scenes of many parallel wires, by more threads than are likely to be there; `make test-long`
+/// takes 600 steps.
+TEST(Hashes, DoNotDependOnManyThreads) {
+    for (const char* scene : {"anchor_lines", "mooring"}) {
+        HashOptions options;
+        options.steps = 24;
+        options.threads = {1, 2, 3, 4, 8};
+        const HashComparison c = compare_hashes(std::string("scenes/") + scene + ".json", options);
+        EXPECT_EQ(c.runs.size(), 9U) << "four from the start, five from states";
+        expect_equal(c);
+    }
+}
+
 TEST(Hashes, DoNotDependOnThreadsWithAnyMethod) {
     for (const char* scene : {"incline", "wall_648", "chain_pile"}) {
         std::set<std::uint64_t> hashes;
