@@ -84,54 +84,6 @@ void System::analyse(const model::Bodies& bodies, model::Interactions& interacti
     place(bodies, interactions, threads);
 }
 
-void System::relink(const model::Bodies& bodies, const model::Interactions& interactions,
-                    int threads) {
-    find_islands(interactions);
-    find_order(bodies, interactions, nullptr);
-    place(bodies, interactions, threads);
-}
-
-void System::find_order(const model::Bodies& bodies, const model::Interactions& interactions,
-                        const factor::AnalysisState* state) {
-    factor::Pattern next;
-    const std::int32_t changed = build_pattern(bodies, interactions, next);
-    analysis.keep_updates(!contacts.blocks.empty());
-    const bool repairable = ordered_ && changed <= kRepairable * next.nodes();
-    report_ = {};
-    // Until this is done there is none; after std::bad_alloc there will be none.
-    ordered_ = false;
-    if (state == nullptr && repairable) {
-        report_ = analysis.update(next, old_of_new_);
-    } else {
-        if (state != nullptr)
-            analysis.resume(next, *state);
-        else
-            analysis.plan(next);
-        report_.replanned = true;
-        report_.columns = next.nodes();
-    }
-    ordered_ = true;
-}
-
-/// Addresses of everything in the structure.
-void System::place(const model::Bodies& bodies, const model::Interactions& interactions,
-                   int threads) {
-    const bool touching = !contacts.blocks.empty();
-    if (touching) {
-        dirty.reserve(symbolic);
-        unsymmetric.reserve(symbolic);
-    }
-    numeric.reserve(symbolic, threads, touching);
-    solution_.assign(at(symbolic.scalars) + 8, 0.0);
-    for (int b = 0; b < bodies.count(); ++b)
-        if (node_of_body[at(b)] >= 0)
-            body_offset_[at(b)] = symbolic.node_offset[at(node_of_body[at(b)])];
-    for (int i = 0; i < interactions.count(); ++i)
-        if (node_of_interaction[at(i)] >= 0)
-            interaction_offset_[at(i)] = symbolic.node_offset[at(node_of_interaction[at(i)])];
-    build_ops(bodies, interactions);
-}
-
 void System::find_resting(const model::Bodies& bodies, const model::Interactions& in) {
     dof_.resize(at(bodies.count()));
     for (int b = 0; b < bodies.count(); ++b)
@@ -250,52 +202,6 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
             in.inv_sigma[row] = keep ? 0.0 : 1.0 / in.sigma[row];
         }
     }
-}
-
-std::int32_t System::build_pattern(const model::Bodies& bodies, const model::Interactions& in,
-                                   factor::Pattern& next) {
-    std::vector<std::int8_t> size, sign;
-    node_of_body.swap(body_before_);
-    node_of_interaction.swap(interaction_before_);
-    node_of_body.assign(at(bodies.count()), -1);
-    node_of_interaction.assign(at(in.count()), -1);
-    body_before_.resize(at(bodies.count()), -1);
-    interaction_before_.resize(at(in.count()), -1);
-    old_of_new_.clear();
-    for (std::int32_t b : bodies.moving) {
-        if (dof_[at(b)] == 0) continue;
-        node_of_body[at(b)] = static_cast<std::int32_t>(size.size());
-        old_of_new_.push_back(body_before_[at(b)]);
-        size.push_back(static_cast<std::int8_t>(dof_[at(b)]));
-        sign.push_back(1);
-    }
-    for (int i = 0; i < in.count(); ++i)
-        if (kept_[at(i)]) {
-            node_of_interaction[at(i)] = static_cast<std::int32_t>(size.size());
-            old_of_new_.push_back(interaction_before_[at(i)]);
-            size.push_back(static_cast<std::int8_t>(in.rows[at(i)]));
-            sign.push_back(-1);
-        }
-    std::vector<std::int32_t> from, to;
-    auto link = [&](std::int32_t a, std::int32_t b) {
-        if (a < 0 || b < 0) return;
-        from.push_back(a);
-        to.push_back(b);
-    };
-    for (int i = 0; i < in.count(); ++i)
-        for (int a = 0; a < in.bodies[at(i)]; ++a) {
-            const std::int32_t na = node_of_body[at(in.body[at(kSlots * i + a)])];
-            if (kept_[at(i)]) link(node_of_interaction[at(i)], na);
-            for (int b = a + 1; b < in.bodies[at(i)]; ++b)
-                if (!kept_[at(i)] || (in.geo[at(i)] >= 0 && b < 2))
-                    link(na, node_of_body[at(in.body[at(kSlots * i + b)])]);
-        }
-    for (const Contacts::Link& l : contacts.links)
-        link(node_of_body[at(l.first)], node_of_body[at(l.second)]);
-    next = factor::make_pattern(std::move(size), std::move(sign), from, to);
-    std::int32_t stay = 0;
-    for (const std::int32_t old : old_of_new_) stay += old >= 0 ? 1 : 0;
-    return pattern.nodes() - stay + next.nodes() - stay;
 }
 
 View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef& def) noexcept {
