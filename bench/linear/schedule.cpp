@@ -109,51 +109,60 @@ class Work {
     runtime::Trace trace_{1, 1 << 16};
 };
 
-/// Samples of one stretch.
-struct Stretch {
-    std::vector<double> one, two, serial, critical;
-    std::vector<double> predicted[std::size(kScheduleThreads)];
-    std::vector<double> speed_up[std::size(kScheduleThreads)];
-
-    void predict(const ProgramTimes& p, std::size_t k, const PoolCosts& costs) {
-        const double seconds = simulate(p, kScheduleThreads[k], costs).seconds;
-        predicted[k].push_back(seconds);
-        speed_up[k].push_back(p.work() / seconds);
-        if (k + 1 < std::size(kScheduleThreads)) return;
-        serial.push_back(p.serial());
-        critical.push_back(p.critical());
+/// The same program run several times, each time being the median of its times: another program
+/// that takes the processor for a while lengthens one task in one of them.
+ProgramTimes typical(const std::vector<ProgramTimes>& runs) {
+    ProgramTimes p = runs.front();
+    std::vector<double> v;
+    auto middle = [&](auto&& of) {
+        v.clear();
+        for (const ProgramTimes& r : runs) v.push_back(of(r));
+        return median(v);
+    };
+    for (std::size_t k = 0; k < p.loops.size(); ++k) {
+        p.loops[k].before = middle([&](const ProgramTimes& r) { return r.loops[k].before; });
+        for (std::size_t i = 0; i < p.loops[k].task.size(); ++i)
+            p.loops[k].task[i] = middle([&](const ProgramTimes& r) { return r.loops[k].task[i]; });
     }
-    [[nodiscard]] ScheduleTimes times() const {
+    p.after = middle([](const ProgramTimes& r) { return r.after; });
+    return p;
+}
+
+/// Runs of one stretch.
+struct Stretch {
+    std::vector<double> one, two;
+    std::vector<ProgramTimes> program[std::size(kScheduleThreads)];
+
+    [[nodiscard]] ScheduleTimes times(const PoolCosts& costs) const {
         ScheduleTimes t;
         t.one = median(one);
         t.two = median(two);
         t.one_best = *std::min_element(one.begin(), one.end());
         t.two_best = *std::min_element(two.begin(), two.end());
-        t.serial = median(serial);
-        t.critical = median(critical);
-        for (const auto& v : predicted) t.predicted.push_back(median(v));
-        for (const auto& v : speed_up) t.speed_up.push_back(median(v));
+        for (std::size_t k = 0; k < std::size(kScheduleThreads); ++k) {
+            const ProgramTimes p = typical(program[k]);
+            t.predicted.push_back(simulate(p, kScheduleThreads[k], costs).seconds);
+            t.speed_up.push_back(p.work() / t.predicted.back());
+            t.serial = p.serial();
+            t.critical = p.critical();
+        }
         return t;
     }
 };
 
-std::vector<ScheduleLoop> describe_loops(const TraceView& spans, const Marks& marks,
-                                         const PoolCosts& costs) {
-    std::vector<ScheduleLoop> loops;
-    for (int k = 0; k + 1 < kMarks; ++k) {
-        const ProgramTimes p = program_of(spans, marks.at[k], marks.at[k + 1]);
-        const Simulated eight = simulate(p, 8, costs);
-        for (std::size_t i = 0; i < p.loops.size(); ++i) {
-            const LoopTimes& l = p.loops[i];
-            ScheduleLoop s{kPhase[k], static_cast<int>(l.task.size()), l.before};
-            for (const double t : l.task) s.sum += t;
-            s.path = l.critical();
-            s.eight = eight.loop[i];
-            loops.push_back(s);
-        }
-        loops.push_back({kPhase[k], 0, p.after});
+/// Loops of one phase with the code before them; the code after the last one.
+void describe_loops(const ProgramTimes& p, const char* phase, const PoolCosts& costs,
+                    std::vector<ScheduleLoop>& loops) {
+    const Simulated eight = simulate(p, 8, costs);
+    for (std::size_t i = 0; i < p.loops.size(); ++i) {
+        const LoopTimes& l = p.loops[i];
+        ScheduleLoop s{phase, static_cast<int>(l.task.size()), l.before};
+        for (const double t : l.task) s.sum += t;
+        s.path = l.critical();
+        s.eight = eight.loop[i];
+        loops.push_back(s);
     }
-    return loops;
+    loops.push_back({phase, 0, p.after});
 }
 
 }  // namespace
@@ -165,6 +174,7 @@ ScheduleReport measure_schedule(const ProblemSource& source, bool condensed, int
     report.name = source.name;
     report.form = condensed ? "condensed" : "saddle";
     Stretch solve, whole;
+    std::vector<ProgramTimes> phase[kMarks - 1];
     TraceView spans;
     auto counted = [&](base::Executor& executor, runtime::Pool& pool) {
         Marks m;
@@ -191,14 +201,17 @@ ScheduleReport measure_schedule(const ProblemSource& source, bool condensed, int
             const Marks m = counted(team, work.one());
             work.one().record(nullptr);
             work.trace().copy(m.at[0], spans);
-            solve.predict(program_of(spans, m.at[1], m.at[3]), k, costs);
-            whole.predict(program_of(spans, m.at[0], m.at[4]), k, costs);
-            if (kScheduleThreads[k] == 8) report.loops = describe_loops(spans, m, costs);
+            solve.program[k].push_back(program_of(spans, m.at[1], m.at[3]));
+            whole.program[k].push_back(program_of(spans, m.at[0], m.at[4]));
+            for (int i = 0; kScheduleThreads[k] == 8 && i + 1 < kMarks; ++i)
+                phase[i].push_back(program_of(spans, m.at[i], m.at[i + 1]));
         }
     }
     report.quiet = 2 * disturbed_two < solve.two.size();
-    report.solve = solve.times();
-    report.whole = whole.times();
+    report.solve = solve.times(costs);
+    report.whole = whole.times(costs);
+    for (int i = 0; i + 1 < kMarks; ++i)
+        describe_loops(typical(phase[i]), kPhase[i], costs, report.loops);
     return report;
 }
 
