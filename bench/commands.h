@@ -15,6 +15,9 @@ int factor_command(int argc, char** argv);
 /// Compare the methods for contacts with friction.
 int friction_command(int argc, char** argv);
 
+/// Parts and orders beside those of METIS, Scotch and AMD.
+int partition_command(int argc, char** argv);
+
 /// Compare state hashes between numbers of threads, and after restoring.
 int hashes_command(int argc, char** argv);
 

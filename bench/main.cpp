@@ -20,6 +20,7 @@ constexpr Command kCommands[] = {
      hawser::bench::factor_command},
     {"friction", "methods for contacts with friction beside each other",
      hawser::bench::friction_command},
+    {"partition", "our parts beside those of METIS and Scotch", hawser::bench::partition_command},
     {"hashes", "the same bits for any number of threads and after restoring",
      hawser::bench::hashes_command},
     {"peers", "our steps against other engines, on six scenes", hawser::bench::peers_command},
@@ -27,7 +28,7 @@ constexpr Command kCommands[] = {
 
 int usage(std::FILE* out, int code) {
     std::fputs("usage: hawser-bench COMMAND [OPTIONS]\n\ncommands:\n", out);
-    for (const Command& c : kCommands) std::fprintf(out, "  %-8s %s\n", c.name, c.description);
+    for (const Command& c : kCommands) std::fprintf(out, "  %-9s %s\n", c.name, c.description);
     std::fputs("\n'hawser-bench COMMAND --help' tells the options.\n", out);
     return code;
 }

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+// hawser-bench partition: our parts beside those of METIS and Scotch, on the same graphs.
+#include "graph/partition.h"
+#include "commands.h"
+#include "factor/ordering.h"
+#include "graph/follow.h"
+#include "index.h"
+#include "paper_matrix/structures.h"
+#include "partition/cases.h"
+#include "partition/cost_study.h"
+#include "partition/foreign.h"
+#include "partition/measure.h"
+
+#include <fmt/core.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace hawser::bench {
+namespace {
+
+struct Options {
+    int scale = 1, parts = 4;
+    bool cost = false;
+    std::string json, picture;
+};
+
+/// Rounds of partition and exact cost: each takes the flops of the one before. A running world has
+/// them from its last analysis.
+constexpr int kRounds = 5;
+
+void print_heading() {
+    fmt::print("  {:<22} {:>9} {:>5} {:>5} {:>5} {:>9} {:>7} {:>6} {:>6} {:>8} {:>9}\n", "method",
+               "us", "sep", "scal", "cut", "imbalance", "dearest", "fill", "flops", "makespan",
+               "factor ms");
+}
+
+nlohmann::json print_row(const PartRow& r) {
+    fmt::print(
+        "  {:<22} {:>9.1f} {:>5} {:>5} {:>5} {:>9.3f} {:>7.3f} {:>6.3f} {:>6.3f} {:>8.3f} "
+        "{:>9.3f}\n",
+        r.method, 1e6 * r.seconds, r.separators, r.scalars, r.cut, r.imbalance, r.largest, r.fill,
+        r.flops, r.makespan, r.factor_ms);
+    return {{"method", r.method},
+            {"seconds", r.seconds},
+            {"separators", r.separators},
+            {"scalars", r.scalars},
+            {"cut", r.cut},
+            {"imbalance", r.imbalance},
+            {"dearest", r.largest},
+            {"fill", r.fill},
+            {"flops", r.flops},
+            {"makespan", r.makespan},
+            {"factor_ms", r.factor_ms}};
+}
+
+/// An order without parts: fill, flops, and the longest path as its makespan.
+PartRow order_row(const std::string& name, const PartCase& c,
+                  const std::vector<std::int32_t>& order, double seconds, const FactorCounts& amd) {
+    PartRow r;
+    r.method = name;
+    r.seconds = seconds;
+    r.counts = count_factor(c.pattern, order);
+    r.fill = static_cast<double>(r.counts.nnz) / static_cast<double>(amd.nnz);
+    r.flops = static_cast<double>(r.counts.flops) / static_cast<double>(amd.flops);
+    r.makespan = static_cast<double>(r.counts.path) / static_cast<double>(amd.flops);
+    r.factor_ms = 1e3 * factor_seconds(c.pattern, order, 5);
+    return r;
+}
+
+struct Ours {
+    graph::Partitioner partitioner;
+    graph::Partition partition;
+    std::vector<std::int64_t> exact;
+    double neighbours = 0.0, seconds = 0.0;
+};
+
+/// Time from the body graph, which METIS gets ready-made as well; finding it is `neighbours`.
+PartRow our_row(const std::string& name, const PartCase& c, int parts, const FactorCounts& amd,
+                Ours& o) {
+    const int least = c.bodies() > 20'000 ? 3 : 21;
+    graph::Partitioner& p = o.partitioner;
+    const graph::Hypergraph g = c.graph(o.exact);
+    o.neighbours = median_seconds([&] { p.neighbours.build(g); }, least);
+    o.seconds = median_seconds(
+        [&] {
+            p.graph = g;
+            p.cost.build(g, p.neighbours);
+            p.units.build(g, p.neighbours);
+            p.lineup.build(g, p.neighbours, p.cost, p.units);
+            p.separate({parts}, o.partition);
+        },
+        least);
+    PartRow r = measure_parts(name, c, o.partition.part, parts, amd);
+    r.seconds = o.seconds;
+    o.exact = r.counts.node;
+    return r;
+}
+
+/// Contacts that change: the time of following them, there and back. @return s for one way.
+double update_seconds(const PartCase& c, const Ours& ours) {
+    graph::Follower follower;
+    follower.start(c.graph(), ours.partitioner.cost.node, ours.partition);
+    const auto span_of = [](const std::int32_t* m) {
+        return std::span<const std::int32_t>(m, m[1] < 0 ? 1 : 2);
+    };
+    return 0.5 * median_seconds(
+                     [&] {
+                         for (std::size_t i = 0; i < c.edited.size(); ++i)
+                             follower.change(c.edited[i], span_of(&c.edited_to[2 * i]));
+                         for (const std::int32_t e : c.edited)
+                             follower.change(e, c.graph().edge(e));
+                     },
+                     101);
+}
+
+nlohmann::json compare(const PartCase& c, int parts) {
+    fmt::print("\n{}: {} bodies, {} interactions, {} pairs, {} parts\n", c.name, c.bodies(),
+               c.begin.size() - 1, c.pattern.adjacent.size() / 2, parts);
+    print_heading();
+    nlohmann::json rows = nlohmann::json::array();
+    ForeignGraph g(c.pattern);
+    const int least = c.bodies() > 20'000 ? 3 : 21;
+    std::vector<std::int32_t> order;
+    double seconds = median_seconds([&] { order = factor::order_nodes(c.pattern); }, least);
+    const FactorCounts amd = count_factor(c.pattern, order);
+    rows.push_back(print_row(order_row("AMD", c, order, seconds, amd)));
+    double metis = 0.0;
+    seconds = median_seconds([&] { order = metis_order(g); }, least);
+    if (!order.empty())
+        rows.push_back(print_row(order_row("METIS nested dissection", c, order, seconds, amd)));
+    std::vector<std::int32_t> part;
+    metis = median_seconds([&] { part = metis_parts(g, g.weight, parts); }, least);
+    if (!part.empty()) {
+        cover_cuts(c.pattern, part);
+        PartRow r = measure_parts("METIS k-way", c, part, parts, amd);
+        r.seconds = metis;
+        rows.push_back(print_row(r));
+    }
+    seconds = median_seconds([&] { order = scotch_order(g); }, 3);
+    if (!order.empty())
+        rows.push_back(print_row(order_row("Scotch order", c, order, seconds, amd)));
+    seconds = median_seconds([&] { part = scotch_parts(g, parts); }, 3);
+    if (!part.empty()) {
+        cover_cuts(c.pattern, part);
+        PartRow r = measure_parts("Scotch k-way", c, part, parts, amd);
+        r.seconds = seconds;
+        rows.push_back(print_row(r));
+    }
+    Ours ours;
+    rows.push_back(print_row(our_row("ours, model cost", c, parts, amd, ours)));
+    PartRow last;
+    for (int k = 0; k < kRounds; ++k) last = our_row("ours, exact cost", c, parts, amd, ours);
+    rows.push_back(print_row(last));
+    fmt::print("  ours: {:.1f} us from the body graph, {:.1f} us to find it from interactions",
+               1e6 * ours.seconds, 1e6 * ours.neighbours);
+    if (metis > 0.0)
+        fmt::print("; METIS k-way takes {:.1f}x, with the graph {:.1f}x", metis / ours.seconds,
+                   metis / (ours.seconds + ours.neighbours));
+    double update = 0.0;
+    if (!c.edited.empty()) {
+        update = update_seconds(c, ours);
+        fmt::print("; update after {} changes {:.2f} us", c.edited.size(), 1e6 * update);
+        if (metis > 0.0) fmt::print(", METIS {:.0f}x", metis / update);
+    }
+    fmt::print("\n");
+    return {{"name", c.name},
+            {"bodies", c.bodies()},
+            {"rows", rows},
+            {"neighbours_seconds", ours.neighbours},
+            {"update_seconds", update}};
+}
+
+}  // namespace
+
+int partition_command(int argc, char** argv) {
+    CLI::App app(
+        "Parts for the exact solution: ours beside METIS, Scotch and AMD on the same graphs.\n"
+        "imbalance: exact flops of the largest part over the mean; dearest: those of one body;\n"
+        "fill, flops: of the factor over AMD's; makespan: largest part and all separators (of an\n"
+        "order: its longest path) over AMD's flops; factor: one thread, processor time.",
+        "hawser-bench partition");
+    Options o;
+    app.add_option("--scale", o.scale, "Copies of the paper's scene")->check(CLI::Range(1, 1000));
+    app.add_option("--parts", o.parts, "Parts")->check(CLI::Range(1, 256));
+    app.add_flag("--cost", o.cost, "How well costs predict factor times, over many islands");
+    app.add_option("--picture", o.picture, "SVG of --cost");
+    app.add_option("--json", o.json, "Write the figures to this file");
+    CLI11_PARSE(app, argc, argv);
+    nlohmann::json all;
+    if (o.cost) {
+        all = cost_study(o.picture);
+    } else {
+        std::vector<PartCase> cases{paper_case(false, o.scale), paper_case(true, o.scale),
+                                    make_case(net(50)),         make_case(tree_of_chains(6, 40)),
+                                    star_case(20, 50, 1),       random_case(1000, 1)};
+        for (const PartCase& c : cases) all.push_back(compare(c, o.parts));
+    }
+    if (!o.json.empty()) std::ofstream(o.json) << all.dump(2) << '\n';
+    return 0;
+}
+
+}  // namespace hawser::bench

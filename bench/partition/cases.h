@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file cases.h
+/// Graphs for the comparison of partitioners: bodies, interactions, and the block pattern of the
+/// condensed matrix, which is the body graph.
+
+#include "factor/pattern.h"
+#include "graph/hypergraph.h"
+#include "paper_matrix/block_system.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hawser::bench {
+
+struct PartCase {
+    std::string name;
+    std::vector<std::uint8_t> size;  ///< Scalars of each body.
+    std::vector<std::int32_t> begin{0}, members;
+    factor::Pattern pattern;              ///< The body graph.
+    std::vector<std::int32_t> contacts;   ///< Edges that change from step to step.
+    std::vector<std::int32_t> edited;     ///< Edges that did, …
+    std::vector<std::int32_t> edited_to;  ///< … and their two new members, −1: none.
+
+    [[nodiscard]] graph::Hypergraph graph(const std::vector<std::int64_t>& cost = {}) const {
+        return {size, begin, members, {}, {}, {}, cost};
+    }
+    [[nodiscard]] int bodies() const noexcept { return static_cast<int>(size.size()); }
+    void edge(const std::vector<int>& nodes) {
+        members.insert(members.end(), nodes.begin(), nodes.end());
+        begin.push_back(static_cast<std::int32_t>(members.size()));
+    }
+    void finish();  ///< The pattern from the edges.
+};
+
+/// Bodies are the positive nodes, edges the neighbours of each other one.
+[[nodiscard]] PartCase make_case(const BlockSystem& system);
+/// The paper's scene, and 20 contacts of it that change.
+[[nodiscard]] PartCase paper_case(bool rigid, int scale, int elements = 94, std::uint64_t seed = 1);
+/// Two- and three-body edges at random, three edges a body, all bodies in one island.
+[[nodiscard]] PartCase random_case(int bodies, std::uint64_t seed);
+/// `wires` wires of `length` lumps on one hull, which touches a fifth of them.
+[[nodiscard]] PartCase star_case(int wires, int length, std::uint64_t seed);
+/// The islands of a case, each a case.
+[[nodiscard]] std::vector<PartCase> islands_of(const PartCase& all);
+
+}  // namespace hawser::bench

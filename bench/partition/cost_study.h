@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file cost_study.h
+/// How well costs known before a factorisation predict what it takes.
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace hawser::bench {
+
+/// Over islands of scenes, of the paper's matrix at many sizes, of nets, stars and random graphs:
+/// the paper's c, its form in flops, exact flops, and the vertex weights that METIS balances,
+/// against the measured time of a factorisation on one thread.
+/// @param picture  SVG to write, empty: none.
+nlohmann::json cost_study(const std::string& picture);
+
+}  // namespace hawser::bench
