@@ -22,7 +22,7 @@
 namespace hawser::bench {
 namespace {
 
-struct Options {
+struct PartitionFlags {
     int scale = 1, parts = 4;
     bool cost = false;
     std::string json, picture;
@@ -30,15 +30,15 @@ struct Options {
 
 /// Rounds of partition and exact cost: each takes the flops of the one before. A running world has
 /// them from its last analysis.
-constexpr int kRounds = 5;
+constexpr int kPartRounds = 5;
 
-void print_heading() {
+void print_part_heading() {
     fmt::print("  {:<22} {:>9} {:>5} {:>5} {:>5} {:>9} {:>7} {:>6} {:>6} {:>8} {:>9}\n", "method",
                "us", "sep", "scal", "cut", "imbalance", "dearest", "fill", "flops", "makespan",
                "factor ms");
 }
 
-nlohmann::json print_row(const PartRow& r) {
+nlohmann::json print_part_row(const PartRow& r) {
     fmt::print(
         "  {:<22} {:>9.1f} {:>5} {:>5} {:>5} {:>9.3f} {:>7.3f} {:>6.3f} {:>6.3f} {:>8.3f} "
         "{:>9.3f}\n",
@@ -71,7 +71,7 @@ PartRow order_row(const std::string& name, const PartCase& c,
     return r;
 }
 
-struct Ours {
+struct OurParts {
     graph::Partitioner partitioner;
     graph::Partition partition;
     std::vector<std::int64_t> exact;
@@ -80,7 +80,7 @@ struct Ours {
 
 /// Time from the body graph, which METIS gets ready-made as well; finding it is `neighbours`.
 PartRow our_row(const std::string& name, const PartCase& c, int parts, const FactorCounts& amd,
-                Ours& o) {
+                OurParts& o) {
     const int least = c.bodies() > 20'000 ? 3 : 21;
     graph::Partitioner& p = o.partitioner;
     const graph::Hypergraph g = c.graph(o.exact);
@@ -101,7 +101,7 @@ PartRow our_row(const std::string& name, const PartCase& c, int parts, const Fac
 }
 
 /// Contacts that change: the time of following them, there and back. @return s for one way.
-double update_seconds(const PartCase& c, const Ours& ours) {
+double update_seconds(const PartCase& c, const OurParts& ours) {
     graph::Follower follower;
     follower.start(c.graph(), ours.partitioner.cost.node, ours.partition);
     const auto span_of = [](const std::int32_t* m) {
@@ -117,44 +117,45 @@ double update_seconds(const PartCase& c, const Ours& ours) {
                      101);
 }
 
-nlohmann::json compare(const PartCase& c, int parts) {
+nlohmann::json compare_parts(const PartCase& c, int parts) {
     fmt::print("\n{}: {} bodies, {} interactions, {} pairs, {} parts\n", c.name, c.bodies(),
                c.begin.size() - 1, c.pattern.adjacent.size() / 2, parts);
-    print_heading();
+    print_part_heading();
     nlohmann::json rows = nlohmann::json::array();
     ForeignGraph g(c.pattern);
     const int least = c.bodies() > 20'000 ? 3 : 21;
     std::vector<std::int32_t> order;
     double seconds = median_seconds([&] { order = factor::order_nodes(c.pattern); }, least);
     const FactorCounts amd = count_factor(c.pattern, order);
-    rows.push_back(print_row(order_row("AMD", c, order, seconds, amd)));
+    rows.push_back(print_part_row(order_row("AMD", c, order, seconds, amd)));
     double metis = 0.0;
     seconds = median_seconds([&] { order = metis_order(g); }, least);
     if (!order.empty())
-        rows.push_back(print_row(order_row("METIS nested dissection", c, order, seconds, amd)));
+        rows.push_back(
+            print_part_row(order_row("METIS nested dissection", c, order, seconds, amd)));
     std::vector<std::int32_t> part;
     metis = median_seconds([&] { part = metis_parts(g, g.weight, parts); }, least);
     if (!part.empty()) {
         cover_cuts(c.pattern, part);
         PartRow r = measure_parts("METIS k-way", c, part, parts, amd);
         r.seconds = metis;
-        rows.push_back(print_row(r));
+        rows.push_back(print_part_row(r));
     }
     seconds = median_seconds([&] { order = scotch_order(g); }, 3);
     if (!order.empty())
-        rows.push_back(print_row(order_row("Scotch order", c, order, seconds, amd)));
+        rows.push_back(print_part_row(order_row("Scotch order", c, order, seconds, amd)));
     seconds = median_seconds([&] { part = scotch_parts(g, parts); }, 3);
     if (!part.empty()) {
         cover_cuts(c.pattern, part);
         PartRow r = measure_parts("Scotch k-way", c, part, parts, amd);
         r.seconds = seconds;
-        rows.push_back(print_row(r));
+        rows.push_back(print_part_row(r));
     }
-    Ours ours;
-    rows.push_back(print_row(our_row("ours, model cost", c, parts, amd, ours)));
+    OurParts ours;
+    rows.push_back(print_part_row(our_row("ours, model cost", c, parts, amd, ours)));
     PartRow last;
-    for (int k = 0; k < kRounds; ++k) last = our_row("ours, exact cost", c, parts, amd, ours);
-    rows.push_back(print_row(last));
+    for (int k = 0; k < kPartRounds; ++k) last = our_row("ours, exact cost", c, parts, amd, ours);
+    rows.push_back(print_part_row(last));
     fmt::print("  ours: {:.1f} us from the body graph, {:.1f} us to find it from interactions",
                1e6 * ours.seconds, 1e6 * ours.neighbours);
     if (metis > 0.0)
@@ -183,7 +184,7 @@ int partition_command(int argc, char** argv) {
         "fill, flops: of the factor over AMD's; makespan: largest part and all separators (of an\n"
         "order: its longest path) over AMD's flops; factor: one thread, processor time.",
         "hawser-bench partition");
-    Options o;
+    PartitionFlags o;
     app.add_option("--scale", o.scale, "Copies of the paper's scene")->check(CLI::Range(1, 1000));
     app.add_option("--parts", o.parts, "Parts")->check(CLI::Range(1, 256));
     app.add_flag("--cost", o.cost, "How well costs predict factor times, over many islands");
@@ -197,7 +198,7 @@ int partition_command(int argc, char** argv) {
         std::vector<PartCase> cases{paper_case(false, o.scale), paper_case(true, o.scale),
                                     make_case(net(50)),         make_case(tree_of_chains(6, 40)),
                                     star_case(20, 50, 1),       random_case(1000, 1)};
-        for (const PartCase& c : cases) all.push_back(compare(c, o.parts));
+        for (const PartCase& c : cases) all.push_back(compare_parts(c, o.parts));
     }
     if (!o.json.empty()) std::ofstream(o.json) << all.dump(2) << '\n';
     return 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
+#include "inspect_parts.h"
 #include "observe/png.h"
 #include "observe/spy.h"
 #include "scene_options.h"
@@ -20,12 +21,14 @@ namespace {
 constexpr const char* kInspectFooter = R"(Examples:
   hawser inspect scenes/anchor_lines.json
   hawser inspect scenes/anchor_lines.json --form saddle -o pictures   # spy.svg and spy.png
+  hawser inspect scenes/anchor_contact.json --parts 4 --steps 60      # where it would be cut
 
-Exit codes: 0 done, 1 wrong option, scene or file, 2 the first step failed.)";
+Exit codes: 0 done, 1 wrong option, scene or file, 2 a step failed.)";
 
 struct InspectOptions {
     SceneOptions scene;
     std::string folder;
+    int parts = 4, steps = 1;
 };
 
 void print_islands(const SystemView& view) {
@@ -100,13 +103,16 @@ void print_system(const World& world, const SystemView& view) {
 int inspect(const InspectOptions& options) {
     scene::Scene scene = options.scene.load();
     World& world = scene.world;
-    if (const Status status = world.step(); status != Status::ok) {
-        fmt::print(stderr, "hawser: the first step failed: {}\n", to_string(status));
-        return kFailed;
-    }
+    for (int k = 0; k < options.steps; ++k)
+        if (const Status status = world.step(); status != Status::ok) {
+            fmt::print(stderr, "hawser: step {} failed: {}\n", k + 1, to_string(status));
+            return kFailed;
+        }
     const SystemView view = world.inspect();
     fmt::print("{} (hash {:016x})\n", scene.name, scene.hash);
     print_system(world, view);
+    print_orders(view);
+    print_parts(world, options.parts);
     if (options.folder.empty()) return kOk;
     const std::string parameters = fmt::format(
         "{} nodes, {} scalars of the lower triangle, {} of the factor, {:.4g} Mflop  ·  scene hash "
@@ -130,6 +136,12 @@ void add_inspect(CLI::App& app, Command& chosen) {
     command->footer(kInspectFooter);
     options->scene.add_to(*command);
     command->add_option("-o,--output", options->folder, "Folder for spy plots");
+    command->add_option("--parts", options->parts, "Parts of the partition shown")
+        ->check(CLI::Range(1, 4096))
+        ->capture_default_str();
+    command->add_option("--steps", options->steps, "Steps before the system is shown")
+        ->check(CLI::Range(1, 1'000'000))
+        ->capture_default_str();
     command->callback([&chosen, options] { chosen = [options] { return inspect(*options); }; });
 }
 

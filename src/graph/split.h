@@ -6,7 +6,8 @@
 /// Edges of weight kNeverCut and groups asked for by hand are contracted first (contact clusters,
 /// machines, hulls with what is bolted to them); wires are contracted as for separators, so what
 /// is left are a few *clusters* and wires between them. Large clusters go into the fullest part
-/// that they fit into, dearest first, small ones where they stand in the line. Wires are sand: they
+/// that they fit into or into the emptiest, whichever cuts less, dearest first, small ones where
+/// they stand in the line. Wires are sand: they
 /// fill the parts up to an even share, cut as seldom as that needs. At last every cut slides along
 /// its wire, within a tenth of a part's share, to where its weight is least.
 ///
@@ -36,6 +37,9 @@ class Splitter {
     std::int32_t clusters = 0;
 
   private:
+    /// Nodes of a wire that stay with what it is fastened to: forces change fastest there.
+    static constexpr std::int32_t kStub = 2;
+
     void prepare(const Hypergraph& graph, const PartitionOptions& options);
     void contract();
     [[nodiscard]] std::int32_t find(std::int32_t node) noexcept;
@@ -43,9 +47,11 @@ class Splitter {
     void build_quotient();
     void weigh_places();
     void choose();
+    void choose(bool together);
+    [[nodiscard]] std::int32_t count_cuts() const noexcept;
     void put(std::int32_t cluster, std::int32_t part) noexcept;
     void place_islands();
-    void place_clusters();
+    void place_clusters(bool together);
     void place_wires();
     void level();
     bool move_sand(std::int32_t from, std::int32_t to, std::int64_t amount);
@@ -71,7 +77,8 @@ class Splitter {
     std::int64_t share_ = 0;
     std::vector<std::int64_t> weight_;  ///< By place in units_.nodes: of a cut behind it.
     std::vector<std::int32_t> wire_place_;
-    std::vector<std::int32_t> part_, fresh_part_;  ///< By cluster.
+    std::vector<std::int32_t> part_, fresh_part_, other_part_;  ///< By cluster.
+    std::vector<std::int64_t> other_load_;
     std::vector<std::int64_t> load_, room_, island_cost_;
     std::vector<std::int32_t> lane_, order_;
     std::vector<std::uint8_t> stuck_, open_;

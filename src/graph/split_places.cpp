@@ -1,25 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where clusters go, where wires are cut, and how cuts slide.
+/// Where clusters go and where wires are cut at first.
 #include "graph/split.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <limits>
 
 namespace hawser::graph {
 namespace {
 
-constexpr double kSlack = 1.05;   ///< An island is divided from this many shares on.
-constexpr double kBig = 0.25;     ///< Clusters of so many shares are placed first.
-constexpr double kLevel = 0.02;   ///< Imbalance that is left alone.
-constexpr double kWindow = 0.10;  ///< Cuts slide so many shares at most.
-/// Nodes of a wire that stay with what it is fastened to: beside a hull forces change fastest.
-constexpr std::int32_t kStub = 2;
-/// A cut moves from one step to the next only where its weight falls below this share.
-constexpr double kWorth = 0.8;
+constexpr double kSlack = 1.05;  ///< An island is divided from this many shares on.
+/// Clusters of so many shares are placed first, where they are kept together and where apart.
+constexpr double kBig = 0.25, kBigApart = 0.02;
+constexpr double kEven = 1.10;   ///< Shares up to which parts count as even.
+constexpr double kLevel = 0.02;  ///< Imbalance that is left alone.
 
 }  // namespace
 
+/// Hulls in one part need no cut between them, hulls apart balance each other: both are tried, and
+/// the one with fewer edges cut is taken if it is about as even.
 void Splitter::choose() {
+    choose(true);
+    const std::int64_t longest = *std::max_element(load_.begin(), load_.end());
+    const std::int32_t cut = count_cuts();
+    other_part_ = part_;
+    other_load_ = load_;
+    choose(false);
+    const std::int64_t longest_now = *std::max_element(load_.begin(), load_.end());
+    const auto uneven = [&](std::int64_t load) {
+        return std::max(static_cast<double>(load), kEven * static_cast<double>(share_));
+    };
+    const double now = uneven(longest_now), before = uneven(longest);
+    if (before < now || (before == now && cut <= count_cuts())) {
+        part_.swap(other_part_);
+        load_.swap(other_load_);
+    }
+}
+
+std::int32_t Splitter::count_cuts() const noexcept {
+    std::int32_t count = 0;
+    for (std::size_t e = 0; e + 1 < member_begin_.size(); ++e) {
+        bool cut = false;
+        for (std::int32_t k = member_begin_[e] + 1; k < member_begin_[e + 1]; ++k)
+            cut |= part_[at(members_[at(k)])] != part_[at(members_[at(k - 1)])];
+        count += cut ? 1 : 0;
+    }
+    return count;
+}
+
+void Splitter::choose(bool together) {
     part_.assign(at(clusters), -1);
     load_.assign(at(options_.parts), 0);
     std::int64_t total = 0;
@@ -32,7 +60,7 @@ void Splitter::choose() {
     for (std::int32_t c = 0; c < clusters; ++c)
         if (group_part_[at(c)] >= 0) put(c, group_part_[at(c)]);
     place_islands();
-    place_clusters();
+    place_clusters(together);
     place_wires();
     level();
     slide();
@@ -73,7 +101,8 @@ void Splitter::place_islands() {
 }
 
 /// Big clusters dearest first, the others by their place in the line.
-void Splitter::place_clusters() {
+void Splitter::place_clusters(bool together) {
+    const double big = together ? kBig : kBigApart;
     order_.clear();
     open_.assign(at(clusters), 0);
     std::int64_t left = 0;
@@ -82,7 +111,7 @@ void Splitter::place_clusters() {
         open_[at(c)] = 1;
         left += node_cost_[at(c)];
         if (units_.unit[at(c)] >= units_.wires &&
-            static_cast<double>(node_cost_[at(c)]) > kBig * static_cast<double>(share_))
+            static_cast<double>(node_cost_[at(c)]) > big * static_cast<double>(share_))
             order_.push_back(c);
     }
     std::sort(order_.begin(), order_.end(), [&](std::int32_t a, std::int32_t b) {
@@ -94,22 +123,28 @@ void Splitter::place_clusters() {
     for (std::size_t p = 0; p < load_.size(); ++p)
         rooms += room_[p] = std::max<std::int64_t>(0, share_ - load_[p]);
     for (const std::int32_t c : order_) {
-        // The fullest part that it fits into, so that wires between two of them need no cut;
-        // the emptiest if there is none.
+        // Together: the fullest part that it fits into; the emptiest if there is none.
         std::int32_t best = -1, emptiest = 0;
         for (std::int32_t p = 0; p < options_.parts; ++p) {
             if (load_[at(p)] < load_[at(emptiest)]) emptiest = p;
-            const bool fits = load_[at(p)] + node_cost_[at(c)] <= share_;
+            const bool fits = together && load_[at(p)] + node_cost_[at(c)] <= share_;
             if (fits && (best < 0 || load_[at(p)] > load_[at(best)])) best = p;
         }
         put(c, best < 0 ? emptiest : best);
     }
     std::int64_t passed = 0;
+    const double most = kSlack * static_cast<double>(share_);
     for (const std::int32_t c : lineup_.order) {
         if (!open_[at(c)]) continue;
         const std::int64_t middle = passed + node_cost_[at(c)] / 2;
         passed += node_cost_[at(c)];
         if (part_[at(c)] >= 0 || units_.unit[at(c)] < units_.wires) continue;
+        // With what holds it, if there is room; wires have no part yet.
+        const std::int32_t beside = part_beside(c, -1);
+        if (beside >= 0 && static_cast<double>(load_[at(beside)] + node_cost_[at(c)]) <= most) {
+            put(c, beside);
+            continue;
+        }
         // The part that this share of all rooms falls to.
         const double wanted = static_cast<double>(middle) /
                               static_cast<double>(std::max<std::int64_t>(1, left)) *
@@ -181,7 +216,7 @@ void Splitter::level() {
 bool Splitter::move_sand(std::int32_t from, std::int32_t to, std::int64_t amount) {
     struct Choice {
         int kind = 0;
-        std::int64_t cost = 0;
+        std::int64_t cost = 0, weight = 0;
         std::int32_t begin = 0, step = 1, end = 0;
     } best;
     for (std::int32_t w = 0; w < units_.wires; ++w) {
@@ -204,8 +239,19 @@ bool Splitter::move_sand(std::int32_t from, std::int32_t to, std::int64_t amount
             std::int64_t sum = 0;
             for (std::int32_t k = low; k <= high; ++k) sum += node_cost_[at(units_.nodes[at(k)])];
             sum = std::min(sum, amount);
-            if (sum == 0 || kind < best.kind || (kind == best.kind && sum <= best.cost)) continue;
-            best = {kind, sum, at_left || kind == 1 ? low : high, at_left || kind == 1 ? 1 : -1,
+            if (sum == 0 || kind < best.kind) continue;
+            std::int64_t weight = std::numeric_limits<std::int64_t>::max();
+            for (std::int32_t k = low; k <= high; ++k) weight = std::min(weight, weight_[at(k)]);
+            if (kind == best.kind) {  // much more of it, or as much and cheaper to cut
+                const auto ten = std::max(sum, best.cost) / 10;
+                if (sum < best.cost - ten) continue;
+                if (sum <= best.cost + ten && weight >= best.weight) continue;
+            }
+            best = {kind,
+                    sum,
+                    weight,
+                    at_left || kind == 1 ? low : high,
+                    at_left || kind == 1 ? 1 : -1,
                     at_left || kind == 1 ? high : low};
         }
     }
@@ -227,69 +273,6 @@ bool Splitter::move_sand(std::int32_t from, std::int32_t to, std::int64_t amount
         if (k == best.end) break;
     }
     return true;
-}
-
-/// Best place for the cut behind `left`, as an index of units_.nodes.
-std::int32_t Splitter::slide_to(std::int32_t wire, std::int32_t left) const noexcept {
-    const auto part = [&](std::int32_t k) { return part_[at(units_.nodes[at(k)])]; };
-    const auto room = static_cast<std::int64_t>(kWindow * static_cast<double>(share_));
-    std::int32_t best = left;
-    for (const std::int32_t step : {-1, 1}) {
-        std::int64_t moved = 0;
-        std::int32_t k = left;
-        for (;;) {
-            const std::int32_t crossed = step < 0 ? k : k + 1;  // node that changes its part
-            const std::int32_t next = k + step;
-            if (next < units_.begin[at(wire)] + kStub - 1 ||
-                next + 1 > units_.begin[at(wire) + 1] - kStub)
-                break;
-            const std::int32_t side = step < 0 ? part(left) : part(left + 1);
-            if (part(crossed) != side || part(step < 0 ? next : next + 1) != side) break;
-            if (group_part_[at(units_.nodes[at(crossed)])] >= 0) break;
-            moved += node_cost_[at(units_.nodes[at(crossed)])];
-            if (moved > room) break;
-            k = next;
-            const std::int64_t here = weight_[at(k)], there = weight_[at(best)];
-            if (here < there || (here == there && std::abs(k - left) < std::abs(best - left)))
-                best = k;
-        }
-    }
-    return best;
-}
-
-void Splitter::cut_behind(std::int32_t old_left, std::int32_t left) noexcept {
-    const std::int32_t a = part_[at(units_.nodes[at(old_left)])];
-    const std::int32_t b = part_[at(units_.nodes[at(old_left) + 1])];
-    for (std::int32_t k = old_left + 1; k <= left; ++k) put(units_.nodes[at(k)], a);
-    for (std::int32_t k = left + 1; k <= old_left; ++k) put(units_.nodes[at(k)], b);
-}
-
-void Splitter::slide() {
-    for (std::int32_t w = 0; w < units_.wires; ++w)
-        for (std::int32_t k = units_.begin[at(w)]; k + 1 < units_.begin[at(w) + 1]; ++k) {
-            if (part_[at(units_.nodes[at(k)])] == part_[at(units_.nodes[at(k + 1)])]) continue;
-            const std::int32_t to = slide_to(w, k);
-            cut_behind(k, to);
-            k = std::max(k, to);
-        }
-}
-
-/// Slide the one cut that gains most, if it is worth it.
-void Splitter::move_one() {
-    std::int32_t from = -1, to = -1;
-    std::int64_t gain = 0;
-    for (std::int32_t w = 0; w < units_.wires; ++w)
-        for (std::int32_t k = units_.begin[at(w)]; k + 1 < units_.begin[at(w) + 1]; ++k) {
-            if (part_[at(units_.nodes[at(k)])] == part_[at(units_.nodes[at(k + 1)])]) continue;
-            const std::int32_t best = slide_to(w, k);
-            const std::int64_t old = weight_[at(k)], now = weight_[at(best)];
-            if (static_cast<double>(now) > kWorth * static_cast<double>(old) || old - now <= gain)
-                continue;
-            gain = old - now;
-            from = k;
-            to = best;
-        }
-    if (from >= 0) cut_behind(from, to);
 }
 
 }  // namespace hawser::graph

@@ -78,6 +78,10 @@ void Units::close() noexcept {
 
 /// Nodes beside another wire, or beside their own farther away than kReach, are taken out.
 void Units::keep_whole(const Neighbours& neighbours) {
+    brief_.resize(walked_.size());
+    for (std::size_t w = 0; w + 1 < from_.size(); ++w)
+        for (std::int32_t k = from_[w]; k < from_[w + 1]; ++k)
+            brief_[at(k)] = from_[w + 1] - from_[w] < kShortestWire;
     for (std::size_t w = 0; w + 1 < from_.size(); ++w) {
         for (std::int32_t k = from_[w]; k < from_[w + 1]; ++k) {
             const std::int32_t v = walked_[at(k)];
@@ -85,7 +89,7 @@ void Units::keep_whole(const Neighbours& neighbours) {
             for (const Neighbour u : neighbours.of(v)) {
                 const std::int32_t p = place_[at(u.node())];
                 const bool mine = p >= from_[w] && p < from_[w + 1] && std::abs(p - k) <= kReach;
-                apart &= hub[at(u.node())] || mine || p < 0;
+                apart &= mine || p < 0 || brief_[at(p)];
             }
             if (apart)
                 nodes.push_back(v);

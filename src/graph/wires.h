@@ -48,6 +48,7 @@ class Units {
     std::vector<std::int32_t> walked_;  ///< Sequences of nodes, before keep_whole().
     std::vector<std::int32_t> from_;    ///< Where they begin.
     std::vector<std::int32_t> place_;   ///< By node: index in walked_, −1: none.
+    std::vector<std::uint8_t> brief_;   ///< By place: its sequence is too short for a wire.
 };
 
 }  // namespace hawser::graph

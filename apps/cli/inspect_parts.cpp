@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "inspect_parts.h"
+
+#include <hawser/partition.h>
+
+#include "observe/elimination.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+extern "C" {
+#include <amd.h>
+#if HAWSER_HAVE_METIS
+#include <metis.h>
+#endif
+}
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace hawser::cli {
+namespace {
+
+std::vector<std::int32_t> amd_order_of(const SystemView& view) {
+    const auto n = static_cast<int>(view.nodes.size());
+    std::vector<std::int32_t> order(view.nodes.size());
+    double control[AMD_CONTROL], info[AMD_INFO];
+    amd_defaults(control);
+    control[AMD_DENSE] = 100.0;  // hulls with hundreds of neighbours are not dense
+    if (amd_order(n, view.edge_start.data(), view.edges.data(), order.data(), control, info) < 0)
+        order.clear();
+    return order;
+}
+
+std::vector<std::int32_t> metis_order_of([[maybe_unused]] const SystemView& view) {
+    std::vector<std::int32_t> order;
+#if HAWSER_HAVE_METIS
+    static_assert(sizeof(idx_t) == sizeof(std::int32_t));
+    auto n = static_cast<idx_t>(view.nodes.size());
+    std::vector<idx_t> start = view.edge_start, edges = view.edges, place(view.nodes.size());
+    std::vector<idx_t> weight;
+    for (const SystemNode& node : view.nodes) weight.push_back(node.size);
+    order.resize(view.nodes.size());
+    idx_t options[METIS_NOPTIONS];
+    METIS_SetDefaultOptions(options);
+    options[METIS_OPTION_SEED] = 1;
+    if (METIS_NodeND(&n, start.data(), edges.data(), weight.data(), options, order.data(),
+                     place.data()) != METIS_OK)
+        order.clear();
+#endif
+    return order;
+}
+
+void print_order(const char* name, const SystemView& view, const std::vector<std::int32_t>& order) {
+    if (order.size() != view.nodes.size() || order.empty()) {
+        fmt::print("    {:<24} not in this build\n", name);
+        return;
+    }
+    const observe::EliminationCounts c = observe::count_elimination(view, order);
+    fmt::print("    {:<24} {:>10} {:>10.4g} {:>14.4g} {:>10.3g}x\n", name, c.nnz,
+               1e-6 * static_cast<double>(c.flops), 1e-6 * static_cast<double>(c.path),
+               c.path > 0 ? static_cast<double>(c.flops) / static_cast<double>(c.path) : 1.0);
+}
+
+void print_loads(const PartitionView& p) {
+    std::vector<std::string> loads;
+    for (const double cost : p.part_cost) loads.push_back(fmt::format("{:.4g}", 1e-6 * cost));
+    double sum = 0.0;
+    for (const double cost : p.part_cost) sum += cost;
+    const double mean = sum / std::max(1, p.parts);
+    fmt::print(
+        "    cost of parts    {} Mflop; imbalance {:.3f}, dearest piece {:.3f} of the mean\n",
+        fmt::join(loads, ", "), p.imbalance, mean > 0.0 ? p.largest_cluster / mean : 0.0);
+    fmt::print(
+        "    time             {:.1f} us for the graph, {:.1f} for weights, {:.1f} for parts\n",
+        1e6 * p.graph_seconds, 1e6 * p.weight_seconds, 1e6 * p.partition_seconds);
+}
+
+std::string name_of(const World& world, InteractionId id) {
+    const InteractionDef& d = world.interaction_def(id);
+    if (!d.name.empty()) return d.name;
+    const KindInfo& info = kind_info(d.kind);
+    std::vector<std::string> bodies;
+    for (int b = 0; b < info.bodies; ++b) {
+        const BodyId body = d.body[static_cast<std::size_t>(b)];
+        const std::string& name = world.body_def(body).name;
+        bodies.push_back(name.empty() ? fmt::format("#{}", body.index) : name);
+    }
+    return fmt::format("{} {}", info.name, fmt::join(bodies, " - "));
+}
+
+void print_cuts(const World& world, const PartitionView& p) {
+    constexpr std::size_t kMost = 24;
+    for (std::size_t i = 0; i < std::min(kMost, p.cuts.size()); ++i) {
+        const CutInteraction& c = p.cuts[i];
+        fmt::print("      {:<44} {:>11.4g} {:>11.4g} {:>11.4g} {:>11.4g} {:>9.3f}\n",
+                   name_of(world, c.interaction), c.force, c.net_force, c.relative_velocity,
+                   c.violation, c.weight);
+    }
+    if (p.cuts.size() > kMost) fmt::print("      … and {} more\n", p.cuts.size() - kMost);
+}
+
+}  // namespace
+
+void print_orders(const SystemView& view) {
+    fmt::print("  orders of elimination of this matrix (exact counts, without merged zeros)\n");
+    fmt::print("    {:<24} {:>10} {:>10} {:>14} {:>11}\n", "", "nnz(L)", "Mflop", "Mflop on path",
+               "at most");
+    print_order("AMD", view, amd_order_of(view));
+    print_order("METIS nested dissection", view, metis_order_of(view));
+    print_order("ours", view, view.order);
+}
+
+void print_parts(const World& world, int parts) {
+    PartitionRequest request;
+    request.parts = parts;
+    const PartitionView exact = world.partition(request);
+    double paper = 0.0;
+    for (const double c : exact.island_cost) paper += c;
+    fmt::print("  {} parts with separators (exact coupling); c = {:.6g} over {} islands\n", parts,
+               paper, exact.island_cost.size());
+    fmt::print("    separators       {} bodies, {} scalars, {:.4g} Mflop\n", exact.separator.size(),
+               exact.separator_scalars, 1e-6 * exact.separator_cost);
+    print_loads(exact);
+    request.use = PartitionUse::cuts;
+    const PartitionView cut = world.partition(request);
+    fmt::print("  {} parts with cuts (approximate couplings): {} interactions cut\n", parts,
+               cut.cuts.size());
+    print_loads(cut);
+    if (cut.cuts.empty()) return;
+    fmt::print("      {:<44} {:>11} {:>11} {:>11} {:>11} {:>9}\n", "interaction", "force N",
+               "net N", "|G v| m/s", "|g| m", "weight");
+    print_cuts(world, cut);
+}
+
+}  // namespace hawser::cli

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+/// How cuts slide along their wires.
+#include "graph/split.h"
+
+#include <cstdlib>
+
+namespace hawser::graph {
+namespace {
+
+constexpr double kWindow = 0.10;  ///< Cuts slide so many shares at most.
+/// A cut moves from one step to the next only where its weight falls below this share.
+constexpr double kWorth = 0.8;
+
+}  // namespace
+
+/// Best place for the cut behind `left`, as an index of units_.nodes.
+std::int32_t Splitter::slide_to(std::int32_t wire, std::int32_t left) const noexcept {
+    const auto part = [&](std::int32_t k) { return part_[at(units_.nodes[at(k)])]; };
+    const auto room = static_cast<std::int64_t>(kWindow * static_cast<double>(share_));
+    std::int32_t best = left;
+    for (const std::int32_t step : {-1, 1}) {
+        std::int64_t moved = 0;
+        std::int32_t k = left;
+        for (;;) {
+            const std::int32_t crossed = step < 0 ? k : k + 1;  // node that changes its part
+            const std::int32_t next = k + step;
+            if (next < units_.begin[at(wire)] + kStub - 1 ||
+                next + 1 > units_.begin[at(wire) + 1] - kStub)
+                break;
+            const std::int32_t side = step < 0 ? part(left) : part(left + 1);
+            if (part(crossed) != side || part(step < 0 ? next : next + 1) != side) break;
+            if (group_part_[at(units_.nodes[at(crossed)])] >= 0) break;
+            moved += node_cost_[at(units_.nodes[at(crossed)])];
+            if (moved > room) break;
+            k = next;
+            const std::int64_t here = weight_[at(k)], there = weight_[at(best)];
+            if (here < there || (here == there && std::abs(k - left) < std::abs(best - left)))
+                best = k;
+        }
+    }
+    return best;
+}
+
+void Splitter::cut_behind(std::int32_t old_left, std::int32_t left) noexcept {
+    const std::int32_t a = part_[at(units_.nodes[at(old_left)])];
+    const std::int32_t b = part_[at(units_.nodes[at(old_left) + 1])];
+    for (std::int32_t k = old_left + 1; k <= left; ++k) put(units_.nodes[at(k)], a);
+    for (std::int32_t k = left + 1; k <= old_left; ++k) put(units_.nodes[at(k)], b);
+}
+
+void Splitter::slide() {
+    for (std::int32_t w = 0; w < units_.wires; ++w)
+        for (std::int32_t k = units_.begin[at(w)]; k + 1 < units_.begin[at(w) + 1]; ++k) {
+            if (part_[at(units_.nodes[at(k)])] == part_[at(units_.nodes[at(k + 1)])]) continue;
+            const std::int32_t to = slide_to(w, k);
+            cut_behind(k, to);
+            k = std::max(k, to);
+        }
+}
+
+/// Slide the one cut that gains most, if it is worth it.
+void Splitter::move_one() {
+    std::int32_t from = -1, to = -1;
+    std::int64_t gain = 0;
+    for (std::int32_t w = 0; w < units_.wires; ++w)
+        for (std::int32_t k = units_.begin[at(w)]; k + 1 < units_.begin[at(w) + 1]; ++k) {
+            if (part_[at(units_.nodes[at(k)])] == part_[at(units_.nodes[at(k + 1)])]) continue;
+            const std::int32_t best = slide_to(w, k);
+            const std::int64_t old = weight_[at(k)], now = weight_[at(best)];
+            if (static_cast<double>(now) > kWorth * static_cast<double>(old) || old - now <= gain)
+                continue;
+            gain = old - now;
+            from = k;
+            to = best;
+        }
+    if (from >= 0) cut_behind(from, to);
+}
+
+}  // namespace hawser::graph
