@@ -199,22 +199,35 @@ void System::write_skew(const View& view, int piece, double* upper) const noexce
     write_skew(view, piece_ops_[at(piece)].op_begin, piece_ops_[at(piece)].op_end, upper);
 }
 
-void System::write_blocks(const View& view, const factor::DirtyParts& part,
-                          double* panel) const noexcept {
-    for (const factor::PanelRange& r : part.panels) {
+template <class F>
+void System::over_panels(const factor::DirtyParts& part, base::Executor& executor,
+                         F&& work) const noexcept {
+    const auto count = static_cast<int>(part.panels.size());
+    // Some pieces a thread, as panels differ in what is written to them.
+    const int pieces = executor.threads() == 1 ? 1 : std::min(count, 8 * executor.threads());
+    auto piece = [&](int i, int) noexcept {
+        for (int k = count * i / pieces; k < count * (i + 1) / pieces; ++k)
+            work(part.panels[at(k)]);
+    };
+    executor.for_each(pieces, piece);
+}
+
+void System::write_blocks(const View& view, const factor::DirtyParts& part, double* panel,
+                          base::Executor& executor) const noexcept {
+    over_panels(part, executor, [&](const factor::PanelRange& r) {
         const auto [lane_begin, lane_end] = between(lane_place_, r.begin, r.end);
         kernels().gather_lane_blocks(view, lane_ops.data(), lane_begin, lane_end, panel);
         const auto [begin, end] = between(op_place_, r.begin, r.end);
         kernels().gather_blocks(view, ops.data(), begin, end, panel);
-    }
+    });
 }
 
-void System::write_skew(const View& view, const factor::DirtyParts& part,
-                        double* upper) const noexcept {
-    for (const factor::PanelRange& r : part.panels) {
+void System::write_skew(const View& view, const factor::DirtyParts& part, double* upper,
+                        base::Executor& executor) const noexcept {
+    over_panels(part, executor, [&](const factor::PanelRange& r) {
         const auto [begin, end] = between(op_place_, r.begin, r.end);
         write_skew(view, begin, end, upper);
-    }
+    });
 }
 
 /// Ops of one batch step: those that do the same in several lanes become one.

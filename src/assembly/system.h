@@ -86,9 +86,10 @@ class System {
     /// halves of a piece with unsymmetric fronts (factor/unsymmetric.h).
     void write_skew(const View& view, int piece, double* upper) const noexcept;
     /// The same for a part of the panels.
-    void write_blocks(const View& view, const factor::DirtyParts& part,
-                      double* panel) const noexcept;
-    void write_skew(const View& view, const factor::DirtyParts& part, double* upper) const noexcept;
+    void write_blocks(const View& view, const factor::DirtyParts& part, double* panel,
+                      base::Executor& executor) const noexcept;
+    void write_skew(const View& view, const factor::DirtyParts& part, double* upper,
+                    base::Executor& executor) const noexcept;
     /// Node whose column holds a block of contacts.
     [[nodiscard]] std::int32_t column_of(const ContactBlock& block) const noexcept {
         return factor::DirtyParts::column(symbolic, node_of_body[static_cast<std::size_t>(block.a)],
@@ -126,6 +127,9 @@ class System {
     void build_ops(const model::Bodies& bodies, const model::Interactions& interactions);
     void write_skew(const View& view, std::int64_t begin, std::int64_t end,
                     double* upper) const noexcept;
+    template <class F>
+    void over_panels(const factor::DirtyParts& part, base::Executor& executor,
+                     F&& work) const noexcept;
     void collect_ops(const model::Bodies& bodies, const model::Interactions& interactions);
     void sort_ops();
     [[nodiscard]] Op placed(const OpEntry& entry, const model::Interactions& interactions) const;

@@ -43,7 +43,7 @@ void DirtyParts::reserve(const Symbolic& s) {
     batches.reserve(batches_n);
     panels.reserve(n + batches_n);
     ranges.reserve(n);
-    tasks.reserve(s.tasks.size() + 1);
+    nodes.reserve(at(s.graph.nodes()) + 1);
 }
 
 void DirtyParts::find(const Symbolic& s, std::span<const std::int32_t> columns,
@@ -95,28 +95,22 @@ void DirtyParts::add_panel(std::int64_t begin, std::int64_t end) noexcept {
 
 void DirtyParts::make_ranges(const Symbolic& s) noexcept {
     ranges.clear();
-    tasks.clear();
-    std::size_t task = 0;
     for (const std::int32_t f : fronts) {
-        while (task < s.tasks.size() && s.tasks[task].end <= f) ++task;
-        const bool inside = task < s.tasks.size() && s.tasks[task].begin <= f;
-        const std::int32_t owner = inside ? static_cast<std::int32_t>(task) : -1;
-        if (!ranges.empty() && ranges.back().end == f && ranges.back().task == owner)
+        const std::int32_t node = s.front_task[at(f)];
+        if (!ranges.empty() && ranges.back().end == f && ranges.back().node == node)
             ++ranges.back().end;
         else
-            ranges.push_back({f, f + 1, owner});
+            ranges.push_back({f, f + 1, node});
     }
-    // Tasks first, so that the ranges of one are together; the top keeps its ascending order.
-    std::size_t top = 0;
-    for (const FrontRange& r : ranges) top += r.task < 0 ? 1 : 0;
     std::sort(ranges.begin(), ranges.end(), [](const FrontRange& a, const FrontRange& b) {
-        return (a.task < 0) != (b.task < 0) ? b.task < 0 : a.begin < b.begin;
+        return a.node != b.node ? a.node < b.node : a.begin < b.begin;
     });
-    const std::size_t below = ranges.size() - top;
-    for (std::size_t k = 0; k < below; ++k)
-        if (k == 0 || ranges[k].task != ranges[k - 1].task)
-            tasks.push_back(static_cast<std::int32_t>(k));
-    tasks.push_back(static_cast<std::int32_t>(below));
+    nodes.clear();
+    std::int32_t k = 0;
+    for (std::int32_t n = 0; n <= s.graph.nodes(); ++n) {
+        while (k < static_cast<std::int32_t>(ranges.size()) && ranges[at(k)].node < n) ++k;
+        nodes.push_back(k);
+    }
 }
 
 void Numeric::clear(const Symbolic&, const DirtyParts& dirty, base::Executor& executor) noexcept {
@@ -132,25 +126,17 @@ int Numeric::refactor(const Symbolic& s, const DirtyParts& dirty, base::Executor
     use(s, unsymmetric);
     const FactorView v = view(s, 0);  // no stacks: every update has its place
     const FactorKernels& kernels = factor_kernels();
-    const std::size_t batches = dirty.batches.size(), tasks = dirty.tasks.size() - 1;
-    auto batch = [&](int i, int thread) noexcept {
-        wrong_[at(i)] =
-            kernels.factor_batch(v, s.batches[at(dirty.batches[at(i)])], scratch(thread));
-    };
-    auto subtree = [&](int i, int thread) noexcept {
+    auto node = [&](int i, int thread) noexcept {
         int wrong = 0;
-        for (std::int32_t k = dirty.tasks[at(i)]; k < dirty.tasks[at(i) + 1]; ++k)
+        if (at(i) < s.batches.size() && dirty.is_batch(i))
+            wrong += kernels.factor_batch(v, s.batches[at(i)], scratch(thread));
+        for (std::int32_t k = dirty.nodes[at(i)]; k < dirty.nodes[at(i) + 1]; ++k)
             wrong += kernels.factor(v, dirty.ranges[at(k)].begin, dirty.ranges[at(k)].end,
                                     scratch(thread));
-        wrong_[batches + at(i)] = wrong;
+        wrong_[at(i)] = wrong;
     };
-    executor.for_each(static_cast<int>(batches), batch);
-    executor.for_each(static_cast<int>(tasks), subtree);
-    int wrong = 0;
-    for (std::size_t i = 0; i < batches + tasks; ++i) wrong += wrong_[i];
-    for (std::size_t k = at(dirty.tasks.back()); k < dirty.ranges.size(); ++k)
-        wrong += kernels.factor(v, dirty.ranges[k].begin, dirty.ranges[k].end, scratch(0));
-    return find_wrong(s, wrong);
+    queue_.run(s.graph, true, executor, node);
+    return count_wrong(s);
 }
 
 }  // namespace hawser::factor

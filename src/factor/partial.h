@@ -45,9 +45,9 @@ struct PanelRange {
 /// The panels of a batch: contiguous, step after step.
 [[nodiscard]] PanelRange panel_of(const Symbolic& symbolic, const Batch& batch) noexcept;
 
-/// Fronts [begin, end) to factor in sequence; task −1: the serial top.
+/// Fronts [begin, end) to factor in sequence, in a node of Symbolic::graph.
 struct FrontRange {
-    std::int32_t begin = 0, end = 0, task = -1;
+    std::int32_t begin = 0, end = 0, node = -1;
 };
 
 /// The part of a factorisation that changed values make stale.
@@ -75,15 +75,19 @@ class DirtyParts {
     [[nodiscard]] bool refill(const Symbolic& s, std::int32_t column) const noexcept {
         const std::int32_t f = s.node_front[static_cast<std::size_t>(column)];
         const std::int32_t b = s.fronts[static_cast<std::size_t>(f)].batch;
-        return b >= 0 ? batch_mark_[static_cast<std::size_t>(b)] == epoch_
-                      : front_mark_[static_cast<std::size_t>(f)] == epoch_;
+        return b >= 0 ? is_batch(b) : front_mark_[static_cast<std::size_t>(f)] == epoch_;
+    }
+
+    /// Whether a batch is dirty.
+    [[nodiscard]] bool is_batch(std::int32_t batch) const noexcept {
+        return batch_mark_[static_cast<std::size_t>(batch)] == epoch_;
     }
 
     std::vector<std::int32_t> fronts;   ///< Dirty, ascending; chains are in `batches`.
     std::vector<std::int32_t> batches;  ///< Ascending.
     std::vector<PanelRange> panels;     ///< To clear and refill; ascending, apart.
-    std::vector<FrontRange> ranges;     ///< The fronts in runs, ascending.
-    std::vector<std::int32_t> tasks;    ///< First of `ranges` of each dirty task, one more at end.
+    std::vector<FrontRange> ranges;     ///< The fronts in runs, by node, ascending within each.
+    std::vector<std::int32_t> nodes;    ///< First of `ranges` of each node, and one more at end.
     std::int64_t flops = 0;  ///< Of the refactorisation; an unsymmetric front counts twice.
 
   private:

@@ -59,9 +59,10 @@ std::size_t Symbolic::bytes() const noexcept {
     return base::bytes(order) + base::bytes(position) + base::bytes(node_offset) +
            base::bytes(node_front) + base::bytes(fronts) + base::bytes(children) +
            base::bytes(rows) + base::bytes(runs) + base::bytes(sign) + base::bytes(tasks) +
-           base::bytes(top) + base::bytes(top_tasks) + graph.bytes() + base::bytes(batches) +
-           base::bytes(batch_steps) + base::bytes(slot_sign) + base::bytes(slot_index) +
-           base::bytes(tail_slot) + base::bytes(node_step) + base::bytes(node_slot);
+           base::bytes(top) + base::bytes(top_tasks) + base::bytes(front_task) + graph.bytes() +
+           base::bytes(batches) + base::bytes(batch_steps) + base::bytes(slot_sign) +
+           base::bytes(slot_index) + base::bytes(tail_slot) + base::bytes(node_step) +
+           base::bytes(node_slot);
 }
 
 Symbolic analyse(const Pattern& pattern, std::vector<std::int32_t> order) {

@@ -89,11 +89,12 @@ struct Symbolic {
     std::vector<std::int32_t> children;     ///< Grouped by front, ascending.
     std::vector<std::int32_t> rows;         ///< Permuted scalar index of each update row.
     std::vector<Run> runs;
-    std::vector<std::int8_t> sign;     ///< Expected sign of each permuted pivot.
-    std::vector<TaskRange> tasks;      ///< Subtrees, in postorder.
-    std::vector<std::int32_t> top;     ///< Fronts above them, by task, ascending within each.
-    std::vector<TaskRange> top_tasks;  ///< Ranges of `top`: each a path towards the root.
-    TaskGraph graph;                   ///< Of batches, tasks, top_tasks, numbered in this order.
+    std::vector<std::int8_t> sign;         ///< Expected sign of each permuted pivot.
+    std::vector<TaskRange> tasks;          ///< Subtrees, in postorder.
+    std::vector<std::int32_t> top;         ///< Fronts above them, by task, ascending within each.
+    std::vector<TaskRange> top_tasks;      ///< Ranges of `top`: each a path towards the root.
+    std::vector<std::int32_t> front_task;  ///< By front: its node of the graph.
+    TaskGraph graph;  ///< Of batches, tasks, top_tasks, numbered in this order.
 
     std::vector<Batch> batches;  ///< Done first, each by one thread.
     std::vector<BatchStep> batch_steps;

@@ -108,15 +108,13 @@ void Layout::link_tasks(Symbolic& s) {
     for (const Batch& b : s.batches) s.graph.work.push_back(b.flops);
     for (const TaskRange& t : s.tasks) s.graph.work.push_back(t.flops);
     for (const TaskRange& t : s.top_tasks) s.graph.work.push_back(t.flops);
-    auto node_of = [&](const Front& f, std::size_t id) {
-        return f.batch >= 0 ? f.batch : batches + task_[id];
-    };
+    s.front_task.resize(s.fronts.size());
+    for (std::size_t f = 0; f < s.fronts.size(); ++f)
+        s.front_task[f] = s.fronts[f].batch >= 0 ? s.fronts[f].batch : batches + task_[f];
     edges_.clear();
     for (std::size_t f = 0; f < s.fronts.size(); ++f) {
-        const Front& front = s.fronts[f];
-        if (front.parent < 0) continue;
-        const std::int32_t from = node_of(front, f);
-        const std::int32_t to = node_of(s.fronts[at(front.parent)], at(front.parent));
+        if (s.fronts[f].parent < 0) continue;
+        const std::int32_t from = s.front_task[f], to = s.front_task[at(s.fronts[f].parent)];
         if (from != to) edges_.emplace_back(from, to);
     }
     s.graph.build(edges_);

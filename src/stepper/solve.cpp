@@ -193,9 +193,9 @@ Status factor(StepContext& ctx, bool whole) noexcept {
             ctx.step_flops += s.dirty.flops;
             ++ctx.stats.partial_factorisations;
             s.numeric.clear(s.symbolic, s.dirty, ctx.pool);
-            s.write_blocks(v, s.dirty, s.numeric.values());
+            s.write_blocks(v, s.dirty, s.numeric.values(), ctx.pool);
             s.numeric.copy_to_upper(s.symbolic, s.dirty, *set, ctx.pool);
-            s.write_skew(v, s.dirty, s.numeric.upper());
+            s.write_skew(v, s.dirty, s.numeric.upper(), ctx.pool);
             if (fails(s.numeric, s.numeric.refactor(s.symbolic, s.dirty, ctx.pool, set)))
                 return Status::wrong_pivot;
             s.numeric.solve(s.symbolic, v.solution, ctx.pool);
