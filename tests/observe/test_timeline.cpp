@@ -10,6 +10,7 @@
 #include <algorithm>
 
 namespace hawser::test {
+namespace {
 
 using namespace observe;
 
@@ -136,4 +137,5 @@ TEST(Timeline, TheFileForViewersIsJsonOfTheSpans) {
     EXPECT_TRUE(nlohmann::json::accept(to_trace_events(TraceView{}, "empty")));
 }
 
+}  // namespace
 }  // namespace hawser::test
