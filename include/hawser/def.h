@@ -45,6 +45,9 @@ struct BodyDef {
     Vec3 angular_damping{0.0, 0.0, 0.0};  ///< Drag about the body's axes [N m s], ≥ 0.
     bool gravity = true;                  ///< False: weightless (floating at rest, drums).
     Vec3 half_size{0.0, 0.0, 0.0};        ///< Box for pictures only [m]; zero: a point.
+    /// Part that it belongs to; "": the one without a name. Where WorldDef::coupling is not exact,
+    /// interactions between bodies of different groups are cut.
+    std::string group{};
 };
 
 /// Which form of the time step's equations to factor: eq. (1) of C. Lacoursière, F. Nordfeldth,
@@ -67,6 +70,21 @@ enum class Nonsmooth : std::uint8_t {
     convex,    ///< Associated cone: what slides also lifts.
 };
 
+/// How an interaction between two parts couples them: docs/methods.md, 12. All but `exact` are the
+/// splits of the paper, there to be compared with it.
+enum class Coupling : std::uint8_t {
+    exact,      ///< Solved for with all else: one multiplier for all its bodies.
+    kinematic,  ///< Each side solves for it as if the other side moved at a velocity given.
+    compliant,  ///< Likewise, with a compliance as large as stability needs.
+};
+
+/// The velocity of the other side that a cut assumes.
+enum class Predictor : std::uint8_t {
+    hold,    ///< That of the last step.
+    forces,  ///< From the last step's velocity and forces: v + h M⁻¹ f.
+    clique,  ///< Of a solve of the bodies at cuts and their neighbours first, all others held.
+};
+
 /// Settings of a world; fixed once it has been created. The world refuses values out of range.
 struct WorldDef {
     double step = 1.0 / 60.0;       ///< Time step h [s], 1e-7 to 1.
@@ -84,8 +102,12 @@ struct WorldDef {
     int contact_iterations = 60;
     Nonsmooth nonsmooth = Nonsmooth::newton;
     int nonsmooth_sweeps = 50;  ///< Sweeps a step of `split` and `pgs`, 1 to 100,000.
-    int refinements = 1;        ///< Refinement steps on the saddle residual, 0-4.
-    int threads = 1;            ///< Worker threads, 1-256; results do not depend on it.
+    /// Of interactions between groups (BodyDef::group); World::set_coupling() chooses for one.
+    /// Other than exact, sleep_after must be 0.
+    Coupling coupling = Coupling::exact;
+    Predictor predictor = Predictor::hold;  ///< For coupling other than exact.
+    int refinements = 1;                    ///< Refinement steps on the saddle residual, 0-4.
+    int threads = 1;                        ///< Worker threads, 1-256; results do not depend on it.
     /// Limits of a step's solve for contacts, 0: none. Where the next iteration would exceed one,
     /// the best iterate is projected (StepStats::cut). At least one iteration is made. For method
     /// newton only.

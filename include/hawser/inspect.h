@@ -3,6 +3,7 @@
 /// @file inspect.h
 /// Read-only picture of the system that the last analysis produced, for plots and reports.
 
+#include <hawser/def.h>
 #include <hawser/id.h>
 
 #include <cstdint>
@@ -32,6 +33,17 @@ struct SystemView {
     std::int64_t factor_nnz = 0;            ///< Scalars of L.
     std::int64_t flops = 0;                 ///< Of one factorisation.
     std::int64_t critical_flops = 0;        ///< On the longest path from a leaf to a root.
+};
+
+/// An interaction between groups that is not coupled exactly, as the last step left it.
+struct CutView {
+    InteractionId interaction{};
+    Coupling coupling = Coupling::kinematic;
+    /// Whether it is in force. A cut is not made where its bodies hold to each other in another
+    /// way, through a contact or an interaction that cannot be cut.
+    bool open = false;
+    double momentum_defect = 0.0;  ///< ‖Σ of the impulses on its bodies‖ [N s].
+    double residual = 0.0;         ///< max |G v₊ + Σλ − c|, λ the mean of the sides [m/s or rad/s].
 };
 
 }  // namespace hawser

@@ -110,7 +110,14 @@ struct StepStats {
     /// Of those, stages done again without bouncing, since it would have gained energy or failed.
     std::int64_t impact_retries = 0;
     std::int32_t newton_iterations = 0;  ///< Of the solve for contacts.
-    bool cut = false;          ///< The budget ended the solve for contacts after newton_iterations.
+    bool cut = false;       ///< The budget ended the solve for contacts after newton_iterations.
+    std::int32_t cuts = 0;  ///< Interactions cut in this step (docs/methods.md, 12).
+    /// max |G v₊ + Σλ − c| over rows of cuts, v₊ of all their bodies and λ the mean of the sides
+    /// [m/s or rad/s].
+    double cut_residual = 0.0;
+    /// Linear momentum out of nothing: Σ over cuts ‖Σ of the impulses on their bodies‖, which
+    /// differ by side, and that of the residuals of all bodies; over h g Σ m.
+    double momentum_defect = 0.0;
     std::int64_t growths = 0;  ///< Times that capacity grew since the start (0 in a warm step).
     /// Analyses since the start that made a new order of elimination, and those that repaired the
     /// one there was (bodies touch for the first time, some are added, fall asleep or wake).

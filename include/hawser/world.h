@@ -29,6 +29,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -38,6 +39,7 @@ struct SystemView;        // inspect.h
 struct PartitionView;     // partition.h
 struct PartitionRequest;  // partition.h
 struct TraceView;         // trace.h
+struct CutView;           // inspect.h
 
 class World {
   public:
@@ -124,6 +126,24 @@ class World {
     [[nodiscard]] std::array<double, kMaxInteractionRows> violation(InteractionId id) const;
     /// False once a stretch element has parted.
     [[nodiscard]] bool intact(InteractionId id) const;
+
+    // --- Cuts (docs/methods.md, 12) ---------------------------------------------------------
+    /// Group of a body from the next step on (BodyDef::group).
+    void set_group(BodyId id, const std::string& group);
+    /// Groups of all bodies from partition() for cuts of the present state: "part 0", "part 1", …
+    /// @param parts  1 to 4096; 1 takes all groups away.
+    void set_groups(int parts);
+    /// How an interaction couples bodies of different groups, from the next step on; at first
+    /// WorldDef::coupling. Joints and lines can be cut, not what drives, rubs or limits.
+    void set_coupling(InteractionId id, Coupling coupling);
+    [[nodiscard]] Coupling coupling(InteractionId id) const;
+    /// Interactions that are cut, ascending. Analyses if need be.
+    [[nodiscard]] std::vector<CutView> cuts() const;
+    /// A world of the same definitions in the same state that couples as `coupling` says: for
+    /// measuring one step against another. @throws DefError as the set-up functions do.
+    [[nodiscard]] World twin(Coupling coupling) const;
+    /// Take the state of such a world. @throws DefError where definitions differ.
+    void copy_state(const World& other);
 
     // --- Shapes and contacts ----------------------------------------------------------------
     /// Materials, the default one included, which is the first.

@@ -35,6 +35,7 @@ void System::collect_ops(const model::Bodies& bodies, const model::Interactions&
     for (std::int32_t b : bodies.moving)
         if (dof_[at(b)] > 0) add(node_of_body[at(b)], node_of_body[at(b)], b, Op::body_block, 0, 0);
     for (std::int32_t i = 0; i < in.count(); ++i) {
+        if (rests(i)) continue;
         const std::int32_t own = node_of_interaction[at(i)];
         if (own >= 0) add(own, own, i, Op::kept_sigma, 0, 0);
         for (int a = 0; a < in.bodies[at(i)]; ++a) {

@@ -90,7 +90,7 @@ std::int32_t System::build_pattern(const model::Bodies& bodies, const model::Int
         to.push_back(b);
     };
     for (int i = 0; i < in.count(); ++i)
-        for (int a = 0; a < in.bodies[at(i)]; ++a) {
+        for (int a = 0; a < in.bodies[at(i)] && !rests(i); ++a) {
             const std::int32_t na = node_of_body[at(in.body[at(kSlots * i + a)])];
             if (kept_[at(i)]) link(node_of_interaction[at(i)], na);
             for (int b = a + 1; b < in.bodies[at(i)]; ++b)

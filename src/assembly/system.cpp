@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assembly/system.h"
 
+#include "assembly/mobility.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -12,28 +14,6 @@ namespace {
 constexpr int kSlots = kMaxInteractionBodies;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-/// Diagonal of G M⁻¹ Gᵀ for one row, from its packed Jacobian.
-double mobility(const model::Bodies& bodies, const model::Interactions& in, int id, int row) {
-    int width = 0;
-    for (int b = 0; b < in.bodies[at(id)]; ++b) width += bodies.dof(in.body[at(kSlots * id + b)]);
-    const double* jac = &in.jacobian[at(in.jac_begin[at(id)] + row * width)];
-    double sum = 0.0;
-    for (int b = 0; b < in.bodies[at(id)]; ++b) {
-        const std::int32_t body = in.body[at(kSlots * id + b)];
-        const int dof = bodies.dof(body);
-        for (int j = 0; j < dof && j < 3; ++j) sum += jac[j] * jac[j] / bodies.mass[at(body)];
-        if (dof == 6) {
-            using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-            const Eigen::Map<const RowMajor> r(&bodies.r[at(9 * body)]);
-            const Eigen::Map<const RowMajor> inertia(&bodies.inertia[at(9 * body)]);
-            const Vec3 local = r.transpose() * Vec3(jac[3], jac[4], jac[5]);
-            sum += local.dot(inertia.inverse() * local);
-        }
-        jac += dof;
-    }
-    return sum;
-}
 
 /// max |r|/I over the two bodies of a joint, I the mean moment of inertia across the arm r, see
 /// geo.h. 0 unless both turn.
@@ -63,6 +43,27 @@ bool is_bounded(const model::Interactions& in, int id) {
 
 }  // namespace
 
+double mobility(const model::Bodies& bodies, const model::Interactions& in, int id, int row) {
+    int width = 0;
+    for (int b = 0; b < in.bodies[at(id)]; ++b) width += bodies.dof(in.body[at(kSlots * id + b)]);
+    const double* jac = &in.jacobian[at(in.jac_begin[at(id)] + row * width)];
+    double sum = 0.0;
+    for (int b = 0; b < in.bodies[at(id)]; ++b) {
+        const std::int32_t body = in.body[at(kSlots * id + b)];
+        const int dof = bodies.dof(body);
+        for (int j = 0; j < dof && j < 3; ++j) sum += jac[j] * jac[j] / bodies.mass[at(body)];
+        if (dof == 6) {
+            using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+            const Eigen::Map<const RowMajor> r(&bodies.r[at(9 * body)]);
+            const Eigen::Map<const RowMajor> inertia(&bodies.inertia[at(9 * body)]);
+            const Vec3 local = r.transpose() * Vec3(jac[3], jac[4], jac[5]);
+            sum += local.dot(inertia.inverse() * local);
+        }
+        jac += dof;
+    }
+    return sum;
+}
+
 void System::analyse(const model::Bodies& bodies, model::Interactions& interactions,
                      const WorldDef& def, int threads, const factor::AnalysisState* state) {
     find_resting(bodies, interactions);
@@ -79,6 +80,7 @@ void System::analyse(const model::Bodies& bodies, model::Interactions& interacti
             const model::Pool& pool = interactions.pool[static_cast<std::size_t>(r.kind)];
             kernels().evaluate(v, r.kind, pool.ids.data(), pool.data.data(), r.begin, r.end);
         }
+    soften_sides(bodies, interactions, def.step);
     choose_forms(bodies, interactions, def);
     find_order(bodies, interactions, state);
     place(bodies, interactions, threads);
@@ -92,6 +94,7 @@ void System::find_resting(const model::Bodies& bodies, const model::Interactions
     for (int i = 0; i < in.count(); ++i)
         for (int b = 0; b < in.bodies[at(i)]; ++b)
             rests_[at(i)] |= bodies.asleep[at(in.body[at(kSlots * i + b)])];
+    for (const std::int32_t id : left_out) rests_[at(id)] = 1;
 }
 
 void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) {
@@ -147,10 +150,11 @@ void System::build_incidence(const model::Bodies& bodies, const model::Interacti
             const bool geo = in.geo[at(i)] >= 0 && b < 2;
             const GeoPlace& place = geo_place_[at(i)];
             Incidence& incidence = incident_[at(cursor[at(body[b])]++)];
-            incidence = {column, in.row_begin[at(i)], -1,
-                         -1,     in.rows[at(i)],      static_cast<std::uint8_t>(width)};
-            if (geo) incidence.geo_force = place.force + b * place.dof;
-            if (geo && place.dof == 6) incidence.geo_arm = place.record + 10 + 6 * b;
+            const std::uint8_t rows = rests(i) ? std::uint8_t{0} : in.rows[at(i)];
+            incidence = {
+                column, in.row_begin[at(i)], -1, -1, rows, static_cast<std::uint8_t>(width)};
+            if (geo && !rests(i)) incidence.geo_force = place.force + b * place.dof;
+            if (geo && !rests(i) && place.dof == 6) incidence.geo_arm = place.record + 10 + 6 * b;
             column += dof_[at(body[b])];
         }
     }
@@ -159,7 +163,8 @@ void System::build_incidence(const model::Bodies& bodies, const model::Interacti
 void System::find_islands(const model::Interactions& in) {
     std::vector<std::int32_t> member_begin{0}, members;
     for (int i = 0; i < in.count(); ++i) {
-        for (int b = 0; b < in.bodies[at(i)]; ++b) members.push_back(in.body[at(kSlots * i + b)]);
+        for (int b = 0; b < in.bodies[at(i)] && !rests(i); ++b)
+            members.push_back(in.body[at(kSlots * i + b)]);
         member_begin.push_back(static_cast<std::int32_t>(members.size()));
     }
     for (const Contacts::Link& l : contacts.links) {
@@ -187,6 +192,7 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
                 velocity ? in.epsilon[row] / h : 4.0 * in.epsilon[row] * in.upsilon[row] / (h * h);
             // A rigid row may repeat others (closed loops): a floor keeps the pivots' signs.
             if (in.epsilon[row] == 0.0) sigma = 1e-9 * w;
+            sigma = std::max(sigma, in.least_sigma[row]);
             if (sigma < 1e-300) sigma = 1e-300;
             in.sigma[row] = sigma;
             if (in.epsilon[row] == 0.0) keep = true;
@@ -222,6 +228,7 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.r = bodies.r.data();
     v.v = bodies.v.data();
     v.v_fixed = bodies.v_fixed.data();
+    v.v_before = bodies.v_before.empty() ? bodies.v_fixed.data() : bodies.v_before.data();
     v.spin_free = bodies.spin_free.data();
     v.spin_change = bodies.spin_change.data();
     v.mass = bodies.mass.data();

@@ -41,6 +41,12 @@ inline constexpr double kSafeRatio = 1e10;
 /// Part of the nodes that may come or go for a repair; beyond, a new order is made.
 inline constexpr double kRepairable = 0.125;
 
+/// Consecutive interactions, each the rows of the same one for one side of a cut.
+struct Sides {
+    std::int32_t first, count;
+    bool soften;  ///< Their Σ as large as stability needs, see soften_sides().
+};
+
 class System {
   public:
     System() = default;
@@ -73,8 +79,12 @@ class System {
     std::vector<std::int32_t> node_of_body, node_of_interaction;  ///< −1: no node.
     Strips strips;
     Contacts contacts;
-    base::Array<Op> ops;                   ///< By column of the matrix.
-    base::Array<LaneOp> lane_ops;          ///< By place in the panels.
+    base::Array<Op> ops;           ///< By column of the matrix.
+    base::Array<LaneOp> lane_ops;  ///< By place in the panels.
+    /// Interactions that no step looks at, and those that stand for them, each for the bodies of
+    /// one side (stepper/cuts.h). To be set before analyse().
+    std::vector<std::int32_t> left_out;
+    std::vector<Sides> sides;
     std::vector<std::int32_t> bounded;     ///< Interactions with a bounded force, ascending.
     std::vector<double> bounded_mobility;  ///< Of their first row: G M⁻¹ Gᵀ at the last analysis.
     std::vector<std::int32_t> breakable;
@@ -105,6 +115,9 @@ class System {
   private:
     void find_resting(const model::Bodies& bodies, const model::Interactions& interactions);
     void build_incidence(const model::Bodies& bodies, const model::Interactions& interactions);
+    /// Sets least_sigma of the rows of sides.
+    void soften_sides(const model::Bodies& bodies, model::Interactions& interactions,
+                      double h) const;
     void choose_forms(const model::Bodies& bodies, model::Interactions& interactions,
                       const WorldDef& def);
     /// Nodes and edges, and what each node was. @return of these how many came or went.

@@ -86,8 +86,9 @@ struct View {
     double* r;
     double* v;
     const double* v_fixed;
-    double* spin_free;    ///< 3 a body: ω₊ without torque, world frame.
-    double* spin_change;  ///< 3 a body: ω₊ − spin_free of the last step, body frame.
+    const double* v_before;  ///< What v_fixed was at the last half step.
+    double* spin_free;       ///< 3 a body: ω₊ without torque, world frame.
+    double* spin_change;     ///< 3 a body: ω₊ − spin_free of the last step, body frame.
     const double* mass;
     const double* inertia;
     const double* inv_inertia;

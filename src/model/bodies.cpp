@@ -52,6 +52,21 @@ int Bodies::add(const BodyDef& def) {
     return id;
 }
 
+void Bodies::truncate(int kept) {
+    const auto n = static_cast<std::size_t>(kept);
+    kind.resize(n);
+    dof_begin.resize(n);
+    for (base::Array<double>* a : {&x, &spin_free, &spin_change}) a->resize(3 * n);
+    for (base::Array<double>* a : {&v_fixed, &force, &damping}) a->resize(6 * n);
+    for (base::Array<double>* a : {&r, &inertia, &inv_inertia}) a->resize(9 * n);
+    q.resize(4 * n);
+    mass.resize(n);
+    weight.resize(n);
+    asleep.resize(n);
+    quiet.resize(n);
+    v_before.clear();
+}
+
 void Bodies::drift(int body, const double* velocity, const double* omega, double t) noexcept {
     const auto b = static_cast<std::size_t>(body);
     for (std::size_t i = 0; i < 3; ++i) x[3 * b + i] += t * velocity[i];

@@ -36,11 +36,14 @@ struct Bodies {
     std::vector<std::int32_t> rigid;      ///< Rigid bodies, ascending.
     std::vector<std::int32_t> driven;     ///< Kinematic bodies, ascending.
 
-    base::Array<double> x;            ///< 3 a body: position [m].
-    base::Array<double> q;            ///< 4 a body: quaternion w, x, y, z.
-    base::Array<double> r;            ///< 9 a body: rotation matrix of q, row-major.
-    base::Array<double> v;            ///< Packed velocities at t − h/2.
-    base::Array<double> v_fixed;      ///< 6 a body: prescribed velocity of kinematic bodies.
+    base::Array<double> x;        ///< 3 a body: position [m].
+    base::Array<double> q;        ///< 4 a body: quaternion w, x, y, z.
+    base::Array<double> r;        ///< 9 a body: rotation matrix of q, row-major.
+    base::Array<double> v;        ///< Packed velocities at t − h/2.
+    base::Array<double> v_fixed;  ///< 6 a body: prescribed velocity of kinematic bodies.
+    /// Likewise at the last half step, where that is another one (images, stepper/cuts.h); else
+    /// empty.
+    base::Array<double> v_before;
     base::Array<double> spin_free;    ///< 3 a body: ω after the step being taken without torque.
     base::Array<double> spin_change;  ///< 3 a body: what torques changed ω by in the last step,
                                       ///< body frame [rad/s]. Part of the state.
@@ -64,6 +67,8 @@ struct Bodies {
     }
     /// Append one body; the definition has been checked. @return its index.
     int add(const BodyDef& def);
+    /// Take away those from `kept` on, which are fixed.
+    void truncate(int kept);
     /// Move by time t at constant velocity [m/s]; with ω [rad/s, world frame] also turn, by the
     /// Cayley map of t ω. Scalars: not for them.
     void drift(int body, const double* velocity, const double* omega, double t) noexcept;

@@ -131,7 +131,8 @@ int Interactions::add(const InteractionDef& filled, const Bodies& bodies_in, dou
                                          : 4.0 * spec[r].compliance * ups / (h * h));
         row_flags.push_back(static_cast<std::uint8_t>((spec[r].velocity ? kRowVelocity : 0) |
                                                       (spec[r].gap ? kRowGap : 0)));
-        for (base::Array<double>* a : {&inv_sigma, &g, &c, &residual, &lambda, &multiplier, &force})
+        for (base::Array<double>* a :
+             {&inv_sigma, &least_sigma, &g, &c, &residual, &lambda, &multiplier, &force})
             a->push_back(0.0);
     }
     if (is_stretch(d.kind)) follow_length(id, bodies_in, h);
@@ -180,6 +181,52 @@ void Interactions::set_anchor(int id, double coordinate) noexcept {
     write_data(id);
 }
 
+void Interactions::truncate(int kept) {
+    const auto n = at(kept);
+    if (kept >= count()) return;
+    row_count = row_begin[n];
+    jac_size = jac_begin[n];
+    for (Pool& p : pool) {
+        while (!p.ids.empty() && p.ids.back() >= kept) p.ids.pop_back();
+        p.data.resize(p.ids.size() * p.stride);
+    }
+    geo_count -= static_cast<std::int32_t>(
+        std::count_if(geo.begin() + kept, geo.end(), [](std::int32_t i) { return i >= 0; }));
+    def.resize(n);
+    pool_index.resize(n);
+    body.resize(kMaxInteractionBodies * n);
+    for (base::Array<std::uint8_t>* a : {&bodies, &rows, &flags, &parted}) a->resize(n);
+    row_begin.resize(n);
+    jac_begin.resize(n);
+    geo.resize(n);
+    for (base::Array<double>* a : {&active, &held, &low, &high, &anchor, &inv_length}) a->resize(n);
+    load_begin.resize(n);
+    const auto m = at(row_count);
+    for (base::Array<double>* a : {&epsilon, &tau, &upsilon, &sigma, &least_sigma, &inv_sigma, &g,
+                                   &c, &residual, &lambda, &multiplier, &force})
+        a->resize(m);
+    row_flags.resize(m);
+}
+
+void Interactions::mirror(int copy, int original, const Bodies& bodies_in, double h) noexcept {
+    InteractionDef& d = def[at(copy)];
+    const InteractionDef& from = def[at(original)];
+    parted[at(copy)] = parted[at(original)];
+    if (d.params == from.params &&
+        epsilon[at(row_begin[at(copy)])] == epsilon[at(row_begin[at(original)])])
+        return;
+    d.params = from.params;
+    refresh(copy, bodies_in, h);
+    inv_length[at(copy)] = inv_length[at(original)];
+    for (int r = 0; r < rows[at(copy)]; ++r) {
+        const auto row = at(row_begin[at(copy)] + r), of = at(row_begin[at(original)] + r);
+        epsilon[row] = epsilon[of];
+        if (row_flags[row] & kRowVelocity) continue;
+        sigma[row] = std::max(4.0 * epsilon[row] * upsilon[row] / (h * h), least_sigma[row]);
+        if (inv_sigma[row] != 0.0) inv_sigma[row] = 1.0 / sigma[row];
+    }
+}
+
 void Interactions::mark_driven(int id) {
     flags[at(id)] |= kByInput;
     const auto place = std::lower_bound(working.begin(), working.end(), id);
@@ -206,12 +253,12 @@ void Interactions::follow_length(int id, const Bodies& bodies_in, double h) noex
     if (!(flags[at(id)] & kFromLength)) return;
     const auto row = at(row_begin[at(id)]);
     epsilon[row] = length / d.params[1];
-    sigma[row] = 4.0 * epsilon[row] * upsilon[row] / (h * h);
+    sigma[row] = std::max(4.0 * epsilon[row] * upsilon[row] / (h * h), least_sigma[row]);
     if (inv_sigma[row] != 0.0) inv_sigma[row] = 1.0 / sigma[row];
 }
 
-RowState Interactions::row_state(int id, const Bodies& b) const noexcept {
-    RowState out{};
+template <class F>
+void Interactions::evaluated(int id, const Bodies& b, F&& f) const noexcept {
     const Pool& p = pool[static_cast<std::size_t>(def[at(id)].kind)];
     const std::byte* bytes = p.data.data() + at(pool_index[at(id)]) * p.stride;
     generic::with_kind(def[at(id)].kind, [&]<class K>() {
@@ -223,13 +270,30 @@ RowState Interactions::row_state(int id, const Bodies& b) const noexcept {
             const double* x = &b.x[3 * at(i)];
             refs[k] = {{x[0], x[1], x[2]}, &b.r[9 * at(i)], b.dof(i) == 6 || b.dof(i) == 0};
         }
-        generic::Rows<K::kBodies, K::kRows> evaluated;
-        K::evaluate(data, refs, evaluated);
+        generic::Rows<K::kBodies, K::kRows> rows_now;
+        K::evaluate(data, refs, rows_now);
+        f.template operator()<K>(rows_now);
+    });
+}
+
+void Interactions::add_impulse(int id, int slot, const Bodies& b, const double* impulse,
+                               double* out) const noexcept {
+    evaluated(id, b, [&]<class K>(const auto& now) {
+        if (slot >= K::kBodies) return;
+        for (int r = 0; r < K::kRows; ++r)
+            for (int j = 0; j < 6; ++j) out[j] += now.J[slot][r][j] * impulse[r];
+    });
+}
+
+RowState Interactions::row_state(int id, const Bodies& b, const double* v_in) const noexcept {
+    RowState out{};
+    const double* moving_v = v_in ? v_in : b.v.data();
+    evaluated(id, b, [&]<class K>(const auto& evaluated) {
         for (int r = 0; r < K::kRows; ++r) out.g[r] = evaluated.g[r];
         for (int k = 0; k < K::kBodies; ++k) {
             const std::int32_t i = body[at(kMaxInteractionBodies * id + k)];
             const int dof = b.dof(i);
-            const double* v = dof > 0 ? &b.v[at(b.dof_begin[at(i)])] : &b.v_fixed[6 * at(i)];
+            const double* v = dof > 0 ? moving_v + b.dof_begin[at(i)] : &b.v_fixed[6 * at(i)];
             for (int r = 0; r < K::kRows; ++r)
                 for (int j = 0; j < (dof > 0 ? dof : 6); ++j)
                     (dof > 0 ? out.rate : out.carried)[r] += evaluated.J[k][r][j] * v[j];

@@ -94,7 +94,8 @@ struct Interactions {
     // By row.
     base::Array<double> epsilon, tau;    ///< ε, τ (γ, – for velocity rows).
     base::Array<double> upsilon;         ///< Υ = 1/(1 + 4τ/h); 0 for velocity rows.
-    base::Array<double> sigma;           ///< Σ = 4ε Υ/h² (γ/h for velocity rows).
+    base::Array<double> sigma;           ///< Σ = 4ε Υ/h² (γ/h for velocity rows), or …
+    base::Array<double> least_sigma;     ///< … this where that is more.
     base::Array<double> inv_sigma;       ///< 1/Σ where condensed, else 0.
     base::Array<double> g, c, residual;  ///< Violation, right-hand side, c − G v − Σλ.
     base::Array<double> lambda;          ///< Impulse [N s or N m s].
@@ -108,6 +109,10 @@ struct Interactions {
     [[nodiscard]] int count() const noexcept { return static_cast<int>(def.size()); }
     /// Append; `filled` is checked and complete. Row constants depend on h.
     int add(const InteractionDef& filled, const Bodies& bodies_in, double h);
+    /// Take away those from `kept` on, none of which drives, rubs or winds up a line.
+    void truncate(int kept);
+    /// A copy of an interaction follows its parameters.
+    void mirror(int copy, int original, const Bodies& bodies_in, double h) noexcept;
     /// An input is going to drive a parameter.
     void mark_driven(int id);
     /// Rebuild the pool entry, and a compliance of length/EA, after a parameter changed.
@@ -116,13 +121,21 @@ struct Interactions {
     void set_anchor(int id, double coordinate) noexcept;
     /// Compliance and length of a wire element at its present rest length, which a drum pays out.
     void follow_length(int id, const Bodies& bodies_in, double h) noexcept;
-    [[nodiscard]] RowState row_state(int id, const Bodies& bodies_in) const noexcept;
+    /// @param v  Packed velocities, null: the bodies' own.
+    [[nodiscard]] RowState row_state(int id, const Bodies& bodies_in,
+                                     const double* v = nullptr) const noexcept;
+    /// Gᵀλ on the body of one slot, force then torque, added to `out` (6 entries).
+    void add_impulse(int id, int slot, const Bodies& bodies_in, const double* impulse,
+                     double* out) const noexcept;
     /// Elastic energy at the half-step position [J].
     [[nodiscard]] double elastic(int id, const Bodies& bodies_in, double h) const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
     void write_data(int id) noexcept;
+    /// f<K>(rows) for the rows at the present poses.
+    template <class F>
+    void evaluated(int id, const Bodies& bodies_in, F&& f) const noexcept;
     void add_loads(const InteractionDef& d);
 };
 

@@ -125,6 +125,7 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
         speed = std::copy_n(a.u, 3, speed);
         if (phase == Phase::stagger) ask_for_acceleration(a);
     }
+    if (!ctx.cuts.list.empty()) keep_touch(ctx);
     if (phase == Phase::impact) return Status::ok;
     if (c.count() > 0) begin_contacts(ctx);
     update_contacts(ctx, nullptr);

@@ -18,6 +18,7 @@
 #include "runtime/tasks.h"
 #include "runtime/trace.h"
 #include "stepper/budget.h"
+#include "stepper/cuts.h"
 
 #include <algorithm>
 #include <chrono>
@@ -105,6 +106,7 @@ struct StepContext {
     runtime::PoolStopwatch pool_stopwatch{pool};
     runtime::Stopwatch* stopwatch = &pool_stopwatch;  ///< Of the solver; tests put their own.
     std::unique_ptr<runtime::Trace> trace;            ///< What threads do; none: not written down.
+    Cuts cuts;
     Budget budget;
     int cut_after = 0;  ///< Newton iterations imposed on the next step; 0: none.
     EventRing events;

@@ -15,6 +15,9 @@ namespace hawser::stepper {
 /// motion less what elastic rows hold more than before. Before velocities are overwritten.
 [[nodiscard]] double row_losses(StepContext& ctx) noexcept;
 
+/// The same of a cut interaction with the mean of its sides' impulses (stepper/cuts.h) [J].
+[[nodiscard]] double cut_losses(StepContext& ctx, std::int32_t id) noexcept;
+
 /// What a line holds at the half-step position after the step [J]: lost when it parts.
 [[nodiscard]] double held_by_line(StepContext& ctx, std::int32_t id) noexcept;
 

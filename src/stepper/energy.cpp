@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "stepper/cuts.h"
 #include "stepper/stages.h"
 #include "stepper/step.h"
 
@@ -89,7 +90,7 @@ Energy energy(StepContext& ctx) noexcept {
     carriers_back(ctx);
     evaluate_rows(ctx);
     carriers_forth(ctx);
-    for (std::int32_t id = 0; id < v.interaction_count; ++id) {
+    for (std::int32_t id = 0; id < interaction_count(ctx); ++id) {
         // What a line holds follows from its length, not from whether the last step found it taut.
         const bool line = (v.flags[id] & model::kOneSided) != 0;
         if (v.flags[id] & model::kFriction) continue;  // counted as driven
@@ -99,8 +100,8 @@ Energy energy(StepContext& ctx) noexcept {
         const model::RowState s = rests ? ctx.interactions.row_state(id, b) : model::RowState{};
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
-            double speed = rests ? s.rate[r] : 0.0;
-            for (int k = 0; k < v.bodies[id]; ++k) {
+            double speed = rests ? s.rate[r] + s.carried[r] : 0.0;
+            for (int k = 0; k < v.bodies[id] && !rests; ++k) {
                 const std::int32_t body = v.body[kMaxInteractionBodies * id + k];
                 for (int j = 0; j < v.dof[body]; ++j) speed += *jac++ * v.v[v.dof_begin[body] + j];
             }

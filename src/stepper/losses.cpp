@@ -87,12 +87,14 @@ double losses_of(StepContext& ctx, const View& v, std::int32_t id) noexcept {
 
 double row_losses(StepContext& ctx) noexcept {
     const View v = view(ctx);
+    const std::int32_t whole = interaction_count(ctx);
     auto strip = [&](int i, int) noexcept {
         double taken = 0.0;
         each(ctx.system.strips.interactions(i), [&](std::int32_t begin, std::int32_t end) {
             for (std::int32_t id = begin; id < end; ++id) {
                 const bool line = (v.flags[id] & model::kOneSided) != 0;
                 if (v.flags[id] & model::kFriction) continue;  // counted as driven
+                if (id >= whole) continue;                     // with what it stands for
                 if (v.parted[id] || (!line && v.active[id] == 0.0)) continue;
                 taken += losses_of(ctx, v, id);
             }
@@ -103,11 +105,32 @@ double row_losses(StepContext& ctx) noexcept {
     return std::accumulate(ctx.losses.begin(), ctx.losses.end(), 0.0);
 }
 
+double cut_losses(StepContext& ctx, std::int32_t id) noexcept {
+    const View v = view(ctx);
+    if (v.parted[id]) return 0.0;
+    const model::RowState before = ctx.interactions.row_state(id, ctx.bodies);
+    const model::RowState after = ctx.interactions.row_state(id, ctx.bodies, v.v_new);
+    double taken = 0.0;
+    for (int r = 0; r < v.rows[id]; ++r) {
+        const std::int32_t row = v.row_begin[id] + r;
+        const double g = before.g[r], half = 0.5 * v.h;
+        const double rate = before.rate[r] + before.carried[r];
+        const double rate_after = after.rate[r] + after.carried[r];
+        taken += held(v, id, row, g, g - half * rate) - held(v, id, row, g, g + half * rate_after) -
+                 0.5 * v.lambda[row] * (rate + rate_after);
+    }
+    return taken;
+}
+
 double held_by_line(StepContext& ctx, std::int32_t id) noexcept {
     const View v = view(ctx);
+    const std::int32_t row = v.row_begin[id];
+    if (ctx.system.rests(id)) {  // cut: no step has evaluated it; bodies have moved
+        const model::RowState now = ctx.interactions.row_state(id, ctx.bodies);
+        return held(v, id, row, now.g[0], now.g[0] - 0.5 * v.h * (now.rate[0] + now.carried[0]));
+    }
     Rates rate;
     rates_by_jacobian(ctx, v, id, rate);
-    const std::int32_t row = v.row_begin[id];
     return held(v, id, row, v.g[row], v.g[row] + 0.5 * v.h * rate.after[0]);
 }
 

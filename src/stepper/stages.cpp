@@ -2,6 +2,7 @@
 #include "stepper/stages.h"
 
 #include "stepper/bounds.h"
+#include "stepper/clique.h"
 #include "stepper/contact.h"
 #include "stepper/drives.h"
 #include "stepper/sleep.h"
@@ -60,8 +61,11 @@ View view(StepContext& ctx) noexcept {
 }
 
 void analyse(StepContext& ctx, const factor::AnalysisState* state) {
+    place_images(ctx);
     ctx.analysed_x = ctx.bodies.x;
     ctx.analysed_r = ctx.bodies.r;
+    open_cuts(ctx);
+    analyse_clique(ctx);
     ctx.system.analyse(ctx.bodies, ctx.interactions, ctx.def, ctx.pool.threads(), state);
     ctx.norms.resize(at(ctx.system.strips.count() + ctx.system.strips.groups()));
     ctx.losses.resize(at(ctx.system.strips.count()));
@@ -71,11 +75,14 @@ void analyse(StepContext& ctx, const factor::AnalysisState* state) {
 }
 
 void relink(StepContext& ctx) {
+    // What touches is one part: other cuts may be in force now.
+    if (open_cuts(ctx)) return analyse(ctx);
     ctx.system.relink(ctx.bodies, ctx.interactions, ctx.pool.threads());
     count_analysis(ctx);
 }
 
 void prepare(StepContext& ctx) {
+    make_cuts(ctx);
     if (ctx.collider.count() > 0) {
         ctx.collider.prepare(ctx.bodies, ctx.interactions, ctx.def.step);
         ctx.collider.surfaces(ctx.def.step, ctx.contacts);
@@ -96,8 +103,8 @@ void prepare(StepContext& ctx) {
     ctx.contact_floor = 1e-6 * ctx.def.step * 9.81 * least;
     StepStats& s = ctx.stats;
     s.bodies = static_cast<std::int32_t>(ctx.bodies.moving.size());
-    s.interactions = ctx.interactions.count();
-    s.equations = ctx.bodies.dofs + ctx.interactions.row_count;
+    s.interactions = interaction_count(ctx);
+    s.equations = ctx.bodies.dofs + user_rows(ctx);
     ctx.topology_changed = false;
 }
 
@@ -111,6 +118,7 @@ void evaluate_rows(StepContext& ctx) noexcept {
 
 void assemble_rows(StepContext& ctx) noexcept {
     const StageTimer timer(ctx, Stage::assemble);
+    predict(ctx);
     const View v = view(ctx);
     const assembly::Kernels& k = assembly::kernels();
     hold_bounds(ctx, ctx.def.step);
@@ -130,6 +138,7 @@ void assemble_rows(StepContext& ctx) noexcept {
 
 void integrate(StepContext& ctx) noexcept {
     const View v = view(ctx);
+    finish_cuts(ctx);
     ctx.drive += drive_work(ctx);
     ctx.damped += row_losses(ctx);
     count_contact_work(ctx);
@@ -151,17 +160,18 @@ void integrate(StepContext& ctx) noexcept {
         const std::int32_t id = ctx.system.breakable[i];
         const double tension = -v.force_of_row[v.row_begin[id]];
         if (v.parted[id] || tension <= ctx.system.breaking_load[i]) continue;
-        ctx.damped += held_by_line(ctx, id);
-        ctx.interactions.parted[at(id)] = 1;
-        v.active[id] = 0.0;
-        push_event(ctx, EventKind::line_break, id, tension);
+        ctx.damped += held_by_line(ctx, original(ctx, id));
+        part_all(ctx, original(ctx, id));
+        push_event(ctx, EventKind::line_break, original(ctx, id), tension);
     }
     for (std::size_t i = 0; i < ctx.active_before.size(); ++i) {
-        const std::int32_t id = ctx.system.bounded[i];
+        std::int32_t id = ctx.system.bounded[i];
         const double now = v.active[id];
         if (now == ctx.active_before[i] || v.parted[id]) continue;
         if (v.flags[id] & (model::kMotor | model::kFriction)) continue;
         const std::int32_t row = v.row_begin[id];
+        id = speaker(ctx, id);  // of the sides of a cut one
+        if (id < 0) continue;
         if (v.flags[id] & model::kRange) {
             if (now != 0.0) push_event(ctx, EventKind::range, id, v.g[row]);
         } else {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "stepper/cuts.h"
 #include "stepper/stages.h"
 #include "stepper/step.h"
 
@@ -40,6 +41,7 @@ void violations_at(StepContext& ctx, double t, std::vector<double>& g) {
         const double* v = &b.v_fixed[6 * at(body)];
         b.drift(body, v, v + 3, t);
     }
+    place_images(ctx);
     evaluate_rows(ctx);
     g.assign(ctx.interactions.g.begin(), ctx.interactions.g.end());
     b.x = x;

@@ -76,6 +76,12 @@ void check(const WorldDef& def) {
         refuse(where, "sleep_after must be 0 to 1e6 s");
     if (!(def.sleep_speed >= 0.0 && def.sleep_speed <= 1.0))
         refuse(where, "sleep_speed must be 0 to 1 m/s");
+    if (def.coupling > Coupling::compliant) refuse(where, "unknown coupling");
+    if (def.predictor > Predictor::clique) refuse(where, "unknown predictor");
+    if (def.coupling != Coupling::exact && def.sleep_after > 0.0)
+        refuse(where,
+               "a coupling other than exact needs sleep_after 0: what is cut cannot tell "
+               "when to wake");
     if (def.nonsmooth > Nonsmooth::convex) refuse(where, "unknown nonsmooth method");
     if (def.nonsmooth_sweeps < 1 || def.nonsmooth_sweeps > 100'000)
         refuse(where, "nonsmooth_sweeps must be 1 to 100000");

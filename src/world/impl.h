@@ -19,6 +19,7 @@ struct World::Impl {
 
     stepper::StepContext ctx;
     std::vector<BodyDef> body_defs;
+    std::unordered_map<std::string, std::int32_t> groups;  ///< BodyDef::group, in order of use.
     std::vector<ShapeDef> shape_defs;
     std::vector<InputDef> inputs;
     std::vector<double> input_values;

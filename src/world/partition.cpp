@@ -14,6 +14,9 @@
 #include <cmath>
 
 namespace hawser {
+
+using world::at;
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -99,6 +102,11 @@ PartitionView World::partition(const PartitionRequest& request) const {
     }
     list_cuts(g, c.interactions, p, view);
     view.part_of_body = std::move(p.part);
+    // Images and copies of a split stand behind the bodies and interactions of the user.
+    view.part_of_body.resize(at(body_count()));
+    std::erase_if(view.cuts, [&](const CutInteraction& cut) {
+        return cut.interaction.index >= interaction_count();
+    });
     return view;
 }
 

@@ -16,7 +16,7 @@ namespace hawser {
 namespace {
 
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '0'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '1'};
     std::uint64_t layout = 0;       ///< See layout_of().
     std::uint64_t parameters = 0;   ///< See parameters_of().
     std::uint64_t contacts = 0;     ///< Remembered from the last step.
@@ -120,11 +120,17 @@ void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f)
 /// Everything that must agree for the bytes to mean the same thing.
 std::uint64_t layout_of(const stepper::StepContext& ctx, std::size_t inputs) {
     std::uint64_t h = base::kFnvStart;
-    auto add = [&](const auto& a) { h = base::fnv1a(a.data(), a.size() * sizeof(a[0]), h); };
-    add(ctx.bodies.kind);
-    add(ctx.interactions.body);
-    add(ctx.interactions.rows);
-    for (const InteractionDef& d : ctx.interactions.def) h = base::fnv1a(&d.kind, 1, h);
+    // Of what the user added: images and copies of cuts follow from it.
+    auto add = [&](const auto& a, std::size_t n) {
+        h = base::fnv1a(a.data(), n * sizeof(a[0]), h);
+    };
+    const auto bodies = static_cast<std::size_t>(stepper::body_count(ctx)),
+               count = static_cast<std::size_t>(stepper::interaction_count(ctx));
+    add(ctx.bodies.kind, bodies);
+    add(ctx.cuts.group, bodies);
+    add(ctx.interactions.body, kMaxInteractionBodies * count);
+    add(ctx.interactions.rows, count);
+    for (std::size_t i = 0; i < count; ++i) h = base::fnv1a(&ctx.interactions.def[i].kind, 1, h);
     for (const collide::Shape& s : ctx.collider.shapes()) {
         h = base::fnv1a(&s.geometry.kind, sizeof s.geometry.kind, h);
         h = base::fnv1a(s.body, sizeof s.body, h);
@@ -179,10 +185,14 @@ std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<I
     auto add = [&](const void* data, std::size_t bytes) { h = base::fnv1a(data, bytes, h); };
     auto array = [&](const auto& a) { add(a.data(), a.size() * sizeof(a[0])); };
     auto value = [&](const auto& v) { add(&v, sizeof v); };
-    array(ctx.bodies.mass);
-    array(ctx.bodies.inertia);
-    array(ctx.bodies.damping);
-    array(ctx.bodies.weight);
+    const auto bodies = static_cast<std::size_t>(stepper::body_count(ctx));
+    add(ctx.bodies.mass.data(), bodies * sizeof(double));
+    add(ctx.bodies.inertia.data(), 9 * bodies * sizeof(double));
+    add(ctx.bodies.damping.data(), 6 * bodies * sizeof(double));
+    add(ctx.bodies.weight.data(), bodies);
+    value(ctx.def.predictor);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(stepper::interaction_count(ctx)); ++i)
+        value(i < ctx.cuts.coupling.size() ? ctx.cuts.coupling[i] : ctx.def.coupling);
     add(ctx.def.gravity.data(), sizeof(Vec3));
     value(ctx.def.geometric_stiffness);
     value(ctx.def.rotation_damping);
@@ -200,7 +210,7 @@ std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<I
         value(input.min);
         value(input.max);
     }
-    for (std::size_t i = 0; i < ctx.interactions.def.size(); ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(stepper::interaction_count(ctx)); ++i) {
         InteractionDef d = ctx.interactions.def[i];
         for (std::size_t b = 0; b < kMaxInteractionBodies; ++b) {
             add(d.point[b].data(), sizeof(Vec3));
@@ -283,7 +293,7 @@ void World::restore(std::span<const std::byte> bytes) {
     if (header.parameters != parameters_of(m.ctx, m.inputs, m.shape_defs))
         throw DefError(
             "snapshot: it belongs to a world with other parameters (masses, inertias, points, "
-            "lengths, stiffnesses, damping, gravity, ranges of inputs, method, sleep)");
+            "lengths, stiffnesses, damping, gravity, ranges of inputs, method, coupling, sleep)");
     if (m.ctx.topology_changed) stepper::prepare(m.ctx);
     factor::AnalysisState order;
     visit_state(m.ctx, m.input_values, order, [&](const void*, std::size_t n) { size += n; });

@@ -28,16 +28,20 @@ World& World::operator=(World&&) noexcept = default;
 BodyId World::add_body(const BodyDef& def) {
     world::check(def);
     Impl& m = *impl_;
+    stepper::drop_cuts(m.ctx);
     if (m.ctx.bodies.count() >= m.ctx.def.max_bodies)
         throw DefError("too many bodies; raise WorldDef::max_bodies");
     claim(m.body_names, def.name, m.ctx.bodies.count(), "body");
     m.body_defs.push_back(def);
+    const auto group = m.groups.emplace(def.group, static_cast<std::int32_t>(m.groups.size()));
+    m.ctx.cuts.group.push_back(group.first->second);
     m.ctx.topology_changed = true;
     return BodyId{m.ctx.bodies.add(def)};
 }
 
 InteractionId World::add_interaction(const InteractionDef& def) {
     Impl& m = *impl_;
+    stepper::drop_cuts(m.ctx);
     world::check(def, m.ctx.bodies, m.ctx.interactions.def);
     if (m.ctx.interactions.count() >= m.ctx.def.max_interactions)
         throw DefError("too many interactions; raise WorldDef::max_interactions");
@@ -191,7 +195,7 @@ void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
     }
 }
 
-int World::body_count() const noexcept { return impl_->ctx.bodies.count(); }
+int World::body_count() const noexcept { return stepper::body_count(impl_->ctx); }
 const BodyDef& World::body_def(BodyId id) const {
     return impl_->body_defs[index_of(id.index, body_count(), "body")];
 }
@@ -267,7 +271,7 @@ Vec3 World::world_point(BodyId id, const Vec3& local) const {
     return p.position + p.orientation * local;
 }
 
-int World::interaction_count() const noexcept { return impl_->ctx.interactions.count(); }
+int World::interaction_count() const noexcept { return stepper::interaction_count(impl_->ctx); }
 const InteractionDef& World::interaction_def(InteractionId id) const {
     return impl_->ctx.interactions.def[index_of(id.index, interaction_count(), "interaction")];
 }

@@ -17,7 +17,8 @@ constexpr int kSlots = kMaxInteractionBodies;
 /// Velocity of a slot from a packed array; bodies without freedom use v_fixed.
 void slot_velocity(const View& view, const double* v, std::int32_t body, V3& lin, V3& ang) {
     const int dof = view.dof[body];
-    const double* p = dof == 0 ? view.v_fixed + 6 * body : v + view.dof_begin[body];
+    const double* given = v == view.v ? view.v_before : view.v_fixed;
+    const double* p = dof == 0 ? given + 6 * body : v + view.dof_begin[body];
     lin = dof == 1 ? V3{0, 0, 0} : load3(p);
     ang = dof == 6 || dof == 0 ? load3(p + 3) : V3{0, 0, 0};
 }
@@ -125,7 +126,7 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         K::evaluate(data[k], refs, rows);
 
         // Speeds of the rows, and the packed Jacobian.
-        double speed[R] = {}, prescribed[R] = {};
+        double speed[R] = {}, prescribed[R] = {}, before[R] = {};
         int width = 0;
         for (int b = 0; b < B; ++b) width += view.dof[body[b]];
         double* out = view.jacobian + view.jac_begin[id];
@@ -135,8 +136,12 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
             const int dof = view.dof[i];
             if (dof == 0) {
                 const double* u = view.v_fixed + 6 * i;
+                const double* u_before = view.v_before + 6 * i;
                 for (int r = 0; r < R; ++r)
-                    for (int j = 0; j < 6; ++j) prescribed[r] += rows.J[b][r][j] * u[j];
+                    for (int j = 0; j < 6; ++j) {
+                        prescribed[r] += rows.J[b][r][j] * u[j];
+                        before[r] += rows.J[b][r][j] * u_before[j];
+                    }
                 continue;
             }
             const double* v = view.v + view.dof_begin[i];
@@ -164,13 +169,12 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
                 view.c[row + r] = rows.g[r] - prescribed[r];
             } else {
                 view.g[row + r] = rows.g[r];
-                view.c[row + r] =
-                    ups * (speed[r] + prescribed[r] - inv_h4 * rows.g[r]) - prescribed[r];
+                view.c[row + r] = ups * (speed[r] + before[r] - inv_h4 * rows.g[r]) - prescribed[r];
                 // What slid has no memory of its speed: it is to stop.
                 if (view.flags[id] & 128)
                     view.c[row + r] -= (1.0 - view.active[id]) * ups * speed[r];
                 if (view.flags[id] & 1) {
-                    view.c[row + r] += when_slack(rows.g[r], speed[r] + prescribed[r], ups, view.h);
+                    view.c[row + r] += when_slack(rows.g[r], speed[r] + before[r], ups, view.h);
                 }
             }
         }

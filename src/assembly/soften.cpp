@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+/// How soft a cut has to be. Two bodies that hold to each other by a row with Σ and Υ, each of
+/// which takes the other's last velocity for its next one, are stable if and only if
+/// ```
+///     A (1 + Υ) ≤ 2,   A = Σ over sides W/(W + Σ),   W = G M⁻¹ Gᵀ of the side's bodies
+/// ```
+/// (docs/methods.md, 12). Rows at the same body act together: W counts as often as rows do that
+/// are stiff against it. Bodies that others hold are heavier than they look, which is on the safe
+/// side.
+#include "assembly/mobility.h"
+#include "assembly/system.h"
+
+#include <algorithm>
+
+namespace hawser::assembly {
+namespace {
+
+constexpr double kShare = 0.9;   ///< Of the boundary.
+constexpr double kStiff = 0.05;  ///< W/(W + Σ) from which a row counts.
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+double amplification(const std::vector<double>& w, double sigma) {
+    double sum = 0.0;
+    for (const double each : w) sum += each / (each + sigma);
+    return sum;
+}
+
+/// Least Σ at which A = `most`: A falls as Σ grows.
+double least_sigma(const std::vector<double>& w, double sigma, double most) {
+    if (amplification(w, sigma) <= most) return 0.0;
+    double high = std::max(sigma, *std::max_element(w.begin(), w.end()));
+    while (amplification(w, high) > most) high *= 2.0;
+    double low = sigma;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        (amplification(w, middle) > most ? low : high) = middle;
+    }
+    return high;
+}
+
+}  // namespace
+
+void System::soften_sides(const model::Bodies& bodies, model::Interactions& in, double h) const {
+    auto sigma_of = [&](std::size_t row) {
+        return 4.0 * in.epsilon[row] * in.upsilon[row] / (h * h) + 1e-300;
+    };
+    std::vector<std::int32_t> stiff(at(bodies.count()), 0);
+    auto each_body = [&](const Sides& s, auto&& f) {
+        for (std::int32_t id = s.first; id < s.first + s.count; ++id)
+            for (int b = 0; b < in.bodies[at(id)]; ++b) {
+                const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
+                if (dof_[at(body)] > 0) f(id, body);
+            }
+    };
+    for (const Sides& s : sides)
+        each_body(s, [&](std::int32_t id, std::int32_t body) {
+            for (int r = 0; r < in.rows[at(id)]; ++r) {
+                const double w = mobility(bodies, in, id, r);
+                if (w > kStiff * (w + sigma_of(at(in.row_begin[at(id)] + r)))) ++stiff[at(body)];
+            }
+        });
+    std::vector<double> w;
+    for (const Sides& s : sides) {
+        std::int32_t together = 1;
+        each_body(s, [&](std::int32_t, std::int32_t body) {
+            together = std::max(together, stiff[at(body)]);
+        });
+        for (int r = 0; r < in.rows[at(s.first)]; ++r) {
+            w.clear();
+            for (std::int32_t id = s.first; id < s.first + s.count; ++id)
+                w.push_back(together * mobility(bodies, in, id, r));
+            const auto first = at(in.row_begin[at(s.first)] + r);
+            const double most = kShare * 2.0 / (1.0 + in.upsilon[first]);
+            const double least = s.soften ? least_sigma(w, sigma_of(first), most) : 0.0;
+            for (std::int32_t id = s.first; id < s.first + s.count; ++id)
+                in.least_sigma[at(in.row_begin[at(id)] + r)] = least;
+        }
+    }
+}
+
+}  // namespace hawser::assembly

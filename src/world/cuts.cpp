@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Couplings of single interactions, and worlds that differ in coupling only.
+#include <hawser/inspect.h>
+#include <hawser/partition.h>
+
+#include "stepper/stages.h"
+#include "world/checks.h"
+#include "world/impl.h"
+#include "world/lookup.h"
+
+#include <algorithm>
+#include <string>
+
+namespace hawser {
+
+using world::at;
+using world::index_of;
+
+void World::set_group(BodyId id, const std::string& group) {
+    const std::size_t b = index_of(id.index, body_count(), "body");
+    Impl& m = *impl_;
+    if (m.body_defs[b].group == group) return;
+    m.body_defs[b].group = group;
+    const auto known = m.groups.emplace(group, static_cast<std::int32_t>(m.groups.size()));
+    m.ctx.cuts.group[b] = known.first->second;
+    m.ctx.topology_changed = true;
+}
+
+void World::set_groups(int parts) {
+    if (parts < 1 || parts > 4096) throw DefError("groups: 1 to 4096 parts");
+    for (std::int32_t b = 0; b < body_count(); ++b) set_group(BodyId{b}, "");
+    if (parts == 1) return;
+    const PartitionView view = partition({.use = PartitionUse::cuts, .parts = parts});
+    for (std::int32_t b = 0; b < body_count(); ++b)
+        if (view.part_of_body[at(b)] >= 0)
+            set_group(BodyId{b}, "part " + std::to_string(view.part_of_body[at(b)]));
+}
+
+void World::set_coupling(InteractionId id, Coupling coupling) {
+    const std::size_t i = index_of(id.index, interaction_count(), "interaction");
+    stepper::StepContext& c = impl_->ctx;
+    if (coupling > Coupling::compliant) throw DefError("unknown coupling");
+    if (coupling != Coupling::exact && c.def.sleep_after > 0.0)
+        throw DefError("a coupling other than exact needs sleep_after 0");
+    if (coupling != Coupling::exact && !stepper::can_cut(c, id.index))
+        throw DefError(world::label("interaction", c.interactions.def[i].name) +
+                       ": a motor, a range, friction, what loads friction or a winch cannot be "
+                       "cut; couple it exactly");
+    c.cuts.coupling.resize(at(interaction_count()), c.def.coupling);
+    if (c.cuts.coupling[i] == coupling) return;
+    c.cuts.coupling[i] = coupling;
+    c.topology_changed = true;
+}
+
+Coupling World::coupling(InteractionId id) const {
+    const std::size_t i = index_of(id.index, interaction_count(), "interaction");
+    const stepper::Cuts& cuts = impl_->ctx.cuts;
+    return i < cuts.coupling.size() ? cuts.coupling[i] : impl_->ctx.def.coupling;
+}
+
+std::vector<CutView> World::cuts() const {
+    Impl& m = *impl_;
+    if (m.ctx.topology_changed) stepper::prepare(m.ctx);
+    std::vector<CutView> out;
+    for (const stepper::Cut& c : m.ctx.cuts.list)
+        out.push_back(
+            {InteractionId{c.id}, m.ctx.cuts.coupling[at(c.id)], c.open, c.defect, c.residual});
+    return out;
+}
+
+World World::twin(Coupling coupling) const {
+    const Impl& m = *impl_;
+    WorldDef def = m.ctx.def;
+    def.coupling = coupling;
+    World out(def);
+    for (const BodyDef& b : m.body_defs) out.add_body(b);
+    const collide::Materials& materials = m.ctx.collider.materials;
+    for (int i = 1; i < materials.count(); ++i) out.add_material(materials.def(i));
+    for (const MaterialPairDef& pair : materials.pairs()) out.add_material_pair(pair);
+    for (const ShapeDef& s : m.shape_defs) out.add_shape(s);
+    for (std::int32_t i = 0; i < interaction_count(); ++i) {
+        InteractionDef d = m.ctx.interactions.def[at(i)];
+        // Then it follows the length, as it does here.
+        if (m.ctx.interactions.flags[at(i)] & model::kFromLength) d.compliance[0] = kDefault;
+        out.add_interaction(d);
+    }
+    for (const InputDef& input : m.inputs) out.add_input(input);
+    out.copy_state(*this);
+    return out;
+}
+
+namespace {
+
+/// The front of an array, as much as both have.
+template <class A>
+void front(const A& from, A& to) {
+    std::copy_n(from.begin(), std::min(from.size(), to.size()), to.begin());
+}
+
+void copy_contacts(const stepper::StepContext& from, stepper::StepContext& to) {
+    assembly::Contacts& c = to.system.contacts;
+    const assembly::Contacts& f = from.system.contacts;
+    to.collider.kept() = from.collider.kept();
+    to.collider.kept_awake() = from.collider.kept_awake();
+    c.memory = f.memory;
+    c.resistances.memory = f.resistances.memory;
+    c.link_used = f.link_used;
+    to.contacts.contacts.clear();
+    to.contacts.awake = 0;
+    to.contact_impulse.clear();
+    to.contact_sliding.clear();
+    to.stats.contacts = 0;
+    if (c.links == f.links) return;
+    c.links = f.links;
+    c.make_blocks();
+    stepper::analyse(to);
+}
+
+}  // namespace
+
+void World::copy_state(const World& other) {
+    const stepper::StepContext& from = other.impl_->ctx;
+    stepper::StepContext& to = impl_->ctx;
+    if (from.topology_changed) stepper::prepare(other.impl_->ctx);
+    if (to.topology_changed) stepper::prepare(to);
+    if (other.body_count() != body_count() || other.interaction_count() != interaction_count() ||
+        other.input_count() != input_count() || from.bodies.v.size() != to.bodies.v.size() ||
+        from.def.step != to.def.step)
+        throw DefError("copy_state: the worlds have other bodies, interactions, inputs or steps");
+    front(from.bodies.x, to.bodies.x);
+    front(from.bodies.q, to.bodies.q);
+    front(from.bodies.r, to.bodies.r);
+    front(from.bodies.v, to.bodies.v);
+    front(from.bodies.v_fixed, to.bodies.v_fixed);
+    front(from.bodies.spin_change, to.bodies.spin_change);
+    front(from.bodies.force, to.bodies.force);
+    front(from.interactions.lambda, to.interactions.lambda);
+    front(from.interactions.force, to.interactions.force);
+    front(from.interactions.active, to.interactions.active);
+    front(from.interactions.parted, to.interactions.parted);
+    front(from.interactions.saturated, to.interactions.saturated);
+    front(from.interactions.anchor, to.interactions.anchor);
+    copy_contacts(from, to);
+    to.step = from.step;
+    to.time = from.time;
+    to.started = from.started;
+    to.work = from.work;
+    to.drag = from.drag;
+    to.drive = from.drive;
+    to.friction = from.friction;
+    to.contact = from.contact;
+    to.damped = from.damped;
+    to.stats.step = from.step;
+    to.stats.time = from.time;
+    for (std::size_t i = 0; i < impl_->inputs.size(); ++i) {
+        impl_->input_values[i] = other.impl_->input_values[i];
+        if (impl_->inputs[i].interaction.valid()) impl_->apply_input(i, impl_->input_values[i]);
+    }
+    for (const std::int32_t id : to.interactions.frictions)
+        to.interactions.set_anchor(id, to.interactions.anchor[at(id)]);
+    for (const std::int32_t id : to.interactions.winches)
+        to.interactions.follow_length(id, to.bodies, to.def.step);
+    // Images and copies differ with the coupling.
+    if (from.interactions.count() != to.interactions.count()) stepper::follow_cuts(to);
+}
+
+}  // namespace hawser
