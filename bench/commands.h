@@ -20,6 +20,8 @@ int friction_command(int argc, char** argv);
 
 /// Parts and orders beside those of METIS, Scotch and AMD.
 int partition_command(int argc, char** argv);
+/// Compare splits with exact coupling.
+int coupling_command(int argc, char** argv);
 
 /// Compare state hashes between numbers of threads, and after restoring.
 int hashes_command(int argc, char** argv);

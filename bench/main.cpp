@@ -22,6 +22,7 @@ constexpr Command kCommands[] = {
     {"friction", "methods for contacts with friction beside each other",
      hawser::bench::friction_command},
     {"partition", "our parts beside those of METIS and Scotch", hawser::bench::partition_command},
+    {"coupling", "splits of the paper beside exact coupling", hawser::bench::coupling_command},
     {"hashes", "the same bits for any number of threads and after restoring",
      hawser::bench::hashes_command},
     {"peers", "our steps against other engines, on six scenes", hawser::bench::peers_command},

@@ -74,6 +74,13 @@ RunSession::RunSession(const RunOptions& options)
         throw std::runtime_error(fmt::format("{}: cannot write the summary", options.summary));
     options.trace.start(world);
     collector_ = std::make_unique<observe::SummaryCollector>(info_, world);
+    if (!world.cuts().empty()) {
+        if (options.verify)
+            throw std::runtime_error(
+                "--verify checks momentum, which a split does not keep; use "
+                "--coupling exact");
+        coupling_ = std::make_unique<observe::CouplingObserver>(world);
+    }
     if (options.verify) verifier_ = std::make_unique<observe::Verifier>(world);
 }
 
@@ -105,6 +112,7 @@ int RunSession::run() {
         }
         apply_inputs();
         if (verifier_) verifier_->before_step(world);
+        if (coupling_) coupling_->before_step(world);
         const Status status = world.step();
         ++done_;
         if (status != Status::ok) {
@@ -112,6 +120,7 @@ int RunSession::run() {
             break;
         }
         after_step();
+        if (coupling_) coupling_->after_step(world);
         if (verifier_) wrong_ = verifier_->after_step(world);
         if (!wrong_.empty()) {
             ending = observe::Ending::failed;
@@ -170,6 +179,7 @@ int RunSession::finish(observe::Ending ending, double wall_seconds) {
         summary.missed_frames = pacer_->missed();
         summary.lateness_max = pacer_->lateness_max();
     }
+    if (coupling_) summary.coupling = coupling_->result(world);
     if (verifier_) summary.verified = verifier_->result();
     if (ending == observe::Ending::interrupted) summary.outcome = "interrupted";
     if (ending == observe::Ending::failed) summary.outcome = "failed";

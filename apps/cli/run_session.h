@@ -4,6 +4,7 @@
 /// One run of a scene: commands in, steps, recordings and figures out.
 
 #include "observe/control.h"
+#include "observe/coupling.h"
 #include "observe/csv.h"
 #include "observe/recording.h"
 #include "observe/summary.h"
@@ -55,6 +56,7 @@ class RunSession {
     std::unique_ptr<observe::CsvWriter> csv_;
     std::unique_ptr<observe::SummaryCollector> collector_;
     std::unique_ptr<observe::Verifier> verifier_;
+    std::unique_ptr<observe::CouplingObserver> coupling_;  ///< Where something is cut.
     std::string wrong_;  ///< What the verifier found.
     std::unique_ptr<Pacer> pacer_;
     bool saved_ = false;

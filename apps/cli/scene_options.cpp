@@ -18,6 +18,17 @@ void SceneOptions::add_to(CLI::App& command) {
         .add_option("--nonsmooth", nonsmooth,
                     "How contacts with friction are solved: newton, pivoting, split, pgs or convex")
         ->check(CLI::IsMember({"newton", "pivoting", "split", "pgs", "convex"}));
+    command
+        .add_option("--coupling", coupling,
+                    "How groups of bodies couple: exact, kinematic or compliant; without groups "
+                    "in the scene it is cut into --parts")
+        ->check(CLI::IsMember({"exact", "kinematic", "compliant"}));
+    command
+        .add_option("--predictor", predictor,
+                    "What a side of a cut takes the other's velocity for: hold, forces or clique")
+        ->check(CLI::IsMember({"hold", "forces", "clique"}));
+    command.add_option("--parts", parts, "Parts to cut a scene without groups into")
+        ->check(CLI::Range(1, 4096));
     command.add_option("--sweeps", sweeps, "Sweeps a step of --nonsmooth split and pgs")
         ->check(CLI::Range(1, 100000));
     command
@@ -44,6 +55,9 @@ scene::Scene SceneOptions::load() const {
     options.scale = scale;
     options.set = set;
     if (nonsmooth) options.set.push_back("settings.nonsmooth=" + *nonsmooth);
+    if (coupling) options.set.push_back("settings.coupling=" + *coupling);
+    if (predictor) options.set.push_back("settings.predictor=" + *predictor);
+    if (parts) options.set.push_back("settings.parts=" + std::to_string(*parts));
     if (sweeps) options.set.push_back("settings.nonsmooth_sweeps=" + std::to_string(*sweeps));
     if (sleep) options.set.push_back(fmt::format("settings.sleep_after={}", *sleep));
     options.step = step;

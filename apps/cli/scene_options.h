@@ -17,8 +17,8 @@ namespace hawser::cli {
 struct SceneOptions {
     std::string file;
     std::optional<double> step;
-    std::optional<std::string> form, nonsmooth;
-    std::optional<int> sweeps;
+    std::optional<std::string> form, nonsmooth, coupling, predictor;
+    std::optional<int> sweeps, parts;
     std::optional<double> sleep;  ///< [s]
     int threads = 1;
     double budget_ms = 0.0, budget_mflop = 0.0;  ///< 0: none. `run` has options for them.

@@ -28,6 +28,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -139,9 +140,10 @@ class World {
     [[nodiscard]] Coupling coupling(InteractionId id) const;
     /// Interactions that are cut, ascending. Analyses if need be.
     [[nodiscard]] std::vector<CutView> cuts() const;
-    /// A world of the same definitions in the same state that couples as `coupling` says: for
-    /// measuring one step against another. @throws DefError as the set-up functions do.
-    [[nodiscard]] World twin(Coupling coupling) const;
+    /// A world of the same definitions in the same state, for measuring one step against another.
+    /// @param coupling  Of all interactions; none: as here. @throws DefError as the set-up
+    ///                  functions do.
+    [[nodiscard]] World twin(std::optional<Coupling> coupling = std::nullopt) const;
     /// Take the state of such a world. @throws DefError where definitions differ.
     void copy_state(const World& other);
 

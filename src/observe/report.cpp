@@ -80,12 +80,31 @@ void friction(Out out, const Summary& s) {
                    f.cut_residual.median, f.cut_residual.max);
 }
 
+void coupling(Out out, const Summary& s) {
+    const CouplingFigures& c = s.coupling;
+    fmt::format_to(out,
+                   "  split        {}, predictor {}: {} cuts, {} islands; interface residual "
+                   "{:.2e}, spectral radius {:.4f}\n",
+                   to_string(c.coupling), to_string(c.predictor), c.cuts, s.last.islands,
+                   c.residual_max, c.spectral_radius);
+    fmt::format_to(out, "               momentum defect rms {:.2e}, max {:.2e} of h g m\n",
+                   c.defect_rms, c.defect_max);
+    fmt::format_to(out,
+                   "               against an exact step from the same state: tension at cuts off "
+                   "by {:.3g} % rms, {:.3g} % at most\n",
+                   100.0 * c.tension_error_rms, 100.0 * c.tension_error_max);
+    fmt::format_to(out,
+                   "               jerk at most {:.3g} m/s³, exact {:.3g} m/s³, apart {:.3g}\n",
+                   c.jerk_max, c.jerk_exact_max, c.jerk_difference_max);
+}
+
 void quality(Out out, const Summary& s) {
     fmt::format_to(out, "  residuals    momentum {:.2e} (median {:.2e}), constraint {:.2e}\n",
                    s.momentum_residual_max, s.momentum_residual_median, s.constraint_residual_max);
     fmt::format_to(out, "  violation    {} at {} ({:.4g} s)\n", with_unit(s.violation_max, "m"),
                    s.violation_where, s.violation_time);
     if (s.contacts_max > 0.0) friction(out, s);
+    if (s.coupling.steps > 0) coupling(out, s);
     if (s.asleep_max > 0.0)
         fmt::format_to(out, "  asleep       {:.0f} bodies in the median step, at most {:.0f}\n",
                        s.asleep_median, s.asleep_max);

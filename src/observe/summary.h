@@ -4,6 +4,7 @@
 /// Collects the figures of a run step by step and writes them as JSON (docs/cli.md).
 
 #include "observe/certificate.h"
+#include "observe/coupling.h"
 #include "observe/samples.h"
 #include "observe/scene_info.h"
 
@@ -72,6 +73,7 @@ struct Summary {
     Spread step_ms, solver_ms, solver_cpu_ms;
     double budget_ms = 0.0, budget_mflop = 0.0;  ///< 0: none.
     Verification verified;                       ///< With --verify; no steps without.
+    CouplingFigures coupling;                    ///< Of a split; no steps without.
     double within_budget = 1.0;                  ///< Share of timed steps with solver_cpu_ms ≤.
     std::array<double, kStageCount> stage_ms{};  ///< Medians.
     std::int64_t analyses = 0;                   ///< Steps of this run, of all, with one.

@@ -48,6 +48,21 @@ Json budget(const Summary& s) {
             {"within", s.budget_ms > 0.0 ? Json(s.within_budget) : Json()}};
 }
 
+Json coupling(const Summary& s) {
+    const CouplingFigures& c = s.coupling;
+    return {{"coupling", to_string(c.coupling)},
+            {"predictor", to_string(c.predictor)},
+            {"cuts", c.cuts},
+            {"islands", s.last.islands},
+            {"steps", c.steps},
+            {"interface_residual_max", c.residual_max},
+            {"momentum_defect", {{"rms", c.defect_rms}, {"max", c.defect_max}}},
+            {"jerk_max", {{"split", c.jerk_max}, {"exact", c.jerk_exact_max}}},
+            {"jerk_difference_max", c.jerk_difference_max},
+            {"tension_error", {{"rms", c.tension_error_rms}, {"max", c.tension_error_max}}},
+            {"spectral_radius", c.spectral_radius}};
+}
+
 Json energy(const Energy& e) {
     return {{"mechanical", e.mechanical()},
             {"kinetic", e.kinetic},
@@ -168,6 +183,7 @@ std::string to_json(const Summary& s) {
                     {"wall_seconds", s.wall_seconds}});
     out.update(times(s));
     if (s.budget_ms > 0.0 || s.budget_mflop > 0.0) out["budget"] = budget(s);
+    if (s.coupling.steps > 0) out["coupling"] = coupling(s);
     out["friction"] = friction(s.friction);
     if (const Verification& v = s.verified; v.steps > 0)
         out["verified"] = {{"verified_steps", v.steps},

@@ -141,6 +141,14 @@ void set_motion(BodyDef& def, const Json& body, const Frame& frame, const Place&
     def.gravity = body.value("gravity", true);
 }
 
+}  // namespace
+
+std::string group_of(const Json& value) {
+    return value.is_string() ? value.get<std::string>() : std::to_string(value.get<int>());
+}
+
+namespace {
+
 BodyDef read_body(const Json& body, const Scope& scope, const Place& place) {
     BodyDef def;
     def.name = scope.prefix + body["name"].get<std::string>();
@@ -161,6 +169,9 @@ BodyDef read_body(const Json& body, const Scope& scope, const Place& place) {
         set_scalar(def, body, place);
     } else {
         set_motion(def, body, scope.frame, place);
+    }
+    if (const auto group = body.find("group"); group != body.end()) {
+        def.group = group_of(*group);
     }
     def.linear_damping = damping_of(body, "linear_damping");
     def.angular_damping = damping_of(body, "angular_damping");

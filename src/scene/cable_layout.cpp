@@ -224,6 +224,17 @@ void check_lengths(CableLayout& c, const Place& place) {
     }
 }
 
+void read_groups(CableLayout& c, const Json& cable) {
+    const auto groups = cable.find("groups");
+    if (groups == cable.end()) {
+        return;
+    }
+    c.groups.clear();
+    for (const Json& group : *groups) {
+        c.groups.push_back(group_of(group));
+    }
+}
+
 void read_contact(CableLayout& c, Description& out, const Json& cable, const Place& place) {
     const auto contact = cable.find("contact");
     if (contact == cable.end()) {
@@ -254,6 +265,7 @@ CableLayout lay_out_cable(Description& out, const Scope& scope, const Scope& to_
     c.joint_damping_time = number_or(cable, "damping_time", out.default_damping_time);
     read_line_type(c, cable, document, place);
     read_contact(c, out, cable, place);
+    read_groups(c, cable);
     read_ends(c, out, scope, to_scope, cable, place);
     read_elements(c, out, cable, place);
     place_nodes(c, out, scope, cable, place);

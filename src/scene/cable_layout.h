@@ -40,6 +40,8 @@ struct CableLayout {
     double joint_compliance = kDefault;
     double joint_damping_time = kDefault;
 
+    std::vector<std::string> groups{""};  ///< Of its bodies, shared out evenly.
+
     bool touches = false;  ///< It has shapes …
     ShapeDef contact;      ///< … like this one; its radius is that of the contact.
 

@@ -42,6 +42,11 @@ class Builder {
         return (1.0 - s) * c_.from.velocity + s * c_.to.velocity;
     }
 
+    /// Group of part i of `count`.
+    [[nodiscard]] std::string group(std::size_t i, std::size_t count) const {
+        return c_.groups[i * c_.groups.size() / count];
+    }
+
     /// Buoyancy as a constant force: the world has one gravity for all.
     [[nodiscard]] Vec3 buoyancy(double mass) const {
         return mass * (c_.submerged_factor - 1.0) * out_.settings.gravity;
@@ -66,6 +71,7 @@ class Builder {
         // A free end carries half an element.
         const double share = first || last ? 0.5 * c_.element : c_.element;
         def.kind = BodyKind::lump;
+        def.group = group(i, c_.elements + 1);
         def.velocity = node_velocity(i);
         def.mass = c_.mass_per_length * share;
         def.linear_damping = Vec3::Constant(c_.drag * share);
@@ -134,6 +140,7 @@ class Builder {
         const double length = along.norm();
         BodyDef def;
         def.name = part("", i);
+        def.group = group(i, c_.elements);
         def.position = 0.5 * (c_.nodes[i] + c_.nodes[i + 1]);
         def.orientation = turn_between(Vec3::UnitX(), along);
         const Vec3 difference = node_velocity(i + 1) - node_velocity(i);

@@ -34,6 +34,7 @@ class Description {
   public:
     WorldDef settings;
     double duration = 10.0;
+    int parts = 4;           ///< To cut into where no body has a group.
     std::size_t copies = 1;  ///< That will be made of everything: counts against the limits.
     double default_compliance = kDefault;
     double default_damping_time = kDefault;
@@ -144,6 +145,8 @@ void expand_copies(Description& out, const Document& document);
 [[nodiscard]] Vec3 vector_or(const Json& object, const char* key, const Vec3& fallback);
 [[nodiscard]] double number_or(const Json& object, const char* key, double fallback);
 [[nodiscard]] std::string text_or(const Json& object, const char* key, const char* fallback);
+/// Name of a group: a text, or a number as one.
+[[nodiscard]] std::string group_of(const Json& value);
 /// "orientation" or "euler_deg" of an object. @throws SceneError for a zero quaternion.
 [[nodiscard]] Quat orientation_of(const Json& object, const Place& place);
 [[nodiscard]] Quat quaternion_of(const Json& value, const Place& place);

@@ -221,6 +221,18 @@ Nonsmooth nonsmooth_from(const std::string& word) {
                               : Nonsmooth::newton;
 }
 
+Coupling coupling_from(const std::string& word) {
+    return word == "kinematic"   ? Coupling::kinematic
+           : word == "compliant" ? Coupling::compliant
+                                 : Coupling::exact;
+}
+
+Predictor predictor_from(const std::string& word) {
+    return word == "forces"   ? Predictor::forces
+           : word == "clique" ? Predictor::clique
+                              : Predictor::hold;
+}
+
 void read_settings(Description& out, const Json& root) {
     const Json settings = root.value("settings", Json::object());
     WorldDef& def = out.settings;
@@ -237,6 +249,9 @@ void read_settings(Description& out, const Json& root) {
     def.sleep_after = number_or(settings, "sleep_after", def.sleep_after);
     def.sleep_speed = number_or(settings, "sleep_speed", def.sleep_speed);
     def.nonsmooth = nonsmooth_from(text_or(settings, "nonsmooth", "newton"));
+    def.coupling = coupling_from(text_or(settings, "coupling", "exact"));
+    def.predictor = predictor_from(text_or(settings, "predictor", "hold"));
+    out.parts = settings.value("parts", out.parts);
     def.contact_tolerance = number_or(settings, "contact_tolerance", def.contact_tolerance);
     def.contact_iterations = settings.value("contact_iterations", def.contact_iterations);
     def.nonsmooth_sweeps = settings.value("nonsmooth_sweeps", def.nonsmooth_sweeps);

@@ -67,6 +67,14 @@ ShapePtr settings() {
          {"nonsmooth", word("a method", {"newton", "pivoting", "split", "pgs", "convex"}), false,
           "newton", "",
           "How contacts with friction are solved; all but newton are there for comparison."},
+         {"coupling", word("a coupling", {"exact", "kinematic", "compliant"}), false, "exact", "",
+          "How interactions between groups of bodies couple them; all but exact are the splits of "
+          "the paper, for comparison."},
+         {"predictor", word("a predictor", {"hold", "forces", "clique"}), false, "hold", "",
+          "Velocity that a side of a cut takes the other one to have: the last one, one from the "
+          "last forces, or that of a solve of the bodies at the cuts."},
+         {"parts", integer("a number of parts", 1, 4096), false, "4", "",
+          "Parts to cut into where coupling is not exact and no body has a group."},
          {"contact_tolerance", number("a relative residual", 1e-12, 1.0), false, "1e-6", "1",
           "Residual of Coulomb's law at which the contacts of a step count as solved."},
          {"contact_iterations", integer("an integer", 1, 1000), false, "60", "",
@@ -104,6 +112,11 @@ ShapePtr line_type() {
          {"description", text("a text"), false, "", "", "Source and remarks."}});
 }
 
+/// A group of bodies, for settings.coupling.
+ShapePtr group() {
+    return choice("a group: a name or a number", {text("a name"), integer("a number", 0, 1e6)});
+}
+
 ShapePtr body() {
     return object(
         "body", "a body", "One body.",
@@ -112,6 +125,8 @@ ShapePtr body() {
           "rigid", "",
           "rigid: 6 degrees of freedom; lump: a point mass, 3; scalar: a drum, 1; fixed: part of "
           "the world; kinematic: moves with its velocity whatever pulls at it."},
+         {"group", group(), false, "\"\"", "",
+          "Group that it belongs to: settings.coupling says how groups couple."},
          {"position", vector3("a position"), false, "[0, 0, 0]", "m",
           "Centre of mass; of a scalar body the coordinate is x (m or rad)."},
          {"orientation", quaternion(), false, "[1, 0, 0, 0]", "1",
@@ -189,6 +204,8 @@ ShapePtr cable() {
          {"offsets", list("a list of offsets", vector3("an offset"), 0, kMostEntries), false, "",
           "m", "Added to the interior nodes."},
          {"tension_only", boolean("true or false"), false, "true", "", "False: it also pushes."},
+         {"groups", list("a list of groups", group(), 1, 100), false, "[\"\"]", "",
+          "Groups of its nodes or links, which are shared out evenly from the first end on."},
          {"winch", winch, false, "", "", "Drum that pays it out."},
          {"contact", cable_contact(), false, "it touches nothing", "",
           "Its elements touch what they meet; an element that ends on a body does not."},

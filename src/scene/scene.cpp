@@ -52,6 +52,12 @@ World build(const Description& description, const Options& options, const Place&
             at = &description.input_place(i);
             world.add_input(description.inputs[i]);
         }
+        at = &settings_place;
+        const bool grouped = std::any_of(description.bodies.begin(), description.bodies.end(),
+                                         [](const BodyDef& body) { return !body.group.empty(); });
+        if (settings.coupling != Coupling::exact && !grouped) {
+            world.set_groups(description.parts);
+        }
         return world;
     } catch (const DefError& error) {
         refuse(*at, error.what());

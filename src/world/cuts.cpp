@@ -68,10 +68,10 @@ std::vector<CutView> World::cuts() const {
     return out;
 }
 
-World World::twin(Coupling coupling) const {
+World World::twin(std::optional<Coupling> coupling) const {
     const Impl& m = *impl_;
     WorldDef def = m.ctx.def;
-    def.coupling = coupling;
+    def.coupling = coupling.value_or(def.coupling);
     World out(def);
     for (const BodyDef& b : m.body_defs) out.add_body(b);
     const collide::Materials& materials = m.ctx.collider.materials;
@@ -85,6 +85,7 @@ World World::twin(Coupling coupling) const {
         out.add_interaction(d);
     }
     for (const InputDef& input : m.inputs) out.add_input(input);
+    if (!coupling) out.impl_->ctx.cuts.coupling = m.ctx.cuts.coupling;
     out.copy_state(*this);
     return out;
 }

@@ -310,9 +310,11 @@ SystemView World::inspect() const {
         v.nodes[n] = {{}, {}, s.pattern.size[n], s.symbolic.node_front[n]};
     for (int b = 0; b < body_count(); ++b)
         if (s.node_of_body[at(b)] >= 0) v.nodes[at(s.node_of_body[at(b)])].body = BodyId{b};
-    for (int i = 0; i < interaction_count(); ++i)
+    // Copies of a cut interaction show as what they stand for.
+    for (int i = 0; i < m.ctx.interactions.count(); ++i)
         if (s.node_of_interaction[at(i)] >= 0)
-            v.nodes[at(s.node_of_interaction[at(i)])].interaction = InteractionId{i};
+            v.nodes[at(s.node_of_interaction[at(i)])].interaction =
+                InteractionId{stepper::original(m.ctx, i)};
     v.edge_start = s.pattern.start;
     v.edges = s.pattern.adjacent;
     v.order = s.symbolic.order;
@@ -322,6 +324,7 @@ SystemView World::inspect() const {
         v.front_update.push_back(f.q);
     }
     v.body_island = s.islands.label;
+    v.body_island.resize(at(body_count()));
     v.matrix_nnz = s.symbolic.matrix_nnz;
     v.factor_nnz = s.symbolic.factor_nnz;
     v.flops = s.symbolic.flops;

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Small systems whose stability under a split is known (docs/methods.md, 12).
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+namespace hawser::bench {
+
+/// Two bodies with kinematic coupling: the stiffness from which they are unstable, found by
+/// bisection, beside that of the theory. Printed.
+nlohmann::ordered_json two_body_boundaries();
+
+/// Twelve bodies in a chain, cut in the middle or beside a heavy one: largest spectral radius for
+/// stiffnesses k h²/m from 1 to 1e6, by coupling and predictor. Printed.
+nlohmann::ordered_json chain_predictors();
+
+}  // namespace hawser::bench
