@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // hawser-bench coupling: the splits of the paper beside exact coupling, on the same cuts
-// (docs/methods.md, 12).
+// (docs/methods.md, 10).
 #include "observe/coupling.h"
 #include "commands.h"
 #include "coupling_chains.h"
@@ -136,7 +136,7 @@ World stiffened(const World& from, const std::vector<InteractionId>& cuts, doubl
     return out;
 }
 
-constexpr double kGrowth = 1.005;  ///< Spectral radius from which a step counts as unstable.
+constexpr double kGrowth = 1.02;  ///< Spectral radius from which a step counts as unstable.
 
 /// Largest factor, 1e-8 to 1e2, of the stiffness of the cuts at which the step is stable.
 double largest_stable(const World& world, const std::vector<InteractionId>& cuts) {

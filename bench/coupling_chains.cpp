@@ -87,6 +87,42 @@ bool grows(World& world) {
     return late == HUGE_VAL || late > 1.5 * early;
 }
 
+/// Growth a step of what a kick of 1 nm/s becomes: the chain at rest is linear for it, so that this
+/// is the spectral radius, multipliers of the last step included. Until it is 1e8 times as large,
+/// or for 2,000 steps, over which a neutral motion changes by less than a thousandth a step.
+double growth(World& world) {
+    const int bodies = world.body_count();
+    std::vector<double> v(static_cast<std::size_t>(bodies), 0.0);
+    for (std::int32_t b = 0; b < bodies; ++b) {
+        Twist kick;
+        kick.linear = {1e-9 * std::sin(1.0 + 2.3 * b), 0, 0};
+        world.set_velocity(BodyId{b}, kick);
+    }
+    auto change = [&](int steps) {
+        double most = 0.0;
+        for (int i = 0; i < steps; ++i) {
+            if (world.step() != Status::ok) return HUGE_VAL;
+            for (std::int32_t b = 0; b < bodies; ++b) {
+                const double now = world.velocity(BodyId{b}).linear[0];
+                double& before = v[static_cast<std::size_t>(b)];
+                most = std::max(most, std::fabs(now - before));
+                before = now;
+            }
+        }
+        return most;
+    };
+    constexpr int kWindow = 4;
+    (void)change(kWindow);
+    const double first = change(kWindow);
+    double last = first;
+    int steps = 0;
+    do {
+        last = change(kWindow);
+        steps += kWindow;
+    } while (steps < 2000 && last < 0.1 && last > 1e-14);
+    return std::pow(last / first, 1.0 / steps);
+}
+
 }  // namespace
 
 Json two_body_boundaries() {
@@ -126,7 +162,7 @@ Json chain_predictors() {
         {"middle", 6, kNone}, {"beside heavy", 6, 6}, {"beside heavy end", 11, 11}};
     fmt::print(
         "\nTwelve bodies: largest spectral radius over k h2/m = 1 … 1e6, and the first "
-        "k h2/m above 1.002\n  {:<10} {:<8} {:>5}",
+        "k h2/m above 1.003\n  {:<10} {:<8} {:>5}",
         "coupling", "predictor", "n");
     for (const Case& c : cases) fmt::print(" {:>26}", c.name);
     fmt::print("\n");
@@ -144,11 +180,11 @@ Json chain_predictors() {
                     double worst = 0.0, first = 0.0;
                     for (double e = 0.0; e <= 6.0; e += 0.5) {
                         const double scaled = std::pow(10.0, e);
-                        const World world =
+                        World world =
                             chain(mass, scaled / (kStep * kStep), n, c.border, coupling, predictor);
-                        const double radius = observe::spectral_radius(world);
+                        const double radius = growth(world);
                         worst = std::max(worst, radius);
-                        if (radius > 1.002 && first == 0.0) first = scaled;
+                        if (radius > 1.003 && first == 0.0) first = scaled;
                     }
                     fmt::print(" {:>12.4f} {:>13}", worst,
                                first > 0.0 ? fmt::format("from {:.3g}", first) : "stable");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small systems whose stability under a split is known (docs/methods.md, 12).
+// Small systems whose stability under a split is known (docs/methods.md, 10).
 #pragma once
 
 #include <nlohmann/json.hpp>

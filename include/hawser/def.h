@@ -70,7 +70,7 @@ enum class Nonsmooth : std::uint8_t {
     convex,    ///< Associated cone: what slides also lifts.
 };
 
-/// How an interaction between two parts couples them: docs/methods.md, 12. All but `exact` are the
+/// How an interaction between two parts couples them: docs/methods.md, 10. All but `exact` are the
 /// splits of the paper, there to be compared with it.
 enum class Coupling : std::uint8_t {
     exact,      ///< Solved for with all else: one multiplier for all its bodies.

@@ -111,7 +111,7 @@ struct StepStats {
     std::int64_t impact_retries = 0;
     std::int32_t newton_iterations = 0;  ///< Of the solve for contacts.
     bool cut = false;       ///< The budget ended the solve for contacts after newton_iterations.
-    std::int32_t cuts = 0;  ///< Interactions cut in this step (docs/methods.md, 12).
+    std::int32_t cuts = 0;  ///< Interactions cut in this step (docs/methods.md, 10).
     /// max |G v₊ + Σλ − c| over rows of cuts, v₊ of all their bodies and λ the mean of the sides
     /// [m/s or rad/s].
     double cut_residual = 0.0;

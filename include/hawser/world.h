@@ -128,7 +128,7 @@ class World {
     /// False once a stretch element has parted.
     [[nodiscard]] bool intact(InteractionId id) const;
 
-    // --- Cuts (docs/methods.md, 12) ---------------------------------------------------------
+    // --- Cuts (docs/methods.md, 10) ---------------------------------------------------------
     /// Group of a body from the next step on (BodyDef::group).
     void set_group(BodyId id, const std::string& group);
     /// Groups of all bodies from partition() for cuts of the present state: "part 0", "part 1", …

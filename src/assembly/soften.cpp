@@ -4,7 +4,7 @@
 /// ```
 ///     A (1 + Υ) ≤ 2,   A = Σ over sides W/(W + Σ),   W = G M⁻¹ Gᵀ of the side's bodies
 /// ```
-/// (docs/methods.md, 12). Rows at the same body act together: W counts as often as rows do that
+/// (docs/methods.md, 10). Rows at the same body act together: W counts as often as rows do that
 /// are stiff against it. Bodies that others hold are heavier than they look, which is on the safe
 /// side.
 #include "assembly/mobility.h"

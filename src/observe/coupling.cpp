@@ -171,7 +171,7 @@ CouplingFigures CouplingObserver::result(const World& world, bool radius) const 
 }
 
 double spectral_radius(const World& world) {
-    constexpr int kIterations = 80;
+    constexpr int kIterations = 160;
     Linearised step(world);
     std::vector<Deviation> d(step.size(), {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
     for (std::size_t i = 0; i < d.size(); ++i) {  // no symmetry, the same each time

@@ -2,7 +2,7 @@
 #pragma once
 /// @file coupling.h
 /// What a split costs in accuracy: each step beside an exact one from the same state
-/// (docs/methods.md, 12).
+/// (docs/methods.md, 10).
 
 #include <hawser/hawser.h>
 
@@ -36,7 +36,7 @@ class CouplingObserver {
     explicit CouplingObserver(const World& world);
     void before_step(const World& world);
     void after_step(const World& world);
-    /// @param radius  Find the spectral radius as well, which takes some eighty steps.
+    /// @param radius  Find the spectral radius as well, which takes some 160 steps.
     [[nodiscard]] CouplingFigures result(const World& world, bool radius = true) const;
 
   private:
@@ -49,7 +49,8 @@ class CouplingObserver {
 
 /// Largest |z| of the step linearised about the present state, which stays as it is: by power
 /// iteration with finite differences. Free motion, for which z = 1 and velocities stay as they are,
-/// does not count.
+/// does not count. Multipliers of the last step stay as they are, so that what predictor forces
+/// makes of them is left out. Neutral motions let it say up to 1.02.
 [[nodiscard]] double spectral_radius(const World& world);
 
 }  // namespace hawser::observe

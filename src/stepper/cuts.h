@@ -12,7 +12,7 @@
 /// ```
 /// So a matrix of independent parts comes about without code of its own in the analysis, the
 /// factorisation, the friction solver or the schedule. After the solve a cut has as many
-/// multipliers as sides; readers see their mean. docs/methods.md, 12 has the theory.
+/// multipliers as sides; readers see their mean. docs/methods.md, 10 has the theory.
 ///
 /// Images and copies stand behind all other bodies and interactions: the model of the user is the
 /// front of the arrays.

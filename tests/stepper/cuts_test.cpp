@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Splits (docs/methods.md, 12): where they are stable, what they leave open, and that they are
+/// Splits (docs/methods.md, 10): where they are stable, what they leave open, and that they are
 /// steps like all others: repeatable, restorable, the same for any number of threads.
 #include <hawser/inspect.h>
 
@@ -47,7 +47,7 @@ bool grows(const Recipe& r) {
     return late >= 1e300 || late > 1.5 * early;
 }
 
-/// A(1 + Υ) of methods.md 12: at most 2 where stable.
+/// A(1 + Υ) of methods.md 10: at most 2 where stable.
 double criterion(double m1, double m2, double k, double n) {
     const double h = 1.0 / 60, ups = 1.0 / (1.0 + 4.0 * n), sigma = 4.0 * ups / (k * h * h);
     return (1.0 / (1.0 + m1 * sigma) + 1.0 / (1.0 + m2 * sigma)) * (1.0 + ups);

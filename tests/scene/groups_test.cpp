@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <hawser/inspect.h>
+
+#include "support.h"
+
+namespace hawser::scene::test {
+namespace {
+
+std::string grouped(const std::string& settings, const std::string& group,
+                    const std::string& groups) {
+    return R"({"version": 1, "name": "t", "settings": {)" + settings + R"(},
+      "line_types": {"wire": {"mass_per_length": 20, "EA": 1e6}},
+      "bodies": [{"name": "a", "position": [0, 0, 10], "mass": 1e5, "box": [5, 2, 1])" +
+           group + R"(}],
+      "cables": [{"name": "c", "line_type": "wire", "from": {"body": "a", "point": [5, 0, 0]},
+                  "to": {"free": [45, 0, 10]}, "elements": 8)" +
+           groups + "}]}";
+}
+
+TEST(Groups, of_bodies_and_cables) {
+    const Description d =
+        flat(grouped(R"("coupling": "compliant", "predictor": "clique", "parts": 7)",
+                     R"(, "group": 3)", R"(, "groups": ["near", 12])"));
+    EXPECT_EQ(d.settings.coupling, Coupling::compliant);
+    EXPECT_EQ(d.settings.predictor, Predictor::clique);
+    EXPECT_EQ(d.parts, 7);
+    EXPECT_EQ(body(d, "a").group, "3");
+    EXPECT_EQ(body(d, "c/1").group, "near");
+    EXPECT_EQ(body(d, "c/4").group, "near");
+    EXPECT_EQ(body(d, "c/5").group, "12");
+    EXPECT_EQ(body(d, "c/8").group, "12");
+}
+
+TEST(Groups, cut_where_they_meet) {
+    const Scene s = load_text(
+        grouped(R"("coupling": "kinematic")", R"(, "group": "near")", R"(, "groups": ["near", "far"])"),
+        "test.json");
+    ASSERT_EQ(s.world.cuts().size(), 1U);
+    EXPECT_EQ(s.world.interaction_def(s.world.cuts()[0].interaction).name, "c/s4");
+    EXPECT_EQ(s.world.cuts()[0].coupling, Coupling::kinematic);
+}
+
+TEST(Groups, come_from_the_partitioner_where_the_scene_has_none) {
+    const std::string text = grouped(R"("coupling": "kinematic", "parts": 2)", "", "");
+    EXPECT_FALSE(load_text(text, "test.json").world.cuts().empty());
+    Options exact;
+    exact.set = {"settings.coupling=exact"};
+    EXPECT_TRUE(load_text(text, "test.json", exact).world.cuts().empty());
+}
+
+TEST(Groups, refuse_what_they_are_not) {
+    EXPECT_NE(refusal(grouped(R"("coupling": "loose")", "", "")), "");
+    EXPECT_NE(refusal(grouped(R"("predictor": "guess")", "", "")), "");
+    EXPECT_NE(refusal(grouped(R"("parts": 0)", "", "")), "");
+    EXPECT_NE(refusal(grouped("", R"(, "group": [1])", "")), "");
+    EXPECT_NE(refusal(grouped("", "", R"(, "groups": [])")), "");
+    // Islands of a split cannot sleep.
+    EXPECT_NE(refusal(grouped(R"("coupling": "kinematic", "sleep_after": 1)", "", "")), "");
+}
+
+}  // namespace
+}  // namespace hawser::scene::test
