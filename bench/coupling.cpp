@@ -14,7 +14,7 @@
 #include <cmath>
 #include <fstream>
 
-namespace hawser::bench {
+namespace hawser::bench::split {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -272,9 +272,7 @@ Json compare(const std::string& file, const CouplingOptions& o) {
     return {{"scene", file}, {"parts", o.parts}, {"modes", rows}};
 }
 
-}  // namespace
-
-int coupling_command(int argc, char** argv) {
+int run(int argc, char** argv) {
     CLI::App app("The splits of the paper beside exact coupling, on the same cuts.",
                  "hawser-bench coupling");
     CouplingOptions o;
@@ -305,4 +303,9 @@ int coupling_command(int argc, char** argv) {
     return 0;
 }
 
-}  // namespace hawser::bench
+}  // namespace
+}  // namespace hawser::bench::split
+
+int hawser::bench::coupling_command(int argc, char** argv) {
+    return hawser::bench::split::run(argc, argv);
+}

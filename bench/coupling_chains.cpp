@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace hawser::bench {
+namespace hawser::bench::split {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -200,4 +200,4 @@ Json chain_predictors() {
     return rows;
 }
 
-}  // namespace hawser::bench
+}  // namespace hawser::bench::split

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace hawser::bench {
+namespace hawser::bench::split {
 
 /// Two bodies with kinematic coupling: the stiffness from which they are unstable, found by
 /// bisection, beside that of the theory. Printed.
@@ -14,4 +14,4 @@ nlohmann::ordered_json two_body_boundaries();
 /// stiffnesses k h²/m from 1 to 1e6, by coupling and predictor. Printed.
 nlohmann::ordered_json chain_predictors();
 
-}  // namespace hawser::bench
+}  // namespace hawser::bench::split
