@@ -153,11 +153,14 @@ ProgramTimes program_of(const TraceView& trace, double begin, double end) {
             l.task.assign(at(s.task), 0.0);
             const auto g =
                 std::lower_bound(trace.graph_loop.begin(), trace.graph_loop.end(), s.loop);
-            if (g != trace.graph_loop.end() && *g == s.loop)
-                l.waits = trace.graph[static_cast<std::size_t>(g - trace.graph_loop.begin())];
+            if (g != trace.graph_loop.end() && *g == s.loop) {
+                const auto k = static_cast<std::size_t>(g - trace.graph_loop.begin());
+                if (trace.graph[k].rank.size() == l.task.size()) l.waits = trace.graph[k];
+            }
             number = s.loop;
             last = s.end;
-        } else if (s.kind == SpanKind::task && s.loop == number) {
+        } else if (s.kind == SpanKind::task && s.loop == number &&
+                   at(s.task) < p.loops.back().task.size()) {
             p.loops.back().task[at(s.task)] = s.seconds();
         }
     }
