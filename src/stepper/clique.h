@@ -4,7 +4,8 @@
 /// The central system of a split: the bodies at cuts and those that interact with them, solved
 /// exactly before the parts are, with every other body held at its last velocity. Its velocities
 /// are what the sides of a cut take for each other's. That is our reading of the paper's "clique
-/// system"; it was the only predictor that was stable in every case tried (docs/methods.md, 10).
+/// system". On chains of lumps with damped rows it is the only predictor that is stable however
+/// stiff the cut; on chains of rigid links it is not stable (docs/methods.md, 10).
 ///
 /// Contacts and friction in joints act in it with their impulses of the last step.
 
