@@ -19,6 +19,9 @@ inline constexpr int kInterrupted = 130;
 /// What main() runs once the command line has been read; returns the exit code.
 using Command = std::function<int()>;
 
+/// As typed, the program without its folder; main() sets it. For files that say what made them.
+[[nodiscard]] std::string& command_line();
+
 inline constexpr int kMostThreads = 256;  ///< As WorldDef::threads.
 
 /// Checks of options; their messages say what was expected.
@@ -31,6 +34,7 @@ void add_settle(CLI::App& app, Command& chosen);
 void add_replay(CLI::App& app, Command& chosen);
 void add_plot(CLI::App& app, Command& chosen);
 void add_inspect(CLI::App& app, Command& chosen);
+void add_figures(CLI::App& app, Command& chosen);
 void add_validate(CLI::App& app, Command& chosen);
 void add_bench(CLI::App& app, Command& chosen);
 

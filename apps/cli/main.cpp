@@ -22,6 +22,15 @@ Exit codes: 0 success; 1 wrong option, scene or file; 2 a step failed;
 
 }  // namespace
 
+namespace hawser::cli {
+
+std::string& command_line() {
+    static std::string line = "hawser";
+    return line;
+}
+
+}  // namespace hawser::cli
+
 int main(int argc, char** argv) {
     using namespace hawser::cli;
     CLI::App app{"Hawser: real-time dynamics of ships, cranes, winches and cables", "hawser"};
@@ -31,12 +40,14 @@ int main(int argc, char** argv) {
     app.footer(kFooter);
     app.require_subcommand(1);
     Command chosen;
+    for (int i = 1; i < argc; ++i) command_line() += std::string(" ") + argv[i];
     add_run(app, chosen);
     add_check(app, chosen);
     add_settle(app, chosen);
     add_replay(app, chosen);
     add_plot(app, chosen);
     add_inspect(app, chosen);
+    add_figures(app, chosen);
     add_validate(app, chosen);
     add_bench(app, chosen);
     // CLI11 would say no more than that a command is required.

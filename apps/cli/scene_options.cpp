@@ -9,8 +9,8 @@
 
 namespace hawser::cli {
 
-void SceneOptions::add_to(CLI::App& command) {
-    command.add_option("SCENE", file, "Scene file (JSON)")->required();
+void SceneOptions::add_to(CLI::App& command, bool required) {
+    command.add_option("SCENE", file, "Scene file (JSON)")->required(required);
     command.add_option("--step", step, "Time step [s] instead of the scene's")->check(positive());
     command.add_option("--form", form, "Form of the equations: auto, saddle or condensed")
         ->check(CLI::IsMember({"auto", "saddle", "condensed"}));

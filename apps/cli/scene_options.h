@@ -25,7 +25,8 @@ struct SceneOptions {
     int scale = 1;
     std::vector<std::string> set;
 
-    void add_to(CLI::App& command);
+    /// @param required  Whether the scene must be named.
+    void add_to(CLI::App& command, bool required = true);
     /// @throws scene::SceneError.
     [[nodiscard]] scene::Scene load() const;
 };

@@ -83,6 +83,13 @@ class BlockFactor {
     /// Order of elimination and all addresses. @throws std::invalid_argument, std::bad_alloc.
     void analyse(const BlockPattern& pattern);
 
+    /// The same with this order of elimination, or one equivalent to it: a postorder of its tree,
+    /// with the same fill. Fronts are merged as always.
+    /// @param order  order[k] = node eliminated k-th. A negative node before all its positive
+    ///        neighbours costs digits where its own block is nearly zero: rows_after_bodies().
+    /// @throws std::invalid_argument where it is not a permutation of the nodes.
+    void analyse(const BlockPattern& pattern, std::span<const std::int32_t> order);
+
     /// Follow to a pattern that differs by some nodes and edges, in a fraction of the time: nodes
     /// that stay keep their order, and only the structure above the changes is computed again.
     /// The order is made anew when the flops have grown by a quarter. Values must be given to
@@ -125,10 +132,20 @@ class BlockFactor {
                                 std::span<double> x) noexcept;
 
     [[nodiscard]] FactorInfo info() const noexcept;
+    /// Of elimination, as it is now: order()[k] = node eliminated k-th.
+    [[nodiscard]] std::span<const std::int32_t> order() const noexcept;
 
   private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+/// Approximate minimum degree (Amestoy, Davis, Duff 1996) on the nodes, rows after bodies: what
+/// analyse() does with all that is in no chain. @throws std::invalid_argument, std::bad_alloc.
+[[nodiscard]] std::vector<std::int32_t> minimum_degree_order(const BlockPattern& pattern);
+
+/// Move every negative node that precedes all its positive neighbours to just behind the first of
+/// them; others keep their relative order. @throws std::invalid_argument, std::bad_alloc.
+void rows_after_bodies(const BlockPattern& pattern, std::vector<std::int32_t>& order);
 
 }  // namespace hawser

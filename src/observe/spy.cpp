@@ -95,11 +95,13 @@ Axes spy_axes(const Box& frame, std::int64_t scalars, std::string title) {
 
 }  // namespace
 
-FactorBlocks factor_blocks(const SystemView& view, std::int64_t limit) {
-    const std::size_t n = view.order.size();
-    std::vector<std::int32_t> position(view.nodes.size(), -1);
+FactorBlocks factor_blocks(std::span<const std::int32_t> start,
+                           std::span<const std::int32_t> adjacent,
+                           std::span<const std::int32_t> order, std::int64_t limit) {
+    const std::size_t n = order.size();
+    std::vector<std::int32_t> position(n, -1);
     for (std::size_t k = 0; k < n; ++k)
-        position[static_cast<std::size_t>(view.order[k])] = static_cast<std::int32_t>(k);
+        position[static_cast<std::size_t>(order[k])] = static_cast<std::int32_t>(k);
     std::vector<std::vector<std::int32_t>> children(n);
     std::vector<std::int32_t> seen(n, -1);
     FactorBlocks out;
@@ -113,9 +115,9 @@ FactorBlocks factor_blocks(const SystemView& view, std::int64_t limit) {
                 rows.emplace_back(row, fill);
             }
         };
-        const auto node = static_cast<std::size_t>(view.order[k]);
-        for (std::int32_t e = view.edge_start[node]; e < view.edge_start[node + 1]; ++e)
-            add(position[static_cast<std::size_t>(view.edges[static_cast<std::size_t>(e)])], false);
+        const auto node = static_cast<std::size_t>(order[k]);
+        for (std::int32_t e = start[node]; e < start[node + 1]; ++e)
+            add(position[static_cast<std::size_t>(adjacent[static_cast<std::size_t>(e)])], false);
         for (const std::int32_t child : children[k])
             for (std::int64_t e = out.start[static_cast<std::size_t>(child)];
                  e < out.start[static_cast<std::size_t>(child) + 1]; ++e)
@@ -132,6 +134,10 @@ FactorBlocks factor_blocks(const SystemView& view, std::int64_t limit) {
         if (!rows.empty()) children[static_cast<std::size_t>(rows.front().first)].push_back(me);
     }
     return out;
+}
+
+FactorBlocks factor_blocks(const SystemView& view, std::int64_t limit) {
+    return factor_blocks(view.edge_start, view.edges, view.order, limit);
 }
 
 Drawing plot_spy(const SystemView& view, const FactorBlocks& factor, const std::string& title,

@@ -8,6 +8,7 @@
 #include <hawser/hawser.h>
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,11 @@ struct FactorBlocks {
 /// Sparse Positive Definite Systems", 1981).
 /// @throws std::runtime_error beyond `limit` blocks.
 [[nodiscard]] FactorBlocks factor_blocks(const SystemView& view, std::int64_t limit = 50'000'000);
+/// The same of neighbours in compressed rows, for any order of elimination.
+[[nodiscard]] FactorBlocks factor_blocks(std::span<const std::int32_t> start,
+                                         std::span<const std::int32_t> adjacent,
+                                         std::span<const std::int32_t> order,
+                                         std::int64_t limit = 50'000'000);
 
 /// Left the matrix in the order of the scene, right its factor in elimination order with the
 /// fill in a colour of its own.

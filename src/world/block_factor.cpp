@@ -4,6 +4,7 @@
 #include "factor/partial.h"
 #include "factor/repair.h"
 #include "runtime/tasks.h"
+#include "world/block_pattern.h"
 
 #include <hawser/factor.h>
 
@@ -25,26 +26,6 @@ struct CopyOp {
     std::int8_t rows = 0, columns = 0;  ///< Of the block as it is given.
     bool diagonal = false;
 };
-
-void check(const BlockPattern& p) {
-    auto fail = [](const std::string& what) {
-        throw std::invalid_argument("block pattern: " + what);
-    };
-    if (p.size.size() != p.sign.size()) fail("sizes and signs differ in number");
-    const auto n = static_cast<std::int32_t>(p.size.size());
-    for (std::size_t i = 0; i < p.size.size(); ++i) {
-        if (p.size[i] < 1 || p.size[i] > factor::kMaxBlock)
-            fail("node " + std::to_string(i) + " has a size that is not 1 to 6");
-        if (p.sign[i] != 1 && p.sign[i] != -1)
-            fail("node " + std::to_string(i) + " has a sign that is not 1 or -1");
-    }
-    for (std::size_t e = 0; e < p.edges.size(); ++e) {
-        const BlockEdge& edge = p.edges[e];
-        if (edge.row < 0 || edge.row >= n || edge.column < 0 || edge.column >= n ||
-            edge.row == edge.column)
-            fail("edge " + std::to_string(e) + " does not join two of the nodes");
-    }
-}
 
 }  // namespace
 
@@ -93,18 +74,7 @@ struct BlockFactor::Impl {
 };
 
 void BlockFactor::Impl::take(const BlockPattern& p) {
-    check(p);
-    std::vector<std::int32_t> from, to;
-    from.reserve(p.edges.size());
-    to.reserve(p.edges.size());
-    for (const BlockEdge& e : p.edges) {
-        from.push_back(e.row);
-        to.push_back(e.column);
-    }
-    factor::Pattern next = factor::make_pattern(p.size, p.sign, from, to);
-    if (next.adjacent.size() != 2 * p.edges.size())
-        throw std::invalid_argument("block pattern: two nodes are joined twice");
-    pattern = std::move(next);
+    pattern = world::graph_of(p);
     edges = p.edges;
     scalar_begin.assign(1, 0);
     value_begin.assign(1, 0);
@@ -193,6 +163,17 @@ void BlockFactor::analyse(const BlockPattern& pattern) {
     Impl& m = *impl_;
     m.take(pattern);
     m.analysis.plan(m.pattern);
+    m.report = {};
+    m.report.replanned = true;
+    m.report.columns = m.pattern.nodes();
+    m.place();
+}
+
+void BlockFactor::analyse(const BlockPattern& pattern, std::span<const std::int32_t> order) {
+    Impl& m = *impl_;
+    world::check_order(pattern, order);
+    m.take(pattern);
+    m.analysis.plan(m.pattern, factor::Elimination{{order.begin(), order.end()}, {}});
     m.report = {};
     m.report.replanned = true;
     m.report.columns = m.pattern.nodes();
@@ -366,6 +347,10 @@ FactorInfo BlockFactor::info() const noexcept {
         m.analysis.bytes() + m.numeric.bytes() + base::bytes(m.ops) + base::bytes(m.column_of) +
         base::bytes(m.value_begin) + base::bytes(m.permuted) + base::bytes(m.edges));
     return info;
+}
+
+std::span<const std::int32_t> BlockFactor::order() const noexcept {
+    return impl_->analysis.symbolic().order;
 }
 
 }  // namespace hawser

@@ -169,6 +169,51 @@ TEST(BlockFactor, RejectsMalformedPatterns) {
     EXPECT_EQ(x, (std::vector<double>{2.0, 3.0}));
 }
 
+/// An order that is given is kept up to a postorder of its tree, so its fill is too.
+TEST(BlockFactor, EliminatesInAGivenOrder) {
+    for (int seed = 1; seed <= 20; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(static_cast<std::uint64_t>(seed));
+        BlockMatrix m = draw_matrix(random, seed);
+        const BlockPattern p = pattern_of(m, random);
+        std::vector<std::int32_t> order = minimum_degree_order(p);
+        if (seed % 3 == 0) {
+            random.shuffle(order);
+            rows_after_bodies(p, order);
+        }
+        BlockFactor f;
+        f.analyse(p, order);
+        EXPECT_EQ(f.info().nodes, m.pattern.nodes());
+        // Eliminating in the order that it took changes nothing any more.
+        const std::vector<std::int32_t> taken(f.order().begin(), f.order().end());
+        const FactorInfo info = f.info();
+        f.analyse(p, taken);
+        EXPECT_TRUE(std::equal(taken.begin(), taken.end(), f.order().begin(), f.order().end()));
+        EXPECT_EQ(f.info().factor_nnz, info.factor_nnz);
+        EXPECT_EQ(f.info().flops, info.flops);
+        const std::vector<double> k = values_of(m, p, f);
+        ASSERT_EQ(f.factor(k), Status::ok);
+        const Vector b = random_matrix(random, m.scalars(), 1);
+        std::vector<double> x(b.data(), b.data() + b.size());
+        ASSERT_EQ(f.solve(x), Status::ok);
+        EXPECT_LE(backward_error(m, Eigen::Map<Vector>(x.data(), b.size()), b), 1e-12);
+    }
+    // A star of scalars: its centre last makes no fill, its centre first joins all others.
+    const BlockPattern star{{1, 1, 1, 1}, {1, 1, 1, 1}, {{0, 1}, {0, 2}, {0, 3}}};
+    BlockFactor f;
+    f.analyse(star, std::vector<std::int32_t>{0, 1, 2, 3});
+    EXPECT_EQ(f.info().factor_nnz, 10);
+    for (const std::vector<std::int32_t>& bad :
+         {std::vector<std::int32_t>{0, 1, 2}, {0, 1, 2, 2}, {0, 1, 2, 4}, {0, 1, 2, -1}}) {
+        EXPECT_THROW(f.analyse(star, bad), std::invalid_argument);
+        std::vector<std::int32_t> order = bad;
+        EXPECT_THROW(rows_after_bodies(star, order), std::invalid_argument);
+    }
+    std::vector<std::int32_t> order{0, 2, 1};
+    rows_after_bodies({{1, 1, 1}, {-1, 1, 1}, {{0, 1}}}, order);
+    EXPECT_EQ(order, (std::vector<std::int32_t>{2, 1, 0}));
+}
+
 /// Nothing at all is a matrix too.
 TEST(BlockFactor, SolvesNothing) {
     BlockFactor f;

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file figure_panels.h
+/// Panels of the paper's Figs. 1 and 2, each with its data.
+
+#include "figure_matrices.h"
+#include "observe/drawing.h"
+#include "observe/figures/interaction_graph.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hawser::cli {
+
+struct Panel {
+    std::string name;  ///< Of its files.
+    observe::Drawing drawing;
+    nlohmann::ordered_json data;
+};
+
+/// A matrix without fill.
+[[nodiscard]] Panel matrix_panel(const std::string& name, const std::string& title,
+                                 const OrderedMatrix& matrix);
+/// A matrix with the fill of its factor, sizes, work and time; where there is no order, why.
+[[nodiscard]] Panel fill_panel(const std::string& name, const std::string& title,
+                               const OrderedMatrix& matrix);
+/// @param parts  Colour by part, mark cuts and separators.
+[[nodiscard]] Panel graph_panel(const std::string& name, const std::string& title,
+                                const std::vector<std::string>& notes,
+                                const observe::InteractionGraph& graph, bool parts);
+
+}  // namespace hawser::cli
