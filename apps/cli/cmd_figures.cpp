@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
 #include "figure_panels.h"
+#include "figure_timelines.h"
+#include "observe/figures/index.h"
 #include "observe/figures/panel.h"
 #include "observe/host.h"
 #include "observe/png.h"
 #include "scene_options.h"
 
 #include <fmt/format.h>
+#include <hawser/partition.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -33,6 +36,7 @@ struct FiguresOptions {
     std::string folder = ".";
     double at = 1.0;
     int samples = 21;
+    int parts = 4, simulated = 4;
 };
 
 /// The scene of the figures, seen from here or from where the program stands: in a folder above it
@@ -118,44 +122,122 @@ class Writer {
     std::string parameters_;
 };
 
+/// The partitions of a state: for approximate couplings and for the exact solution.
+struct Parts {
+    PartitionView cuts, separators;
+};
+
+Parts partition(const World& world, int parts) {
+    return {world.partition({.use = PartitionUse::cuts, .parts = parts}),
+            world.partition({.use = PartitionUse::separators, .parts = parts})};
+}
+
+void mark(observe::InteractionGraph& graph, const Parts& parts) {
+    for (observe::GraphNode& n : graph.nodes) {
+        n.part = std::max(-1, parts.cuts.part_of_body[observe::at(n.body.index)]);
+        n.separator = std::binary_search(parts.separators.separator.begin(),
+                                         parts.separators.separator.end(), n.body);
+    }
+    for (observe::GraphEdge& e : graph.edges)
+        e.cut =
+            std::any_of(parts.cuts.cuts.begin(), parts.cuts.cuts.end(),
+                        [&](const CutInteraction& c) { return c.interaction == e.interaction; });
+}
+
+nlohmann::ordered_json partition_data(const Parts& parts) {
+    nlohmann::ordered_json cuts = nlohmann::ordered_json::array();
+    for (const CutInteraction& c : parts.cuts.cuts)
+        cuts.push_back({{"interaction", c.interaction.index},
+                        {"force", c.force},
+                        {"net_force", c.net_force},
+                        {"relative_velocity", c.relative_velocity},
+                        {"violation", c.violation},
+                        {"weight", c.weight}});
+    return {{"parts", parts.cuts.parts},
+            {"part_cost", parts.cuts.part_cost},
+            {"imbalance", parts.cuts.imbalance},
+            {"island_cost", parts.cuts.island_cost},
+            {"cuts", std::move(cuts)},
+            {"separator_scalars", parts.separators.separator_scalars},
+            {"separator_part_cost", parts.separators.part_cost}};
+}
+
+void figure1(Writer& writer, const World& world, const Parts& parts, const OrderedMatrix& whole,
+             const OrderedMatrix& split) {
+    observe::InteractionGraph graph = observe::interaction_graph(world);
+    std::vector<Panel> panels;
+    panels.push_back(matrix_panel("fig1_matrix", "System matrix", whole));
+    panels.push_back(matrix_panel("fig1_split_matrix",
+                                  fmt::format("Split matrix, {} parts", parts.cuts.parts), split));
+    panels.push_back(graph_panel(
+        "fig1_graph", "Interaction graph",
+        {fmt::format("{} bodies, {} interactions", graph.nodes.size(), graph.edges.size())}, graph,
+        false));
+    mark(graph, parts);
+    panels.push_back(graph_panel(
+        "fig1_cut_graph", "Cut graph",
+        {fmt::format("{} parts, {} interactions cut, largest part {:.2f} x the mean",
+                     parts.cuts.parts, parts.cuts.cuts.size(), parts.cuts.imbalance),
+         fmt::format("the exact solution needs no cuts: {} bodies ({} scalars) as separators",
+                     parts.separators.separator.size(), parts.separators.separator_scalars)},
+        graph, true));
+    panels.back().data.update(partition_data(parts));
+    for (Panel& p : panels) writer.panel("1", p);
+    writer.page(
+        "fig1", "Fig. 1: system matrix, split matrix, interaction graph, cut graph",
+        {{&panels[0].drawing, &panels[1].drawing}, {&panels[2].drawing, &panels[3].drawing}});
+}
+
+void figure2(Writer& writer, const std::vector<OrderedMatrix>& full,
+             const std::vector<OrderedMatrix>& split,
+             const std::vector<observe::NamedTimeline>& timelines) {
+    static constexpr const char* kOrders[] = {"natural order", "AMD", "METIS nested dissection"};
+    static constexpr const char* kFiles[] = {"natural", "amd", "metis"};
+    std::vector<Panel> panels;
+    for (std::size_t k = 0; k < full.size(); ++k)
+        panels.push_back(fill_panel(fmt::format("fig2_full_{}", kFiles[k]),
+                                    fmt::format("Full: {}", kOrders[k]), full[k]));
+    for (std::size_t k = 0; k < split.size(); ++k)
+        panels.push_back(fill_panel(fmt::format("fig2_split_{}", kFiles[k]),
+                                    fmt::format("Split: {}", kOrders[k]), split[k]));
+    panels.push_back(timeline_panel("fig2_timelines", "Thread timelines", timelines));
+    for (Panel& p : panels) writer.panel("2", p);
+    writer.page("fig2", "Fig. 2: fill of the factor, full and split, and timelines of threads",
+                {{&panels[0].drawing, &panels[1].drawing, &panels[2].drawing},
+                 {&panels[3].drawing, &panels[4].drawing, &panels[5].drawing},
+                 {&panels[6].drawing}});
+}
+
 int figures(FiguresOptions options) {
     if (options.scene.file.empty()) options.scene.file = default_scene();
-    if (!options.scene.form) options.scene.form = "saddle";
-    scene::Scene scene = options.scene.load();
+    SceneOptions saddle = options.scene;
+    if (!saddle.form) saddle.form = "saddle";
+    scene::Scene scene = saddle.load();
     if (const Status status = run_to(scene.world, options.at); status != Status::ok) {
         fmt::print(stderr, "hawser: the step at {:.4g} s failed: {}\n", scene.world.time(),
                    to_string(status));
         return kFailed;
     }
     Writer writer(options, scene);
-    const observe::BlockGraph whole = observe::graph_of(scene.world.inspect());
-    std::vector<OrderedMatrix> full;
-    for (const Ordering o : {Ordering::natural, Ordering::amd, Ordering::metis})
+    const Parts parts = partition(scene.world, options.parts);
+    observe::BlockGraph whole = observe::graph_of(scene.world.inspect(), parts.cuts.part_of_body);
+    const observe::BlockGraph pieces = observe::split_graph(whole, parts.cuts.parts);
+    whole.part.assign(whole.part.size(), -1);  // pictures of the whole show no parts
+    std::vector<OrderedMatrix> full, split;
+    std::vector<OrderedMatrix*> all;
+    for (const Ordering o : {Ordering::natural, Ordering::amd, Ordering::metis}) {
         full.push_back(order_matrix(whole, 0, o));
-    time_matrices({&full[0], &full[1], &full[2]}, options.samples);
-
-    const observe::InteractionGraph graph = observe::interaction_graph(scene.world);
-    Panel matrix = matrix_panel("fig1_matrix", "System matrix", full[0]);
-    Panel interactions = graph_panel(
-        "fig1_graph", "Interaction graph",
-        {fmt::format("{} bodies, {} interactions", graph.nodes.size(), graph.edges.size())}, graph,
-        false);
-    writer.panel("1", matrix);
-    writer.panel("1", interactions);
-    writer.page("fig1", "Fig. 1: system and interaction graph",
-                {{&matrix.drawing, &interactions.drawing}});
-
-    std::vector<Panel> spies;
-    static constexpr const char* kTitles[] = {"Full, natural order",
-                                              "Full, approximate minimum degree (AMD)",
-                                              "Full, nested dissection (METIS)"};
-    static constexpr const char* kNames[] = {"fig2_full_natural", "fig2_full_amd",
-                                             "fig2_full_metis"};
-    for (std::size_t k = 0; k < full.size(); ++k)
-        spies.push_back(fill_panel(kNames[k], kTitles[k], full[k]));
-    for (Panel& p : spies) writer.panel("2", p);
-    writer.page("fig2", "Fig. 2: fill of the factor",
-                {{&spies[0].drawing, &spies[1].drawing, &spies[2].drawing}});
+        split.push_back(order_matrix(pieces, parts.cuts.parts, o));
+    }
+    for (auto* list : {&full, &split})
+        for (OrderedMatrix& m : *list) all.push_back(&m);
+    time_matrices(all, options.samples);
+    figure1(writer, scene.world, parts, full[0], split[0]);
+    figure2(writer, full, split,
+            run_timelines(options.scene, {.at = options.at,
+                                          .threads = options.scene.threads,
+                                          .simulated = options.simulated,
+                                          .parts = options.parts}));
     return kOk;
 }
 
@@ -166,6 +248,7 @@ void add_figures(CLI::App& app, Command& chosen) {
     CLI::App* command =
         app.add_subcommand("figures", "Draw the figures of the paper from a run of a scene");
     command->footer(kFiguresFooter);
+    options->scene.threads = std::clamp(observe::processor_count(), 1, 4);
     options->scene.add_to(*command, false);
     command->add_option("-o,--output", options->folder, "Folder for the figures")
         ->capture_default_str();

@@ -58,14 +58,15 @@ TEST_F(Figures, WriteAPictureInTwoFormsAndItsDataForEachPanel) {
         for (const char* key : {"figure", "panel", "title", "instruction_set", "version", "time"})
             EXPECT_TRUE(d.contains(key)) << key;
     }
-    EXPECT_GE(panels, 5);
+    EXPECT_EQ(panels, 11);
     for (const char* page : {"fig1.svg", "fig1.png", "fig2.svg", "fig2.png"})
         EXPECT_TRUE(std::filesystem::exists(folder / page)) << page;
 }
 
 TEST_F(Figures, MatricesAreWhatTheirNumbersSay) {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    for (const char* name : {"fig2_full_natural", "fig2_full_amd", "fig2_full_metis"}) {
+    for (const char* name : {"fig2_full_natural", "fig2_full_amd", "fig2_full_metis",
+                             "fig2_split_natural", "fig2_split_amd", "fig2_split_metis"}) {
         SCOPED_TRACE(name);
         const json d = data(name);
         if (d.contains("missing")) continue;  // a build without METIS
@@ -82,10 +83,56 @@ TEST_F(Figures, MatricesAreWhatTheirNumbersSay) {
         EXPECT_LE(d["factor_nnz"], d["solver"]["factor_nnz"]);
         EXPECT_LE(d["flops"], d["solver"]["flops"]);
         EXPECT_GT(d["factor_ms"].get<double>(), 0.0);
-        EXPECT_EQ(d["nnz"], data("fig1_matrix")["nnz"]);
+        const bool whole = std::string(name).find("full") != std::string::npos;
+        EXPECT_EQ(d["nnz"], data(whole ? "fig1_matrix" : "fig1_split_matrix")["nnz"]);
+        EXPECT_EQ(d["part_factor_ms"].size(), whole ? 1u : 4u);
     }
     // Of an order that keeps rows after bodies, AMD's has the least fill on a line.
     EXPECT_LE(data("fig2_full_amd")["factor_nnz"], data("fig2_full_natural")["factor_nnz"]);
+}
+
+// Every body is in the part that the cut graph shows, rows that are cut are in several, and no
+// block joins two parts.
+TEST_F(Figures, SplitMatrixIsBlockDiagonal) {
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const json split = data("fig1_split_matrix"), whole = data("fig1_matrix");
+    const auto part = split["node_part"].get<std::vector<int>>();
+    const auto origin = split["node_origin"].get<std::vector<std::size_t>>();
+    for (const auto& e : split["edges"])
+        EXPECT_EQ(part[e[0].get<std::size_t>()], part[e[1].get<std::size_t>()]);
+    std::vector<int> copies(whole["node_size"].size(), 0);
+    for (const std::size_t node : origin) ++copies[node];
+    int cut = 0;
+    for (std::size_t v = 0; v < copies.size(); ++v) {
+        if (whole["node_sign"][v].get<int>() > 0)
+            EXPECT_EQ(copies[v], 1) << v;
+        else
+            EXPECT_GE(copies[v], 1) << v;
+        cut += copies[v] > 1;
+    }
+    const json graph = data("fig1_cut_graph");
+    EXPECT_EQ(graph["cut_count"].get<int>(), cut);
+    EXPECT_EQ(graph["cuts"].size(), static_cast<std::size_t>(cut));
+    EXPECT_GT(cut, 0);
+    EXPECT_EQ(graph["bodies"].size(), data("fig1_graph")["bodies"].size());
+}
+
+TEST_F(Figures, TimelinesSayWhatIsSimulated) {
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    int simulated = 0;
+    for (const auto& t : data("fig2_timelines")["timelines"]) {
+        if (t.contains("missing")) continue;
+        EXPECT_EQ(t["simulated"].get<bool>(),
+                  t["name"].get<std::string>().find("SIMULATED") != std::string::npos);
+        simulated += t["simulated"].get<bool>();
+        EXPECT_GT(t["ms"].get<double>(), 0.0);
+        for (const auto& s : t["segments"]) {
+            EXPECT_LT(s[0].get<int>(), t["threads"].get<int>());
+            EXPECT_LE(s[1].get<double>(), s[2].get<double>());
+            EXPECT_LE(s[2].get<double>(), t["ms"].get<double>() + 1e-9);  // rounding of ms
+        }
+    }
+    EXPECT_GE(simulated, 1);
 }
 
 TEST(FiguresCommand, SaysWhatIsMissing) {

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "figure_timelines.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace hawser::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int kSteps = 61;                            // of which the one of median length is shown
+constexpr std::size_t kSpans = std::size_t{1} << 17;  // of each thread: they hold so many steps
+
+/// Step to a time, then trace.
+TraceView trace_steps(World& world, double at) {
+    const auto step = [&] {
+        if (const Status status = world.step(); status != Status::ok)
+            throw std::runtime_error(
+                fmt::format("the step at {:.4g} s failed: {}", world.time(), to_string(status)));
+    };
+    while (world.time() < at - 0.5 * world.settings().step) step();
+    world.start_trace(kSpans);
+    for (int k = 0; k < kSteps; ++k) step();
+    return world.trace();
+}
+
+observe::Timeline typical(const TraceView& trace) {
+    return observe::timeline_of(trace, observe::typical_step(trace));
+}
+
+std::string threads_note(int threads) {
+    return threads == 1 ? "one thread" : fmt::format("{} threads", threads);
+}
+
+}  // namespace
+
+std::vector<observe::NamedTimeline> run_timelines(SceneOptions options, const TimelineRun& run) {
+    std::vector<observe::NamedTimeline> out;
+    options.threads = 1;
+    scene::Scene serial = options.load();
+    const TraceView one = trace_steps(serial.world, run.at);
+    out.push_back({"Serial, measured on one thread", typical(one), {}});
+    options.threads = run.threads;
+    scene::Scene parallel = options.load();
+    out.push_back({fmt::format("Exact parallel, measured on {}", threads_note(run.threads)),
+                   typical(trace_steps(parallel.world, run.at)),
+                   {}});
+    const PoolCosts costs = measure_pool_costs();
+    out.push_back(
+        {fmt::format("Exact parallel, SIMULATED on {} from the serial step's task times",
+                     threads_note(run.simulated)),
+         observe::simulated_timeline(one, observe::typical_step(one), run.simulated, costs),
+         {}});
+    return out;
+}
+
+Panel timeline_panel(const std::string& name, const std::string& title,
+                     const std::vector<observe::NamedTimeline>& timelines) {
+    ordered_json list = ordered_json::array();
+    for (const observe::NamedTimeline& t : timelines) {
+        if (!t.note.empty()) {
+            list.push_back({{"name", t.name}, {"missing", t.note}});
+            continue;
+        }
+        const observe::TimelineFigures f = observe::figures_of(t.timeline);
+        ordered_json work, segments = ordered_json::array();
+        for (int w = 0; w < observe::kWorkCount; ++w)
+            work[to_string(static_cast<observe::Work>(w))] =
+                1e3 * f.seconds[static_cast<std::size_t>(w)];
+        for (const observe::Segment& s : t.timeline.segments)
+            segments.push_back({s.thread, 1e3 * s.begin, 1e3 * s.end, to_string(s.work), s.task});
+        list.push_back({{"name", t.name},
+                        {"threads", t.timeline.threads},
+                        {"simulated", t.timeline.simulated},
+                        {"step", t.timeline.step},
+                        {"ms", 1e3 * t.timeline.seconds},
+                        {"busy", f.busy},
+                        {"balance", f.balance},
+                        {"linear_algebra", f.linear_algebra},
+                        {"work_ms", std::move(work)},
+                        {"segment_columns", {"thread", "begin_ms", "end_ms", "work", "task"}},
+                        {"segments", std::move(segments)}});
+    }
+    ordered_json data;
+    data["timelines"] = std::move(list);
+    return {name,
+            observe::draw_timelines(
+                timelines, title,
+                {"a step of median length of each run; high boxes: tasks that any thread may take, "
+                 "low ones: code of the calling thread alone"}),
+            std::move(data)};
+}
+
+}  // namespace hawser::cli
