@@ -37,22 +37,36 @@ std::string threads_note(int threads) {
 }  // namespace
 
 std::vector<observe::NamedTimeline> run_timelines(SceneOptions options, const TimelineRun& run) {
-    std::vector<observe::NamedTimeline> out;
-    options.threads = 1;
-    scene::Scene serial = options.load();
-    const TraceView one = trace_steps(serial.world, run.at);
-    out.push_back({"Serial, measured on one thread", typical(one), {}});
-    options.threads = run.threads;
-    scene::Scene parallel = options.load();
-    out.push_back({fmt::format("Exact parallel, measured on {}", threads_note(run.threads)),
-                   typical(trace_steps(parallel.world, run.at)),
-                   {}});
     const PoolCosts costs = measure_pool_costs();
-    out.push_back(
-        {fmt::format("Exact parallel, SIMULATED on {} from the serial step's task times",
-                     threads_note(run.simulated)),
-         observe::simulated_timeline(one, observe::typical_step(one), run.simulated, costs),
-         {}});
+    std::vector<observe::NamedTimeline> out;
+    const auto traced = [&](int threads) {
+        options.threads = threads;
+        scene::Scene scene = options.load();
+        return trace_steps(scene.world, run.at);
+    };
+    const auto add = [&](const std::string& what, const TraceView& one) {
+        out.push_back({fmt::format("{}, measured on {}", what, threads_note(run.threads)),
+                       typical(traced(run.threads)),
+                       {}});
+        out.push_back(
+            {fmt::format("{}, SIMULATED on {}", what, threads_note(run.simulated)),
+             observe::simulated_timeline(one, observe::typical_step(one), run.simulated, costs),
+             {}});
+    };
+    const TraceView serial = traced(1);
+    out.push_back({"Serial, measured on one thread", typical(serial), {}});
+    const SceneOptions exact = options;
+    const std::string split = fmt::format("Split: kinematic, clique first, {} parts", run.parts);
+    try {
+        options.set.insert(options.set.end(),
+                           {"settings.coupling=kinematic", "settings.predictor=clique",
+                            fmt::format("settings.parts={}", run.parts)});
+        add(split, traced(1));
+    } catch (const std::exception& e) {  // the scene cannot be split; what is exact can be shown
+        out.push_back({split, {}, fmt::format("not run: {}", e.what())});
+    }
+    options = exact;
+    add("Exact, parallel", serial);
     return out;
 }
 
