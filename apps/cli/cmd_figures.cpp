@@ -37,6 +37,7 @@ struct FiguresOptions {
     double at = 1.0;
     int samples = 21;
     int parts = 4, simulated = 4;
+    double most_gflop = 0.5;
 };
 
 /// The scene of the figures, seen from here or from where the program stands: in a folder above it
@@ -231,7 +232,7 @@ int figures(FiguresOptions options) {
     }
     for (auto* list : {&full, &split})
         for (OrderedMatrix& m : *list) all.push_back(&m);
-    time_matrices(all, options.samples);
+    time_matrices(all, options.samples, 1e9 * options.most_gflop);
     figure1(writer, scene.world, parts, full[0], split[0]);
     figure2(writer, full, split,
             run_timelines(options.scene, {.at = options.at,

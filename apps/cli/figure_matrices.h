@@ -37,6 +37,7 @@ struct OrderedMatrix {
 /// values and factoring, on one thread, by its processor time. Values are drawn; times do not
 /// depend on them. A matrix that takes long gets fewer samples. @throws std::runtime_error where a
 /// factorisation fails.
-void time_matrices(std::vector<OrderedMatrix*> matrices, int samples);
+/// @param most_flops  Orders that need more are not factored: samples stays 0.
+void time_matrices(std::vector<OrderedMatrix*> matrices, int samples, double most_flops);
 
 }  // namespace hawser::cli

@@ -66,8 +66,10 @@ Panel fill_panel(const std::string& name, const std::string& title, const Ordere
         d.box(observe::panel_square(), observe::kNoColor, observe::kSoft);
         return {name, std::move(d), {{"ordering", name_of(m.ordering)}, {"missing", m.missing}}};
     }
-    std::string time = fmt::format("factor {:.3g} ms", 1e3 * m.seconds());
-    if (m.part_seconds.size() > 1)
+    const bool timed = m.samples > 0;
+    std::string time = timed ? fmt::format("factor {:.3g} ms", 1e3 * m.seconds())
+                             : std::string("not factored: too much work");
+    if (timed && m.part_seconds.size() > 1)
         time += fmt::format(", longest part {:.3g} ms", 1e3 * m.longest_seconds());
     const std::string work = fmt::format("nnz(L) = {} ({:.2f} x nnz(K))   {:.3g} Mflop   {}",
                                          grouped(m.counts.factor_nnz), fill_ratio(m),
@@ -76,14 +78,17 @@ Panel fill_panel(const std::string& name, const std::string& title, const Ordere
     d["factor_nnz"] = m.counts.factor_nnz;
     d["fill"] = fill_ratio(m);
     d["flops"] = m.counts.flops;
-    d["factor_ms"] = 1e3 * m.seconds();
     d["factor_samples"] = m.samples;
-    ordered_json parts = ordered_json::array();
-    for (const double seconds : m.part_seconds) parts.push_back(1e3 * seconds);
-    d["part_factor_ms"] = std::move(parts);
-    // Fronts of the solver are merged where that is faster; their zeros are stored and multiplied.
-    d["solver"] = {
-        {"nnz", m.solver_matrix_nnz}, {"factor_nnz", m.solver_nnz}, {"flops", m.solver_flops}};
+    if (timed) {
+        d["factor_ms"] = 1e3 * m.seconds();
+        ordered_json parts = ordered_json::array();
+        for (const double seconds : m.part_seconds) parts.push_back(1e3 * seconds);
+        d["part_factor_ms"] = std::move(parts);
+        // Fronts of the solver are merged where that is faster; their zeros are stored and
+        // multiplied.
+        d["solver"] = {
+            {"nnz", m.solver_matrix_nnz}, {"factor_nnz", m.solver_nnz}, {"flops", m.solver_flops}};
+    }
     return {name,
             observe::draw_matrix(*m.graph, m.order, m.factor,
                                  {.title = title, .notes = {size_note(m), work}, .fill = true}),

@@ -78,13 +78,14 @@ TEST_F(Figures, MatricesAreWhatTheirNumbersSay) {
             nnz += size[e[0].get<std::size_t>()] * size[e[1].get<std::size_t>()];
         EXPECT_EQ(d["n"].get<long>(), n);
         EXPECT_EQ(d["nnz"].get<long>(), nnz);
-        EXPECT_EQ(d["nnz"], d["solver"]["nnz"]);
         EXPECT_LE(d["nnz"], d["factor_nnz"]);
+        const bool whole = std::string(name).find("full") != std::string::npos;
+        EXPECT_EQ(d["nnz"], data(whole ? "fig1_matrix" : "fig1_split_matrix")["nnz"]);
+        if (d["ordering"] == "natural" && d["factor_samples"] == 0) continue;  // too much work
+        EXPECT_EQ(d["nnz"], d["solver"]["nnz"]);
         EXPECT_LE(d["factor_nnz"], d["solver"]["factor_nnz"]);
         EXPECT_LE(d["flops"], d["solver"]["flops"]);
         EXPECT_GT(d["factor_ms"].get<double>(), 0.0);
-        const bool whole = std::string(name).find("full") != std::string::npos;
-        EXPECT_EQ(d["nnz"], data(whole ? "fig1_matrix" : "fig1_split_matrix")["nnz"]);
         EXPECT_EQ(d["part_factor_ms"].size(), whole ? 1u : 4u);
     }
     // Of an order that keeps rows after bodies, AMD's has the least fill on a line.
