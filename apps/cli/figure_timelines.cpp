@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kSteps = 61;                            // of which the one of median length is shown
+constexpr int kTracedSteps = 61;                      // of which the one of median length is shown
 constexpr std::size_t kSpans = std::size_t{1} << 17;  // of each thread: they hold so many steps
 
 /// Step to a time, then trace.
@@ -22,7 +22,7 @@ TraceView trace_steps(World& world, double at) {
     };
     while (world.time() < at - 0.5 * world.settings().step) step();
     world.start_trace(kSpans);
-    for (int k = 0; k < kSteps; ++k) step();
+    for (int k = 0; k < kTracedSteps; ++k) step();
     return world.trace();
 }
 
