@@ -61,8 +61,8 @@ Panel matrix_panel(const std::string& name, const std::string& title, const Orde
 
 Panel fill_panel(const std::string& name, const std::string& title, const OrderedMatrix& m) {
     if (!m.missing.empty()) {
-        observe::Drawing d = observe::make_panel(observe::kPanelWidth, observe::kPanelHeight, title,
-                                                 {"not drawn: " + m.missing});
+        observe::Drawing d = observe::make_panel(observe::kFigureWidth, observe::kFigureHeight,
+                                                 title, {"not drawn: " + m.missing});
         d.box(observe::panel_square(), observe::kNoColor, observe::kSoft);
         return {name, std::move(d), {{"ordering", name_of(m.ordering)}, {"missing", m.missing}}};
     }

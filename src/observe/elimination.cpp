@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "observe/elimination.h"
 
+#include "observe/figures/index.h"
+
 #include <algorithm>
 #include <cstddef>
 
 namespace hawser::observe {
-namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
 
 EliminationCounts count_elimination(const SystemView& view,
                                     const std::vector<std::int32_t>& order) {

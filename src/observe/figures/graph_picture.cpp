@@ -15,7 +15,7 @@ namespace {
 
 constexpr Color kTwo{70, 82, 100, 255}, kThree{178, 205, 232, 255}, kTouch{230, 159, 0, 255};
 constexpr Color kCutColor{214, 20, 40, 255}, kLoose{150, 156, 164, 255};
-constexpr double kInset = 176;
+constexpr double kInsetSize = 176;
 
 /// A rectangle of the world seen along an axis.
 struct Scope {
@@ -168,9 +168,9 @@ void draw_insets(Drawing& d, const InteractionGraph& g, const Scope& main, const
     double x = strip.x;
     const char* name = "A";
     static constexpr std::array<const char*, 3> kNames{"A", "B", "C"};
-    for (std::size_t k = 0; k < places.size(); ++k, x += kInset + 28) {
+    for (std::size_t k = 0; k < places.size(); ++k, x += kInsetSize + 28) {
         name = kNames[k];
-        const Box box{x, strip.y, kInset, kInset};
+        const Box box{x, strip.y, kInsetSize, kInsetSize};
         const Scope s = scope_of(places[k], box, 1.3);
         d.box(box, kWhite);
         d.add(Clip{box});
@@ -217,7 +217,8 @@ void draw_scale(Drawing& d, const Scope& s) {
 }  // namespace
 
 Drawing draw_graph(const InteractionGraph& graph, const GraphPicture& picture) {
-    Drawing d = make_panel(kPanelWidth, kPanelHeight + kInset + 20, picture.title, picture.notes);
+    Drawing d =
+        make_panel(kFigureWidth, kFigureHeight + kInsetSize + 20, picture.title, picture.notes);
     const Box square = panel_square();
     Bounds bounds;
     for (const GraphNode& n : graph.nodes) bounds.add(n.position);
@@ -231,7 +232,7 @@ Drawing draw_graph(const InteractionGraph& graph, const GraphPicture& picture) {
     draw_nodes(d, graph, main, picture.parts, 1.0);
     d.add(Clip{});
     draw_scale(d, main);
-    draw_insets(d, graph, main, {square.x, square.bottom() + 14, square.width, kInset},
+    draw_insets(d, graph, main, {square.x, square.bottom() + 14, square.width, kInsetSize},
                 picture.parts);
     std::vector<Swatch> swatches;
     if (picture.parts) {
@@ -248,7 +249,7 @@ Drawing draw_graph(const InteractionGraph& graph, const GraphPicture& picture) {
                     {"contact", kTouch, true},
                     {"to what is fixed", kLoose, true}};
     }
-    draw_swatches(d, {square.x, square.bottom() + kInset + 42}, square.width, swatches);
+    draw_swatches(d, {square.x, square.bottom() + kInsetSize + 42}, square.width, swatches);
     return d;
 }
 

@@ -93,7 +93,7 @@ Color part_color(std::int32_t part) { return curve_color(at(std::max(0, part)));
 
 Drawing draw_matrix(const BlockGraph& graph, std::span<const std::int32_t> order,
                     const FactorBlocks& factor, const MatrixPicture& picture) {
-    Drawing drawing = make_panel(kPanelWidth, kPanelHeight, picture.title, picture.notes);
+    Drawing drawing = make_panel(kFigureWidth, kFigureHeight, picture.title, picture.notes);
     const Box square = panel_square();
     std::vector<std::int64_t> offset{0};
     std::vector<std::int32_t> position(order.size());

@@ -8,9 +8,9 @@
 namespace hawser::observe {
 namespace {
 
-constexpr double kMargin = 28, kHead = 80, kBetween = 18;
+constexpr double kPageMargin = 28, kPageHead = 80, kPageBetween = 18;
 
-struct Placer {
+struct PanelMover {
     Drawing& page;
     Point at;
     double scale;
@@ -47,17 +47,18 @@ struct Placer {
 Drawing make_panel(double width, double height, const std::string& title,
                    const std::vector<std::string>& notes) {
     Drawing d{.width = width, .height = height, .title = title};
-    d.text({kMargin, 34}, title, 20.0, Anchor::start, kInk, true);
+    d.text({kPageMargin, 34}, title, 20.0, Anchor::start, kInk, true);
     double y = 57;
     for (std::size_t i = 0; i < notes.size(); ++i, y += 19) {
-        const double fit = (width - 2 * kMargin) / std::max(1.0, text_width(notes[i], 1.0));
-        d.text({kMargin, y}, notes[i], std::min(14.5, fit), Anchor::start, i == 0 ? kInk : kSoft);
+        const double fit = (width - 2 * kPageMargin) / std::max(1.0, text_width(notes[i], 1.0));
+        d.text({kPageMargin, y}, notes[i], std::min(14.5, fit), Anchor::start,
+               i == 0 ? kInk : kSoft);
         d.description += (i == 0 ? "" : "; ") + notes[i];
     }
     return d;
 }
 
-Box panel_square() { return {kMargin, 108, kPanelSquare, kPanelSquare}; }
+Box panel_square() { return {kPageMargin, 108, kFigureSquare, kFigureSquare}; }
 
 void draw_swatches(Drawing& drawing, Point at, double width, const std::vector<Swatch>& swatches) {
     constexpr double kSize = 13.0;
@@ -77,7 +78,7 @@ void draw_swatches(Drawing& drawing, Point at, double width, const std::vector<S
 
 void place(Drawing& page, const Drawing& panel, Point at, double width) {
     const double scale = width / panel.width;
-    const Placer placer{page, at, scale, {at.x, at.y, width, scale * panel.height}};
+    const PanelMover placer{page, at, scale, {at.x, at.y, width, scale * panel.height}};
     page.add(Clip{placer.whole});
     for (const Shape& shape : panel.shapes) std::visit(placer, shape);
     page.add(Clip{});
@@ -87,26 +88,26 @@ Drawing make_page(const std::string& title, const std::string& parameters,
                   const std::vector<std::vector<const Drawing*>>& rows) {
     double width = 0.0;
     for (const auto& row : rows) {
-        double sum = 2 * kMargin - kBetween;
-        for (const Drawing* d : row) sum += d->width + kBetween;
+        double sum = 2 * kPageMargin - kPageBetween;
+        for (const Drawing* d : row) sum += d->width + kPageBetween;
         width = std::max(width, sum);
     }
     Drawing page{.width = width, .height = 0.0};
     draw_heading(page, title, parameters);
-    double y = kHead;
+    double y = kPageHead;
     for (const auto& row : rows) {
         double sum = 0.0, high = 0.0;
         for (const Drawing* d : row) sum += d->width;
         const double room =
-            width - 2 * kMargin - kBetween * (static_cast<double>(row.size()) - 1.0);
-        double x = kMargin;
+            width - 2 * kPageMargin - kPageBetween * (static_cast<double>(row.size()) - 1.0);
+        double x = kPageMargin;
         for (const Drawing* d : row) {
             const double wide = d->width * room / sum;
             place(page, *d, {x, y}, wide);
-            x += wide + kBetween;
+            x += wide + kPageBetween;
             high = std::max(high, d->height * room / sum);
         }
-        y += high + kBetween;
+        y += high + kPageBetween;
     }
     page.height = y + 8;
     return page;

@@ -11,7 +11,7 @@
 namespace hawser::observe {
 
 /// Sides of a square panel, and of its square for contents [points].
-inline constexpr double kPanelWidth = 640, kPanelHeight = 744, kPanelSquare = 584;
+inline constexpr double kFigureWidth = 640, kFigureHeight = 744, kFigureSquare = 584;
 
 /// An empty panel with a title, lines below it (the first in ink, others grey) and metadata.
 [[nodiscard]] Drawing make_panel(double width, double height, const std::string& title,

@@ -12,7 +12,7 @@ namespace hawser::observe {
 
 Drawing draw_timelines(const std::vector<NamedTimeline>& timelines, const std::string& title,
                        const std::vector<std::string>& notes) {
-    constexpr double kWide = 3 * kPanelWidth + 36, kLeft = 150, kRight = 40, kTop = 124;
+    constexpr double kWide = 3 * kFigureWidth + 36, kLeft = 150, kRight = 40, kTop = 124;
     constexpr double kCaption = 30, kLine = 34, kApart = 16;
     double height = kTop, until = 0.0;
     std::vector<Timeline> all;
