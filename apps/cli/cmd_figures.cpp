@@ -256,6 +256,17 @@ void add_figures(CLI::App& app, Command& chosen) {
     command->add_option("--at", options->at, "Time of the step that is drawn [s]")
         ->check(not_negative())
         ->capture_default_str();
+    command->add_option("--cut-into", options->parts, "Parts of the split matrix and the cut graph")
+        ->check(CLI::Range(1, 4096))
+        ->capture_default_str();
+    command->add_option("--simulated", options->simulated, "Threads that a timeline simulates")
+        ->check(CLI::Range(1, kMostThreads))
+        ->capture_default_str();
+    command
+        ->add_option("--most-gflop", options->most_gflop,
+                     "Orders of elimination that need more are drawn but not timed")
+        ->check(not_negative())
+        ->capture_default_str();
     command
         ->add_option("--samples", options->samples,
                      "Factorisations timed of each matrix, fewer where one takes long")
