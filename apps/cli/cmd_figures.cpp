@@ -36,7 +36,7 @@ struct FiguresOptions {
     std::string folder = ".";
     double at = 1.0;
     int samples = 21;
-    int parts = 4, simulated = 4;
+    int simulated = 4;
     double most_gflop = 0.5;
 };
 
@@ -220,7 +220,7 @@ int figures(FiguresOptions options) {
         return kFailed;
     }
     Writer writer(options, scene);
-    const Parts parts = partition(scene.world, options.parts);
+    const Parts parts = partition(scene.world, options.scene.parts.value_or(kParts));
     observe::BlockGraph whole = observe::graph_of(scene.world.inspect(), parts.cuts.part_of_body);
     const observe::BlockGraph pieces = observe::split_graph(whole, parts.cuts.parts);
     whole.part.assign(whole.part.size(), -1);  // pictures of the whole show no parts
@@ -238,7 +238,7 @@ int figures(FiguresOptions options) {
             run_timelines(options.scene, {.at = options.at,
                                           .threads = options.scene.threads,
                                           .simulated = options.simulated,
-                                          .parts = options.parts}));
+                                          .parts = options.scene.parts.value_or(kParts)}));
     return kOk;
 }
 
@@ -255,9 +255,6 @@ void add_figures(CLI::App& app, Command& chosen) {
         ->capture_default_str();
     command->add_option("--at", options->at, "Time of the step that is drawn [s]")
         ->check(not_negative())
-        ->capture_default_str();
-    command->add_option("--cut-into", options->parts, "Parts of the split matrix and the cut graph")
-        ->check(CLI::Range(1, 4096))
         ->capture_default_str();
     command->add_option("--simulated", options->simulated, "Threads that a timeline simulates")
         ->check(CLI::Range(1, kMostThreads))

@@ -28,7 +28,7 @@ Exit codes: 0 done, 1 wrong option, scene or file, 2 a step failed.)";
 struct InspectOptions {
     SceneOptions scene;
     std::string folder;
-    int parts = 4, steps = 1;
+    int steps = 1;
 };
 
 void print_islands(const SystemView& view) {
@@ -112,7 +112,7 @@ int inspect(const InspectOptions& options) {
     fmt::print("{} (hash {:016x})\n", scene.name, scene.hash);
     print_system(world, view);
     print_orders(view);
-    print_parts(world, options.parts);
+    print_parts(world, options.scene.parts.value_or(kParts));
     if (options.folder.empty()) return kOk;
     const std::string parameters = fmt::format(
         "{} nodes, {} scalars of the lower triangle, {} of the factor, {:.4g} Mflop  ·  scene hash "
@@ -136,9 +136,6 @@ void add_inspect(CLI::App& app, Command& chosen) {
     command->footer(kInspectFooter);
     options->scene.add_to(*command);
     command->add_option("-o,--output", options->folder, "Folder for spy plots");
-    command->add_option("--parts", options->parts, "Parts of the partition shown")
-        ->check(CLI::Range(1, 4096))
-        ->capture_default_str();
     command->add_option("--steps", options->steps, "Steps before the system is shown")
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();

@@ -57,7 +57,7 @@ class RunSession {
     std::unique_ptr<observe::SummaryCollector> collector_;
     std::unique_ptr<observe::Verifier> verifier_;
     std::unique_ptr<observe::CouplingObserver> coupling_;  ///< Where something is cut.
-    std::string wrong_;  ///< What the verifier found.
+    std::string wrong_;                                    ///< What the verifier found.
     std::unique_ptr<Pacer> pacer_;
     bool saved_ = false;
     std::vector<std::string> written_;

@@ -27,7 +27,9 @@ void SceneOptions::add_to(CLI::App& command, bool required) {
         .add_option("--predictor", predictor,
                     "What a side of a cut takes the other's velocity for: hold, forces or clique")
         ->check(CLI::IsMember({"hold", "forces", "clique"}));
-    command.add_option("--parts", parts, "Parts to cut a scene without groups into")
+    command
+        .add_option("--parts", parts,
+                    "Parts to show a scene in (4), or to cut one without groups into")
         ->check(CLI::Range(1, 4096));
     command.add_option("--sweeps", sweeps, "Sweeps a step of --nonsmooth split and pgs")
         ->check(CLI::Range(1, 100000));

@@ -14,6 +14,9 @@
 
 namespace hawser::cli {
 
+/// Parts that a scene is shown in where --parts does not say.
+inline constexpr int kParts = 4;
+
 struct SceneOptions {
     std::string file;
     std::optional<double> step;

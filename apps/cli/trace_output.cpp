@@ -91,11 +91,12 @@ std::string TraceOptions::finish(const World& world, const std::string& scene) c
         const std::string parameters =
             fmt::format("{}, {}, {}, step {:.6g} ms", scene, observe::processor_model(),
                         instruction_set(), 1e3 * world.settings().step);
-        write_trace(file,
-              observe::to_svg(observe::plot_timelines(
-                  {shown},
-                  fmt::format("What {} thread{} did", shown.threads, shown.threads == 1 ? "" : "s"),
-                  parameters)));
+        write_trace(
+            file,
+            observe::to_svg(observe::plot_timelines(
+                {shown},
+                fmt::format("What {} thread{} did", shown.threads, shown.threads == 1 ? "" : "s"),
+                parameters)));
     }
     if (!any) return "  timeline     no whole step was traced\n";
     std::string lines = fmt::format("  timeline     {}\n", observe::describe(shown));

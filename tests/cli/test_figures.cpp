@@ -121,7 +121,8 @@ TEST_F(Figures, SplitMatrixIsBlockDiagonal) {
 TEST_F(Figures, TimelinesSayWhatIsSimulated) {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     int simulated = 0;
-    for (const auto& t : data("fig2_timelines")["timelines"]) {
+    const json timelines = data("fig2_timelines")["timelines"];
+    for (const auto& t : timelines) {
         if (t.contains("missing")) continue;
         EXPECT_EQ(t["simulated"].get<bool>(),
                   t["name"].get<std::string>().find("SIMULATED") != std::string::npos);
