@@ -153,8 +153,7 @@ void drop_cuts(StepContext& ctx) {
     Cuts& cuts = ctx.cuts;
     if (cuts.bodies >= 0) {
         // What comes in their place is not the same.
-        ctx.system.node_of_body.resize(
-            std::min(ctx.system.node_of_body.size(), at(cuts.bodies)));
+        ctx.system.node_of_body.resize(std::min(ctx.system.node_of_body.size(), at(cuts.bodies)));
         ctx.system.node_of_interaction.resize(
             std::min(ctx.system.node_of_interaction.size(), at(cuts.interactions)));
         ctx.interactions.truncate(cuts.interactions);

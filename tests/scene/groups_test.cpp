@@ -32,9 +32,9 @@ TEST(Groups, of_bodies_and_cables) {
 }
 
 TEST(Groups, cut_where_they_meet) {
-    const Scene s = load_text(
-        grouped(R"("coupling": "kinematic")", R"(, "group": "near")", R"(, "groups": ["near", "far"])"),
-        "test.json");
+    const Scene s = load_text(grouped(R"("coupling": "kinematic")", R"(, "group": "near")",
+                                      R"(, "groups": ["near", "far"])"),
+                              "test.json");
     ASSERT_EQ(s.world.cuts().size(), 1U);
     EXPECT_EQ(s.world.interaction_def(s.world.cuts()[0].interaction).name, "c/s4");
     EXPECT_EQ(s.world.cuts()[0].coupling, Coupling::kinematic);
