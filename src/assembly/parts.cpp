@@ -30,7 +30,7 @@ bool is_wire_row(InteractionKind kind) {
 
 /// Thousandths, bounded so that sums of a few do not overflow.
 std::int32_t thousandths(double weight) {
-    return static_cast<std::int32_t>(std::min(1e6, 1000.0 * weight) + 0.5);
+    return static_cast<std::int32_t>(std::lround(std::min(1e6, 1000.0 * weight)));
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ Vec3 end_velocity(const assembly::View& v, std::int32_t body, const double* velo
     const int dof = v.dof[body];
     const double* u = dof == 0 ? given + 6 * body : velocity + v.dof_begin[body];
     if (dof == 1) return Vec3::Zero();
-    const Vec3 lin(u[0], u[1], u[2]);
+    Vec3 lin(u[0], u[1], u[2]);
     if (dof == 3) return lin;
     return lin + Vec3(u[3], u[4], u[5]).cross(Vec3(arm[0], arm[1], arm[2]));
 }
