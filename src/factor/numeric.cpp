@@ -30,7 +30,7 @@ void Numeric::reserve(const Symbolic& symbolic, int threads, bool unsymmetric) {
     grow(slot_pivot_, slots);
     grow(slot_y_, slots);
     grow(wrong_, symbolic.graph.nodes());
-    queue_.reserve(symbolic.graph);
+    queue_.reserve(symbolic.graph, threads);
     const std::int64_t need =
         (unsymmetric ? 2 : 1) * std::max(scratch_size(symbolic.max_front), symbolic.batch_scratch);
     const std::int64_t stride = (need + 63) & ~std::int64_t{63};

@@ -76,35 +76,55 @@ std::size_t TaskGraph::bytes() const noexcept {
     return sum;
 }
 
-void TaskQueue::reserve(const TaskGraph& graph) {
+void TaskQueue::reserve(const TaskGraph& graph, int threads) {
     const std::size_t n = graph.work.size(), words = (n + 63) / 64;
     if (waits_.size() < n) waits_.resize(n);
     if (ready_.size() < words) ready_.resize(words);
+    // At first in turns, as a list would be dealt out.
+    for (std::size_t v = owner_.size(); v < n; ++v)
+        owner_.push_back(static_cast<std::int16_t>(v % at(threads)));
+    if (mine_.size() < words * at(threads)) mine_.resize(words * at(threads));
 }
 
-void TaskQueue::begin(const TaskGraph::Way& way) noexcept {
+void TaskQueue::begin(const TaskGraph::Way& way, int threads) noexcept {
     const std::size_t n = way.waits.size();
     words_ = (n + 63) / 64;
     std::copy(way.waits.begin(), way.waits.end(), waits_.begin());
     std::fill_n(ready_.begin(), words_, std::uint64_t{0});
-    for (std::size_t v = 0; v < n; ++v)
-        if (way.waits[v] == 0)
-            ready_[at(way.rank[v]) / 64] |= std::uint64_t{1} << (at(way.rank[v]) % 64);
+    std::fill_n(mine_.begin(), words_ * at(threads), std::uint64_t{0});
+    for (std::size_t v = 0; v < n; ++v) {
+        const std::size_t r = at(way.rank[v]);
+        const std::uint64_t bit = std::uint64_t{1} << (r % 64);
+        if (way.waits[v] == 0) ready_[r / 64] |= bit;
+        if (owner_[v] < threads) mine_[at(owner_[v]) * words_ + r / 64] |= bit;
+    }
+}
+
+/// The lowest ready bit of a word among those, −1: none.
+int TaskQueue::take_bit(std::size_t w, std::uint64_t among) noexcept {
+    std::atomic_ref word(ready_[w]);
+    std::uint64_t bits = word.load(std::memory_order_relaxed) & among;
+    while (bits != 0) {
+        const std::uint64_t lowest = bits & (~bits + 1);
+        const std::uint64_t before = word.fetch_and(~lowest, std::memory_order_acquire);
+        if ((before & lowest) != 0) return std::countr_zero(lowest);
+        bits = before & among;
+    }
+    return -1;
 }
 
 /// As many calls as nodes: where nothing is ready, another thread is at work on what will be.
-std::int32_t TaskQueue::take(const TaskGraph::Way& way) noexcept {
+std::int32_t TaskQueue::take(const TaskGraph::Way& way, int thread) noexcept {
+    const std::uint64_t* mine = mine_.data() + at(thread) * words_;
     for (int spins = 0;; ++spins) {
-        for (std::size_t w = 0; w < words_; ++w) {
-            std::atomic_ref word(ready_[w]);
-            std::uint64_t bits = word.load(std::memory_order_relaxed);
-            while (bits != 0) {
-                const std::uint64_t lowest = bits & (~bits + 1);
-                bits = word.fetch_and(~lowest, std::memory_order_acquire);
-                if ((bits & lowest) != 0)
-                    return way.by_rank[64 * w + static_cast<std::size_t>(std::countr_zero(lowest))];
+        for (const bool own : {true, false})
+            for (std::size_t w = 0; w < words_; ++w) {
+                const int bit = take_bit(w, own ? mine[w] : ~std::uint64_t{0});
+                if (bit < 0) continue;
+                const std::int32_t node = way.by_rank[64 * w + static_cast<std::size_t>(bit)];
+                owner_[at(node)] = static_cast<std::int16_t>(thread);
+                return node;
             }
-        }
         if (spins < 2'000)
             relax();
         else

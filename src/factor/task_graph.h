@@ -14,7 +14,8 @@
 /// ```
 /// A thread that is free takes the ready node from which most work is left to the end (critical
 /// path scheduling: Hu, "Parallel sequencing and assembly line problems", 1961). Ready nodes are
-/// bits, by rank: taking one is an atomic instruction, and no thread waits for a lock. Who does
+/// bits, by rank: taking one is an atomic instruction, and no thread waits for a lock. Of several
+/// it prefers nodes that it did in the last run, whose panels may still be in its cache. Who does
 /// what varies from run to run; each node's result does not.
 
 #include "base/executor.h"
@@ -51,8 +52,8 @@ struct TaskGraph {
 /// Deals out the nodes of a graph to threads.
 class TaskQueue {
   public:
-    /// Room for a graph; grows only. @throws std::bad_alloc.
-    void reserve(const TaskGraph& graph);
+    /// Room for a graph and so many threads; grows only. @throws std::bad_alloc.
+    void reserve(const TaskGraph& graph, int threads);
 
     /// Call f(node, thread) for every node, none before those it waits for. A single thread goes
     /// by number, which is the order of the memory.
@@ -70,9 +71,9 @@ class TaskQueue {
             executor.for_each(n, one);
             return;
         }
-        begin(way);
+        begin(way, executor.threads());
         auto task = [&](int, int thread) noexcept {
-            const std::int32_t node = take(way);
+            const std::int32_t node = take(way, thread);
             executor.begin_node(node, thread);
             f(node, thread);
             finish(way, node);
@@ -80,16 +81,19 @@ class TaskQueue {
         executor.for_each(n, task);
     }
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return base::bytes(waits_) + base::bytes(ready_);
+        return base::bytes(waits_) + base::bytes(ready_) + base::bytes(mine_) + base::bytes(owner_);
     }
 
   private:
-    void begin(const TaskGraph::Way& way) noexcept;
-    [[nodiscard]] std::int32_t take(const TaskGraph::Way& way) noexcept;
+    void begin(const TaskGraph::Way& way, int threads) noexcept;
+    [[nodiscard]] std::int32_t take(const TaskGraph::Way& way, int thread) noexcept;
+    [[nodiscard]] int take_bit(std::size_t w, std::uint64_t among) noexcept;
     void finish(const TaskGraph::Way& way, std::int32_t node) noexcept;
 
     base::Array<std::int32_t> waits_;   ///< By node: still to come. Atomic while running.
     base::Array<std::uint64_t> ready_;  ///< A bit a rank. Atomic while running.
+    base::Array<std::uint64_t> mine_;   ///< Likewise, a set for each thread: what it did last.
+    base::Array<std::int16_t> owner_;   ///< By node: the thread that did it last.
     std::size_t words_ = 0;
 };
 

@@ -41,7 +41,7 @@ TaskGraph large() {
 /// Run and note the sequence in which nodes begin and end.
 void expect_in_order(const TaskGraph& graph, bool up, base::Executor& executor, int repeat) {
     TaskQueue queue;
-    queue.reserve(graph);
+    queue.reserve(graph, executor.threads());
     const auto n = static_cast<std::size_t>(graph.nodes());
     for (int k = 0; k < repeat; ++k) {
         std::atomic<int> clock{0};
@@ -79,6 +79,31 @@ TEST(TaskGraph, TakesNoNodesAndNoEdges) {
     pool.resume();
     expect_in_order(graph_of({}, {}), true, pool, 1);
     expect_in_order(graph_of({1, 1, 1}, {}), false, pool, 1);
+}
+
+/// Two threads that take turns, the second one first.
+class Turns final : public base::Executor {
+  public:
+    void run(int count, Task task, void* context) noexcept override {
+        for (int i = 0; i < count; ++i) task(context, i, 1 - i % 2);
+    }
+    [[nodiscard]] int threads() const noexcept override { return 2; }
+};
+
+TEST(TaskGraph, GivesAThreadWhatItDidLast) {
+    const TaskGraph graph = graph_of({6, 5, 4, 3, 2, 1}, {});
+    Turns executor;
+    TaskQueue queue;
+    queue.reserve(graph, executor.threads());
+    std::vector<int> first(6, -1), again(6, -1);
+    const auto run = [&](std::vector<int>& by) {
+        auto node = [&](int v, int thread) noexcept { by[static_cast<std::size_t>(v)] = thread; };
+        queue.run(graph, true, executor, node);
+    };
+    run(first);
+    EXPECT_EQ(first, (std::vector<int>{0, 1, 0, 1, 0, 1})) << "dealt out in turns at first";
+    run(again);
+    EXPECT_EQ(again, first);  // by urgency alone the second thread would get node 0
 }
 
 TEST(TaskGraph, RanksByTheWorkThatIsLeft) {
