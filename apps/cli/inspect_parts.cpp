@@ -3,17 +3,11 @@
 
 #include <hawser/partition.h>
 
+#include "elimination_orders.h"
 #include "observe/elimination.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-extern "C" {
-#include <amd.h>
-#if HAWSER_HAVE_METIS
-#include <metis.h>
-#endif
-}
 
 #include <algorithm>
 #include <string>
@@ -22,41 +16,21 @@ extern "C" {
 namespace hawser::cli {
 namespace {
 
-std::vector<std::int32_t> amd_order_of(const SystemView& view) {
-    const auto n = static_cast<int>(view.nodes.size());
-    std::vector<std::int32_t> order(view.nodes.size());
-    double control[AMD_CONTROL], info[AMD_INFO];
-    amd_defaults(control);
-    control[AMD_DENSE] = 100.0;  // hulls with hundreds of neighbours are not dense
-    if (amd_order(n, view.edge_start.data(), view.edges.data(), order.data(), control, info) < 0)
-        order.clear();
-    return order;
-}
-
-std::vector<std::int32_t> metis_order_of([[maybe_unused]] const SystemView& view) {
-    std::vector<std::int32_t> order;
-#if HAWSER_HAVE_METIS
-    static_assert(sizeof(idx_t) == sizeof(std::int32_t));
-    auto n = static_cast<idx_t>(view.nodes.size());
-    std::vector<idx_t> start = view.edge_start, edges = view.edges, place(view.nodes.size());
-    std::vector<idx_t> weight;
-    for (const SystemNode& node : view.nodes) weight.push_back(node.size);
-    order.resize(view.nodes.size());
-    idx_t options[METIS_NOPTIONS];
-    METIS_SetDefaultOptions(options);
-    options[METIS_OPTION_SEED] = 1;
-    if (METIS_NodeND(&n, start.data(), edges.data(), weight.data(), options, order.data(),
-                     place.data()) != METIS_OK)
-        order.clear();
-#endif
-    return order;
+BlockPattern pattern_of(const SystemView& view) {
+    BlockPattern pattern;
+    for (const SystemNode& node : view.nodes) {
+        pattern.size.push_back(static_cast<std::int8_t>(node.size));
+        pattern.sign.push_back(node.body.valid() ? 1 : -1);
+    }
+    for (std::size_t v = 0; v < view.nodes.size(); ++v)
+        for (std::int32_t k = view.edge_start[v]; k < view.edge_start[v + 1]; ++k)
+            if (const std::int32_t u = view.edges[static_cast<std::size_t>(k)];
+                u < static_cast<std::int32_t>(v))
+                pattern.edges.push_back({static_cast<std::int32_t>(v), u});
+    return pattern;
 }
 
 void print_order(const char* name, const SystemView& view, const std::vector<std::int32_t>& order) {
-    if (order.size() != view.nodes.size() || order.empty()) {
-        fmt::print("    {:<24} not in this build\n", name);
-        return;
-    }
     const observe::EliminationCounts c = observe::count_elimination(view, order);
     fmt::print("    {:<24} {:>10} {:>10.4g} {:>14.4g} {:>10.3g}x\n", name, c.nnz,
                1e-6 * static_cast<double>(c.flops), 1e-6 * static_cast<double>(c.path),
@@ -107,8 +81,12 @@ void print_orders(const SystemView& view) {
     fmt::print("  orders of elimination of this matrix (exact counts, without merged zeros)\n");
     fmt::print("    {:<24} {:>10} {:>10} {:>14} {:>11}\n", "", "nnz(L)", "Mflop", "Mflop on path",
                "at most");
-    print_order("AMD", view, amd_order_of(view));
-    print_order("METIS nested dissection", view, metis_order_of(view));
+    const BlockPattern pattern = pattern_of(view);
+    print_order("AMD", view, order_of(pattern, Ordering::amd));
+    if (metis_available())
+        print_order("METIS nested dissection", view, order_of(pattern, Ordering::metis));
+    else
+        fmt::print("    {:<24} not in this build\n", "METIS nested dissection");
     print_order("ours", view, view.order);
 }
 
