@@ -2,6 +2,7 @@
 /// Contact points one by one: rows and law from geometry and memory, and what is remembered.
 #include "assembly/contacts.h"
 
+#include "base/index.h"
 #include "base/small.h"
 
 #include <algorithm>
@@ -11,8 +12,6 @@ namespace hawser::assembly {
 namespace {
 
 using namespace hawser::generic;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// A point that wanders farther than this from its anchors [m] rolls: they are set anew.
 constexpr double kWander = 1e-3;

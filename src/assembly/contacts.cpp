@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assembly/contacts.h"
 
+#include "base/index.h"
 #include "base/small.h"
 
 #include <algorithm>
@@ -10,8 +11,6 @@ namespace hawser::assembly {
 namespace {
 
 using namespace hawser::generic;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

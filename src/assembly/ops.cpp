@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The list of contributions to the matrix, ordered by where they go.
 #include "assembly/system.h"
+#include "base/index.h"
 
 #include <algorithm>
 #include <bit>
@@ -10,8 +11,6 @@ namespace hawser::assembly {
 namespace {
 
 constexpr int kSlots = kMaxInteractionBodies;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Indices of the places in [low, high), which are ascending.
 std::pair<std::int64_t, std::int64_t> between(const std::vector<std::int64_t>& places,

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The pattern of the system, its order of elimination, and where that puts everything.
 #include "assembly/system.h"
+#include "base/index.h"
 
 namespace hawser::assembly {
-namespace {
-
-constexpr int kSlots = kMaxInteractionBodies;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
+namespace {}  // namespace
 
 void System::relink(const model::Bodies& bodies, const model::Interactions& interactions,
                     int threads) {
@@ -91,11 +86,11 @@ std::int32_t System::build_pattern(const model::Bodies& bodies, const model::Int
     };
     for (int i = 0; i < in.count(); ++i)
         for (int a = 0; a < in.bodies[at(i)] && !rests(i); ++a) {
-            const std::int32_t na = node_of_body[at(in.body[at(kSlots * i + a)])];
+            const std::int32_t na = node_of_body[at(in.body[at(kMaxInteractionBodies * i + a)])];
             if (kept_[at(i)]) link(node_of_interaction[at(i)], na);
             for (int b = a + 1; b < in.bodies[at(i)]; ++b)
                 if (!kept_[at(i)] || (in.geo[at(i)] >= 0 && b < 2))
-                    link(na, node_of_body[at(in.body[at(kSlots * i + b)])]);
+                    link(na, node_of_body[at(in.body[at(kMaxInteractionBodies * i + b)])]);
         }
     for (const Contacts::Link& l : contacts.links)
         link(node_of_body[at(l.first)], node_of_body[at(l.second)]);

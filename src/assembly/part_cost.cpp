@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assembly/part_cost.h"
 
+#include "base/index.h"
+
 namespace hawser::assembly {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// The neighbour of a row node that is eliminated first: the row follows it.
 std::int32_t body_of_rows(const factor::Pattern& pattern, const factor::Symbolic& symbolic,

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assembly/parts.h"
 
+#include "base/index.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace hawser::assembly {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// More interactions than a link of a wire has: two joints, three times bending, two of twist.
 constexpr std::int32_t kMostOfLink = 8;

@@ -2,18 +2,13 @@
 #include "assembly/pattern_parts.h"
 
 #include "assembly/part_cost.h"
+#include "base/index.h"
 #include "graph/partition.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace hawser::assembly {
-namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 std::vector<std::int32_t> pattern_parts(const factor::Pattern& pattern,
                                         const factor::Symbolic* known, int parts) {
     const std::int32_t n = pattern.nodes();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assembly/resistances.h"
 
+#include "base/index.h"
 #include "base/small.h"
 
 #include <algorithm>
@@ -12,8 +13,6 @@ namespace {
 using namespace hawser::generic;
 using nonsmooth::Resistance;
 using nonsmooth::Touch;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// A turn beyond this [rad], about an axis without resistance, sets the reference anew.
 constexpr double kTurned = 1e-2;

@@ -9,6 +9,7 @@
 /// side.
 #include "assembly/mobility.h"
 #include "assembly/system.h"
+#include "base/index.h"
 
 #include <algorithm>
 
@@ -17,8 +18,6 @@ namespace {
 
 constexpr double kShare = 0.9;   ///< Of the boundary.
 constexpr double kStiff = 0.05;  ///< W/(W + Σ) from which a row counts.
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 double amplification(const std::vector<double>& w, double sigma) {
     double sum = 0.0;

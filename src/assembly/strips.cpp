@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assembly/strips.h"
 
+#include "base/index.h"
 #include "base/memory.h"
 
 #include <algorithm>
@@ -12,8 +13,6 @@ namespace {
 /// some twenty microseconds.
 constexpr std::int32_t kStripWork = 384;
 constexpr std::int32_t kGroup = 128;  ///< Shared bodies of a group.
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Sort the indices 0 … n − 1 into buckets, as ranges in ascending order within each.
 /// @param bucket  By index; −1: in none.

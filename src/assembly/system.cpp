@@ -2,6 +2,7 @@
 #include "assembly/system.h"
 
 #include "assembly/mobility.h"
+#include "base/index.h"
 
 #include <Eigen/LU>
 
@@ -11,16 +12,12 @@
 namespace hawser::assembly {
 namespace {
 
-constexpr int kSlots = kMaxInteractionBodies;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
 /// max |r|/I over the two bodies of a joint, I the mean moment of inertia across the arm r, see
 /// geo.h. 0 unless both turn.
 double swing_rate(const model::Bodies& bodies, const model::Interactions& in, int id) {
     double rate = 0.0;
     for (int b = 0; b < 2; ++b) {
-        const std::int32_t body = in.body[at(kSlots * id + b)];
+        const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
         if (bodies.dof(body) != 6) return 0.0;
         const Vec3& arm = in.def[at(id)].point[at(b)];
         const double length = arm.norm();
@@ -45,11 +42,12 @@ bool is_bounded(const model::Interactions& in, int id) {
 
 double mobility(const model::Bodies& bodies, const model::Interactions& in, int id, int row) {
     int width = 0;
-    for (int b = 0; b < in.bodies[at(id)]; ++b) width += bodies.dof(in.body[at(kSlots * id + b)]);
+    for (int b = 0; b < in.bodies[at(id)]; ++b)
+        width += bodies.dof(in.body[at(kMaxInteractionBodies * id + b)]);
     const double* jac = &in.jacobian[at(in.jac_begin[at(id)] + row * width)];
     double sum = 0.0;
     for (int b = 0; b < in.bodies[at(id)]; ++b) {
-        const std::int32_t body = in.body[at(kSlots * id + b)];
+        const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
         const int dof = bodies.dof(body);
         for (int j = 0; j < dof && j < 3; ++j) sum += jac[j] * jac[j] / bodies.mass[at(body)];
         if (dof == 6) {
@@ -93,7 +91,7 @@ void System::find_resting(const model::Bodies& bodies, const model::Interactions
     rests_.assign(at(in.count()), 0);
     for (int i = 0; i < in.count(); ++i)
         for (int b = 0; b < in.bodies[at(i)]; ++b)
-            rests_[at(i)] |= bodies.asleep[at(in.body[at(kSlots * i + b)])];
+            rests_[at(i)] |= bodies.asleep[at(in.body[at(kMaxInteractionBodies * i + b)])];
     for (const std::int32_t id : left_out) rests_[at(id)] = 1;
 }
 
@@ -106,7 +104,7 @@ void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) 
     std::int32_t record = 0, force = 0;
     for (int i = 0; i < in.count(); ++i) {
         if (in.geo[at(i)] < 0 || rests(i)) continue;
-        const std::int32_t* body = &in.body[at(kSlots * i)];
+        const std::int32_t* body = &in.body[at(kMaxInteractionBodies * i)];
         auto is_point = [&](std::int32_t b) { return dof_[at(b)] == 3 || dof_[at(b)] == 1; };
         const bool points = is_point(body[0]) && is_point(body[1]);
         geo_place_[at(i)] = {record, force, points ? 3 : 6};
@@ -137,12 +135,12 @@ void System::build_incidence(const model::Bodies& bodies, const model::Interacti
     incident_begin_.assign(at(bodies.count()) + 1, 0);
     for (int i = 0; i < in.count(); ++i)
         for (int b = 0; b < in.bodies[at(i)]; ++b)
-            ++incident_begin_[at(in.body[at(kSlots * i + b)]) + 1];
+            ++incident_begin_[at(in.body[at(kMaxInteractionBodies * i + b)]) + 1];
     for (int b = 0; b < bodies.count(); ++b) incident_begin_[at(b) + 1] += incident_begin_[at(b)];
     incident_.resize(at(incident_begin_.back()));
     std::vector<std::int32_t> cursor(incident_begin_.begin(), incident_begin_.end() - 1);
     for (int i = 0; i < in.count(); ++i) {
-        const std::int32_t* body = &in.body[at(kSlots * i)];
+        const std::int32_t* body = &in.body[at(kMaxInteractionBodies * i)];
         int width = 0;
         for (int b = 0; b < in.bodies[at(i)]; ++b) width += dof_[at(body[b])];
         std::int32_t column = in.jac_begin[at(i)];
@@ -164,7 +162,7 @@ void System::find_islands(const model::Interactions& in) {
     std::vector<std::int32_t> member_begin{0}, members;
     for (int i = 0; i < in.count(); ++i) {
         for (int b = 0; b < in.bodies[at(i)] && !rests(i); ++b)
-            members.push_back(in.body[at(kSlots * i + b)]);
+            members.push_back(in.body[at(kMaxInteractionBodies * i + b)]);
         member_begin.push_back(static_cast<std::int32_t>(members.size()));
     }
     for (const Contacts::Link& l : contacts.links) {

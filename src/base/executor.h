@@ -4,10 +4,16 @@
 /// The one interface through which the solver reaches threads. Algorithms hand over a list of
 /// independent tasks; who runs them, and how many do, cannot change a result.
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace hawser::base {
+
+/// Tasks of `size` items each that `count` items make.
+[[nodiscard]] constexpr int chunks(std::size_t count, int size) noexcept {
+    return (static_cast<int>(count) + size - 1) / size;
+}
 
 /// Tasks that wait for each other, for those who watch: what a node sets free (next[start[i]] to
 /// next[start[i + 1]]), and which of those ready goes first (the lowest rank).

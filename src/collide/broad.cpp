@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "collide/broad.h"
 
+#include "base/index.h"
 #include "base/small.h"
 #include "collide/grow.h"
 
@@ -14,8 +15,6 @@ namespace {
 
 using generic::load3;
 using generic::V3;
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
 constexpr int kSweepChunk = 128;  ///< Places in the sweep of one task.
 constexpr int kLargeChunk = 256;  ///< Shapes that one task holds against all large ones.
 constexpr double kLarge = 8.0;    ///< Times the median size.
@@ -23,8 +22,6 @@ constexpr double kStrip = 4.0;    ///< Width of a strip, likewise.
 constexpr int kMostStrips = 1024;
 constexpr std::size_t kRoom = 512;  ///< Pairs that a task finds without growing.
 constexpr int kSomeAnyway = 4;      ///< Fewer shapes than this are all large.
-
-int chunks(std::size_t count, int size) { return (static_cast<int>(count) + size - 1) / size; }
 
 bool meet(const Bounds& a, const Bounds& b) noexcept {
     return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] &&
@@ -173,7 +170,7 @@ void Broad::sweep(int chunk, const Filter& filter) {
 
 void Broad::hold_against_large(int chunk, const base::Array<Placed>& placed, const Filter& filter,
                                double h, double margin) {
-    base::Array<Pair>& found = found_[at(chunks(entries_.size(), kSweepChunk) + chunk)];
+    base::Array<Pair>& found = found_[at(base::chunks(entries_.size(), kSweepChunk) + chunk)];
     found.clear();
     const auto count = static_cast<std::int32_t>(placed.size());
     const std::int32_t begin = chunk * kLargeChunk, end = std::min(count, begin + kLargeChunk);
@@ -209,8 +206,8 @@ void Broad::find(const base::Array<Placed>& placed, const Filter& filter, double
                  base::Executor& pool, base::Array<Pair>& out) {
     sort(placed);
     cut_into_strips();
-    const int sweeps = chunks(entries_.size(), kSweepChunk);
-    const int others = large_.empty() ? 0 : chunks(placed.size(), kLargeChunk);
+    const int sweeps = base::chunks(entries_.size(), kSweepChunk);
+    const int others = large_.empty() ? 0 : base::chunks(placed.size(), kLargeChunk);
     const auto tasks = static_cast<std::size_t>(sweeps) + static_cast<std::size_t>(others);
     while (found_.size() < tasks) found_.emplace_back().reserve(kRoom);
     run(pool, sweeps + others, [&](int i) {

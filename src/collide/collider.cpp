@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "collide/collider.h"
 
+#include "base/index.h"
 #include "collide/grow.h"
 #include "collide/touch.h"
 
@@ -10,8 +11,6 @@
 
 namespace hawser::collide {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 constexpr int kPlaceChunk = 256;  ///< Shapes of one task.
 constexpr int kPairChunk = 32;    ///< Pairs of one task.
@@ -24,8 +23,6 @@ constexpr double kMatchMargins = 2.0;
 
 /// Inside out: meets nothing, not even itself.
 constexpr Bounds kNowhere{{4e30, 4e30, 4e30}, {-4e30, -4e30, -4e30}};
-
-int chunks(std::size_t count, int size) { return (static_cast<int>(count) + size - 1) / size; }
 
 }  // namespace
 
@@ -88,11 +85,11 @@ void Collider::place_all(const model::Bodies& bodies, double h, base::Executor& 
             if (line >= 0 && (*parted_)[at(line)] != 0) placed_[s].swept = kNowhere;
         }
     };
-    pool.for_each(chunks(shapes_.size(), kPlaceChunk), task);
+    pool.for_each(base::chunks(shapes_.size(), kPlaceChunk), task);
 }
 
 void Collider::narrow(double h, base::Executor& pool) {
-    const int tasks = chunks(pairs_.size(), kPairChunk);
+    const int tasks = base::chunks(pairs_.size(), kPairChunk);
     const int room = static_cast<int>(chunks_.size()) < tasks ? tasks + tasks / 2 + 1 : 0;
     while (static_cast<int>(chunks_.size()) < room) {
         // Room for whatever the pairs may give: tasks do not allocate.
@@ -119,7 +116,7 @@ void Collider::narrow(double h, base::Executor& pool) {
 }
 
 void Collider::put_together(ContactSet& out, base::Executor& pool) {
-    const int tasks = chunks(pairs_.size(), kPairChunk);
+    const int tasks = base::chunks(pairs_.size(), kPairChunk);
     std::size_t total = 0;
     for (int i = 0; i < tasks; ++i) total += at(chunk_size_[at(i)]);
     resize_with_room(out.contacts, total);
@@ -131,7 +128,7 @@ void Collider::put_together(ContactSet& out, base::Executor& pool) {
         for (std::size_t k = at(i * kContactChunk); k < end; ++k)
             drop_[k] = is_duplicate(out.contacts, k, shapes_) ? 1 : 0;
     };
-    pool.for_each(chunks(total, kContactChunk), mark);
+    pool.for_each(base::chunks(total, kContactChunk), mark);
     std::size_t n = 0;
     for (std::size_t i = 0; i < total; ++i) {
         if (drop_[i] != 0) continue;
@@ -148,7 +145,7 @@ void Collider::put_together(ContactSet& out, base::Executor& pool) {
             local_point(c, shapes_[at(c.shape[1])], placed_[at(c.shape[1])], found_[k].at);
         }
     };
-    pool.for_each(chunks(n, kContactChunk), keep);
+    pool.for_each(base::chunks(n, kContactChunk), keep);
     match(out.contacts, found_, kept_, kept_awake_, kMatchMargins * margin, taken_);
     out.awake = found_awake_ = n;
 }

@@ -11,7 +11,7 @@
 namespace hawser::collide {
 namespace {
 
-using narrow::at;
+using narrow::component;
 
 /// The function for the same pair given the other way round.
 template <Collide kFunction>
@@ -107,7 +107,7 @@ Bounds bounds(const Geometry& shape, const Placement& placed) noexcept {
             spread(0.5 * (high - low));
     }
     for (int k = 0; k < 3; ++k) {
-        const double x = at(centre, k);
+        const double x = component(centre, k);
         out.low[k] = x - reach[k];
         out.high[k] = x + reach[k];
     }

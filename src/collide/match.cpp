@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "collide/match.h"
 
+#include "base/index.h"
 #include "base/small.h"
 #include "collide/grow.h"
 
@@ -14,8 +15,6 @@ using generic::dot;
 using generic::load3;
 using generic::store3;
 using generic::V3;
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
 constexpr double kSamePoint = 1e-6;  ///< [m]; far below a wire's radius, far above round-off.
 constexpr double kSameNormal = 1.0 - 1e-9;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "collide/placing.h"
 
+#include "base/index.h"
 #include "base/small.h"
 
 #include <algorithm>
@@ -13,8 +14,6 @@ namespace {
 using generic::load3;
 using generic::store3;
 using generic::V3;
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
 /// Half of what a plane's box has.
 constexpr double kUnbounded = 0.5e30;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "factor/batches.h"
 
+#include "base/index.h"
 #include "factor/symbolic.h"
 
 #include <algorithm>
@@ -9,8 +10,6 @@
 
 namespace hawser::factor {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Update slots come in threes, so that tiles of the window meet tiles when it moves on.
 std::int32_t whole_tiles(std::int32_t scalars) { return (scalars + kTile - 1) / kTile * kTile; }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "factor/body_graph.h"
 
+#include "base/index.h"
+
 #include <algorithm>
 
 namespace hawser::factor {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 constexpr std::int32_t kReach = 2;     ///< A wire's body couples to at most so many on each side.
 constexpr std::int32_t kShortest = 6;  ///< Bodies of a wire worth the name.

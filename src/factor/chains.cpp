@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "factor/chains.h"
 
+#include "base/index.h"
 #include "factor/body_graph.h"
 
 #include <algorithm>
@@ -10,13 +11,11 @@
 namespace hawser::factor {
 namespace {
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
 constexpr int kLanes = 8;
-constexpr std::int32_t kShortest = 4;  ///< Units of a chain worth a lane.
+constexpr std::int32_t kShortestPiece = 4;  ///< Units of a chain worth a lane.
 
 /// A wire: consecutive bodies that nothing but hubs and its own neighbours touch.
-struct Run {
+struct Stretch {
     std::int32_t begin, end;  ///< Range in Wires::bodies.
     std::int32_t reach;
     double unit;          ///< Scalars of a unit, rows included, on average.
@@ -37,17 +36,17 @@ constexpr double kSeparatorCost = 1500.0;
 /// Cycles of a unit eliminated in a front of its own, from a profile of a chain of rigid links.
 constexpr double kFrontCost = 500.0;
 
-struct Piece {
+struct Segment {
     std::int32_t run, from, to;  ///< Bodies [from, to) of the run, relative.
 };
 
 /// Cut every run into pieces of about `target` bodies with `reach` bodies between them.
-std::vector<Piece> cut(const std::vector<Run>& runs, std::int32_t target) {
-    std::vector<Piece> pieces;
+std::vector<Segment> cut(const std::vector<Stretch>& runs, std::int32_t target) {
+    std::vector<Segment> pieces;
     for (std::size_t r = 0; r < runs.size(); ++r) {
         const std::int32_t n = runs[r].end - runs[r].begin, w = runs[r].reach;
         std::int32_t parts = std::max(1, (n + w + (target + w) / 2) / (target + w));
-        while (parts > 1 && (n - (parts - 1) * w) / parts < kShortest) --parts;
+        while (parts > 1 && (n - (parts - 1) * w) / parts < kShortestPiece) --parts;
         const std::int32_t inside = n - (parts - 1) * w;
         std::int32_t from = 0;
         for (std::int32_t k = 0; k < parts; ++k) {
@@ -60,15 +59,15 @@ std::vector<Piece> cut(const std::vector<Run>& runs, std::int32_t target) {
 }
 
 /// Model of the time of all steps of all batches, and of the longest one.
-double plan_cost(const std::vector<Run>& runs, const std::vector<Piece>& pieces, int size) {
+double plan_cost(const std::vector<Stretch>& runs, const std::vector<Segment>& pieces, int size) {
     struct Shape {
         double q, p;
         std::int32_t length;
     };
     std::vector<Shape> shapes;
     double total = 0.0, longest = 0.0;
-    for (const Piece& piece : pieces) {
-        const Run& run = runs[at(piece.run)];
+    for (const Segment& piece : pieces) {
+        const Stretch& run = runs[at(piece.run)];
         const std::int32_t n = run.end - run.begin, w = run.reach * size;
         const bool first = piece.from == 0, last = piece.to == n;
         // From its freer end: a separator there is carried along, a hub at the wire's own end
@@ -96,9 +95,9 @@ double plan_cost(const std::vector<Run>& runs, const std::vector<Piece>& pieces,
 }
 
 /// Facts about a run that its neighbourhood determines.
-Run describe(const Pattern& pattern, const BodyGraph& graph, const Wires& wires, std::int32_t begin,
-             std::int32_t end) {
-    Run run{begin, end, 1, 0.0, 0, 0, 0.0};
+Stretch describe(const Pattern& pattern, const BodyGraph& graph, const Wires& wires,
+                 std::int32_t begin, std::int32_t end) {
+    Stretch run{begin, end, 1, 0.0, 0, 0, 0.0};
     std::vector<std::int32_t> hubs, first, count;
     double scalars = 0.0;
     for (std::int32_t k = begin; k < end; ++k) {
@@ -139,8 +138,8 @@ Run describe(const Pattern& pattern, const BodyGraph& graph, const Wires& wires,
 }
 
 /// Append one chain, its units in the better direction.
-void append(const Pattern& pattern, const BodyGraph& graph, const Wires& wires, const Run& run,
-            const Piece& piece, Chains& out) {
+void append(const Pattern& pattern, const BodyGraph& graph, const Wires& wires, const Stretch& run,
+            const Segment& piece, Chains& out) {
     const std::int32_t from = run.begin + piece.from, to = run.begin + piece.to;
     // Boundary scalars times the units that carry them, for either direction.
     std::int64_t forward = 0, backward = 0;
@@ -189,22 +188,22 @@ Chains find_chains(const Pattern& pattern) {
     // Wires of one shape are cut by one plan, so that their pieces fill whole batches.
     for (const int size : {3, 6}) {
         for (const int reach : {1, 2}) {
-            std::vector<Run> runs;
+            std::vector<Stretch> runs;
             std::int32_t bodies = 0, longest = 0;
             for (std::size_t w = 0; w + 1 < wires.begin.size(); ++w) {
                 const std::int32_t begin = wires.begin[w], end = wires.begin[w + 1];
                 if (pattern.size[at(wires.bodies[at(begin)])] != size) continue;
-                const Run run = describe(pattern, graph, wires, begin, end);
+                const Stretch run = describe(pattern, graph, wires, begin, end);
                 if (run.reach != reach) continue;
                 runs.push_back(run);
                 bodies += end - begin;
                 longest = std::max(longest, end - begin);
             }
             if (runs.empty()) continue;
-            std::vector<Piece> best;
+            std::vector<Segment> best;
             double best_cost = kFrontCost * bodies;
             auto consider = [&](std::int32_t target) {
-                std::vector<Piece> pieces = cut(runs, std::max(target, kShortest));
+                std::vector<Segment> pieces = cut(runs, std::max(target, kShortestPiece));
                 const double cost = plan_cost(runs, pieces, size);
                 if (cost >= best_cost) return;
                 best_cost = cost;
@@ -214,7 +213,7 @@ Chains find_chains(const Pattern& pattern) {
             for (std::int32_t batches = 1; batches <= 64 && bodies / (kLanes * batches) > 0;
                  batches *= 2)
                 consider((bodies + kLanes * batches - 1) / (kLanes * batches));
-            for (const Piece& piece : best)
+            for (const Segment& piece : best)
                 append(pattern, graph, wires, runs[at(piece.run)], piece, chains);
         }
     }

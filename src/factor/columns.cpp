@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "factor/columns.h"
 
+#include "base/index.h"
 #include "base/memory.h"
 
 #include <algorithm>
 
 namespace hawser::factor {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// v[new] = old v[old_of_new[new]], `none` for new nodes.
 template <class T>

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "factor/layout.h"
 
+#include "base/index.h"
 #include "factor/partial.h"
 
 #include <algorithm>
 
 namespace hawser::factor {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 /// Entries of a node are written so many at a time, and those past its end again by the next: a
 /// loop of fixed length is one or two vector stores.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "factor/partial.h"
 
+#include "base/index.h"
 #include "factor/kernels.h"
 #include "factor/numeric.h"
 
@@ -8,8 +9,6 @@
 
 namespace hawser::factor {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Where a front's panel ends, the gap behind it included: where the next one begins.
 std::int64_t panel_end(const Front& f) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The places of new and moved nodes in an order that is kept: the table in repair.h.
+#include "base/index.h"
 #include "factor/repair.h"
 
 #include <algorithm>
@@ -7,8 +8,6 @@
 
 namespace hawser::factor {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 constexpr std::uint8_t kMoved = 1, kFresh = 2;  // of placing_
 constexpr std::int32_t kUnknown = -2;           // of anchor_; −1: behind all trees

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "factor/repair.h"
 
+#include "base/index.h"
 #include "base/memory.h"
 
 #include <algorithm>
 
 namespace hawser::factor {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 void invert(std::span<const std::int32_t> order, std::vector<std::int32_t>& position) {
     position.resize(order.size());

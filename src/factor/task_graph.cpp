@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "factor/task_graph.h"
 
+#include "base/index.h"
+
 #include <algorithm>
 #include <atomic>
 #include <bit>
@@ -9,8 +11,6 @@
 
 namespace hawser::factor {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 using Edges = std::vector<std::pair<std::int32_t, std::int32_t>>;
 

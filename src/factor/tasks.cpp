@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "base/index.h"
 #include "factor/layout.h"
 
 #include <algorithm>
 
 namespace hawser::factor {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Flops of the steps that a chain takes part in.
 std::int64_t chain_flops(const Symbolic& s, const Front& front) {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "factor/tree.h"
 
+#include "base/index.h"
 #include "base/memory.h"
 
 #include <algorithm>
 
 namespace hawser::factor {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Rough time of one front [ns]: a fixed part, a latency for each pivot, and the flops.
 /// Measured on AVX-512 and AVX2 machines; only ratios matter.

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "factor/unsymmetric.h"
 
+#include "base/index.h"
 #include "factor/numeric.h"
 
 #include <algorithm>
 
 namespace hawser::factor {
-namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 void Unsymmetric::reserve(const Symbolic& s) {
     const std::size_t n = s.fronts.size(), batches_n = s.batches.size();
     if (mark_.size() < n) mark_.resize(n, 0);

@@ -7,6 +7,8 @@
 /// of two or three bodies, a pair that touches). Whatever physics has to say comes as integer
 /// weights, so that sums do not depend on the order in which they are formed.
 
+#include "base/index.h"
+
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -42,8 +44,5 @@ struct Hypergraph {
                                static_cast<std::size_t>(member_begin[i + 1] - member_begin[i]));
     }
 };
-
-/// Signed numbers as indices of standard containers.
-constexpr std::size_t at(std::int32_t i) noexcept { return static_cast<std::size_t>(i); }
 
 }  // namespace hawser::graph

@@ -8,7 +8,7 @@
 namespace hawser::graph {
 namespace {
 
-constexpr double kSlack = 1.05;  ///< An island is divided from this many shares on.
+constexpr double kDivide = 1.05;  ///< An island is divided from this many shares on.
 /// Clusters of so many shares are placed first, where they are kept together and where apart.
 constexpr double kBig = 0.25, kBigApart = 0.02;
 constexpr double kEven = 1.10;   ///< Shares up to which parts count as even.
@@ -82,7 +82,7 @@ void Splitter::place_islands() {
         island_cost_[at(i)] += node_cost_[at(c)];
         if (group_part_[at(c)] >= 0) lane_[at(i)] = -2;
     }
-    const double most = kSlack * static_cast<double>(share_);
+    const double most = kDivide * static_cast<double>(share_);
     order_.clear();
     for (std::int32_t i = 0; i < islands; ++i)
         if (lane_[at(i)] != -2 &&
@@ -133,7 +133,7 @@ void Splitter::place_clusters(bool together) {
         put(c, best < 0 ? emptiest : best);
     }
     std::int64_t passed = 0;
-    const double most = kSlack * static_cast<double>(share_);
+    const double most = kDivide * static_cast<double>(share_);
     for (const std::int32_t c : lineup_.order) {
         if (!open_[at(c)]) continue;
         const std::int64_t middle = passed + node_cost_[at(c)] / 2;

@@ -7,7 +7,7 @@
 namespace hawser::graph {
 namespace {
 
-constexpr double kWindow = 0.10;  ///< Cuts slide so many shares at most.
+constexpr double kSlide = 0.10;  ///< Cuts slide so many shares at most.
 /// A cut moves from one step to the next only where its weight falls below this share.
 constexpr double kWorth = 0.8;
 
@@ -16,7 +16,7 @@ constexpr double kWorth = 0.8;
 /// Best place for the cut behind `left`, as an index of units_.nodes.
 std::int32_t Splitter::slide_to(std::int32_t wire, std::int32_t left) const noexcept {
     const auto part = [&](std::int32_t k) { return part_[at(units_.nodes[at(k)])]; };
-    const auto room = static_cast<std::int64_t>(kWindow * static_cast<double>(share_));
+    const auto room = static_cast<std::int64_t>(kSlide * static_cast<double>(share_));
     std::int32_t best = left;
     for (const std::int32_t step : {-1, 1}) {
         std::int64_t moved = 0;

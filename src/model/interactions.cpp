@@ -2,6 +2,7 @@
 #define HAWSER_KIND_SETUP
 #include "model/interactions.h"
 
+#include "base/index.h"
 #include "model/kinds/all.h"
 
 #include <algorithm>
@@ -10,8 +11,6 @@
 
 namespace hawser::model {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 bool is_stretch(InteractionKind kind) {
     return kind == InteractionKind::Stretch || kind == InteractionKind::WinchStretch;

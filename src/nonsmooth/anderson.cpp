@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nonsmooth/anderson.h"
 
+#include "nonsmooth/dot.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace hawser::nonsmooth {
 namespace {
-
-double dot(const double* a, const double* b, std::size_t n) noexcept {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < n; ++i) sum += a[i] * b[i];
-    return sum;
-}
 
 /// A difference that says nothing beyond the later ones, to rounding.
 constexpr double kDependent = 1e-10;

@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nonsmooth/gmres.h"
 
+#include "base/index.h"
+#include "nonsmooth/dot.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace hawser::nonsmooth {
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-double dot(const double* a, const double* b, std::size_t n) noexcept {
-    // Four sums: the compiler may not reorder one.
-    double s[4] = {};
-    std::size_t i = 0;
-    for (; i + 4 <= n; i += 4)
-        for (std::size_t k = 0; k < 4; ++k) s[k] += a[i + k] * b[i + k];
-    for (; i < n; ++i) s[0] += a[i] * b[i];
-    return (s[0] + s[1]) + (s[2] + s[3]);
-}
-
-}  // namespace
-
 void Gmres::reserve(std::size_t n, int iterations) {
     limit_ = iterations;
     if (basis_.size() < n * at(iterations + 1)) basis_.resize(n * at(iterations + 1));

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "base/index.h"
+
 #include <hawser/schedule.h>
 
 #include <algorithm>
@@ -9,8 +11,6 @@
 
 namespace hawser {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 double sum(const std::vector<double>& v) noexcept {
     return std::accumulate(v.begin(), v.end(), 0.0);

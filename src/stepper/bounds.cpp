@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stepper/bounds.h"
 
+#include "base/index.h"
 #include "stepper/stages.h"
 
 #include <algorithm>
@@ -10,8 +11,6 @@ namespace hawser::stepper {
 namespace {
 
 using assembly::View;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// What others add to the bound of friction, by their impulses at hand [N s].
 double load_of(const StepContext& ctx, std::int32_t id) noexcept {

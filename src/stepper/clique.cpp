@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stepper/clique.h"
 
+#include "base/index.h"
 #include "stepper/bounds.h"
 #include "stepper/stages.h"
 #include "stepper/step.h"
@@ -9,8 +10,6 @@
 
 namespace hawser::stepper {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 WorldDef serial(WorldDef def) {
     def.threads = 1;

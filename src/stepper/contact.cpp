@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stepper/contact.h"
 
+#include "base/index.h"
 #include "stepper/gauss_seidel.h"
 #include "stepper/newton.h"
 #include "stepper/nonsmooth.h"
@@ -17,8 +18,6 @@ namespace {
 
 using assembly::Contacts;
 using nonsmooth::Cone;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Arrays for this step's contacts; growth is counted.
 void make_room(StepContext& ctx) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What cuts left open in a step, and the one multiplier that readers see.
+#include "base/index.h"
 #include "stepper/cuts.h"
 #include "stepper/drives.h"
 #include "stepper/stages.h"
@@ -10,8 +11,6 @@
 
 namespace hawser::stepper {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Impulses of the sides into their mean, of the original.
 void take_mean(model::Interactions& in, const Cut& cut) noexcept {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stepper/cuts.h"
 
+#include "base/index.h"
 #include "stepper/clique.h"
 #include "stepper/context.h"
 
@@ -12,8 +13,6 @@
 
 namespace hawser::stepper {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 std::span<const std::int32_t> members(const model::Interactions& in, std::int32_t id) {
     return {&in.body[kMaxInteractionBodies * at(id)], in.bodies[at(id)]};

@@ -3,14 +3,13 @@
 /// of their force range.
 #include "stepper/drives.h"
 
+#include "base/index.h"
 #include "stepper/stages.h"
 
 #include <cmath>
 
 namespace hawser::stepper {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// λ·G (v + v₊)/2 over the rows: what an interaction does to the kinetic energy of the bodies
 /// that move. Exact for the scheme: its velocities change by M⁻¹Gᵀλ.

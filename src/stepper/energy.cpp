@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "base/index.h"
 #include "stepper/cuts.h"
 #include "stepper/stages.h"
 #include "stepper/step.h"
@@ -12,8 +13,6 @@
 
 namespace hawser::stepper {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 double quadratic(const double* s, const double* v) {
     return v[0] * (s[0] * v[0] + s[1] * v[1] + s[2] * v[2]) +

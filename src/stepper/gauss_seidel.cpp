@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stepper/gauss_seidel.h"
 
+#include "base/index.h"
 #include "base/small.h"
 #include "nonsmooth/relax.h"
 #include "stepper/stages.h"
@@ -15,8 +16,6 @@ using namespace hawser::generic;
 using assembly::ContactRow;
 using assembly::ContactSlot;
 using nonsmooth::Cone;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Symmetric 3×3 matrix, stored as xx, xy, xz, yy, yz, zz, times a vector.
 V3 mul6(const double* s, const V3& v) noexcept {

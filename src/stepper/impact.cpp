@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stepper/impact.h"
 
+#include "base/index.h"
 #include "stepper/bounds.h"
 #include "stepper/contact.h"
 #include "stepper/newton.h"
@@ -16,8 +17,6 @@ namespace {
 
 using assembly::View;
 using nonsmooth::Cone;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 constexpr double kStiff = 1e-6;   ///< Σ over W: an error of e by a millionth.
 constexpr double kSolved = 1e-8;  ///< Residual that rounding reaches with it.

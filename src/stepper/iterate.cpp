@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stepper/iterate.h"
 
+#include "base/index.h"
 #include "nonsmooth/cone.h"
 #include "stepper/stages.h"
 #include "stepper/sweeps.h"
@@ -13,8 +14,6 @@ namespace {
 using assembly::Contacts;
 using nonsmooth::Cone;
 using nonsmooth::Resistance;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

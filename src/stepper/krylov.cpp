@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stepper/krylov.h"
 
+#include "base/index.h"
 #include "stepper/stages.h"
 #include "stepper/timer.h"
 
@@ -12,8 +13,6 @@ namespace {
 
 using nonsmooth::Cone;
 using nonsmooth::Resistance;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Share of the defect that may stay: the next iteration takes up the rest.
 constexpr double kTolerance = 0.1;

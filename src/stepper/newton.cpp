@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stepper/newton.h"
 
+#include "base/index.h"
 #include "stepper/bounds.h"
 #include "stepper/contact.h"
 #include "stepper/iterate.h"
@@ -19,8 +20,6 @@ namespace {
 using assembly::Contacts;
 using nonsmooth::Cone;
 using nonsmooth::Coupling;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 constexpr int kHalvings = 2;    ///< More make the iterates creep; some steps then never end.
 constexpr int kPatience = 8;    ///< Iterations before slow ones ask for a factorisation.

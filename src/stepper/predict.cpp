@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What the sides of a cut assume of each other.
+#include "base/index.h"
 #include "stepper/clique.h"
 #include "stepper/cuts.h"
 #include "stepper/stages.h"
@@ -8,8 +9,6 @@
 
 namespace hawser::stepper {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// v_k of the body of an image, six entries.
 void velocity_of(const model::Bodies& b, std::int32_t body, double* out) noexcept {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stepper/sleep.h"
 
+#include "base/index.h"
 #include "stepper/stages.h"
 #include "stepper/step.h"
 #include "stepper/timer.h"
@@ -12,8 +13,6 @@
 
 namespace hawser::stepper {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Islands are looked for every so many steps.
 constexpr std::int64_t kEvery = 8;

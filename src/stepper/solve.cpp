@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Right-hand sides, factorisation, corrections and their residuals.
+#include "base/index.h"
 #include "stepper/contact.h"
 #include "stepper/stages.h"
 #include "stepper/sweeps.h"
@@ -13,8 +14,6 @@ namespace {
 
 using assembly::Norms;
 using assembly::View;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Merge in order, so that sums do not depend on threads.
 Norms merged(const std::vector<Norms>& parts) noexcept {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stepper/stages.h"
 
+#include "base/index.h"
 #include "stepper/bounds.h"
 #include "stepper/clique.h"
 #include "stepper/contact.h"
@@ -17,8 +18,6 @@ namespace hawser::stepper {
 namespace {
 
 using assembly::View;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 void evaluate_strip(StepContext& ctx, const View& v, int strip) noexcept {
     for (const assembly::PoolRange& r : ctx.system.strips.pools(strip)) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "base/index.h"
 #include "stepper/cuts.h"
 #include "stepper/stages.h"
 #include "stepper/step.h"
@@ -9,8 +10,6 @@
 
 namespace hawser::stepper {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// What the trial step says about the torques on a body, for its gyroscopic impulse.
 void keep_spin_change(model::Bodies& bodies, const assembly::View& v, std::int32_t body) noexcept {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The public face of src/factor.
+#include "base/index.h"
 #include "factor/numeric.h"
 #include "factor/partial.h"
 #include "factor/repair.h"
@@ -15,21 +16,16 @@
 #include <string>
 
 namespace hawser {
-namespace {
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
-/// Copies one block of values to its place; `group` is the front or batch that holds it.
-struct CopyOp {
-    std::int64_t from = 0, to = 0;
-    std::int32_t group = 0, step = 1, ld = 0;
-    std::int8_t rows = 0, columns = 0;  ///< Of the block as it is given.
-    bool diagonal = false;
-};
-
-}  // namespace
 
 struct BlockFactor::Impl {
+    /// Copies one block of values to its place; `group` is the front or batch that holds it.
+    struct CopyOp {
+        std::int64_t from = 0, to = 0;
+        std::int32_t group = 0, step = 1, ld = 0;
+        std::int8_t rows = 0, columns = 0;  ///< Of the block as it is given.
+        bool diagonal = false;
+    };
+
     explicit Impl(const FactorOptions& o) : options(o), pool(std::max(1, o.threads)) {
         pool.pause();
         analysis.keep_updates(o.partial);

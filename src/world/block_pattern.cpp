@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/block_pattern.h"
 
+#include "base/index.h"
 #include "factor/ordering.h"
 
 #include <algorithm>
@@ -10,8 +11,6 @@
 namespace hawser {
 namespace world {
 namespace {
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 void check(const BlockPattern& p) {
     auto fail = [](const std::string& what) {

@@ -13,7 +13,6 @@
 
 namespace hawser {
 
-using world::at;
 using world::index_of;
 
 void World::set_group(BodyId id, const std::string& group) {

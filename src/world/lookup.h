@@ -3,6 +3,8 @@
 /// @file lookup.h
 /// Ids and names that a caller gives.
 
+#include "base/index.h"
+
 #include <hawser/def.h>
 
 #include <cstdint>
@@ -11,8 +13,6 @@
 #include <unordered_map>
 
 namespace hawser::world {
-
-inline std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Look up an index and refuse one that names nothing.
 inline std::size_t index_of(std::int32_t index, int count, const char* what) {

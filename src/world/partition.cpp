@@ -15,8 +15,6 @@
 
 namespace hawser {
 
-using world::at;
-
 namespace {
 
 using Clock = std::chrono::steady_clock;

@@ -14,7 +14,6 @@ const char* to_string(ShapeKind kind) noexcept {
     return kNames[static_cast<std::size_t>(kind)];
 }
 
-using world::at;
 using world::claim;
 using world::index_of;
 using world::lookup;

@@ -12,7 +12,6 @@
 
 namespace hawser {
 
-using world::at;
 using world::claim;
 using world::index_of;
 using world::lookup;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assembly/strips.h"
 
+#include "base/index.h"
 #include "support/recipe.h"
 
 #include <gtest/gtest.h>
@@ -11,8 +12,6 @@ namespace hawser::test {
 namespace {
 
 using assembly::Strips;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Strip of every index, −1 where none; fails on an index that is in two.
 template <class Ranges>

@@ -14,7 +14,6 @@
 namespace hawser::test {
 namespace {
 
-using graph::at;
 using graph::Hypergraph;
 using graph::kNeverCut;
 using graph::kNoPart;

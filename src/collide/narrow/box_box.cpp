@@ -28,13 +28,14 @@ Separation best_axis(const Convex& a, const Convex& b, double enough) {
     };
     for (int i = 0; i < 3; ++i) {
         const V3 row{across[i][0], across[i][1], across[i][2]};
-        const double along = at(da, i);
-        propose(axis(a.r, i), along, std::fabs(along) - at(a.half, i) - reach(b.half, row));
+        const double along = component(da, i);
+        propose(axis(a.r, i), along, std::fabs(along) - component(a.half, i) - reach(b.half, row));
     }
     for (int j = 0; j < 3; ++j) {
         const V3 column{across[0][j], across[1][j], across[2][j]};
-        const double along = at(db, j);
-        propose(axis(b.r, j), along, std::fabs(along) - at(b.half, j) - reach(a.half, column));
+        const double along = component(db, j);
+        propose(axis(b.r, j), along,
+                std::fabs(along) - component(b.half, j) - reach(a.half, column));
     }
     if (best.s > enough) return best;
     for (int i = 0; i < 3; ++i)

@@ -97,11 +97,11 @@ double slope(const V3& c, const V3& d, const V3& half, double t, double& rate) {
     double sum = 0.0;
     rate = 0.0;
     for (int k = 0; k < 3; ++k) {
-        const double x = at(c, k) + t * at(d, k), h = at(half, k);
+        const double x = component(c, k) + t * component(d, k), h = component(half, k);
         const double over = x > h ? x - h : (x < -h ? x + h : 0.0);
         if (over != 0.0) {
-            sum += over * at(d, k);
-            rate += at(d, k) * at(d, k);
+            sum += over * component(d, k);
+            rate += component(d, k) * component(d, k);
         }
     }
     return sum;
@@ -129,9 +129,10 @@ Separation leave_box(const V3& c, const V3& d, double length, const V3& half) {
     Separation best{{0, 0, 1}, -1e300};
     const double tie = 1e-9 * norm(half);
     for (int k = 0; k < 3; ++k) {
-        const double s = std::fabs(at(c, k)) - at(half, k) - length * std::fabs(at(d, k));
+        const double s =
+            std::fabs(component(c, k)) - component(half, k) - length * std::fabs(component(d, k));
         if (s <= best.s + tie) continue;
-        const double sign = at(c, k) < 0.0 ? -1.0 : 1.0;
+        const double sign = component(c, k) < 0.0 ? -1.0 : 1.0;
         best = {{k == 0 ? sign : 0.0, k == 1 ? sign : 0.0, k == 2 ? sign : 0.0}, s};
     }
     if (!(length > 0.0)) return best;
@@ -157,7 +158,8 @@ HAWSER_PAIR(capsule_box) {
     const V3 d = tmul(r, axis(generic::load9(pa.r), 2));
     // Quick test along the box's axes.
     for (int k = 0; k < 3; ++k)
-        if (std::fabs(at(c, k)) - at(half, k) - a.half_length * std::fabs(at(d, k)) >=
+        if (std::fabs(component(c, k)) - component(half, k) -
+                a.half_length * std::fabs(component(d, k)) >=
             a.radius + margin)
             return;
     const double t = nearest_to_box(c, d, a.half_length, half);

@@ -105,9 +105,9 @@ void box_facing(const Convex& s, const V3& m, double tilt, Poly& out) {
     // coordinates, edges by their axis and the signs of the other two.
     int free[3], count = 0, base = 0;
     for (int k = 0; k < 3; ++k) {
-        if (std::fabs(at(m, k)) <= tilt && count < 2) {
+        if (std::fabs(component(m, k)) <= tilt && count < 2) {
             free[count++] = k;
-        } else if (at(m, k) > 0.0) {
+        } else if (component(m, k) > 0.0) {
             base |= 1 << k;
         }
     }

@@ -27,7 +27,7 @@ struct HullView;
 
 inline V3 axis(const M3& r, int k) { return {r.a[k], r.a[3 + k], r.a[6 + k]}; }
 inline V3 normalized(const V3& v) { return (1.0 / norm(v)) * v; }
-inline double at(const V3& v, int k) { return k == 0 ? v.x : (k == 1 ? v.y : v.z); }
+inline double component(const V3& v, int k) { return k == 0 ? v.x : (k == 1 ? v.y : v.z); }
 inline double clamp(double x, double low, double high) {
     return x < low ? low : (x > high ? high : x);
 }

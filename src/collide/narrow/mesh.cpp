@@ -29,10 +29,10 @@ struct TreeBuilder {
         double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300};
         for (int i = first; i < first + count; ++i)
             for (int k = 0; k < 3; ++k) {
-                low[k] = std::min(low[k], at(centre[order[i]], k));
-                high[k] = std::max(high[k], at(centre[order[i]], k));
+                low[k] = std::min(low[k], component(centre[order[i]], k));
+                high[k] = std::max(high[k], component(centre[order[i]], k));
                 for (int c = 0; c < 3; ++c) {
-                    const double x = at(mesh.vertices[mesh.triangles[3 * order[i] + c]], k);
+                    const double x = component(mesh.vertices[mesh.triangles[3 * order[i] + c]], k);
                     node.low[k] = std::min(node.low[k], x);
                     node.high[k] = std::max(node.high[k], x);
                 }
@@ -43,7 +43,7 @@ struct TreeBuilder {
                 if (high[j] - low[j] > high[k] - low[k]) k = j;
             const auto begin = order.begin() + first;
             std::nth_element(begin, begin + count / 2, begin + count, [&](int i, int j) {
-                const double x = at(centre[i], k), y = at(centre[j], k);
+                const double x = component(centre[i], k), y = component(centre[j], k);
                 return x != y ? x < y : i < j;
             });
             node.count = 0;

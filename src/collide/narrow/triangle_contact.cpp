@@ -215,7 +215,7 @@ Placement seen_from(const Placement& shape, const Placement& surface) noexcept {
     generic::store3(local.x, tmul(r, generic::load3(shape.x) - generic::load3(surface.x)));
     for (int k = 0; k < 3; ++k) {
         const V3 column = tmul(r, axis(generic::load9(shape.r), k));
-        for (int i = 0; i < 3; ++i) local.r[3 * i + k] = at(column, i);
+        for (int i = 0; i < 3; ++i) local.r[3 * i + k] = component(column, i);
     }
     return local;
 }
