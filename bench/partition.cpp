@@ -4,7 +4,9 @@
 #include "commands.h"
 #include "factor/ordering.h"
 #include "graph/follow.h"
+#include "graph/split.h"
 #include "index.h"
+#include "linear/timing.h"
 #include "paper_matrix/structures.h"
 #include "partition/cases.h"
 #include "partition/cost_study.h"
@@ -75,29 +77,111 @@ struct OurParts {
     graph::Partitioner partitioner;
     graph::Partition partition;
     std::vector<std::int64_t> exact;
-    double neighbours = 0.0, seconds = 0.0;
 };
 
-/// Time from the body graph, which METIS gets ready-made as well; finding it is `neighbours`.
+/// Cost, contraction, line and parts: all that comes after the body graph.
+void partition_again(const graph::Hypergraph& g, int parts, graph::Partitioner& p,
+                     graph::Partition& out) {
+    p.graph = g;
+    p.cost.build(g, p.neighbours);
+    p.units.build(g, p.neighbours);
+    p.lineup.build(g, p.neighbours, p.cost, p.units);
+    p.separate({parts}, out);
+}
+
+/// Time from the body graph, which METIS gets ready-made as well.
 PartRow our_row(const std::string& name, const PartCase& c, int parts, const FactorCounts& amd,
                 OurParts& o) {
     const int least = c.bodies() > 20'000 ? 3 : 21;
-    graph::Partitioner& p = o.partitioner;
     const graph::Hypergraph g = c.graph(o.exact);
-    o.neighbours = median_seconds([&] { p.neighbours.build(g); }, least);
-    o.seconds = median_seconds(
-        [&] {
-            p.graph = g;
-            p.cost.build(g, p.neighbours);
-            p.units.build(g, p.neighbours);
-            p.lineup.build(g, p.neighbours, p.cost, p.units);
-            p.separate({parts}, o.partition);
-        },
-        least);
+    o.partitioner.neighbours.build(g);
+    const double seconds =
+        median_seconds([&] { partition_again(g, parts, o.partitioner, o.partition); }, least);
     PartRow r = measure_parts(name, c, o.partition.part, parts, amd);
-    r.seconds = o.seconds;
+    r.seconds = seconds;
     o.exact = r.counts.node;
     return r;
+}
+
+/// Median times of one call [s], METIS and ours by turns.
+struct Race {
+    double metis = 0.0;       ///< METIS k-way, by itself again and again.
+    double metis_turn = 0.0;  ///< The same by turns with ours.
+    double ours = 0.0;        ///< From the body graph, again and again.
+    double turn = 0.0;        ///< The same, each after a call of METIS: nothing is foretold.
+    double fresh = 0.0;       ///< The same with a new object, which has no memory yet.
+    double graph = 0.0;       ///< The body graph from interactions.
+    double cuts = 0.0;        ///< Cuts with weights instead of separators, graph included.
+};
+
+Race race(const PartCase& c, int parts, const std::vector<std::int64_t>& exact) {
+    const int least = c.bodies() > 20'000 ? 3 : 61;
+    ForeignGraph f(c.pattern);
+    const graph::Hypergraph g = c.graph(exact);
+    graph::Hypergraph weighted = g;
+    // Weights as physics would give them, of any size: their values do not change the work.
+    std::vector<std::int32_t> edge(at(g.edges())), node(at(g.nodes()));
+    for (std::size_t e = 0; e < edge.size(); ++e)
+        edge[e] = static_cast<std::int32_t>(e * 7919 % 1000);
+    for (std::size_t v = 0; v < node.size(); ++v)
+        node[v] = static_cast<std::int32_t>(v * 104729 % 1000);
+    weighted.edge_weight = edge;
+    weighted.node_weight = node;
+    graph::Partitioner p;
+    graph::Partition out;
+    graph::Splitter splitter;
+    const auto metis = [&] { (void)metis_parts(f, f.weight, parts); };
+    const auto ours = [&] { partition_again(g, parts, p, out); };
+    const auto time_of = [](const auto& call) {
+        const double from = thread_seconds();
+        call();
+        return thread_seconds() - from;
+    };
+    Race r;
+    r.graph = median_seconds([&] { p.neighbours.build(g); }, least);
+    std::vector<double> a, b, d;
+    for (int i = 0; i < least; ++i) {
+        a.push_back(time_of(metis));
+        b.push_back(time_of(ours));
+        graph::Partitioner other;
+        graph::Partition parts_of_other;
+        other.neighbours.build(g);
+        d.push_back(time_of([&] { partition_again(g, parts, other, parts_of_other); }));
+    }
+    r.metis_turn = median(a);
+    r.turn = median(b);
+    r.fresh = median(d);
+    // Rounds of each by itself, by turns as well, so that both meet the same machine.
+    a.clear();
+    b.clear();
+    for (int i = 0; i < 5; ++i) {
+        a.push_back(median_seconds(metis, least / 3));
+        b.push_back(median_seconds(ours, least / 3));
+    }
+    r.metis = median(a);
+    r.ours = median(b);
+    r.cuts = median_seconds([&] { splitter.split(weighted, {parts}, out); }, least);
+    return r;
+}
+
+nlohmann::json print_race(const Race& r) {
+    const auto line = [&](const char* what, double seconds, double metis) {
+        fmt::print("  {:<58} {:>9.1f} us", what, 1e6 * seconds);
+        if (metis > 0.0) fmt::print(", METIS {:>6.1f}x", metis / seconds);
+        fmt::print("\n");
+    };
+    line("ours from the body graph, with cost, again and again", r.ours, r.metis);
+    line("  by turns with METIS", r.turn, r.metis_turn);
+    line("  by turns with METIS, a new object without memory", r.fresh, r.metis_turn);
+    line("  and the body graph from interactions", r.ours + r.graph, r.metis);
+    line("cuts instead of separators, with weights, graph included", r.cuts, r.metis);
+    return {{"metis_seconds", r.metis},
+            {"metis_by_turns_seconds", r.metis_turn},
+            {"seconds", r.ours},
+            {"by_turns_seconds", r.turn},
+            {"new_object_seconds", r.fresh},
+            {"graph_seconds", r.graph},
+            {"cuts_seconds", r.cuts}};
 }
 
 /// Contacts that change: the time of following them, there and back. @return s for one way.
@@ -128,17 +212,16 @@ nlohmann::json compare_parts(const PartCase& c, int parts) {
     double seconds = median_seconds([&] { order = factor::order_nodes(c.pattern); }, least);
     const FactorCounts amd = count_factor(c.pattern, order);
     rows.push_back(print_part_row(order_row("AMD", c, order, seconds, amd)));
-    double metis = 0.0;
     seconds = median_seconds([&] { order = metis_order(g); }, least);
     if (!order.empty())
         rows.push_back(
             print_part_row(order_row("METIS nested dissection", c, order, seconds, amd)));
     std::vector<std::int32_t> part;
-    metis = median_seconds([&] { part = metis_parts(g, g.weight, parts); }, least);
+    seconds = median_seconds([&] { part = metis_parts(g, g.weight, parts); }, least);
     if (!part.empty()) {
         cover_cuts(c.pattern, part);
         PartRow r = measure_parts("METIS k-way", c, part, parts, amd);
-        r.seconds = metis;
+        r.seconds = seconds;
         rows.push_back(print_part_row(r));
     }
     seconds = median_seconds([&] { order = scotch_order(g); }, 3);
@@ -159,22 +242,20 @@ nlohmann::json compare_parts(const PartCase& c, int parts) {
         if (k == 0 || row.imbalance < best.imbalance) best = row;
     }
     rows.push_back(print_part_row(best));
-    fmt::print("  ours: {:.1f} us from the body graph, {:.1f} us to find it from interactions",
-               1e6 * ours.seconds, 1e6 * ours.neighbours);
-    if (metis > 0.0)
-        fmt::print("; METIS k-way takes {:.1f}x, with the graph {:.1f}x", metis / ours.seconds,
-                   metis / (ours.seconds + ours.neighbours));
+    const Race times = race(c, parts, ours.exact);
+    nlohmann::json time_rows = print_race(times);
     double update = 0.0;
     if (!c.edited.empty()) {
         update = update_seconds(c, ours);
-        fmt::print("; update after {} changes {:.2f} us", c.edited.size(), 1e6 * update);
-        if (metis > 0.0) fmt::print(", METIS {:.0f}x", metis / update);
+        fmt::print("  {:<58} {:>9.2f} us", fmt::format("update after {} changes", c.edited.size()),
+                   1e6 * update);
+        if (times.metis > 0.0) fmt::print(", METIS {:>6.0f}x", times.metis / update);
+        fmt::print("\n");
     }
-    fmt::print("\n");
     return {{"name", c.name},
             {"bodies", c.bodies()},
             {"rows", rows},
-            {"neighbours_seconds", ours.neighbours},
+            {"times", time_rows},
             {"update_seconds", update}};
 }
 

@@ -12,96 +12,135 @@ constexpr std::int64_t kStarPart = 8;  // n_b² counts an eighth
 
 }  // namespace
 
+/// Breadth first, without branches: whether a neighbour is new cannot be foretold. Far neighbours
+/// are reached through near ones.
 void Cost::search(const Neighbours& neighbours, std::int32_t root) {
     const std::int32_t label = islands();
-    std::size_t next = order.size();
-    auto reach = [&](std::int32_t v, std::int32_t from) {
-        island[at(v)] = label;
-        parent_[at(v)] = from;
-        depth_[at(v)] = depth_[at(from)] + (v == from ? 0 : 1);
-        const std::int32_t j = jump_[at(from)];
-        const bool skip =
-            depth_[at(from)] - depth_[at(j)] == depth_[at(j)] - depth_[at(jump_[at(j)])];
-        jump_[at(v)] = skip ? jump_[at(j)] : from;
-        order.push_back(v);
-    };
-    depth_[at(root)] = 0;
-    jump_[at(root)] = root;
-    reach(root, root);
-    // Far neighbours are reached through near ones.
-    for (; next < order.size(); ++next) {
-        const std::int32_t v = order[next];
-        scanned_[at(v)] = 1;
-        for (const Neighbour n : neighbours.of(v)) {
-            if (!n.near()) continue;
-            const std::int32_t u = n.node();
-            if (island[at(u)] < 0)
-                reach(u, v);
-            else if (scanned_[at(u)] && u != parent_[at(v)])
-                close_loop(u, v);
+    std::int32_t *line = order.data(), *parent = parent_.data(), *of = island.data();
+    const std::int32_t *start = neighbours.start.data(), *middle = neighbours.middle.data();
+    const std::int32_t* adjacent = neighbours.adjacent.data();
+    std::int32_t next = found_, tail = found_;
+    of[root] = label;
+    line[tail] = root;
+    parent[tail] = tail;
+    ++tail;
+    for (; next < tail; ++next) {
+        const std::int32_t v = line[next], end = middle[v];
+        for (std::int32_t k = start[v]; k < end; ++k) {
+            const std::int32_t u = adjacent[k];
+            line[tail] = u;
+            parent[tail] = next;
+            tail += of[u] < 0 ? 1 : 0;
+            of[u] = label;
         }
     }
+    found_ = tail;
+    begin.push_back(tail);
+}
+
+/// The heaviest node of each island comes first: try wide ones with many edges before others.
+void Cost::search_all(const Hypergraph& graph, const Neighbours& neighbours) {
+    const std::size_t n = graph.size.size();
+    island.assign(n, -1);
+    parent_.resize(n + 1);
+    order.resize(n + 1);  // one more to write to where nothing is kept
+    begin.assign(1, 0);
+    found_ = 0;
+    std::int32_t most = 0, moving = 0;
+    for (std::size_t v = 0; v < n; ++v) {
+        most = std::max(most, graph.size[v] > 0 ? neighbours.edges[v] : 0);
+        moving += graph.size[v] > 0 ? 1 : 0;
+    }
+    for (const std::int32_t least : {most, (most + 1) / 2, (most + 3) / 4, 0})
+        for (std::size_t v = 0; v < n && found_ < moving; ++v)
+            if (graph.size[v] > 0 && island[v] < 0 && neighbours.edges[v] >= least)
+                search(neighbours, static_cast<std::int32_t>(v));
+    order.resize(at(moving));
 }
 
 std::int32_t Cost::meet(std::int32_t u, std::int32_t v) const noexcept {
-    if (depth_[at(u)] < depth_[at(v)]) std::swap(u, v);
-    while (depth_[at(u)] > depth_[at(v)])
-        u = depth_[at(jump_[at(u)])] >= depth_[at(v)] ? jump_[at(u)] : parent_[at(u)];
+    const std::int32_t *depth = depth_.data(), *jump = jump_.data(), *parent = parent_.data();
+    if (depth[u] < depth[v]) std::swap(u, v);
+    while (depth[u] > depth[v]) u = depth[jump[u]] >= depth[v] ? jump[u] : parent[u];
     while (u != v) {
-        const bool far = jump_[at(u)] != jump_[at(v)];
-        u = far ? jump_[at(u)] : parent_[at(u)];
-        v = far ? jump_[at(v)] : parent_[at(v)];
+        const bool far = jump[u] != jump[v];
+        u = far ? jump[u] : parent[u];
+        v = far ? jump[v] : parent[v];
     }
     return u;
 }
 
-/// One at both ends of a loop, taken back above where they meet; sums over subtrees follow.
-void Cost::close_loop(std::int32_t u, std::int32_t v) noexcept {
-    const std::int32_t top = meet(u, v);
-    ++loops[at(u)];
-    ++loops[at(v)];
-    --loops[at(top)];
-    if (parent_[at(top)] != top) --loops[at(parent_[at(top)])];
+/// Depths and jumps by rank, and the pairs that are not in the tree.
+void Cost::find_loops(const Neighbours& neighbours) {
+    const auto count = static_cast<std::int32_t>(order.size());
+    jump_.resize(order.size());
+    depth_.resize(order.size());
+    rank_.resize(island.size());
+    std::int32_t *depth = depth_.data(), *jump = jump_.data(), *rank = rank_.data();
+    const std::int32_t *parent = parent_.data(), *line = order.data();
+    for (std::int32_t k = 0; k < count; ++k) {
+        rank[line[k]] = k;
+        const std::int32_t up = parent[k];
+        if (up == k) {
+            depth[k] = 0;
+            jump[k] = k;
+            continue;
+        }
+        const std::int32_t j = jump[up], height = depth[j];
+        depth[k] = depth[up] + 1;
+        jump[k] = depth[up] - height == height - depth[jump[j]] ? jump[j] : up;
+    }
+    const std::span<const Pair> pairs = neighbours.near_pairs();
+    if (loop_.size() <= pairs.size()) loop_.resize(pairs.size() + 1);
+    Loop* loop = loop_.data();
+    std::size_t found = 0;
+    for (const Pair p : pairs) {
+        const std::int32_t a = rank[p.a], b = rank[p.b];
+        loop[found] = {a, b};
+        found += static_cast<std::size_t>((parent[a] != b) & (parent[b] != a));
+    }
+    loops_found_ = found;
 }
 
-void Cost::sum_loops() noexcept {
-    for (std::size_t k = order.size(); k-- > 0;) {
-        const std::int32_t v = order[k];
-        if (parent_[at(v)] != v) loops[at(parent_[at(v)])] += loops[at(v)];
+/// One at both ends of a loop, taken back above where they meet; then sums over subtrees.
+void Cost::close_loops() noexcept {
+    through_.assign(order.size(), 0);
+    for (std::size_t i = 0; i < loops_found_; ++i) {
+        const Loop l = loop_[i];
+        const std::int32_t top = meet(l.u, l.v);
+        ++through_[at(l.u)];
+        ++through_[at(l.v)];
+        --through_[at(top)];
+        if (parent_[at(top)] != top) --through_[at(parent_[at(top)])];
+    }
+    for (auto k = static_cast<std::int32_t>(order.size()); k-- > 0;) {
+        if (parent_[at(k)] != k) through_[at(parent_[at(k)])] += through_[at(k)];
+        loops[at(order[at(k)])] = through_[at(k)];
     }
 }
 
 void Cost::build(const Hypergraph& graph, const Neighbours& neighbours) {
-    const std::size_t n = graph.size.size();
-    island.assign(n, -1);
-    loops.assign(n, 0);
-    node.assign(n, 0);
-    scanned_.assign(n, 0);
-    parent_.resize(n);
-    jump_.resize(n);
-    depth_.resize(n);
-    order.clear();
-    order.reserve(n);
-    begin.assign(1, 0);
-    // The heaviest node of each island comes first: try wide ones with many edges before others.
-    std::int32_t most = 0;
-    for (std::size_t v = 0; v < n; ++v)
-        if (graph.size[v] > 0) most = std::max(most, neighbours.edges[v]);
-    for (const std::int32_t least : {most, (most + 1) / 2, (most + 3) / 4, 0})
-        for (std::size_t v = 0; v < n; ++v)
-            if (graph.size[v] > 0 && island[v] < 0 && neighbours.edges[v] >= least) {
-                search(neighbours, static_cast<std::int32_t>(v));
-                begin.push_back(static_cast<std::int32_t>(order.size()));
-            }
-    sum_loops();
+    search_all(graph, neighbours);
+    loops.assign(graph.size.size(), 0);
+    find_loops(neighbours);
+    close_loops();
     paper.assign(at(islands()), 0);
+    node.assign(graph.size.size(), 0);
     for (const std::int32_t v : order) {
         const std::int64_t edges = neighbours.edges[at(v)], s = graph.size[at(v)];
         paper[at(island[at(v)])] += edges * edges + loops[at(v)];
-        node[at(v)] = graph.cost.empty()
-                          ? s * s * s * (7 + 12 * loops[at(v)] + 3 * edges * edges / kStarPart) / 3
-                          : graph.cost[at(v)];
+        node[at(v)] = s * s * s * (7 + 12 * loops[at(v)] + 3 * edges * edges / kStarPart) / 3;
     }
+    if (!graph.cost.empty())
+        for (const std::int32_t v : order) node[at(v)] = graph.cost[at(v)];
+}
+
+void Cost::find_islands(const Hypergraph& graph, const Neighbours& neighbours) {
+    search_all(graph, neighbours);
+    loops.clear();
+    paper.clear();
+    node.assign(graph.size.size(), 0);
+    for (const std::int32_t v : order) node[at(v)] = graph.cost[at(v)];
 }
 
 }  // namespace hawser::graph

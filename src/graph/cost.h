@@ -26,6 +26,8 @@ class Cost {
   public:
     /// @cost O(nodes + neighbours + loops log nodes). No memory in a graph of a size seen before.
     void build(const Hypergraph& graph, const Neighbours& neighbours);
+    /// Islands and `node` alone, where the graph brings costs: no loops, no c.
+    void find_islands(const Hypergraph& graph, const Neighbours& neighbours);
 
     std::vector<std::int32_t> island;  ///< By node, −1: does not move.
     std::vector<std::int32_t> order;   ///< Moving nodes, island by island, breadth first.
@@ -39,13 +41,22 @@ class Cost {
     }
 
   private:
+    struct Loop {
+        std::int32_t u, v;
+    };
+
     void search(const Neighbours& neighbours, std::int32_t root);
-    void close_loop(std::int32_t u, std::int32_t v) noexcept;
-    void sum_loops() noexcept;
+    void search_all(const Hypergraph& graph, const Neighbours& neighbours);
+    void find_loops(const Neighbours& neighbours);
+    void close_loops() noexcept;
     [[nodiscard]] std::int32_t meet(std::int32_t u, std::int32_t v) const noexcept;
 
-    std::vector<std::int32_t> parent_, jump_, depth_;
-    std::vector<std::uint8_t> scanned_;
+    // By rank, which is the place in order: those of parents are lower.
+    std::vector<std::int32_t> parent_, jump_, depth_, through_;
+    std::vector<std::int32_t> rank_;  ///< By node.
+    std::vector<Loop> loop_;          ///< Ranks of the pairs that the tree leaves.
+    std::size_t loops_found_ = 0;     ///< Those of loop_ in use.
+    std::int32_t found_ = 0;          ///< Nodes in order.
 };
 
 }  // namespace hawser::graph

@@ -2,66 +2,83 @@
 #include "graph/lineup.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace hawser::graph {
 
+/// Neighbours of units, and of each the key that it has before anything is touched: all that it
+/// and its neighbours would add to the frontier.
 void Lineup::connect(const Hypergraph& graph, const Neighbours& neighbours, const Units& units) {
-    const std::int32_t count = units.count();
-    start_.assign(1, 0);
-    start_.reserve(at(count) + 1);
-    adjacent_.clear();
-    adjacent_.reserve(neighbours.adjacent.size());
-    weight_.resize(at(count));
-    mark_.assign(at(count), -1);
-    for (std::int32_t u = 0; u < count; ++u) {
-        mark_[at(u)] = u;
-        for (const std::int32_t v : units.nodes_of(u))
-            for (const Neighbour w : neighbours.of(v)) {
-                const std::int32_t other = units.unit[at(w.node())];
-                if (mark_[at(other)] == u) continue;
-                mark_[at(other)] = u;
-                adjacent_.push_back(other);
+    count_ = units.count();
+    const std::size_t count = at(count_);
+    start_.resize(count + 1);
+    if (adjacent_.size() <= neighbours.adjacent.size())
+        adjacent_.resize(neighbours.adjacent.size() + 1);
+    weight_.resize(count);
+    key_.resize(count);
+    mark_.assign(count, -1);
+    const std::uint8_t* size = graph.size.data();
+    const std::int32_t *nodes = units.nodes.data(), *begin = units.begin.data();
+    for (std::int32_t u = 0; u < count_; ++u)
+        weight_[at(u)] = size[nodes[begin[u]]] * std::min(kReach, begin[u + 1] - begin[u]);
+    const std::int32_t *first = neighbours.start.data(), *last = neighbours.end.data();
+    const std::int32_t *adjacent = neighbours.adjacent.data(), *unit = units.unit.data();
+    const std::int32_t* weight = weight_.data();
+    std::int32_t *to = adjacent_.data(), *mark = mark_.data();
+    std::int32_t found = 0;
+    for (std::int32_t u = 0; u < count_; ++u) {
+        start_[at(u)] = found;
+        mark[u] = u;
+        std::int32_t sum = 0;
+        for (std::int32_t i = begin[u]; i < begin[u + 1]; ++i) {
+            const std::int32_t v = nodes[i];
+            for (std::int32_t k = first[v]; k < last[v]; ++k) {
+                const std::int32_t other = unit[adjacent[k]];
+                const std::int32_t fresh = mark[other] != u ? 1 : 0;
+                mark[other] = u;
+                to[found] = other;
+                found += fresh;
+                sum += weight[other] & -fresh;
             }
-        start_.push_back(static_cast<std::int32_t>(adjacent_.size()));
-        const std::int32_t size = graph.size[at(units.nodes[at(units.begin[at(u)])])];
-        weight_[at(u)] = u < units.wires ? kReach * size : size;
+        }
+        key_[at(u)] = sum;
     }
-    // Of a unit that nothing has touched: all that its neighbours would add to the frontier.
-    key_.assign(at(count), 0);
-    for (std::int32_t u = 0; u < count; ++u)
-        for (std::int32_t k = start_[at(u)]; k < start_[at(u) + 1]; ++k)
-            key_[at(u)] += weight_[at(adjacent_[at(k)])];
+    start_[count] = found;
 }
 
-/// List a candidate under its present key; what it was listed under before is passed over later.
-void Lineup::list(std::int32_t unit) {
-    const std::int32_t b = bucket(unit);
-    entries_.push_back({unit, head_[at(b)]});
-    head_[at(b)] = static_cast<std::int32_t>(entries_.size()) - 1;
-    lowest_ = std::min(lowest_, b);
+/// A candidate moves to the front of a bucket, out of where it was.
+void Lineup::list(std::int32_t unit, std::int32_t bucket) noexcept {
+    std::int32_t *next = next_.data(), *previous = previous_.data();
+    next[previous[unit]] = next[unit];
+    previous[next[unit]] = previous[unit];
+    const std::int32_t head = count_ + bucket, second = next[head];
+    next[unit] = second;
+    previous[unit] = head;
+    previous[second] = unit;
+    next[head] = unit;
+    lowest_ = std::min(lowest_, bucket);
 }
 
 /// A unit joins the frontier; its neighbours become candidates, cheaper by it.
-void Lineup::touch(std::int32_t unit) {
+void Lineup::touch(std::int32_t unit) noexcept {
     state_[at(unit)] = touched;
     const std::int32_t weight = weight_[at(unit)];
     key_[at(unit)] -= weight;
-    list(unit);
+    list(unit, bucket(key_[at(unit)]));
     for (std::int32_t k = start_[at(unit)]; k < start_[at(unit) + 1]; ++k) {
         const std::int32_t u = adjacent_[at(k)];
         key_[at(u)] -= weight;
-        if (state_[at(u)] != placed) list(u);
+        const std::int32_t slot = bucket(key_[at(u)]);
+        list(u, state_[at(u)] == placed ? kBuckets : slot);
     }
 }
 
 /// The candidate that enlarges the frontier least, −1: none.
 std::int32_t Lineup::cheapest() noexcept {
-    for (; lowest_ < kBuckets; ++lowest_)
-        while (head_[at(lowest_)] >= 0) {
-            const Entry e = entries_[at(head_[at(lowest_)])];
-            head_[at(lowest_)] = e.next;
-            if (state_[at(e.unit)] != placed && bucket(e.unit) == lowest_) return e.unit;
-        }
+    for (; lowest_ < kBuckets; ++lowest_) {
+        const std::int32_t unit = next_[at(count_ + lowest_)];
+        if (unit < count_) return unit;
+    }
     return -1;
 }
 
@@ -69,9 +86,8 @@ std::int32_t Lineup::cheapest() noexcept {
 std::int32_t Lineup::outside(const Neighbours& neighbours, const Units& units,
                              std::int32_t node) const noexcept {
     std::int32_t sum = 0;
-    for (const Neighbour u : neighbours.of(node))
-        if (units.unit[at(u.node())] != units.unit[at(node)])
-            sum += place[at(u.node())] >= 0 ? 2 : -1;
+    for (const std::int32_t u : neighbours.of(node))
+        if (units.unit[at(u)] != units.unit[at(node)]) sum += place[at(u)] >= 0 ? 2 : -1;
     return sum;
 }
 
@@ -87,10 +103,11 @@ void Lineup::append(const Neighbours& neighbours, const Units& units, std::int32
 }
 
 void Lineup::grow(const Neighbours& neighbours, const Units& units, std::int32_t start) {
-    list(start);
+    list(start, bucket(key_[at(start)]));
     for (std::int32_t unit = cheapest(); unit >= 0; unit = cheapest()) {
         if (state_[at(unit)] == untouched) touch(unit);
         state_[at(unit)] = placed;
+        list(unit, kBuckets);
         append(neighbours, units, unit);
         for (std::int32_t k = start_[at(unit)]; k < start_[at(unit) + 1]; ++k)
             if (state_[at(adjacent_[at(k)])] == untouched) touch(adjacent_[at(k)]);
@@ -100,11 +117,11 @@ void Lineup::grow(const Neighbours& neighbours, const Units& units, std::int32_t
 void Lineup::build(const Hypergraph& graph, const Neighbours& neighbours, const Cost& cost,
                    const Units& units) {
     connect(graph, neighbours, units);
-    const auto count = at(units.count());
-    state_.assign(count, untouched);
-    head_.fill(-1);
-    entries_.clear();
-    entries_.reserve(adjacent_.size() + 2 * count);
+    state_.assign(at(count_), untouched);
+    // What is in no list is a ring by itself.
+    next_.resize(at(count_ + kBuckets) + 1);
+    std::iota(next_.begin(), next_.end(), 0);
+    previous_ = next_;
     place.assign(graph.size.size(), -1);
     order.clear();
     order.reserve(graph.size.size());

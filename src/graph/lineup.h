@@ -16,7 +16,7 @@
 #include "graph/neighbours.h"
 #include "graph/wires.h"
 
-#include <array>
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -33,33 +33,29 @@ class Lineup {
 
   private:
     static constexpr std::int32_t kLow = -64, kBuckets = 512;
-    enum State : std::uint8_t { untouched, touched, placed };
-    struct Entry {
-        std::int32_t unit, next;
-    };
+    enum State : std::int32_t { untouched, touched, placed };
 
     void connect(const Hypergraph& graph, const Neighbours& neighbours, const Units& units);
     void grow(const Neighbours& neighbours, const Units& units, std::int32_t start);
     void append(const Neighbours& neighbours, const Units& units, std::int32_t unit);
-    void touch(std::int32_t unit);
-    void list(std::int32_t unit);
+    void touch(std::int32_t unit) noexcept;
+    void list(std::int32_t unit, std::int32_t bucket) noexcept;
     [[nodiscard]] std::int32_t cheapest() noexcept;
-    [[nodiscard]] std::int32_t bucket(std::int32_t unit) const noexcept {
-        const std::int32_t b = key_[at(unit)] - kLow;
-        return b < 0 ? 0 : b >= kBuckets ? kBuckets - 1 : b;
+    [[nodiscard]] static std::int32_t bucket(std::int32_t key) noexcept {
+        return std::clamp(key - kLow, 0, kBuckets - 1);
     }
     [[nodiscard]] std::int32_t outside(const Neighbours& neighbours, const Units& units,
                                        std::int32_t node) const noexcept;
 
     // Units and their neighbours.
     std::vector<std::int32_t> start_, adjacent_, weight_, mark_;
-    // Candidates by how much they enlarge the frontier: lists, newest first, with entries that
-    // no longer hold.
+    // Candidates by how much they enlarge the frontier: rings of units, newest first, each through
+    // the head of its bucket, which is number count_ + bucket. The last one is for units that need
+    // no list any more.
     std::vector<std::int32_t> key_;
-    std::vector<std::uint8_t> state_;
-    std::vector<Entry> entries_;
-    std::array<std::int32_t, kBuckets> head_{};
-    std::int32_t lowest_ = 0;
+    std::vector<State> state_;
+    std::vector<std::int32_t> next_, previous_;
+    std::int32_t count_ = 0, lowest_ = 0;
 };
 
 }  // namespace hawser::graph

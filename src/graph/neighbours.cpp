@@ -3,56 +3,103 @@
 
 namespace hawser::graph {
 
+/// Near neighbours of every pair of members that move, from the front of a node's range; far ones
+/// from its back.
+void Neighbours::link_all(std::span<const std::int32_t> members) {
+    for (std::size_t i = 0; i < members.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const std::int32_t a = members[i], b = members[j];
+            if (a == b) continue;
+            const bool near = i - j == 1;
+            adjacent[at(near ? end[at(a)]++ : --tail_[at(a)])] = b;
+            adjacent[at(near ? end[at(b)]++ : --tail_[at(b)])] = a;
+        }
+}
+
+void Neighbours::fill(const Hypergraph& graph) {
+    const std::int32_t count = graph.edges();
+    const std::int32_t* begin = graph.member_begin.data();
+    const std::int32_t* all = graph.members.data();
+    const std::uint8_t* size = graph.size.data();
+    std::int32_t *to = adjacent.data(), *head = end.data();
+    for (std::int32_t e = 0; e < count; ++e) {
+        const std::int32_t* m = all + begin[e];
+        const std::int32_t members = begin[e + 1] - begin[e];
+        // By far most edges join two bodies.
+        if (members == 2) {
+            const std::int32_t a = m[0], b = m[1];
+            if (size[a] == 0 || size[b] == 0 || a == b) continue;
+            to[head[a]++] = b;
+            to[head[b]++] = a;
+            continue;
+        }
+        moving_.clear();
+        for (std::int32_t i = 0; i < members; ++i)
+            if (size[m[i]] != 0) moving_.push_back(m[i]);
+        link_all(moving_);
+    }
+}
+
 void Neighbours::build(const Hypergraph& graph) {
     const std::size_t n = graph.size.size();
-    start.assign(n + 1, 0);
-    end.resize(n);
-    edges.assign(n, 0);
+    count_.assign(n, 0);
     const std::int32_t count = graph.edges();
     for (std::int32_t e = 0; e < count; ++e) {
         const auto members = graph.edge(e);
-        const auto others = static_cast<std::int32_t>(members.size()) - 1;
-        for (const std::int32_t b : members) {
-            ++edges[at(b)];
-            start[at(b) + 1] += others;
-        }
+        const std::int64_t more = (static_cast<std::int64_t>(members.size() - 1) << 32) + 1;
+        for (const std::int32_t b : members) count_[at(b)] += more;
     }
+    start.resize(n + 1);
+    end.resize(n);
+    middle.resize(n);
+    tail_.resize(n);
+    edges.resize(n);
+    start[0] = 0;
     for (std::size_t b = 0; b < n; ++b) {
-        start[b + 1] += start[b];
         end[b] = start[b];
+        tail_[b] = start[b + 1] = start[b] + static_cast<std::int32_t>(count_[b] >> 32);
+        edges[b] = static_cast<std::int32_t>(count_[b]);
     }
     adjacent.resize(at(start[n]));
-    for (std::int32_t e = 0; e < count; ++e) {
-        const auto members = graph.edge(e);
-        std::int32_t i = 0;  // among members that move
-        for (const std::int32_t a : members) {
-            if (graph.size[at(a)] == 0) continue;
-            std::int32_t j = 0;
-            for (const std::int32_t b : members) {
-                if (graph.size[at(b)] == 0) continue;
-                if (a != b)
-                    adjacent[at(end[at(a)]++)] = {2 * b + (i - j == 1 || j - i == 1 ? 0 : 1)};
-                ++j;
-            }
-            ++i;
-        }
-    }
-    // Each neighbour once, and near if any edge says so.
+    fill(graph);
+    // Each neighbour once; where it is both near and far, the near one comes first and stays.
+    // Without branches: whether a neighbour comes again cannot be foretold.
     mark_.assign(n, -1);
+    std::int32_t *all = adjacent.data(), *mark = mark_.data();
     for (std::size_t b = 0; b < n; ++b) {
-        std::int32_t to = start[b];
-        for (std::int32_t k = start[b]; k < end[b]; ++k) {
-            const Neighbour u = adjacent[at(k)];
-            std::int32_t& place = mark_[at(u.node())];
-            if (place < start[b]) {
-                place = to;
-                adjacent[at(to++)] = u;
-            } else if (u.near()) {
-                adjacent[at(place)] = u;
-            }
-        }
+        const std::int32_t from = start[b];
+        const auto id = static_cast<std::int32_t>(b);
+        std::int32_t to = from;
+        const auto keep = [&](std::int32_t k) {
+            const std::int32_t u = all[k];
+            all[to] = u;
+            to += mark[u] != id ? 1 : 0;
+            mark[u] = id;
+        };
+        for (std::int32_t k = from; k < end[b]; ++k) keep(k);
+        middle[b] = to;
+        for (std::int32_t k = tail_[b]; k < start[b + 1]; ++k) keep(k);
         end[b] = to;
     }
+    list_pairs();
+}
+
+void Neighbours::list_pairs() {
+    if (pair_.size() <= adjacent.size()) pair_.resize(adjacent.size() + 1);
+    const std::int32_t* all = adjacent.data();
+    Pair* pair = pair_.data();
+    std::size_t found = 0;
+    const auto take = [&](std::int32_t a, std::int32_t from, std::int32_t to) {
+        for (std::int32_t k = from; k < to; ++k) {
+            pair[found] = {a, all[k]};
+            found += a < all[k] ? 1 : 0;
+        }
+    };
+    const auto n = static_cast<std::int32_t>(end.size());
+    for (std::int32_t b = 0; b < n; ++b) take(b, start[at(b)], middle[at(b)]);
+    near_pairs_ = found;
+    for (std::int32_t b = 0; b < n; ++b) take(b, middle[at(b)], end[at(b)]);
+    pairs_ = found;
 }
 
 }  // namespace hawser::graph

@@ -5,6 +5,9 @@
 ///
 /// Two moving members that follow each other in an edge are *near*; those farther apart in it (the
 /// ends of a bending triple) are neighbours for a separator, but close no loop of their own.
+///
+/// Beside the lists by node there is one of all pairs: most passes over a graph need no nodes, and
+/// a loop over pairs does not end after a few turns that nothing foretells.
 
 #include "graph/hypergraph.h"
 
@@ -14,10 +17,8 @@
 
 namespace hawser::graph {
 
-struct Neighbour {
-    std::int32_t value;  ///< Twice the node, plus one if not near.
-    [[nodiscard]] std::int32_t node() const noexcept { return value >> 1; }
-    [[nodiscard]] bool near() const noexcept { return (value & 1) == 0; }
+struct Pair {
+    std::int32_t a, b;  ///< a < b.
 };
 
 class Neighbours {
@@ -25,19 +26,38 @@ class Neighbours {
     /// @cost O(members); no memory once it has held a graph of this size.
     void build(const Hypergraph& graph);
 
-    [[nodiscard]] std::span<const Neighbour> of(std::int32_t node) const noexcept {
+    /// All neighbours, near ones first, each once.
+    [[nodiscard]] std::span<const std::int32_t> of(std::int32_t node) const noexcept {
         return {adjacent.data() + start[at(node)], adjacent.data() + end[at(node)]};
+    }
+    [[nodiscard]] std::span<const std::int32_t> near(std::int32_t node) const noexcept {
+        return {adjacent.data() + start[at(node)], adjacent.data() + middle[at(node)]};
+    }
+    /// All pairs of neighbours, near ones first, each once.
+    [[nodiscard]] std::span<const Pair> pairs() const noexcept { return {pair_.data(), pairs_}; }
+    [[nodiscard]] std::span<const Pair> near_pairs() const noexcept {
+        return {pair_.data(), near_pairs_};
+    }
+    [[nodiscard]] std::span<const Pair> far_pairs() const noexcept {
+        return pairs().subspan(near_pairs_);
     }
     [[nodiscard]] std::int32_t degree(std::int32_t node) const noexcept {
         return end[at(node)] - start[at(node)];
     }
 
-    std::vector<std::int32_t> start, end;  ///< By node: its range of `adjacent`.
-    std::vector<Neighbour> adjacent;       ///< Each neighbour once; gaps between ranges.
-    std::vector<std::int32_t> edges;       ///< By node: edges that it is a member of.
+    std::vector<std::int32_t> start, middle, end;  ///< By node: ranges of `adjacent`.
+    std::vector<std::int32_t> adjacent;            ///< Gaps between ranges.
+    std::vector<std::int32_t> edges;               ///< By node: edges that it is a member of.
 
   private:
-    std::vector<std::int32_t> mark_;
+    void fill(const Hypergraph& graph);
+    void link_all(std::span<const std::int32_t> members);
+    void list_pairs();
+
+    std::vector<std::int64_t> count_;  ///< Edges, and above them members of these beside the node.
+    std::vector<std::int32_t> tail_, mark_, moving_;
+    std::vector<Pair> pair_;  ///< Those in use: near_pairs_, pairs_.
+    std::size_t near_pairs_ = 0, pairs_ = 0;
 };
 
 }  // namespace hawser::graph

@@ -76,20 +76,23 @@ class Partitioner {
     };
     void place_islands(const PartitionOptions& options, Partition& out);
     void find_profile();
+    void find_reach();
     void choose_places(const PartitionOptions& options);
-    void assign(Partition& out);
-    void join_back(Partition& out);
-    void sum_up(Partition& out);
-    [[nodiscard]] bool is_between(std::int32_t node) const noexcept;
+    void assign();
+    void join_back();
+    void write(Partition& out);
+    [[nodiscard]] bool is_between(std::int32_t place) const noexcept;
 
-    std::vector<std::int64_t> island_cost_, small_cost_, load_, prefix_;
-    std::vector<std::int32_t> island_lane_, order_, place_, line_, cut_, lane_of_, segment_;
+    std::vector<std::int64_t> island_cost_, small_cost_, load_, prefix_, sum_;
+    std::vector<std::int32_t> island_lane_, order_, place_, cut_, lane_of_;
     std::vector<Profile> profile_;
-    struct Reach {
-        std::int32_t low, high;  ///< Places of the first and last neighbour, itself included.
-    };
-    std::vector<Reach> reach_;          ///< By place of the line.
-    std::vector<std::int64_t> weight_;  ///< Cost of the nodes of the line in this round.
+    // By place of the line, in which the nodes of islands that are divided stand.
+    std::vector<std::int32_t> line_;
+    std::vector<std::int32_t> low_, high_;     ///< First and last neighbour, itself included.
+    std::vector<std::int32_t> segment_;        ///< Cuts before it.
+    std::vector<std::int32_t> part_;           ///< kSeparator: between parts.
+    std::vector<std::int64_t> cost_, weight_;  ///< Cost; in this round, without separators.
+    std::vector<std::int32_t> between_;        ///< Places of separators.
 };
 
 }  // namespace hawser::graph

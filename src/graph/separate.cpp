@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <numeric>
 
 namespace hawser::graph {
 namespace {
@@ -23,59 +24,83 @@ void Partitioner::place_islands(const PartitionOptions& options, Partition& out)
     const std::int32_t islands = cost.islands();
     island_cost_.assign(at(islands), 0);
     std::int64_t total = 0;
-    for (const std::int32_t v : cost.order) {
-        island_cost_[at(cost.island[at(v)])] += cost.node[at(v)];
-        total += cost.node[at(v)];
+    for (std::int32_t i = 0; i < islands; ++i) {
+        for (std::int32_t k = cost.begin[at(i)]; k < cost.begin[at(i) + 1]; ++k)
+            island_cost_[at(i)] += cost.node[at(cost.order[at(k)])];
+        total += island_cost_[at(i)];
     }
     const double share = static_cast<double>(total) / options.parts;
     load_.assign(at(options.parts), 0);
     small_cost_.assign(at(islands), 0);
     line_.clear();
     line_.reserve(graph.size.size());
-    place_.assign(graph.size.size(), -1);
     island_lane_.resize(at(islands));
     for (std::int32_t i = 0; i < islands; ++i) {
         if (options.parts == 1 || static_cast<double>(island_cost_[at(i)]) <= kSlack * share) {
             small_cost_[at(i)] = island_cost_[at(i)];
             continue;
         }
-        for (std::int32_t k = lineup.island_begin[at(i)]; k < lineup.island_begin[at(i) + 1]; ++k) {
-            place_[at(lineup.order[at(k)])] = static_cast<std::int32_t>(line_.size());
-            line_.push_back(lineup.order[at(k)]);
-        }
+        island_cost_[at(i)] = -1;  // divided
+        line_.insert(line_.end(), lineup.order.begin() + lineup.island_begin[at(i)],
+                     lineup.order.begin() + lineup.island_begin[at(i) + 1]);
     }
     share_out(small_cost_, island_lane_, load_, order_);
     out.parts = options.parts;
     out.part.assign(graph.size.size(), kNoPart);
-    for (const std::int32_t v : cost.order) out.part[at(v)] = island_lane_[at(cost.island[at(v)])];
+    for (std::int32_t i = 0; i < islands; ++i)
+        if (island_cost_[at(i)] >= 0)
+            for (std::int32_t k = cost.begin[at(i)]; k < cost.begin[at(i) + 1]; ++k)
+                out.part[at(cost.order[at(k)])] = island_lane_[at(i)];
+    // Nodes that are not in the line are at its end.
+    place_.assign(graph.size.size(), static_cast<std::int32_t>(line_.size()));
+    cost_.resize(line_.size());
+    for (std::size_t k = 0; k < line_.size(); ++k) {
+        place_[at(line_[k])] = static_cast<std::int32_t>(k);
+        cost_[k] = cost.node[at(line_[k])];
+    }
+}
+
+/// Places of the first and the last neighbour of each node, itself included. Hubs count for hubs
+/// only.
+void Partitioner::find_reach() {
+    low_.resize(line_.size() + 1);
+    std::iota(low_.begin(), low_.end(), 0);
+    high_ = low_;
+    std::int32_t *low = low_.data(), *high = high_.data();
+    const std::int32_t* place = place_.data();
+    const std::uint8_t* hub = units.hub.data();
+    for (const Pair p : neighbours.pairs()) {
+        const std::int32_t a = place[p.a], b = place[p.b];
+        // Swapped without a branch, as nothing foretells which comes first.
+        const std::int32_t turned = -static_cast<std::int32_t>(a > b);
+        const std::int32_t first = a ^ ((a ^ b) & turned), second = b ^ ((a ^ b) & turned);
+        const std::int32_t v = p.a ^ ((p.a ^ p.b) & turned), u = p.b ^ ((p.a ^ p.b) & turned);
+        const std::int32_t sees = hub[v] >= hub[u] ? second : first;
+        const std::int32_t seen = hub[u] >= hub[v] ? first : second;
+        high[first] = std::max(high[first], sees);
+        low[second] = std::min(low[second], seen);
+    }
 }
 
 /// Scalars that reach across each place of the line: of nodes behind it with a neighbour ahead of
 /// it, of nodes ahead of it with one behind, and of hubs with both.
 void Partitioner::find_profile() {
     profile_.assign(line_.size() + 2, {0, 0, 0});
-    reach_.resize(line_.size());
-    for (std::size_t k = 0; k < line_.size(); ++k) {
-        const std::int32_t v = line_[k];
-        auto low = static_cast<std::int32_t>(k), high = low;
-        const bool hub = units.hub[at(v)] != 0;
-        for (const Neighbour u : neighbours.of(v)) {
-            if (units.hub[at(u.node())] && !hub) continue;
-            const std::int32_t p = place_[at(u.node())];
-            low = std::min(low, p);
-            high = std::max(high, p);
-        }
-        const std::int32_t size = graph.size[at(v)];
-        reach_[k] = {low, high};
-        if (hub) {
-            profile_[at(low) + 1].hubs += size;
-            profile_[at(high) + 1].hubs -= size;
+    find_reach();
+    Profile* at_place = profile_.data();
+    const auto end = static_cast<std::int32_t>(line_.size());
+    for (std::int32_t k = 0; k < end; ++k) {
+        const std::int32_t v = line_[at(k)], size = graph.size[at(v)];
+        const std::int32_t low = low_[at(k)], high = high_[at(k)];
+        if (units.hub[at(v)] != 0) {
+            at_place[low + 1].hubs += size;
+            at_place[high + 1].hubs -= size;
             continue;
         }
-        profile_[at(low) + 1].behind += size;
-        profile_[k + 1].behind -= size;
-        profile_[k + 1].ahead += size;
-        profile_[at(high) + 1].ahead -= size;
+        at_place[low + 1].behind += size;
+        at_place[k + 1].behind -= size;
+        at_place[k + 1].ahead += size;
+        at_place[high + 1].ahead -= size;
     }
     for (std::size_t k = 1; k < profile_.size(); ++k) {
         profile_[k].ahead += profile_[k - 1].ahead;
@@ -128,14 +153,14 @@ void Partitioner::choose_places(const PartitionOptions& options) {
     }
 }
 
-bool Partitioner::is_between(std::int32_t v) const noexcept {
-    const std::int32_t p = segment_[at(v)];
+bool Partitioner::is_between(std::int32_t place) const noexcept {
+    const std::int32_t v = line_[at(place)], p = segment_[at(place)];
     const bool hub = units.hub[at(v)] != 0;
-    for (const Neighbour n : neighbours.of(v)) {
-        const std::int32_t q = segment_[at(n.node())];
+    for (const std::int32_t u : neighbours.of(v)) {
+        const std::int32_t q = segment_[at(place_[at(u)])];
         if (q == p) continue;
         if (hub) return true;
-        if (units.hub[at(n.node())]) continue;
+        if (units.hub[at(u)] != 0) continue;
         // The last cut between the two decides for both.
         const Profile& at_cut = profile_[at(cut_[at(std::max(p, q)) - 1])];
         if ((p > q) == (at_cut.behind <= at_cut.ahead)) return true;
@@ -143,74 +168,85 @@ bool Partitioner::is_between(std::int32_t v) const noexcept {
     return false;
 }
 
-/// Segments, separators, and the cost of what is left of the parts.
-void Partitioner::assign(Partition& out) {
-    segment_.resize(graph.size.size());
-    std::size_t j = 0;
-    for (std::size_t k = 0; k < line_.size(); ++k) {
-        while (j < cut_.size() && static_cast<std::int32_t>(k) >= cut_[j]) ++j;
-        segment_[at(line_[k])] = static_cast<std::int32_t>(j);
+/// Segments, and the nodes that reach out of theirs as separators.
+void Partitioner::assign() {
+    segment_.resize(line_.size());
+    part_.resize(line_.size());
+    between_.resize(line_.size() + 1);
+    std::int32_t from = 0;
+    std::size_t found = 0;
+    for (std::size_t s = 0; s <= cut_.size(); ++s) {
+        const auto end = static_cast<std::int32_t>(line_.size());
+        const std::int32_t to = s < cut_.size() ? cut_[s] : end;
+        std::fill(segment_.begin() + from, segment_.begin() + to, static_cast<std::int32_t>(s));
+        std::fill(part_.begin() + from, part_.begin() + to, lane_of_[s]);
+        const std::int32_t *low = low_.data(), *high = high_.data();
+        for (std::int32_t k = from; k < to; ++k) {
+            between_[found] = k;
+            found += static_cast<std::size_t>((low[k] < from) | (high[k] >= to));
+        }
+        from = to;
     }
-    out.separator.clear();
-    const auto end = static_cast<std::int32_t>(line_.size());
-    for (std::size_t k = 0; k < line_.size(); ++k) {
-        const std::int32_t v = line_[k], s = segment_[at(v)];
-        const std::int32_t low = s == 0 ? 0 : cut_[at(s) - 1];
-        const std::int32_t high = at(s) < cut_.size() ? cut_[at(s)] : end;
-        const bool reaches = reach_[k].low < low || reach_[k].high >= high;
-        const bool between = reaches && is_between(v);
-        out.part[at(v)] = between ? kSeparator : lane_of_[at(s)];
-        if (between) out.separator.push_back(v);
-    }
-    join_back(out);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < found; ++i)
+        if (is_between(between_[i])) between_[kept++] = between_[i];
+    between_.resize(kept);
+    for (const std::int32_t k : between_) part_[at(k)] = kSeparator;
+    join_back();
 }
 
 /// Separator nodes beside one part only join it.
-void Partitioner::join_back(Partition& out) {
+void Partitioner::join_back() {
     std::size_t kept = 0;
-    for (const std::int32_t v : out.separator) {
+    for (const std::int32_t k : between_) {
         std::int32_t only = -1;
         bool several = false;
-        for (const Neighbour n : neighbours.of(v)) {
-            const std::int32_t p = out.part[at(n.node())];
+        for (const std::int32_t u : neighbours.of(line_[at(k)])) {
+            const std::int32_t p = part_[at(place_[at(u)])];
             if (p < 0 || p == only) continue;
             several |= only >= 0;
             only = p;
         }
         if (several)
-            out.separator[kept++] = v;
+            between_[kept++] = k;
         else
-            out.part[at(v)] = only >= 0 ? only : lane_of_[at(segment_[at(v)])];
+            part_[at(k)] = only >= 0 ? only : lane_of_[at(segment_[at(k)])];
     }
-    out.separator.resize(kept);
+    between_.resize(kept);
 }
 
-void Partitioner::sum_up(Partition& out) {
-    out.cost.assign(at(out.parts), 0);
-    out.separator_cost = 0;
-    for (const std::int32_t v : cost.order)
-        (out.part[at(v)] >= 0 ? out.cost[at(out.part[at(v)])] : out.separator_cost) +=
-            cost.node[at(v)];
+/// Parts by node, separators ascending, and sums of costs.
+void Partitioner::write(Partition& out) {
+    // By part, separators first: part − kSeparator is an index.
+    sum_.assign(at(out.parts - kSeparator), 0);
+    for (std::size_t k = 0; k < line_.size(); ++k) {
+        out.part[at(line_[k])] = part_[k];
+        sum_[at(part_[k] - kSeparator)] += cost_[k];
+    }
+    out.separator.clear();
+    for (const std::int32_t k : between_) out.separator.push_back(line_[at(k)]);
+    std::sort(out.separator.begin(), out.separator.end());
+    out.separator_cost = sum_[0];
+    out.cost.assign(load_.begin(), load_.end());
+    for (std::size_t p = 0; p < load_.size(); ++p)
+        out.cost[p] += sum_[p + static_cast<std::size_t>(-kSeparator)];
 }
 
 void Partitioner::separate(const PartitionOptions& options, Partition& out) {
     place_islands(options, out);
-    out.separator.clear();
     out.cut.clear();
+    between_.clear();
     if (!line_.empty()) {
         find_profile();
-        weight_.resize(line_.size());
-        for (std::size_t k = 0; k < line_.size(); ++k) weight_[k] = cost.node[at(line_[k])];
+        weight_ = cost_;
         for (int round = 0; round < kRounds; ++round) {
+            for (const std::int32_t k : between_) weight_[at(k)] = 0;
             choose_places(options);
-            assign(out);
-            if (round + 1 == kRounds) break;
-            for (std::size_t k = 0; k < line_.size(); ++k)
-                weight_[k] = out.part[at(line_[k])] >= 0 ? cost.node[at(line_[k])] : 0;
+            for (const std::int32_t k : between_) weight_[at(k)] = cost_[at(k)];
+            assign();
         }
     }
-    sum_up(out);
-    std::sort(out.separator.begin(), out.separator.end());
+    write(out);
 }
 
 }  // namespace hawser::graph

@@ -67,7 +67,7 @@ void Splitter::contract() {
         }
         const auto c = at(cluster_[v] = cluster_[at(r)]);
         size_[c] = static_cast<std::uint8_t>(std::min(255, size_[c] + graph_.size[v]));
-        node_cost_[c] += whole_cost_.node[v];
+        node_cost_[c] += cost_of(v);
         if (!graph_.group.empty() && graph_.group[v] >= 0) group_part_[c] = graph_.group[v];
     }
 }
@@ -88,7 +88,7 @@ void Splitter::build_quotient() {
     }
     const Hypergraph quotient{size_, member_begin_, members_, {}, {}, {}, node_cost_};
     neighbours_.build(quotient);
-    cost_.build(quotient, neighbours_);
+    cost_.find_islands(quotient, neighbours_);
     units_.build(quotient, neighbours_);
     lineup_.build(quotient, neighbours_, cost_, units_);
 }
@@ -132,7 +132,7 @@ void Splitter::write(Partition& out) const {
     for (std::size_t v = 0; v < cluster_.size(); ++v) {
         if (cluster_[v] < 0) continue;
         out.part[v] = part_[at(cluster_[v])];
-        out.cost[at(out.part[v])] += whole_cost_.node[v];
+        out.cost[at(out.part[v])] += cost_of(v);
     }
     for (std::int32_t e = 0; e < graph_.edges(); ++e) {
         std::int32_t first = kNoPart;
@@ -158,8 +158,10 @@ void Splitter::split(const Hypergraph& graph, const PartitionOptions& options, P
 void Splitter::prepare(const Hypergraph& graph, const PartitionOptions& options) {
     graph_ = graph;
     options_ = options;
-    whole_.build(graph_);
-    whole_cost_.build(graph_, whole_);
+    if (graph_.cost.empty()) {
+        whole_.build(graph_);
+        whole_cost_.build(graph_, whole_);
+    }
     contract();
     build_quotient();
     weigh_places();

@@ -42,6 +42,9 @@ class Splitter {
 
     void prepare(const Hypergraph& graph, const PartitionOptions& options);
     void contract();
+    [[nodiscard]] std::int64_t cost_of(std::size_t node) const noexcept {
+        return graph_.cost.empty() ? whole_cost_.node[node] : graph_.cost[node];
+    }
     [[nodiscard]] std::int32_t find(std::int32_t node) noexcept;
     void join(std::int32_t a, std::int32_t b) noexcept;
     void build_quotient();
@@ -70,8 +73,8 @@ class Splitter {
     std::vector<std::uint8_t> size_;
     std::vector<std::int64_t> node_cost_;
     std::vector<std::int32_t> member_begin_, members_, group_part_;
-    Neighbours whole_, neighbours_;
-    Cost whole_cost_, cost_;
+    Neighbours whole_, neighbours_;  // those of the graph, of its clusters
+    Cost whole_cost_, cost_;         // by the model, where the graph brings none
     Units units_;
     Lineup lineup_;
     std::int64_t share_ = 0;

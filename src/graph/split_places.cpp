@@ -161,9 +161,8 @@ void Splitter::place_clusters(bool together) {
 }
 
 std::int32_t Splitter::part_beside(std::int32_t cluster, std::int32_t wire) const noexcept {
-    for (const Neighbour u : neighbours_.of(cluster))
-        if (units_.unit[at(u.node())] != wire && part_[at(u.node())] >= 0)
-            return part_[at(u.node())];
+    for (const std::int32_t u : neighbours_.of(cluster))
+        if (units_.unit[at(u)] != wire && part_[at(u)] >= 0) return part_[at(u)];
     return -1;
 }
 
@@ -222,11 +221,13 @@ bool Splitter::move_sand(std::int32_t from, std::int32_t to, std::int64_t amount
     for (std::int32_t w = 0; w < units_.wires; ++w) {
         const std::int32_t first = units_.begin[at(w)], last = units_.begin[at(w) + 1] - 1;
         const auto part = [&](std::int32_t k) { return part_[at(units_.nodes[at(k)])]; };
+        const auto group = [&](std::int32_t k) { return group_part_[at(units_.nodes[at(k)])]; };
         const auto held = [&](std::int32_t k) { return part_beside(units_.nodes[at(k)], w) >= 0; };
         for (std::int32_t a = first, b; a <= last; a = b + 1) {
             b = a;
-            while (b < last && part(b + 1) == part(a)) ++b;
-            if (part(a) != from || group_part_[at(units_.nodes[at(a)])] >= 0) continue;
+            // What a group holds is a run of its own, which stays.
+            while (b < last && part(b + 1) == part(a) && group(b + 1) == group(a)) ++b;
+            if (part(a) != from || group(a) >= 0) continue;
             const bool left = a > first && part(a - 1) == to, right = b < last && part(b + 1) == to;
             const bool free_left = a == first && !held(first),
                        free_right = b == last && !held(last);

@@ -10,6 +10,7 @@
 #include "graph/hypergraph.h"
 #include "graph/neighbours.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,6 +20,7 @@ namespace hawser::graph {
 inline constexpr std::int32_t kHubDegree = 16;    ///< More neighbours than this make a hub.
 inline constexpr std::int32_t kReach = 2;         ///< Bending couples a node to the next but one.
 inline constexpr std::int32_t kShortestWire = 4;  ///< Nodes.
+inline constexpr std::int32_t kLump = 3;          ///< Nodes at most that are contracted elsewhere.
 
 class Units {
   public:
@@ -43,12 +45,18 @@ class Units {
     [[nodiscard]] std::int32_t next(const Neighbours& neighbours, std::int32_t v) const noexcept;
     void keep_whole(const Neighbours& neighbours);
     void close() noexcept;
+    void add_lumps(const Hypergraph& graph);
 
-    std::vector<std::int8_t> like_;     ///< By node: neighbours that may be in a wire, −1: no wire.
-    std::vector<std::int32_t> walked_;  ///< Sequences of nodes, before keep_whole().
-    std::vector<std::int32_t> from_;    ///< Where they begin.
-    std::vector<std::int32_t> place_;   ///< By node: index in walked_, −1: none.
-    std::vector<std::uint8_t> brief_;   ///< By place: its sequence is too short for a wire.
+    // By node: may be in a wire and is in none yet (1 or 0); neighbours that may be.
+    std::vector<std::int32_t> open_, like_;
+    std::vector<std::uint8_t>
+        bends_;  ///< By node: 1, 2: a neighbour of the next, of the next but one.
+    /// Nodes that may be in a wire by neighbours of their kind, at most 2 kReach.
+    std::array<std::vector<std::int32_t>, 2 * kReach + 1> end_;
+    std::vector<std::int32_t> walked_;        ///< Sequences of nodes, before keep_whole().
+    std::vector<std::int32_t> from_;          ///< Where they begin.
+    std::vector<std::int32_t> place_;         ///< By node: index in walked_, −1: none.
+    std::vector<std::int32_t> walk_, apart_;  ///< By place: its sequence; 1: it may stay in it.
 };
 
 }  // namespace hawser::graph
