@@ -105,7 +105,7 @@ class Replay {
             while (next_cut_ < cuts.size() && cuts[next_cut_].step < world_.step_count())
                 ++next_cut_;
             if (next_cut_ < cuts.size() && cuts[next_cut_].step == world_.step_count())
-                world_.cut_next_step(cuts[next_cut_].iterations);
+                world_.degrade_next_step(cuts[next_cut_].left_out);
             if (const Status status = world_.step(); status != Status::ok) {
                 progress.close();
                 fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}\n", world_.time(),

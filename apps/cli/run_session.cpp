@@ -152,8 +152,9 @@ void RunSession::after_step() {
     collector_->after_step(world, events);
     const bool frame = done_ % stride_ == 0 || done_ == steps_;
     if (recording_) {
-        if (const StepStats& stats = world.stats(); stats.cut)
-            recording_->add_cut({stats.step - 1, stats.newton_iterations});
+        if (const StepStats& stats = world.stats(); stats.degradation.any())
+            recording_->add_cut({stats.step - 1, stats.degradation, stats.degraded_by,
+                                 stats.foreseen_seconds});
         for (const Event& event : events) recording_->add_event(world, event);
         if (frame) recording_->add_frame(world);
     }

@@ -111,7 +111,8 @@ struct WorldDef {
     /// Limits of a step's solve for contacts, 0: none. Where the next iteration would exceed one,
     /// the best iterate is projected (StepStats::cut). At least one iteration is made. For method
     /// newton only.
-    double budget = 0.0;       ///< Solver CPU time of the slowest thread [s]; not repeatable.
+    /// Solver CPU time of the slowest thread [s]; repeatable with StepStats::degradation only.
+    double budget = 0.0;
     double budget_work = 0.0;  ///< Flops of factorisations and substitutions; repeatable.
     /// Shapes closer than this are in contact before they touch [m], 1e-6 to 10. It is to cover
     /// what a shape moves within a step from rest: ½ to 1 g h², 3 mm at 60 Hz.

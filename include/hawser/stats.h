@@ -74,6 +74,28 @@ struct Energy {
     [[nodiscard]] double mechanical() const noexcept { return kinetic + gravity + elastic; }
 };
 
+/// What a step left out to keep to a limit of its cost; by default nothing. Enough to repeat the step
+/// bit for bit without a clock (docs/methods.md, 11).
+struct Degradation {
+    /// Newton iterations after which the solve for contacts ended; 0: when it was solved.
+    std::int32_t iterations = 0;
+    /// It ended with the factorisation at hand, and lines that ask to switch do so after the step.
+    bool hasty = false;
+    [[nodiscard]] bool any() const noexcept { return iterations > 0; }
+    friend bool operator==(const Degradation&, const Degradation&) = default;
+};
+
+/// What had a step leave something out.
+enum class DegradedBy : std::uint8_t {
+    nothing,
+    prediction,  ///< More would not have fitted, by what was known before the step.
+    clock,       ///< By the time that the step had used.
+    work,        ///< By the flops that it had used.
+    order,       ///< World::degrade_next_step().
+};
+inline constexpr int kDegradedByCount = 5;
+[[nodiscard]] const char* to_string(DegradedBy cause) noexcept;
+
 /// Figures of the last step.
 struct StepStats {
     Status status = Status::ok;
@@ -111,6 +133,11 @@ struct StepStats {
     std::int64_t impact_retries = 0;
     std::int32_t newton_iterations = 0;  ///< Of the solve for contacts.
     bool cut = false;       ///< The budget ended the solve for contacts after newton_iterations.
+    Degradation degradation;  ///< What it left out.
+    DegradedBy degraded_by = DegradedBy::nothing;
+    /// CPU time at which the solver would have ended with one more iteration than it was allowed,
+    /// as predicted [s]; 0 where nothing was left out, or not by time.
+    double foreseen_seconds = 0.0;
     std::int32_t cuts = 0;  ///< Interactions cut in this step (docs/methods.md, 10).
     /// max |G v₊ + Σλ − c| over rows of cuts, v₊ of all their bodies and λ the mean of the sides
     /// [m/s or rad/s].

@@ -78,9 +78,9 @@ class World {
     [[nodiscard]] std::int64_t step_count() const noexcept;
     [[nodiscard]] const StepStats& stats() const noexcept;
     [[nodiscard]] Energy energy() const noexcept;  ///< Of the state; zeros before prepare().
-    /// The next step's solve for contacts ends after this many iterations, and WorldDef's budgets
-    /// are ignored in it: repeats what StepStats::cut reported. 0 takes it back.
-    void cut_next_step(int iterations) noexcept;
+    /// The next step leaves out just this, and WorldDef's budgets are ignored in it: repeats what
+    /// StepStats::degradation reported. Nothing (the default) takes it back.
+    void degrade_next_step(const Degradation& degradation) noexcept;
     /// FNV-1a 64 over poses, velocities, multipliers, time, inputs, and the name of the
     /// instruction set in use. Equal for any number of threads and after save/restore.
     [[nodiscard]] std::uint64_t state_hash() const noexcept;

@@ -79,10 +79,12 @@ struct RecordedInput {
     double value = 0.0;
 };
 
-/// A step whose solve for contacts a budget ended.
+/// A step that left something out to keep to its budget.
 struct RecordedCut {
     std::int64_t step = 0;  ///< Taken when this many steps had been taken.
-    std::int32_t iterations = 0;
+    Degradation left_out;
+    DegradedBy cause = DegradedBy::nothing;
+    double foreseen = 0.0;  ///< StepStats::foreseen_seconds [s].
 };
 
 struct RecordedEvent {

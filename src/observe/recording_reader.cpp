@@ -154,9 +154,14 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
     } else if (kind == kCutChunk) {
         RecordedCut cut;
         cut.step = in.get<std::int64_t>();
-        cut.iterations = in.get<std::int32_t>();
+        cut.left_out.iterations = in.get<std::int32_t>();
+        if (in.left() > 0) {  // not in recordings of earlier versions
+            cut.left_out.hasty = in.get<std::uint8_t>() != 0;
+            cut.cause = get_enum<DegradedBy>(in, kDegradedByCount);
+            cut.foreseen = in.get<double>();
+        }
         in.expect_end();
-        if (cut.iterations < 1 || (!cuts.empty() && cut.step <= cuts.back().step))
+        if (!cut.left_out.any() || (!cuts.empty() && cut.step <= cuts.back().step))
             throw BadBytes("cuts are not in the order of time");
         cuts.push_back(cut);
     } else if (kind == kEventChunk) {

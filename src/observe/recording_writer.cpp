@@ -205,7 +205,10 @@ void RecordingWriter::add_inputs(std::span<const RecordedInput> changes) {
 
 void RecordingWriter::add_cut(const RecordedCut& cut) {
     payload_.put(cut.step);
-    payload_.put(cut.iterations);
+    payload_.put(cut.left_out.iterations);
+    payload_.put(static_cast<std::uint8_t>(cut.left_out.hasty ? 1 : 0));
+    payload_.put(static_cast<std::uint8_t>(cut.cause));
+    payload_.put(cut.foreseen);
     write_chunk(kCutChunk);
 }
 

@@ -19,6 +19,7 @@
 #include "runtime/trace.h"
 #include "stepper/budget.h"
 #include "stepper/cuts.h"
+#include "stepper/deadline.h"
 
 #include <algorithm>
 #include <chrono>
@@ -78,6 +79,7 @@ struct Newton {
     std::vector<double> best_v, best_lambda, best_contact;
     double best = 0.0;
     std::int32_t iterations = 0;
+    bool switch_late = false;  ///< Rows that ask to switch do so after the step.
 };
 
 /// Scratch of sleep.h, by body.
@@ -108,7 +110,9 @@ struct StepContext {
     std::unique_ptr<runtime::Trace> trace;            ///< What threads do; none: not written down.
     Cuts cuts;
     Budget budget;
-    int cut_after = 0;  ///< Newton iterations imposed on the next step; 0: none.
+    Deadline deadline;
+    Laps laps;            ///< Of the step being taken, where a budget asks for time.
+    Degradation imposed;  ///< On the next step.
     EventRing events;
     StepStats stats;
 

@@ -77,10 +77,17 @@ Way search(StepContext& ctx, double before) noexcept {
     return {best_t, best};
 }
 
+/// An iteration is done.
+void note_lap(StepContext& ctx) noexcept {
+    if (!ctx.budget.needs_time()) return;
+    ctx.laps.last = ctx.stopwatch->seconds();
+    ctx.laps.iterations = ctx.newton.iterations;
+    if (ctx.laps.iterations == 1) ctx.laps.first = ctx.laps.last;
+}
+
 /// Whether the budget allows another iteration.
 bool affordable(StepContext& ctx) noexcept {
-    const double seconds = ctx.budget.needs_time() ? ctx.stopwatch->seconds() : 0.0;
-    return ctx.budget.another({seconds, static_cast<double>(ctx.step_flops)},
+    return ctx.budget.another({ctx.laps.last, static_cast<double>(ctx.step_flops)},
                               ctx.newton.iterations);
 }
 
@@ -162,8 +169,17 @@ Status end_early(StepContext& ctx) noexcept {
     return Status::ok;
 }
 
-/// Newton iterations from the iterate at hand. @param coupling  Of all contacts.
-Status iterate(StepContext& ctx, Coupling coupling, double tolerance) noexcept {
+/// The same where there is no time for another factorisation: the law in the matrix is moved through
+/// the projected impulse.
+void end_hastily(StepContext& ctx) noexcept {
+    if (ctx.newton.best < merit(ctx, 0.0)) take_best(ctx);
+    project_all(ctx);
+    update_contacts(ctx, view(ctx).v_new);
+}
+
+/// Newton iterations from the iterate at hand. @param coupling  Of all contacts. @param hasty  When
+/// the budget ends them, rows that ask to switch do so after the step.
+Status iterate(StepContext& ctx, Coupling coupling, double tolerance, bool hasty = false) noexcept {
     for (Cone& c : ctx.system.contacts.cones) c.coupling = coupling;
     bool again = false, slow = false;
     int switches = 0;  // iterations that ended with some
@@ -187,11 +203,15 @@ Status iterate(StepContext& ctx, Coupling coupling, double tolerance) noexcept {
             set_best_aside(ctx.newton, before);
         keep_iterate(ctx);
         keep_bounds(ctx, way.share);
+        note_lap(ctx);
         const bool last = it + 1 >= ctx.def.contact_iterations;
         const double moved = bounds_map(ctx);
+        // In haste rows that ask to switch do so after the step.
+        const bool stop = hasty && !affordable(ctx);
         // Rows may go on switching each other: then the first one only, as in bounds.cpp.
         const std::int32_t most = last ? 0 : (switches < kTogether ? kAnyRows : 1);
-        const std::int32_t asking = switch_bounds(ctx, ctx.contact_floor, most);
+        const std::int32_t asking = switch_bounds(ctx, ctx.contact_floor, stop ? 0 : most);
+        if (stop && asking == 0) (void)switch_bounds(ctx, ctx.contact_floor, most);
         again = asking > 0;
         switches += again ? 1 : 0;
         if (again || moved > 0.0) forget_best(ctx);  // other rows, or impulses
@@ -202,8 +222,8 @@ Status iterate(StepContext& ctx, Coupling coupling, double tolerance) noexcept {
             return Status::ok;
         }
         ctx.stats.flips_left = linearise(ctx) + asking;
-        // Not where lines have just switched: their rows would be left unsolved.
-        ctx.stats.cut = !again && !affordable(ctx);
+        // Without haste not where lines have just switched: their rows would be left unsolved.
+        ctx.stats.cut = hasty ? stop : !again && !affordable(ctx);
         if (ctx.stats.cut || last) return Status::ok;
         before = merit(ctx, 0.0);
     }
@@ -275,9 +295,12 @@ void begin_newton(StepContext& ctx) noexcept {
 
 Status solve_newton(StepContext& ctx) noexcept {
     ctx.newton.iterations = 0;
+    ctx.newton.switch_late = false;
     const bool cold = ctx.step == 0;
     const double tolerance = ctx.def.contact_tolerance;
-    Status status = cold ? from_soft(ctx) : iterate(ctx, Coupling::exact, tolerance);
+    bool hasty = !cold && ctx.budget.hasty();
+    Status status = cold ? from_soft(ctx) : iterate(ctx, Coupling::exact, tolerance, hasty);
+    hasty = hasty && ctx.stats.cut;
     if (!cold && !solved(ctx, status) && !ctx.stats.cut) {
         go_back(ctx);
         status = from_soft(ctx);
@@ -294,12 +317,20 @@ Status solve_newton(StepContext& ctx) noexcept {
         status = iterate(ctx, Coupling::lagged, tolerance);
     }
     const bool early = status == Status::ok && !solved(ctx, status);
-    if (early) status = end_early(ctx);
+    if (early && hasty)
+        end_hastily(ctx);
+    else if (early)
+        status = end_early(ctx);
     if (status == Status::ok) status = refine(ctx);
     if (status != Status::ok) return status;
     // Of what the step ends with.
     ctx.stats.natural_map = std::max(worst(ctx), bounds_map(ctx));
-    if (early) ctx.stats.flips_left += asking_rows(ctx, ctx.contact_floor);
+    if (early) {
+        const std::int32_t asking = asking_rows(ctx, ctx.contact_floor);
+        ctx.newton.switch_late = hasty && asking > 0;
+        ctx.stats.flips_left += asking;
+    }
+    if (ctx.stats.cut) ctx.stats.degradation = {ctx.newton.iterations, hasty};
     return status;
 }
 

@@ -155,6 +155,8 @@ void integrate(StepContext& ctx) noexcept {
     over(ctx, ctx.interactions.row_count, [&](std::int32_t a, std::int32_t b) {
         for (std::int32_t r = a; r < b; ++r) v.force_of_row[r] = per_h * v.lambda[r];
     });
+    if (ctx.newton.switch_late) (void)switch_bounds(ctx, ctx.contact_floor, kAnyRows);
+    ctx.newton.switch_late = false;
     for (std::size_t i = 0; i < ctx.system.breakable.size(); ++i) {
         const std::int32_t id = ctx.system.breakable[i];
         const double tension = -v.force_of_row[v.row_begin[id]];

@@ -27,6 +27,57 @@ bool find_contacts(StepContext& ctx) noexcept {
     return found;
 }
 
+/// Work of the step's solver, see deadline.h. A row is passed over some ten times by assembly, and
+/// an entry of L some ten times by substitutions; a contact is worth twelve rows.
+Load load_of(const StepContext& ctx) noexcept {
+    const double rows = ctx.interactions.row_count + ctx.bodies.dofs +
+                        12.0 * static_cast<double>(ctx.system.contacts.count());
+    return {rows, static_cast<double>(ctx.stats.factor_flops) +
+                      16.0 * static_cast<double>(ctx.stats.factor_nnz) + 40.0 * rows};
+}
+
+/// Limits of the solve that begins now. Of the budget, some is left to what no one foresees.
+void begin_budget(StepContext& ctx) noexcept {
+    constexpr double kAim = 0.95;
+    Limits limits{.seconds = kAim * ctx.def.budget,
+                  .work = 0.0,
+                  .most = 0,
+                  .foreseen = 0.0,
+                  .imposed = ctx.imposed};
+    // Impacts are not limited. Ending a solve takes one factorisation; 0 is no limit.
+    if (ctx.def.budget_work > 0.0)
+        limits.work =
+            std::max(1.0, ctx.def.budget_work - static_cast<double>(ctx.stats.factor_flops));
+    ctx.budget.begin(limits, {});
+    if (!ctx.budget.needs_time()) return;
+    ctx.laps.start = ctx.laps.first = ctx.laps.last = ctx.stopwatch->seconds();
+    const Load load = load_of(ctx);
+    if (ctx.deadline.knows()) {
+        // What has passed since the step began is known; what is to come is reckoned.
+        const double left = limits.seconds - ctx.laps.start + ctx.deadline.predict_start(load);
+        limits.most = ctx.deadline.iterations_by(left, load);
+        limits.next = ctx.deadline.predict_next(load);
+        limits.foreseen = limits.seconds - left + ctx.deadline.predict(load, limits.most + 1);
+    }
+    ctx.budget.begin(limits, {ctx.laps.start, static_cast<double>(ctx.step_flops)});
+}
+
+/// What the step's times teach, and what it left out.
+void end_budget(StepContext& ctx) noexcept {
+    StepStats& s = ctx.stats;
+    ctx.budget.finished(s.solver_cpu_seconds);
+    if (ctx.budget.needs_time()) {
+        ctx.laps.end = s.solver_cpu_seconds;
+        ctx.deadline.learn(load_of(ctx), ctx.laps);
+    }
+    if (s.cut) {
+        s.degraded_by = ctx.budget.cause();
+        s.foreseen_seconds = ctx.budget.foreseen();
+        ctx.deadline.refused();
+    }
+    ctx.budget.end();  // a trial step is not limited
+}
+
 /// Contacts of the step, after impacts.
 Status start_moving(StepContext& ctx) noexcept {
     bool found = false;
@@ -42,10 +93,7 @@ Status solve_velocities(StepContext& ctx) noexcept {
     if (ctx.collider.count() > 0)
         if (const Status status = start_moving(ctx); status != Status::ok) return status;
     assemble_rows(ctx);
-    // Impacts are not limited. Ending a solve takes one factorisation; 0 is no limit.
-    const double work = ctx.def.budget_work - static_cast<double>(ctx.stats.factor_flops);
-    ctx.budget.begin(ctx.def.budget, ctx.def.budget_work > 0.0 ? std::max(1.0, work) : 0.0,
-                     ctx.cut_after);
+    begin_budget(ctx);
     return solve_assembled(ctx);
 }
 
@@ -100,6 +148,9 @@ Status step(StepContext& ctx) noexcept {
     ctx.newton.iterations = 0;
     ctx.stats.natural_map = 0.0;
     ctx.stats.cut = false;
+    ctx.stats.degradation = {};
+    ctx.stats.degraded_by = DegradedBy::nothing;
+    ctx.stats.foreseen_seconds = 0.0;
 
     timed(ctx, Stage::prestep, prestep);
     const bool shapes = ctx.collider.count() > 0;
@@ -109,17 +160,19 @@ Status step(StepContext& ctx) noexcept {
     }
     const Clock::time_point solver_begin = Clock::now();
     ctx.stopwatch->start();
+    ctx.laps = {};
+    const std::int64_t analyses = ctx.stats.plans + ctx.stats.repairs;
     Status status = solve_velocities(ctx);
     ctx.stats.solver_seconds = std::chrono::duration<double>(Clock::now() - solver_begin).count();
     ctx.stats.solver_cpu_seconds = ctx.stopwatch->seconds();
-    ctx.budget.finished(ctx.stats.solver_cpu_seconds);
-    ctx.budget.end();  // a trial step is not limited
+    ctx.laps.analysed = ctx.stats.plans + ctx.stats.repairs > analyses;
+    end_budget(ctx);
     ctx.stats.newton_iterations = ctx.newton.iterations;
     ctx.stats.factor_work = static_cast<double>(ctx.step_flops) /
                             static_cast<double>(std::max<std::int64_t>(1, ctx.stats.factor_flops));
     if (status == Status::ok) {
         timed(ctx, Stage::integrate, integrate);
-        ctx.cut_after = 0;
+        ctx.imposed = {};
     } else {
         recall(ctx);
     }

@@ -102,7 +102,9 @@ void World::prepare() {
 
 Status World::step() noexcept { return stepper::step(impl_->ctx); }
 
-void World::cut_next_step(int iterations) noexcept { impl_->ctx.cut_after = iterations; }
+void World::degrade_next_step(const Degradation& degradation) noexcept {
+    impl_->ctx.imposed = degradation;
+}
 
 double World::time() const noexcept { return impl_->ctx.time; }
 std::int64_t World::step_count() const noexcept { return impl_->ctx.step; }
@@ -355,6 +357,11 @@ const char* to_string(Stage stage) noexcept {
     constexpr const char* kNames[kStageCount] = {"prestep",  "collide", "graph",     "analyse",
                                                  "assemble", "factor",  "nonsmooth", "integrate"};
     return kNames[static_cast<std::size_t>(stage)];
+}
+
+const char* to_string(DegradedBy cause) noexcept {
+    constexpr const char* kNames[] = {"nothing", "prediction", "clock", "work", "order"};
+    return kNames[static_cast<std::size_t>(cause)];
 }
 
 const char* to_string(EventKind kind) noexcept {

@@ -47,27 +47,40 @@ std::unique_ptr<stepper::StepContext> pile(const WorldDef& def) {
 
 TEST(Budget, AssumesThatTheNextIterationCostsWhatTheLastDid) {
     stepper::Budget b;
-    b.begin(10.0, 0.0, 0);
-    EXPECT_TRUE(b.another({3.0, 0.0}, 1));                               // next: 6
-    EXPECT_TRUE(b.another({6.5, 0.0}, 2));                               // next: 10
-    EXPECT_FALSE(b.another({7.0, 0.0}, 3) && b.another({9.0, 0.0}, 4));  // 7.5, then 11
+    b.begin({.seconds = 10.0}, {1.0, 0.0});
+    EXPECT_TRUE(b.another({3.0, 0.0}, 1));  // next: 5
+    EXPECT_TRUE(b.another({6.5, 0.0}, 2));  // next: 10
+    EXPECT_TRUE(b.another({7.0, 0.0}, 3));  // 7.5
+    EXPECT_FALSE(b.another({9.0, 0.0}, 4));  // 11
+    EXPECT_EQ(b.cause(), DegradedBy::clock);
+    EXPECT_EQ(b.foreseen(), 11.0);
+    EXPECT_TRUE(b.hasty());
     b.finished(11.0);  // 2 after the last look: kept for the next step
-    b.begin(10.0, 0.0, 0);
+    b.begin({.seconds = 10.0}, {});
     EXPECT_FALSE(b.another({4.5, 0.0}, 1));  // 9 + 2
-    b.begin(0.0, 100.0, 0);
+    b.begin({.work = 100.0}, {});
+    EXPECT_FALSE(b.hasty());
     EXPECT_TRUE(b.another({1e9, 50.0}, 1));
     EXPECT_FALSE(b.another({1e9, 80.0}, 2));
-    b.begin(1e-9, 1e-9, 3);  // imposed: limits of cost do not count
+    EXPECT_EQ(b.cause(), DegradedBy::work);
+    b.begin({.seconds = 1e9, .most = 2, .foreseen = 7.0}, {});
+    EXPECT_TRUE(b.another({1.0, 1.0}, 1));
+    EXPECT_FALSE(b.another({2.0, 1.0}, 2));
+    EXPECT_EQ(b.cause(), DegradedBy::prediction);
+    EXPECT_EQ(b.foreseen(), 7.0);
+    b.begin({.seconds = 1e-9, .work = 1e-9, .imposed = {3, false}}, {});  // limits do not count
     EXPECT_FALSE(b.needs_time());
+    EXPECT_FALSE(b.hasty());
     EXPECT_TRUE(b.another({1.0, 1.0}, 2));
     EXPECT_FALSE(b.another({1.0, 1.0}, 3));
+    EXPECT_EQ(b.cause(), DegradedBy::order);
     b.end();
     EXPECT_TRUE(b.another({1e9, 1e9}, 1000));
 }
 
 TEST(Budget, CutsWithTheClockAndRepeatsWithoutIt) {
     WorldDef def;
-    def.budget = 2.5e-3;
+    def.budget = 3.5e-3;
     auto timed = pile(def);
     auto repeated = pile({});
     TickingClock clock(1e-3), never(1e9);
@@ -77,18 +90,24 @@ TEST(Budget, CutsWithTheClockAndRepeatsWithoutIt) {
     for (int i = 0; i < 40; ++i) {
         ASSERT_EQ(stepper::step(*timed), Status::ok);
         const StepStats& s = timed->stats;
-        // One look an iteration, and one at the end: from the second step on the end is known to
-        // take 1 ms, so that a second iteration would end at 2 + 1 ms.
+        // One look where the solve begins, one an iteration, and one at the end: from the second
+        // step on the end is known to take 1 ms, so that a second iteration would end at 3 + 1 ms.
         if (s.cut) {
             EXPECT_EQ(s.newton_iterations, i == 0 ? 2 : 1) << "step " << i;
+            // The first step ends with its rows solved for: there was nothing to begin with.
+            EXPECT_EQ(s.degradation, (Degradation{s.newton_iterations, i > 0})) << "step " << i;
+            EXPECT_GT(s.foreseen_seconds, 0.95 * def.budget);
         } else {
             EXPECT_LE(s.natural_map, def.contact_tolerance);
+            EXPECT_EQ(s.degradation, Degradation{});
+            EXPECT_EQ(s.degraded_by, DegradedBy::nothing);
         }
         cuts += s.cut ? 1 : 0;
-        if (s.cut) repeated->cut_after = s.newton_iterations;
+        repeated->imposed = s.degradation;
         ASSERT_EQ(stepper::step(*repeated), Status::ok);
         EXPECT_EQ(repeated->stats.cut, s.cut);
-        EXPECT_EQ(repeated->cut_after, 0);
+        EXPECT_EQ(repeated->stats.degradation, s.degradation);
+        EXPECT_EQ(repeated->imposed, Degradation{});
         ASSERT_EQ(stepper::state_hash(*repeated), stepper::state_hash(*timed)) << "step " << i;
     }
     EXPECT_GT(cuts, 10);
