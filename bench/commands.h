@@ -20,6 +20,8 @@ int friction_command(int argc, char** argv);
 
 /// Parts and orders beside those of METIS, Scotch and AMD.
 int partition_command(int argc, char** argv);
+/// Keep to a budget while the load of a scene doubles.
+int deadline_command(int argc, char** argv);
 /// Compare splits with exact coupling.
 int coupling_command(int argc, char** argv);
 

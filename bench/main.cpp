@@ -23,6 +23,7 @@ constexpr Command kCommands[] = {
      hawser::bench::friction_command},
     {"partition", "our parts beside those of METIS and Scotch", hawser::bench::partition_command},
     {"coupling", "splits of the paper beside exact coupling", hawser::bench::coupling_command},
+    {"deadline", "steps within a budget while the load doubles", hawser::bench::deadline_command},
     {"hashes", "the same bits for any number of threads and after restoring",
      hawser::bench::hashes_command},
     {"peers", "our steps against other engines, on six scenes", hawser::bench::peers_command},

@@ -74,8 +74,8 @@ struct Energy {
     [[nodiscard]] double mechanical() const noexcept { return kinetic + gravity + elastic; }
 };
 
-/// What a step left out to keep to a limit of its cost; by default nothing. Enough to repeat the step
-/// bit for bit without a clock (docs/methods.md, 11).
+/// What a step left out to keep to a limit of its cost; by default nothing. Enough to repeat the
+/// step bit for bit without a clock (docs/methods.md, 11).
 struct Degradation {
     /// Newton iterations after which the solve for contacts ended; 0: when it was solved.
     std::int32_t iterations = 0;
@@ -132,7 +132,7 @@ struct StepStats {
     /// Of those, stages done again without bouncing, since it would have gained energy or failed.
     std::int64_t impact_retries = 0;
     std::int32_t newton_iterations = 0;  ///< Of the solve for contacts.
-    bool cut = false;       ///< The budget ended the solve for contacts after newton_iterations.
+    bool cut = false;         ///< The budget ended the solve for contacts after newton_iterations.
     Degradation degradation;  ///< What it left out.
     DegradedBy degraded_by = DegradedBy::nothing;
     /// CPU time at which the solver would have ended with one more iteration than it was allowed,

@@ -78,6 +78,20 @@ void friction(Out out, const Summary& s) {
     if (s.budget_mflop > 0.0) fmt::format_to(out, " {:.4g} Mflop;", s.budget_mflop);
     fmt::format_to(out, " cut {} steps, residual p50 {:.2e}, max {:.2e}\n", f.cut_steps,
                    f.cut_residual.median, f.cut_residual.max);
+    const Degradations& d = s.degradations;
+    if (d.steps == 0) return;
+    fmt::format_to(
+        out,
+        "  degraded     friction in {} of {} steps, {} times, from {:.6g} s to {:.6g} s: by "
+        "prediction {}, clock {}, work {}",
+        d.steps, s.steps, d.spans, d.all.begin, d.all.end,
+        d.by_cause[static_cast<std::size_t>(DegradedBy::prediction)],
+        d.by_cause[static_cast<std::size_t>(DegradedBy::clock)],
+        d.by_cause[static_cast<std::size_t>(DegradedBy::work)]);
+    if (d.all.foreseen > 0.0)
+        fmt::format_to(out, "; another iteration would have ended by {:.4g} ms",
+                       1e3 * d.all.foreseen);
+    fmt::format_to(out, "\n");
 }
 
 void coupling(Out out, const Summary& s) {

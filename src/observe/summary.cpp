@@ -84,6 +84,7 @@ void SummaryCollector::after_step(const World& world, std::span<const Event> eve
         if (summary_.events.size() < kListedEvents)
             summary_.events.push_back({event.time, to_string(event.kind),
                                        interaction_label(world, event.interaction), event.value});
+    summary_.degradations.after_step(stats);
     watch_contacts(world);
     watch_cables(world);
     watch_bodies(world);

@@ -5,6 +5,7 @@
 
 #include "observe/certificate.h"
 #include "observe/coupling.h"
+#include "observe/degradations.h"
 #include "observe/samples.h"
 #include "observe/scene_info.h"
 
@@ -72,6 +73,7 @@ struct Summary {
     Spread interactions, equations;  ///< Of a step, contact points and their rows included.
     Spread step_ms, solver_ms, solver_cpu_ms;
     double budget_ms = 0.0, budget_mflop = 0.0;  ///< 0: none.
+    Degradations degradations;
     Verification verified;                       ///< With --verify; no steps without.
     CouplingFigures coupling;                    ///< Of a split; no steps without.
     double within_budget = 1.0;                  ///< Share of timed steps with solver_cpu_ms ≤.

@@ -48,6 +48,29 @@ Json budget(const Summary& s) {
             {"within", s.budget_ms > 0.0 ? Json(s.within_budget) : Json()}};
 }
 
+Json degraded_span(const DegradedSpan& d) {
+    return {{"first_step", d.first},
+            {"last_step", d.last},
+            {"time", {{"start", d.begin}, {"end", d.end}}},
+            {"iterations", d.iterations},
+            {"foreseen_ms", d.foreseen > 0.0 ? Json(1e3 * d.foreseen) : Json()},
+            {"residual_max", d.residual},
+            {"cause", to_string(d.cause)}};
+}
+
+Json degradations(const Summary& s) {
+    const Degradations& d = s.degradations;
+    Json causes = Json::object(), list = Json::array();
+    for (int k = 1; k < kDegradedByCount; ++k)
+        causes[to_string(static_cast<DegradedBy>(k))] = d.by_cause[static_cast<std::size_t>(k)];
+    for (const DegradedSpan& span : d.list) list.push_back(degraded_span(span));
+    return {{"steps", d.steps},
+            {"causes", causes},
+            {"friction", d.steps > 0 ? degraded_span(d.all) : Json()},
+            {"spans", d.spans},
+            {"list", list}};
+}
+
 Json coupling(const Summary& s) {
     const CouplingFigures& c = s.coupling;
     return {{"coupling", to_string(c.coupling)},
@@ -182,7 +205,10 @@ std::string to_json(const Summary& s) {
                     {"time", {{"start", s.start_time}, {"end", s.last.time}}},
                     {"wall_seconds", s.wall_seconds}});
     out.update(times(s));
-    if (s.budget_ms > 0.0 || s.budget_mflop > 0.0) out["budget"] = budget(s);
+    if (s.budget_ms > 0.0 || s.budget_mflop > 0.0) {
+        out["budget"] = budget(s);
+        out["degradations"] = degradations(s);
+    }
     if (s.coupling.steps > 0) out["coupling"] = coupling(s);
     out["friction"] = friction(s.friction);
     if (const Verification& v = s.verified; v.steps > 0)

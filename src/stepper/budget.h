@@ -4,10 +4,10 @@
 /// Whether a solve that runs in iterations can afford another one, while it runs; deadline.h
 /// decides before it begins.
 ///
-/// The next iteration is taken to cost what deadline.h says, which learns it, else what the last one
-/// did, and what follows the last iteration (projection, refinement) what it did in the step before.
-/// Time differs from run to run; so that
-/// a run can be repeated, what it allowed is what gets recorded and imposed (Degradation).
+/// The next iteration is taken to cost what deadline.h says, which learns it, else what the last
+/// one did, and what follows the last iteration (projection, refinement) what it did in the step
+/// before. Time differs from run to run; so that a run can be repeated, what it allowed is what
+/// gets recorded and imposed (Degradation).
 
 #include <hawser/stats.h>
 
@@ -22,7 +22,7 @@ struct Spent {
 /// Limits of a step's solve for contacts; 0: none.
 struct Limits {
     double seconds = 0.0, work = 0.0;
-    int most = 0;          ///< Iterations.
+    int most = 0;           ///< Iterations.
     double next = 0.0;      ///< What a further iteration takes; 0: what the last one did [s].
     double foreseen = 0.0;  ///< With one more than `most` the solver would end at [s].
     Degradation imposed{};  ///< Instead of all these.

@@ -20,9 +20,9 @@
 /// rule the next hundred. Stages of a step with an analysis teach nothing but `finish`: the first
 /// touch of two bodies costs what no later step costs.
 ///
-/// Further iterations cost from a handful of substitutions to a factorisation. Nothing is learned of
-/// them while they do not seem to fit; in a step that ends without one its rate is therefore taken
-/// 1 % lower, down to a quarter of the first one's, until one is tried.
+/// Further iterations cost from a handful of substitutions to a factorisation. Nothing is learned
+/// of them while they do not seem to fit; in a step that ends without one its rate is therefore
+/// taken 1 % lower, down to a quarter of the first one's, until one is tried.
 ///
 /// Limits: rates are learned while the program runs and are no part of the state. What they decide
 /// is recorded (Degradation).

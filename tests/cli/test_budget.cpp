@@ -25,6 +25,17 @@ TEST(Budget, CutStepsAreRecordedAndReplayed) {
         const Json s = run({budget.first, budget.second, "--record", folder / "r.hwr"});
         EXPECT_GT(s["budget"]["cut_steps"].get<int>(), 5) << budget.first;
         EXPECT_GE(s["budget"]["residual"]["max"], s["budget"]["residual"]["p50"]);
+        const Json& d = s["degradations"];
+        EXPECT_EQ(d["steps"], s["budget"]["cut_steps"]);
+        EXPECT_EQ(d["steps"].get<int>(), d["causes"]["prediction"].get<int>() +
+                                             d["causes"]["clock"].get<int>() +
+                                             d["causes"]["work"].get<int>());
+        std::int64_t listed = 0;
+        for (const Json& span : d["list"])
+            listed +=
+                span["last_step"].get<std::int64_t>() - span["first_step"].get<std::int64_t>() + 1;
+        EXPECT_EQ(listed, d["steps"].get<std::int64_t>());
+        EXPECT_EQ(d["friction"]["first_step"], d["list"][0]["first_step"]);
         const Outcome replay = run_program({"replay", folder / "r.hwr", "--threads", "2"});
         EXPECT_EQ(replay.code, 0) << replay.out << replay.err;
     }

@@ -48,9 +48,9 @@ std::unique_ptr<stepper::StepContext> pile(const WorldDef& def) {
 TEST(Budget, AssumesThatTheNextIterationCostsWhatTheLastDid) {
     stepper::Budget b;
     b.begin({.seconds = 10.0}, {1.0, 0.0});
-    EXPECT_TRUE(b.another({3.0, 0.0}, 1));  // next: 5
-    EXPECT_TRUE(b.another({6.5, 0.0}, 2));  // next: 10
-    EXPECT_TRUE(b.another({7.0, 0.0}, 3));  // 7.5
+    EXPECT_TRUE(b.another({3.0, 0.0}, 1));   // next: 5
+    EXPECT_TRUE(b.another({6.5, 0.0}, 2));   // next: 10
+    EXPECT_TRUE(b.another({7.0, 0.0}, 3));   // 7.5
     EXPECT_FALSE(b.another({9.0, 0.0}, 4));  // 11
     EXPECT_EQ(b.cause(), DegradedBy::clock);
     EXPECT_EQ(b.foreseen(), 11.0);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file degradations.h
+/// What the steps of a run left out to keep to its budget, and why.
+
+#include <hawser/stats.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace hawser::observe {
+
+/// Steps one after another that were degraded at the same level.
+struct DegradedSpan {
+    std::int64_t first = 0, last = 0;        ///< Steps, counted as StepStats::step is.
+    double begin = 0.0, end = 0.0;           ///< Of the first, and of the last [s].
+    std::int32_t iterations = 0;             ///< Fewest of a step.
+    double foreseen = 0.0;                   ///< Largest StepStats::foreseen_seconds [s].
+    double residual = 0.0;                   ///< Largest natural map.
+    DegradedBy cause = DegradedBy::nothing;  ///< Of the first.
+    [[nodiscard]] std::int64_t steps() const noexcept { return last - first + 1; }
+};
+
+struct Degradations {
+    std::int64_t steps = 0;
+    std::array<std::int64_t, kDegradedByCount> by_cause{};
+    DegradedSpan all;                ///< Over all of them.
+    std::vector<DegradedSpan> list;  ///< In the order of time, the first kListedSpans.
+    std::int64_t spans = 0;          ///< Listed or not.
+
+    void after_step(const StepStats& stats);
+};
+inline constexpr std::size_t kListedSpans = 100;
+
+}  // namespace hawser::observe
