@@ -4,6 +4,9 @@
 #include "observe/coupling.h"
 #include "commands.h"
 #include "coupling_chains.h"
+#include "coupling_simulated.h"
+#include "coupling_stiffness.h"
+#include "linear/timing.h"
 #include "scene/scene.h"
 
 #include <fmt/core.h>
@@ -43,6 +46,7 @@ struct CouplingOptions {
     std::vector<int> threads{1, 2};
     int parts = 4, steps = 120, rounds = 4;
     bool stiffness = true;
+    double stiffness_seconds = 10.0;  ///< Room for the search of one mode [s].
     std::string json;
 };
 
@@ -113,56 +117,6 @@ Quality measure_quality(World& world, int steps) {
     return q;
 }
 
-/// The same world with cut interactions stiffer by a factor, in the same state.
-World stiffened(const World& from, const std::vector<InteractionId>& cuts, double factor,
-                const std::vector<Coupling>& coupling) {
-    World out(from.settings());
-    for (std::int32_t b = 0; b < from.body_count(); ++b) out.add_body(from.body_def(BodyId{b}));
-    for (std::int32_t m = 1; m < from.material_count(); ++m)
-        out.add_material(from.material_def(MaterialId{m}));
-    for (const MaterialPairDef& pair : from.material_pairs()) out.add_material_pair(pair);
-    for (std::int32_t s = 0; s < from.shape_count(); ++s) out.add_shape(from.shape_def(ShapeId{s}));
-    for (std::int32_t i = 0; i < from.interaction_count(); ++i) {
-        InteractionDef d = from.interaction_def(InteractionId{i});
-        if (std::find(cuts.begin(), cuts.end(), InteractionId{i}) != cuts.end())
-            for (double& compliance : d.compliance) compliance /= factor;
-        out.add_interaction(d);
-    }
-    for (std::int32_t i = 0; i < from.input_count(); ++i) out.add_input(from.input_def(InputId{i}));
-    for (std::size_t i = 0; i < coupling.size(); ++i)
-        if (out.coupling(InteractionId{static_cast<std::int32_t>(i)}) != coupling[i])
-            out.set_coupling(InteractionId{static_cast<std::int32_t>(i)}, coupling[i]);
-    out.copy_state(from);
-    return out;
-}
-
-constexpr double kGrowth = 1.02;  ///< Spectral radius from which a step counts as unstable.
-
-/// Largest factor, 1e-8 to 1e2, of the stiffness of the cuts at which the step is stable.
-double largest_stable(const World& world, const std::vector<InteractionId>& cuts) {
-    std::vector<Coupling> coupling;
-    for (std::int32_t i = 0; i < world.interaction_count(); ++i)
-        coupling.push_back(world.coupling(InteractionId{i}));
-    auto stable = [&](double exponent) {
-        const World w = stiffened(world, cuts, std::pow(10.0, exponent), coupling);
-        return observe::spectral_radius(w) <= kGrowth;
-    };
-    double low = -8.0, high = 2.0;
-    if (stable(high)) return std::pow(10.0, high);
-    if (!stable(low)) return 0.0;
-    while (high - low > 0.1) {
-        const double middle = 0.5 * (low + high);
-        (stable(middle) ? low : high) = middle;
-    }
-    return std::pow(10.0, low);
-}
-
-double median(std::vector<double> v) {
-    if (v.empty()) return 0.0;
-    std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
-    return v[v.size() / 2];
-}
-
 struct Timed {
     World world;
     std::vector<double> wall, cpu;  ///< [ms]
@@ -178,10 +132,11 @@ struct Timed {
 };
 
 Json row_of(const Mode& mode, const Quality& q, const std::vector<Timed*>& timed,
-            const CouplingOptions& o, double stiffness) {
+            const CouplingOptions& o, const Stiffness& stiffness, const SimulatedStep& simulated) {
     const observe::CouplingFigures& f = q.figures;
-    Json times = Json::object();
-    // Threads beyond those of this machine: a place for simulated schedules.
+    Json times = Json::object(), predicted = Json::object();
+    for (std::size_t k = 0; k < kSimulatedThreads.size(); ++k)
+        predicted[std::to_string(kSimulatedThreads[k])] = simulated.ms[k];
     for (std::size_t t = 0; t < o.threads.size(); ++t)
         times[std::to_string(o.threads[t])] = {{"step_ms", median(timed[t]->wall)},
                                                {"solver_cpu_ms", median(timed[t]->cpu)},
@@ -190,6 +145,8 @@ Json row_of(const Mode& mode, const Quality& q, const std::vector<Timed*>& timed
             {"cuts", q.cuts},
             {"islands", q.islands},
             {"threads", times},
+            {"simulated_step_ms", predicted},
+            {"serial_share", simulated.serial},
             {"lost_at", q.lost_at < 0.0 ? Json() : Json(q.lost_at)},
             {"momentum_defect", {{"rms", f.defect_rms}, {"max", f.defect_max}}},
             {"interface_residual", f.residual_max},
@@ -201,11 +158,12 @@ Json row_of(const Mode& mode, const Quality& q, const std::vector<Timed*>& timed
             {"energy_drift", q.energy_drift},
             {"energy_exchanged", q.energy_exchanged},
             {"spectral_radius", f.spectral_radius},
-            {"largest_stable_stiffness", stiffness}};
+            {"largest_stable_stiffness",
+             {{"stable", stiffness.stable}, {"unstable", stiffness.unstable}}}};
 }
 
 void print_row(const Mode& mode, const Quality& q, const std::vector<Timed*>& timed,
-               double stiffness, double defect_exact) {
+               const Stiffness& stiffness, double defect_exact) {
     const observe::CouplingFigures& f = q.figures;
     fmt::print("  {:<17} {:>5} {:>7}", mode.name(), q.cuts, q.islands);
     for (const Timed* t : timed) fmt::print(" {:>8.3f} {:>8.3f}", median(t->wall), median(t->cpu));
@@ -213,37 +171,122 @@ void print_row(const Mode& mode, const Quality& q, const std::vector<Timed*>& ti
         fmt::print(" {:>9.1e}\n", defect_exact);
         return;
     }
-    fmt::print(" {:>9.1e} {:>9.2g} {:>9.2g} {:>9.2g} {:>9.2g} {:>8.4f} {:>9.2g}", f.defect_max,
+    fmt::print(" {:>9.1e} {:>9.2g} {:>9.2g} {:>9.2g} {:>9.2g} {:>8} {:>9}", f.defect_max,
                f.jerk_max, f.jerk_exact_max, 100.0 * f.tension_error_rms, q.energy_drift,
-               f.spectral_radius, stiffness);
+               q.lost_at >= 0.0 ? "-" : fmt::format("{:.4f}", f.spectral_radius),
+               fmt::format("{}{:.2g}", stiffness.found() ? "" : ">", stiffness.stable));
     if (q.lost_at >= 0.0) fmt::print("  ran away at {:.2f} s", q.lost_at);
     fmt::print("\n");
 }
 
-Json compare(const std::string& file, const CouplingOptions& o) {
+/// What the simulation of the steps of one thread says, and how far from two threads it is.
+void print_simulated(const std::vector<SimulatedStep>& simulated,
+                     const std::vector<std::vector<Timed>>& timed, const CouplingOptions& o) {
+    const auto two = std::find(o.threads.begin(), o.threads.end(), 2) - o.threads.begin();
+    const bool measured = two < static_cast<std::ptrdiff_t>(o.threads.size());
+    fmt::print("  SIMULATED from one thread's spans [ms]\n  {:<17}", "");
+    for (const int t : kSimulatedThreads) fmt::print(" {:>8}", fmt::format("{} t", t));
+    fmt::print(" {:>13} {:>8}  serial by stage\n", "2 t, of meas.", "serial");
+    for (std::size_t m = 0; m < simulated.size(); ++m) {
+        const SimulatedStep& s = simulated[m];
+        fmt::print("  {:<17}", kModes[m].name());
+        for (const double ms : s.ms) fmt::print(" {:>8.3f}", ms);
+        const double real = measured ? median(timed[m][static_cast<std::size_t>(two)].wall) : 0.0;
+        fmt::print(" {:>13}", real > 0.0 ? fmt::format("{:+.0f} %", 100.0 * (s.ms[1] / real - 1.0))
+                                         : std::string("-"));
+        fmt::print(" {:>6.0f} % ", 100.0 * s.serial);
+        for (int k = 0; k < kStageCount; ++k)
+            if (s.serial_of[static_cast<std::size_t>(k)] >= 0.02)
+                fmt::print(" {} {:.0f}", to_string(static_cast<Stage>(k)),
+                           100.0 * s.serial_of[static_cast<std::size_t>(k)]);
+        fmt::print("\n");
+    }
+}
+
+/// Exact beside the fastest split that stayed, on two threads: the bar is 15 %.
+Json compare_exact(const std::vector<std::vector<Timed>>& timed, const std::vector<bool>& lost,
+                   const CouplingOptions& o) {
+    Json out = Json::array();
+    constexpr double kBar = 1.15;
+    for (std::size_t t = 0; t < o.threads.size(); ++t) {
+        std::size_t best = 0;
+        for (std::size_t m = 1; m < timed.size(); ++m)
+            if (!lost[m] && (best == 0 || median(timed[m][t].wall) < median(timed[best][t].wall)))
+                best = m;
+        if (best == 0) {
+            fmt::print("  {} thread(s): no split stayed within bounds\n", o.threads[t]);
+            continue;
+        }
+        const double wall = median(timed[0][t].wall) / median(timed[best][t].wall);
+        const double cpu = median(timed[0][t].cpu) / median(timed[best][t].cpu);
+        fmt::print("  {} thread(s): exact takes {:.2f} of the step time of {} ({:.2f} of its cpu)",
+                   o.threads[t], wall, kModes[best].name(), cpu);
+        if (o.threads[t] == 2)
+            fmt::print(": {} {:.0f} %", wall <= kBar ? "within" : "NOT within",
+                       100.0 * (kBar - 1.0));
+        fmt::print("\n");
+        out.push_back({{"threads", o.threads[t]},
+                       {"fastest_split", kModes[best].name()},
+                       {"step_ratio", wall},
+                       {"cpu_ratio", cpu}});
+    }
+    return out;
+}
+
+/// Spans of a traced step: some hundreds; 12 MB.
+constexpr std::size_t kSpans = std::size_t{1} << 18;
+
+struct Measured {
+    std::vector<std::vector<Timed>> timed;  ///< By mode and number of threads.
+    std::vector<SimulatedStep> simulated;   ///< By mode.
+};
+
+/// By turns, so that what else the machine does meets all of them.
+Measured measure_times(const std::string& file, const CouplingOptions& o, const PoolCosts& costs) {
+    Measured out;
+    std::vector<Timed> traced;
+    for (const Mode& mode : kModes) {
+        std::vector<Timed>& list = out.timed.emplace_back();
+        for (const int t : o.threads)
+            list.push_back({load(file, mode, o.parts, t).world, {}, {}, false});
+        traced.push_back({load(file, mode, o.parts, 1).world, {}, {}, false});
+        traced.back().world.start_trace(kSpans);
+    }
+    for (int round = 0; round < o.rounds; ++round) {
+        fmt::print(stderr, "{}: round {} of {}\n", file, round + 1, o.rounds);
+        for (std::size_t m = 0; m < traced.size(); ++m) {
+            for (Timed& t : out.timed[m]) t.run(std::max(1, o.steps / o.rounds));
+            traced[m].run(std::max(1, o.steps / o.rounds));
+        }
+    }
+    for (const Timed& t : traced) out.simulated.push_back(simulate_steps(t.world, costs));
+    return out;
+}
+
+/// From the state that exact steps reach: a split may have lost it.
+Stiffness stiffness_of(const std::string& file, const Mode& mode,
+                       const std::vector<InteractionId>& cuts, const CouplingOptions& o) {
+    fmt::print(stderr, "{}: largest stable stiffness, {}\n", file, mode.name());
+    World state = load(file, mode, o.parts, 1).world;
+    World steady = load(file, kModes[0], o.parts, 1).world;
+    for (int i = 0; i < 30; ++i) (void)steady.step();
+    state.copy_state(steady);
+    return largest_stable(state, cuts, o.stiffness_seconds);
+}
+
+Json compare(const std::string& file, const CouplingOptions& o, const PoolCosts& costs) {
     fmt::print("\n{}: cut into {}\n  {:<17} {:>5} {:>7}", file, o.parts, "", "cuts", "islands");
     for (const int t : o.threads) fmt::print(" {:>8} {:>8}", fmt::format("{} t ms", t), "cpu ms");
     fmt::print(" {:>9} {:>9} {:>9} {:>9} {:>9} {:>8} {:>9}\n", "defect", "jerk", "of exact",
                "tension %", "drift J", "radius", "stable k");
-    std::vector<std::vector<Timed>> timed;
-    for (const Mode& mode : kModes) {
-        std::vector<Timed>& list = timed.emplace_back();
-        for (const int t : o.threads)
-            list.push_back({load(file, mode, o.parts, t).world, {}, {}, false});
-    }
-    // By turns, so that what else the machine does meets all of them.
-    for (int round = 0; round < o.rounds; ++round)
-        for (std::vector<Timed>& list : timed)
-            for (Timed& t : list) t.run(std::max(1, o.steps / o.rounds));
+    Measured times = measure_times(file, o, costs);
+    std::vector<InteractionId> cuts;
+    for (const CutView& c : load(file, kModes[1], o.parts, 1).world.cuts())
+        cuts.push_back(c.interaction);
     Json rows = Json::array();
+    std::vector<bool> lost;
     for (std::size_t m = 0; m < std::size(kModes); ++m) {
         World world = load(file, kModes[m], o.parts, 1).world;
-        const Mode reference{Coupling::kinematic, Predictor::hold};
-        std::vector<InteractionId> cuts;
-        {
-            const scene::Scene s = load(file, reference, o.parts, 1);
-            for (const CutView& c : s.world.cuts()) cuts.push_back(c.interaction);
-        }
         const bool exact = kModes[m].coupling == Coupling::exact;
         double defect = 0.0;
         Quality q;
@@ -255,21 +298,17 @@ Json compare(const std::string& file, const CouplingOptions& o) {
         } else {
             q = measure_quality(world, o.steps);
         }
-        // From the state that exact steps reach: a split may have lost it.
-        double stiffness = 0.0;
-        if (o.stiffness && !exact) {
-            World state = load(file, kModes[m], o.parts, 1).world;
-            World steady = load(file, kModes[0], o.parts, 1).world;
-            for (int i = 0; i < 30; ++i) (void)steady.step();
-            state.copy_state(steady);
-            stiffness = largest_stable(state, cuts);
-        }
-        std::vector<Timed*> times;
-        for (Timed& t : timed[m]) times.push_back(&t);
-        print_row(kModes[m], q, times, stiffness, defect);
-        rows.push_back(row_of(kModes[m], q, times, o, stiffness));
+        Stiffness stiffness;
+        if (o.stiffness && !exact) stiffness = stiffness_of(file, kModes[m], cuts, o);
+        std::vector<Timed*> list;
+        for (Timed& t : times.timed[m]) list.push_back(&t);
+        lost.push_back(q.lost_at >= 0.0);
+        print_row(kModes[m], q, list, stiffness, defect);
+        rows.push_back(row_of(kModes[m], q, list, o, stiffness, times.simulated[m]));
     }
-    return {{"scene", file}, {"parts", o.parts}, {"modes", rows}};
+    print_simulated(times.simulated, times.timed, o);
+    const Json ratios = compare_exact(times.timed, lost, o);
+    return {{"scene", file}, {"parts", o.parts}, {"modes", rows}, {"exact_over_split", ratios}};
 }
 
 int run(int argc, char** argv) {
@@ -283,6 +322,10 @@ int run(int argc, char** argv) {
     app.add_option("--rounds", o.rounds, "Turns of each mode")->capture_default_str();
     app.add_option("--threads", o.threads, "Numbers of threads")->capture_default_str();
     app.add_flag("!--no-stiffness", o.stiffness, "Leave the largest stable stiffness out");
+    app.add_option("--stiffness-seconds", o.stiffness_seconds,
+                   "Processor time of one search for the largest stable stiffness [s]; what is not "
+                   "found within a tenth of a decade by then is printed with >")
+        ->capture_default_str();
     app.add_flag("--theory", theory, "Two bodies and the chain of twelve only, no scenes");
     app.add_option("--json", o.json, "Write the figures to this file");
     CLI11_PARSE(app, argc, argv);
@@ -293,10 +336,12 @@ int run(int argc, char** argv) {
             "\nms: median of a whole step; cpu: of the solver's slowest thread. defect: "
             "momentum out of nothing,\nlargest, of h g m. jerk [m/s3], of exact: of exact "
             "steps from the same states. tension: rms error\nat the cuts. stable k: largest "
-            "stiffness of the cuts with spectral radius <= {}, of their own.\n",
+            "stiffness of the cuts with spectral radius <= {}, of their own.\n"
+            "Simulated: spans of one thread dealt out to more (hawser/schedule.h).\n",
             kGrowth);
+        const PoolCosts costs = measure_pool_costs();
         Json scenes = Json::array();
-        for (const std::string& file : o.scenes) scenes.push_back(compare(file, o));
+        for (const std::string& file : o.scenes) scenes.push_back(compare(file, o, costs));
         out["scenes"] = scenes;
     }
     if (!o.json.empty()) std::ofstream(o.json) << out.dump(2) << '\n';

@@ -4,14 +4,14 @@
 #include "commands.h"
 #include "factor/ordering.h"
 #include "graph/follow.h"
-#include "graph/split.h"
 #include "index.h"
-#include "linear/timing.h"
 #include "paper_matrix/structures.h"
 #include "partition/cases.h"
 #include "partition/cost_study.h"
 #include "partition/foreign.h"
 #include "partition/measure.h"
+#include "partition/race.h"
+#include "partition/steps.h"
 
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
@@ -26,7 +26,8 @@ namespace {
 
 struct PartitionFlags {
     int scale = 1, parts = 4;
-    bool cost = false;
+    bool cost = false, steps = false;
+    int rounds = 6;
     std::string json, picture;
 };
 
@@ -79,16 +80,6 @@ struct OurParts {
     std::vector<std::int64_t> exact;
 };
 
-/// Cost, contraction, line and parts: all that comes after the body graph.
-void partition_again(const graph::Hypergraph& g, int parts, graph::Partitioner& p,
-                     graph::Partition& out) {
-    p.graph = g;
-    p.cost.build(g, p.neighbours);
-    p.units.build(g, p.neighbours);
-    p.lineup.build(g, p.neighbours, p.cost, p.units);
-    p.separate({parts}, out);
-}
-
 /// Time from the body graph, which METIS gets ready-made as well.
 PartRow our_row(const std::string& name, const PartCase& c, int parts, const FactorCounts& amd,
                 OurParts& o) {
@@ -101,87 +92,6 @@ PartRow our_row(const std::string& name, const PartCase& c, int parts, const Fac
     r.seconds = seconds;
     o.exact = r.counts.node;
     return r;
-}
-
-/// Median times of one call [s], METIS and ours by turns.
-struct Race {
-    double metis = 0.0;       ///< METIS k-way, by itself again and again.
-    double metis_turn = 0.0;  ///< The same by turns with ours.
-    double ours = 0.0;        ///< From the body graph, again and again.
-    double turn = 0.0;        ///< The same, each after a call of METIS: nothing is foretold.
-    double fresh = 0.0;       ///< The same with a new object, which has no memory yet.
-    double graph = 0.0;       ///< The body graph from interactions.
-    double cuts = 0.0;        ///< Cuts with weights instead of separators, graph included.
-};
-
-Race race(const PartCase& c, int parts, const std::vector<std::int64_t>& exact) {
-    const int least = c.bodies() > 20'000 ? 3 : 61;
-    ForeignGraph f(c.pattern);
-    const graph::Hypergraph g = c.graph(exact);
-    graph::Hypergraph weighted = g;
-    // Weights as physics would give them, of any size: their values do not change the work.
-    std::vector<std::int32_t> edge(at(g.edges())), node(at(g.nodes()));
-    for (std::size_t e = 0; e < edge.size(); ++e)
-        edge[e] = static_cast<std::int32_t>(e * 7919 % 1000);
-    for (std::size_t v = 0; v < node.size(); ++v)
-        node[v] = static_cast<std::int32_t>(v * 104729 % 1000);
-    weighted.edge_weight = edge;
-    weighted.node_weight = node;
-    graph::Partitioner p;
-    graph::Partition out;
-    graph::Splitter splitter;
-    const auto metis = [&] { (void)metis_parts(f, f.weight, parts); };
-    const auto ours = [&] { partition_again(g, parts, p, out); };
-    const auto time_of = [](const auto& call) {
-        const double from = thread_seconds();
-        call();
-        return thread_seconds() - from;
-    };
-    Race r;
-    r.graph = median_seconds([&] { p.neighbours.build(g); }, least);
-    std::vector<double> a, b, d;
-    for (int i = 0; i < least; ++i) {
-        a.push_back(time_of(metis));
-        b.push_back(time_of(ours));
-        graph::Partitioner other;
-        graph::Partition parts_of_other;
-        other.neighbours.build(g);
-        d.push_back(time_of([&] { partition_again(g, parts, other, parts_of_other); }));
-    }
-    r.metis_turn = median(a);
-    r.turn = median(b);
-    r.fresh = median(d);
-    // Rounds of each by itself, by turns as well, so that both meet the same machine.
-    a.clear();
-    b.clear();
-    for (int i = 0; i < 5; ++i) {
-        a.push_back(median_seconds(metis, least / 3));
-        b.push_back(median_seconds(ours, least / 3));
-    }
-    r.metis = median(a);
-    r.ours = median(b);
-    r.cuts = median_seconds([&] { splitter.split(weighted, {parts}, out); }, least);
-    return r;
-}
-
-nlohmann::json print_race(const Race& r) {
-    const auto line = [&](const char* what, double seconds, double metis) {
-        fmt::print("  {:<58} {:>9.1f} us", what, 1e6 * seconds);
-        if (metis > 0.0) fmt::print(", METIS {:>6.1f}x", metis / seconds);
-        fmt::print("\n");
-    };
-    line("ours from the body graph, with cost, again and again", r.ours, r.metis);
-    line("  by turns with METIS", r.turn, r.metis_turn);
-    line("  by turns with METIS, a new object without memory", r.fresh, r.metis_turn);
-    line("  and the body graph from interactions", r.ours + r.graph, r.metis);
-    line("cuts instead of separators, with weights, graph included", r.cuts, r.metis);
-    return {{"metis_seconds", r.metis},
-            {"metis_by_turns_seconds", r.metis_turn},
-            {"seconds", r.ours},
-            {"by_turns_seconds", r.turn},
-            {"new_object_seconds", r.fresh},
-            {"graph_seconds", r.graph},
-            {"cuts_seconds", r.cuts}};
 }
 
 /// Contacts that change: the time of following them, there and back. @return s for one way.
@@ -272,12 +182,17 @@ int partition_command(int argc, char** argv) {
     app.add_option("--scale", o.scale, "Copies of the paper's scene")->check(CLI::Range(1, 1000));
     app.add_option("--parts", o.parts, "Parts")->check(CLI::Range(1, 256));
     app.add_flag("--cost", o.cost, "How well costs predict factor times, over many islands");
+    app.add_flag("--steps", o.steps,
+                 "Times of factorisations and of whole steps under our parts and those of METIS");
+    app.add_option("--rounds", o.rounds, "Turns of --steps")->check(CLI::Range(1, 1000));
     app.add_option("--picture", o.picture, "SVG of --cost");
     app.add_option("--json", o.json, "Write the figures to this file");
     CLI11_PARSE(app, argc, argv);
     nlohmann::json all;
     if (o.cost) {
         all = cost_study(o.picture);
+    } else if (o.steps) {
+        all = compare_steps(o.parts, o.rounds);
     } else {
         std::vector<PartCase> cases{paper_case(false, o.scale), paper_case(true, o.scale),
                                     make_case(net(50)),         make_case(tree_of_chains(6, 40)),

@@ -17,7 +17,7 @@
 namespace hawser::bench {
 namespace {
 
-double now() { return 1e6 * thread_seconds(); }  // µs
+double thread_us() { return 1e6 * thread_seconds(); }  // µs
 
 /// A diagonal matrix in the pattern of the scene: times and flops depend on the pattern alone.
 struct Parts {
@@ -45,17 +45,17 @@ struct Parts {
     double whole() {
         numeric.clear(symbolic, serial);
         fill(false);
-        const double from = now();
+        const double from = thread_us();
         (void)numeric.factor(symbolic, serial);
-        return now() - from;
+        return thread_us() - from;
     }
     double part(const std::vector<std::int32_t>& columns) {
         dirty.find(symbolic, columns);
         numeric.clear(symbolic, dirty, serial);
         fill(true);
-        const double from = now();
+        const double from = thread_us();
         (void)numeric.refactor(symbolic, dirty, serial);
-        return now() - from;
+        return thread_us() - from;
     }
 };
 
