@@ -17,6 +17,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -70,7 +71,7 @@ PartRow order_row(const std::string& name, const PartCase& c,
     r.fill = static_cast<double>(r.counts.nnz) / static_cast<double>(amd.nnz);
     r.flops = static_cast<double>(r.counts.flops) / static_cast<double>(amd.flops);
     r.makespan = static_cast<double>(r.counts.path) / static_cast<double>(amd.flops);
-    r.factor_ms = 1e3 * factor_seconds(c.pattern, order, 5);
+    r.factor_ms = 1e3 * factor_seconds(c.pattern, order, c.bodies() > 20'000 ? 1 : 5);
     return r;
 }
 
@@ -134,10 +135,11 @@ nlohmann::json compare_parts(const PartCase& c, int parts) {
         r.seconds = seconds;
         rows.push_back(print_part_row(r));
     }
-    seconds = median_seconds([&] { order = scotch_order(g); }, 3);
+    const int few = c.bodies() > 20'000 ? 1 : 3;
+    seconds = median_seconds([&] { order = scotch_order(g); }, few);
     if (!order.empty())
         rows.push_back(print_part_row(order_row("Scotch order", c, order, seconds, amd)));
-    seconds = median_seconds([&] { part = scotch_parts(g, parts); }, 3);
+    seconds = median_seconds([&] { part = scotch_parts(g, parts); }, few);
     if (!part.empty()) {
         cover_cuts(c.pattern, part);
         PartRow r = measure_parts("Scotch k-way", c, part, parts, amd);
@@ -179,7 +181,9 @@ int partition_command(int argc, char** argv) {
         "order: its longest path) over AMD's flops; factor: one thread, processor time.",
         "hawser-bench partition");
     PartitionFlags o;
-    app.add_option("--scale", o.scale, "Copies of the paper's scene")->check(CLI::Range(1, 1000));
+    app.add_option("--scale", o.scale,
+                   "Copies of the paper's scene; other graphs have as many times more bodies")
+        ->check(CLI::Range(1, 1000));
     app.add_option("--parts", o.parts, "Parts")->check(CLI::Range(1, 256));
     app.add_flag("--cost", o.cost, "How well costs predict factor times, over many islands");
     app.add_flag("--steps", o.steps,
@@ -194,9 +198,11 @@ int partition_command(int argc, char** argv) {
     } else if (o.steps) {
         all = compare_steps(o.parts, o.rounds);
     } else {
-        std::vector<PartCase> cases{paper_case(false, o.scale), paper_case(true, o.scale),
-                                    make_case(net(50)),         make_case(tree_of_chains(6, 40)),
-                                    star_case(20, 50, 1),       random_case(1000, 1)};
+        const int k = o.scale;
+        const auto side = static_cast<int>(std::lround(50.0 * std::sqrt(k)));
+        std::vector<PartCase> cases{paper_case(false, k),     paper_case(true, k),
+                                    make_case(net(side)),     make_case(tree_of_chains(6, 40 * k)),
+                                    star_case(20, 50 * k, 1), random_case(1000 * k, 1)};
         for (const PartCase& c : cases) all.push_back(compare_parts(c, o.parts));
     }
     if (!o.json.empty()) std::ofstream(o.json) << all.dump(2) << '\n';

@@ -102,7 +102,7 @@ PartRow measure_parts(const std::string& method, const PartCase& c,
     row.fill = static_cast<double>(row.counts.nnz) / static_cast<double>(amd.nnz);
     row.flops = static_cast<double>(row.counts.flops) / static_cast<double>(amd.flops);
     row.makespan = static_cast<double>(most + between) / static_cast<double>(amd.flops);
-    row.factor_ms = 1e3 * factor_seconds(c.pattern, order, 5);
+    row.factor_ms = 1e3 * factor_seconds(c.pattern, order, c.bodies() > 20'000 ? 1 : 5);
     return row;
 }
 

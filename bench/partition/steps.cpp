@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "partition/steps.h"
 
+#include "coupling_simulated.h"
 #include "factor/ordering.h"
 #include "graph/partition.h"
 #include "index.h"
 #include "linear/problem.h"
 #include "linear/timing.h"
+#include "observe/coupling.h"
 #include "partition/cases.h"
 #include "partition/foreign.h"
 #include "partition/measure.h"
@@ -15,6 +17,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <stdexcept>
@@ -149,12 +153,12 @@ void group_by_metis(World& world, int parts) {
 
 struct SteppedWorld {
     const char* name;
-    World world;
+    World world, traced;                ///< Of two threads, of one.
     std::vector<double> wall{}, cpu{};  ///< [ms]
     bool lost = false;
     void run(int steps) {
         for (int i = 0; i < steps && !lost; ++i) {
-            lost = world.step() != Status::ok;
+            lost = world.step() != Status::ok || traced.step() != Status::ok;
             wall.push_back(1e3 * world.stats().step_seconds);
             cpu.push_back(1e3 * world.stats().solver_cpu_seconds);
         }
@@ -163,39 +167,58 @@ struct SteppedWorld {
 
 constexpr int kSettle = 60;  ///< Exact steps before worlds are split.
 
-Json compare_worlds(const std::string& scene, int parts, int rounds) {
-    const std::string file = "scenes/" + scene + ".json";
+World settled(const std::string& scene, const char* predictor, int threads) {
     scene::Options options;
-    options.threads = 2;
-    World base = scene::load_file(file, options).world;
+    options.threads = threads;
+    options.set = {std::string("settings.predictor=") + predictor};
+    World world = scene::load_file("scenes/" + scene + ".json", options).world;
     for (int i = 0; i < kSettle; ++i)
-        if (base.step() != Status::ok) throw std::runtime_error(scene + " does not step");
-    SteppedWorld worlds[] = {{"exact", base.twin(Coupling::exact)},
-                             {"ours", base.twin(Coupling::compliant)},
-                             {"METIS", base.twin(Coupling::compliant)}};
-    worlds[1].world.set_groups(parts);
-    group_by_metis(worlds[2].world, parts);
+        if (world.step() != Status::ok) throw std::runtime_error(scene + " does not step");
+    return world;
+}
+
+Json compare_worlds(const std::string& scene, Coupling coupling, const char* predictor, int parts,
+                    int rounds, const PoolCosts& costs) {
+    const World two = settled(scene, predictor, 2), one = settled(scene, predictor, 1);
+    SteppedWorld worlds[] = {{"exact", two.twin(Coupling::exact), one.twin(Coupling::exact)},
+                             {"ours", two.twin(coupling), one.twin(coupling)},
+                             {"METIS", two.twin(coupling), one.twin(coupling)}};
+    for (World* w : {&worlds[1].world, &worlds[1].traced}) w->set_groups(parts);
+    for (World* w : {&worlds[2].world, &worlds[2].traced}) group_by_metis(*w, parts);
+    for (SteppedWorld& w : worlds) w.traced.start_trace(std::size_t{1} << 17);
     for (int k = 0; k < rounds; ++k)
         for (SteppedWorld& w : worlds) w.run(20);
-    Json out = {{"scene", scene}};
-    fmt::print("{}: whole steps on two threads, cut into {} compliant parts [ms]\n", scene, parts);
-    for (SteppedWorld& w : worlds) {
+    Json out = {
+        {"scene", scene}, {"coupling", observe::to_string(coupling)}, {"predictor", predictor}};
+    fmt::print("{}: whole steps, {} {}, {} parts [ms]\n", scene, observe::to_string(coupling),
+               predictor, parts);
+    std::array<split::SimulatedStep, std::size(worlds)> simulated;
+    for (std::size_t i = 0; i < std::size(worlds); ++i) {
+        SteppedWorld& w = worlds[i];
+        simulated[i] = split::simulate_steps(w.traced, costs);
         int open = 0;
         for (const CutView& cut : w.world.cuts()) open += cut.open ? 1 : 0;
         fmt::print(
-            "  {:<6} step {:>7.3f}, cpu {:>7.3f}, cuts {:>4}, in force {:>4}, islands {:>3}"
-            "{}\n",
-            w.name, median(w.wall), median(w.cpu), w.world.cuts().size(), open,
-            w.world.stats().islands, w.lost ? ", lost" : "");
+            "  {:<6} 2 threads {:>7.3f}, cpu {:>7.3f}; SIMULATED 1 {:>7.3f}, 4 {:>7.3f}, 8 "
+            "{:>7.3f}; "
+            "{:>3} cuts, {:>3} in force, {:>2} islands{}\n",
+            w.name, median(w.wall), median(w.cpu), simulated[i].ms[0], simulated[i].ms[2],
+            simulated[i].ms[3], w.world.cuts().size(), open, w.world.stats().islands,
+            w.lost ? ", lost" : "");
         out[w.name] = {{"step_ms", median(w.wall)},
                        {"cpu_ms", median(w.cpu)},
+                       {"simulated_ms", simulated[i].ms},
                        {"open", open},
                        {"lost", w.lost}};
     }
     const double step = median(worlds[1].wall) / median(worlds[2].wall),
-                 cpu = median(worlds[1].cpu) / median(worlds[2].cpu);
-    fmt::print("  ours takes {:.2f} of METIS's step time, {:.2f} of its cpu\n", step, cpu);
-    out["ours_over_metis"] = {{"step", step}, {"cpu", cpu}};
+                 cpu = median(worlds[1].cpu) / median(worlds[2].cpu),
+                 four = simulated[1].ms[2] / simulated[2].ms[2];
+    fmt::print(
+        "  ours takes {:.2f} of METIS's step on two threads ({:.2f} of its cpu), {:.2f} "
+        "simulated on four\n",
+        step, cpu, four);
+    out["ours_over_metis"] = {{"step", step}, {"cpu", cpu}, {"simulated_on_four", four}};
     return out;
 }
 
@@ -209,8 +232,11 @@ Json compare_steps(int parts, int rounds) {
         cases.back().name = scene;
     }
     for (const PartCase& c : cases) factors.push_back(compare_factors(c, parts, rounds));
-    for (const char* scene : {"anchor_lines", "anchor_contact"})
-        steps.push_back(compare_worlds(scene, parts, rounds));
+    const PoolCosts costs = measure_pool_costs();
+    for (const char* scene : {"anchor_lines", "anchor_contact"}) {
+        steps.push_back(compare_worlds(scene, Coupling::kinematic, "clique", parts, rounds, costs));
+        steps.push_back(compare_worlds(scene, Coupling::compliant, "hold", parts, rounds, costs));
+    }
     return {{"factors", factors}, {"steps", steps}};
 }
 

@@ -28,12 +28,13 @@ bool is_wire_row(InteractionKind kind) {
     }
 }
 
-/// Thousandths, bounded so that sums of a few do not overflow.
-std::int32_t thousandths(double weight) {
-    return static_cast<std::int32_t>(std::lround(std::min(1e6, 1000.0 * weight)));
-}
-
 }  // namespace
+
+std::int32_t thousandths(double weight) noexcept {
+    constexpr double kMost = 1e6;
+    if (!(weight < kMost / 1000.0)) return static_cast<std::int32_t>(kMost);
+    return weight > 0.0 ? static_cast<std::int32_t>(std::lround(1000.0 * weight)) : 0;
+}
 
 void PartGraph::build(const model::Bodies& bodies, const model::Interactions& in,
                       std::span<const Contacts::Link> links) {

@@ -29,6 +29,10 @@ namespace hawser::assembly {
 /// Weights that are not physical but forbid: touching bodies are cut apart last.
 inline constexpr std::int32_t kTouchWeight = 1'000'000;
 
+/// A weight in thousandths, from 0 to a million, so that sums of a few do not overflow; what is no
+/// number is the largest one.
+[[nodiscard]] std::int32_t thousandths(double weight) noexcept;
+
 class PartGraph {
   public:
     /// Nodes and edges. @param rests  By interaction: left out, since its bodies sleep.

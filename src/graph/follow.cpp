@@ -15,13 +15,17 @@ void Follower::start(const Hypergraph& graph, std::span<const std::int64_t> node
     between_ = partition.separator_cost;
     longest_ = load_.empty() ? 0 : *std::max_element(load_.begin(), load_.end());
     head_.assign(graph.size.size(), -1);
+    stays_.assign(graph.size.size(), 0);
     count_.assign(edges, 0);
     member_.assign(kMostMembers * edges, -1);
     next_.assign(kMostMembers * edges, -1);
     previous_.assign(kMostMembers * edges, -1);
     for (std::int32_t e = 0; e < graph.edges(); ++e) {
         const auto members = graph.edge(e);
-        if (members.size() > kMostMembers) continue;
+        if (members.size() > kMostMembers) {
+            for (const std::int32_t v : members) stays_[at(v)] = 1;
+            continue;
+        }
         count_[at(e)] = static_cast<std::uint8_t>(members.size());
         for (std::size_t i = 0; i < members.size(); ++i) {
             const std::int32_t slot = kMostMembers * e + static_cast<std::int32_t>(i);
@@ -76,6 +80,7 @@ void Follower::keep_apart(std::int32_t e) noexcept {
 }
 
 void Follower::rejoin(std::int32_t node) noexcept {
+    if (stays_[at(node)] != 0) return;
     std::int32_t only = -1;
     for (std::int32_t slot = head_[at(node)]; slot >= 0; slot = next_[at(slot)]) {
         const std::int32_t e = slot / kMostMembers;

@@ -23,7 +23,8 @@ class Follower {
     static constexpr double kWorn = 1.15;
 
     /// Take over a partition with separators. @param node_cost  By node, in flops. Edges with more
-    /// than kMostMembers members must not change. @throws std::bad_alloc.
+    /// than kMostMembers members must not change; separators among those stay. @throws
+    /// std::bad_alloc.
     void start(const Hypergraph& graph, std::span<const std::int64_t> node_cost,
                const Partition& partition);
 
@@ -47,6 +48,7 @@ class Follower {
     std::vector<std::int32_t> member_, next_, previous_;  ///< By slot: kMostMembers an edge.
     std::vector<std::int32_t> head_;                      ///< By node: a slot of its, −1: none.
     std::vector<std::uint8_t> count_, size_;
+    std::vector<std::uint8_t> stays_;  ///< By node: member of an edge that is not followed.
     std::vector<std::int32_t> part_;
     std::vector<std::int64_t> load_, node_cost_;
     std::int64_t between_ = 0, longest_ = 0;

@@ -30,7 +30,8 @@ struct Hypergraph {
     std::span<const std::int32_t> edge_weight{};  ///< ≥ 0: price of cutting it; optional.
     std::span<const std::int32_t> node_weight{};  ///< ≥ 0: price of a cut beside it; optional.
     std::span<const std::int32_t> group{};        ///< Part asked for by hand, −1: none; optional.
-    std::span<const std::int64_t> cost{};  ///< Flops of each node's pivots, if known; optional.
+    std::span<const std::int64_t>
+        cost{};  ///< Flops of each node's pivots, ≥ 0, all below 2⁶²; optional.
 
     [[nodiscard]] std::int32_t nodes() const noexcept {
         return static_cast<std::int32_t>(size.size());
