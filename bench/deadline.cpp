@@ -271,7 +271,7 @@ int compare_deadline(const DeadlineOptions& o) {
     fmt::print(
         "degradations: friction iterations in {} steps, {} times: {} by prediction, {} by clock; "
         "another iteration would have ended by {:.2f} ms\n",
-        d.steps, d.spans, d.by_cause[static_cast<std::size_t>(DegradedBy::prediction)],
+        d.all.steps, d.spans, d.by_cause[static_cast<std::size_t>(DegradedBy::prediction)],
         d.by_cause[static_cast<std::size_t>(DegradedBy::clock)], 1e3 * d.all.foreseen);
     fmt::print(
         "beyond the budget with a first touch analysed: {} steps; boxes {:.3f} m from where the "

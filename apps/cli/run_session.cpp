@@ -74,11 +74,15 @@ RunSession::RunSession(const RunOptions& options)
         throw std::runtime_error(fmt::format("{}: cannot write the summary", options.summary));
     options.trace.start(world);
     collector_ = std::make_unique<observe::SummaryCollector>(info_, world);
-    if (!world.cuts().empty()) {
-        if (options.verify)
-            throw std::runtime_error(
-                "--verify checks momentum, which a split does not keep; use "
-                "--coupling exact");
+    const std::vector<CutView> cuts = world.cuts();
+    const bool may_split = !cuts.empty() && (world.settings().budget > 0.0 ||
+                                             world.settings().coupling != Coupling::deadline);
+    if (may_split && options.verify)
+        throw std::runtime_error(
+            "--verify checks momentum, which a split does not keep; use "
+            "--coupling exact");
+    if (std::any_of(cuts.begin(), cuts.end(),
+                    [](const CutView& c) { return c.coupling != Coupling::deadline; })) {
         coupling_ = std::make_unique<observe::CouplingObserver>(world);
     }
     if (options.verify) verifier_ = std::make_unique<observe::Verifier>(world);
@@ -153,8 +157,8 @@ void RunSession::after_step() {
     const bool frame = done_ % stride_ == 0 || done_ == steps_;
     if (recording_) {
         if (const StepStats& stats = world.stats(); stats.degradation.any())
-            recording_->add_cut({stats.step - 1, stats.degradation, stats.degraded_by,
-                                 stats.foreseen_seconds});
+            recording_->add_cut(
+                {stats.step - 1, stats.degradation, stats.degraded_by, stats.foreseen_seconds});
         for (const Event& event : events) recording_->add_event(world, event);
         if (frame) recording_->add_frame(world);
     }

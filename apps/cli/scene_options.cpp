@@ -20,9 +20,10 @@ void SceneOptions::add_to(CLI::App& command, bool required) {
         ->check(CLI::IsMember({"newton", "pivoting", "split", "pgs", "convex"}));
     command
         .add_option("--coupling", coupling,
-                    "How groups of bodies couple: exact, kinematic or compliant; without groups "
+                    "How groups of bodies couple: exact, kinematic, compliant, or deadline (exact, "
+                    "compliant where --budget needs it); without groups "
                     "in the scene it is cut into --parts")
-        ->check(CLI::IsMember({"exact", "kinematic", "compliant"}));
+        ->check(CLI::IsMember({"exact", "kinematic", "compliant", "deadline"}));
     command
         .add_option("--predictor", predictor,
                     "What a side of a cut takes the other's velocity for: hold, forces or clique")

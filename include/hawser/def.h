@@ -76,6 +76,7 @@ enum class Coupling : std::uint8_t {
     exact,      ///< Solved for with all else: one multiplier for all its bodies.
     kinematic,  ///< Each side solves for it as if the other side moved at a velocity given.
     compliant,  ///< Likewise, with a compliance as large as stability needs.
+    deadline,   ///< Exact; compliant in steps in which a deadline asks for it: docs/methods.md, 11.
 };
 
 /// The velocity of the other side that a cut assumes.

@@ -81,7 +81,10 @@ struct Degradation {
     std::int32_t iterations = 0;
     /// It ended with the factorisation at hand, and lines that ask to switch do so after the step.
     bool hasty = false;
-    [[nodiscard]] bool any() const noexcept { return iterations > 0; }
+    /// Interfaces, a bit each, whose cuts of Coupling::deadline were compliant. An interface is a
+    /// pair of groups; pairs count in the order of their groups, those beyond 63 as one.
+    std::uint64_t cuts = 0;
+    [[nodiscard]] bool any() const noexcept { return iterations > 0 || cuts != 0; }
     friend bool operator==(const Degradation&, const Degradation&) = default;
 };
 

@@ -103,6 +103,7 @@ class Linearised {
 const char* to_string(Coupling coupling) noexcept {
     return coupling == Coupling::kinematic   ? "kinematic"
            : coupling == Coupling::compliant ? "compliant"
+           : coupling == Coupling::deadline  ? "deadline"
                                              : "exact";
 }
 

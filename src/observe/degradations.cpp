@@ -2,43 +2,40 @@
 #include "observe/degradations.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace hawser::observe {
 
 namespace {
 
 void extend(DegradedSpan& span, const StepStats& s) {
+    if (span.steps++ == 0) {
+        span.first = s.step;
+        span.begin = s.time;
+        span.cause = s.degraded_by;
+    }
     span.last = s.step;
     span.end = s.time;
-    span.iterations = std::min(span.iterations, s.degradation.iterations);
+    const std::int32_t made = s.degradation.iterations;
+    if (made > 0) span.iterations = span.iterations > 0 ? std::min(span.iterations, made) : made;
+    span.interfaces = std::max(span.interfaces, std::popcount(s.degradation.cuts));
     span.foreseen = std::max(span.foreseen, s.foreseen_seconds);
     span.residual = std::max(span.residual, s.natural_map);
-}
-
-DegradedSpan start(const StepStats& s) {
-    DegradedSpan span;
-    span.first = s.step;
-    span.begin = s.time;
-    span.iterations = s.degradation.iterations;
-    span.cause = s.degraded_by;
-    extend(span, s);
-    return span;
 }
 
 }  // namespace
 
 void Degradations::after_step(const StepStats& s) {
     if (!s.degradation.any()) return;
-    const bool goes_on = steps > 0 && all.last == s.step - 1;
-    steps > 0 ? extend(all, s) : void(all = start(s));
-    ++steps;
+    const bool goes_on = all.steps > 0 && all.last == s.step - 1;
+    extend(all, s);
+    if (s.degradation.iterations > 0) extend(friction, s);
+    if (s.degradation.cuts != 0) extend(coupling, s);
     ++by_cause[static_cast<std::size_t>(s.degraded_by)];
     if (!goes_on) ++spans;
     if (static_cast<std::size_t>(spans) > kListedSpans) return;
-    if (goes_on)
-        extend(list.back(), s);
-    else
-        list.push_back(start(s));
+    if (!goes_on) list.emplace_back();
+    extend(list.back(), s);
 }
 
 }  // namespace hawser::observe

@@ -11,23 +11,24 @@
 
 namespace hawser::observe {
 
-/// Steps one after another that were degraded at the same level.
+/// Steps that were degraded, from the first to the last.
 struct DegradedSpan {
-    std::int64_t first = 0, last = 0;        ///< Steps, counted as StepStats::step is.
+    std::int64_t steps = 0;                  ///< Degraded ones among them.
+    std::int64_t first = 0, last = 0;        ///< Counted as StepStats::step is.
     double begin = 0.0, end = 0.0;           ///< Of the first, and of the last [s].
-    std::int32_t iterations = 0;             ///< Fewest of a step.
+    std::int32_t iterations = 0;             ///< Fewest where they were limited; 0: nowhere.
+    int interfaces = 0;                      ///< Most that were coupled compliantly.
     double foreseen = 0.0;                   ///< Largest StepStats::foreseen_seconds [s].
     double residual = 0.0;                   ///< Largest natural map.
     DegradedBy cause = DegradedBy::nothing;  ///< Of the first.
-    [[nodiscard]] std::int64_t steps() const noexcept { return last - first + 1; }
 };
 
 struct Degradations {
-    std::int64_t steps = 0;
+    DegradedSpan all, friction, coupling;  ///< The levels: one step may be of both.
     std::array<std::int64_t, kDegradedByCount> by_cause{};
-    DegradedSpan all;                ///< Over all of them.
-    std::vector<DegradedSpan> list;  ///< In the order of time, the first kListedSpans.
-    std::int64_t spans = 0;          ///< Listed or not.
+    std::vector<DegradedSpan>
+        list;                ///< Without a gap, in the order of time, the first kListedSpans.
+    std::int64_t spans = 0;  ///< Listed or not.
 
     void after_step(const StepStats& stats);
 };

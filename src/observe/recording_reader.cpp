@@ -159,6 +159,7 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
             cut.left_out.hasty = in.get<std::uint8_t>() != 0;
             cut.cause = get_enum<DegradedBy>(in, kDegradedByCount);
             cut.foreseen = in.get<double>();
+            cut.left_out.cuts = in.get<std::uint64_t>();
         }
         in.expect_end();
         if (!cut.left_out.any() || (!cuts.empty() && cut.step <= cuts.back().step))

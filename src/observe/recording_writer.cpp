@@ -209,6 +209,7 @@ void RecordingWriter::add_cut(const RecordedCut& cut) {
     payload_.put(static_cast<std::uint8_t>(cut.left_out.hasty ? 1 : 0));
     payload_.put(static_cast<std::uint8_t>(cut.cause));
     payload_.put(cut.foreseen);
+    payload_.put(cut.left_out.cuts);
     write_chunk(kCutChunk);
 }
 

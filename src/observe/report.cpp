@@ -78,16 +78,18 @@ void friction(Out out, const Summary& s) {
     if (s.budget_mflop > 0.0) fmt::format_to(out, " {:.4g} Mflop;", s.budget_mflop);
     fmt::format_to(out, " cut {} steps, residual p50 {:.2e}, max {:.2e}\n", f.cut_steps,
                    f.cut_residual.median, f.cut_residual.max);
+}
+
+void degradations(Out out, const Summary& s) {
     const Degradations& d = s.degradations;
-    if (d.steps == 0) return;
-    fmt::format_to(
-        out,
-        "  degraded     friction in {} of {} steps, {} times, from {:.6g} s to {:.6g} s: by "
-        "prediction {}, clock {}, work {}",
-        d.steps, s.steps, d.spans, d.all.begin, d.all.end,
-        d.by_cause[static_cast<std::size_t>(DegradedBy::prediction)],
-        d.by_cause[static_cast<std::size_t>(DegradedBy::clock)],
-        d.by_cause[static_cast<std::size_t>(DegradedBy::work)]);
+    if (d.all.steps == 0) return;
+    const auto by = [&](DegradedBy cause) { return d.by_cause[static_cast<std::size_t>(cause)]; };
+    fmt::format_to(out,
+                   "  degraded     {} of {} steps, {} times, {:.6g} s to {:.6g} s: friction {}, "
+                   "coupling {}; by prediction {}, clock {}, work {}",
+                   d.all.steps, s.steps, d.spans, d.all.begin, d.all.end, d.friction.steps,
+                   d.coupling.steps, by(DegradedBy::prediction), by(DegradedBy::clock),
+                   by(DegradedBy::work));
     if (d.all.foreseen > 0.0)
         fmt::format_to(out, "; another iteration would have ended by {:.4g} ms",
                        1e3 * d.all.foreseen);
@@ -118,6 +120,7 @@ void quality(Out out, const Summary& s) {
     fmt::format_to(out, "  violation    {} at {} ({:.4g} s)\n", with_unit(s.violation_max, "m"),
                    s.violation_where, s.violation_time);
     if (s.contacts_max > 0.0) friction(out, s);
+    degradations(out, s);
     if (s.coupling.steps > 0) coupling(out, s);
     if (s.asleep_max > 0.0)
         fmt::format_to(out, "  asleep       {:.0f} bodies in the median step, at most {:.0f}\n",

@@ -49,10 +49,13 @@ Json budget(const Summary& s) {
 }
 
 Json degraded_span(const DegradedSpan& d) {
-    return {{"first_step", d.first},
+    if (d.steps == 0) return {{"steps", 0}};
+    return {{"steps", d.steps},
+            {"first_step", d.first},
             {"last_step", d.last},
             {"time", {{"start", d.begin}, {"end", d.end}}},
-            {"iterations", d.iterations},
+            {"iterations", d.iterations > 0 ? Json(d.iterations) : Json()},
+            {"interfaces", d.interfaces},
             {"foreseen_ms", d.foreseen > 0.0 ? Json(1e3 * d.foreseen) : Json()},
             {"residual_max", d.residual},
             {"cause", to_string(d.cause)}};
@@ -64,9 +67,10 @@ Json degradations(const Summary& s) {
     for (int k = 1; k < kDegradedByCount; ++k)
         causes[to_string(static_cast<DegradedBy>(k))] = d.by_cause[static_cast<std::size_t>(k)];
     for (const DegradedSpan& span : d.list) list.push_back(degraded_span(span));
-    return {{"steps", d.steps},
+    return {{"steps", d.all.steps},
             {"causes", causes},
-            {"friction", d.steps > 0 ? degraded_span(d.all) : Json()},
+            {"friction", degraded_span(d.friction)},
+            {"coupling", degraded_span(d.coupling)},
             {"spans", d.spans},
             {"list", list}};
 }

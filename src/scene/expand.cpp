@@ -224,6 +224,7 @@ Nonsmooth nonsmooth_from(const std::string& word) {
 Coupling coupling_from(const std::string& word) {
     return word == "kinematic"   ? Coupling::kinematic
            : word == "compliant" ? Coupling::compliant
+           : word == "deadline"  ? Coupling::deadline
                                  : Coupling::exact;
 }
 

@@ -67,9 +67,11 @@ ShapePtr settings() {
          {"nonsmooth", word("a method", {"newton", "pivoting", "split", "pgs", "convex"}), false,
           "newton", "",
           "How contacts with friction are solved; all but newton are there for comparison."},
-         {"coupling", word("a coupling", {"exact", "kinematic", "compliant"}), false, "exact", "",
-          "How interactions between groups of bodies couple them; all but exact are the splits of "
-          "the paper, for comparison."},
+         {"coupling", word("a coupling", {"exact", "kinematic", "compliant", "deadline"}), false,
+          "exact", "",
+          "How interactions between groups of bodies couple them; kinematic and compliant are the "
+          "splits of the paper, for comparison; deadline: exact, compliant where a budget needs "
+          "it."},
          {"predictor", word("a predictor", {"hold", "forces", "clique"}), false, "hold", "",
           "Velocity that a side of a cut takes the other one to have: the last one, one from the "
           "last forces, or that of a solve of the bodies at the cuts."},

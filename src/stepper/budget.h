@@ -49,8 +49,10 @@ class Budget {
 
     /// After each iteration. @param iterations  Made so far.
     [[nodiscard]] bool another(const Spent& spent, int iterations) noexcept {
-        if (limits_.imposed.any())
-            return iterations < limits_.imposed.iterations || refuse(DegradedBy::order, 0.0);
+        if (limits_.imposed.any()) {
+            const int most = limits_.imposed.iterations;
+            return most == 0 || iterations < most || refuse(DegradedBy::order, 0.0);
+        }
         const Spent next{2.0 * spent.seconds - last_.seconds, 2.0 * spent.work - last_.work};
         last_ = spent;
         const double end =

@@ -18,6 +18,7 @@
 #include "runtime/tasks.h"
 #include "runtime/trace.h"
 #include "stepper/budget.h"
+#include "stepper/cut_levels.h"
 #include "stepper/cuts.h"
 #include "stepper/deadline.h"
 
@@ -111,6 +112,7 @@ struct StepContext {
     Cuts cuts;
     Budget budget;
     Deadline deadline;
+    CutLevels cut_levels;
     Laps laps;            ///< Of the step being taken, where a budget asks for time.
     Degradation imposed;  ///< On the next step.
     EventRing events;

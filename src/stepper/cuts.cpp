@@ -4,9 +4,13 @@
 #include "base/index.h"
 #include "stepper/clique.h"
 #include "stepper/context.h"
+#include "stepper/stages.h"
+#include "stepper/timer.h"
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <new>
 #include <numeric>
 #include <span>
 #include <unordered_map>
@@ -27,6 +31,24 @@ std::vector<std::int32_t> sides_of(const StepContext& ctx, std::int32_t id) {
         if (std::find(sides.begin(), sides.end(), g) == sides.end()) sides.push_back(g);
     }
     return sides;
+}
+
+using GroupPair = std::pair<std::int32_t, std::int32_t>;
+
+GroupPair pair_of(const std::vector<std::int32_t>& sides) {
+    return {std::min(sides[0], sides[1]), std::max(sides[0], sides[1])};
+}
+
+/// Interfaces of the cuts that deadlines may ask for.
+std::map<GroupPair, int> number_interfaces(StepContext& ctx,
+                                           const std::vector<std::int32_t>& wanted) {
+    std::map<GroupPair, int> number;
+    for (const std::int32_t id : wanted)
+        if (ctx.cuts.coupling[at(id)] == Coupling::deadline) number[pair_of(sides_of(ctx, id))];
+    int next = 0;
+    for (auto& each : number) each.second = std::min(next++, 63);
+    ctx.cuts.interfaces = std::min(next, 64);
+    return number;
 }
 
 /// An image of a body: fixed, so that nothing counts it as a drive.
@@ -135,10 +157,13 @@ void make_cuts(StepContext& ctx) {
     cuts.bodies = bodies;
     cuts.interactions = count;
     std::unordered_map<std::int32_t, std::int32_t> image;
+    const auto interface = number_interfaces(ctx, wanted);
     for (const std::int32_t id : wanted) {
         const std::vector<std::int32_t> sides = sides_of(ctx, id);
         cuts.list.push_back(
             {id, ctx.interactions.count(), static_cast<std::int32_t>(sides.size()), true});
+        if (cuts.coupling[at(id)] == Coupling::deadline)
+            cuts.list.back().interface = interface.at(pair_of(sides));
         for (const std::int32_t side : sides) add_copy(ctx, id, side, image);
     }
     ctx.bodies.v_before = ctx.bodies.v_fixed;
@@ -159,6 +184,7 @@ void drop_cuts(StepContext& ctx) {
         ctx.bodies.truncate(cuts.bodies);
     }
     cuts.bodies = cuts.interactions = -1;
+    cuts.interfaces = 0;
     cuts.list.clear();
     cuts.images.clear();
     cuts.of.clear();
@@ -227,7 +253,10 @@ bool open_cuts(StepContext& ctx) {
     }
     for (const assembly::Contacts::Link& l : system.contacts.links)
         join(ctx, std::array<std::int32_t, 2>{l.first, l.second});
-    for (Cut& c : cuts.list) c.open = true;
+    for (Cut& c : cuts.list) {
+        c.open = cuts.coupling[at(c.id)] != Coupling::deadline || (cuts.asked >> c.interface & 1U);
+        if (!c.open) join(ctx, members(ctx.interactions, c.id));
+    }
     for (bool again = true; again;) {
         again = false;
         for (Cut& c : cuts.list) {
@@ -240,13 +269,29 @@ bool open_cuts(StepContext& ctx) {
     for (const Cut& c : cuts.list) {
         if (c.open) {
             system.left_out.push_back(c.id);
-            const bool soften = cuts.coupling[at(c.id)] == Coupling::compliant;
+            const bool soften = cuts.coupling[at(c.id)] != Coupling::kinematic;
             system.sides.push_back({c.first, c.sides, soften});
         } else {
             for (std::int32_t i = 0; i < c.sides; ++i) system.left_out.push_back(c.first + i);
         }
     }
     return before != system.left_out;
+}
+
+Status ask_for_cuts(StepContext& ctx, std::uint64_t interfaces) noexcept {
+    if (interfaces == ctx.cuts.asked) return Status::ok;
+    ctx.cuts.asked = interfaces;
+    if (ctx.cuts.list.empty()) return Status::ok;
+    const StageTimer timer(ctx, Stage::analyse);
+    try {
+        // Should memory end in between, the next step begins anew.
+        ctx.topology_changed = true;
+        if (open_cuts(ctx)) analyse(ctx);
+        ctx.topology_changed = false;
+    } catch (const std::bad_alloc&) {
+        return Status::out_of_memory;
+    }
+    return Status::ok;
 }
 
 }  // namespace hawser::stepper

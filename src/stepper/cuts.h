@@ -18,6 +18,7 @@
 /// front of the arrays.
 
 #include <hawser/def.h>
+#include <hawser/stats.h>
 
 #include <cstdint>
 #include <memory>
@@ -42,6 +43,7 @@ struct Pull {
 struct Cut {
     std::int32_t id, first, sides;
     bool open;              ///< In force, see open_cuts().
+    int interface = 0;      ///< Which bit of Degradation::cuts asks for it.
     double defect = 0.0;    ///< ‖Σ of the impulses on its bodies‖ in the last step [N s].
     double residual = 0.0;  ///< max |G v₊ + Σλ − c| there, λ the mean [m/s or rad/s].
 };
@@ -58,6 +60,8 @@ struct Cuts {
     std::vector<double> touch;       ///< Packed like v: Jᵀλ of contacts in the last step [N s].
     std::vector<std::int32_t> part;  ///< Scratch: union-find over bodies.
     std::shared_ptr<Clique> clique;  ///< Of predictor clique, see clique.h.
+    int interfaces = 0;              ///< Pairs of groups with a cut of Coupling::deadline.
+    std::uint64_t asked = 0;         ///< Of these, in force if they can be. Part of the state.
 };
 
 /// Bodies and interactions without images and copies.
@@ -82,6 +86,9 @@ void drop_cuts(StepContext& ctx);
 /// cannot be cut make two groups one part. To be called before the system is analysed.
 /// @return whether others are than before.
 bool open_cuts(StepContext& ctx);
+
+/// Have these interfaces in force, see Degradation::cuts, and analyse if that changes a cut.
+[[nodiscard]] Status ask_for_cuts(StepContext& ctx, std::uint64_t interfaces) noexcept;
 
 /// Before rows are assembled: images where their bodies are, at the velocities predicted.
 void predict(StepContext& ctx) noexcept;

@@ -8,8 +8,8 @@ namespace hawser::stepper {
 
 void Rate::learn(double sample) noexcept {
     if (!(sample >= 0.0) || !std::isfinite(sample)) return;
-    if (!known_) {
-        known_ = true;
+    samples_ = std::min(samples_ + 1, kSettled);
+    if (samples_ == 1) {
         mean_ = sample;
         deviation_ = 0.5 * sample;  // as Jacobson begins
         return;
@@ -21,7 +21,7 @@ void Rate::learn(double sample) noexcept {
 }
 
 void Rate::relax(double least) noexcept {
-    if (!known_ || high() <= least) return;
+    if (!known() || high() <= least) return;
     constexpr double kStep = 0.99;
     mean_ *= kStep;
     deviation_ *= kStep;

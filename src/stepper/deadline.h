@@ -31,11 +31,17 @@
 
 namespace hawser::stepper {
 
-/// Work of a step's solver, in flops roughly.
+/// Work of a step's solver.
 struct Load {
-    double rows = 0.0;    ///< Assembly: what passes over rows, velocities and contacts.
-    double matrix = 0.0;  ///< One factorisation and substitution.
+    double rows = 0.0;    ///< Rows and velocities; a contact point is worth twelve.
+    double matrix = 0.0;  ///< matrix_work(), and kRowWork for each of the rows [flop].
 };
+/// What an iteration sweeps over a row for [flop].
+inline constexpr double kRowWork = 40.0;
+/// A factorisation and its substitutions, which go through L some four times [flop].
+[[nodiscard]] inline double matrix_work(double flops, double nnz) noexcept {
+    return flops + 16.0 * nnz;
+}
 
 /// CPU time of the solver in a step, since it began [s].
 struct Laps {
@@ -50,14 +56,17 @@ struct Laps {
 /// Time per work, as samples teach it.
 class Rate {
   public:
+    /// After so many the first guess of the deviation has gone: (3/4)^16 = 1 % is left of it.
+    static constexpr int kSettled = 16;
     void learn(double sample) noexcept;
-    [[nodiscard]] bool known() const noexcept { return known_; }
+    [[nodiscard]] int samples() const noexcept { return samples_; }
+    [[nodiscard]] bool known() const noexcept { return samples_ > 0; }
     [[nodiscard]] double high() const noexcept { return mean_ + 2.0 * deviation_; }
     /// A little lower, for want of samples.
     void relax(double least) noexcept;
 
   private:
-    bool known_ = false;
+    int samples_ = 0;  ///< At most kSettled.
     double mean_ = 0.0, deviation_ = 0.0;
 };
 
@@ -66,6 +75,10 @@ class Deadline {
     void learn(const Load& load, const Laps& laps) noexcept;
     /// Whether a step has been seen.
     [[nodiscard]] bool knows() const noexcept { return rate_[kFirst].known(); }
+    /// Whether enough steps have been seen to cut by it.
+    [[nodiscard]] bool settled() const noexcept {
+        return rate_[kFinish].samples() >= Rate::kSettled;
+    }
     /// CPU time of the solver with so many iterations, at least 1 [s].
     [[nodiscard]] double predict(const Load& load, int iterations) const noexcept;
     /// CPU time of a further iteration [s].

@@ -330,7 +330,10 @@ Status solve_newton(StepContext& ctx) noexcept {
         ctx.newton.switch_late = hasty && asking > 0;
         ctx.stats.flips_left += asking;
     }
-    if (ctx.stats.cut) ctx.stats.degradation = {ctx.newton.iterations, hasty};
+    if (ctx.stats.cut) {
+        ctx.stats.degradation.iterations = ctx.newton.iterations;
+        ctx.stats.degradation.hasty = hasty;
+    }
     return status;
 }
 

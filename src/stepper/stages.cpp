@@ -82,6 +82,7 @@ void relink(StepContext& ctx) {
 
 void prepare(StepContext& ctx) {
     make_cuts(ctx);
+    ctx.cut_levels.set({});
     if (ctx.collider.count() > 0) {
         ctx.collider.prepare(ctx.bodies, ctx.interactions, ctx.def.step);
         ctx.collider.surfaces(ctx.def.step, ctx.contacts);

@@ -27,18 +27,46 @@ bool find_contacts(StepContext& ctx) noexcept {
     return found;
 }
 
-/// Work of the step's solver, see deadline.h. A row is passed over some ten times by assembly, and
-/// an entry of L some ten times by substitutions; a contact is worth twelve rows.
+/// Work of the step's solver.
 Load load_of(const StepContext& ctx) noexcept {
     const double rows = ctx.interactions.row_count + ctx.bodies.dofs +
-                        12.0 * static_cast<double>(ctx.system.contacts.count());
-    return {rows, static_cast<double>(ctx.stats.factor_flops) +
-                      16.0 * static_cast<double>(ctx.stats.factor_nnz) + 40.0 * rows};
+                        12.0 * static_cast<double>(ctx.contacts.awake);
+    return {rows, matrix_work(static_cast<double>(ctx.stats.factor_flops),
+                              static_cast<double>(ctx.stats.factor_nnz)) +
+                      kRowWork * rows};
 }
 
-/// Limits of the solve that begins now. Of the budget, some is left to what no one foresees.
+constexpr double kAim = 0.95;  ///< Of the budget; the rest is left to what no one foresees.
+
+/// Whether deadlines may ask for cuts in this step.
+bool may_cut(const StepContext& ctx) noexcept {
+    return ctx.def.budget > 0.0 && ctx.cuts.interfaces > 0 && !ctx.imposed.any() && ctx.step > 0;
+}
+
+/// What levels of cuts there are, in the first step in which forces are known.
+Status prepare_levels(StepContext& ctx) noexcept {
+    if (!may_cut(ctx) || ctx.cut_levels.known()) return Status::ok;
+    const StageTimer timer(ctx, Stage::analyse);
+    try {
+        ctx.cut_levels.set(find_cut_levels(ctx));
+    } catch (const std::bad_alloc&) {
+        return Status::out_of_memory;
+    }
+    return Status::ok;
+}
+
+/// Cuts of this step. Only those who ask by themselves have some without a budget.
+Status choose_cuts(StepContext& ctx) noexcept {
+    std::uint64_t cuts = ctx.imposed.cuts;
+    if (may_cut(ctx))
+        cuts = ctx.cut_levels.choose(ctx.deadline, load_of(ctx), kAim * ctx.def.budget);
+    const Status status = ask_for_cuts(ctx, cuts);
+    ctx.stats.degradation.cuts = cuts;
+    return status;
+}
+
+/// Limits of the solve that begins now.
 void begin_budget(StepContext& ctx) noexcept {
-    constexpr double kAim = 0.95;
     Limits limits{.seconds = kAim * ctx.def.budget,
                   .work = 0.0,
                   .most = 0,
@@ -68,12 +96,15 @@ void end_budget(StepContext& ctx) noexcept {
     ctx.budget.finished(s.solver_cpu_seconds);
     if (ctx.budget.needs_time()) {
         ctx.laps.end = s.solver_cpu_seconds;
+        ctx.laps.iterations = std::max(1, ctx.laps.iterations);  // none were asked for
         ctx.deadline.learn(load_of(ctx), ctx.laps);
     }
     if (s.cut) {
         s.degraded_by = ctx.budget.cause();
         s.foreseen_seconds = ctx.budget.foreseen();
         ctx.deadline.refused();
+    } else if (s.degradation.any()) {
+        s.degraded_by = ctx.imposed.any() ? DegradedBy::order : DegradedBy::prediction;
     }
     ctx.budget.end();  // a trial step is not limited
 }
@@ -89,6 +120,7 @@ Status start_moving(StepContext& ctx) noexcept {
 
 /// Stages assemble, factor, nonsmooth; analyse where bodies touch that have not done so before.
 Status solve_velocities(StepContext& ctx) noexcept {
+    if (const Status status = choose_cuts(ctx); status != Status::ok) return status;
     remember(ctx);
     if (ctx.collider.count() > 0)
         if (const Status status = start_moving(ctx); status != Status::ok) return status;
@@ -155,6 +187,10 @@ Status step(StepContext& ctx) noexcept {
     timed(ctx, Stage::prestep, prestep);
     const bool shapes = ctx.collider.count() > 0;
     if ((shapes && !timed(ctx, Stage::collide, find_contacts)) || !wake_disturbed(ctx)) {
+        ctx.pool.pause();
+        return ctx.stats.status = Status::out_of_memory;
+    }
+    if (prepare_levels(ctx) != Status::ok) {
         ctx.pool.pause();
         return ctx.stats.status = Status::out_of_memory;
     }

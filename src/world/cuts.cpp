@@ -38,7 +38,7 @@ void World::set_groups(int parts) {
 void World::set_coupling(InteractionId id, Coupling coupling) {
     const std::size_t i = index_of(id.index, interaction_count(), "interaction");
     stepper::StepContext& c = impl_->ctx;
-    if (coupling > Coupling::compliant) throw DefError("unknown coupling");
+    if (coupling > Coupling::deadline) throw DefError("unknown coupling");
     if (coupling != Coupling::exact && c.def.sleep_after > 0.0)
         throw DefError("a coupling other than exact needs sleep_after 0");
     if (coupling != Coupling::exact && !stepper::can_cut(c, id.index))

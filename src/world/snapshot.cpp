@@ -16,7 +16,7 @@ namespace hawser {
 namespace {
 
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '1'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '2'};
     std::uint64_t layout = 0;       ///< See layout_of().
     std::uint64_t parameters = 0;   ///< See parameters_of().
     std::uint64_t contacts = 0;     ///< Remembered from the last step.
@@ -96,6 +96,7 @@ void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f)
     array(ctx.system.contacts.resistances.memory);
     array(ctx.system.contacts.links);
     array(ctx.system.contacts.link_used);
+    value(ctx.cuts.asked);
     // Repaired again and again, the order of elimination depends on the past.
     array(order.elimination.order);
     array(order.between);
@@ -317,6 +318,7 @@ void World::restore(std::span<const std::byte> bytes) {
     const auto analysed_r = m.ctx.analysed_r;
     const auto links = m.ctx.system.contacts.links;
     const auto asleep = m.ctx.bodies.asleep;
+    const auto asked = m.ctx.cuts.asked;
     resize_contacts(m.ctx, header.contacts, header.resistances);
     m.ctx.system.contacts.links.resize(header.links);
     m.ctx.system.contacts.link_used.resize(header.links);
@@ -331,7 +333,7 @@ void World::restore(std::span<const std::byte> bytes) {
     // Whatever the bytes say: what has no freedom is awake, and no more contacts than there are.
     m.ctx.collider.kept_awake() = std::min(m.ctx.collider.kept_awake(), header.contacts);
     stepper::check_asleep(m.ctx);
-    if (relinked || asleep != m.ctx.bodies.asleep || m.ctx.analysed_x != analysed_x ||
+    if (relinked || asked != m.ctx.cuts.asked || asleep != m.ctx.bodies.asleep || m.ctx.analysed_x != analysed_x ||
         m.ctx.analysed_r != analysed_r || m.ctx.system.analysis.state() != order)
         analyse_as_saved(m.ctx, order);
     m.ctx.time = static_cast<double>(m.ctx.step) * m.ctx.def.step;

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cuts that a deadline asks for: chosen by a clock that the test turns, repeated without one.
+#include <hawser/inspect.h>
+
+#include "stepper/step.h"
+#include "support/small_recipes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+namespace hawser::test {
+namespace {
+
+constexpr int kSide = 12;
+
+/// A net of lumps, held at its upper edge; its right half is a group of its own. The exact
+/// factorisation has a separator across its middle, which a cut does without.
+Recipe net(double budget) {
+    Recipe r;
+    r.world.coupling = Coupling::deadline;
+    r.world.budget = budget;
+    const BodyId wall = r.ground();
+    BodyId lump[kSide][kSide];
+    const auto join = [&](BodyId a, BodyId b, const Vec3& at, double length) {
+        InteractionDef d = between(InteractionKind::Distance, {a, b});
+        d.point[0] = at;
+        d.compliance[0] = 1e-4;
+        r.add(d.set("length", length));
+    };
+    for (int i = 0; i < kSide; ++i)
+        for (int j = 0; j < kSide; ++j) {
+            lump[i][j] = r.lump({1.0 * j, 0.0, -1.0 * i}, 1.0);
+            if (j >= kSide / 2) r.bodies.back().group = "right";
+            if (i == 0) join(wall, lump[i][j], {1.0 * j, 0.0, 1.0}, 1.0);
+            if (i > 0) join(lump[i - 1][j], lump[i][j], Vec3::Zero(), 1.0);
+            if (j > 0) join(lump[i][j - 1], lump[i][j], Vec3::Zero(), 1.0);
+        }
+    return r;
+}
+
+std::unique_ptr<stepper::StepContext> net_context(double budget) {
+    const Recipe r = net(budget);
+    auto ctx = r.context();
+    for (std::size_t b = 0; b < r.bodies.size(); ++b)
+        ctx->cuts.group[b] = r.bodies[b].group.empty() ? 0 : 1;
+    ctx->topology_changed = true;
+    return ctx;
+}
+
+/// The solver takes a second for each unit of work of the matrix, times `slow`.
+struct MatrixClock final : runtime::Stopwatch {
+    const stepper::StepContext& ctx;
+    double slow = 1.0;
+    int looks = 0;
+    explicit MatrixClock(const stepper::StepContext& c) : ctx(c) {}
+    void start() noexcept override { looks = 0; }
+    double seconds() noexcept override {
+        // Nothing has passed where the solve begins.
+        return looks++ == 0
+                   ? 0.0
+                   : slow * stepper::matrix_work(static_cast<double>(ctx.stats.factor_flops),
+                                                 static_cast<double>(ctx.stats.factor_nnz));
+    }
+};
+
+TEST(DeadlineCuts, OpenWhileTheMachineIsSlowAndAreRepeatedWithoutAClock) {
+    auto probe = net_context(1.0);
+    ASSERT_EQ(stepper::step(*probe), Status::ok);
+    ASSERT_EQ(stepper::step(*probe), Status::ok);
+    const auto& levels = probe->cut_levels.levels();
+    ASSERT_EQ(levels.size(), 2U);
+    const double exact = levels[0].matrix;
+    ASSERT_LT(levels[1].matrix, 0.9 * exact);  // or the rest says nothing
+
+    // As fast as at first, an exact step has a fifth to spare; 1.3 times slower it does not fit.
+    auto ctx = net_context(1.2 * exact);
+    auto repeated = net_context(0.0);
+    MatrixClock clock(*ctx);
+    ctx->stopwatch = &clock;
+    int open = 0, last_open = 0;
+    for (int i = 0; i < 200; ++i) {
+        clock.slow = i >= 60 && i < 120 ? 1.3 : 1.0;
+        ASSERT_EQ(stepper::step(*ctx), Status::ok) << "step " << i;
+        const Degradation d = ctx->stats.degradation;
+        EXPECT_EQ(d.iterations, 0);  // there are no contacts
+        EXPECT_EQ(ctx->stats.cuts > 0, d.cuts != 0);
+        if (d.any()) {
+            EXPECT_EQ(ctx->stats.degraded_by, DegradedBy::prediction);
+            EXPECT_GE(i, 60);
+            ++open;
+            last_open = i;
+        }
+        repeated->imposed = d;
+        ASSERT_EQ(stepper::step(*repeated), Status::ok);
+        EXPECT_EQ(repeated->stats.degradation, d);
+        ASSERT_EQ(stepper::state_hash(*repeated), stepper::state_hash(*ctx)) << "step " << i;
+    }
+    EXPECT_GE(open, 50);
+    EXPECT_LT(last_open, 120 + 60);
+    for (const double x : ctx->bodies.x) EXPECT_LT(std::fabs(x), 100.0);
+}
+
+TEST(DeadlineCuts, GoOnFromASnapshotTakenWhileTheyAreOpen) {
+    World a = net(0.0).make();
+    std::vector<std::byte> saved;
+    const auto take = [](World& w, int i) {
+        w.degrade_next_step({0, false, i >= 10 && i < 30 ? std::uint64_t{1} : 0});
+        ASSERT_EQ(w.step(), Status::ok);
+    };
+    for (int i = 0; i < 50; ++i) {
+        if (i == 20) saved = a.save();
+        take(a, i);
+        EXPECT_EQ(a.stats().cuts, i >= 10 && i < 30 ? kSide : 0) << i;
+        EXPECT_EQ(a.stats().islands, i >= 10 && i < 30 ? 2 : 1) << i;
+    }
+    World b = net(0.0).make();
+    b.restore(saved);
+    for (int i = 20; i < 50; ++i) take(b, i);
+    EXPECT_EQ(a.state_hash(), b.state_hash());
+}
+
+TEST(DeadlineCuts, ChangeNothingWhileTheyAreNotAskedFor) {
+    World a = net(0.0).make(), b = net(0.0).make({});
+    for (int i = 0; i < 30; ++i) {
+        ASSERT_EQ(a.step(), Status::ok);
+        ASSERT_EQ(b.step(), Status::ok);
+    }
+    EXPECT_EQ(a.cuts().size(), static_cast<std::size_t>(kSide));
+    EXPECT_FALSE(a.cuts()[0].open);
+    for (std::int32_t i = 0; i < a.body_count(); ++i)
+        EXPECT_LT((a.pose({i}).position - b.pose({i}).position).norm(), 1e-9);
+}
+
+TEST(DeadlineCuts, AreNotTakenWhereTheySaveNothing) {
+    stepper::Deadline d;
+    const stepper::Load load{1e-9, 1000.0};  // next to no rows
+    for (int i = 0; i < 100; ++i) d.learn(load, {0.0, 1.0, 1.0, 1.0, 1, false});
+    stepper::CutLevels levels;
+    levels.set({{0, 1000.0}, {1, 1100.0}, {3, 980.0}});
+    EXPECT_EQ(levels.choose(d, load, 0.5), 0U);  // 2 % is not worth a cut
+    levels.set({{0, 1000.0}, {1, 1100.0}, {3, 700.0}, {7, 500.0}});
+    EXPECT_EQ(levels.choose(d, load, 0.8), 3U);  // the first that fits
+    levels.set({{0, 1000.0}, {1, 1100.0}, {3, 700.0}, {7, 500.0}});
+    EXPECT_EQ(levels.choose(d, load, 0.1), 7U);  // none fits: the cheapest
+    // Back when exact has fitted with a tenth to spare for kStay steps.
+    const stepper::Load cut{1e-9, 500.0};
+    for (int i = 0; i + 1 < stepper::CutLevels::kStay; ++i)
+        EXPECT_EQ(levels.choose(d, cut, 1.2), 7U);
+    EXPECT_EQ(levels.choose(d, cut, 1.2), 0U);
+}
+
+}  // namespace
+}  // namespace hawser::test
