@@ -47,6 +47,26 @@ TEST(Budget, CutStepsAreRecordedAndReplayed) {
               run({"--budget-work", "0.01", "--restore", folder / "half.hws"})["state_hash"]);
 }
 
+TEST(Budget, OpensCutsWhereNothingElseFitsAndReplaysThem) {
+    const auto folder = test_folder();
+    // No step fits; a cut is made only where its matrix is 5 % cheaper, as in these lines it is.
+    const Outcome outcome = run_program({"run", "scenes/anchor_lines.json", "--duration", "0.6",
+                                         "--budget", "0.001", "--coupling", "deadline", "--record",
+                                         folder / "r.hwr", "--summary", folder / "s.json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("degraded"), std::string::npos) << outcome.out;
+    const Json d = Json::parse(read_text(folder / "s.json"))["degradations"];
+    EXPECT_GT(d["coupling"]["steps"].get<int>(), 5);
+    EXPECT_GE(d["coupling"]["interfaces"].get<int>(), 1);
+    EXPECT_EQ(d["coupling"]["steps"], d["causes"]["prediction"]);
+    EXPECT_EQ(d["friction"]["steps"], 0);
+    const Outcome replay = run_program({"replay", folder / "r.hwr", "--threads", "2"});
+    EXPECT_EQ(replay.code, 0) << replay.out << replay.err;
+    const Outcome verify = run_program({"run", "scenes/anchor_lines.json", "--duration", "0.1",
+                                        "--budget", "1", "--coupling", "deadline", "--verify"});
+    EXPECT_EQ(verify.code, 1);
+}
+
 TEST(Budget, IsRefusedByOtherMethods) {
     for (const auto* method : {"pivoting", "split", "pgs", "convex"}) {
         const Outcome outcome = run_program({"run", "scenes/arch.json", "--duration", "0.1",
