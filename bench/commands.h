@@ -12,6 +12,9 @@ int step_command(int argc, char** argv);
 /// Time factorisation and solution of a scene's matrix against libraries.
 int factor_command(int argc, char** argv);
 
+/// Our factorisation beside what the processor can do.
+int roofline_command(int argc, char** argv);
+
 /// Time whole steps of a million rigid links.
 int links_command(int argc, char** argv);
 

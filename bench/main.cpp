@@ -18,6 +18,8 @@ constexpr Command kCommands[] = {
     {"step", "time and memory of a whole step, by scale", hawser::bench::step_command},
     {"factor", "our factorisation against libraries, on many matrices",
      hawser::bench::factor_command},
+    {"roofline", "our factorisation beside the limits of the processor",
+     hawser::bench::roofline_command},
     {"links", "whole steps of a million rigid links in one island", hawser::bench::links_command},
     {"friction", "methods for contacts with friction beside each other",
      hawser::bench::friction_command},

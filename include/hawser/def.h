@@ -107,8 +107,10 @@ struct WorldDef {
     /// Other than exact, sleep_after must be 0.
     Coupling coupling = Coupling::exact;
     Predictor predictor = Predictor::hold;  ///< For coupling other than exact.
-    int refinements = 1;                    ///< Refinement steps on the saddle residual, 0-4.
-    int threads = 1;                        ///< Worker threads, 1-256; results do not depend on it.
+    /// Refinements of a solution whose saddle residual is above 1e-12, 0-4; up to two more where it
+    /// still is then. 0: none.
+    int refinements = 1;
+    int threads = 1;  ///< Worker threads, 1-256; results do not depend on it.
     /// Limits of a step's solve for contacts, 0: none. Where the next iteration would exceed one,
     /// the best iterate is projected (StepStats::cut). At least one iteration is made. For method
     /// newton only.

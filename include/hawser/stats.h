@@ -130,8 +130,9 @@ struct StepStats {
     /// Tension-only rows and contacts whose status was still changing when the solve ended.
     std::int32_t flips_left = 0;
     double natural_map = 0.0;  ///< Largest relative residual of a contact's law (docs/methods.md).
-    double factor_work = 0.0;  ///< Flops of the step's factorisations over those of one LDLᵀ.
-    std::int64_t impacts = 0;  ///< Steps with an impact stage, since the start.
+    std::int32_t refinements = 0;  ///< Of the step's last solution, see WorldDef::refinements.
+    double factor_work = 0.0;      ///< Flops of the step's factorisations over those of one LDLᵀ.
+    std::int64_t impacts = 0;      ///< Steps with an impact stage, since the start.
     /// Of those, stages done again without bouncing, since it would have gained energy or failed.
     std::int64_t impact_retries = 0;
     std::int32_t newton_iterations = 0;  ///< Of the solve for contacts.

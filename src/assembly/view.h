@@ -22,6 +22,8 @@ inline constexpr int kGeoSize = 24;    ///< Doubles of one geometric-stiffness r
 inline constexpr int kGeoSwing = 23;   ///< Its last one, which no step writes.
 inline constexpr int kGeoLine = 4;     ///< Of them, those between bodies without arms.
 
+inline constexpr int kLossChunk = 64;  ///< Interactions of one call of row_losses().
+
 /// One contribution to one block of the matrix.
 struct Op {
     enum Kind : std::uint8_t {
@@ -184,6 +186,11 @@ struct Kernels {
     void (*body_norms)(const View&, std::int32_t begin, std::int32_t end, Norms*) noexcept;
     /// Norms over interactions.
     void (*row_norms)(const View&, std::int32_t begin, std::int32_t end, Norms*) noexcept;
+    /// Energy that rows of at most kLossChunk interactions take in the step [J], see
+    /// stepper/losses.cpp. `left`: those (`left_count`) that are not in the sum, since they need
+    /// more than their rows; room for kLossChunk.
+    double (*row_losses)(const View&, std::int32_t begin, std::int32_t end, std::int32_t* left,
+                         int* left_count) noexcept;
     /// Move bodies by h v₊ and store v₊.
     void (*integrate)(const View&, std::int32_t begin, std::int32_t end) noexcept;
 };

@@ -246,9 +246,9 @@ HAWSER_INLINE double sum(const V8& v) {
     return ((lane(v, 0) + lane(v, 4)) + (lane(v, 2) + lane(v, 6))) +
            ((lane(v, 1) + lane(v, 5)) + (lane(v, 3) + lane(v, 7)));
 }
-/// out[k] = sum of the lanes of v[k] for k < N; writes eight entries.
+/// Lane k = sum of the lanes of v[k] for k < N, 0 in the others.
 template <int N>
-HAWSER_INLINE void sums(const V8* v, double* out) {
+HAWSER_INLINE V8 sums(const V8* v) {
 #if defined(__AVX512F__)
     const I8 even = {0, 8, 2, 10, 4, 12, 6, 14}, odd = {1, 9, 3, 11, 5, 13, 7, 15};
     const I8 low2 = {0, 1, 8, 9, 4, 5, 12, 13}, high2 = {2, 3, 10, 11, 6, 7, 14, 15};
@@ -261,11 +261,11 @@ HAWSER_INLINE void sums(const V8* v, double* out) {
     for (int i = 0; i < 2; ++i)
         quad[i] = __builtin_shuffle(pair[2 * i], pair[2 * i + 1], low2) +
                   __builtin_shuffle(pair[2 * i], pair[2 * i + 1], high2);
-    store(out,
-          __builtin_shuffle(quad[0], quad[1], low4) + __builtin_shuffle(quad[0], quad[1], high4));
+    return __builtin_shuffle(quad[0], quad[1], low4) + __builtin_shuffle(quad[0], quad[1], high4);
 #else
+    double out[kLanes] = {};
     for (int i = 0; i < N; ++i) out[i] = sum(v[i]);
-    for (int i = N; i < kLanes; ++i) out[i] = 0.0;
+    return load(out);
 #endif
 }
 

@@ -84,7 +84,8 @@ ShapePtr settings() {
          {"nonsmooth_sweeps", integer("an integer", 1, 100000), false, "50", "",
           "Sweeps a step of the methods split and pgs."},
          {"refinements", integer("an integer", 0, 4), false, "1", "",
-          "Steps of iterative refinement."},
+          "Refinements of a solution whose residual is above 1e-12; up to two more where it still "
+          "is."},
          {"contact_margin", number("a length", 1e-6, 10.0), false, "0.02", "m",
           "Shapes closer than this are in contact before they touch."},
          {"sleep_after", number("a time", 0.0, 1e6), false, "0", "s",

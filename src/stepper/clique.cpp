@@ -171,6 +171,7 @@ bool solve_clique(StepContext& ctx) noexcept {
     copy_bodies(c, ctx);
     copy_interactions(c, ctx);
     assemble_rows(c.ctx);
+    c.ctx.refine_unasked = 1;  // its own count would have to be saved with the state
     Status status = factor_and_solve(c.ctx);
     if (status == Status::ok) status = settle_bounds(c.ctx);
     if (status != Status::ok) return false;

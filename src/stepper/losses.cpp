@@ -6,6 +6,7 @@
 #include "stepper/stages.h"
 #include "stepper/sweeps.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -91,12 +92,13 @@ double row_losses(StepContext& ctx) noexcept {
     auto strip = [&](int i, int) noexcept {
         double taken = 0.0;
         each(ctx.system.strips.interactions(i), [&](std::int32_t begin, std::int32_t end) {
-            for (std::int32_t id = begin; id < end; ++id) {
-                const bool line = (v.flags[id] & model::kOneSided) != 0;
-                if (v.flags[id] & model::kFriction) continue;  // counted as driven
-                if (id >= whole) continue;                     // with what it stands for
-                if (v.parted[id] || (!line && v.active[id] == 0.0)) continue;
-                taken += losses_of(ctx, v, id);
+            end = std::min(end, whole);  // images count with what they stand for
+            for (; begin < end; begin += assembly::kLossChunk) {
+                const std::int32_t to = std::min(end, begin + assembly::kLossChunk);
+                std::int32_t left[assembly::kLossChunk];
+                int count = 0;
+                taken += assembly::kernels().row_losses(v, begin, to, left, &count);
+                for (int k = 0; k < count; ++k) taken += losses_of(ctx, v, left[k]);
             }
         });
         ctx.losses[static_cast<std::size_t>(i)] = taken;

@@ -120,16 +120,25 @@ Status report(StepContext& ctx, const Norms& n) noexcept {
     return Status::ok;
 }
 
-/// More corrections while the residual asks for them, then what it is.
-Status finish_solve(StepContext& ctx, const View& v, Norms n) noexcept {
-    // Stiff rows on very light bodies need one more; the residual says so.
+/// Does the residual ask for a correction? Relative for momentum; rows in their units [m/s, rad/s].
+bool wants_refinement(const StepContext& ctx, const Norms& n) noexcept {
     constexpr double kGood = 1e-12;
-    for (int extra = 0; extra < 2 && ctx.def.refinements > 0 && momentum_residual(ctx, n) > kGood;
-         ++extra) {
+    return momentum_residual(ctx, n) > kGood || n.constraint > kGood;
+}
+
+/// Two more than are asked for: stiff rows on very light bodies need them.
+int most_refinements(const StepContext& ctx) noexcept {
+    return ctx.def.refinements > 0 ? ctx.def.refinements + 2 : 0;
+}
+
+/// More corrections while the residual asks for them, then what it is.
+Status finish_solve(StepContext& ctx, const View& v, Norms n, int most) noexcept {
+    for (int extra = 0; extra < most && wants_refinement(ctx, n); ++extra) {
         const Norms before = n;
         over(ctx, v.body_count,
              [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
         ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
+        ++ctx.stats.refinements;
         n = correct(ctx, v, false, Next::measure);
         if (!(n.momentum < 0.25 * before.momentum)) break;
     }
@@ -215,12 +224,21 @@ Status factor_and_solve(StepContext& ctx) noexcept {
     const View v = view(ctx);
     if (!ctx.rhs_ready) start_solve(ctx, v);
     if (const Status status = factor(ctx, true); status != Status::ok) return status;
+    // To measure a solution and refine it then takes a pass over all rows and bodies more than to
+    // refine at once; where the residual asked for it lately, it is not asked again for a while.
+    constexpr int kAWhile = 64;
+    const bool measured_first = ctx.refine_unasked == 0;
+    const int refinements = measured_first ? 0 : ctx.def.refinements;
+    if (!measured_first) --ctx.refine_unasked;
     Norms n;
-    for (int i = 0; i <= ctx.def.refinements; ++i) {
+    for (int i = 0; i <= refinements; ++i) {
         if (i > 0) ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
-        n = correct(ctx, v, i == 0, i < ctx.def.refinements ? Next::solve : Next::measure);
+        n = correct(ctx, v, i == 0, i < refinements ? Next::solve : Next::measure);
     }
-    return finish_solve(ctx, v, n);
+    ctx.stats.refinements = refinements;
+    if (measured_first && ctx.def.refinements > 0 && wants_refinement(ctx, n))
+        ctx.refine_unasked = kAWhile;
+    return finish_solve(ctx, v, n, most_refinements(ctx) - refinements);
 }
 
 Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept {
@@ -260,7 +278,8 @@ Status refine(StepContext& ctx) noexcept {
     over(ctx, v.body_count,
          [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
     ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
-    return finish_solve(ctx, v, correct(ctx, v, false, Next::measure));
+    ctx.stats.refinements = 1;
+    return finish_solve(ctx, v, correct(ctx, v, false, Next::measure), most_refinements(ctx) - 1);
 }
 
 Status measure(StepContext& ctx) noexcept {

@@ -134,6 +134,7 @@ Status solve_velocities(StepContext& ctx) noexcept {
 void remember(StepContext& ctx) noexcept {
     const model::Interactions& in = ctx.interactions;
     std::copy(in.lambda.begin(), in.lambda.end(), ctx.lambda_before.begin());
+    ctx.refine_unasked_before = ctx.refine_unasked;
     for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
         ctx.active_before[i] = in.active[static_cast<std::size_t>(ctx.system.bounded[i])];
 }
@@ -141,6 +142,7 @@ void remember(StepContext& ctx) noexcept {
 void recall(StepContext& ctx) noexcept {
     model::Interactions& in = ctx.interactions;
     std::copy(ctx.lambda_before.begin(), ctx.lambda_before.end(), in.lambda.begin());
+    ctx.refine_unasked = ctx.refine_unasked_before;
     for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
         in.active[static_cast<std::size_t>(ctx.system.bounded[i])] = ctx.active_before[i];
 }

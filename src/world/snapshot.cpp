@@ -109,6 +109,7 @@ void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f)
     array(inputs);
     value(ctx.step);
     value(ctx.started);
+    value(ctx.refine_unasked);
     value(ctx.work);
     value(ctx.drag);
     value(ctx.drive);

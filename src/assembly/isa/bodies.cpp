@@ -178,7 +178,8 @@ void integrate(const View& view, std::int32_t begin, std::int32_t end) noexcept 
 
 extern const assembly::Kernels kAssemblyKernels;
 const assembly::Kernels kAssemblyKernels = {
-    evaluate, body_terms,   gather_blocks, gather_lane_blocks, first_rhs, first_body_rhs,
-    body_rhs, add_solution, row_update,    body_norms,         row_norms, integrate};
+    evaluate,       body_terms, gather_blocks, gather_lane_blocks, first_rhs,
+    first_body_rhs, body_rhs,   add_solution,  row_update,         body_norms,
+    row_norms,      row_losses, integrate};
 
 }  // namespace hawser::HAWSER_ISA

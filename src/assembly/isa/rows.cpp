@@ -187,10 +187,9 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
     }
 }
 
-/// G u of one interaction for a packed vector u by body, R rows: sums of products in vectors.
+/// G u of one interaction for a packed vector u by body, R rows: one a lane, 0 in the others.
 template <int R, class Offset>
-inline void row_products(const View& view, std::int32_t id, const double* u, Offset offset,
-                         double* out) {
+inline V8 row_products(const View& view, std::int32_t id, const double* u, Offset offset) {
     const std::int32_t* body = view.body + kSlots * id;
     int width = 0;
     for (int b = 0; b < view.bodies[id]; ++b) width += view.dof[body[b]];
@@ -203,50 +202,39 @@ inline void row_products(const View& view, std::int32_t id, const double* u, Off
         for (int r = 0; r < R; ++r) acc[r] += load(jac + r * width) * v;
         jac += dof;
     }
-    if constexpr (R == 1)
-        out[0] = sum(acc[0]);
-    else
-        sums<R>(acc, out);
+    return sums<R>(acc);
 }
 
-/// λ and the residuals of one interaction; R is known so that the sums stay in registers.
+/// λ and the residuals of one interaction, a row in each lane.
 template <int R>
 inline void row_update_one(const View& view, std::int32_t id, bool first) {
     const std::int32_t row = view.row_begin[id], offset = view.interaction_offset[id];
-    const double on = view.active[id], idle = (1.0 - on) * view.held[id];
-    double total[8];
-    row_products<R>(view, id, view.v_new, [&](std::int32_t b) { return view.dof_begin[b]; }, total);
+    const double on = view.active[id];
+    const V8 kept = first_lanes(V8{} + (1.0 - on) * view.held[id], 1);
+    const V8 total =
+        row_products<R>(view, id, view.v_new, [&](std::int32_t b) { return view.dof_begin[b]; });
+    const V8 c = load_first(view.c + row, R), sigma = load_first(view.sigma + row, R);
     if (offset >= 0) {
-        for (int r = 0; r < R; ++r) {
-            const double before = first ? 0.0 : view.lambda[row + r];
-            const double lambda = before - view.solution[offset + r];
-            const double kept = r == 0 ? idle : 0.0;
-            const double residual =
-                on * (view.c[row + r] - total[r]) - view.sigma[row + r] * (lambda - kept);
-            view.lambda[row + r] = lambda;
-            view.residual[row + r] = residual;
-            view.multiplier[row + r] = on * lambda + kept;
-            view.solution[offset + r] = residual;
-        }
+        const V8 before = first ? V8{} : load_first(view.lambda + row, R);
+        const V8 lambda = before - load_first(view.solution + offset, R);
+        const V8 residual = on * (c - total) - sigma * (lambda - kept);
+        store_lanes(view.lambda + row, lambda, 0, R);
+        store_lanes(view.residual + row, residual, 0, R);
+        store_lanes(view.multiplier + row, on * lambda + kept, 0, R);
+        store_lanes(view.solution + offset, residual, 0, R);
         return;
     }
     // The change of v₊; after the first solve it is v₊ itself.
-    double delta[8] = {};
-    if (!first)
-        row_products<R>(
-            view, id, view.solution, [&](std::int32_t b) { return view.body_offset[b]; }, delta);
-    for (int r = 0; r < R; ++r) {
-        const double inverse = view.inv_sigma[row + r];
-        const double change = first ? total[r] : delta[r];
-        const double kept = r == 0 ? idle : 0.0;
-        const double before = first ? kept : view.lambda[row + r];
-        const double lambda = before + on * inverse * (view.residual[row + r] - change);
-        const double residual =
-            on * (view.c[row + r] - total[r]) - view.sigma[row + r] * (lambda - kept);
-        view.lambda[row + r] = lambda;
-        view.residual[row + r] = residual;
-        view.multiplier[row + r] = on * (lambda + inverse * residual) + kept;
-    }
+    const V8 change = first ? total : row_products<R>(view, id, view.solution, [&](std::int32_t b) {
+        return view.body_offset[b];
+    });
+    const V8 inverse = load_first(view.inv_sigma + row, R);
+    const V8 before = first ? kept : load_first(view.lambda + row, R);
+    const V8 lambda = before + on * inverse * (load_first(view.residual + row, R) - change);
+    const V8 residual = on * (c - total) - sigma * (lambda - kept);
+    store_lanes(view.lambda + row, lambda, 0, R);
+    store_lanes(view.residual + row, residual, 0, R);
+    store_lanes(view.multiplier + row, on * (lambda + inverse * residual) + kept, 0, R);
 }
 
 template <int R>

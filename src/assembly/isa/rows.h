@@ -12,6 +12,7 @@ void evaluate(const assembly::View&, InteractionKind, const std::int32_t*, const
               std::int32_t, std::int32_t) noexcept;
 void row_update(const assembly::View&, std::int32_t, std::int32_t, bool) noexcept;
 void row_norms(const assembly::View&, std::int32_t, std::int32_t, assembly::Norms*) noexcept;
+double row_losses(const assembly::View&, std::int32_t, std::int32_t, std::int32_t*, int*) noexcept;
 
 void body_terms(const assembly::View&, std::int32_t, std::int32_t) noexcept;
 void first_rhs(const assembly::View&, std::int32_t, std::int32_t) noexcept;

@@ -68,7 +68,7 @@ HAWSER_INLINE void backward_block(const double* panel, long ld, int k, int from,
         for (int c = 0; c < N; ++c) acc[c] += load(column + c * ld + i) * v;
     }
     double s[8];
-    sums<N>(acc, s);
+    store(s, sums<N>(acc));
     for (int c = N; c-- > 0;) {
         double zc = z[c] - s[c];
         for (int i = N - 1; i > c; --i) zc -= column[c * ld + k + i] * z[i];

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Energy that rows take in a step, eight rows at a time; formulas in stepper/losses.cpp.
+#include "assembly/isa/rows.h"
+#include "base/simd.h"
+
+namespace hawser::HAWSER_ISA {
+namespace {
+
+using assembly::View;
+
+constexpr double kElastic = 1e-11;  // model::kElasticCompliance
+// model::InteractionFlag and RowFlag.
+constexpr int kPullsOnly = 1, kRange = 2, kByInput = 16, kCarried = 32, kFriction = 128;
+constexpr int kVelocityRow = 1;
+
+/// Rows of some interactions in a row: which count, and which only pull.
+struct Marks {
+    double counts[assembly::kLossChunk * kMaxInteractionRows + kLanes];
+    double pulls[assembly::kLossChunk * kMaxInteractionRows + kLanes];
+};
+
+/// @return Interactions left to the caller.
+int mark(const View& view, std::int32_t begin, std::int32_t end, std::int32_t first, Marks& marks,
+         std::int32_t* left) {
+    int count = 0;
+    for (std::int32_t id = begin; id < end; ++id) {
+        const int flags = view.flags[id], row = view.row_begin[id];
+        const bool idle = view.active[id] == 0.0, pulls = (flags & kPullsOnly) != 0;
+        const bool none = (flags & kFriction) || view.parted[id] || (idle && !pulls);
+        const bool own = none || idle || (flags & (kCarried | kRange));
+        if (own && !none) left[count++] = id;
+        for (int r = row; r < row + view.rows[id]; ++r) {
+            const bool driven = (view.row_flags[r] & kVelocityRow) ||
+                                ((flags & kByInput) && view.epsilon[r] <= kElastic);
+            marks.counts[r - first] = own || driven ? 0.0 : 1.0;
+            marks.pulls[r - first] = pulls ? 1.0 : 0.0;
+        }
+    }
+    return count;
+}
+
+}  // namespace
+
+double row_losses(const View& view, std::int32_t begin, std::int32_t end, std::int32_t* left,
+                  int* left_count) noexcept {
+    Marks marks;
+    const std::int32_t first = view.row_begin[begin];
+    const std::int32_t rows = view.row_begin[end - 1] + view.rows[end - 1] - first;
+    *left_count = mark(view, begin, end, first, marks, left);
+    for (int i = rows; i < rows + kLanes; ++i) marks.counts[i] = marks.pulls[i] = 0.0;
+    V8 taken{};
+    const V8 none{}, half = none + 0.5 * view.h, per_h4 = none + 4.0 / view.h;
+    bool was_slack = false;
+    for (int i = 0; i < rows; i += kLanes) {
+        const int n = rows - i < kLanes ? rows - i : kLanes;
+        auto of = [&](const double* array) { return load_first(array + first + i, n); };
+        const V8 g = of(view.g), c = of(view.c), epsilon = of(view.epsilon);
+        const V8 lambda = of(view.lambda), pulls = load(marks.pulls + i);
+        const V8 before = c * (1.0 / of(view.upsilon)) + per_h4 * g;
+        const V8 after = c - of(view.sigma) * lambda - of(view.residual);
+        const V8 old = g - half * before, now = g + half * after;
+        // A line that was slack at the last half step has another c (when_slack()).
+        const V8 size = select_greater(g, none, g, -g);
+        const V8 slack = select_greater(old, 1e-9 * size, none, pulls);
+        const V8 used = load(marks.counts + i) * (none + 1.0 - slack);
+        was_slack |= any(slack);
+        store(marks.pulls + i, slack);
+        const V8 old_held = select_greater(pulls, none, positive_part(old), old);
+        const V8 now_held = select_greater(pulls, none, positive_part(now), now);
+        const V8 stiffness = select_greater(epsilon, none + kElastic, 0.5 / epsilon, none);
+        const V8 loss = stiffness * (old_held * old_held - now_held * now_held) -
+                        0.5 * (lambda * (before + after));
+        taken += select_greater(used, none, loss, none);
+    }
+    if (was_slack) {
+        for (std::int32_t id = begin; id < end; ++id) {
+            const std::int32_t row = view.row_begin[id] - first;
+            if (view.rows[id] > 0 && marks.counts[row] != 0.0 && marks.pulls[row] != 0.0)
+                left[(*left_count)++] = id;
+        }
+    }
+    return sum(taken);
+}
+
+}  // namespace hawser::HAWSER_ISA
