@@ -165,14 +165,14 @@ struct SteppedWorld {
     }
 };
 
-constexpr int kSettle = 60;  ///< Exact steps before worlds are split.
+constexpr int kExactFirst = 60;  ///< Exact steps before worlds are split.
 
 World settled(const std::string& scene, const char* predictor, int threads) {
     scene::Options options;
     options.threads = threads;
     options.set = {std::string("settings.predictor=") + predictor};
     World world = scene::load_file("scenes/" + scene + ".json", options).world;
-    for (int i = 0; i < kSettle; ++i)
+    for (int i = 0; i < kExactFirst; ++i)
         if (world.step() != Status::ok) throw std::runtime_error(scene + " does not step");
     return world;
 }

@@ -111,16 +111,12 @@ struct StepContext {
     std::unique_ptr<runtime::Trace> trace;            ///< What threads do; none: not written down.
     Cuts cuts;
     Budget budget;
-<<<<<<< HEAD
     Deadline deadline;
     CutLevels cut_levels;
-    Laps laps;            ///< Of the step being taken, where a budget asks for time.
-    Degradation imposed;  ///< On the next step.
-=======
+    Laps laps;               ///< Of the step being taken, where a budget asks for time.
+    Degradation imposed;     ///< On the next step.
     int refine_unasked = 0;  ///< So many steps to come refine before they measure, see solve.cpp.
     int refine_unasked_before = 0;  ///< The same, for a step that fails.
-    int cut_after = 0;              ///< Newton iterations imposed on the next step; 0: none.
->>>>>>> b599937 (Refine only what asks for it; losses and rows of a step in vectors; measure the roofline)
     EventRing events;
     StepStats stats;
 

@@ -334,8 +334,9 @@ void World::restore(std::span<const std::byte> bytes) {
     // Whatever the bytes say: what has no freedom is awake, and no more contacts than there are.
     m.ctx.collider.kept_awake() = std::min(m.ctx.collider.kept_awake(), header.contacts);
     stepper::check_asleep(m.ctx);
-    if (relinked || asked != m.ctx.cuts.asked || asleep != m.ctx.bodies.asleep || m.ctx.analysed_x != analysed_x ||
-        m.ctx.analysed_r != analysed_r || m.ctx.system.analysis.state() != order)
+    if (relinked || asked != m.ctx.cuts.asked || asleep != m.ctx.bodies.asleep ||
+        m.ctx.analysed_x != analysed_x || m.ctx.analysed_r != analysed_r ||
+        m.ctx.system.analysis.state() != order)
         analyse_as_saved(m.ctx, order);
     m.ctx.time = static_cast<double>(m.ctx.step) * m.ctx.def.step;
     m.ctx.stats.step = m.ctx.step;
