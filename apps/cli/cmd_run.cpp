@@ -19,6 +19,7 @@ constexpr const char* kRunFooter = R"(Examples:
   hawser run scene.json --set settings.step=0.005 --set bodies.rig.mass=2e7 --csv run.csv
   hawser run scene.json --control levers.csv --realtime
   hawser run scene.json --duration 5 --threads 2 --trace run.json --trace run.svg
+  hawser run scenes/anchor_contact.json --budget 5 --record run.hwr --summary run.json
   hawser run scene.json --save-at 10 ten.hws; hawser run scene.json --restore ten.hws
 
 A CONTROL file has the line "time,<input>,<input>,…" and below it times and values, which hold
@@ -63,7 +64,8 @@ void add_run(CLI::App& app, Command& chosen) {
     command
         ->add_option("--budget", options->scene.budget_ms,
                      "CPU time of the solver's slowest thread in a step [ms]: the solve for "
-                     "contacts ends when another iteration would exceed it")
+                     "contacts ends when another iteration would exceed it; with --coupling "
+                     "deadline groups then couple compliantly where one does not fit")
         ->check(positive());
     command
         ->add_option("--budget-work", options->scene.budget_mflop,

@@ -172,7 +172,8 @@ Status end_early(StepContext& ctx) noexcept {
 /// The same where there is no time for another factorisation: the law in the matrix is moved
 /// through the projected impulse.
 void end_hastily(StepContext& ctx) noexcept {
-    if (ctx.newton.best < merit(ctx, 0.0)) take_best(ctx);
+    // After one iteration there is no other: that is when time is short.
+    if (std::isfinite(ctx.newton.best) && ctx.newton.best < merit(ctx, 0.0)) take_best(ctx);
     project_all(ctx);
     update_contacts(ctx, view(ctx).v_new);
 }
