@@ -34,7 +34,8 @@ struct PartitionFlags {
 };
 
 /// Rounds of partition and exact cost: each takes the flops of the one before, and the most even
-/// one counts. A running world has them from its last analysis.
+/// one counts. (A running world has flops of its own order from its last analysis, which these
+/// separators do not change.)
 constexpr int kPartRounds = 5;
 
 void print_part_heading() {
@@ -199,8 +200,7 @@ int partition_command(int argc, char** argv) {
     } else if (o.steps) {
         all = compare_steps(o.parts, o.rounds);
     } else {
-        // Ten times at most: the long edges of the random graph would fill gigabytes, and METIS
-        // orders a star with a hub of twenty thousand neighbours for minutes.
+        // Ten times at most: a hundred times as large, the star alone took more than ten minutes.
         const int k = o.scale, few = std::min(k, 10);
         const auto side = static_cast<int>(std::lround(50.0 * std::sqrt(k)));
         std::vector<PartCase> cases{

@@ -13,7 +13,7 @@ void Follower::start(const Hypergraph& graph, std::span<const std::int64_t> node
     part_ = partition.part;
     load_ = partition.cost;
     between_ = partition.separator_cost;
-    longest_ = load_.empty() ? 0 : *std::max_element(load_.begin(), load_.end());
+    makespan_ = makespan();
     head_.assign(graph.size.size(), -1);
     stays_.assign(graph.size.size(), 0);
     count_.assign(edges, 0);
@@ -113,9 +113,12 @@ void Follower::change(std::int32_t e, std::span<const std::int32_t> members) noe
         if (part_[at(old[i])] == kSeparator) rejoin(old[i]);
 }
 
+std::int64_t Follower::makespan() const noexcept {
+    return between_ + (load_.empty() ? 0 : *std::max_element(load_.begin(), load_.end()));
+}
+
 bool Follower::worn() const noexcept {
-    const std::int64_t now = load_.empty() ? 0 : *std::max_element(load_.begin(), load_.end());
-    return static_cast<double>(now) > kWorn * static_cast<double>(longest_);
+    return static_cast<double>(makespan()) > kWorn * static_cast<double>(makespan_);
 }
 
 void Follower::copy_to(Partition& out) const {

@@ -44,6 +44,8 @@ class Follower {
     void keep_apart(std::int32_t e) noexcept;
     void rejoin(std::int32_t node) noexcept;
     void set_part(std::int32_t node, std::int32_t part) noexcept;
+    /// The largest part, then all separators.
+    [[nodiscard]] std::int64_t makespan() const noexcept;
 
     std::vector<std::int32_t> member_, next_, previous_;  ///< By slot: kMostMembers an edge.
     std::vector<std::int32_t> head_;                      ///< By node: a slot of its, −1: none.
@@ -51,7 +53,7 @@ class Follower {
     std::vector<std::uint8_t> stays_;  ///< By node: member of an edge that is not followed.
     std::vector<std::int32_t> part_;
     std::vector<std::int64_t> load_, node_cost_;
-    std::int64_t between_ = 0, longest_ = 0;
+    std::int64_t between_ = 0, makespan_ = 0;
 };
 
 }  // namespace hawser::graph

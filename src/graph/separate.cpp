@@ -127,6 +127,10 @@ void Partitioner::choose_places(const PartitionOptions& options) {
         lane_of_.push_back(l);
         rooms += room;
     }
+    // Small islands may fill all of them evenly.
+    if (lane_of_.empty())
+        lane_of_.push_back(static_cast<std::int32_t>(std::min_element(load_.begin(), load_.end()) -
+                                                     load_.begin()));
     cut_.clear();
     double target = 0.0;
     std::int32_t from = 0;

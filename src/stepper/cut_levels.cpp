@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace hawser::stepper {
 namespace {
@@ -31,12 +32,19 @@ std::vector<double> interface_weights(const StepContext& ctx) {
 /// The work of the matrix with these interfaces cut.
 double analysed_work(StepContext& ctx, std::uint64_t interfaces) {
     const std::uint64_t asked = std::exchange(ctx.cuts.asked, interfaces);
-    (void)open_cuts(ctx);
+    const bool changed = std::exchange(ctx.topology_changed, true);  // should memory end in between
     assembly::System beside;
-    beside.left_out = ctx.system.left_out;
-    beside.sides = ctx.system.sides;
+    try {
+        (void)open_cuts(ctx);
+        beside.left_out = ctx.system.left_out;
+        beside.sides = ctx.system.sides;
+    } catch (...) {
+        ctx.cuts.asked = asked;
+        throw;
+    }
     ctx.cuts.asked = asked;
     (void)open_cuts(ctx);
+    ctx.topology_changed = changed;
     beside.contacts = ctx.system.contacts;
     model::Interactions rows = ctx.interactions;  // an analysis chooses forms
     beside.analyse(ctx.bodies, rows, ctx.def, ctx.pool.threads());
@@ -65,6 +73,7 @@ void CutLevels::set(std::vector<Level> levels) {
     time_.resize(levels_.size());
     now_ = 0;
     since_ = 0;
+    fresh_ = true;
 }
 
 std::size_t CutLevels::wanted(const std::vector<double>& time, double seconds) noexcept {
@@ -85,14 +94,26 @@ std::size_t CutLevels::wanted(const std::vector<double>& time, double seconds) n
     return lower;
 }
 
-std::uint64_t CutLevels::choose(const Deadline& deadline, const Load& load,
-                                double seconds) noexcept {
-    if (levels_.size() < 2 || !deadline.settled()) return 0;
+std::uint64_t CutLevels::choose(const Deadline& deadline, const Load& load, double seconds,
+                                std::uint64_t asked) noexcept {
+    if (levels_.size() < 2) return 0;
+    // After a restore, or a step that was told what to cut, another one may be in force.
+    for (std::size_t l = 0; l < levels_.size(); ++l) {
+        if (levels_[l].interfaces != asked || l == now_) continue;
+        now_ = l;
+        fresh_ = true;
+    }
+    if (!deadline.settled()) return asked;
     const double sweeps = kRowWork * load.rows;
-    levels_[now_].matrix = load.matrix - sweeps;
+    const double matrix = load.matrix - sweeps, change = matrix - levels_[now_].matrix;
+    // What comes and goes at the level in force (contacts) does so at the others.
+    for (Level& l : levels_)
+        if (!fresh_) l.matrix = std::max(0.0, l.matrix + change);
+    levels_[now_].matrix = matrix;
     for (std::size_t l = 0; l < levels_.size(); ++l)
         time_[l] = deadline.predict({load.rows, levels_[l].matrix + sweeps}, 1);
-    now_ = wanted(time_, seconds);
+    const std::size_t before = std::exchange(now_, wanted(time_, seconds));
+    fresh_ = now_ != before;
     return levels_[now_].interfaces;
 }
 

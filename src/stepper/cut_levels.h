@@ -42,8 +42,9 @@ class CutLevels {
     [[nodiscard]] bool known() const noexcept { return !levels_.empty(); }
     [[nodiscard]] const std::vector<Level>& levels() const noexcept { return levels_; }
     /// Interfaces for the step that begins. @param load  Of a step at the level in force.
-    [[nodiscard]] std::uint64_t choose(const Deadline& deadline, const Load& load,
-                                       double seconds) noexcept;
+    /// @param asked  Interfaces of the step before.
+    [[nodiscard]] std::uint64_t choose(const Deadline& deadline, const Load& load, double seconds,
+                                       std::uint64_t asked) noexcept;
 
   private:
     [[nodiscard]] std::size_t wanted(const std::vector<double>& time, double seconds) noexcept;
@@ -51,7 +52,8 @@ class CutLevels {
     std::vector<Level> levels_;
     std::vector<double> time_;  ///< Scratch.
     std::size_t now_ = 0;
-    int since_ = 0;  ///< Steps at this level in which a lower one would have done, in a row.
+    bool fresh_ = true;  ///< The level in force has not been seen in a step yet.
+    int since_ = 0;      ///< Steps at this level in which a lower one would have done, in a row.
 };
 
 /// Levels of the present state, with their matrices analysed beside the world, which stays as it

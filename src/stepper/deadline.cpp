@@ -15,7 +15,8 @@ void Rate::learn(double sample) noexcept {
         return;
     }
     constexpr double kOutlier = 4.0;
-    const double x = std::clamp(sample, mean_ / kOutlier, mean_ * kOutlier);
+    // A mean of 0 says nothing of what to expect, and would stay.
+    const double x = mean_ > 0.0 ? std::clamp(sample, mean_ / kOutlier, mean_ * kOutlier) : sample;
     deviation_ += 0.25 * (std::fabs(x - mean_) - deviation_);
     mean_ += 0.125 * (x - mean_);
 }
@@ -30,7 +31,13 @@ void Rate::relax(double least) noexcept {
 void Deadline::refused() noexcept { rate_[kNext].relax(kLeast * rate_[kFirst].high()); }
 
 void Deadline::learn(const Load& load, const Laps& laps) noexcept {
-    if (laps.iterations < 1 || load.rows <= 0.0 || load.matrix <= 0.0) return;
+    if (load.rows <= 0.0 || load.matrix <= 0.0) return;
+    if (laps.iterations < 1) {
+        if (laps.analysed) return;
+        rate_[kStart].learn(laps.start / load.rows);
+        rate_[kPlain].learn((laps.end - laps.start) / load.matrix);
+        return;
+    }
     rate_[kFinish].learn((laps.end - laps.last) / load.matrix);
     if (laps.analysed) return;
     rate_[kStart].learn(laps.start / load.rows);
@@ -40,13 +47,15 @@ void Deadline::learn(const Load& load, const Laps& laps) noexcept {
 }
 
 double Deadline::predict_next(const Load& load) const noexcept {
-    return load.matrix *
-           (rate_[kNext].known() ? rate_[kNext].high() : kGuess * rate_[kFirst].high());
+    return load.matrix * (rate_[kNext].known()    ? rate_[kNext].high()
+                          : rate_[kFirst].known() ? kGuess * rate_[kFirst].high()
+                                                  : kGuess * rate_[kPlain].high());
 }
 
 double Deadline::predict(const Load& load, int iterations) const noexcept {
-    return predict_start(load) + (rate_[kFirst].high() + rate_[kFinish].high()) * load.matrix +
-           (iterations - 1) * predict_next(load);
+    const double one =
+        rate_[kFirst].known() ? rate_[kFirst].high() + rate_[kFinish].high() : rate_[kPlain].high();
+    return predict_start(load) + one * load.matrix + (iterations - 1) * predict_next(load);
 }
 
 int Deadline::iterations_by(double seconds, const Load& load) const noexcept {

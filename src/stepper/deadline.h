@@ -12,6 +12,7 @@
 ///     first    … first Newton iteration is done                      matrix
 ///     next     each further iteration                                matrix
 ///     finish   … impulses projected, residuals refined and measured  matrix
+///     plain    all after start, of a step without contacts           matrix
 /// ```
 /// A rate is taken as V. Jacobson's estimator of round trips has it ("Congestion avoidance and
 /// control", 1988): the mean m and the mean deviation d of samples x follow with gains 1/8 and 1/4,
@@ -74,10 +75,13 @@ class Deadline {
   public:
     void learn(const Load& load, const Laps& laps) noexcept;
     /// Whether a step has been seen.
-    [[nodiscard]] bool knows() const noexcept { return rate_[kFirst].known(); }
+    [[nodiscard]] bool knows() const noexcept {
+        return rate_[kFirst].known() || rate_[kPlain].known();
+    }
     /// Whether enough steps have been seen to cut by it.
     [[nodiscard]] bool settled() const noexcept {
-        return rate_[kFinish].samples() >= Rate::kSettled;
+        return rate_[kFinish].samples() >= Rate::kSettled ||
+               rate_[kPlain].samples() >= Rate::kSettled;
     }
     /// CPU time of the solver with so many iterations, at least 1 [s].
     [[nodiscard]] double predict(const Load& load, int iterations) const noexcept;
@@ -93,7 +97,7 @@ class Deadline {
     [[nodiscard]] int iterations_by(double seconds, const Load& load) const noexcept;
 
   private:
-    enum { kStart, kFirst, kNext, kFinish, kStages };
+    enum { kStart, kFirst, kNext, kFinish, kPlain, kStages };
     /// Of the first iteration's time, before one further has been seen; and at least.
     static constexpr double kGuess = 0.5, kLeast = 0.25;
     std::array<Rate, kStages> rate_;

@@ -59,7 +59,8 @@ Status prepare_levels(StepContext& ctx) noexcept {
 Status choose_cuts(StepContext& ctx) noexcept {
     std::uint64_t cuts = ctx.imposed.cuts;
     if (may_cut(ctx))
-        cuts = ctx.cut_levels.choose(ctx.deadline, load_of(ctx), kAim * ctx.def.budget);
+        cuts = ctx.cut_levels.choose(ctx.deadline, load_of(ctx), kAim * ctx.def.budget,
+                                     ctx.cuts.asked);
     const Status status = ask_for_cuts(ctx, cuts);
     ctx.stats.degradation.cuts = cuts;
     return status;
@@ -96,7 +97,6 @@ void end_budget(StepContext& ctx) noexcept {
     ctx.budget.finished(s.solver_cpu_seconds);
     if (ctx.budget.needs_time()) {
         ctx.laps.end = s.solver_cpu_seconds;
-        ctx.laps.iterations = std::max(1, ctx.laps.iterations);  // none were asked for
         ctx.deadline.learn(load_of(ctx), ctx.laps);
     }
     if (s.cut) {

@@ -150,6 +150,7 @@ void World::copy_state(const World& other) {
     to.friction = from.friction;
     to.contact = from.contact;
     to.damped = from.damped;
+    to.refine_unasked = from.refine_unasked;
     to.stats.step = from.step;
     to.stats.time = from.time;
     for (std::size_t i = 0; i < impl_->inputs.size(); ++i) {
@@ -162,6 +163,9 @@ void World::copy_state(const World& other) {
         to.interactions.follow_length(id, to.bodies, to.def.step);
     // Images and copies differ with the coupling.
     if (from.interactions.count() != to.interactions.count()) stepper::follow_cuts(to);
+    if (from.cuts.interfaces == to.cuts.interfaces &&
+        stepper::ask_for_cuts(to, from.cuts.asked) != Status::ok)
+        throw std::bad_alloc();
 }
 
 }  // namespace hawser

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string>
 
 namespace hawser::test {
 namespace {
@@ -40,6 +41,26 @@ TEST(Partition, AnyGraphFallsIntoParts) {
         EXPECT_EQ(p.part, q.part);
     }
     EXPECT_GT(separators, static_cast<std::size_t>(rounds));
+}
+
+/// Islands that fit fill every part evenly, and one is too large for a part.
+TEST(Partition, NoPartHasRoomForTheLargestIsland) {
+    graph::Partitioner partitioner;
+    Partition p;
+    bool divided = false;
+    for (const int parts : {22, 64, 300})
+        for (const int links : {2, 3, 7, 40}) {
+            SCOPED_TRACE(std::to_string(parts) + " parts, " + std::to_string(links) + " links");
+            Graph g;
+            for (int v = 0; v < 10 * parts + links; ++v) g.node(3);
+            for (int v = 0; v + 1 < links; ++v) g.edge({10 * parts + v, 10 * parts + v + 1}, 0);
+            partitioner.read(g.view());
+            partitioner.separate({parts}, p);
+            expect_separated(g, p);
+            expect_sums(g, p, partitioner.cost.node);
+            divided |= !p.separator.empty();
+        }
+    EXPECT_TRUE(divided);
 }
 
 TEST(Partition, SeparatorsFollowEdits) {

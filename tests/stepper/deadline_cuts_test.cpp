@@ -139,16 +139,45 @@ TEST(DeadlineCuts, AreNotTakenWhereTheySaveNothing) {
     for (int i = 0; i < 100; ++i) d.learn(load, {0.0, 1.0, 1.0, 1.0, 1, false});
     stepper::CutLevels levels;
     levels.set({{0, 1000.0}, {1, 1100.0}, {3, 980.0}});
-    EXPECT_EQ(levels.choose(d, load, 0.5), 0U);  // 2 % is not worth a cut
+    EXPECT_EQ(levels.choose(d, load, 0.5, 0), 0U);  // 2 % is not worth a cut
     levels.set({{0, 1000.0}, {1, 1100.0}, {3, 700.0}, {7, 500.0}});
-    EXPECT_EQ(levels.choose(d, load, 0.8), 3U);  // the first that fits
+    EXPECT_EQ(levels.choose(d, load, 0.8, 0), 3U);  // the first that fits
     levels.set({{0, 1000.0}, {1, 1100.0}, {3, 700.0}, {7, 500.0}});
-    EXPECT_EQ(levels.choose(d, load, 0.1), 7U);  // none fits: the cheapest
+    EXPECT_EQ(levels.choose(d, load, 0.1, 0), 7U);  // none fits: the cheapest
     // Back when exact has fitted with a tenth to spare for kStay steps.
     const stepper::Load cut{1e-9, 500.0};
     for (int i = 0; i + 1 < stepper::CutLevels::kStay; ++i)
-        EXPECT_EQ(levels.choose(d, cut, 1.2), 7U);
-    EXPECT_EQ(levels.choose(d, cut, 1.2), 0U);
+        EXPECT_EQ(levels.choose(d, cut, 1.2, 7), 7U);
+    EXPECT_EQ(levels.choose(d, cut, 1.2, 7), 0U);
+}
+
+/// A load that comes while cuts are open and goes again: what levels cost is what they cost now.
+TEST(DeadlineCuts, AreTakenBackWhenALoadThatCameWithThemGoes) {
+    stepper::Deadline d;
+    const stepper::Load load{1e-9, 1000.0};
+    for (int i = 0; i < 100; ++i) d.learn(load, {0.0, 1.0, 1.0, 1.0, 1, false});
+    stepper::CutLevels levels;
+    levels.set({{0, 1000.0}, {1, 700.0}});
+    std::uint64_t asked = 0;
+    // Work of a step: 1000 or 700, and 1000 more while the load is there.
+    const auto step = [&](double more) {
+        asked = levels.choose(d, {1e-9, (asked != 0 ? 700.0 : 1000.0) + more}, 1.8, asked);
+    };
+    for (int i = 0; i < 30; ++i) step(0.0);
+    EXPECT_EQ(asked, 0U);
+    step(1000.0);
+    EXPECT_EQ(asked, 1U) << "1.7 is within 1.8, 2.0 is not";
+    for (int i = 0; i < 300; ++i) step(1000.0);
+    EXPECT_EQ(asked, 1U);
+    for (int i = 0; i < stepper::CutLevels::kStay + 2; ++i) step(0.0);
+    EXPECT_EQ(asked, 0U);
+}
+
+TEST(DeadlineCuts, StayAsARestoredWorldHasThemUntilRatesAreKnown) {
+    const stepper::Deadline nothing;
+    stepper::CutLevels levels;
+    levels.set({{0, 1000.0}, {1, 700.0}, {3, 500.0}});
+    EXPECT_EQ(levels.choose(nothing, {1.0, 500.0}, 0.6, 3), 3U);
 }
 
 }  // namespace

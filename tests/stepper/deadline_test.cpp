@@ -72,6 +72,18 @@ TEST(Deadline, DoesNotLearnFromAnalyses) {
     EXPECT_NEAR(d.predict(kLoad, 2), before, 1e-12);
 }
 
+TEST(Deadline, LearnsOfContactsAfterStepsWithoutAny) {
+    Deadline d;
+    // All of 4 ms after the start goes into one factorisation, with no iteration.
+    for (int i = 0; i < 100; ++i) d.learn(kLoad, {1e-3, 1e-3, 1e-3, 5e-3, 0, false});
+    EXPECT_TRUE(d.settled());
+    EXPECT_NEAR(d.predict(kLoad, 1), 5e-3, 1e-9);
+    EXPECT_GT(d.predict_next(kLoad), 0.0);
+    for (int i = 0; i < 200; ++i) d.learn(kLoad, laps(1 + i % 3, 1e-3));
+    EXPECT_NEAR(d.predict(kLoad, 1), 3.5e-3, 1e-9);
+    EXPECT_NEAR(d.predict(kLoad, 4), 6.5e-3, 1e-9);
+}
+
 TEST(Deadline, TriesAgainWhatItHasGivenUp) {
     Deadline d = taught(5e-3);
     EXPECT_EQ(d.iterations_by(6e-3, kLoad), 1);
