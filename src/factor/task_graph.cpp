@@ -89,6 +89,8 @@ void TaskQueue::reserve(const TaskGraph& graph, int threads) {
 void TaskQueue::begin(const TaskGraph::Way& way, int threads) noexcept {
     const std::size_t n = way.waits.size();
     words_ = (n + 63) / 64;
+    // An executor may tell of more threads than there is room for, if it uses the first ones only.
+    if (words_ > 0) threads = std::min(threads, static_cast<int>(mine_.size() / words_));
     std::copy(way.waits.begin(), way.waits.end(), waits_.begin());
     std::fill_n(ready_.begin(), words_, std::uint64_t{0});
     std::fill_n(mine_.begin(), words_ * at(threads), std::uint64_t{0});

@@ -106,6 +106,26 @@ TEST(TaskGraph, GivesAThreadWhatItDidLast) {
     EXPECT_EQ(again, first);  // by urgency alone the second thread would get node 0
 }
 
+/// Says that it has 64 threads, and uses the first.
+class Boaster final : public base::Executor {
+  public:
+    void run(int count, Task task, void* context) noexcept override {
+        for (int i = 0; i < count; ++i) task(context, i, 0);
+    }
+    [[nodiscard]] int threads() const noexcept override { return 64; }
+};
+
+TEST(TaskGraph, KeepsToTheRoomThatWasReserved) {
+    const TaskGraph graph = large();
+    Boaster executor;
+    TaskQueue queue;
+    queue.reserve(graph, 2);
+    int nodes = 0;
+    auto node = [&](int, int thread) noexcept { nodes += thread == 0 ? 1 : 0; };
+    queue.run(graph, true, executor, node);
+    EXPECT_EQ(nodes, graph.nodes());
+}
+
 TEST(TaskGraph, RanksByTheWorkThatIsLeft) {
     // 0 (5) ─┐        Left going up: 0: 5 + 2 + 1 = 8, 1: 3 + 2 + 1 = 6, 2: 9 + 1 = 10.
     // 1 (3) ─┴ 3 (2) ─┐
