@@ -22,7 +22,7 @@ struct DeadlineOptions {
     std::string scene = "scenes/anchor_contact.json";
     std::string control = "scenes/anchor_lines.control.csv", json;
     double budget_ms = 5.0;
-    int stacks = 120, steps = 300, threads = 1;
+    int stacks = 135, steps = 300, threads = 1;
 };
 
 /// What a phase of a run took and left.
