@@ -37,7 +37,7 @@ struct FiguresOptions {
     double at = 1.0;
     int samples = 21;
     int simulated = 4;
-    double most_gflop = 0.5;
+    double most_gflop = 20.0;
 };
 
 /// The scene of the figures, seen from here or from where the program stands: in a folder above it
@@ -232,6 +232,11 @@ int figures(FiguresOptions options) {
     }
     for (auto* list : {&full, &split})
         for (OrderedMatrix& m : *list) all.push_back(&m);
+    for (const OrderedMatrix* m : all) {
+        const double gflop = 1e-9 * static_cast<double>(m->counts.flops);
+        if (gflop > 1.0 && gflop <= options.most_gflop)
+            fmt::print(stderr, "factoring a matrix in an order that takes {:.3g} Gflop …\n", gflop);
+    }
     time_matrices(all, options.samples, 1e9 * options.most_gflop);
     figure1(writer, scene.world, parts, full[0], split[0]);
     figure2(writer, full, split,
