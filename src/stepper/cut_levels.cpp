@@ -2,6 +2,7 @@
 #include "stepper/cut_levels.h"
 
 #include "assembly/parts.h"
+#include "base/index.h"
 #include "stepper/context.h"
 
 #include <algorithm>
@@ -10,8 +11,6 @@
 
 namespace hawser::stepper {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// What cutting each interface costs by the last step's forces, velocities and violations.
 std::vector<double> interface_weights(const StepContext& ctx) {

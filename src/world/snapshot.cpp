@@ -334,6 +334,7 @@ void World::restore(std::span<const std::byte> bytes) {
     // Whatever the bytes say: what has no freedom is awake, and no more contacts than there are.
     m.ctx.collider.kept_awake() = std::min(m.ctx.collider.kept_awake(), header.contacts);
     stepper::check_asleep(m.ctx);
+    m.ctx.refine_unasked = std::max(0, m.ctx.refine_unasked);
     if (relinked || asked != m.ctx.cuts.asked || asleep != m.ctx.bodies.asleep ||
         m.ctx.analysed_x != analysed_x || m.ctx.analysed_r != analysed_r ||
         m.ctx.system.analysis.state() != order)

@@ -82,45 +82,46 @@ Hostile hostile_graph(Random& random) {
 
 constexpr int kRounds = kSanitized ? 150 : 2000;
 
-TEST(PartitionFuzz, EveryBodyIsInOnePartOrBetweenAndSeparatorsSeparate) {
-    graph::Partitioner partitioner;
-    Partition p;
+/// check(graph, random) for one hostile graph after another, until one fails.
+template <class Check>
+void for_hostile_graphs(Check&& check) {
     for (int round = 0; round < kRounds; ++round) {
         SCOPED_TRACE(round);
         Random random(static_cast<std::uint64_t>(round) + 77);
-        const Hostile h = hostile_graph(random);
+        Hostile h = hostile_graph(random);
+        check(h, random);
+        if (testing::Test::HasFatalFailure()) return;
+    }
+}
+
+TEST(PartitionFuzz, EveryBodyIsInOnePartOrBetweenAndSeparatorsSeparate) {
+    graph::Partitioner partitioner;
+    Partition p;
+    for_hostile_graphs([&](Hostile& h, Random&) {
         partitioner.read(h.view());
         partitioner.separate(h.options, p);
         expect_separated(h.graph, p);
         expect_sums(h.graph, p, partitioner.cost.node);
-        if (HasFatalFailure()) return;
-    }
+    });
 }
 
 TEST(PartitionFuzz, NoInteractionIsLost) {
     graph::Splitter splitter;
     Partition p;
-    for (int round = 0; round < kRounds; ++round) {
-        SCOPED_TRACE(round);
-        Random random(static_cast<std::uint64_t>(round) + 77);
-        Hostile h = hostile_graph(random);
+    for_hostile_graphs([&](Hostile& h, Random& random) {
         splitter.split(h.view(), h.options, p);
         // Each one is inside a part or in the list of cuts, once; what must stay whole does.
         expect_split(h.graph, p);
         for (std::int32_t& w : h.graph.node_weight) w = hostile_weight(random);
         splitter.follow(h.view(), h.options, p);
         expect_split(h.graph, p);
-        if (HasFatalFailure()) return;
-    }
+    });
 }
 
 TEST(PartitionFuzz, EditsKeepSeparatorsApart) {
     graph::Partitioner partitioner;
     Partition p;
-    for (int round = 0; round < kRounds; ++round) {
-        SCOPED_TRACE(round);
-        Random random(static_cast<std::uint64_t>(round) + 77);
-        Hostile h = hostile_graph(random);
+    for_hostile_graphs([&](Hostile& h, Random& random) {
         const int last = static_cast<int>(h.graph.size.size()) - 1;
         partitioner.read(h.view());
         partitioner.separate(h.options, p);
@@ -137,8 +138,7 @@ TEST(PartitionFuzz, EditsKeepSeparatorsApart) {
         }
         follower.copy_to(p);
         expect_separated(h.graph, p);
-        if (HasFatalFailure()) return;
-    }
+    });
 }
 
 /// Partitions are made by one thread; several that make them side by side get the same.
@@ -147,6 +147,7 @@ TEST(PartitionFuzz, SameResultOnAnyNumberOfThreads) {
         SCOPED_TRACE(round);
         Random random(static_cast<std::uint64_t>(round) + 77);
         const Hostile h = hostile_graph(random);
+        std::vector<std::int32_t> first_parts, first_cuts;
         for (const std::size_t threads : {1U, 2U, 4U}) {
             std::vector<Partition> parts(threads), cuts(threads);
             std::vector<std::thread> pool;
@@ -158,9 +159,13 @@ TEST(PartitionFuzz, SameResultOnAnyNumberOfThreads) {
                     graph::Splitter().split(h.view(), h.options, cuts[t]);
                 });
             for (std::thread& t : pool) t.join();
-            for (std::size_t t = 1; t < threads; ++t) {
-                ASSERT_EQ(parts[t].part, parts[0].part);
-                ASSERT_EQ(cuts[t].part, cuts[0].part);
+            if (threads == 1) {
+                first_parts = parts[0].part;
+                first_cuts = cuts[0].part;
+            }
+            for (std::size_t t = 0; t < threads; ++t) {
+                ASSERT_EQ(parts[t].part, first_parts);
+                ASSERT_EQ(cuts[t].part, first_cuts);
             }
         }
     }

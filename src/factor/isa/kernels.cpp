@@ -158,31 +158,12 @@ inline void update_block(double* c, long ldc, const double* l, const double* w, 
     if (end > j) with_count(end - j, columns);
 }
 
-/// to[0..N) += from[0..N) without masks: a load that overlaps with a masked store, be it in lanes
-/// that are masked out, waits until the store has left for the cache, and the next block's do.
-template <int N>
-HAWSER_INLINE void add_exactly(double* to, const double* from) {
-    typedef double V2 __attribute__((vector_size(16), aligned(8), may_alias));
-    typedef double V4 __attribute__((vector_size(32), aligned(8), may_alias));
-    if constexpr (N == 8) {
-        store(to, load(to) + load(from));
-    } else {
-        constexpr int kFour = N & 4, kTwo = N & 2;
-        if constexpr (kFour > 0) *reinterpret_cast<V4*>(to) += *reinterpret_cast<const V4*>(from);
-        if constexpr (kTwo > 0)
-            *reinterpret_cast<V2*>(to + kFour) += *reinterpret_cast<const V2*>(from + kFour);
-        if constexpr ((N & 1) > 0) to[kFour + kTwo] += from[kFour + kTwo];
-    }
-}
-
 /// to(0..rows, 0..columns) += from(0..rows, 0..columns).
 inline void add_block(double* to, long ld_to, const double* from, long ld_from, int rows,
                       int columns) {
     for (int i = 0; i < rows; i += 8) {
-        with_count(rows - i < 8 ? rows - i : 8, [&]<int N>() {
-            for (int c = 0; c < columns; ++c)
-                add_exactly<N>(to + c * ld_to + i, from + c * ld_from + i);
-        });
+        for (int c = 0; c < columns; ++c)
+            add_first(to + c * ld_to + i, from + c * ld_from + i, rows - i);
     }
 }
 
