@@ -45,15 +45,15 @@ TEST(Partition, AnyGraphFallsIntoParts) {
 
 /// Islands that fit fill every part evenly, and one is too large for a part.
 TEST(Partition, NoPartHasRoomForTheLargestIsland) {
-    graph::Partitioner partitioner;
     Partition p;
     bool divided = false;
     for (const int parts : {22, 64, 300})
-        for (const int links : {2, 3, 7, 40}) {
+        for (const int links : {3, 20, 40}) {
             SCOPED_TRACE(std::to_string(parts) + " parts, " + std::to_string(links) + " links");
             Graph g;
             for (int v = 0; v < 10 * parts + links; ++v) g.node(3);
             for (int v = 0; v + 1 < links; ++v) g.edge({10 * parts + v, 10 * parts + v + 1}, 0);
+            graph::Partitioner partitioner;  // a new one: buffers of an earlier graph would do
             partitioner.read(g.view());
             partitioner.separate({parts}, p);
             expect_separated(g, p);
