@@ -11,6 +11,7 @@
 #include "partition/foreign.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hawser::bench {
 
@@ -73,6 +74,12 @@ double factor_seconds(const factor::Pattern& pattern, const std::vector<std::int
     return median(seconds);
 }
 
+double factor_ms(const PartCase& c, const std::vector<std::int32_t>& order,
+                 const FactorCounts& counts) {
+    if (counts.flops > kMostFlops) return std::nan("");
+    return 1e3 * factor_seconds(c.pattern, order, c.bodies() > 20'000 ? 1 : 5);
+}
+
 PartRow measure_parts(const std::string& method, const PartCase& c,
                       const std::vector<std::int32_t>& part, int parts, const FactorCounts& amd) {
     PartRow row;
@@ -102,7 +109,7 @@ PartRow measure_parts(const std::string& method, const PartCase& c,
     row.fill = static_cast<double>(row.counts.nnz) / static_cast<double>(amd.nnz);
     row.flops = static_cast<double>(row.counts.flops) / static_cast<double>(amd.flops);
     row.makespan = static_cast<double>(most + between) / static_cast<double>(amd.flops);
-    row.factor_ms = 1e3 * factor_seconds(c.pattern, order, c.bodies() > 20'000 ? 1 : 5);
+    row.factor_ms = factor_ms(c, order, row.counts);
     return row;
 }
 

@@ -22,13 +22,22 @@ struct FactorCounts {
 [[nodiscard]] FactorCounts count_factor(const factor::Pattern& pattern,
                                         const std::vector<std::int32_t>& order);
 
+/// Flops beyond which no factorisation is timed: some seconds each and gigabytes. An order that
+/// takes the hub of a large star early leaves a dense matrix.
+constexpr std::int64_t kMostFlops = 100'000'000'000;
+
 /// Median processor time of f() [s]; at least `least` runs.
 [[nodiscard]] double median_seconds(const std::function<void()>& f, int least);
 
-/// Processor time of one factorisation and solution on one thread for an order, by the solver
-/// itself: median [s].
+/// Processor time of one factorisation on one thread for an order, by the solver itself: median
+/// [s].
 [[nodiscard]] double factor_seconds(const factor::Pattern& pattern,
                                     const std::vector<std::int32_t>& order, int least);
+
+/// The same in ms, the number of runs by the size of the case; NaN where `counts` exceed
+/// kMostFlops.
+[[nodiscard]] double factor_ms(const PartCase& c, const std::vector<std::int32_t>& order,
+                               const FactorCounts& counts);
 
 struct PartRow {
     std::string method;
@@ -40,7 +49,7 @@ struct PartRow {
     double fill = 1.0;                ///< nnz(L) over that of AMD.
     double flops = 1.0;               ///< Flops over those of AMD.
     double makespan = 1.0;            ///< Largest part and all separators, over AMD's flops.
-    double factor_ms = 0.0;           ///< One thread.
+    double factor_ms = 0.0;           ///< One thread; NaN: not timed, see kMostFlops.
     FactorCounts counts;
 };
 [[nodiscard]] PartRow measure_parts(const std::string& method, const PartCase& c,
