@@ -4,6 +4,7 @@
 #include "deadline_load.h"
 #include "deadline_run.h"
 #include "observe/host.h"
+#include "verdict.h"
 
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
@@ -61,39 +62,27 @@ double apart(const DeadlineRun& a, const DeadlineRun& b) {
     return most;
 }
 
-/// Criteria, printed as they are asked.
-class Verdict {
-  public:
-    void ask(bool holds, const std::string& what) {
-        fmt::print("  {}  {}\n", holds ? "yes" : "NO ", what);
-        good_ = good_ && holds;
-    }
-    [[nodiscard]] bool good() const noexcept { return good_; }
-
-  private:
-    bool good_ = true;
-};
-
 /// Whether the budgeted run kept to what no budget may change.
 void ask_physics(Verdict& verdict, double h, const DeadlineRun& exact, const DeadlineRun& kept) {
     const PhaseFigures &e = exact.phase[1], &k = kept.phase[1];
     // Ten times what a step counts as solved with; steps that are solved leave 1e-14.
-    verdict.ask(k.momentum <= 1e-9, fmt::format("momentum balanced: residual {:.1e} (exact {:.1e})",
-                                                k.momentum, e.momentum));
-    verdict.ask(k.violation <= std::max(2.0 * e.violation, 1e-3),
+    verdict.ask(
+        "momentum", "", k.momentum <= 1e-9,
+        fmt::format("momentum balanced: residual {:.1e} (exact {:.1e})", k.momentum, e.momentum));
+    verdict.ask("joints", "", k.violation <= std::max(2.0 * e.violation, 1e-3),
                 fmt::format("joints hold: {:.2e} m (exact {:.2e} m)", k.violation, e.violation));
-    verdict.ask(k.penetration <= std::max(2.0 * e.penetration, 5e-3),
+    verdict.ask("penetration", "", k.penetration <= std::max(2.0 * e.penetration, 5e-3),
                 fmt::format("boxes do not sink in: {:.2f} mm (exact {:.2f} mm)",
                             1e3 * k.penetration, 1e3 * e.penetration));
     // Where the deck turns round, one iteration finds which way a box slides a step late: the lower
     // one is then pushed by three box weights' friction, on both its faces, for a step too long.
     const double late = 3.0 * DeckCargo::kFriction * 9.81 * h;
-    verdict.ask(k.speed <= DeckCargo::kSpeed + late,
+    verdict.ask("speed", "", k.speed <= DeckCargo::kSpeed + late,
                 fmt::format("no box is faster than the deck, {:.3f} m/s, and a step's friction, "
                             "{:.3f} m/s: {:.3f} m/s (exact {:.3f} m/s)",
                             DeckCargo::kSpeed, late, k.speed, e.speed));
     const double drift = k.drift / k.exchanged, least = e.drift / e.exchanged;
-    verdict.ask(drift <= std::max(2.0 * least, 0.01),
+    verdict.ask("energy", "", drift <= std::max(2.0 * least, 0.01),
                 fmt::format("energy out of nothing: {:.2e} of what was exchanged (exact {:.2e})",
                             drift, least));
 }
@@ -153,26 +142,28 @@ int compare_deadline(const DeadlineOptions& o) {
                apart(exact, kept));
     Verdict verdict;
     const double within = share_within(kept, o.budget_ms);
-    verdict.ask(within >= 0.99,
+    verdict.ask("within_budget", "", within >= 0.99,
                 fmt::format("{:.2f} % of steps within {} ms (exact: {:.2f} %)", 100.0 * within,
                             o.budget_ms, 100.0 * share_within(exact, o.budget_ms)));
-    verdict.ask(kept.phase[1].degraded > 0, "the load had something degraded");
-    verdict.ask(kept.exact_after >= 0 && kept.exact_after <= 60,
+    verdict.ask("degraded_under_load", "", kept.phase[1].degraded > 0,
+                "the load had something degraded");
+    verdict.ask("exact_again", "", kept.exact_after >= 0 && kept.exact_after <= 60,
                 fmt::format("exact again {} steps after the load ended ({} of the steps after that "
                             "degraded)",
                             kept.exact_after, kept.phase[2].degraded));
     ask_physics(verdict, kept.step, exact, kept);
-    verdict.ask(again.hash == kept.hash,
+    verdict.ask("repeatable", "", again.hash == kept.hash,
                 fmt::format("repeated without a clock: state hash {:016x}", again.hash));
     if (!o.json.empty())
         std::ofstream(o.json) << nlohmann::json{{"budget_ms", o.budget_ms},
                                                 {"within", within},
                                                 {"exact_again_steps", kept.exact_after},
                                                 {"exact", run_json(exact)},
-                                                {"budget", run_json(kept)}}
+                                                {"budget", run_json(kept)},
+                                                {"verdicts", verdict.json()}}
                                      .dump(2)
                               << '\n';
-    return verdict.good() ? 0 : 1;
+    return verdict.exit_code();
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace hawser::bench {
 void partition_again(const graph::Hypergraph& graph, int parts, graph::Partitioner& partitioner,
                      graph::Partition& out);
 
-/// Median times of one call [s], METIS and ours by turns.
+/// Median times of one call [s], METIS and ours by turns; METIS 0 where it is not in this build.
 struct Race {
     double metis = 0.0;       ///< METIS k-way, by itself again and again.
     double metis_turn = 0.0;  ///< The same by turns with ours.
@@ -25,7 +25,7 @@ struct Race {
     double turn = 0.0;        ///< The same, each after a call of METIS: nothing is foretold.
     double fresh = 0.0;       ///< The same with a new object, which has no memory yet.
     double graph = 0.0;       ///< The body graph from interactions.
-    double cuts = 0.0;        ///< Cuts with weights instead of separators, graph included.
+    double cuts = 0.0;        ///< Cuts instead of separators, made-up weights, graph included.
 };
 
 /// @param exact  Flops of each body's pivots.

@@ -2,25 +2,19 @@
 #include "partition/steps.h"
 
 #include "coupling_simulated.h"
-#include "factor/ordering.h"
-#include "graph/partition.h"
 #include "index.h"
 #include "linear/problem.h"
 #include "linear/timing.h"
 #include "observe/coupling.h"
 #include "partition/cases.h"
+#include "partition/factors.h"
 #include "partition/foreign.h"
-#include "partition/measure.h"
 #include "scene/scene.h"
-
-#include <hawser/factor.h>
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
-#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -29,95 +23,6 @@ namespace hawser::bench {
 namespace {
 
 using Json = nlohmann::json;
-
-/// A factorisation and a solution of a diagonal matrix: times depend on the pattern alone.
-struct OrderedFactor {
-    std::string name;
-    BlockFactor factor;
-    std::vector<double> values, x, seconds;
-
-    OrderedFactor(std::string what, const BlockPattern& p, const std::vector<std::int32_t>& order,
-                  int threads)
-        : name(std::move(what)), factor(FactorOptions{.threads = threads}) {
-        factor.analyse(p, order);
-        values.assign(at(factor.value_count()), 0.0);
-        for (std::size_t v = 0; v < p.size.size(); ++v)
-            for (int i = 0; i < p.size[v]; ++i)
-                values[at(factor.value_begin(static_cast<std::int32_t>(v))) +
-                       at(i * (p.size[v] + 1))] = 1.0;
-        x.assign(at(factor.info().scalars), 1.0);
-    }
-    void run(int times) {
-        for (int i = 0; i < times; ++i) {
-            const auto from = std::chrono::steady_clock::now();
-            if (factor.factor(values) != Status::ok || factor.solve(x) != Status::ok)
-                throw std::runtime_error("a unit matrix has no factor");
-            seconds.push_back(
-                std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count());
-        }
-    }
-    /// The tenth of the samples that nothing disturbed: disturbances only lengthen them [s].
-    [[nodiscard]] double best() const {
-        std::vector<double> v = seconds;
-        const auto k = static_cast<std::ptrdiff_t>(v.size() / 10);
-        std::nth_element(v.begin(), v.begin() + k, v.end());
-        return v[static_cast<std::size_t>(k)];
-    }
-};
-
-/// Ours, balanced by exact flops: the most even of five rounds.
-std::vector<std::int32_t> our_order(const PartCase& c, int parts, const FactorCounts& amd) {
-    graph::Partitioner p;
-    graph::Partition out;
-    std::vector<std::int64_t> exact;
-    std::vector<std::int32_t> best;
-    double least = 0.0;
-    for (int k = 0; k < 5; ++k) {
-        p.read(c.graph(exact));
-        p.separate({parts}, out);
-        const std::vector<std::int32_t> order = order_parts(c.pattern, out.part);
-        const PartRow row = measure_parts("", c, out.part, parts, amd);
-        exact = row.counts.node;
-        if (best.empty() || (k > 0 && row.imbalance < least)) {
-            best = order;
-            least = row.imbalance;
-        }
-    }
-    return best;
-}
-
-Json compare_factors(const PartCase& c, int parts, int rounds) {
-    BlockPattern p;
-    p.size = c.pattern.size;
-    p.sign = c.pattern.sign;
-    for (std::int32_t v = 0; v < c.pattern.nodes(); ++v)
-        for (const std::int32_t u : c.pattern.neighbours(v))
-            if (u < v) p.edges.push_back({v, u});
-    ForeignGraph g(c.pattern);
-    std::vector<std::int32_t> part = metis_parts(g, g.weight, parts);
-    if (part.empty()) return {};
-    cover_cuts(c.pattern, part);
-    const std::vector<std::int32_t> theirs = order_parts(c.pattern, part),
-                                    amd = factor::order_nodes(c.pattern),
-                                    ours = our_order(c, parts, count_factor(c.pattern, amd));
-    Json out = {{"name", c.name}};
-    fmt::print("{}: factorisation and solution, separators of {} parts last [us]\n", c.name, parts);
-    for (const int threads : {1, 2}) {
-        OrderedFactor a("ours", p, ours, threads), b("METIS", p, theirs, threads),
-            none("AMD", p, amd, threads);
-        for (int k = 0; k < 10 * rounds; ++k)
-            for (OrderedFactor* f : {&a, &b, &none}) f->run(20);
-        fmt::print(
-            "  {} thread(s): ours {:>7.1f}, METIS {:>7.1f}: ours takes {:.2f} of it; AMD "
-            "{:>7.1f}\n",
-            threads, 1e6 * a.best(), 1e6 * b.best(), a.best() / b.best(), 1e6 * none.best());
-        out[std::to_string(threads)] = {{"ours_seconds", a.best()},
-                                        {"metis_seconds", b.best()},
-                                        {"amd_seconds", none.best()},
-                                        {"ours_over_metis", a.best() / b.best()}};
-    }
-    return out;
-}
 
 /// Groups by METIS from the body graph: interactions and what touches, weighted by freedoms.
 void group_by_metis(World& world, int parts) {
@@ -231,7 +136,12 @@ Json compare_steps(int parts, int rounds) {
         cases.push_back(make_case(scene_system(std::string("scenes/") + scene + ".json", 1)));
         cases.back().name = scene;
     }
-    for (const PartCase& c : cases) factors.push_back(compare_factors(c, parts, rounds));
+    for (const PartCase& c : cases) {
+        Json row = factor_json(compare_factors(c, parts, rounds));
+        if (row.empty()) continue;
+        row["name"] = c.name;
+        factors.push_back(std::move(row));
+    }
     const PoolCosts costs = measure_pool_costs();
     for (const char* scene : {"anchor_lines", "anchor_contact"}) {
         steps.push_back(compare_worlds(scene, Coupling::kinematic, "clique", parts, rounds, costs));

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file factors.h
+/// What a partition is worth to the solver: factorisation and solution with its separators last.
+
+#include "partition/cases.h"
+
+#include <nlohmann/json.hpp>
+
+#include <vector>
+
+namespace hawser::bench {
+
+/// Time of a factorisation and a solution by hawser/factor.h [s]; of many by turns the tenth of
+/// the samples that nothing disturbed.
+struct FactorTimes {
+    int threads = 1;
+    double ours = 0.0;   ///< Separators of our parts last.
+    double metis = 0.0;  ///< Those of METIS's.
+    double amd = 0.0;    ///< AMD's order, without parts.
+};
+
+/// For one thread and two, printed; empty without METIS.
+[[nodiscard]] std::vector<FactorTimes> compare_factors(const PartCase& c, int parts, int rounds);
+[[nodiscard]] nlohmann::json factor_json(const std::vector<FactorTimes>& times);
+
+}  // namespace hawser::bench
