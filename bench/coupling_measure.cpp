@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "coupling_measure.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace hawser::bench::split {
+namespace {
+
+/// The partitioner cuts wires of lumps; a chain of links is cut into stretches of equal length.
+void cut_chains(scene::Scene& scene, int parts) {
+    for (const scene::Cable& cable : scene.cables)
+        for (std::size_t i = 0; i < cable.nodes.size(); ++i)
+            scene.world.set_group(
+                cable.nodes[i],
+                "part " + std::to_string(i * static_cast<std::size_t>(parts) / cable.nodes.size()));
+}
+
+/// Whether anything moves faster than things do here, or is no number.
+bool runaway(const World& world) {
+    for (std::int32_t b = 0; b < world.body_count(); ++b)
+        if (!(world.velocity(BodyId{b}).linear.norm() < 100.0)) return true;
+    return false;
+}
+
+double explained(const Energy& e) {
+    return e.mechanical() - e.applied - e.driven + e.dissipated + e.friction + e.contact + e.damped;
+}
+
+}  // namespace
+
+std::string Mode::name() const {
+    using observe::to_string;
+    return coupling == Coupling::exact
+               ? "exact"
+               : fmt::format("{} {}", to_string(coupling), to_string(predictor));
+}
+
+scene::Scene load_split(const std::string& file, const Mode& mode, int parts, int threads) {
+    using observe::to_string;
+    scene::Options options;
+    options.threads = threads;
+    // Groups are made for all modes by the same split.
+    options.set = {"settings.coupling=kinematic",
+                   fmt::format("settings.predictor={}", to_string(mode.predictor)),
+                   fmt::format("settings.parts={}", parts)};
+    scene::Scene scene = scene::load_file(file, options);
+    if (scene.world.cuts().empty()) cut_chains(scene, parts);
+    if (mode.coupling != Coupling::kinematic)
+        for (const CutView& cut : scene.world.cuts())
+            scene.world.set_coupling(cut.interaction, mode.coupling);
+    return scene;
+}
+
+Quality measure_quality(World& world, int steps) {
+    Quality q;
+    observe::CouplingObserver observer(world);
+    double start = 0.0, low = HUGE_VAL, high = -HUGE_VAL;
+    for (int i = 0; i < steps; ++i) {
+        observer.before_step(world);
+        if (world.step() != Status::ok || runaway(world)) {
+            q.lost_at = world.time();
+            break;
+        }
+        observer.after_step(world);
+        const Energy e = world.energy();
+        if (i == 0) start = explained(e);
+        low = std::min(low, e.kinetic);
+        high = std::max(high, e.kinetic);
+        q.energy_drift = explained(e) - start;
+    }
+    q.energy_exchanged = high - low;
+    q.figures = observer.result(world, q.lost_at < 0.0);
+    q.islands = world.stats().islands;
+    q.cuts = world.stats().cuts;
+    return q;
+}
+
+void Timed::run(int steps) {
+    for (int i = 0; i < steps && !lost; ++i) {
+        lost = world.step() != Status::ok || runaway(world);
+        if (lost) break;
+        wall.push_back(1e3 * world.stats().step_seconds);
+        cpu.push_back(1e3 * world.stats().solver_cpu_seconds);
+    }
+}
+
+}  // namespace hawser::bench::split

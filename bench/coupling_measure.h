@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file coupling_measure.h
+/// Ways to couple that hawser-bench coupling compares, and runs of scenes under them.
+
+#include "observe/coupling.h"
+#include "scene/scene.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace hawser::bench::split {
+
+struct Mode {
+    Coupling coupling;
+    Predictor predictor;
+    [[nodiscard]] std::string name() const;
+};
+
+inline constexpr std::array<Mode, 7> kModes{{
+    {Coupling::exact, Predictor::hold},
+    {Coupling::kinematic, Predictor::hold},
+    {Coupling::kinematic, Predictor::forces},
+    {Coupling::kinematic, Predictor::clique},
+    {Coupling::compliant, Predictor::hold},
+    {Coupling::compliant, Predictor::forces},
+    {Coupling::compliant, Predictor::clique},
+}};
+
+struct CouplingOptions {
+    std::vector<std::string> scenes{"scenes/anchor_lines.json", "scenes/anchor_contact.json",
+                                    "scenes/heavy_hook.json", "scenes/tow_zigzag.json"};
+    std::vector<int> threads{1, 2};
+    int parts = 4, steps = 120, rounds = 4;
+    bool stiffness = true;
+    double stiffness_seconds = 10.0;  ///< Room for the search of one mode [s].
+    bool quick = false;
+    std::string json;
+};
+
+/// A scene of which every split has the same cuts: those of the partitioner, or stretches of equal
+/// length where it finds none.
+[[nodiscard]] scene::Scene load_split(const std::string& file, const Mode& mode, int parts,
+                                      int threads);
+
+struct Quality {
+    observe::CouplingFigures figures;
+    double lost_at = -1.0;  ///< Time at which a step failed or something ran away [s]; −1: none.
+    double energy_drift = 0.0, energy_exchanged = 0.0;  ///< [J]
+    int islands = 0, cuts = 0;
+    [[nodiscard]] bool lost() const noexcept { return lost_at >= 0.0; }
+};
+
+/// Every step beside an exact one from the same state.
+[[nodiscard]] Quality measure_quality(World& world, int steps);
+
+/// Times of steps, which are taken by turns with those of other worlds.
+struct Timed {
+    World world;
+    std::vector<double> wall{}, cpu{};  ///< [ms]
+    bool lost = false;
+    void run(int steps);
+};
+
+}  // namespace hawser::bench::split
