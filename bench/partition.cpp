@@ -12,6 +12,7 @@
 #include "partition/foreign.h"
 #include "partition/measure.h"
 #include "partition/race.h"
+#include "partition/scenes.h"
 #include "partition/steps.h"
 #include "verdict.h"
 
@@ -226,7 +227,10 @@ nlohmann::json compare_all(const PartitionFlags& o, Verdict& verdict) {
     nlohmann::json rows = nlohmann::json::array();
     for (std::size_t i = 0; i < cases.size(); ++i)
         rows.push_back(compare_parts(cases[i], o, k == 1 && i < papers, verdict));
-    return {{"cases", rows}, {"verdicts", verdict.json()}};
+    nlohmann::json out{{"cases", rows}};
+    if (k == 1) out["scenes"] = time_scenes(o.parts, o.quick ? 11 : 201);
+    out["verdicts"] = verdict.json();
+    return out;
 }
 
 }  // namespace
@@ -253,7 +257,7 @@ int partition_command(int argc, char** argv) {
                  "Times of factorisations and of whole steps under our parts and those of METIS");
     app.add_option("--rounds", o.rounds, "Turns of factorisations and steps")
         ->check(CLI::Range(1, 1000));
-    app.add_flag("--quick", o.quick, "The paper's graphs alone, and one round");
+    app.add_flag("--quick", o.quick, "The paper's graphs and the scenes alone, one round");
     app.add_option("--picture", o.picture, "SVG of --cost");
     app.add_option("--json", o.json, "Write the figures to this file");
     CLI11_PARSE(app, argc, argv);

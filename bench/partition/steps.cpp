@@ -9,6 +9,7 @@
 #include "partition/cases.h"
 #include "partition/factors.h"
 #include "partition/foreign.h"
+#include "partition/scenes.h"
 #include "scene/scene.h"
 
 #include <fmt/core.h>
@@ -26,34 +27,12 @@ using Json = nlohmann::json;
 
 /// Groups by METIS from the body graph: interactions and what touches, weighted by freedoms.
 void group_by_metis(World& world, int parts) {
-    std::vector<std::int32_t> node(at(world.body_count()), -1);
-    std::vector<std::int8_t> size;
-    for (std::int32_t b = 0; b < world.body_count(); ++b) {
-        const BodyKind kind = world.body_def(BodyId{b}).kind;
-        if (kind == BodyKind::fixed || kind == BodyKind::kinematic) continue;
-        node[at(b)] = static_cast<std::int32_t>(size.size());
-        size.push_back(kind == BodyKind::rigid ? 6 : kind == BodyKind::lump ? 3 : 1);
-    }
-    std::vector<std::int32_t> from, to;
-    const auto join = [&](BodyId a, BodyId b) {
-        if (!a.valid() || !b.valid() || node[at(a.index)] < 0 || node[at(b.index)] < 0) return;
-        from.push_back(node[at(a.index)]);
-        to.push_back(node[at(b.index)]);
-    };
-    for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
-        const InteractionDef d = world.interaction_def(InteractionId{i});
-        for (std::size_t k = 0; k < d.body.size(); ++k)
-            for (std::size_t l = 0; l < k; ++l) join(d.body[k], d.body[l]);
-    }
-    for (const ContactView& contact : world.contacts())
-        join(world.shape_def(contact.shape[0]).body, world.shape_def(contact.shape[1]).body);
-    const factor::Pattern pattern =
-        factor::make_pattern(size, std::vector<std::int8_t>(size.size(), 1), from, to);
-    ForeignGraph g(pattern);
+    const BodyGraph graph = body_graph(world);
+    ForeignGraph g(graph.pattern);
     const std::vector<std::int32_t> part = metis_parts(g, g.weight, parts);
     for (std::int32_t b = 0; b < world.body_count(); ++b)
-        if (node[at(b)] >= 0)
-            world.set_group(BodyId{b}, "part " + std::to_string(part[at(node[at(b)])]));
+        if (graph.node[at(b)] >= 0)
+            world.set_group(BodyId{b}, "part " + std::to_string(part[at(graph.node[at(b)])]));
 }
 
 struct SteppedWorld {
