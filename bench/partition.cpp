@@ -100,7 +100,7 @@ PartRow our_row(const std::string& name, const PartCase& c, int parts, const Fac
         median_seconds([&] { partition_again(g, parts, o.partitioner, o.partition); }, least);
     PartRow r = measure_parts(name, c, o.partition.part, parts, amd);
     r.seconds = seconds;
-    o.exact = r.counts.node;
+    o.exact = inside_costs(c.pattern, o.partition.part, r.counts.node);
     return r;
 }
 

@@ -68,7 +68,7 @@ std::vector<std::int32_t> our_order(const PartCase& c, int parts, const FactorCo
         p.separate({parts}, out);
         const std::vector<std::int32_t> order = order_parts(c.pattern, out.part);
         const PartRow row = measure_parts("", c, out.part, parts, amd);
-        exact = row.counts.node;
+        exact = inside_costs(c.pattern, out.part, row.counts.node);
         if (best.empty() || (k > 0 && row.imbalance < least)) {
             best = order;
             least = row.imbalance;

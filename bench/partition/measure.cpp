@@ -37,6 +37,23 @@ FactorCounts count_factor(const factor::Pattern& pattern, const std::vector<std:
     return counts;
 }
 
+std::vector<std::int64_t> inside_costs(const factor::Pattern& pattern,
+                                       const std::vector<std::int32_t>& part,
+                                       const std::vector<std::int64_t>& counted) {
+    std::vector<std::int64_t> cost = counted;
+    for (std::int32_t v = 0; v < pattern.nodes(); ++v) {
+        if (part[at(v)] >= 0) continue;
+        std::int64_t sum = 0, count = 0;
+        for (const std::int32_t u : pattern.neighbours(v))
+            if (part[at(u)] >= 0) {
+                sum += counted[at(u)];
+                ++count;
+            }
+        cost[at(v)] = count > 0 ? sum / count : 0;
+    }
+    return cost;
+}
+
 double median_seconds(const std::function<void()>& f, int least) {
     std::vector<double> seconds;
     double sum = 0.0;

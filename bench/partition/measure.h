@@ -39,6 +39,13 @@ constexpr std::int64_t kMostFlops = 100'000'000'000;
 [[nodiscard]] double factor_ms(const PartCase& c, const std::vector<std::int32_t>& order,
                                const FactorCounts& counts);
 
+/// What each node's pivots would cost inside a part: of nodes between parts, which are dear because
+/// they come last, the mean of their neighbours inside; else as counted. Costs for a next
+/// partition.
+[[nodiscard]] std::vector<std::int64_t> inside_costs(const factor::Pattern& pattern,
+                                                     const std::vector<std::int32_t>& part,
+                                                     const std::vector<std::int64_t>& counted);
+
 struct PartRow {
     std::string method;
     double seconds = 0.0;             ///< To make the partition [s].

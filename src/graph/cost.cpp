@@ -124,23 +124,37 @@ void Cost::build(const Hypergraph& graph, const Neighbours& neighbours) {
     loops.assign(graph.size.size(), 0);
     find_loops(neighbours);
     close_loops();
-    paper.assign(at(islands()), 0);
+    paper.resize(at(islands()));
+    for (std::int32_t i = 0; i < islands(); ++i) {
+        std::int64_t sum = 0;
+        for (std::int32_t k = begin[at(i)]; k < begin[at(i) + 1]; ++k) {
+            const std::size_t v = at(order[at(k)]);
+            const std::int64_t edges = neighbours.edges[v];
+            sum += edges * edges + loops[v];
+        }
+        paper[at(i)] = sum;
+    }
+    if (!graph.cost.empty()) {
+        take_costs(graph);
+        return;
+    }
     node.assign(graph.size.size(), 0);
     for (const std::int32_t v : order) {
         const std::int64_t edges = neighbours.edges[at(v)], s = graph.size[at(v)];
-        paper[at(island[at(v)])] += edges * edges + loops[at(v)];
         node[at(v)] = s * s * s * (7 + 12 * loops[at(v)] + 3 * edges * edges / kStarPart) / 3;
     }
-    if (!graph.cost.empty())
-        for (const std::int32_t v : order) node[at(v)] = graph.cost[at(v)];
+}
+
+void Cost::take_costs(const Hypergraph& graph) {
+    node.assign(graph.size.size(), 0);
+    for (const std::int32_t v : order) node[at(v)] = graph.cost[at(v)];
 }
 
 void Cost::find_islands(const Hypergraph& graph, const Neighbours& neighbours) {
     search_all(graph, neighbours);
     loops.clear();
     paper.clear();
-    node.assign(graph.size.size(), 0);
-    for (const std::int32_t v : order) node[at(v)] = graph.cost[at(v)];
+    take_costs(graph);
 }
 
 }  // namespace hawser::graph

@@ -49,6 +49,7 @@ class Cost {
     void search_all(const Hypergraph& graph, const Neighbours& neighbours);
     void find_loops(const Neighbours& neighbours);
     void close_loops() noexcept;
+    void take_costs(const Hypergraph& graph);
     [[nodiscard]] std::int32_t meet(std::int32_t u, std::int32_t v) const noexcept;
 
     // By rank, which is the place in order: those of parents are lower.

@@ -31,8 +31,11 @@ void Lineup::connect(const Hypergraph& graph, const Neighbours& neighbours, cons
         mark[u] = u;
         std::int32_t sum = 0;
         for (std::int32_t i = begin[u]; i < begin[u + 1]; ++i) {
-            const std::int32_t v = nodes[i];
-            for (std::int32_t k = first[v]; k < last[v]; ++k) {
+            // Nodes that follow by number have their neighbours in one range.
+            const std::int32_t from = first[nodes[i]];
+            while (i + 1 < begin[u + 1] && nodes[i + 1] == nodes[i] + 1) ++i;
+            const std::int32_t end = last[nodes[i]];
+            for (std::int32_t k = from; k < end; ++k) {
                 const std::int32_t other = unit[adjacent[k]];
                 const std::int32_t fresh = mark[other] != u ? 1 : 0;
                 mark[other] = u;

@@ -21,16 +21,27 @@ void Neighbours::fill(const Hypergraph& graph) {
     const std::int32_t* begin = graph.member_begin.data();
     const std::int32_t* all = graph.members.data();
     const std::uint8_t* size = graph.size.data();
-    std::int32_t *to = adjacent.data(), *head = end.data();
+    std::int32_t *to = adjacent.data(), *head = end.data(), *tail = tail_.data();
     for (std::int32_t e = 0; e < count; ++e) {
         const std::int32_t* m = all + begin[e];
         const std::int32_t members = begin[e + 1] - begin[e];
-        // By far most edges join two bodies.
+        // Nearly all edges join two bodies, or bend three.
         if (members == 2) {
             const std::int32_t a = m[0], b = m[1];
             if (size[a] == 0 || size[b] == 0 || a == b) continue;
             to[head[a]++] = b;
             to[head[b]++] = a;
+            continue;
+        }
+        if (members == 3 && size[m[0]] != 0 && size[m[1]] != 0 && size[m[2]] != 0 && m[0] != m[1] &&
+            m[1] != m[2] && m[0] != m[2]) {
+            const std::int32_t a = m[0], b = m[1], c = m[2];
+            to[head[a]++] = b;
+            to[head[b]++] = a;
+            to[head[b]++] = c;
+            to[head[c]++] = b;
+            to[--tail[a]] = c;
+            to[--tail[c]] = a;
             continue;
         }
         moving_.clear();
@@ -63,24 +74,27 @@ void Neighbours::build(const Hypergraph& graph) {
     adjacent.resize(at(start[n]));
     fill(graph);
     // Each neighbour once; where it is both near and far, the near one comes first and stays.
-    // Without branches: whether a neighbour comes again cannot be foretold.
+    // Without branches: whether a neighbour comes again cannot be foretold. Ranges move up to each
+    // other, so that nodes that follow by number have one range between them.
     mark_.assign(n, -1);
     std::int32_t *all = adjacent.data(), *mark = mark_.data();
+    std::int32_t to = 0;
     for (std::size_t b = 0; b < n; ++b) {
         const std::int32_t from = start[b];
         const auto id = static_cast<std::int32_t>(b);
-        std::int32_t to = from;
         const auto keep = [&](std::int32_t k) {
             const std::int32_t u = all[k];
             all[to] = u;
             to += mark[u] != id ? 1 : 0;
             mark[u] = id;
         };
+        start[b] = to;
         for (std::int32_t k = from; k < end[b]; ++k) keep(k);
         middle[b] = to;
         for (std::int32_t k = tail_[b]; k < start[b + 1]; ++k) keep(k);
         end[b] = to;
     }
+    start[n] = to;
     list_pairs();
 }
 

@@ -21,6 +21,21 @@ struct Pair {
     std::int32_t a, b;  ///< a < b.
 };
 
+/// f(pair) for all pairs, four of them from far apart in each turn: those that stand side by side
+/// share a node, and what f keeps of it would come back from memory too late for the next one.
+template <class F>
+void for_each_pair(std::span<const Pair> pairs, F f) {
+    const std::size_t quarter = pairs.size() / 4;
+    const Pair* p = pairs.data();
+    for (std::size_t i = 0; i < quarter; ++i, ++p) {
+        f(p[0]);
+        f(p[quarter]);
+        f(p[2 * quarter]);
+        f(p[3 * quarter]);
+    }
+    for (const Pair rest : pairs.subspan(4 * quarter)) f(rest);
+}
+
 class Neighbours {
   public:
     /// @cost O(members); no memory once it has held a graph of this size.
@@ -45,8 +60,9 @@ class Neighbours {
         return end[at(node)] - start[at(node)];
     }
 
-    std::vector<std::int32_t> start, middle, end;  ///< By node: ranges of `adjacent`.
-    std::vector<std::int32_t> adjacent;            ///< Gaps between ranges.
+    std::vector<std::int32_t> start, middle, end;  ///< By node: ranges of `adjacent`, one after
+                                                   ///< the other.
+    std::vector<std::int32_t> adjacent;            ///< Those in use come first.
     std::vector<std::int32_t> edges;               ///< By node: edges that it is a member of.
 
   private:

@@ -69,17 +69,18 @@ void Partitioner::find_reach() {
     std::int32_t *low = low_.data(), *high = high_.data();
     const std::int32_t* place = place_.data();
     const std::uint8_t* hub = units.hub.data();
-    for (const Pair p : neighbours.pairs()) {
+    for_each_pair(neighbours.pairs(), [=](Pair p) {
         const std::int32_t a = place[p.a], b = place[p.b];
-        // Swapped without a branch, as nothing foretells which comes first.
-        const std::int32_t turned = -static_cast<std::int32_t>(a > b);
-        const std::int32_t first = a ^ ((a ^ b) & turned), second = b ^ ((a ^ b) & turned);
-        const std::int32_t v = p.a ^ ((p.a ^ p.b) & turned), u = p.b ^ ((p.a ^ p.b) & turned);
-        const std::int32_t sees = hub[v] >= hub[u] ? second : first;
-        const std::int32_t seen = hub[u] >= hub[v] ? first : second;
-        high[first] = std::max(high[first], sees);
-        low[second] = std::min(low[second], seen);
-    }
+        // Both ends of both, since nothing foretells which comes first. Hubs are few.
+        if (hub[p.a] >= hub[p.b]) {
+            low[a] = std::min(low[a], b);
+            high[a] = std::max(high[a], b);
+        }
+        if (hub[p.b] >= hub[p.a]) {
+            low[b] = std::min(low[b], a);
+            high[b] = std::max(high[b], a);
+        }
+    });
 }
 
 /// Scalars that reach across each place of the line: of nodes behind it with a neighbour ahead of
@@ -102,10 +103,10 @@ void Partitioner::find_profile() {
         at_place[k + 1].ahead += size;
         at_place[high + 1].ahead -= size;
     }
-    for (std::size_t k = 1; k < profile_.size(); ++k) {
-        profile_[k].ahead += profile_[k - 1].ahead;
-        profile_[k].behind += profile_[k - 1].behind;
-        profile_[k].hubs += profile_[k - 1].hubs;
+    Profile sum{0, 0, 0};
+    for (Profile& p : profile_) {
+        sum = {sum.ahead + p.ahead, sum.behind + p.behind, sum.hubs + p.hubs};
+        p = sum;
     }
 }
 

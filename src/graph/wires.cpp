@@ -5,7 +5,8 @@
 
 namespace hawser::graph {
 
-void Units::find_ends(const Hypergraph& graph, const Neighbours& neighbours) {
+/// Hubs, which nodes may be in a wire, and how those that follow by number hang together.
+void Units::classify(const Hypergraph& graph, const Neighbours& neighbours) {
     const std::size_t n = graph.size.size();
     hub.resize(n);
     open_.resize(n);
@@ -20,22 +21,53 @@ void Units::find_ends(const Hypergraph& graph, const Neighbours& neighbours) {
         if (is_hub[v] == 0) continue;
         for (std::int32_t k = start[v]; k < end[v]; ++k) ++like[neighbours.adjacent[at(k)]];
     }
-    for (std::size_t v = 0; v < n; ++v) {
+    for (std::size_t v = 0; v < n; ++v)
         open[v] =
             (graph.size[v] != 0) & (is_hub[v] == 0) & (end[v] - start[v] - like[v] <= 2 * kReach);
-        like[v] = 0;
+    for_each_pair(neighbours.near_pairs(),
+                  [=](Pair p) { bends[p.a] |= static_cast<std::uint8_t>(p.b - p.a == 1); });
+    for_each_pair(neighbours.far_pairs(),
+                  [=](Pair p) { bends[p.a] |= static_cast<std::uint8_t>((p.b - p.a == 2) << 1); });
+}
+
+/// A sequence has ended at `size`: long enough for a wire, or its nodes stay open.
+std::int32_t Units::end_sequence(std::int32_t size) {
+    const std::int32_t from = from_.back();
+    if (size - from < kShortestWire) return from;
+    for (std::int32_t k = from; k < size; ++k) {
+        open_[at(walked_[at(k)])] = 0;
+        place_[at(walked_[at(k)])] = k + 1;
     }
-    for (const Pair p : neighbours.pairs()) {
-        like[p.a] += open[p.b];
-        like[p.b] += open[p.a];
+    from_.push_back(size);
+    return size;
+}
+
+/// Most wires are numbered from end to end: they are found without walking.
+void Units::follow_numbers(const Hypergraph& graph) {
+    const std::size_t n = graph.size.size();
+    walked_.resize(n + 1);
+    std::int32_t size = 0;
+    for (std::size_t v = 0; v < n; ++v) {
+        const bool joined = v > 0 && (open_[v] & (bends_[v - 1] & 1)) != 0 &&
+                            graph.size[v] == graph.size[v - 1] && size > from_.back();
+        if (!joined && size > from_.back()) size = end_sequence(size);
+        walked_[at(size)] = static_cast<std::int32_t>(v);
+        size += open_[v];
     }
-    for (const Pair p : neighbours.near_pairs())
-        bends[p.a] |= static_cast<std::uint8_t>(p.b - p.a == 1);
-    for (const Pair p : neighbours.far_pairs())
-        bends[p.a] |= static_cast<std::uint8_t>((p.b - p.a == 2) << 1);
+    walked_.resize(at(end_sequence(size)));
+}
+
+/// Nodes in no sequence yet, by how many neighbours of their kind they have.
+void Units::find_ends(const Neighbours& neighbours) {
     for (std::vector<std::int32_t>& list : end_) list.clear();
-    for (std::size_t v = 0; v < n; ++v)
-        if (open[v] != 0) end_[at(like[v])].push_back(static_cast<std::int32_t>(v));
+    for (std::size_t v = 0; v < open_.size(); ++v) {
+        if (open_[v] == 0) continue;
+        std::int32_t like = 0;
+        for (const std::int32_t u : neighbours.of(static_cast<std::int32_t>(v)))
+            like += open_[at(u)];
+        like_[v] = like;
+        end_[at(like)].push_back(static_cast<std::int32_t>(v));
+    }
 }
 
 /// The one unvisited neighbour that may be in a wire; −1: none, −2: several.
@@ -52,9 +84,9 @@ std::int32_t Units::next(const Neighbours& neighbours, std::int32_t v) const noe
 void Units::walk(const Hypergraph& graph, const Neighbours& neighbours, std::int32_t end) {
     std::int32_t before = -1, now = end;
     while (now >= 0) {
-        place_[at(now)] = static_cast<std::int32_t>(walked_.size());
         open_[at(now)] = 0;
         walked_.push_back(now);
+        place_[at(now)] = static_cast<std::int32_t>(walked_.size());
         // Where bending couples a node to the next but one, the node before has one neighbour left,
         // and that is the next. At an end it is the one with fewer neighbours.
         std::int32_t to = before < 0 ? -1 : next(neighbours, before);
@@ -89,27 +121,29 @@ void Units::close() noexcept {
 
 /// Nodes beside another wire, or beside their own farther away than kReach, are taken out.
 void Units::keep_whole(const Neighbours& neighbours) {
-    std::int32_t* place = place_.data();
-    walk_.resize(walked_.size());
+    walk_.assign(walked_.size() + 1, -1);
     for (std::size_t w = 0; w + 1 < from_.size(); ++w) {
         const bool brief = from_[w + 1] - from_[w] < kShortestWire;
         for (std::int32_t k = from_[w]; k < from_[w + 1]; ++k) {
-            walk_[at(k)] = static_cast<std::int32_t>(w);
-            if (brief) place[walked_[at(k)]] = -1;
+            walk_[at(k) + 1] = static_cast<std::int32_t>(w);
+            if (brief) place_[at(walked_[at(k)])] = 0;
         }
     }
-    apart_.assign(walked_.size() + 1, 1);  // the first one is for nodes in no sequence
-    for (const Pair p : neighbours.pairs()) {
+    apart_.assign(place_.size(), 0);
+    std::int32_t *apart = apart_.data(), *place = place_.data(), *walk = walk_.data();
+    // Without branches; place 0 is for nodes in no sequence.
+    for_each_pair(neighbours.pairs(), [=](Pair p) {
         const std::int32_t a = place[p.a], b = place[p.b];
-        if ((a | b) < 0) continue;
-        const bool mine = walk_[at(a)] == walk_[at(b)] && a - b <= kReach && b - a <= kReach;
-        apart_[at(a)] &= mine ? 1 : 0;
-        apart_[at(b)] &= mine ? 1 : 0;
-    }
+        const auto off = static_cast<std::uint32_t>(a - b + kReach);
+        const int other = static_cast<int>(walk[a] != walk[b]) | static_cast<int>(off > 2 * kReach);
+        const int parts = other & static_cast<int>(a != 0) & static_cast<int>(b != 0);
+        apart[p.a] |= parts;
+        apart[p.b] |= parts;
+    });
     for (std::size_t w = 0; w + 1 < from_.size(); ++w) {
         if (from_[w + 1] - from_[w] < kShortestWire) continue;
         for (std::int32_t k = from_[w]; k < from_[w + 1]; ++k) {
-            if (apart_[at(k)] != 0)
+            if (apart[walked_[at(k)]] == 0)
                 nodes.push_back(walked_[at(k)]);
             else
                 close();
@@ -121,34 +155,39 @@ void Units::keep_whole(const Neighbours& neighbours) {
 /// All that is in no wire. Nodes that follow each other by number and bend together are links of
 /// one, though something else touches them: lumps of a few. The others stand alone.
 void Units::add_lumps(const Hypergraph& graph) {
-    const auto n = static_cast<std::int32_t>(graph.size.size());
-    std::int32_t last = -1, room = 0;  // node before in the unit, nodes that it may still take
-    for (std::int32_t v = 0; v < n; ++v) {
-        if (graph.size[at(v)] == 0 || unit[at(v)] >= 0) continue;
-        // Bent with the next two, or with the next one and the one before.
-        const bool joins = room > 0 && last == v - 1 && hub[at(v)] == 0 &&
-                           (bends_[at(last)] & 1) != 0 &&
-                           graph.size[at(v)] == graph.size[at(last)] &&
-                           (bends_[at(last)] == 3 || (last > 0 && bends_[at(last) - 1] == 3));
-        if (!joins) {
-            begin.push_back(begin.back());
-            room = hub[at(v)] != 0 ? 0 : kLump;
+    const std::size_t n = graph.size.size();
+    begin.resize(n + 2);
+    nodes.resize(n + 1);
+    std::int32_t size = begin[at(wires)], last = wires - 1, room = 0;
+    bool before = false;  // the node before is in no wire
+    for (std::size_t v = 0; v < n; ++v) {
+        if (graph.size[v] == 0 || unit[v] >= 0) {
+            before = false;
+            continue;
         }
-        unit[at(v)] = count() - 1;
-        nodes.push_back(v);
-        ++begin.back();
-        last = v;
-        --room;
+        // Bent with the next two, or with the next one and the one before.
+        const bool bent = before && (bends_[v - 1] == 3 ||
+                                     (v > 1 && (bends_[v - 1] & (bends_[v - 2] >> 1)) == 1));
+        const bool joins = bent && room > 0 && hub[v] == 0 && graph.size[v] == graph.size[v - 1];
+        last += joins ? 0 : 1;
+        room = joins ? room - 1 : hub[v] != 0 ? 0 : kLump - 1;
+        unit[v] = last;
+        nodes[at(size)] = static_cast<std::int32_t>(v);
+        begin[at(last) + 1] = ++size;
+        before = true;
     }
+    begin.resize(at(last) + 2);
+    nodes.resize(at(size));
 }
 
 void Units::build(const Hypergraph& graph, const Neighbours& neighbours) {
     const std::size_t n = graph.size.size();
-    find_ends(graph, neighbours);
-    place_.assign(n, -1);
-    walked_.clear();
-    walked_.reserve(n);
+    classify(graph, neighbours);
+    place_.assign(n, 0);
     from_.assign(1, 0);
+    walked_.reserve(n + 1);
+    follow_numbers(graph);
+    find_ends(neighbours);
     // Ends first: one neighbour, two where wires bend; what is left then are rings.
     for (const std::vector<std::int32_t>& list : end_)
         for (const std::int32_t v : list) {

@@ -40,7 +40,10 @@ class Units {
     std::int32_t wires = 0;           ///< Units 0 … wires − 1 are wires.
 
   private:
-    void find_ends(const Hypergraph& graph, const Neighbours& neighbours);
+    void classify(const Hypergraph& graph, const Neighbours& neighbours);
+    [[nodiscard]] std::int32_t end_sequence(std::int32_t size);
+    void follow_numbers(const Hypergraph& graph);
+    void find_ends(const Neighbours& neighbours);
     void walk(const Hypergraph& graph, const Neighbours& neighbours, std::int32_t end);
     [[nodiscard]] std::int32_t next(const Neighbours& neighbours, std::int32_t v) const noexcept;
     void keep_whole(const Neighbours& neighbours);
@@ -53,10 +56,11 @@ class Units {
         bends_;  ///< By node: 1, 2: a neighbour of the next, of the next but one.
     /// Nodes that may be in a wire by neighbours of their kind, at most 2 kReach.
     std::array<std::vector<std::int32_t>, 2 * kReach + 1> end_;
-    std::vector<std::int32_t> walked_;        ///< Sequences of nodes, before keep_whole().
-    std::vector<std::int32_t> from_;          ///< Where they begin.
-    std::vector<std::int32_t> place_;         ///< By node: index in walked_, −1: none.
-    std::vector<std::int32_t> walk_, apart_;  ///< By place: its sequence; 1: it may stay in it.
+    std::vector<std::int32_t> walked_;  ///< Sequences of nodes, before keep_whole().
+    std::vector<std::int32_t> from_;    ///< Where they begin.
+    std::vector<std::int32_t> place_;   ///< By node: 1 + index in walked_, 0: none.
+    std::vector<std::int32_t> walk_;    ///< By place: its sequence.
+    std::vector<std::int32_t> apart_;   ///< By node: 1: it may not stay in its sequence.
 };
 
 }  // namespace hawser::graph

@@ -239,6 +239,54 @@ TEST(Partition, CostIsThePapersFormula) {
     EXPECT_EQ(partitioner.cost.paper[0], squares);
 }
 
+/// Wires that are numbered from end to end are found without walking; the others by walking.
+TEST(Partition, WiresAreTheSameForAnyNumbering) {
+    constexpr int kWires = 6, kLinks = 20, kNodes = 1 + kWires * kLinks;
+    const auto wires_of = [](const std::vector<std::int32_t>& number) {
+        Graph g;
+        for (int v = 0; v < kNodes; ++v) g.node(v == number[0] ? 6 : 3);
+        for (int w = 0; w < kWires; ++w)
+            for (int i = 0; i < kLinks; ++i) {
+                const auto link = [&](int k) {
+                    return k < 0 ? number[0] : number[static_cast<std::size_t>(1 + w * kLinks + k)];
+                };
+                g.edge({link(i - 1), link(i)});
+                if (i > 0) g.edge({link(i - 2), link(i - 1), link(i)});
+                g.edge({number[0], link(i)});  // so that it is a hub
+            }
+        graph::Partitioner partitioner;
+        partitioner.read(g.view());
+        std::vector<std::int32_t> original(number.size());
+        for (std::size_t v = 0; v < number.size(); ++v)
+            original[static_cast<std::size_t>(number[v])] = static_cast<std::int32_t>(v);
+        std::vector<std::vector<std::int32_t>> wires;
+        for (std::int32_t u = 0; u < partitioner.units.wires; ++u) {
+            wires.emplace_back();
+            for (const std::int32_t v : partitioner.units.nodes_of(u))
+                wires.back().push_back(original[static_cast<std::size_t>(v)]);
+            if (wires.back().front() > wires.back().back())
+                std::reverse(wires.back().begin(), wires.back().end());
+        }
+        std::sort(wires.begin(), wires.end());
+        return wires;
+    };
+    std::vector<std::int32_t> number(kNodes);
+    std::iota(number.begin(), number.end(), 0);
+    const auto wires = wires_of(number);
+    ASSERT_EQ(wires.size(), kWires);
+    for (const auto& wire : wires) {
+        EXPECT_EQ(wire.size(), kLinks);
+        EXPECT_TRUE(std::is_sorted(wire.begin(), wire.end()));
+    }
+    Random random(5);
+    for (int round = 0; round < 20; ++round) {
+        for (int v = kNodes - 1; v > 0; --v)
+            std::swap(number[static_cast<std::size_t>(v)],
+                      number[static_cast<std::size_t>(random.integer(0, v))]);
+        EXPECT_EQ(wires_of(number), wires) << round;
+    }
+}
+
 TEST(Partition, LongestFirstSharesOut) {
     const std::vector<std::int64_t> cost{3, 7, 5, 5, 4, 6};
     std::vector<std::int32_t> lane(cost.size()), order;
