@@ -121,6 +121,36 @@ TEST(DeadlineCuts, GoOnFromASnapshotTakenWhileTheyAreOpen) {
     EXPECT_EQ(a.state_hash(), b.state_hash());
 }
 
+TEST(DeadlineCuts, AreTakenWithACopiedState) {
+    const auto open = [](const World& w) {
+        int count = 0;
+        for (const CutView& c : w.cuts()) count += c.open ? 1 : 0;
+        return count;
+    };
+    for (const Predictor predictor : {Predictor::hold, Predictor::forces, Predictor::clique}) {
+        Recipe r = net(0.0);
+        r.world.predictor = predictor;
+        World a = r.make(), b = r.make();
+        for (const std::uint64_t asked : {std::uint64_t{1}, std::uint64_t{0}}) {
+            for (int i = 0; i < 10; ++i) {
+                a.degrade_next_step({0, false, asked});
+                ASSERT_EQ(a.step(), Status::ok);
+            }
+            // The other world has them the other way until then.
+            ASSERT_NE(open(b) != 0, asked != 0);
+            b.copy_state(a);
+            EXPECT_EQ(open(b), asked != 0 ? kSide : 0);
+            EXPECT_EQ(open(b), open(a));
+            for (World* w : {&a, &b}) {
+                w->degrade_next_step({0, false, asked});
+                ASSERT_EQ(w->step(), Status::ok);
+            }
+            EXPECT_EQ(b.stats().cuts, a.stats().cuts);
+            EXPECT_EQ(b.state_hash(), a.state_hash());
+        }
+    }
+}
+
 TEST(DeadlineCuts, ChangeNothingWhileTheyAreNotAskedFor) {
     World a = net(0.0).make(), b = net(0.0).make({});
     for (int i = 0; i < 30; ++i) {
