@@ -79,7 +79,7 @@ std::vector<std::int32_t> our_order(const PartCase& c, int parts, const FactorCo
 
 }  // namespace
 
-std::vector<FactorTimes> compare_factors(const PartCase& c, int parts, int rounds) {
+std::vector<FactorTimes> compare_factors(const PartCase& c, int parts, int turns) {
     BlockPattern p;
     p.size = c.pattern.size;
     p.sign = c.pattern.sign;
@@ -98,7 +98,7 @@ std::vector<FactorTimes> compare_factors(const PartCase& c, int parts, int round
     for (const int threads : {1, 2}) {
         OrderedFactor a("ours", p, ours, threads), b("METIS", p, theirs, threads),
             none("AMD", p, amd, threads);
-        for (int k = 0; k < 10 * rounds; ++k)
+        for (int k = 0; k < turns; ++k)
             for (OrderedFactor* f : {&a, &b, &none}) f->run(20);
         fmt::print(
             "  {} thread(s): ours {:>7.1f}, METIS {:>7.1f}: ours takes {:.2f} of it; AMD "

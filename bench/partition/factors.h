@@ -20,8 +20,8 @@ struct FactorTimes {
     double amd = 0.0;    ///< AMD's order, without parts.
 };
 
-/// For one thread and two, printed; empty without METIS.
-[[nodiscard]] std::vector<FactorTimes> compare_factors(const PartCase& c, int parts, int rounds);
+/// For one thread and two, printed; empty without METIS. @param turns  Of twenty each.
+[[nodiscard]] std::vector<FactorTimes> compare_factors(const PartCase& c, int parts, int turns);
 [[nodiscard]] nlohmann::json factor_json(const std::vector<FactorTimes>& times);
 
 }  // namespace hawser::bench

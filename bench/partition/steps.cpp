@@ -116,7 +116,7 @@ Json compare_steps(int parts, int rounds) {
         cases.back().name = scene;
     }
     for (const PartCase& c : cases) {
-        Json row = factor_json(compare_factors(c, parts, rounds));
+        Json row = factor_json(compare_factors(c, parts, 10 * rounds));
         if (row.empty()) continue;
         row["name"] = c.name;
         factors.push_back(std::move(row));
