@@ -17,7 +17,7 @@
 namespace hawser::bench {
 namespace {
 
-using nlohmann::json;
+using Figures = nlohmann::json;
 
 class BarsProgram : public testing::Test {
   protected:
@@ -28,7 +28,7 @@ class BarsProgram : public testing::Test {
     }
 
     /// @return its JSON. Exit code 0 or 1 by whether all bars are met.
-    [[nodiscard]] json run(const std::string& arguments) const {
+    [[nodiscard]] Figures run(const std::string& arguments) const {
         const auto stem = std::filesystem::temp_directory_path() /
                           ("hawser_bars_program_" + std::to_string(::getpid()));
         const std::string file = stem.string() + ".json";
@@ -37,12 +37,12 @@ class BarsProgram : public testing::Test {
         const int status = std::system(command.c_str());
         EXPECT_TRUE(WIFEXITED(status)) << arguments;
         std::ifstream stream(file);
-        json out = json::parse(stream, nullptr, false);
+        Figures out = Figures::parse(stream, nullptr, false);
         std::filesystem::remove(file);
         EXPECT_FALSE(out.is_discarded()) << arguments;
         if (out.is_discarded()) return {};
         bool good = true;
-        for (const json& v : out.at("verdicts")) {
+        for (const Figures& v : out.at("verdicts")) {
             good = good && v.at("met").get<bool>();
             EXPECT_FALSE(v.at("what").get<std::string>().empty()) << v.dump();
         }
@@ -51,9 +51,10 @@ class BarsProgram : public testing::Test {
     }
 
     /// Whether a bar is met, by what it is asked of.
-    [[nodiscard]] static std::map<std::string, bool> bar(const json& out, const std::string& name) {
+    [[nodiscard]] static std::map<std::string, bool> bar(const Figures& out,
+                                                         const std::string& name) {
         std::map<std::string, bool> met;
-        for (const json& v : out.at("verdicts"))
+        for (const Figures& v : out.at("verdicts"))
             if (v.at("bar") == name) met[v.at("of")] = v.at("met");
         return met;
     }
@@ -62,14 +63,14 @@ class BarsProgram : public testing::Test {
 };
 
 TEST_F(BarsProgram, PartitionJudgesThePapersGraphs) {
-    const json out = run("partition --quick");
+    const Figures out = run("partition --quick");
     const std::map<std::string, bool> both{{"paper lumped", true}, {"paper rigid", true}};
     EXPECT_EQ(bar(out, "imbalance"), both);
     EXPECT_EQ(bar(out, "fill"), both);
     ASSERT_EQ(out.at("cases").size(), 2U);
-    for (const json& c : out.at("cases")) {
+    for (const Figures& c : out.at("cases")) {
         std::set<std::string> methods;
-        for (const json& row : c.at("rows")) {
+        for (const Figures& row : c.at("rows")) {
             methods.insert(row.at("method"));
             EXPECT_GT(row.at("seconds").get<double>(), 0.0) << row.dump();
             EXPECT_GT(row.at("factor_ms").get<double>(), 0.0) << row.dump();
@@ -81,7 +82,7 @@ TEST_F(BarsProgram, PartitionJudgesThePapersGraphs) {
         EXPECT_GT(c.at("update_seconds").get<double>(), 0.0);
         if (methods.count("METIS k-way") == 0) continue;
         for (const char* threads : {"1", "2"}) {
-            const json& t = c.at("factor_and_solve").at(threads);
+            const Figures& t = c.at("factor_and_solve").at(threads);
             for (const char* who : {"ours_seconds", "metis_seconds", "amd_seconds"})
                 EXPECT_GT(t.at(who).get<double>(), 0.0) << who;
         }
@@ -90,7 +91,7 @@ TEST_F(BarsProgram, PartitionJudgesThePapersGraphs) {
             EXPECT_EQ(bar(out, b).count(c.at("name")), 1U) << b;
     }
     ASSERT_EQ(out.at("scenes").size(), 2U);
-    for (const json& s : out.at("scenes")) {
+    for (const Figures& s : out.at("scenes")) {
         EXPECT_GT(s.at("cuts").get<int>(), 0) << s.dump();
         for (const char* stage : {"graph_seconds", "weight_seconds", "cut_seconds"})
             EXPECT_GT(s.at(stage).get<double>(), 0.0) << stage;
@@ -98,15 +99,15 @@ TEST_F(BarsProgram, PartitionJudgesThePapersGraphs) {
 }
 
 TEST_F(BarsProgram, CouplingTellsWhatItMeasuredAndNothingElse) {
-    const json out = run("coupling scenes/heavy_hook.json --quick");
+    const Figures out = run("coupling scenes/heavy_hook.json --quick");
     const std::map<std::string, bool> boundary{{"two bodies", true}},
         hook{{"scenes/heavy_hook.json", true}};
     EXPECT_EQ(bar(out, "stability_boundary"), boundary);
     EXPECT_EQ(bar(out, "momentum_defect"), hook);
     EXPECT_EQ(bar(out, "exact_step_time").size(), 1U);
-    const json& modes = out.at("scenes").at(0).at("modes");
+    const Figures& modes = out.at("scenes").at(0).at("modes");
     ASSERT_EQ(modes.size(), 7U);
-    for (const json& m : modes) {
+    for (const Figures& m : modes) {
         const bool exact = m.at("mode") == "exact", lost = !m.at("lost_at").is_null();
         for (const char* threads : {"1", "2"})
             EXPECT_GT(m.at("threads").at(threads).at("step_ms").get<double>(), 0.0) << m.dump();
@@ -130,7 +131,7 @@ TEST_F(BarsProgram, CouplingTellsWhatItMeasuredAndNothingElse) {
 
 /// A budget of 0.1 ms: less than the load takes in full, on any machine.
 TEST_F(BarsProgram, DeadlineJudgesAShortRun) {
-    const json out =
+    const Figures out =
         run("deadline scenes/heavy_hook.json --control '' --stacks 10 --steps 100 --budget 0.1");
     EXPECT_EQ(out.at("verdicts").size(), 9U);
     const std::map<std::string, bool> met{{"", true}};
@@ -139,7 +140,7 @@ TEST_F(BarsProgram, DeadlineJudgesAShortRun) {
         EXPECT_EQ(bar(out, b), met) << b;
     for (const char* run : {"exact", "budget"})
         for (const char* phase : {"before", "load", "after"}) {
-            const json& f = out.at(run).at(phase);
+            const Figures& f = out.at(run).at(phase);
             EXPECT_GT(f.at("solver_cpu_ms").at("p50").get<double>(), 0.0);
             EXPECT_EQ(f.at("contacts").get<int>() >= 80, std::string(phase) == "load")
                 << "ten stacks of two boxes have 80 contact points";
