@@ -44,7 +44,7 @@ BodyGraph body_graph(const World& world) {
         to.push_back(g.node[at(b.index)]);
     };
     for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
-        const InteractionDef d = world.interaction_def(InteractionId{i});
+        const InteractionDef& d = world.interaction_def(InteractionId{i});
         for (std::size_t k = 0; k < d.body.size(); ++k)
             for (std::size_t l = 0; l < k; ++l) join(d.body[k], d.body[l]);
     }
