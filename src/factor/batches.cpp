@@ -236,12 +236,10 @@ void lay_out_batches(const Pattern& pattern, const Chains& chains,
     s.panel_size = (s.panel_size + 7) & ~std::int64_t{7};
     Builder(pattern, chains, front_of_chain, s).run();
     s.panel_size += 64;
-    for (const Batch& b : s.batches) {
-        const std::int64_t n = b.most_p + b.most_q, tiles = b.most_q / kTile;
+    for (const Batch& b : s.batches)
         s.batch_scratch =
             std::max(s.batch_scratch,
-                     kLaneCount * (tiles * (tiles + 1) * kTile * kTile + n * b.most_p + 2 * n));
-    }
+                     batch_windows(b) + kLaneCount * std::int64_t{2} * (b.most_p + b.most_q));
 }
 
 }  // namespace hawser::factor

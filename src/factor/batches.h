@@ -53,6 +53,14 @@ struct Batch {
     friend bool operator==(const Batch&, const Batch&) = default;
 };
 
+/// Doubles of scratch that a factorisation (kernels.h) keeps from step to step of a symmetric
+/// batch, of an unsymmetric one twice as many. What a substitution keeps has room behind them.
+[[nodiscard]] constexpr std::int64_t batch_windows(const Batch& b) {
+    const std::int64_t tiles = b.most_q / kTile;
+    return kLaneCount * (tiles * (tiles + 1) * kTile * kTile +
+                         static_cast<std::int64_t>(b.most_p + b.most_q) * b.most_p);
+}
+
 /// Group the chains, give every node its step and slot, and lay out the panels behind the
 /// ordinary ones. `s` has its fronts, rows and offsets; `front_of_chain` names the chains' fronts.
 void lay_out_batches(const Pattern& pattern, const Chains& chains,

@@ -63,10 +63,13 @@ struct FactorKernels {
     /// U z = D⁻¹ y on fronts [end, begin) from the top down; U = Lᵀ where symmetric.
     void (*backward)(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
                      double* scratch) noexcept;
-    /// The same three for the chains of a batch, with the updates they hand to their parents.
-    int (*factor_batch)(const FactorView& view, const Batch& batch, double* scratch) noexcept;
-    void (*forward_batch)(const FactorView& view, const Batch& batch, const double* x,
-                          double* scratch) noexcept;
+    /// The same three for the chains of a batch, with the updates they hand to their parents. The
+    /// first two do steps [begin, end) of it, and go on from where they stopped with the same
+    /// scratch. Wrong pivots are right in the sum over all steps.
+    int (*factor_batch)(const FactorView& view, const Batch& batch, std::int32_t begin,
+                        std::int32_t end, double* scratch) noexcept;
+    void (*forward_batch)(const FactorView& view, const Batch& batch, std::int32_t begin,
+                          std::int32_t end, const double* x, double* scratch) noexcept;
     void (*backward_batch)(const FactorView& view, const Batch& batch, double* x,
                            double* scratch) noexcept;
 };

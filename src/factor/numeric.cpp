@@ -114,7 +114,8 @@ int Numeric::factor(const Symbolic& symbolic, base::Executor& executor,
     run_tasks(
         symbolic, true, executor,
         [&](const Batch& batch, std::size_t node, int thread) noexcept {
-            wrong_[node] = kernels.factor_batch(view(symbolic, thread), batch, scratch(thread));
+            wrong_[node] = kernels.factor_batch(view(symbolic, thread), batch, batch.step_begin,
+                                                batch.step_end, scratch(thread));
         },
         [&](std::int32_t begin, std::int32_t end, std::size_t node, int thread) noexcept {
             wrong_[node] += kernels.factor(view(symbolic, thread), begin, end, scratch(thread));
@@ -122,20 +123,27 @@ int Numeric::factor(const Symbolic& symbolic, base::Executor& executor,
     return count_wrong(symbolic);
 }
 
+void Numeric::cut_batch(const Symbolic& s, std::int32_t batch) {
+    const Batch& b = s.batches[static_cast<std::size_t>(batch)];
+    Piece p{0, 0, batch, batch, b.step_begin, b.step_begin};
+    for (std::int32_t k = b.step_begin; k < b.step_end; ++k) {
+        const BatchStep& step = s.batch_steps[static_cast<std::size_t>(k)];
+        if (p.step_begin == k) p.panel_begin = step.panel;
+        p.panel_end =
+            step.panel + static_cast<std::int64_t>(kLaneCount) * step.p * (step.p + step.q);
+        p.step_end = k + 1;
+        if (p.panel_end - p.panel_begin < piece_size && p.step_end < b.step_end) continue;
+        pieces_.push_back(p);
+        p.step_begin = k + 1;
+    }
+}
+
 void Numeric::cut_pieces(const Symbolic& s) {
-    // A share of a core's own cache [doubles].
-    constexpr std::int64_t kPiece = 16'384;
     pieces_.clear();
     task_piece_.clear();
     for (std::size_t i = 0; i < s.batches.size(); ++i) {
         task_piece_.push_back(static_cast<std::int32_t>(pieces_.size()));
-        const Batch& b = s.batches[i];
-        const BatchStep& last = s.batch_steps[static_cast<std::size_t>(b.step_end) - 1];
-        const std::int64_t size =
-            static_cast<std::int64_t>(kLaneCount) * last.p * (last.p + last.q);
-        const auto id = static_cast<std::int32_t>(i);
-        pieces_.push_back({s.batch_steps[static_cast<std::size_t>(b.step_begin)].panel,
-                           last.panel + size, id, id});
+        cut_batch(s, static_cast<std::int32_t>(i));
     }
     auto add_fronts = [&](std::int32_t begin, std::int32_t end) {
         Piece p{0, 0, begin, begin};
@@ -145,7 +153,7 @@ void Numeric::cut_pieces(const Symbolic& s) {
             if (front.batch >= 0) continue;
             if (p.panel_end == 0) p.panel_begin = front.panel;
             p.panel_end = front.panel + static_cast<std::int64_t>(front.ld) * front.p;
-            if (p.panel_end - p.panel_begin < kPiece) continue;
+            if (p.panel_end - p.panel_begin < piece_size) continue;
             pieces_.push_back(p);
             p = {0, 0, f + 1, f + 1};
         }
@@ -175,10 +183,12 @@ int Numeric::run_piece(const Symbolic& symbolic, int piece, Fill fill, double* x
     fill.write(fill.context, piece, panel_.data());
     if (unsymmetric_ && copy_piece(symbolic, p))
         fill.skew(fill.context, piece, panel_.data(), upper_.data());
-    if (static_cast<std::size_t>(piece) < symbolic.batches.size()) {
+    if (p.begin == p.end) {
         const Batch& batch = symbolic.batches[static_cast<std::size_t>(p.begin)];
-        const int wrong = kernels.factor_batch(v, batch, scratch(thread));
-        kernels.forward_batch(v, batch, x, scratch(thread));
+        // Both go on with the next piece: each has its own share of the scratch.
+        double* forward = scratch(thread) + (unsymmetric_ ? 2 : 1) * batch_windows(batch);
+        const int wrong = kernels.factor_batch(v, batch, p.step_begin, p.step_end, scratch(thread));
+        kernels.forward_batch(v, batch, p.step_begin, p.step_end, x, forward);
         return wrong;
     }
     const int wrong = kernels.factor(v, p.begin, p.end, scratch(thread));
@@ -206,7 +216,7 @@ void Numeric::solve(const Symbolic& symbolic, double* x, base::Executor& executo
     run_tasks(
         symbolic, true, executor,
         [&](const Batch& batch, std::size_t, int thread) noexcept {
-            kernels.forward_batch(v, batch, x, scratch(thread));
+            kernels.forward_batch(v, batch, batch.step_begin, batch.step_end, x, scratch(thread));
         },
         [&](std::int32_t begin, std::int32_t end, std::size_t, int thread) noexcept {
             kernels.forward(v, begin, end, x, scratch(thread));

@@ -20,11 +20,12 @@
 
 namespace hawser::factor {
 
-/// Panels that are filled, factored and substituted together while they are in the cache: a batch
-/// of chains, or some fronts in a row.
+/// Panels that are filled, factored and substituted together while they are in the cache: some
+/// steps of a batch of chains, or some fronts in a row.
 struct Piece {
-    std::int64_t panel_begin, panel_end;  ///< Offsets in the panel array; pieces are apart.
-    std::int32_t begin, end;              ///< Fronts; of a batch: its index, twice.
+    std::int64_t panel_begin, panel_end;        ///< Offsets in the panel array; pieces are apart.
+    std::int32_t begin, end;                    ///< Fronts; of a batch: its index, twice.
+    std::int32_t step_begin = 0, step_end = 0;  ///< Of a batch, in the order of its steps.
 };
 
 /// Writes the values of one piece into zeroed panels. Called from any thread.
@@ -38,6 +39,10 @@ struct Fill {
 
 class Numeric {
   public:
+    /// From this size on a piece ends [doubles]: a share of a core's own cache. To be set before
+    /// reserve().
+    std::int64_t piece_size = 16'384;
+
     /// Make room for a structure and for that many threads; grows only. With room for unsymmetric
     /// fronts, the panels and update matrices take twice the memory. @throws std::bad_alloc.
     void reserve(const Symbolic& symbolic, int threads, bool unsymmetric = false);
@@ -98,11 +103,12 @@ class Numeric {
 
   private:
     void cut_pieces(const Symbolic& symbolic);
+    void cut_batch(const Symbolic& symbolic, std::int32_t batch);
     [[nodiscard]] int run_piece(const Symbolic& symbolic, int piece, Fill fill, double* x,
                                 int thread) noexcept;
     void use(const Symbolic& symbolic, const Unsymmetric* set) noexcept;
     void copy_front(const Front& front) noexcept;
-    void copy_batch(const Symbolic& symbolic, const Batch& batch) noexcept;
+    void copy_range(std::int64_t begin, std::int64_t end) noexcept;
     /// @return whether the piece has an upper half.
     bool copy_piece(const Symbolic& symbolic, const Piece& piece) noexcept;
     template <class Batches, class Fronts>

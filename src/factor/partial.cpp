@@ -128,7 +128,8 @@ int Numeric::refactor(const Symbolic& s, const DirtyParts& dirty, base::Executor
     auto node = [&](int i, int thread) noexcept {
         int wrong = 0;
         if (at(i) < s.batches.size() && dirty.is_batch(i))
-            wrong += kernels.factor_batch(v, s.batches[at(i)], scratch(thread));
+            wrong += kernels.factor_batch(v, s.batches[at(i)], s.batches[at(i)].step_begin,
+                                          s.batches[at(i)].step_end, scratch(thread));
         for (std::int32_t k = dirty.nodes[at(i)]; k < dirty.nodes[at(i) + 1]; ++k)
             wrong += kernels.factor(v, dirty.ranges[at(k)].begin, dirty.ranges[at(k)].end,
                                     scratch(thread));

@@ -67,16 +67,15 @@ void Numeric::copy_front(const Front& front) noexcept {
     std::copy_n(panel_.data() + front.panel, size, upper_.data() + front.panel);
 }
 
-void Numeric::copy_batch(const Symbolic& s, const Batch& batch) noexcept {
-    const PanelRange r = panel_of(s, batch);
-    std::copy(panel_.data() + r.begin, panel_.data() + r.end, upper_.data() + r.begin);
+void Numeric::copy_range(std::int64_t begin, std::int64_t end) noexcept {
+    std::copy(panel_.data() + begin, panel_.data() + end, upper_.data() + begin);
 }
 
 bool Numeric::copy_piece(const Symbolic& s, const Piece& piece) noexcept {
     if (piece.begin == piece.end) {
         const Batch& batch = s.batches[at(piece.begin)];
         if (kind_[at(batch.front[0])] == 0) return false;
-        copy_batch(s, batch);
+        copy_range(piece.panel_begin, piece.panel_end);
         return true;
     }
     bool any = false;
@@ -92,7 +91,10 @@ bool Numeric::copy_piece(const Symbolic& s, const Piece& piece) noexcept {
 void Numeric::copy_to_upper(const Symbolic& s, const Unsymmetric& set,
                             base::Executor& executor) noexcept {
     auto front = [&](int i, int) noexcept { copy_front(s.fronts[at(set.fronts[at(i)])]); };
-    auto batch = [&](int i, int) noexcept { copy_batch(s, s.batches[at(set.batches[at(i)])]); };
+    auto batch = [&](int i, int) noexcept {
+        const PanelRange r = panel_of(s, s.batches[at(set.batches[at(i)])]);
+        copy_range(r.begin, r.end);
+    };
     executor.for_each(static_cast<int>(set.fronts.size()), front);
     executor.for_each(static_cast<int>(set.batches.size()), batch);
 }
@@ -105,7 +107,9 @@ void Numeric::copy_to_upper(const Symbolic& s, const DirtyParts& dirty, const Un
     };
     auto batch = [&](int i, int) noexcept {
         const std::int32_t b = dirty.batches[at(i)];
-        if (set.is_batch(b)) copy_batch(s, s.batches[at(b)]);
+        if (!set.is_batch(b)) return;
+        const PanelRange r = panel_of(s, s.batches[at(b)]);
+        copy_range(r.begin, r.end);
     };
     executor.for_each(static_cast<int>(dirty.fronts.size()), front);
     executor.for_each(static_cast<int>(dirty.batches.size()), batch);

@@ -69,14 +69,16 @@ Solved solve_with(const factor::FactorKernels& kernels, const BlockMatrix& m,
     Solved out;
     const auto count = static_cast<std::int32_t>(s.fronts.size());
     for (const factor::Batch& batch : s.batches)
-        out.wrong += kernels.factor_batch(view, batch, scratch.data());
+        out.wrong +=
+            kernels.factor_batch(view, batch, batch.step_begin, batch.step_end, scratch.data());
     for (const factor::TaskRange& t : s.tasks)
         out.wrong += kernels.factor(view, t.begin, t.end, scratch.data());
     for (const std::int32_t f : s.top) out.wrong += kernels.factor(view, f, f + 1, scratch.data());
     const Vector y = permuted(m, s, b, false);
     std::copy(y.data(), y.data() + y.size(), x.begin());
     for (const factor::Batch& batch : s.batches)
-        kernels.forward_batch(view, batch, x.data(), scratch.data());
+        kernels.forward_batch(view, batch, batch.step_begin, batch.step_end, x.data(),
+                              scratch.data());
     kernels.forward(view, 0, count, x.data(), scratch.data());
     kernels.backward(view, 0, count, x.data(), scratch.data());
     for (const factor::Batch& batch : s.batches)

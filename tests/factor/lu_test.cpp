@@ -151,6 +151,7 @@ TEST(Unsymmetric, PieceByPieceHasTheSameBits) {
     runtime::Pool pool(3);
     pool.resume();
     base::SerialExecutor serial;
+    int resumed = 0;  // pieces that begin within an unsymmetric batch
     for (int seed = 1; seed <= (kSanitized ? 8 : 40); ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed));
@@ -165,7 +166,11 @@ TEST(Unsymmetric, PieceByPieceHasTheSameBits) {
         for (base::Executor* executor :
              {static_cast<base::Executor*>(&serial), static_cast<base::Executor*>(&pool)}) {
             factor::Numeric numeric;
+            numeric.piece_size = 500;
             numeric.reserve(s, executor->threads(), true);
+            for (const factor::Piece& p : numeric.pieces())
+                resumed += p.begin == p.end && set.is_batch(p.begin) &&
+                           p.step_begin > s.batches[static_cast<std::size_t>(p.begin)].step_begin;
             std::fill_n(numeric.upper(), s.panel_size, std::nan(""));
             PieceWriter writer{c.m, s, set, numeric};
             writer.start();
@@ -187,6 +192,7 @@ TEST(Unsymmetric, PieceByPieceHasTheSameBits) {
             }
         }
     }
+    EXPECT_GT(resumed, 20);
 }
 
 /// One Numeric and one set through structures of every size, with and without a second half.

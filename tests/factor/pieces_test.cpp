@@ -41,6 +41,7 @@ class Copy {
 };
 
 TEST(Pieces, GivesTheBitsOfFillingFactoringAndSolving) {
+    int resumed = 0;  // pieces that begin within a batch
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
         Random random(seed);
         const bool grid = seed % 3 == 0;  // else with chains in batches
@@ -54,7 +55,11 @@ TEST(Pieces, GivesTheBitsOfFillingFactoringAndSolving) {
             runtime::Pool pool(threads);
             pool.resume();
             factor::Numeric numeric;
+            numeric.piece_size = 500;
             numeric.reserve(s, threads);
+            for (const factor::Piece& p : numeric.pieces())
+                resumed += p.begin == p.end &&
+                           p.step_begin > s.batches[static_cast<std::size_t>(p.begin)].step_begin;
             for (int round = 0; round < 2; ++round) {  // the second finds L in the panels
                 Vector x = Vector::Zero(b.size() + 8);
                 x.head(b.size()) = permuted(m, s, b, false);
@@ -75,6 +80,7 @@ TEST(Pieces, GivesTheBitsOfFillingFactoringAndSolving) {
             }
         }
     }
+    EXPECT_GT(resumed, 20);
 }
 
 }  // namespace

@@ -163,19 +163,21 @@ inline void store_tails(const FactorView& view, const Batch& batch,
 }
 
 template <int kSides>
-inline int factor_steps(const FactorView& view, const Batch& batch, double* scratch) {
+inline int factor_steps(const FactorView& view, const Batch& batch, std::int32_t begin,
+                        std::int32_t end, double* scratch) {
     const long tiles = batch.most_q / kTile, size = kTileSize * (tiles * (tiles + 1) / 2);
-    const long columns = 8L * batch.most_p * (batch.most_p + batch.most_q);
+    const long turned = (begin - batch.step_begin) % 2;  // windows change places at each step
     double *window[kSides], *next[kSides];
     Columns<kSides> m{};
     for (int s = 0; s < kSides; ++s) {
-        window[s] = scratch + s * (2 * size + columns);
-        next[s] = window[s] + size;
-        m.w[s] = next[s] + size;
+        double* room = scratch + s * factor::batch_windows(batch);
+        window[s] = room + turned * size;
+        next[s] = room + (1 - turned) * size;
+        m.w[s] = room + 2 * size;
     }
     V8 bad{};
-    Shift shift{batch.body / kTile, batch.window / kTile, 0};
-    for (std::int32_t k = batch.step_begin; k < batch.step_end; ++k) {
+    Shift shift = shift_before(view, batch, begin);
+    for (std::int32_t k = begin; k < end; ++k) {
         const BatchStep& step = view.batch_steps[k];
         m.panel[0] = view.panel + step.panel;
         m.stride = 8L * step.p;
@@ -201,15 +203,17 @@ inline int factor_steps(const FactorView& view, const Batch& batch, double* scra
         }
         shift.before = step.q / kTile;
     }
+    if (end < batch.step_end) return static_cast<int>(sum(bad));
     store_tails<kSides>(view, batch, window);
     return static_cast<int>(sum(bad)) - static_cast<int>(batch.unused);
 }
 
 }  // namespace
 
-int factor_batch(const FactorView& view, const Batch& batch, double* scratch) noexcept {
-    return view.is_unsymmetric(batch.front[0]) ? factor_steps<2>(view, batch, scratch)
-                                               : factor_steps<1>(view, batch, scratch);
+int factor_batch(const FactorView& view, const Batch& batch, std::int32_t begin, std::int32_t end,
+                 double* scratch) noexcept {
+    return view.is_unsymmetric(batch.front[0]) ? factor_steps<2>(view, batch, begin, end, scratch)
+                                               : factor_steps<1>(view, batch, begin, end, scratch);
 }
 
 }  // namespace hawser::HAWSER_ISA

@@ -7,10 +7,10 @@
 
 namespace hawser::HAWSER_ISA {
 
-int factor_batch(const factor::FactorView& view, const factor::Batch& batch,
-                 double* scratch) noexcept;
-void forward_batch(const factor::FactorView& view, const factor::Batch& batch, const double* x,
-                   double* scratch) noexcept;
+int factor_batch(const factor::FactorView& view, const factor::Batch& batch, std::int32_t begin,
+                 std::int32_t end, double* scratch) noexcept;
+void forward_batch(const factor::FactorView& view, const factor::Batch& batch, std::int32_t begin,
+                   std::int32_t end, const double* x, double* scratch) noexcept;
 void backward_batch(const factor::FactorView& view, const factor::Batch& batch, double* x,
                     double* scratch) noexcept;
 

@@ -6,6 +6,7 @@
 
 #include "base/simd.h"
 #include "factor/isa/keep.h"
+#include "factor/kernels.h"
 #include "factor/symbolic.h"
 
 namespace hawser::HAWSER_ISA {
@@ -50,5 +51,12 @@ struct Shift {
         return tile < before ? tile : -1;
     }
 };
+
+/// As it is before a step of the batch.
+HAWSER_INLINE Shift shift_before(const factor::FactorView& view, const factor::Batch& batch,
+                                 std::int32_t step) {
+    const int before = step > batch.step_begin ? view.batch_steps[step - 1].q / kTile : 0;
+    return {batch.body / kTile, batch.window / kTile, before};
+}
 
 }  // namespace hawser::HAWSER_ISA

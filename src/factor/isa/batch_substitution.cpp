@@ -24,14 +24,15 @@ constexpr int kAhead = 2;  // steps
 }  // namespace
 
 /// y_p = L11⁻¹ (x_p + carried), carried −= L21 y_p.
-void forward_batch(const FactorView& view, const Batch& batch, const double* x,
-                   double* scratch) noexcept {
-    double* carried = scratch;
-    double* next = carried + 8 * batch.most_q;
-    Shift shift{batch.body / kTile, batch.window / kTile, 0};
-    for (std::int32_t k = batch.step_begin; k < batch.step_end; ++k) {
+void forward_batch(const FactorView& view, const Batch& batch, std::int32_t begin, std::int32_t end,
+                   const double* x, double* scratch) noexcept {
+    const long turned = (begin - batch.step_begin) % 2;
+    double* carried = scratch + turned * 8 * batch.most_q;
+    double* next = scratch + (1 - turned) * 8 * batch.most_q;
+    Shift shift = shift_before(view, batch, begin);
+    for (std::int32_t k = begin; k < end; ++k) {
         const BatchStep& step = view.batch_steps[k];
-        if (view.distant && k + kAhead < batch.step_end)
+        if (view.distant && k + kAhead < end)
             ask_for_panel(view.panel, view.batch_steps[k + kAhead]);
         const double* panel = view.panel + step.panel;
         double* y = view.slot_y + 8 * step.slot;
@@ -57,6 +58,7 @@ void forward_batch(const FactorView& view, const Batch& batch, const double* x,
         next = swap;
         shift.before = step.q / kTile;
     }
+    if (end < batch.step_end) return;
     for (int lane = 0; lane < factor::kLaneCount; ++lane) {
         if (batch.front[lane] < 0) continue;
         const Front& front = view.fronts[batch.front[lane]];
