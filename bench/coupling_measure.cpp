@@ -43,11 +43,12 @@ scene::Scene load_split(const std::string& file, const Mode& mode, int parts, in
     using observe::to_string;
     scene::Options options;
     options.threads = threads;
-    // Groups are made for all modes by the same split.
+    // Groups are made for all modes by the same split, and stay.
     options.set = {"settings.coupling=kinematic",
                    fmt::format("settings.predictor={}", to_string(mode.predictor)),
-                   fmt::format("settings.parts={}", parts)};
+                   "settings.parts=0"};
     scene::Scene scene = scene::load_file(file, options);
+    scene.world.set_groups(parts);
     if (scene.world.cuts().empty()) cut_chains(scene, parts);
     if (mode.coupling != Coupling::kinematic)
         for (const CutView& cut : scene.world.cuts())

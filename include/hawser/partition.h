@@ -23,6 +23,11 @@ struct PartitionRequest {
     bool exact_cost = true;
     /// Part of each body asked for by hand, −1: none; empty: none at all. For cuts.
     std::vector<std::int32_t> group{};
+    /// Go on from this one, of an earlier state, instead of making a new one: parts stay where they
+    /// are. Cuts: at most one moves, for a gain that is worth it. Separators: those that new
+    /// contacts make necessary come, others go. Made anew all the same where that does not do: see
+    /// PartitionView::followed. Of the same use; null: none.
+    const struct PartitionView* before = nullptr;
 };
 
 /// An interaction between two parts.
@@ -45,6 +50,15 @@ struct PartitionView {
     double separator_cost = 0.0;             ///< [flop].
     double largest_cluster = 0.0;            ///< Dearest thing that stays whole [flop].
     double imbalance = 1.0;                  ///< Largest part over the mean [1].
+    PartitionUse use = PartitionUse::separators;  ///< As asked for.
+    /// Whether it goes on from PartitionRequest::before. Not where bodies or the number of parts
+    /// are others; cuts: where something that must stay whole lies in two parts, or the largest
+    /// part was above 1.15 times that of a new partition 30 times running; separators: where more
+    /// than a twentieth of the interactions and contacts changed, or the largest part and all
+    /// separators together have come above 1.15 times makespan_new.
+    bool followed = false;
+    int worse_for = 0;          ///< Times running that cuts were kept though a new one is better.
+    double makespan_new = 0.0;  ///< Separators and largest part when last made anew [flop].
     std::vector<double> island_cost;  ///< c = Σ n_b² + Σ l_i of each island, as the paper has it.
     double graph_seconds = 0.0;       ///< Reading the model into integers [s].
     double weight_seconds = 0.0;      ///< Weights from forces, velocities and violations [s].

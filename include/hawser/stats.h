@@ -24,7 +24,7 @@ enum class Status : std::uint8_t {
 enum class Stage : std::uint8_t {
     prestep,
     collide,
-    graph,
+    graph,  ///< Groups that follow the state.
     analyse,
     assemble,
     factor,
@@ -107,7 +107,7 @@ struct StepStats {
 
     std::array<double, kStageCount> stage_seconds{};  ///< Wall time by stage.
     double step_seconds = 0.0;                        ///< Wall time of all stages.
-    double solver_seconds = 0.0;                      ///< Wall time, stages analyse to nonsmooth.
+    double solver_seconds = 0.0;                      ///< Wall time, stages graph to nonsmooth.
     double solver_cpu_seconds = 0.0;  ///< CPU time of the slowest thread, same stages.
 
     double momentum_residual = 0.0;    ///< ‖M v₊ − a − Gᵀλ‖_{M⁻¹} / max(‖a − M v_k‖_{M⁻¹}, floor).
@@ -149,6 +149,9 @@ struct StepStats {
     /// Linear momentum out of nothing: Σ over cuts ‖Σ of the impulses on their bodies‖, which
     /// differ by side, and that of the residuals of all bodies; over h g Σ m.
     double momentum_defect = 0.0;
+    /// Rounds since the start in which groups that follow the state changed (WorldDef::parts), and
+    /// bodies that changed theirs in them.
+    std::int64_t regroupings = 0, regrouped_bodies = 0;
     std::int64_t growths = 0;  ///< Times that capacity grew since the start (0 in a warm step).
     /// Analyses since the start that made a new order of elimination, and those that repaired the
     /// one there was (bodies touch for the first time, some are added, fall asleep or wake).

@@ -131,9 +131,18 @@ class World {
     // --- Cuts (docs/methods.md, 10) ---------------------------------------------------------
     /// Group of a body from the next step on (BodyDef::group).
     void set_group(BodyId id, const std::string& group);
-    /// Groups of all bodies from partition() for cuts of the present state: "part 0", "part 1", …
-    /// @param parts  1 to 4096; 1 takes all groups away.
+    /// Groups of all bodies by hand, from partition() for cuts of the present state: "part 0",
+    /// "part 1", … Groups that follow the state end. @param parts  1 to 4096; 1 takes all groups
+    /// away.
     void set_groups(int parts);
+    /// From the next step on the world makes groups itself, of all bodies that have none by hand,
+    /// and follows the state with them: WorldDef::parts and regroup_every. @param parts  0 to 4096;
+    /// 0 ends it: groups are those by hand. @param every  0 to 1,000,000 steps. With the parts
+    /// there are, groups stay as they are. @throws DefError.
+    void follow_groups(int parts, int every = 60);
+    /// Number of the group of each body, −1 for one that does not move. Groups by hand come first
+    /// where the world makes others.
+    [[nodiscard]] std::vector<std::int32_t> groups() const;
     /// How an interaction couples bodies of different groups, from the next step on; at first
     /// WorldDef::coupling. Joints and lines can be cut, not what drives, rubs or limits.
     void set_coupling(InteractionId id, Coupling coupling);

@@ -36,16 +36,17 @@ std::int32_t thousandths(double weight) noexcept {
     return weight > 0.0 ? static_cast<std::int32_t>(std::lround(1000.0 * weight)) : 0;
 }
 
-void PartGraph::build(const model::Bodies& bodies, const model::Interactions& in,
+void PartGraph::build(const model::Bodies& bodies, std::int32_t body_count,
+                      const model::Interactions& in, std::int32_t interaction_count,
                       std::span<const Contacts::Link> links) {
-    const auto n = at(bodies.count());
+    const auto n = at(body_count);
     size.resize(n);
-    for (int b = 0; b < bodies.count(); ++b)
+    for (int b = 0; b < body_count; ++b)
         size[at(b)] = static_cast<std::uint8_t>(bodies.asleep[at(b)] ? 0 : bodies.dof(b));
     begin.assign(1, 0);
     members.clear();
     degree_.assign(n, 0);
-    for (int i = 0; i < in.count(); ++i) {
+    for (int i = 0; i < interaction_count; ++i) {
         for (int b = 0; b < in.bodies[at(i)]; ++b) {
             const std::int32_t body = in.body[at(kMaxInteractionBodies * i + b)];
             members.push_back(body);
@@ -58,7 +59,7 @@ void PartGraph::build(const model::Bodies& bodies, const model::Interactions& in
         begin.push_back(static_cast<std::int32_t>(members.size()));
     }
     whole_.assign(begin.size() - 1, 1);
-    for (int i = 0; i < in.count(); ++i) {
+    for (int i = 0; i < interaction_count; ++i) {
         if (!is_wire_row(in.def[at(i)].kind)) continue;
         bool same = true;
         std::uint8_t first = 0;
@@ -74,16 +75,30 @@ void PartGraph::build(const model::Bodies& bodies, const model::Interactions& in
     for (std::size_t e = 0; e < whole_.size(); ++e)
         if (whole_[e]) edge_weight[e] = graph::kNeverCut;
     node_weight.assign(n, 0);
+    mend_weight.assign(whole_.size(), 0);
     net_force.assign(n, 0.0);
-    speed.assign(at(in.count()), 0.0);
-    violation.assign(at(in.count()), 0.0);
+    speed.assign(at(interaction_count), 0.0);
+    violation.assign(at(interaction_count), 0.0);
+}
+
+void PartGraph::keep_whole(std::int32_t i) noexcept {
+    whole_[at(i)] = 1;
+    edge_weight[at(i)] = graph::kNeverCut;
+}
+
+void PartGraph::touch(std::int32_t body) noexcept {
+    std::int32_t& w = node_weight[at(body)];
+    if (size[at(body)] > 0 && w < kTouchWeight) w += kTouchWeight;
 }
 
 void PartGraph::weigh(const model::Bodies& bodies, const model::Interactions& in,
-                      const Contacts& contacts, const WorldDef& def) {
+                      std::span<const std::int32_t> cut, const WorldDef& def) {
     net_.assign(3 * size.size(), 0.0);
     double squares = 0.0;
-    for (int i = 0; i < in.count(); ++i) {
+    int rows = 0;
+    for (std::size_t k = 0; k < speed.size(); ++k) {
+        const auto i = static_cast<std::int32_t>(k);
+        rows += in.rows[k];
         const std::int32_t* body = &in.body[at(kMaxInteractionBodies * i)];
         int width = 0;
         bool rests = false;
@@ -112,11 +127,14 @@ void PartGraph::weigh(const model::Bodies& bodies, const model::Interactions& in
         }
         speed[at(i)] = sum;
         violation[at(i)] = off;
+        const bool is_cut = std::binary_search(cut.begin(), cut.end(), i);
+        const std::int32_t displaced = thousandths(off / kViolation);
+        if (is_cut) mend_weight[at(i)] = displaced;
         if (!whole_[at(i)])
-            edge_weight[at(i)] = thousandths(sum / kSpeed) + thousandths(off / kViolation);
+            edge_weight[at(i)] = thousandths(sum / kSpeed) + (is_cut ? 0 : displaced);
     }
     const double per_h = 1.0 / def.step;
-    const double mean = in.row_count > 0 ? per_h * std::sqrt(squares / in.row_count) : 0.0;
+    const double mean = rows > 0 ? per_h * std::sqrt(squares / rows) : 0.0;
     const double gravity = def.gravity.norm();
     for (std::size_t b = 0; b < size.size(); ++b) {
         if (size[b] == 0) continue;
@@ -125,11 +143,6 @@ void PartGraph::weigh(const model::Bodies& bodies, const model::Interactions& in
         const double usual = bodies.mass[b] * gravity + kShare * mean + 1e-300;
         node_weight[b] = thousandths(net_force[b] / usual);
     }
-    for (const ContactRow& row : contacts.rows)
-        for (int s = 0; s < row.slots; ++s) {
-            std::int32_t& w = node_weight[at(row.slot[s].body)];
-            if (w < kTouchWeight) w += kTouchWeight;
-        }
 }
 
 }  // namespace hawser::assembly

@@ -35,22 +35,31 @@ inline constexpr std::int32_t kTouchWeight = 1'000'000;
 
 class PartGraph {
   public:
-    /// Nodes and edges. @param rests  By interaction: left out, since its bodies sleep.
-    void build(const model::Bodies& bodies, const model::Interactions& interactions,
+    /// Nodes and edges. @param body_count, interaction_count  Those of the user, who knows nothing
+    /// of the images and copies behind them (stepper/cuts.h).
+    void build(const model::Bodies& bodies, std::int32_t body_count,
+               const model::Interactions& interactions, std::int32_t interaction_count,
                std::span<const Contacts::Link> links);
-    /// Weights from the last step's impulses, velocities and violations.
+    /// Interaction i must stay whole.
+    void keep_whole(std::int32_t i) noexcept;
+    /// Weights from the last step's impulses, from velocities, and from rows as they were evaluated
+    /// last. @param cut  Interactions that are cut at present, ascending. Their violation comes of
+    /// the cut and does not count against it; it is the price of mending it, since a row that gets
+    /// its own compliance back pulls its bodies to where they belong.
     void weigh(const model::Bodies& bodies, const model::Interactions& interactions,
-               const Contacts& contacts, const WorldDef& def);
+               std::span<const std::int32_t> cut, const WorldDef& def);
+    /// The body touches something: after weigh().
+    void touch(std::int32_t body) noexcept;
     /// Flops of each body's pivots, rows that follow it included; empty: none known.
     std::vector<std::int64_t> cost;
     std::vector<std::int32_t> group;  ///< Part of each body by hand; may be empty.
 
     [[nodiscard]] graph::Hypergraph view() const noexcept {
-        return {size, begin, members, edge_weight, node_weight, group, cost};
+        return {size, begin, members, edge_weight, node_weight, group, cost, mend_weight};
     }
 
     std::vector<std::uint8_t> size;
-    std::vector<std::int32_t> begin, members, edge_weight, node_weight;
+    std::vector<std::int32_t> begin, members, edge_weight, node_weight, mend_weight;
     std::vector<double> net_force;  ///< By body [N].
     std::vector<double> speed;      ///< By interaction: Σ|G v| [m/s, rad/s].
     std::vector<double> violation;  ///< By interaction: Σ|g| [m, rad].

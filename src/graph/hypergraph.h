@@ -32,6 +32,8 @@ struct Hypergraph {
     std::span<const std::int32_t> group{};        ///< Part asked for by hand, −1: none; optional.
     std::span<const std::int64_t>
         cost{};  ///< Flops of each node's pivots, ≥ 0, all below 2⁶²; optional.
+    /// ≥ 0: price of making whole an edge that is cut, for Splitter::follow(); optional.
+    std::span<const std::int32_t> mend_weight{};
 
     [[nodiscard]] std::int32_t nodes() const noexcept {
         return static_cast<std::int32_t>(size.size());

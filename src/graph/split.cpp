@@ -96,6 +96,7 @@ void Splitter::build_quotient() {
 /// Weight of a cut behind each place of a wire: edges across it, and the nodes on both sides.
 void Splitter::weigh_places() {
     weight_.assign(units_.nodes.size(), 0);
+    mend_.assign(units_.nodes.size(), 0);
     wire_place_.assign(at(clusters), -1);
     const std::int32_t in_wires = units_.begin[at(units_.wires)];
     for (std::int32_t k = 0; k < in_wires; ++k) wire_place_[at(units_.nodes[at(k)])] = k;
@@ -110,8 +111,10 @@ void Splitter::weigh_places() {
             low = low < 0 ? p : std::min(low, p);
             high = std::max(high, p);
         }
-        for (std::int32_t p = low; p >= 0 && p < high; ++p)
+        for (std::int32_t p = low; p >= 0 && p < high; ++p) {
             weight_[at(p)] += graph_.edge_weight[at(e)];
+            if (!graph_.mend_weight.empty()) mend_[at(p)] += graph_.mend_weight[at(e)];
+        }
     }
     for (std::size_t v = 0; !graph_.node_weight.empty() && v < cluster_.size(); ++v) {
         const std::int32_t p = cluster_[v] < 0 ? -1 : wire_place_[at(cluster_[v])];
@@ -185,23 +188,27 @@ bool Splitter::adopt(const Partition& before) {
     return true;
 }
 
-void Splitter::follow(const Hypergraph& graph, const PartitionOptions& options, Partition& out) {
+bool Splitter::follow(const Hypergraph& graph, const PartitionOptions& options, Partition& out) {
     prepare(graph, options);
     choose();
     const auto longest = [&] { return *std::max_element(load_.begin(), load_.end()); };
     const auto best = static_cast<double>(longest());
     fresh_part_ = part_;
+    bool goes_on = true;
     if (!adopt(out)) {
         part_ = fresh_part_;
         out.worse_for = 0;
+        goes_on = false;
     } else if (static_cast<double>(longest()) <= kWorse * best || ++out.worse_for <= kPatience) {
         if (static_cast<double>(longest()) <= kWorse * best) out.worse_for = 0;
         move_one();
     } else {
         part_ = fresh_part_;
         out.worse_for = 0;
+        goes_on = false;
     }
     write(out);
+    return goes_on;
 }
 
 }  // namespace hawser::graph

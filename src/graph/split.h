@@ -30,8 +30,9 @@ namespace hawser::graph {
 class Splitter {
   public:
     void split(const Hypergraph& graph, const PartitionOptions& options, Partition& out);
-    /// The same beside the partition of the step before, which `out` holds.
-    void follow(const Hypergraph& graph, const PartitionOptions& options, Partition& out);
+    /// The same beside the partition of the step before, which `out` holds. @return whether it goes
+    /// on from that one.
+    bool follow(const Hypergraph& graph, const PartitionOptions& options, Partition& out);
 
     std::int64_t largest_cluster = 0;  ///< Cost of the dearest thing that stays whole.
     std::int32_t clusters = 0;
@@ -79,6 +80,7 @@ class Splitter {
     Lineup lineup_;
     std::int64_t share_ = 0;
     std::vector<std::int64_t> weight_;  ///< By place in units_.nodes: of a cut behind it.
+    std::vector<std::int64_t> mend_;    ///< Likewise: of mending one that is there.
     std::vector<std::int32_t> wire_place_;
     std::vector<std::int32_t> part_, fresh_part_, other_part_;  ///< By cluster.
     std::vector<std::int64_t> other_load_;

@@ -10,6 +10,8 @@ namespace {
 constexpr double kSlide = 0.10;  ///< Cuts slide so many shares at most.
 /// A cut moves from one step to the next only where its weight falls below this share.
 constexpr double kWorth = 0.8;
+/// … and for at least as much as this, in thousandths: less is noise, which never rests.
+constexpr std::int64_t kLeastGain = 100;
 
 }  // namespace
 
@@ -61,15 +63,16 @@ void Splitter::slide() {
 /// Slide the one cut that gains most, if it is worth it.
 void Splitter::move_one() {
     std::int32_t from = -1, to = -1;
-    std::int64_t gain = 0;
+    std::int64_t gain = kLeastGain - 1;
     for (std::int32_t w = 0; w < units_.wires; ++w)
         for (std::int32_t k = units_.begin[at(w)]; k + 1 < units_.begin[at(w) + 1]; ++k) {
             if (part_[at(units_.nodes[at(k)])] == part_[at(units_.nodes[at(k + 1)])]) continue;
             const std::int32_t best = slide_to(w, k);
             const std::int64_t old = weight_[at(k)], now = weight_[at(best)];
-            if (static_cast<double>(now) > kWorth * static_cast<double>(old) || old - now <= gain)
+            const std::int64_t gained = old - now - mend_[at(k)];
+            if (static_cast<double>(now) > kWorth * static_cast<double>(old) || gained <= gain)
                 continue;
-            gain = old - now;
+            gain = gained;
             from = k;
             to = best;
         }

@@ -7,6 +7,7 @@
 #include "scene/document.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -34,7 +35,8 @@ class Description {
   public:
     WorldDef settings;
     double duration = 10.0;
-    int parts = 4;           ///< To cut into where no body has a group.
+    std::optional<int> parts;  ///< settings.parts; none: kParts where no body has a group, else 0.
+    static constexpr int kParts = 4;
     std::size_t copies = 1;  ///< That will be made of everything: counts against the limits.
     double default_compliance = kDefault;
     double default_damping_time = kDefault;

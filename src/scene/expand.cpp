@@ -252,7 +252,8 @@ void read_settings(Description& out, const Json& root) {
     def.nonsmooth = nonsmooth_from(text_or(settings, "nonsmooth", "newton"));
     def.coupling = coupling_from(text_or(settings, "coupling", "exact"));
     def.predictor = predictor_from(text_or(settings, "predictor", "hold"));
-    out.parts = settings.value("parts", out.parts);
+    if (settings.contains("parts")) out.parts = settings["parts"].get<int>();
+    def.regroup_every = settings.value("regroup_every", def.regroup_every);
     def.contact_tolerance = number_or(settings, "contact_tolerance", def.contact_tolerance);
     def.contact_iterations = settings.value("contact_iterations", def.contact_iterations);
     def.nonsmooth_sweeps = settings.value("nonsmooth_sweeps", def.nonsmooth_sweeps);

@@ -75,8 +75,12 @@ ShapePtr settings() {
          {"predictor", word("a predictor", {"hold", "forces", "clique"}), false, "hold", "",
           "Velocity that a side of a cut takes the other one to have: the last one, one from the "
           "last forces, or that of a solve of the bodies at the cuts."},
-         {"parts", integer("a number of parts", 1, 4096), false, "4", "",
-          "Parts to cut into where coupling is not exact and no body has a group."},
+         {"parts", integer("a number of parts", 0, 4096), false,
+          "4 where no body has a group, else 0", "",
+          "Parts to cut into where coupling is not exact: bodies without a group get one, which "
+          "follows the state; 0: only bodies with groups of their own are cut apart."},
+         {"regroup_every", integer("a number of steps", 0, 1000000), false, "60", "",
+          "Steps after which these groups are looked at again; 0: they stay as they are at first."},
          {"contact_tolerance", number("a relative residual", 1e-12, 1.0), false, "1e-6", "1",
           "Residual of Coulomb's law at which the contacts of a step count as solved."},
          {"contact_iterations", integer("an integer", 1, 1000), false, "60", "",

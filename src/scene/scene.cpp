@@ -27,6 +27,11 @@ World build(const Description& description, const Options& options, const Place&
     settings.threads = options.threads;
     settings.budget = options.budget;
     settings.budget_work = options.budget_work;
+    const bool grouped = std::any_of(description.bodies.begin(), description.bodies.end(),
+                                     [](const BodyDef& body) { return !body.group.empty(); });
+    if (settings.coupling != Coupling::exact) {
+        settings.parts = description.parts.value_or(grouped ? 0 : Description::kParts);
+    }
     const Place* at = &settings_place;
     try {
         World world(settings);
@@ -51,12 +56,6 @@ World build(const Description& description, const Options& options, const Place&
         for (std::size_t i = 0; i < description.inputs.size(); ++i) {
             at = &description.input_place(i);
             world.add_input(description.inputs[i]);
-        }
-        at = &settings_place;
-        const bool grouped = std::any_of(description.bodies.begin(), description.bodies.end(),
-                                         [](const BodyDef& body) { return !body.group.empty(); });
-        if (settings.coupling != Coupling::exact && !grouped) {
-            world.set_groups(description.parts);
         }
         return world;
     } catch (const DefError& error) {

@@ -21,6 +21,7 @@
 #include "stepper/cut_levels.h"
 #include "stepper/cuts.h"
 #include "stepper/deadline.h"
+#include "stepper/regroup.h"
 
 #include <algorithm>
 #include <chrono>
@@ -110,6 +111,7 @@ struct StepContext {
     runtime::Stopwatch* stopwatch = &pool_stopwatch;  ///< Of the solver; tests put their own.
     std::unique_ptr<runtime::Trace> trace;            ///< What threads do; none: not written down.
     Cuts cuts;
+    Regroup regroup;
     Budget budget;
     Deadline deadline;
     CutLevels cut_levels;

@@ -4,6 +4,7 @@
 #include "assembly/parts.h"
 #include "base/index.h"
 #include "stepper/context.h"
+#include "stepper/regroup.h"
 
 #include <algorithm>
 #include <numeric>
@@ -13,10 +14,10 @@ namespace hawser::stepper {
 namespace {
 
 /// What cutting each interface costs by the last step's forces, velocities and violations.
-std::vector<double> interface_weights(const StepContext& ctx) {
+std::vector<double> interface_weights(StepContext& ctx) {
     assembly::PartGraph g;
-    g.build(ctx.bodies, ctx.interactions, ctx.system.contacts.links);
-    g.weigh(ctx.bodies, ctx.interactions, ctx.system.contacts, ctx.def);
+    read_graph(ctx, g);
+    weigh_graph(ctx, g);
     std::vector<double> weight(at(ctx.cuts.interfaces), 0.0);
     for (const Cut& c : ctx.cuts.list) {
         if (ctx.cuts.coupling[at(c.id)] != Coupling::deadline) continue;

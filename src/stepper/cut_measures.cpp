@@ -125,11 +125,11 @@ double mass(const StepContext& ctx) noexcept {
 }  // namespace
 
 void finish_cuts(StepContext& ctx) noexcept {
+    ctx.stats.cuts = 0;
+    ctx.stats.cut_residual = ctx.stats.momentum_defect = 0.0;
     if (!ctx.cuts.grouped) return;
     const assembly::View v = view(ctx);
     double defect = residual_momentum(ctx, v);
-    ctx.stats.cuts = 0;
-    ctx.stats.cut_residual = 0.0;
     for (Cut& cut : ctx.cuts.list) {
         if (!cut.open) {
             follow(ctx.interactions, cut);

@@ -6,6 +6,7 @@
 #include "stepper/clique.h"
 #include "stepper/contact.h"
 #include "stepper/drives.h"
+#include "stepper/regroup.h"
 #include "stepper/sleep.h"
 #include "stepper/step.h"
 #include "stepper/sweeps.h"
@@ -81,6 +82,7 @@ void relink(StepContext& ctx) {
 }
 
 void prepare(StepContext& ctx) {
+    make_groups(ctx);
     make_cuts(ctx);
     ctx.cut_levels.set({});
     if (ctx.collider.count() > 0) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file stages.h
-/// The stages that step() calls. `graph` and `analyse` run in prepare(), when the topology
-/// changed; `collide` runs where there are shapes.
+/// The stages that step() calls. `graph` (regroup.h) runs in the steps in which groups that follow
+/// the state are looked at again; `analyse` in those in which the system changed, and in
+/// prepare(); `collide` where there are shapes.
 
 #include "stepper/context.h"
 
@@ -10,7 +11,7 @@ namespace hawser::stepper {
 
 [[nodiscard]] assembly::View view(StepContext& ctx) noexcept;
 
-/// Stages graph and analyse: the system for the interactions and links there are.
+/// Stage analyse: the system for the interactions and links there are.
 /// @param state  Of the analysis of a saved world, to go on from. @throws std::bad_alloc.
 void analyse(StepContext& ctx, const factor::AnalysisState* state = nullptr);
 /// The same where only links changed. @throws std::bad_alloc; prepare() then.

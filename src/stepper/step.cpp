@@ -5,6 +5,7 @@
 #include "stepper/contact.h"
 #include "stepper/impact.h"
 #include "stepper/nonsmooth.h"
+#include "stepper/regroup.h"
 #include "stepper/sleep.h"
 #include "stepper/stages.h"
 #include "stepper/timer.h"
@@ -192,18 +193,20 @@ Status step(StepContext& ctx) noexcept {
         ctx.pool.pause();
         return ctx.stats.status = Status::out_of_memory;
     }
-    if (prepare_levels(ctx) != Status::ok) {
-        ctx.pool.pause();
-        return ctx.stats.status = Status::out_of_memory;
-    }
     const Clock::time_point solver_begin = Clock::now();
     ctx.stopwatch->start();
     ctx.laps = {};
     const std::int64_t analyses = ctx.stats.plans + ctx.stats.repairs;
+    const bool knew_levels = ctx.cut_levels.known();
+    if (regroup(ctx) != Status::ok || prepare_levels(ctx) != Status::ok) {
+        ctx.pool.pause();
+        return ctx.stats.status = Status::out_of_memory;
+    }
     Status status = solve_velocities(ctx);
     ctx.stats.solver_seconds = std::chrono::duration<double>(Clock::now() - solver_begin).count();
     ctx.stats.solver_cpu_seconds = ctx.stopwatch->seconds();
-    ctx.laps.analysed = ctx.stats.plans + ctx.stats.repairs > analyses;
+    ctx.laps.analysed = ctx.stats.plans + ctx.stats.repairs > analyses ||
+                        (ctx.cut_levels.known() && !knew_levels);
     end_budget(ctx);
     ctx.stats.newton_iterations = ctx.newton.iterations;
     ctx.stats.factor_work = static_cast<double>(ctx.step_flops) /

@@ -82,6 +82,9 @@ void check(const WorldDef& def) {
         refuse(where,
                "a coupling other than exact needs sleep_after 0: what is cut cannot tell "
                "when to wake");
+    if (def.parts < 0 || def.parts > 4096) refuse(where, "parts must be 0 to 4096");
+    if (def.regroup_every < 0 || def.regroup_every > 1'000'000)
+        refuse(where, "regroup_every must be 0 to 1000000 steps");
     if (def.nonsmooth > Nonsmooth::convex) refuse(where, "unknown nonsmooth method");
     if (def.nonsmooth_sweeps < 1 || def.nonsmooth_sweeps > 100'000)
         refuse(where, "nonsmooth_sweeps must be 1 to 100000");

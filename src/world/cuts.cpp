@@ -20,13 +20,44 @@ void World::set_group(BodyId id, const std::string& group) {
     Impl& m = *impl_;
     if (m.body_defs[b].group == group) return;
     m.body_defs[b].group = group;
-    const auto known = m.groups.emplace(group, static_cast<std::int32_t>(m.groups.size()));
-    m.ctx.cuts.group[b] = known.first->second;
+    m.ctx.regroup.by_hand[b] = m.number_of_group(group);
+    m.ctx.regroup.stale = true;
+    if (!stepper::makes_groups(m.ctx)) m.ctx.cuts.group[b] = m.ctx.regroup.by_hand[b];
     m.ctx.topology_changed = true;
+}
+
+std::int32_t World::Impl::number_of_group(const std::string& name) {
+    if (name.empty()) return -1;
+    return groups.emplace(name, static_cast<std::int32_t>(groups.size())).first->second;
+}
+
+void World::follow_groups(int parts, int every) {
+    stepper::StepContext& c = impl_->ctx;
+    WorldDef def = c.def;
+    def.parts = parts;
+    def.regroup_every = every;
+    world::check(def);
+    if (parts != c.def.parts) {
+        c.regroup.parts = {};
+        c.regroup.stale = true;
+        c.topology_changed = true;
+        if (parts == 0) c.cuts.group = c.regroup.by_hand;
+    }
+    c.def = def;
+}
+
+std::vector<std::int32_t> World::groups() const {
+    stepper::StepContext& c = impl_->ctx;
+    if (c.topology_changed) stepper::prepare(c);
+    std::vector<std::int32_t> out = c.cuts.group;
+    for (std::int32_t b = 0; b < body_count(); ++b)
+        if (c.bodies.dof(b) == 0) out[at(b)] = -1;
+    return out;
 }
 
 void World::set_groups(int parts) {
     if (parts < 1 || parts > 4096) throw DefError("groups: 1 to 4096 parts");
+    follow_groups(0, impl_->ctx.def.regroup_every);
     for (std::int32_t b = 0; b < body_count(); ++b) set_group(BodyId{b}, "");
     if (parts == 1) return;
     const PartitionView view = partition({.use = PartitionUse::cuts, .parts = parts});
@@ -48,6 +79,7 @@ void World::set_coupling(InteractionId id, Coupling coupling) {
     c.cuts.coupling.resize(at(interaction_count()), c.def.coupling);
     if (c.cuts.coupling[i] == coupling) return;
     c.cuts.coupling[i] = coupling;
+    c.regroup.stale = true;
     c.topology_changed = true;
 }
 
@@ -116,6 +148,18 @@ void copy_contacts(const stepper::StepContext& from, stepper::StepContext& to) {
     stepper::analyse(to);
 }
 
+/// Groups that follow the state, where both worlds have some.
+void copy_groups(const stepper::StepContext& from, stepper::StepContext& to) {
+    if (!stepper::makes_groups(from) || !stepper::makes_groups(to)) return;
+    const bool same = to.regroup.parts.part == from.regroup.parts.part;
+    to.regroup.parts = from.regroup.parts;
+    to.regroup.made = from.regroup.made;
+    to.regroup.seen = from.regroup.seen;
+    if (same || stepper::assign_groups(to) == 0) return;
+    to.topology_changed = true;
+    stepper::prepare(to);
+}
+
 }  // namespace
 
 void World::copy_state(const World& other) {
@@ -127,6 +171,7 @@ void World::copy_state(const World& other) {
         other.input_count() != input_count() || from.bodies.v.size() != to.bodies.v.size() ||
         from.def.step != to.def.step)
         throw DefError("copy_state: the worlds have other bodies, interactions, inputs or steps");
+    copy_groups(from, to);
     front(from.bodies.x, to.bodies.x);
     front(from.bodies.q, to.bodies.q);
     front(from.bodies.r, to.bodies.r);

@@ -19,7 +19,9 @@ struct World::Impl {
 
     stepper::StepContext ctx;
     std::vector<BodyDef> body_defs;
-    std::unordered_map<std::string, std::int32_t> groups;  ///< BodyDef::group, in order of use.
+    /// BodyDef::group, in order of use; "" is none.
+    std::unordered_map<std::string, std::int32_t> groups;
+    [[nodiscard]] std::int32_t number_of_group(const std::string& name);
     std::vector<ShapeDef> shape_defs;
     std::vector<InputDef> inputs;
     std::vector<double> input_values;

@@ -4,6 +4,7 @@
 
 #include "assembly/part_cost.h"
 #include "assembly/parts.h"
+#include "graph/follow.h"
 #include "graph/partition.h"
 #include "graph/split.h"
 #include "world/impl.h"
@@ -12,6 +13,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace hawser {
 
@@ -50,6 +53,60 @@ void list_cuts(const assembly::PartGraph& g, const model::Interactions& in,
     }
 }
 
+double makespan(const graph::Partition& p) {
+    const auto longest = std::max_element(p.cost.begin(), p.cost.end());
+    return static_cast<double>(p.separator_cost + (longest == p.cost.end() ? 0 : *longest));
+}
+
+/// Separators of an earlier state brought up to date. @return false where a new partition is due.
+bool follow_separators(const assembly::PartGraph& g, std::span<const std::int64_t> model_cost,
+                       const PartitionView& before, const graph::PartitionOptions& options,
+                       graph::Partition& out) {
+    const graph::Hypergraph graph = g.view();
+    const std::span<const std::int64_t> cost = graph.cost.empty() ? model_cost : graph.cost;
+    if (before.parts != options.parts || before.part_of_body.size() != graph.size.size())
+        return false;
+    out.parts = before.parts;
+    out.part = before.part_of_body;
+    out.cost.assign(at(out.parts), 0);
+    out.separator_cost = 0;
+    for (std::size_t v = 0; v < out.part.size(); ++v) {
+        const std::int32_t part = out.part[v];
+        if ((graph.size[v] == 0) != (part == graph::kNoPart) || part >= out.parts ||
+            part < graph::kSeparator)
+            return false;
+        if (part != graph::kNoPart) (part < 0 ? out.separator_cost : out.cost[at(part)]) += cost[v];
+    }
+    graph::Follower follower;
+    follower.start(graph, cost, out);
+    // Edges that came join two parts; separators whose edges went join the part beside them.
+    std::vector<std::int32_t> changed;
+    for (std::int32_t e = 0; e < graph.edges(); ++e) {
+        std::int32_t part = graph::kNoPart;
+        bool joins = false, between = false;
+        for (const std::int32_t v : graph.edge(e)) {
+            between |= out.part[at(v)] == graph::kSeparator;
+            if (out.part[at(v)] < 0) continue;
+            joins |= part >= 0 && out.part[at(v)] != part;
+            part = out.part[at(v)];
+        }
+        if (joins) changed.push_back(e);
+        if (joins && graph.edge(e).size() > graph::Follower::kMostMembers) return false;
+        if (between && !joins) changed.push_back(-1 - e);
+    }
+    constexpr std::int64_t kFew = 20;  // one in so many
+    const auto came = std::count_if(changed.begin(), changed.end(), [](auto e) { return e >= 0; });
+    if (kFew * came > graph.edges()) return false;
+    for (const std::int32_t e : changed)
+        if (e >= 0) follower.change(e, graph.edge(e));
+    for (const std::int32_t e : changed)
+        if (const std::int32_t b = -1 - e;
+            b >= 0 && graph.edge(b).size() <= graph::Follower::kMostMembers)
+            follower.change(b, graph.edge(b));
+    follower.copy_to(out);
+    return makespan(out) <= graph::Follower::kWorn * before.makespan_new;
+}
+
 }  // namespace
 
 PartitionView World::partition(const PartitionRequest& request) const {
@@ -60,31 +117,53 @@ PartitionView World::partition(const PartitionRequest& request) const {
     for (const std::int32_t g : request.group)
         if (g < -1 || g >= request.parts)
             throw DefError("groups of a partition: -1 or below the number of parts");
+    if (request.before != nullptr && request.before->use != request.use)
+        throw DefError("a partition goes on from one of the same use");
     stepper::StepContext& c = impl_->ctx;
     if (c.topology_changed) stepper::prepare(c);
     PartitionView view;
+    view.use = request.use;
     Clock::time_point clock = Clock::now();
     assembly::PartGraph g;
-    g.build(c.bodies, c.interactions, c.system.contacts.links);
+    stepper::read_graph(c, g);
     g.group = request.group;
     view.graph_seconds = seconds_since(clock);
-    g.weigh(c.bodies, c.interactions, c.system.contacts, c.def);
+    stepper::weigh_graph(c, g);
     view.weight_seconds = seconds_since(clock);
-    if (request.exact_cost) g.cost = assembly::body_flops(c.system, c.bodies.count());
+    if (request.exact_cost) {
+        g.cost = assembly::body_flops(c.system, c.bodies.count());
+        g.cost.resize(at(body_count()));
+    }
     (void)seconds_since(clock);
     graph::Partition p;
     graph::Partitioner partitioner;
     const graph::PartitionOptions options{request.parts};
     if (request.use == PartitionUse::separators) {
         partitioner.read(g.view());
-        partitioner.separate(options, p);
+        view.followed = request.before != nullptr &&
+                        follow_separators(g, partitioner.cost.node, *request.before, options, p);
+        if (view.followed) {
+            view.makespan_new = request.before->makespan_new;
+        } else {
+            partitioner.separate(options, p);
+            view.makespan_new = makespan(p);
+        }
         view.largest_cluster = 0.0;
         for (const std::int64_t cost : partitioner.cost.node)
             view.largest_cluster = std::max(view.largest_cluster, static_cast<double>(cost));
     } else {
         graph::Splitter splitter;
-        splitter.split(g.view(), options, p);
+        if (request.before != nullptr) {
+            p.parts = request.before->parts;
+            p.part = request.before->part_of_body;
+            p.worse_for = request.before->worse_for;
+            view.followed = splitter.follow(g.view(), options, p);
+        } else {
+            splitter.split(g.view(), options, p);
+        }
+        view.worse_for = p.worse_for;
         view.largest_cluster = static_cast<double>(splitter.largest_cluster);
+        view.makespan_new = view.followed ? request.before->makespan_new : makespan(p);
     }
     view.partition_seconds = seconds_since(clock);
     if (request.use == PartitionUse::cuts) partitioner.read(g.view());
@@ -100,11 +179,6 @@ PartitionView World::partition(const PartitionRequest& request) const {
     }
     list_cuts(g, c.interactions, p, view);
     view.part_of_body = std::move(p.part);
-    // Images and copies of a split stand behind the bodies and interactions of the user.
-    view.part_of_body.resize(at(body_count()));
-    std::erase_if(view.cuts, [&](const CutInteraction& cut) {
-        return cut.interaction.index >= interaction_count();
-    });
     return view;
 }
 

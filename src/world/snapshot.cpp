@@ -16,7 +16,7 @@ namespace hawser {
 namespace {
 
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '2'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '3'};
     std::uint64_t layout = 0;       ///< See layout_of().
     std::uint64_t parameters = 0;   ///< See parameters_of().
     std::uint64_t contacts = 0;     ///< Remembered from the last step.
@@ -24,7 +24,8 @@ struct Header {
     std::uint64_t links = 0;        ///< Pairs of bodies that touched.
     std::uint64_t nodes = 0;        ///< Of the order of elimination.
     std::uint64_t chained = 0, units = 0, chains = 0;  ///< Nodes in chains, and so on.
-    std::uint64_t bytes = 0;                           ///< Of the arrays that follow.
+    std::uint64_t grouped = 0;  ///< Bodies whose groups follow the state: all or none.
+    std::uint64_t bytes = 0;    ///< Of the arrays that follow.
 };
 
 /// Bytes of one contact in the arrays that resize_contacts() sizes.
@@ -66,11 +67,23 @@ std::uint64_t order_bytes(const Header& h) {
            (sizeof(std::int32_t) + 2) * h.chains + sizeof(std::int32_t);
 }
 
+/// Groups that follow the state, which come first: how many images and copies there are depends
+/// on them.
+template <class Groups, class F>
+void visit_groups(Groups& groups, F&& f) {
+    f(groups.parts.part.data(), groups.parts.part.size() * sizeof(std::int32_t));
+    f(&groups.parts.parts, sizeof groups.parts.parts);
+    f(&groups.parts.worse_for, sizeof groups.parts.worse_for);
+    f(&groups.made, sizeof groups.made);
+    f(&groups.seen, sizeof groups.seen);
+}
+
 /// Visit every array of the state with f(pointer, bytes).
 template <class Context, class Order, class F>
 void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f) {
     auto array = [&](auto& a) { f(a.data(), a.size() * sizeof(a[0])); };
     auto value = [&](auto& v) { f(&v, sizeof v); };
+    visit_groups(ctx.regroup, f);
     array(ctx.bodies.x);
     array(ctx.bodies.q);
     // Kept, not computed anew: the integrator's kernel rounds as its instruction set does.
@@ -129,7 +142,7 @@ std::uint64_t layout_of(const stepper::StepContext& ctx, std::size_t inputs) {
     const auto bodies = static_cast<std::size_t>(stepper::body_count(ctx)),
                count = static_cast<std::size_t>(stepper::interaction_count(ctx));
     add(ctx.bodies.kind, bodies);
-    add(ctx.cuts.group, bodies);
+    add(ctx.regroup.by_hand, bodies);
     add(ctx.interactions.body, kMaxInteractionBodies * count);
     add(ctx.interactions.rows, count);
     for (std::size_t i = 0; i < count; ++i) h = base::fnv1a(&ctx.interactions.def[i].kind, 1, h);
@@ -193,6 +206,10 @@ std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<I
     add(ctx.bodies.damping.data(), 6 * bodies * sizeof(double));
     add(ctx.bodies.weight.data(), bodies);
     value(ctx.def.predictor);
+    if (stepper::makes_groups(ctx)) {
+        value(ctx.def.parts);
+        value(ctx.def.regroup_every);
+    }
     for (std::size_t i = 0; i < static_cast<std::size_t>(stepper::interaction_count(ctx)); ++i)
         value(i < ctx.cuts.coupling.size() ? ctx.cuts.coupling[i] : ctx.def.coupling);
     add(ctx.def.gravity.data(), sizeof(Vec3));
@@ -233,6 +250,31 @@ std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<I
     return h;
 }
 
+/// What the bytes say of groups. @return false where that cannot be.
+bool read_groups(const stepper::StepContext& ctx, const std::byte* from, stepper::Regroup& out) {
+    out.parts.part.resize(ctx.regroup.parts.part.size());
+    visit_groups(out, [&](void* to, std::size_t n) {
+        if (n > 0) std::memcpy(to, from, n);
+        from += n;
+    });
+    for (std::size_t b = 0; b < out.parts.part.size(); ++b) {
+        const std::int32_t part = out.parts.part[b];
+        const bool moves = ctx.bodies.dof(static_cast<std::int32_t>(b)) > 0;
+        if (moves ? part < 0 || part >= out.parts.parts : part != graph::kNoPart) return false;
+    }
+    return out.parts.part.empty() || out.parts.parts == ctx.regroup.parts.parts;
+}
+
+/// Groups as saved, and the images and copies that come of them. @return whether others were there.
+bool take_groups(stepper::StepContext& ctx, const stepper::Regroup& saved) {
+    if (ctx.regroup.parts.part == saved.parts.part) return false;
+    ctx.regroup.parts.part = saved.parts.part;
+    if (stepper::assign_groups(ctx) == 0) return false;
+    ctx.topology_changed = true;
+    stepper::prepare(ctx);
+    return true;
+}
+
 /// Analyse at the poses at which the saved world was analysed; the state stays as it is.
 void analyse_as_saved(stepper::StepContext& ctx, const factor::AnalysisState& order) {
     const auto x = ctx.bodies.x;
@@ -259,6 +301,7 @@ std::vector<std::byte> World::save() const {
     header.links = m.ctx.system.contacts.links.size();
     const factor::AnalysisState order = m.ctx.system.analysis.state();
     const factor::Chains& chains = order.elimination.chains;
+    header.grouped = m.ctx.regroup.parts.part.size();
     header.nodes = order.elimination.order.size();
     header.chained = chains.nodes.size();
     header.units = chains.unit_begin.size() - 1;
@@ -297,6 +340,20 @@ void World::restore(std::span<const std::byte> bytes) {
             "snapshot: it belongs to a world with other parameters (masses, inertias, points, "
             "lengths, stiffnesses, damping, gravity, ranges of inputs, method, coupling, sleep)");
     if (m.ctx.topology_changed) stepper::prepare(m.ctx);
+    const auto damaged = [] { return DefError("snapshot: the bytes are damaged (checksum)"); };
+    if (sum != base::fnv1a(bytes.data(), bytes.size() - sizeof sum)) throw damaged();
+    // What is no array of groups is refused before anything changes; what is wrong beyond it, by
+    // going back.
+    visit_groups(m.ctx.regroup, [&](const void*, std::size_t n) { size += n; });
+    stepper::Regroup groups;
+    if (header.grouped != m.ctx.regroup.parts.part.size() ||
+        bytes.size() < sizeof header + size + sizeof sum ||
+        !read_groups(m.ctx, bytes.data() + sizeof header, groups))
+        throw damaged();
+    std::vector<std::byte> before;
+    if (groups.parts.part != m.ctx.regroup.parts.part) before = save();
+    const bool regrouped = take_groups(m.ctx, groups);
+    size = 0;
     factor::AnalysisState order;
     visit_state(m.ctx, m.input_values, order, [&](const void*, std::size_t n) { size += n; });
     // All but the contacts and the order has the size that this world has.
@@ -312,9 +369,10 @@ void World::restore(std::span<const std::byte> bytes) {
     for (std::uint64_t* n : {&order_of.nodes, &order_of.chained, &order_of.units, &order_of.chains})
         *n = std::min(*n, kMost);
     size += order_bytes(order_of);
-    if (header.bytes != size || bytes.size() != sizeof header + size + sizeof sum ||
-        sum != base::fnv1a(bytes.data(), bytes.size() - sizeof sum))
-        throw DefError("snapshot: the bytes are damaged (checksum)");
+    if (header.bytes != size || bytes.size() != sizeof header + size + sizeof sum) {
+        if (!before.empty()) restore(before);
+        throw damaged();
+    }
     const auto analysed_x = m.ctx.analysed_x;
     const auto analysed_r = m.ctx.analysed_r;
     const auto links = m.ctx.system.contacts.links;
@@ -335,7 +393,7 @@ void World::restore(std::span<const std::byte> bytes) {
     m.ctx.collider.kept_awake() = std::min(m.ctx.collider.kept_awake(), header.contacts);
     stepper::check_asleep(m.ctx);
     m.ctx.refine_unasked = std::max(0, m.ctx.refine_unasked);
-    if (relinked || asked != m.ctx.cuts.asked || asleep != m.ctx.bodies.asleep ||
+    if (regrouped || relinked || asked != m.ctx.cuts.asked || asleep != m.ctx.bodies.asleep ||
         m.ctx.analysed_x != analysed_x || m.ctx.analysed_r != analysed_r ||
         m.ctx.system.analysis.state() != order)
         analyse_as_saved(m.ctx, order);

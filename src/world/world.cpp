@@ -32,8 +32,8 @@ BodyId World::add_body(const BodyDef& def) {
         throw DefError("too many bodies; raise WorldDef::max_bodies");
     claim(m.body_names, def.name, m.ctx.bodies.count(), "body");
     m.body_defs.push_back(def);
-    const auto group = m.groups.emplace(def.group, static_cast<std::int32_t>(m.groups.size()));
-    m.ctx.cuts.group.push_back(group.first->second);
+    m.ctx.regroup.by_hand.push_back(m.number_of_group(def.group));
+    m.ctx.cuts.group.push_back(m.ctx.regroup.by_hand.back());
     m.ctx.topology_changed = true;
     return BodyId{m.ctx.bodies.add(def)};
 }

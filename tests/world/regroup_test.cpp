@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Groups that the world makes itself and that follow its state.
+#include "support/recipe.h"
+
+#include <hawser/inspect.h>
+#include <hawser/partition.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace hawser::test::regrouping {
+namespace {
+
+constexpr int kNodes = 40;
+constexpr double kApart = 1.0;  // m
+constexpr int kEvery = 20;      // steps
+
+/// A hull from which three equal cables stick out in a plane, without gravity: what differs is how
+/// they move and are pulled.
+struct Cables {
+    explicit Cables(int parts, int every = kEvery, int threads = 1) {
+        recipe.world.gravity = Vec3::Zero();
+        recipe.world.coupling = Coupling::compliant;
+        recipe.world.parts = parts;
+        recipe.world.regroup_every = every;
+        recipe.world.threads = threads;
+        hull = recipe.rigid({0, 0, 0}, Quat::Identity(), 1e6, {1e7, 1e7, 1e7});
+        for (std::size_t c = 0; c < 3; ++c) add_cable(c);
+    }
+
+    [[nodiscard]] static Vec3 direction(std::size_t c) {
+        const double turn = 2.0 * 3.14159265358979 * static_cast<double>(c) / 3.0;
+        return {std::cos(turn), std::sin(turn), 0.0};
+    }
+
+    void add_cable(std::size_t c) {
+        std::vector<BodyId> row{hull};
+        for (int i = 1; i <= kNodes; ++i)
+            row.push_back(recipe.lump(direction(c) * (kApart * i), 10.0));
+        for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+            InteractionDef d = between(InteractionKind::Distance, {row[i], row[i + 1]});
+            d.compliance[0] = 1e-7;
+            d.damping_time[0] = 0.1;
+            recipe.add(d.set("length", kApart));
+        }
+        cable[c].assign(row.begin() + 1, row.end());
+    }
+
+    /// It turns about the hull from now on, so that every node is pulled inwards.
+    void turn(World& w, std::size_t c) const {
+        const Vec3 across = Vec3(0, 0, 1).cross(direction(c));
+        for (int i = 0; i < kNodes; ++i)
+            w.set_velocity(cable[c][static_cast<std::size_t>(i)],
+                           {across * (1.0 * kApart * (i + 1)), Vec3::Zero()});
+    }
+    /// Its end is pulled, so that tension is the same all along.
+    void pull(World& w, std::size_t c) const {
+        w.set_force(cable[c].back(), direction(c) * 5e3, Vec3::Zero());
+    }
+
+    /// Cables with a cut in force.
+    [[nodiscard]] std::set<std::size_t> cut_cables(const World& w) const {
+        std::set<std::size_t> result;
+        for (const CutView& cut : w.cuts())
+            for (std::size_t c = 0; c < 3; ++c)
+                for (const BodyId b : w.interaction_def(cut.interaction).body)
+                    if (std::find(cable[c].begin(), cable[c].end(), b) != cable[c].end())
+                        result.insert(c);
+        return result;
+    }
+
+    Recipe recipe;
+    BodyId hull{};
+    std::array<std::vector<BodyId>, 3> cable;
+};
+
+void run(World& w, int steps) {
+    for (int i = 0; i < steps; ++i) ASSERT_EQ(w.step(), Status::ok) << "step " << i;
+}
+
+/// What a cut at these interactions weighs by the state, summed.
+double weight_of_cuts(const World& w) {
+    PartitionRequest request{.use = PartitionUse::cuts, .parts = 2, .exact_cost = false};
+    request.group = w.groups();
+    double sum = 0.0;
+    for (const CutInteraction& c : w.partition(request).cuts) sum += c.weight;
+    return sum;
+}
+
+TEST(Regroup, TheCutOfARunningWorldLeavesTheCableThatAccelerates) {
+    for (std::size_t fast = 0; fast < 3; ++fast) {
+        SCOPED_TRACE(fast);
+        const Cables t(2);
+        World w = t.recipe.make();
+        const std::vector<std::int32_t> first = w.groups();
+        EXPECT_EQ(std::set<std::int32_t>(first.begin(), first.end()).size(), 2U);
+        t.turn(w, fast);
+        t.pull(w, (fast + 1) % 3);
+        run(w, 9 * kEvery);
+        const std::set<std::size_t> cut = t.cut_cables(w);
+        ASSERT_FALSE(cut.empty());
+        EXPECT_FALSE(cut.contains(fast));
+    }
+}
+
+/// The same cut, by hand at first the only thing that moves: the cable that is cut starts to turn.
+TEST(Regroup, ACutMovesAlongACableThatStartsToTurn) {
+    const Cables t(2);
+    World moves = t.recipe.make();
+    World stays = t.recipe.make();
+    run(moves, kEvery);
+    run(stays, kEvery);
+    stays.follow_groups(2, 0);
+    const std::int64_t settled = stays.stats().regroupings;
+    const auto before = moves.groups();
+    ASSERT_EQ(before, stays.groups());
+    const std::size_t cut = *t.cut_cables(moves).begin();
+    for (World* w : {&moves, &stays}) t.turn(*w, cut);
+    run(moves, 8 * kEvery);
+    run(stays, 8 * kEvery);
+    EXPECT_NE(moves.groups(), before);
+    EXPECT_EQ(stays.groups(), before);
+    EXPECT_GT(moves.stats().regroupings, settled);
+    EXPECT_GT(moves.stats().regrouped_bodies, stays.stats().regrouped_bodies);
+    EXPECT_EQ(stays.stats().regroupings, settled);
+    EXPECT_LT(weight_of_cuts(moves), weight_of_cuts(stays));
+}
+
+/// What the pull set swinging dies out in some seconds.
+void leave_alone(Coupling coupling, Predictor predictor) {
+    Cables t(3);
+    t.recipe.world.coupling = coupling;
+    t.recipe.world.predictor = predictor;
+    World w = t.recipe.make();
+    for (std::size_t c = 0; c < 3; ++c) t.pull(w, c);
+    run(w, 20 * kEvery);
+    const std::int64_t once = w.stats().regroupings;
+    const auto groups = w.groups();
+    run(w, 40 * kEvery);
+    EXPECT_EQ(w.stats().regroupings, once);
+    EXPECT_EQ(w.groups(), groups);
+}
+
+TEST(Regroup, ASteadySceneIsLeftAlone) {
+    leave_alone(Coupling::compliant, Predictor::hold);
+    leave_alone(Coupling::kinematic, Predictor::clique);
+}
+
+TEST(Regroup, GroupsByHandStay) {
+    const Cables t(3);
+    World w = t.recipe.make();
+    for (const BodyId b : t.cable[1]) w.set_group(b, "mine");
+    w.set_group(t.cable[2].back(), "other");
+    t.turn(w, 0);
+    t.pull(w, 2);
+    for (int k = 0; k < 6 * kEvery; ++k) {
+        run(w, 1);
+        const auto groups = w.groups();
+        const auto of = [&](BodyId b) { return groups[static_cast<std::size_t>(b.index)]; };
+        for (const BodyId b : t.cable[1]) ASSERT_EQ(of(b), of(t.cable[1].front())) << k;
+        ASSERT_NE(of(t.cable[2].back()), of(t.cable[1].front())) << k;
+        // Others are shared out all the same.
+        ASSERT_EQ(std::set<std::int32_t>(groups.begin(), groups.end()).size(), 3U) << k;
+    }
+    w.set_group(t.cable[2].back(), "");
+    run(w, 1);
+    EXPECT_EQ(w.body_def(t.cable[1][0]).group, "mine");
+}
+
+TEST(Regroup, GroupsByHandEndIt) {
+    const Cables t(2);
+    World w = t.recipe.make();
+    run(w, 2 * kEvery);
+    w.set_groups(2);
+    EXPECT_EQ(w.settings().parts, 0);
+    const auto groups = w.groups();
+    const std::int64_t before = w.stats().regroupings;
+    const std::size_t cut = *t.cut_cables(w).begin();
+    t.turn(w, cut);
+    run(w, 6 * kEvery);
+    EXPECT_EQ(w.groups(), groups);
+    EXPECT_EQ(w.stats().regroupings, before);
+}
+
+TEST(Regroup, CanBeBegunAndEndedInARunningWorld) {
+    const Cables t(0);
+    World w = t.recipe.make();
+    run(w, 5);
+    EXPECT_TRUE(w.cuts().empty());
+    w.follow_groups(2, kEvery);
+    run(w, 5);
+    EXPECT_FALSE(w.cuts().empty());
+    w.follow_groups(0);
+    run(w, 5);
+    EXPECT_TRUE(w.cuts().empty());
+    EXPECT_THROW(w.follow_groups(-1), DefError);
+    EXPECT_THROW(w.follow_groups(4097), DefError);
+    EXPECT_THROW(w.follow_groups(2, -1), DefError);
+    EXPECT_EQ(w.settings().parts, 0);
+    // Exact coupling asks for no groups.
+    for (std::int32_t i = 0; i < w.interaction_count(); ++i)
+        w.set_coupling(InteractionId{i}, Coupling::exact);
+    w.follow_groups(2);
+    run(w, 5);
+    EXPECT_EQ(w.stats().cuts, 0);
+}
+
+TEST(Regroup, WhatIsCoupledExactlyIsNotCut) {
+    const Cables t(2);
+    World w = t.recipe.make();
+    for (std::int32_t i = 0; i < 2 * kNodes; ++i)
+        w.set_coupling(InteractionId{i}, Coupling::exact);
+    EXPECT_EQ(t.cut_cables(w), std::set<std::size_t>{2});
+    run(w, 3 * kEvery);
+    EXPECT_EQ(t.cut_cables(w), std::set<std::size_t>{2});
+}
+
+/// A world whose groups move several times: what acts on it, by step.
+void play(const Cables& t, World& w, int step) {
+    if (step == kEvery + 3) t.turn(w, *t.cut_cables(w).begin());
+    if (step == 3 * kEvery) t.pull(w, 1);
+    if (step == 5 * kEvery + 1) t.turn(w, *t.cut_cables(w).begin());
+}
+
+TEST(Regroup, IsTheSameForAnyNumberOfThreads) {
+    std::map<int, std::vector<std::uint64_t>> hash;
+    for (const int threads : {1, 2, 5}) {
+        const Cables t(3, kEvery, threads);
+        World w = t.recipe.make();
+        for (int i = 0; i < 8 * kEvery; ++i) {
+            play(t, w, i);
+            ASSERT_EQ(w.step(), Status::ok);
+            hash[threads].push_back(w.state_hash());
+        }
+        EXPECT_GT(w.stats().regroupings, 1);
+    }
+    EXPECT_EQ(hash[1], hash[2]);
+    EXPECT_EQ(hash[1], hash[5]);
+}
+
+TEST(Regroup, GoesOnBitForBitFromASnapshotOfAnyStep) {
+    const Cables t(3);
+    World a = t.recipe.make();
+    std::vector<std::vector<std::byte>> saved;
+    std::vector<std::uint64_t> hash;
+    std::vector<std::int64_t> changes;
+    constexpr int kSteps = 8 * kEvery;
+    for (int i = 0; i < kSteps; ++i) {
+        play(t, a, i);
+        saved.push_back(a.save());
+        changes.push_back(a.stats().regroupings);
+        ASSERT_EQ(a.step(), Status::ok);
+        hash.push_back(a.state_hash());
+    }
+    ASSERT_GT(a.stats().regroupings, 1);
+    // In a world that is new each time, and in one whose groups are those of another time.
+    World again = t.recipe.make();
+    run(again, 2 * kEvery + 7);
+    Random random(5);
+    for (int i = 1; i < kSteps; i += random.integer(1, 7)) {
+        SCOPED_TRACE(i);
+        World fresh = t.recipe.make();
+        for (World* w : {&fresh, &again}) {
+            w->restore(saved[static_cast<std::size_t>(i)]);
+            ASSERT_EQ(w->save(), saved[static_cast<std::size_t>(i)]);
+            for (int k = i; k < std::min(kSteps, i + kEvery + 12); ++k) {
+                if (k > i) play(t, *w, k);  // the snapshot was taken after it
+                ASSERT_EQ(w->step(), Status::ok);
+                ASSERT_EQ(w->state_hash(), hash[static_cast<std::size_t>(k)]) << "step " << k;
+            }
+        }
+    }
+    // Damage is refused, whatever groups there are.
+    const auto& good = saved[kSteps - 1];
+    again.restore(saved[1]);
+    const std::uint64_t before = again.state_hash();
+    for (int trial = 0; trial < 100; ++trial) {
+        auto bytes = good;
+        const int where = random.integer(0, static_cast<int>(bytes.size()) - 1);
+        bytes[static_cast<std::size_t>(where)] ^= static_cast<std::byte>(random.integer(1, 255));
+        EXPECT_THROW(again.restore(bytes), DefError) << "byte " << where;
+        ASSERT_EQ(again.state_hash(), before);
+    }
+    EXPECT_EQ(again.save(), saved[1]);
+}
+
+TEST(Regroup, TwinsHaveTheGroupsAndGoOnAlike) {
+    const Cables t(3);
+    World a = t.recipe.make();
+    for (int i = 0; i < 4 * kEvery - 2; ++i) {
+        play(t, a, i);
+        ASSERT_EQ(a.step(), Status::ok);
+    }
+    ASSERT_GT(a.stats().regroupings, 0);
+    World b = a.twin();
+    EXPECT_EQ(b.groups(), a.groups());
+    EXPECT_EQ(b.state_hash(), a.state_hash());
+    World c = t.recipe.make();
+    c.copy_state(a);
+    EXPECT_EQ(c.groups(), a.groups());
+    World exact = a.twin(Coupling::exact);
+    EXPECT_TRUE(exact.cuts().empty());
+    run(exact, kEvery);
+    for (int i = 4 * kEvery - 2; i < 6 * kEvery; ++i) {
+        play(t, a, i);
+        play(t, b, i);
+        play(t, c, i);
+        ASSERT_EQ(a.step(), Status::ok);
+        ASSERT_EQ(b.step(), Status::ok);
+        ASSERT_EQ(c.step(), Status::ok);
+        ASSERT_EQ(b.groups(), a.groups()) << i;
+        ASSERT_EQ(c.groups(), a.groups()) << i;
+    }
+}
+
+TEST(Regroup, PartitionsCanBeFollowedByHand) {
+    const Cables t(0);
+    World w = t.recipe.make();
+    run(w, kEvery);
+    for (const PartitionUse use : {PartitionUse::cuts, PartitionUse::separators}) {
+        PartitionRequest request{.use = use, .parts = 3, .exact_cost = false};
+        const PartitionView first = w.partition(request);
+        EXPECT_FALSE(first.followed);
+        request.before = &first;
+        const PartitionView second = w.partition(request);
+        EXPECT_TRUE(second.followed);
+        EXPECT_EQ(second.makespan_new, first.makespan_new);
+        EXPECT_EQ(second.cuts.size(), first.cuts.size());
+        EXPECT_EQ(second.separator.size(), first.separator.size());
+        // At most one cut moves.
+        std::set<std::pair<std::int32_t, std::int32_t>> moved;
+        for (std::size_t b = 0; b < first.part_of_body.size(); ++b)
+            if (first.part_of_body[b] != second.part_of_body[b])
+                moved.emplace(first.part_of_body[b], second.part_of_body[b]);
+        EXPECT_LE(moved.size(), use == PartitionUse::cuts ? 1U : 0U);
+        request.parts = 2;  // of other parts nothing can be kept
+        EXPECT_FALSE(w.partition(request).followed);
+        request.use = use == PartitionUse::cuts ? PartitionUse::separators : PartitionUse::cuts;
+        EXPECT_THROW((void)w.partition(request), DefError);
+    }
+}
+
+}  // namespace
+}  // namespace hawser::test::regrouping
