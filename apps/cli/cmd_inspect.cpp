@@ -112,6 +112,7 @@ int inspect(const InspectOptions& options) {
     fmt::print("{} (hash {:016x})\n", scene.name, scene.hash);
     print_system(world, view);
     print_orders(view);
+    print_groups(world);
     print_parts(world, options.scene.parts.value_or(kParts));
     if (options.folder.empty()) return kOk;
     const std::string parameters = fmt::format(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "inspect_parts.h"
 
+#include <hawser/inspect.h>
 #include <hawser/partition.h>
 
 #include "elimination_orders.h"
@@ -88,6 +89,29 @@ void print_orders(const SystemView& view) {
     else
         fmt::print("    {:<24} not in this build\n", "METIS nested dissection");
     print_order("ours", view, view.order);
+}
+
+void print_groups(const World& world) {
+    const std::vector<CutView> cuts = world.cuts();
+    if (cuts.empty()) return;
+    std::vector<std::int64_t> bodies;
+    for (const std::int32_t g : world.groups()) {
+        // A group by hand without a name has no number.
+        const auto k = static_cast<std::size_t>(g + 1);
+        if (k >= bodies.size()) bodies.resize(k + 1);
+        ++bodies[k];
+    }
+    if (!bodies.empty()) bodies.erase(bodies.begin());
+    const auto open =
+        std::count_if(cuts.begin(), cuts.end(), [](const CutView& c) { return c.open; });
+    fmt::print("  groups in force  bodies {}; {} interactions cut, {} of them open\n",
+               fmt::join(bodies, ", "), cuts.size(), open);
+    if (const WorldDef& def = world.settings(); def.parts > 0)
+        fmt::print(
+            "    of the world     {} parts, looked at every {} steps: regrouped {} times, {} "
+            "bodies moved\n",
+            def.parts, def.regroup_every, world.stats().regroupings,
+            world.stats().regrouped_bodies);
 }
 
 void print_parts(const World& world, int parts) {

@@ -12,6 +12,9 @@ namespace hawser::cli {
 /// on the same block matrix.
 void print_orders(const SystemView& view);
 
+/// Groups that are in force in a world that is coupled in parts; else nothing.
+void print_groups(const World& world);
+
 /// Parts with separators, and parts with cuts, of the present state.
 void print_parts(const World& world, int parts);
 

@@ -21,8 +21,8 @@ void SceneOptions::add_to(CLI::App& command, bool required) {
     command
         .add_option("--coupling", coupling,
                     "How groups of bodies couple: exact, kinematic, compliant, or deadline (exact, "
-                    "compliant where --budget needs it); without groups "
-                    "in the scene it is cut into --parts")
+                    "compliant where --budget needs it); bodies without "
+                    "a group of their own are shared out to --parts")
         ->check(CLI::IsMember({"exact", "kinematic", "compliant", "deadline"}));
     command
         .add_option("--predictor", predictor,
@@ -30,7 +30,8 @@ void SceneOptions::add_to(CLI::App& command, bool required) {
         ->check(CLI::IsMember({"hold", "forces", "clique"}));
     command
         .add_option("--parts", parts,
-                    "Parts to show a scene in (4), or to cut one without groups into")
+                    "Parts to show a scene in (4), or to cut it into where coupling is not exact: "
+                    "the cuts follow the state, see settings.regroup_every")
         ->check(CLI::Range(1, 4096));
     command.add_option("--sweeps", sweeps, "Sweeps a step of --nonsmooth split and pgs")
         ->check(CLI::Range(1, 100000));

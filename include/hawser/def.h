@@ -107,9 +107,10 @@ struct WorldDef {
     /// Other than exact, sleep_after must be 0.
     Coupling coupling = Coupling::exact;
     Predictor predictor = Predictor::hold;  ///< For coupling other than exact.
-    /// Parts that the world makes itself where some coupling is not exact, 0 to 4096: bodies without
-    /// a group of their own (BodyDef::group) get one, cut where that costs least, from the model in
-    /// the first step and by weights of the state after some ten. 0: none, groups by hand only.
+    /// Parts that the world makes itself where some coupling is not exact, 0 to 4096: bodies
+    /// without a group of their own (BodyDef::group) get one, cut where that costs least, from the
+    /// model in the first step and by weights of the state after some ten. 0: none, groups by hand
+    /// only.
     int parts = 0;
     /// Steps after which these groups are looked at again, 0 to 1,000,000; 0: they stay as the
     /// first step had them. At most one cut moves each time (docs/partition.md).

@@ -55,10 +55,11 @@ struct PartitionView {
     /// are others; cuts: where something that must stay whole lies in two parts, or the largest
     /// part was above 1.15 times that of a new partition 30 times running; separators: where more
     /// than a twentieth of the interactions and contacts changed, or the largest part and all
-    /// separators together have come above 1.15 times makespan_new.
+    /// separators together are more than 1.15 times makespan_new of all.
     bool followed = false;
-    int worse_for = 0;          ///< Times running that cuts were kept though a new one is better.
-    double makespan_new = 0.0;  ///< Separators and largest part when last made anew [flop].
+    int worse_for = 0;  ///< Times running that cuts were kept though a new one is better.
+    /// Cost of largest part and separators together over that of all, when last made anew [1].
+    double makespan_new = 0.0;
     std::vector<double> island_cost;  ///< c = Σ n_b² + Σ l_i of each island, as the paper has it.
     double graph_seconds = 0.0;       ///< Reading the model into integers [s].
     double weight_seconds = 0.0;      ///< Weights from forces, velocities and violations [s].

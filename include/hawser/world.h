@@ -140,8 +140,8 @@ class World {
     /// 0 ends it: groups are those by hand. @param every  0 to 1,000,000 steps. With the parts
     /// there are, groups stay as they are. @throws DefError.
     void follow_groups(int parts, int every = 60);
-    /// Number of the group of each body, −1 for one that does not move. Groups by hand come first
-    /// where the world makes others.
+    /// Number of the group of each body, −1: it does not move, or has no group where the world
+    /// makes none. Groups by hand come first where it does. Analyses if need be.
     [[nodiscard]] std::vector<std::int32_t> groups() const;
     /// How an interaction couples bodies of different groups, from the next step on; at first
     /// WorldDef::coupling. Joints and lines can be cut, not what drives, rubs or limits.

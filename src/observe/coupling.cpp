@@ -35,6 +35,8 @@ class Linearised {
         : world_(world), base_(world.twin()), moved_(world.twin()), h_(world.settings().step) {
         for (std::int32_t b = 0; b < world.body_count(); ++b)
             if (moves(world, b)) bodies_.push_back(BodyId{b});
+        // Linearised is one step with the groups there are.
+        for (World* w : {&base_, &moved_}) w->follow_groups(world.settings().parts, 0);
         ok_ = base_.step() == Status::ok;
     }
 

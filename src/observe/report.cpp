@@ -122,6 +122,11 @@ void quality(Out out, const Summary& s) {
     if (s.contacts_max > 0.0) friction(out, s);
     degradations(out, s);
     if (s.coupling.steps > 0) coupling(out, s);
+    if (s.parts > 0)
+        fmt::format_to(out,
+                       "  groups       {} parts, looked at every {} steps: regrouped {} times, "
+                       "{} bodies moved\n",
+                       s.parts, s.regroup_every, s.last.regroupings, s.last.regrouped_bodies);
     if (s.asleep_max > 0.0)
         fmt::format_to(out, "  asleep       {:.0f} bodies in the median step, at most {:.0f}\n",
                        s.asleep_median, s.asleep_max);

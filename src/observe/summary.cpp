@@ -40,6 +40,8 @@ SummaryCollector::SummaryCollector(const SceneInfo& scene, const World& world)
     summary_.start_time = world.time();
     summary_.step = world.settings().step;
     summary_.form = world.settings().form;
+    if (world.settings().coupling != Coupling::exact) summary_.parts = world.settings().parts;
+    summary_.regroup_every = world.settings().regroup_every;
     summary_.threads = world.settings().threads;
     summary_.budget_ms = kMilliseconds * world.settings().budget;
     summary_.budget_mflop = 1e-6 * world.settings().budget_work;

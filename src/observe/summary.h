@@ -74,9 +74,11 @@ struct Summary {
     Spread step_ms, solver_ms, solver_cpu_ms;
     double budget_ms = 0.0, budget_mflop = 0.0;  ///< 0: none.
     Degradations degradations;
-    Verification verified;                       ///< With --verify; no steps without.
-    CouplingFigures coupling;                    ///< Of a split; no steps without.
-    double within_budget = 1.0;                  ///< Share of timed steps with solver_cpu_ms ≤.
+    Verification verified;       ///< With --verify; no steps without.
+    CouplingFigures coupling;    ///< Of a split; no steps without.
+    int parts = 0;               ///< WorldDef::parts where coupling is not exact, else 0.
+    int regroup_every = 0;       ///< WorldDef::regroup_every [steps].
+    double within_budget = 1.0;  ///< Share of timed steps with solver_cpu_ms ≤.
     std::array<double, kStageCount> stage_ms{};  ///< Medians.
     std::int64_t analyses = 0;                   ///< Steps of this run, of all, with one.
     double analyse_ms_max = 0.0;                 ///< Longest of these.

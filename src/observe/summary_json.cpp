@@ -214,6 +214,11 @@ std::string to_json(const Summary& s) {
         out["degradations"] = degradations(s);
     }
     if (s.coupling.steps > 0) out["coupling"] = coupling(s);
+    if (s.parts > 0)
+        out["groups"] = {{"parts", s.parts},
+                         {"regroup_every", s.regroup_every},
+                         {"regroupings", s.last.regroupings},
+                         {"bodies_moved", s.last.regrouped_bodies}};
     out["friction"] = friction(s.friction);
     if (const Verification& v = s.verified; v.steps > 0)
         out["verified"] = {{"verified_steps", v.steps},

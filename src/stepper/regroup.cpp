@@ -68,8 +68,7 @@ void read_own_graph(StepContext& ctx, bool weigh) {
     r.graph.group.clear();
     if (r.part_of_name.empty()) return;
     r.graph.group.resize(at(body_count(ctx)));
-    for (std::int32_t b = 0; b < body_count(ctx); ++b)
-        r.graph.group[at(b)] = part_by_hand(ctx, b);
+    for (std::int32_t b = 0; b < body_count(ctx); ++b) r.graph.group[at(b)] = part_by_hand(ctx, b);
 }
 
 /// A round is due before the step.

@@ -205,8 +205,8 @@ Status step(StepContext& ctx) noexcept {
     Status status = solve_velocities(ctx);
     ctx.stats.solver_seconds = std::chrono::duration<double>(Clock::now() - solver_begin).count();
     ctx.stats.solver_cpu_seconds = ctx.stopwatch->seconds();
-    ctx.laps.analysed = ctx.stats.plans + ctx.stats.repairs > analyses ||
-                        (ctx.cut_levels.known() && !knew_levels);
+    ctx.laps.analysed =
+        ctx.stats.plans + ctx.stats.repairs > analyses || (ctx.cut_levels.known() && !knew_levels);
     end_budget(ctx);
     ctx.stats.newton_iterations = ctx.newton.iterations;
     ctx.stats.factor_work = static_cast<double>(ctx.step_flops) /

@@ -53,9 +53,14 @@ void list_cuts(const assembly::PartGraph& g, const model::Interactions& in,
     }
 }
 
+/// Largest part and separators over all; costs change with the contacts there are.
 double makespan(const graph::Partition& p) {
-    const auto longest = std::max_element(p.cost.begin(), p.cost.end());
-    return static_cast<double>(p.separator_cost + (longest == p.cost.end() ? 0 : *longest));
+    double longest = 0.0, sum = static_cast<double>(p.separator_cost);
+    for (const std::int64_t cost : p.cost) {
+        longest = std::max(longest, static_cast<double>(cost));
+        sum += static_cast<double>(cost);
+    }
+    return sum > 0.0 ? (longest + static_cast<double>(p.separator_cost)) / sum : 0.0;
 }
 
 /// Separators of an earlier state brought up to date. @return false where a new partition is due.

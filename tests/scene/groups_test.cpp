@@ -3,6 +3,8 @@
 
 #include "support.h"
 
+#include <algorithm>
+
 namespace hawser::scene::test {
 namespace {
 
@@ -48,10 +50,32 @@ TEST(Groups, come_from_the_partitioner_where_the_scene_has_none) {
     EXPECT_TRUE(load_text(text, "test.json", exact).world.cuts().empty());
 }
 
+TEST(Groups, are_of_both_kinds_where_the_scene_says_so) {
+    // By itself a group by hand leaves the other bodies in one without a name …
+    const std::string own = R"(, "group": "near")";
+    const Scene hand = load_text(grouped(R"("coupling": "kinematic")", own, ""), "test.json");
+    EXPECT_EQ(hand.world.settings().parts, 0);
+    // … and with "parts" these are shared out.
+    const Scene both =
+        load_text(grouped(R"("coupling": "kinematic", "parts": 3, "regroup_every": 7)", own, ""),
+                  "test.json");
+    EXPECT_EQ(both.world.settings().parts, 3);
+    EXPECT_EQ(both.world.settings().regroup_every, 7);
+    const std::vector<std::int32_t> groups = both.world.groups();
+    const BodyId hull = both.world.find_body("a");
+    EXPECT_EQ(groups[static_cast<std::size_t>(hull.index)], 0);
+    EXPECT_GT(*std::max_element(groups.begin(), groups.end()), 0);
+    const Scene none =
+        load_text(grouped(R"("coupling": "kinematic", "parts": 0)", "", ""), "test.json");
+    EXPECT_TRUE(none.world.cuts().empty());
+}
+
 TEST(Groups, refuse_what_they_are_not) {
     EXPECT_NE(refusal(grouped(R"("coupling": "loose")", "", "")), "");
     EXPECT_NE(refusal(grouped(R"("predictor": "guess")", "", "")), "");
-    EXPECT_NE(refusal(grouped(R"("parts": 0)", "", "")), "");
+    EXPECT_NE(refusal(grouped(R"("parts": -1)", "", "")), "");
+    EXPECT_NE(refusal(grouped(R"("parts": 4097)", "", "")), "");
+    EXPECT_NE(refusal(grouped(R"("regroup_every": -1)", "", "")), "");
     EXPECT_NE(refusal(grouped("", R"(, "group": [1])", "")), "");
     EXPECT_NE(refusal(grouped("", "", R"(, "groups": [])")), "");
     // Islands of a split cannot sleep.

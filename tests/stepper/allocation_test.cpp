@@ -22,6 +22,7 @@ namespace {
 
 std::atomic<bool> counting{false};
 std::atomic<long> allocations{0};
+std::atomic<long> fails_at{-1};  ///< The allocation that fails while counting; −1: none.
 
 }  // namespace
 
@@ -33,28 +34,20 @@ void* __libc_calloc(std::size_t, std::size_t);
 void* __libc_realloc(void*, std::size_t);
 void* __libc_memalign(std::size_t, std::size_t);
 
-static void count_one() {
-    if (counting.load(std::memory_order_relaxed)) allocations.fetch_add(1);
+static bool count_one() {
+    if (!counting.load(std::memory_order_relaxed)) return true;
+    return allocations.fetch_add(1) != fails_at.load(std::memory_order_relaxed);
 }
-void* malloc(std::size_t n) {
-    count_one();
-    return __libc_malloc(n);
-}
+void* malloc(std::size_t n) { return count_one() ? __libc_malloc(n) : nullptr; }
 void* calloc(std::size_t n, std::size_t size) {
-    count_one();
-    return __libc_calloc(n, size);
+    return count_one() ? __libc_calloc(n, size) : nullptr;
 }
-void* realloc(void* p, std::size_t n) {
-    count_one();
-    return __libc_realloc(p, n);
-}
+void* realloc(void* p, std::size_t n) { return count_one() ? __libc_realloc(p, n) : nullptr; }
 void* aligned_alloc(std::size_t alignment, std::size_t n) {
-    count_one();
-    return __libc_memalign(alignment, n);
+    return count_one() ? __libc_memalign(alignment, n) : nullptr;
 }
 int posix_memalign(void** p, std::size_t alignment, std::size_t n) {
-    count_one();
-    *p = __libc_memalign(alignment, n);
+    *p = count_one() ? __libc_memalign(alignment, n) : nullptr;
     return *p == nullptr ? ENOMEM : 0;
 }
 }
@@ -119,6 +112,81 @@ TEST(Allocation, NoneInAWarmStep) {
 TEST(Allocation, NoneInAWarmStepOfTwoThreads) {
     expect_none(link_chain(200), 2);
     expect_none(mixed(4, 30), 2);
+}
+
+/// A wire in two parts that the world chooses; drag brings it to rest.
+Recipe parted_wire(int every) {
+    Recipe r = wire(40);
+    for (BodyDef& b : r.bodies) b.linear_damping = {50.0, 50.0, 50.0};
+    r.world.coupling = Coupling::kinematic;
+    r.world.predictor = Predictor::clique;
+    r.world.parts = 2;
+    r.world.regroup_every = every;
+    return r;
+}
+
+/// Rounds that find nothing to change do not allocate either, once there has been one.
+TEST(Allocation, NoneWhereGroupsAreLookedAtAndStay) {
+    if (!HAWSER_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
+    World w = parted_wire(7).make();
+    for (int i = 0; i < 600; ++i) ASSERT_EQ(w.step(), Status::ok);  // it comes to rest
+    const std::int64_t before = w.stats().regroupings;
+    long seen = 0;
+    bool ok = true, looked = false;
+    {
+        const Guard guard;
+        for (int i = 0; i < 70; ++i) {
+            ok = ok && w.step() == Status::ok;
+            looked |= w.stats().stage_seconds[static_cast<std::size_t>(Stage::graph)] > 0.0;
+        }
+        seen = Guard::seen();
+    }
+    EXPECT_TRUE(ok);
+    EXPECT_TRUE(looked);
+    EXPECT_EQ(w.stats().regroupings, before);
+    EXPECT_EQ(seen, 0);
+}
+
+/// Whichever allocation of a regrouping fails: a status, the state of the step before, and the next
+/// call goes on.
+TEST(Allocation, WhereMemoryEndsInARegroupingItIsAStatus) {
+    if (!HAWSER_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
+    const Recipe recipe = parted_wire(20);
+    World good = recipe.make();
+    const int round = static_cast<int>(stepper::Regroup::kSettle);
+    for (int i = 0; i <= round; ++i) ASSERT_EQ(good.step(), Status::ok);
+    ASSERT_EQ(good.stats().regroupings, 1) << "or the rest says nothing";
+    int failed = 0;
+    for (long k = 0;; k += 1 + k / 16) {
+        SCOPED_TRACE(k);
+        World w = recipe.make();
+        for (int i = 0; i < round; ++i) ASSERT_EQ(w.step(), Status::ok);
+        const std::vector<double> before = [&] {
+            std::vector<double> x;
+            for (int b = 0; b < w.body_count(); ++b)
+                for (const double c : w.pose(BodyId{b}).position) x.push_back(c);
+            return x;
+        }();
+        Status status = Status::ok;
+        {
+            fails_at = k;
+            const Guard guard;
+            status = w.step();
+            fails_at = -1;
+        }
+        if (status == Status::ok) break;  // it makes fewer
+        ++failed;
+        ASSERT_EQ(status, Status::out_of_memory);
+        ASSERT_EQ(w.step_count(), round);
+        std::size_t i = 0;
+        for (int b = 0; b < w.body_count(); ++b)
+            for (const double c : w.pose(BodyId{b}).position) ASSERT_EQ(c, before[i++]);
+        ASSERT_EQ(w.step(), Status::ok);
+        EXPECT_EQ(w.groups(), good.groups());
+        for (int b = 0; b < w.body_count(); ++b)
+            ASSERT_LT((w.pose(BodyId{b}).position - good.pose(BodyId{b}).position).norm(), 1e-9);
+    }
+    EXPECT_GT(failed, 20);
 }
 
 TEST(Allocation, NoneInAWarmStepThatIsTraced) {

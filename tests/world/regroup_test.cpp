@@ -1,88 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Groups that the world makes itself and that follow its state.
-#include "support/recipe.h"
+#include "world/three_cables.h"
 
-#include <hawser/inspect.h>
-#include <hawser/partition.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
-#include <set>
-#include <utility>
 
 namespace hawser::test::regrouping {
 namespace {
-
-constexpr int kNodes = 40;
-constexpr double kApart = 1.0;  // m
-constexpr int kEvery = 20;      // steps
-
-/// A hull from which three equal cables stick out in a plane, without gravity: what differs is how
-/// they move and are pulled.
-struct Cables {
-    explicit Cables(int parts, int every = kEvery, int threads = 1) {
-        recipe.world.gravity = Vec3::Zero();
-        recipe.world.coupling = Coupling::compliant;
-        recipe.world.parts = parts;
-        recipe.world.regroup_every = every;
-        recipe.world.threads = threads;
-        hull = recipe.rigid({0, 0, 0}, Quat::Identity(), 1e6, {1e7, 1e7, 1e7});
-        for (std::size_t c = 0; c < 3; ++c) add_cable(c);
-    }
-
-    [[nodiscard]] static Vec3 direction(std::size_t c) {
-        const double turn = 2.0 * 3.14159265358979 * static_cast<double>(c) / 3.0;
-        return {std::cos(turn), std::sin(turn), 0.0};
-    }
-
-    void add_cable(std::size_t c) {
-        std::vector<BodyId> row{hull};
-        for (int i = 1; i <= kNodes; ++i)
-            row.push_back(recipe.lump(direction(c) * (kApart * i), 10.0));
-        for (std::size_t i = 0; i + 1 < row.size(); ++i) {
-            InteractionDef d = between(InteractionKind::Distance, {row[i], row[i + 1]});
-            d.compliance[0] = 1e-7;
-            d.damping_time[0] = 0.1;
-            recipe.add(d.set("length", kApart));
-        }
-        cable[c].assign(row.begin() + 1, row.end());
-    }
-
-    /// It turns about the hull from now on, so that every node is pulled inwards.
-    void turn(World& w, std::size_t c) const {
-        const Vec3 across = Vec3(0, 0, 1).cross(direction(c));
-        for (int i = 0; i < kNodes; ++i)
-            w.set_velocity(cable[c][static_cast<std::size_t>(i)],
-                           {across * (1.0 * kApart * (i + 1)), Vec3::Zero()});
-    }
-    /// Its end is pulled, so that tension is the same all along.
-    void pull(World& w, std::size_t c) const {
-        w.set_force(cable[c].back(), direction(c) * 5e3, Vec3::Zero());
-    }
-
-    /// Cables with a cut in force.
-    [[nodiscard]] std::set<std::size_t> cut_cables(const World& w) const {
-        std::set<std::size_t> result;
-        for (const CutView& cut : w.cuts())
-            for (std::size_t c = 0; c < 3; ++c)
-                for (const BodyId b : w.interaction_def(cut.interaction).body)
-                    if (std::find(cable[c].begin(), cable[c].end(), b) != cable[c].end())
-                        result.insert(c);
-        return result;
-    }
-
-    Recipe recipe;
-    BodyId hull{};
-    std::array<std::vector<BodyId>, 3> cable;
-};
-
-void run(World& w, int steps) {
-    for (int i = 0; i < steps; ++i) ASSERT_EQ(w.step(), Status::ok) << "step " << i;
-}
 
 /// What a cut at these interactions weighs by the state, summed.
 double weight_of_cuts(const World& w) {
@@ -214,8 +137,7 @@ TEST(Regroup, CanBeBegunAndEndedInARunningWorld) {
 TEST(Regroup, WhatIsCoupledExactlyIsNotCut) {
     const Cables t(2);
     World w = t.recipe.make();
-    for (std::int32_t i = 0; i < 2 * kNodes; ++i)
-        w.set_coupling(InteractionId{i}, Coupling::exact);
+    for (std::int32_t i = 0; i < 2 * kNodes; ++i) w.set_coupling(InteractionId{i}, Coupling::exact);
     EXPECT_EQ(t.cut_cables(w), std::set<std::size_t>{2});
     run(w, 3 * kEvery);
     EXPECT_EQ(t.cut_cables(w), std::set<std::size_t>{2});
@@ -316,33 +238,6 @@ TEST(Regroup, TwinsHaveTheGroupsAndGoOnAlike) {
         ASSERT_EQ(c.step(), Status::ok);
         ASSERT_EQ(b.groups(), a.groups()) << i;
         ASSERT_EQ(c.groups(), a.groups()) << i;
-    }
-}
-
-TEST(Regroup, PartitionsCanBeFollowedByHand) {
-    const Cables t(0);
-    World w = t.recipe.make();
-    run(w, kEvery);
-    for (const PartitionUse use : {PartitionUse::cuts, PartitionUse::separators}) {
-        PartitionRequest request{.use = use, .parts = 3, .exact_cost = false};
-        const PartitionView first = w.partition(request);
-        EXPECT_FALSE(first.followed);
-        request.before = &first;
-        const PartitionView second = w.partition(request);
-        EXPECT_TRUE(second.followed);
-        EXPECT_EQ(second.makespan_new, first.makespan_new);
-        EXPECT_EQ(second.cuts.size(), first.cuts.size());
-        EXPECT_EQ(second.separator.size(), first.separator.size());
-        // At most one cut moves.
-        std::set<std::pair<std::int32_t, std::int32_t>> moved;
-        for (std::size_t b = 0; b < first.part_of_body.size(); ++b)
-            if (first.part_of_body[b] != second.part_of_body[b])
-                moved.emplace(first.part_of_body[b], second.part_of_body[b]);
-        EXPECT_LE(moved.size(), use == PartitionUse::cuts ? 1U : 0U);
-        request.parts = 2;  // of other parts nothing can be kept
-        EXPECT_FALSE(w.partition(request).followed);
-        request.use = use == PartitionUse::cuts ? PartitionUse::separators : PartitionUse::cuts;
-        EXPECT_THROW((void)w.partition(request), DefError);
     }
 }
 
