@@ -18,7 +18,9 @@ enum class PartitionUse : std::uint8_t {
 
 struct PartitionRequest {
     PartitionUse use = PartitionUse::separators;
-    int parts = 4;  ///< At least 1. The result depends on it, never on a number of threads.
+    /// At least 1. The result depends on it, never on a number of threads. Some stay empty where
+    /// there are few bodies: docs/partition.md.
+    int parts = 4;
     /// Balance by the exact flops of the last analysis instead of the model of graph/cost.h.
     bool exact_cost = true;
     /// Part of each body asked for by hand, −1: none; empty: none at all. For cuts.

@@ -28,7 +28,10 @@
 namespace hawser::graph {
 
 struct PartitionOptions {
-    std::int32_t parts = 4;  ///< At least 1; some may stay empty.
+    /// At least 1. Some stay empty where there are few nodes: with separators an island is divided
+    /// into at most a quarter of its nodes (kLeastNodes); with cuts each of a wire's nodes may be a
+    /// part, but for those that stay with what it is fastened to (two at each end).
+    std::int32_t parts = 4;
 };
 
 struct Partition {
@@ -59,7 +62,9 @@ class Partitioner {
     /// partition has been made.
     void read(const Hypergraph& graph);
     /// Parts and the separators between them.
-    void separate(const PartitionOptions& options, Partition& out);
+    void separate(const PartitionOptions& asked, Partition& out);
+    /// Of an island that is divided, so many for each part.
+    static constexpr std::int32_t kLeastNodes = 4;
 
     Hypergraph graph;
     Neighbours neighbours;
@@ -74,6 +79,7 @@ class Partitioner {
             return hubs + (ahead < behind ? ahead : behind);
         }
     };
+    [[nodiscard]] std::int32_t most_parts() const noexcept;
     void place_islands(const PartitionOptions& options, Partition& out);
     void find_profile();
     void find_reach();

@@ -237,7 +237,17 @@ void Partitioner::write(Partition& out) {
         out.cost[p] += sum_[p + static_cast<std::size_t>(-kSeparator)];
 }
 
-void Partitioner::separate(const PartitionOptions& options, Partition& out) {
+/// Parts that there is something for: of an island kLeastNodes nodes each, since of fewer most
+/// would be separators, which go back to one part when there is nothing else beside them.
+std::int32_t Partitioner::most_parts() const noexcept {
+    std::int32_t most = 0;
+    for (std::int32_t i = 0; i < cost.islands(); ++i)
+        most += std::max(1, (cost.begin[at(i) + 1] - cost.begin[at(i)]) / kLeastNodes);
+    return std::max(1, most);
+}
+
+void Partitioner::separate(const PartitionOptions& asked, Partition& out) {
+    const PartitionOptions options{std::min(asked.parts, most_parts())};
     place_islands(options, out);
     out.cut.clear();
     between_.clear();
@@ -252,6 +262,8 @@ void Partitioner::separate(const PartitionOptions& options, Partition& out) {
         }
     }
     write(out);
+    out.parts = asked.parts;
+    out.cost.resize(at(out.parts), 0);
 }
 
 }  // namespace hawser::graph

@@ -229,8 +229,9 @@ bool Splitter::move_sand(std::int32_t from, std::int32_t to, std::int64_t amount
             while (b < last && part(b + 1) == part(a) && group(b + 1) == group(a)) ++b;
             if (part(a) != from || group(a) >= 0) continue;
             const bool left = a > first && part(a - 1) == to, right = b < last && part(b + 1) == to;
-            const bool free_left = a == first && !held(first),
-                       free_right = b == last && !held(last);
+            // An end of the wire, or one that is cut already.
+            const bool free_left = a == first ? !held(first) : part(a - 1) != from,
+                       free_right = b == last ? !held(last) : part(b + 1) != from;
             // Each end of the run that stays keeps its stub.
             std::int32_t low = a, high = b;
             const bool at_left = left || (!right && free_left);

@@ -95,6 +95,43 @@ TEST(Partition, SeparatorsFollowEdits) {
     }
 }
 
+/// Wires of few nodes and more parts than there is something for: as many as can be are used, and
+/// evenly where each has some nodes.
+TEST(Partition, ShortWiresFillAsManyPartsAsTheyCan) {
+    graph::Partitioner partitioner;
+    graph::Splitter splitter;
+    Partition p;
+    const auto used = [&] {
+        return static_cast<int>(std::count_if(p.cost.begin(), p.cost.end(),
+                                              [](std::int64_t cost) { return cost > 0; }));
+    };
+    for (const bool bends : {false, true})
+        for (int n = 1; n <= 60; ++n)
+            for (const int parts : {1, 2, 3, 4, 8, 16, 64}) {
+                SCOPED_TRACE(testing::Message() << n << " nodes, " << parts << " parts, " << bends);
+                Graph g;
+                for (int i = 0; i < n; ++i) g.node(3);
+                for (int i = 0; i + 1 < n; ++i) {
+                    g.edge({i, i + 1});
+                    if (bends && i + 2 < n) g.edge({i, i + 1, i + 2});
+                }
+                splitter.split(g.view(), {parts}, p);
+                expect_split(g, p);
+                // A fifth may be missing: 13 nodes are 7 parts of at most two, not 8.
+                EXPECT_GE(5 * used(), 4 * std::min(parts, std::max(1, n - 2)));
+                if (n >= 6 * parts) {
+                    EXPECT_LE(p.imbalance(), 1.25);
+                }
+                partitioner.read(g.view());
+                partitioner.separate({parts}, p);
+                expect_separated(g, p);
+                ASSERT_EQ(p.cost.size(), at(parts));
+                const int most = std::min(parts, std::max(1, n / graph::Partitioner::kLeastNodes));
+                EXPECT_GE(5 * used(), 4 * most);
+                if (HasFailure()) return;
+            }
+}
+
 /// A cut is where the weights say, and only there do three otherwise equal wires differ.
 TEST(Partition, CutsSlideToTheLowestWeight) {
     Graph g;
