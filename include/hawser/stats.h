@@ -142,7 +142,11 @@ struct StepStats {
     /// CPU time at which the solver would have ended with one more iteration than it was allowed,
     /// as predicted [s]; 0 where nothing was left out, or not by time.
     double foreseen_seconds = 0.0;
-    std::int32_t cuts = 0;  ///< Interactions cut in this step (docs/methods.md, 10).
+    /// Of Degradation::cuts, the interfaces of which a cut was in force: where something else holds
+    /// the groups together, what is asked for stays exact.
+    std::uint64_t compliant = 0;
+    std::int32_t cuts = 0;    ///< Interactions cut in this step (docs/methods.md, 10).
+    double cut_defect = 0.0;  ///< Largest of a cut: ‖Σ of the impulses on its bodies‖ [N s].
     /// max |G v₊ + Σλ − c| over rows of cuts, v₊ of all their bodies and λ the mean of the sides
     /// [m/s or rad/s].
     double cut_residual = 0.0;

@@ -18,7 +18,11 @@ void extend(DegradedSpan& span, const StepStats& s) {
     span.end = s.time;
     const std::int32_t made = s.degradation.iterations;
     if (made > 0) span.iterations = span.iterations > 0 ? std::min(span.iterations, made) : made;
-    span.interfaces = std::max(span.interfaces, std::popcount(s.degradation.cuts));
+    span.interfaces = std::max(span.interfaces, std::popcount(s.compliant));
+    if (s.compliant != 0) {
+        span.momentum_defect = std::max(span.momentum_defect, s.momentum_defect);
+        span.cut_defect = std::max(span.cut_defect, s.cut_defect);
+    }
     span.foreseen = std::max(span.foreseen, s.foreseen_seconds);
     span.residual = std::max(span.residual, s.natural_map);
 }
@@ -26,11 +30,12 @@ void extend(DegradedSpan& span, const StepStats& s) {
 }  // namespace
 
 void Degradations::after_step(const StepStats& s) {
-    if (!s.degradation.any()) return;
+    // What is asked for and held shut by contacts is exact.
+    if (s.degradation.iterations == 0 && s.compliant == 0) return;
     const bool goes_on = all.steps > 0 && all.last == s.step - 1;
     extend(all, s);
     if (s.degradation.iterations > 0) extend(friction, s);
-    if (s.degradation.cuts != 0) extend(coupling, s);
+    if (s.compliant != 0) extend(coupling, s);
     ++by_cause[static_cast<std::size_t>(s.degraded_by)];
     if (!goes_on) ++spans;
     if (static_cast<std::size_t>(spans) > kListedSpans) return;

@@ -18,6 +18,8 @@ struct DegradedSpan {
     double begin = 0.0, end = 0.0;           ///< Of the first, and of the last [s].
     std::int32_t iterations = 0;             ///< Fewest where they were limited; 0: nowhere.
     int interfaces = 0;                      ///< Most that were coupled compliantly.
+    double momentum_defect = 0.0;            ///< Largest StepStats::momentum_defect.
+    double cut_defect = 0.0;                 ///< Largest StepStats::cut_defect [N s].
     double foreseen = 0.0;                   ///< Largest StepStats::foreseen_seconds [s].
     double residual = 0.0;                   ///< Largest natural map.
     DegradedBy cause = DegradedBy::nothing;  ///< Of the first.

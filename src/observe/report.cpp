@@ -93,6 +93,11 @@ void degradations(Out out, const Summary& s) {
     if (d.all.foreseen > 0.0)
         fmt::format_to(out, "; another iteration would have ended by {:.4g} ms",
                        1e3 * d.all.foreseen);
+    if (d.coupling.steps > 0)
+        fmt::format_to(out,
+                       "; momentum defect of compliant cuts at most {:.2e} of h g m, of one {:.3g} "
+                       "N s",
+                       d.coupling.momentum_defect, d.coupling.cut_defect);
     fmt::format_to(out, "\n");
 }
 

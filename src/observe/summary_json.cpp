@@ -56,6 +56,8 @@ Json degraded_span(const DegradedSpan& d) {
             {"time", {{"start", d.begin}, {"end", d.end}}},
             {"iterations", d.iterations > 0 ? Json(d.iterations) : Json()},
             {"interfaces", d.interfaces},
+            {"momentum_defect_max", d.momentum_defect},
+            {"cut_defect_max", d.cut_defect},
             {"foreseen_ms", d.foreseen > 0.0 ? Json(1e3 * d.foreseen) : Json()},
             {"residual_max", d.residual},
             {"cause", to_string(d.cause)}};

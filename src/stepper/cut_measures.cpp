@@ -126,7 +126,7 @@ double mass(const StepContext& ctx) noexcept {
 
 void finish_cuts(StepContext& ctx) noexcept {
     ctx.stats.cuts = 0;
-    ctx.stats.cut_residual = ctx.stats.momentum_defect = 0.0;
+    ctx.stats.cut_residual = ctx.stats.cut_defect = ctx.stats.momentum_defect = 0.0;
     if (!ctx.cuts.grouped) return;
     const assembly::View v = view(ctx);
     double defect = residual_momentum(ctx, v);
@@ -142,6 +142,7 @@ void finish_cuts(StepContext& ctx) noexcept {
         ctx.damped += cut_losses(ctx, cut.id);
         defect += cut.defect;
         ctx.stats.cut_residual = std::max(ctx.stats.cut_residual, cut.residual);
+        ctx.stats.cut_defect = std::max(ctx.stats.cut_defect, cut.defect);
         ++ctx.stats.cuts;
     }
     const double g = ctx.def.gravity.norm() > 0.0 ? ctx.def.gravity.norm() : 9.81;

@@ -278,6 +278,14 @@ bool open_cuts(StepContext& ctx) {
     return before != system.left_out;
 }
 
+std::uint64_t open_interfaces(const StepContext& ctx) noexcept {
+    std::uint64_t interfaces = 0;
+    for (const Cut& c : ctx.cuts.list)
+        if (c.open && ctx.cuts.coupling[at(c.id)] == Coupling::deadline)
+            interfaces |= std::uint64_t{1} << c.interface;
+    return interfaces;
+}
+
 Status ask_for_cuts(StepContext& ctx, std::uint64_t interfaces) noexcept {
     if (interfaces == ctx.cuts.asked) return Status::ok;
     ctx.cuts.asked = interfaces;

@@ -90,6 +90,9 @@ bool open_cuts(StepContext& ctx);
 /// Have these interfaces in force, see Degradation::cuts, and analyse if that changes a cut.
 [[nodiscard]] Status ask_for_cuts(StepContext& ctx, std::uint64_t interfaces) noexcept;
 
+/// Interfaces with a cut of Coupling::deadline in force.
+[[nodiscard]] std::uint64_t open_interfaces(const StepContext& ctx) noexcept;
+
 /// Before rows are assembled: images where their bodies are, at the velocities predicted.
 void predict(StepContext& ctx) noexcept;
 /// Impulses of contacts in the last step, by body, for predictors.

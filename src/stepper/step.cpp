@@ -95,6 +95,7 @@ void begin_budget(StepContext& ctx) noexcept {
 /// What the step's times teach, and what it left out.
 void end_budget(StepContext& ctx) noexcept {
     StepStats& s = ctx.stats;
+    s.compliant = open_interfaces(ctx);
     ctx.budget.finished(s.solver_cpu_seconds);
     if (ctx.budget.needs_time()) {
         ctx.laps.end = s.solver_cpu_seconds;
@@ -104,7 +105,7 @@ void end_budget(StepContext& ctx) noexcept {
         s.degraded_by = ctx.budget.cause();
         s.foreseen_seconds = ctx.budget.foreseen();
         ctx.deadline.refused();
-    } else if (s.degradation.any()) {
+    } else if (s.degradation.iterations > 0 || s.compliant != 0) {
         s.degraded_by = ctx.imposed.any() ? DegradedBy::order : DegradedBy::prediction;
     }
     ctx.budget.end();  // a trial step is not limited

@@ -21,6 +21,40 @@ std::string refusal(const std::string& text) {
     return "accepted";
 }
 
+/// What is asked for and held shut by contacts is exact and no degradation; of what was in force
+/// the largest defect stays.
+TEST(Degradations, CountWhatWasInForceWithItsDefect) {
+    observe::Degradations d;
+    StepStats s;
+    s.degradation.cuts = 3;
+    s.momentum_defect = 1e-13;
+    for (s.step = 1; s.step <= 5; ++s.step) d.after_step(s);
+    EXPECT_EQ(d.all.steps, 0);
+    EXPECT_EQ(d.spans, 0);
+    s.compliant = 2;
+    s.degraded_by = DegradedBy::prediction;
+    for (const double defect : {0.1, 0.3, 0.2}) {
+        s.momentum_defect = defect;
+        s.cut_defect = 10.0 * defect;
+        d.after_step(s);
+        ++s.step;
+    }
+    EXPECT_EQ(d.coupling.steps, 3);
+    EXPECT_EQ(d.coupling.interfaces, 1);
+    EXPECT_EQ(d.coupling.momentum_defect, 0.3);
+    EXPECT_EQ(d.coupling.cut_defect, 3.0);
+    EXPECT_EQ(d.by_cause[static_cast<std::size_t>(DegradedBy::prediction)], 3);
+    EXPECT_EQ(d.list.size(), 1U);
+    observe::Summary summary;
+    summary.budget_ms = 5.0;
+    summary.degradations = d;
+    const auto json = nlohmann::json::parse(observe::to_json(summary));
+    EXPECT_EQ(json["degradations"]["coupling"]["momentum_defect_max"], 0.3);
+    EXPECT_EQ(json["degradations"]["coupling"]["cut_defect_max"], 3.0);
+    EXPECT_NE(observe::report(summary).find("momentum defect of compliant cuts"),
+              std::string::npos);
+}
+
 TEST(Control, ReadsStepwiseValues) {
     const auto changes = observe::parse_control(
         "# levers\r\ntime, thrust ,winch1.speed\r\n0,1e5,\n\n2.5, ,-0.5\n2.5,0,0\n", "c.csv",

@@ -210,5 +210,47 @@ TEST(DeadlineCuts, StayAsARestoredWorldHasThemUntilRatesAreKnown) {
     EXPECT_EQ(levels.choose(nothing, {1.0, 500.0}, 0.6, 3), 3U);
 }
 
+/// Says whether levels of cuts were known when the solver's time began.
+struct LevelsClock final : runtime::Stopwatch {
+    const stepper::StepContext& ctx;
+    bool known_at_start = false;
+    explicit LevelsClock(const stepper::StepContext& c) : ctx(c) {}
+    void start() noexcept override { known_at_start = ctx.cut_levels.known(); }
+    double seconds() noexcept override { return 0.0; }
+};
+
+TEST(DeadlineCuts, TheAnalysisOfLevelsIsPartOfTheSolversTime) {
+    auto ctx = net_context(1.0);
+    LevelsClock clock(*ctx);
+    ctx->stopwatch = &clock;
+    ASSERT_EQ(stepper::step(*ctx), Status::ok);
+    ASSERT_FALSE(ctx->cut_levels.known());
+    ASSERT_EQ(stepper::step(*ctx), Status::ok);
+    EXPECT_TRUE(ctx->cut_levels.known());
+    EXPECT_FALSE(clock.known_at_start);
+    EXPECT_TRUE(ctx->laps.analysed) << "or rates would be learned from it";
+}
+
+/// One row across the middle is coupled exactly: it holds the halves together, so that no cut that
+/// is asked for comes into force.
+TEST(DeadlineCuts, ThatAreHeldShutDegradeNothing) {
+    World open = net(0.0).make(), shut = net(0.0).make();
+    shut.set_coupling(open.cuts().front().interaction, Coupling::exact);
+    for (World* w : {&open, &shut})
+        for (int i = 0; i < 5; ++i) {
+            w->degrade_next_step({0, false, 1});
+            ASSERT_EQ(w->step(), Status::ok);
+        }
+    EXPECT_EQ(open.stats().compliant, 1U);
+    EXPECT_EQ(open.stats().degraded_by, DegradedBy::order);
+    EXPECT_GT(open.stats().cut_defect, 0.0);
+    EXPECT_GT(open.stats().cuts, 0);
+    EXPECT_EQ(shut.stats().degradation.cuts, 1U);  // what a replay needs
+    EXPECT_EQ(shut.stats().compliant, 0U);
+    EXPECT_EQ(shut.stats().degraded_by, DegradedBy::nothing);
+    EXPECT_EQ(shut.stats().cut_defect, 0.0);
+    EXPECT_EQ(shut.stats().cuts, 0);
+}
+
 }  // namespace
 }  // namespace hawser::test
