@@ -25,10 +25,17 @@
 /// is not resolved (measured: without it they diverge from s = 2 to 3 on) and nowhere else; a
 /// motion that is resolved sees c of fifth order in h.
 ///
+/// *Swings far too fast for the step.* f is that of the step before, and where h c exceeds the
+/// inertia, half of the damping being explicit turns the relative velocity over instead of taking
+/// it away: chains diverged from s of some hundred on. With u = (s − 4)/(s + 4) for s > 4, else 0,
+/// c is (1 + 9 u) times as large, M̃ += (1 + u) h c, a −= (1 − u) h c (ω₀ − ω₁), from half explicit
+/// to implicit with the same sum; and the arms' stiffness is (1 + u/2) times as large, against a
+/// force that grows within a step. Measured on chains, tests/stepper/joint_damping_test.cpp.
+///
 /// Record (doubles): 0 w = (h²/4) T/l; 1-3 u; 4-6 r₀; 7-9 r₁; 10-15 (h²/4) P₀ and 16-21
-/// (h²/4) P₁ as xx xy xz yy yz zz; 22 h c. 23: max(|r₀|/I₀, |r₁|/I₁) [1/(kg m)], constant, set by
-/// the analysis; 0 where one of the bodies does not turn. Between bodies without arms a record ends
-/// after u.
+/// (h²/4) P₁ as xx xy xz yy yz zz; 22 (1 + u) h c. 23: max(|r₀|/I₀, |r₁|/I₁) [1/(kg m)], constant,
+/// set by the analysis; 0 where one of the bodies does not turn. Between bodies without arms a
+/// record ends after u.
 
 #include "assembly/view.h"
 #include "base/simd.h"
@@ -42,6 +49,14 @@ inline V3 mul6(const double* s, V3 v) {
 inline M3 full6(const double* s) {
     return {{s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5]}};
 }
+
+/// u of the text above. @param s4  4 s.
+template <class T>
+inline T unresolved(const T& s4) {
+    const T beyond = positive_part(T(s4 - constant(s4, 16.0)));
+    return beyond * (1.0 / (beyond + constant(s4, 32.0)));
+}
+inline constexpr double kMoreStiffness = 0.5, kMoreDamping = 9.0;
 
 /// scale × projected arm stiffness of the force f, of size nf, at arm r, of length nr. Zero where
 /// either is.

@@ -91,18 +91,30 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
     } else {
         pull = Vec3(last[0], last[1], last[2]);
     }
-    Vec3 arm[2], moved[2], turned[2], spin[2];  // changes of velocity; ω + ω₊
+    // How much too fast for the step the swing about a joint is: docs/methods.md, 4.
+    double swings = 0.0, fast = 0.0;
+    const bool damped =
+        is_joint(kind) && on.kind(0) == BodyKind::rigid && on.kind(1) == BodyKind::rigid;
+    for (int b = 0; damped && b < 2; ++b) {
+        const auto slot = static_cast<std::size_t>(b);
+        const double rate = swing(world.body_def(on.def().body[slot]), on.def().point[slot]);
+        swings = std::max(swings, h * h * pull.norm() * rate);
+    }
+    if (swings > 4.0) fast = (swings - 4.0) / (swings + 4.0);
+    Vec3 arm[2], moved[2], turned[2], spin[2];  // changes of velocity; (1 − u) ω + (1 + u) ω₊
     for (int b = 0; b < 2; ++b) {
         const BodyId body = on.def().body[static_cast<std::size_t>(b)];
         const Twist &old = before[static_cast<std::size_t>(body.index)], now = world.velocity(body);
         const bool turns = !on.is_point(b);
         arm[b] = on.point(b) - on.center(b);
         turned[b] = turns ? Vec3(now.angular - old.angular) : Vec3::Zero();
-        spin[b] = turns ? Vec3(now.angular + old.angular) : Vec3::Zero();
+        spin[b] =
+            turns ? Vec3((1.0 + fast) * now.angular + (1.0 - fast) * old.angular) : Vec3::Zero();
         moved[b] = now.linear - old.linear + turned[b].cross(arm[b]);
         if (on.kind(b) == BodyKind::rigid)
             out.on[static_cast<std::size_t>(b)].torque -=
-                scale * (arm_stiffness(b == 0 ? Vec3(-pull) : pull, arm[b]) * turned[b]);
+                (1.0 + 0.5 * fast) * scale *
+                (arm_stiffness(b == 0 ? Vec3(-pull) : pull, arm[b]) * turned[b]);
     }
     if (is_line(kind)) {
         const Vec3 u = between.normalized(), apart = moved[1] - moved[0];
@@ -112,16 +124,10 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
         out.on[0].torque += arm[0].cross(across);
         out.on[1].force -= across;
         out.on[1].torque -= arm[1].cross(across);
-    } else if (on.kind(0) == BodyKind::rigid && on.kind(1) == BodyKind::rigid) {
-        double fastest = 0.0;
-        for (int b = 0; b < 2; ++b) {
-            const auto slot = static_cast<std::size_t>(b);
-            fastest =
-                std::max(fastest, swing(world.body_def(on.def().body[slot]), on.def().point[slot]));
-        }
-        const double s = h * h * pull.norm() * fastest;
+    } else if (damped) {
         const double damping = settings.rotation_damping * h * h * pull.norm() *
-                               std::min(arm[0].norm(), arm[1].norm()) * std::min(1.0, 16.0 * s * s);
+                               std::min(arm[0].norm(), arm[1].norm()) *
+                               std::min(1.0, 16.0 * swings * swings) * (1.0 + 9.0 * fast);
         const Vec3 torque = damping * (spin[1] - spin[0]);
         out.on[0].torque += torque;
         out.on[1].torque -= torque;

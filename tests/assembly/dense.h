@@ -21,7 +21,9 @@ using Vector = Eigen::VectorXd;
 struct DenseStep {
     Matrix mass;       ///< M + h D.
     Matrix geometric;  ///< (h²/4) K_g.
-    Matrix damping;    ///< h C.
+    Matrix damping;    ///< (1 + u) h C.
+    Matrix before;     ///< (1 − u) h C, on the velocities before the step.
+    double fastest;    ///< Largest u.
     Matrix g;          ///< G, all rows of all interactions.
     Vector sigma, c;
     Vector a;  ///< Without the rotation of rigid bodies, whose gyroscopic part is the stepper's.
@@ -132,21 +134,25 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
     const double* lambda = &ctx.interactions.lambda[row];
     Matrix k = Matrix::Zero(12, 12), c = Matrix::Zero(12, 12);
     Vec3 f1;
+    double u = 0.0;  // docs/methods.md, 4
     if (s.geometry == generic::Geometry::line) {
         const double tension = -lambda[0] / h;
         if (tension <= 0.0) return;
-        const Vec3 u(s.j[1][0][0], s.j[1][0][1], s.j[1][0][2]);
+        const Vec3 along(s.j[1][0][0], s.j[1][0][1], s.j[1][0][2]);
         Matrix rel(3, 12);  // velocity of point 0 minus that of point 1
         rel << Mat3::Identity(), -skew(s.arm[0]), -Mat3::Identity(), skew(s.arm[1]);
-        k = rel.transpose() * (tension / s.length * (Mat3::Identity() - u * u.transpose())) * rel;
-        f1 = -tension * u;
+        k = rel.transpose() *
+            (tension / s.length * (Mat3::Identity() - along * along.transpose())) * rel;
+        f1 = -tension * along;
     } else {
         f1 = Vec3(lambda[0], lambda[1], lambda[2]) / h;
         if (s.dof[0] == 6 && s.dof[1] == 6) {
-            const double swing = 4.0 * h * h * f1.norm() * swing_rate(ctx, id, s);
+            const double swing = h * h * f1.norm() * swing_rate(ctx, id, s);
+            if (swing > 4.0) u = (swing - 4.0) / (swing + 4.0);
+            out.fastest = std::max(out.fastest, u);
             const double cc = ctx.def.rotation_damping * h * f1.norm() *
                               std::min(s.arm[0].norm(), s.arm[1].norm()) *
-                              std::min(1.0, swing * swing);
+                              std::min(1.0, 16.0 * swing * swing) * (1.0 + 9.0 * u);
             c.block(3, 3, 3, 3) = c.block(9, 9, 3, 3) = cc * Mat3::Identity();
             c.block(3, 9, 3, 3) = c.block(9, 3, 3, 3) = -cc * Mat3::Identity();
         }
@@ -155,11 +161,12 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
         if (s.dof[b] != 6) continue;
         const Vec3 f = b == 0 ? Vec3(-f1) : f1, r = s.arm[b];
         k.block(6 * b + 3, 6 * b + 3, 3, 3) +=
-            projected(f.dot(r) * Mat3::Identity() - r * f.transpose());
+            (1.0 + 0.5 * u) * projected(f.dot(r) * Mat3::Identity() - r * f.transpose());
     }
     scatter(s, quarter * k, out.geometric, out.couple_fixed);
     // Joints damp between two rigid bodies only, so nothing couples to a prescribed velocity.
-    scatter(s, h * c, out.damping, out.couple_fixed);
+    scatter(s, (1.0 + u) * h * c, out.damping, out.couple_fixed);
+    scatter(s, (1.0 - u) * h * c, out.before, out.couple_fixed);
 }
 
 inline void add_bodies(const stepper::StepContext& ctx, DenseStep& out) {
@@ -199,8 +206,17 @@ inline void add_bodies(const stepper::StepContext& ctx, DenseStep& out) {
 inline DenseStep dense_step(const stepper::StepContext& ctx) {
     const int n = ctx.bodies.dofs, rows = ctx.interactions.row_count;
     const double h = ctx.def.step;
-    DenseStep out{Matrix::Zero(n, n), Matrix::Zero(n, n), Matrix::Zero(n, n), Matrix::Zero(rows, n),
-                  Vector::Zero(rows), Vector::Zero(rows), Vector::Zero(n),    Vector::Zero(n)};
+    const Matrix none = Matrix::Zero(n, n);
+    DenseStep out{none,
+                  none,
+                  none,
+                  none,
+                  0.0,
+                  Matrix::Zero(rows, n),
+                  Vector::Zero(rows),
+                  Vector::Zero(rows),
+                  Vector::Zero(n),
+                  Vector::Zero(n)};
     add_bodies(ctx, out);
     const model::Interactions& in = ctx.interactions;
     const Eigen::Map<const Vector> v(ctx.bodies.v.data(), n);
@@ -244,7 +260,7 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
         }
         if (!idle) add_geometry(ctx, id, s, out);
     }
-    out.a += out.geometric * v - out.damping * v + out.couple_fixed;
+    out.a += out.geometric * v - out.before * v + out.couple_fixed;
     return out;
 }
 

@@ -77,12 +77,16 @@ void write_blocks(StepContext& ctx) {
 
 class Seeds : public testing::TestWithParam<std::tuple<int, Form>> {
   protected:
-    /// A mixed scene some steps from its start, so that every term is alive.
+    static bool fast() { return std::get<0>(GetParam()) % 2 == 0; }
+    /// A mixed scene some steps from its start, so that every term is alive; with even seeds under
+    /// forces that make joints swing too fast for the step.
     std::unique_ptr<StepContext> context() const {
         Recipe r = mixed(static_cast<std::uint64_t>(std::get<0>(GetParam())), 8);
         r.world.form = std::get<1>(GetParam());
         auto ctx = r.context();
         for (int i = 0; i < 4; ++i) EXPECT_EQ(stepper::step(*ctx), Status::ok);
+        if (fast())
+            for (double& l : ctx->interactions.lambda) l *= 1000.0;
         return ctx;
     }
 };
@@ -174,6 +178,9 @@ TEST_P(Seeds, GeometricStiffnessIsSymmetricAndPositive) {
         EXPECT_GE(spectrum(*k).values.minCoeff(), -1e-14 * (1e-3 + k->cwiseAbs().maxCoeff()));
     }
     EXPECT_GT(d.geometric.cwiseAbs().maxCoeff(), 0.0) << "nothing was under load";
+    if (fast()) {
+        EXPECT_GT(d.fastest, 0.1);
+    }
 }
 
 TEST(ArmStiffness, IsTheProjectionOfTheSymmetrisedOne) {

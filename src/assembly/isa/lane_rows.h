@@ -173,23 +173,26 @@ struct LaneRows {
                          on * pick(view.lambda, row, 2)};
         const V3T<W8> r0 = refs[0].arm(data.point[0]), r1 = refs[1].arm(data.point[1]);
         const W8 nf = norm(f1), n0 = norm(r0), n1 = norm(r1);
-        W8 arm0[6], arm1[6];
-        arm_stiffness(-f1, nf, r0, n0, scale, arm0);
-        arm_stiffness(f1, nf, r1, n1, scale, arm1);
         double swing[kLanes];
         for (int l = 0; l < kLanes; ++l)
             swing[l] = view.geo_record[view.geo[id[l]].record + assembly::kGeoSwing];
         const W8 push = (view.h * view.h) * nf, s = 4.0 * push * load(swing);
-        const W8 unit = one(s), need = select_greater(unit, s, s * s, unit);
-        const W8 damping = push * view.rotation_damping * select_greater(n1, n0, n0, n1) * need;
+        const W8 unit = one(s), fast = unresolved(s),
+                 stiff = scale * (unit + kMoreStiffness * fast);
+        W8 arm0[6], arm1[6];
+        arm_stiffness(-f1, nf, r0, n0, stiff, arm0);
+        arm_stiffness(f1, nf, r1, n1, stiff, arm1);
+        const W8 need = select_greater(unit, s, s * s, unit + kMoreDamping * fast);
+        const W8 half = push * view.rotation_damping * select_greater(n1, n0, n0, n1) * need;
+        const W8 damping = half * (unit + fast), back = half * (unit - fast);
         V8 a[kLanes] = {none, none, none, none, r0.x, r0.y, r0.z, r1.x};
         V8 b[kLanes] = {r1.y, r1.z, arm0[0], arm0[1], arm0[2], arm0[3], arm0[4], arm0[5]};
         V8 c[kLanes] = {arm1[0], arm1[1], arm1[2], arm1[3], arm1[4], arm1[5], damping, none};
         put_record(0, kLanes, a);
         put_record(8, kLanes, b);
         put_record(16, kLanes - 1, c);  // what follows is constant
-        const W8 d[3] = {damping * (v[1][3] - v[0][3]), damping * (v[1][4] - v[0][4]),
-                         damping * (v[1][5] - v[0][5])};
+        const W8 d[3] = {back * (v[1][3] - v[0][3]), back * (v[1][4] - v[0][4]),
+                         back * (v[1][5] - v[0][5])};
         V8 low[kLanes] = {none, none, none, d[0], d[1], d[2], none, none};
         V8 high[kLanes] = {none, -d[0], -d[1], -d[2], none, none, none, none};
         put_force(0, kLanes, low);

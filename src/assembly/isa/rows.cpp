@@ -56,19 +56,20 @@ inline void geo_force(const View& view, std::int32_t id, const double* v, double
     geo_product(rec, lin, ang, damping, out);
 }
 
-/// Force on slot b at the joint's point: the first three rows are translations along ±E.
+/// Force on slot b at the joint's point: the first three rows are translations along ±E. @return by
+/// how much less the damping of the record acts on the velocity before the step.
 template <class K>
-void geometry(const View& view, const typename K::Data& data, const BodyRef* refs, std::int32_t id,
-              const Rows<K::kBodies, K::kRows>& rows) {
+double geometry(const View& view, const typename K::Data& data, const BodyRef* refs,
+                std::int32_t id, const Rows<K::kBodies, K::kRows>& rows) {
     const assembly::GeoPlace& place = view.geo[id];
-    if (place.record < 0) return;
+    if (place.record < 0) return 1.0;
     double* rec = view.geo_record + place.record;
     const std::int32_t* body = view.body + kSlots * id;
     const bool rigid0 = view.dof[body[0]] == 6, rigid1 = view.dof[body[1]] == 6;
     const int size = place.dof == 3 ? assembly::kGeoLine : assembly::kGeoSwing;
     for (int i = 0; i < size; ++i) rec[i] = 0.0;
-    if (view.geometric_stiffness == 0.0 && view.rotation_damping == 0.0) return;
-    if (view.active[id] == 0.0) return;
+    if (view.geometric_stiffness == 0.0 && view.rotation_damping == 0.0) return 1.0;
+    if (view.active[id] == 0.0) return 1.0;
     const double scale = 0.25 * view.h * view.h * view.geometric_stiffness;
     const double per_h = 1.0 / view.h;
     const double* lambda = view.lambda + view.row_begin[id];
@@ -78,7 +79,7 @@ void geometry(const View& view, const typename K::Data& data, const BodyRef* ref
         const V3 u = load3(rows.J[1][0]);
         const double tension = -lambda[0] * per_h;
         // Compression has a negative geometric stiffness: left out, so that M̃ stays positive.
-        if (!(tension > 0.0)) return;
+        if (!(tension > 0.0)) return 1.0;
         const double length = norm(refs[1].x + r1 - refs[0].x - r0);
         rec[0] = scale * tension / (length > 1e-9 ? length : 1e-9);
         store3(rec + 1, u);
@@ -86,18 +87,21 @@ void geometry(const View& view, const typename K::Data& data, const BodyRef* ref
     } else {
         f1 = per_h * load3(lambda);
     }
-    if (place.dof == 3) return;
+    if (place.dof == 3) return 1.0;
     store3(rec + 4, r0);
     store3(rec + 7, r1);
-    if (!rigid0 && !rigid1) return;
+    if (!rigid0 && !rigid1) return 1.0;
     const double nf = norm(f1), n0 = norm(r0), n1 = norm(r1);
-    if (rigid0) arm_stiffness(-f1, nf, r0, n0, scale, rec + 10);
-    if (rigid1) arm_stiffness(f1, nf, r1, n1, scale, rec + 16);
-    if (K::kGeometry == Geometry::joint && rigid0 && rigid1) {
-        const double push = view.h * view.h * nf;
-        const double s = 4.0 * push * rec[assembly::kGeoSwing], need = s < 1.0 ? s * s : 1.0;
-        rec[22] = push * view.rotation_damping * (n0 < n1 ? n0 : n1) * need;
+    const double push = view.h * view.h * nf, s = 4.0 * push * rec[assembly::kGeoSwing];
+    const bool joint = K::kGeometry == Geometry::joint && rigid0 && rigid1;
+    const double fast = joint ? unresolved(s) : 0.0, stiff = scale * (1.0 + kMoreStiffness * fast);
+    if (rigid0) arm_stiffness(-f1, nf, r0, n0, stiff, rec + 10);
+    if (rigid1) arm_stiffness(f1, nf, r1, n1, stiff, rec + 16);
+    if (joint) {
+        const double need = s < 1.0 ? s * s : 1.0 + kMoreDamping * fast;
+        rec[22] = push * view.rotation_damping * (n0 < n1 ? n0 : n1) * need * (1.0 + fast);
     }
+    return (1.0 - fast) / (1.0 + fast);
 }
 
 template <class K>
@@ -181,8 +185,8 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         if (view.flags[id] & 2) view.active[id] = rows.g[0] != 0.0 ? 1.0 : 0.0;  // range
         if (view.parted[id]) view.active[id] = 0.0;
         if constexpr (K::kGeometry != Geometry::none) {
-            geometry<K>(view, data[k], refs, id, rows);
-            if (view.geo[id].record >= 0) geo_force(view, id, view.v, -1.0);
+            const double back = geometry<K>(view, data[k], refs, id, rows);
+            if (view.geo[id].record >= 0) geo_force(view, id, view.v, -back);
         }
     }
 }
