@@ -120,10 +120,14 @@ Status report(StepContext& ctx, const Norms& n) noexcept {
     return Status::ok;
 }
 
-/// Does the residual ask for a correction? Relative for momentum; rows in their units [m/s, rad/s].
-bool wants_refinement(const StepContext& ctx, const Norms& n) noexcept {
-    constexpr double kGood = 1e-12;
-    return momentum_residual(ctx, n) > kGood || n.constraint > kGood;
+/// Does a residual ask for a correction? Relative for momentum; rows in their units [m/s, rad/s].
+constexpr double kGood = 1e-12;
+/// After a correction: of a million links rounding leaves 1e-12 to 3e-12, and another one, a third
+/// of the step's time, leaves the same.
+constexpr double kCorrected = 1e-11;
+
+bool wants_refinement(const StepContext& ctx, const Norms& n, double good) noexcept {
+    return momentum_residual(ctx, n) > good || n.constraint > good;
 }
 
 /// Two more than are asked for: stiff rows on very light bodies need them.
@@ -133,7 +137,8 @@ int most_refinements(const StepContext& ctx) noexcept {
 
 /// More corrections while the residual asks for them, then what it is.
 Status finish_solve(StepContext& ctx, const View& v, Norms n, int most) noexcept {
-    for (int extra = 0; extra < most && wants_refinement(ctx, n); ++extra) {
+    for (int extra = 0; extra < most; ++extra) {
+        if (!wants_refinement(ctx, n, ctx.stats.refinements > 0 ? kCorrected : kGood)) break;
         const Norms before = n;
         over(ctx, v.body_count,
              [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
@@ -236,7 +241,7 @@ Status factor_and_solve(StepContext& ctx) noexcept {
         n = correct(ctx, v, i == 0, i < refinements ? Next::solve : Next::measure);
     }
     ctx.stats.refinements = refinements;
-    if (measured_first && ctx.def.refinements > 0 && wants_refinement(ctx, n))
+    if (measured_first && ctx.def.refinements > 0 && wants_refinement(ctx, n, kGood))
         ctx.refine_unasked = kAWhile;
     return finish_solve(ctx, v, n, most_refinements(ctx) - refinements);
 }
