@@ -61,7 +61,7 @@ Race race(const PartCase& c, int parts, const std::vector<std::int64_t>& exact) 
     // Rounds of each by itself, by turns as well, so that both meet the same machine.
     a.clear();
     b.clear();
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 15; ++i) {
         a.push_back(median_seconds(metis, least / 3));
         b.push_back(median_seconds(ours, least / 3));
     }

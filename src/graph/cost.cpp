@@ -9,6 +9,8 @@ namespace {
 
 /// Share of n_b² s³ in the flops of a node; fitted, see docs/partition.md.
 constexpr std::int64_t kStarPart = 8;  // n_b² counts an eighth
+/// What meets in a hub is eliminated before it: no more of its edges and loops count.
+constexpr std::int32_t kMostEdges = 16, kMostLoops = 8;
 
 }  // namespace
 
@@ -140,8 +142,9 @@ void Cost::build(const Hypergraph& graph, const Neighbours& neighbours) {
     }
     node.assign(graph.size.size(), 0);
     for (const std::int32_t v : order) {
-        const std::int64_t edges = neighbours.edges[at(v)], s = graph.size[at(v)];
-        node[at(v)] = s * s * s * (7 + 12 * loops[at(v)] + 3 * edges * edges / kStarPart) / 3;
+        const std::int64_t edges = std::min(neighbours.edges[at(v)], kMostEdges);
+        const std::int64_t through = std::min(loops[at(v)], kMostLoops), s = graph.size[at(v)];
+        node[at(v)] = s * s * s * (7 + 12 * through + 3 * edges * edges / kStarPart) / 3;
     }
 }
 
