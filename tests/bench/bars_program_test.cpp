@@ -86,8 +86,8 @@ TEST_F(BarsProgram, PartitionJudgesThePapersGraphs) {
             for (const char* who : {"ours_seconds", "metis_seconds", "amd_seconds"})
                 EXPECT_GT(t.at(who).get<double>(), 0.0) << who;
         }
-        for (const char* b :
-             {"full_partition", "update", "factor_and_solve_1", "factor_and_solve_2"})
+        // Two threads are judged only where there was a second processor for them.
+        for (const char* b : {"full_partition", "update", "factor_and_solve_1"})
             EXPECT_EQ(bar(out, b).count(c.at("name")), 1U) << b;
     }
     ASSERT_EQ(out.at("scenes").size(), 2U);
