@@ -24,7 +24,8 @@ namespace {
 /// Spans of a traced step: some hundreds; 12 MB.
 constexpr std::size_t kSpans = std::size_t{1} << 18;
 
-/// By turns, so that what else the machine does meets all of them.
+/// By turns, so that what else the machine does meets all of them: turns are shorter than the time
+/// for which it takes a processor away.
 std::vector<ModeFigures> measure_times(const std::string& file, const CouplingOptions& o,
                                        const PoolCosts& costs) {
     std::vector<ModeFigures> out;
@@ -38,7 +39,8 @@ std::vector<ModeFigures> measure_times(const std::string& file, const CouplingOp
     }
     const int steps = std::max(1, o.steps / o.rounds);
     for (int round = 0; round < o.rounds; ++round) {
-        fmt::print(stderr, "{}: round {} of {}\n", file, round + 1, o.rounds);
+        if (4 * round / o.rounds != 4 * (round - 1) / o.rounds || round == 0)
+            fmt::print(stderr, "{}: round {} of {}\n", file, round + 1, o.rounds);
         for (std::size_t m = 0; m < traced.size(); ++m) {
             for (Timed& t : out[m].timed) t.run(steps);
             traced[m].run(steps);

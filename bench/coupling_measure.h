@@ -32,7 +32,7 @@ struct CouplingOptions {
     std::vector<std::string> scenes{"scenes/anchor_lines.json", "scenes/anchor_contact.json",
                                     "scenes/heavy_hook.json", "scenes/tow_zigzag.json"};
     std::vector<int> threads{1, 2};
-    int parts = 4, steps = 120, rounds = 4;
+    int parts = 4, steps = 120, rounds = 24;
     bool stiffness = true;
     double stiffness_seconds = 10.0;  ///< Room for the search of one mode [s].
     bool quick = false;

@@ -41,6 +41,9 @@ int usage(std::FILE* out, int code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    // Where both go to one file, progress must not come in the middle of a line of results; and
+    // what is measured is there to be read while the rest runs.
+    std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
     if (argc < 2) return usage(stderr, 2);
     if (std::strcmp(argv[1], "--help") == 0 || std::strcmp(argv[1], "-h") == 0)
         return usage(stdout, 0);
