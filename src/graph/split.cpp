@@ -178,7 +178,8 @@ bool Splitter::adopt(const Partition& before) {
         if (cluster_[v] < 0) continue;
         std::int32_t& part = part_[at(cluster_[v])];
         const std::int32_t wanted = before.part[v];
-        if (wanted < 0 || (part >= 0 && part != wanted)) return false;
+        // It may come from a caller.
+        if (wanted < 0 || wanted >= options_.parts || (part >= 0 && part != wanted)) return false;
         part = wanted;
         const std::int32_t group = group_part_[at(cluster_[v])];
         if (group >= 0 && part != group) return false;

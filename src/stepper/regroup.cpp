@@ -15,15 +15,19 @@ namespace hawser::stepper {
 namespace {
 
 /// Every interaction's violation and Jacobian at the present poses. Stage assemble leaves out what
-/// is cut, and a restored world has not assembled anything yet.
-void evaluate_all(StepContext& ctx) noexcept {
+/// is cut, and a restored world has not assembled anything yet. Which ranges are at their ends is
+/// told anew with it and part of the state, so that it is put back.
+void evaluate_all(StepContext& ctx) {
     const assembly::View v = view(ctx);
+    base::Array<double>& active = ctx.interactions.active;
+    ctx.regroup.active.assign(active.begin(), active.end());
     for (std::size_t k = 0; k < ctx.interactions.pool.size(); ++k) {
         const model::Pool& pool = ctx.interactions.pool[k];
         assembly::kernels().evaluate(v, static_cast<InteractionKind>(k), pool.ids.data(),
                                      pool.data.data(), 0,
                                      static_cast<std::int32_t>(pool.ids.size()));
     }
+    std::copy(ctx.regroup.active.begin(), ctx.regroup.active.end(), active.begin());
 }
 
 /// What must stay whole because it is coupled exactly or cannot be cut.

@@ -46,6 +46,7 @@ struct Regroup {
     graph::Splitter splitter;
     graph::Partition next;
     std::vector<std::int32_t> part_of_name, cut;
+    std::vector<double> active;
 };
 
 /// Whether groups are made here.
@@ -53,7 +54,8 @@ struct Regroup {
 
 /// The model of the user as a graph, for all who choose parts. @throws std::bad_alloc.
 void read_graph(StepContext& ctx, assembly::PartGraph& graph);
-/// Weights of the state, rows evaluated at the present poses. The system must have been analysed.
+/// Weights of the state, rows evaluated at the present poses; the state stays as it is. The system
+/// must have been analysed.
 /// @throws std::bad_alloc.
 void weigh_graph(StepContext& ctx, assembly::PartGraph& graph);
 

@@ -35,6 +35,29 @@ TEST(FollowedPartition, GoesOnFromTheOneBefore) {
 }
 
 /// A ball that comes to touch a cable of another part and then one of a third: separators keep them
+/// The one before comes from the caller: parts that there are none of are refused, not counted.
+TEST(FollowedPartition, ADamagedOneIsMadeAnew) {
+    const Cables t(0);
+    World w = t.recipe.make();
+    run(w, 2);
+    for (const PartitionUse use : {PartitionUse::cuts, PartitionUse::separators}) {
+        PartitionRequest request{.use = use, .parts = 3, .exact_cost = false};
+        const PartitionView good = w.partition(request);
+        for (const std::int32_t part : {3, 1'000'000'000, -3, -1'000'000'000}) {
+            PartitionView damaged = good;
+            damaged.part_of_body[5] = part;
+            request.before = &damaged;
+            const PartitionView made = w.partition(request);
+            EXPECT_FALSE(made.followed) << part;
+            EXPECT_EQ(made.part_of_body, good.part_of_body) << part;
+        }
+        PartitionView brief = good;
+        brief.part_of_body.pop_back();
+        request.before = &brief;
+        EXPECT_FALSE(w.partition(request).followed);
+    }
+}
+
 /// apart, what touches no longer goes back, and nothing else changes.
 TEST(FollowedPartition, SeparatorsFollowContacts) {
     Cables t(0);

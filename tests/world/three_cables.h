@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// Three equal cables on a hull, for tests of what follows the state.
+/// Three equal cables on a hull, for tests of what forces and velocities do to the choice of cuts.
 #include "support/recipe.h"
 
 #include <hawser/inspect.h>
@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <vector>
 
 namespace hawser::test::regrouping {
 
@@ -64,18 +65,29 @@ struct Cables {
 
     /// Cables with a cut in force.
     [[nodiscard]] std::set<std::size_t> cut_cables(const World& w) const {
+        return cables_of(w, w.cuts());
+    }
+    /// Cables that a partition cuts.
+    [[nodiscard]] std::set<std::size_t> cut_cables(const World& w,
+                                                   const PartitionView& view) const {
+        return cables_of(w, view.cuts);
+    }
+
+    Recipe recipe;
+    BodyId hull{};
+    std::array<std::vector<BodyId>, 3> cable;
+
+  private:
+    template <class Cuts>
+    [[nodiscard]] std::set<std::size_t> cables_of(const World& w, const Cuts& cuts) const {
         std::set<std::size_t> result;
-        for (const CutView& cut : w.cuts())
+        for (const auto& cut : cuts)
             for (std::size_t c = 0; c < 3; ++c)
                 for (const BodyId b : w.interaction_def(cut.interaction).body)
                     if (std::find(cable[c].begin(), cable[c].end(), b) != cable[c].end())
                         result.insert(c);
         return result;
     }
-
-    Recipe recipe;
-    BodyId hull{};
-    std::array<std::vector<BodyId>, 3> cable;
 };
 
 inline void run(World& w, int steps) {
