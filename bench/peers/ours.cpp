@@ -15,7 +15,8 @@ class OursRunner final : public Runner {
         : substeps_(substeps),
           world_({.step = kFrame / substeps,
                   .gravity = {0.0, 0.0, -scene.gravity},
-                  .contact_tolerance = substeps > 1 ? 1e-10 : WorldDef{}.contact_tolerance}) {
+                  .contact_tolerance = substeps > 1 ? 1e-10 : WorldDef{}.contact_tolerance,
+                  .solution_tolerance = substeps > 1 ? 1e-12 : WorldDef{}.solution_tolerance}) {
         ground_ = world_.add_body({.name = "ground", .kind = BodyKind::fixed});
         for (const Body& b : scene.bodies) {
             bodies_.push_back(world_.add_body({.position = b.start.x,

@@ -115,8 +115,10 @@ struct WorldDef {
     /// Steps after which these groups are looked at again, 0 to 1,000,000; 0: they stay as the
     /// first step had them. At most one cut moves each time (docs/partition.md).
     int regroup_every = 60;
-    /// Refinements of a solution whose saddle residual is above 1e-12, 0-4; up to two more where it
-    /// still is then. 0: none.
+    /// Residual of the saddle system above which a solution is refined, 1e-13 to 1e-6: relative of
+    /// momentum, of rows in m/s or rad/s.
+    double solution_tolerance = 1e-10;
+    /// Such refinements, 0-4; up to two more where the residual is above 1e-11 still. 0: none.
     int refinements = 1;
     int threads = 1;  ///< Worker threads, 1-256; results do not depend on it.
     /// Limits of a step's solve for contacts, 0: none. Where the next iteration would exceed one,

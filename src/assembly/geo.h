@@ -79,19 +79,19 @@ inline void arm_stiffness(const V3T<T>& f, const T& nf, const V3T<T>& r, const T
     out[5] = e - ss * s.z * s.z + dd * d.z * d.z;
 }
 
-/// Line and damping parts of K v on both slots; `lin`, `ang` are the slots' velocities. For the
-/// coupling part of M̃ v and, with damping = −1, of a. The arms' part acts on one body alone and is
-/// kept in that body's block. @param out Twelve doubles, six a slot.
+/// Line and damping parts of M̃ v on both slots; `lin`, `ang` are the slots' velocities. With
+/// damping = −(1 − u)/(1 + u), of a for the velocities before the step. The arms' part acts on one
+/// body alone and is kept in that body's block. @param out0, out1  Six doubles for each slot.
 inline void geo_product(const double* rec, const V3* lin, const V3* ang, double damping,
-                        double* out) {
+                        double* out0, double* out1) {
     const V3 r0 = load3(rec + 4), r1 = load3(rec + 7), u = load3(rec + 1);
     const V3 d = (damping * rec[22]) * (ang[0] - ang[1]);
     const V3 rel = lin[0] + cross(ang[0], r0) - lin[1] - cross(ang[1], r1);
     const V3 t = rec[0] * (rel - dot(u, rel) * u);
-    store3(out, t);
-    store3(out + 3, d + cross(r0, t));
-    store3(out + 6, -t);
-    store3(out + 9, -d - cross(r1, t));
+    store3(out0, t);
+    store3(out0 + 3, d + cross(r0, t));
+    store3(out1, -t);
+    store3(out1 + 3, -d - cross(r1, t));
 }
 
 }  // namespace hawser::HAWSER_ISA

@@ -109,7 +109,7 @@ void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) 
         const bool points = is_point(body[0]) && is_point(body[1]);
         geo_place_[at(i)] = {record, force, points ? 3 : 6};
         record += points ? kGeoLine : kGeoSize;
-        force += points ? 6 : 12;
+        force += points ? 12 : 24;
     }
     geo_record_.assign(at(record) + kSlack, 0.0);
     geo_force_.assign(at(force) + kSlack, 0.0);
@@ -151,7 +151,7 @@ void System::build_incidence(const model::Bodies& bodies, const model::Interacti
             const std::uint8_t rows = rests(i) ? std::uint8_t{0} : in.rows[at(i)];
             incidence = {
                 column, in.row_begin[at(i)], -1, -1, rows, static_cast<std::uint8_t>(width)};
-            if (geo && !rests(i)) incidence.geo_force = place.force + b * place.dof;
+            if (geo && !rests(i)) incidence.geo_force = place.slot(b);
             if (geo && !rests(i) && place.dof == 6) incidence.geo_arm = place.record + 10 + 6 * b;
             column += dof_[at(body[b])];
         }
@@ -225,6 +225,7 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.q = bodies.q.data();
     v.r = bodies.r.data();
     v.v = bodies.v.data();
+    v.v_start = bodies.v_start.data();
     v.v_fixed = bodies.v_fixed.data();
     v.v_before = bodies.v_before.empty() ? bodies.v_fixed.data() : bodies.v_before.data();
     v.spin_free = bodies.spin_free.data();

@@ -62,16 +62,18 @@ struct LaneOp {
 struct Incidence {
     std::int32_t jacobian;   ///< Offset of this body's columns in the first row.
     std::int32_t row;        ///< First row.
-    std::int32_t geo_force;  ///< Offset of its part of K v, −1: none or not one of its two bodies.
+    std::int32_t geo_force;  ///< GeoPlace::slot() of this body, −1: none or not one of its two.
     std::int32_t geo_arm;    ///< Offset of its arm's stiffness, −1: none.
     std::uint8_t rows, width;
 };
 
-/// Where the geometric terms of one interaction are.
+/// Where the geometric terms of one interaction are. A slot has 2 `dof` doubles: its part of M̃ v
+/// for the velocities of the latest loop over rows, and its part of a.
 struct GeoPlace {
     std::int32_t record = -1;  ///< Offset of the record, kGeoSize or kGeoLine doubles; −1: none.
-    std::int32_t force = 0;    ///< Offset of K v: `dof` doubles of slot 0, then of slot 1.
+    std::int32_t force = 0;    ///< Offset of slot 0; slot 1 follows.
     std::int32_t dof = 6;      ///< 3 between bodies without arms (lumps, scalars), else 6.
+    [[nodiscard]] constexpr std::int32_t slot(int b) const { return force + 2 * dof * b; }
 };
 
 struct View {
@@ -87,6 +89,7 @@ struct View {
     double* q;
     double* r;
     double* v;
+    double* v_start;  ///< Packed like v: where the solution for v₊ starts, see model/bodies.h.
     const double* v_fixed;
     const double* v_before;  ///< What v_fixed was at the last half step.
     double* spin_free;       ///< 3 a body: ω₊ without torque, world frame.
@@ -127,7 +130,7 @@ struct View {
     double* force_of_row;
     double* jacobian;
     double* geo_record;  ///< See GeoPlace.
-    double* geo_force;   ///< K v for the velocities of the latest loop over rows.
+    double* geo_force;   ///< Likewise.
 
     // Incidence: which (interaction, slot) pairs touch a body.
     const std::int32_t* incident_begin;
@@ -170,17 +173,18 @@ struct Kernels {
     /// The same for lanes.
     void (*gather_lane_blocks)(const View&, const LaneOp* ops, std::int64_t begin, std::int64_t end,
                                double* panel) noexcept;
-    /// First residual, of v₊ = 0 and λ = 0; for kept interactions also in the solver's vector.
-    /// λ itself, that of the last step, stays until the first row_update().
-    void (*first_rhs)(const View&, std::int32_t begin, std::int32_t end) noexcept;
-    /// Right-hand side of the solver from the residuals: bodies. The first one starts at
-    /// v₊ = 0, which it writes.
-    void (*first_body_rhs)(const View&, std::int32_t begin, std::int32_t end) noexcept;
+    /// First residual, of λ = 0 and v₊ = 0 or, if `moving`, v₊ = v_start, for which evaluate() has
+    /// left G v₊ where residuals go; for kept interactions also in the solver's vector. λ itself,
+    /// that of the last step, stays until the first row_update().
+    void (*first_rhs)(const View&, std::int32_t begin, std::int32_t end, bool moving) noexcept;
+    /// Right-hand side of the solver from the residuals: bodies. The first one writes v₊, of which
+    /// it starts.
+    void (*first_body_rhs)(const View&, std::int32_t begin, std::int32_t end, bool moving) noexcept;
     void (*body_rhs)(const View&, std::int32_t begin, std::int32_t end) noexcept;
     /// v₊ += solution.
     void (*add_solution)(const View&, std::int32_t begin, std::int32_t end) noexcept;
     /// λ += the solution's part, then the residual of every row, for kept interactions also in the
-    /// solver's vector; then K v₊. `first`: v₊ and λ are the solution itself.
+    /// solver's vector; then K v₊. `first`: λ is the solution itself.
     void (*row_update)(const View&, std::int32_t begin, std::int32_t end, bool first) noexcept;
     /// Norms over bodies, with the momentum residual.
     void (*body_norms)(const View&, std::int32_t begin, std::int32_t end, Norms*) noexcept;

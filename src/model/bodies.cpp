@@ -30,6 +30,7 @@ int Bodies::add(const BodyDef& def) {
     r.resize(r.size() + 9);
     refresh_rotation(id);
     for (int i = 0; i < d; ++i) v.push_back(i < 3 ? def.velocity[i] : def.angular_velocity[i - 3]);
+    v_start.insert(v_start.end(), v.end() - d, v.end());
     const bool driven_body = def.kind == BodyKind::kinematic;
     append3(v_fixed, driven_body ? def.velocity : Vec3::Zero().eval());
     append3(v_fixed, driven_body ? def.angular_velocity : Vec3::Zero().eval());
@@ -93,9 +94,9 @@ void Bodies::refresh_rotation(int body) noexcept {
 std::size_t Bodies::bytes() const noexcept {
     using base::bytes;
     return bytes(kind) + bytes(dof_begin) + bytes(moving) + bytes(rigid) + bytes(driven) +
-           bytes(x) + bytes(q) + bytes(r) + bytes(v) + bytes(v_fixed) + bytes(spin_free) +
-           bytes(spin_change) + bytes(mass) + bytes(inertia) + bytes(inv_inertia) + bytes(force) +
-           bytes(damping) + bytes(weight);
+           bytes(x) + bytes(q) + bytes(r) + bytes(v) + bytes(v_start) + bytes(v_fixed) +
+           bytes(spin_free) + bytes(spin_change) + bytes(mass) + bytes(inertia) +
+           bytes(inv_inertia) + bytes(force) + bytes(damping) + bytes(weight);
 }
 
 }  // namespace hawser::model

@@ -36,10 +36,13 @@ struct Bodies {
     std::vector<std::int32_t> rigid;      ///< Rigid bodies, ascending.
     std::vector<std::int32_t> driven;     ///< Kinematic bodies, ascending.
 
-    base::Array<double> x;        ///< 3 a body: position [m].
-    base::Array<double> q;        ///< 4 a body: quaternion w, x, y, z.
-    base::Array<double> r;        ///< 9 a body: rotation matrix of q, row-major.
-    base::Array<double> v;        ///< Packed velocities at t − h/2.
+    base::Array<double> x;  ///< 3 a body: position [m].
+    base::Array<double> q;  ///< 4 a body: quaternion w, x, y, z.
+    base::Array<double> r;  ///< 9 a body: rotation matrix of q, row-major.
+    base::Array<double> v;  ///< Packed velocities at t − h/2.
+    /// Likewise: what the next v is taken for before it is known, v + (v − the one before). The
+    /// nearer, the less rounding a solution that starts there leaves. Part of the state.
+    base::Array<double> v_start;
     base::Array<double> v_fixed;  ///< 6 a body: prescribed velocity of kinematic bodies.
     /// Likewise at the last half step, where that is another one (images, stepper/cuts.h); else
     /// empty.

@@ -258,6 +258,7 @@ void read_settings(Description& out, const Json& root) {
     def.contact_iterations = settings.value("contact_iterations", def.contact_iterations);
     def.nonsmooth_sweeps = settings.value("nonsmooth_sweeps", def.nonsmooth_sweeps);
     def.refinements = settings.value("refinements", def.refinements);
+    def.solution_tolerance = number_or(settings, "solution_tolerance", def.solution_tolerance);
     out.duration = number_or(settings, "duration", out.duration);
     out.copies = root.contains("repeat") ? root["repeat"].value("copies", std::size_t{1}) : 1;
     const Json defaults = root.value("defaults", Json::object());

@@ -88,8 +88,11 @@ ShapePtr settings() {
          {"nonsmooth_sweeps", integer("an integer", 1, 100000), false, "50", "",
           "Sweeps a step of the methods split and pgs."},
          {"refinements", integer("an integer", 0, 4), false, "1", "",
-          "Refinements of a solution whose residual is above 1e-12; up to two more where it still "
-          "is."},
+          "Refinements of a solution whose residual is above solution_tolerance; up to two more "
+          "where it is above 1e-11 still."},
+         {"solution_tolerance", number("a residual", 1e-13, 1e-6), false, "1e-10", "1",
+          "Residual above which a solution is refined: relative of momentum, of rows in m/s or "
+          "rad/s."},
          {"contact_margin", number("a length", 1e-6, 10.0), false, "0.02", "m",
           "Shapes closer than this are in contact before they touch."},
          {"sleep_after", number("a time", 0.0, 1e6), false, "0", "s",

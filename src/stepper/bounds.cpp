@@ -245,6 +245,20 @@ Status settle_bounds(StepContext& ctx) noexcept {
     return Status::ok;
 }
 
+Status follow_loads(StepContext& ctx) noexcept {
+    constexpr int kMost = 8;
+    Status status = Status::ok;
+    ctx.newton.follow.restart();
+    for (int i = 0; i < kMost && status == Status::ok; ++i) {
+        if (!(bounds_map(ctx) > ctx.def.contact_tolerance)) break;
+        if (asking_rows(ctx, ctx.contact_floor) > 0) break;
+        (void)switch_bounds(ctx, ctx.contact_floor, kAnyRows);
+        continue_with_factor(ctx);
+        status = refine(ctx);
+    }
+    return status;
+}
+
 bool update_active_set(StepContext& ctx, int pass) noexcept {
     const bool moved = bounds_map(ctx) > ctx.def.contact_tolerance;
     const std::int32_t rows = switch_solved(ctx, pass);

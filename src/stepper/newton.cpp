@@ -323,6 +323,7 @@ Status solve_newton(StepContext& ctx) noexcept {
     else if (early)
         status = end_early(ctx);
     if (status == Status::ok) status = refine(ctx);
+    if (status == Status::ok && !early) status = follow_loads(ctx);
     if (status != Status::ok) return status;
     // Of what the step ends with.
     ctx.stats.natural_map = std::max(worst(ctx), bounds_map(ctx));

@@ -41,9 +41,9 @@ void start_solve(StepContext& ctx, const View& v) noexcept {
         ctx,
         [&](int strip) {
             each(ctx.system.strips.interactions(strip),
-                 [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b); });
+                 [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b, false); });
         },
-        [&](std::int32_t a, std::int32_t b, int) { k.first_body_rhs(v, a, b); });
+        [&](std::int32_t a, std::int32_t b, int) { k.first_body_rhs(v, a, b, false); });
     ctx.rhs_ready = true;
 }
 
@@ -120,13 +120,13 @@ Status report(StepContext& ctx, const Norms& n) noexcept {
     return Status::ok;
 }
 
-/// Does a residual ask for a correction? Relative for momentum; rows in their units [m/s, rad/s].
-constexpr double kGood = 1e-12;
-/// After a correction: of a million links rounding leaves 1e-12 to 3e-12, and another one, a third
-/// of the step's time, leaves the same.
+/// Of a solution that has been corrected. Of a million links rounding leaves 1e-12 to 3e-12, and
+/// another one, a third of the step's time, leaves the same.
 constexpr double kCorrected = 1e-11;
 
-bool wants_refinement(const StepContext& ctx, const Norms& n, double good) noexcept {
+/// Does a residual ask for a correction? Relative for momentum; rows in their units [m/s, rad/s].
+bool wants_refinement(const StepContext& ctx, const Norms& n) noexcept {
+    const double good = ctx.stats.refinements > 0 ? kCorrected : ctx.def.solution_tolerance;
     return momentum_residual(ctx, n) > good || n.constraint > good;
 }
 
@@ -138,7 +138,7 @@ int most_refinements(const StepContext& ctx) noexcept {
 /// More corrections while the residual asks for them, then what it is.
 Status finish_solve(StepContext& ctx, const View& v, Norms n, int most) noexcept {
     for (int extra = 0; extra < most; ++extra) {
-        if (!wants_refinement(ctx, n, ctx.stats.refinements > 0 ? kCorrected : kGood)) break;
+        if (!wants_refinement(ctx, n)) break;
         const Norms before = n;
         over(ctx, v.body_count,
              [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
@@ -231,7 +231,7 @@ Status factor_and_solve(StepContext& ctx) noexcept {
     if (const Status status = factor(ctx, true); status != Status::ok) return status;
     // To measure a solution and refine it then takes a pass over all rows and bodies more than to
     // refine at once; where the residual asked for it lately, it is not asked again for a while.
-    constexpr int kAWhile = 64;
+    constexpr int kAWhile = 8;
     const bool measured_first = ctx.refine_unasked == 0;
     const int refinements = measured_first ? 0 : ctx.def.refinements;
     if (!measured_first) --ctx.refine_unasked;
@@ -241,7 +241,7 @@ Status factor_and_solve(StepContext& ctx) noexcept {
         n = correct(ctx, v, i == 0, i < refinements ? Next::solve : Next::measure);
     }
     ctx.stats.refinements = refinements;
-    if (measured_first && ctx.def.refinements > 0 && wants_refinement(ctx, n, kGood))
+    if (measured_first && ctx.def.refinements > 0 && wants_refinement(ctx, n))
         ctx.refine_unasked = kAWhile;
     return finish_solve(ctx, v, n, most_refinements(ctx) - refinements);
 }

@@ -27,6 +27,11 @@ void evaluate_strip(StepContext& ctx, const View& v, int strip) noexcept {
     }
 }
 
+/// Whether the solution starts at v_start: with contacts Newton's method has a start of its own.
+bool starts_moving(const StepContext& ctx) noexcept {
+    return ctx.system.contacts.count() == 0 && ctx.def.nonsmooth != Nonsmooth::pgs;
+}
+
 void count_analysis(StepContext& ctx) noexcept {
     StepStats& s = ctx.stats;
     s.islands = ctx.system.islands.count;
@@ -124,16 +129,17 @@ void assemble_rows(StepContext& ctx) noexcept {
     const View v = view(ctx);
     const assembly::Kernels& k = assembly::kernels();
     hold_bounds(ctx, ctx.def.step);
+    const bool moving = starts_moving(ctx);
     sweep(
         ctx,
         [&](int strip) {
             evaluate_strip(ctx, v, strip);
             each(ctx.system.strips.interactions(strip),
-                 [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b); });
+                 [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b, moving); });
         },
         [&](std::int32_t a, std::int32_t b, int) {
             k.body_terms(v, a, b);
-            k.first_body_rhs(v, a, b);
+            k.first_body_rhs(v, a, b, moving);
         });
     ctx.rhs_ready = true;
 }

@@ -68,6 +68,8 @@ void check(const WorldDef& def) {
     if (def.rotation_damping < 0.0 || def.rotation_damping > 100.0)
         refuse(where, "rotation_damping must be 0 to 100");
     if (def.refinements < 0 || def.refinements > 4) refuse(where, "refinements must be 0 to 4");
+    if (!(def.solution_tolerance >= 1e-13 && def.solution_tolerance <= 1e-6))
+        refuse(where, "solution_tolerance must be 1e-13 to 1e-6");
     if (!(def.contact_tolerance >= 1e-12 && def.contact_tolerance <= 1.0))
         refuse(where, "contact_tolerance must be 1e-12 to 1");
     if (def.contact_iterations < 1 || def.contact_iterations > 1000)

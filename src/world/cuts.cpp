@@ -176,6 +176,7 @@ void World::copy_state(const World& other) {
     front(from.bodies.q, to.bodies.q);
     front(from.bodies.r, to.bodies.r);
     front(from.bodies.v, to.bodies.v);
+    front(from.bodies.v_start, to.bodies.v_start);
     front(from.bodies.v_fixed, to.bodies.v_fixed);
     front(from.bodies.spin_change, to.bodies.spin_change);
     front(from.bodies.force, to.bodies.force);

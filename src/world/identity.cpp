@@ -88,6 +88,7 @@ std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<I
     value(ctx.def.geometric_stiffness);
     value(ctx.def.rotation_damping);
     value(ctx.def.refinements);
+    value(ctx.def.solution_tolerance);
     value(ctx.def.nonsmooth);
     value(ctx.def.sleep_after);
     value(ctx.def.sleep_speed);

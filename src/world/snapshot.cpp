@@ -20,7 +20,7 @@ using world::layout_of;
 using world::parameters_of;
 
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '3'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '4'};
     std::uint64_t layout = 0;       ///< See layout_of().
     std::uint64_t parameters = 0;   ///< See parameters_of().
     std::uint64_t contacts = 0;     ///< Remembered from the last step.
@@ -93,6 +93,7 @@ void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f)
     // Kept, not computed anew: the integrator's kernel rounds as its instruction set does.
     array(ctx.bodies.r);
     array(ctx.bodies.v);
+    array(ctx.bodies.v_start);
     array(ctx.bodies.v_fixed);
     array(ctx.bodies.spin_change);
     array(ctx.bodies.force);

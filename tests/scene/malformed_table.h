@@ -65,6 +65,7 @@ inline constexpr Mistake kMistakes[] = {
 {kSite, R"([{"op":"replace","path":"/settings/geometric_stiffness","value":-1}])", "/settings/geometric_stiffness", "at least 0"},
 {kSite, R"([{"op":"replace","path":"/settings/rotation_damping","value":-0.1}])", "/settings/rotation_damping", "at least 0"},
 {kSite, R"([{"op":"replace","path":"/settings/staggered_start","value":1}])", "/settings/staggered_start", "true or false"},
+{kSite, R"([{"op":"add","path":"/settings/solution_tolerance","value":1e-14}])", "/settings/solution_tolerance", "1e-13"},
 {kSite, R"([{"op":"replace","path":"/settings/refinements","value":5}])", "/settings/refinements", "at most 4"},
 {kSite, R"([{"op":"replace","path":"/settings/refinements","value":1.5}])", "/settings/refinements", "an integer"},
 {kSite, R"([{"op":"replace","path":"/settings/refinements","value":-1}])", "/settings/refinements", "at least 0"},

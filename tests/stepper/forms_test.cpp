@@ -31,7 +31,7 @@ TEST(Forms, EveryFormGivesTheSameVelocities) {
         // Two ways to the solution of contacts meet to the tolerance of their iterations.
         constexpr double kContacts = 1e-9;
         scene::Options tight;
-        tight.set = {"settings.contact_tolerance=1e-10"};
+        tight.set = {"settings.contact_tolerance=1e-10", "settings.solution_tolerance=1e-13"};
         scene::Scene reference = scene::load_file(file, tight);
         for (int i = 0; i < (test::kSanitized ? 5 : 30); ++i)
             ASSERT_EQ(reference.world.step(), Status::ok) << file;

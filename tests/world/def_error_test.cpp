@@ -87,6 +87,7 @@ TEST(DefError, BadWorlds) {
         {"geometric_stiffness", [](WorldDef& d) { d.geometric_stiffness = -1.0; }},
         {"rotation_damping", [](WorldDef& d) { d.rotation_damping = kNan; }},
         {"refinements", [](WorldDef& d) { d.refinements = 9; }},
+        {"solution_tolerance", [](WorldDef& d) { d.solution_tolerance = 1e-5; }},
         {"threads", [](WorldDef& d) { d.threads = 0; }},
         {"threads", [](WorldDef& d) { d.threads = 1000; }}};
     for (const auto& [field, spoil] : bad) {

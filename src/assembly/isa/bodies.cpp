@@ -76,12 +76,13 @@ double inverse_mass_norm(const View& view, std::int32_t body, const double* p) {
 
 }  // namespace
 
-void first_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept {
+void first_rhs(const View& view, std::int32_t begin, std::int32_t end, bool moving) noexcept {
     for (std::int32_t id = begin; id < end; ++id) {
         const std::int32_t row = view.row_begin[id];
         for (int r = 0; r < view.rows[id]; ++r) {
             const double idle = r == 0 ? (1.0 - view.active[id]) * view.held[id] : 0.0;
-            const double asked = view.active[id] * view.c[row + r];
+            const double speed = moving ? view.residual[row + r] : 0.0;
+            const double asked = view.active[id] * (view.c[row + r] - speed);
             const double residual = asked + view.sigma[row + r] * idle;
             view.residual[row + r] = residual;
             view.multiplier[row + r] = view.inv_sigma[row + r] * asked + idle;
@@ -91,12 +92,17 @@ void first_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept 
     }
 }
 
-void first_body_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept {
+void first_body_rhs(const View& view, std::int32_t begin, std::int32_t end, bool moving) noexcept {
     for (std::int32_t body = begin; body < end; ++body) {
         if (view.dof[body] == 0) continue;
-        momentum_rhs<true>(view, body, view.multiplier, view.solution + view.body_offset[body]);
         double* v = view.v_new + view.dof_begin[body];
-        for (int j = 0; j < view.dof[body]; ++j) v[j] = 0.0;
+        const double* start = view.v_start + view.dof_begin[body];
+        double* rhs = view.solution + view.body_offset[body];
+        for (int j = 0; j < view.dof[body]; ++j) v[j] = moving ? start[j] : 0.0;
+        if (moving)
+            momentum_rhs<false>(view, body, view.multiplier, rhs);
+        else
+            momentum_rhs<true>(view, body, view.multiplier, rhs);
     }
 }
 
@@ -154,7 +160,11 @@ void integrate(const View& view, std::int32_t begin, std::int32_t end) noexcept 
         if (dof == 0) continue;
         double* v = view.v + view.dof_begin[body];
         const double* u = view.v_new + view.dof_begin[body];
-        for (int j = 0; j < dof; ++j) v[j] = u[j];
+        double* start = view.v_start + view.dof_begin[body];
+        for (int j = 0; j < dof; ++j) {
+            start[j] = 2.0 * u[j] - v[j];
+            v[j] = u[j];
+        }
         if (dof == 1) {
             x[0] += h * v[0];
             continue;

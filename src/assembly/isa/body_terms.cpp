@@ -127,7 +127,7 @@ void add_geometric(const View& view, std::int32_t body) {
     for (std::int32_t k = view.incident_begin[body]; k < view.incident_begin[body + 1]; ++k) {
         const assembly::Incidence& in = view.incident[k];
         if (in.geo_force < 0) continue;
-        const double* force = view.geo_force + in.geo_force;
+        const double* force = view.geo_force + in.geo_force + (in.geo_arm < 0 ? 3 : 6);
         add3(a, load3(force));
         if (dof < 6 || in.geo_arm < 0) continue;
         // The arms' stiffness touches this body alone: it joins the body's own block.

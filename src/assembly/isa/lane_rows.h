@@ -69,7 +69,7 @@ struct LaneRows {
 
     void evaluate(const typename K::Data* data) {
         Ref refs[B];
-        V8 v[B][kLanes];
+        V8 v[B][kLanes], start[B][kLanes];
         for (int b = 0; b < B; ++b) {
             V8 t[kLanes];
             load_bodies(view.x, b, 3, t);
@@ -83,6 +83,7 @@ struct LaneRows {
             std::int32_t from[kLanes];
             for (int l = 0; l < kLanes; ++l) from[l] = view.dof_begin[body[b][l]];
             load_lanes(view.v, from, v[b]);
+            load_lanes(view.v_start, from, start[b]);
         }
         typename K::template DataT<W8> fields;
         auto* field = reinterpret_cast<W8*>(&fields);
@@ -94,23 +95,28 @@ struct LaneRows {
         }
         Rows<B, R, W8> rows;
         K::evaluate(fields, refs, rows);
-        write_rows(rows, v);
+        write_rows(rows, v, start);
         write_jacobian(rows);
         for (int l = 0; l < kLanes; ++l)
             if (view.parted[id[l]]) view.active[id[l]] = 0.0;
-        if constexpr (K::kGeometry == Geometry::line) line(refs, rows, v);
-        if constexpr (K::kGeometry == Geometry::joint) joint(fields, refs, v);
+        if constexpr (K::kGeometry == Geometry::line) line(refs, rows, v, start);
+        if constexpr (K::kGeometry == Geometry::joint) joint(fields, refs, v, start);
     }
 
-    void write_rows(const Rows<B, R, W8>& rows, const V8 (&v)[B][kLanes]) const {
+    void write_rows(const Rows<B, R, W8>& rows, const V8 (&v)[B][kLanes],
+                    const V8 (&start)[B][kLanes]) const {
         const double inv_h4 = 4.0 / view.h;
         for (int r = 0; r < R; ++r) {
-            W8 speed{};
+            W8 speed{}, at_start{};
             for (int b = 0; b < B; ++b)
-                for (int j = 0; j < D; ++j) speed += rows.J[b][r][j] * v[b][j];
+                for (int j = 0; j < D; ++j) {
+                    speed += rows.J[b][r][j] * v[b][j];
+                    at_start += rows.J[b][r][j] * start[b][j];
+                }
             const W8 c = pick(view.upsilon, row, r) * (speed - inv_h4 * rows.g[r]);
             for (int l = 0; l < kLanes; ++l) {
                 view.g[row[l] + r] = lane(rows.g[r], l);
+                view.residual[row[l] + r] = lane(at_start, l);
                 view.c[row[l] + r] = lane(c, l);
                 if (view.flags[id[l]] & 1) {
                     view.c[row[l] + r] += when_slack(lane(rows.g[r], l), lane(speed, l),
@@ -146,8 +152,9 @@ struct LaneRows {
         put(view.geo_force, [&](std::int32_t i) { return view.geo[i].force; }, begin, count, t);
     }
 
-    /// Record of a line between lumps, and K v.
-    void line(const Ref* refs, const Rows<B, R, W8>& rows, const V8 (&v)[B][kLanes]) const {
+    /// Record of a line between lumps, and its parts of M̃ v and of a.
+    void line(const Ref* refs, const Rows<B, R, W8>& rows, const V8 (&v)[B][kLanes],
+              const V8 (&start)[B][kLanes]) const {
         const double scale = 0.25 * view.h * view.h * view.geometric_stiffness;
         const W8 none{}, tension = (-1.0 / view.h) * pick(view.lambda, row, 0);
         const W8 length = norm(refs[1].x - refs[0].x);
@@ -160,13 +167,18 @@ struct LaneRows {
         put_record(0, assembly::kGeoLine, record);
         const V3T<W8> rel{v[0][0] - v[1][0], v[0][1] - v[1][1], v[0][2] - v[1][2]};
         const V3T<W8> t = w * (rel - dot(u, rel) * u);
-        V8 force[kLanes] = {t.x, t.y, t.z, -t.x, -t.y, -t.z, none, none};
-        put_force(0, 6, force);
+        const V3T<W8> begin{start[0][0] - start[1][0], start[0][1] - start[1][1],
+                            start[0][2] - start[1][2]};
+        const V3T<W8> s = w * (begin - dot(u, begin) * u);
+        V8 low[kLanes] = {s.x, s.y, s.z, t.x, t.y, t.z, -s.x, -s.y};
+        V8 high[kLanes] = {-s.z, -t.x, -t.y, -t.z, none, none, none, none};
+        put_force(0, kLanes, low);
+        put_force(kLanes, 4, high);
     }
 
-    /// Record of a joint between rigid bodies, and K v.
+    /// Record of a joint between rigid bodies, and its parts of M̃ v and of a.
     void joint(const typename K::template DataT<W8>& data, const Ref* refs,
-               const V8 (&v)[B][kLanes]) const {
+               const V8 (&v)[B][kLanes], const V8 (&start)[B][kLanes]) const {
         const W8 none{}, on = (1.0 / view.h) * pick(view.active, id, 0);
         const W8 scale = constant(on, 0.25 * view.h * view.h * view.geometric_stiffness);
         const V3T<W8> f1{on * pick(view.lambda, row, 0), on * pick(view.lambda, row, 1),
@@ -176,13 +188,13 @@ struct LaneRows {
         double swing[kLanes];
         for (int l = 0; l < kLanes; ++l)
             swing[l] = view.geo_record[view.geo[id[l]].record + assembly::kGeoSwing];
-        const W8 push = (view.h * view.h) * nf, s = 4.0 * push * load(swing);
-        const W8 unit = one(s), fast = unresolved(s),
+        const W8 push = (view.h * view.h) * nf, s4 = 4.0 * push * load(swing);
+        const W8 unit = one(s4), fast = unresolved(s4),
                  stiff = scale * (unit + kMoreStiffness * fast);
         W8 arm0[6], arm1[6];
         arm_stiffness(-f1, nf, r0, n0, stiff, arm0);
         arm_stiffness(f1, nf, r1, n1, stiff, arm1);
-        const W8 need = select_greater(unit, s, s * s, unit + kMoreDamping * fast);
+        const W8 need = select_greater(unit, s4, s4 * s4, unit + kMoreDamping * fast);
         const W8 half = push * view.rotation_damping * select_greater(n1, n0, n0, n1) * need;
         const W8 damping = half * (unit + fast), back = half * (unit - fast);
         V8 a[kLanes] = {none, none, none, none, r0.x, r0.y, r0.z, r1.x};
@@ -191,12 +203,17 @@ struct LaneRows {
         put_record(0, kLanes, a);
         put_record(8, kLanes, b);
         put_record(16, kLanes - 1, c);  // what follows is constant
-        const W8 d[3] = {back * (v[1][3] - v[0][3]), back * (v[1][4] - v[0][4]),
-                         back * (v[1][5] - v[0][5])};
-        V8 low[kLanes] = {none, none, none, d[0], d[1], d[2], none, none};
-        V8 high[kLanes] = {none, -d[0], -d[1], -d[2], none, none, none, none};
-        put_force(0, kLanes, low);
-        put_force(8, 4, high);
+        W8 d[3], s[3];
+        for (int i = 0; i < 3; ++i) {
+            d[i] = damping * (start[0][3 + i] - start[1][3 + i]);
+            s[i] = back * (v[1][3 + i] - v[0][3 + i]);
+        }
+        V8 first[kLanes] = {none, none, none, d[0], d[1], d[2], none, none};
+        V8 second[kLanes] = {none, s[0], s[1], s[2], none, none, none, -d[0]};
+        V8 third[kLanes] = {-d[1], -d[2], none, none, none, -s[0], -s[1], -s[2]};
+        put_force(0, kLanes, first);
+        put_force(8, kLanes, second);
+        put_force(16, kLanes, third);
     }
 };
 

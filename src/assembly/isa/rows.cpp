@@ -23,37 +23,40 @@ void slot_velocity(const View& view, const double* v, std::int32_t body, V3& lin
     ang = dof == 6 || dof == 0 ? load3(p + 3) : V3{0, 0, 0};
 }
 
-/// K v of an interaction's record on its two bodies, see geo.h.
-inline void geo_force(const View& view, std::int32_t id, const double* v, double damping) {
+/// An interaction's part of M̃ v on its two bodies, see geo.h; with `damping`, as geo_product(), of
+/// a. @param from  0 or dof: which half of a slot, see GeoPlace.
+inline void geo_force(const View& view, std::int32_t id, const double* v, double damping = 1.0,
+                      int from = 0) {
     const assembly::GeoPlace& place = view.geo[id];
     const double* rec = view.geo_record + place.record;
-    double* out = view.geo_force + place.force;
+    double* out[2] = {view.geo_force + place.slot(0) + from, view.geo_force + place.slot(1) + from};
     const std::int32_t* body = view.body + kSlots * id;
     if (place.dof == 3) {  // no arms
         const V3 u = load3(rec + 1);
         V3 lin[2], ang;
         for (int b = 0; b < 2; ++b) slot_velocity(view, v, body[b], lin[b], ang);
         const V3 rel = lin[0] - lin[1], t = rec[0] * (rel - dot(u, rel) * u);
-        store3(out, t);
-        store3(out + 3, -t);
+        store3(out[0], t);
+        store3(out[1], -t);
         return;
     }
     if (rec[0] == 0.0 && rec[22] == 0.0) {
-        for (int i = 0; i < 12; ++i) out[i] = 0.0;
+        for (double* o : out)
+            for (int i = 0; i < 6; ++i) o[i] = 0.0;
         return;
     }
     if (rec[0] == 0.0) {  // damping of a joint between two rigid bodies
         const V3 d = (damping * rec[22]) * (load3(v + view.dof_begin[body[0]] + 3) -
                                             load3(v + view.dof_begin[body[1]] + 3));
-        store3(out, {0, 0, 0});
-        store3(out + 3, d);
-        store3(out + 6, {0, 0, 0});
-        store3(out + 9, -d);
+        store3(out[0], {0, 0, 0});
+        store3(out[0] + 3, d);
+        store3(out[1], {0, 0, 0});
+        store3(out[1] + 3, -d);
         return;
     }
     V3 lin[2], ang[2];
     for (int b = 0; b < 2; ++b) slot_velocity(view, v, body[b], lin[b], ang[b]);
-    geo_product(rec, lin, ang, damping, out);
+    geo_product(rec, lin, ang, damping, out[0], out[1]);
 }
 
 /// Force on slot b at the joint's point: the first three rows are translations along ±E. @return by
@@ -130,7 +133,7 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         K::evaluate(data[k], refs, rows);
 
         // Speeds of the rows, and the packed Jacobian.
-        double speed[R] = {}, prescribed[R] = {}, before[R] = {};
+        double speed[R] = {}, start[R] = {}, prescribed[R] = {}, before[R] = {};
         int width = 0;
         for (int b = 0; b < B; ++b) width += view.dof[body[b]];
         double* out = view.jacobian + view.jac_begin[id];
@@ -149,12 +152,14 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
                 continue;
             }
             const double* v = view.v + view.dof_begin[i];
+            const double* v_start = view.v_start + view.dof_begin[i];
             auto pack = [&]<int N>() {
                 for (int r = 0; r < R; ++r)
                     for (int j = 0; j < N; ++j) {
                         const double value = rows.J[b][r][j];
                         out[r * width + at + j] = value;
                         speed[r] += value * v[j];
+                        start[r] += value * v_start[j];
                     }
             };
             if (dof == 6)
@@ -168,6 +173,7 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         const std::int32_t row = view.row_begin[id];
         for (int r = 0; r < R; ++r) {
             const double ups = view.upsilon[row + r];
+            view.residual[row + r] = start[r];
             if (view.row_flags[row + r] & 1) {  // velocity row
                 view.g[row + r] = 0.0;
                 view.c[row + r] = rows.g[r] - prescribed[r];
@@ -186,7 +192,10 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         if (view.parted[id]) view.active[id] = 0.0;
         if constexpr (K::kGeometry != Geometry::none) {
             const double back = geometry<K>(view, data[k], refs, id, rows);
-            if (view.geo[id].record >= 0) geo_force(view, id, view.v, -back);
+            if (view.geo[id].record >= 0) {
+                geo_force(view, id, view.v, -back, view.geo[id].dof);
+                geo_force(view, id, view.v_start);
+            }
         }
     }
 }
@@ -215,27 +224,33 @@ inline void row_update_one(const View& view, std::int32_t id, bool first) {
     const std::int32_t row = view.row_begin[id], offset = view.interaction_offset[id];
     const double on = view.active[id];
     const V8 kept = first_lanes(V8{} + (1.0 - on) * view.held[id], 1);
-    const V8 total =
-        row_products<R>(view, id, view.v_new, [&](std::int32_t b) { return view.dof_begin[b]; });
-    const V8 c = load_first(view.c + row, R), sigma = load_first(view.sigma + row, R);
+    const V8 sigma = load_first(view.sigma + row, R), last = load_first(view.residual + row, R);
+    V8 change{}, total{};
+    if (first || offset < 0)
+        change = row_products<R>(view, id, view.solution,
+                                 [&](std::int32_t b) { return view.body_offset[b]; });
+    if (!first)
+        total = on * (load_first(view.c + row, R) -
+                      row_products<R>(view, id, view.v_new,
+                                      [&](std::int32_t b) { return view.dof_begin[b]; }));
+    // The first residual is that of the velocities at the start and of λ = 0.
+    const auto left = [&](const V8& lambda) {
+        return first ? last - on * change - sigma * lambda : total - sigma * (lambda - kept);
+    };
     if (offset >= 0) {
         const V8 before = first ? V8{} : load_first(view.lambda + row, R);
         const V8 lambda = before - load_first(view.solution + offset, R);
-        const V8 residual = on * (c - total) - sigma * (lambda - kept);
+        const V8 residual = left(lambda);
         store_lanes(view.lambda + row, lambda, 0, R);
         store_lanes(view.residual + row, residual, 0, R);
         store_lanes(view.multiplier + row, on * lambda + kept, 0, R);
         store_lanes(view.solution + offset, residual, 0, R);
         return;
     }
-    // The change of v₊; after the first solve it is v₊ itself.
-    const V8 change = first ? total : row_products<R>(view, id, view.solution, [&](std::int32_t b) {
-        return view.body_offset[b];
-    });
     const V8 inverse = load_first(view.inv_sigma + row, R);
     const V8 before = first ? kept : load_first(view.lambda + row, R);
-    const V8 lambda = before + on * inverse * (load_first(view.residual + row, R) - change);
-    const V8 residual = on * (c - total) - sigma * (lambda - kept);
+    const V8 lambda = before + on * inverse * (last - change);
+    const V8 residual = left(lambda);
     store_lanes(view.lambda + row, lambda, 0, R);
     store_lanes(view.residual + row, residual, 0, R);
     store_lanes(view.multiplier + row, on * (lambda + inverse * residual) + kept, 0, R);
@@ -244,7 +259,7 @@ inline void row_update_one(const View& view, std::int32_t id, bool first) {
 template <int R>
 inline void row_update_of(const View& view, std::int32_t id, bool first) {
     row_update_one<R>(view, id, first);
-    if (view.geo[id].record >= 0) geo_force(view, id, view.v_new, 1.0);
+    if (view.geo[id].record >= 0) geo_force(view, id, view.v_new);
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ void row_norms(const assembly::View&, std::int32_t, std::int32_t, assembly::Norm
 double row_losses(const assembly::View&, std::int32_t, std::int32_t, std::int32_t*, int*) noexcept;
 
 void body_terms(const assembly::View&, std::int32_t, std::int32_t) noexcept;
-void first_rhs(const assembly::View&, std::int32_t, std::int32_t) noexcept;
-void first_body_rhs(const assembly::View&, std::int32_t, std::int32_t) noexcept;
+void first_rhs(const assembly::View&, std::int32_t, std::int32_t, bool) noexcept;
+void first_body_rhs(const assembly::View&, std::int32_t, std::int32_t, bool) noexcept;
 void body_rhs(const assembly::View&, std::int32_t, std::int32_t) noexcept;
 void add_solution(const assembly::View&, std::int32_t, std::int32_t) noexcept;
 void body_norms(const assembly::View&, std::int32_t, std::int32_t, assembly::Norms*) noexcept;
