@@ -7,98 +7,144 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 namespace hawser::bench {
 namespace {
 
-/// Gives every block of a form its place in the panels, and brings the blocks into the sequence of
-/// the columns, so that the panels are written from front to back.
+/// Gives every block of a form its place in the panels. Blocks of a piece lie together, as pieces
+/// end where fronts end; within a piece, which stays in cache while it is filled, alike ones follow
+/// each other.
 class Placer {
   public:
-    void place(const BlockForm& form, const factor::Analysis& analysis, std::vector<BlockOp>& ops) {
+    using Range = std::pair<std::size_t, std::size_t>;
+
+    /// @param of_piece  By piece: begin and end of its blocks.
+    void place(const BlockForm& form, const factor::Analysis& analysis,
+               const std::vector<factor::Piece>& pieces, std::vector<BlockOp>& ops,
+               std::vector<Range>& of_piece) {
         const factor::Symbolic& s = analysis.symbolic();
-        sort_by_column(form, s);
+        rank_pieces(s, pieces);
+        sort(form, s);
+        of_piece.resize(pieces.size());
+        for (std::size_t r = 0; r < pieces.size(); ++r)
+            of_piece[at(by_place_[r].second)] = {at(r == 0 ? 0 : next_[r - 1]), at(next_[r])};
         ops.resize(form.ops.size());
         local_.resize(s.order.size());
+        std::int32_t k = 0;
         for (const factor::Front& front : s.fronts) {
-            if (front.batch >= 0) continue;
-            // Where each update row of this front is.
-            std::int32_t row = front.p;
-            for (const std::int32_t v : analysis.columns().rows(s.order[at(front.node_end - 1)])) {
-                local_[at(v)] = row;
-                row += form.pattern.size[at(v)];
+            const std::int32_t end = start_[at(front.node_end) - 1];
+            if (front.batch >= 0) {
+                for (; k < end; ++k)
+                    put(form, s, index_[at(k)], ops,
+                        [&](std::int32_t row, std::int32_t col) { return s.target(row, col); });
+                continue;
             }
-            for (auto k = at(start_[at(front.node_begin)]); k < at(start_[at(front.node_end)]);
-                 ++k) {
-                const BlockOp& op = ops[k] = turned(form.ops[at(index_[k])], s.position);
-                const std::int32_t offset = s.node_offset[at(op.row)] - front.offset;
-                const std::int32_t column = s.node_offset[at(op.col)] - front.offset;
-                write(ops[k], {front.panel + static_cast<std::int64_t>(column) * front.ld +
-                                   (offset < front.p ? offset : local_[at(op.row)]),
-                               1, front.ld});
-            }
-        }
-        for (auto k = at(start_[s.order.size()]); k < ops.size(); ++k) {
-            ops[k] = turned(form.ops[at(index_[k])], s.position);
-            write(ops[k], s.target(ops[k].row, ops[k].col));
+            find_rows(form, analysis, front);
+            for (; k < end; ++k)
+                put(form, s, index_[at(k)], ops, [&](std::int32_t row, std::int32_t col) {
+                    const std::int64_t column = s.node_offset[at(col)] - front.offset;
+                    const std::int32_t pivot = s.node_offset[at(row)] - front.offset;
+                    const std::int32_t inside = -static_cast<std::int32_t>(pivot < front.p);
+                    const std::int32_t place = (pivot & inside) | (local_[at(row)] & ~inside);
+                    return factor::BlockTarget{front.panel + column * front.ld + place, 1,
+                                               front.ld};
+                });
         }
     }
-
-    /// Where block i of the form is among the ops.
-    [[nodiscard]] std::size_t where(std::int32_t i) const { return at(where_[at(i)]); }
 
   private:
-    /// A counting sort; chains come last, those in the lanes of one step together.
-    void sort_by_column(const BlockForm& form, const factor::Symbolic& s) {
-        const std::size_t n = s.order.size();
-        key_ = s.position;
-        for (std::size_t v = 0; v < s.node_step.size(); ++v)
-            if (s.node_step[v] >= 0) key_[v] = static_cast<std::int32_t>(n) + s.node_step[v];
-        start_.assign(n + s.batch_steps.size() + 1, 0);
-        column_key_.resize(form.ops.size());
-        for (std::size_t i = 0; i < form.ops.size(); ++i) {
-            const std::size_t row = at(form.ops[i].row), column = at(form.ops[i].col);
-            column_key_[i] = s.position[row] < s.position[column] ? key_[row] : key_[column];
-            ++start_[at(column_key_[i])];
+    /// Pieces in the sequence of their panels, and the rank of each node's, by position.
+    void rank_pieces(const factor::Symbolic& s, const std::vector<factor::Piece>& pieces) {
+        by_place_.clear();
+        for (const factor::Piece& p : pieces)
+            by_place_.emplace_back(p.panel_begin, static_cast<std::int32_t>(by_place_.size()));
+        std::sort(by_place_.begin(), by_place_.end());
+        rank_.resize(s.order.size());
+        step_rank_.resize(s.batch_steps.size());
+        for (std::size_t r = 0; r < pieces.size(); ++r) {
+            const factor::Piece& p = pieces[at(by_place_[r].second)];
+            const auto rank = static_cast<std::int32_t>(r);
+            if (p.begin == p.end)
+                std::fill(step_rank_.begin() + p.step_begin, step_rank_.begin() + p.step_end, rank);
+            else
+                std::fill(rank_.begin() + s.fronts[at(p.begin)].node_begin,
+                          rank_.begin() + s.fronts[at(p.end) - 1].node_end, rank);
         }
-        std::int32_t sum = 0;
-        for (std::int32_t& k : start_) sum += std::exchange(k, sum);
-        cursor_ = start_;
+        if (s.batches.empty()) return;
+        for (std::size_t k = 0; k < s.order.size(); ++k)
+            if (const std::int32_t step = s.node_step[at(s.order[k])]; step >= 0)
+                rank_[k] = step_rank_[at(step)];
+    }
+
+    /// Two counting sorts: by column, to find rows, and by piece, for where they end up.
+    void sort(const BlockForm& form, const factor::Symbolic& s) {
+        start_.assign(s.order.size(), 0);
+        next_.assign(by_place_.size(), 0);
+        column_.resize(form.ops.size());
+        for (std::size_t i = 0; i < form.ops.size(); ++i) {
+            const std::int32_t column =
+                std::min(s.position[at(form.ops[i].row)], s.position[at(form.ops[i].col)]);
+            column_[i] = column;
+            ++start_[at(column)];
+            ++next_[at(rank_[at(column)])];
+        }
+        for (auto* counts : {&start_, &next_}) {
+            std::int32_t sum = 0;
+            for (std::int32_t& k : *counts) sum += std::exchange(k, sum);
+        }
         index_.resize(form.ops.size());
-        where_.resize(form.ops.size());
+        to_.resize(form.ops.size());
         for (std::size_t i = 0; i < form.ops.size(); ++i)
-            index_[at(where_[i] = cursor_[at(column_key_[i])]++)] = static_cast<std::int32_t>(i);
+            index_[at(start_[at(column_[i])]++)] = static_cast<std::int32_t>(i);
+        for (const std::int32_t i : form.alike) to_[at(i)] = next_[at(rank_[at(column_[at(i)])])]++;
     }
 
-    /// The row node must not come before the column node.
-    static BlockOp turned(BlockOp op, const std::vector<std::int32_t>& position) {
-        if (position[at(op.row)] >= position[at(op.col)]) return op;
-        std::swap(op.row, op.col);
-        std::swap(op.row_size, op.col_size);
-        op.by_rows = !op.by_rows;
-        op.turned = !op.turned;
-        return op;
+    /// Rows of a front by node, where they are none of its pivots.
+    void find_rows(const BlockForm& form, const factor::Analysis& analysis,
+                   const factor::Front& front) {
+        std::int32_t row = front.p;
+        const std::int32_t last = analysis.symbolic().order[at(front.node_end - 1)];
+        for (const std::int32_t v : analysis.columns().rows(last)) {
+            local_[at(v)] = row;
+            row += form.pattern.size[at(v)];
+        }
     }
 
-    static void write(BlockOp& op, const factor::BlockTarget& t) {
-        op.to = t.address;
-        op.step = t.step;
-        op.stride = t.ld;
+    /// Write block i of the form where it ends up. The row node must not come before the column
+    /// node. @param target  Of (row, column).
+    template <class Target>
+    void put(const BlockForm& form, const factor::Symbolic& s, std::int32_t i,
+             std::vector<BlockOp>& ops, Target&& target) const {
+        const BlockOp& from = form.ops[at(i)];
+        const bool turned = s.position[at(from.row)] < s.position[at(from.col)];
+        const std::int32_t row = turned ? from.col : from.row, col = turned ? from.row : from.col;
+        const std::uint8_t rows = turned ? from.col_size : from.row_size,
+                           cols = turned ? from.row_size : from.col_size;
+        const factor::BlockTarget to = target(row, col);
+        ops[at(to_[at(i)])] = {row,
+                               col,
+                               from.base,
+                               from.begin,
+                               from.end,
+                               to.address,
+                               to.step,
+                               to.ld,
+                               rows,
+                               cols,
+                               from.by_rows != turned,
+                               from.shrink,
+                               from.turned != turned};
     }
 
-    std::vector<std::int32_t> key_, start_, cursor_, column_key_, index_, where_, local_;
+    std::vector<std::pair<std::int64_t, std::int32_t>> by_place_;  ///< Panels, pieces.
+    std::vector<std::int32_t> rank_, step_rank_, start_, next_, column_, index_, to_, local_;
 };
 
 class Ours final : public Solver {
   public:
-    explicit Ours(Order order)
-        : order_(order), analysis_([this](const factor::Pattern& p) {
-              if (order_ == Order::library) return factor::plan_elimination(p);
-              return factor::Elimination{order_blocks(*form_, order_), {}};
-          }) {}
+    explicit Ours(Order order) : analysis_(planner(order)) {}
 
     void analyse(const Input& input, base::Executor& executor) override {
         form_ = input.form;
@@ -136,6 +182,18 @@ class Ours final : public Solver {
     }
 
   private:
+    factor::Analysis::Planner planner(Order order) {
+        if (order == Order::library) return nullptr;
+        if (order == Order::amd_blocks)
+            return [this](const factor::Pattern& p) {
+                factor::Elimination plan;
+                orderer_.order(p, plan.order);
+                return plan;
+            };
+        return [this, order](const factor::Pattern&) {
+            return factor::Elimination{order_blocks(*form_, order), {}};
+        };
+    }
     int start(double* x, base::Executor& executor) {
         auto write = [](void* self, int piece, double* panel) noexcept {
             static_cast<Ours*>(self)->write(at(piece), panel);
@@ -156,56 +214,31 @@ class Ours final : public Solver {
     void permute_back(std::vector<double>& x) const {
         for (std::size_t i = 0; i < place_.size(); ++i) x[at(place_[i])] = x_[i];
     }
-    /// The blocks of each piece: they lie together, as pieces end where fronts end. Within a piece,
-    /// which stays in cache while it is filled, alike ones follow each other.
-    void sort_by_piece() {
-        const std::vector<factor::Piece>& pieces = numeric_.pieces();
-        piece_ops_.resize(pieces.size());
-        by_place_.resize(pieces.size());
-        std::iota(by_place_.begin(), by_place_.end(), std::size_t{0});
-        std::sort(by_place_.begin(), by_place_.end(), [&](std::size_t a, std::size_t b) {
-            return pieces[a].panel_begin < pieces[b].panel_begin;
-        });
-        piece_of_.resize(ops_.size());
-        next_.resize(pieces.size());
-        std::size_t k = 0;
-        for (const std::size_t piece : by_place_) {
-            const std::size_t begin = k;
-            while (k < ops_.size() && ops_[k].to < pieces[piece].panel_end) ++k;
-            piece_ops_[piece] = {begin, k};
-            std::fill_n(piece_of_.begin() + static_cast<std::ptrdiff_t>(begin), k - begin,
-                        static_cast<std::int32_t>(piece));
-            next_[piece] = begin;
-        }
-        grouped_.resize(ops_.size());
-        for (const std::int32_t i : form_->alike) {
-            const std::size_t from = placer_.where(i);
-            grouped_[next_[at(piece_of_[from])]++] = ops_[from];
-        }
-        ops_.swap(grouped_);
-    }
     /// Where each block is written.
     void find_places(base::Executor& executor) {
         numeric_.reserve(symbolic_, executor.threads());
-        placer_.place(*form_, analysis_, ops_);
-        sort_by_piece();
-        x_.resize(static_cast<std::size_t>(symbolic_.scalars) + 8, 0.0);
-        place_.resize(static_cast<std::size_t>(symbolic_.scalars));
-        for (std::size_t a = 0; a < form_->kept.size(); ++a)
-            for (int i = 0; i < form_->pattern.size[a]; ++i)
-                place_[at(symbolic_.node_offset[a] + i)] = form_->offset[a] + i;
+        placer_.place(*form_, analysis_, numeric_.pieces(), ops_, piece_ops_);
+        const std::size_t n = at(symbolic_.scalars);
+        x_.resize(n + 8, 0.0);
+        // What is written past the end of a node is written again by the next.
+        constexpr std::int32_t kWide = 8;
+        place_.resize(n + kWide);
+        std::int32_t* place = place_.data();
+        for (const std::int32_t a : symbolic_.order) {
+            const std::int32_t offset = form_->offset[at(a)];
+            for (std::int32_t i = 0; i < kWide; ++i) place[i] = offset + i;
+            place += form_->pattern.size[at(a)];
+        }
+        place_.resize(n);
     }
 
-    Order order_;
+    factor::Orderer orderer_;
     const BlockForm* form_ = nullptr;
     factor::Analysis analysis_;
     const factor::Symbolic& symbolic_ = analysis_.symbolic();
     factor::Numeric numeric_;
     std::vector<BlockOp> ops_;
     std::vector<std::pair<std::size_t, std::size_t>> piece_ops_;  ///< Of each piece: begin, end.
-    std::vector<std::size_t> by_place_, next_;
-    std::vector<std::int32_t> piece_of_;
-    std::vector<BlockOp> grouped_;
     Input input_;
     std::vector<std::int32_t> place_;  ///< Of each permuted scalar in the form.
     std::vector<double> x_;

@@ -2,8 +2,11 @@
 #include "factor/body_graph.h"
 
 #include "base/index.h"
+#include "base/memory.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <numeric>
 
 namespace hawser::factor {
 namespace {
@@ -11,170 +14,202 @@ namespace {
 constexpr std::int32_t kReach = 2;     ///< A wire's body couples to at most so many on each side.
 constexpr std::int32_t kShortest = 6;  ///< Bodies of a wire worth the name.
 constexpr std::int32_t kHub = 8;       ///< More neighbours than a wire beside a hub can have.
+constexpr std::uint8_t kDegrees = 2 * kReach + 1;  ///< Of what may lie in a wire: 0 to four.
+
+}  // namespace
+
+BodyGraph WireFinder::graph(const Pattern& pattern) {
+    const std::size_t n = pattern.size.size();
+    if (std::find(pattern.sign.begin(), pattern.sign.end(), -1) == pattern.sign.end())
+        return {pattern.start.data(), pattern.adjacent.data()};
+    start_.resize(n + 1);
+    start_[0] = 0;
+    adjacent_.clear();
+    mark_.assign(n, -1);
+    for (std::size_t v = 0; v < n; ++v) {
+        const auto id = static_cast<std::int32_t>(v);
+        const auto first = static_cast<std::ptrdiff_t>(adjacent_.size());
+        auto take = [&](std::int32_t u) {
+            if (u == id || pattern.sign[at(u)] < 0 || mark_[at(u)] == id) return;
+            mark_[at(u)] = id;
+            adjacent_.push_back(u);
+        };
+        if (pattern.sign[v] > 0)
+            for (const std::int32_t u : pattern.neighbours(id)) {
+                take(u);
+                if (pattern.sign[at(u)] < 0)
+                    for (const std::int32_t w : pattern.neighbours(u)) take(w);
+            }
+        std::sort(adjacent_.begin() + first, adjacent_.end());
+        start_[v + 1] = static_cast<std::int32_t>(adjacent_.size());
+    }
+    return {start_.data(), adjacent_.data()};
+}
+
+/// Sums of `of` over all neighbours before those of each node, so that a node's sum is a
+/// difference: one loop that is not cut up by nodes.
+void WireFinder::sum_up(const BodyGraph& graph, std::size_t nodes,
+                        const std::vector<std::uint8_t>& of) {
+    const std::size_t edges = at(graph.start[nodes]);
+    sum_.resize(edges + 1);
+    sum_[0] = 0;
+    std::int32_t sum = 0;
+    for (std::size_t e = 0; e < edges; ++e) sum_[e + 1] = sum += of[at(graph.adjacent[e])];
+}
 
 /// Which nodes may lie in a wire: few neighbours, hubs not counted.
-std::vector<std::uint8_t> wire_like(const Pattern& pattern, const BodyGraph& graph) {
-    const auto n = static_cast<std::size_t>(pattern.nodes());
-    std::vector<std::uint8_t> hub(n, 0), like(n, 0);
+void WireFinder::find_wire_like(const Pattern& pattern, const BodyGraph& graph) {
+    const std::size_t n = pattern.size.size();
+    hub_.resize(n);
+    like_.resize(n);
+    for (std::size_t v = 0; v < n; ++v)
+        hub_[v] = graph.start[v + 1] - graph.start[v] > kHub ? 1 : 0;
+    sum_up(graph, n, hub_);
+    bool any_rows = false;
     for (std::size_t v = 0; v < n; ++v) {
-        const auto id = static_cast<std::int32_t>(v);
-        hub[v] = static_cast<std::int32_t>(graph.neighbours(id).size()) > kHub ? 1 : 0;
+        const std::int32_t begin = graph.start[v], end = graph.start[v + 1];
+        const std::int32_t degree = end - begin - (sum_[at(end)] - sum_[at(begin)]);
+        const int size = pattern.size[v];
+        any_rows |= pattern.sign[v] < 0;
+        like_[v] = static_cast<std::uint8_t>(pattern.sign[v] > 0) & (hub_[v] ^ 1U) &
+                   static_cast<std::uint8_t>((size == 3) | (size == 6)) &
+                   static_cast<std::uint8_t>(degree <= 2 * kReach);
     }
-    for (std::size_t v = 0; v < n; ++v) {
-        if (pattern.sign[v] < 0 || hub[v] || (pattern.size[v] != 3 && pattern.size[v] != 6))
-            continue;
-        const auto id = static_cast<std::int32_t>(v);
-        std::int32_t degree = 0;
-        for (std::int32_t u : graph.neighbours(id)) degree += hub[at(u)] ? 0 : 1;
-        like[v] = degree <= 2 * kReach ? 1 : 0;
-    }
+    if (!any_rows) return;
     // Rows that couple to rows are no wire's (no mechanical system has them).
     for (std::size_t v = 0; v < n; ++v) {
         if (pattern.sign[v] > 0) continue;
         bool odd = false;
-        for (std::int32_t u : pattern.neighbours(static_cast<int>(v)))
+        for (const std::int32_t u : pattern.neighbours(static_cast<int>(v)))
             odd |= pattern.sign[at(u)] < 0;
         if (!odd) continue;
-        for (std::int32_t u : pattern.neighbours(static_cast<int>(v))) like[at(u)] = 0;
+        for (const std::int32_t u : pattern.neighbours(static_cast<int>(v))) like_[at(u)] = 0;
     }
-    return like;
 }
 
-/// Walks from one end of a wire to the other.
-class Walker {
-  public:
-    Walker(const Pattern& pattern, const BodyGraph& graph, const std::vector<std::uint8_t>& like)
-        : pattern_(pattern), graph_(graph), like_(like), visited_(like.size(), 0) {}
-
-    [[nodiscard]] bool visited(std::int32_t v) const { return visited_[at(v)] != 0; }
-    [[nodiscard]] std::int32_t degree(std::int32_t v) const {
-        std::int32_t n = 0;
-        for (std::int32_t u : graph_.neighbours(v)) n += like_[at(u)];
-        return n;
-    }
-
-    void walk(std::int32_t seed, std::vector<std::int32_t>& out) {
-        std::int32_t before = -1, now = seed;
-        while (now >= 0) {
-            visited_[at(now)] = 1;
-            out.push_back(now);
-            const std::int32_t next = successor(before, now);
-            before = now;
-            now = next;
-        }
-    }
-
-  private:
-    /// The one unvisited neighbour, −1: none, −2: several (then `smallest` has fewest of its own).
-    std::int32_t only(std::int32_t v, std::int32_t& smallest) const {
-        std::int32_t found = -1;
-        smallest = -1;
-        for (std::int32_t u : graph_.neighbours(v)) {
-            if (!like_[at(u)] || visited_[at(u)]) continue;
-            found = found == -1 ? u : -2;
-            if (smallest < 0 || degree(u) < degree(smallest)) smallest = u;
-        }
-        return found;
-    }
-
-    /// Where three-body bending couples i to i + 2, the body before the last one still has one
-    /// unvisited neighbour, and that is the next; else the last one has.
-    std::int32_t successor(std::int32_t before, std::int32_t now) const {
-        std::int32_t smallest = -1;
-        std::int32_t next = before < 0 ? -1 : only(before, smallest);
-        if (next == -1) {
-            next = only(now, smallest);
-            if (next == -2 && before < 0) next = smallest;
-        }
-        if (next < 0 || pattern_.size[at(next)] != pattern_.size[at(now)]) return -1;
-        const auto near = graph_.neighbours(now);
-        return std::find(near.begin(), near.end(), next) != near.end() ? next : -1;
-    }
-
-    const Pattern& pattern_;
-    const BodyGraph& graph_;
-    const std::vector<std::uint8_t>& like_;
-    std::vector<std::uint8_t> visited_;
-};
-
-}  // namespace
-
-BodyGraph body_graph(const Pattern& pattern) {
-    const auto n = static_cast<std::size_t>(pattern.nodes());
-    BodyGraph graph;
-    graph.start.assign(n + 1, 0);
-    std::vector<std::int32_t> mark(n, -1);
+void WireFinder::sort_by_degree(const BodyGraph& graph) {
+    const std::size_t n = like_.size();
+    sum_up(graph, n, like_);
+    degree_.resize(n);
+    std::int32_t cursor[kDegrees + 1] = {};
     for (std::size_t v = 0; v < n; ++v) {
-        const auto id = static_cast<std::int32_t>(v);
-        const auto first = static_cast<std::ptrdiff_t>(graph.adjacent.size());
-        auto take = [&](std::int32_t u) {
-            if (u == id || pattern.sign[at(u)] < 0 || mark[at(u)] == id) return;
-            mark[at(u)] = id;
-            graph.adjacent.push_back(u);
-        };
-        if (pattern.sign[v] > 0)
-            for (std::int32_t u : pattern.neighbours(id)) {
-                take(u);
-                if (pattern.sign[at(u)] < 0)
-                    for (std::int32_t w : pattern.neighbours(u)) take(w);
-            }
-        std::sort(graph.adjacent.begin() + first, graph.adjacent.end());
-        graph.start[v + 1] = static_cast<std::int32_t>(graph.adjacent.size());
+        const std::int32_t degree = sum_[at(graph.start[v + 1])] - sum_[at(graph.start[v])];
+        // Others are sorted behind the candidates.
+        degree_[v] = like_[v] != 0 ? static_cast<std::uint8_t>(degree) : kDegrees;
+        ++cursor[degree_[v]];
     }
-    return graph;
+    std::exclusive_scan(cursor, cursor + kDegrees + 1, cursor, 0);
+    const auto count = static_cast<std::size_t>(cursor[kDegrees]);
+    candidates_.resize(n);
+    for (std::size_t v = 0; v < n; ++v)
+        candidates_[at(cursor[degree_[v]]++)] = static_cast<std::int32_t>(v);
+    candidates_.resize(count);
 }
 
-Wires find_wires(const Pattern& pattern, const BodyGraph& graph) {
-    const auto n = static_cast<std::int32_t>(pattern.nodes());
-    std::vector<std::uint8_t> like = wire_like(pattern, graph);
-    Walker walker(pattern, graph, like);
-    std::vector<std::int32_t> bodies, begin{0};
-    // Ends first, by number of neighbours; what is left then are rings.
-    for (std::int32_t most = 0; most <= 2 * kReach; ++most)
-        for (std::int32_t v = 0; v < n; ++v) {
-            if (!like[at(v)] || walker.visited(v) || walker.degree(v) > most) continue;
-            walker.walk(v, bodies);
-            if (static_cast<std::int32_t>(bodies.size()) - begin.back() < kShortest)
-                bodies.resize(at(begin.back()));
-            else
-                begin.push_back(static_cast<std::int32_t>(bodies.size()));
-        }
+/// The one neighbour that no walk has come by, −1: none, −2: several (then `smallest` has fewest
+/// of its own).
+std::int32_t WireFinder::only(const BodyGraph& graph, std::int32_t node,
+                              std::int32_t& smallest) const noexcept {
+    std::int32_t found = -1;
+    smallest = -1;
+    for (const std::int32_t u : graph.neighbours(node)) {
+        if (!like_[at(u)]) continue;
+        found = found == -1 ? u : -2;
+        if (smallest < 0 || degree_[at(u)] < degree_[at(smallest)]) smallest = u;
+    }
+    return found;
+}
 
-    std::vector<std::int32_t> place(at(n), -1);
-    for (std::size_t k = 0; k < bodies.size(); ++k)
-        place[at(bodies[k])] = static_cast<std::int32_t>(k);
-    // A body that touches another wire, or its own farther away than kReach, is taken out, and
-    // so many behind it that what is left falls apart there.
-    Wires wires;
-    wires.place.assign(at(n), -1);
-    for (std::size_t w = 0; w + 1 < begin.size(); ++w) {
+/// Where three-body bending couples i to i + 2, the body before the last one still has one
+/// unvisited neighbour, and that is the next; else the last one has.
+std::int32_t WireFinder::successor(const Pattern& pattern, const BodyGraph& graph,
+                                   std::int32_t before, std::int32_t now) const noexcept {
+    std::int32_t smallest = -1;
+    std::int32_t next = before < 0 ? -1 : only(graph, before, smallest);
+    if (next == -1) {
+        next = only(graph, now, smallest);
+        if (next == -2 && before < 0) next = smallest;
+    }
+    if (next < 0 || pattern.size[at(next)] != pattern.size[at(now)]) return -1;
+    const auto near = graph.neighbours(now);
+    return std::find(near.begin(), near.end(), next) != near.end() ? next : -1;
+}
+
+/// From one end of a wire to the other.
+void WireFinder::walk(const Pattern& pattern, const BodyGraph& graph, std::int32_t seed) {
+    std::int32_t before = -1, now = seed;
+    while (now >= 0) {
+        like_[at(now)] = 0;
+        walked_.push_back(now);
+        const std::int32_t next = successor(pattern, graph, before, now);
+        before = now;
+        now = next;
+    }
+}
+
+/// A body that touches another wire, or its own farther away than kReach, is taken out, and so
+/// many behind it that what is left falls apart there.
+void WireFinder::take_apart(const BodyGraph& graph) {
+    std::vector<std::int32_t>& place = wires_.place;
+    for (std::size_t k = 0; k < walked_.size(); ++k)
+        place[at(walked_[k])] = static_cast<std::int32_t>(k);
+    wires_.bodies.clear();
+    wires_.begin.assign(1, 0);
+    auto close = [&] {
+        if (static_cast<std::int32_t>(wires_.bodies.size()) - wires_.begin.back() < kShortest)
+            wires_.bodies.resize(at(wires_.begin.back()));
+        else
+            wires_.begin.push_back(static_cast<std::int32_t>(wires_.bodies.size()));
+    };
+    for (std::size_t w = 0; w + 1 < walk_begin_.size(); ++w) {
+        const std::int32_t begin = walk_begin_[w], end = walk_begin_[w + 1];
         std::int32_t skip = 0;
-        auto close = [&] {
-            if (static_cast<std::int32_t>(wires.bodies.size()) - wires.begin.back() < kShortest)
-                wires.bodies.resize(at(wires.begin.back()));
-            else
-                wires.begin.push_back(static_cast<std::int32_t>(wires.bodies.size()));
-        };
-        for (std::int32_t k = begin[w]; k < begin[w + 1]; ++k) {
-            const std::int32_t b = bodies[at(k)];
+        for (std::int32_t k = begin; k < end; ++k) {
+            const std::int32_t b = walked_[at(k)];
             bool apart = true;
-            for (std::int32_t u : graph.neighbours(b)) {
+            for (const std::int32_t u : graph.neighbours(b)) {
                 const std::int32_t p = place[at(u)];
-                apart &= p < 0 || (p >= begin[w] && p < begin[w + 1] && std::abs(p - k) <= kReach);
+                apart &= p < 0 || (p >= begin && p < end && std::abs(p - k) <= kReach);
             }
             if (!apart) skip = kReach;
             if (skip > 0) {
                 --skip;
                 close();
             } else {
-                wires.bodies.push_back(b);
+                wires_.bodies.push_back(b);
             }
         }
         close();
     }
-    for (std::size_t k = 0; k < wires.bodies.size(); ++k)
-        wires.place[at(wires.bodies[k])] = static_cast<std::int32_t>(k);
-    return wires;
+    for (const std::int32_t b : walked_) place[at(b)] = -1;
+    for (std::size_t k = 0; k < wires_.bodies.size(); ++k)
+        place[at(wires_.bodies[k])] = static_cast<std::int32_t>(k);
+}
+
+const Wires& WireFinder::find(const Pattern& pattern, const BodyGraph& graph) {
+    find_wire_like(pattern, graph);
+    sort_by_degree(graph);
+    walked_.clear();
+    walk_begin_.assign(1, 0);
+    // Ends first, by number of neighbours; what is left then are rings.
+    for (const std::int32_t v : candidates_) {
+        if (!like_[at(v)]) continue;
+        walk(pattern, graph, v);
+        if (static_cast<std::int32_t>(walked_.size()) - walk_begin_.back() < kShortest)
+            walked_.resize(at(walk_begin_.back()));
+        else
+            walk_begin_.push_back(static_cast<std::int32_t>(walked_.size()));
+    }
+    wires_.place.assign(like_.size(), -1);
+    take_apart(graph);
+    return wires_;
+}
+
+std::size_t WireFinder::bytes() const noexcept {
+    return base::bytes(start_) + base::bytes(adjacent_) + base::bytes(mark_) + base::bytes(hub_) +
+           base::bytes(like_) + base::bytes(degree_) + base::bytes(candidates_) +
+           base::bytes(sum_) + base::bytes(walked_) + base::bytes(walk_begin_) +
+           base::bytes(wires_.bodies) + base::bytes(wires_.begin) + base::bytes(wires_.place);
 }
 
 }  // namespace hawser::factor

@@ -12,15 +12,13 @@
 namespace hawser::factor {
 
 /// Adjacency of positive nodes; two are neighbours when an edge or a negative node joins them.
+/// A view: of the pattern itself where it has no negative nodes.
 struct BodyGraph {
-    std::vector<std::int32_t> start, adjacent;
+    const std::int32_t *start, *adjacent;
     [[nodiscard]] std::span<const std::int32_t> neighbours(std::int32_t node) const noexcept {
-        const auto n = static_cast<std::size_t>(node);
-        return {adjacent.data() + start[n], adjacent.data() + start[n + 1]};
+        return {adjacent + start[node], adjacent + start[node + 1]};
     }
 };
-
-[[nodiscard]] BodyGraph body_graph(const Pattern& pattern);
 
 /// Sequences of bodies of one size in which each couples only to the next one or two, and to
 /// bodies that are in no wire. Bodies of two wires never couple.
@@ -30,8 +28,35 @@ struct Wires {
     std::vector<std::int32_t> place;     ///< By node: index in bodies, −1 if in no wire.
 };
 
-/// Walk along nodes of small degree; nodes with many neighbours (hulls, drums, junctions) stay
-/// outside, as does every node beside another wire.
-[[nodiscard]] Wires find_wires(const Pattern& pattern, const BodyGraph& graph);
+/// Finds wires; a used one needs no memory for a pattern of about the same size.
+class WireFinder {
+  public:
+    /// Valid until the next call, and as long as the pattern.
+    [[nodiscard]] BodyGraph graph(const Pattern& pattern);
+
+    /// Walk along nodes of small degree; nodes with many neighbours (hulls, drums, junctions) stay
+    /// outside, as does every node beside another wire. Valid until the next call.
+    [[nodiscard]] const Wires& find(const Pattern& pattern, const BodyGraph& graph);
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    void sum_up(const BodyGraph& graph, std::size_t nodes, const std::vector<std::uint8_t>& of);
+    void find_wire_like(const Pattern& pattern, const BodyGraph& graph);
+    void sort_by_degree(const BodyGraph& graph);
+    void walk(const Pattern& pattern, const BodyGraph& graph, std::int32_t seed);
+    [[nodiscard]] std::int32_t only(const BodyGraph& graph, std::int32_t node,
+                                    std::int32_t& smallest) const noexcept;
+    [[nodiscard]] std::int32_t successor(const Pattern& pattern, const BodyGraph& graph,
+                                         std::int32_t before, std::int32_t now) const noexcept;
+    void take_apart(const BodyGraph& graph);
+
+    std::vector<std::int32_t> start_, adjacent_, mark_, sum_;
+    std::vector<std::uint8_t> hub_;
+    std::vector<std::uint8_t> like_;        ///< May lie in a wire, and no walk has come by.
+    std::vector<std::uint8_t> degree_;      ///< Neighbours that may lie in a wire.
+    std::vector<std::int32_t> candidates_;  ///< By degree, then number.
+    std::vector<std::int32_t> walked_, walk_begin_;
+    Wires wires_;
+};
 
 }  // namespace hawser::factor

@@ -2,27 +2,18 @@
 #include "factor/chains.h"
 
 #include "base/index.h"
-#include "factor/body_graph.h"
+#include "base/memory.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
+#include <utility>
 
 namespace hawser::factor {
 namespace {
 
 constexpr int kLanes = 8;
 constexpr std::int32_t kShortestPiece = 4;  ///< Units of a chain worth a lane.
-
-/// A wire: consecutive bodies that nothing but hubs and its own neighbours touch.
-struct Stretch {
-    std::int32_t begin, end;  ///< Range in Wires::bodies.
-    std::int32_t reach;
-    double unit;          ///< Scalars of a unit, rows included, on average.
-    std::int32_t start;   ///< Boundary scalars that the chain must carry from its freer end on.
-    std::int32_t across;  ///< Boundary scalars that touch the whole wire (a deck under it).
-    double beside;        ///< Boundary scalars a body that touch the wire here and there.
-};
 
 /// Cycles of one step of eight lanes: p pivots over q rows. An estimate from counts of vector
 /// operations and the latency of a pivot, not a fit; only ratios matter.
@@ -36,38 +27,45 @@ constexpr double kSeparatorCost = 1500.0;
 /// Cycles of a unit eliminated in a front of its own, from a profile of a chain of rigid links.
 constexpr double kFrontCost = 500.0;
 
-struct Segment {
-    std::int32_t run, from, to;  ///< Bodies [from, to) of the run, relative.
-};
+}  // namespace
+
+void Chains::clear() {
+    nodes.clear();
+    unit_begin.assign(1, 0);
+    begin.assign(1, 0);
+    body_size.clear();
+    reach.clear();
+}
+
+std::size_t Chains::bytes() const noexcept {
+    return base::bytes(nodes) + base::bytes(unit_begin) + base::bytes(begin) +
+           base::bytes(body_size) + base::bytes(reach);
+}
 
 /// Cut every run into pieces of about `target` bodies with `reach` bodies between them.
-std::vector<Segment> cut(const std::vector<Stretch>& runs, std::int32_t target) {
-    std::vector<Segment> pieces;
-    for (std::size_t r = 0; r < runs.size(); ++r) {
-        const std::int32_t n = runs[r].end - runs[r].begin, w = runs[r].reach;
+void ChainFinder::cut(std::int32_t target) {
+    pieces_.clear();
+    for (std::size_t r = 0; r < runs_.size(); ++r) {
+        const std::int32_t n = runs_[r].end - runs_[r].begin, w = runs_[r].reach;
         std::int32_t parts = std::max(1, (n + w + (target + w) / 2) / (target + w));
         while (parts > 1 && (n - (parts - 1) * w) / parts < kShortestPiece) --parts;
         const std::int32_t inside = n - (parts - 1) * w;
         std::int32_t from = 0;
         for (std::int32_t k = 0; k < parts; ++k) {
             const std::int32_t length = inside / parts + (k < inside % parts ? 1 : 0);
-            pieces.push_back({static_cast<std::int32_t>(r), from, from + length});
+            pieces_.push_back({static_cast<std::int32_t>(r), from, from + length});
             from += length + w;
         }
     }
-    return pieces;
 }
 
 /// Model of the time of all steps of all batches, and of the longest one.
-double plan_cost(const std::vector<Stretch>& runs, const std::vector<Segment>& pieces, int size) {
-    struct Shape {
-        double q, p;
-        std::int32_t length;
-    };
-    std::vector<Shape> shapes;
+/// @param most  More is as good as this.
+double ChainFinder::plan_cost(int size, double most) {
+    shapes_.clear();
     double total = 0.0, longest = 0.0;
-    for (const Segment& piece : pieces) {
-        const Stretch& run = runs[at(piece.run)];
+    for (const Segment& piece : pieces_) {
+        const Stretch& run = runs_[at(piece.run)];
         const std::int32_t n = run.end - run.begin, w = run.reach * size;
         const bool first = piece.from == 0, last = piece.to == n;
         // From its freer end: a separator there is carried along, a hub at the wire's own end
@@ -75,18 +73,20 @@ double plan_cost(const std::vector<Stretch>& runs, const std::vector<Segment>& p
         std::int32_t start = first ? run.start : w;
         if (first && !last) start = 0;  // turned round when the wire's end is the less free one
         if (last && !first) start = run.start > 0 ? w : 0;
-        shapes.push_back({w + start + run.across + run.beside * (piece.to - piece.from), run.unit,
-                          piece.to - piece.from});
+        shapes_.push_back({w + start + run.across + run.beside * (piece.to - piece.from), run.unit,
+                           piece.to - piece.from, static_cast<std::int32_t>(shapes_.size())});
         if (!last) total += kSeparatorCost * run.reach;
     }
-    std::stable_sort(shapes.begin(), shapes.end(), [](const Shape& a, const Shape& b) {
-        return a.q != b.q ? a.q > b.q : a.length > b.length;
+    if (total >= most) return total;
+    std::sort(shapes_.begin(), shapes_.end(), [](const Shape& a, const Shape& b) {
+        if (a.q != b.q) return a.q > b.q;
+        return a.length != b.length ? a.length > b.length : a.number < b.number;
     });
-    for (std::size_t k = 0; k < shapes.size(); k += kLanes) {
+    for (std::size_t k = 0; k < shapes_.size(); k += kLanes) {
         std::int32_t length = 0;
-        for (std::size_t i = k; i < std::min(k + kLanes, shapes.size()); ++i)
-            length = std::max(length, shapes[i].length);
-        const double cost = length * step_cost(shapes[k].p, shapes[k].q);
+        for (std::size_t i = k; i < std::min(k + kLanes, shapes_.size()); ++i)
+            length = std::max(length, shapes_[i].length);
+        const double cost = length * step_cost(shapes_[k].p, shapes_[k].q);
         total += cost;
         longest = std::max(longest, cost);
     }
@@ -95,78 +95,82 @@ double plan_cost(const std::vector<Stretch>& runs, const std::vector<Segment>& p
 }
 
 /// Facts about a run that its neighbourhood determines.
-Stretch describe(const Pattern& pattern, const BodyGraph& graph, const Wires& wires,
-                 std::int32_t begin, std::int32_t end) {
+ChainFinder::Stretch ChainFinder::describe(const Pattern& pattern, const BodyGraph& graph,
+                                           const Wires& wires, std::int32_t begin,
+                                           std::int32_t end) {
     Stretch run{begin, end, 1, 0.0, 0, 0, 0.0};
-    std::vector<std::int32_t> hubs, first, count;
+    hubs_.clear();
     double scalars = 0.0;
     for (std::int32_t k = begin; k < end; ++k) {
         const std::int32_t b = wires.bodies[at(k)];
         scalars += pattern.size[at(b)];
-        for (std::int32_t r : pattern.neighbours(b))
+        for (const std::int32_t r : pattern.neighbours(b))
             if (pattern.sign[at(r)] < 0)
                 scalars += 0.5 * pattern.size[at(r)];  // most rows have two bodies
-        for (std::int32_t u : graph.neighbours(b)) {
+        for (const std::int32_t u : graph.neighbours(b)) {
             const std::int32_t place = wires.place[at(u)];
             if (place >= begin && place < end) {
                 run.reach = std::max(run.reach, std::abs(place - k));
                 continue;
             }
-            const auto found = std::find(hubs.begin(), hubs.end(), u);
-            if (found == hubs.end()) {
-                hubs.push_back(u);
-                first.push_back(k - begin);
-                count.push_back(1);
-            } else {
-                ++count[static_cast<std::size_t>(found - hubs.begin())];
-            }
+            const auto found = std::find_if(hubs_.begin(), hubs_.end(),
+                                            [&](const Neighbour& hub) { return hub.node == u; });
+            if (found == hubs_.end())
+                hubs_.push_back({u, k - begin, 1});
+            else
+                ++found->count;
         }
     }
     run.unit = scalars / (end - begin);
     std::int32_t left = 0, right = 0;
-    for (std::size_t i = 0; i < hubs.size(); ++i) {
-        const std::int32_t size = pattern.size[at(hubs[i])];
-        if (count[i] > 4)
+    for (const Neighbour& hub : hubs_) {
+        const std::int32_t size = pattern.size[at(hub.node)];
+        if (hub.count > 4)
             run.across += size;
-        else if (first[i] > 2 && first[i] < end - begin - 2)
+        else if (hub.first > 2 && hub.first < end - begin - 2)
             run.beside += static_cast<double>(size) / (end - begin);
         else
-            (2 * first[i] < end - begin ? left : right) += size;
+            (2 * hub.first < end - begin ? left : right) += size;
     }
     run.start = std::min(left, right);
     return run;
 }
 
-/// Append one chain, its units in the better direction.
-void append(const Pattern& pattern, const BodyGraph& graph, const Wires& wires, const Stretch& run,
-            const Segment& piece, Chains& out) {
-    const std::int32_t from = run.begin + piece.from, to = run.begin + piece.to;
+/// Whether a chain is better eliminated backwards.
+bool ChainFinder::turns(const Pattern& pattern, const BodyGraph& graph, const Wires& wires,
+                        std::int32_t from, std::int32_t to) {
     // Boundary scalars times the units that carry them, for either direction.
     std::int64_t forward = 0, backward = 0;
-    std::vector<std::int32_t> seen;
     auto visit = [&](std::int32_t k, std::int64_t& area, std::int32_t rest) {
-        for (std::int32_t u : graph.neighbours(wires.bodies[at(k)])) {
+        for (const std::int32_t u : graph.neighbours(wires.bodies[at(k)])) {
             const std::int32_t place = wires.place[at(u)];
             if ((place >= from && place < to) ||
-                std::find(seen.begin(), seen.end(), u) != seen.end())
+                std::find(seen_.begin(), seen_.end(), u) != seen_.end())
                 continue;
-            seen.push_back(u);
+            seen_.push_back(u);
             area += static_cast<std::int64_t>(rest) * pattern.size[at(u)];
         }
     };
+    seen_.clear();
     for (std::int32_t k = from; k < to; ++k) visit(k, forward, to - k);
-    seen.clear();
+    seen_.clear();
     for (std::int32_t k = to; k-- > from;) visit(k, backward, k - from + 1);
-    const bool turn = backward < forward;
+    return backward < forward;
+}
 
+/// Append one chain, its units in the better direction.
+void ChainFinder::append(const Pattern& pattern, const BodyGraph& graph, const Wires& wires,
+                         const Stretch& run, const Segment& piece, Chains& out) {
+    const std::int32_t from = run.begin + piece.from, to = run.begin + piece.to;
+    const bool turn = turns(pattern, graph, wires, from, to);
     for (std::int32_t i = 0; i < to - from; ++i) {
         const std::int32_t k = turn ? to - 1 - i : from + i;
         const std::int32_t b = wires.bodies[at(k)];
         out.nodes.push_back(b);
-        for (std::int32_t r : pattern.neighbours(b)) {
+        for (const std::int32_t r : pattern.neighbours(b)) {
             if (pattern.sign[at(r)] > 0) continue;
             bool earlier = false;  // a body of the row has been eliminated before this one
-            for (std::int32_t u : pattern.neighbours(r)) {
+            for (const std::int32_t u : pattern.neighbours(r)) {
                 const std::int32_t place = wires.place[at(u)];
                 earlier |= place >= from && place < to && (turn ? place > k : place < k);
             }
@@ -179,44 +183,61 @@ void append(const Pattern& pattern, const BodyGraph& graph, const Wires& wires, 
     out.reach.push_back(static_cast<std::int8_t>(run.reach));
 }
 
-}  // namespace
+/// The best pieces of runs_; none where fronts are better.
+void ChainFinder::cut_best(std::int32_t bodies, std::int32_t longest, int size) {
+    best_.clear();
+    double best_cost = kFrontCost * bodies;
+    std::size_t before = 0;
+    auto consider = [&](std::int32_t target) {
+        cut(std::max(target, kShortestPiece));
+        // No run has fewer pieces where the target is smaller: as many are the same ones.
+        if (std::exchange(before, pieces_.size()) == pieces_.size()) return;
+        const double cost = plan_cost(size, best_cost);
+        if (cost >= best_cost) return;
+        best_cost = cost;
+        best_.swap(pieces_);
+    };
+    consider(longest);
+    for (std::int32_t batches = 1; batches <= 64 && bodies / (kLanes * batches) > 0; batches *= 2)
+        consider((bodies + kLanes * batches - 1) / (kLanes * batches));
+}
 
-Chains find_chains(const Pattern& pattern) {
-    Chains chains;
-    const BodyGraph graph = body_graph(pattern);
-    const Wires wires = find_wires(pattern, graph);
+void ChainFinder::find(const Pattern& pattern, Chains& out) {
+    out.clear();
+    if (pattern.nodes() == 0) return;
+    const BodyGraph graph = wires_.graph(pattern);
+    const Wires& wires = wires_.find(pattern, graph);
+    all_.clear();
+    for (std::size_t w = 0; w + 1 < wires.begin.size(); ++w)
+        all_.push_back(describe(pattern, graph, wires, wires.begin[w], wires.begin[w + 1]));
     // Wires of one shape are cut by one plan, so that their pieces fill whole batches.
     for (const int size : {3, 6}) {
         for (const int reach : {1, 2}) {
-            std::vector<Stretch> runs;
+            runs_.clear();
             std::int32_t bodies = 0, longest = 0;
-            for (std::size_t w = 0; w + 1 < wires.begin.size(); ++w) {
-                const std::int32_t begin = wires.begin[w], end = wires.begin[w + 1];
-                if (pattern.size[at(wires.bodies[at(begin)])] != size) continue;
-                const Stretch run = describe(pattern, graph, wires, begin, end);
-                if (run.reach != reach) continue;
-                runs.push_back(run);
-                bodies += end - begin;
-                longest = std::max(longest, end - begin);
+            for (const Stretch& run : all_) {
+                if (run.reach != reach || pattern.size[at(wires.bodies[at(run.begin)])] != size)
+                    continue;
+                runs_.push_back(run);
+                bodies += run.end - run.begin;
+                longest = std::max(longest, run.end - run.begin);
             }
-            if (runs.empty()) continue;
-            std::vector<Segment> best;
-            double best_cost = kFrontCost * bodies;
-            auto consider = [&](std::int32_t target) {
-                std::vector<Segment> pieces = cut(runs, std::max(target, kShortestPiece));
-                const double cost = plan_cost(runs, pieces, size);
-                if (cost >= best_cost) return;
-                best_cost = cost;
-                best = std::move(pieces);
-            };
-            consider(longest);
-            for (std::int32_t batches = 1; batches <= 64 && bodies / (kLanes * batches) > 0;
-                 batches *= 2)
-                consider((bodies + kLanes * batches - 1) / (kLanes * batches));
-            for (const Segment& piece : best)
-                append(pattern, graph, wires, runs[at(piece.run)], piece, chains);
+            if (runs_.empty()) continue;
+            cut_best(bodies, longest, size);
+            for (const Segment& piece : best_)
+                append(pattern, graph, wires, runs_[at(piece.run)], piece, out);
         }
     }
+}
+
+std::size_t ChainFinder::bytes() const noexcept {
+    return wires_.bytes() + base::bytes(all_) + base::bytes(runs_) + base::bytes(pieces_) +
+           base::bytes(best_) + base::bytes(shapes_) + base::bytes(hubs_) + base::bytes(seen_);
+}
+
+Chains find_chains(const Pattern& pattern) {
+    Chains chains;
+    ChainFinder().find(pattern, chains);
     return chains;
 }
 

@@ -20,6 +20,7 @@
 /// rigid links 2.3 to 2.6 times the flops of a chain with a free start). So chains start at their
 /// freer end, and the number of cuts is chosen with an estimate of the time.
 
+#include "factor/body_graph.h"
 #include "factor/pattern.h"
 
 #include <cstdint>
@@ -45,10 +46,58 @@ struct Chains {
         const auto u = static_cast<std::size_t>(unit);
         return {nodes.data() + unit_begin[u], nodes.data() + unit_begin[u + 1]};
     }
+    void clear();
+    [[nodiscard]] std::size_t bytes() const noexcept;
     friend bool operator==(const Chains&, const Chains&) = default;
 };
 
-/// Find wires and cut them. Deterministic: depends on the pattern alone. @throws std::bad_alloc.
+/// Finds wires and cuts them. Deterministic: depends on the pattern alone. A used one needs no
+/// memory for a pattern of about the same size.
+class ChainFinder {
+  public:
+    /// @throws std::bad_alloc.
+    void find(const Pattern& pattern, Chains& out);
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    /// A wire: consecutive bodies that nothing but hubs and its own neighbours touch.
+    struct Stretch {
+        std::int32_t begin, end;  ///< Range in Wires::bodies.
+        std::int32_t reach;
+        double unit;          ///< Scalars of a unit, rows included, on average.
+        std::int32_t start;   ///< Boundary scalars that the chain must carry from its freer end on.
+        std::int32_t across;  ///< Boundary scalars that touch the whole wire (a deck under it).
+        double beside;        ///< Boundary scalars a body that touch the wire here and there.
+    };
+    struct Segment {
+        std::int32_t run, from, to;  ///< Bodies [from, to) of the run, relative.
+    };
+    struct Shape {
+        double q, p;
+        std::int32_t length, number;
+    };
+    struct Neighbour {
+        std::int32_t node, first, count;
+    };
+
+    [[nodiscard]] Stretch describe(const Pattern& pattern, const BodyGraph& graph,
+                                   const Wires& wires, std::int32_t begin, std::int32_t end);
+    void cut(std::int32_t target);
+    [[nodiscard]] double plan_cost(int size, double most);
+    void cut_best(std::int32_t bodies, std::int32_t longest, int size);
+    void append(const Pattern& pattern, const BodyGraph& graph, const Wires& wires,
+                const Stretch& run, const Segment& piece, Chains& out);
+    [[nodiscard]] bool turns(const Pattern& pattern, const BodyGraph& graph, const Wires& wires,
+                             std::int32_t from, std::int32_t to);
+
+    WireFinder wires_;
+    std::vector<Stretch> all_, runs_;
+    std::vector<Segment> pieces_, best_;
+    std::vector<Shape> shapes_;
+    std::vector<Neighbour> hubs_;
+    std::vector<std::int32_t> seen_;
+};
+
 [[nodiscard]] Chains find_chains(const Pattern& pattern);
 
 /// Whether chains from elsewhere (a file) are chains of this pattern, as batches.h needs them, and

@@ -29,15 +29,62 @@ void Columns::resize(std::size_t nodes) {
     moved_.resize(nodes, 0);
 }
 
+/// Row by row: a row of L has an entry in every column on the paths that lead from its neighbours
+/// before it up the tree (Liu 1990), so that columns come out sorted.
 void Columns::build(const Pattern& pattern, std::span<const std::int32_t> order,
                     std::span<const std::int32_t> position) {
-    resize(order.size());
-    pool_.clear();
-    live_ = 0;
-    std::fill(count_.begin(), count_.end(), 0);
-    std::fill(parent_.begin(), parent_.end(), -1);
-    std::fill(stale_.begin(), stale_.end(), std::uint8_t{1});
-    pass(pattern, order, position);
+    const std::size_t n = order.size();
+    resize(n);
+    // By position, as long as rows are found: parents, entries and their scalars, marks.
+    head_.assign(n, -1);
+    next_.assign(n, 0);
+    rows_.assign(n, 0);
+    mark_.resize(n);
+    row_end_.resize(n);
+    if (spare_.size() < n) spare_.resize(n);
+    std::int32_t *const parent = head_.data(), *const mark = mark_.data();
+    std::int32_t* found = spare_.data();
+    std::size_t used = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto own = static_cast<std::int32_t>(i);
+        const std::int32_t size = pattern.size[at(order[i])];
+        if (spare_.size() - used < i) {  // a row has at most i entries
+            spare_.resize(2 * spare_.size() + i);
+            found = spare_.data();
+        }
+        mark[i] = own;
+        for (const std::int32_t u : pattern.neighbours(order[i])) {
+            // A neighbour behind it counts as the row itself, whose mark ends the path.
+            std::int32_t k = std::min(position[at(u)], own);
+            while (mark[k] != own) {
+                mark[k] = own;
+                found[used++] = k;
+                ++next_[at(k)];
+                rows_[at(k)] += size;
+                if (parent[k] < 0) parent[k] = own;
+                k = parent[k];
+            }
+        }
+        row_end_[i] = used;
+    }
+    live_ = static_cast<std::int64_t>(used);
+    pool_.resize(used);
+    cursor_.resize(n);
+    std::int64_t begin = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t v = at(order[k]);
+        parent_[v] = head_[k] < 0 ? -1 : order[at(head_[k])];
+        count_[v] = next_[k];
+        below_[v] = rows_[k];
+        begin_[v] = begin;
+        cursor_[k] = begin;
+        begin += count_[v];
+    }
+    for (std::size_t i = 0, e = 0; i < n; ++i)
+        for (; e < row_end_[i]; ++e) pool_[at(cursor_[at(found[e])]++)] = order[i];
+    std::fill(stale_.begin(), stale_.end(), std::uint8_t{0});
+    std::fill(moved_.begin(), moved_.end(), std::uint8_t{0});
+    computed_ = static_cast<std::int32_t>(n);
 }
 
 void Columns::renumber(std::span<const std::int32_t> old_of_new, std::int32_t old_nodes) {
@@ -155,7 +202,8 @@ void Columns::compact() {
 std::size_t Columns::bytes() const noexcept {
     return base::bytes(parent_) + base::bytes(count_) + base::bytes(below_) + base::bytes(begin_) +
            base::bytes(pool_) + base::bytes(spare_) + base::bytes(found_) + base::bytes(head_) +
-           base::bytes(next_) + base::bytes(mark_) + base::bytes(stale_) + base::bytes(moved_);
+           base::bytes(next_) + base::bytes(mark_) + base::bytes(rows_) + base::bytes(row_end_) +
+           base::bytes(cursor_) + base::bytes(stale_) + base::bytes(moved_);
 }
 
 }  // namespace hawser::factor

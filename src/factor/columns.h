@@ -68,8 +68,12 @@ class Columns {
 
     std::vector<std::int32_t> parent_, count_, below_;
     std::vector<std::int64_t> begin_;  ///< Into pool_, which has gaps where columns were moved.
-    std::vector<std::int32_t> pool_, spare_, found_;
+    std::vector<std::int32_t> pool_, found_;
+    std::vector<std::int32_t> spare_;  ///< For the pool, and for rows while build() finds them.
     std::vector<std::int32_t> head_, next_, mark_;  ///< Children; who took a node last.
+    std::vector<std::int32_t> rows_;                ///< Of build().
+    std::vector<std::int64_t> cursor_;              ///< Likewise.
+    std::vector<std::size_t> row_end_;              ///< Likewise.
     std::vector<std::uint8_t> stale_, moved_;
     std::int64_t live_ = 0;
     std::int32_t computed_ = 0;

@@ -56,14 +56,18 @@ void Layout::place_nodes(const Pattern& pattern, Symbolic& s) {
         sign += pattern.size[at(v)];
     }
     s.sign.resize(at(s.scalars));
+    // The sum over all neighbours so far: one loop that is not cut up by nodes.
     const std::int8_t* size = pattern.size.data();
+    const std::size_t edges = pattern.adjacent.size();
+    beside_.resize(edges + 1);
+    beside_[0] = 0;
+    std::int64_t sum = 0;
+    for (std::size_t e = 0; e < edges; ++e) beside_[e + 1] = sum += size[pattern.adjacent[e]];
     std::int64_t diagonal = 0, beside_all = 0;
     for (std::size_t v = 0; v < n; ++v) {
         const std::int32_t d = size[v];
-        std::int32_t beside = 0;
-        for (const std::int32_t u : pattern.neighbours(static_cast<int>(v))) beside += size[u];
         diagonal += d * (d + 1) / 2;
-        beside_all += static_cast<std::int64_t>(d) * beside;
+        beside_all += d * (beside_[at(pattern.start[v + 1])] - beside_[at(pattern.start[v])]);
     }
     s.matrix_nnz = diagonal + beside_all / 2;  // each edge from both sides
 }
@@ -136,12 +140,18 @@ void Layout::link_children(const Pattern& pattern, const Columns& columns, Symbo
     for (std::size_t f = 0; f < count; ++f)
         if (const std::int32_t p = s.fronts[f].parent; p >= 0)
             s.children[at(cursor_[at(p)]++)] = static_cast<std::int32_t>(f);
+    s.runs.resize(pattern.size.size());
+    row_of_.resize(s.order.size());
+    std::size_t runs = 0;
     for (Front& front : s.fronts) {
-        front.run_begin = front.run_end = static_cast<std::int32_t>(s.runs.size());
+        front.run_begin = front.run_end = static_cast<std::int32_t>(runs);
         if (front.parent < 0) continue;
+        const std::size_t most = runs + columns.rows(last_node(s, front)).size();
+        if (most > s.runs.size()) s.runs.resize(2 * most);
         find_runs(pattern, columns, front, s);
-        front.run_end = static_cast<std::int32_t>(s.runs.size());
+        runs = at(front.run_end);
     }
+    s.runs.resize(runs);
 }
 
 /// Where the update rows of a front land in its parent.
@@ -153,34 +163,40 @@ void Layout::find_runs(const Pattern& pattern, const Columns& columns, Front& fr
     const std::int32_t* scalars = s.rows.data() + parent.rows;
     const std::int32_t* offsets = s.node_offset.data();
     const std::int8_t* sizes = pattern.size.data();
-    // Both lists ascend: walk along, or search where the parent's is much the longer one.
-    const bool walk = theirs.size() <= 8 * own.size();
-    std::int32_t from = 0, behind = p;
-    const std::int32_t* next = theirs.data();
-    Run run{0, 0, 0};
-    for (const std::int32_t v : own) {
-        const std::int32_t size = sizes[v];
-        std::int32_t to = offsets[v] - first;
-        if (to >= p) {
-            if (walk) {
-                while (*next != v) behind += sizes[*next++];
-                to = behind;
-            } else {
-                to = p + static_cast<std::int32_t>(
-                             std::lower_bound(scalars, scalars + parent.q, offsets[v]) - scalars);
-            }
+    std::int32_t* row_of = row_of_.data();
+    // The parent's rows are written down by node, or searched where they are many more.
+    if (theirs.size() > 8 * own.size()) {
+        for (const std::int32_t v : own)
+            row_of[v] =
+                p + static_cast<std::int32_t>(
+                        std::lower_bound(scalars, scalars + parent.q, offsets[v]) - scalars);
+    } else {
+        std::int32_t row = p;
+        for (const std::int32_t v : theirs) {
+            row_of[v] = row;
+            row += sizes[v];
         }
-        // A run stays on one side of the parent's pivot boundary: its columns then lie
-        // wholly in the panel or wholly in the update matrix.
-        if (to == run.to + run.length && to != p && run.length > 0) {
-            run.length += size;
-        } else {
-            if (run.length > 0) s.runs.push_back(run);
-            run = {from, to, size};
-        }
-        from += size;
     }
-    if (run.length > 0) s.runs.push_back(run);
+    // A run stays on one side of the parent's pivot boundary: its columns then lie wholly in the
+    // panel or wholly in the update matrix. The last one is written again as long as it grows.
+    // What comes next is no better known than the scene: masks, not branches.
+    Run* runs = s.runs.data();
+    std::int32_t from = 0, last = front.run_begin - 1, run_from = 0, run_to = 0;
+    std::int32_t next = p;  // goes on nowhere
+    for (const std::int32_t v : own) {
+        const std::int32_t size = sizes[v], pivot = offsets[v] - first;
+        const std::int32_t inside = -static_cast<std::int32_t>(pivot < p);
+        const std::int32_t to = (pivot & inside) | (row_of[v] & ~inside);
+        const std::int32_t joins =
+            -(static_cast<std::int32_t>(to == next) & static_cast<std::int32_t>(to != p));
+        run_from = (run_from & joins) | (from & ~joins);
+        run_to = (run_to & joins) | (to & ~joins);
+        next = to + size;
+        from += size;
+        last += 1 + joins;
+        runs[last] = {run_from, run_to, from - run_from};
+    }
+    front.run_end = last + 1;
 }
 
 void Layout::run(const Pattern& pattern, const Columns& columns, const Chains& chains,
@@ -215,7 +231,7 @@ std::size_t Layout::bytes() const noexcept {
            base::bytes(chain_of_) + base::bytes(front_of_chain_) + base::bytes(cursor_) +
            base::bytes(task_) + base::bytes(flops_) + base::bytes(subtree_) + base::bytes(path_) +
            base::bytes(height_) + base::bytes(parity_) + base::bytes(crosses_) +
-           base::bytes(edges_);
+           base::bytes(edges_) + base::bytes(beside_) + base::bytes(row_of_) + base::bytes(freed_);
 }
 
 }  // namespace hawser::factor

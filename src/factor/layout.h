@@ -35,7 +35,9 @@ class Layout {
     TreeBuilder tree_;
     Supernodes supernodes_;
     std::vector<std::int32_t> chain_of_, front_of_chain_, cursor_, task_;
-    std::vector<std::int64_t> flops_, subtree_, path_, height_;
+    std::vector<std::int64_t> flops_, subtree_, path_, height_, beside_;
+    std::vector<std::int64_t> freed_;   ///< By front: update matrices that it takes from a stack.
+    std::vector<std::int32_t> row_of_;  ///< By node: its row in a parent, if it has one.
     std::vector<std::uint8_t> parity_, crosses_;
     std::vector<std::pair<std::int32_t, std::int32_t>> edges_;
 };

@@ -1,114 +1,179 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "factor/ordering.h"
 
+#include "base/index.h"
+#include "base/memory.h"
+
 extern "C" {
 #include <amd.h>
 }
 
 #include <algorithm>
+#include <limits>
 #include <new>
-#include <numeric>
 
 namespace hawser::factor {
 
-std::vector<std::int32_t> order_nodes(const Pattern& pattern) {
-    const int n = pattern.nodes();
-    std::vector<std::int32_t> order(static_cast<std::size_t>(n));
-    std::iota(order.begin(), order.end(), 0);
-    if (n == 0) return order;
-    double control[AMD_CONTROL], info[AMD_INFO];
+/// The core of the library is called, with what amd_order() would hand to it: the lists of a
+/// pattern are those of A + Aᵀ already, valid and sorted.
+void Orderer::order(const Pattern& pattern, std::vector<std::int32_t>& order) {
+    const std::size_t n = pattern.size.size(), entries = pattern.adjacent.size();
+    order.resize(n);
+    if (n == 0) return;
+    double control[AMD_CONTROL];
     amd_defaults(control);
     // A hull with hundreds of neighbours is not "dense": only nodes above 10·√n·10 are.
     control[AMD_DENSE] = 100.0;
-    const int status =
-        amd_order(n, pattern.start.data(), pattern.adjacent.data(), order.data(), control, info);
-    if (status == AMD_OUT_OF_MEMORY) throw std::bad_alloc();
-    place_rows_after_bodies(pattern, order);
+    // With this much room the lists are seldom moved together; that changes no order.
+    const std::size_t room = 2 * entries + n;
+    if (room > at(std::numeric_limits<std::int32_t>::max())) throw std::bad_alloc();
+    constexpr std::size_t kArrays = 8;
+    work_.resize(kArrays * n + room);
+    std::int32_t* array[kArrays];
+    for (std::size_t i = 0; i < kArrays; ++i) array[i] = work_.data() + i * n;
+    const auto& [start, length, count, next, head, elements, degree, flags] = array;
+    std::int32_t* const lists = work_.data() + kArrays * n;
+    for (std::size_t v = 0; v < n; ++v) {
+        start[v] = pattern.start[v];
+        length[v] = pattern.start[v + 1] - pattern.start[v];
+    }
+    std::copy(pattern.adjacent.begin(), pattern.adjacent.end(), lists);
+    amd_2(static_cast<int>(n), start, lists, length, static_cast<int>(room),
+          static_cast<int>(entries), count, next, order.data(), head, elements, degree, flags,
+          control, nullptr);
+    place_rows(pattern, order);
+}
+
+/// The boundary of each chain, each node once.
+void Orderer::find_boundaries(const Pattern& pattern, const Chains& chains) {
+    mark_.assign(rest_of_.size(), -1);
+    boundary_.clear();
+    boundary_begin_.assign(1, 0);
+    for (int c = 0; c < chains.count(); ++c) {
+        const std::int32_t begin = chains.unit_begin[at(chains.begin[at(c)])],
+                           end = chains.unit_begin[at(chains.begin[at(c) + 1])];
+        for (std::int32_t i = begin; i < end; ++i)
+            for (const std::int32_t u : pattern.neighbours(chains.nodes[at(i)])) {
+                if (rest_of_[at(u)] < 0 || mark_[at(u)] == c) continue;
+                mark_[at(u)] = c;
+                boundary_.push_back(rest_of_[at(u)]);
+            }
+        boundary_begin_.push_back(static_cast<std::int32_t>(boundary_.size()));
+    }
+}
+
+/// The pattern without the chains, in which their boundaries are cliques.
+void Orderer::find_rest(const Pattern& pattern, const Chains& chains) {
+    const std::size_t n = pattern.size.size();
+    rest_of_.assign(n, 0);
+    for (const std::int32_t v : chains.nodes) rest_of_[at(v)] = -1;
+    rest_.clear();
+    left_.size.clear();
+    left_.sign.clear();
+    for (std::size_t v = 0; v < n; ++v) {
+        if (rest_of_[v] < 0) continue;
+        rest_of_[v] = static_cast<std::int32_t>(rest_.size());
+        rest_.push_back(static_cast<std::int32_t>(v));
+        left_.size.push_back(pattern.size[v]);
+        left_.sign.push_back(pattern.sign[v]);
+    }
+    find_boundaries(pattern, chains);
+    // Chains that a node touches: numbers of boundary_, in lists.
+    touch_.assign(rest_.size(), -1);
+    touch_next_.resize(boundary_.size());
+    mark_.resize(boundary_.size());  // from here on: the chain of each entry
+    for (int c = 0; c < chains.count(); ++c)
+        for (std::int32_t i = boundary_begin_[at(c)]; i < boundary_begin_[at(c) + 1]; ++i) {
+            touch_next_[at(i)] = touch_[at(boundary_[at(i)])];
+            touch_[at(boundary_[at(i)])] = i;
+            mark_[at(i)] = c;
+        }
+    left_.start.assign(1, 0);
+    left_.adjacent.clear();
+    for (std::size_t k = 0; k < rest_.size(); ++k) {
+        const std::size_t begin = left_.adjacent.size();
+        for (const std::int32_t u : pattern.neighbours(rest_[k]))
+            if (rest_of_[at(u)] >= 0) left_.adjacent.push_back(rest_of_[at(u)]);
+        for (std::int32_t t = touch_[k]; t >= 0; t = touch_next_[at(t)]) {
+            const std::size_t c = at(mark_[at(t)]);
+            for (std::int32_t i = boundary_begin_[c]; i < boundary_begin_[c + 1]; ++i)
+                if (at(boundary_[at(i)]) != k) left_.adjacent.push_back(boundary_[at(i)]);
+        }
+        if (touch_[k] >= 0) {
+            const auto first = left_.adjacent.begin() + static_cast<std::ptrdiff_t>(begin);
+            std::sort(first, left_.adjacent.end());
+            left_.adjacent.erase(std::unique(first, left_.adjacent.end()), left_.adjacent.end());
+        }
+        left_.start.push_back(static_cast<std::int32_t>(left_.adjacent.size()));
+    }
+}
+
+void Orderer::plan(const Pattern& pattern, std::vector<std::int32_t>& order_, Chains& chains) {
+    chains_.find(pattern, chains);
+    if (chains.count() == 0) {
+        order(pattern, order_);
+        return;
+    }
+    find_rest(pattern, chains);
+    order(left_, left_order_);
+    order_.assign(chains.nodes.begin(), chains.nodes.end());
+    for (const std::int32_t k : left_order_) order_.push_back(rest_[at(k)]);
+}
+
+void Orderer::place_rows(const Pattern& pattern, std::vector<std::int32_t>& order) {
+    if (std::find(pattern.sign.begin(), pattern.sign.end(), -1) == pattern.sign.end()) return;
+    const std::size_t n = order.size();
+    position_.resize(n);
+    for (std::size_t k = 0; k < n; ++k) position_[at(order[k])] = static_cast<std::int32_t>(k);
+    // Places from the last to the first, so that the lists behind a body ascend.
+    head_.assign(n, -1);
+    next_.resize(n);
+    bool moved = false;
+    for (std::size_t k = n; k-- > 0;) {
+        const std::int32_t v = order[k];
+        if (pattern.sign[at(v)] > 0) continue;
+        auto first = static_cast<std::int32_t>(n);
+        for (const std::int32_t u : pattern.neighbours(v))
+            if (pattern.sign[at(u)] > 0) first = std::min(first, position_[at(u)]);
+        if (first == static_cast<std::int32_t>(n) || first < static_cast<std::int32_t>(k)) continue;
+        next_[k] = head_[at(first)];
+        head_[at(first)] = static_cast<std::int32_t>(k);
+        position_[at(v)] = -1;
+        moved = true;
+    }
+    if (!moved) return;
+    // Read by place: order is what is written.
+    work_.assign(order.begin(), order.end());
+    std::size_t to = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+        if (position_[at(work_[k])] >= 0) order[to++] = work_[k];
+        for (std::int32_t m = head_[k]; m >= 0; m = next_[at(m)]) order[to++] = work_[at(m)];
+    }
+}
+
+std::size_t Orderer::bytes() const noexcept {
+    std::size_t sum = chains_.bytes() + base::bytes(left_.size) + base::bytes(left_.sign);
+    for (const auto* v :
+         {&work_, &position_, &head_, &next_, &left_.start, &left_.adjacent, &rest_of_, &rest_,
+          &left_order_, &boundary_, &boundary_begin_, &touch_, &touch_next_, &mark_})
+        sum += base::bytes(*v);
+    return sum;
+}
+
+std::vector<std::int32_t> order_nodes(const Pattern& pattern) {
+    std::vector<std::int32_t> order;
+    Orderer().order(pattern, order);
     return order;
 }
 
 Elimination plan_elimination(const Pattern& pattern) {
-    Elimination plan{{}, find_chains(pattern)};
-    const Chains& chains = plan.chains;
-    if (chains.count() == 0) {
-        plan.order = order_nodes(pattern);
-        return plan;
-    }
-    const auto n = static_cast<std::size_t>(pattern.nodes());
-    std::vector<std::int32_t> rest_of(n, 0), rest, mark(n, -1);
-    for (std::int32_t v : chains.nodes) rest_of[static_cast<std::size_t>(v)] = -1;
-    Pattern left;
-    for (std::size_t v = 0; v < n; ++v) {
-        if (rest_of[v] < 0) continue;
-        rest_of[v] = static_cast<std::int32_t>(rest.size());
-        rest.push_back(static_cast<std::int32_t>(v));
-        left.size.push_back(pattern.size[v]);
-        left.sign.push_back(pattern.sign[v]);
-    }
-    std::vector<std::int32_t> from, to, boundary;
-    for (std::size_t k = 0; k < rest.size(); ++k)
-        for (std::int32_t u : pattern.neighbours(rest[k]))
-            if (rest_of[static_cast<std::size_t>(u)] > static_cast<std::int32_t>(k)) {
-                from.push_back(static_cast<std::int32_t>(k));
-                to.push_back(rest_of[static_cast<std::size_t>(u)]);
-            }
-    for (int c = 0; c < chains.count(); ++c) {
-        boundary.clear();
-        const auto unit = static_cast<std::size_t>(c);
-        for (std::int32_t i = chains.unit_begin[static_cast<std::size_t>(chains.begin[unit])];
-             i < chains.unit_begin[static_cast<std::size_t>(chains.begin[unit + 1])]; ++i)
-            for (std::int32_t u : pattern.neighbours(chains.nodes[static_cast<std::size_t>(i)])) {
-                const auto w = static_cast<std::size_t>(u);
-                if (rest_of[w] < 0 || mark[w] == c) continue;
-                mark[w] = c;
-                boundary.push_back(rest_of[w]);
-            }
-        for (std::size_t i = 0; i < boundary.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j) {
-                from.push_back(boundary[i]);
-                to.push_back(boundary[j]);
-            }
-    }
-    left = make_pattern(std::move(left.size), std::move(left.sign), from, to);
-    plan.order = chains.nodes;
-    for (std::int32_t k : order_nodes(left))
-        plan.order.push_back(rest[static_cast<std::size_t>(k)]);
+    Elimination plan;
+    Orderer().plan(pattern, plan.order, plan.chains);
     return plan;
 }
 
 void place_rows_after_bodies(const Pattern& pattern, std::vector<std::int32_t>& order) {
-    const auto n = order.size();
-    std::vector<std::int32_t> position(n);
-    for (std::size_t k = 0; k < n; ++k)
-        position[static_cast<std::size_t>(order[k])] = static_cast<std::int32_t>(k);
-    // Sort key: twice the position; a moved node gets the odd number behind its body.
-    std::vector<std::int64_t> key(n);
-    bool moved = false;
-    for (std::size_t k = 0; k < n; ++k) {
-        const std::int32_t v = order[k];
-        key[k] = 2 * static_cast<std::int64_t>(k);
-        if (pattern.sign[static_cast<std::size_t>(v)] > 0) continue;
-        std::int32_t first = -1;
-        for (std::int32_t u : pattern.neighbours(v))
-            if (pattern.sign[static_cast<std::size_t>(u)] > 0 &&
-                (first < 0 || position[static_cast<std::size_t>(u)] < first))
-                first = position[static_cast<std::size_t>(u)];
-        if (first > static_cast<std::int32_t>(k)) {
-            key[k] = 2 * static_cast<std::int64_t>(first) + 1;
-            moved = true;
-        }
-    }
-    if (!moved) return;
-    std::vector<std::int32_t> slots(n);
-    std::iota(slots.begin(), slots.end(), 0);
-    std::sort(slots.begin(), slots.end(), [&](std::int32_t a, std::int32_t b) {
-        const auto key_a = key[static_cast<std::size_t>(a)];
-        const auto key_b = key[static_cast<std::size_t>(b)];
-        return key_a != key_b ? key_a < key_b : a < b;
-    });
-    std::vector<std::int32_t> result(n);
-    for (std::size_t k = 0; k < n; ++k) result[k] = order[static_cast<std::size_t>(slots[k])];
-    order.swap(result);
+    Orderer().place_rows(pattern, order);
 }
 
 }  // namespace hawser::factor

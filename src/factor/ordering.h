@@ -18,9 +18,6 @@
 
 namespace hawser::factor {
 
-/// @return order[k] = node eliminated k-th. @throws std::bad_alloc.
-[[nodiscard]] std::vector<std::int32_t> order_nodes(const Pattern& pattern);
-
 /// Order and chains of a matrix: chains first, then approximate minimum degree on what is left,
 /// in which each chain stands as a clique of its boundary.
 struct Elimination {
@@ -28,6 +25,34 @@ struct Elimination {
     Chains chains;
     friend bool operator==(const Elimination&, const Elimination&) = default;
 };
+
+/// Makes orders; a used one needs no memory for a pattern of about the same size.
+class Orderer {
+  public:
+    /// Minimum degree. @param order  order[k] = node eliminated k-th. @throws std::bad_alloc.
+    void order(const Pattern& pattern, std::vector<std::int32_t>& order);
+    /// Chains, then minimum degree. @throws std::bad_alloc.
+    void plan(const Pattern& pattern, std::vector<std::int32_t>& order, Chains& chains);
+    /// See place_rows_after_bodies().
+    void place_rows(const Pattern& pattern, std::vector<std::int32_t>& order);
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    void find_boundaries(const Pattern& pattern, const Chains& chains);
+    void find_rest(const Pattern& pattern, const Chains& chains);
+
+    ChainFinder chains_;
+    std::vector<std::int32_t> work_;                    ///< Of AMD.
+    std::vector<std::int32_t> position_, head_, next_;  ///< Of place_rows().
+    // What chains leave.
+    Pattern left_;
+    std::vector<std::int32_t> rest_of_, rest_, left_order_;
+    std::vector<std::int32_t> boundary_, boundary_begin_;  ///< Of each chain, numbers in rest_.
+    std::vector<std::int32_t> touch_, touch_next_, mark_;
+};
+
+/// @return order[k] = node eliminated k-th. @throws std::bad_alloc.
+[[nodiscard]] std::vector<std::int32_t> order_nodes(const Pattern& pattern);
 [[nodiscard]] Elimination plan_elimination(const Pattern& pattern);
 
 /// Move every negative node that precedes all its positive neighbours to just behind the first

@@ -15,14 +15,6 @@ void invert(std::span<const std::int32_t> order, std::vector<std::int32_t>& posi
         position[at(order[k])] = static_cast<std::int32_t>(k);
 }
 
-void clear(Chains& chains) {
-    chains.nodes.clear();
-    chains.unit_begin.assign(1, 0);
-    chains.begin.assign(1, 0);
-    chains.body_size.clear();
-    chains.reach.clear();
-}
-
 /// Copy one chain to the end of another set.
 void append(const Chains& from, std::int32_t chain, Chains& to) {
     for (std::int32_t u = from.begin[at(chain)]; u < from.begin[at(chain) + 1]; ++u) {
@@ -37,12 +29,24 @@ void append(const Chains& from, std::int32_t chain, Chains& to) {
 
 }  // namespace
 
-void Analysis::plan(const Pattern& pattern) { plan(pattern, planner_(pattern)); }
+void Analysis::plan(const Pattern& pattern) {
+    if (planner_) {
+        plan(pattern, planner_(pattern));
+        return;
+    }
+    pattern_ = pattern;
+    orderer_.plan(pattern_, symbolic_.order, chains_);
+    analyse_order();
+}
 
 void Analysis::plan(const Pattern& pattern, Elimination elimination) {
     pattern_ = pattern;
     chains_ = std::move(elimination.chains);
     symbolic_.order = std::move(elimination.order);
+    analyse_order();
+}
+
+void Analysis::analyse_order() {
     invert(symbolic_.order, symbolic_.position);
     columns_.build(pattern_, symbolic_.order, symbolic_.position);
     layout_.run(pattern_, columns_, chains_, symbolic_);
@@ -151,7 +155,7 @@ void Analysis::keep_chains(const Pattern& next, RepairReport& report) {
         for (std::int32_t u = chains_.begin[at(c)]; u < chains_.begin[at(c) + 1]; ++u)
             for (const std::int32_t v : chains_.unit(u))
                 if (v >= 0) chain_of_[at(v)] = c;
-    clear(kept_);
+    kept_.clear();
     for (int c = 0; c < chains_.count(); ++c) {
         if (chain_holds(next, c)) {
             append(chains_, c, kept_);
@@ -210,7 +214,7 @@ void Analysis::emit_order() {
 }
 
 std::size_t Analysis::bytes() const noexcept {
-    std::size_t sum = columns_.bytes() + layout_.bytes() + symbolic_.bytes();
+    std::size_t sum = orderer_.bytes() + columns_.bytes() + layout_.bytes() + symbolic_.bytes();
     for (const auto* v :
          {&old_of_new_, &new_of_old_, &chain_of_, &mark_, &rest_, &placed_, &before_, &behind_,
           &next_, &anchor_, &pattern_.start, &pattern_.adjacent})

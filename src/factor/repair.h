@@ -60,7 +60,8 @@ struct AnalysisState {
 class Analysis {
   public:
     using Planner = std::function<Elimination(const Pattern&)>;
-    explicit Analysis(Planner planner = plan_elimination) : planner_(std::move(planner)) {}
+    /// @param planner  Makes the orders; none: chains, then minimum degree.
+    explicit Analysis(Planner planner = nullptr) : planner_(std::move(planner)) {}
 
     /// Give every update matrix a place of its own from the next call on (partial.h).
     void keep_updates(bool keep) noexcept { symbolic_.updates_kept = keep; }
@@ -110,7 +111,10 @@ class Analysis {
     void emit_order();
     void hang(std::vector<std::int32_t>& heads, std::size_t place, std::int32_t node);
 
+    void analyse_order();
+
     Planner planner_;
+    Orderer orderer_;
     Pattern pattern_;
     Chains chains_;
     Columns columns_;

@@ -14,17 +14,42 @@ namespace {
 
 using Edges = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
-/// Edges sorted by their first node, each once.
-void fill(TaskGraph::Way& way, const Edges& edges, std::size_t n) {
+/// Successors of each node, ascending, each once.
+void fill_up(TaskGraph::Way& way, const Edges& edges, std::size_t n) {
     way.start.assign(n + 1, 0);
     way.waits.assign(n, 0);
-    way.next.clear();
-    for (const auto& [from, to] : edges) {
-        ++way.start[at(from) + 1];
-        ++way.waits[at(to)];
-        way.next.push_back(to);
+    way.next.resize(edges.size());
+    for (const auto& [from, to] : edges) ++way.start[at(from)];
+    std::exclusive_scan(way.start.begin(), way.start.end(), way.start.begin(), 0);
+    for (const auto& [from, to] : edges) way.next[at(way.start[at(from)]++)] = to;
+    // Each start is the end now.
+    auto begin = way.next.begin(), kept = begin;
+    for (std::size_t v = 0; v < n; ++v) {
+        const auto end = way.next.begin() + way.start[v];
+        way.start[v] = static_cast<std::int32_t>(kept - way.next.begin());
+        std::sort(begin, end);
+        kept = std::copy(begin, std::unique(begin, end), kept);
+        begin = end;
     }
-    std::partial_sum(way.start.begin(), way.start.end(), way.start.begin());
+    way.next.erase(kept, way.next.end());
+    way.start[n] = static_cast<std::int32_t>(way.next.size());
+    for (const std::int32_t to : way.next) ++way.waits[at(to)];
+}
+
+/// The same edges, turned round.
+void fill_down(TaskGraph::Way& way, const TaskGraph::Way& up) {
+    const std::size_t n = up.waits.size();
+    way.start.resize(n + 1);
+    way.waits.resize(n);
+    way.next.resize(up.next.size());
+    way.start[0] = 0;
+    std::inclusive_scan(up.waits.begin(), up.waits.end(), way.start.begin() + 1);
+    for (std::size_t v = 0; v < n; ++v) {
+        way.waits[v] = up.start[v + 1] - up.start[v];
+        for (std::int32_t k = up.start[v]; k < up.start[v + 1]; ++k)
+            way.next[at(way.start[at(up.next[at(k)])]++)] = static_cast<std::int32_t>(v);
+    }
+    for (std::size_t v = 0; v < n; ++v) way.start[v] -= up.waits[v];
 }
 
 /// Nodes by what is left to do once they begin: their own work and the longest path behind it.
@@ -57,14 +82,10 @@ inline void relax() noexcept {
 
 }  // namespace
 
-void TaskGraph::build(Edges& edges) {
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    fill(up, edges, work.size());
+void TaskGraph::build(const Edges& edges) {
+    fill_up(up, edges, work.size());
     path = rank(up, work, true);
-    for (auto& [from, to] : edges) std::swap(from, to);
-    std::sort(edges.begin(), edges.end());
-    fill(down, edges, work.size());
+    fill_down(down, up);
     static_cast<void>(rank(down, work, false));
 }
 

@@ -43,8 +43,8 @@ struct TaskGraph {
     std::int64_t path = 0;  ///< Largest sum of work along a path.
 
     [[nodiscard]] int nodes() const noexcept { return static_cast<int>(work.size()); }
-    /// @param edges  (node, successor), in any order, duplicates allowed; sorted here.
-    void build(std::vector<std::pair<std::int32_t, std::int32_t>>& edges);
+    /// @param edges  (node, successor), in any order, duplicates allowed.
+    void build(const std::vector<std::pair<std::int32_t, std::int32_t>>& edges);
     [[nodiscard]] std::size_t bytes() const noexcept;
     friend bool operator==(const TaskGraph&, const TaskGraph&) = default;
 };

@@ -114,7 +114,8 @@ void Layout::link_tasks(Symbolic& s) {
     for (std::size_t f = 0; f < s.fronts.size(); ++f) {
         if (s.fronts[f].parent < 0) continue;
         const std::int32_t from = s.front_task[f], to = s.front_task[at(s.fronts[f].parent)];
-        if (from != to) edges_.emplace_back(from, to);
+        if (from != to && (edges_.empty() || edges_.back() != std::pair(from, to)))
+            edges_.emplace_back(from, to);
     }
     s.graph.build(edges_);
 }
@@ -133,12 +134,10 @@ void Layout::place_updates(Symbolic& s) {
     std::int64_t shared = 0, even = 0, odd = 0;  // updates handed on; heights of the stacks
     crosses_.assign(count, 0);
     auto size_of = [&](const Front& f) { return static_cast<std::int64_t>(f.ldu) * f.q; };
+    freed_.assign(count, 0);
     for (std::size_t f = 0; f < count; ++f) {
         Front& front = s.fronts[f];
-        for (std::int32_t c = front.child_begin; c < front.child_end; ++c) {
-            const std::size_t child = at(s.children[at(c)]);
-            if (!crosses_[child]) height_[stack_of(child)] -= size_of(s.fronts[child]);
-        }
+        height_[stack_of(f) ^ 1] -= freed_[f];  // its children lie on the other stack
         crosses_[f] =
             front.parent >= 0 && (front.batch >= 0 || task_[at(front.parent)] != task_[f]);
         if (crosses_[f]) {
@@ -149,7 +148,10 @@ void Layout::place_updates(Symbolic& s) {
         }
         const std::size_t k = stack_of(f);
         front.update = height_[k];
-        if (front.parent >= 0) height_[k] += size_of(front);
+        if (front.parent >= 0) {
+            height_[k] += size_of(front);
+            freed_[at(front.parent)] += size_of(front);
+        }
         std::int64_t& peak = parity_[f] != 0 ? odd : even;
         peak = std::max(peak, front.update + size_of(front));
     }

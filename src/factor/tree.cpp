@@ -21,32 +21,26 @@ double front_time(double p, double q) {
 void TreeBuilder::postorder(const Columns& columns, std::vector<std::int32_t>& order,
                             std::vector<std::int32_t>& position) {
     const std::size_t n = order.size();
-    // Children by node, ascending in the order; roots hang on an extra node n.
-    head_.assign(n + 1, -1);
-    next_.resize(n);
+    // Subtrees fill ranges, children left to right: from the sizes, the last ones first, follows
+    // where each ends. Roots hang on an extra node n.
+    up_.resize(n);
+    size_.assign(n + 1, 1);
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::int32_t p = columns.parent(order[k]);
+        up_[k] = p < 0 ? static_cast<std::int32_t>(n) : position[at(p)];
+        size_[at(up_[k])] += size_[k];
+    }
+    end_.resize(n + 1);
+    end_[n] = static_cast<std::int32_t>(n);
+    post_.resize(n);
     for (std::size_t k = n; k-- > 0;) {
-        const std::int32_t v = order[k], up = columns.parent(v);
-        const std::size_t p = up < 0 ? n : at(up);
-        next_[at(v)] = head_[p];
-        head_[p] = v;
+        std::int32_t& end = end_[at(up_[k])];
+        end_[k] = end - 1;
+        end -= size_[k];
+        post_[at(end_[k])] = order[k];
+        position[at(order[k])] = end_[k];  // parents before children: no longer read
     }
-    post_.clear();
-    for (std::int32_t root = head_[n]; root >= 0; root = next_[at(root)]) {
-        stack_.push_back(root);
-        while (!stack_.empty()) {
-            const std::size_t top = at(stack_.back());
-            if (const std::int32_t child = head_[top]; child >= 0) {
-                head_[top] = next_[at(child)];
-                stack_.push_back(child);
-            } else {
-                post_.push_back(stack_.back());
-                stack_.pop_back();
-            }
-        }
-    }
-    order.assign(post_.begin(), post_.end());
-    position.resize(n);
-    for (std::size_t k = 0; k < n; ++k) position[at(order[k])] = static_cast<std::int32_t>(k);
+    order.swap(post_);
 }
 
 void TreeBuilder::grow_fronts(const Pattern& pattern, const Columns& columns,
@@ -56,7 +50,8 @@ void TreeBuilder::grow_fronts(const Pattern& pattern, const Columns& columns,
     const std::size_t n = order.size();
     // Left to right: a node joins the front just before it when that front's last node is its
     // child and merging is exact or pays.
-    growing_.clear();
+    growing_.resize(n);
+    Growing* last = growing_.data();  // and what grows now
     auto time_of = [](Growing& g) {
         if (g.time < 0.0) g.time = front_time(g.p, g.q);
         return g.time;
@@ -64,22 +59,27 @@ void TreeBuilder::grow_fronts(const Pattern& pattern, const Columns& columns,
     for (std::size_t k = 0; k < n; ++k) {
         const auto id = static_cast<std::int32_t>(k);
         const std::int32_t node = order[k], up = columns.parent(node);
-        growing_.push_back({id, id + 1, pattern.size[at(node)], columns.below(node),
-                            up < 0 ? -1 : position[at(up)],
-                            chain_of.empty() ? -1 : chain_of[at(node)], -1.0});
-        while (growing_.size() > 1) {
-            Growing& c = growing_[growing_.size() - 2];
-            Growing& f = growing_.back();
-            if (c.parent < f.begin || c.parent >= f.end || c.chain != f.chain) break;
+        *last = {id,
+                 id + 1,
+                 pattern.size[at(node)],
+                 columns.below(node),
+                 up < 0 ? -1 : position[at(up)],
+                 chain_of.empty() ? -1 : chain_of[at(node)],
+                 -1.0};
+        // A parent lies behind its child: in the last one, if before its end.
+        for (; last != growing_.data(); --last) {
+            Growing& c = last[-1];
+            if (c.parent < 0 || c.parent >= last->end || c.chain != last->chain) break;
             double together = -1.0;
-            if (c.chain < 0 && !(c.q == f.p + f.q && c.p + f.p <= 48)) {
-                together = front_time(c.p + f.p, f.q);
-                if (together > time_of(c) + time_of(f)) break;
+            if (c.chain < 0 && !(c.q == last->p + last->q && c.p + last->p <= 48)) {
+                together = front_time(c.p + last->p, last->q);
+                if (together > time_of(c) + time_of(*last)) break;
             }
-            c = {c.begin, f.end, c.p + f.p, f.q, f.parent, c.chain, together};
-            growing_.pop_back();
+            c = {c.begin, last->end, c.p + last->p, last->q, last->parent, c.chain, together};
         }
+        ++last;
     }
+    growing_.resize(static_cast<std::size_t>(last - growing_.data()));
 
     const std::size_t fronts = growing_.size();
     out.begin.resize(fronts + 1);
@@ -96,7 +96,7 @@ void TreeBuilder::grow_fronts(const Pattern& pattern, const Columns& columns,
 }
 
 std::size_t TreeBuilder::bytes() const noexcept {
-    return base::bytes(growing_) + base::bytes(head_) + base::bytes(next_) + base::bytes(stack_) +
+    return base::bytes(growing_) + base::bytes(up_) + base::bytes(size_) + base::bytes(end_) +
            base::bytes(post_) + base::bytes(front_at_);
 }
 

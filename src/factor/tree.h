@@ -26,7 +26,7 @@ struct Supernodes {
 class TreeBuilder {
   public:
     /// Make `order` a postorder of its own tree, children in the sequence they had, and
-    /// `position` its inverse.
+    /// `position`, its inverse, that of the new one.
     void postorder(const Columns& columns, std::vector<std::int32_t>& order,
                    std::vector<std::int32_t>& position);
 
@@ -47,7 +47,7 @@ class TreeBuilder {
         double time;  ///< Of the front alone, < 0: not known yet.
     };
     std::vector<Growing> growing_;
-    std::vector<std::int32_t> head_, next_, stack_, post_, front_at_;
+    std::vector<std::int32_t> up_, size_, end_, post_, front_at_;
 };
 
 }  // namespace hawser::factor

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Short ways to an order give the order of the long ones, written down here.
+#include "factor/ordering.h"
+#include "factor/matrices.h"
+#include "factor/repair.h"
+#include "support/sanitizer.h"
+
+extern "C" {
+#include <amd.h>
+}
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace hawser::test {
+namespace {
+
+using factor::Pattern;
+using Order = std::vector<std::int32_t>;
+
+/// Bodies only, rows among them, or wires.
+Pattern draw(Random& random) {
+    if (random.chance(0.4)) return wires(random, 12, 40).pattern;
+    const int nodes = random.integer(0, 150);
+    Pattern p =
+        random_quasi_definite(random, nodes, random.uniform(0.0, 4.0 / (nodes + 1))).pattern;
+    if (random.chance(0.5)) std::fill(p.sign.begin(), p.sign.end(), std::int8_t{1});
+    return p;
+}
+
+/// Rows behind the first of their bodies, by sorting all places.
+Order with_rows_placed(const Pattern& p, const Order& order) {
+    std::vector<std::int64_t> position(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k)
+        position[static_cast<std::size_t>(order[k])] = static_cast<std::int64_t>(k);
+    std::vector<std::pair<std::int64_t, std::int32_t>> keys;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const std::int32_t v = order[k];
+        std::int64_t first = -1;
+        if (p.sign[static_cast<std::size_t>(v)] < 0)
+            for (const std::int32_t u : p.neighbours(v)) {
+                const auto n = static_cast<std::size_t>(u);
+                if (p.sign[n] > 0 && (first < 0 || position[n] < first)) first = position[n];
+            }
+        const auto own = static_cast<std::int64_t>(k);
+        keys.emplace_back(first > own ? 2 * first + 1 : 2 * own, v);
+    }
+    std::stable_sort(keys.begin(), keys.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    Order placed;
+    for (const auto& [key, v] : keys) placed.push_back(v);
+    return placed;
+}
+
+Order long_order(const Pattern& p) {
+    Order order(p.size.size());
+    if (order.empty()) return order;
+    double control[AMD_CONTROL];
+    amd_defaults(control);
+    control[AMD_DENSE] = 100.0;
+    std::vector<std::int32_t> adjacent = p.adjacent;
+    adjacent.push_back(-1);  // not read, but a list of nothing has no address
+    EXPECT_EQ(amd_order(p.nodes(), p.start.data(), adjacent.data(), order.data(), control, nullptr),
+              AMD_OK);
+    return with_rows_placed(p, order);
+}
+
+/// What chains leave, as a list of edges: those of the pattern, and all pairs of each boundary.
+Order long_plan(const Pattern& p, const factor::Chains& chains) {
+    std::vector<std::int32_t> chain_of(p.size.size(), -1), rest_of(p.size.size(), -1), from, to;
+    for (int c = 0; c < chains.count(); ++c)
+        for (std::int32_t u = chains.begin[static_cast<std::size_t>(c)];
+             u < chains.begin[static_cast<std::size_t>(c) + 1]; ++u)
+            for (const std::int32_t v : chains.unit(u)) chain_of[static_cast<std::size_t>(v)] = c;
+    Order rest;
+    std::vector<std::int8_t> size, sign;
+    for (std::size_t v = 0; v < p.size.size(); ++v) {
+        if (chain_of[v] >= 0) continue;
+        rest_of[v] = static_cast<std::int32_t>(rest.size());
+        rest.push_back(static_cast<std::int32_t>(v));
+        size.push_back(p.size[v]);
+        sign.push_back(p.sign[v]);
+    }
+    std::vector<Order> boundary(static_cast<std::size_t>(chains.count()));
+    for (int v = 0; v < p.nodes(); ++v)
+        for (const std::int32_t u : p.neighbours(v)) {
+            const std::int32_t chain = chain_of[static_cast<std::size_t>(v)],
+                               end = rest_of[static_cast<std::size_t>(u)];
+            if (end < 0) continue;
+            if (chain >= 0) {
+                boundary[static_cast<std::size_t>(chain)].push_back(end);
+            } else {
+                from.push_back(rest_of[static_cast<std::size_t>(v)]);
+                to.push_back(end);
+            }
+        }
+    for (const Order& nodes : boundary)
+        for (const std::int32_t a : nodes)
+            for (const std::int32_t b : nodes) {
+                from.push_back(a);
+                to.push_back(b);
+            }
+    Order order = chains.nodes;
+    for (const std::int32_t k : long_order(factor::make_pattern(size, sign, from, to)))
+        order.push_back(rest[static_cast<std::size_t>(k)]);
+    return order;
+}
+
+/// One orderer for all: nothing of one pattern is left for the next.
+TEST(Ordering, IsThatOfTheLibrary) {
+    Random random(1);
+    factor::Orderer orderer;
+    int moved = 0;
+    for (int trial = 0; trial < (kSanitized ? 40 : 400); ++trial) {
+        const Pattern p = draw(random);
+        Order order;
+        orderer.order(p, order);
+        ASSERT_EQ(order, long_order(p)) << trial;
+        random.shuffle(order);
+        const Order expected = with_rows_placed(p, order);
+        moved += order != expected ? 1 : 0;
+        orderer.place_rows(p, order);
+        ASSERT_EQ(order, expected) << trial;
+    }
+    EXPECT_GT(moved, 10);
+}
+
+TEST(Ordering, OfWhatChainsLeaveHasTheirBoundariesAsCliques) {
+    Random random(2);
+    factor::Orderer orderer;
+    int with_chains = 0;
+    for (int trial = 0; trial < (kSanitized ? 40 : 400); ++trial) {
+        const Pattern p = draw(random);
+        Order order;
+        factor::Chains chains;
+        orderer.plan(p, order, chains);
+        ASSERT_EQ(chains, factor::find_chains(p)) << trial;
+        ASSERT_EQ(order, long_plan(p, chains)) << trial;
+        with_chains += chains.count() > 0 ? 1 : 0;
+    }
+    EXPECT_GT(with_chains, 10);
+}
+
+/// A postorder, children in the sequence that they had.
+Order long_postorder(const factor::Columns& columns, const Order& order) {
+    std::vector<Order> children(order.size() + 1);
+    for (const std::int32_t v : order) {
+        const std::int32_t up = columns.parent(v);
+        children[up < 0 ? order.size() : static_cast<std::size_t>(up)].push_back(v);
+    }
+    Order post;
+    auto walk = [&](auto& self, std::size_t node) -> void {
+        for (const std::int32_t c : children[node]) {
+            self(self, static_cast<std::size_t>(c));
+            post.push_back(c);
+        }
+    };
+    walk(walk, order.size());
+    return post;
+}
+
+/// Columns by merging sets, one after another.
+TEST(Ordering, ColumnsAndPostorderAreThoseOfTheDefinition) {
+    Random random(3);
+    factor::Columns columns;
+    factor::TreeBuilder tree;
+    for (int trial = 0; trial < (kSanitized ? 40 : 400); ++trial) {
+        const Pattern p = draw(random);
+        Order order = factor::order_nodes(p);
+        if (random.chance(0.3)) random.shuffle(order);
+        const std::size_t n = order.size();
+        Order position(n);
+        for (std::size_t k = 0; k < n; ++k)
+            position[static_cast<std::size_t>(order[k])] = static_cast<std::int32_t>(k);
+        columns.build(p, order, position);
+        std::vector<std::vector<bool>> below(n, std::vector<bool>(n, false));
+        for (std::size_t k = 0; k < n; ++k) {
+            for (const std::int32_t u : p.neighbours(order[k])) {
+                const auto i = static_cast<std::size_t>(position[static_cast<std::size_t>(u)]);
+                if (i > k) below[k][i] = true;
+            }
+            Order rows;
+            std::int32_t scalars = 0;
+            for (std::size_t i = k + 1; i < n; ++i) {
+                if (!below[k][i]) continue;
+                if (!rows.empty())
+                    below[static_cast<std::size_t>(position[static_cast<std::size_t>(rows[0])])]
+                         [i] = true;
+                rows.push_back(order[i]);
+                scalars += p.size[static_cast<std::size_t>(order[i])];
+            }
+            const auto found = columns.rows(order[k]);
+            ASSERT_EQ(rows, Order(found.begin(), found.end())) << trial;
+            ASSERT_EQ(columns.below(order[k]), scalars);
+            ASSERT_EQ(columns.parent(order[k]), rows.empty() ? -1 : rows[0]);
+        }
+        const Order post = long_postorder(columns, order);
+        tree.postorder(columns, order, position);
+        ASSERT_EQ(order, post) << trial;
+        for (std::size_t k = 0; k < n; ++k)
+            ASSERT_EQ(position[static_cast<std::size_t>(order[k])], static_cast<std::int32_t>(k));
+    }
+}
+
+/// A used analysis remembers nothing of the pattern before.
+TEST(Ordering, PlansAgainAsIfForTheFirstTime) {
+    Random random(4);
+    factor::Analysis used;
+    used.plan(Pattern{});  // of a world in which nothing moves
+    EXPECT_TRUE(used.symbolic().order.empty());
+    for (int trial = 0; trial < (kSanitized ? 20 : 200); ++trial) {
+        const Pattern p = draw(random);
+        used.plan(p);
+        ASSERT_TRUE(used.symbolic() == factor::analyse(p, factor::plan_elimination(p))) << trial;
+    }
+}
+
+}  // namespace
+}  // namespace hawser::test
