@@ -13,6 +13,11 @@ class EigenSolver final : public ScalarSolver {
   public:
     explicit EigenSolver(Order order) : ScalarSolver(order, Triangle::upper) {}
 
+    bool prepare_own(const Input& input) override {
+        natural_ = &input.matrix->lower;
+        return true;
+    }
+    void analyse_own() override { own_.analyzePattern(*natural_); }
     void factor(base::Executor&) override {
         ldlt_.factorize(upper_);
         if (ldlt_.info() != Eigen::Success) throw std::runtime_error("a zero pivot");
@@ -38,6 +43,8 @@ class EigenSolver final : public ScalarSolver {
     }
 
   private:
+    const Sparse* natural_ = nullptr;
+    Eigen::SimplicialLDLT<Sparse, Eigen::Lower, Eigen::AMDOrdering<int>> own_;  // its default
     Sparse upper_;
     Eigen::SimplicialLDLT<Sparse, Eigen::Upper, Eigen::NaturalOrdering<int>> ldlt_;
 };

@@ -3,9 +3,11 @@
 
 #if HAWSER_HAVE_LDL
 extern "C" {
+#include <amd.h>
 #include <ldl.h>
 }
 
+#include <numeric>
 #include <stdexcept>
 
 namespace hawser::bench {
@@ -16,6 +18,29 @@ class LdlSolver final : public ScalarSolver {
   public:
     explicit LdlSolver(Order order) : ScalarSolver(order, Triangle::upper) {}
 
+    /// It has no order of its own; its examples call AMD. With an order it needs both triangles.
+    bool prepare_own(const Input& input) override {
+        const Sparse& lower = input.matrix->lower;
+        std::vector<std::int32_t> natural(static_cast<std::size_t>(lower.rows()));
+        std::iota(natural.begin(), natural.end(), 0);
+        full_.build(lower, std::move(natural), Triangle::full);
+        return true;
+    }
+    void analyse_own() override {
+        const int n = full_.size();
+        const auto size = static_cast<std::size_t>(n);
+        for (std::vector<int>* v :
+             {&own_order_, &own_place_, &own_parent_, &own_count_, &own_flag_})
+            v->resize(size);
+        own_start_.resize(size + 1);
+        if (amd_order(n, full_.start.data(), full_.row.data(), own_order_.data(), nullptr,
+                      nullptr) < 0)
+            throw std::runtime_error("AMD failed");
+        ldl_symbolic(n, full_.start.data(), full_.row.data(), own_start_.data(), own_parent_.data(),
+                     own_count_.data(), own_flag_.data(), own_order_.data(), own_place_.data());
+        own_row_.resize(static_cast<std::size_t>(own_start_.back()));
+        own_value_.resize(own_row_.size());
+    }
     void factor(base::Executor&) override {
         const int n = matrix_.size();
         const int done =
@@ -56,6 +81,11 @@ class LdlSolver final : public ScalarSolver {
   private:
     std::vector<int> start_, parent_, count_, pattern_, flag_, row_;
     std::vector<double> value_, d_, y_;
+    // Of its own analysis.
+    Permuted full_;
+    std::vector<int> own_order_, own_place_, own_start_, own_parent_, own_count_, own_flag_,
+        own_row_;
+    std::vector<double> own_value_;
 };
 
 }  // namespace

@@ -43,6 +43,13 @@ class Solver {
         (void)changed;
         analyse(input, executor);
     }
+    /// The library's own analysis of the scalar matrix, as its users call it: its default order,
+    /// nothing permuted beforehand, the result not used. @return whether it has one.
+    virtual bool prepare_own(const Input& input) {
+        (void)input;
+        return false;
+    }
+    virtual void analyse_own() {}
     /// Values from the blocks of the system, condensed where the form is.
     virtual void refresh(const Input& input, base::Executor& executor) = 0;
     /// @throws std::runtime_error if it fails.

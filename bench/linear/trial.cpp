@@ -58,7 +58,7 @@ Result describe(Candidate& c) {
 
 /// Samples of one candidate, and what becomes of them.
 struct Samples {
-    std::vector<double> analyse, refresh, factor, solve, refine, total;
+    std::vector<double> analyse, own_analyse, refresh, factor, solve, refine, total;
     void add(const Phases& p) {
         refresh.push_back(p.refresh);
         factor.push_back(p.factor);
@@ -68,6 +68,7 @@ struct Samples {
     }
     void finish(Result& r) const {
         r.analyse = median(analyse);
+        if (!own_analyse.empty()) r.own_analyse = median(own_analyse);
         r.phases = {median(refresh), median(factor), median(solve), median(refine)};
         r.total = median(total);
         r.totals = total;
@@ -177,6 +178,14 @@ double Candidate::analyse() {
     return watch.lap();
 }
 
+double Candidate::analyse_own() {
+    set_library_threads(threads_);
+    if (!solver_->prepare_own(problem_->input(variant_.condensed))) return -1.0;
+    Watch watch(processor_time());
+    solver_->analyse_own();
+    return watch.lap();
+}
+
 double Candidate::update(const Input& input, const std::vector<int>& changed) {
     set_library_threads(threads_);
     Watch watch(processor_time());
@@ -243,7 +252,10 @@ std::vector<Result> compare(Problem& problem, const ProblemSource& source, int t
         results.push_back(describe(*candidates.back()));
     }
     for (std::size_t k = 0; k < candidates.size(); ++k)
-        for (int i = 0; i < 3; ++i) samples[k].analyse.push_back(candidates[k]->analyse());
+        for (int i = 0; i < 3; ++i) {
+            samples[k].analyse.push_back(candidates[k]->analyse());
+            samples[k].own_analyse.push_back(candidates[k]->analyse_own());
+        }
     for (int round = 0; round < options.rounds; ++round)
         for (std::size_t k = 0; k < candidates.size(); ++k) take_turn(*candidates[k], samples[k]);
     for (std::size_t k = 0; k < candidates.size(); ++k) {

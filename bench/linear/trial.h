@@ -29,6 +29,7 @@ struct Result {
     std::string library, form, order, failure;
     int threads = 1;
     double analyse = 0.0;                          ///< [s]
+    double own_analyse = -1.0;                     ///< With the library's own order; −1: none.
     Phases phases{};                               ///< Medians.
     double total = 0.0;                            ///< Median of the totals [s].
     std::vector<std::pair<int, double>> update{};  ///< Contacts changed, time [s].
@@ -55,6 +56,8 @@ class Candidate {
     double analyse();
     /// The same after contacts changed. @return time [s].
     double update(const Input& input, const std::vector<int>& changed);
+    /// The library's own analysis of the scalar matrix. @return time [s], −1: it has none.
+    double analyse_own();
     /// Refresh, factor, solve, refine.
     Phases work();
     [[nodiscard]] const Variant& variant() const noexcept { return variant_; }
