@@ -314,6 +314,10 @@ HAWSER_INLINE void store_lanes(double* p, const V8& v, int begin, int end) {
 }
 /// Lane i = x[index[i]] for begin ≤ i < end, 0 elsewhere.
 HAWSER_INLINE V8 gather_range(const double* x, const std::int32_t* index, int begin, int end) {
+    // Eight loads take half the time of the gather instruction on some processors.
+    if (begin <= 0 && end >= kLanes)
+        return V8{x[index[0]], x[index[1]], x[index[2]], x[index[3]],
+                  x[index[4]], x[index[5]], x[index[6]], x[index[7]]};
 #if defined(__AVX512F__)
     const __mmask8 used = lane_mask(begin, end);
     const __m256i i = _mm256_maskz_loadu_epi32(used, index);

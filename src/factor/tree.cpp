@@ -13,7 +13,7 @@ namespace {
 /// Measured on AVX-512 and AVX2 machines; only ratios matter.
 double front_time(double p, double q) {
     const double n = p + q;
-    return 80.0 + 7.0 * p + 0.06 * (p * p * p / 3.0 + p * p * q + p * q * q) + 0.15 * n * p;
+    return 250.0 + 7.0 * p + 0.06 * (p * p * p / 3.0 + p * p * q + p * q * q) + 0.15 * n * p;
 }
 
 }  // namespace

@@ -61,12 +61,14 @@ inline int factor_block(const Trapezoid<kSides> t, int k0) {
     const long ld = t.ld;
     int wrong = 0;
     V8 top[kSides][N];
-    double inverse[N], scaled[kSides][N][N];
+    double inverse[N], diagonal[N], scaled[kSides][N][N];
     for (int s = 0; s < kSides; ++s)
         for (int c = 0; c < N; ++c) top[s][c] = load(t.panel[s] + (k0 + c) * ld + k0);
+    // Pivots apart from their columns: each waits for a division and one product.
+    for (int c = 0; c < N; ++c) diagonal[c] = t.panel[0][(k0 + c) * ld + k0 + c];
 #pragma GCC unroll 8
     for (int c = 0; c < N; ++c) {
-        double d = lane(top[0][c], c);
+        double d = diagonal[c];
         // The sign is known, see Symbolic::sign. !(…) also catches NaN.
         if (!(d * t.sign[k0 + c] > 0.0) || d - d != 0.0) {
             ++wrong;
@@ -86,6 +88,7 @@ inline int factor_block(const Trapezoid<kSides> t, int k0) {
                 scaled[s][j][c] = wj[s] * inverse[c];
             }
             for (int s = 0; s < kSides; ++s) top[s][j] -= wj[t.other(s)] * l[s];
+            diagonal[j] -= (wj[0] * wj[t.other(0)]) * inverse[c];
         }
         for (int s = 0; s < kSides; ++s) {
             store(t.w[s] + c * ld + k0, top[s][c]);

@@ -67,12 +67,14 @@ HAWSER_INLINE void backward_block(const double* panel, long ld, int k, int from,
         const V8 v = load(y + i);
         for (int c = 0; c < N; ++c) acc[c] += load(column + c * ld + i) * v;
     }
-    double s[8];
-    store(s, sums<N>(acc));
-    for (int c = N; c-- > 0;) {
-        double zc = z[c] - s[c];
-        for (int i = N - 1; i > c; --i) zc -= column[c * ld + k + i] * z[i];
-        z[c] = zc;
+    const V8 s = sums<N>(acc);
+    double solved[N];  // in registers: all indices are constants once unrolled
+#pragma GCC unroll 8
+    for (int c = N - 1; c >= 0; --c) {
+        double zc = z[c] - lane(s, c);
+#pragma GCC unroll 8
+        for (int i = N - 1; i > c; --i) zc -= column[c * ld + k + i] * solved[i];
+        z[c] = solved[c] = zc;
     }
 }
 
