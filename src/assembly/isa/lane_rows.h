@@ -10,6 +10,9 @@
 #include "base/simd.h"
 #include "model/kinds/all.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace hawser::HAWSER_ISA {
 
 /// Bodies of eight interactions as evaluate() sees them: lumps, and rigid bodies.
@@ -126,30 +129,47 @@ struct LaneRows {
         }
     }
 
-    /// The packed Jacobians, eight entries of each at a time.
+    /// The packed Jacobians, eight entries of each at a time; the last eight overlap, so that no
+    /// vector is cut short.
     void write_jacobian(const Rows<B, R, W8>& rows) const {
-        for (int begin = 0; begin < R * W; begin += kLanes) {
-            V8 t[kLanes] = {};
-            const int count = R * W - begin < kLanes ? R * W - begin : kLanes;
-            for (int i = 0; i < count; ++i) {
-                const int entry = begin + i, r = entry / W, column = entry % W;
-                t[i] = rows.J[column / D][r][column % D];
-            }
-            put(view.jacobian, [&](std::int32_t k) { return view.jac_begin[k]; }, begin, count, t);
-        }
+        constexpr int size = R * W;
+        [&]<int... I>(std::integer_sequence<int, I...>) {
+            (write_entries<size <= kLanes ? 0 : std::min(I * kLanes, size - kLanes)>(rows), ...);
+        }(std::make_integer_sequence<int, (size + kLanes - 1) / kLanes>());
     }
 
-    /// Entries [begin, begin + count) of what starts at base + start(id).
-    template <class Start>
-    void put(double* base, Start start, int begin, int count, V8 (&t)[kLanes]) const {
+    /// Entries from `Begin` on, eight or as many as there are.
+    template <int Begin>
+    void write_entries(const Rows<B, R, W8>& rows) const {
+        constexpr int count = std::min(R * W - Begin, kLanes);
+        V8 t[kLanes] = {};
+        [&]<int... I>(std::integer_sequence<int, I...>) {
+            ((t[I] = rows.J[(Begin + I) % W / D][(Begin + I) / W][(Begin + I) % W % D]), ...);
+        }(std::make_integer_sequence<int, count>());
+        put<Begin, count>(view.jacobian, [&](std::int32_t k) { return view.jac_begin[k]; }, t);
+    }
+
+    /// Entries [Begin, Begin + Count) of what starts at base + start(id).
+    template <int Begin, int Count, class Start>
+    void put(double* base, Start start, V8 (&t)[kLanes]) const {
         transpose(t);
-        for (int l = 0; l < kLanes; ++l) store_lanes(base + start(id[l]) + begin, t[l], 0, count);
+        for (int l = 0; l < kLanes; ++l) {
+            double* to = base + start(id[l]) + Begin;
+            if constexpr (Count == kLanes)
+                store(to, t[l]);
+            else
+                store_lanes(to, t[l], 0, Count);
+        }
     }
-    void put_record(int begin, int count, V8 (&t)[kLanes]) const {
-        put(view.geo_record, [&](std::int32_t i) { return view.geo[i].record; }, begin, count, t);
+    template <int Begin, int Count>
+    void put_record(V8 (&t)[kLanes]) const {
+        put<Begin, Count>(
+            view.geo_record, [&](std::int32_t i) { return view.geo[i].record; }, t);
     }
-    void put_force(int begin, int count, V8 (&t)[kLanes]) const {
-        put(view.geo_force, [&](std::int32_t i) { return view.geo[i].force; }, begin, count, t);
+    template <int Begin, int Count>
+    void put_force(V8 (&t)[kLanes]) const {
+        put<Begin, Count>(
+            view.geo_force, [&](std::int32_t i) { return view.geo[i].force; }, t);
     }
 
     /// Record of a line between lumps, and its parts of M̃ v and of a.
@@ -164,7 +184,7 @@ struct LaneRows {
         const W8 w = scale * pulls * (1.0 / size);
         const V3T<W8> u{rows.J[1][0][0], rows.J[1][0][1], rows.J[1][0][2]};
         V8 record[kLanes] = {w, u.x, u.y, u.z, none, none, none, none};
-        put_record(0, assembly::kGeoLine, record);
+        put_record<0, assembly::kGeoLine>(record);
         const V3T<W8> rel{v[0][0] - v[1][0], v[0][1] - v[1][1], v[0][2] - v[1][2]};
         const V3T<W8> t = w * (rel - dot(u, rel) * u);
         const V3T<W8> begin{start[0][0] - start[1][0], start[0][1] - start[1][1],
@@ -172,8 +192,8 @@ struct LaneRows {
         const V3T<W8> s = w * (begin - dot(u, begin) * u);
         V8 low[kLanes] = {s.x, s.y, s.z, t.x, t.y, t.z, -s.x, -s.y};
         V8 high[kLanes] = {-s.z, -t.x, -t.y, -t.z, none, none, none, none};
-        put_force(0, kLanes, low);
-        put_force(kLanes, 4, high);
+        put_force<0, kLanes>(low);
+        put_force<kLanes, 4>(high);
     }
 
     /// Record of a joint between rigid bodies, and its parts of M̃ v and of a.
@@ -200,9 +220,9 @@ struct LaneRows {
         V8 a[kLanes] = {none, none, none, none, r0.x, r0.y, r0.z, r1.x};
         V8 b[kLanes] = {r1.y, r1.z, arm0[0], arm0[1], arm0[2], arm0[3], arm0[4], arm0[5]};
         V8 c[kLanes] = {arm1[0], arm1[1], arm1[2], arm1[3], arm1[4], arm1[5], damping, none};
-        put_record(0, kLanes, a);
-        put_record(8, kLanes, b);
-        put_record(16, kLanes - 1, c);  // what follows is constant
+        put_record<0, kLanes>(a);
+        put_record<8, kLanes>(b);
+        put_record<16, kLanes - 1>(c);  // what follows is constant
         W8 d[3], s[3];
         for (int i = 0; i < 3; ++i) {
             d[i] = damping * (start[0][3 + i] - start[1][3 + i]);
@@ -211,9 +231,9 @@ struct LaneRows {
         V8 first[kLanes] = {none, none, none, d[0], d[1], d[2], none, none};
         V8 second[kLanes] = {none, s[0], s[1], s[2], none, none, none, -d[0]};
         V8 third[kLanes] = {-d[1], -d[2], none, none, none, -s[0], -s[1], -s[2]};
-        put_force(0, kLanes, first);
-        put_force(8, kLanes, second);
-        put_force(16, kLanes, third);
+        put_force<0, kLanes>(first);
+        put_force<8, kLanes>(second);
+        put_force<16, kLanes>(third);
     }
 };
 
