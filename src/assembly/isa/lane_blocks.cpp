@@ -68,6 +68,7 @@ inline void outer_rows(const View& view, const LaneOp& op, int r, LanePlace out)
 
 template <int DA, int DB>
 inline void outer(const View& view, const LaneOp& op, LanePlace out) {
+    if (op.rows == 3) return outer_rows<DA, DB, 3>(view, op, 0, out);
     int r = 0;
     for (; r + 2 <= op.rows; r += 2) outer_rows<DA, DB, 2>(view, op, r, out);
     if (r < op.rows) outer_rows<DA, DB, 1>(view, op, r, out);
