@@ -43,15 +43,14 @@ inline V8 pick_row(const View& view, const double* values, const std::int32_t* i
 }
 
 /// Rows [r, r + N) of Σ_r w_r ja_rᵀ jb_r; on the diagonal only the lower triangle.
-template <int DA, int DB, int N>
+template <bool kDiagonal, int DA, int DB, int N>
 inline void outer_rows(const View& view, const LaneOp& op, int r, LanePlace out) {
     V8 a[N][kLanes], b[N][kLanes];
-    const bool diagonal = op.a == op.b;
     const V8 on = used_lanes(op) * pick(view.active, op.id);
     for (int k = 0; k < N; ++k) {
         const double* row = view.jacobian + (r + k) * op.width;
         load_lanes(row, op.from, a[k]);
-        if (diagonal)
+        if constexpr (kDiagonal)
             for (int j = 0; j < kLanes; ++j) b[k][j] = a[k][j];
         else
             load_lanes(row + op.to_b, op.from, b[k]);
@@ -59,19 +58,26 @@ inline void outer_rows(const View& view, const LaneOp& op, int r, LanePlace out)
         for (int j = 0; j < DB; ++j) b[k][j] = b[k][j] * w;
     }
     for (int j = 0; j < DB; ++j)
-        for (int i = diagonal ? j : 0; i < DA; ++i) {
+        for (int i = kDiagonal ? j : 0; i < DA; ++i) {
             V8 sum = a[0][i] * b[0][j];
             for (int k = 1; k < N; ++k) sum += a[k][i] * b[k][j];
             out.add(i, j, sum);
         }
 }
 
+template <bool kDiagonal, int DA, int DB>
+inline void outer_side(const View& view, const LaneOp& op, LanePlace out) {
+    if (op.rows == 3) return outer_rows<kDiagonal, DA, DB, 3>(view, op, 0, out);
+    int r = 0;
+    for (; r + 2 <= op.rows; r += 2) outer_rows<kDiagonal, DA, DB, 2>(view, op, r, out);
+    if (r < op.rows) outer_rows<kDiagonal, DA, DB, 1>(view, op, r, out);
+}
+
 template <int DA, int DB>
 inline void outer(const View& view, const LaneOp& op, LanePlace out) {
-    if (op.rows == 3) return outer_rows<DA, DB, 3>(view, op, 0, out);
-    int r = 0;
-    for (; r + 2 <= op.rows; r += 2) outer_rows<DA, DB, 2>(view, op, r, out);
-    if (r < op.rows) outer_rows<DA, DB, 1>(view, op, r, out);
+    if constexpr (DA == DB)
+        if (op.a == op.b) return outer_side<true, DA, DB>(view, op, out);
+    outer_side<false, DA, DB>(view, op, out);
 }
 
 void condense(const View& view, const LaneOp& op, LanePlace out) {
