@@ -50,6 +50,16 @@ inline M3 full6(const double* s) {
     return {{s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5]}};
 }
 
+/// out (dof entries) = a body's block M + h D, arms' stiffness included, times u.
+inline void block_times(const double* block, int dof, const double* u, double* out) {
+    if (dof == 1) {
+        out[0] = block[0] * u[0];
+        return;
+    }
+    store3(out, mul6(block, load3(u)));
+    if (dof == 6) store3(out + 3, mul6(block + 6, load3(u + 3)));
+}
+
 /// u of the text above. @param s4  4 s.
 template <class T>
 inline T unresolved(const T& s4) {

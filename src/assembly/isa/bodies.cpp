@@ -10,16 +10,6 @@ namespace {
 using assembly::kBodyBlock;
 using assembly::View;
 
-/// out (dof entries) = block of M + hD times u.
-void block_times(const double* block, int dof, const double* u, double* out) {
-    if (dof == 1) {
-        out[0] = block[0] * u[0];
-        return;
-    }
-    store3(out, mul6(block, load3(u)));
-    if (dof == 6) store3(out + 3, mul6(block + 6, load3(u + 3)));
-}
-
 /// r = a − M̃ v₊ + Jᵀ y, for the rows' multipliers y.
 /// kAtRest: v₊ = 0, as before the first solve.
 template <bool kAtRest>
@@ -44,34 +34,6 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
     store(sum8, acc);
     // Entry by entry: reading mv as a vector would wait for its scalar stores.
     for (int j = 0; j < dof; ++j) out[j] = sum8[j] - mv[j];
-}
-
-/// h v₊ᵀ D (v + v₊)/2 [J]: the drag is that of v₊, it acts along the way between half steps.
-double drag_work(const View& view, std::int32_t body, const double* u, const double* mean) {
-    const double* d = view.damping + 6 * body;
-    const int dof = view.dof[body];
-    if (dof == 1) return view.h * d[0] * u[0] * mean[0];
-    double work = 0.0;
-    const M3 r = load9(view.r + 9 * body);
-    for (int part = 0; part < dof; part += 3) {
-        if (!any3(d + part)) continue;
-        const V3 a = tmul(r, load3(u + part)), b = tmul(r, load3(mean + part));
-        work += d[part] * a.x * b.x + d[part + 1] * a.y * b.y + d[part + 2] * a.z * b.z;
-    }
-    return view.h * work;
-}
-
-/// pᵀ M⁻¹ p for an impulse p on a body.
-double inverse_mass_norm(const View& view, std::int32_t body, const double* p) {
-    const double inverse = 1.0 / view.mass[body];
-    const int dof = view.dof[body];
-    if (dof == 1) return inverse * p[0] * p[0];
-    double norm = inverse * dot(load3(p), load3(p));
-    if (dof == 6) {
-        const V3 w = tmul(load9(view.r + 9 * body), load3(p + 3));
-        norm += dot(w, load9(view.inv_inertia + 9 * body) * w);
-    }
-    return norm;
 }
 
 }  // namespace
@@ -113,43 +75,16 @@ void body_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept {
                                 view.solution + view.body_offset[body]);
 }
 
+void momentum_residual(const View& view, std::int32_t body, double* out) noexcept {
+    momentum_rhs<false>(view, body, view.lambda, out);
+}
+
 void add_solution(const View& view, std::int32_t begin, std::int32_t end) noexcept {
     for (std::int32_t body = begin; body < end; ++body) {
         const double* s = view.solution + view.body_offset[body];
         double* v = view.v_new + view.dof_begin[body];
         for (int j = 0; j < view.dof[body]; ++j) v[j] += s[j];
     }
-}
-
-void body_norms(const View& view, std::int32_t begin, std::int32_t end,
-                assembly::Norms* norms) noexcept {
-    assembly::Norms n = *norms;
-    for (std::int32_t body = begin; body < end; ++body) {
-        const int dof = view.dof[body];
-        if (dof == 0) continue;
-        double* r = view.momentum + view.dof_begin[body];
-        momentum_rhs<false>(view, body, view.lambda, r);
-        const double* block = view.body_block + static_cast<long>(kBodyBlock) * body;
-        const double* v = view.v + view.dof_begin[body];
-        const double* a = view.a + view.dof_begin[body];
-        double mv[6], diff[6];
-        const double* u = view.v_new + view.dof_begin[body];
-        const double* f = view.force + 6 * body;
-        double mean[6];
-        for (int j = 0; j < dof; ++j) {
-            mean[j] = 0.5 * (v[j] + u[j]);
-            n.work += view.h * f[j] * mean[j];
-        }
-        n.drag += drag_work(view, body, u, mean);
-        block_times(block, dof, v, mv);
-        for (int j = 0; j < dof; ++j) {
-            diff[j] = a[j] - mv[j];
-            n.finite += view.v_new[view.dof_begin[body] + j];
-        }
-        n.momentum += inverse_mass_norm(view, body, r);
-        n.impulse += inverse_mass_norm(view, body, diff);
-    }
-    *norms = n;
 }
 
 void integrate(const View& view, std::int32_t begin, std::int32_t end) noexcept {

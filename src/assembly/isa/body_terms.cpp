@@ -2,6 +2,7 @@
 /// What bodies bring to the step's equations: their blocks M̃ and right-hand sides a. Rigid bodies
 /// that stand in a row go eight at a time.
 #include "assembly/geo.h"
+#include "assembly/isa/rigid_lanes.h"
 #include "assembly/isa/rows.h"
 #include "base/simd.h"
 
@@ -135,29 +136,6 @@ void add_geometric(const View& view, std::int32_t body) {
         for (int i = 0; i < 6; ++i) block[6 + i] += arm[i];
         add3(a + 3, load3(force + 3) + mul6(arm, load3(v + 3)));
     }
-}
-
-/// Eight rigid bodies in a row, none of them so near the end that vector loads leave the arrays.
-bool eight_rigid(const View& view, std::int32_t body) {
-    if (body + kLanes + 2 > view.body_count || view.dof[body + kLanes] < 3) return false;
-    for (int l = 0; l < kLanes; ++l)
-        if (view.dof[body + l] != 6) return false;
-    return true;
-}
-
-using W3 = V3T<W8>;
-using WM3 = M3T<W8>;
-
-/// `stride` doubles a body: the first eight of each of eight bodies, turned into lanes.
-void load_bodies(const double* first, int stride, V8 (&v)[kLanes]) {
-    for (int l = 0; l < kLanes; ++l) v[l] = load(first + l * stride);
-    transpose(v);
-}
-WM3 load_bodies9(const double* first) {
-    V8 v[kLanes], last[kLanes];
-    load_bodies(first, 9, v);
-    load_bodies(first + 1, 9, last);
-    return {{v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], last[7]}};
 }
 
 /// own_terms() of eight rigid bodies.

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Norms over bodies: residual of momentum, what forces and drag do. Rigid bodies that stand in a
+/// row go eight at a time.
+#include "assembly/geo.h"
+#include "assembly/isa/rigid_lanes.h"
+#include "assembly/isa/rows.h"
+#include "base/simd.h"
+
+namespace hawser::HAWSER_ISA {
+namespace {
+
+using assembly::kBodyBlock;
+using assembly::Norms;
+using assembly::View;
+
+/// h v₊ᵀ D (v + v₊)/2 [J]: the drag is that of v₊, it acts along the way between half steps.
+double drag_work(const View& view, std::int32_t body, const double* u, const double* mean) {
+    const double* d = view.damping + 6 * body;
+    const int dof = view.dof[body];
+    if (dof == 1) return view.h * d[0] * u[0] * mean[0];
+    double work = 0.0;
+    const M3 r = load9(view.r + 9 * body);
+    for (int part = 0; part < dof; part += 3) {
+        if (!any3(d + part)) continue;
+        const V3 a = tmul(r, load3(u + part)), b = tmul(r, load3(mean + part));
+        work += d[part] * a.x * b.x + d[part + 1] * a.y * b.y + d[part + 2] * a.z * b.z;
+    }
+    return view.h * work;
+}
+
+/// pᵀ M⁻¹ p for an impulse p on a body.
+double inverse_mass_norm(const View& view, std::int32_t body, const double* p) {
+    const double inverse = 1.0 / view.mass[body];
+    const int dof = view.dof[body];
+    if (dof == 1) return inverse * p[0] * p[0];
+    double norm = inverse * dot(load3(p), load3(p));
+    if (dof == 6) {
+        const V3 w = tmul(load9(view.r + 9 * body), load3(p + 3));
+        norm += dot(w, load9(view.inv_inertia + 9 * body) * w);
+    }
+    return norm;
+}
+
+void one_body(const View& view, std::int32_t body, Norms& n) {
+    const int dof = view.dof[body];
+    const std::int32_t begin = view.dof_begin[body];
+    const double *v = view.v + begin, *u = view.v_new + begin, *f = view.force + 6 * body;
+    double mean[6], mv[6], diff[6];
+    for (int j = 0; j < dof; ++j) {
+        mean[j] = 0.5 * (v[j] + u[j]);
+        n.work += view.h * f[j] * mean[j];
+        n.finite += u[j];
+    }
+    n.drag += drag_work(view, body, u, mean);
+    block_times(view.body_block + static_cast<long>(kBodyBlock) * body, dof, v, mv);
+    for (int j = 0; j < dof; ++j) diff[j] = view.a[begin + j] - mv[j];
+    n.momentum += inverse_mass_norm(view, body, view.momentum + begin);
+    n.impulse += inverse_mass_norm(view, body, diff);
+}
+
+/// mul6() where entry k of the matrix is in s[k].
+W3 times6(const V8* s, const W3& v) {
+    return {s[0] * v.x + s[1] * v.y + s[2] * v.z, s[1] * v.x + s[3] * v.y + s[4] * v.z,
+            s[2] * v.x + s[4] * v.y + s[5] * v.z};
+}
+
+void eight_bodies(const View& view, std::int32_t body, Norms& n) {
+    const std::int32_t begin = view.dof_begin[body];
+    V8 v[kLanes], u[kLanes], a[kLanes], p[kLanes], f[kLanes], d[kLanes];
+    load_bodies(view.v + begin, 6, v);
+    load_bodies(view.v_new + begin, 6, u);
+    load_bodies(view.a + begin, 6, a);
+    load_bodies(view.momentum + begin, 6, p);
+    load_bodies(view.force + 6L * body, 6, f);
+    load_bodies(view.damping + 6L * body, 6, d);
+    V8 low[kLanes], high[kLanes];  // entries 0-7 and 4-11
+    load_bodies(view.body_block + static_cast<long>(kBodyBlock) * body, kBodyBlock, low);
+    load_bodies(view.body_block + static_cast<long>(kBodyBlock) * body + 4, kBodyBlock, high);
+    const WM3 r = load_bodies9(view.r + 9L * body);
+    const WM3 inverse = load_bodies9(view.inv_inertia + 9L * body);
+    const V8 per_mass = 1.0 / load(view.mass + body);
+
+    V8 work{}, drag{}, finite{}, mean[6];
+    for (int j = 0; j < 6; ++j) {
+        mean[j] = 0.5 * (v[j] + u[j]);
+        work += f[j] * mean[j];
+        finite += u[j];
+    }
+    for (int part = 0; part < 6; part += 3) {
+        if (!any(d[part]) && !any(d[part + 1]) && !any(d[part + 2])) continue;
+        const W3 x = tmul(r, W3{u[part], u[part + 1], u[part + 2]});
+        const W3 y = tmul(r, W3{mean[part], mean[part + 1], mean[part + 2]});
+        drag += d[part] * x.x * y.x + d[part + 1] * x.y * y.y + d[part + 2] * x.z * y.z;
+    }
+    auto norm = [&](const W3& linear, const W3& turn) {
+        const W3 w = tmul(r, turn);
+        return per_mass * dot(linear, linear) + dot(w, inverse * w);
+    };
+    const W3 linear = W3{a[0], a[1], a[2]} - times6(low, {v[0], v[1], v[2]});
+    const W3 turn = W3{a[3], a[4], a[5]} - times6(high + 2, {v[3], v[4], v[5]});
+    n.work += view.h * sum(work);
+    n.drag += view.h * sum(drag);
+    n.finite += sum(finite);
+    n.momentum += sum(norm({p[0], p[1], p[2]}, {p[3], p[4], p[5]}));
+    n.impulse += sum(norm(linear, turn));
+}
+
+}  // namespace
+
+void body_norms(const View& view, std::int32_t begin, std::int32_t end, Norms* norms) noexcept {
+    Norms n = *norms;
+    for (std::int32_t body = begin; body < end; ++body) {
+        const bool eight = body + kLanes <= end && eight_rigid(view, body);
+        const std::int32_t last = eight ? body + kLanes : body + 1;
+        for (std::int32_t b = body; b < last; ++b)
+            if (view.dof[b] > 0) momentum_residual(view, b, view.momentum + view.dof_begin[b]);
+        if (eight)
+            eight_bodies(view, body, n);
+        else if (view.dof[body] > 0)
+            one_body(view, body, n);
+        body = last - 1;
+    }
+    *norms = n;
+}
+
+}  // namespace hawser::HAWSER_ISA
