@@ -80,12 +80,14 @@ inline M3 load9(const double* p) {
     return {{p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]}};
 }
 /// Rotation matrix of a unit quaternion q = (w, x, y, z).
-inline M3 rotation(const double* q) {
-    const double w = q[0], x = q[1], y = q[2], z = q[3];
-    return {{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), 2 * (x * y + w * z),
-             1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 2 * (x * z - w * y), 2 * (y * z + w * x),
-             1 - 2 * (x * x + y * y)}};
+template <class T>
+inline M3T<T> rotation(const T* q, const T& unit) {
+    const T w = q[0], x = q[1], y = q[2], z = q[3];
+    return {{unit - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y),
+             2.0 * (x * y + w * z), unit - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x),
+             2.0 * (x * z - w * y), 2.0 * (y * z + w * x), unit - 2.0 * (x * x + y * y)}};
 }
+inline M3 rotation(const double* q) { return rotation(q, 1.0); }
 /// R S Rᵀ for a full symmetric S given row-major.
 template <class T>
 inline M3T<T> congruence(const M3T<T>& r, const T* s) {

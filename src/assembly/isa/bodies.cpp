@@ -87,40 +87,6 @@ void add_solution(const View& view, std::int32_t begin, std::int32_t end) noexce
     }
 }
 
-void integrate(const View& view, std::int32_t begin, std::int32_t end) noexcept {
-    const double h = view.h;
-    for (std::int32_t body = begin; body < end; ++body) {
-        const int dof = view.dof[body];
-        double* x = view.x + 3 * body;
-        if (dof == 0) continue;
-        double* v = view.v + view.dof_begin[body];
-        const double* u = view.v_new + view.dof_begin[body];
-        double* start = view.v_start + view.dof_begin[body];
-        for (int j = 0; j < dof; ++j) {
-            start[j] = 2.0 * u[j] - v[j];
-            v[j] = u[j];
-        }
-        if (dof == 1) {
-            x[0] += h * v[0];
-            continue;
-        }
-        add3(x, h * load3(v));
-        if (dof < 6) continue;
-        store3(view.spin_change + 3 * body,
-               tmul(load9(view.r + 9 * body), load3(v + 3) - load3(view.spin_free + 3 * body)));
-        // q₊ = (1, hω/2)/|·| ⊗ q, ω in the world frame: the Cayley map.
-        double* q = view.q + 4 * body;
-        const V3 w = (0.5 * h) * load3(v + 3), p = load3(q + 1);
-        const V3 turned = p + q[0] * w + cross(w, p);
-        const double s = q[0] - dot(w, p);
-        const double inverse = 1.0 / __builtin_sqrt(s * s + dot(turned, turned));
-        q[0] = s * inverse;
-        store3(q + 1, inverse * turned);
-        const M3 m = rotation(q);
-        for (int i = 0; i < 9; ++i) view.r[9 * body + i] = m.a[i];
-    }
-}
-
 extern const assembly::Kernels kAssemblyKernels;
 const assembly::Kernels kAssemblyKernels = {
     evaluate,       body_terms, gather_blocks, gather_lane_blocks, first_rhs,

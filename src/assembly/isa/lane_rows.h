@@ -163,13 +163,11 @@ struct LaneRows {
     }
     template <int Begin, int Count>
     void put_record(V8 (&t)[kLanes]) const {
-        put<Begin, Count>(
-            view.geo_record, [&](std::int32_t i) { return view.geo[i].record; }, t);
+        put<Begin, Count>(view.geo_record, [&](std::int32_t i) { return view.geo[i].record; }, t);
     }
     template <int Begin, int Count>
     void put_force(V8 (&t)[kLanes]) const {
-        put<Begin, Count>(
-            view.geo_force, [&](std::int32_t i) { return view.geo[i].force; }, t);
+        put<Begin, Count>(view.geo_force, [&](std::int32_t i) { return view.geo[i].force; }, t);
     }
 
     /// Record of a line between lumps, and its parts of M̃ v and of a.
