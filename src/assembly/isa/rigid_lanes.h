@@ -19,9 +19,11 @@ inline bool eight_rigid(const assembly::View& view, std::int32_t body) {
 using W3 = V3T<W8>;
 using WM3 = M3T<W8>;
 
-/// `stride` doubles a body: the first eight of each of eight bodies, turned into lanes.
+/// `stride` doubles a body: the first eight of each of eight bodies, turned into lanes; what there
+/// is beyond `stride` may be anything.
 inline void load_bodies(const double* first, int stride, V8 (&v)[kLanes]) {
-    for (int l = 0; l < kLanes; ++l) v[l] = load(first + l * stride);
+    const int own = stride < kLanes ? stride : kLanes;
+    for (int l = 0; l < kLanes; ++l) v[l] = load_at_least(first + l * stride, own);
     transpose(v);
 }
 inline WM3 load_bodies9(const double* first) {
