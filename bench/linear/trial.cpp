@@ -76,15 +76,20 @@ struct Samples {
 };
 
 /// One turn. A solution that is not counted comes first: the first of all touches its memory for
-/// the first time, and a short one finds the caches full of another solver's data.
+/// the first time, and a short one finds the caches full of another solver's data. It also wakes
+/// the threads, which stay awake for the turn, as they do in a time step.
 void take_turn(Candidate& c, Samples& s) {
-    constexpr double kShort = 0.02;  // [s]
+    constexpr double kShort = 0.02, kOthers = 0.03;  // [s]
     const bool first_of_all = s.total.empty();
     const Phases p = c.work();
     const bool is_short = p.total() < kShort;
+    // Threads of another library's BLAS wait awake for work, and then go to sleep.
+    for (double passed = p.total(); c.threads() > 1 && is_short && passed < kOthers;)
+        passed += c.work().total();
     if (!first_of_all && !is_short) s.add(p);
     if (first_of_all || is_short)
         for (int k = 0; k < (is_short ? 3 : 1); ++k) s.add(c.work());
+    c.sleep();
 }
 
 void complete(Candidate& c, const Problem& problem, Result& r) {
@@ -166,6 +171,9 @@ Candidate::~Candidate() = default;
 void Candidate::wake() {
     if (pool_) pool_->resume();
 }
+void Candidate::sleep() {
+    if (pool_) pool_->pause();
+}
 /// A spinning pool would take a core from a library that has threads of its own.
 void Candidate::rest() {
     if (pool_ && own_ != pool_.get()) pool_->pause();
@@ -221,7 +229,6 @@ Phases Candidate::work() {
     solve();
     add_correction(*in.system, *in.form, inverse, vectors_, team);
     p.refine = watch.lap();
-    if (pool_) pool_->pause();
     return p;
 }
 

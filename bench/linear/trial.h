@@ -58,8 +58,9 @@ class Candidate {
     double update(const Input& input, const std::vector<int>& changed);
     /// The library's own analysis of the scalar matrix. @return time [s], −1: it has none.
     double analyse_own();
-    /// Refresh, factor, solve, refine.
+    /// Refresh, factor, solve, refine. Threads are awake afterwards, until sleep().
     Phases work();
+    void sleep();
     [[nodiscard]] const Variant& variant() const noexcept { return variant_; }
     [[nodiscard]] int threads() const noexcept { return threads_; }
     [[nodiscard]] const std::vector<double>& x() const noexcept { return vectors_.x; }
