@@ -178,9 +178,11 @@ nlohmann::json run_links(const LinksOptions& o, int refinements) {
     fmt::print(stderr, "\n");
     fmt::print("{} bodies, {} interactions, {} equations, {} island(s); {} thread(s), {}\n",
                s.bodies, s.interactions, s.equations, s.islands, o.threads, instruction_set());
-    fmt::print("{}\n", refinements > 0
-                           ? "solutions refined where the residual is above 1e-10 (default)"
-                           : "solutions not refined");
+    if (refinements > 0)
+        fmt::print("solutions refined where the residual is above {:.0e}\n",
+                   world.settings().solution_tolerance);
+    else
+        fmt::print("solutions not refined\n");
     fmt::print("  step        median {:.3f} s, best {:.3f} s, worst {:.3f} s: {:.0f} ns a link\n",
                middle, *std::min_element(times.begin(), times.end()),
                *std::max_element(times.begin(), times.end()), 1e9 * middle / o.links);

@@ -42,7 +42,8 @@
 
 namespace hawser::HAWSER_ISA {
 
-inline V3 mul6(const double* s, V3 v) {
+template <class S, class T>
+inline V3T<T> mul6(const S* s, const V3T<T>& v) {
     return {s[0] * v.x + s[1] * v.y + s[2] * v.z, s[1] * v.x + s[3] * v.y + s[4] * v.z,
             s[2] * v.x + s[4] * v.y + s[5] * v.z};
 }

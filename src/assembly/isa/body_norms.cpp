@@ -58,12 +58,6 @@ void one_body(const View& view, std::int32_t body, Norms& n) {
     n.impulse += inverse_mass_norm(view, body, diff);
 }
 
-/// mul6() where entry k of the matrix is in s[k].
-W3 times6(const V8* s, const W3& v) {
-    return {s[0] * v.x + s[1] * v.y + s[2] * v.z, s[1] * v.x + s[3] * v.y + s[4] * v.z,
-            s[2] * v.x + s[4] * v.y + s[5] * v.z};
-}
-
 void eight_bodies(const View& view, std::int32_t body, Norms& n) {
     const std::int32_t begin = view.dof_begin[body];
     V8 v[kLanes], u[kLanes], a[kLanes], p[kLanes], f[kLanes], d[kLanes];
@@ -96,8 +90,8 @@ void eight_bodies(const View& view, std::int32_t body, Norms& n) {
         const W3 w = tmul(r, turn);
         return per_mass * dot(linear, linear) + dot(w, inverse * w);
     };
-    const W3 linear = W3{a[0], a[1], a[2]} - times6(low, {v[0], v[1], v[2]});
-    const W3 turn = W3{a[3], a[4], a[5]} - times6(high + 2, {v[3], v[4], v[5]});
+    const W3 linear = W3{a[0], a[1], a[2]} - mul6(low, W3{v[0], v[1], v[2]});
+    const W3 turn = W3{a[3], a[4], a[5]} - mul6(high + 2, W3{v[3], v[4], v[5]});
     n.work += view.h * sum(work);
     n.drag += view.h * sum(drag);
     n.finite += sum(finite);
