@@ -75,16 +75,18 @@ struct Samples {
     }
 };
 
-/// One turn. A solution that is not counted comes first: the first of all touches its memory for
-/// the first time, and a short one finds the caches full of another solver's data. It also wakes
-/// the threads, which stay awake for the turn, as they do in a time step.
-void take_turn(Candidate& c, Samples& s) {
+/// One turn. Solutions that are not counted come first: the first of all touches its memory for the
+/// first time, and a short one finds caches and the prediction of branches full of what another
+/// solver did. They also wake the threads, which stay awake for the turn, as they do in a time
+/// step.
+/// @param others  Another solver had the turn before.
+void take_turn(Candidate& c, Samples& s, bool others) {
     constexpr double kShort = 0.02, kOthers = 0.03;  // [s]
     const bool first_of_all = s.total.empty();
     const Phases p = c.work();
     const bool is_short = p.total() < kShort;
     // Threads of another library's BLAS wait awake for work, and then go to sleep.
-    for (double passed = p.total(); c.threads() > 1 && is_short && passed < kOthers;)
+    for (double passed = p.total(); others && is_short && passed < kOthers;)
         passed += c.work().total();
     if (!first_of_all && !is_short) s.add(p);
     if (first_of_all || is_short)
@@ -107,11 +109,11 @@ Result try_variant(Problem& problem, const Variant& variant, int threads) {
         r = describe(c);
         Samples s;
         s.analyse.push_back(c.analyse());
-        for (int turn = 0; turn < 2; ++turn) take_turn(c, s);
+        for (int turn = 0; turn < 2; ++turn) take_turn(c, s, turn == 0);
         // Short ones are disturbed more, and there is time for more of them.
         constexpr double kShort = 0.005;  // [s]
         const bool is_short = *std::min_element(s.total.begin(), s.total.end()) < kShort;
-        for (int turn = 0; is_short && turn < 8; ++turn) take_turn(c, s);
+        for (int turn = 0; is_short && turn < 8; ++turn) take_turn(c, s, false);
         s.finish(r);
         // Variants are compared by their best sample, which other programs disturb least.
         r.total = *std::min_element(s.total.begin(), s.total.end());
@@ -264,7 +266,8 @@ std::vector<Result> compare(Problem& problem, const ProblemSource& source, int t
             samples[k].own_analyse.push_back(candidates[k]->analyse_own());
         }
     for (int round = 0; round < options.rounds; ++round)
-        for (std::size_t k = 0; k < candidates.size(); ++k) take_turn(*candidates[k], samples[k]);
+        for (std::size_t k = 0; k < candidates.size(); ++k)
+            take_turn(*candidates[k], samples[k], candidates.size() > 1 || round == 0);
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         samples[k].finish(results[k]);
         complete(*candidates[k], problem, results[k]);
