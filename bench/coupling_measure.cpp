@@ -43,10 +43,11 @@ scene::Scene load_split(const std::string& file, const Mode& mode, int parts, in
     using observe::to_string;
     scene::Options options;
     options.threads = threads;
-    // Groups are made for all modes by the same split, and stay.
+    // Groups are made for all modes by the same split, and stay. Solutions are refined until what
+    // is left of momentum is of the coupling.
     options.set = {"settings.coupling=kinematic",
                    fmt::format("settings.predictor={}", to_string(mode.predictor)),
-                   "settings.parts=0"};
+                   "settings.parts=0", "settings.solution_tolerance=1e-12"};
     scene::Scene scene = scene::load_file(file, options);
     scene.world.set_groups(parts);
     if (scene.world.cuts().empty()) cut_chains(scene, parts);

@@ -90,6 +90,23 @@ inline void arm_stiffness(const V3T<T>& f, const T& nf, const V3T<T>& r, const T
     out[5] = e - ss * s.z * s.z + dd * d.z * d.z;
 }
 
+/// What the force of a joint between two rigid bodies, of size nf, makes of it at arms of lengths
+/// n0, n1: the scale of the arms' stiffness, (1 + u) h c and (1 − u) h c. `swing`: 23 of a record.
+template <class T>
+struct JointTerms {
+    T stiff, damping, back;
+};
+template <class T>
+inline JointTerms<T> joint_terms(const assembly::View& view, const T& nf, const T& n0, const T& n1,
+                                 const T& swing) {
+    const T push = (view.h * view.h) * nf, s4 = 4.0 * push * swing, unit = one(nf);
+    const T fast = unresolved(s4);
+    const T need = select_greater(unit, s4, T(s4 * s4), T(unit + kMoreDamping * fast));
+    const T half = push * view.rotation_damping * select_greater(n1, n0, n0, n1) * need;
+    return {(0.25 * view.h * view.h * view.geometric_stiffness) * (unit + kMoreStiffness * fast),
+            half * (unit + fast), half * (unit - fast)};
+}
+
 /// Line and damping parts of M̃ v on both slots; `lin`, `ang` are the slots' velocities. With
 /// damping = −(1 − u)/(1 + u), of a for the velocities before the step. The arms' part acts on one
 /// body alone and is kept in that body's block. @param out0, out1  Six doubles for each slot.

@@ -51,6 +51,7 @@ void System::collect_ops(const model::Bodies& bodies, const model::Interactions&
                 if (nb < 0 || position(na) < position(nb)) continue;
                 if (na == nb && a != b) continue;  // a body twice in one interaction is refused
                 if (own < 0) add(na, nb, i, Op::condensed, a, b);
+                if (own < 0 && in.arms[at(i)]) continue;  // in the same op
                 if (in.geo[at(i)] >= 0 && a < 2 && b < 2) add(na, nb, i, Op::geometric, a, b);
             }
         }
@@ -92,6 +93,10 @@ Op System::placed(const OpEntry& entry, const model::Interactions& in) const {
         }
         offset += dof;
         op.width = static_cast<std::uint8_t>(op.width + dof);
+    }
+    if (in.arms[at(op.id)]) {
+        op.jac_a = op.jac_b = in.jac_begin[at(op.id)];
+        op.width = 0;
     }
     return op;
 }
@@ -269,7 +274,8 @@ void System::share_lanes(std::span<const Op> together, std::int64_t place,
             found->id[k] = op.id;
             found->from[k] = op.jac_a;
             if (op.kind == Op::body_block) found->from[k] = kBodyBlock * op.id;
-            if (op.kind == Op::geometric) found->from[k] = geo_place_[at(op.id)].record;
+            if (op.kind == Op::geometric && op.width > 0)
+                found->from[k] = geo_place_[at(op.id)].record;
         };
         // Until a lane has its own, it repeats the latest.
         for (std::size_t k = 0; k < factor::kLaneCount; ++k)

@@ -2,6 +2,7 @@
 #include "assembly/parts.h"
 
 #include "base/index.h"
+#include "model/arms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,9 +109,12 @@ void PartGraph::weigh(const model::Bodies& bodies, const model::Interactions& in
         }
         if (rests || in.jacobian.empty()) continue;
         double sum = 0.0, off = 0.0;
+        double room[model::kArmRoom];
+        const double* packed =
+            model::packed_rows(&in.jacobian[at(in.jac_begin[at(i)])], in.arms[at(i)] != 0, room);
         for (int r = 0; r < in.rows[at(i)]; ++r) {
             const std::size_t row = at(in.row_begin[at(i)] + r);
-            const double* jac = &in.jacobian[at(in.jac_begin[at(i)] + r * width)];
+            const double* jac = packed + static_cast<std::ptrdiff_t>(r) * width;
             const double lambda = in.lambda[row];
             double rate = 0.0;
             for (int b = 0; b < in.bodies[at(i)]; ++b) {

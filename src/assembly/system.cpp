@@ -3,6 +3,7 @@
 
 #include "assembly/mobility.h"
 #include "base/index.h"
+#include "model/arms.h"
 
 #include <Eigen/LU>
 
@@ -11,23 +12,6 @@
 
 namespace hawser::assembly {
 namespace {
-
-/// max |r|/I over the two bodies of a joint, I the mean moment of inertia across the arm r, see
-/// geo.h. 0 unless both turn.
-double swing_rate(const model::Bodies& bodies, const model::Interactions& in, int id) {
-    double rate = 0.0;
-    for (int b = 0; b < 2; ++b) {
-        const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
-        if (bodies.dof(body) != 6) return 0.0;
-        const Vec3& arm = in.def[at(id)].point[at(b)];
-        const double length = arm.norm();
-        if (length == 0.0) continue;
-        const Eigen::Map<const Mat3> inertia(&bodies.inertia[at(9 * body)]);
-        const double along = arm.dot(inertia * arm) / (length * length);
-        rate = std::max(rate, 2.0 * length / (inertia.trace() - along));
-    }
-    return rate;
-}
 
 /// Motors without a range stay out of the way, unless an input may give them one.
 bool is_bounded(const model::Interactions& in, int id) {
@@ -44,7 +28,10 @@ double mobility(const model::Bodies& bodies, const model::Interactions& in, int 
     int width = 0;
     for (int b = 0; b < in.bodies[at(id)]; ++b)
         width += bodies.dof(in.body[at(kMaxInteractionBodies * id + b)]);
-    const double* jac = &in.jacobian[at(in.jac_begin[at(id)] + row * width)];
+    double room[model::kArmRoom];
+    const double* jac =
+        model::packed_rows(&in.jacobian[at(in.jac_begin[at(id)])], in.arms[at(id)] != 0, room) +
+        static_cast<std::ptrdiff_t>(row) * width;
     double sum = 0.0;
     for (int b = 0; b < in.bodies[at(id)]; ++b) {
         const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
@@ -96,26 +83,9 @@ void System::find_resting(const model::Bodies& bodies, const model::Interactions
 }
 
 void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) {
-    // Vector loads read up to seven entries past the end.
-    constexpr std::size_t kSlack = 8;
-    in.jacobian.resize(at(in.jac_size) + kSlack);
+    constexpr std::size_t kSlack = 8;  // as above
+    lay_out_rows(bodies, in);
     body_block_.resize(at(kBodyBlock * bodies.count()) + kSlack);
-    geo_place_.assign(at(in.count()), {});
-    std::int32_t record = 0, force = 0;
-    for (int i = 0; i < in.count(); ++i) {
-        if (in.geo[at(i)] < 0 || rests(i)) continue;
-        const std::int32_t* body = &in.body[at(kMaxInteractionBodies * i)];
-        auto is_point = [&](std::int32_t b) { return dof_[at(b)] == 3 || dof_[at(b)] == 1; };
-        const bool points = is_point(body[0]) && is_point(body[1]);
-        geo_place_[at(i)] = {record, force, points ? 3 : 6};
-        record += points ? kGeoLine : kGeoSize;
-        force += points ? 12 : 24;
-    }
-    geo_record_.assign(at(record) + kSlack, 0.0);
-    geo_force_.assign(at(force) + kSlack, 0.0);
-    for (int i = 0; i < in.count(); ++i)
-        if (geo_place_[at(i)].dof == 6 && geo_place_[at(i)].record >= 0)
-            geo_record_[at(geo_place_[at(i)].record + kGeoSwing)] = swing_rate(bodies, in, i);
     for (base::Array<double>* a : {&a_, &v_new_, &momentum_})
         a->assign(at(bodies.dofs) + kSlack, 0.0);
     bounded.clear();
@@ -127,33 +97,6 @@ void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) 
         if (in.flags[at(i)] & model::kBreakable) {
             breakable.push_back(i);
             breaking_load.push_back(in.def[at(i)].get("breaking_load"));
-        }
-    }
-}
-
-void System::build_incidence(const model::Bodies& bodies, const model::Interactions& in) {
-    incident_begin_.assign(at(bodies.count()) + 1, 0);
-    for (int i = 0; i < in.count(); ++i)
-        for (int b = 0; b < in.bodies[at(i)]; ++b)
-            ++incident_begin_[at(in.body[at(kMaxInteractionBodies * i + b)]) + 1];
-    for (int b = 0; b < bodies.count(); ++b) incident_begin_[at(b) + 1] += incident_begin_[at(b)];
-    incident_.resize(at(incident_begin_.back()));
-    std::vector<std::int32_t> cursor(incident_begin_.begin(), incident_begin_.end() - 1);
-    for (int i = 0; i < in.count(); ++i) {
-        const std::int32_t* body = &in.body[at(kMaxInteractionBodies * i)];
-        int width = 0;
-        for (int b = 0; b < in.bodies[at(i)]; ++b) width += dof_[at(body[b])];
-        std::int32_t column = in.jac_begin[at(i)];
-        for (int b = 0; b < in.bodies[at(i)]; ++b) {
-            const bool geo = in.geo[at(i)] >= 0 && b < 2;
-            const GeoPlace& place = geo_place_[at(i)];
-            Incidence& incidence = incident_[at(cursor[at(body[b])]++)];
-            const std::uint8_t rows = rests(i) ? std::uint8_t{0} : in.rows[at(i)];
-            incidence = {
-                column, in.row_begin[at(i)], -1, -1, rows, static_cast<std::uint8_t>(width)};
-            if (geo && !rests(i)) incidence.geo_force = place.slot(b);
-            if (geo && !rests(i) && place.dof == 6) incidence.geo_arm = place.record + 10 + 6 * b;
-            column += dof_[at(body[b])];
         }
     }
 }
@@ -201,6 +144,7 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
             if (def.form == Form::automatic && w > kSafeRatio * ratio * sigma) keep = true;
         }
         kept_[at(i)] = keep ? 1 : 0;
+        if (in.arms[at(i)] && !keep) in.arms[at(i)] = model::kInShortCondensed;
         for (int r = 0; r < in.rows[at(i)]; ++r) {
             const auto row = at(in.row_begin[at(i)] + r);
             in.inv_sigma[row] = keep ? 0.0 : 1.0 / in.sigma[row];
@@ -246,6 +190,7 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.flags = in.flags.data();
     v.row_begin = in.row_begin.data();
     v.jac_begin = in.jac_begin.data();
+    v.arms = in.arms.data();
     v.geo = geo_place_.data();
     v.active = in.active.data();
     v.held = in.held.data();
@@ -270,6 +215,7 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.contact_impulse = contacts.impulse.empty() ? nullptr : contacts.impulse.data();
     v.incident_begin = incident_begin_.data();
     v.incident = incident_.data();
+    v.links = links_.data();
     v.body_offset = body_offset_.data();
     v.interaction_offset = interaction_offset_.data();
     v.solution = solution_.data();
@@ -282,8 +228,8 @@ std::size_t System::bytes() const noexcept {
            bytes(op_order_) + bytes(incident_) + bytes(incident_begin_) + bytes(body_offset_) +
            bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) + bytes(v_new_) +
            bytes(momentum_) + bytes(geo_record_) + bytes(geo_force_) + bytes(solution_) +
-           bytes(rests_) + bytes(node_of_body) + bytes(node_of_interaction) + strips.bytes() +
-           contacts.bytes();
+           bytes(rests_) + bytes(links_) + bytes(node_of_body) + bytes(node_of_interaction) +
+           strips.bytes() + contacts.bytes();
 }
 
 }  // namespace hawser::assembly

@@ -115,6 +115,12 @@ class System {
   private:
     void find_resting(const model::Bodies& bodies, const model::Interactions& interactions);
     void build_incidence(const model::Bodies& bodies, const model::Interactions& interactions);
+    /// Links: rigid bodies that only two ball joints touch, of which the first has them as its
+    /// second body. In a chain one's second joint is the next one's first, and bodies, joints and
+    /// all that belongs to them stand in a row.
+    void find_links(const model::Bodies& bodies);
+    /// Where Jacobians and geometric terms are.
+    void lay_out_rows(const model::Bodies& bodies, model::Interactions& interactions);
     /// Sets least_sigma of the rows of sides.
     void soften_sides(const model::Bodies& bodies, model::Interactions& interactions,
                       double h) const;
@@ -162,6 +168,7 @@ class System {
     std::vector<std::int32_t> skew_ops_;               ///< Ops of contacts, ascending.
     base::Array<GeoPlace> geo_place_;
     base::Array<std::uint8_t> dof_, kept_, rests_;
+    base::Array<std::uint8_t> links_;  ///< View::links.
     base::Array<std::int32_t> incident_begin_;
     base::Array<Incidence> incident_;
     base::Array<std::int32_t> body_offset_, interaction_offset_;

@@ -13,6 +13,8 @@
 
 #include <hawser/interactions.h>
 
+#include "model/arms.h"
+
 #include <cstdint>
 
 namespace hawser::assembly {
@@ -24,7 +26,8 @@ inline constexpr int kGeoLine = 4;     ///< Of them, those between bodies withou
 
 inline constexpr int kLossChunk = 64;  ///< Interactions of one call of row_losses().
 
-/// One contribution to one block of the matrix.
+/// One contribution to one block of the matrix. Of a Jacobian in short (model/arms.h) `width` is 0,
+/// the offsets are those of its record, and `condensed` has the damping in it.
 struct Op {
     enum Kind : std::uint8_t {
         body_block,    ///< M + hD of body `id` on the diagonal.
@@ -60,15 +63,19 @@ struct LaneOp {
 
 /// One interaction as a body sees it: all that the gather loops need, without detours.
 struct Incidence {
-    std::int32_t jacobian;   ///< Offset of this body's columns in the first row.
+    std::int32_t jacobian;   ///< Offset of this body's columns in the first row; of its arm.
     std::int32_t row;        ///< First row.
     std::int32_t geo_force;  ///< GeoPlace::slot() of this body, −1: none or not one of its two.
-    std::int32_t geo_arm;    ///< Offset of its arm's stiffness, −1: none.
-    std::uint8_t rows, width;
+    std::int32_t geo_arm;    ///< Offset of its arm's stiffness, −1: none; in short: interaction.
+    std::uint8_t rows;
+    std::uint8_t width;  ///< 0: the Jacobian is in short (model/arms.h); `slot` is this body's.
+    std::uint8_t slot;
 };
 
 /// Where the geometric terms of one interaction are. A slot has 2 `dof` doubles: its part of M̃ v
-/// for the velocities of the latest loop over rows, and its part of a.
+/// for the velocities of the latest loop over rows, and its part of a. Where the Jacobian is in
+/// short (model/arms.h) there is one slot of six: the torques of damping on body 0, of M̃ v and of
+/// a.
 struct GeoPlace {
     std::int32_t record = -1;  ///< Offset of the record, kGeoSize or kGeoLine doubles; −1: none.
     std::int32_t force = 0;    ///< Offset of slot 0; slot 1 follows.
@@ -112,6 +119,7 @@ struct View {
     const std::uint8_t* flags;
     const std::int32_t* row_begin;
     const std::int32_t* jac_begin;
+    const std::uint8_t* arms;  ///< model::Interactions::arms.
     const GeoPlace* geo;
     double* active;
     const double* held;  ///< By interaction: impulse of its first row while idle.
@@ -135,6 +143,7 @@ struct View {
     // Incidence: which (interaction, slot) pairs touch a body.
     const std::int32_t* incident_begin;
     const Incidence* incident;
+    const std::uint8_t* links;  ///< By body: so many from it on are links of one chain, see System.
 
     // Contacts, see contact_rows.h; null in a world without shapes.
     const double* contact_block;
@@ -146,6 +155,12 @@ struct View {
     const std::int32_t* interaction_offset;  ///< By interaction; −1 when condensed.
     double* solution;
 };
+
+/// The rows of interaction `id`, packed, in `room` if its Jacobian is in short.
+[[nodiscard, gnu::always_inline]] inline const double* packed_rows(
+    const View& view, std::int32_t id, double (&room)[model::kArmRoom]) noexcept {
+    return model::packed_rows(view.jacobian + view.jac_begin[id], view.arms[id] != 0, room);
+}
 
 /// Norms that the step reports; merged in index order.
 struct Norms {

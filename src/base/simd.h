@@ -344,43 +344,6 @@ HAWSER_INLINE void add_first(double* to, const double* from, int n) {
 #endif
 }
 
-/// Turn eight vectors round: lane j of v[i] becomes lane i of v[j].
-HAWSER_INLINE void transpose(V8 (&v)[kLanes]) {
-#if defined(__AVX512F__)
-    const I8 even = {0, 8, 2, 10, 4, 12, 6, 14}, odd = {1, 9, 3, 11, 5, 13, 7, 15};
-    const I8 low2 = {0, 1, 8, 9, 4, 5, 12, 13}, high2 = {2, 3, 10, 11, 6, 7, 14, 15};
-    const I8 low4 = {0, 1, 2, 3, 8, 9, 10, 11}, high4 = {4, 5, 6, 7, 12, 13, 14, 15};
-    V8 a[kLanes], b[kLanes];
-    for (int i = 0; i < kLanes; i += 2) {  // pairs of rows
-        a[i] = __builtin_shuffle(v[i], v[i + 1], even);
-        a[i + 1] = __builtin_shuffle(v[i], v[i + 1], odd);
-    }
-    for (int i = 0; i < kLanes; i += 4)  // fours
-        for (int k = 0; k < 2; ++k) {
-            b[i + k] = __builtin_shuffle(a[i + k], a[i + k + 2], low2);
-            b[i + k + 2] = __builtin_shuffle(a[i + k], a[i + k + 2], high2);
-        }
-    for (int k = 0; k < 4; ++k) {
-        v[k] = __builtin_shuffle(b[k], b[k + 4], low4);
-        v[k + 4] = __builtin_shuffle(b[k], b[k + 4], high4);
-    }
-#else
-    double rows[kLanes][kLanes];
-    for (int i = 0; i < kLanes; ++i) store(rows[i], v[i]);
-    for (int j = 0; j < kLanes; ++j) {
-        double column[kLanes];
-        for (int i = 0; i < kLanes; ++i) column[i] = rows[i][j];
-        v[j] = load(column);
-    }
-#endif
-}
-/// v[k] = entries base[from[0] + k] … base[from[7] + k]: eight consecutive entries of eight
-/// records, lane by lane another record.
-HAWSER_INLINE void load_lanes(const double* base, const std::int32_t* from, V8 (&v)[kLanes]) {
-    for (int i = 0; i < kLanes; ++i) v[i] = load(base + from[i]);
-    transpose(v);
-}
-
 /// out[0..N) += the first N lanes of v; N = 1, 3 or 6. Nothing else is touched.
 template <int N>
 HAWSER_INLINE void add_lanes(double* out, const V8& v) {

@@ -91,19 +91,17 @@ int Interactions::add(const InteractionDef& filled, const Bodies& bodies_in, dou
     p.ids.push_back(id);
     p.data.resize(p.ids.size() * stride);
 
-    int width = 0;
     for (int b = 0; b < kMaxInteractionBodies; ++b) {
         const bool used = b < info.bodies;
         const std::int32_t index = used ? d.body[static_cast<std::size_t>(b)].index : -1;
         body.push_back(index);
-        if (used) width += bodies_in.dof(index);
     }
     bodies.push_back(static_cast<std::uint8_t>(info.bodies));
     rows.push_back(static_cast<std::uint8_t>(info.rows));
     row_begin.push_back(row_count);
-    jac_begin.push_back(jac_size);
+    jac_begin.push_back(0);
+    arms.push_back(0);
     row_count += info.rows;
-    jac_size += info.rows * width;
 
     inv_length.push_back(0.0);
     flags.push_back(flags_of(filled, spec[0], bodies_in));
@@ -184,7 +182,6 @@ void Interactions::truncate(int kept) {
     const auto n = at(kept);
     if (kept >= count()) return;
     row_count = row_begin[n];
-    jac_size = jac_begin[n];
     for (Pool& p : pool) {
         while (!p.ids.empty() && p.ids.back() >= kept) p.ids.pop_back();
         p.data.resize(p.ids.size() * p.stride);
@@ -194,7 +191,7 @@ void Interactions::truncate(int kept) {
     def.resize(n);
     pool_index.resize(n);
     body.resize(kMaxInteractionBodies * n);
-    for (base::Array<std::uint8_t>* a : {&bodies, &rows, &flags, &parted}) a->resize(n);
+    for (base::Array<std::uint8_t>* a : {&bodies, &rows, &flags, &parted, &arms}) a->resize(n);
     row_begin.resize(n);
     jac_begin.resize(n);
     geo.resize(n);
@@ -316,13 +313,13 @@ double Interactions::elastic(int id, const Bodies& b, double h) const noexcept {
 
 std::size_t Interactions::bytes() const noexcept {
     using base::bytes;
-    std::size_t total = bytes(def) + bytes(pool_index) + bytes(body) + bytes(bodies) + bytes(rows) +
-                        bytes(flags) + bytes(row_begin) + bytes(jac_begin) + bytes(geo) +
-                        bytes(active) + bytes(held) + bytes(low) + bytes(high) + bytes(anchor) +
-                        bytes(load_begin) + bytes(loads) + bytes(parted) + bytes(inv_length) +
-                        bytes(epsilon) + bytes(tau) + bytes(upsilon) + bytes(sigma) +
-                        bytes(inv_sigma) + bytes(g) + bytes(c) + bytes(residual) + bytes(lambda) +
-                        bytes(multiplier) + bytes(force) + bytes(row_flags) + bytes(jacobian);
+    std::size_t total =
+        bytes(def) + bytes(pool_index) + bytes(body) + bytes(bodies) + bytes(rows) + bytes(flags) +
+        bytes(row_begin) + bytes(jac_begin) + bytes(arms) + bytes(geo) + bytes(active) +
+        bytes(held) + bytes(low) + bytes(high) + bytes(anchor) + bytes(load_begin) + bytes(loads) +
+        bytes(parted) + bytes(inv_length) + bytes(epsilon) + bytes(tau) + bytes(upsilon) +
+        bytes(sigma) + bytes(inv_sigma) + bytes(g) + bytes(c) + bytes(residual) + bytes(lambda) +
+        bytes(multiplier) + bytes(force) + bytes(row_flags) + bytes(jacobian);
     for (const Pool& p : pool) total += bytes(p.ids) + bytes(p.data);
     return total;
 }

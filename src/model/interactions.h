@@ -4,8 +4,8 @@
 /// All interactions: typed pools of what evaluate() needs, and the rows as flat arrays.
 ///
 /// Indices: `id` counts interactions in the order added. Row r of interaction id is entry
-/// row_begin[id] + r of the row arrays. Its Jacobian is dense, row-major, `width` =
-/// Σ dof(body) wide, from jac_begin[id].
+/// row_begin[id] + r of the row arrays. Its Jacobian begins at jac_begin[id]: dense, row-major,
+/// `width` = Σ dof(body) wide, or in short where arms[id] (arms.h).
 
 #include <hawser/interactions.h>
 
@@ -72,8 +72,10 @@ struct Interactions {
     // By interaction.
     base::Array<std::int32_t> body;  ///< kMaxInteractionBodies an id; −1 behind the last.
     base::Array<std::uint8_t> bodies, rows, flags;
-    base::Array<std::int32_t> row_begin, jac_begin;
-    std::vector<std::int32_t> geo;  ///< Index of the geometric-stiffness record, or −1.
+    base::Array<std::int32_t> row_begin;
+    base::Array<std::int32_t> jac_begin;  ///< Set by the analysis, like …
+    base::Array<std::uint8_t> arms;       ///< … this: 0, or of ArmsFlag.
+    std::vector<std::int32_t> geo;        ///< Index of the geometric-stiffness record, or −1.
     /// 1; or 0: its rows ask for nothing, and the first has the impulse `held`: slack, inside its
     /// range or parted (0), or a motor or friction at a bound.
     base::Array<double> active;
@@ -104,7 +106,7 @@ struct Interactions {
     base::Array<std::uint8_t> row_flags;
 
     base::Array<double> jacobian;
-    std::int32_t row_count = 0, jac_size = 0, geo_count = 0;
+    std::int32_t row_count = 0, geo_count = 0;
 
     [[nodiscard]] int count() const noexcept { return static_cast<int>(def.size()); }
     /// Append; `filled` is checked and complete. Row constants depend on h.

@@ -14,7 +14,8 @@ namespace {
 /// λ·G (v + v₊)/2 over the rows: what an interaction does to the kinetic energy of the bodies
 /// that move. Exact for the scheme: its velocities change by M⁻¹Gᵀλ.
 double work_on_bodies(const assembly::View& v, std::int32_t id, bool rigid_rows_only) noexcept {
-    const double* jac = v.jacobian + v.jac_begin[id];
+    double room[model::kArmRoom];
+    const double* jac = packed_rows(v, id, room);
     double work = 0.0;
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;

@@ -94,7 +94,8 @@ Energy energy(StepContext& ctx) noexcept {
         const bool line = (v.flags[id] & model::kOneSided) != 0;
         if (v.flags[id] & model::kFriction) continue;  // counted as driven
         if (line ? v.parted[id] != 0 : v.active[id] == 0.0) continue;
-        const double* jac = v.jacobian + v.jac_begin[id];
+        double room[model::kArmRoom];
+        const double* jac = packed_rows(v, id, room);
         const bool rests = ctx.system.rests(id);  // and has not been evaluated
         const model::RowState s = rests ? ctx.interactions.row_state(id, b) : model::RowState{};
         for (int r = 0; r < v.rows[id]; ++r) {

@@ -22,7 +22,8 @@ struct Rates {
 
 /// From the Jacobian. With what bodies with a prescribed velocity add.
 void rates_by_jacobian(StepContext& ctx, const View& v, std::int32_t id, Rates& out) noexcept {
-    const double* jac = v.jacobian + v.jac_begin[id];
+    double room[model::kArmRoom];
+    const double* jac = packed_rows(v, id, room);
     const bool carried = (v.flags[id] & model::kCarried) != 0;
     const model::RowState s =
         carried ? ctx.interactions.row_state(id, ctx.bodies) : model::RowState{};

@@ -47,7 +47,8 @@ void count_analysis(StepContext& ctx) noexcept {
 }  // namespace
 
 double row_speed(const View& v, std::int32_t id) noexcept {
-    const double* jac = v.jacobian + v.jac_begin[id];
+    double room[model::kArmRoom];
+    const double* jac = packed_rows(v, id, room);
     double sum = 0.0;
     for (int b = 0; b < v.bodies[id]; ++b) {
         const std::int32_t body = v.body[kMaxInteractionBodies * id + b];

@@ -118,4 +118,29 @@ Recipe mixed(std::uint64_t seed, int links) {
     return r;
 }
 
+Recipe chains(std::uint64_t seed, int count, int links) {
+    Random random(seed);
+    Recipe r;
+    const BodyId ground = r.ground();
+    std::vector<BodyId> end;
+    std::vector<Vec3> tip;
+    for (int c = 0; c < count; ++c) {
+        BodyId last = ground;
+        Vec3 joint(8.0 * c, 0, 0);
+        for (int i = 0; i < links; ++i) {
+            const Vec3 next = joint + Vec3(0.6, 0.2, 0.5) + random.vector(0.4);
+            const BodyId link = random_rigid(r, random, 0.5 * (joint + next) + random.vector(0.1));
+            r.add(r.at(InteractionKind::Ball, {last, link}, joint));
+            last = link;
+            joint = next;
+        }
+        end.push_back(last);
+        tip.push_back(joint);
+    }
+    const BodyId hull = random_rigid(r, random, tip.front() + Vec3(1, 1, 1));
+    for (std::size_t c = 0; c < end.size(); ++c)
+        r.add(r.at(InteractionKind::Ball, {end[c], hull}, tip[c]));
+    return r;
+}
+
 }  // namespace hawser::test

@@ -43,9 +43,26 @@ inline void outer(const double* ja, const double* jb, int width, const double* w
     }
 }
 
+/// Damping of a joint in short: what it has for `geometric`.
+void damp_arms(const View& view, const Op& op, Place out) {
+    const double damping = view.jacobian[op.jac_a + model::kArmsDamping];
+    for (int i = 3; i < 6; ++i) out(i, i) += op.a == op.b ? damping : -damping;
+}
+
+/// condense() of a joint in short, and its damping.
+void condense_arms(const View& view, const Op& op, Place out) {
+    double room[model::kArmRoom], w[model::kArmRows];
+    model::unpack_arms(view.jacobian + op.jac_a, room);
+    for (int r = 0; r < model::kArmRows; ++r)
+        w[r] = view.active[op.id] * view.inv_sigma[view.row_begin[op.id] + r];
+    outer<6, 6>(room + 6 * op.a, room + 6 * op.b, model::kArmWidth, w, model::kArmRows, out);
+    damp_arms(view, op, out);
+}
+
 void condense(const View& view, const Op& op, Place out) {
     const double *ja = view.jacobian + op.jac_a, *jb = view.jacobian + op.jac_b;
     const int rows = view.rows[op.id];
+    if (op.width == 0) return condense_arms(view, op, out);
     double w[kMaxInteractionRows];
     for (int r = 0; r < rows; ++r)
         w[r] = view.active[op.id] * view.inv_sigma[view.row_begin[op.id] + r];
@@ -100,6 +117,7 @@ inline M3 product(const M3& p, const M3& q) {
 
 /// Blocks of geo.h: line part Aᵀ k A with A = ±[E, −r̂], and damping.
 void geometric(const View& view, const Op& op, Place out) {
+    if (op.width == 0) return damp_arms(view, op, out);
     const double* rec = view.geo_record + view.geo[op.id].record;
     const bool rigid_a = op.dof_a == 6, rigid_b = op.dof_b == 6;
     const bool same = op.a == op.b;
@@ -144,10 +162,17 @@ void kept(const View& view, const Op& op, Place out) {
     const bool below = op.kind == Op::kept_rows;  // rows of G below the body's columns
     const double* jac = view.jacobian + (below ? op.jac_b : op.jac_a);
     const int dof = below ? op.dof_b : op.dof_a;
+    int width = op.width;
+    double room[model::kArmRoom];
+    if (width == 0) {
+        model::unpack_arms(jac, room);
+        jac = room + 6 * (below ? op.b : op.a);
+        width = model::kArmWidth;
+    }
     const double on = view.active[op.id];
     const Place g = below ? out : Place{out.first, out.ld, out.step};
     for (int r = 0; r < rows; ++r)
-        for (int j = 0; j < dof; ++j) g(r, j) += on * jac[r * op.width + j];
+        for (int j = 0; j < dof; ++j) g(r, j) += on * jac[r * width + j];
 }
 
 /// K_ab or K_ba of a pair of bodies in contact.

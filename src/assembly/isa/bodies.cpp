@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Loops over bodies: right-hand sides of the solver, residuals, norms, and the motion.
 #include "assembly/geo.h"
+#include "assembly/isa/links.h"
 #include "assembly/isa/rows.h"
 #include "base/simd.h"
 
@@ -25,6 +26,15 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
         const assembly::Incidence& in = view.incident[k];
         const double* jac = view.jacobian + in.jacobian;
         const double* yr = y + in.row;
+        if (in.width == 0) {  // in short; rows = 0: at rest
+            if (in.rows == 0) continue;
+            const double sign = in.slot == 0 ? -1.0 : 1.0;
+            const V3 p = sign * load3(yr);
+            V3 turn = cross(load3(jac), p);
+            if (!kAtRest) turn = turn + sign * load3(view.geo_force + in.geo_force);
+            acc += V8{p.x, p.y, p.z, turn.x, turn.y, turn.z, 0.0, 0.0};
+            continue;
+        }
         for (int r = 0; r < in.rows; ++r) acc += yr[r] * load_at_least(jac + r * in.width, dof);
         if (!kAtRest && in.geo_force >= 0) acc -= load_at_least(view.geo_force + in.geo_force, dof);
     }
@@ -34,6 +44,16 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
     store(sum8, acc);
     // Entry by entry: reading mv as a vector would wait for its scalar stores.
     for (int j = 0; j < dof; ++j) out[j] = sum8[j] - mv[j];
+}
+
+/// The same of eight links into the solver's vector.
+template <bool kAtRest>
+void links_rhs(const View& view, std::int32_t body, const double* y) {
+    V8 out[kLanes];
+    eight_rhs<kAtRest>(view, body, y, out);
+    transpose(out);
+    for (int l = 0; l < kLanes; ++l)
+        store_lanes(view.solution + view.body_offset[body + l], out[l], 0, 6);
 }
 
 }  // namespace
@@ -59,6 +79,15 @@ void first_body_rhs(const View& view, std::int32_t begin, std::int32_t end, bool
         if (view.dof[body] == 0) continue;
         double* v = view.v_new + view.dof_begin[body];
         const double* start = view.v_start + view.dof_begin[body];
+        if (body + kLanes <= end && eight_links(view, body)) {
+            for (int j = 0; j < 6 * kLanes; ++j) v[j] = moving ? start[j] : 0.0;
+            if (moving)
+                links_rhs<false>(view, body, view.multiplier);
+            else
+                links_rhs<true>(view, body, view.multiplier);
+            body += kLanes - 1;
+            continue;
+        }
         double* rhs = view.solution + view.body_offset[body];
         for (int j = 0; j < view.dof[body]; ++j) v[j] = moving ? start[j] : 0.0;
         if (moving)
@@ -69,10 +98,15 @@ void first_body_rhs(const View& view, std::int32_t begin, std::int32_t end, bool
 }
 
 void body_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept {
-    for (std::int32_t body = begin; body < end; ++body)
-        if (view.dof[body] > 0)
+    for (std::int32_t body = begin; body < end; ++body) {
+        if (body + kLanes <= end && eight_links(view, body)) {
+            links_rhs<false>(view, body, view.multiplier);
+            body += kLanes - 1;
+        } else if (view.dof[body] > 0) {
             momentum_rhs<false>(view, body, view.multiplier,
                                 view.solution + view.body_offset[body]);
+        }
+    }
 }
 
 void momentum_residual(const View& view, std::int32_t body, double* out) noexcept {

@@ -2,7 +2,7 @@
 /// Norms over bodies: residual of momentum, what forces and drag do. Rigid bodies that stand in a
 /// row go eight at a time.
 #include "assembly/geo.h"
-#include "assembly/isa/rigid_lanes.h"
+#include "assembly/isa/links.h"
 #include "assembly/isa/rows.h"
 #include "base/simd.h"
 
@@ -58,13 +58,27 @@ void one_body(const View& view, std::int32_t body, Norms& n) {
     n.impulse += inverse_mass_norm(view, body, diff);
 }
 
+/// The residuals of momentum of eight rigid bodies, in lanes and where they are kept.
+void eight_residuals(const View& view, std::int32_t body, V8 (&p)[kLanes]) {
+    double* out = view.momentum + view.dof_begin[body];
+    if (!eight_links(view, body)) {
+        for (int l = 0; l < kLanes; ++l) momentum_residual(view, body + l, out + 6 * l);
+        load_bodies(out, 6, p);
+        return;
+    }
+    eight_rhs<false>(view, body, view.lambda, p);
+    V8 t[kLanes];
+    for (int l = 0; l < kLanes; ++l) t[l] = p[l];
+    store_bodies(out, 6, 6, t);
+}
+
 void eight_bodies(const View& view, std::int32_t body, Norms& n) {
     const std::int32_t begin = view.dof_begin[body];
     V8 v[kLanes], u[kLanes], a[kLanes], p[kLanes], f[kLanes], d[kLanes];
+    eight_residuals(view, body, p);
     load_bodies(view.v + begin, 6, v);
     load_bodies(view.v_new + begin, 6, u);
     load_bodies(view.a + begin, 6, a);
-    load_bodies(view.momentum + begin, 6, p);
     load_bodies(view.force + 6L * body, 6, f);
     load_bodies(view.damping + 6L * body, 6, d);
     V8 low[kLanes], high[kLanes];  // entries 0-7 and 4-11
@@ -104,15 +118,13 @@ void eight_bodies(const View& view, std::int32_t body, Norms& n) {
 void body_norms(const View& view, std::int32_t begin, std::int32_t end, Norms* norms) noexcept {
     Norms n = *norms;
     for (std::int32_t body = begin; body < end; ++body) {
-        const bool eight = body + kLanes <= end && eight_rigid(view, body);
-        const std::int32_t last = eight ? body + kLanes : body + 1;
-        for (std::int32_t b = body; b < last; ++b)
-            if (view.dof[b] > 0) momentum_residual(view, b, view.momentum + view.dof_begin[b]);
-        if (eight)
+        if (body + kLanes <= end && eight_rigid(view, body)) {
             eight_bodies(view, body, n);
-        else if (view.dof[body] > 0)
+            body += kLanes - 1;
+        } else if (view.dof[body] > 0) {
+            momentum_residual(view, body, view.momentum + view.dof_begin[body]);
             one_body(view, body, n);
-        body = last - 1;
+        }
     }
     *norms = n;
 }

@@ -2,7 +2,7 @@
 /// What bodies bring to the step's equations: their blocks M̃ and right-hand sides a. Rigid bodies
 /// that stand in a row go eight at a time.
 #include "assembly/geo.h"
-#include "assembly/isa/rigid_lanes.h"
+#include "assembly/isa/links.h"
 #include "assembly/isa/rows.h"
 #include "base/simd.h"
 
@@ -119,6 +119,21 @@ void own_terms(const View& view, std::int32_t body) {
     store_sym(block + 6, world);
 }
 
+/// What a joint in short adds to a body's own terms.
+void add_arm(const View& view, const assembly::Incidence& in, const double* v, double* block,
+             double* a) {
+    const ArmsT<double> arms = load_arms(view.jacobian + in.jacobian - 3 * in.slot);
+    const double sign = in.slot == 0 ? -1.0 : 1.0;
+    const V3 f = (view.active[in.geo_arm] / view.h) * load3(view.lambda + in.row);
+    const double n0 = norm(arms.r0), n1 = norm(arms.r1), nf = norm(f);
+    const double stiff = joint_terms(view, nf, n0, n1, arms.swing).stiff;
+    double arm[6];
+    arm_stiffness(sign * f, nf, in.slot == 0 ? arms.r0 : arms.r1, in.slot == 0 ? n0 : n1, stiff,
+                  arm);
+    for (int i = 0; i < 6; ++i) block[6 + i] += arm[i];
+    add3(a + 3, mul6(arm, load3(v + 3)) - sign * load3(view.geo_force + in.geo_force + 3));
+}
+
 /// What interactions' geometric stiffness adds to a body's own terms.
 void add_geometric(const View& view, std::int32_t body) {
     const int dof = view.dof[body];
@@ -128,6 +143,10 @@ void add_geometric(const View& view, std::int32_t body) {
     for (std::int32_t k = view.incident_begin[body]; k < view.incident_begin[body + 1]; ++k) {
         const assembly::Incidence& in = view.incident[k];
         if (in.geo_force < 0) continue;
+        if (in.width == 0) {
+            add_arm(view, in, v, block, a);
+            continue;
+        }
         const double* force = view.geo_force + in.geo_force + (in.geo_arm < 0 ? 3 : 6);
         add3(a, load3(force));
         if (dof < 6 || in.geo_arm < 0) continue;
@@ -138,7 +157,8 @@ void add_geometric(const View& view, std::int32_t body) {
     }
 }
 
-/// own_terms() of eight rigid bodies.
+/// own_terms() of eight rigid bodies; of eight links also what their joints add.
+template <bool kLinks>
 void rigid_terms(const View& view, std::int32_t body) {
     const W8 h = W8{} + view.h, none{};
     V8 v[kLanes], f[kLanes], d[kLanes], change[kLanes];
@@ -155,7 +175,7 @@ void rigid_terms(const View& view, std::int32_t body) {
     const W3 spin = tmul(r, W3{v[3], v[4], v[5]});
     const W3 free = r * free_rotation(inertia, inverse, spin, h);
     const W3 gyro = forced_gyro(inertia, spin, W3{change[0], change[1], change[2]}, h);
-    const W3 turn = world * free + r * gyro + h * W3{f[3], f[4], f[5]};
+    W3 turn = world * free + r * gyro + h * W3{f[3], f[4], f[5]};
     WM3 lin{{m, none, none, none, m, none, none, none, m}};
     auto add_drag = [&](const V8* diagonal, WM3& to) {
         const W8 s[9] = {diagonal[0], none, none, none, diagonal[1], none, none, none, diagonal[2]};
@@ -165,6 +185,19 @@ void rigid_terms(const View& view, std::int32_t body) {
     if (any(d[0]) || any(d[1]) || any(d[2])) add_drag(d, lin);
     if (any(d[3]) || any(d[4]) || any(d[5])) add_drag(d + 3, world);
 
+    if constexpr (kLinks) {
+        const LinkJoints joints(view, body);
+        LinkArms arms;
+        stiffen_links(view, joints, arms);
+        W8 sum[6];
+        for (int i = 0; i < 6; ++i) sum[i] = arms.first[i] + arms.second[i];
+        constexpr int kPlace[6] = {0, 1, 2, 4, 5, 8};
+        for (int i = 0; i < 6; ++i) world.a[kPlace[i]] += sum[i];
+        W3 unused, in, next;
+        load_twists(view.geo_force + joints.place->geo_force, unused, in);
+        load_twists(view.geo_force + joints.place->geo_force + 6, unused, next);
+        turn = turn + mul6(sum, W3{v[3], v[4], v[5]}) + next - in;
+    }
     double weight[kLanes];
     for (int l = 0; l < kLanes; ++l) weight[l] = view.weight[body + l] ? view.h : 0.0;
     const V8 w = load(weight) * m;
@@ -203,7 +236,12 @@ void rigid_terms(const View& view, std::int32_t body) {
 void body_terms(const View& view, std::int32_t begin, std::int32_t end) noexcept {
     for (std::int32_t body = begin; body < end; ++body) {
         if (body + kLanes <= end && eight_rigid(view, body)) {
-            rigid_terms(view, body);
+            if (eight_links(view, body)) {
+                rigid_terms<true>(view, body);
+                body += kLanes - 1;
+                continue;
+            }
+            rigid_terms<false>(view, body);
             for (int l = 0; l < kLanes; ++l) add_geometric(view, body + l);
             body += kLanes - 1;
             continue;

@@ -40,12 +40,6 @@ void move_body(const View& view, std::int32_t body) {
     for (int i = 0; i < 9; ++i) view.r[9 * body + i] = m.a[i];
 }
 
-/// `count` doubles a body from lanes, at `stride`.
-void store_bodies(double* first, int stride, int count, V8 (&v)[kLanes]) {
-    transpose(v);
-    for (int l = 0; l < kLanes; ++l) store_lanes(first + l * stride, v[l], 0, count);
-}
-
 /// move_body() of eight rigid bodies.
 void move_eight(const View& view, std::int32_t body) {
     const std::int32_t begin = view.dof_begin[body];

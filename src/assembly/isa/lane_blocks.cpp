@@ -2,8 +2,9 @@
 /// Writes blocks of several chains at once into the lanes of a batch step. Same terms as
 /// blocks.cpp.
 #include "assembly/geo.h"
+#include "assembly/isa/arms.h"
 #include "assembly/isa/rows.h"
-#include "base/simd.h"
+#include "base/transpose.h"
 
 namespace hawser::HAWSER_ISA {
 namespace {
@@ -80,7 +81,49 @@ inline void outer(const View& view, const LaneOp& op, LanePlace out) {
     outer_side<false, DA, DB>(view, op, out);
 }
 
+/// condense() of joints in short, with their damping: most of G is known.
+void condense_arms(const View& view, const LaneOp& op, LanePlace out) {
+    const ArmsT<W8> arms = lane_arms(view.jacobian, op.from);
+    const V8 used = used_lanes(op), on = used * pick(view.active, op.id);
+    const V8 damping = used * arms.damping;
+    V8 w[3], a[3][3], b[3][3];
+    for (int r = 0; r < 3; ++r) w[r] = on * pick_row(view, view.inv_sigma, op.id, r);
+    arm_rows<W8>(op.a == 0 ? arms.r0 : arms.r1, a);
+    if (op.a == op.b) {
+        for (int i = 0; i < 3; ++i) {
+            out.add(i, i, w[i]);
+            for (int j = 0; j < 3; ++j)
+                if (j != i) out.add(3 + j, i, w[i] * a[i][j]);
+        }
+        for (int k = 0; k < 3; ++k)
+            for (int j = k; j < 3; ++j) {
+                V8 sum = j == k ? damping : V8{};
+                for (int i = 0; i < 3; ++i)
+                    if (i != j && i != k) sum += w[i] * a[i][j] * a[i][k];
+                out.add(3 + j, 3 + k, sum);
+            }
+        return;
+    }
+    arm_rows<W8>(op.b == 0 ? arms.r0 : arms.r1, b);
+    for (int i = 0; i < 3; ++i) {
+        out.add(i, i, -w[i]);
+        for (int j = 0; j < 3; ++j) {
+            if (j == i) continue;
+            out.add(3 + j, i, -w[i] * a[i][j]);
+            out.add(i, 3 + j, -w[i] * b[i][j]);
+        }
+    }
+    for (int k = 0; k < 3; ++k)
+        for (int j = 0; j < 3; ++j) {
+            V8 sum = j == k ? damping : V8{};
+            for (int i = 0; i < 3; ++i)
+                if (i != j && i != k) sum += w[i] * a[i][j] * b[i][k];
+            out.add(3 + j, 3 + k, -sum);
+        }
+}
+
 void condense(const View& view, const LaneOp& op, LanePlace out) {
+    if (op.width == 0) return condense_arms(view, op, out);
     switch (8 * op.dof_a + op.dof_b) {
         case 8 * 3 + 3:
             outer<3, 3>(view, op, out);
@@ -110,6 +153,11 @@ void geometric(const View& view, const LaneOp& op, LanePlace out) {
     const bool rigid_a = op.dof_a == 6, rigid_b = op.dof_b == 6;
     const bool same = op.a == op.b;
     const V8 sign = used_lanes(op) * (same ? 1.0 : -1.0);
+    if (op.width == 0) {
+        const V8 damping = sign * pick(view.jacobian, op.from, model::kArmsDamping);
+        for (int i = 3; i < 6; ++i) out.add(i, i, damping);
+        return;
+    }
     V8 head[kLanes];  // w, u, r0, first of r1
     load_lanes(view.geo_record, op.from, head);
     if (any(head[0])) {
@@ -177,6 +225,20 @@ void kept(const View& view, const LaneOp& op, LanePlace out) {
     const bool below = op.kind == Op::kept_rows;
     const V8 on = used_lanes(op) * pick(view.active, op.id);
     const int dof = below ? op.dof_b : op.dof_a;
+    if (op.width == 0) {
+        const int slot = below ? op.b : op.a;
+        const ArmsT<W8> arms = lane_arms(view.jacobian, op.from);
+        const V8 sign = slot == 0 ? -on : on;
+        V8 arm[3][3];
+        arm_rows<W8>(slot == 0 ? arms.r0 : arms.r1, arm);
+        auto add = [&](int r, int j, const V8& v) { out.add(below ? r : j, below ? j : r, v); };
+        for (int r = 0; r < 3; ++r) {
+            add(r, r, sign);
+            for (int j = 0; j < 3; ++j)
+                if (j != r) add(r, 3 + j, sign * arm[r][j]);
+        }
+        return;
+    }
     for (int r = 0; r < op.rows; ++r) {
         V8 row[kLanes];
         load_lanes(view.jacobian + r * op.width + (below ? op.to_b : 0), op.from, row);

@@ -7,7 +7,7 @@
 
 #include "assembly/geo.h"
 #include "assembly/isa/rows.h"
-#include "base/simd.h"
+#include "base/transpose.h"
 #include "model/kinds/all.h"
 
 #include <algorithm>
@@ -52,8 +52,9 @@ struct LaneRows {
                     view.dof_begin[i] + kLanes > view.dof_count)
                     return false;
             }
-            if (K::kGeometry != Geometry::none && view.geo[id[l]].dof != D) return false;
-            if (K::kGeometry != Geometry::none && view.geo[id[l]].record < 0) return false;
+            if (K::kGeometry == Geometry::joint && view.arms[id[l]] == 0) return false;
+            if (K::kGeometry != Geometry::line) continue;
+            if (view.geo[id[l]].dof != D || view.geo[id[l]].record < 0) return false;
         }
         return true;
     }
@@ -99,7 +100,7 @@ struct LaneRows {
         Rows<B, R, W8> rows;
         K::evaluate(fields, refs, rows);
         write_rows(rows, v, start);
-        write_jacobian(rows);
+        if constexpr (K::kGeometry != Geometry::joint) write_jacobian(rows);
         for (int l = 0; l < kLanes; ++l)
             if (view.parted[id[l]]) view.active[id[l]] = 0.0;
         if constexpr (K::kGeometry == Geometry::line) line(refs, rows, v, start);
@@ -194,44 +195,25 @@ struct LaneRows {
         put_force<kLanes, 4>(high);
     }
 
-    /// Record of a joint between rigid bodies, and its parts of M̃ v and of a.
+    /// Records and torques of damping of joints in short.
     void joint(const typename K::template DataT<W8>& data, const Ref* refs,
                const V8 (&v)[B][kLanes], const V8 (&start)[B][kLanes]) const {
-        const W8 none{}, on = (1.0 / view.h) * pick(view.active, id, 0);
-        const W8 scale = constant(on, 0.25 * view.h * view.h * view.geometric_stiffness);
-        const V3T<W8> f1{on * pick(view.lambda, row, 0), on * pick(view.lambda, row, 1),
-                         on * pick(view.lambda, row, 2)};
+        const W8 on = (1.0 / view.h) * pick(view.active, id, 0);
+        const V3T<W8> f{on * pick(view.lambda, row, 0), on * pick(view.lambda, row, 1),
+                        on * pick(view.lambda, row, 2)};
         const V3T<W8> r0 = refs[0].arm(data.point[0]), r1 = refs[1].arm(data.point[1]);
-        const W8 nf = norm(f1), n0 = norm(r0), n1 = norm(r1);
         double swing[kLanes];
         for (int l = 0; l < kLanes; ++l)
-            swing[l] = view.geo_record[view.geo[id[l]].record + assembly::kGeoSwing];
-        const W8 push = (view.h * view.h) * nf, s4 = 4.0 * push * load(swing);
-        const W8 unit = one(s4), fast = unresolved(s4),
-                 stiff = scale * (unit + kMoreStiffness * fast);
-        W8 arm0[6], arm1[6];
-        arm_stiffness(-f1, nf, r0, n0, stiff, arm0);
-        arm_stiffness(f1, nf, r1, n1, stiff, arm1);
-        const W8 need = select_greater(unit, s4, s4 * s4, unit + kMoreDamping * fast);
-        const W8 half = push * view.rotation_damping * select_greater(n1, n0, n0, n1) * need;
-        const W8 damping = half * (unit + fast), back = half * (unit - fast);
-        V8 a[kLanes] = {none, none, none, none, r0.x, r0.y, r0.z, r1.x};
-        V8 b[kLanes] = {r1.y, r1.z, arm0[0], arm0[1], arm0[2], arm0[3], arm0[4], arm0[5]};
-        V8 c[kLanes] = {arm1[0], arm1[1], arm1[2], arm1[3], arm1[4], arm1[5], damping, none};
-        put_record<0, kLanes>(a);
-        put_record<8, kLanes>(b);
-        put_record<16, kLanes - 1>(c);  // what follows is constant
-        W8 d[3], s[3];
+            swing[l] = view.jacobian[view.jac_begin[id[l]] + model::kArmsSwing];
+        const JointTerms<W8> t = joint_terms(view, norm(f), norm(r0), norm(r1), W8(load(swing)));
+        V8 record[kLanes] = {r0.x, r0.y, r0.z, r1.x, r1.y, r1.z, t.damping, load(swing)};
+        put<0, kLanes>(view.jacobian, [&](std::int32_t i) { return view.jac_begin[i]; }, record);
+        V8 force[kLanes] = {};
         for (int i = 0; i < 3; ++i) {
-            d[i] = damping * (start[0][3 + i] - start[1][3 + i]);
-            s[i] = back * (v[1][3 + i] - v[0][3 + i]);
+            force[i] = t.damping * (start[0][3 + i] - start[1][3 + i]);
+            force[3 + i] = t.back * (v[1][3 + i] - v[0][3 + i]);
         }
-        V8 first[kLanes] = {none, none, none, d[0], d[1], d[2], none, none};
-        V8 second[kLanes] = {none, s[0], s[1], s[2], none, none, none, -d[0]};
-        V8 third[kLanes] = {-d[1], -d[2], none, none, none, -s[0], -s[1], -s[2]};
-        put_force<0, kLanes>(first);
-        put_force<8, kLanes>(second);
-        put_force<16, kLanes>(third);
+        put_force<0, 6>(force);
     }
 };
 

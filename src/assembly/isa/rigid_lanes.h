@@ -4,7 +4,7 @@
 /// Eight rigid bodies that stand in a row, a body a lane.
 
 #include "assembly/view.h"
-#include "base/simd.h"
+#include "base/transpose.h"
 
 namespace hawser::HAWSER_ISA {
 
@@ -25,6 +25,11 @@ inline void load_bodies(const double* first, int stride, V8 (&v)[kLanes]) {
     const int own = stride < kLanes ? stride : kLanes;
     for (int l = 0; l < kLanes; ++l) v[l] = load_at_least(first + l * stride, own);
     transpose(v);
+}
+/// The other way round: the first `count` of each; turns v.
+inline void store_bodies(double* first, int stride, int count, V8 (&v)[kLanes]) {
+    transpose(v);
+    for (int l = 0; l < kLanes; ++l) store_lanes(first + l * stride, v[l], 0, count);
 }
 inline WM3 load_bodies9(const double* first) {
     V8 v[kLanes], last[kLanes];

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Violation, Jacobian and right-hand side of every row; residuals and multipliers.
+/// Violation, Jacobian and right-hand side of every row.
 #include "assembly/isa/rows.h"
 
 #include "assembly/geo.h"
+#include "assembly/isa/geo_force.h"
 #include "assembly/isa/lane_rows.h"
 #include "base/simd.h"
 #include "model/kinds/all.h"
@@ -13,51 +14,6 @@ namespace {
 using assembly::View;
 
 constexpr int kSlots = kMaxInteractionBodies;
-
-/// Velocity of a slot from a packed array; bodies without freedom use v_fixed.
-void slot_velocity(const View& view, const double* v, std::int32_t body, V3& lin, V3& ang) {
-    const int dof = view.dof[body];
-    const double* given = v == view.v ? view.v_before : view.v_fixed;
-    const double* p = dof == 0 ? given + 6 * body : v + view.dof_begin[body];
-    lin = dof == 1 ? V3{0, 0, 0} : load3(p);
-    ang = dof == 6 || dof == 0 ? load3(p + 3) : V3{0, 0, 0};
-}
-
-/// An interaction's part of M̃ v on its two bodies, see geo.h; with `damping`, as geo_product(), of
-/// a. @param from  0 or dof: which half of a slot, see GeoPlace.
-inline void geo_force(const View& view, std::int32_t id, const double* v, double damping = 1.0,
-                      int from = 0) {
-    const assembly::GeoPlace& place = view.geo[id];
-    const double* rec = view.geo_record + place.record;
-    double* out[2] = {view.geo_force + place.slot(0) + from, view.geo_force + place.slot(1) + from};
-    const std::int32_t* body = view.body + kSlots * id;
-    if (place.dof == 3) {  // no arms
-        const V3 u = load3(rec + 1);
-        V3 lin[2], ang;
-        for (int b = 0; b < 2; ++b) slot_velocity(view, v, body[b], lin[b], ang);
-        const V3 rel = lin[0] - lin[1], t = rec[0] * (rel - dot(u, rel) * u);
-        store3(out[0], t);
-        store3(out[1], -t);
-        return;
-    }
-    if (rec[0] == 0.0 && rec[22] == 0.0) {
-        for (double* o : out)
-            for (int i = 0; i < 6; ++i) o[i] = 0.0;
-        return;
-    }
-    if (rec[0] == 0.0) {  // damping of a joint between two rigid bodies
-        const V3 d = (damping * rec[22]) * (load3(v + view.dof_begin[body[0]] + 3) -
-                                            load3(v + view.dof_begin[body[1]] + 3));
-        store3(out[0], {0, 0, 0});
-        store3(out[0] + 3, d);
-        store3(out[1], {0, 0, 0});
-        store3(out[1] + 3, -d);
-        return;
-    }
-    V3 lin[2], ang[2];
-    for (int b = 0; b < 2; ++b) slot_velocity(view, v, body[b], lin[b], ang[b]);
-    geo_product(rec, lin, ang, damping, out[0], out[1]);
-}
 
 /// Force on slot b at the joint's point: the first three rows are translations along ±E. @return by
 /// how much less the damping of the record acts on the velocity before the step.
@@ -95,16 +51,34 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
     store3(rec + 7, r1);
     if (!rigid0 && !rigid1) return 1.0;
     const double nf = norm(f1), n0 = norm(r0), n1 = norm(r1);
-    const double push = view.h * view.h * nf, s = 4.0 * push * rec[assembly::kGeoSwing];
     const bool joint = K::kGeometry == Geometry::joint && rigid0 && rigid1;
-    const double fast = joint ? unresolved(s) : 0.0, stiff = scale * (1.0 + kMoreStiffness * fast);
+    const JointTerms<double> t = joint_terms(view, nf, n0, n1, rec[assembly::kGeoSwing]);
+    const double stiff = joint ? t.stiff : scale;
     if (rigid0) arm_stiffness(-f1, nf, r0, n0, stiff, rec + 10);
     if (rigid1) arm_stiffness(f1, nf, r1, n1, stiff, rec + 16);
-    if (joint) {
-        const double need = s < 1.0 ? s * s : 1.0 + kMoreDamping * fast;
-        rec[22] = push * view.rotation_damping * (n0 < n1 ? n0 : n1) * need * (1.0 + fast);
-    }
-    return (1.0 - fast) / (1.0 + fast);
+    if (joint) rec[22] = t.damping;
+    return joint && t.damping > 0.0 ? t.back / t.damping : 1.0;
+}
+
+/// Record and torques of damping of a joint in short.
+template <class K>
+void evaluate_arms(const View& view, const typename K::Data& data, const BodyRef* refs,
+                   std::int32_t id) {
+    double* record = view.jacobian + view.jac_begin[id];
+    const V3 r0 = refs[0].arm(data.point[0]), r1 = refs[1].arm(data.point[1]);
+    const V3 f = (view.active[id] / view.h) * load3(view.lambda + view.row_begin[id]);
+    const JointTerms<double> t =
+        joint_terms(view, norm(f), norm(r0), norm(r1), record[model::kArmsSwing]);
+    store3(record, r0);
+    store3(record + 3, r1);
+    record[model::kArmsDamping] = t.damping;
+    auto turn = [&](const double* v) {  // ω₀ − ω₁
+        const std::int32_t* body = view.body + kSlots * id;
+        return load3(v + view.dof_begin[body[0]] + 3) - load3(v + view.dof_begin[body[1]] + 3);
+    };
+    double* force = view.geo_force + view.geo[id].force;
+    store3(force, t.damping * turn(view.v_start));
+    store3(force + 3, -t.back * turn(view.v));
 }
 
 template <class K>
@@ -136,7 +110,8 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         double speed[R] = {}, start[R] = {}, prescribed[R] = {}, before[R] = {};
         int width = 0;
         for (int b = 0; b < B; ++b) width += view.dof[body[b]];
-        double* out = view.jacobian + view.jac_begin[id];
+        double room[model::kArmRoom];
+        double* out = view.arms[id] ? room : view.jacobian + view.jac_begin[id];
         int at = 0;
         for (int b = 0; b < B; ++b) {
             const std::int32_t i = body[b];
@@ -190,6 +165,12 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         }
         if (view.flags[id] & 2) view.active[id] = rows.g[0] != 0.0 ? 1.0 : 0.0;  // range
         if (view.parted[id]) view.active[id] = 0.0;
+        if constexpr (std::is_same_v<K, kinds::Ball>) {
+            if (view.arms[id]) {
+                evaluate_arms<K>(view, data[k], refs, id);
+                continue;
+            }
+        }
         if constexpr (K::kGeometry != Geometry::none) {
             const double back = geometry<K>(view, data[k], refs, id, rows);
             if (view.geo[id].record >= 0) {
@@ -200,123 +181,11 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
     }
 }
 
-/// G u of one interaction for a packed vector u by body, R rows: one a lane, 0 in the others.
-template <int R, class Offset>
-inline V8 row_products(const View& view, std::int32_t id, const double* u, Offset offset) {
-    const std::int32_t* body = view.body + kSlots * id;
-    int width = 0;
-    for (int b = 0; b < view.bodies[id]; ++b) width += view.dof[body[b]];
-    V8 acc[R] = {};
-    const double* jac = view.jacobian + view.jac_begin[id];
-    for (int b = 0; b < view.bodies[id]; ++b) {
-        const int dof = view.dof[body[b]];
-        if (dof == 0) continue;
-        const V8 v = first_lanes(load_at_least(u + offset(body[b]), dof), dof);
-        for (int r = 0; r < R; ++r) acc[r] += load(jac + r * width) * v;
-        jac += dof;
-    }
-    return sums<R>(acc);
-}
-
-/// λ and the residuals of one interaction, a row in each lane.
-template <int R>
-inline void row_update_one(const View& view, std::int32_t id, bool first) {
-    const std::int32_t row = view.row_begin[id], offset = view.interaction_offset[id];
-    const double on = view.active[id];
-    const V8 kept = first_lanes(V8{} + (1.0 - on) * view.held[id], 1);
-    const V8 sigma = load_first(view.sigma + row, R), last = load_first(view.residual + row, R);
-    V8 change{}, total{};
-    if (first || offset < 0)
-        change = row_products<R>(view, id, view.solution,
-                                 [&](std::int32_t b) { return view.body_offset[b]; });
-    if (!first)
-        total = on * (load_first(view.c + row, R) -
-                      row_products<R>(view, id, view.v_new,
-                                      [&](std::int32_t b) { return view.dof_begin[b]; }));
-    // The first residual is that of the velocities at the start and of λ = 0.
-    const auto left = [&](const V8& lambda) {
-        return first ? last - on * change - sigma * lambda : total - sigma * (lambda - kept);
-    };
-    if (offset >= 0) {
-        const V8 before = first ? V8{} : load_first(view.lambda + row, R);
-        const V8 lambda = before - load_first(view.solution + offset, R);
-        const V8 residual = left(lambda);
-        store_lanes(view.lambda + row, lambda, 0, R);
-        store_lanes(view.residual + row, residual, 0, R);
-        store_lanes(view.multiplier + row, on * lambda + kept, 0, R);
-        store_lanes(view.solution + offset, residual, 0, R);
-        return;
-    }
-    const V8 inverse = load_first(view.inv_sigma + row, R);
-    const V8 before = first ? kept : load_first(view.lambda + row, R);
-    const V8 lambda = before + on * inverse * (last - change);
-    const V8 residual = left(lambda);
-    store_lanes(view.lambda + row, lambda, 0, R);
-    store_lanes(view.residual + row, residual, 0, R);
-    store_lanes(view.multiplier + row, on * (lambda + inverse * residual) + kept, 0, R);
-}
-
-template <int R>
-inline void row_update_of(const View& view, std::int32_t id, bool first) {
-    row_update_one<R>(view, id, first);
-    if (view.geo[id].record >= 0) geo_force(view, id, view.v_new);
-}
-
 }  // namespace
 
 void evaluate(const View& view, InteractionKind kind, const std::int32_t* ids, const void* data,
               std::int32_t begin, std::int32_t end) noexcept {
     with_kind(kind, [&]<class K>() { evaluate_kind<K>(view, ids, data, begin, end); });
-}
-
-void row_update(const View& view, std::int32_t begin, std::int32_t end, bool first) noexcept {
-    for (std::int32_t id = begin; id < end; ++id) {
-        switch (view.rows[id]) {
-            case 1:
-                row_update_of<1>(view, id, first);
-                break;
-            case 2:
-                row_update_of<2>(view, id, first);
-                break;
-            case 3:
-                row_update_of<3>(view, id, first);
-                break;
-            case 4:
-                row_update_of<4>(view, id, first);
-                break;
-            case 5:
-                row_update_of<5>(view, id, first);
-                break;
-            default:
-                row_update_of<6>(view, id, first);
-                break;
-        }
-    }
-}
-
-void row_norms(const View& view, std::int32_t begin, std::int32_t end,
-               assembly::Norms* norms) noexcept {
-    assembly::Norms n = *norms;
-    for (std::int32_t id = begin; id < end; ++id) {
-        const std::int32_t row = view.row_begin[id];
-        for (int r = 0; r < view.rows[id]; ++r) {
-            const double residual = __builtin_fabs(view.residual[row + r]);
-            if (!(residual <= n.constraint)) n.constraint = residual;
-            n.finite += view.lambda[row + r];
-            const double gap = __builtin_fabs(view.g[row + r]);
-            if ((view.row_flags[row + r] & 2) && !(gap <= n.gap)) {
-                n.gap = gap;
-                n.gap_id = id;
-            }
-        }
-        if (view.inv_length[id] > 0.0 && view.active[id] != 0.0) {
-            const double force = view.lambda[row] / view.h;
-            const double error = view.g[row] + view.epsilon[row] * force;
-            const double relative = __builtin_fabs(error) * view.inv_length[id];
-            if (!(relative <= n.stretch)) n.stretch = relative;
-        }
-    }
-    *norms = n;
 }
 
 }  // namespace hawser::HAWSER_ISA

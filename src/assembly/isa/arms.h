@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file arms.h
+/// Ball joints between rigid bodies whose Jacobian is in short (model/arms.h): their geometric
+/// terms, and the residuals of eight joints that follow each other.
+
+#include "assembly/geo.h"
+#include "base/transpose.h"
+
+#include <cstring>
+
+namespace hawser::HAWSER_ISA {
+
+/// An arms record; T: double, or eight joints in lanes.
+template <class T>
+struct ArmsT {
+    V3T<T> r0, r1;
+    T damping, swing;
+};
+
+inline ArmsT<double> load_arms(const double* record) {
+    return {load3(record), load3(record + 3), record[model::kArmsDamping],
+            record[model::kArmsSwing]};
+}
+
+/// Of eight records, record l at record + from[l].
+inline ArmsT<W8> lane_arms(const double* record, const std::int32_t* from) {
+    V8 t[kLanes];
+    load_lanes(record, from, t);
+    return {{t[0], t[1], t[2]}, {t[3], t[4], t[5]}, t[6], t[7]};
+}
+
+/// Of eight records that follow each other.
+inline ArmsT<W8> next_arms(const double* record) {
+    V8 t[kLanes];
+    for (int l = 0; l < kLanes; ++l) t[l] = load(record + model::kArms * l);
+    transpose(t);
+    return {{t[0], t[1], t[2]}, {t[3], t[4], t[5]}, t[6], t[7]};
+}
+
+/// r × e_i, the row i of the angular part of G on body 1.
+template <class T>
+inline void arm_rows(const V3T<T>& r, T (&rows)[3][3]) {
+    const T none = zero(r.x);
+    rows[0][0] = rows[1][1] = rows[2][2] = none;
+    rows[0][1] = r.z;
+    rows[0][2] = -r.y;
+    rows[1][0] = -r.z;
+    rows[1][2] = r.x;
+    rows[2][0] = r.y;
+    rows[2][1] = -r.x;
+}
+
+/// Do eight joints from `id` on have their Jacobians in short, and their rows condensed?
+inline bool eight_arms(const assembly::View& view, std::int32_t id) {
+    static_assert(model::kInShortCondensed == 3);
+    std::uint64_t flags;
+    std::memcpy(&flags, view.arms + id, sizeof flags);
+    return flags == 0x0303030303030303;
+}
+
+/// Torques of damping of eight joints that follow each other: of M̃ v, and of a.
+inline void load_twists(const double* force, V3T<W8>& momentum, V3T<W8>& start) {
+    V8 t[kLanes];
+    for (int l = 0; l < kLanes; ++l) t[l] = load_at_least(force + 6 * l, 6);
+    transpose(t);
+    momentum = {t[0], t[1], t[2]};
+    start = {t[3], t[4], t[5]};
+}
+
+/// Velocities of body `slot` of eight joints, or what else is packed by body.
+template <class Offset>
+inline void load_slots(const assembly::View& view, std::int32_t id, int slot, const double* packed,
+                       Offset offset, V8 (&v)[kLanes]) {
+    for (int l = 0; l < kLanes; ++l)
+        v[l] =
+            load_at_least(packed + offset(view.body[kMaxInteractionBodies * (id + l) + slot]), 6);
+    transpose(v);
+}
+
+/// G u of eight joints, three rows each, for a vector u packed by body; then ω₀ − ω₁ of it.
+template <class Offset>
+inline void eight_products(const assembly::View& view, std::int32_t id, const ArmsT<W8>& arms,
+                           const double* u, Offset offset, V8 (&rows)[3], V3T<W8>& turn) {
+    V8 a[kLanes], b[kLanes];
+    load_slots(view, id, 0, u, offset, a);
+    load_slots(view, id, 1, u, offset, b);
+    const V3T<W8> w0{a[3], a[4], a[5]}, w1{b[3], b[4], b[5]};
+    const V3T<W8> p = V3T<W8>{b[0], b[1], b[2]} - V3T<W8>{a[0], a[1], a[2]} + cross(w1, arms.r1) -
+                      cross(w0, arms.r0);
+    as_threes(p.x, p.y, p.z, rows);
+    turn = w0 - w1;
+}
+
+/// row_update() of eight_arms(): all that is by row goes through 24 rows as they lie.
+inline void eight_joints(const assembly::View& view, std::int32_t id, bool first) {
+    const ArmsT<W8> arms = next_arms(view.jacobian + view.jac_begin[id]);
+    const std::int32_t row = view.row_begin[id];
+    V8 change[3], now[3], on[3], kept[3];
+    V3T<W8> turn;
+    eight_products(
+        view, id, arms, view.solution, [&](std::int32_t b) { return view.body_offset[b]; }, change,
+        turn);
+    eight_products(
+        view, id, arms, view.v_new, [&](std::int32_t b) { return view.dof_begin[b]; }, now, turn);
+    const V8 active = load(view.active + id), none{};
+    as_threes(active, active, active, on);
+    as_threes((one(active) - active) * load(view.held + id), none, none, kept);
+    for (int k = 0; k < 3; ++k) {
+        const std::int32_t r = row + kLanes * k;
+        const V8 last = load(view.residual + r), sigma = load(view.sigma + r),
+                 inverse = load(view.inv_sigma + r);
+        const V8 before = first ? kept[k] : load(view.lambda + r);
+        const V8 lambda = before + on[k] * inverse * (last - change[k]);
+        // As in row_update_one().
+        const V8 residual = first
+                                ? last - on[k] * change[k] - sigma * lambda
+                                : on[k] * (load(view.c + r) - now[k]) - sigma * (lambda - kept[k]);
+        store(view.lambda + r, lambda);
+        store(view.residual + r, residual);
+        store(view.multiplier + r, on[k] * (lambda + inverse * residual) + kept[k]);
+    }
+    const V3T<W8> d = W8(arms.damping) * turn;
+    V8 force[3];
+    as_threes(d.x, d.y, d.z, force);
+    double torque[3 * kLanes];
+    for (int k = 0; k < 3; ++k) store(torque + kLanes * k, force[k]);
+    double* out = view.geo_force + view.geo[id].force;
+    for (int l = 0; l < kLanes; ++l)
+        for (int i = 0; i < 3; ++i) out[6 * l + i] = torque[3 * l + i];
+}
+
+}  // namespace hawser::HAWSER_ISA

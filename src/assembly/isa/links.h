@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file links.h
+/// Eight links of a chain at once (View::links): rigid bodies that two ball joints touch, lane by
+/// lane another one. Joint l is the first of link l, joint l + 1 its second one:
+/// ```
+///      joint l   ┌────────┐  joint l + 1
+///   ──────●──────┤ link l ├──────●──────      r₁ of joint l and r₀ of joint l + 1 end here
+///                └────────┘
+/// ```
+
+#include "assembly/isa/arms.h"
+#include "assembly/isa/rigid_lanes.h"
+
+namespace hawser::HAWSER_ISA {
+
+/// Both joints of each link.
+struct LinkJoints {
+    ArmsT<W8> first, second;
+    const assembly::Incidence* place;  ///< Of joint 0 at link 0: what is by joint stands in a row.
+
+    LinkJoints(const assembly::View& view, std::int32_t body)
+        : place(view.incident + view.incident_begin[body]) {
+        const double* record = view.jacobian + place->jacobian - 3;
+        first = next_arms(record);
+        second = next_arms(record + model::kArms);
+    }
+};
+
+/// Do eight links of a chain stand from `body` on?
+inline bool eight_links(const assembly::View& view, std::int32_t body) {
+    return view.links[body] >= kLanes;
+}
+
+inline W3 load_threes(const double* p) {
+    V8 v[3];
+    load_threes(p, v);
+    return {v[0], v[1], v[2]};
+}
+
+/// Gᵀ y for the rows' multipliers y.
+struct LinkPush {
+    W3 linear, turn;
+};
+inline LinkPush push_links(const LinkJoints& joints, const double* y) {
+    const W3 in = load_threes(y + joints.place->row), out = load_threes(y + joints.place->row + 3);
+    return {in - out, cross(joints.first.r1, in) - cross(joints.second.r0, out)};
+}
+
+/// Arms' stiffness of a link, as a record has it.
+struct LinkArms {
+    W8 first[6], second[6];
+};
+inline void stiffen_links(const assembly::View& view, const LinkJoints& joints, LinkArms& out) {
+    const double* active = view.active + joints.place->geo_arm;
+    const double* lambda = view.lambda + joints.place->row;
+    const double per_h = 1.0 / view.h;
+    const W3 f = W8(load(active) * per_h) * load_threes(lambda);
+    const W3 g = W8(load(active + 1) * per_h) * load_threes(lambda + 3);
+    const ArmsT<W8>&a = joints.first, &b = joints.second;
+    const W8 nf = norm(f), ng = norm(g), n1 = norm(a.r1), n0 = norm(b.r0);
+    arm_stiffness(f, nf, a.r1, n1, joint_terms(view, nf, norm(a.r0), n1, a.swing).stiff, out.first);
+    arm_stiffness(-g, ng, b.r0, n0, joint_terms(view, ng, n0, norm(b.r1), b.swing).stiff,
+                  out.second);
+}
+
+/// r = a − M̃ v₊ + Jᵀ y of eight links, as momentum_rhs(). @param out  Six vectors.
+template <bool kAtRest>
+inline void eight_rhs(const assembly::View& view, std::int32_t body, const double* y,
+                      V8 (&out)[kLanes]) {
+    const LinkJoints joints(view, body);
+    const LinkPush push = push_links(joints, y);
+    const std::int32_t begin = view.dof_begin[body];
+    V8 a[kLanes];
+    load_bodies(view.a + begin, 6, a);
+    W3 linear = W3{a[0], a[1], a[2]} + push.linear, turn = W3{a[3], a[4], a[5]} + push.turn;
+    if constexpr (!kAtRest) {
+        W3 in, next, unused;
+        load_twists(view.geo_force + joints.place->geo_force, in, unused);
+        load_twists(view.geo_force + joints.place->geo_force + 6, next, unused);
+        V8 v[kLanes], low[kLanes], high[kLanes];  // block: entries 0-7 and 4-11
+        load_bodies(view.v_new + begin, 6, v);
+        const double* block = view.body_block + static_cast<long>(assembly::kBodyBlock) * body;
+        load_bodies(block, assembly::kBodyBlock, low);
+        load_bodies(block + 4, assembly::kBodyBlock, high);
+        linear = linear - mul6(low, W3{v[0], v[1], v[2]});
+        turn = turn + in - next - mul6(high + 2, W3{v[3], v[4], v[5]});
+    }
+    out[0] = linear.x;
+    out[1] = linear.y;
+    out[2] = linear.z;
+    out[3] = turn.x;
+    out[4] = turn.y;
+    out[5] = turn.z;
+    if (view.contact_impulse) {
+        load_bodies(view.contact_impulse + begin, 6, a);
+        for (int i = 0; i < 6; ++i) out[i] += a[i];
+    }
+    out[6] = out[7] = V8{};
+}
+
+}  // namespace hawser::HAWSER_ISA

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Where Jacobians and geometric terms are kept, and how bodies find them.
+#include "assembly/system.h"
+#include "base/index.h"
+#include "model/arms.h"
+
+#include <algorithm>
+
+namespace hawser::assembly {
+namespace {
+
+/// max |r|/I over the two bodies of a joint, I the mean moment of inertia across the arm r, see
+/// geo.h. 0 unless both turn.
+double swing_rate(const model::Bodies& bodies, const model::Interactions& in, int id) {
+    double rate = 0.0;
+    for (int b = 0; b < 2; ++b) {
+        const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
+        if (bodies.dof(body) != 6) return 0.0;
+        const Vec3& arm = in.def[at(id)].point[at(b)];
+        const double length = arm.norm();
+        if (length == 0.0) continue;
+        const Eigen::Map<const Mat3> inertia(&bodies.inertia[at(9 * body)]);
+        const double along = arm.dot(inertia * arm) / (length * length);
+        rate = std::max(rate, 2.0 * length / (inertia.trace() - along));
+    }
+    return rate;
+}
+
+}  // namespace
+
+void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) {
+    // Vector loads read up to seven entries past the end.
+    constexpr std::size_t kSlack = 8;
+    geo_place_.assign(at(in.count()), {});
+    std::int32_t record = 0, force = 0, jacobian = 0;
+    // Jacobians in short come first, each in a cache line.
+    for (int i = 0; i < in.count(); ++i) {
+        const std::int32_t* body = &in.body[at(kMaxInteractionBodies * i)];
+        const bool in_short = in.def[at(i)].kind == InteractionKind::Ball && !rests(i) &&
+                              dof_[at(body[0])] == 6 && dof_[at(body[1])] == 6;
+        in.arms[at(i)] = in_short ? model::kInShort : 0;
+        if (!in_short) continue;
+        in.jac_begin[at(i)] = jacobian;
+        jacobian += model::kArms;
+        geo_place_[at(i)].force = force;
+        force += 6;
+    }
+    for (int i = 0; i < in.count(); ++i) {
+        if (in.arms[at(i)]) continue;
+        const std::int32_t* body = &in.body[at(kMaxInteractionBodies * i)];
+        in.jac_begin[at(i)] = jacobian;
+        for (int b = 0; b < in.bodies[at(i)]; ++b) jacobian += in.rows[at(i)] * dof_[at(body[b])];
+        if (in.geo[at(i)] < 0 || rests(i)) continue;
+        auto is_point = [&](std::int32_t b) { return dof_[at(b)] == 3 || dof_[at(b)] == 1; };
+        const bool points = is_point(body[0]) && is_point(body[1]);
+        geo_place_[at(i)] = {record, force, points ? 3 : 6};
+        record += points ? kGeoLine : kGeoSize;
+        force += points ? 12 : 24;
+    }
+    in.jacobian.assign(at(jacobian) + kSlack, 0.0);
+    geo_record_.assign(at(record) + kSlack, 0.0);
+    geo_force_.assign(at(force) + kSlack, 0.0);
+    for (int i = 0; i < in.count(); ++i) {
+        const GeoPlace& place = geo_place_[at(i)];
+        if (in.arms[at(i)])
+            in.jacobian[at(in.jac_begin[at(i)] + model::kArmsSwing)] = swing_rate(bodies, in, i);
+        else if (place.dof == 6 && place.record >= 0)
+            geo_record_[at(place.record + kGeoSwing)] = swing_rate(bodies, in, i);
+    }
+}
+
+void System::build_incidence(const model::Bodies& bodies, const model::Interactions& in) {
+    incident_begin_.assign(at(bodies.count()) + 1, 0);
+    for (int i = 0; i < in.count(); ++i)
+        for (int b = 0; b < in.bodies[at(i)]; ++b)
+            ++incident_begin_[at(in.body[at(kMaxInteractionBodies * i + b)]) + 1];
+    for (int b = 0; b < bodies.count(); ++b) incident_begin_[at(b) + 1] += incident_begin_[at(b)];
+    incident_.resize(at(incident_begin_.back()));
+    std::vector<std::int32_t> cursor(incident_begin_.begin(), incident_begin_.end() - 1);
+    for (int i = 0; i < in.count(); ++i) {
+        const std::int32_t* body = &in.body[at(kMaxInteractionBodies * i)];
+        int width = 0;
+        for (int b = 0; b < in.bodies[at(i)]; ++b) width += dof_[at(body[b])];
+        std::int32_t column = in.jac_begin[at(i)];
+        for (int b = 0; b < in.bodies[at(i)]; ++b) {
+            const bool geo = in.geo[at(i)] >= 0 && b < 2;
+            const GeoPlace& place = geo_place_[at(i)];
+            Incidence& incidence = incident_[at(cursor[at(body[b])]++)];
+            const std::uint8_t rows = rests(i) ? std::uint8_t{0} : in.rows[at(i)];
+            incidence = {column,
+                         in.row_begin[at(i)],
+                         -1,
+                         -1,
+                         rows,
+                         static_cast<std::uint8_t>(width),
+                         static_cast<std::uint8_t>(b)};
+            if (in.arms[at(i)]) {
+                incidence.jacobian = in.jac_begin[at(i)] + 3 * b;
+                incidence.width = 0;
+                incidence.geo_force = place.force;
+                incidence.geo_arm = i;
+                continue;
+            }
+            if (geo && !rests(i)) incidence.geo_force = place.slot(b);
+            if (geo && !rests(i) && place.dof == 6) incidence.geo_arm = place.record + 10 + 6 * b;
+            column += dof_[at(body[b])];
+        }
+    }
+    find_links(bodies);
+}
+
+void System::find_links(const model::Bodies& bodies) {
+    constexpr int kMost = 255;
+    links_.assign(at(bodies.count()), 0);
+    auto joint = [&](int body, int k) -> const Incidence& {
+        return incident_[at(incident_begin_[at(body)] + k)];
+    };
+    for (int b = bodies.count(); b-- > 0;) {
+        if (dof_[at(b)] != 6 || incident_begin_[at(b) + 1] - incident_begin_[at(b)] != 2) continue;
+        const Incidence &in = joint(b, 0), &out = joint(b, 1);
+        if (in.rows != 3 || in.width != 0 || in.slot != 1 || out.rows != 3 || out.width != 0 ||
+            out.slot != 0 || out.row != in.row + 3 || out.jacobian != in.jacobian + 5 ||
+            out.geo_force != in.geo_force + 6)
+            continue;
+        const bool goes_on = b + 1 < bodies.count() && links_[at(b) + 1] > 0 &&
+                             joint(b + 1, 0).row == out.row &&
+                             bodies.dof_begin[at(b) + 1] == bodies.dof_begin[at(b)] + 6;
+        links_[at(b)] =
+            static_cast<std::uint8_t>(goes_on ? std::min(kMost, links_[at(b) + 1] + 1) : 1);
+    }
+}
+
+}  // namespace hawser::assembly

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file transpose.h
+/// From records in memory to a record a lane, and back.
+
+#include "base/simd.h"
+
+namespace hawser::HAWSER_ISA {
+
+/// Turn eight vectors round: lane j of v[i] becomes lane i of v[j].
+HAWSER_INLINE void transpose(V8 (&v)[kLanes]) {
+#if defined(__AVX512F__)
+    const I8 even = {0, 8, 2, 10, 4, 12, 6, 14}, odd = {1, 9, 3, 11, 5, 13, 7, 15};
+    const I8 low2 = {0, 1, 8, 9, 4, 5, 12, 13}, high2 = {2, 3, 10, 11, 6, 7, 14, 15};
+    const I8 low4 = {0, 1, 2, 3, 8, 9, 10, 11}, high4 = {4, 5, 6, 7, 12, 13, 14, 15};
+    V8 a[kLanes], b[kLanes];
+    for (int i = 0; i < kLanes; i += 2) {  // pairs of rows
+        a[i] = __builtin_shuffle(v[i], v[i + 1], even);
+        a[i + 1] = __builtin_shuffle(v[i], v[i + 1], odd);
+    }
+    for (int i = 0; i < kLanes; i += 4)  // fours
+        for (int k = 0; k < 2; ++k) {
+            b[i + k] = __builtin_shuffle(a[i + k], a[i + k + 2], low2);
+            b[i + k + 2] = __builtin_shuffle(a[i + k], a[i + k + 2], high2);
+        }
+    for (int k = 0; k < 4; ++k) {
+        v[k] = __builtin_shuffle(b[k], b[k + 4], low4);
+        v[k + 4] = __builtin_shuffle(b[k], b[k + 4], high4);
+    }
+#else
+    double rows[kLanes][kLanes];
+    for (int i = 0; i < kLanes; ++i) store(rows[i], v[i]);
+    for (int j = 0; j < kLanes; ++j) {
+        double column[kLanes];
+        for (int i = 0; i < kLanes; ++i) column[i] = rows[i][j];
+        v[j] = load(column);
+    }
+#endif
+}
+/// Lane by lane three consecutive entries: v[k] = p[k], p[3 + k] … p[21 + k].
+HAWSER_INLINE void load_threes(const double* p, V8 (&v)[3]) {
+#if defined(__AVX512F__)
+    const V8 a = load(p), b = load(p + 8), c = load(p + 16);
+    v[0] = __builtin_shuffle(__builtin_shuffle(a, b, I8{0, 3, 6, 9, 12, 15, 0, 0}), c,
+                             I8{0, 1, 2, 3, 4, 5, 10, 13});
+    v[1] = __builtin_shuffle(__builtin_shuffle(a, b, I8{1, 4, 7, 10, 13, 0, 0, 0}), c,
+                             I8{0, 1, 2, 3, 4, 8, 11, 14});
+    v[2] = __builtin_shuffle(__builtin_shuffle(a, b, I8{2, 5, 8, 11, 14, 0, 0, 0}), c,
+                             I8{0, 1, 2, 3, 4, 9, 12, 15});
+#else
+    for (int k = 0; k < 3; ++k) {
+        double lanes[kLanes];
+        for (int l = 0; l < kLanes; ++l) lanes[l] = p[3 * l + k];
+        v[k] = load(lanes);
+    }
+#endif
+}
+/// The other way round: out[r] = eight entries from 8 r on of what lies as threes.
+HAWSER_INLINE void as_threes(const V8& x, const V8& y, const V8& z, V8 (&out)[3]) {
+#if defined(__AVX512F__)
+    out[0] = __builtin_shuffle(__builtin_shuffle(x, y, I8{0, 8, 0, 1, 9, 0, 2, 10}), z,
+                               I8{0, 1, 8, 3, 4, 9, 6, 7});
+    out[1] = __builtin_shuffle(__builtin_shuffle(x, y, I8{0, 3, 11, 0, 4, 12, 0, 5}), z,
+                               I8{10, 1, 2, 11, 4, 5, 12, 7});
+    out[2] = __builtin_shuffle(__builtin_shuffle(x, y, I8{13, 0, 6, 14, 0, 7, 15, 0}), z,
+                               I8{0, 13, 2, 3, 14, 5, 6, 15});
+#else
+    double entries[3 * kLanes];
+    for (int l = 0; l < kLanes; ++l) {
+        entries[3 * l] = lane(x, l);
+        entries[3 * l + 1] = lane(y, l);
+        entries[3 * l + 2] = lane(z, l);
+    }
+    for (int r = 0; r < 3; ++r) out[r] = load(entries + kLanes * r);
+#endif
+}
+
+/// v[k] = entries base[from[0] + k] … base[from[7] + k]: eight consecutive entries of eight
+/// records, lane by lane another record.
+HAWSER_INLINE void load_lanes(const double* base, const std::int32_t* from, V8 (&v)[kLanes]) {
+    for (int i = 0; i < kLanes; ++i) v[i] = load(base + from[i]);
+    transpose(v);
+}
+
+}  // namespace hawser::HAWSER_ISA

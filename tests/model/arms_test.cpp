@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/arms.h"
+
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+namespace hawser::model {
+namespace {
+
+/// G (v₀, ω₀, v₁, ω₁) is the velocity of the joint's point on body 1 less that on body 0.
+TEST(Arms, UnpackToTheRowsOfABallJoint) {
+    const double record[kArms] = {0.3, -1.1, 2.0, 0.7, 0.5, -0.9, 5.0, 6.0};
+    double room[kArmRoom];
+    const double* packed = packed_rows(record, true, room);
+    const Eigen::Map<const Eigen::Matrix<double, 3, 12, Eigen::RowMajor>> g(packed);
+    Eigen::Matrix<double, 12, 1> u;
+    u << 1, 2, 3, -0.5, 0.25, 2, 4, -1, 0.5, 1.5, -2, 0.75;
+    const Eigen::Vector3d r0(0.3, -1.1, 2.0), r1(0.7, 0.5, -0.9);
+    const Eigen::Vector3d w0 = u.segment<3>(3), w1 = u.segment<3>(9);
+    const Eigen::Vector3d speed = u.segment<3>(6) + w1.cross(r1) - u.segment<3>(0) - w0.cross(r0);
+    EXPECT_LE((g * u - speed).norm(), 1e-15 * u.norm());
+}
+
+TEST(Arms, ArePackedRowsWhereTheyAreNotInShort) {
+    const double rows[3] = {1, 2, 3};
+    double room[kArmRoom];
+    EXPECT_EQ(packed_rows(rows, false, room), rows);
+}
+
+}  // namespace
+}  // namespace hawser::model
