@@ -96,7 +96,9 @@ struct View {
     double* q;
     double* r;
     double* v;
-    double* v_start;  ///< Packed like v: where the solution for v₊ starts, see model/bodies.h.
+    /// Packed like v: where the solution for v₊ starts, see model/bodies.h. Null for evaluate()
+    /// where it starts at 0.
+    double* v_start;
     const double* v_fixed;
     const double* v_before;  ///< What v_fixed was at the last half step.
     double* spin_free;       ///< 3 a body: ω₊ without torque, world frame.

@@ -75,6 +75,47 @@ HAWSER_INLINE void as_threes(const V8& x, const V8& y, const V8& z, V8 (&out)[3]
 #endif
 }
 
+/// N values of each of eight, N = 1, 2 or 3: v[k] = p[k], p[N + k] …; and back.
+template <int N>
+HAWSER_INLINE void load_every(const double* p, V8 (&v)[N]) {
+    static_assert(N >= 1 && N <= 3);
+    if constexpr (N == 3) {
+        load_threes(p, v);
+    } else if constexpr (N == 1) {
+        v[0] = load(p);
+    } else {
+#if defined(__AVX512F__)
+        const V8 a = load(p), b = load(p + 8);
+        v[0] = __builtin_shuffle(a, b, I8{0, 2, 4, 6, 8, 10, 12, 14});
+        v[1] = __builtin_shuffle(a, b, I8{1, 3, 5, 7, 9, 11, 13, 15});
+#else
+        for (int k = 0; k < N; ++k) {
+            double lanes[kLanes];
+            for (int l = 0; l < kLanes; ++l) lanes[l] = p[N * l + k];
+            v[k] = load(lanes);
+        }
+#endif
+    }
+}
+template <int N>
+HAWSER_INLINE void store_every(double* p, const V8 (&v)[N]) {
+    if constexpr (N == 3) {
+        V8 out[3];
+        as_threes(v[0], v[1], v[2], out);
+        for (int r = 0; r < 3; ++r) store(p + kLanes * r, out[r]);
+    } else if constexpr (N == 1) {
+        store(p, v[0]);
+    } else {
+#if defined(__AVX512F__)
+        store(p, __builtin_shuffle(v[0], v[1], I8{0, 8, 1, 9, 2, 10, 3, 11}));
+        store(p + 8, __builtin_shuffle(v[0], v[1], I8{4, 12, 5, 13, 6, 14, 7, 15}));
+#else
+        for (int l = 0; l < kLanes; ++l)
+            for (int k = 0; k < N; ++k) p[N * l + k] = lane(v[k], l);
+#endif
+    }
+}
+
 /// v[k] = entries base[from[0] + k] … base[from[7] + k]: eight consecutive entries of eight
 /// records, lane by lane another record.
 HAWSER_INLINE void load_lanes(const double* base, const std::int32_t* from, V8 (&v)[kLanes]) {

@@ -119,7 +119,8 @@ void prepare(StepContext& ctx) {
 void prestep(StepContext&) noexcept {}
 
 void evaluate_rows(StepContext& ctx) noexcept {
-    const View v = view(ctx);
+    View v = view(ctx);
+    v.v_start = nullptr;  // nothing is solved
     auto strip = [&](int i, int) noexcept { evaluate_strip(ctx, v, i); };
     ctx.pool.for_each(ctx.system.strips.count(), strip);
 }
@@ -131,10 +132,12 @@ void assemble_rows(StepContext& ctx) noexcept {
     const assembly::Kernels& k = assembly::kernels();
     hold_bounds(ctx, ctx.def.step);
     const bool moving = starts_moving(ctx);
+    View rows = v;
+    if (!moving) rows.v_start = nullptr;
     sweep(
         ctx,
         [&](int strip) {
-            evaluate_strip(ctx, v, strip);
+            evaluate_strip(ctx, rows, strip);
             each(ctx.system.strips.interactions(strip),
                  [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b, moving); });
         },

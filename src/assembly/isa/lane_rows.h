@@ -38,6 +38,7 @@ struct LaneRows {
 
     const assembly::View& view;
     std::int32_t id[kLanes], row[kLanes], body[B][kLanes];
+    bool in_a_row = false;  ///< Ids follow each other, and so do their rows.
 
     /// Eight entries from ids[0] on. @return false where they are not all of that size, or so near
     /// the end of the arrays that vector loads would leave them.
@@ -56,6 +57,7 @@ struct LaneRows {
             if (K::kGeometry != Geometry::line) continue;
             if (view.geo[id[l]].dof != D || view.geo[id[l]].record < 0) return false;
         }
+        in_a_row = id[kLanes - 1] - id[0] == kLanes - 1;  // they ascend
         return true;
     }
 
@@ -69,6 +71,33 @@ struct LaneRows {
         double v[kLanes];
         for (int l = 0; l < kLanes; ++l) v[l] = values[index[l] + offset];
         return load(v);
+    }
+
+    /// A value of each row, by its number in the interaction.
+    void load_rows(const double* values, V8 (&v)[R]) const {
+        if (in_a_row && R <= 3) return load_every<R>(values + row[0], v);
+        for (int r = 0; r < R; ++r) v[r] = pick(values, row, r);
+    }
+    void store_rows(double* values, const V8 (&v)[R]) const {
+        if (in_a_row && R <= 3) return store_every<R>(values + row[0], v);
+        for (int l = 0; l < kLanes; ++l)
+            for (int r = 0; r < R; ++r) values[row[l] + r] = lane(v[r], l);
+    }
+    W8 load_active() const {
+        return in_a_row ? W8(load(view.active + id[0])) : pick(view.active, id, 0);
+    }
+    /// Is one of the flags set anywhere?
+    bool any_flag(const std::uint8_t* flags, std::uint8_t mask) const {
+        std::uint8_t all = 0;
+        for (int l = 0; l < kLanes; ++l) all |= flags[id[l]];
+        return (all & mask) != 0;
+    }
+
+    /// Eight doubles of each of eight records of kDataSize, from `begin` on.
+    static void load_fields(const double* first, int begin, V8 (&v)[kLanes]) {
+        constexpr int count = std::min(kDataSize, kLanes);
+        for (int l = 0; l < kLanes; ++l) v[l] = load_first(first + kDataSize * l + begin, count);
+        transpose(v);
     }
 
     void evaluate(const typename K::Data* data) {
@@ -87,47 +116,57 @@ struct LaneRows {
             std::int32_t from[kLanes];
             for (int l = 0; l < kLanes; ++l) from[l] = view.dof_begin[body[b][l]];
             load_lanes(view.v, from, v[b]);
-            load_lanes(view.v_start, from, start[b]);
+            if (view.v_start) load_lanes(view.v_start, from, start[b]);
         }
         typename K::template DataT<W8> fields;
         auto* field = reinterpret_cast<W8*>(&fields);
         const auto* first = reinterpret_cast<const double*>(data);
-        for (int i = 0; i < kDataSize; ++i) {
-            double lanes[kLanes];
-            for (int l = 0; l < kLanes; ++l) lanes[l] = first[kDataSize * l + i];
-            field[i] = load(lanes);
+        for (int i = 0; i < kDataSize; i += kLanes) {
+            const int begin = std::max(0, std::min(i, kDataSize - kLanes));
+            V8 t[kLanes];
+            load_fields(first, begin, t);
+            for (int k = 0; k < std::min(kDataSize, kLanes); ++k) field[begin + k] = t[k];
         }
         Rows<B, R, W8> rows;
         K::evaluate(fields, refs, rows);
         write_rows(rows, v, start);
         if constexpr (K::kGeometry != Geometry::joint) write_jacobian(rows);
-        for (int l = 0; l < kLanes; ++l)
-            if (view.parted[id[l]]) view.active[id[l]] = 0.0;
+        if (any_flag(view.parted, 0xff))
+            for (int l = 0; l < kLanes; ++l)
+                if (view.parted[id[l]]) view.active[id[l]] = 0.0;
         if constexpr (K::kGeometry == Geometry::line) line(refs, rows, v, start);
         if constexpr (K::kGeometry == Geometry::joint) joint(fields, refs, v, start);
+    }
+
+    /// G u, a row each, of u by body.
+    static void products(const Rows<B, R, W8>& rows, const V8 (&u)[B][kLanes], V8 (&out)[R]) {
+        for (int r = 0; r < R; ++r) {
+            out[r] = rows.J[0][r][0] * u[0][0];
+            for (int b = 0; b < B; ++b)
+                for (int j = b == 0 ? 1 : 0; j < D; ++j) out[r] += rows.J[b][r][j] * u[b][j];
+        }
     }
 
     void write_rows(const Rows<B, R, W8>& rows, const V8 (&v)[B][kLanes],
                     const V8 (&start)[B][kLanes]) const {
         const double inv_h4 = 4.0 / view.h;
+        V8 speed[R], upsilon[R], c[R], g[R];
+        products(rows, v, speed);
+        load_rows(view.upsilon, upsilon);
         for (int r = 0; r < R; ++r) {
-            W8 speed{}, at_start{};
-            for (int b = 0; b < B; ++b)
-                for (int j = 0; j < D; ++j) {
-                    speed += rows.J[b][r][j] * v[b][j];
-                    at_start += rows.J[b][r][j] * start[b][j];
-                }
-            const W8 c = pick(view.upsilon, row, r) * (speed - inv_h4 * rows.g[r]);
-            for (int l = 0; l < kLanes; ++l) {
-                view.g[row[l] + r] = lane(rows.g[r], l);
-                view.residual[row[l] + r] = lane(at_start, l);
-                view.c[row[l] + r] = lane(c, l);
-                if (view.flags[id[l]] & 1) {
-                    view.c[row[l] + r] += when_slack(lane(rows.g[r], l), lane(speed, l),
-                                                     view.upsilon[row[l] + r], view.h);
-                }
-            }
+            g[r] = rows.g[r];
+            c[r] = upsilon[r] * (speed[r] - inv_h4 * g[r]);
         }
+        store_rows(view.g, g);
+        store_rows(view.c, c);
+        if (any_flag(view.flags, 1))
+            for (int l = 0; l < kLanes; ++l)
+                for (int r = 0; r < R && (view.flags[id[l]] & 1); ++r)
+                    view.c[row[l] + r] += when_slack(lane(g[r], l), lane(speed[r], l),
+                                                     view.upsilon[row[l] + r], view.h);
+        if (!view.v_start) return;
+        products(rows, start, speed);
+        store_rows(view.residual, speed);
     }
 
     /// The packed Jacobians, eight entries of each at a time; the last eight overlap, so that no
@@ -175,17 +214,26 @@ struct LaneRows {
     void line(const Ref* refs, const Rows<B, R, W8>& rows, const V8 (&v)[B][kLanes],
               const V8 (&start)[B][kLanes]) const {
         const double scale = 0.25 * view.h * view.h * view.geometric_stiffness;
-        const W8 none{}, tension = (-1.0 / view.h) * pick(view.lambda, row, 0);
+        V8 lambda[R];
+        load_rows(view.lambda, lambda);
+        const W8 none{}, tension = (-1.0 / view.h) * W8(lambda[0]);
         const W8 length = norm(refs[1].x - refs[0].x);
         const W8 at_least = constant(length, 1e-9);
         const W8 size = select_greater(length, at_least, length, at_least);
-        const W8 pulls = positive_part(tension) * pick(view.active, id, 0);
+        const W8 pulls = positive_part(tension) * load_active();
         const W8 w = scale * pulls * (1.0 / size);
         const V3T<W8> u{rows.J[1][0][0], rows.J[1][0][1], rows.J[1][0][2]};
         V8 record[kLanes] = {w, u.x, u.y, u.z, none, none, none, none};
         put_record<0, assembly::kGeoLine>(record);
         const V3T<W8> rel{v[0][0] - v[1][0], v[0][1] - v[1][1], v[0][2] - v[1][2]};
         const V3T<W8> t = w * (rel - dot(u, rel) * u);
+        if (!view.v_start) {
+            V8 only[kLanes] = {none, none, none, t.x, t.y, t.z, none, none};
+            V8 other[kLanes] = {none, none, none, -t.x, -t.y, -t.z, none, none};
+            put_force<0, 6>(only);
+            put_force<6, 6>(other);
+            return;
+        }
         const V3T<W8> begin{start[0][0] - start[1][0], start[0][1] - start[1][1],
                             start[0][2] - start[1][2]};
         const V3T<W8> s = w * (begin - dot(u, begin) * u);
@@ -198,9 +246,10 @@ struct LaneRows {
     /// Records and torques of damping of joints in short.
     void joint(const typename K::template DataT<W8>& data, const Ref* refs,
                const V8 (&v)[B][kLanes], const V8 (&start)[B][kLanes]) const {
-        const W8 on = (1.0 / view.h) * pick(view.active, id, 0);
-        const V3T<W8> f{on * pick(view.lambda, row, 0), on * pick(view.lambda, row, 1),
-                        on * pick(view.lambda, row, 2)};
+        const W8 on = (1.0 / view.h) * load_active();
+        V8 lambda[R];
+        load_rows(view.lambda, lambda);
+        const V3T<W8> f{on * lambda[0], on * lambda[1], on * lambda[2]};
         const V3T<W8> r0 = refs[0].arm(data.point[0]), r1 = refs[1].arm(data.point[1]);
         double swing[kLanes];
         for (int l = 0; l < kLanes; ++l)
@@ -210,7 +259,7 @@ struct LaneRows {
         put<0, kLanes>(view.jacobian, [&](std::int32_t i) { return view.jac_begin[i]; }, record);
         V8 force[kLanes] = {};
         for (int i = 0; i < 3; ++i) {
-            force[i] = t.damping * (start[0][3 + i] - start[1][3 + i]);
+            if (view.v_start) force[i] = t.damping * (start[0][3 + i] - start[1][3 + i]);
             force[3 + i] = t.back * (v[1][3 + i] - v[0][3 + i]);
         }
         put_force<0, 6>(force);

@@ -77,7 +77,7 @@ void evaluate_arms(const View& view, const typename K::Data& data, const BodyRef
         return load3(v + view.dof_begin[body[0]] + 3) - load3(v + view.dof_begin[body[1]] + 3);
     };
     double* force = view.geo_force + view.geo[id].force;
-    store3(force, t.damping * turn(view.v_start));
+    if (view.v_start) store3(force, t.damping * turn(view.v_start));
     store3(force + 3, -t.back * turn(view.v));
 }
 
@@ -127,7 +127,7 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
                 continue;
             }
             const double* v = view.v + view.dof_begin[i];
-            const double* v_start = view.v_start + view.dof_begin[i];
+            const double* v_start = (view.v_start ? view.v_start : view.v) + view.dof_begin[i];
             auto pack = [&]<int N>() {
                 for (int r = 0; r < R; ++r)
                     for (int j = 0; j < N; ++j) {
@@ -175,7 +175,7 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
             const double back = geometry<K>(view, data[k], refs, id, rows);
             if (view.geo[id].record >= 0) {
                 geo_force(view, id, view.v, -back, view.geo[id].dof);
-                geo_force(view, id, view.v_start);
+                if (view.v_start) geo_force(view, id, view.v_start);
             }
         }
     }
