@@ -47,16 +47,19 @@ void Numeric::reserve(const Symbolic& symbolic, int threads, bool unsymmetric) {
     wrong_nodes_.reserve(symbolic.order.size());
 }
 
-constexpr std::int64_t kCached = 131'072;  // doubles: a megabyte
+// Doubles: a megabyte, and three. Between them asking ahead for panels of fronts costs more than it
+// brings.
+constexpr std::int64_t kCached = 131'072, kNear = 393'216;
 
 FactorView Numeric::view(const Symbolic& s, int thread) noexcept {
     double* stack = work_.data() + thread * (s.work_size - s.stack_begin);
-    FactorView v{s.fronts.data(),    s.children.data(),   s.rows.data(),
-                 s.runs.data(),      s.sign.data(),       panel_.data(),
-                 pivot_.data(),      work_.data(),        stack,
-                 s.stack_begin,      carry_.data(),       s.batch_steps.data(),
-                 s.slot_sign.data(), s.slot_index.data(), s.tail_slot.data(),
-                 slot_pivot_.data(), slot_y_.data(),      s.panel_size > kCached};
+    FactorView v{s.fronts.data(),     s.children.data(),   s.rows.data(),
+                 s.runs.data(),       s.sign.data(),       panel_.data(),
+                 pivot_.data(),       work_.data(),        stack,
+                 s.stack_begin,       carry_.data(),       s.batch_steps.data(),
+                 s.slot_sign.data(),  s.slot_index.data(), s.tail_slot.data(),
+                 slot_pivot_.data(),  slot_y_.data(),      s.panel_size > kCached,
+                 s.panel_size > kNear};
     if (!unsymmetric_) return v;
     v.unsymmetric = kind_.data();
     v.upper = upper_.data();

@@ -20,6 +20,9 @@ using factor::Front;
 using factor::Run;
 
 constexpr int kBlock = 8;
+// Doubles from the end of a panel to what is asked for, and of that; more has columns that are
+// long.
+constexpr long kAhead = 512, kMost = 2048;
 
 /// Pivots [k, k + N) of L y = y, then y −= L y for the rows behind them, handed over by vectors:
 /// put(row, vector).
@@ -78,6 +81,13 @@ HAWSER_INLINE void backward_block(const double* panel, long ld, int k, int from,
     }
 }
 
+/// Panels larger than a core's own cache come from further away than the processor looks ahead, as
+/// columns are short and going down their addresses fall. Asks for as much as the front has, from
+/// `distance` doubles behind the beginning of its panel on.
+HAWSER_INLINE void fetch_panels(const double* panel, long distance, long size) {
+    for (long i = 0; i < size && i < kMost; i += 8) __builtin_prefetch(panel + distance + i);
+}
+
 }  // namespace
 
 void forward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
@@ -87,6 +97,8 @@ void forward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end
         if (front.batch >= 0) continue;
         const double* panel = view.panel + front.panel;
         const int p = front.p, n = front.p + front.q;
+        const long size = static_cast<long>(front.ld) * p;
+        if (view.remote) fetch_panels(panel, size + kAhead, size);
         double* xf = x + front.offset;
         double* y = scratch;
         gather_forward(view, front, x, y);
@@ -112,6 +124,8 @@ void backward_fronts(const FactorView& view, std::int32_t begin, std::int32_t en
         const double* panel = (view.is_unsymmetric(f) ? view.upper : view.panel) + front.panel;
         const double* inverse = view.pivot + front.offset;
         const int ld = front.ld, p = front.p, n = front.p + front.q;
+        const long size = static_cast<long>(ld) * p;
+        if (view.remote) fetch_panels(panel, -kAhead - size, size);
         double* xf = x + front.offset;
         double* y = scratch;
         const std::int32_t* rows = view.rows + front.rows - p;
