@@ -9,6 +9,7 @@
 namespace hawser::bench {
 namespace {
 
+static const int PF1 = getenv("PF1") ? atoi(getenv("PF1")) : 0;
 struct AssembleView {
     const double* values;
     const double* inverse;
@@ -16,12 +17,29 @@ struct AssembleView {
     double* target;
 };
 
-/// V: as many lanes as the block has rows, or more.
-template <int Columns, class V>
-HAWSER_BENCH_INLINE void run(const BlockOp& op, const AssembleView& v) {
+/// Contributions [k, k + count) of Rows rows each to a block that has `rows` rows.
+template <int Rows, int Columns, class V>
+HAWSER_BENCH_INLINE void add_rows(const BlockWrite& op, const AssembleView& v, int rows,
+                                  std::int32_t& k, V (&sum)[Columns]) {
+    for (const std::int32_t end = k + op.count[Rows - 1]; k < end; ++k) {
+        const Contribution& t = v.contributions[k];
+        const double *row = v.values + t.g[op.turned], *col = v.values + t.g[!op.turned];
+        HAWSER_BENCH_UNROLL
+        for (int r = 0; r < Rows; ++r) {
+            V g;
+            load(g, row + r * rows);
+            g *= v.inverse[t.sigma + r];
+            HAWSER_BENCH_UNROLL
+            for (int c = 0; c < Columns; ++c) sum[c] += g * col[r * Columns + c];
+        }
+    }
+}
+
+/// Rows: of the block; 0: not known. V: as many lanes, or more.
+template <int Rows, int Columns, class V>
+HAWSER_BENCH_INLINE void run(const BlockWrite& op, const AssembleView& v) {
     V sum[Columns];
-    constexpr int kLikely = sizeof(V) == sizeof(V4) ? 3 : 6;
-    const int rows = op.row_size;
+    const int rows = Rows > 0 ? Rows : op.row_size;
     if (op.base < 0) {
         HAWSER_BENCH_UNROLL
         for (int c = 0; c < Columns; ++c) sum[c] = V{};
@@ -35,22 +53,17 @@ HAWSER_BENCH_INLINE void run(const BlockOp& op, const AssembleView& v) {
         HAWSER_BENCH_UNROLL
         for (int c = 0; c < Columns; ++c) load(sum[c], turned[c]);
     }
-    for (std::int32_t k = op.begin; k < op.end; ++k) {
-        const Contribution& t = v.contributions[k];
-        const double* col = v.values + t.g[!op.turned];
-        V g;
-        load(g, v.values + t.g[op.turned]);
-        g *= v.inverse[t.sigma];
-        HAWSER_BENCH_UNROLL
-        for (int c = 0; c < Columns; ++c) sum[c] += g * col[c];
-    }
+    std::int32_t k = op.begin;
+    add_rows<1>(op, v, rows, k, sum);
+    add_rows<2>(op, v, rows, k, sum);
+    add_rows<3>(op, v, rows, k, sum);
     double* to = v.target + op.to;
     // A diagonal block among longer columns may have its upper triangle written too.
-    const bool diagonal = op.row == op.col, close = op.step == 1 && !(diagonal && op.shrink);
+    const bool diagonal = op.diagonal, close = op.step == 1 && !(diagonal && op.shrink);
     HAWSER_BENCH_UNROLL
     for (int c = 0; c < Columns; ++c) {
-        if (close && rows == kLikely) {
-            store<kLikely>(to, sum[c]);
+        if (Rows > 0 && close) {
+            store<Rows>(to, sum[c]);
         } else {
             double column[8];
             std::memcpy(column, &sum[c], sizeof(V));
@@ -60,29 +73,67 @@ HAWSER_BENCH_INLINE void run(const BlockOp& op, const AssembleView& v) {
     }
 }
 
-HAWSER_BENCH_CLONES void run_ops(const BlockOp* ops, std::int64_t count, const AssembleView& v) {
+HAWSER_BENCH_INLINE void run_any(const BlockWrite& op, const AssembleView& v) {
+    switch (op.col_size) {
+        case 1:
+            run<0, 1, V8>(op, v);
+            break;
+        case 2:
+            run<0, 2, V8>(op, v);
+            break;
+        case 3:
+            run<0, 3, V8>(op, v);
+            break;
+        case 4:
+            run<0, 4, V8>(op, v);
+            break;
+        case 5:
+            run<0, 5, V8>(op, v);
+            break;
+        default:
+            run<0, 6, V8>(op, v);
+            break;
+    }
+}
+
+// Blocks lie in the sequence of the target, what they are made of in that of the system.
+constexpr std::int64_t kFar = 12, kNear = 4;  // blocks ahead
+
+HAWSER_BENCH_INLINE void fetch_tables(const BlockWrite& op, const AssembleView& v) {
+    __builtin_prefetch(v.contributions + op.begin);
+    __builtin_prefetch(v.contributions + op.begin + 5);
+    if (op.base >= 0) fetch(v.values + op.base, 1);
+}
+
+/// Of diagonal blocks, which come first and read all that the others do.
+HAWSER_BENCH_INLINE void fetch_values(const BlockWrite& op, const AssembleView& v) {
+    constexpr int kMost = 16;  // what has more is not over soon
+    const int count = op.count[0] + op.count[1] + op.count[2];
+    if (!op.diagonal || count >= kMost) return;
+    const int lines = op.row_size > 3 ? 3 : 2;
+    for (int i = 0; i < count; ++i) fetch(v.values + v.contributions[op.begin + i].g[0], lines);
+}
+
+HAWSER_BENCH_CLONES void run_ops(const BlockWrite* ops, std::int64_t count, const AssembleView& v) {
     for (std::int64_t k = 0; k < count; ++k) {
-        const BlockOp& op = ops[k];
-        const bool low = op.row_size <= 4;
-        switch (op.col_size) {
-            case 1:
-                low ? run<1, V4>(op, v) : run<1, V8>(op, v);
+        const BlockWrite& op = ops[k];
+        if (k + kFar < count) fetch_tables(ops[k + kFar], v);
+        if (k + kNear < count) fetch_values(ops[k + kNear], v);
+        switch (op.row_size * 8 + op.col_size) {
+            case 3 * 8 + 3:
+                run<3, 3, V4>(op, v);
                 break;
-            case 2:
-                low ? run<2, V4>(op, v) : run<2, V8>(op, v);
+            case 3 * 8 + 6:
+                run<3, 6, V4>(op, v);
                 break;
-            case 3:
-                low ? run<3, V4>(op, v) : run<3, V8>(op, v);
+            case 6 * 8 + 3:
+                run<6, 3, V8>(op, v);
                 break;
-            case 4:
-                low ? run<4, V4>(op, v) : run<4, V8>(op, v);
-                break;
-            case 5:
-                low ? run<5, V4>(op, v) : run<5, V8>(op, v);
+            case 6 * 8 + 6:
+                run<6, 6, V8>(op, v);
                 break;
             default:
-                low ? run<6, V4>(op, v) : run<6, V8>(op, v);
-                break;
+                run_any(op, v);
         }
     }
 }
@@ -108,14 +159,14 @@ void invert_sigma(const BlockSystem& s, const BlockForm& f, std::vector<double>&
               });
 }
 
-void assemble(const BlockSystem& system, std::span<const BlockOp> ops,
+void assemble(const BlockSystem& system, std::span<const BlockWrite> ops,
               const std::vector<Contribution>& contributions, const std::vector<double>& inverse,
               double* target) noexcept {
     const AssembleView view{system.values.data(), inverse.data(), contributions.data(), target};
     run_ops(ops.data(), static_cast<std::int64_t>(ops.size()), view);
 }
 
-void assemble(const BlockSystem& system, const std::vector<BlockOp>& ops,
+void assemble(const BlockSystem& system, const std::vector<BlockWrite>& ops,
               const std::vector<Contribution>& contributions, const std::vector<double>& inverse,
               double* target, base::Executor& executor) {
     in_pieces(static_cast<std::int64_t>(ops.size()), executor,

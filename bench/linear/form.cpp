@@ -4,7 +4,9 @@
 #include "index.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
+#include <stdexcept>
 #include <tuple>
 
 namespace hawser::bench {
@@ -13,47 +15,57 @@ namespace {
 /// A pair of kept nodes, row ≥ column, with what adds to it: a block, or an eliminated node.
 struct Piece {
     std::int32_t row, col;
-    std::int64_t base;   ///< −1: a contribution.
-    Contribution first;  ///< Of the node's first row.
-    std::int32_t rows;
+    std::int32_t base;  ///< −1: a contribution.
+    Contribution part;
+    std::int32_t rows;  ///< 0: a block.
 };
 
-/// Sort by (column, row), the base of a block before its contributions: two stable counting sorts.
+/// Sort by (column, row, rows of the contribution), the base of a block before its contributions:
+/// stable counting sorts.
 void sort_pieces(std::vector<Piece>& pieces, int nodes) {
     std::vector<Piece> other(pieces.size());
     auto pass = [&](auto key) {
-        std::vector<std::int64_t> start(at(nodes) + 1, 0);
+        std::vector<std::int64_t> start(at(std::max(nodes, kMostRows + 1)) + 1, 0);
         for (const Piece& p : pieces) ++start[at(key(p)) + 1];
         std::partial_sum(start.begin(), start.end(), start.begin());
         for (const Piece& p : pieces) other[at(start[at(key(p))]++)] = p;
         pieces.swap(other);
     };
+    pass([](const Piece& p) { return p.rows; });
     pass([](const Piece& p) { return p.row; });
     pass([](const Piece& p) { return p.col; });
+}
+
+/// What the eliminated node e adds to the block of its i-th and j-th neighbour.
+void add_pair(const BlockSystem& s, const BlockForm& f, int e, int i, int j,
+              std::vector<Piece>& pieces) {
+    const std::int32_t a = s.pattern.adjacent[at(i)], b = s.pattern.adjacent[at(j)];
+    for (int r = 0; r < s.size(e); r += kMostRows)
+        pieces.push_back({f.index[at(a)],
+                          f.index[at(b)],
+                          -1,
+                          {{static_cast<std::int32_t>(s.edge[at(i)]) + r * s.size(a),
+                            static_cast<std::int32_t>(s.edge[at(j)]) + r * s.size(b)},
+                           s.offset[at(e)] + r},
+                          std::min(kMostRows, s.size(e) - r)});
 }
 
 std::vector<Piece> list_pieces(const BlockSystem& s, const BlockForm& f) {
     std::vector<Piece> pieces;
     for (const std::int32_t a : f.kept) {
         const std::int32_t row = f.index[at(a)];
-        pieces.push_back({row, row, s.diagonal[at(a)], {}, 0});
+        pieces.push_back({row, row, static_cast<std::int32_t>(s.diagonal[at(a)]), {}, 0});
         for (int k = s.pattern.start[at(a)]; k < s.pattern.start[at(a) + 1]; ++k) {
             const std::int32_t b = s.pattern.adjacent[at(k)];
             if (b < a && f.index[at(b)] >= 0)
-                pieces.push_back({row, f.index[at(b)], s.edge[at(k)], {}, 0});
+                pieces.push_back(
+                    {row, f.index[at(b)], static_cast<std::int32_t>(s.edge[at(k)]), {}, 0});
         }
     }
     for (int e = 0; e < s.pattern.nodes(); ++e) {
         if (f.index[at(e)] >= 0) continue;
         for (int i = s.pattern.start[at(e)]; i < s.pattern.start[at(e) + 1]; ++i)
-            for (int j = s.pattern.start[at(e)]; j <= i; ++j)
-                pieces.push_back({f.index[at(s.pattern.adjacent[at(i)])],
-                                  f.index[at(s.pattern.adjacent[at(j)])],
-                                  -1,
-                                  {{static_cast<std::int32_t>(s.edge[at(i)]),
-                                    static_cast<std::int32_t>(s.edge[at(j)])},
-                                   s.offset[at(e)]},
-                                  s.size(e)});
+            for (int j = s.pattern.start[at(e)]; j <= i; ++j) add_pair(s, f, e, i, j, pieces);
     }
     return pieces;
 }
@@ -76,8 +88,8 @@ bool can_be_eliminated(const BlockSystem& s, int node) {
 std::vector<std::int32_t> order_alike(std::span<const BlockOp> ops) {
     auto key = [&](std::int32_t i) {
         const BlockOp& op = ops[at(i)];
-        return std::tuple(op.row_size, op.col_size, op.base < 0, op.row == op.col,
-                          op.end - op.begin);
+        return std::tuple(op.row_size, op.col_size, op.base < 0, op.row == op.col, op.count[0],
+                          op.count[1], op.count[2]);
     };
     std::vector<std::int32_t> order(ops.size());
     std::iota(order.begin(), order.end(), 0);
@@ -86,7 +98,25 @@ std::vector<std::int32_t> order_alike(std::span<const BlockOp> ops) {
     return order;
 }
 
+BlockWrite::BlockWrite(const BlockOp& op, bool turn, std::int64_t address, int row_step,
+                       int column_stride)
+    : base(op.base),
+      begin(op.begin),
+      to(static_cast<std::uint32_t>(address)),
+      stride(column_stride),
+      row_size(turn ? op.col_size : op.row_size),
+      col_size(turn ? op.row_size : op.col_size),
+      step(static_cast<std::uint8_t>(row_step)),
+      by_rows(op.by_rows != turn),
+      turned(turn),
+      diagonal(op.row == op.col) {
+    std::copy_n(op.count, kMostRows, count);
+    if (address != to) throw std::length_error("blocks are written past what 32 bits can address");
+}
+
 BlockForm make_form(const BlockSystem& s, bool condensed) {
+    if (s.values.size() > std::numeric_limits<std::int32_t>::max())
+        throw std::length_error("the blocks have more numbers than 32 bits can address");
     BlockForm f;
     f.condensed = condensed;
     f.index.assign(s.pattern.size.size(), -1);
@@ -108,7 +138,7 @@ BlockForm make_form(const BlockSystem& s, bool condensed) {
             BlockOp op;
             op.row = p.row;
             op.col = p.col;
-            op.begin = op.end = static_cast<std::int32_t>(f.contributions.size());
+            op.begin = static_cast<std::int32_t>(f.contributions.size());
             op.row_size = static_cast<std::uint8_t>(size[at(p.row)]);
             op.col_size = static_cast<std::uint8_t>(size[at(p.col)]);
             op.by_rows = p.row != p.col;
@@ -116,14 +146,11 @@ BlockForm make_form(const BlockSystem& s, bool condensed) {
             from.push_back(p.row);
             to.push_back(p.col);
         }
-        if (p.base >= 0) {
+        if (p.rows == 0) {
             f.ops.back().base = p.base;
         } else {
-            const std::int32_t step[2] = {size[at(p.row)], size[at(p.col)]};
-            for (std::int32_t r = 0; r < p.rows; ++r)
-                f.contributions.push_back(
-                    {{p.first.g[0] + r * step[0], p.first.g[1] + r * step[1]}, p.first.sigma + r});
-            f.ops.back().end += p.rows;
+            f.contributions.push_back(p.part);
+            ++f.ops.back().count[p.rows - 1];
         }
     }
     f.pattern = factor::make_pattern(std::move(size), std::move(sign), from, to);

@@ -17,25 +17,45 @@
 
 namespace hawser::bench {
 
-/// Adds g_rowᵀ Σ⁻¹ g_col of one eliminated row to a block.
+/// Eliminated rows go by up to so many at once.
+inline constexpr int kMostRows = 3;
+
+/// Adds Σ g_rowᵀ Σ⁻¹ g_col over 1 … kMostRows successive eliminated rows of a node to a block.
 struct Contribution {
-    std::int32_t g[2];   ///< Addresses of its parts with the row and the column node.
+    std::int32_t g[2];   ///< Addresses of the first row's parts with the row and the column node.
     std::int32_t sigma;  ///< Its scalar.
 };
 
-/// How one block of the form is computed, and where it is written.
+/// How one block of the form is computed. Its contributions of one row come first, then those of
+/// two, then those of three.
 struct BlockOp {
-    std::int32_t row = 0, col = 0;    ///< Kept nodes.
-    std::int64_t base = -1;           ///< Address of the block in the system; −1: zero.
-    std::int32_t begin = 0, end = 0;  ///< Contributions.
-    std::int64_t to = 0;              ///< Address of (0, 0).
-    std::int32_t step = 1;            ///< From row i to i + 1.
-    std::int32_t stride = 0;          ///< From column c to c + 1, less c if `shrink`.
+    std::int32_t row = 0, col = 0;       ///< Kept nodes.
+    std::int32_t base = -1;              ///< Address of the block in the system; −1: zero.
+    std::int32_t begin = 0;              ///< Its contributions.
+    std::int32_t count[kMostRows] = {};  ///< Of one row, of two, of three.
     std::uint8_t row_size = 0, col_size = 0;
     bool by_rows = false;  ///< The base block is stored by rows of the row node.
-    bool shrink = false;   ///< Columns get shorter, as in a lower triangle by columns.
-    bool turned = false;   ///< Row and column node have changed places since the form was made.
 };
+
+/// The same with the place where it is written: half a cache line, as there are many.
+struct BlockWrite {
+    std::int32_t base = -1, begin = 0;
+    std::int32_t count[kMostRows] = {};
+    std::uint32_t to = 0;     ///< Address of (0, 0).
+    std::int32_t stride = 0;  ///< From column c to c + 1, less c if `shrink`.
+    std::uint8_t row_size : 4 = 0, col_size : 4 = 0;
+    std::uint8_t step = 1;     ///< From row i to i + 1.
+    bool by_rows : 1 = false;  ///< As above, of the node whose rows are written.
+    bool shrink : 1 = false;   ///< Columns get shorter, as in a lower triangle by columns.
+    bool turned : 1 = false;   ///< Row and column node have changed places since the form was made.
+    bool diagonal : 1 = false;
+
+    BlockWrite() = default;
+    /// @param turn  The block is written transposed. @throws std::length_error if the address needs
+    /// more than 32 bits.
+    BlockWrite(const BlockOp& op, bool turn, std::int64_t address, int row_step, int column_stride);
+};
+static_assert(sizeof(BlockWrite) == 32);
 
 /// What the products with the blocks (sweeps.h) need of each node, in the order in which they
 /// need it. Rows here are rows with a diagonal compliance block that touch positive nodes only,
@@ -100,11 +120,11 @@ void invert_sigma(const BlockSystem& system, const BlockForm& form, std::vector<
                   base::Executor& executor);
 
 /// Compute blocks and write them to `target`; of diagonal blocks the lower triangle counts.
-void assemble(const BlockSystem& system, std::span<const BlockOp> ops,
+void assemble(const BlockSystem& system, std::span<const BlockWrite> ops,
               const std::vector<Contribution>& contributions, const std::vector<double>& inverse,
               double* target) noexcept;
 /// The same with a team.
-void assemble(const BlockSystem& system, const std::vector<BlockOp>& ops,
+void assemble(const BlockSystem& system, const std::vector<BlockWrite>& ops,
               const std::vector<Contribution>& contributions, const std::vector<double>& inverse,
               double* target, base::Executor& executor);
 

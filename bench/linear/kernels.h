@@ -45,6 +45,11 @@ HAWSER_BENCH_INLINE void load(V4& v, const double* from) {
     v = *reinterpret_cast<const Anywhere*>(from);
 }
 
+/// Ask for cache lines that will be read soon.
+HAWSER_BENCH_INLINE void fetch(const double* from, int lines) {
+    for (int k = 0; k < lines; ++k) __builtin_prefetch(from + 8 * k);
+}
+
 /// The first N of four doubles.
 template <int N>
 HAWSER_BENCH_INLINE void store(double* to, const V4& v) {

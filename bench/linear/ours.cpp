@@ -22,7 +22,7 @@ class Placer {
 
     /// @param of_piece  By piece: begin and end of its blocks.
     void place(const BlockForm& form, const factor::Analysis& analysis,
-               const std::vector<factor::Piece>& pieces, std::vector<BlockOp>& ops,
+               const std::vector<factor::Piece>& pieces, std::vector<BlockWrite>& ops,
                std::vector<Range>& of_piece) {
         const factor::Symbolic& s = analysis.symbolic();
         rank_pieces(s, pieces);
@@ -116,26 +116,12 @@ class Placer {
     /// node. @param target  Of (row, column).
     template <class Target>
     void put(const BlockForm& form, const factor::Symbolic& s, std::int32_t i,
-             std::vector<BlockOp>& ops, Target&& target) const {
+             std::vector<BlockWrite>& ops, Target&& target) const {
         const BlockOp& from = form.ops[at(i)];
         const bool turned = s.position[at(from.row)] < s.position[at(from.col)];
         const std::int32_t row = turned ? from.col : from.row, col = turned ? from.row : from.col;
-        const std::uint8_t rows = turned ? from.col_size : from.row_size,
-                           cols = turned ? from.row_size : from.col_size;
         const factor::BlockTarget to = target(row, col);
-        ops[at(to_[at(i)])] = {row,
-                               col,
-                               from.base,
-                               from.begin,
-                               from.end,
-                               to.address,
-                               to.step,
-                               to.ld,
-                               rows,
-                               cols,
-                               from.by_rows != turned,
-                               from.shrink,
-                               from.turned != turned};
+        ops[at(to_[at(i)])] = BlockWrite(from, turned, to.address, to.step, to.ld);
     }
 
     std::vector<std::pair<std::int64_t, std::int32_t>> by_place_;  ///< Panels, pieces.
@@ -237,7 +223,7 @@ class Ours final : public Solver {
     factor::Analysis analysis_;
     const factor::Symbolic& symbolic_ = analysis_.symbolic();
     factor::Numeric numeric_;
-    std::vector<BlockOp> ops_;
+    std::vector<BlockWrite> ops_;
     std::vector<std::pair<std::size_t, std::size_t>> piece_ops_;  ///< Of each piece: begin, end.
     Input input_;
     std::vector<std::int32_t> place_;  ///< Of each permuted scalar in the form.

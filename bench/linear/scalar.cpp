@@ -38,10 +38,10 @@ std::vector<std::int32_t> metis(const factor::Pattern& pattern) {
 #endif
 }
 
-/// Columns of the block lower triangle as a scalar matrix; sets where each block is written.
-Sparse block_lower(const BlockForm& f, std::vector<BlockOp>& ops) {
+/// Columns of the block lower triangle as a scalar matrix, and where each block is written.
+Sparse block_lower(const BlockForm& f, std::vector<BlockWrite>& writes) {
     std::vector<std::int32_t> height(f.kept.size(), 0);  // rows below the diagonal block
-    for (const BlockOp& op : ops)
+    for (const BlockOp& op : f.ops)
         if (op.row != op.col) height[at(op.col)] += op.row_size;
     std::vector<std::int32_t> start(at(f.scalars()) + 1, 0);
     for (std::size_t a = 0; a < f.kept.size(); ++a)
@@ -51,16 +51,15 @@ Sparse block_lower(const BlockForm& f, std::vector<BlockOp>& ops) {
     m.resizeNonZeros(start.back());
     std::copy(start.begin(), start.end(), m.outerIndexPtr());
     std::vector<std::int32_t> depth(f.kept.size(), 0);
-    for (BlockOp& op : ops) {  // ascending rows within a column
+    for (const BlockOp& op : f.ops) {  // ascending rows within a column
         const int n = op.col_size, first = f.offset[at(op.col)];
-        op.to = start[at(first)] + depth[at(op.col)];
-        op.stride = n + height[at(op.col)] - 1;
-        op.shrink = true;
-        std::int64_t to = op.to;
+        std::int64_t to = start[at(first)] + depth[at(op.col)];
+        writes.emplace_back(op, false, to, 1, n + height[at(op.col)] - 1);
+        writes.back().shrink = true;
         for (int c = 0; c < n; ++c) {
             for (int i = op.row == op.col ? c : 0; i < op.row_size; ++i)
                 m.innerIndexPtr()[to + i] = f.offset[at(op.row)] + i;
-            to += op.stride - c;
+            to += writes.back().stride - c;
         }
         depth[at(op.col)] += op.row_size;
     }
@@ -93,16 +92,16 @@ std::vector<std::int32_t> order_blocks(const BlockForm& form, Order order) {
 
 ScalarMatrix::ScalarMatrix(const BlockSystem& system, const BlockForm& form) {
     if (form.condensed) {
-        ops_ = form.ops;
-        lower = block_lower(form, ops_);
+        std::vector<BlockWrite> writes;
+        lower = block_lower(form, writes);
         // Alike blocks together within stretches whose values stay in cache, as with our pieces.
         constexpr std::size_t kStretch = 512;
-        std::vector<BlockOp> sorted;
-        for (std::size_t k = 0; k < ops_.size(); k += kStretch) {
-            const auto part = std::span(ops_).subspan(k, std::min(kStretch, ops_.size() - k));
-            for (const std::int32_t i : order_alike(part)) sorted.push_back(part[at(i)]);
+        for (std::size_t k = 0; k < writes.size(); k += kStretch) {
+            const std::span all(form.ops);
+            for (const std::int32_t i :
+                 order_alike(all.subspan(k, std::min(kStretch, all.size() - k))))
+                writes_.push_back(writes[k + at(i)]);
         }
-        ops_.swap(sorted);
         return;
     }
     // Numbers of the places instead of values: exact below 2^53, and none is zero.
@@ -118,7 +117,7 @@ ScalarMatrix::ScalarMatrix(const BlockSystem& system, const BlockForm& form) {
 void ScalarMatrix::refresh(const BlockSystem& system, const BlockForm& form,
                            const std::vector<double>& inverse, base::Executor& executor) {
     if (form.condensed) {
-        assemble(system, ops_, form.contributions, inverse, lower.valuePtr(), executor);
+        assemble(system, writes_, form.contributions, inverse, lower.valuePtr(), executor);
         return;
     }
     in_pieces(lower.nonZeros(), executor, [&](std::int64_t begin, std::int64_t end) {

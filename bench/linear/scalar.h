@@ -32,7 +32,7 @@ class ScalarMatrix {
     Sparse lower;
 
   private:
-    std::vector<BlockOp> ops_;          ///< Condensed form.
+    std::vector<BlockWrite> writes_;    ///< Condensed form.
     std::vector<std::int64_t> source_;  ///< Saddle form: address of each value in the system.
 };
 

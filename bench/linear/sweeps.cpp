@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "linear/sweeps.h"
 
+#include "index.h"
 #include "linear/kernels.h"
 #include "linear/pieces.h"
 
@@ -20,14 +21,22 @@ struct SweepView {
     const std::int32_t* row_to;
     const double *inverse, *b;
     double *x, *r, *s, *folded;
+    bool distant;  ///< The blocks are several times what a core's own cache holds.
 };
+
+constexpr std::size_t kNear =
+    524'288;  // doubles: 4 MB; below, asking ahead costs more than it brings
 
 SweepView view_of(const BlockSystem& s, const BlockForm& f, const std::vector<double>& inverse,
                   SweepVectors& v) {
     const SweepTables& t = f.tables;
-    return {s.values.data(), t.rows.data(),   t.row_terms.data(), t.bodies.data(), t.columns.data(),
-            t.others.data(), t.row_to.data(), inverse.data(),     s.rhs.data(),    v.x.data(),
-            v.r.data(),      v.s.data(),      v.folded.data()};
+    return {s.values.data(),    t.rows.data(),
+            t.row_terms.data(), t.bodies.data(),
+            t.columns.data(),   t.others.data(),
+            t.row_to.data(),    inverse.data(),
+            s.rhs.data(),       v.x.data(),
+            v.r.data(),         v.s.data(),
+            v.folded.data(),    s.values.size() > kNear};
 }
 
 /// Rows [first, first + 4) of G x, of the N that one row node has.
@@ -65,6 +74,12 @@ HAWSER_BENCH_INLINE void row_product(const SweepView& v, std::int64_t e, const d
 }
 
 enum class Sweep : std::uint8_t { unfold, correct, residual };
+
+/// Blocks of rows lie one after the other, in stretches too short for the processor to look ahead.
+HAWSER_BENCH_INLINE void fetch_row(const SweepView& v, std::int64_t e) {
+    constexpr int kAhead = 320, kLines = 5;  // doubles, of a row node at most
+    if (v.distant) fetch(v.values + v.rows[e].sigma + kAhead, kLines);
+}
 
 /// In condensed form: multipliers and residuals from the velocities, or corrections of the
 /// multipliers from those of the velocities, which are in s meanwhile. In saddle form: residuals.
@@ -188,14 +203,20 @@ HAWSER_BENCH_CLONES void sweep_rows(const SweepView& v, std::int64_t begin, std:
 #define HAWSER_BENCH_CORRECT(n) sweep_row<Sweep::correct, n>(v, e)
 #define HAWSER_BENCH_RESIDUAL(n) sweep_row<Sweep::residual, n>(v, e)
     if (sweep == Sweep::unfold)
-        for (std::int64_t e = begin; e < end; ++e)
+        for (std::int64_t e = begin; e < end; ++e) {
+            fetch_row(v, e);
             HAWSER_BENCH_BY_SIZE(v.rows[e].rows, HAWSER_BENCH_UNFOLD)
+        }
     else if (sweep == Sweep::correct)
-        for (std::int64_t e = begin; e < end; ++e)
+        for (std::int64_t e = begin; e < end; ++e) {
+            fetch_row(v, e);
             HAWSER_BENCH_BY_SIZE(v.rows[e].rows, HAWSER_BENCH_CORRECT)
+        }
     else
-        for (std::int64_t e = begin; e < end; ++e)
+        for (std::int64_t e = begin; e < end; ++e) {
+            fetch_row(v, e);
             HAWSER_BENCH_BY_SIZE(v.rows[e].rows, HAWSER_BENCH_RESIDUAL)
+        }
 #undef HAWSER_BENCH_UNFOLD
 #undef HAWSER_BENCH_CORRECT
 #undef HAWSER_BENCH_RESIDUAL
@@ -234,8 +255,7 @@ void all_bodies(const BlockForm& f, const SweepView& v, bool residual, base::Exe
 void spread(const BlockForm& f, const std::vector<double>& from, std::vector<double>& to) {
     for (const SweepTables::Body& body : f.tables.bodies)
         for (std::int32_t i = 0; i < body.size; ++i)
-            to[static_cast<std::size_t>(body.scalar + i)] =
-                from[static_cast<std::size_t>(body.to + i)];
+            to[at(body.scalar + i)] = from[at(body.to + i)];
 }
 
 }  // namespace

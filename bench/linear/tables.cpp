@@ -2,9 +2,6 @@
 #include "index.h"
 #include "linear/form.h"
 
-#include <limits>
-#include <stdexcept>
-
 namespace hawser::bench {
 namespace {
 
@@ -40,8 +37,6 @@ void add_body(const BlockSystem& s, const BlockForm& f, const std::vector<bool>&
 }  // namespace
 
 SweepTables make_tables(const BlockSystem& s, const BlockForm& f) {
-    if (s.values.size() > std::numeric_limits<std::int32_t>::max())
-        throw std::length_error("the blocks have more numbers than 32 bits can address");
     SweepTables t;
     std::vector<bool> is_row(s.pattern.size.size());
     for (int a = 0; a < s.pattern.nodes(); ++a) is_row[at(a)] = can_be_eliminated(s, a);
