@@ -66,11 +66,13 @@ void System::collect_ops(const model::Bodies& bodies, const model::Interactions&
     }
 }
 
-Op System::placed(const OpEntry& entry, const model::Interactions& in) const {
+Op System::placed(const OpEntry& entry, const model::Bodies& bodies,
+                  const model::Interactions& in) const {
     const factor::BlockTarget t = symbolic.target(entry.row, entry.column);
     Op op{t.address, t.step, t.ld, entry.id, 0, 0, entry.kind, entry.a, entry.b, 0, 0, 0};
     if (op.kind == Op::body_block) {
         op.dof_a = op.dof_b = dof_[at(op.id)];
+        op.jac_a = static_cast<std::int32_t>(block_place(bodies.dof_begin[at(op.id)]));
         return op;
     }
     if (op.kind == Op::contact) {
@@ -153,7 +155,7 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
                 end = op_begin_[at(column_place_[column].second)];
             together.clear();
             for (; begin < end; ++begin)
-                together.push_back(placed(op_entries_[at(op_order_[at(begin)])], in));
+                together.push_back(placed(op_entries_[at(op_order_[at(begin)])], bodies, in));
             if (together.empty()) continue;
             if (together.front().step == 1)
                 ops.insert(ops.end(), together.begin(), together.end());
@@ -273,7 +275,7 @@ void System::share_lanes(std::span<const Op> together, std::int64_t place,
         auto put = [&](std::size_t k) {
             found->id[k] = op.id;
             found->from[k] = op.jac_a;
-            if (op.kind == Op::body_block) found->from[k] = kBodyBlock * op.id;
+            if (op.kind == Op::body_block) found->from[k] = op.jac_a;
             if (op.kind == Op::geometric && op.width > 0)
                 found->from[k] = geo_place_[at(op.id)].record;
         };

@@ -55,7 +55,7 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) 
         const bool points = is_point(body[0]) && is_point(body[1]);
         geo_place_[at(i)] = {record, force, points ? 3 : 6};
         record += points ? kGeoLine : kGeoSize;
-        force += points ? 12 : 24;
+        force += points ? 6 : 24;
     }
     in.jacobian.assign(at(jacobian) + kSlack, 0.0);
     geo_record_.assign(at(record) + kSlack, 0.0);

@@ -85,7 +85,7 @@ void System::find_resting(const model::Bodies& bodies, const model::Interactions
 void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) {
     constexpr std::size_t kSlack = 8;  // as above
     lay_out_rows(bodies, in);
-    body_block_.resize(at(kBodyBlock * bodies.count()) + kSlack);
+    body_block_.resize(2 * at(bodies.dofs) + kSlack);
     for (base::Array<double>* a : {&a_, &v_new_, &momentum_})
         a->assign(at(bodies.dofs) + kSlack, 0.0);
     bounded.clear();

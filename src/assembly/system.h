@@ -151,7 +151,8 @@ class System {
                      F&& work) const noexcept;
     void collect_ops(const model::Bodies& bodies, const model::Interactions& interactions);
     void sort_ops();
-    [[nodiscard]] Op placed(const OpEntry& entry, const model::Interactions& interactions) const;
+    [[nodiscard]] Op placed(const OpEntry& entry, const model::Bodies& bodies,
+                            const model::Interactions& interactions) const;
     void share_lanes(std::span<const Op> together, std::int64_t place,
                      const model::Interactions& interactions);
     void reserve(const model::Bodies& bodies, model::Interactions& interactions, int threads);

@@ -19,10 +19,16 @@
 
 namespace hawser::assembly {
 
-inline constexpr int kBodyBlock = 12;  ///< Doubles of a body's own block: two symmetric 3×3.
-inline constexpr int kGeoSize = 24;    ///< Doubles of one geometric-stiffness record, see geo.h.
-inline constexpr int kGeoSwing = 23;   ///< Its last one, which no step writes.
-inline constexpr int kGeoLine = 4;     ///< Of them, those between bodies without arms.
+/// Doubles of a body's own block, one symmetric 3×3 for each three of its freedoms, and where it
+/// begins: at twice its first velocity.
+inline constexpr int kBodyBlock = 12;
+[[nodiscard, gnu::always_inline]] inline constexpr std::int64_t block_place(
+    std::int32_t dof_begin) {
+    return std::int64_t{2} * dof_begin;
+}
+inline constexpr int kGeoSize = 24;   ///< Doubles of one geometric-stiffness record, see geo.h.
+inline constexpr int kGeoSwing = 23;  ///< Its last one, which no step writes.
+inline constexpr int kGeoLine = 4;    ///< Of them, those between bodies without arms.
 
 inline constexpr int kLossChunk = 64;  ///< Interactions of one call of row_losses().
 
@@ -66,21 +72,25 @@ struct Incidence {
     std::int32_t jacobian;   ///< Offset of this body's columns in the first row; of its arm.
     std::int32_t row;        ///< First row.
     std::int32_t geo_force;  ///< GeoPlace::slot() of this body, −1: none or not one of its two.
-    std::int32_t geo_arm;    ///< Offset of its arm's stiffness, −1: none; in short: interaction.
+    /// Offset of its arm's stiffness, −1: none (slot 1 has the force of slot 0, sign changed). Of a
+    /// Jacobian in short: the interaction.
+    std::int32_t geo_arm;
     std::uint8_t rows;
     std::uint8_t width;  ///< 0: the Jacobian is in short (model/arms.h); `slot` is this body's.
     std::uint8_t slot;
 };
 
 /// Where the geometric terms of one interaction are. A slot has 2 `dof` doubles: its part of M̃ v
-/// for the velocities of the latest loop over rows, and its part of a. Where the Jacobian is in
-/// short (model/arms.h) there is one slot of six: the torques of damping on body 0, of M̃ v and of
-/// a.
+/// for the velocities of the latest loop over rows, and its part of a. Where one slot's part is the
+/// other's with the sign changed, only that of slot 0 is kept: between bodies without arms, and
+/// where the Jacobian is in short (model/arms.h), in which case there are three torques of each.
 struct GeoPlace {
     std::int32_t record = -1;  ///< Offset of the record, kGeoSize or kGeoLine doubles; −1: none.
-    std::int32_t force = 0;    ///< Offset of slot 0; slot 1 follows.
+    std::int32_t force = 0;    ///< Offset of slot 0; slot 1, if any, follows.
     std::int32_t dof = 6;      ///< 3 between bodies without arms (lumps, scalars), else 6.
-    [[nodiscard]] constexpr std::int32_t slot(int b) const { return force + 2 * dof * b; }
+    [[nodiscard]] constexpr std::int32_t slot(int b) const {
+        return dof == 6 ? force + 12 * b : force;
+    }
 };
 
 struct View {
@@ -109,7 +119,7 @@ struct View {
     const double* force;
     const double* damping;
     const std::uint8_t* weight;
-    double* body_block;  ///< kBodyBlock a body.
+    double* body_block;  ///< See block_place().
     double* a;           ///< Packed like v: right-hand side of the momentum rows.
     double* v_new;       ///< Packed like v: the solution v₊.
     double* momentum;    ///< Packed like v: a − M̃ v₊ + Gᵀλ.

@@ -76,7 +76,7 @@ void reserve_gauss_seidel(StepContext& ctx, std::size_t contacts) {
 
 bool invert_masses(StepContext& ctx, const assembly::View& v) noexcept {
     for (std::int32_t b = 0; b < v.body_count; ++b) {
-        const double* block = v.body_block + assembly::kBodyBlock * static_cast<std::ptrdiff_t>(b);
+        const double* block = v.body_block + assembly::block_place(v.dof_begin[b]);
         double* out = &ctx.newton.inverse_mass[at(b) * assembly::kBodyBlock];
         bool good = true;
         if (v.dof[b] == 1) out[0] = 1.0 / block[0];

@@ -142,7 +142,7 @@ void geometric(const View& view, const Op& op, Place out) {
 }
 
 void body_block(const View& view, const Op& op, Place out) {
-    const double* block = view.body_block + static_cast<long>(assembly::kBodyBlock) * op.id;
+    const double* block = view.body_block + assembly::block_place(view.dof_begin[op.id]);
     const int dof = view.dof[op.id];
     if (dof == 1) {
         out(0, 0) += block[0];

@@ -19,7 +19,7 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
     const double* v = view.v_new + view.dof_begin[body];
     double mv[8] = {};
     if constexpr (!kAtRest)
-        block_times(view.body_block + static_cast<long>(kBodyBlock) * body, dof, v, mv);
+        block_times(view.body_block + assembly::block_place(view.dof_begin[body]), dof, v, mv);
     V8 acc = load_at_least(view.a + view.dof_begin[body], dof);
     const std::int32_t end = view.incident_begin[body + 1];
     for (std::int32_t k = view.incident_begin[body]; k < end; ++k) {
@@ -36,7 +36,12 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
             continue;
         }
         for (int r = 0; r < in.rows; ++r) acc += yr[r] * load_at_least(jac + r * in.width, dof);
-        if (!kAtRest && in.geo_force >= 0) acc -= load_at_least(view.geo_force + in.geo_force, dof);
+        if (kAtRest || in.geo_force < 0) continue;
+        const V8 force = load_at_least(view.geo_force + in.geo_force, dof);
+        if (in.geo_arm < 0 && in.slot == 1)
+            acc += force;
+        else
+            acc -= force;
     }
     if (view.contact_impulse)
         acc += load_at_least(view.contact_impulse + view.dof_begin[body], dof);

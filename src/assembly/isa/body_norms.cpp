@@ -52,7 +52,7 @@ void one_body(const View& view, std::int32_t body, Norms& n) {
         n.finite += u[j];
     }
     n.drag += drag_work(view, body, u, mean);
-    block_times(view.body_block + static_cast<long>(kBodyBlock) * body, dof, v, mv);
+    block_times(view.body_block + assembly::block_place(view.dof_begin[body]), dof, v, mv);
     for (int j = 0; j < dof; ++j) diff[j] = view.a[begin + j] - mv[j];
     n.momentum += inverse_mass_norm(view, body, view.momentum + begin);
     n.impulse += inverse_mass_norm(view, body, diff);
@@ -82,8 +82,9 @@ void eight_bodies(const View& view, std::int32_t body, Norms& n) {
     load_bodies(view.force + 6L * body, 6, f);
     load_bodies(view.damping + 6L * body, 6, d);
     V8 low[kLanes], high[kLanes];  // entries 0-7 and 4-11
-    load_bodies(view.body_block + static_cast<long>(kBodyBlock) * body, kBodyBlock, low);
-    load_bodies(view.body_block + static_cast<long>(kBodyBlock) * body + 4, kBodyBlock, high);
+    load_bodies(view.body_block + assembly::block_place(view.dof_begin[body]), kBodyBlock, low);
+    load_bodies(view.body_block + assembly::block_place(view.dof_begin[body]) + 4, kBodyBlock,
+                high);
     const WM3 r = load_bodies9(view.r + 9L * body);
     const WM3 inverse = load_bodies9(view.inv_inertia + 9L * body);
     const V8 per_mass = 1.0 / load(view.mass + body);

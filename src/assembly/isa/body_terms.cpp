@@ -82,7 +82,7 @@ V3T<T> forced_gyro(const M3T<T>& inertia, const V3T<T>& w, const V3T<T>& change,
 void own_terms(const View& view, std::int32_t body) {
     const double h = view.h;
     const int dof = view.dof[body];
-    double* block = view.body_block + static_cast<long>(kBodyBlock) * body;
+    double* block = view.body_block + assembly::block_place(view.dof_begin[body]);
     const double* v = view.v + view.dof_begin[body];
     double* a = view.a + view.dof_begin[body];
     const double* f = view.force + 6 * body;
@@ -137,7 +137,7 @@ void add_arm(const View& view, const assembly::Incidence& in, const double* v, d
 /// What interactions' geometric stiffness adds to a body's own terms.
 void add_geometric(const View& view, std::int32_t body) {
     const int dof = view.dof[body];
-    double* block = view.body_block + static_cast<long>(kBodyBlock) * body;
+    double* block = view.body_block + assembly::block_place(view.dof_begin[body]);
     const double* v = view.v + view.dof_begin[body];
     double* a = view.a + view.dof_begin[body];
     for (std::int32_t k = view.incident_begin[body]; k < view.incident_begin[body + 1]; ++k) {
@@ -147,9 +147,13 @@ void add_geometric(const View& view, std::int32_t body) {
             add_arm(view, in, v, block, a);
             continue;
         }
-        const double* force = view.geo_force + in.geo_force + (in.geo_arm < 0 ? 3 : 6);
+        if (in.geo_arm < 0) {
+            add3(a, (in.slot == 0 ? 1.0 : -1.0) * load3(view.geo_force + in.geo_force + 3));
+            continue;
+        }
+        const double* force = view.geo_force + in.geo_force + 6;
         add3(a, load3(force));
-        if (dof < 6 || in.geo_arm < 0) continue;
+        if (dof < 6) continue;
         // The arms' stiffness touches this body alone: it joins the body's own block.
         const double* arm = view.geo_record + in.geo_arm;
         for (int i = 0; i < 6; ++i) block[6 + i] += arm[i];
@@ -224,7 +228,7 @@ void rigid_terms(const View& view, std::int32_t body) {
                        world.a[2], world.a[4], world.a[5], world.a[8]};
     transpose(low);
     transpose(high);
-    double* block = view.body_block + static_cast<long>(kBodyBlock) * body;
+    double* block = view.body_block + assembly::block_place(view.dof_begin[body]);
     for (int l = 0; l < kLanes; ++l) {
         store(block + kBodyBlock * l, low[l]);
         store(block + kBodyBlock * l + 4, high[l]);

@@ -26,13 +26,12 @@ inline void geo_force(const assembly::View& view, std::int32_t id, const double*
     const double* rec = view.geo_record + place.record;
     double* out[2] = {view.geo_force + place.slot(0) + from, view.geo_force + place.slot(1) + from};
     const std::int32_t* body = view.body + kMaxInteractionBodies * id;
-    if (place.dof == 3) {  // no arms
+    if (place.dof == 3) {  // no arms: one slot for both
         const V3 u = load3(rec + 1);
         V3 lin[2], ang;
         for (int b = 0; b < 2; ++b) slot_velocity(view, v, body[b], lin[b], ang);
         const V3 rel = lin[0] - lin[1], t = rec[0] * (rel - dot(u, rel) * u);
         store3(out[0], t);
-        store3(out[1], -t);
         return;
     }
     if (rec[0] == 0.0 && rec[22] == 0.0) {

@@ -227,20 +227,14 @@ struct LaneRows {
         put_record<0, assembly::kGeoLine>(record);
         const V3T<W8> rel{v[0][0] - v[1][0], v[0][1] - v[1][1], v[0][2] - v[1][2]};
         const V3T<W8> t = w * (rel - dot(u, rel) * u);
-        if (!view.v_start) {
-            V8 only[kLanes] = {none, none, none, t.x, t.y, t.z, none, none};
-            V8 other[kLanes] = {none, none, none, -t.x, -t.y, -t.z, none, none};
-            put_force<0, 6>(only);
-            put_force<6, 6>(other);
-            return;
+        V3T<W8> s{none, none, none};
+        if (view.v_start) {
+            const V3T<W8> begin{start[0][0] - start[1][0], start[0][1] - start[1][1],
+                                start[0][2] - start[1][2]};
+            s = w * (begin - dot(u, begin) * u);
         }
-        const V3T<W8> begin{start[0][0] - start[1][0], start[0][1] - start[1][1],
-                            start[0][2] - start[1][2]};
-        const V3T<W8> s = w * (begin - dot(u, begin) * u);
-        V8 low[kLanes] = {s.x, s.y, s.z, t.x, t.y, t.z, -s.x, -s.y};
-        V8 high[kLanes] = {-s.z, -t.x, -t.y, -t.z, none, none, none, none};
-        put_force<0, kLanes>(low);
-        put_force<kLanes, 4>(high);
+        V8 force[kLanes] = {s.x, s.y, s.z, t.x, t.y, t.z, none, none};
+        put_force<0, 6>(force);
     }
 
     /// Records and torques of damping of joints in short.

@@ -80,7 +80,7 @@ inline void eight_rhs(const assembly::View& view, std::int32_t body, const doubl
         load_twists(view.geo_force + joints.place->geo_force + 6, next, unused);
         V8 v[kLanes], low[kLanes], high[kLanes];  // block: entries 0-7 and 4-11
         load_bodies(view.v_new + begin, 6, v);
-        const double* block = view.body_block + static_cast<long>(assembly::kBodyBlock) * body;
+        const double* block = view.body_block + assembly::block_place(view.dof_begin[body]);
         load_bodies(block, assembly::kBodyBlock, low);
         load_bodies(block + 4, assembly::kBodyBlock, high);
         linear = linear - mul6(low, W3{v[0], v[1], v[2]});
