@@ -138,10 +138,13 @@ HAWSER_BENCH_CLONES void run_ops(const BlockWrite* ops, std::int64_t count, cons
     }
 }
 
+/// @param asked  Rows to ask for ahead: all, or none.
 HAWSER_BENCH_CLONES void invert_rows(const SweepTables::Row* rows, std::int64_t count,
-                                     const double* values, double* inverse) {
+                                     std::int64_t asked, const double* values, double* inverse) {
+    constexpr std::int64_t kAhead = 16;
     for (std::int64_t k = 0; k < count; ++k) {
         const SweepTables::Row& row = rows[k];
+        if (k + kAhead < asked) fetch(values + rows[k + kAhead].sigma, 1);
         for (int i = 0; i < row.rows; ++i)
             inverse[row.scalar + i] = -1.0 / values[row.sigma + i * (row.rows + 1)];
     }
@@ -155,7 +158,9 @@ void invert_sigma(const BlockSystem& s, const BlockForm& f, std::vector<double>&
     const SweepTables::Row* rows = f.tables.rows.data();
     in_pieces(static_cast<std::int64_t>(f.tables.rows.size()), executor,
               [&](std::int64_t begin, std::int64_t end) {
-                  invert_rows(rows + begin, end - begin, s.values.data(), inverse.data());
+                  const bool distant = s.values.size() > kNearScattered;
+                  invert_rows(rows + begin, end - begin, distant ? end - begin : 0, s.values.data(),
+                              inverse.data());
               });
 }
 

@@ -4,6 +4,7 @@
 /// Vectors of eight doubles for the loops around the solvers, compiled once for each instruction
 /// set by the compiler and chosen when the program starts.
 
+#include <cstddef>
 #include <cstring>
 
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
@@ -44,6 +45,10 @@ HAWSER_BENCH_INLINE void load(V4& v, const double* from) {
     using Anywhere = double __attribute__((vector_size(32), aligned(8), may_alias));
     v = *reinterpret_cast<const Anywhere*>(from);
 }
+
+/// Blocks that are read as they lie are asked for ahead where there are more doubles of them than
+/// the first (4 MB), others from the second on (8 MB). Below, that costs more than it brings.
+inline constexpr std::size_t kNearSize = 524'288, kNearScattered = 1'048'576;
 
 /// Ask for cache lines that will be read soon.
 HAWSER_BENCH_INLINE void fetch(const double* from, int lines) {

@@ -21,22 +21,23 @@ struct SweepView {
     const std::int32_t* row_to;
     const double *inverse, *b;
     double *x, *r, *s, *folded;
-    bool distant;  ///< The blocks are several times what a core's own cache holds.
+    std::int32_t asked;  ///< Columns to ask for ahead: all, or none.
+    bool distant;        ///< The blocks are several times what a core's own cache holds.
 };
-
-constexpr std::size_t kNear =
-    524'288;  // doubles: 4 MB; below, asking ahead costs more than it brings
 
 SweepView view_of(const BlockSystem& s, const BlockForm& f, const std::vector<double>& inverse,
                   SweepVectors& v) {
     const SweepTables& t = f.tables;
-    return {s.values.data(),    t.rows.data(),
-            t.row_terms.data(), t.bodies.data(),
-            t.columns.data(),   t.others.data(),
-            t.row_to.data(),    inverse.data(),
-            s.rhs.data(),       v.x.data(),
-            v.r.data(),         v.s.data(),
-            v.folded.data(),    s.values.size() > kNear};
+    const std::size_t size = s.values.size();
+    return {
+        s.values.data(),    t.rows.data(),
+        t.row_terms.data(), t.bodies.data(),
+        t.columns.data(),   t.others.data(),
+        t.row_to.data(),    inverse.data(),
+        s.rhs.data(),       v.x.data(),
+        v.r.data(),         v.s.data(),
+        v.folded.data(),    size > kNearScattered ? static_cast<std::int32_t>(t.columns.size()) : 0,
+        size > kNearSize};
 }
 
 /// Rows [first, first + 4) of G x, of the N that one row node has.
@@ -159,6 +160,9 @@ HAWSER_BENCH_INLINE void sweep_body(const SweepView& v, std::int64_t a) {
         sum -= kept;
     }
     std::int32_t k = a > 0 ? v.bodies[a - 1].end : 0;
+    constexpr std::int32_t kAhead = 24;
+    for (std::int32_t j = k + kAhead; j < std::min(body.end + kAhead, v.asked); ++j)
+        fetch(v.values + v.columns[j].g, 1);
     for (; k + 1 < body.end; k += 2) {  // two chains of sums
         V g, h;
         load(g, v.values + v.columns[k].g);
