@@ -5,11 +5,10 @@
 ///
 /// | library | forms | orders | threads |
 /// |---|---|---|---|
-/// | hawser | saddle, condensed | own (chains first), AMD on blocks, METIS on blocks | ours |
-/// | Eigen SimplicialLDLT, CHOLMOD simplicial, SuiteSparse LDL | both | all three | - |
-/// | CHOLMOD supernodal | condensed: it has no LDLᵀ | all three | BLAS |
-/// | KLU | both | all three, COLAMD | - |
-/// | MUMPS | both, SYM = 1: no pivoting | all three | BLAS |
+/// | hawser | saddle, condensed | own: chains first, minimum degree; the latter alone; METIS on
+/// blocks | ours | | Eigen SimplicialLDLT, CHOLMOD simplicial, SuiteSparse LDL | both | all three |
+/// - | | CHOLMOD supernodal | condensed: it has no LDLᵀ | all three | BLAS | | KLU | both | all
+/// three, COLAMD | - | | MUMPS | both, SYM = 1: no pivoting | all three | BLAS |
 
 #include "linear/form.h"
 #include "linear/scalar.h"

@@ -52,6 +52,7 @@ Result describe(Candidate& c) {
     r.form = c.variant().form();
     r.order = name_of(c.variant().order);
     if (c.variant().order == Order::library && r.library == "KLU") r.order = "COLAMD";
+    if (c.variant().order == Order::amd_blocks && r.library == "hawser") r.order = "minimum degree";
     r.threads = c.threads();
     return r;
 }

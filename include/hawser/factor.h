@@ -140,8 +140,9 @@ class BlockFactor {
     std::unique_ptr<Impl> impl_;
 };
 
-/// Approximate minimum degree (Amestoy, Davis, Duff 1996) on the nodes, rows after bodies: what
-/// analyse() does with all that is in no chain. @throws std::invalid_argument, std::bad_alloc.
+/// Approximate minimum degree (Amestoy, Davis, Duff 1996) on the nodes, rows after bodies. With
+/// all that is in no chain analyse() does the same, up to two thousand nodes with the true degrees.
+/// @throws std::invalid_argument, std::bad_alloc.
 [[nodiscard]] std::vector<std::int32_t> minimum_degree_order(const BlockPattern& pattern);
 
 /// Move every negative node that precedes all its positive neighbours to just behind the first of

@@ -73,6 +73,12 @@ struct FactorKernels {
                           std::int32_t end, const double* x, double* scratch) noexcept;
     void (*backward_batch)(const FactorView& view, const Batch& batch, double* x,
                            double* scratch) noexcept;
+    /// Rows of bits (minimum_degree.h): row nodes[k] becomes (row ∪ with) ∩ among, sizes[k] how
+    /// many it then has, and folds[k] the exclusive or of its words, for k < count. Rows are
+    /// aligned and have 8, 16, 24 or 32 words.
+    void (*unite_rows)(std::uint64_t* rows, std::int32_t words, const std::int32_t* nodes,
+                       std::int32_t count, const std::uint64_t* with, const std::uint64_t* among,
+                       std::int32_t* sizes, std::uint64_t* folds) noexcept;
 };
 
 /// Pivot columns whose unscaled values a front keeps in the scratch.

@@ -14,9 +14,18 @@ extern "C" {
 
 namespace hawser::factor {
 
+void Orderer::order(const Pattern& pattern, std::vector<std::int32_t>& order) {
+    if (pattern.nodes() > MinimumDegree::kMost) {
+        order_by_amd(pattern, order);
+        return;
+    }
+    small_.run(pattern, order);
+    place_rows(pattern, order);
+}
+
 /// The core of the library is called, with what amd_order() would hand to it: the lists of a
 /// pattern are those of A + Aᵀ already, valid and sorted.
-void Orderer::order(const Pattern& pattern, std::vector<std::int32_t>& order) {
+void Orderer::order_by_amd(const Pattern& pattern, std::vector<std::int32_t>& order) {
     const std::size_t n = pattern.size.size(), entries = pattern.adjacent.size();
     order.resize(n);
     if (n == 0) return;
@@ -152,7 +161,8 @@ void Orderer::place_rows(const Pattern& pattern, std::vector<std::int32_t>& orde
 }
 
 std::size_t Orderer::bytes() const noexcept {
-    std::size_t sum = chains_.bytes() + base::bytes(left_.size) + base::bytes(left_.sign);
+    std::size_t sum =
+        chains_.bytes() + small_.bytes() + base::bytes(left_.size) + base::bytes(left_.sign);
     for (const auto* v :
          {&work_, &position_, &head_, &next_, &left_.start, &left_.adjacent, &rest_of_, &rest_,
           &left_order_, &boundary_, &boundary_begin_, &touch_, &touch_next_, &mark_})
@@ -162,7 +172,7 @@ std::size_t Orderer::bytes() const noexcept {
 
 std::vector<std::int32_t> order_nodes(const Pattern& pattern) {
     std::vector<std::int32_t> order;
-    Orderer().order(pattern, order);
+    Orderer().order_by_amd(pattern, order);
     return order;
 }
 

@@ -3,14 +3,16 @@
 /// @file ordering.h
 /// The order of elimination.
 ///
-/// Approximate minimum degree (Amestoy, Davis, Duff, "An approximate minimum degree ordering
-/// algorithm", 1996; the AMD library) on the graph of blocks, which is 4-6 times smaller than
-/// the graph of scalars. Then one repair that stability needs: a negative node (constraint
-/// rows) comes after at least one of its positive neighbours, because with compliance near
-/// zero its own diagonal is no pivot at all (Gill, Saunders, Shinnerl, "On the stability of
+/// Minimum degree on the graph of blocks, which is 4-6 times smaller than the graph of scalars:
+/// with the true degrees (minimum_degree.h) as long as that is the faster way, approximately
+/// (Amestoy, Davis, Duff, "An approximate minimum degree ordering algorithm", 1996; the AMD
+/// library) where there are more nodes. Then one repair that stability needs: a negative node
+/// (constraint rows) comes after at least one of its positive neighbours, because with compliance
+/// near zero its own diagonal is no pivot at all (Gill, Saunders, Shinnerl, "On the stability of
 /// Cholesky factorization for symmetric quasidefinite systems", 1996).
 
 #include "factor/chains.h"
+#include "factor/minimum_degree.h"
 #include "factor/pattern.h"
 
 #include <cstdint>
@@ -18,8 +20,8 @@
 
 namespace hawser::factor {
 
-/// Order and chains of a matrix: chains first, then approximate minimum degree on what is left,
-/// in which each chain stands as a clique of its boundary.
+/// Order and chains of a matrix: chains first, then minimum degree on what is left, in which each
+/// chain stands as a clique of its boundary.
 struct Elimination {
     std::vector<std::int32_t> order;
     Chains chains;
@@ -31,6 +33,8 @@ class Orderer {
   public:
     /// Minimum degree. @param order  order[k] = node eliminated k-th. @throws std::bad_alloc.
     void order(const Pattern& pattern, std::vector<std::int32_t>& order);
+    /// Approximate minimum degree, whatever the size. @throws std::bad_alloc.
+    void order_by_amd(const Pattern& pattern, std::vector<std::int32_t>& order);
     /// Chains, then minimum degree. @throws std::bad_alloc.
     void plan(const Pattern& pattern, std::vector<std::int32_t>& order, Chains& chains);
     /// See place_rows_after_bodies().
@@ -42,6 +46,7 @@ class Orderer {
     void find_rest(const Pattern& pattern, const Chains& chains);
 
     ChainFinder chains_;
+    MinimumDegree small_;
     std::vector<std::int32_t> work_;                    ///< Of AMD.
     std::vector<std::int32_t> position_, head_, next_;  ///< Of place_rows().
     // What chains leave.
@@ -51,7 +56,7 @@ class Orderer {
     std::vector<std::int32_t> touch_, touch_next_, mark_;
 };
 
-/// @return order[k] = node eliminated k-th. @throws std::bad_alloc.
+/// Approximate minimum degree. @return order[k] = node eliminated k-th. @throws std::bad_alloc.
 [[nodiscard]] std::vector<std::int32_t> order_nodes(const Pattern& pattern);
 [[nodiscard]] Elimination plan_elimination(const Pattern& pattern);
 

@@ -2,11 +2,13 @@
 /// The kernels of every instruction set that this processor has, called one beside the other.
 #include "factor/friction.h"
 #include "factor/matrices.h"
+#include "factor/minimum_degree.h"
 #include "support/sanitizer.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 
 namespace hawser::test {
 namespace {
@@ -98,6 +100,46 @@ Solved solve_with(const factor::FactorKernels& kernels, const BlockMatrix& m,
         kernels.backward_batch(view, batch, x.data(), scratch.data());
     out.x = permuted(m, s, Eigen::Map<const Vector>(x.data(), s.scalars), true);
     return out;
+}
+
+/// Rows of bits: each word by itself.
+TEST(InstructionSets, UniteRowsOfBits) {
+    Random random(3);
+    for (int words = 8; words <= factor::MinimumDegree::kMost / 64; words += 8)
+        for (const Set& set : sets()) {
+            if (!set.available) continue;
+            constexpr std::size_t kRows = 6;
+            const auto n = static_cast<std::size_t>(words);
+            auto draw = [&](std::size_t size, double full) {
+                base::Array<std::uint64_t> row(size);
+                for (std::uint64_t& word : row)
+                    for (int i = 0; i < 64; ++i)
+                        word |= static_cast<std::uint64_t>(random.chance(full)) << i;
+                return row;
+            };
+            for (const double full : {0.0, 0.01, 0.5, 1.0}) {
+                base::Array<std::uint64_t> rows = draw(kRows * n, full);
+                const auto with = draw(n, full), among = draw(n, std::max(full, 0.9));
+                base::Array<std::uint64_t> expected = rows;
+                const std::int32_t nodes[] = {4, 0, 2};
+                std::int32_t sizes[3], sums[3] = {};
+                std::uint64_t folds[3], words_of[3] = {};
+                for (int k = 0; k < 3; ++k)
+                    for (std::size_t w = 0; w < n; ++w) {
+                        std::uint64_t& word = expected[static_cast<std::size_t>(nodes[k]) * n + w];
+                        word = (word | with[w]) & among[w];
+                        sums[k] += std::popcount(word);
+                        words_of[k] ^= word;
+                    }
+                set.kernels->unite_rows(rows.data(), words, nodes, 3, with.data(), among.data(),
+                                        sizes, folds);
+                EXPECT_EQ(rows, expected) << set.name << " " << words;
+                for (int k = 0; k < 3; ++k) {
+                    EXPECT_EQ(sizes[k], sums[k]) << set.name << " " << words;
+                    EXPECT_EQ(folds[k], words_of[k]) << set.name << " " << words;
+                }
+            }
+        }
 }
 
 TEST(InstructionSets, AgreeWithTheReferenceAndEachOther) {

@@ -13,6 +13,8 @@ extern "C" {
 
 #include <algorithm>
 #include <cstdint>
+#include <list>
+#include <set>
 #include <vector>
 
 namespace hawser::test {
@@ -55,7 +57,68 @@ Order with_rows_placed(const Pattern& p, const Order& order) {
     return placed;
 }
 
-Order long_order(const Pattern& p) {
+/// Minimum degree by sets: closed neighbourhoods, of nodes that have the same one the first.
+Order least_degree_first(const Pattern& p) {
+    const std::size_t n = p.size.size();
+    std::vector<std::set<int>> closed(n);
+    std::vector<Order> twins(n);
+    std::vector<std::list<int>> by_degree(n + 1);
+    std::vector<bool> head(n, true);
+    auto insert = [&](int v) {
+        const auto i = static_cast<std::size_t>(v);
+        by_degree[closed[i].size() - twins[i].size()].push_front(v);
+    };
+    for (int v = p.nodes(); v-- > 0;) {
+        const auto i = static_cast<std::size_t>(v);
+        closed[i] = {v};
+        closed[i].insert(p.neighbours(v).begin(), p.neighbours(v).end());
+        twins[i] = {v};
+        insert(v);
+    }
+    Order order;
+    auto finish = [&](int v) {
+        for (const int u : twins[static_cast<std::size_t>(v)]) {
+            order.push_back(u);
+            for (std::set<int>& s : closed) s.erase(u);
+        }
+        head[static_cast<std::size_t>(v)] = false;
+    };
+    while (order.size() < n) {
+        const auto least = std::find_if(by_degree.begin(), by_degree.end(),
+                                        [](const auto& list) { return !list.empty(); });
+        const int pivot = least->front();
+        least->pop_front();
+        const std::set<int> own = closed[static_cast<std::size_t>(pivot)];
+        finish(pivot);
+        Order touched;
+        std::set<int> clique;
+        for (const int u : own)
+            if (std::find(order.begin(), order.end(), u) == order.end()) {
+                clique.insert(u);
+                if (head[static_cast<std::size_t>(u)]) touched.push_back(u);
+            }
+        for (const int u : touched) {
+            for (auto& list : by_degree) list.remove(u);
+            closed[static_cast<std::size_t>(u)].insert(clique.begin(), clique.end());
+        }
+        Order gone, kept;
+        for (const int u : touched)
+            (closed[static_cast<std::size_t>(u)] == clique ? gone : kept).push_back(u);
+        for (const int u : gone) finish(u);
+        for (const int u : kept)
+            for (const int v : kept) {
+                const auto i = static_cast<std::size_t>(u), j = static_cast<std::size_t>(v);
+                if (u >= v || !head[i] || !head[j] || closed[i] != closed[j]) continue;
+                twins[i].insert(twins[i].end(), twins[j].begin(), twins[j].end());
+                head[j] = false;
+            }
+        for (std::size_t k = kept.size(); k-- > 0;)
+            if (head[static_cast<std::size_t>(kept[k])]) insert(kept[k]);
+    }
+    return with_rows_placed(p, order);
+}
+
+Order order_of_the_library(const Pattern& p) {
     Order order(p.size.size());
     if (order.empty()) return order;
     double control[AMD_CONTROL];
@@ -104,7 +167,7 @@ Order long_plan(const Pattern& p, const factor::Chains& chains) {
                 to.push_back(b);
             }
     Order order = chains.nodes;
-    for (const std::int32_t k : long_order(factor::make_pattern(size, sign, from, to)))
+    for (const std::int32_t k : least_degree_first(factor::make_pattern(size, sign, from, to)))
         order.push_back(rest[static_cast<std::size_t>(k)]);
     return order;
 }
@@ -117,8 +180,8 @@ TEST(Ordering, IsThatOfTheLibrary) {
     for (int trial = 0; trial < (kSanitized ? 40 : 400); ++trial) {
         const Pattern p = draw(random);
         Order order;
-        orderer.order(p, order);
-        ASSERT_EQ(order, long_order(p)) << trial;
+        orderer.order_by_amd(p, order);
+        ASSERT_EQ(order, order_of_the_library(p)) << trial;
         random.shuffle(order);
         const Order expected = with_rows_placed(p, order);
         moved += order != expected ? 1 : 0;
@@ -126,6 +189,41 @@ TEST(Ordering, IsThatOfTheLibrary) {
         ASSERT_EQ(order, expected) << trial;
     }
     EXPECT_GT(moved, 10);
+}
+
+/// Rows of one, two and more vectors; nodes of many neighbours, which have twins.
+TEST(Ordering, HasTheLeastDegreeFirst) {
+    Random random(5);
+    factor::Orderer orderer;
+    Order order;
+    for (int trial = 0; trial < (kSanitized ? 40 : 400); ++trial) {
+        const Pattern p = draw(random);
+        orderer.order(p, order);
+        ASSERT_EQ(order, least_degree_first(p)) << trial;
+    }
+    for (const int nodes : {511, 512, 513, 1100, 1500, factor::MinimumDegree::kMost}) {
+        if (kSanitized && nodes > 600) continue;
+        std::vector<std::int32_t> from, to;
+        for (int v = 1; v < nodes; ++v) {
+            from.push_back(v);
+            to.push_back(v - 1);
+            if (!random.chance(0.3)) continue;
+            from.push_back(v);
+            to.push_back(random.chance(0.2) ? random.integer(0, 3)
+                                            : std::max(0, v - random.integer(2, 20)));
+        }
+        const auto n = static_cast<std::size_t>(nodes);
+        const Pattern p = factor::make_pattern(std::vector<std::int8_t>(n, 3),
+                                               std::vector<std::int8_t>(n, 1), from, to);
+        orderer.order(p, order);
+        ASSERT_EQ(order, least_degree_first(p)) << nodes;
+    }
+    const Pattern large =
+        factor::make_pattern(std::vector<std::int8_t>(factor::MinimumDegree::kMost + 1, 3),
+                             std::vector<std::int8_t>(factor::MinimumDegree::kMost + 1, 1),
+                             std::vector<std::int32_t>{5}, std::vector<std::int32_t>{7});
+    orderer.order(large, order);
+    ASSERT_EQ(order, order_of_the_library(large));
 }
 
 TEST(Ordering, OfWhatChainsLeaveHasTheirBoundariesAsCliques) {

@@ -371,29 +371,27 @@ TEST(Repair, StopsWhereNothingChanges) {
 
 /// update() makes a new order when the old one has become bad, and not before.
 TEST(Repair, ReplansWhenFlopsGrow) {
-    Random random(11);
-    const Pattern first = random_quasi_definite(random, 120, 0.01).pattern;
-    Graph graph(first);
-    Analysis analysis;
-    analysis.plan(first);
     int replans = 0;
-    std::vector<std::int32_t> old_of_new;
-    for (int step = 0; step < 200; ++step) {
-        graph.add_edge(random);
-        graph.remove_edge(random);
-        const std::int64_t planned = analysis.planned_flops();
-        const factor::RepairReport r = analysis.update(graph.pattern(old_of_new), old_of_new);
-        if (r.replanned) {
-            ++replans;
-            EXPECT_EQ(analysis.planned_flops(), analysis.symbolic().flops);
-        } else {
-            EXPECT_EQ(analysis.planned_flops(), planned);
-            EXPECT_LE(static_cast<double>(analysis.symbolic().flops),
-                      factor::kReplan * static_cast<double>(planned));
+    for (std::uint64_t seed = 11; seed < 15; ++seed) {
+        Random random(seed);
+        const Pattern first = random_quasi_definite(random, 120, 0.01).pattern;
+        Graph graph(first);
+        Analysis analysis;
+        analysis.plan(first);
+        std::vector<std::int32_t> old_of_new;
+        for (int step = 0; step < 200; ++step) {
+            graph.add_edge(random);
+            graph.remove_edge(random);
+            const auto planned = static_cast<double>(analysis.planned_flops());
+            const factor::RepairReport r = analysis.update(graph.pattern(old_of_new), old_of_new);
+            const auto flops = static_cast<double>(analysis.symbolic().flops);
+            EXPECT_EQ(analysis.planned_flops(), r.replanned ? flops : planned);
+            EXPECT_LE(flops, factor::kReplan * (r.replanned ? flops : planned));
+            replans += r.replanned ? 1 : 0;
         }
     }
     EXPECT_GT(replans, 0);
-    EXPECT_LT(replans, 150);
+    EXPECT_LT(replans, 4 * 150);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 
 #include "base/simd.h"
 #include "factor/isa/batch.h"
+#include "factor/isa/bits.h"
 #include "factor/isa/substitution.h"
 #include "factor/isa/with_count.h"
 #include "factor/symbolic.h"
@@ -271,6 +272,7 @@ int factor_fronts(const FactorView& view, std::int32_t begin, std::int32_t end,
 
 extern const factor::FactorKernels kFactorKernels;
 const factor::FactorKernels kFactorKernels = {factor_fronts, forward_fronts, backward_fronts,
-                                              factor_batch,  forward_batch,  backward_batch};
+                                              factor_batch,  forward_batch,  backward_batch,
+                                              unite_rows};
 
 }  // namespace hawser::HAWSER_ISA

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "factor/minimum_degree.h"
+
+#include "base/index.h"
+#include "factor/kernels.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace hawser::factor {
+namespace {
+
+constexpr std::int32_t kWordsAtOnce = 8;                  // of a row
+constexpr std::uint64_t kGolden = 0x9e37'79b9'7f4a'7c15;  // spreads bits to the upper end
+
+[[nodiscard]] constexpr std::uint64_t bit(std::int32_t node) {
+    return std::uint64_t{1} << (node & 63);
+}
+
+}  // namespace
+
+void MinimumDegree::insert(std::int32_t node) noexcept {
+    const std::int32_t list = list_of(degree_[at(node)]), first = next_[at(list)];
+    next_[at(node)] = first;
+    prev_[at(node)] = list;
+    prev_[at(first)] = node;
+    next_[at(list)] = node;
+}
+
+void MinimumDegree::remove(std::int32_t node) noexcept {
+    const std::int32_t before = prev_[at(node)], after = next_[at(node)];
+    prev_[at(after)] = before;
+    next_[at(before)] = after;
+}
+
+void MinimumDegree::begin(const Pattern& pattern) {
+    const std::int32_t n = pattern.nodes();
+    words_ = (n + 64 * kWordsAtOnce - 1) / (64 * kWordsAtOnce) * kWordsAtOnce;
+    rows_.assign(at(n) * at(words_), 0);
+    left_.assign(at(words_), 0);
+    next_.resize(2 * at(n));
+    prev_.resize(2 * at(n));
+    for (std::int32_t list = n; list < 2 * n; ++list) next_[at(list)] = prev_[at(list)] = list;
+    degree_.resize(at(n));
+    in_words_.resize(at(n));
+    folds_.resize(at(n));
+    weight_.assign(at(n), 1);
+    twin_.assign(at(n), -1);
+    last_twin_.resize(at(n));
+    touched_.resize(at(n));
+    sizes_.resize(at(n));
+    for (std::int32_t v = n; v-- > 0;) {
+        std::uint64_t* const own = row(v);
+        std::uint32_t words = 0;
+        auto add = [&](std::int32_t u) {
+            own[u / 64] |= bit(u);
+            words |= std::uint32_t{1} << (u / 64);
+        };
+        add(v);
+        for (const std::int32_t u : pattern.neighbours(v)) add(u);
+        in_words_[at(v)] = words;
+        left_[at(v / 64)] |= bit(v);
+        degree_[at(v)] = static_cast<std::int32_t>(pattern.neighbours(v).size());
+        last_twin_[at(v)] = v;
+        insert(v);
+    }
+    heads_ = left_;
+    clique_.resize(at(words_));
+    least_ = 0;
+}
+
+void MinimumDegree::run(const Pattern& pattern, std::vector<std::int32_t>& order) {
+    const auto n = pattern.size.size();
+    order.resize(n);
+    begin(pattern);
+    order_ = order.data();
+    const FactorKernels& kernels = factor_kernels();
+    while (order_ != order.data() + n) {
+        while (next_[at(list_of(least_))] == list_of(least_)) ++least_;
+        eliminate(next_[at(list_of(least_))], kernels);
+    }
+}
+
+/// A node and its twins.
+void MinimumDegree::finish(std::int32_t head) noexcept {
+    heads_[at(head / 64)] &= ~bit(head);
+    for (std::int32_t v = head; v >= 0; v = twin_[at(v)]) {
+        left_[at(v / 64)] &= ~bit(v);
+        *order_++ = v;
+    }
+}
+
+/// What is left of a row, and the heads in it. @return how many heads.
+std::int32_t MinimumDegree::list_heads(const std::uint64_t* own, std::uint32_t in_words) noexcept {
+    for (std::int32_t w = 0; w < words_; ++w) clique_[at(w)] = own[w] & left_[at(w)];
+    std::int32_t count = 0;
+    for (std::uint32_t words = in_words; words != 0; words &= words - 1) {
+        const std::int32_t w = std::countr_zero(words);
+        for (std::uint64_t b = own[w] & heads_[at(w)]; b != 0; b &= b - 1)
+            touched_[at(count++)] = 64 * w + std::countr_zero(b);
+    }
+    return count;
+}
+
+/// The pivot and its twins, then those of its neighbours that have no others.
+void MinimumDegree::eliminate(std::int32_t pivot, const FactorKernels& kernels) noexcept {
+    remove(pivot);
+    finish(pivot);
+    const std::int32_t clique = degree_[at(pivot)];  // all that is left of its neighbours
+    const std::int32_t count = list_heads(row(pivot), in_words_[at(pivot)]);
+    kernels.unite_rows(rows_.data(), words_, touched_.data(), count, clique_.data(), left_.data(),
+                       sizes_.data(), folds_.data());
+    std::int32_t kept = 0, gone = 0;
+    for (std::int32_t k = 0; k < count; ++k) {
+        const std::int32_t u = touched_[at(k)], size = sizes_[at(k)];
+        remove(u);
+        in_words_[at(u)] |= in_words_[at(pivot)];
+        touched_[at(kept)] = u;
+        sizes_[at(kept)] = size;
+        folds_[at(kept)] = folds_[at(k)];
+        ++kept;
+        if (size != clique) continue;
+        --kept;
+        gone += weight_[at(u)];
+        finish(u);
+    }
+    join_twins(kept);
+    for (std::int32_t k = kept; k-- > 0;) {
+        const std::int32_t u = touched_[at(k)];
+        if (u < 0) continue;
+        degree_[at(u)] = sizes_[at(k)] - gone - weight_[at(u)];
+        least_ = std::min(least_, degree_[at(u)]);
+        insert(u);
+    }
+}
+
+/// Of touched nodes with one row the first becomes the head of the others, which are marked −1.
+/// Mostly there are none, and no two folded rows meet in a table of one word.
+void MinimumDegree::join_twins(std::int32_t count) noexcept {
+    std::uint64_t seen = 0, again = 0;
+    for (std::int32_t k = 0; k < count; ++k) {
+        const std::uint64_t place = std::uint64_t{1} << ((folds_[at(k)] * kGolden) >> 58);
+        again |= seen & place;
+        seen |= place;
+    }
+    if (again == 0) return;
+    for (std::int32_t i = 0; i < count; ++i)
+        for (std::int32_t j = i + 1; j < count; ++j) {
+            if (folds_[at(i)] != folds_[at(j)]) continue;
+            const std::int32_t u = touched_[at(i)], v = touched_[at(j)];
+            if (u < 0 || v < 0 || !std::equal(row(u), row(u) + words_, row(v))) continue;
+            twin_[at(last_twin_[at(u)])] = v;
+            last_twin_[at(u)] = last_twin_[at(v)];
+            weight_[at(u)] += weight_[at(v)];
+            heads_[at(v / 64)] &= ~bit(v);
+            touched_[at(j)] = -1;
+        }
+}
+
+std::size_t MinimumDegree::bytes() const noexcept {
+    std::size_t sum = base::bytes(rows_) + base::bytes(left_) + base::bytes(heads_) +
+                      base::bytes(clique_) + base::bytes(folds_) + base::bytes(in_words_);
+    for (const auto* v :
+         {&next_, &prev_, &degree_, &weight_, &twin_, &last_twin_, &touched_, &sizes_})
+        sum += base::bytes(*v);
+    return sum;
+}
+
+}  // namespace hawser::factor
