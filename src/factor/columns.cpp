@@ -5,6 +5,7 @@
 #include "base/memory.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace hawser::factor {
 namespace {
@@ -84,6 +85,9 @@ void Columns::build(const Pattern& pattern, std::span<const std::int32_t> order,
         for (; e < row_end_[i]; ++e) pool_[at(cursor_[at(found[e])]++)] = order[i];
     std::fill(stale_.begin(), stale_.end(), std::uint8_t{0});
     std::fill(moved_.begin(), moved_.end(), std::uint8_t{0});
+    stale_list_.clear();
+    moved_list_.clear();
+    linked_ = false;
     computed_ = static_cast<std::int32_t>(n);
 }
 
@@ -93,7 +97,7 @@ void Columns::renumber(std::span<const std::int32_t> old_of_new, std::int32_t ol
         if (old_of_new[k] >= 0) new_of_old[at(old_of_new[k])] = static_cast<std::int32_t>(k);
     for (std::size_t v = 0; v < new_of_old.size(); ++v) {
         if (new_of_old[v] >= 0) continue;
-        if (parent_[v] >= 0) stale_[at(parent_[v])] = 1;
+        if (parent_[v] >= 0) mark_stale(parent_[v]);
         live_ -= count_[v];
     }
     carry_over(parent_, old_of_new, std::int32_t{-1});
@@ -101,7 +105,10 @@ void Columns::renumber(std::span<const std::int32_t> old_of_new, std::int32_t ol
     carry_over(below_, old_of_new, 0);
     carry_over(begin_, old_of_new, std::int64_t{0});
     carry_over(stale_, old_of_new, std::uint8_t{0});
-    carry_over(moved_, old_of_new, std::uint8_t{0});
+    moved_.assign(old_of_new.size(), 0);
+    std::erase_if(stale_list_, [&](std::int32_t v) { return new_of_old[at(v)] < 0; });
+    for (std::int32_t& v : stale_list_) v = new_of_old[at(v)];
+    linked_ = false;
     for (std::int32_t& p : parent_)
         if (p >= 0) p = new_of_old[at(p)];
     // A node that went leaves −1 in the columns that held it: they are all found stale.
@@ -113,78 +120,116 @@ void Columns::renumber(std::span<const std::int32_t> old_of_new, std::int32_t ol
 }
 
 void Columns::mark_moved(const Pattern& pattern, std::int32_t node) {
-    moved_[at(node)] = stale_[at(node)] = 1;
-    if (parent_[at(node)] >= 0) stale_[at(parent_[at(node)])] = 1;
-    for (const std::int32_t u : pattern.neighbours(node)) stale_[at(u)] = 1;
+    moved_[at(node)] = 1;
+    moved_list_.push_back(node);
+    mark_stale(node);
+    if (parent_[at(node)] >= 0) mark_stale(parent_[at(node)]);
+    for (const std::int32_t u : pattern.neighbours(node)) mark_stale(u);
+}
+
+void Columns::link(std::int32_t node) noexcept {
+    const std::int32_t p = parent_[at(node)];
+    if (p < 0) return;
+    const std::int32_t first = head_[at(p)];
+    next_[at(node)] = first;
+    prev_[at(node)] = -1;
+    if (first >= 0) prev_[at(first)] = node;
+    head_[at(p)] = node;
+}
+
+void Columns::unlink(std::int32_t node) noexcept {
+    const std::int32_t p = parent_[at(node)];
+    if (p < 0) return;
+    const std::int32_t before = prev_[at(node)], after = next_[at(node)];
+    if (after >= 0) prev_[at(after)] = before;
+    (before >= 0 ? next_[at(before)] : head_[at(p)]) = after;
+}
+
+void Columns::link_all() {
+    head_.assign(parent_.size(), -1);
+    next_.resize(parent_.size());
+    prev_.resize(parent_.size());
+    for (std::size_t v = 0; v < parent_.size(); ++v) link(static_cast<std::int32_t>(v));
+    linked_ = true;
 }
 
 void Columns::repair(const Pattern& pattern, std::span<const std::int32_t> order,
                      std::span<const std::int32_t> position) {
-    pass(pattern, order, position);
-    if (static_cast<std::int64_t>(pool_.size()) > 2 * live_ + 1024) compact();
-}
-
-void Columns::pass(const Pattern& pattern, std::span<const std::int32_t> order,
-                   std::span<const std::int32_t> position) {
-    const std::size_t n = order.size();
-    head_.assign(n, -1);
-    next_.resize(n);
-    mark_.assign(n, -1);
+    if (!linked_) link_all();
+    mark_.assign(order.size(), -1);
+    found_.resize(order.size());
+    todo_.assign(order.size() / 64 + 1, 0);
     computed_ = 0;
-    for (const std::int32_t v : order) {
-        if (stale_[at(v)]) compute(pattern, order, position, v);
-        const std::int32_t p = parent_[at(v)];
-        if (p < 0) continue;
-        next_[at(v)] = head_[at(p)];
-        head_[at(p)] = v;
+    for (const std::int32_t v : stale_list_) {
+        stale_[at(v)] = 0;
+        put_off(position[at(v)]);
     }
-    std::fill(moved_.begin(), moved_.end(), std::uint8_t{0});
+    stale_list_.clear();
+    for (std::size_t w = 0; w < todo_.size(); ++w)
+        while (todo_[w] != 0) {  // what is found stale lies behind
+            const std::size_t k = 64 * w + at(std::countr_zero(todo_[w]));
+            todo_[w] &= todo_[w] - 1;
+            compute(pattern, order, position, order[k]);
+        }
+    for (const std::int32_t v : moved_list_) moved_[at(v)] = 0;
+    moved_list_.clear();
+    if (static_cast<std::int64_t>(pool_.size()) > 2 * live_ + 1024) compact();
 }
 
 void Columns::compute(const Pattern& pattern, std::span<const std::int32_t> order,
                       std::span<const std::int32_t> position, std::int32_t node) {
     ++computed_;
-    stale_[at(node)] = 0;
-    found_.clear();
+    std::int32_t *const found = found_.data(), *const mark = mark_.data();
+    std::size_t count = 0;
     std::int32_t below = 0;
     const std::int32_t own = position[at(node)];
     auto take = [&](std::int32_t u) {
         const std::int32_t p = position[at(u)];
-        if (p <= own || mark_[at(u)] == node) return;
-        mark_[at(u)] = node;
-        found_.push_back(p);
+        if (p <= own || mark[u] == node) return;
+        mark[u] = node;
+        found[count++] = p;
         below += pattern.size[at(u)];
     };
-    // Children first: one child's rows are sorted already.
+    // Children first: one child's rows are sorted already. Those that have moved behind it are
+    // none any more, and will find their parent.
     for (std::int32_t c = head_[at(node)]; c >= 0; c = next_[at(c)])
-        for (const std::int32_t u : rows(c)) take(u);
+        if (position[at(c)] < own)
+            for (const std::int32_t u : rows(c)) take(u);
     for (const std::int32_t u : pattern.neighbours(node)) take(u);
-    if (!std::is_sorted(found_.begin(), found_.end())) std::sort(found_.begin(), found_.end());
-    for (std::int32_t& p : found_) p = order[at(p)];
     below_[at(node)] = below;
-    if (same_as_before(node)) return;
-    const std::int32_t before = parent_[at(node)];
-    if (before >= 0) stale_[at(before)] = 1;
-    store(node);
-    parent_[at(node)] = found_.empty() ? -1 : found_.front();
-    if (!found_.empty()) stale_[at(found_.front())] = 1;
+    if (same_as_before(node, count)) return;
+    if (!std::is_sorted(found, found + count)) std::sort(found, found + count);
+    for (std::size_t i = 0; i < count; ++i) found[i] = order[at(found[i])];
+    const std::int32_t before = parent_[at(node)], up = count == 0 ? -1 : found[0];
+    if (before >= 0 && position[at(before)] > own) put_off(position[at(before)]);
+    if (up >= 0) put_off(position[at(up)]);
+    if (up != before) {
+        unlink(node);
+        parent_[at(node)] = up;
+        link(node);
+    }
+    store(node, count);
 }
 
-bool Columns::same_as_before(std::int32_t node) const noexcept {
+/// The same rows, as marked, none of which has moved: rows in the same sequence might still stand
+/// at another place of the parent's.
+bool Columns::same_as_before(std::int32_t node, std::size_t found) const noexcept {
     const std::span<const std::int32_t> old = rows(node);
-    // Rows in the same sequence may still stand at another place of the parent's.
-    return !moved_[at(node)] && std::equal(old.begin(), old.end(), found_.begin(), found_.end()) &&
-           std::none_of(old.begin(), old.end(), [&](std::int32_t u) { return moved_[at(u)] != 0; });
+    if (moved_[at(node)] != 0 || old.size() != found) return false;
+    bool same = true;
+    for (const std::int32_t u : old) same &= u >= 0 && mark_[at(u)] == node && moved_[at(u)] == 0;
+    return same;
 }
 
-void Columns::store(std::int32_t node) {
-    const auto count = static_cast<std::int32_t>(found_.size());
+void Columns::store(std::int32_t node, std::size_t found) {
+    const auto count = static_cast<std::int32_t>(found);
+    const auto end = found_.begin() + count;
     live_ += count - count_[at(node)];
     if (count > count_[at(node)]) {
         begin_[at(node)] = static_cast<std::int64_t>(pool_.size());
-        pool_.insert(pool_.end(), found_.begin(), found_.end());
+        pool_.insert(pool_.end(), found_.begin(), end);
     } else {
-        std::copy(found_.begin(), found_.end(), pool_.begin() + begin_[at(node)]);
+        std::copy(found_.begin(), end, pool_.begin() + begin_[at(node)]);
     }
     count_[at(node)] = count;
 }
@@ -203,7 +248,8 @@ std::size_t Columns::bytes() const noexcept {
     return base::bytes(parent_) + base::bytes(count_) + base::bytes(below_) + base::bytes(begin_) +
            base::bytes(pool_) + base::bytes(spare_) + base::bytes(found_) + base::bytes(head_) +
            base::bytes(next_) + base::bytes(mark_) + base::bytes(rows_) + base::bytes(row_end_) +
-           base::bytes(cursor_) + base::bytes(stale_) + base::bytes(moved_);
+           base::bytes(cursor_) + base::bytes(stale_) + base::bytes(moved_) + base::bytes(prev_) +
+           base::bytes(todo_) + base::bytes(stale_list_) + base::bytes(moved_list_);
 }
 
 }  // namespace hawser::factor

@@ -7,7 +7,8 @@
 /// in the elimination tree is the first node of struct(v) (Liu, "The role of elimination trees in
 /// sparse factorization", 1990). Both are functions of the neighbours of v and of its children,
 /// so after an edit only those columns are computed again whose neighbours, children or
-/// children's structures changed, and the change stops where a column comes out as it was.
+/// children's structures changed, and the change stops where a column comes out as it was: a set of
+/// positions, of which the lowest is always next. No other column is looked at.
 ///
 /// Everything is named by node, not by position in the order: a column that does not change is
 /// not even touched when nodes before it come and go.
@@ -32,7 +33,11 @@ class Columns {
 
     /// Stale: neighbours or children changed. Moved: also at another place in the order, which
     /// makes its neighbours stale too.
-    void mark_stale(std::int32_t node) noexcept { stale_[static_cast<std::size_t>(node)] = 1; }
+    void mark_stale(std::int32_t node) {
+        if (stale_[static_cast<std::size_t>(node)] != 0) return;
+        stale_[static_cast<std::size_t>(node)] = 1;
+        stale_list_.push_back(node);
+    }
     void mark_moved(const Pattern& pattern, std::int32_t node);
 
     /// Compute stale columns again, and those above them as far as anything changes. Nodes that
@@ -58,22 +63,30 @@ class Columns {
 
   private:
     void resize(std::size_t nodes);
-    void pass(const Pattern& pattern, std::span<const std::int32_t> order,
-              std::span<const std::int32_t> position);
+    void link_all();
+    void link(std::int32_t node) noexcept;
+    void unlink(std::int32_t node) noexcept;
+    void put_off(std::int32_t position) noexcept {
+        todo_[static_cast<std::size_t>(position / 64)] |= std::uint64_t{1} << (position % 64);
+    }
     void compute(const Pattern& pattern, std::span<const std::int32_t> order,
                  std::span<const std::int32_t> position, std::int32_t node);
-    [[nodiscard]] bool same_as_before(std::int32_t node) const noexcept;
-    void store(std::int32_t node);
+    [[nodiscard]] bool same_as_before(std::int32_t node, std::size_t found) const noexcept;
+    void store(std::int32_t node, std::size_t found);
     void compact();
 
     std::vector<std::int32_t> parent_, count_, below_;
     std::vector<std::int64_t> begin_;  ///< Into pool_, which has gaps where columns were moved.
     std::vector<std::int32_t> pool_, found_;
     std::vector<std::int32_t> spare_;  ///< For the pool, and for rows while build() finds them.
-    std::vector<std::int32_t> head_, next_, mark_;  ///< Children; who took a node last.
-    std::vector<std::int32_t> rows_;                ///< Of build().
-    std::vector<std::int64_t> cursor_;              ///< Likewise.
-    std::vector<std::size_t> row_end_;              ///< Likewise.
+    std::vector<std::int32_t> head_, next_, prev_;  ///< Lists of children while they are linked.
+    bool linked_ = false;
+    std::vector<std::int32_t> mark_;   ///< Who took a node last.
+    std::vector<std::uint64_t> todo_;  ///< By position: stale columns that repair() must do.
+    std::vector<std::int32_t> stale_list_, moved_list_;  ///< Nodes that stale_ and moved_ mark.
+    std::vector<std::int32_t> rows_;                     ///< Of build().
+    std::vector<std::int64_t> cursor_;                   ///< Likewise.
+    std::vector<std::size_t> row_end_;                   ///< Likewise.
     std::vector<std::uint8_t> stale_, moved_;
     std::int64_t live_ = 0;
     std::int32_t computed_ = 0;

@@ -17,15 +17,26 @@ void grow(base::Array<T>& array, std::int64_t size, bool spare = false) {
     array.resize(static_cast<std::size_t>(room));
 }
 
+/// Whether an array must grow that has been in use.
+template <class T>
+[[nodiscard]] bool outgrown(const base::Array<T>& array, std::int64_t size) {
+    return !array.empty() && static_cast<std::int64_t>(array.size()) < size;
+}
+
 }  // namespace
 
 void Numeric::reserve(const Symbolic& symbolic, int threads, bool unsymmetric) {
     const std::int64_t work =
         symbolic.work_size + (threads - 1) * (symbolic.work_size - symbolic.stack_begin);
-    grow(panel_, symbolic.panel_size, symbolic.updates_kept);
+    const auto carried = static_cast<std::int64_t>(symbolic.rows.size());
+    // What follows a pattern outgrows its arrays one after another: they grow together.
+    const bool follows =
+        outgrown(panel_, symbolic.panel_size) || outgrown(work_, work) || outgrown(carry_, carried);
+    auto room = [&](std::int64_t size) { return follows ? size + size / 8 : size; };
+    grow(panel_, room(symbolic.panel_size), symbolic.updates_kept);
     grow(pivot_, symbolic.scalars);
-    grow(work_, work, symbolic.updates_kept);
-    grow(carry_, static_cast<std::int64_t>(symbolic.rows.size()));
+    grow(work_, room(work), symbolic.updates_kept);
+    grow(carry_, room(carried));
     const auto slots = kLaneCount * static_cast<std::int64_t>(symbolic.slot_sign.size());
     grow(slot_pivot_, slots);
     grow(slot_y_, slots);

@@ -66,24 +66,24 @@ void Analysis::choose_moves(const Pattern& next) {
     const std::int32_t n = next.nodes();
     placing_.assign(at(n), 0);
     anchor_.assign(at(n), kUnknown);
-    for (std::int32_t v = 0; v < n; ++v) {
+    for (const std::int32_t v : changes_) {
         const std::int32_t old = old_of_new_[at(v)];
         if (old < 0)
             placing_[at(v)] = kFresh;
-        else if (changed_[at(v)] && chain_of_[at(v)] < 0 &&
+        else if (chain_of_[at(v)] < 0 &&
                  (next.sign[at(v)] < 0 ||
                   (between_[at(old)] != 0 && next.neighbours(v).size() <= kHub)))
             placing_[at(v)] = kFresh;
     }
-    for (std::int32_t v = 0; v < n; ++v) {
-        if (!changed_[at(v)] || placing_[at(v)] == kFresh) continue;
+    for (const std::int32_t v : changes_) {
+        if (placing_[at(v)] == kFresh) continue;
         for (const std::int32_t w : pattern_.neighbours(old_of_new_[at(v)]))
             if (const std::int32_t now = new_of_old_[at(w)]; now >= 0)
                 mark_[at(now)] = 2 * n + v;  // apart from the marks of the steps before
         for (const std::int32_t u : next.neighbours(v))
             if (u > v && placing_[at(u)] != kFresh && mark_[at(u)] != 2 * n + v) join(next, v, u);
     }
-    for (std::int32_t v = 0; v < n; ++v) {
+    for (const std::int32_t v : changes_) {  // who is placed has changed
         if (placing_[at(v)] == 0 || next.sign[at(v)] < 0) continue;
         for (const std::int32_t r : next.neighbours(v))
             if (next.sign[at(r)] < 0 && chain_of_[at(r)] < 0) placing_[at(r)] = kFresh;
@@ -109,20 +109,23 @@ void Analysis::join(const Pattern& next, std::int32_t a, std::int32_t b) {
 void Analysis::collect_rest(const Pattern& next) {
     const std::size_t n = changed_.size();
     placed_.clear();
-    for (std::size_t v = 0; v < n; ++v) {
-        if (placing_[v] == 0) continue;
-        const auto id = static_cast<std::int32_t>(v);
-        placed_.push_back(id);
-        if (old_of_new_[v] >= 0) columns_.mark_moved(next, id);
-    }
+    each_marked(placing_, [&](std::int32_t v) {
+        placed_.push_back(v);
+        if (old_of_new_[at(v)] >= 0) columns_.mark_moved(next, v);
+    });
     key_.assign(n, -1);  // chains come first
-    rest_.clear();
+    rest_.resize(symbolic_.order.size());
+    std::size_t kept = 0;
     for (const std::int32_t old : symbolic_.order) {
         const std::int32_t v = new_of_old_[at(old)];
-        if (v < 0 || placing_[at(v)] != 0 || chain_of_[at(v)] >= 0) continue;
-        key_[at(v)] = 2 * static_cast<std::int64_t>(rest_.size()) + 1;
-        rest_.push_back(v);
+        if (v < 0 || chain_of_[at(v)] >= 0) continue;
+        // The one that is written last stays.
+        const bool stays = placing_[at(v)] == 0;
+        if (stays) key_[at(v)] = 2 * static_cast<std::int64_t>(kept) + 1;
+        rest_[kept] = v;
+        kept += stays ? 1 : 0;
     }
+    rest_.resize(kept);
     before_.assign(rest_.size() + 1, -1);
     behind_.assign(n + 1, -1);  // the last: behind all chains
     next_.resize(n);

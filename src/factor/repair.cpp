@@ -5,6 +5,7 @@
 #include "base/memory.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace hawser::factor {
 namespace {
@@ -106,6 +107,12 @@ RepairReport Analysis::repair(const Pattern& next, std::span<const std::int32_t>
 /// Fill old_of_new_ and its inverse. @return every node is the one it was, and none went.
 bool Analysis::match_nodes(const Pattern& next, std::span<const std::int32_t> old_of_new) {
     const std::int32_t n = next.nodes(), before = pattern_.nodes();
+    if (old_of_new.empty() && next.size == pattern_.size && next.sign == pattern_.sign) {
+        old_of_new_.resize(at(n));
+        std::iota(old_of_new_.begin(), old_of_new_.end(), 0);
+        new_of_old_ = old_of_new_;
+        return true;
+    }
     old_of_new_.resize(at(n));
     new_of_old_.assign(at(before), -1);
     bool same = n == before;
@@ -124,26 +131,54 @@ bool Analysis::match_nodes(const Pattern& next, std::span<const std::int32_t> ol
 /// Which nodes are new or have other neighbours.
 void Analysis::find_changes(const Pattern& next, bool same_numbers) {
     const std::int32_t n = next.nodes();
-    changed_.assign(at(n), 0);
+    changed_.resize(at(n));
     mark_.assign(at(n), -1);
-    for (std::int32_t v = 0; v < n; ++v) {
-        const std::int32_t old = old_of_new_[at(v)];
-        const auto now = next.neighbours(v);
-        bool same = old >= 0;
-        if (same) {
-            const auto then = pattern_.neighbours(old);
-            same = then.size() == now.size();
-            if (same && same_numbers) {
-                same = std::equal(now.begin(), now.end(), then.begin());
-            } else if (same) {
+    if (same_numbers) {
+        compare_lists(next);
+    } else {
+        for (std::int32_t v = 0; v < n; ++v) {
+            const std::int32_t old = old_of_new_[at(v)];
+            const auto now = next.neighbours(v);
+            bool same = old >= 0;
+            if (same) {
+                const auto then = pattern_.neighbours(old);
+                same = then.size() == now.size();
                 for (const std::int32_t u : then)
                     if (const std::int32_t w = new_of_old_[at(u)]; w >= 0) mark_[at(w)] = v;
                 for (const std::int32_t u : now) same &= mark_[at(u)] == v;
             }
+            changed_[at(v)] = same ? 0 : 1;
         }
-        if (same) continue;
-        changed_[at(v)] = 1;
+    }
+    changes_.clear();
+    each_marked(changed_, [&](std::int32_t v) {
+        changes_.push_back(v);
         columns_.mark_stale(v);
+    });
+}
+
+/// find_changes() where nodes have their numbers still. How many neighbours a node has is no better
+/// known than the scene: so many at a time are compared, of which the first count.
+void Analysis::compare_lists(const Pattern& next) {
+    constexpr std::int32_t kWide = 8;
+    static constexpr std::int32_t kFirst[2 * kWide] = {-1, -1, -1, -1, -1, -1, -1, -1};
+    const std::int32_t n = next.nodes();
+    const std::int32_t *const now = next.adjacent.data(), *const then = pattern_.adjacent.data();
+    const std::int32_t *const begin = next.start.data(), *const began = pattern_.start.data();
+    const std::int32_t end = begin[n] - kWide, ended = began[n] - kWide;
+    for (std::int32_t v = 0; v < n; ++v) {
+        const std::int32_t length = begin[v + 1] - begin[v];
+        const std::int32_t *a = now + begin[v], *b = then + began[v];
+        std::int32_t differs = length ^ (began[v + 1] - began[v]);
+        if (begin[v] <= end && began[v] <= ended) {
+            const std::int32_t* first = kFirst + kWide - std::min(length, kWide);
+            for (std::int32_t i = 0; i < kWide; ++i) differs |= (a[i] ^ b[i]) & first[i];
+            if (length > kWide && differs == 0)
+                differs = std::equal(a + kWide, a + length, b + kWide) ? 0 : 1;
+        } else if (differs == 0) {
+            differs = std::equal(a, a + length, b) ? 0 : 1;
+        }
+        changed_[at(v)] = differs != 0 ? 1 : 0;
     }
 }
 
@@ -216,8 +251,8 @@ void Analysis::emit_order() {
 std::size_t Analysis::bytes() const noexcept {
     std::size_t sum = orderer_.bytes() + columns_.bytes() + layout_.bytes() + symbolic_.bytes();
     for (const auto* v :
-         {&old_of_new_, &new_of_old_, &chain_of_, &mark_, &rest_, &placed_, &before_, &behind_,
-          &next_, &anchor_, &pattern_.start, &pattern_.adjacent})
+         {&old_of_new_, &new_of_old_, &changes_, &chain_of_, &mark_, &rest_, &placed_, &before_,
+          &behind_, &next_, &anchor_, &pattern_.start, &pattern_.adjacent})
         sum += base::bytes(*v);
     return sum + base::bytes(key_) + base::bytes(changed_) + base::bytes(placing_) +
            base::bytes(between_);

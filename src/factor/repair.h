@@ -18,9 +18,10 @@
 /// - Nodes of a chain (chains.h) whose inside changed, or which touches another chain now, stay
 ///   where they were, but in ordinary fronts.
 ///
-/// Then the structure is computed again where it changes (columns.h), and the addresses are laid
-/// out anew (layout.h), which is linear in the number of fronts and rows. The result is what
-/// analyse() gives for the same order and chains, member by member.
+/// Lists of neighbours are compared as a whole, and only nodes with another one are looked at. Then
+/// the structure is computed again where it changes (columns.h), and the addresses are laid out
+/// anew (layout.h), which is linear in the number of fronts and rows. The result is what analyse()
+/// gives for the same order and chains, member by member.
 ///
 /// An order grows stale: update() makes a new one when the flops exceed kReplan times those after
 /// the last plan. Measured on the paper's scene in docs/factor_benchmark.md.
@@ -30,6 +31,7 @@
 #include "factor/ordering.h"
 #include "factor/symbolic.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -37,8 +39,9 @@
 
 namespace hawser::factor {
 
-/// Growth of the flops since the last plan at which a new one is made.
-inline constexpr double kReplan = 1.25;
+/// Growth of the flops since the last plan at which a new one is made: a plan takes about twice the
+/// time of a repair.
+inline constexpr double kReplan = 1.2;
 
 /// What a repair did.
 struct RepairReport {
@@ -95,6 +98,7 @@ class Analysis {
   private:
     bool match_nodes(const Pattern& next, std::span<const std::int32_t> old_of_new);
     void find_changes(const Pattern& next, bool same_numbers);
+    void compare_lists(const Pattern& next);
     void keep_chains(const Pattern& next, RepairReport& report);
     [[nodiscard]] bool chain_holds(const Pattern& next, std::int32_t chain);
     // placing.cpp
@@ -112,6 +116,18 @@ class Analysis {
     void hang(std::vector<std::int32_t>& heads, std::size_t place, std::int32_t node);
 
     void analyse_order();
+    /// f(node) for each that is marked, ascending: eight at a time are looked at.
+    template <class F>
+    static void each_marked(const std::vector<std::uint8_t>& marks, F&& f) {
+        const std::size_t n = marks.size();
+        for (std::size_t v = 0, end; v < n; v = end) {
+            end = std::min(v + 8, n);
+            std::uint8_t any = 0;
+            for (std::size_t i = v; i < end; ++i) any |= marks[i];
+            for (std::size_t i = v; any != 0 && i < end; ++i)
+                if (marks[i] != 0) f(static_cast<std::int32_t>(i));
+        }
+    }
 
     Planner planner_;
     Orderer orderer_;
@@ -125,6 +141,7 @@ class Analysis {
     // Buffers of repair(); by node of the next pattern unless said otherwise.
     std::vector<std::int32_t> old_of_new_, new_of_old_;
     std::vector<std::uint8_t> changed_;  ///< New, or other neighbours.
+    std::vector<std::int32_t> changes_;  ///< These nodes, ascending.
     std::vector<std::uint8_t> placing_;  ///< Gets a place; kFresh: from its neighbours alone.
     std::vector<std::uint8_t> between_;  ///< Kept from call to call: placed where branches met.
     std::vector<std::uint8_t> spare_;
