@@ -35,7 +35,8 @@
 /// Record (doubles): 0 w = (h²/4) T/l; 1-3 u; 4-6 r₀; 7-9 r₁; 10-15 (h²/4) P₀ and 16-21
 /// (h²/4) P₁ as xx xy xz yy yz zz; 22 (1 + u) h c. 23: max(|r₀|/I₀, |r₁|/I₁) [1/(kg m)], constant,
 /// set by the analysis; 0 where one of the bodies does not turn. Between bodies without arms a
-/// record ends after u.
+/// record ends after u. Ball joints between two rigid bodies have an arms record instead
+/// (model/arms.h), and the stiffness of their arms is computed with the bodies' own terms.
 
 #include "assembly/view.h"
 #include "base/simd.h"

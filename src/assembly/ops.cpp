@@ -275,7 +275,6 @@ void System::share_lanes(std::span<const Op> together, std::int64_t place,
         auto put = [&](std::size_t k) {
             found->id[k] = op.id;
             found->from[k] = op.jac_a;
-            if (op.kind == Op::body_block) found->from[k] = op.jac_a;
             if (op.kind == Op::geometric && op.width > 0)
                 found->from[k] = geo_place_[at(op.id)].record;
         };

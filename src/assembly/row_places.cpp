@@ -42,7 +42,7 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) 
         if (!in_short) continue;
         in.jac_begin[at(i)] = jacobian;
         jacobian += model::kArms;
-        geo_place_[at(i)].force = force;
+        geo_place_[at(i)] = {-1, force, 0};
         force += 6;
     }
     for (int i = 0; i < in.count(); ++i) {

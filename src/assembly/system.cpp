@@ -83,7 +83,7 @@ void System::find_resting(const model::Bodies& bodies, const model::Interactions
 }
 
 void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) {
-    constexpr std::size_t kSlack = 8;  // as above
+    constexpr std::size_t kSlack = 8;  // as in lay_out_rows()
     lay_out_rows(bodies, in);
     body_block_.resize(2 * at(bodies.dofs) + kSlack);
     for (base::Array<double>* a : {&a_, &v_new_, &momentum_})

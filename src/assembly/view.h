@@ -47,7 +47,8 @@ struct Op {
     std::int64_t address;
     std::int32_t step, ld;  ///< Distance of rows and of columns, factor::BlockTarget.
     std::int32_t id;
-    std::int32_t jac_a, jac_b;  ///< Offsets of the slots' columns in the first row.
+    std::int32_t jac_a,
+        jac_b;  ///< Offsets of the slots' columns in the first row; of a body block.
     Kind kind;
     std::uint8_t a, b;
     std::uint8_t dof_a, dof_b, width;
@@ -81,13 +82,14 @@ struct Incidence {
 };
 
 /// Where the geometric terms of one interaction are. A slot has 2 `dof` doubles: its part of M̃ v
-/// for the velocities of the latest loop over rows, and its part of a. Where one slot's part is the
-/// other's with the sign changed, only that of slot 0 is kept: between bodies without arms, and
-/// where the Jacobian is in short (model/arms.h), in which case there are three torques of each.
+/// for the velocities of the latest loop over rows that had some, and its part of a. Where one
+/// slot's part is the other's with the sign changed, only that of slot 0 is kept: between bodies
+/// without arms, and where the Jacobian is in short (model/arms.h), in which case there are three
+/// torques of each.
 struct GeoPlace {
     std::int32_t record = -1;  ///< Offset of the record, kGeoSize or kGeoLine doubles; −1: none.
     std::int32_t force = 0;    ///< Offset of slot 0; slot 1, if any, follows.
-    std::int32_t dof = 6;      ///< 3 between bodies without arms (lumps, scalars), else 6.
+    std::int32_t dof = 6;  ///< 3 between bodies without arms (lumps, scalars), 0 in short, else 6.
     [[nodiscard]] constexpr std::int32_t slot(int b) const {
         return dof == 6 ? force + 12 * b : force;
     }
@@ -189,7 +191,8 @@ struct Norms {
 
 /// Hot loops. Ranges are of bodies or of interactions; a range writes only its own entries.
 struct Kernels {
-    /// Violation, Jacobian, c and geometric record of pool entries [begin, end).
+    /// Violation, Jacobian, c and geometric record of pool entries [begin, end); G v_start, M̃
+    /// v_start.
     void (*evaluate)(const View&, InteractionKind kind, const std::int32_t* ids, const void* data,
                      std::int32_t begin, std::int32_t end) noexcept;
     /// Body blocks and a, geometric terms included.

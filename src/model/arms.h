@@ -15,26 +15,30 @@
 namespace hawser::model {
 
 inline constexpr int kArms = 8;  ///< Doubles of an arms record.
-/// What Interactions::arms says of one: its Jacobian is in short; its rows are condensed.
+/// What Interactions::arms says: the Jacobian is in short; and the rows are condensed.
 inline constexpr unsigned char kInShort = 1, kInShortCondensed = 3;
 inline constexpr int kArmsDamping = 6, kArmsSwing = 7;
 /// Doubles of the packed rows, and slack for vector loads.
 inline constexpr int kArmRows = 3, kArmWidth = 12, kArmRoom = kArmRows * kArmWidth + 8;
 
-/// The three rows, twelve wide, into `out`. Always inline: also for code compiled per instruction
-/// set (base/small.h).
-[[gnu::always_inline]] inline void unpack_arms(const double* record, double* out) noexcept {
-    for (int i = 0; i < kArmRows * kArmWidth; ++i) out[i] = 0.0;
+/// Row i, twelve wide, into `out`: for both bodies ∓(e_i, r × e_i). Always inline: also for code
+/// compiled per instruction set (base/small.h).
+[[gnu::always_inline]] inline void unpack_arm_row(const double* record, int i,
+                                                  double* out) noexcept {
+    const int next = (i + 1) % 3, last = (i + 2) % 3;
+    for (int k = 0; k < kArmWidth; ++k) out[k] = 0.0;
     for (int b = 0; b < 2; ++b) {
         const double sign = b == 0 ? -1.0 : 1.0, *r = record + 3 * b;
-        double* row = out + 6 * b;
-        for (int i = 0; i < 3; ++i) {  // sign (e_i, r × e_i)
-            const int next = (i + 1) % 3, last = (i + 2) % 3;
-            row[kArmWidth * i + i] = sign;
-            row[kArmWidth * i + 3 + next] = sign * r[last];
-            row[kArmWidth * i + 3 + last] = -sign * r[next];
-        }
+        out[6 * b + i] = sign;
+        out[6 * b + 3 + next] = sign * r[last];
+        out[6 * b + 3 + last] = -sign * r[next];
     }
+}
+
+/// The three rows into `out`, of kArmRoom, with zeros behind them.
+[[gnu::always_inline]] inline void unpack_arms(const double* record, double* out) noexcept {
+    for (int i = 0; i < kArmRows; ++i) unpack_arm_row(record, i, out + kArmWidth * i);
+    for (int k = kArmRows * kArmWidth; k < kArmRoom; ++k) out[k] = 0.0;
 }
 
 /// Packed rows of an interaction whose Jacobian begins at `jacobian`, in `room` if it is in short.

@@ -74,7 +74,7 @@ struct Interactions {
     base::Array<std::uint8_t> bodies, rows, flags;
     base::Array<std::int32_t> row_begin;
     base::Array<std::int32_t> jac_begin;  ///< Set by the analysis, like …
-    base::Array<std::uint8_t> arms;       ///< … this: 0, or of ArmsFlag.
+    base::Array<std::uint8_t> arms;       ///< … this: 0, kInShort or kInShortCondensed (arms.h).
     std::vector<std::int32_t> geo;        ///< Index of the geometric-stiffness record, or −1.
     /// 1; or 0: its rows ask for nothing, and the first has the impulse `held`: slack, inside its
     /// range or parted (0), or a motor or friction at a bound.

@@ -23,8 +23,12 @@ template <class F>
 void each_body(const View& v, std::int32_t id, int r, F&& f) noexcept {
     int width = 0;
     for (int b = 0; b < v.bodies[id]; ++b) width += v.dof[v.body[kMaxInteractionBodies * id + b]];
-    double room[model::kArmRoom];
-    const double* jac = packed_rows(v, id, room) + static_cast<std::ptrdiff_t>(r) * width;
+    const double* jac = v.jacobian + v.jac_begin[id] + static_cast<std::ptrdiff_t>(r) * width;
+    double row[model::kArmWidth];
+    if (v.arms[id]) {
+        model::unpack_arm_row(v.jacobian + v.jac_begin[id], r, row);
+        jac = row;
+    }
     for (int b = 0; b < v.bodies[id]; ++b) {
         const std::int32_t body = v.body[kMaxInteractionBodies * id + b];
         if (v.dof[body] == 0) continue;

@@ -133,7 +133,8 @@ void assemble_rows(StepContext& ctx) noexcept {
     hold_bounds(ctx, ctx.def.step);
     const bool moving = starts_moving(ctx);
     View rows = v;
-    if (!moving) rows.v_start = nullptr;
+    // PGS measures its solution without renewing what v₊ does.
+    if (!moving && ctx.def.nonsmooth != Nonsmooth::pgs) rows.v_start = nullptr;
     sweep(
         ctx,
         [&](int strip) {

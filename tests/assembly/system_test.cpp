@@ -106,7 +106,12 @@ TEST_P(Seeds, ChainsGoEightAtATime) {
     EXPECT_EQ(*std::max_element(v.links, v.links + v.body_count), 9);
     EXPECT_EQ(std::count_if(v.arms, v.arms + v.interaction_count, [](int a) { return a != 0; }),
               4 * 10 + 4);
-    EXPECT_FALSE(ctx->system.lane_ops.empty());
+    const bool saddle = std::get<1>(GetParam()) == Form::saddle;
+    const auto& ops = ctx->system.lane_ops;
+    EXPECT_TRUE(std::any_of(ops.begin(), ops.end(), [&](const assembly::LaneOp& op) {
+        return op.width == 0 &&
+               op.kind == (saddle ? assembly::Op::kept_rows : assembly::Op::condensed);
+    }));
 }
 
 TEST_P(Seeds, BlocksEqualTheDenseMatrix) {

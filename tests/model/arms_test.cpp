@@ -2,7 +2,10 @@
 #include "model/arms.h"
 
 #include <gtest/gtest.h>
+
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 
 namespace hawser::model {
 namespace {
@@ -11,7 +14,10 @@ namespace {
 TEST(Arms, UnpackToTheRowsOfABallJoint) {
     const double record[kArms] = {0.3, -1.1, 2.0, 0.7, 0.5, -0.9, 5.0, 6.0};
     double room[kArmRoom];
+    std::fill_n(room, kArmRoom, std::nan(""));
     const double* packed = packed_rows(record, true, room);
+    // Vectors that begin within the last row end behind it.
+    for (int k = kArmRows * kArmWidth; k < kArmRoom; ++k) EXPECT_EQ(packed[k], 0.0);
     const Eigen::Map<const Eigen::Matrix<double, 3, 12, Eigen::RowMajor>> g(packed);
     Eigen::Matrix<double, 12, 1> u;
     u << 1, 2, 3, -0.5, 0.25, 2, 4, -1, 0.5, 1.5, -2, 0.75;

@@ -26,8 +26,7 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
         const assembly::Incidence& in = view.incident[k];
         const double* jac = view.jacobian + in.jacobian;
         const double* yr = y + in.row;
-        if (in.width == 0) {  // in short; rows = 0: at rest
-            if (in.rows == 0) continue;
+        if (in.width == 0) {  // in short
             const double sign = in.slot == 0 ? -1.0 : 1.0;
             const V3 p = sign * load3(yr);
             V3 turn = cross(load3(jac), p);

@@ -32,6 +32,7 @@ template <class K>
 struct LaneRows {
     static constexpr int B = K::kBodies, R = K::kRows, D = K::kLaneDof, W = B * D;
     static constexpr int kDataSize = sizeof(typename K::Data) / sizeof(double);
+    static constexpr bool kShort = K::kInShort;  ///< Between two rigid bodies, model/arms.h.
     using Ref = std::conditional_t<D == 6, RigidLanes, LumpLanes>;
 
     explicit LaneRows(const assembly::View& v) : view(v) {}
@@ -53,7 +54,7 @@ struct LaneRows {
                     view.dof_begin[i] + kLanes > view.dof_count)
                     return false;
             }
-            if (K::kGeometry == Geometry::joint && view.arms[id[l]] == 0) return false;
+            if (kShort && view.arms[id[l]] == 0) return false;
             if (K::kGeometry != Geometry::line) continue;
             if (view.geo[id[l]].dof != D || view.geo[id[l]].record < 0) return false;
         }
@@ -75,11 +76,13 @@ struct LaneRows {
 
     /// A value of each row, by its number in the interaction.
     void load_rows(const double* values, V8 (&v)[R]) const {
-        if (in_a_row && R <= 3) return load_every<R>(values + row[0], v);
+        if constexpr (R <= 3)
+            if (in_a_row) return load_every<R>(values + row[0], v);
         for (int r = 0; r < R; ++r) v[r] = pick(values, row, r);
     }
     void store_rows(double* values, const V8 (&v)[R]) const {
-        if (in_a_row && R <= 3) return store_every<R>(values + row[0], v);
+        if constexpr (R <= 3)
+            if (in_a_row) return store_every<R>(values + row[0], v);
         for (int l = 0; l < kLanes; ++l)
             for (int r = 0; r < R; ++r) values[row[l] + r] = lane(v[r], l);
     }
@@ -130,12 +133,12 @@ struct LaneRows {
         Rows<B, R, W8> rows;
         K::evaluate(fields, refs, rows);
         write_rows(rows, v, start);
-        if constexpr (K::kGeometry != Geometry::joint) write_jacobian(rows);
+        if constexpr (!kShort) write_jacobian(rows);
         if (any_flag(view.parted, 0xff))
             for (int l = 0; l < kLanes; ++l)
                 if (view.parted[id[l]]) view.active[id[l]] = 0.0;
         if constexpr (K::kGeometry == Geometry::line) line(refs, rows, v, start);
-        if constexpr (K::kGeometry == Geometry::joint) joint(fields, refs, v, start);
+        if constexpr (kShort) joint(fields, refs, v, start);
     }
 
     /// G u, a row each, of u by body.

@@ -16,12 +16,17 @@ constexpr int kSlots = kMaxInteractionBodies;
 template <int R, class Offset>
 inline V8 row_products(const View& view, std::int32_t id, const double* u, Offset offset) {
     const std::int32_t* body = view.body + kSlots * id;
+    if (R == model::kArmRows && view.arms[id]) {
+        const ArmsT<double> arms = load_arms(view.jacobian + view.jac_begin[id]);
+        const double *u0 = u + offset(body[0]), *u1 = u + offset(body[1]);
+        const V3 p =
+            load3(u1) - load3(u0) + cross(load3(u1 + 3), arms.r1) - cross(load3(u0 + 3), arms.r0);
+        return V8{p.x, p.y, p.z, 0.0, 0.0, 0.0, 0.0, 0.0};
+    }
     int width = 0;
     for (int b = 0; b < view.bodies[id]; ++b) width += view.dof[body[b]];
     V8 acc[R] = {};
-    double room[model::kArmRoom];
-    const double* jac =
-        R == model::kArmRows ? packed_rows(view, id, room) : view.jacobian + view.jac_begin[id];
+    const double* jac = view.jacobian + view.jac_begin[id];
     for (int b = 0; b < view.bodies[id]; ++b) {
         const int dof = view.dof[body[b]];
         if (dof == 0) continue;

@@ -165,7 +165,7 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         }
         if (view.flags[id] & 2) view.active[id] = rows.g[0] != 0.0 ? 1.0 : 0.0;  // range
         if (view.parted[id]) view.active[id] = 0.0;
-        if constexpr (std::is_same_v<K, kinds::Ball>) {
+        if constexpr (requires { requires K::kInShort; }) {
             if (view.arms[id]) {
                 evaluate_arms<K>(view, data[k], refs, id);
                 continue;

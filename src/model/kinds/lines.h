@@ -72,6 +72,7 @@ struct Distance {
         s[0].gap = s[0].compliance <= 1e-9;
     }
     static constexpr int kLaneDof = 3;
+    static constexpr bool kInShort = false;
     template <class T>
     using DataT = PointDataT<T>;
     template <class T, class Ref>
@@ -114,6 +115,7 @@ struct Stretch {
     using Data = PointData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { stretch_rows(d, h, s); }
     static constexpr int kLaneDof = 3;
+    static constexpr bool kInShort = false;
     template <class T>
     using DataT = PointDataT<T>;
     template <class T, class Ref>
@@ -181,6 +183,7 @@ struct Bend {
         .params = kBendParams,
         .doc = "Bending stiffness of a line at the middle one of three nodes in order."};
     static constexpr int kLaneDof = 3;
+    static constexpr bool kInShort = false;
     template <class T>
     struct DataT {
         T point[3][3];
