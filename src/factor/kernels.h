@@ -79,6 +79,9 @@ struct FactorKernels {
     void (*unite_rows)(std::uint64_t* rows, std::int32_t words, const std::int32_t* nodes,
                        std::int32_t count, const std::uint64_t* with, const std::uint64_t* among,
                        std::int32_t* sizes, std::uint64_t* folds) noexcept;
+    /// Copy n doubles, a multiple of eight, to where they are not read soon: past the caches, which
+    /// would read what is there before. Both aligned to base::kAlign.
+    void (*stream)(double* to, const double* from, std::int64_t n) noexcept;
 };
 
 /// Pivot columns whose unscaled values a front keeps in the scratch.

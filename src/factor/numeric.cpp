@@ -48,6 +48,7 @@ void Numeric::reserve(const Symbolic& symbolic, int threads, bool unsymmetric) {
     scratch_stride_ = std::max(scratch_stride_, stride);
     grow(scratch_, scratch_stride_ * threads);
     cut_pieces(symbolic);
+    find_stage(symbolic, threads);
     unsymmetric_ = false;
     wrong_nodes_.clear();
     if (!unsymmetric) return;
@@ -188,23 +189,51 @@ void Numeric::cut_pieces(const Symbolic& s) {
     task_piece_.push_back(static_cast<std::int32_t>(pieces_.size()));
 }
 
+/// Room for the largest piece of a batch, if they are streamed.
+void Numeric::find_stage(const Symbolic& s, int threads) {
+    stage_stride_ = 0;
+    if (s.panel_size <= streamed_size) return;
+    for (const Piece& p : pieces_)
+        if (p.begin == p.end) stage_stride_ = std::max(stage_stride_, p.panel_end - p.panel_begin);
+    stage_stride_ = (stage_stride_ + 63) & ~std::int64_t{63};
+    grow(stage_, stage_stride_ * threads);
+}
+
+int Numeric::run_batch_piece(const Symbolic& symbolic, int piece, Fill fill, double* x,
+                             int thread) noexcept {
+    const Piece& p = pieces_[static_cast<std::size_t>(piece)];
+    const Batch& batch = symbolic.batches[static_cast<std::size_t>(p.begin)];
+    const FactorKernels& kernels = factor_kernels();
+    const std::int64_t size = p.panel_end - p.panel_begin;
+    // Both go on with the next piece: each has its own share of the scratch.
+    double* forward = scratch(thread) + (unsymmetric_ ? 2 : 1) * batch_windows(batch);
+    FactorView v = view(symbolic, thread);
+    const bool streamed = stage_stride_ > 0 && !unsymmetric_;
+    double* made = panel_.data() + p.panel_begin;
+    if (streamed) {
+        made = stage_.data() + thread * stage_stride_;
+        v.panel = made - p.panel_begin;
+    }
+    std::fill(made, made + size, 0.0);
+    fill.write(fill.context, piece, v.panel);
+    if (unsymmetric_ && copy_piece(symbolic, p))
+        fill.skew(fill.context, piece, panel_.data(), upper_.data());
+    const int wrong = kernels.factor_batch(v, batch, p.step_begin, p.step_end, scratch(thread));
+    kernels.forward_batch(v, batch, p.step_begin, p.step_end, x, forward);
+    if (streamed) kernels.stream(panel_.data() + p.panel_begin, made, size);
+    return wrong;
+}
+
 int Numeric::run_piece(const Symbolic& symbolic, int piece, Fill fill, double* x,
                        int thread) noexcept {
-    const FactorView v = view(symbolic, thread);
     const Piece& p = pieces_[static_cast<std::size_t>(piece)];
+    if (p.begin == p.end) return run_batch_piece(symbolic, piece, fill, x, thread);
+    const FactorView v = view(symbolic, thread);
     const FactorKernels& kernels = factor_kernels();
     std::fill(panel_.begin() + p.panel_begin, panel_.begin() + p.panel_end, 0.0);
     fill.write(fill.context, piece, panel_.data());
     if (unsymmetric_ && copy_piece(symbolic, p))
         fill.skew(fill.context, piece, panel_.data(), upper_.data());
-    if (p.begin == p.end) {
-        const Batch& batch = symbolic.batches[static_cast<std::size_t>(p.begin)];
-        // Both go on with the next piece: each has its own share of the scratch.
-        double* forward = scratch(thread) + (unsymmetric_ ? 2 : 1) * batch_windows(batch);
-        const int wrong = kernels.factor_batch(v, batch, p.step_begin, p.step_end, scratch(thread));
-        kernels.forward_batch(v, batch, p.step_begin, p.step_end, x, forward);
-        return wrong;
-    }
     const int wrong = kernels.factor(v, p.begin, p.end, scratch(thread));
     kernels.forward(v, p.begin, p.end, x, scratch(thread));
     return wrong;
@@ -254,9 +283,9 @@ void Numeric::backward(const Symbolic& symbolic, double* x, base::Executor& exec
 std::size_t Numeric::bytes() const noexcept {
     return base::bytes(panel_) + base::bytes(pivot_) + base::bytes(work_) + base::bytes(carry_) +
            base::bytes(slot_pivot_) + base::bytes(slot_y_) + base::bytes(scratch_) +
-           base::bytes(wrong_) + base::bytes(upper_) + base::bytes(upper_work_) +
-           base::bytes(kind_) + base::bytes(wrong_mark_) + base::bytes(wrong_nodes_) +
-           queue_.bytes();
+           base::bytes(stage_) + base::bytes(wrong_) + base::bytes(upper_) +
+           base::bytes(upper_work_) + base::bytes(kind_) + base::bytes(wrong_mark_) +
+           base::bytes(wrong_nodes_) + queue_.bytes();
 }
 
 }  // namespace hawser::factor

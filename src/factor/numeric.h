@@ -42,6 +42,9 @@ class Numeric {
     /// From this size on a piece ends [doubles]: a share of a core's own cache. To be set before
     /// reserve().
     std::int64_t piece_size = 16'384;
+    /// Panels above this size [doubles], 64 MB, stay in no cache until they are read again: pieces
+    /// of batches are made in a thread's own memory and written past the caches. Likewise.
+    std::int64_t streamed_size = 8'388'608;
 
     /// Make room for a structure and for that many threads; grows only. With room for unsymmetric
     /// fronts, the panels and update matrices take twice the memory. @throws std::bad_alloc.
@@ -104,6 +107,9 @@ class Numeric {
   private:
     void cut_pieces(const Symbolic& symbolic);
     void cut_batch(const Symbolic& symbolic, std::int32_t batch);
+    void find_stage(const Symbolic& symbolic, int threads);
+    [[nodiscard]] int run_batch_piece(const Symbolic& symbolic, int piece, Fill fill, double* x,
+                                      int thread) noexcept;
     [[nodiscard]] int run_piece(const Symbolic& symbolic, int piece, Fill fill, double* x,
                                 int thread) noexcept;
     void use(const Symbolic& symbolic, const Unsymmetric* set) noexcept;
@@ -122,6 +128,8 @@ class Numeric {
     }
 
     base::Array<double> panel_, pivot_, work_, carry_, slot_pivot_, slot_y_, scratch_;
+    base::Array<double> stage_;  ///< A piece of a batch for each thread, where they are streamed.
+    std::int64_t stage_stride_ = 0;  ///< 0: they are not.
     std::vector<Piece> pieces_;
     std::vector<std::int32_t> task_piece_;  ///< First piece of each node of the graph.
     base::Array<int> wrong_;                ///< One a node, so that the count needs no atomics.

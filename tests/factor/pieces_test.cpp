@@ -56,6 +56,7 @@ TEST(Pieces, GivesTheBitsOfFillingFactoringAndSolving) {
             pool.resume();
             factor::Numeric numeric;
             numeric.piece_size = 500;
+            if (seed % 2 == 0) numeric.streamed_size = 0;
             numeric.reserve(s, threads);
             for (const factor::Piece& p : numeric.pieces())
                 resumed += p.begin == p.end &&

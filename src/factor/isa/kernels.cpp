@@ -20,6 +20,10 @@
 #include "factor/isa/with_count.h"
 #include "factor/symbolic.h"
 
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
 namespace hawser::HAWSER_ISA {
 namespace {
 
@@ -268,11 +272,26 @@ int factor_fronts(const FactorView& view, std::int32_t begin, std::int32_t end,
     return wrong;
 }
 
+void stream(double* to, const double* from, std::int64_t n) noexcept {
+    for (std::int64_t i = 0; i < n; i += kLanes) {
+#if defined(__AVX512F__)
+        _mm512_stream_pd(to + i, load(from + i));
+#elif defined(__SSE2__)
+        for (int k = 0; k < kLanes; k += 2) _mm_stream_pd(to + i + k, _mm_load_pd(from + i + k));
+#else
+        store(to + i, load(from + i));
+#endif
+    }
+#if defined(__SSE2__)
+    _mm_sfence();
+#endif
+}
+
 }  // namespace
 
 extern const factor::FactorKernels kFactorKernels;
 const factor::FactorKernels kFactorKernels = {factor_fronts, forward_fronts, backward_fronts,
                                               factor_batch,  forward_batch,  backward_batch,
-                                              unite_rows};
+                                              unite_rows,    stream};
 
 }  // namespace hawser::HAWSER_ISA
