@@ -112,19 +112,13 @@ CLI::App* add_options(CLI::App& app, FactorOptions& o) {
 }
 
 /// OpenBLAS 0.3.21 takes newer machines for a Prescott of 2004 and is then several times slower
-/// than it can be. Huge pages are what our arrays ask for; where the system gives them only to
-/// those who ask (Debian gives them to all), the memory of libraries is to have them too. Both are
-/// chosen when a library is loaded, so start again with a better choice.
-void insist_on_fast_libraries(char** argv) {
+/// than it can be. It chooses when it is loaded, so start again with a better choice.
+void insist_on_fast_blas(char** argv) {
     const std::string isa = instruction_set(), core = blas_core();
-    bool better = false;
-    auto choose = [&](const char* name, const char* value) {
-        if (getenv(name) == nullptr) better |= setenv(name, value, 1) == 0;
-    };
-    if (core == "OpenBLAS Prescott" && isa != "sse2")
-        choose("OPENBLAS_CORETYPE", isa == "avx512" ? "SKYLAKEX" : "HASWELL");
-    choose("GLIBC_TUNABLES", "glibc.malloc.hugetlb=1");
-    if (better) execv("/proc/self/exe", argv);  // goes on as it is where that fails
+    if (getenv("OPENBLAS_CORETYPE") != nullptr || core != "OpenBLAS Prescott" || isa == "sse2")
+        return;
+    setenv("OPENBLAS_CORETYPE", isa == "avx512" ? "SKYLAKEX" : "HASWELL", 1);
+    execv("/proc/self/exe", argv);  // goes on as it is where that fails
 }
 
 int schedules(const std::vector<ProblemSource>& sources, const FactorOptions& o) {
@@ -175,7 +169,7 @@ int factor_command(int argc, char** argv) {
         }
         return 0;
     }
-    insist_on_fast_libraries(argv - 1);  // argv[0] is the subcommand, before it is the program
+    insist_on_fast_blas(argv - 1);  // argv[0] is the subcommand, before it is the program
     const std::vector<ProblemSource> sources = choose(o);
     if (o.list) {
         for (const ProblemSource& p : sources) fmt::print("{}\n", p.name);
