@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
@@ -19,6 +20,11 @@
 namespace hawser::bench {
 namespace {
 
+/// Of this process: tests run beside each other.
+std::filesystem::path own_path(const char* name) {
+    return std::filesystem::path(testing::TempDir()) / (std::to_string(getpid()) + name);
+}
+
 using nlohmann::json;
 
 class PeersProgram : public testing::Test {
@@ -27,7 +33,7 @@ class PeersProgram : public testing::Test {
         const char* folder = std::getenv("HAWSER_BIN_DIR");
         const std::string program = std::string(folder == nullptr ? "." : folder) + "/hawser-bench";
         if (!std::filesystem::exists(program)) GTEST_SKIP() << "hawser-bench is not in this build";
-        const auto out = std::filesystem::path(testing::TempDir()) / "hawser_peers_program.json";
+        const auto out = own_path("hawser_peers_program.json");
         const std::string command = program +
                                     " peers --engines hawser --scene all --reference "
                                     "bench/peers/reference --json " +
@@ -85,7 +91,7 @@ TEST_F(PeersProgram, OurStepKeepsWhatIsAskedOfContacts) {
 }
 
 TEST(PeersWithContacts, LieOnTheFloorAndTellTheirPoints) {
-    const auto out = std::filesystem::path(testing::TempDir()) / "hawser_peers_contacts.json";
+    const auto out = own_path("hawser_peers_contacts.json");
     const char* folder = std::getenv("HAWSER_BIN_DIR");
     const std::string program = std::string(folder == nullptr ? "." : folder) + "/hawser-bench";
     if (!std::filesystem::exists(program)) GTEST_SKIP() << "hawser-bench is not in this build";
@@ -111,7 +117,7 @@ TEST(PeersWithContacts, LieOnTheFloorAndTellTheirPoints) {
 }
 
 TEST(PeersReference, IsWrittenWithBothRuns) {
-    const auto to = std::filesystem::path(testing::TempDir()) / "hawser_peers_reference";
+    const auto to = own_path("hawser_peers_reference");
     std::filesystem::create_directories(to);
     const char* folder = std::getenv("HAWSER_BIN_DIR");
     const std::string program = std::string(folder == nullptr ? "." : folder) + "/hawser-bench";
