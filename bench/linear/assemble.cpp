@@ -9,7 +9,6 @@
 namespace hawser::bench {
 namespace {
 
-static const int PF1 = getenv("PF1") ? atoi(getenv("PF1")) : 0;
 struct AssembleView {
     const double* values;
     const double* inverse;

@@ -37,6 +37,21 @@ HAWSER_INLINE void transpose(V8 (&v)[kLanes]) {
     }
 #endif
 }
+/// load_every() and store_every() entry by entry.
+template <int N>
+HAWSER_INLINE void pick_every(const double* p, V8 (&v)[N]) {
+    for (int k = 0; k < N; ++k) {
+        double lanes[kLanes];
+        for (int l = 0; l < kLanes; ++l) lanes[l] = p[N * l + k];
+        v[k] = load(lanes);
+    }
+}
+template <int N>
+HAWSER_INLINE void put_every(double* p, const V8 (&v)[N]) {
+    for (int l = 0; l < kLanes; ++l)
+        for (int k = 0; k < N; ++k) p[N * l + k] = lane(v[k], l);
+}
+
 /// Lane by lane three consecutive entries: v[k] = p[k], p[3 + k] … p[21 + k].
 HAWSER_INLINE void load_threes(const double* p, V8 (&v)[3]) {
 #if defined(__AVX512F__)
@@ -48,11 +63,7 @@ HAWSER_INLINE void load_threes(const double* p, V8 (&v)[3]) {
     v[2] = __builtin_shuffle(__builtin_shuffle(a, b, I8{2, 5, 8, 11, 14, 0, 0, 0}), c,
                              I8{0, 1, 2, 3, 4, 9, 12, 15});
 #else
-    for (int k = 0; k < 3; ++k) {
-        double lanes[kLanes];
-        for (int l = 0; l < kLanes; ++l) lanes[l] = p[3 * l + k];
-        v[k] = load(lanes);
-    }
+    pick_every(p, v);
 #endif
 }
 /// The other way round: out[r] = eight entries from 8 r on of what lies as threes.
@@ -66,11 +77,7 @@ HAWSER_INLINE void as_threes(const V8& x, const V8& y, const V8& z, V8 (&out)[3]
                                I8{0, 13, 2, 3, 14, 5, 6, 15});
 #else
     double entries[3 * kLanes];
-    for (int l = 0; l < kLanes; ++l) {
-        entries[3 * l] = lane(x, l);
-        entries[3 * l + 1] = lane(y, l);
-        entries[3 * l + 2] = lane(z, l);
-    }
+    put_every<3>(entries, {x, y, z});
     for (int r = 0; r < 3; ++r) out[r] = load(entries + kLanes * r);
 #endif
 }
@@ -89,11 +96,7 @@ HAWSER_INLINE void load_every(const double* p, V8 (&v)[N]) {
         v[0] = __builtin_shuffle(a, b, I8{0, 2, 4, 6, 8, 10, 12, 14});
         v[1] = __builtin_shuffle(a, b, I8{1, 3, 5, 7, 9, 11, 13, 15});
 #else
-        for (int k = 0; k < N; ++k) {
-            double lanes[kLanes];
-            for (int l = 0; l < kLanes; ++l) lanes[l] = p[N * l + k];
-            v[k] = load(lanes);
-        }
+        pick_every(p, v);
 #endif
     }
 }
@@ -110,8 +113,7 @@ HAWSER_INLINE void store_every(double* p, const V8 (&v)[N]) {
         store(p, __builtin_shuffle(v[0], v[1], I8{0, 8, 1, 9, 2, 10, 3, 11}));
         store(p + 8, __builtin_shuffle(v[0], v[1], I8{4, 12, 5, 13, 6, 14, 7, 15}));
 #else
-        for (int l = 0; l < kLanes; ++l)
-            for (int k = 0; k < N; ++k) p[N * l + k] = lane(v[k], l);
+        put_every(p, v);
 #endif
     }
 }

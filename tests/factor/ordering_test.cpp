@@ -172,12 +172,14 @@ Order long_plan(const Pattern& p, const factor::Chains& chains) {
     return order;
 }
 
+constexpr int kTrials = kSanitized ? 40 : 400;
+
 /// One orderer for all: nothing of one pattern is left for the next.
 TEST(Ordering, IsThatOfTheLibrary) {
     Random random(1);
     factor::Orderer orderer;
     int moved = 0;
-    for (int trial = 0; trial < (kSanitized ? 40 : 400); ++trial) {
+    for (int trial = 0; trial < kTrials; ++trial) {
         const Pattern p = draw(random);
         Order order;
         orderer.order_by_amd(p, order);
@@ -196,7 +198,7 @@ TEST(Ordering, HasTheLeastDegreeFirst) {
     Random random(5);
     factor::Orderer orderer;
     Order order;
-    for (int trial = 0; trial < (kSanitized ? 40 : 400); ++trial) {
+    for (int trial = 0; trial < kTrials; ++trial) {
         const Pattern p = draw(random);
         orderer.order(p, order);
         ASSERT_EQ(order, least_degree_first(p)) << trial;
@@ -230,7 +232,7 @@ TEST(Ordering, OfWhatChainsLeaveHasTheirBoundariesAsCliques) {
     Random random(2);
     factor::Orderer orderer;
     int with_chains = 0;
-    for (int trial = 0; trial < (kSanitized ? 40 : 400); ++trial) {
+    for (int trial = 0; trial < kTrials; ++trial) {
         const Pattern p = draw(random);
         Order order;
         factor::Chains chains;
@@ -265,7 +267,7 @@ TEST(Ordering, ColumnsAndPostorderAreThoseOfTheDefinition) {
     Random random(3);
     factor::Columns columns;
     factor::TreeBuilder tree;
-    for (int trial = 0; trial < (kSanitized ? 40 : 400); ++trial) {
+    for (int trial = 0; trial < kTrials; ++trial) {
         const Pattern p = draw(random);
         Order order = factor::order_nodes(p);
         if (random.chance(0.3)) random.shuffle(order);

@@ -8,7 +8,6 @@
 namespace hawser::HAWSER_ISA {
 namespace {
 
-using assembly::kBodyBlock;
 using assembly::View;
 
 /// r = a − M̃ v₊ + Jᵀ y, for the rows' multipliers y.

@@ -85,6 +85,7 @@ template <class K>
 void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_in,
                    std::int32_t begin, std::int32_t end) {
     constexpr int B = K::kBodies, R = K::kRows;
+    constexpr bool kMayBeShort = requires { requires K::kInShort; };
     const auto* data = static_cast<const typename K::Data*>(data_in);
     const double inv_h4 = 4.0 / view.h;
     for (std::int32_t k = begin; k < end; ++k) {
@@ -111,7 +112,7 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         int width = 0;
         for (int b = 0; b < B; ++b) width += view.dof[body[b]];
         double room[model::kArmRoom];
-        double* out = view.arms[id] ? room : view.jacobian + view.jac_begin[id];
+        double* out = kMayBeShort && view.arms[id] ? room : view.jacobian + view.jac_begin[id];
         int at = 0;
         for (int b = 0; b < B; ++b) {
             const std::int32_t i = body[b];
@@ -165,7 +166,7 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         }
         if (view.flags[id] & 2) view.active[id] = rows.g[0] != 0.0 ? 1.0 : 0.0;  // range
         if (view.parted[id]) view.active[id] = 0.0;
-        if constexpr (requires { requires K::kInShort; }) {
+        if constexpr (kMayBeShort) {
             if (view.arms[id]) {
                 evaluate_arms<K>(view, data[k], refs, id);
                 continue;
