@@ -4,7 +4,11 @@
 #include "factor/isa/batch.h"
 
 #include "factor/isa/batch_parts.h"
+#include "factor/isa/rigid_steps.h"
 #include "factor/kernels.h"
+
+#include <cstring>
+#include <utility>
 
 namespace hawser::HAWSER_ISA {
 namespace {
@@ -13,8 +17,6 @@ using factor::Batch;
 using factor::BatchStep;
 using factor::FactorView;
 using factor::Front;
-
-constexpr int kTileSize = 8 * kTile * kTile;  // doubles
 
 /// One column block of a step's panel.
 template <int kSides>
@@ -48,7 +50,8 @@ inline void factor_columns(const Columns<kSides> m, int c, int n, V8& bad) {
             const double* row = m.panel[s] + c * m.stride;
             for (int i = 0; i < N; ++i)
                 for (int j = 0; j < N; ++j) a[s][i][j] = load(row + i * m.stride + 8 * (c + j));
-            tile<N, N>(a[s], row, m.w[m.other(s)] + c * m.stride, m.stride, c);
+            tile<N, N>(a[s], m.w[s] + c * m.stride, m.panel[m.other(s)] + c * m.stride, m.stride,
+                       c);
         }
         for (int j = 0; j < N; ++j) {
             V8 d = a[0][j][j];
@@ -66,7 +69,7 @@ inline void factor_columns(const Columns<kSides> m, int c, int n, V8& bad) {
                 }
                 for (int s = 0; s < kSides; ++s)
                     for (int k = j + 1; k <= i; ++k)
-                        a[s][i][k] -= scaled[s][i][j] * a[m.other(s)][k][j];
+                        a[s][i][k] -= scaled[m.other(s)][k][j] * a[s][i][j];
             }
         }
     }
@@ -77,7 +80,7 @@ inline void factor_columns(const Columns<kSides> m, int c, int n, V8& bad) {
                 double *row = m.panel[s] + r * m.stride, *w = m.w[s] + r * m.stride;
                 for (int i = 0; i < R; ++i)
                     for (int j = 0; j < N; ++j) a[i][j] = load(row + i * m.stride + 8 * (c + j));
-                tile<R, N>(a, row, m.w[m.other(s)] + c * m.stride, m.stride, c);
+                tile<R, N>(a, w, m.panel[m.other(s)] + c * m.stride, m.stride, c);
                 for (int i = 0; i < R; ++i)
                     for (int j = 0; j < N; ++j) {
                         for (int k = 0; k < j; ++k) a[i][j] -= scaled[m.other(s)][j][k] * a[i][k];
@@ -87,11 +90,6 @@ inline void factor_columns(const Columns<kSides> m, int c, int n, V8& bad) {
             }
         });
     }
-}
-
-/// Tile (i, j), i ≥ j, of a window.
-HAWSER_INLINE long tile_at(int i, int j) {
-    return kTileSize * (static_cast<long>(i) * (i + 1) / 2 + j);
 }
 
 /// next = shifted window − L21 W21ᵀ, with l and w at the first update row.
@@ -137,11 +135,35 @@ inline void add_window(double* panel, const BatchStep& step, const Shift& shift,
     }
 }
 
+/// Where a slot is in a window, as a row and as a column: entry (r, c), r ≥ c, of lane 0 is at the
+/// sum of both.
+struct SlotPlace {
+    std::int32_t row, column;
+};
+static_assert(sizeof(SlotPlace) == sizeof(double));
+
+/// Write down the places of so many slots, one in the room of a double.
+inline void write_places(int slots, double* room) {
+    for (int i = 0; i < slots; ++i) {
+        const SlotPlace p{
+            static_cast<std::int32_t>(tile_at(i / kTile, 0)) + kLanes * kTile * (i % kTile),
+            static_cast<std::int32_t>(tile_at(0, i / kTile)) + kLanes * (i % kTile)};
+        std::memcpy(room + i, &p, sizeof p);
+    }
+}
+HAWSER_INLINE SlotPlace place_of(const double* room, int slot) {
+    SlotPlace p;
+    std::memcpy(&p, room + slot, sizeof p);
+    return p;
+}
+
 /// Hand the last window to the parents' side, lane by lane. The rows of a parent follow another
 /// order than the slots: an entry whose slots are the other way round is one of the other side.
+/// @param room  For a double a slot.
 template <int kSides>
-inline void store_tails(const FactorView& view, const Batch& batch,
-                        double* const (&window)[kSides]) {
+inline void store_tails(const FactorView& view, const Batch& batch, double* const (&window)[kSides],
+                        double* room) {
+    write_places(batch.most_q, room);
     for (int lane = 0; lane < factor::kLaneCount; ++lane) {
         if (batch.front[lane] < 0) continue;
         const Front& front = view.fronts[batch.front[lane]];
@@ -150,11 +172,12 @@ inline void store_tails(const FactorView& view, const Batch& batch,
         if constexpr (kSides == 2) update[1] = view.upper_work + front.update;
         for (int j = 0; j < front.q; ++j) {
             const long column = static_cast<long>(j) * front.ldu;
+            const SlotPlace at_j = place_of(room, slot[j]);
             for (int i = j; i < front.q; ++i) {
-                const bool turned = slot[i] < slot[j];
-                const int r = turned ? slot[j] : slot[i], c = turned ? slot[i] : slot[j];
+                const SlotPlace at_i = place_of(room, slot[i]);
+                const bool turned = at_i.row < at_j.row;
                 const long entry =
-                    tile_at(r / kTile, c / kTile) + 8 * (kTile * (r % kTile) + c % kTile) + lane;
+                    lane + (turned ? at_j.row + at_i.column : at_i.row + at_j.column);
                 update[0][column + i] = window[kSides == 2 && turned][entry];
                 if constexpr (kSides == 2) update[1][column + i] = window[!turned][entry];
             }
@@ -177,8 +200,22 @@ inline int factor_steps(const FactorView& view, const Batch& batch, std::int32_t
     }
     V8 bad{};
     Shift shift = shift_before(view, batch, begin);
+    auto swap_windows = [&] {
+        for (int s = 0; s < kSides; ++s) std::swap(window[s], next[s]);
+    };
+    bool begun = false;  // this step's pivots are eliminated
     for (std::int32_t k = begin; k < end; ++k) {
         const BatchStep& step = view.batch_steps[k];
+        if (kManyRegisters && kSides == 1 && is_rigid(view, batch, k)) {
+            const RigidStep rigid = rigid_step(view, k, m.w[0]);
+            if (!begun) begin_rigid(rigid, shift, window[0], bad);
+            begun = k + 1 < end && is_rigid(view, batch, k + 1);
+            const RigidStep following = begun ? rigid_step(view, k + 1, m.w[0]) : rigid;
+            finish_rigid(rigid, begun ? &following : nullptr, shift, window[0], next[0], bad);
+            swap_windows();
+            shift.before = step.q / kTile;
+            continue;
+        }
         m.panel[0] = view.panel + step.panel;
         m.stride = 8L * step.p;
         m.pivot = view.slot_pivot + 8 * step.slot;
@@ -194,17 +231,14 @@ inline int factor_steps(const FactorView& view, const Batch& batch, std::int32_t
         for (int c = 0; c < step.p; c += kTile)
             with_size(step.p - c, [&]<int N>() { factor_columns<kSides, N>(m, c, n, bad); });
         const long below = step.p * m.stride;
-        for (int s = 0; s < kSides; ++s) {
+        for (int s = 0; s < kSides; ++s)
             update_window(m.panel[s] + below, m.w[m.other(s)] + below, m.stride, step, shift,
                           window[s], next[s]);
-            double* swap = window[s];
-            window[s] = next[s];
-            next[s] = swap;
-        }
+        swap_windows();
         shift.before = step.q / kTile;
     }
     if (end < batch.step_end) return static_cast<int>(sum(bad));
-    store_tails<kSides>(view, batch, window);
+    store_tails<kSides>(view, batch, window, next[0]);
     return static_cast<int>(sum(bad)) - static_cast<int>(batch.unused);
 }
 
