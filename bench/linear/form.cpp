@@ -98,20 +98,8 @@ std::vector<std::int32_t> order_alike(std::span<const BlockOp> ops) {
     return order;
 }
 
-BlockWrite::BlockWrite(const BlockOp& op, bool turn, std::int64_t address, int row_step,
-                       int column_stride)
-    : base(op.base),
-      begin(op.begin),
-      to(static_cast<std::uint32_t>(address)),
-      stride(column_stride),
-      row_size(turn ? op.col_size : op.row_size),
-      col_size(turn ? op.row_size : op.col_size),
-      step(static_cast<std::uint8_t>(row_step)),
-      by_rows(op.by_rows != turn),
-      turned(turn),
-      diagonal(op.row == op.col) {
-    std::copy_n(op.count, kMostRows, count);
-    if (address != to) throw std::length_error("blocks are written past what 32 bits can address");
+void BlockWrite::out_of_reach() {
+    throw std::length_error("blocks are written past what 32 bits can address");
 }
 
 BlockForm make_form(const BlockSystem& s, bool condensed) {

@@ -53,7 +53,21 @@ struct BlockWrite {
     BlockWrite() = default;
     /// @param turn  The block is written transposed. @throws std::length_error if the address needs
     /// more than 32 bits.
-    BlockWrite(const BlockOp& op, bool turn, std::int64_t address, int row_step, int column_stride);
+    BlockWrite(const BlockOp& op, bool turn, std::int64_t address, int row_step, int column_stride)
+        : base(op.base),
+          begin(op.begin),
+          to(static_cast<std::uint32_t>(address)),
+          stride(column_stride),
+          row_size(turn ? op.col_size : op.row_size),
+          col_size(turn ? op.row_size : op.col_size),
+          step(static_cast<std::uint8_t>(row_step)),
+          by_rows(op.by_rows != turn),
+          turned(turn),
+          diagonal(op.row == op.col) {
+        for (int k = 0; k < kMostRows; ++k) count[k] = op.count[k];
+        if (address != to) out_of_reach();
+    }
+    [[noreturn]] static void out_of_reach();
 };
 static_assert(sizeof(BlockWrite) == 32);
 

@@ -85,6 +85,7 @@ void Columns::build(const Pattern& pattern, std::span<const std::int32_t> order,
         for (; e < row_end_[i]; ++e) pool_[at(cursor_[at(found[e])]++)] = order[i];
     std::fill(stale_.begin(), stale_.end(), std::uint8_t{0});
     std::fill(moved_.begin(), moved_.end(), std::uint8_t{0});
+    fresh_.assign(n, 1);
     stale_list_.clear();
     moved_list_.clear();
     linked_ = false;
@@ -159,6 +160,7 @@ void Columns::repair(const Pattern& pattern, std::span<const std::int32_t> order
     mark_.assign(order.size(), -1);
     found_.resize(order.size());
     todo_.assign(order.size() / 64 + 1, 0);
+    fresh_.assign(order.size(), 0);
     computed_ = 0;
     for (const std::int32_t v : stale_list_) {
         stale_[at(v)] = 0;
@@ -200,10 +202,12 @@ void Columns::compute(const Pattern& pattern, std::span<const std::int32_t> orde
     if (same_as_before(node, count)) return;
     if (!std::is_sorted(found, found + count)) std::sort(found, found + count);
     for (std::size_t i = 0; i < count; ++i) found[i] = order[at(found[i])];
+    fresh_[at(node)] = 1;
     const std::int32_t before = parent_[at(node)], up = count == 0 ? -1 : found[0];
     if (before >= 0 && position[at(before)] > own) put_off(position[at(before)]);
     if (up >= 0) put_off(position[at(up)]);
     if (up != before) {
+        if (before >= 0) fresh_[at(before)] = 1;
         unlink(node);
         parent_[at(node)] = up;
         link(node);
@@ -249,7 +253,8 @@ std::size_t Columns::bytes() const noexcept {
            base::bytes(pool_) + base::bytes(spare_) + base::bytes(found_) + base::bytes(head_) +
            base::bytes(next_) + base::bytes(mark_) + base::bytes(rows_) + base::bytes(row_end_) +
            base::bytes(cursor_) + base::bytes(stale_) + base::bytes(moved_) + base::bytes(prev_) +
-           base::bytes(todo_) + base::bytes(stale_list_) + base::bytes(moved_list_);
+           base::bytes(todo_) + base::bytes(stale_list_) + base::bytes(moved_list_) +
+           base::bytes(fresh_);
 }
 
 }  // namespace hawser::factor

@@ -57,6 +57,11 @@ class Columns {
     [[nodiscard]] std::int32_t below(std::int32_t node) const noexcept {
         return below_[static_cast<std::size_t>(node)];
     }
+    /// Did the last build() or repair() give this node other rows, another place or other children?
+    /// Where it did not for a node and all below it in the tree, that whole branch is as it was.
+    [[nodiscard]] bool fresh(std::int32_t node) const noexcept {
+        return fresh_[static_cast<std::size_t>(node)] != 0;
+    }
     /// Columns that the last build() or repair() computed.
     [[nodiscard]] std::int32_t computed() const noexcept { return computed_; }
     [[nodiscard]] std::size_t bytes() const noexcept;
@@ -87,7 +92,7 @@ class Columns {
     std::vector<std::int32_t> rows_;                     ///< Of build().
     std::vector<std::int64_t> cursor_;                   ///< Likewise.
     std::vector<std::size_t> row_end_;                   ///< Likewise.
-    std::vector<std::uint8_t> stale_, moved_;
+    std::vector<std::uint8_t> stale_, moved_, fresh_;
     std::int64_t live_ = 0;
     std::int32_t computed_ = 0;
 };

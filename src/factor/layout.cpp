@@ -19,7 +19,6 @@ constexpr std::int32_t round8(std::int32_t n) { return (n + 7) & ~7; }
 /// Empty, with the capacity of every array kept. Arrays that are overwritten entry by entry keep
 /// their entries: emptied, they would be filled with zeros first.
 void reset(Symbolic& s) {
-    s.runs.clear();
     s.tasks.clear();
     s.top.clear();
     s.top_tasks.clear();
@@ -56,20 +55,45 @@ void Layout::place_nodes(const Pattern& pattern, Symbolic& s) {
         sign += pattern.size[at(v)];
     }
     s.sign.resize(at(s.scalars));
-    // The sum over all neighbours so far: one loop that is not cut up by nodes.
+    s.matrix_nnz = matrix_entries_ / 2;
+}
+
+void Layout::count_entries(const Pattern& pattern,
+                           std::optional<std::span<const std::int32_t>> edited) {
     const std::int8_t* size = pattern.size.data();
-    const std::size_t edges = pattern.adjacent.size();
-    beside_.resize(edges + 1);
-    beside_[0] = 0;
-    std::int64_t sum = 0;
-    for (std::size_t e = 0; e < edges; ++e) beside_[e + 1] = sum += size[pattern.adjacent[e]];
-    std::int64_t diagonal = 0, beside_all = 0;
-    for (std::size_t v = 0; v < n; ++v) {
-        const std::int32_t d = size[v];
-        diagonal += d * (d + 1) / 2;
-        beside_all += d * (beside_[at(pattern.start[v + 1])] - beside_[at(pattern.start[v])]);
+    auto count = [&](std::int32_t v) {
+        std::int32_t beside = 0;
+        for (const std::int32_t u : pattern.neighbours(v)) beside += size[u];
+        entries_[at(v)] = size[v] * (size[v] + 1 + beside);
+        matrix_entries_ += entries_[at(v)];
+    };
+    if (edited) {
+        for (const std::int32_t v : *edited) {
+            matrix_entries_ -= entries_[at(v)];
+            count(v);
+        }
+        return;
     }
-    s.matrix_nnz = diagonal + beside_all / 2;  // each edge from both sides
+    entries_.resize(pattern.size.size());
+    matrix_entries_ = 0;
+    for (std::int32_t v = 0; v < pattern.nodes(); ++v) count(v);
+}
+
+/// Fronts with the same pivots and rows as one of the last layout.
+void Layout::find_same_fronts(const Columns& columns, const Symbolic& s, bool follows) {
+    const std::size_t count = supernodes_.parent.size();
+    same_.assign(count, -1);
+    if (!follows) return;
+    const std::int32_t *const order = s.order.data(), *const then = old_order_.data();
+    for (std::size_t f = 0; f < count; ++f) {
+        const std::int32_t begin = supernodes_.begin[f], end = supernodes_.begin[f + 1];
+        const std::int32_t g = old_node_front_[at(order[begin])];
+        const Front& old = old_fronts_[at(g)];
+        bool same = old.node_end - old.node_begin == end - begin && !columns.fresh(order[end - 1]);
+        for (std::int32_t k = 0; same && k < end - begin; ++k)
+            same = order[begin + k] == then[old.node_begin + k];
+        if (same) same_[f] = g;
+    }
 }
 
 /// Fill in sizes, addresses, update rows.
@@ -85,11 +109,10 @@ void Layout::lay_out_fronts(const Pattern& pattern, const Columns& columns, Symb
         front.node_begin = supernodes_.begin[f];
         front.node_end = supernodes_.begin[f + 1];
         front.parent = supernodes_.parent[f];
+        front.p = supernodes_.p[f];
         front.offset = s.node_offset[at(s.order[at(front.node_begin)])];
-        for (std::int32_t k = front.node_begin; k < front.node_end; ++k) {
-            front.p += pattern.size[at(s.order[at(k)])];
+        for (std::int32_t k = front.node_begin; k < front.node_end; ++k)
             s.node_front[at(s.order[at(k)])] = static_cast<std::int32_t>(f);
-        }
         front.q = columns.below(last_node(s, front));
         front.rows = rows;
         rows += front.q;
@@ -143,9 +166,22 @@ void Layout::link_children(const Pattern& pattern, const Columns& columns, Symbo
     s.runs.resize(pattern.size.size());
     row_of_.resize(s.order.size());
     std::size_t runs = 0;
-    for (Front& front : s.fronts) {
+    for (std::size_t f = 0; f < count; ++f) {
+        Front& front = s.fronts[f];
         front.run_begin = front.run_end = static_cast<std::int32_t>(runs);
         if (front.parent < 0) continue;
+        if (same_[f] >= 0 && same_[at(front.parent)] >= 0) {
+            const Front& old = old_fronts_[at(same_[f])];
+            if (old.parent == same_[at(front.parent)]) {
+                const auto length = at(old.run_end - old.run_begin);
+                if (runs + length > s.runs.size()) s.runs.resize(2 * (runs + length));
+                std::copy_n(old_runs_.begin() + old.run_begin, length,
+                            s.runs.begin() + static_cast<std::ptrdiff_t>(runs));
+                runs += length;
+                front.run_end = static_cast<std::int32_t>(runs);
+                continue;
+            }
+        }
         const std::size_t most = runs + columns.rows(last_node(s, front)).size();
         if (most > s.runs.size()) s.runs.resize(2 * most);
         find_runs(pattern, columns, front, s);
@@ -199,8 +235,12 @@ void Layout::find_runs(const Pattern& pattern, const Columns& columns, Front& fr
     front.run_end = last + 1;
 }
 
-void Layout::run(const Pattern& pattern, const Columns& columns, const Chains& chains,
-                 Symbolic& s) {
+void Layout::run(const Pattern& pattern, const Columns& columns, const Chains& chains, Symbolic& s,
+                 std::optional<std::span<const std::int32_t>> edited) {
+    const bool follows = edited.has_value();
+    s.fronts.swap(old_fronts_);
+    s.runs.swap(old_runs_);
+    s.node_front.swap(old_node_front_);
     reset(s);
     chain_of_.clear();
     if (chains.count() > 0) {
@@ -210,7 +250,9 @@ void Layout::run(const Pattern& pattern, const Columns& columns, const Chains& c
                 for (const std::int32_t v : chains.unit(u)) chain_of_[at(v)] = c;
     }
     tree_.postorder(columns, s.order, s.position);
-    tree_.grow_fronts(pattern, columns, s.order, s.position, chain_of_, supernodes_);
+    tree_.grow_fronts(pattern, columns, s.order, s.position, chain_of_, follows, supernodes_);
+    find_same_fronts(columns, s, follows);
+    count_entries(pattern, edited);
     place_nodes(pattern, s);
     lay_out_fronts(pattern, columns, s);
     front_of_chain_.clear();
@@ -224,6 +266,7 @@ void Layout::run(const Pattern& pattern, const Columns& columns, const Chains& c
         keep_updates(s);
     else
         place_updates(s);
+    old_order_ = s.order;
 }
 
 std::size_t Layout::bytes() const noexcept {
@@ -231,7 +274,10 @@ std::size_t Layout::bytes() const noexcept {
            base::bytes(chain_of_) + base::bytes(front_of_chain_) + base::bytes(cursor_) +
            base::bytes(task_) + base::bytes(flops_) + base::bytes(subtree_) + base::bytes(path_) +
            base::bytes(height_) + base::bytes(parity_) + base::bytes(crosses_) +
-           base::bytes(edges_) + base::bytes(beside_) + base::bytes(row_of_) + base::bytes(freed_);
+           base::bytes(edges_) + base::bytes(entries_) + base::bytes(row_of_) +
+           base::bytes(freed_) + base::bytes(old_fronts_) + base::bytes(old_runs_) +
+           base::bytes(old_order_) + base::bytes(old_node_front_) + base::bytes(same_) +
+           base::bytes(supernodes_.p);
 }
 
 }  // namespace hawser::factor

@@ -8,6 +8,8 @@
 #include "factor/tree.h"
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -18,13 +20,18 @@ class Layout {
   public:
     /// @param symbolic  order is an order of elimination with these columns, position its inverse;
     ///        the rest is overwritten, `updates_kept` obeyed.
+    /// @param edited  Where the columns are those of the last call after a Columns::repair(), nodes
+    ///        and chains the same, and `symbolic` is as the last call left it but for the order:
+    ///        the nodes that got other neighbours. What did not change is taken over then.
     void run(const Pattern& pattern, const Columns& columns, const Chains& chains,
-             Symbolic& symbolic);
+             Symbolic& symbolic, std::optional<std::span<const std::int32_t>> edited = {});
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
     void place_nodes(const Pattern& pattern, Symbolic& s);
+    void count_entries(const Pattern& pattern, std::optional<std::span<const std::int32_t>> edited);
     void lay_out_fronts(const Pattern& pattern, const Columns& columns, Symbolic& s);
+    void find_same_fronts(const Columns& columns, const Symbolic& s, bool follows);
     void link_children(const Pattern& pattern, const Columns& columns, Symbolic& s);
     void find_runs(const Pattern& pattern, const Columns& columns, Front& front, Symbolic& s);
     void choose_tasks(Symbolic& s);  // tasks.cpp
@@ -35,7 +42,13 @@ class Layout {
     TreeBuilder tree_;
     Supernodes supernodes_;
     std::vector<std::int32_t> chain_of_, front_of_chain_, cursor_, task_;
-    std::vector<std::int64_t> flops_, subtree_, path_, height_, beside_;
+    std::vector<std::int64_t> flops_, subtree_, path_, height_;
+    std::vector<std::int32_t> entries_;  ///< By node: of the matrix, twice those of its triangle.
+    std::int64_t matrix_entries_ = 0;    ///< Their sum.
+    /// The last layout's, and which of its fronts each front is, −1: none.
+    std::vector<Front> old_fronts_;
+    std::vector<Run> old_runs_;
+    std::vector<std::int32_t> old_order_, old_node_front_, same_;
     std::vector<std::int64_t> freed_;   ///< By front: update matrices that it takes from a stack.
     std::vector<std::int32_t> row_of_;  ///< By node: its row in a parent, if it has one.
     std::vector<std::uint8_t> parity_, crosses_;

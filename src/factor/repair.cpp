@@ -100,7 +100,9 @@ RepairReport Analysis::repair(const Pattern& next, std::span<const std::int32_t>
     columns_.repair(next, symbolic_.order, symbolic_.position);
     report.columns = columns_.computed();
     pattern_ = next;
-    layout_.run(pattern_, columns_, chains_, symbolic_);
+    std::optional<std::span<const std::int32_t>> edited;
+    if (same_numbers && report.dissolved == 0) edited = changes_;
+    layout_.run(pattern_, columns_, chains_, symbolic_, edited);
     return report;
 }
 

@@ -19,8 +19,10 @@
 ///   where they were, but in ordinary fronts.
 ///
 /// Lists of neighbours are compared as a whole, and only nodes with another one are looked at. Then
-/// the structure is computed again where it changes (columns.h), and the addresses are laid out
-/// anew (layout.h), which is linear in the number of fronts and rows. The result is what analyse()
+/// the structure is computed again where it changes (columns.h). Where it does not, nodes merge to
+/// the fronts that they were (tree.h) and land in their parents as they did (layout.h), if nodes
+/// keep their numbers and all chains hold. Addresses move with all that lies before them and are
+/// laid out anew, which is linear in the number of fronts and rows. The result is what analyse()
 /// gives for the same order and chains, member by member.
 ///
 /// An order grows stale: update() makes a new one when the flops exceed kReplan times those after

@@ -46,11 +46,14 @@ void TreeBuilder::postorder(const Columns& columns, std::vector<std::int32_t>& o
 void TreeBuilder::grow_fronts(const Pattern& pattern, const Columns& columns,
                               std::span<const std::int32_t> order,
                               std::span<const std::int32_t> position,
-                              std::span<const std::int32_t> chain_of, Supernodes& out) {
+                              std::span<const std::int32_t> chain_of, bool follows,
+                              Supernodes& out) {
     const std::size_t n = order.size();
     // Left to right: a node joins the front just before it when that front's last node is its
     // child and merging is exact or pays.
     growing_.resize(n);
+    grown_.resize(n);
+    other_.assign(n, follows ? 0 : 1);
     Growing* last = growing_.data();  // and what grows now
     auto time_of = [](Growing& g) {
         if (g.time < 0.0) g.time = front_time(g.p, g.q);
@@ -58,14 +61,18 @@ void TreeBuilder::grow_fronts(const Pattern& pattern, const Columns& columns,
     };
     for (std::size_t k = 0; k < n; ++k) {
         const auto id = static_cast<std::int32_t>(k);
-        const std::int32_t node = order[k], up = columns.parent(node);
-        *last = {id,
-                 id + 1,
-                 pattern.size[at(node)],
-                 columns.below(node),
-                 up < 0 ? -1 : position[at(up)],
-                 chain_of.empty() ? -1 : chain_of[at(node)],
-                 -1.0};
+        const std::int32_t node = order[k], parent = columns.parent(node);
+        const std::int32_t up = parent < 0 ? -1 : position[at(parent)];
+        const std::int32_t chain = chain_of.empty() ? -1 : chain_of[at(node)];
+        Grown& grown = grown_[at(node)];
+        if (other_[k] == 0 && !columns.fresh(node)) {
+            last -= grown.merged;
+            *last++ = {id + 1 - grown.nodes, id + 1, grown.p, columns.below(node), up, chain, -1.0};
+            continue;
+        }
+        if (up >= 0) other_[at(up)] = 1;
+        *last = {id, id + 1, pattern.size[at(node)], columns.below(node), up, chain, -1.0};
+        const Growing* const alone = last;
         // A parent lies behind its child: in the last one, if before its end.
         for (; last != growing_.data(); --last) {
             Growing& c = last[-1];
@@ -77,6 +84,7 @@ void TreeBuilder::grow_fronts(const Pattern& pattern, const Columns& columns,
             }
             c = {c.begin, last->end, c.p + last->p, last->q, last->parent, c.chain, together};
         }
+        grown = {static_cast<std::int32_t>(alone - last), last->end - last->begin, last->p};
         ++last;
     }
     growing_.resize(static_cast<std::size_t>(last - growing_.data()));
@@ -84,9 +92,11 @@ void TreeBuilder::grow_fronts(const Pattern& pattern, const Columns& columns,
     const std::size_t fronts = growing_.size();
     out.begin.resize(fronts + 1);
     out.parent.resize(fronts);
+    out.p.resize(fronts);
     front_at_.resize(n);
     for (std::size_t f = 0; f < fronts; ++f) {
         out.begin[f] = growing_[f].begin;
+        out.p[f] = growing_[f].p;
         std::fill(front_at_.begin() + growing_[f].begin, front_at_.begin() + growing_[f].end,
                   static_cast<std::int32_t>(f));
     }
@@ -97,7 +107,7 @@ void TreeBuilder::grow_fronts(const Pattern& pattern, const Columns& columns,
 
 std::size_t TreeBuilder::bytes() const noexcept {
     return base::bytes(growing_) + base::bytes(up_) + base::bytes(size_) + base::bytes(end_) +
-           base::bytes(post_) + base::bytes(front_at_);
+           base::bytes(post_) + base::bytes(front_at_) + base::bytes(grown_) + base::bytes(other_);
 }
 
 }  // namespace hawser::factor

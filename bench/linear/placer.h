@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file placer.h
+/// Where the blocks of a form are written in the panels of our factorisation.
+
+#include "factor/numeric.h"
+#include "factor/repair.h"
+#include "linear/form.h"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace hawser::bench {
+
+/// Gives every block of a form its place in the panels. Blocks of a piece lie together, as pieces
+/// end where fronts end; within a piece, which stays in cache while it is filled, alike ones follow
+/// each other. A used one needs no memory for a form of about the same size.
+class Placer {
+  public:
+    using Range = std::pair<std::size_t, std::size_t>;
+
+    /// @param of_piece  By piece: begin and end of its blocks in `ops`.
+    /// @throws std::length_error if the panels need more than 32 bits.
+    void place(const BlockForm& form, const factor::Analysis& analysis,
+               const std::vector<factor::Piece>& pieces, std::vector<BlockWrite>& ops,
+               std::vector<Range>& of_piece);
+
+  private:
+    /// What the blocks need of a node.
+    struct Place {
+        std::int64_t column;    ///< Address of its first column.
+        std::int32_t ld, row;   ///< Of its front; in it.
+        std::int32_t position;  ///< In the order of elimination.
+        std::int32_t front;
+        std::int32_t rank;  ///< Of its piece.
+    };
+    void find_nodes(const factor::Symbolic& s, const std::vector<factor::Piece>& pieces);
+    void sort(const BlockForm& form, std::size_t fronts);
+    void find_rows(const BlockForm& form, const factor::Analysis& analysis,
+                   const factor::Front& front);
+
+    std::vector<Place> places_;                                    ///< By node.
+    std::vector<std::pair<std::int64_t, std::int32_t>> by_place_;  ///< By rank: panel, piece.
+    std::vector<std::int32_t> front_rank_, step_rank_;             ///< Of the piece.
+    std::vector<std::int32_t> next_;    ///< By rank: end of the blocks of the piece.
+    std::vector<std::int32_t> start_;   ///< By front: end of its blocks in index_.
+    std::vector<std::int32_t> column_;  ///< By block: its column's node twice, 1 more if turned.
+    std::vector<std::int32_t> index_;   ///< Blocks by front.
+    std::vector<std::int32_t> to_;      ///< By block: where it ends up.
+    std::vector<std::int32_t> row_;     ///< By node: its row in a front.
+};
+
+}  // namespace hawser::bench
