@@ -72,7 +72,7 @@ Op System::placed(const OpEntry& entry, const model::Bodies& bodies,
     Op op{t.address, t.step, t.ld, entry.id, 0, 0, entry.kind, entry.a, entry.b, 0, 0, 0};
     if (op.kind == Op::body_block) {
         op.dof_a = op.dof_b = dof_[at(op.id)];
-        op.jac_a = static_cast<std::int32_t>(block_place(bodies.dof_begin[at(op.id)]));
+        op.jac_a = op.jac_b = static_cast<std::int32_t>(block_place(bodies.dof_begin[at(op.id)]));
         return op;
     }
     if (op.kind == Op::contact) {
@@ -250,8 +250,11 @@ void System::share_lanes(std::span<const Op> together, std::int64_t place,
         const auto lane = static_cast<std::size_t>((op.address - place) % factor::kLaneCount);
         const std::uint8_t rows = op.kind == Op::body_block ? 0 : in.rows[at(op.id)];
         const std::int64_t base = op.address - static_cast<std::int64_t>(lane);
+        // A chain that is eliminated the other way round has its joints' slots changed.
+        const bool turns = op.kind == Op::condensed && op.width == 0 && op.a != op.b;
         auto same = [&](const LaneOp& l) {
-            return l.address == base && l.kind == op.kind && l.a == op.a && l.b == op.b &&
+            return l.address == base && l.kind == op.kind &&
+                   ((l.a == op.a && l.b == op.b) || (turns && l.a == op.b && l.b == op.a)) &&
                    l.dof_a == op.dof_a && l.dof_b == op.dof_b && l.width == op.width &&
                    l.rows == rows && l.to_b == op.jac_b - op.jac_a && (l.used >> lane & 1) == 0;
         };
@@ -283,6 +286,7 @@ void System::share_lanes(std::span<const Op> together, std::int64_t place,
             if ((found->used >> k & 1) == 0) put(k);
         put(lane);
         found->used = static_cast<std::uint8_t>(found->used | 1U << lane);
+        if (found->a != op.a) found->turned = static_cast<std::uint8_t>(found->turned | 1U << lane);
     }
     // What only one lane does is done alone.
     std::size_t kept = static_cast<std::size_t>(first);

@@ -62,8 +62,9 @@ struct LaneOp {
     Op::Kind kind;
     std::uint8_t a, b;
     std::uint8_t dof_a, dof_b, width, rows;
-    std::uint8_t used;  ///< One bit a lane.
-    std::int32_t to_b;  ///< From slot a's columns to slot b's.
+    std::uint8_t used;    ///< One bit a lane.
+    std::uint8_t turned;  ///< Likewise: slots a and b change places, between joints in short.
+    std::int32_t to_b;    ///< From slot a's columns to slot b's.
     std::int32_t id[8];
     std::int32_t from[8];  ///< Offsets of what op.kind reads: slot a's columns, record, block.
 };

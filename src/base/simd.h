@@ -280,6 +280,16 @@ HAWSER_INLINE __mmask8 first_mask(int n) {
     return static_cast<__mmask8>(n >= kLanes ? 0xff : (1 << n) - 1);
 }
 #endif
+/// 1 in the lanes whose bits are set, 0 in the others.
+HAWSER_INLINE V8 bit_lanes(std::uint8_t bits) {
+#if defined(__AVX512F__)
+    return _mm512_maskz_mov_pd(bits, _mm512_set1_pd(1.0));
+#else
+    double v[kLanes];
+    for (int i = 0; i < kLanes; ++i) v[i] = (bits >> i) & 1;
+    return load(v);
+#endif
+}
 // The following touch no memory but that of their lanes.
 /// p[0..n), n > 0; zero in other lanes.
 HAWSER_INLINE V8 load_first(const double* p, int n) {

@@ -119,6 +119,13 @@ TEST_P(ChainSeeds, GoEightAtATime) {
         return op.width == 0 &&
                op.kind == (saddle ? assembly::Op::kept_rows : assembly::Op::condensed);
     }));
+    EXPECT_TRUE(std::any_of(ops.begin(), ops.end(), [](const assembly::LaneOp& op) {
+        return op.kind == assembly::Op::body_block;
+    }));
+    // Every other chain has its joints the other way round.
+    EXPECT_EQ(std::any_of(ops.begin(), ops.end(),
+                          [](const assembly::LaneOp& op) { return op.turned != 0; }),
+              !saddle);
 }
 
 TEST_P(Seeds, BlocksEqualTheDenseMatrix) {

@@ -130,7 +130,10 @@ Recipe chains(std::uint64_t seed, int count, int links) {
         for (int i = 0; i < links; ++i) {
             const Vec3 next = joint + Vec3(0.6, 0.2, 0.5) + random.vector(0.4);
             const BodyId link = random_rigid(r, random, 0.5 * (joint + next) + random.vector(0.1));
-            r.add(r.at(InteractionKind::Ball, {last, link}, joint));
+            if (c % 2 == 0)
+                r.add(r.at(InteractionKind::Ball, {last, link}, joint));
+            else
+                r.add(r.at(InteractionKind::Ball, {link, last}, joint));
             last = link;
             joint = next;
         }

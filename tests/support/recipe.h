@@ -137,7 +137,8 @@ inline Recipe wire(int elements, double length = 20.0) {
 /// Every kind of body and interaction in one island, drawn from a seed.
 Recipe mixed(std::uint64_t seed, int links = 6);
 
-/// Chains of random rigid links from the ground to one hull, each from end to end in a row.
+/// Chains of random rigid links from the ground to one hull, each from end to end in a row. The
+/// joints of every other chain name their bodies the other way round.
 Recipe chains(std::uint64_t seed, int count, int links);
 
 }  // namespace hawser::test

@@ -23,31 +23,31 @@ struct LanePlace {
     }
 };
 
-/// 1 in the lanes in use, 0 in the others.
-inline V8 used_lanes(const LaneOp& op) {
-    double v[kLanes];
-    for (int l = 0; l < kLanes; ++l) v[l] = (op.used >> l) & 1;
-    return load(v);
-}
+inline V8 used_lanes(const LaneOp& op) { return bit_lanes(op.used); }
 
 /// One value of each lane's interaction or row.
 inline V8 pick(const double* values, const std::int32_t* index, int offset = 0) {
-    double v[kLanes];
-    for (int l = 0; l < kLanes; ++l) v[l] = values[index[l] + offset];
-    return load(v);
+    return gather_range(values + offset, index, 0, kLanes);
 }
 
-inline V8 pick_row(const View& view, const double* values, const std::int32_t* id, int r) {
-    double v[kLanes];
-    for (int l = 0; l < kLanes; ++l) v[l] = values[view.row_begin[id[l]] + r];
-    return load(v);
-}
+/// The first row of each lane's interaction.
+struct LaneRow {
+    std::int32_t first[kLanes];
+
+    LaneRow(const View& view, const LaneOp& op) {
+        for (int l = 0; l < kLanes; ++l) first[l] = view.row_begin[op.id[l]];
+    }
+    [[nodiscard]] V8 pick(const double* values, int r) const {
+        return gather_range(values + r, first, 0, kLanes);
+    }
+};
 
 /// Rows [r, r + N) of Σ_r w_r ja_rᵀ jb_r; on the diagonal only the lower triangle.
 template <bool kDiagonal, int DA, int DB, int N>
 inline void outer_rows(const View& view, const LaneOp& op, int r, LanePlace out) {
     V8 a[N][kLanes], b[N][kLanes];
     const V8 on = used_lanes(op) * pick(view.active, op.id);
+    const LaneRow rows(view, op);
     for (int k = 0; k < N; ++k) {
         const double* row = view.jacobian + (r + k) * op.width;
         load_lanes(row, op.from, a[k]);
@@ -55,7 +55,7 @@ inline void outer_rows(const View& view, const LaneOp& op, int r, LanePlace out)
             for (int j = 0; j < kLanes; ++j) b[k][j] = a[k][j];
         else
             load_lanes(row + op.to_b, op.from, b[k]);
-        const V8 w = on * pick_row(view, view.inv_sigma, op.id, r + k);
+        const V8 w = on * rows.pick(view.inv_sigma, r + k);
         for (int j = 0; j < DB; ++j) b[k][j] = b[k][j] * w;
     }
     for (int j = 0; j < DB; ++j)
@@ -87,8 +87,14 @@ void condense_arms(const View& view, const LaneOp& op, LanePlace out) {
     const V8 used = used_lanes(op), on = used * pick(view.active, op.id);
     const V8 damping = used * arms.damping;
     V8 w[3], a[3][3], b[3][3];
-    for (int r = 0; r < 3; ++r) w[r] = on * pick_row(view, view.inv_sigma, op.id, r);
-    arm_rows<W8>(op.a == 0 ? arms.r0 : arms.r1, a);
+    const LaneRow rows(view, op);
+    for (int r = 0; r < 3; ++r) w[r] = on * rows.pick(view.inv_sigma, r);
+    const V8 turned = bit_lanes(op.turned), none{};
+    auto arm_of = [&](int slot) {
+        const V3T<W8>&own = slot == 0 ? arms.r0 : arms.r1, &other = slot == 0 ? arms.r1 : arms.r0;
+        return op.turned == 0 ? own : select_greater(W8(turned), W8(none), other, own);
+    };
+    arm_rows<W8>(arm_of(op.a), a);
     if (op.a == op.b) {
         for (int i = 0; i < 3; ++i) {
             out.add(i, i, w[i]);
@@ -104,7 +110,7 @@ void condense_arms(const View& view, const LaneOp& op, LanePlace out) {
             }
         return;
     }
-    arm_rows<W8>(op.b == 0 ? arms.r0 : arms.r1, b);
+    arm_rows<W8>(arm_of(op.b), b);
     for (int i = 0; i < 3; ++i) {
         out.add(i, i, -w[i]);
         for (int j = 0; j < 3; ++j) {
@@ -218,8 +224,9 @@ void body_block(const View& view, const LaneOp& op, LanePlace out) {
 
 void kept(const View& view, const LaneOp& op, LanePlace out) {
     if (op.kind == Op::kept_sigma) {
+        const LaneRow rows(view, op);
         for (int r = 0; r < op.rows; ++r)
-            out.add(r, r, V8{} - used_lanes(op) * pick_row(view, view.sigma, op.id, r));
+            out.add(r, r, V8{} - used_lanes(op) * rows.pick(view.sigma, r));
         return;
     }
     const bool below = op.kind == Op::kept_rows;
