@@ -86,8 +86,8 @@ void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) 
     constexpr std::size_t kSlack = 8;  // as in lay_out_rows()
     lay_out_rows(bodies, in);
     body_block_.resize(2 * at(bodies.dofs) + kSlack);
-    for (base::Array<double>* a : {&a_, &v_new_, &momentum_})
-        a->assign(at(bodies.dofs) + kSlack, 0.0);
+    for (base::Array<double>* a : {&a_, &v_new_}) a->assign(at(bodies.dofs) + kSlack, 0.0);
+    momentum_.assign(keeps_momentum ? at(bodies.dofs) + kSlack : 0, 0.0);
     bounded.clear();
     breakable.clear();
     breaking_load.clear();
@@ -183,7 +183,7 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.body_block = body_block_.data();
     v.a = a_.data();
     v.v_new = v_new_.data();
-    v.momentum = momentum_.data();
+    v.momentum = keeps_momentum ? momentum_.data() : nullptr;
     v.body = in.body.data();
     v.bodies = in.bodies.data();
     v.rows = in.rows.data();
@@ -195,7 +195,7 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.active = in.active.data();
     v.held = in.held.data();
     v.parted = in.parted.data();
-    v.inv_length = in.inv_length.data();
+    v.rest_length = in.rest_length.data();
     v.epsilon = in.epsilon.data();
     v.upsilon = in.upsilon.data();
     v.sigma = in.sigma.data();

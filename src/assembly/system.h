@@ -85,6 +85,7 @@ class System {
     /// one side (stepper/cuts.h). To be set before analyse().
     std::vector<std::int32_t> left_out;
     std::vector<Sides> sides;
+    bool keeps_momentum = false;           ///< View::momentum is not null. Likewise.
     std::vector<std::int32_t> bounded;     ///< Interactions with a bounded force, ascending.
     std::vector<double> bounded_mobility;  ///< Of their first row: G M⁻¹ Gᵀ at the last analysis.
     std::vector<std::int32_t> breakable;

@@ -125,7 +125,7 @@ struct View {
     double* body_block;  ///< See block_place().
     double* a;           ///< Packed like v: right-hand side of the momentum rows.
     double* v_new;       ///< Packed like v: the solution v₊.
-    double* momentum;    ///< Packed like v: a − M̃ v₊ + Gᵀλ.
+    double* momentum;    ///< Packed like v: a − M̃ v₊ + Gᵀλ at the latest body_norms(), or null.
 
     // Interactions, see model/interactions.h.
     const std::int32_t* body;
@@ -139,7 +139,7 @@ struct View {
     double* active;
     const double* held;  ///< By interaction: impulse of its first row while idle.
     const std::uint8_t* parted;
-    const double* inv_length;  ///< 1/l₀ of wire elements, 0 for all else.
+    const double* rest_length;  ///< l₀ of wire elements [m], 0 for all else.
     const double* epsilon;
     const double* upsilon;
     const double* sigma;

@@ -103,7 +103,7 @@ int Interactions::add(const InteractionDef& filled, const Bodies& bodies_in, dou
     arms.push_back(0);
     row_count += info.rows;
 
-    inv_length.push_back(0.0);
+    rest_length.push_back(0.0);
     flags.push_back(flags_of(filled, spec[0], bodies_in));
     geo.push_back(geometry == generic::Geometry::none ? -1 : geo_count++);
     active.push_back(1.0);
@@ -195,7 +195,8 @@ void Interactions::truncate(int kept) {
     row_begin.resize(n);
     jac_begin.resize(n);
     geo.resize(n);
-    for (base::Array<double>* a : {&active, &held, &low, &high, &anchor, &inv_length}) a->resize(n);
+    for (base::Array<double>* a : {&active, &held, &low, &high, &anchor, &rest_length})
+        a->resize(n);
     load_begin.resize(n);
     const auto m = at(row_count);
     for (base::Array<double>* a : {&epsilon, &tau, &upsilon, &sigma, &least_sigma, &inv_sigma, &g,
@@ -213,7 +214,7 @@ void Interactions::mirror(int copy, int original, const Bodies& bodies_in, doubl
         return;
     d.params = from.params;
     refresh(copy, bodies_in, h);
-    inv_length[at(copy)] = inv_length[at(original)];
+    rest_length[at(copy)] = rest_length[at(original)];
     for (int r = 0; r < rows[at(copy)]; ++r) {
         const auto row = at(row_begin[at(copy)] + r), of = at(row_begin[at(original)] + r);
         epsilon[row] = epsilon[of];
@@ -245,7 +246,7 @@ void Interactions::follow_length(int id, const Bodies& bodies_in, double h) noex
     // A drum may wind in more than the element holds; its law then keeps the stiffness of the rest.
     constexpr double kShortest = 0.01;
     length = std::max(length, kShortest * whole);
-    inv_length[at(id)] = 1.0 / length;
+    rest_length[at(id)] = length;
     if (!(flags[at(id)] & kFromLength)) return;
     const auto row = at(row_begin[at(id)]);
     epsilon[row] = length / d.params[1];
@@ -317,7 +318,7 @@ std::size_t Interactions::bytes() const noexcept {
         bytes(def) + bytes(pool_index) + bytes(body) + bytes(bodies) + bytes(rows) + bytes(flags) +
         bytes(row_begin) + bytes(jac_begin) + bytes(arms) + bytes(geo) + bytes(active) +
         bytes(held) + bytes(low) + bytes(high) + bytes(anchor) + bytes(load_begin) + bytes(loads) +
-        bytes(parted) + bytes(inv_length) + bytes(epsilon) + bytes(tau) + bytes(upsilon) +
+        bytes(parted) + bytes(rest_length) + bytes(epsilon) + bytes(tau) + bytes(upsilon) +
         bytes(sigma) + bytes(inv_sigma) + bytes(g) + bytes(c) + bytes(residual) + bytes(lambda) +
         bytes(multiplier) + bytes(force) + bytes(row_flags) + bytes(jacobian);
     for (const Pool& p : pool) total += bytes(p.ids) + bytes(p.data);

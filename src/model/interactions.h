@@ -85,7 +85,7 @@ struct Interactions {
     std::vector<std::int32_t> load_begin;  ///< First of kMaxFrictionLoads in `loads`, or −1.
     std::vector<Load> loads;
     base::Array<std::uint8_t> parted;     ///< 1 once a line has parted.
-    base::Array<double> inv_length;       ///< 1/l₀ of wire elements, 0 for all else.
+    base::Array<double> rest_length;      ///< l₀ of wire elements [m], 0 for all else.
     std::vector<std::int32_t> working;    ///< Those through which work enters: motors, driven by an
                                           ///< input, touching a prescribed velocity. Ascending.
     std::vector<std::int32_t> motors;     ///< Those with a force range, ascending.

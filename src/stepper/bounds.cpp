@@ -173,6 +173,7 @@ void extrapolate_bounds(StepContext& ctx) noexcept {
         // Friction does not turn round, whatever its load.
         if (v.active[id] != 0.0 || !(there * held > 0.0)) continue;
         held = v.lambda[v.row_begin[id]] = there;
+        ctx.losses_known = false;
     }
 }
 
@@ -202,6 +203,7 @@ std::int32_t switch_bounds(StepContext& ctx, double floor, std::int32_t most) no
             if (asking++ >= most) continue;
         }
         if (most == 0) continue;
+        ctx.losses_known = false;
         v.active[id] = active ? 1.0 : 0.0;
         if (active) continue;
         held = projected;

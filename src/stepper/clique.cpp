@@ -72,7 +72,7 @@ void copy_interactions(Clique& c, const StepContext& world) noexcept {
             in.def[i].params = from.def[at(id)].params;
             in.refresh(own, c.ctx.bodies, h);
         }
-        in.inv_length[i] = from.inv_length[at(id)];
+        in.rest_length[i] = from.rest_length[at(id)];
         in.active[i] = from.active[at(id)];
         in.parted[i] = from.parted[at(id)];
         for (int r = 0; r < in.rows[i]; ++r) {

@@ -144,6 +144,7 @@ struct StepContext {
     double residual_floor = 0.0;         ///< Denominator floor of the momentum residual.
     std::vector<assembly::Norms> norms;  ///< One a strip or group, merged in order.
     std::vector<double> losses;          ///< One a strip, of row_losses().
+    bool losses_known = false;           ///< They are those of λ and v₊ as they stand.
     std::vector<double> active_before;   ///< Of bounded interactions, for events.
     /// Positions and rotations at the last analysis, which chose forms and floors by them.
     base::Array<double> analysed_x, analysed_r;

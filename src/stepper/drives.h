@@ -14,6 +14,10 @@ namespace hawser::stepper {
 /// Energy that rows took in the step [J], see Energy::damped: what their impulses took from the
 /// motion less what elastic rows hold more than before. Before velocities are overwritten.
 [[nodiscard]] double row_losses(StepContext& ctx) noexcept;
+/// Share of interactions [begin, end) of a strip. A solution's norms are taken with it, while rows
+/// are in the cache (StepContext::losses_known).
+[[nodiscard]] double losses_between(StepContext& ctx, const assembly::View& v, std::int32_t begin,
+                                    std::int32_t end) noexcept;
 
 /// The same of a cut interaction with the mean of its sides' impulses (stepper/cuts.h) [J].
 [[nodiscard]] double cut_losses(StepContext& ctx, std::int32_t id) noexcept;

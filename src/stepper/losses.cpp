@@ -87,24 +87,30 @@ double losses_of(StepContext& ctx, const View& v, std::int32_t id) noexcept {
 
 }  // namespace
 
+double losses_between(StepContext& ctx, const View& v, std::int32_t begin,
+                      std::int32_t end) noexcept {
+    double taken = 0.0;
+    end = std::min(end, interaction_count(ctx));  // images count with what they stand for
+    for (; begin < end; begin += assembly::kLossChunk) {
+        const std::int32_t to = std::min(end, begin + assembly::kLossChunk);
+        std::int32_t left[assembly::kLossChunk];
+        int count = 0;
+        taken += assembly::kernels().row_losses(v, begin, to, left, &count);
+        for (int k = 0; k < count; ++k) taken += losses_of(ctx, v, left[k]);
+    }
+    return taken;
+}
+
 double row_losses(StepContext& ctx) noexcept {
     const View v = view(ctx);
-    const std::int32_t whole = interaction_count(ctx);
     auto strip = [&](int i, int) noexcept {
-        double taken = 0.0;
+        double& taken = ctx.losses[static_cast<std::size_t>(i)];
+        taken = 0.0;
         each(ctx.system.strips.interactions(i), [&](std::int32_t begin, std::int32_t end) {
-            end = std::min(end, whole);  // images count with what they stand for
-            for (; begin < end; begin += assembly::kLossChunk) {
-                const std::int32_t to = std::min(end, begin + assembly::kLossChunk);
-                std::int32_t left[assembly::kLossChunk];
-                int count = 0;
-                taken += assembly::kernels().row_losses(v, begin, to, left, &count);
-                for (int k = 0; k < count; ++k) taken += losses_of(ctx, v, left[k]);
-            }
+            taken += losses_between(ctx, v, begin, end);
         });
-        ctx.losses[static_cast<std::size_t>(i)] = taken;
     };
-    ctx.pool.for_each(ctx.system.strips.count(), strip);
+    if (!ctx.losses_known) ctx.pool.for_each(ctx.system.strips.count(), strip);
     return std::accumulate(ctx.losses.begin(), ctx.losses.end(), 0.0);
 }
 

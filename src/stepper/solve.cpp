@@ -2,6 +2,7 @@
 /// Right-hand sides, factorisation, corrections and their residuals.
 #include "base/index.h"
 #include "stepper/contact.h"
+#include "stepper/drives.h"
 #include "stepper/stages.h"
 #include "stepper/sweeps.h"
 #include "stepper/timer.h"
@@ -86,14 +87,19 @@ Norms correct(StepContext& ctx, const View& v, bool first, Next next) noexcept {
         ctx.pool.for_each(strips.groups(), add_shared);
     }
     if (next == Next::measure) std::fill(ctx.norms.begin(), ctx.norms.end(), Norms{});
+    // With contacts, the last solution that is measured need not be the step's.
+    ctx.losses_known = next == Next::measure && !touching;
     sweep(
         ctx,
         [&](int strip) {
             if (!touching) each(strips.bodies(strip), add);
+            double taken = 0.0;
             each(strips.interactions(strip), [&](std::int32_t a, std::int32_t b) {
                 k.row_update(v, a, b, first);
                 if (next == Next::measure) k.row_norms(v, a, b, &ctx.norms[at(strip)]);
+                if (ctx.losses_known) taken += losses_between(ctx, v, a, b);
             });
+            ctx.losses[at(strip)] = taken;
         },
         [&](std::int32_t a, std::int32_t b, int norm) {
             if (next == Next::measure)

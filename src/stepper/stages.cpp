@@ -72,6 +72,7 @@ void analyse(StepContext& ctx, const factor::AnalysisState* state) {
     ctx.analysed_r = ctx.bodies.r;
     open_cuts(ctx);
     analyse_clique(ctx);
+    ctx.system.keeps_momentum = ctx.cuts.grouped;  // finish_cuts() adds them up
     ctx.system.analyse(ctx.bodies, ctx.interactions, ctx.def, ctx.pool.threads(), state);
     ctx.norms.resize(at(ctx.system.strips.count() + ctx.system.strips.groups()));
     ctx.losses.resize(at(ctx.system.strips.count()));
@@ -127,6 +128,7 @@ void evaluate_rows(StepContext& ctx) noexcept {
 
 void assemble_rows(StepContext& ctx) noexcept {
     const StageTimer timer(ctx, Stage::assemble);
+    ctx.losses_known = false;
     predict(ctx);
     const View v = view(ctx);
     const assembly::Kernels& k = assembly::kernels();

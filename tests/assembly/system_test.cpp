@@ -2,6 +2,8 @@
 /// The assembled blocks, right-hand sides and solution against the dense equations.
 #include "assembly/dense.h"
 #include "assembly/geo.h"
+#include "assembly/geo.h"
+#include "stepper/drives.h"
 #include "stepper/stages.h"
 
 #include <gtest/gtest.h>
@@ -197,8 +199,26 @@ TEST_P(Seeds, SolutionSolvesTheDenseEquations) {
     // The matrix-free residual is that of the dense equations.
     const Vector residual = a - d.tilde() * got + d.g.transpose() * have;
     const double scale = a.cwiseAbs().maxCoeff();
-    for (int i = 0; i < n; ++i) EXPECT_NEAR(view.momentum[i], residual[i], 1e-11 * scale);
+    std::vector<double> momentum(static_cast<std::size_t>(n));
+    assembly::View kept = view;
+    kept.momentum = momentum.data();
+    assembly::Norms norms;
+    assembly::kernels().body_norms(kept, 0, view.body_count, &norms);
+    for (int i = 0; i < n; ++i)
+        EXPECT_NEAR(momentum[static_cast<std::size_t>(i)], residual[i], 1e-11 * scale);
     EXPECT_LE(ctx->stats.momentum_residual, 1e-10);
+}
+
+/// Taken while the solution was measured, they are those of its rows.
+TEST_P(Seeds, LossesAreThoseOfTheSolution) {
+    auto ctx = context();
+    stepper::assemble_rows(*ctx);
+    EXPECT_FALSE(ctx->losses_known);
+    ASSERT_EQ(stepper::factor_and_solve(*ctx), Status::ok);
+    ASSERT_TRUE(ctx->losses_known);
+    const double taken = stepper::row_losses(*ctx);
+    ctx->losses_known = false;
+    EXPECT_EQ(taken, stepper::row_losses(*ctx));
 }
 
 TEST_P(Seeds, GeometricStiffnessIsSymmetricAndPositive) {

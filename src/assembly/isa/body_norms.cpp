@@ -19,6 +19,10 @@ double drag_work(const View& view, std::int32_t body, const double* u, const dou
     const int dof = view.dof[body];
     if (dof == 1) return view.h * d[0] * u[0] * mean[0];
     double work = 0.0;
+    if (dof == 3) {  // a lump's axes are the world's
+        for (int i = 0; i < 3; ++i) work += d[i] * u[i] * mean[i];
+        return view.h * work;
+    }
     const M3 r = load9(view.r + 9 * body);
     for (int part = 0; part < dof; part += 3) {
         if (!any3(d + part)) continue;
@@ -41,7 +45,8 @@ double inverse_mass_norm(const View& view, std::int32_t body, const double* p) {
     return norm;
 }
 
-void one_body(const View& view, std::int32_t body, Norms& n) {
+/// @param residual  Of the body's momentum.
+void one_body(const View& view, std::int32_t body, const double* residual, Norms& n) {
     const int dof = view.dof[body];
     const std::int32_t begin = view.dof_begin[body];
     const double *v = view.v + begin, *u = view.v_new + begin, *f = view.force + 6 * body;
@@ -54,22 +59,26 @@ void one_body(const View& view, std::int32_t body, Norms& n) {
     n.drag += drag_work(view, body, u, mean);
     block_times(view.body_block + assembly::block_place(view.dof_begin[body]), dof, v, mv);
     for (int j = 0; j < dof; ++j) diff[j] = view.a[begin + j] - mv[j];
-    n.momentum += inverse_mass_norm(view, body, view.momentum + begin);
+    n.momentum += inverse_mass_norm(view, body, residual);
     n.impulse += inverse_mass_norm(view, body, diff);
 }
 
-/// The residuals of momentum of eight rigid bodies, in lanes and where they are kept.
+/// The residuals of momentum of eight rigid bodies, in lanes and, if asked for, where they are
+/// kept.
 void eight_residuals(const View& view, std::int32_t body, V8 (&p)[kLanes]) {
-    double* out = view.momentum + view.dof_begin[body];
+    double* kept = view.momentum ? view.momentum + view.dof_begin[body] : nullptr;
     if (!eight_links(view, body)) {
+        double room[6 * kLanes + 2] = {};  // vectors end behind the last
+        double* out = kept ? kept : room;
         for (int l = 0; l < kLanes; ++l) momentum_residual(view, body + l, out + 6 * l);
         load_bodies(out, 6, p);
         return;
     }
     eight_rhs<false>(view, body, view.lambda, p);
+    if (!kept) return;
     V8 t[kLanes];
     for (int l = 0; l < kLanes; ++l) t[l] = p[l];
-    store_bodies(out, 6, 6, t);
+    store_bodies(kept, 6, 6, t);
 }
 
 void eight_bodies(const View& view, std::int32_t body, Norms& n) {
@@ -123,8 +132,10 @@ void body_norms(const View& view, std::int32_t begin, std::int32_t end, Norms* n
             eight_bodies(view, body, n);
             body += kLanes - 1;
         } else if (view.dof[body] > 0) {
-            momentum_residual(view, body, view.momentum + view.dof_begin[body]);
-            one_body(view, body, n);
+            double room[6];
+            double* residual = view.momentum ? view.momentum + view.dof_begin[body] : room;
+            momentum_residual(view, body, residual);
+            one_body(view, body, residual, n);
         }
     }
     *norms = n;

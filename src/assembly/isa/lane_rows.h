@@ -96,6 +96,30 @@ struct LaneRows {
         return (all & mask) != 0;
     }
 
+    /// What evaluate() needs. Lumps have no attachment points: all but a length stays untouched,
+    /// and that of a wire element is kept by itself.
+    void load_data(const typename K::Data* data, typename K::template DataT<W8>& fields) const {
+        if constexpr (D == 3) {
+            if constexpr (requires { K::kRestLength; }) {
+                fields.length =
+                    in_a_row ? W8(load(view.rest_length + id[0])) : pick(view.rest_length, id, 0);
+            } else if constexpr (requires { data->length; }) {
+                double length[kLanes];
+                for (int l = 0; l < kLanes; ++l) length[l] = data[l].length;
+                fields.length = load(length);
+            }
+            return;
+        }
+        auto* field = reinterpret_cast<W8*>(&fields);
+        const auto* first = reinterpret_cast<const double*>(data);
+        for (int i = 0; i < kDataSize; i += kLanes) {
+            const int begin = std::max(0, std::min(i, kDataSize - kLanes));
+            V8 t[kLanes];
+            load_fields(first, begin, t);
+            for (int k = 0; k < std::min(kDataSize, kLanes); ++k) field[begin + k] = t[k];
+        }
+    }
+
     /// Eight doubles of each of eight records of kDataSize, from `begin` on.
     static void load_fields(const double* first, int begin, V8 (&v)[kLanes]) {
         constexpr int count = std::min(kDataSize, kLanes);
@@ -121,15 +145,8 @@ struct LaneRows {
             load_lanes(view.v, from, v[b]);
             if (view.v_start) load_lanes(view.v_start, from, start[b]);
         }
-        typename K::template DataT<W8> fields;
-        auto* field = reinterpret_cast<W8*>(&fields);
-        const auto* first = reinterpret_cast<const double*>(data);
-        for (int i = 0; i < kDataSize; i += kLanes) {
-            const int begin = std::max(0, std::min(i, kDataSize - kLanes));
-            V8 t[kLanes];
-            load_fields(first, begin, t);
-            for (int k = 0; k < std::min(kDataSize, kLanes); ++k) field[begin + k] = t[k];
-        }
+        typename K::template DataT<W8> fields{};
+        load_data(data, fields);
         Rows<B, R, W8> rows;
         K::evaluate(fields, refs, rows);
         write_rows(rows, v, start);

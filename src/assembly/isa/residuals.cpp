@@ -134,10 +134,10 @@ void row_norms(const View& view, std::int32_t begin, std::int32_t end,
                 n.gap_id = id;
             }
         }
-        if (view.inv_length[id] > 0.0 && view.active[id] != 0.0) {
+        if (view.rest_length[id] > 0.0 && view.active[id] != 0.0) {
             const double force = view.lambda[row] / view.h;
             const double error = view.g[row] + view.epsilon[row] * force;
-            const double relative = __builtin_fabs(error) * view.inv_length[id];
+            const double relative = __builtin_fabs(error) / view.rest_length[id];
             if (!(relative <= n.stretch)) n.stretch = relative;
         }
     }

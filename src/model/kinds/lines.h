@@ -114,6 +114,7 @@ struct Stretch {
         .doc = "Axial stiffness of a wire element, compliance length/EA."};
     using Data = PointData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { stretch_rows(d, h, s); }
+    static constexpr bool kRestLength = true;  ///< Interactions::rest_length is data.length.
     static constexpr int kLaneDof = 3;
     static constexpr bool kInShort = false;
     template <class T>
