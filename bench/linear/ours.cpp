@@ -2,6 +2,7 @@
 #include "factor/numeric.h"
 #include "factor/repair.h"
 #include "index.h"
+#include "linear/pieces.h"
 #include "linear/placer.h"
 #include "linear/solver.h"
 
@@ -32,17 +33,17 @@ class Ours final : public Solver {
     void refresh(const Input& input, base::Executor&) override { input_ = input; }
     void factor(base::Executor& executor) override { check(start(x_.data(), executor)); }
     void factor_and_begin(std::vector<double>& x, base::Executor& executor) override {
-        permute(x);
+        permute(x, executor);
         check(start(x_.data(), executor));
     }
     void finish(std::vector<double>& x, base::Executor& executor) override {
         numeric_.backward(symbolic_, x_.data(), executor);
-        permute_back(x);
+        permute_back(x, executor);
     }
     void solve(std::vector<double>& x, base::Executor& executor) override {
-        permute(x);
+        permute(x, executor);
         numeric_.solve(symbolic_, x_.data(), executor);
-        permute_back(x);
+        permute_back(x, executor);
     }
     [[nodiscard]] double factor_nnz() const override {
         return static_cast<double>(symbolic_.factor_nnz);
@@ -79,11 +80,15 @@ class Ours final : public Solver {
     static void check(int wrong) {
         if (wrong != 0) throw std::runtime_error(fmt::format("{} pivots of the wrong sign", wrong));
     }
-    void permute(const std::vector<double>& x) {
-        for (std::size_t i = 0; i < place_.size(); ++i) x_[i] = x[at(place_[i])];
+    void permute(const std::vector<double>& x, base::Executor& executor) {
+        in_pieces(std::ssize(place_), executor, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t i = begin; i < end; ++i) x_[at(i)] = x[at(place_[at(i)])];
+        });
     }
-    void permute_back(std::vector<double>& x) const {
-        for (std::size_t i = 0; i < place_.size(); ++i) x[at(place_[i])] = x_[i];
+    void permute_back(std::vector<double>& x, base::Executor& executor) const {
+        in_pieces(std::ssize(place_), executor, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t i = begin; i < end; ++i) x[at(place_[at(i)])] = x_[at(i)];
+        });
     }
     /// Where each block is written.
     void find_places(base::Executor& executor) {

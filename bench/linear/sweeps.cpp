@@ -255,11 +255,21 @@ void all_bodies(const BlockForm& f, const SweepView& v, bool residual, base::Exe
               [&](std::int64_t begin, std::int64_t end) { sweep_bodies(v, begin, end, residual); });
 }
 
+/// work(scalar in the system, scalar in the form) for all scalars of the bodies.
+template <class F>
+void all_scalars(const BlockForm& f, base::Executor& executor, F work) {
+    in_pieces(std::ssize(f.tables.bodies), executor, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t a = begin; a < end; ++a) {
+            const SweepTables::Body& body = f.tables.bodies[at(a)];
+            for (std::int32_t i = 0; i < body.size; ++i) work(at(body.scalar + i), at(body.to + i));
+        }
+    });
+}
+
 /// Scalars of the bodies from the form's vector to the places of the system's.
-void spread(const BlockForm& f, const std::vector<double>& from, std::vector<double>& to) {
-    for (const SweepTables::Body& body : f.tables.bodies)
-        for (std::int32_t i = 0; i < body.size; ++i)
-            to[at(body.scalar + i)] = from[at(body.to + i)];
+void spread(const BlockForm& f, const std::vector<double>& from, std::vector<double>& to,
+            base::Executor& executor) {
+    all_scalars(f, executor, [&](std::size_t k, std::size_t i) { to[k] = from[i]; });
 }
 
 }  // namespace
@@ -289,7 +299,7 @@ void unfold(const BlockSystem& s, const BlockForm& f, const std::vector<double>&
         std::copy(vectors.folded.begin(), vectors.folded.end(), vectors.x.begin());
         return;
     }
-    spread(f, vectors.folded, vectors.x);
+    spread(f, vectors.folded, vectors.x, executor);
     all_rows(f, view_of(s, f, inverse, vectors), Sweep::unfold, executor);
 }
 
@@ -308,10 +318,9 @@ void add_correction(const BlockSystem& s, const BlockForm& f, const std::vector<
         return;
     }
     const SweepView v = view_of(s, f, inverse, vectors);
-    spread(f, vectors.folded, vectors.s);
+    spread(f, vectors.folded, vectors.s, executor);
     all_rows(f, v, Sweep::correct, executor);
-    for (const SweepTables::Body& body : f.tables.bodies)
-        for (std::int32_t i = 0; i < body.size; ++i) v.x[body.scalar + i] += v.folded[body.to + i];
+    all_scalars(f, executor, [&](std::size_t k, std::size_t i) { v.x[k] += v.folded[i]; });
 }
 
 }  // namespace hawser::bench
