@@ -246,6 +246,24 @@ HAWSER_INLINE double sum(const V8& v) {
     return ((lane(v, 0) + lane(v, 4)) + (lane(v, 2) + lane(v, 6))) +
            ((lane(v, 1) + lane(v, 5)) + (lane(v, 3) + lane(v, 7)));
 }
+/// The largest of the lanes.
+HAWSER_INLINE double largest(const V8& v) {
+#if defined(__AVX512F__)
+    const I8 others[] = {
+        {4, 5, 6, 7, 0, 1, 2, 3}, {2, 3, 0, 1, 6, 7, 4, 5}, {1, 0, 3, 2, 5, 4, 7, 6}};
+    V8 most = v;
+    for (const I8& other : others) {
+        const V8 turned = __builtin_shuffle(most, other);
+        most = most > turned ? most : turned;
+    }
+    return lane(most, 0);
+#else
+    double most = lane(v, 0);
+    for (int i = 1; i < kLanes; ++i)
+        if (lane(v, i) > most) most = lane(v, i);
+    return most;
+#endif
+}
 /// Lane k = sum of the lanes of v[k] for k < N, 0 in the others.
 template <int N>
 HAWSER_INLINE V8 sums(const V8* v) {

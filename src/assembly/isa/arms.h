@@ -92,6 +92,21 @@ inline void eight_products(const assembly::View& view, std::int32_t id, const Ar
     turn = w0 - w1;
 }
 
+/// first_rhs() of eight_arms().
+inline void first_joints_rhs(const assembly::View& view, std::int32_t id, bool moving) {
+    const V8 active = load(view.active + id), none{};
+    V8 on[3], idle[3];
+    as_threes(active, active, active, on);
+    as_threes((one(active) - active) * load(view.held + id), none, none, idle);
+    for (int k = 0; k < 3; ++k) {
+        const std::int32_t r = view.row_begin[id] + kLanes * k;
+        const V8 speed = moving ? load(view.residual + r) : none;
+        const V8 asked = on[k] * (load(view.c + r) - speed);
+        store(view.residual + r, asked + load(view.sigma + r) * idle[k]);
+        store(view.multiplier + r, load(view.inv_sigma + r) * asked + idle[k]);
+    }
+}
+
 /// row_update() of eight_arms(): all that is by row goes through 24 rows as they lie.
 inline void eight_joints(const assembly::View& view, std::int32_t id, bool first) {
     const ArmsT<W8> arms = next_arms(view.jacobian + view.jac_begin[id]);
@@ -128,6 +143,36 @@ inline void eight_joints(const assembly::View& view, std::int32_t id, bool first
     double* out = view.geo_force + view.geo[id].force;
     for (int l = 0; l < kLanes; ++l)
         for (int i = 0; i < 3; ++i) out[6 * l + i] = torque[3 * l + i];
+}
+
+/// row_norms() of eight_arms(). @return false where it does not: of rows without a limit, and where
+/// a number is not finite.
+inline bool add_joint_norms(const assembly::View& view, std::int32_t id, assembly::Norms& n) {
+    constexpr std::uint64_t kPositions = 0x0202020202020202;  // as row_norms() asks for them
+    const std::int32_t row = view.row_begin[id];
+    std::uint64_t flags[3];
+    std::memcpy(flags, view.row_flags + row, sizeof flags);
+    if ((flags[0] & flags[1] & flags[2] & kPositions) != kPositions) return false;
+    auto larger = [](const V8& a, const V8& b) { return select_greater(a, b, a, b); };
+    V8 other = positive_part(load(view.rest_length + id)), residual{}, gap{}, finite{};
+    for (int k = 0; k < 3; ++k) {
+        const std::int32_t r = row + kLanes * k;
+        const V8 c = load(view.residual + r), g = load(view.g + r);
+        other += (c - c) + (g - g);
+        residual = larger(residual, larger(c, -c));
+        gap = larger(gap, larger(g, -g));
+        finite += load(view.lambda + r);
+    }
+    if (any(other)) return false;
+    n.finite += sum(finite);
+    const double most = largest(residual), widest = largest(gap);
+    if (!(most <= n.constraint)) n.constraint = most;
+    if (widest <= n.gap) return true;
+    n.gap = widest;
+    int r = 0;
+    while (__builtin_fabs(view.g[row + r]) != widest) ++r;
+    n.gap_id = id + r / model::kArmRows;
+    return true;
 }
 
 }  // namespace hawser::HAWSER_ISA

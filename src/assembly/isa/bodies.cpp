@@ -63,6 +63,11 @@ void links_rhs(const View& view, std::int32_t body, const double* y) {
 
 void first_rhs(const View& view, std::int32_t begin, std::int32_t end, bool moving) noexcept {
     for (std::int32_t id = begin; id < end; ++id) {
+        if (id + kLanes <= end && eight_arms(view, id)) {
+            first_joints_rhs(view, id, moving);
+            id += kLanes - 1;
+            continue;
+        }
         const std::int32_t row = view.row_begin[id];
         for (int r = 0; r < view.rows[id]; ++r) {
             const double idle = r == 0 ? (1.0 - view.active[id]) * view.held[id] : 0.0;
@@ -80,15 +85,17 @@ void first_rhs(const View& view, std::int32_t begin, std::int32_t end, bool movi
 void first_body_rhs(const View& view, std::int32_t begin, std::int32_t end, bool moving) noexcept {
     for (std::int32_t body = begin; body < end; ++body) {
         if (view.dof[body] == 0) continue;
-        double* v = view.v_new + view.dof_begin[body];
-        const double* start = view.v_start + view.dof_begin[body];
-        if (body + kLanes <= end && eight_links(view, body)) {
+        const std::int32_t first = links_with(view, begin, body, end);
+        const std::int32_t place = view.dof_begin[first >= 0 ? first : body];
+        double* v = view.v_new + place;
+        const double* start = view.v_start + place;
+        if (first >= 0) {
             for (int j = 0; j < 6 * kLanes; ++j) v[j] = moving ? start[j] : 0.0;
             if (moving)
-                links_rhs<false>(view, body, view.multiplier);
+                links_rhs<false>(view, first, view.multiplier);
             else
-                links_rhs<true>(view, body, view.multiplier);
-            body += kLanes - 1;
+                links_rhs<true>(view, first, view.multiplier);
+            body = first + kLanes - 1;
             continue;
         }
         double* rhs = view.solution + view.body_offset[body];
@@ -102,9 +109,10 @@ void first_body_rhs(const View& view, std::int32_t begin, std::int32_t end, bool
 
 void body_rhs(const View& view, std::int32_t begin, std::int32_t end) noexcept {
     for (std::int32_t body = begin; body < end; ++body) {
-        if (body + kLanes <= end && eight_links(view, body)) {
-            links_rhs<false>(view, body, view.multiplier);
-            body += kLanes - 1;
+        const std::int32_t first = links_with(view, begin, body, end);
+        if (first >= 0) {
+            links_rhs<false>(view, first, view.multiplier);
+            body = first + kLanes - 1;
         } else if (view.dof[body] > 0) {
             momentum_rhs<false>(view, body, view.multiplier,
                                 view.solution + view.body_offset[body]);

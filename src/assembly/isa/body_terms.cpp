@@ -239,12 +239,13 @@ void rigid_terms(const View& view, std::int32_t body) {
 
 void body_terms(const View& view, std::int32_t begin, std::int32_t end) noexcept {
     for (std::int32_t body = begin; body < end; ++body) {
+        const std::int32_t first = links_with(view, begin, body, end);
+        if (first >= 0 && eight_rigid(view, first)) {
+            rigid_terms<true>(view, first);
+            body = first + kLanes - 1;
+            continue;
+        }
         if (body + kLanes <= end && eight_rigid(view, body)) {
-            if (eight_links(view, body)) {
-                rigid_terms<true>(view, body);
-                body += kLanes - 1;
-                continue;
-            }
             rigid_terms<false>(view, body);
             for (int l = 0; l < kLanes; ++l) add_geometric(view, body + l);
             body += kLanes - 1;

@@ -69,9 +69,7 @@ struct LaneRows {
         load_lanes(base, from, v);
     }
     W8 pick(const double* values, const std::int32_t* index, int offset) const {
-        double v[kLanes];
-        for (int l = 0; l < kLanes; ++l) v[l] = values[index[l] + offset];
-        return load(v);
+        return gather_range(values + offset, index, 0, kLanes);
     }
 
     /// A value of each row, by its number in the interaction.
@@ -265,11 +263,11 @@ struct LaneRows {
         load_rows(view.lambda, lambda);
         const V3T<W8> f{on * lambda[0], on * lambda[1], on * lambda[2]};
         const V3T<W8> r0 = refs[0].arm(data.point[0]), r1 = refs[1].arm(data.point[1]);
-        double swing[kLanes];
-        for (int l = 0; l < kLanes; ++l)
-            swing[l] = view.jacobian[view.jac_begin[id[l]] + model::kArmsSwing];
-        const JointTerms<W8> t = joint_terms(view, norm(f), norm(r0), norm(r1), W8(load(swing)));
-        V8 record[kLanes] = {r0.x, r0.y, r0.z, r1.x, r1.y, r1.z, t.damping, load(swing)};
+        std::int32_t begin[kLanes];
+        for (int l = 0; l < kLanes; ++l) begin[l] = view.jac_begin[id[l]];
+        const W8 swing = pick(view.jacobian, begin, model::kArmsSwing);
+        const JointTerms<W8> t = joint_terms(view, norm(f), norm(r0), norm(r1), swing);
+        V8 record[kLanes] = {r0.x, r0.y, r0.z, r1.x, r1.y, r1.z, t.damping, swing};
         put<0, kLanes>(view.jacobian, [&](std::int32_t i) { return view.jac_begin[i]; }, record);
         V8 force[kLanes] = {};
         for (int i = 0; i < 3; ++i) {

@@ -32,6 +32,18 @@ inline bool eight_links(const assembly::View& view, std::int32_t body) {
     return view.links[body] >= kLanes;
 }
 
+/// Where the eight links begin that `body` goes with: there, or, where fewer of its chain follow in
+/// [begin, end), so early that they end with the last of these, some of them being done twice, with
+/// the same result. −1: it goes alone.
+inline std::int32_t links_with(const assembly::View& view, std::int32_t begin, std::int32_t body,
+                               std::int32_t end) {
+    const std::int32_t run = view.links[body];
+    if (run == 0) return -1;
+    const std::int32_t left = run < end - body ? run : end - body;
+    const std::int32_t from = left < kLanes ? body + left - kLanes : body;
+    return from >= begin && eight_links(view, from) ? from : -1;
+}
+
 inline W3 load_threes(const double* p) {
     V8 v[3];
     load_threes(p, v);

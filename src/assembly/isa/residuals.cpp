@@ -123,6 +123,10 @@ void row_norms(const View& view, std::int32_t begin, std::int32_t end,
                assembly::Norms* norms) noexcept {
     assembly::Norms n = *norms;
     for (std::int32_t id = begin; id < end; ++id) {
+        if (id + kLanes <= end && eight_arms(view, id) && add_joint_norms(view, id, n)) {
+            id += kLanes - 1;
+            continue;
+        }
         const std::int32_t row = view.row_begin[id];
         for (int r = 0; r < view.rows[id]; ++r) {
             const double residual = __builtin_fabs(view.residual[row + r]);
