@@ -2,7 +2,6 @@
 /// The assembled blocks, right-hand sides and solution against the dense equations.
 #include "assembly/dense.h"
 #include "assembly/geo.h"
-#include "assembly/geo.h"
 #include "stepper/drives.h"
 #include "stepper/stages.h"
 

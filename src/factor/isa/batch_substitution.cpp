@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Substitution with batches (see factor/batches.h for the picture).
+#include "base/transpose.h"
 #include "factor/isa/batch.h"
 #include "factor/isa/batch_parts.h"
+#include "factor/isa/rigid_steps.h"
 #include "factor/kernels.h"
+
+#include <utility>
 
 namespace hawser::HAWSER_ISA {
 namespace {
@@ -21,6 +25,66 @@ HAWSER_INLINE void ask_for_panel(const double* panel, const BatchStep& step) {
 }
 constexpr int kAhead = 2;  // steps
 
+// Steps of rigid_steps.h: what one pivot hands to the next stays in registers, and each lane's six
+// entries of x are next to each other.
+
+/// Lane by lane x of the step's body, 0 where a lane has none.
+HAWSER_INLINE void load_rigid(const double* x, const std::int32_t* index, V8 (&v)[kLanes]) {
+    for (int l = 0; l < kLanes; ++l) v[l] = index[l] < 0 ? V8{} : load_first(x + index[l], kRigid);
+    transpose(v);
+}
+HAWSER_INLINE void store_rigid(double* x, const std::int32_t* index, V8 (&v)[kLanes]) {
+    transpose(v);
+    for (int l = 0; l < kLanes; ++l)
+        if (index[l] >= 0) store_lanes(x + index[l], v[l], 0, kRigid);
+}
+
+/// One step of forward_batch().
+inline void forward_rigid(const FactorView& view, const BatchStep& step, const Shift& shift,
+                          const double* x, const double* carried, double* next) {
+    const double* panel = view.panel + step.panel;
+    V8 y[kLanes];
+    load_rigid(x, view.slot_index + 8 * step.slot, y);
+    if (shift.before > 0)
+        for (int k = 0; k < kRigid; ++k) y[k] += load(carried + 8 * k);
+#pragma GCC unroll 6
+    for (int k = 0; k < kRigid; ++k) {
+        store(view.slot_y + 8 * (step.slot + k), y[k]);
+        for (int j = k + 1; j < kRigid; ++j) y[j] -= load(panel + j * kRigidStride + 8 * k) * y[k];
+    }
+    const double* row = panel + kRigid * kRigidStride;
+    for (int i = 0; i < step.q; i += kTile, row += kTile * kRigidStride) {
+        const int from = shift.from(i / kTile);
+        for (int a = 0; a < kTile; ++a) {
+            V8 v = from >= 0 ? load(carried + 8 * (kTile * from + a)) : V8{};
+            for (int k = 0; k < kRigid; ++k) v -= load(row + a * kRigidStride + 8 * k) * y[k];
+            store(next + 8 * (i + a), v);
+        }
+    }
+}
+
+/// One step of backward_batch(). @param behind  Becomes x of this body in the first six.
+inline void backward_rigid(const FactorView& view, const BatchStep& step, const double* panel,
+                           double* behind, double* x) {
+    V8 z[kLanes] = {};
+    for (int k = 0; k < kRigid; ++k)
+        z[k] =
+            load(view.slot_y + 8 * (step.slot + k)) * load(view.slot_pivot + 8 * (step.slot + k));
+    auto take_row = [&](int i) {
+        const V8 b = load(behind + 8 * i);
+        const double* row = panel + (kRigid + i) * kRigidStride;
+        for (int k = 0; k < kRigid; ++k) z[k] -= load(row + 8 * k) * b;
+    };
+    // Last the body that the step before has just come to.
+    for (int i = kRigid; i < step.q; ++i) take_row(i);
+    for (int i = 0; i < kRigid; ++i) take_row(i);
+#pragma GCC unroll 6
+    for (int i = kRigid - 1; i > 0; --i)
+        for (int j = 0; j < i; ++j) z[j] -= load(panel + i * kRigidStride + 8 * j) * z[i];
+    for (int k = 0; k < kRigid; ++k) store(behind + 8 * k, z[k]);
+    store_rigid(x, view.slot_index + 8 * step.slot, z);
+}
+
 }  // namespace
 
 /// y_p = L11⁻¹ (x_p + carried), carried −= L21 y_p.
@@ -34,6 +98,12 @@ void forward_batch(const FactorView& view, const Batch& batch, std::int32_t begi
         const BatchStep& step = view.batch_steps[k];
         if (view.distant && k + kAhead < end)
             ask_for_panel(view.panel, view.batch_steps[k + kAhead]);
+        if (kManyRegisters && is_rigid(view, batch, k)) {
+            forward_rigid(view, step, shift, x, carried, next);
+            std::swap(carried, next);
+            shift.before = step.q / kTile;
+            continue;
+        }
         const double* panel = view.panel + step.panel;
         double* y = view.slot_y + 8 * step.slot;
         const std::int32_t* index = view.slot_index + 8 * step.slot;
@@ -53,9 +123,7 @@ void forward_batch(const FactorView& view, const Batch& batch, std::int32_t begi
             tile<kTile, 1>(v, panel + 8L * (p + i) * p, y, 8L * p, p);
             for (int a = 0; a < kTile; ++a) store(next + 8 * (i + a), v[a][0]);
         }
-        double* swap = carried;
-        carried = next;
-        next = swap;
+        std::swap(carried, next);
         shift.before = step.q / kTile;
     }
     if (end < batch.step_end) return;
@@ -86,6 +154,10 @@ void backward_batch(const FactorView& view, const Batch& batch, double* x,
         if (view.distant && k - kAhead >= batch.step_begin)
             ask_for_panel(halves, view.batch_steps[k - kAhead]);
         const double* panel = halves + step.panel;
+        if (kManyRegisters && batch.window == kRigid && is_rigid(view, batch, k)) {
+            backward_rigid(view, step, panel, behind, x);
+            continue;
+        }
         const double* y = view.slot_y + 8 * step.slot;
         const double* pivot = view.slot_pivot + 8 * step.slot;
         const int p = step.p;
