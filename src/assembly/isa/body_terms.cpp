@@ -33,7 +33,8 @@ M3 world_diagonal(const double* r, const double* d) {
 /// Newton from the explicit step; its Jacobian is well conditioned while h|ω| < 1. The next
 /// correction is about h|ω| times the square of one, so that slow bodies need one iteration.
 template <class T>
-V3T<T> free_rotation(const M3T<T>& inertia, const M3T<T>& inverse, const V3T<T>& w, const T& h) {
+HAWSER_INLINE V3T<T> free_rotation(const M3T<T>& inertia, const M3T<T>& inverse, const V3T<T>& w,
+                                   const T& h) {
     const V3T<T> iw = inertia * w;
     const T half = 0.5 * h, quarter = half * half;
     const V3T<T> target = iw - half * cross(w, iw) + (quarter * dot(w, iw)) * w;

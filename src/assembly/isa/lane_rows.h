@@ -157,7 +157,17 @@ struct LaneRows {
     }
 
     /// G u, a row each, of u by body.
-    static void products(const Rows<B, R, W8>& rows, const V8 (&u)[B][kLanes], V8 (&out)[R]) {
+    HAWSER_INLINE static void products(const Rows<B, R, W8>& rows, const V8 (&u)[B][kLanes],
+                                       V8 (&out)[R]) {
+        if constexpr (kShort) {  // known but for the arms
+            for (int r = 0; r < R; ++r) {
+                out[r] = u[1][r] - u[0][r];
+                for (int b = 0; b < B; ++b)
+                    for (int j = 0; j < 3; ++j)
+                        if (j != r) out[r] += rows.J[b][r][3 + j] * u[b][3 + j];
+            }
+            return;
+        }
         for (int r = 0; r < R; ++r) {
             out[r] = rows.J[0][r][0] * u[0][0];
             for (int b = 0; b < B; ++b)
@@ -165,8 +175,8 @@ struct LaneRows {
         }
     }
 
-    void write_rows(const Rows<B, R, W8>& rows, const V8 (&v)[B][kLanes],
-                    const V8 (&start)[B][kLanes]) const {
+    HAWSER_INLINE void write_rows(const Rows<B, R, W8>& rows, const V8 (&v)[B][kLanes],
+                                  const V8 (&start)[B][kLanes]) const {
         const double inv_h4 = 4.0 / view.h;
         V8 speed[R], upsilon[R], c[R], g[R];
         products(rows, v, speed);
@@ -256,8 +266,8 @@ struct LaneRows {
     }
 
     /// Records and torques of damping of joints in short.
-    void joint(const typename K::template DataT<W8>& data, const Ref* refs,
-               const V8 (&v)[B][kLanes], const V8 (&start)[B][kLanes]) const {
+    HAWSER_INLINE void joint(const typename K::template DataT<W8>& data, const Ref* refs,
+                             const V8 (&v)[B][kLanes], const V8 (&start)[B][kLanes]) const {
         const W8 on = (1.0 / view.h) * load_active();
         V8 lambda[R];
         load_rows(view.lambda, lambda);
