@@ -26,8 +26,8 @@ std::string gflops(const Result& r) {
 }
 
 std::string update_ms(const Result& r, int count) {
-    for (const auto& [changed, time] : r.update)
-        if (changed == count) return fmt::format("{:.3f}", 1e3 * time);
+    for (const UpdateTime& u : r.update)
+        if (u.changed == count) return fmt::format("{:.3f}", 1e3 * u.time);
     return "-";
 }
 
@@ -37,8 +37,10 @@ double best_sample(const Result& r) {
 
 json result_json(const Result& r) {
     json updates = json::array();
-    for (const auto& [changed, time] : r.update)
-        updates.push_back({{"contacts_changed", changed}, {"ms", 1e3 * time}});
+    for (const UpdateTime& u : r.update)
+        updates.push_back({{"contacts_changed", u.changed},
+                           {"ms", 1e3 * u.time},
+                           {"analysed_anew_ms", u.anew < 0.0 ? json() : json(1e3 * u.anew)}});
     json samples = json::array();
     for (const double t : r.totals) samples.push_back(1e3 * t);
     if (!r.failure.empty())
@@ -77,6 +79,11 @@ void print_memory(const ProblemReport& report) {
             "{:.2f} GB/s, solve reads it at {:.2f} GB/s\n",
             r.bytes / report.bodies, 1e9 * r.total / report.bodies, 1e-6 * l,
             1e-9 * l / r.phases.factor, 1e-9 * 2.0 * l / r.phases.solve);
+        for (const UpdateTime& u : r.update)
+            fmt::print(
+                "  hawser: {} contacts changed: update {:.3f} ms, an analysis in turns with it "
+                "{:.3f} ms: {:.2f} times\n",
+                u.changed, 1e3 * u.time, 1e3 * u.anew, u.anew / u.time);
     }
 }
 

@@ -24,15 +24,23 @@ struct Phases {
     [[nodiscard]] double total() const noexcept { return refresh + factor + solve + refine; }
 };
 
+/// What it takes to follow contacts that changed.
+struct UpdateTime {
+    int changed = 0;     ///< Contacts.
+    double time = 0.0;   ///< Median [s].
+    double anew = -1.0;  ///< An analysis of the same systems from nothing, in turns with it; −1:
+                         ///< the solver knows no other way.
+};
+
 /// What is reported of one solver on one problem with one number of threads.
 struct Result {
     std::string library, form, order, failure;
     int threads = 1;
-    double analyse = 0.0;                          ///< [s]
-    double own_analyse = -1.0;                     ///< With the library's own order; −1: none.
-    Phases phases{};                               ///< Medians.
-    double total = 0.0;                            ///< Median of the totals [s].
-    std::vector<std::pair<int, double>> update{};  ///< Contacts changed, time [s].
+    double analyse = 0.0;       ///< [s]
+    double own_analyse = -1.0;  ///< With the library's own order; −1: none.
+    Phases phases{};            ///< Medians.
+    double total = 0.0;         ///< Median of the totals [s].
+    std::vector<UpdateTime> update{};
     double factor_nnz = 0.0, flops = 0.0, bytes = 0.0, error = 0.0;
     std::vector<double> totals{};  ///< Each sample [s].
 };
@@ -53,7 +61,8 @@ class Candidate {
     ~Candidate();
 
     /// @return time of the analysis [s].
-    double analyse();
+    double analyse() { return analyse(problem_->input(variant_.condensed)); }
+    double analyse(const Input& input);
     /// The same after contacts changed. @return time [s].
     double update(const Input& input, const std::vector<int>& changed);
     /// The library's own analysis of the scalar matrix. @return time [s], −1: it has none.
