@@ -52,6 +52,48 @@ BoundedRow along(const Newton& n, std::size_t i, double t) noexcept {
     return {a.lambda + t * (b.lambda - a.lambda), a.r + t * (b.r - a.r)};
 }
 
+/// A line that is taut and pulls, of which nothing but that has to be known.
+bool pulls_on(const View& v, std::int32_t id) noexcept {
+    constexpr int kOther = model::kRange | model::kMotor | model::kFriction;
+    const double lambda = v.lambda[v.row_begin[id]];
+    return (v.flags[id] & (model::kOneSided | kOther)) == model::kOneSided && v.active[id] != 0.0 &&
+           v.parted[id] == 0 && lambda < 0.0 && lambda > -model::kUnbounded;
+}
+
+/// Where a row is, and where it asks to be.
+struct Wish {
+    bool was_active, active;
+    double projected;  ///< Its impulse, within the range [N s].
+};
+Wish wish_of(const StepContext& ctx, const View& v, std::size_t i, const BoundedRow& p,
+             const ImpulseRange& range) noexcept {
+    const std::int32_t id = ctx.system.bounded[i];
+    const bool was_active = v.active[id] != 0.0;
+    // An idle row goes where its bound has gone; only then it is asked whether it stays.
+    const double lambda = was_active ? p.lambda : moved_with(range, v.held[id]);
+    const double y = lambda + p.r / stiffness_scale(ctx, i);
+    return {was_active, range.low < y && y < range.high, std::clamp(y, range.low, range.high)};
+}
+/// Rows that never switch: what parted, and what is in the middle of its range.
+bool stays(const View& v, std::int32_t id, const ImpulseRange& range) noexcept {
+    return v.parted[id] || ((v.flags[id] & model::kRange) && range.low == range.high);
+}
+
+/// asking_rows() > 0 with no floor, without a trace.
+bool any_asks(const StepContext& ctx, const View& v) noexcept {
+    for (std::size_t i = 0; i < ctx.system.bounded.size(); ++i) {
+        const std::int32_t id = ctx.system.bounded[i];
+        if (pulls_on(v, id)) continue;
+        const ImpulseRange range = impulse_range(ctx, id);
+        if (stays(v, id, range)) continue;
+        const BoundedRow p = row_now(v, id);
+        const Wish wish = wish_of(ctx, v, i, p, range);
+        if (wish.active != wish.was_active && std::fabs(wish.projected - p.lambda) > 0.0)
+            return true;
+    }
+    return false;
+}
+
 constexpr int kMostPasses = 20;
 
 /// λ and v₊ as they stand. All that ask for it are switched at first; then, since two may go on
@@ -108,7 +150,7 @@ void hold_bounds(StepContext& ctx, double time) noexcept {
     ctx.newton.follow.restart();
     for (const std::int32_t id : ctx.system.bounded) {
         double& held = in.held[at(id)];
-        held = 0.0;
+        if (held != 0.0) held = 0.0;
         if (in.active[at(id)] != 0.0 || !(in.flags[at(id)] & (model::kMotor | model::kFriction)))
             continue;
         const ImpulseRange range = impulse_range(ctx, id);
@@ -187,16 +229,11 @@ std::int32_t switch_bounds(StepContext& ctx, double floor, std::int32_t most) no
     for (std::size_t i = 0; i < ctx.system.bounded.size(); ++i) {
         const std::int32_t id = ctx.system.bounded[i], row = v.row_begin[id];
         const ImpulseRange range = impulse_range(ctx, id);
-        if (v.parted[id] || ((v.flags[id] & model::kRange) && range.low == range.high)) continue;
+        if (stays(v, id, range)) continue;
         const BoundedRow p = ctx.newton.row[i];
         double& held = ctx.interactions.held[at(id)];
-        const bool was_active = v.active[id] != 0.0;
-        // An idle row goes where its bound has gone; only then it is asked whether it stays.
-        const double lambda = was_active ? p.lambda : moved_with(range, held);
-        const double y = lambda + p.r / stiffness_scale(ctx, i);
-        const bool active = range.low < y && y < range.high;
+        const auto [was_active, active, projected] = wish_of(ctx, v, i, p, range);
         if (active && was_active) continue;
-        const double projected = std::clamp(y, range.low, range.high);
         if (active != was_active) {
             // Lines that lie about are slack and taut by rounding: that decides nothing.
             if (std::fabs(projected - p.lambda) <= floor) continue;
@@ -229,7 +266,7 @@ Status settle_bounds(StepContext& ctx) noexcept {
         if (solves >= kMostSolves) pass = kMostPasses;
         Status status = Status::ok;
         const bool moved = ctx.stats.natural_map > tolerance;
-        if (!moved && pass < kMostPasses && asking_rows(ctx, 0.0) == 0) {
+        if (!moved && pass < kMostPasses && !any_asks(ctx, view(ctx))) {
             ctx.stats.flips_left = 0;
             break;
         }

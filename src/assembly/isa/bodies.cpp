@@ -69,11 +69,15 @@ void first_rhs(const View& view, std::int32_t begin, std::int32_t end, bool movi
             continue;
         }
         const std::int32_t row = view.row_begin[id];
+        const double on = view.active[id];
+        // Read only where it is not 0, like Σ: most rows are active.
+        const double held = on == 0.0 ? view.held[id] : 0.0;
         for (int r = 0; r < view.rows[id]; ++r) {
-            const double idle = r == 0 ? (1.0 - view.active[id]) * view.held[id] : 0.0;
+            const double idle = r == 0 ? held : 0.0;
             const double speed = moving ? view.residual[row + r] : 0.0;
-            const double asked = view.active[id] * (view.c[row + r] - speed);
-            const double residual = asked + view.sigma[row + r] * idle;
+            const double asked = on * (view.c[row + r] - speed);
+            double residual = asked;
+            if (held != 0.0) residual += view.sigma[row + r] * idle;
             view.residual[row + r] = residual;
             view.multiplier[row + r] = view.inv_sigma[row + r] * asked + idle;
             if (view.interaction_offset[id] >= 0)
