@@ -80,15 +80,22 @@ class Ours final : public Solver {
     static void check(int wrong) {
         if (wrong != 0) throw std::runtime_error(fmt::format("{} pivots of the wrong sign", wrong));
     }
+    static constexpr std::int64_t kScalars = 4096;  ///< Moved by a task at least.
     void permute(const std::vector<double>& x, base::Executor& executor) {
-        in_pieces(std::ssize(place_), executor, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t i = begin; i < end; ++i) x_[at(i)] = x[at(place_[at(i)])];
-        });
+        in_pieces(
+            std::ssize(place_), executor,
+            [&](std::int64_t begin, std::int64_t end) {
+                for (std::int64_t i = begin; i < end; ++i) x_[at(i)] = x[at(place_[at(i)])];
+            },
+            kScalars);
     }
     void permute_back(std::vector<double>& x, base::Executor& executor) const {
-        in_pieces(std::ssize(place_), executor, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t i = begin; i < end; ++i) x[at(place_[at(i)])] = x_[at(i)];
-        });
+        in_pieces(
+            std::ssize(place_), executor,
+            [&](std::int64_t begin, std::int64_t end) {
+                for (std::int64_t i = begin; i < end; ++i) x[at(place_[at(i)])] = x_[at(i)];
+            },
+            kScalars);
     }
     /// Where each block is written.
     void find_places(base::Executor& executor) {

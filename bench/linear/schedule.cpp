@@ -7,11 +7,8 @@
 #include "runtime/tasks.h"
 #include "runtime/trace.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 namespace hawser::bench {
 namespace {
@@ -174,7 +171,8 @@ ScheduleReport measure_schedule(const ProblemSource& source, bool condensed, int
     report.name = source.name;
     report.form = condensed ? "condensed" : "saddle";
     Stretch solve, whole;
-    std::vector<ProgramTimes> phase[kMarks - 1];
+    std::vector<ProgramTimes> phase[kMarks - 1], phase_two[kMarks - 1];
+    std::vector<double> one[kMarks - 1], two[kMarks - 1];
     TraceView spans;
     auto counted = [&](base::Executor& executor, runtime::Pool& pool) {
         Marks m;
@@ -194,6 +192,10 @@ ScheduleReport measure_schedule(const ProblemSource& source, bool condensed, int
         whole.one.push_back(a.whole());
         solve.two.push_back(b.solve());
         whole.two.push_back(b.whole());
+        for (int i = 0; i + 1 < kMarks; ++i) {
+            one[i].push_back(a.at[i + 1] - a.at[i]);
+            two[i].push_back(b.at[i + 1] - b.at[i]);
+        }
         disturbed_two += b.disturbed ? 1U : 0U;
         for (std::size_t k = 0; k < std::size(kScheduleThreads); ++k) {
             Pretend team(work.one(), kScheduleThreads[k]);
@@ -203,86 +205,21 @@ ScheduleReport measure_schedule(const ProblemSource& source, bool condensed, int
             work.trace().copy(m.at[0], spans);
             solve.program[k].push_back(program_of(spans, m.at[1], m.at[3]));
             whole.program[k].push_back(program_of(spans, m.at[0], m.at[4]));
-            for (int i = 0; kScheduleThreads[k] == 8 && i + 1 < kMarks; ++i)
-                phase[i].push_back(program_of(spans, m.at[i], m.at[i + 1]));
+            for (auto* of : {kScheduleThreads[k] == 8 ? phase : nullptr,
+                             kScheduleThreads[k] == 2 ? phase_two : nullptr})
+                for (int i = 0; of != nullptr && i + 1 < kMarks; ++i)
+                    of[i].push_back(program_of(spans, m.at[i], m.at[i + 1]));
         }
     }
     report.quiet = 2 * disturbed_two < solve.two.size();
     report.solve = solve.times(costs);
     report.whole = whole.times(costs);
-    for (int i = 0; i + 1 < kMarks; ++i)
+    for (int i = 0; i + 1 < kMarks; ++i) {
+        report.phases.push_back({kPhase[i], median(one[i]), median(two[i]),
+                                 simulate(typical(phase_two[i]), 2, costs).seconds});
         describe_loops(typical(phase[i]), kPhase[i], costs, report.loops);
-    return report;
-}
-
-void print_schedule_head(const PoolCosts& costs) {
-    fmt::print(
-        "Task times of one thread, dealt out to p threads by the simulator. A loop costs {:.2f} us "
-        "until\nanother thread has begun and {:.2f} us to join; a task costs {:.3f} us to take.\n"
-        "{:<18} {:<14} {:>9} {:>9} {:>9} {:>6} {:>5}  {:>5} {:>5} {:>5} {:>5} {:>5} {:>7} {:>7}\n",
-        1e6 * costs.start, 1e6 * costs.join, 1e6 * costs.deal, "matrix", "work", "T(1) ms",
-        "T(2) ms", "simulated", "dev", "x 2", "x 4", "x 8", "x 16", "x 32", "x 64", "serial",
-        "path");
-}
-
-void print_schedule(const ScheduleReport& r) {
-    auto line = [&](const char* what, const ScheduleTimes& t) {
-        fmt::print(
-            "{:<18} {:<14} {:>9.4g} {:>9.4g} {:>9.4g} {:>5.1f}% {:>5.2f}{} {:>5.2f} {:>5.2f} "
-            "{:>5.2f} {:>5.2f} {:>5.2f} {:>6.1f}% {:>6.1f}%\n",
-            r.name, what, 1e3 * t.one, 1e3 * t.two, 1e3 * t.predicted[1], 100.0 * t.deviation(),
-            t.one / t.two, r.quiet ? ' ' : '*', t.speed_up[2], t.speed_up[3], t.speed_up[4],
-            t.speed_up[5], t.speed_up[6], 100.0 * t.serial / t.predicted[0],
-            100.0 * t.critical / t.predicted[0]);
-    };
-    line("factor + solve", r.solve);
-    line("all", r.whole);
-}
-
-void print_schedule_loops(const ScheduleReport& r) {
-    fmt::print("{:>20} {:>6} {:>12} {:>10} {:>10} {:>10} {:>8}\n", "phase", "tasks", "before us",
-               "tasks us", "path us", "8 threads", "speed-up");
-    for (const ScheduleLoop& l : r.loops) {
-        if (l.tasks == 0)
-            fmt::print("{:>20} {:>6} {:>12.2f}\n", l.phase, "-", 1e6 * l.before);
-        else
-            fmt::print("{:>20} {:>6} {:>12.2f} {:>10.2f} {:>10.2f} {:>10.2f} {:>8.2f}\n", l.phase,
-                       l.tasks, 1e6 * l.before, 1e6 * l.sum, 1e6 * l.path, 1e6 * l.eight,
-                       l.sum / l.eight);
     }
-    if (r.disturbed > 0)
-        fmt::print("  {} of {} samples were disturbed by other programs and taken again\n",
-                   r.disturbed, r.samples);
-}
-
-nlohmann::json to_json(const ScheduleReport& r) {
-    auto times = [](const ScheduleTimes& t) {
-        return nlohmann::json{{"t1_ms", 1e3 * t.one},
-                              {"t2_ms", 1e3 * t.two},
-                              {"t1_best_ms", 1e3 * t.one_best},
-                              {"t2_best_ms", 1e3 * t.two_best},
-                              {"simulated_seconds", t.predicted},
-                              {"simulated_speed_up", t.speed_up},
-                              {"deviation", t.deviation()},
-                              {"serial_ms", 1e3 * t.serial},
-                              {"critical_ms", 1e3 * t.critical}};
-    };
-    nlohmann::json loops = nlohmann::json::array();
-    for (const ScheduleLoop& l : r.loops)
-        loops.push_back({{"phase", l.phase},
-                         {"tasks", l.tasks},
-                         {"before_us", 1e6 * l.before},
-                         {"sum_us", 1e6 * l.sum},
-                         {"path_us", 1e6 * l.path},
-                         {"eight_us", 1e6 * l.eight}});
-    return {{"matrix", r.name},
-            {"form", r.form},
-            {"threads", kScheduleThreads},
-            {"factor_solve", times(r.solve)},
-            {"all", times(r.whole)},
-            {"loops", loops},
-            {"samples", r.samples},
-            {"disturbed", r.disturbed}};
+    return report;
 }
 
 }  // namespace hawser::bench

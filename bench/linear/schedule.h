@@ -34,10 +34,18 @@ struct ScheduleLoop {
     double eight = 0.0;  ///< On eight, from start to join.
 };
 
+/// Medians of one phase of the work [s].
+struct SchedulePhase {
+    std::string name;
+    double one = 0.0, two = 0.0;  ///< Measured.
+    double predicted = 0.0;       ///< On two threads.
+};
+
 struct ScheduleReport {
     std::string name, form;
     ScheduleTimes solve;  ///< Factorisation with its values, and substitution.
     ScheduleTimes whole;  ///< Condense, factor, solve, refine once.
+    std::vector<SchedulePhase> phases;
     std::vector<ScheduleLoop> loops;
     int samples = 0, disturbed = 0;  ///< Disturbed: a thread had lost its processor.
     bool quiet = false;              ///< Most samples of two threads had both processors.

@@ -258,12 +258,17 @@ void all_bodies(const BlockForm& f, const SweepView& v, bool residual, base::Exe
 /// work(scalar in the system, scalar in the form) for all scalars of the bodies.
 template <class F>
 void all_scalars(const BlockForm& f, base::Executor& executor, F work) {
-    in_pieces(std::ssize(f.tables.bodies), executor, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t a = begin; a < end; ++a) {
-            const SweepTables::Body& body = f.tables.bodies[at(a)];
-            for (std::int32_t i = 0; i < body.size; ++i) work(at(body.scalar + i), at(body.to + i));
-        }
-    });
+    constexpr std::int64_t kLeast = 1024;
+    in_pieces(
+        std::ssize(f.tables.bodies), executor,
+        [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t a = begin; a < end; ++a) {
+                const SweepTables::Body& body = f.tables.bodies[at(a)];
+                for (std::int32_t i = 0; i < body.size; ++i)
+                    work(at(body.scalar + i), at(body.to + i));
+            }
+        },
+        kLeast);
 }
 
 /// Scalars of the bodies from the form's vector to the places of the system's.
