@@ -83,6 +83,7 @@ void Layout::count_entries(const Pattern& pattern,
 void Layout::find_same_fronts(const Columns& columns, const Symbolic& s, bool follows) {
     const std::size_t count = supernodes_.parent.size();
     same_.assign(count, -1);
+    same_count_ = 0;
     if (!follows) return;
     const std::int32_t *const order = s.order.data(), *const then = old_order_.data();
     for (std::size_t f = 0; f < count; ++f) {
@@ -92,7 +93,9 @@ void Layout::find_same_fronts(const Columns& columns, const Symbolic& s, bool fo
         bool same = old.node_end - old.node_begin == end - begin && !columns.fresh(order[end - 1]);
         for (std::int32_t k = 0; same && k < end - begin; ++k)
             same = order[begin + k] == then[old.node_begin + k];
-        if (same) same_[f] = g;
+        if (!same) continue;
+        same_[f] = g;
+        ++same_count_;
     }
 }
 

@@ -25,6 +25,8 @@ class Layout {
     ///        the nodes that got other neighbours. What did not change is taken over then.
     void run(const Pattern& pattern, const Columns& columns, const Chains& chains,
              Symbolic& symbolic, std::optional<std::span<const std::int32_t>> edited = {});
+    /// Fronts of the last call that are as they were before it.
+    [[nodiscard]] std::int32_t same() const noexcept { return same_count_; }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
@@ -49,6 +51,7 @@ class Layout {
     std::vector<Front> old_fronts_;
     std::vector<Run> old_runs_;
     std::vector<std::int32_t> old_order_, old_node_front_, same_;
+    std::int32_t same_count_ = 0;
     std::vector<std::int64_t> freed_;   ///< By front: update matrices that it takes from a stack.
     std::vector<std::int32_t> row_of_;  ///< By node: its row in a parent, if it has one.
     std::vector<std::uint8_t> parity_, crosses_;

@@ -103,6 +103,7 @@ RepairReport Analysis::repair(const Pattern& next, std::span<const std::int32_t>
     std::optional<std::span<const std::int32_t>> edited;
     if (same_numbers && report.dissolved == 0) edited = changes_;
     layout_.run(pattern_, columns_, chains_, symbolic_, edited);
+    report.same = layout_.same();
     return report;
 }
 

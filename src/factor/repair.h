@@ -50,6 +50,7 @@ struct RepairReport {
     std::int32_t placed = 0;     ///< Nodes that got a place in the order.
     std::int32_t columns = 0;    ///< Block columns computed again.
     std::int32_t dissolved = 0;  ///< Chains that became ordinary fronts.
+    std::int32_t same = 0;       ///< Fronts with the pivots and rows of one before.
     bool replanned = false;      ///< update(): the order was made anew.
 };
 

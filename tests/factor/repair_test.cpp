@@ -346,6 +346,7 @@ TEST(Repair, OfNothingChangesNothing) {
     const factor::RepairReport r = analysis.repair(p);
     EXPECT_EQ(r.columns, 0);
     EXPECT_EQ(r.placed, 0);
+    EXPECT_EQ(r.same, static_cast<int>(before.fronts.size()));
     EXPECT_TRUE(analysis.symbolic() == before);
 }
 
