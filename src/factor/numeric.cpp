@@ -94,8 +94,9 @@ void Numeric::clear(const Symbolic& symbolic, base::Executor& executor) noexcept
 /// on_batch(batch, node, thread) or on_fronts(begin, end, node, thread) for all of them, the ranges
 /// of a node in their order, going down in the reverse one.
 template <class Batches, class Fronts>
-void Numeric::run_tasks(const Symbolic& s, bool up, base::Executor& executor, Batches&& on_batch,
-                        Fronts&& on_fronts) noexcept {
+void Numeric::run_tasks(const Symbolic& s, TaskPass pass, base::Executor& executor,
+                        Batches&& on_batch, Fronts&& on_fronts) noexcept {
+    const bool up = pass != TaskPass::backward;
     const std::size_t batches = s.batches.size(), below = batches + s.tasks.size();
     auto node = [&](int i, int thread) noexcept {
         const auto n = static_cast<std::size_t>(i);
@@ -113,7 +114,7 @@ void Numeric::run_tasks(const Symbolic& s, bool up, base::Executor& executor, Ba
             }
         }
     };
-    queue_.run(s.graph, up, executor, node);
+    queue_.run(s.graph, pass, executor, node);
 }
 
 int Numeric::count_wrong(const Symbolic& symbolic) noexcept {
@@ -127,7 +128,7 @@ int Numeric::factor(const Symbolic& symbolic, base::Executor& executor,
     const FactorKernels& kernels = factor_kernels();
     std::fill_n(wrong_.begin(), symbolic.graph.nodes(), 0);
     run_tasks(
-        symbolic, true, executor,
+        symbolic, TaskPass::factor, executor,
         [&](const Batch& batch, std::size_t node, int thread) noexcept {
             wrong_[node] = kernels.factor_batch(view(symbolic, thread), batch, batch.step_begin,
                                                 batch.step_end, scratch(thread));
@@ -249,7 +250,7 @@ int Numeric::factor_forward(const Symbolic& symbolic, Fill fill, double* x,
             wrong += run_piece(symbolic, p, fill, x, thread);
         wrong_[n] = wrong;
     };
-    queue_.run(symbolic.graph, true, executor, node);
+    queue_.run(symbolic.graph, TaskPass::factor, executor, node);
     return count_wrong(symbolic);
 }
 
@@ -257,7 +258,7 @@ void Numeric::solve(const Symbolic& symbolic, double* x, base::Executor& executo
     const FactorView v = view(symbolic, 0);
     const FactorKernels& kernels = factor_kernels();
     run_tasks(
-        symbolic, true, executor,
+        symbolic, TaskPass::forward, executor,
         [&](const Batch& batch, std::size_t, int thread) noexcept {
             kernels.forward_batch(v, batch, batch.step_begin, batch.step_end, x, scratch(thread));
         },
@@ -271,7 +272,7 @@ void Numeric::backward(const Symbolic& symbolic, double* x, base::Executor& exec
     const FactorView v = view(symbolic, 0);
     const FactorKernels& kernels = factor_kernels();
     run_tasks(
-        symbolic, false, executor,
+        symbolic, TaskPass::backward, executor,
         [&](const Batch& batch, std::size_t, int thread) noexcept {
             kernels.backward_batch(v, batch, x, scratch(thread));
         },

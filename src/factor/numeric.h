@@ -118,7 +118,7 @@ class Numeric {
     /// @return whether the piece has an upper half.
     bool copy_piece(const Symbolic& symbolic, const Piece& piece) noexcept;
     template <class Batches, class Fronts>
-    void run_tasks(const Symbolic& s, bool up, base::Executor& executor, Batches&& on_batch,
+    void run_tasks(const Symbolic& s, TaskPass pass, base::Executor& executor, Batches&& on_batch,
                    Fronts&& on_fronts) noexcept;
     [[nodiscard]] int count_wrong(const Symbolic& symbolic) noexcept;
     [[nodiscard]] int find_wrong(const Symbolic& symbolic, int wrong) noexcept;

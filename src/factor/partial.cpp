@@ -135,7 +135,7 @@ int Numeric::refactor(const Symbolic& s, const DirtyParts& dirty, base::Executor
                                     scratch(thread));
         wrong_[at(i)] = wrong;
     };
-    queue_.run(s.graph, true, executor, node);
+    queue_.run(s.graph, TaskPass::factor, executor, node);
     return count_wrong(s);
 }
 

@@ -137,7 +137,7 @@ int TaskQueue::take_bit(std::size_t w, std::uint64_t among) noexcept {
 }
 
 /// As many calls as nodes: where nothing is ready, another thread is at work on what will be.
-std::int32_t TaskQueue::take(const TaskGraph::Way& way, int thread) noexcept {
+std::int32_t TaskQueue::take(const TaskGraph::Way& way, int thread, bool owns) noexcept {
     const std::uint64_t* mine = mine_.data() + at(thread) * words_;
     for (int spins = 0;; ++spins) {
         for (const bool own : {true, false})
@@ -145,7 +145,7 @@ std::int32_t TaskQueue::take(const TaskGraph::Way& way, int thread) noexcept {
                 const int bit = take_bit(w, own ? mine[w] : ~std::uint64_t{0});
                 if (bit < 0) continue;
                 const std::int32_t node = way.by_rank[64 * w + static_cast<std::size_t>(bit)];
-                owner_[at(node)] = static_cast<std::int16_t>(thread);
+                if (owns) owner_[at(node)] = static_cast<std::int16_t>(thread);
                 return node;
             }
         if (spins < 2'000)

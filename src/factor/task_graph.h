@@ -15,8 +15,9 @@
 /// A thread that is free takes the ready node from which most work is left to the end (critical
 /// path scheduling: Hu, "Parallel sequencing and assembly line problems", 1961). Ready nodes are
 /// bits, by rank: taking one is an atomic instruction, and no thread waits for a lock. Of several
-/// it prefers nodes that it did in the last run, whose panels may still be in its cache. Who does
-/// what varies from run to run; each node's result does not.
+/// it prefers nodes that it factored last, whose panels it wrote and may still have in its cache:
+/// substitutions keep to that as well, but who steps in for another thread there does not go on
+/// with the node. Who does what varies from run to run; each node's result does not.
 
 #include "base/executor.h"
 #include "base/memory.h"
@@ -49,6 +50,9 @@ struct TaskGraph {
     friend bool operator==(const TaskGraph&, const TaskGraph&) = default;
 };
 
+/// What the nodes of a graph are done for: factor and forward go up, backward down.
+enum class TaskPass : std::uint8_t { factor, forward, backward };
+
 /// Deals out the nodes of a graph to threads.
 class TaskQueue {
   public:
@@ -58,8 +62,9 @@ class TaskQueue {
     /// Call f(node, thread) for every node, none before those it waits for. A single thread goes
     /// by number, which is the order of the memory.
     template <class F>
-    void run(const TaskGraph& graph, bool up, base::Executor& executor, F& f) noexcept {
+    void run(const TaskGraph& graph, TaskPass pass, base::Executor& executor, F& f) noexcept {
         const int n = graph.nodes();
+        const bool up = pass != TaskPass::backward, owns = pass == TaskPass::factor;
         const TaskGraph::Way& way = up ? graph.up : graph.down;
         executor.announce({way.start, way.next, way.rank});
         if (executor.threads() == 1) {
@@ -73,7 +78,7 @@ class TaskQueue {
         }
         begin(way, executor.threads());
         auto task = [&](int, int thread) noexcept {
-            const std::int32_t node = take(way, thread);
+            const std::int32_t node = take(way, thread, owns);
             executor.begin_node(node, thread);
             f(node, thread);
             finish(way, node);
@@ -86,14 +91,14 @@ class TaskQueue {
 
   private:
     void begin(const TaskGraph::Way& way, int threads) noexcept;
-    [[nodiscard]] std::int32_t take(const TaskGraph::Way& way, int thread) noexcept;
+    [[nodiscard]] std::int32_t take(const TaskGraph::Way& way, int thread, bool owns) noexcept;
     [[nodiscard]] int take_bit(std::size_t w, std::uint64_t among) noexcept;
     void finish(const TaskGraph::Way& way, std::int32_t node) noexcept;
 
     base::Array<std::int32_t> waits_;   ///< By node: still to come. Atomic while running.
     base::Array<std::uint64_t> ready_;  ///< A bit a rank. Atomic while running.
-    base::Array<std::uint64_t> mine_;   ///< Likewise, a set for each thread: what it did last.
-    base::Array<std::int16_t> owner_;   ///< By node: the thread that did it last.
+    base::Array<std::uint64_t> mine_;   ///< Likewise, a set for each thread: what it owns.
+    base::Array<std::int16_t> owner_;   ///< By node: the thread that owns it.
     std::size_t words_ = 0;
 };
 

@@ -14,6 +14,7 @@ namespace hawser::test {
 namespace {
 
 using factor::TaskGraph;
+using factor::TaskPass;
 using factor::TaskQueue;
 
 using Edges = std::vector<std::pair<std::int32_t, std::int32_t>>;
@@ -51,7 +52,7 @@ void expect_in_order(const TaskGraph& graph, bool up, base::Executor& executor, 
             begun[v] = clock.fetch_add(1);
             ended[v] = clock.fetch_add(1);
         };
-        queue.run(graph, up, executor, node);
+        queue.run(graph, up ? TaskPass::factor : TaskPass::backward, executor, node);
         const TaskGraph::Way& way = up ? graph.up : graph.down;
         for (std::size_t v = 0; v < n; ++v) {
             ASSERT_GE(begun[v], 0) << "node " << v << " was left out";
@@ -90,39 +91,52 @@ class Turns final : public base::Executor {
     [[nodiscard]] int threads() const noexcept override { return 2; }
 };
 
-TEST(TaskGraph, GivesAThreadWhatItDidLast) {
+/// Says that it has so many threads, of which the first does everything.
+class First final : public base::Executor {
+  public:
+    explicit First(int threads) : threads_(threads) {}
+    void run(int count, Task task, void* context) noexcept override {
+        for (int i = 0; i < count; ++i) task(context, i, 0);
+    }
+    [[nodiscard]] int threads() const noexcept override { return threads_; }
+
+  private:
+    int threads_;
+};
+
+TEST(TaskGraph, GivesAThreadWhatItFactoredLast) {
     const TaskGraph graph = graph_of({6, 5, 4, 3, 2, 1}, {});
     Turns executor;
     TaskQueue queue;
     queue.reserve(graph, executor.threads());
     std::vector<int> first(6, -1), again(6, -1);
-    const auto run = [&](std::vector<int>& by) {
+    const auto run = [&](base::Executor& team, TaskPass pass, std::vector<int>& by) {
         auto node = [&](int v, int thread) noexcept { by[static_cast<std::size_t>(v)] = thread; };
-        queue.run(graph, true, executor, node);
+        queue.run(graph, pass, team, node);
     };
-    run(first);
+    run(executor, TaskPass::factor, first);
     EXPECT_EQ(first, (std::vector<int>{0, 1, 0, 1, 0, 1})) << "dealt out in turns at first";
-    run(again);
+    run(executor, TaskPass::factor, again);
     EXPECT_EQ(again, first);  // by urgency alone the second thread would get node 0
+    // In a substitution the first thread does all, and owns no more than before.
+    First alone(2);
+    run(alone, TaskPass::forward, again);
+    EXPECT_EQ(again, std::vector<int>(6, 0));
+    run(executor, TaskPass::backward, again);
+    EXPECT_EQ(again, first);
+    run(alone, TaskPass::factor, again);
+    run(executor, TaskPass::backward, again);
+    EXPECT_NE(again, first);
 }
-
-/// Says that it has 64 threads, and uses the first.
-class Boaster final : public base::Executor {
-  public:
-    void run(int count, Task task, void* context) noexcept override {
-        for (int i = 0; i < count; ++i) task(context, i, 0);
-    }
-    [[nodiscard]] int threads() const noexcept override { return 64; }
-};
 
 TEST(TaskGraph, KeepsToTheRoomThatWasReserved) {
     const TaskGraph graph = large();
-    Boaster executor;
+    First executor(64);
     TaskQueue queue;
     queue.reserve(graph, 2);
     int nodes = 0;
     auto node = [&](int, int thread) noexcept { nodes += thread == 0 ? 1 : 0; };
-    queue.run(graph, true, executor, node);
+    queue.run(graph, TaskPass::factor, executor, node);
     EXPECT_EQ(nodes, graph.nodes());
 }
 
