@@ -9,9 +9,13 @@
 namespace hawser::assembly {
 namespace {
 
-/// Bodies and interactions of a strip: some hundred kilobytes, a share of a core's own cache, and
-/// some twenty microseconds.
+/// Bodies and interactions of a strip at least: some hundred kilobytes, a share of a core's own
+/// cache, and some twenty microseconds.
 constexpr std::int32_t kStripWork = 384;
+/// Large scenes have longer strips, if they have so many: of the forty arrays that a strip reads in
+/// turns, longer stretches come from memory ahead of their use, which counts for more there than
+/// what is still in the cache at the next sweep.
+constexpr std::int32_t kLongStripWork = 1536, kStrips = 32;
 constexpr std::int32_t kGroup = 128;  ///< Shared bodies of a group.
 
 /// Sort the indices 0 … n − 1 into buckets, as ranges in ascending order within each.
@@ -47,12 +51,14 @@ void Strips::build(std::span<const std::uint8_t> dof, std::span<const std::uint8
         }
         if (body_count > 0) ++work[at(last[at(i)])];
     }
+    const std::int32_t strip_work =
+        std::clamp((body_count + in.count()) / kStrips, kStripWork, kLongStripWork);
     std::vector<std::int32_t> strip_of(dof.size());
     std::int32_t strips = 0, sum = 0;
     for (std::int32_t b = 0; b < body_count; ++b) {
         strip_of[at(b)] = strips;
         sum += work[at(b)];
-        if (sum < kStripWork) continue;
+        if (sum < strip_work) continue;
         ++strips;
         sum = 0;
     }

@@ -60,6 +60,20 @@ TEST(Strips, HoldEverythingOnce) {
         }
 }
 
+/// Bodies alone: as much work as there are.
+TEST(Strips, AreLongerInLargeScenes) {
+    auto strips_of = [](std::size_t bodies) {
+        Strips strips;
+        strips.build(std::vector<std::uint8_t>(bodies, 3), {}, model::Interactions{});
+        return strips.count();
+    };
+    EXPECT_EQ(strips_of(384), 1);
+    EXPECT_EQ(strips_of(32 * 384), 32);
+    EXPECT_EQ(strips_of(32 * 1000), 32);
+    EXPECT_EQ(strips_of(32 * 1536), 32);
+    EXPECT_EQ(strips_of(64 * 1536), 64);
+}
+
 TEST(Strips, AreEmptyWithoutBodies) {
     Strips strips;
     strips.build({}, {}, model::Interactions{});
