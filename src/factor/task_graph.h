@@ -50,7 +50,8 @@ struct TaskGraph {
     friend bool operator==(const TaskGraph&, const TaskGraph&) = default;
 };
 
-/// What the nodes of a graph are done for: factor and forward go up, backward down.
+/// What the nodes of a graph are done for: factor and forward go up, backward down. Who does a node
+/// in factor owns it.
 enum class TaskPass : std::uint8_t { factor, forward, backward };
 
 /// Deals out the nodes of a graph to threads.
