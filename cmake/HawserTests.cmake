@@ -146,6 +146,13 @@ if(NOT HAWSER_SANITIZE)
         COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/scripts/test_scripts.py")
     set_tests_properties(scripts PROPERTIES LABELS build)
 
+    if(HAWSER_CCACHE AND HAWSER_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        add_test(NAME compiler_cache
+            COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/scripts/test_cache.py"
+                    ${CMAKE_CXX_COMPILER_LAUNCHER} ${CMAKE_CXX_COMPILER})
+        set_tests_properties(compiler_cache PROPERTIES LABELS build)
+    endif()
+
     add_test(NAME consumer
         COMMAND ${CMAKE_COMMAND}
             -DHAWSER_BINARY_DIR=${PROJECT_BINARY_DIR}

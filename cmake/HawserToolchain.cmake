@@ -35,10 +35,12 @@ if(PROJECT_IS_TOP_LEVEL)
     if(HAWSER_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
         set(CMAKE_CXX_COMPILER_LAUNCHER "${HAWSER_CCACHE}")
         if(HAWSER_UNITY)
-            # ccache refuses precompiled headers without; no source uses __TIME__. Not for other
-            # presets: clang-tidy does not see through env.
+            # ccache refuses precompiled headers without the sloppiness; no source uses __TIME__.
+            # It has to compare the text of headers, not preprocessed text, which has no comments:
+            # g++ takes a header under #pragma once for another one if its text is not that of
+            # the precompiled one. Not for other presets: clang-tidy does not see through env.
             list(PREPEND CMAKE_CXX_COMPILER_LAUNCHER
-                env CCACHE_SLOPPINESS=pch_defines,time_macros)
+                env CCACHE_DEPEND=1 CCACHE_SLOPPINESS=pch_defines,time_macros)
         endif()
     endif()
     if(HAWSER_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
