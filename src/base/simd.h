@@ -319,15 +319,16 @@ HAWSER_INLINE V8 load_first(const double* p, int n) {
     return load(v);
 #endif
 }
+/// Does load_at_least() read what it is asked for, and nothing behind it?
+#if defined(__AVX512F__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kExactLoads = true;
+#else
+inline constexpr bool kExactLoads = false;
+#endif
 /// p[0..n), n > 0; other lanes hold anything. Without masks a whole vector is read: another thread
 /// may be writing what lies behind p + n, which is not used; the thread sanitizer cannot know.
 HAWSER_INLINE V8 load_at_least(const double* p, int n) {
-#if defined(__AVX512F__) || defined(__SANITIZE_THREAD__)
-    return load_first(p, n);
-#else
-    static_cast<void>(n);
-    return load(p);
-#endif
+    return kExactLoads ? load_first(p, n) : load(p);
 }
 /// p[i] = lane i for begin ≤ i < end.
 HAWSER_INLINE void store_lanes(double* p, const V8& v, int begin, int end) {

@@ -37,6 +37,18 @@ HAWSER_INLINE void transpose(V8 (&v)[kLanes]) {
     }
 #endif
 }
+/// Lanes 1 to 7 of v, then `next`.
+HAWSER_INLINE V8 shift_in(const V8& v, double next) {
+#if defined(__AVX512F__)
+    const V8 last = {next, next, next, next, next, next, next, next};
+    return __builtin_shuffle(v, last, I8{1, 2, 3, 4, 5, 6, 7, 8});
+#else
+    double lanes[kLanes + 1];
+    store(lanes, v);
+    lanes[kLanes] = next;
+    return load(lanes + 1);
+#endif
+}
 /// load_every() and store_every() entry by entry.
 template <int N>
 HAWSER_INLINE void pick_every(const double* p, V8 (&v)[N]) {

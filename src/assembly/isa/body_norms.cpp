@@ -83,13 +83,11 @@ void eight_residuals(const View& view, std::int32_t body, V8 (&p)[kLanes]) {
 
 void eight_bodies(const View& view, std::int32_t body, Norms& n) {
     const std::int32_t begin = view.dof_begin[body];
-    V8 v[kLanes], u[kLanes], a[kLanes], p[kLanes], f[kLanes], d[kLanes];
+    V8 v[kLanes], u[kLanes], a[kLanes], p[kLanes];
     eight_residuals(view, body, p);
     load_bodies(view.v + begin, 6, v);
     load_bodies(view.v_new + begin, 6, u);
     load_bodies(view.a + begin, 6, a);
-    load_bodies(view.force + 6L * body, 6, f);
-    load_bodies(view.damping + 6L * body, 6, d);
     V8 low[kLanes], high[kLanes];  // entries 0-7 and 4-11
     load_bodies(view.body_block + assembly::block_place(view.dof_begin[body]), kBodyBlock, low);
     load_bodies(view.body_block + assembly::block_place(view.dof_begin[body]) + 4, kBodyBlock,
@@ -98,17 +96,23 @@ void eight_bodies(const View& view, std::int32_t body, Norms& n) {
     const WM3 inverse = load_bodies9(view.inv_inertia + 9L * body);
     const V8 per_mass = 1.0 / load(view.mass + body);
 
-    V8 work{}, drag{}, finite{}, mean[6];
-    for (int j = 0; j < 6; ++j) {
-        mean[j] = 0.5 * (v[j] + u[j]);
-        work += f[j] * mean[j];
-        finite += u[j];
+    V8 work{}, drag{}, finite{};
+    const double* force = view.force + 6L * body;
+    for (int k = 0; k < 6 * kLanes; k += kLanes) {  // as they lie
+        const V8 next = load(view.v_new + begin + k);
+        work += load(force + k) * (0.5 * (load(view.v + begin + k) + next));
+        finite += next;
     }
-    for (int part = 0; part < 6; part += 3) {
-        if (!any(d[part]) && !any(d[part + 1]) && !any(d[part + 2])) continue;
-        const W3 x = tmul(r, W3{u[part], u[part + 1], u[part + 2]});
-        const W3 y = tmul(r, W3{mean[part], mean[part + 1], mean[part + 2]});
-        drag += d[part] * x.x * y.x + d[part + 1] * x.y * y.y + d[part + 2] * x.z * y.z;
+    const double* damping = view.damping + 6L * body;
+    if (any_of_six(damping)) {
+        V8 d[kLanes];
+        load_bodies(damping, 6, d);
+        for (int part = 0; part < 6; part += 3) {
+            const W3 last{v[part], v[part + 1], v[part + 2]};
+            const W3 next{u[part], u[part + 1], u[part + 2]};
+            const W3 x = tmul(r, next), y = tmul(r, last + next);  // y: twice the mean
+            drag += d[part] * x.x * y.x + d[part + 1] * x.y * y.y + d[part + 2] * x.z * y.z;
+        }
     }
     auto norm = [&](const W3& linear, const W3& turn) {
         const W3 w = tmul(r, turn);
@@ -117,7 +121,7 @@ void eight_bodies(const View& view, std::int32_t body, Norms& n) {
     const W3 linear = W3{a[0], a[1], a[2]} - mul6(low, W3{v[0], v[1], v[2]});
     const W3 turn = W3{a[3], a[4], a[5]} - mul6(high + 2, W3{v[3], v[4], v[5]});
     n.work += view.h * sum(work);
-    n.drag += view.h * sum(drag);
+    n.drag += 0.5 * view.h * sum(drag);
     n.finite += sum(finite);
     n.momentum += sum(norm({p[0], p[1], p[2]}, {p[3], p[4], p[5]}));
     n.impulse += sum(norm(linear, turn));
@@ -128,7 +132,7 @@ void eight_bodies(const View& view, std::int32_t body, Norms& n) {
 void body_norms(const View& view, std::int32_t begin, std::int32_t end, Norms* norms) noexcept {
     Norms n = *norms;
     for (std::int32_t body = begin; body < end; ++body) {
-        if (body + kLanes <= end && eight_rigid(view, body)) {
+        if (body + kLanes <= end && eight_rigid(view, body) && !before_links(view, body, end)) {
             eight_bodies(view, body, n);
             body += kLanes - 1;
         } else if (view.dof[body] > 0) {

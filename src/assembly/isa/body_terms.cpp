@@ -166,11 +166,9 @@ void add_geometric(const View& view, std::int32_t body) {
 template <bool kLinks>
 void rigid_terms(const View& view, std::int32_t body) {
     const W8 h = W8{} + view.h, none{};
-    V8 v[kLanes], f[kLanes], d[kLanes], change[kLanes];
+    V8 v[kLanes];
     load_bodies(view.v + view.dof_begin[body], 6, v);
-    load_bodies(view.force + 6L * body, 6, f);
-    load_bodies(view.damping + 6L * body, 6, d);
-    load_bodies(view.spin_change + 3L * body, 3, change);
+    const W3 change = load_threes(view.spin_change + 3L * body);
     const W8 m = load(view.mass + body);
     const WM3 r = load_bodies9(view.r + 9L * body);
     const WM3 inertia = load_bodies9(view.inertia + 9L * body);
@@ -179,16 +177,21 @@ void rigid_terms(const View& view, std::int32_t body) {
     WM3 world = congruence(r, inertia.a);
     const W3 spin = tmul(r, W3{v[3], v[4], v[5]});
     const W3 free = r * free_rotation(inertia, inverse, spin, h);
-    const W3 gyro = forced_gyro(inertia, spin, W3{change[0], change[1], change[2]}, h);
-    W3 turn = world * free + r * gyro + h * W3{f[3], f[4], f[5]};
+    const W3 gyro = forced_gyro(inertia, spin, change, h);
+    W3 turn = world * free + r * gyro;
     WM3 lin{{m, none, none, none, m, none, none, none, m}};
     auto add_drag = [&](const V8* diagonal, WM3& to) {
         const W8 s[9] = {diagonal[0], none, none, none, diagonal[1], none, none, none, diagonal[2]};
         const WM3 drag = congruence(r, s);
         for (int i = 0; i < 9; ++i) to.a[i] += h * drag.a[i];
     };
-    if (any(d[0]) || any(d[1]) || any(d[2])) add_drag(d, lin);
-    if (any(d[3]) || any(d[4]) || any(d[5])) add_drag(d + 3, world);
+    const double* damping = view.damping + 6L * body;
+    if (any_of_six(damping)) {
+        V8 d[kLanes];
+        load_bodies(damping, 6, d);
+        if (any(d[0]) || any(d[1]) || any(d[2])) add_drag(d, lin);
+        if (any(d[3]) || any(d[4]) || any(d[5])) add_drag(d + 3, world);
+    }
 
     if constexpr (kLinks) {
         const LinkJoints joints(view, body);
@@ -198,17 +201,18 @@ void rigid_terms(const View& view, std::int32_t body) {
         for (int i = 0; i < 6; ++i) sum[i] = arms.first[i] + arms.second[i];
         constexpr int kPlace[6] = {0, 1, 2, 4, 5, 8};
         for (int i = 0; i < 6; ++i) world.a[kPlace[i]] += sum[i];
-        W3 unused, in, next;
-        load_twists(view.geo_force + joints.place->geo_force, unused, in);
-        load_twists(view.geo_force + joints.place->geo_force + 6, unused, next);
+        const double* twists = view.geo_force + joints.place->geo_force;
+        W3 unused, in;
+        load_twists(twists, unused, in);
+        const W3 next = shift_in(in, twists + 6 * kLanes + 3);
         turn = turn + mul6(sum, W3{v[3], v[4], v[5]}) + next - in;
     }
     double weight[kLanes];
     for (int l = 0; l < kLanes; ++l) weight[l] = view.weight[body + l] ? view.h : 0.0;
     const V8 w = load(weight) * m;
-    V8 a[kLanes] = {m * v[0] + h * f[0] + w * view.gravity[0],
-                    m * v[1] + h * f[1] + w * view.gravity[1],
-                    m * v[2] + h * f[2] + w * view.gravity[2],
+    V8 a[kLanes] = {m * v[0] + w * view.gravity[0],
+                    m * v[1] + w * view.gravity[1],
+                    m * v[2] + w * view.gravity[2],
                     turn.x,
                     turn.y,
                     turn.z,
@@ -216,12 +220,13 @@ void rigid_terms(const View& view, std::int32_t body) {
                     none};
     transpose(a);
     double* out = view.a + view.dof_begin[body];
+    const double* force = view.force + 6L * body;
     // Lane by lane, each overwriting the surplus of the one before; the last without surplus.
-    for (int l = 0; l + 1 < kLanes; ++l) store(out + 6 * l, a[l]);
-    for (int i = 0; i < 6; ++i) out[6 * (kLanes - 1) + i] = lane(a[kLanes - 1], i);
-    double* spin_free = view.spin_free + 3L * body;
-    for (int l = 0; l < kLanes; ++l)
-        store3(spin_free + 3 * l, {lane(free.x, l), lane(free.y, l), lane(free.z, l)});
+    for (int l = 0; l + 1 < kLanes; ++l) store(out + 6 * l, a[l] + h * load(force + 6 * l));
+    constexpr int kLast = kLanes - 1;
+    const V8 last = a[kLast] + h * load_first(force + 6 * kLast, 6);
+    store_lanes(out + 6 * kLast, last, 0, 6);
+    store_threes(view.spin_free + 3L * body, free);
 
     V8 low[kLanes] = {lin.a[0], lin.a[1], lin.a[2],   lin.a[4],
                       lin.a[5], lin.a[8], world.a[0], world.a[1]};
@@ -246,7 +251,7 @@ void body_terms(const View& view, std::int32_t begin, std::int32_t end) noexcept
             body = first + kLanes - 1;
             continue;
         }
-        if (body + kLanes <= end && eight_rigid(view, body)) {
+        if (body + kLanes <= end && eight_rigid(view, body) && !before_links(view, body, end)) {
             rigid_terms<false>(view, body);
             for (int l = 0; l < kLanes; ++l) add_geometric(view, body + l);
             body += kLanes - 1;

@@ -44,23 +44,20 @@ void move_body(const View& view, std::int32_t body) {
 void move_eight(const View& view, std::int32_t body) {
     const std::int32_t begin = view.dof_begin[body];
     const W8 none{}, h = none + view.h;
-    V8 u[kLanes], x[kLanes], q[kLanes], before[kLanes];
+    V8 u[kLanes], q[kLanes];
     load_bodies(view.v_new + begin, 6, u);
-    load_bodies(view.x + 3L * body, 3, x);
     load_bodies(view.q + 4L * body, 4, q);
-    load_bodies(view.spin_free + 3L * body, 3, before);
     const WM3 old = load_bodies9(view.r + 9L * body);
     for (int k = 0; k < 6 * kLanes; k += kLanes) {
         const V8 v = load(view.v + begin + k), next = load(view.v_new + begin + k);
         store(view.v_start + begin + k, 2.0 * next - v);
         store(view.v + begin + k, next);
     }
-    V8 moved[kLanes] = {x[0] + h * u[0], x[1] + h * u[1], x[2] + h * u[2]};
-    store_bodies(view.x + 3L * body, 3, 3, moved);
+    double* x = view.x + 3L * body;
+    store_threes(x, load_threes(x) + h * W3{u[0], u[1], u[2]});
     const W3 spin{u[3], u[4], u[5]};
-    const W3 change = tmul(old, spin - W3{before[0], before[1], before[2]});
-    V8 changed[kLanes] = {change.x, change.y, change.z};
-    store_bodies(view.spin_change + 3L * body, 3, 3, changed);
+    const W3 before = load_threes(view.spin_free + 3L * body);
+    store_threes(view.spin_change + 3L * body, tmul(old, spin - before));
 
     const W3 w = (0.5 * h) * spin, p{q[1], q[2], q[3]};
     const W3 turned = p + q[0] * w + cross(w, p);

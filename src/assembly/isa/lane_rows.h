@@ -2,8 +2,8 @@
 #pragma once
 /// @file lane_rows.h
 /// evaluate() for eight interactions of one kind at once, lane by lane another one, where all of
-/// their bodies are of the size that the kind names as kLaneDof. Same formulas as for one:
-/// the kinds' evaluate() and geo.h are templates over the number type.
+/// their bodies are lumps. Same formulas as for one: the kinds' evaluate() and geo.h are templates
+/// over the number type.
 
 #include "assembly/geo.h"
 #include "assembly/isa/rows.h"
@@ -15,25 +15,15 @@
 
 namespace hawser::HAWSER_ISA {
 
-/// Bodies of eight interactions as evaluate() sees them: lumps, and rigid bodies.
+/// A lump of each of eight interactions, as evaluate() sees it.
 struct LumpLanes {
     V3T<W8> x;
     [[nodiscard]] V3T<W8> arm(const W8*) const { return {W8{}, W8{}, W8{}}; }
 };
-struct RigidLanes {
-    V3T<W8> x;
-    M3T<W8> r;
-    [[nodiscard]] V3T<W8> arm(const W8* local) const {
-        return r * V3T<W8>{local[0], local[1], local[2]};
-    }
-};
 
 template <class K>
 struct LaneRows {
-    static constexpr int B = K::kBodies, R = K::kRows, D = K::kLaneDof, W = B * D;
-    static constexpr int kDataSize = sizeof(typename K::Data) / sizeof(double);
-    static constexpr bool kShort = K::kInShort;  ///< Between two rigid bodies, model/arms.h.
-    using Ref = std::conditional_t<D == 6, RigidLanes, LumpLanes>;
+    static constexpr int B = K::kBodies, R = K::kRows, D = 3, W = B * D;
 
     explicit LaneRows(const assembly::View& v) : view(v) {}
 
@@ -41,7 +31,7 @@ struct LaneRows {
     std::int32_t id[kLanes], row[kLanes], body[B][kLanes];
     bool in_a_row = false;  ///< Ids follow each other, and so do their rows.
 
-    /// Eight entries from ids[0] on. @return false where they are not all of that size, or so near
+    /// Eight entries from ids[0] on. @return false where they are not all lumps, or so near
     /// the end of the arrays that vector loads would leave them.
     bool take(const std::int32_t* ids) {
         for (int l = 0; l < kLanes; ++l) {
@@ -54,7 +44,6 @@ struct LaneRows {
                     view.dof_begin[i] + kLanes > view.dof_count)
                     return false;
             }
-            if (kShort && view.arms[id[l]] == 0) return false;
             if (K::kGeometry != Geometry::line) continue;
             if (view.geo[id[l]].dof != D || view.geo[id[l]].record < 0) return false;
         }
@@ -97,47 +86,23 @@ struct LaneRows {
     /// What evaluate() needs. Lumps have no attachment points: all but a length stays untouched,
     /// and that of a wire element is kept by itself.
     void load_data(const typename K::Data* data, typename K::template DataT<W8>& fields) const {
-        if constexpr (D == 3) {
-            if constexpr (requires { K::kRestLength; }) {
-                fields.length =
-                    in_a_row ? W8(load(view.rest_length + id[0])) : pick(view.rest_length, id, 0);
-            } else if constexpr (requires { data->length; }) {
-                double length[kLanes];
-                for (int l = 0; l < kLanes; ++l) length[l] = data[l].length;
-                fields.length = load(length);
-            }
-            return;
+        if constexpr (requires { K::kRestLength; }) {
+            fields.length =
+                in_a_row ? W8(load(view.rest_length + id[0])) : pick(view.rest_length, id, 0);
+        } else if constexpr (requires { data->length; }) {
+            double length[kLanes];
+            for (int l = 0; l < kLanes; ++l) length[l] = data[l].length;
+            fields.length = load(length);
         }
-        auto* field = reinterpret_cast<W8*>(&fields);
-        const auto* first = reinterpret_cast<const double*>(data);
-        for (int i = 0; i < kDataSize; i += kLanes) {
-            const int begin = std::max(0, std::min(i, kDataSize - kLanes));
-            V8 t[kLanes];
-            load_fields(first, begin, t);
-            for (int k = 0; k < std::min(kDataSize, kLanes); ++k) field[begin + k] = t[k];
-        }
-    }
-
-    /// Eight doubles of each of eight records of kDataSize, from `begin` on.
-    static void load_fields(const double* first, int begin, V8 (&v)[kLanes]) {
-        constexpr int count = std::min(kDataSize, kLanes);
-        for (int l = 0; l < kLanes; ++l) v[l] = load_first(first + kDataSize * l + begin, count);
-        transpose(v);
     }
 
     void evaluate(const typename K::Data* data) {
-        Ref refs[B];
+        LumpLanes refs[B];
         V8 v[B][kLanes], start[B][kLanes];
         for (int b = 0; b < B; ++b) {
             V8 t[kLanes];
             load_bodies(view.x, b, 3, t);
             refs[b].x = {t[0], t[1], t[2]};
-            if constexpr (D == 6) {
-                V8 last[kLanes];
-                load_bodies(view.r, b, 9, t);
-                load_bodies(view.r + 1, b, 9, last);
-                refs[b].r = {{t[0], t[1], t[2], t[3], t[4], t[5], t[6], t[7], last[7]}};
-            }
             std::int32_t from[kLanes];
             for (int l = 0; l < kLanes; ++l) from[l] = view.dof_begin[body[b][l]];
             load_lanes(view.v, from, v[b]);
@@ -148,26 +113,16 @@ struct LaneRows {
         Rows<B, R, W8> rows;
         K::evaluate(fields, refs, rows);
         write_rows(rows, v, start);
-        if constexpr (!kShort) write_jacobian(rows);
+        write_jacobian(rows);
         if (any_flag(view.parted, 0xff))
             for (int l = 0; l < kLanes; ++l)
                 if (view.parted[id[l]]) view.active[id[l]] = 0.0;
         if constexpr (K::kGeometry == Geometry::line) line(refs, rows, v, start);
-        if constexpr (kShort) joint(fields, refs, v, start);
     }
 
     /// G u, a row each, of u by body.
     HAWSER_INLINE static void products(const Rows<B, R, W8>& rows, const V8 (&u)[B][kLanes],
                                        V8 (&out)[R]) {
-        if constexpr (kShort) {  // known but for the arms
-            for (int r = 0; r < R; ++r) {
-                out[r] = u[1][r] - u[0][r];
-                for (int b = 0; b < B; ++b)
-                    for (int j = 0; j < 3; ++j)
-                        if (j != r) out[r] += rows.J[b][r][3 + j] * u[b][3 + j];
-            }
-            return;
-        }
         for (int r = 0; r < R; ++r) {
             out[r] = rows.J[0][r][0] * u[0][0];
             for (int b = 0; b < B; ++b)
@@ -239,7 +194,7 @@ struct LaneRows {
     }
 
     /// Record of a line between lumps, and its parts of M̃ v and of a.
-    void line(const Ref* refs, const Rows<B, R, W8>& rows, const V8 (&v)[B][kLanes],
+    void line(const LumpLanes* refs, const Rows<B, R, W8>& rows, const V8 (&v)[B][kLanes],
               const V8 (&start)[B][kLanes]) const {
         const double scale = 0.25 * view.h * view.h * view.geometric_stiffness;
         V8 lambda[R];
@@ -262,28 +217,6 @@ struct LaneRows {
             s = w * (begin - dot(u, begin) * u);
         }
         V8 force[kLanes] = {s.x, s.y, s.z, t.x, t.y, t.z, none, none};
-        put_force<0, 6>(force);
-    }
-
-    /// Records and torques of damping of joints in short.
-    HAWSER_INLINE void joint(const typename K::template DataT<W8>& data, const Ref* refs,
-                             const V8 (&v)[B][kLanes], const V8 (&start)[B][kLanes]) const {
-        const W8 on = (1.0 / view.h) * load_active();
-        V8 lambda[R];
-        load_rows(view.lambda, lambda);
-        const V3T<W8> f{on * lambda[0], on * lambda[1], on * lambda[2]};
-        const V3T<W8> r0 = refs[0].arm(data.point[0]), r1 = refs[1].arm(data.point[1]);
-        std::int32_t begin[kLanes];
-        for (int l = 0; l < kLanes; ++l) begin[l] = view.jac_begin[id[l]];
-        const W8 swing = pick(view.jacobian, begin, model::kArmsSwing);
-        const JointTerms<W8> t = joint_terms(view, norm(f), norm(r0), norm(r1), swing);
-        V8 record[kLanes] = {r0.x, r0.y, r0.z, r1.x, r1.y, r1.z, t.damping, swing};
-        put<0, kLanes>(view.jacobian, [&](std::int32_t i) { return view.jac_begin[i]; }, record);
-        V8 force[kLanes] = {};
-        for (int i = 0; i < 3; ++i) {
-            if (view.v_start) force[i] = t.damping * (start[0][3 + i] - start[1][3 + i]);
-            force[3 + i] = t.back * (v[1][3 + i] - v[0][3 + i]);
-        }
         put_force<0, 6>(force);
     }
 };

@@ -23,7 +23,10 @@ struct LinkJoints {
         : place(view.incident + view.incident_begin[body]) {
         const double* record = view.jacobian + place->jacobian - 3;
         first = next_arms(record);
-        second = next_arms(record + model::kArms);
+        const double* last = record + model::kArms * kLanes;
+        second = {shift_in(first.r0, last), shift_in(first.r1, last + 3),
+                  shift_in(first.damping, last[model::kArmsDamping]),
+                  shift_in(first.swing, last[model::kArmsSwing])};
     }
 };
 
@@ -44,10 +47,12 @@ inline std::int32_t links_with(const assembly::View& view, std::int32_t begin, s
     return from >= begin && eight_links(view, from) ? from : -1;
 }
 
-inline W3 load_threes(const double* p) {
-    V8 v[3];
-    load_threes(p, v);
-    return {v[0], v[1], v[2]};
+/// Is `body` no link, with eight links so near behind it that it should not go with some of them?
+inline bool before_links(const assembly::View& view, std::int32_t body, std::int32_t end) {
+    if (view.links[body] > 0) return false;
+    for (std::int32_t next = body + 1; next < body + kLanes && next + kLanes <= end; ++next)
+        if (eight_links(view, next)) return true;
+    return false;
 }
 
 /// Gᵀ y for the rows' multipliers y.
@@ -55,7 +60,8 @@ struct LinkPush {
     W3 linear, turn;
 };
 inline LinkPush push_links(const LinkJoints& joints, const double* y) {
-    const W3 in = load_threes(y + joints.place->row), out = load_threes(y + joints.place->row + 3);
+    y += joints.place->row;
+    const W3 in = load_threes(y), out = shift_in(in, y + 3 * kLanes);
     return {in - out, cross(joints.first.r1, in) - cross(joints.second.r0, out)};
 }
 
@@ -87,9 +93,10 @@ inline void eight_rhs(const assembly::View& view, std::int32_t body, const doubl
     load_bodies(view.a + begin, 6, a);
     W3 linear = W3{a[0], a[1], a[2]} + push.linear, turn = W3{a[3], a[4], a[5]} + push.turn;
     if constexpr (!kAtRest) {
-        W3 in, next, unused;
-        load_twists(view.geo_force + joints.place->geo_force, in, unused);
-        load_twists(view.geo_force + joints.place->geo_force + 6, next, unused);
+        const double* twists = view.geo_force + joints.place->geo_force;
+        W3 in, unused;
+        load_twists(twists, in, unused);
+        const W3 next = shift_in(in, twists + 6 * kLanes);
         V8 v[kLanes], low[kLanes], high[kLanes];  // block: entries 0-7 and 4-11
         load_bodies(view.v_new + begin, 6, v);
         const double* block = view.body_block + assembly::block_place(view.dof_begin[body]);

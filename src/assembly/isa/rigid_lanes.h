@@ -6,18 +6,40 @@
 #include "assembly/view.h"
 #include "base/transpose.h"
 
+#include <cstring>
+
 namespace hawser::HAWSER_ISA {
 
 /// Eight rigid bodies in a row, none of them so near the end that vector loads leave the arrays.
 inline bool eight_rigid(const assembly::View& view, std::int32_t body) {
-    if (body + kLanes + 2 > view.body_count || view.dof[body + kLanes] < 3) return false;
-    for (int l = 0; l < kLanes; ++l)
-        if (view.dof[body + l] != 6) return false;
-    return true;
+    if (body + kLanes > view.body_count) return false;
+    if (!kExactLoads && (body + kLanes + 2 > view.body_count || view.dof[body + kLanes] < 3))
+        return false;
+    std::uint64_t dof;
+    std::memcpy(&dof, view.dof + body, sizeof dof);
+    return dof == 0x0606060606060606;
 }
 
 using W3 = V3T<W8>;
 using WM3 = M3T<W8>;
+
+/// Vectors that follow each other.
+inline W3 load_threes(const double* p) {
+    V8 v[3];
+    load_threes(p, v);
+    return {v[0], v[1], v[2]};
+}
+
+/// Lane by lane the next one: v without its first, and what stands at p behind its last.
+inline W3 shift_in(const W3& v, const double* p) {
+    return {shift_in(v.x, p[0]), shift_in(v.y, p[1]), shift_in(v.z, p[2])};
+}
+/// The other way round than load_threes().
+inline void store_threes(double* p, const W3& v) {
+    V8 out[3];
+    as_threes(v.x, v.y, v.z, out);
+    for (int r = 0; r < 3; ++r) store(p + kLanes * r, out[r]);
+}
 
 /// `stride` doubles a body: the first eight of each of eight bodies, turned into lanes; what there
 /// is beyond `stride` may be anything.
@@ -25,6 +47,15 @@ inline void load_bodies(const double* first, int stride, V8 (&v)[kLanes]) {
     const int own = stride < kLanes ? stride : kLanes;
     for (int l = 0; l < kLanes; ++l) v[l] = load_at_least(first + l * stride, own);
     transpose(v);
+}
+/// Is any of six a body not zero?
+inline bool any_of_six(const double* first) {
+    V8 size{};
+    for (int k = 0; k < 6; ++k) {
+        const V8 some = load(first + kLanes * k);
+        size += select_greater(some, -some, some, -some);
+    }
+    return any(size);
 }
 /// The other way round: the first `count` of each; turns v.
 inline void store_bodies(double* first, int stride, int count, V8 (&v)[kLanes]) {

@@ -21,7 +21,6 @@ struct Ball {
         .uses_frames = false,
         .row_units = "mmm",
         .doc = "Ball joint: a point of one body stays on a point of the other."};
-    static constexpr int kLaneDof = 6;
     static constexpr bool kInShort = true;  ///< Between two rigid bodies, see model/arms.h.
     template <class T>
     struct DataT {

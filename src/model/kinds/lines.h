@@ -71,8 +71,7 @@ struct Distance {
         // A spring's elongation is not a violation.
         s[0].gap = s[0].compliance <= 1e-9;
     }
-    static constexpr int kLaneDof = 3;
-    static constexpr bool kInShort = false;
+    static constexpr bool kInLanes = true;
     template <class T>
     using DataT = PointDataT<T>;
     template <class T, class Ref>
@@ -115,8 +114,7 @@ struct Stretch {
     using Data = PointData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { stretch_rows(d, h, s); }
     static constexpr bool kRestLength = true;  ///< Interactions::rest_length is data.length.
-    static constexpr int kLaneDof = 3;
-    static constexpr bool kInShort = false;
+    static constexpr bool kInLanes = true;
     template <class T>
     using DataT = PointDataT<T>;
     template <class T, class Ref>
@@ -183,8 +181,7 @@ struct Bend {
         .row_units = "rr",
         .params = kBendParams,
         .doc = "Bending stiffness of a line at the middle one of three nodes in order."};
-    static constexpr int kLaneDof = 3;
-    static constexpr bool kInShort = false;
+    static constexpr bool kInLanes = true;
     template <class T>
     struct DataT {
         T point[3][3];

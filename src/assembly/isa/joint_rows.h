@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file joint_rows.h
+/// evaluate() for eight ball joints in short (model/arms.h) whose numbers follow each other, lane
+/// by lane another one. All that is by joint then stands in a row. What is by body does, too, where
+/// the joints join bodies that follow each other, as those of a chain do:
+/// ```
+///   joint l:   body b + l ──●── body b + l + 1
+/// ```
+/// The lanes of the second bodies are those of the first ones shifted by one, with one body more.
+
+#include "assembly/isa/arms.h"
+#include "assembly/isa/rigid_lanes.h"
+#include "assembly/isa/rows.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace hawser::HAWSER_ISA {
+
+class JointRows {
+  public:
+    explicit JointRows(const assembly::View& view) : view_(view) {}
+
+    /// Eight joints from ids[0] on. @return false where they are not in short, do not follow each
+    /// other, or are so near the end of the arrays that vector loads would leave them.
+    bool take(const std::int32_t* ids) {
+        id_ = ids[0];
+        if (ids[kLanes - 1] - id_ != kLanes - 1) return false;  // they ascend
+        constexpr std::uint64_t kEach = 0x0101010101010101;
+        static_assert(model::kInShort == 1);
+        std::uint64_t arms;
+        std::memcpy(&arms, view_.arms + id_, sizeof arms);
+        if ((arms & kEach) != kEach) return false;
+        const std::int32_t* body = view_.body + kMaxInteractionBodies * id_;
+        const std::int32_t first = body[0];
+        std::int32_t last = 0, apart = 0;
+        for (int l = 0; l < kLanes; ++l)
+            for (int b = 0; b < 2; ++b) {
+                const std::int32_t i = body[kMaxInteractionBodies * l + b];
+                body_[b][l] = i;
+                last = std::max(last, i);
+                apart |= i - first - l - b;
+            }
+        chain_ = apart == 0;
+        return kExactLoads ||
+               (last + 3 <= view_.body_count && view_.dof_begin[last] + kLanes <= view_.dof_count);
+    }
+
+    /// @param points  Attachment points of the eight: 3 of body 0, 3 of body 1, body frames.
+    void evaluate(const double* points) const {
+        V8 point[kLanes];
+        load_bodies(points, 6, point);
+        W3 x[2], arm[2];
+        load_poses(point, x, arm);
+        V8 v[2][kLanes];
+        load_velocities(view_.v, v);
+
+        const std::int32_t row = view_.row_begin[id_];
+        const double inv_h4 = 4.0 / view_.h;
+        const W3 gap = x[1] + arm[1] - x[0] - arm[0];
+        const W3 speed = products(v, arm);
+        V8 g[3], s[3];
+        as_threes(gap.x, gap.y, gap.z, g);
+        as_threes(speed.x, speed.y, speed.z, s);
+        for (int k = 0; k < 3; ++k) {
+            const std::int32_t r = row + kLanes * k;
+            store(view_.g + r, g[k]);
+            store(view_.c + r, load(view_.upsilon + r) * (s[k] - inv_h4 * g[k]));
+        }
+        slack(row, s);
+        part();
+        const JointTerms<W8> terms = record(arm);
+        W3 start{}, back = terms.back * turn(v);
+        if (view_.v_start) {
+            load_velocities(view_.v_start, v);
+            const W3 begin = products(v, arm);
+            as_threes(begin.x, begin.y, begin.z, s);
+            for (int k = 0; k < 3; ++k) store(view_.residual + row + kLanes * k, s[k]);
+            start = terms.damping * turn(v);
+        }
+        V8 force[kLanes] = {start.x, start.y, start.z, -back.x, -back.y, -back.z, V8{}, V8{}};
+        store_bodies(view_.geo_force + view_.geo[id_].force, 6, 6, force);
+    }
+
+  private:
+    const assembly::View& view_;
+    std::int32_t id_ = 0, body_[2][kLanes];
+    bool chain_ = false;  ///< See above.
+
+    /// Centres of mass, and arms of the joints, world frame.
+    HAWSER_INLINE void load_poses(const V8 (&point)[kLanes], W3 (&x)[2], W3 (&arm)[2]) const {
+        WM3 r[2];
+        if (chain_) {
+            const std::int64_t first = body_[0][0], last = body_[1][kLanes - 1];
+            x[0] = load_threes(view_.x + 3 * first);
+            x[1] = load_threes(view_.x + 3 * first + 3);
+            r[0] = load_bodies9(view_.r + 9 * first);
+            for (int i = 0; i < 9; ++i) r[1].a[i] = shift_in(r[0].a[i], view_.r[9 * last + i]);
+        } else {
+            for (int b = 0; b < 2; ++b) {
+                V8 t[kLanes], end[kLanes];
+                load_by_body(view_.x, b, 3, t);
+                x[b] = {t[0], t[1], t[2]};
+                load_by_body(view_.r, b, 9, t);
+                load_by_body(view_.r + 1, b, 9, end);
+                r[b] = {{t[0], t[1], t[2], t[3], t[4], t[5], t[6], t[7], end[7]}};
+            }
+        }
+        for (int b = 0; b < 2; ++b)
+            arm[b] = r[b] * W3{point[3 * b], point[3 * b + 1], point[3 * b + 2]};
+    }
+    /// Of body b of each joint, which has `scale` doubles, as many as there are up to eight.
+    void load_by_body(const double* base, int b, int scale, V8 (&v)[kLanes]) const {
+        const int own = std::min(scale, kLanes);
+        for (int l = 0; l < kLanes; ++l)
+            v[l] = load_at_least(base + std::int64_t{scale} * body_[b][l], own);
+        transpose(v);
+    }
+
+    /// Six of each body, of what is packed like v.
+    HAWSER_INLINE void load_velocities(const double* packed, V8 (&v)[2][kLanes]) const {
+        if (chain_) {
+            const double* first = packed + view_.dof_begin[body_[0][0]];
+            load_bodies(first, 6, v[0]);
+            for (int i = 0; i < 6; ++i) v[1][i] = shift_in(v[0][i], first[6 * kLanes + i]);
+            return;
+        }
+        for (int b = 0; b < 2; ++b) {
+            for (int l = 0; l < kLanes; ++l)
+                v[b][l] = load_at_least(packed + view_.dof_begin[body_[b][l]], 6);
+            transpose(v[b]);
+        }
+    }
+
+    /// G u, three rows each, of u by body.
+    HAWSER_INLINE static W3 products(const V8 (&u)[2][kLanes], const W3 (&arm)[2]) {
+        return W3{u[1][0], u[1][1], u[1][2]} - W3{u[0][0], u[0][1], u[0][2]} +
+               cross(W3{u[1][3], u[1][4], u[1][5]}, arm[1]) -
+               cross(W3{u[0][3], u[0][4], u[0][5]}, arm[0]);
+    }
+    /// ω₀ − ω₁.
+    HAWSER_INLINE static W3 turn(const V8 (&u)[2][kLanes]) {
+        return W3{u[0][3], u[0][4], u[0][5]} - W3{u[1][3], u[1][4], u[1][5]};
+    }
+
+    /// One-sided joints that are slack. @param speed  As the rows lie.
+    void slack(std::int32_t row, const V8 (&speed)[3]) const {
+        std::uint64_t flags;
+        std::memcpy(&flags, view_.flags + id_, sizeof flags);
+        if ((flags & 0x0101010101010101) == 0) return;
+        for (int k = 0; k < 3 * kLanes; ++k) {
+            if ((view_.flags[id_ + k / 3] & 1) == 0) continue;
+            const std::int32_t r = row + k;
+            view_.c[r] += when_slack(view_.g[r], lane(speed[k / kLanes], k % kLanes),
+                                     view_.upsilon[r], view_.h);
+        }
+    }
+    /// Joints that have parted.
+    void part() const {
+        std::uint64_t parted;
+        std::memcpy(&parted, view_.parted + id_, sizeof parted);
+        if (parted == 0) return;
+        for (int l = 0; l < kLanes; ++l)
+            if (view_.parted[id_ + l]) view_.active[id_ + l] = 0.0;
+    }
+
+    /// Arms records of the eight. @return their geometric terms.
+    HAWSER_INLINE JointTerms<W8> record(const W3 (&arm)[2]) const {
+        const W8 on = (1.0 / view_.h) * W8(load(view_.active + id_));
+        const W3 f = on * load_threes(view_.lambda + view_.row_begin[id_]);
+        double* out = view_.jacobian + view_.jac_begin[id_];
+        const double* last = out + model::kArmsSwing;
+        const W8 swing{last[0],  last[8],  last[16], last[24],
+                       last[32], last[40], last[48], last[56]};
+        static_assert(model::kArms == 8);
+        const JointTerms<W8> terms = joint_terms(view_, norm(f), norm(arm[0]), norm(arm[1]), swing);
+        V8 t[kLanes] = {arm[0].x, arm[0].y, arm[0].z,      arm[1].x,
+                        arm[1].y, arm[1].z, terms.damping, swing};
+        transpose(t);
+        for (int l = 0; l < kLanes; ++l) store(out + model::kArms * l, t[l]);
+        return terms;
+    }
+};
+
+}  // namespace hawser::HAWSER_ISA
