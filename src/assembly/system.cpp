@@ -177,6 +177,7 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.mass = bodies.mass.data();
     v.inertia = bodies.inertia.data();
     v.inv_inertia = bodies.inv_inertia.data();
+    v.principal = bodies.principal.data();
     v.force = bodies.force.data();
     v.damping = bodies.damping.data();
     v.weight = bodies.weight.data();

@@ -119,6 +119,7 @@ struct View {
     const double* mass;
     const double* inertia;
     const double* inv_inertia;
+    const double* principal;
     const double* force;
     const double* damping;
     const std::uint8_t* weight;

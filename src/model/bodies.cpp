@@ -42,6 +42,9 @@ int Bodies::add(const BodyDef& def) {
         inertia.push_back(def.inertia(i / 3, i % 3));
         inv_inertia.push_back(inverse(i / 3, i % 3));
     }
+    const bool diagonal = def.kind == BodyKind::rigid && def.inertia.isDiagonal(0.0);
+    append3(principal, diagonal ? Vec3(def.inertia.diagonal()) : Vec3::Zero().eval());
+    append3(principal, diagonal ? Vec3(inverse.diagonal()) : Vec3::Zero().eval());
     append3(force, def.force);
     append3(force, def.torque);
     append3(damping, def.linear_damping);
@@ -58,7 +61,7 @@ void Bodies::truncate(int kept) {
     kind.resize(n);
     dof_begin.resize(n);
     for (base::Array<double>* a : {&x, &spin_free, &spin_change}) a->resize(3 * n);
-    for (base::Array<double>* a : {&v_fixed, &force, &damping}) a->resize(6 * n);
+    for (base::Array<double>* a : {&v_fixed, &principal, &force, &damping}) a->resize(6 * n);
     for (base::Array<double>* a : {&r, &inertia, &inv_inertia}) a->resize(9 * n);
     q.resize(4 * n);
     mass.resize(n);
@@ -96,7 +99,7 @@ std::size_t Bodies::bytes() const noexcept {
     return bytes(kind) + bytes(dof_begin) + bytes(moving) + bytes(rigid) + bytes(driven) +
            bytes(x) + bytes(q) + bytes(r) + bytes(v) + bytes(v_start) + bytes(v_fixed) +
            bytes(spin_free) + bytes(spin_change) + bytes(mass) + bytes(inertia) +
-           bytes(inv_inertia) + bytes(force) + bytes(damping) + bytes(weight);
+           bytes(inv_inertia) + bytes(principal) + bytes(force) + bytes(damping) + bytes(weight);
 }
 
 }  // namespace hawser::model

@@ -54,8 +54,11 @@ struct Bodies {
     base::Array<double> mass;         ///< 1 a body [kg].
     base::Array<double> inertia;      ///< 9 a body, body frame [kg m²].
     base::Array<double> inv_inertia;  ///< Its inverse; zero for bodies that are not rigid.
-    base::Array<double> force;        ///< 6 a body: applied force and torque, world frame [N, N m].
-    base::Array<double> damping;      ///< 6 a body: drag along and about the body's axes.
+    /// 6 a body: its moments of inertia and their inverses where they are all that the inertia has,
+    /// zeros elsewhere.
+    base::Array<double> principal;
+    base::Array<double> force;    ///< 6 a body: applied force and torque, world frame [N, N m].
+    base::Array<double> damping;  ///< 6 a body: drag along and about the body's axes.
     base::Array<std::uint8_t> weight;  ///< 1: gravity acts.
 
     /// 1: asleep, see stepper/sleep.h. Part of the state, like …

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Links that stand in a row go eight at a time, others one by one: the same motion.
+#include "support/random.h"
 #include "support/recipe.h"
 
 #include <gtest/gtest.h>
@@ -60,6 +61,40 @@ TEST_P(LinkLanes, MoveAsOneByOne) {
             EXPECT_LE((v.linear - u.linear).norm(), 1e-8 * (1.0 + v.linear.norm())) << k;
             EXPECT_LE((v.angular - u.angular).norm(), 1e-8 * (1.0 + v.angular.norm())) << k;
         }
+    }
+}
+
+/// Inertias that are not along their bodies' axes go as matrices, others as three moments: the
+/// choice of axes moves nothing. Without drag, which is along axes.
+TEST(LinkAxes, MoveNothing) {
+    Random random(7);
+    Recipe along = chains(5, 2, 21);
+    for (BodyDef& b : along.bodies) b.linear_damping = b.angular_damping = Vec3::Zero();
+    along.world.solution_tolerance = 1e-13;
+    Recipe across = along;
+    std::vector<Quat> axes;  // across in along
+    for (BodyDef& b : across.bodies) {
+        axes.push_back(b.kind == BodyKind::rigid ? random.rotation() : Quat::Identity());
+        const Mat3 turn = axes.back().toRotationMatrix();
+        b.orientation = b.orientation * axes.back();
+        b.inertia = turn.transpose() * b.inertia * turn;
+        b.inertia = (0.5 * (b.inertia + b.inertia.transpose())).eval();
+    }
+    for (InteractionDef& d : across.interactions)
+        for (std::size_t k = 0; k < 2; ++k)
+            d.point[k] = axes[static_cast<std::size_t>(d.body[k].index)].conjugate() * d.point[k];
+    World one = along.make(), other = across.make();
+    for (int step = 0; step < 12; ++step) {
+        ASSERT_EQ(one.step(), Status::ok);
+        ASSERT_EQ(other.step(), Status::ok);
+    }
+    // Rounding grows as above.
+    for (int k = 1; k < one.body_count(); ++k) {
+        const Twist v = one.velocity(BodyId{k}), u = other.velocity(BodyId{k});
+        EXPECT_LE((one.pose(BodyId{k}).position - other.pose(BodyId{k}).position).norm(), 1e-9)
+            << k;
+        EXPECT_LE((v.linear - u.linear).norm(), 1e-8 * (1.0 + v.linear.norm())) << k;
+        EXPECT_LE((v.angular - u.angular).norm(), 1e-8 * (1.0 + v.angular.norm())) << k;
     }
 }
 

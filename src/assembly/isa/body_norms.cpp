@@ -4,6 +4,7 @@
 #include "assembly/geo.h"
 #include "assembly/isa/links.h"
 #include "assembly/isa/rows.h"
+#include "assembly/isa/spin.h"
 #include "base/simd.h"
 
 namespace hawser::HAWSER_ISA {
@@ -93,7 +94,6 @@ void eight_bodies(const View& view, std::int32_t body, Norms& n) {
     load_bodies(view.body_block + assembly::block_place(view.dof_begin[body]) + 4, kBodyBlock,
                 high);
     const WM3 r = load_bodies9(view.r + 9L * body);
-    const WM3 inverse = load_bodies9(view.inv_inertia + 9L * body);
     const V8 per_mass = 1.0 / load(view.mass + body);
 
     V8 work{}, drag{}, finite{};
@@ -114,17 +114,25 @@ void eight_bodies(const View& view, std::int32_t body, Norms& n) {
             drag += d[part] * x.x * y.x + d[part + 1] * x.y * y.y + d[part + 2] * x.z * y.z;
         }
     }
-    auto norm = [&](const W3& linear, const W3& turn) {
-        const W3 w = tmul(r, turn);
-        return per_mass * dot(linear, linear) + dot(w, inverse * w);
-    };
     const W3 linear = W3{a[0], a[1], a[2]} - mul6(low, W3{v[0], v[1], v[2]});
     const W3 turn = W3{a[3], a[4], a[5]} - mul6(high + 2, W3{v[3], v[4], v[5]});
     n.work += view.h * sum(work);
     n.drag += 0.5 * view.h * sum(drag);
     n.finite += sum(finite);
-    n.momentum += sum(norm({p[0], p[1], p[2]}, {p[3], p[4], p[5]}));
-    n.impulse += sum(norm(linear, turn));
+    auto add_norms = [&](const auto& inverse) {
+        auto norm = [&](const W3& some, const W3& around) {
+            const W3 w = tmul(r, around);
+            return per_mass * dot(some, some) + dot(w, inverse * w);
+        };
+        n.momentum += sum(norm({p[0], p[1], p[2]}, {p[3], p[4], p[5]}));
+        n.impulse += sum(norm(linear, turn));
+    };
+    V8 own[kLanes];
+    load_bodies(view.principal + 6L * body, 6, own);
+    if (all_principal(own[0]))
+        add_norms(Principal<W8>{{own[3], own[4], own[5]}});
+    else
+        add_norms(load_bodies9(view.inv_inertia + 9L * body));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "assembly/geo.h"
 #include "assembly/isa/links.h"
 #include "assembly/isa/rows.h"
+#include "assembly/isa/spin.h"
 #include "base/simd.h"
 
 namespace hawser::HAWSER_ISA {
@@ -27,58 +28,6 @@ M3 world_diagonal(const double* r, const double* d) {
     return congruence(load9(r), s);
 }
 
-/// Angular velocity after h without torque, body frame: the Cayley form of the discrete
-/// Euler equations (Bou-Rabee, Marsden, "Hamilton-Pontryagin integrators on Lie groups", 2009)
-///   F(ω₊; +h) = F(ω; −h),  F(ω; s) = Iω + (s/2) ω × Iω + (s²/4)(ω·Iω) ω.
-/// Newton from the explicit step; its Jacobian is well conditioned while h|ω| < 1. The next
-/// correction is about h|ω| times the square of one, so that slow bodies need one iteration.
-template <class T>
-HAWSER_INLINE V3T<T> free_rotation(const M3T<T>& inertia, const M3T<T>& inverse, const V3T<T>& w,
-                                   const T& h) {
-    const V3T<T> iw = inertia * w;
-    const T half = 0.5 * h, quarter = half * half;
-    const V3T<T> target = iw - half * cross(w, iw) + (quarter * dot(w, iw)) * w;
-    V3T<T> u = w - h * (inverse * cross(w, iw));
-    for (int n = 0; n < 4; ++n) {
-        const V3T<T> iu = inertia * u;
-        const T e = dot(u, iu);
-        const V3T<T> f = iu + half * cross(u, iu) + (quarter * e) * u - target;
-        // J = I + (h/2)(û I − (Iu)^) + (h²/4)(e E + 2 u (Iu)ᵀ).
-        const V3T<T> hu = half * u, hi = half * iu, qu = (2.0 * quarter) * u;
-        const T qe = quarter * e;
-        const T* i = inertia.a;
-        const M3T<T> j{{i[0] + hu.y * i[6] - hu.z * i[3] + qe + qu.x * iu.x,
-                        i[1] + hu.y * i[7] - hu.z * i[4] + hi.z + qu.x * iu.y,
-                        i[2] + hu.y * i[8] - hu.z * i[5] - hi.y + qu.x * iu.z,
-                        i[3] + hu.z * i[0] - hu.x * i[6] - hi.z + qu.y * iu.x,
-                        i[4] + hu.z * i[1] - hu.x * i[7] + qe + qu.y * iu.y,
-                        i[5] + hu.z * i[2] - hu.x * i[8] + hi.x + qu.y * iu.z,
-                        i[6] + hu.x * i[3] - hu.y * i[0] + hi.y + qu.z * iu.x,
-                        i[7] + hu.x * i[4] - hu.y * i[1] - hi.x + qu.z * iu.y,
-                        i[8] + hu.x * i[5] - hu.y * i[2] + qe + qu.z * iu.z}};
-        const V3T<T> du = solve3(j, f);
-        u = u - du;
-        // h|ω| (|δ|/|ω|)² below 1e-17, squared.
-        const T square = dot(u, u), change = dot(du, du);
-        if (!any(positive_part(4.0 * quarter * square * change * change -
-                               1e-34 * (square * square))))
-            break;
-    }
-    // Where h|ω| is far above one that may not have come to an end, and energy would grow without
-    // bound: such a spin stays as it is.
-    return select_greater(1.5 * dot(w, iw), dot(u, inertia * u), u, w);
-}
-
-/// Gyroscopic impulse between the spin and the change δ that torques make to it in this step,
-/// −(h/2)(δ × Iω + ω × Iδ): the mean of both ends of the step instead of its start, without
-/// which a spinning body under torque (a top) is of first order only. δ is that of the last
-/// step: explicit, so damped where h|ω| is large.
-template <class T>
-V3T<T> forced_gyro(const M3T<T>& inertia, const V3T<T>& w, const V3T<T>& change, const T& h) {
-    const T half = 0.5 * h, limit = half * (1.0 / (one(h) + half * half * dot(w, w)));
-    const V3T<T> sum = cross(change, inertia * w) + cross(w, inertia * change);
-    return V3T<T>{zero(h), zero(h), zero(h)} - limit * sum;
-}
 /// Block and right-hand side of one body on its own.
 void own_terms(const View& view, std::int32_t body) {
     const double h = view.h;
@@ -106,13 +55,12 @@ void own_terms(const View& view, std::int32_t body) {
     for (int i = 0; i < 3; ++i) a[i] = m * v[i] + h * f[i] + w * view.gravity[i];
     if (dof < 6) return;
     const M3 r = load9(view.r + 9 * body);
-    const M3 inertia = load9(view.inertia + 9 * body);
-    M3 world = congruence(r, inertia.a);
-    const V3 spin = tmul(r, load3(v + 3));
-    const V3 free = r * free_rotation(inertia, load9(view.inv_inertia + 9 * body), spin, h);
-    const V3 gyro = forced_gyro(inertia, spin, load3(view.spin_change + 3 * body), h);
-    store3(view.spin_free + 3 * body, free);
-    store3(a + 3, world * free + r * gyro + h * load3(f + 3));
+    const Spin<double> spin =
+        spin_terms(load9(view.inertia + 9 * body), load9(view.inv_inertia + 9 * body), r,
+                   load3(v + 3), load3(view.spin_change + 3 * body), h);
+    M3 world = spin.inertia;
+    store3(view.spin_free + 3 * body, spin.free);
+    store3(a + 3, spin.momentum + h * load3(f + 3));
     if (any3(d + 3)) {
         const M3 drag = world_diagonal(view.r + 9 * body, d + 3);
         for (int i = 0; i < 9; ++i) world.a[i] += h * drag.a[i];
@@ -162,23 +110,29 @@ void add_geometric(const View& view, std::int32_t body) {
     }
 }
 
+/// spin_terms() of eight rigid bodies.
+Spin<W8> eight_spins(const View& view, std::int32_t body, const WM3& r, const W3& w, const W8& h) {
+    const W3 change = load_threes(view.spin_change + 3L * body);
+    V8 p[kLanes];
+    load_bodies(view.principal + 6L * body, 6, p);
+    if (all_principal(p[0]))
+        return spin_terms(Principal<W8>{{p[0], p[1], p[2]}}, Principal<W8>{{p[3], p[4], p[5]}}, r,
+                          w, change, h);
+    return spin_terms(load_bodies9(view.inertia + 9L * body),
+                      load_bodies9(view.inv_inertia + 9L * body), r, w, change, h);
+}
+
 /// own_terms() of eight rigid bodies; of eight links also what their joints add.
 template <bool kLinks>
 void rigid_terms(const View& view, std::int32_t body) {
     const W8 h = W8{} + view.h, none{};
     V8 v[kLanes];
     load_bodies(view.v + view.dof_begin[body], 6, v);
-    const W3 change = load_threes(view.spin_change + 3L * body);
     const W8 m = load(view.mass + body);
     const WM3 r = load_bodies9(view.r + 9L * body);
-    const WM3 inertia = load_bodies9(view.inertia + 9L * body);
-    const WM3 inverse = load_bodies9(view.inv_inertia + 9L * body);
-
-    WM3 world = congruence(r, inertia.a);
-    const W3 spin = tmul(r, W3{v[3], v[4], v[5]});
-    const W3 free = r * free_rotation(inertia, inverse, spin, h);
-    const W3 gyro = forced_gyro(inertia, spin, change, h);
-    W3 turn = world * free + r * gyro;
+    const Spin<W8> spin = eight_spins(view, body, r, {v[3], v[4], v[5]}, h);
+    WM3 world = spin.inertia;
+    W3 turn = spin.momentum;
     WM3 lin{{m, none, none, none, m, none, none, none, m}};
     auto add_drag = [&](const V8* diagonal, WM3& to) {
         const W8 s[9] = {diagonal[0], none, none, none, diagonal[1], none, none, none, diagonal[2]};
@@ -226,7 +180,7 @@ void rigid_terms(const View& view, std::int32_t body) {
     constexpr int kLast = kLanes - 1;
     const V8 last = a[kLast] + h * load_first(force + 6 * kLast, 6);
     store_lanes(out + 6 * kLast, last, 0, 6);
-    store_threes(view.spin_free + 3L * body, free);
+    store_threes(view.spin_free + 3L * body, spin.free);
 
     V8 low[kLanes] = {lin.a[0], lin.a[1], lin.a[2],   lin.a[4],
                       lin.a[5], lin.a[8], world.a[0], world.a[1]};

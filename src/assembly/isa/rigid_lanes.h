@@ -48,6 +48,10 @@ inline void load_bodies(const double* first, int stride, V8 (&v)[kLanes]) {
     for (int l = 0; l < kLanes; ++l) v[l] = load_at_least(first + l * stride, own);
     transpose(v);
 }
+/// Are the axes of all eight bodies those of their inertias? @param moment  Bodies::principal.
+inline bool all_principal(const V8& moment) {
+    return !any(select_greater(moment, V8{}, V8{}, one(moment)));
+}
 /// Is any of six a body not zero?
 inline bool any_of_six(const double* first) {
     V8 size{};

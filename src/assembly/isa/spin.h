@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file spin.h
+/// The rotation of a rigid body within a step, body frame: without torque, and what torques add.
+/// The inertia is a matrix, or Principal where the body's axes are those of its inertia, as mostly.
+
+#include "base/simd.h"
+
+namespace hawser::HAWSER_ISA {
+
+/// diag(moments) [kg m²], or its inverse.
+template <class T>
+struct Principal {
+    T moment[3];
+};
+template <class T>
+HAWSER_INLINE V3T<T> operator*(const Principal<T>& i, const V3T<T>& v) {
+    return {i.moment[0] * v.x, i.moment[1] * v.y, i.moment[2] * v.z};
+}
+/// R I Rᵀ.
+template <class T>
+HAWSER_INLINE M3T<T> in_world(const M3T<T>& r, const M3T<T>& inertia) {
+    return congruence(r, inertia.a);
+}
+template <class T>
+HAWSER_INLINE M3T<T> in_world(const M3T<T>& r, const Principal<T>& inertia) {
+    M3T<T> o;
+    for (int i = 0; i < 3; ++i) {
+        const T x = r.a[3 * i] * inertia.moment[0], y = r.a[3 * i + 1] * inertia.moment[1],
+                z = r.a[3 * i + 2] * inertia.moment[2];
+        for (int j = 0; j <= i; ++j)
+            o.a[3 * j + i] = o.a[3 * i + j] =
+                x * r.a[3 * j] + y * r.a[3 * j + 1] + z * r.a[3 * j + 2];
+    }
+    return o;
+}
+/// (E + û) I.
+template <class T>
+HAWSER_INLINE M3T<T> turned(const M3T<T>& inertia, const V3T<T>& u) {
+    const T* i = inertia.a;
+    return {{i[0] + u.y * i[6] - u.z * i[3], i[1] + u.y * i[7] - u.z * i[4],
+             i[2] + u.y * i[8] - u.z * i[5], i[3] + u.z * i[0] - u.x * i[6],
+             i[4] + u.z * i[1] - u.x * i[7], i[5] + u.z * i[2] - u.x * i[8],
+             i[6] + u.x * i[3] - u.y * i[0], i[7] + u.x * i[4] - u.y * i[1],
+             i[8] + u.x * i[5] - u.y * i[2]}};
+}
+template <class T>
+HAWSER_INLINE M3T<T> turned(const Principal<T>& inertia, const V3T<T>& u) {
+    const T *i = inertia.moment, x = u.x, y = u.y, z = u.z;
+    return {{i[0], -z * i[1], y * i[2], z * i[0], i[1], -x * i[2], -y * i[0], x * i[1], i[2]}};
+}
+
+/// Angular velocity after h without torque, body frame: the Cayley form of the discrete
+/// Euler equations (Bou-Rabee, Marsden, "Hamilton-Pontryagin integrators on Lie groups", 2009)
+///   F(ω₊; +h) = F(ω; −h),  F(ω; s) = Iω + (s/2) ω × Iω + (s²/4)(ω·Iω) ω.
+/// Newton from the explicit step; its Jacobian is well conditioned while h|ω| < 1. The next
+/// correction is about h|ω| times the square of one, so that slow bodies need one iteration.
+template <class T, class Inertia>
+HAWSER_INLINE V3T<T> free_rotation(const Inertia& inertia, const Inertia& inverse, const V3T<T>& w,
+                                   const T& h) {
+    const V3T<T> iw = inertia * w;
+    const T half = 0.5 * h, quarter = half * half;
+    const V3T<T> target = iw - half * cross(w, iw) + (quarter * dot(w, iw)) * w;
+    V3T<T> u = w - h * (inverse * cross(w, iw));
+    for (int n = 0; n < 4; ++n) {
+        const V3T<T> iu = inertia * u;
+        const T e = dot(u, iu);
+        const V3T<T> f = iu + half * cross(u, iu) + (quarter * e) * u - target;
+        // J = I + (h/2)(û I − (Iu)^) + (h²/4)(e E + 2 u (Iu)ᵀ).
+        const V3T<T> hu = half * u, hi = half * iu, qu = (2.0 * quarter) * u;
+        const T qe = quarter * e;
+        const M3T<T> m = turned(inertia, hu);
+        const M3T<T> j{{m.a[0] + (qe + qu.x * iu.x), m.a[1] + (hi.z + qu.x * iu.y),
+                        m.a[2] + (qu.x * iu.z - hi.y), m.a[3] + (qu.y * iu.x - hi.z),
+                        m.a[4] + (qe + qu.y * iu.y), m.a[5] + (hi.x + qu.y * iu.z),
+                        m.a[6] + (hi.y + qu.z * iu.x), m.a[7] + (qu.z * iu.y - hi.x),
+                        m.a[8] + (qe + qu.z * iu.z)}};
+        const V3T<T> du = solve3(j, f);
+        u = u - du;
+        // h|ω| (|δ|/|ω|)² below 1e-17, squared.
+        const T square = dot(u, u), change = dot(du, du);
+        if (!any(positive_part(4.0 * quarter * square * change * change -
+                               1e-34 * (square * square))))
+            break;
+    }
+    // Where h|ω| is far above one that may not have come to an end, and energy would grow without
+    // bound: such a spin stays as it is.
+    return select_greater(1.5 * dot(w, iw), dot(u, inertia * u), u, w);
+}
+
+/// Gyroscopic impulse between the spin and the change δ that torques make to it in this step,
+/// −(h/2)(δ × Iω + ω × Iδ): the mean of both ends of the step instead of its start, without
+/// which a spinning body under torque (a top) is of first order only. δ is that of the last
+/// step: explicit, so damped where h|ω| is large.
+template <class T, class Inertia>
+HAWSER_INLINE V3T<T> forced_gyro(const Inertia& inertia, const V3T<T>& w, const V3T<T>& change,
+                                 const T& h) {
+    const T half = 0.5 * h, limit = half * (1.0 / (one(h) + half * half * dot(w, w)));
+    const V3T<T> sum = cross(change, inertia * w) + cross(w, inertia * change);
+    return V3T<T>{zero(h), zero(h), zero(h)} - limit * sum;
+}
+
+/// What spinning brings to a body's own terms, world frame.
+template <class T>
+struct Spin {
+    M3T<T> inertia;
+    V3T<T> free;      ///< ω₊ without torque.
+    V3T<T> momentum;  ///< I ω₊ of that, with the gyroscopic impulse.
+};
+/// @param r, w, change  Rotation, ω in the world frame, δ in the body's.
+template <class T, class Inertia>
+HAWSER_INLINE Spin<T> spin_terms(const Inertia& inertia, const Inertia& inverse, const M3T<T>& r,
+                                 const V3T<T>& w, const V3T<T>& change, const T& h) {
+    const V3T<T> spin = tmul(r, w), free = free_rotation(inertia, inverse, spin, h);
+    return {in_world(r, inertia), r * free,
+            r * (inertia * free + forced_gyro(inertia, spin, change, h))};
+}
+
+}  // namespace hawser::HAWSER_ISA
