@@ -217,6 +217,7 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.incident_begin = incident_begin_.data();
     v.incident = incident_.data();
     v.links = links_.data();
+    v.among_lumps = among_lumps_.data();
     v.body_offset = body_offset_.data();
     v.interaction_offset = interaction_offset_.data();
     v.solution = solution_.data();
@@ -229,8 +230,8 @@ std::size_t System::bytes() const noexcept {
            bytes(op_order_) + bytes(incident_) + bytes(incident_begin_) + bytes(body_offset_) +
            bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) + bytes(v_new_) +
            bytes(momentum_) + bytes(geo_record_) + bytes(geo_force_) + bytes(solution_) +
-           bytes(rests_) + bytes(links_) + bytes(node_of_body) + bytes(node_of_interaction) +
-           strips.bytes() + contacts.bytes();
+           bytes(rests_) + bytes(links_) + bytes(among_lumps_) + bytes(node_of_body) +
+           bytes(node_of_interaction) + strips.bytes() + contacts.bytes();
 }
 
 }  // namespace hawser::assembly

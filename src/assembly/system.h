@@ -170,7 +170,8 @@ class System {
     std::vector<std::int32_t> skew_ops_;               ///< Ops of contacts, ascending.
     base::Array<GeoPlace> geo_place_;
     base::Array<std::uint8_t> dof_, kept_, rests_;
-    base::Array<std::uint8_t> links_;  ///< View::links.
+    base::Array<std::uint8_t> links_;        ///< View::links.
+    base::Array<std::uint8_t> among_lumps_;  ///< View::among_lumps.
     base::Array<std::int32_t> incident_begin_;
     base::Array<Incidence> incident_;
     base::Array<std::int32_t> body_offset_, interaction_offset_;

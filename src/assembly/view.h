@@ -136,6 +136,9 @@ struct View {
     const std::int32_t* row_begin;
     const std::int32_t* jac_begin;
     const std::uint8_t* arms;  ///< model::Interactions::arms.
+    /// By interaction, 1: all its bodies are lumps, none so near the end that vector loads leave
+    /// the arrays.
+    const std::uint8_t* among_lumps;
     const GeoPlace* geo;
     double* active;
     const double* held;  ///< By interaction: impulse of its first row while idle.

@@ -22,16 +22,10 @@ class JointRows {
   public:
     explicit JointRows(const assembly::View& view) : view_(view) {}
 
-    /// Eight joints from ids[0] on. @return false where they are not in short, do not follow each
-    /// other, or are so near the end of the arrays that vector loads would leave them.
+    /// Eight joints in short from ids[0] on, whose numbers follow each other. @return false where
+    /// they are so near the end of the arrays that vector loads would leave them.
     bool take(const std::int32_t* ids) {
         id_ = ids[0];
-        if (ids[kLanes - 1] - id_ != kLanes - 1) return false;  // they ascend
-        constexpr std::uint64_t kEach = 0x0101010101010101;
-        static_assert(model::kInShort == 1);
-        std::uint64_t arms;
-        std::memcpy(&arms, view_.arms + id_, sizeof arms);
-        if ((arms & kEach) != kEach) return false;
         const std::int32_t* body = view_.body + kMaxInteractionBodies * id_;
         const std::int32_t first = body[0];
         std::int32_t last = 0, apart = 0;
@@ -47,10 +41,12 @@ class JointRows {
                (last + 3 <= view_.body_count && view_.dof_begin[last] + kLanes <= view_.dof_count);
     }
 
-    /// @param points  Attachment points of the eight: 3 of body 0, 3 of body 1, body frames.
-    void evaluate(const double* points) const {
+    /// @param data  Of the eight: a point of body 0 and one of body 1, body frames.
+    template <class Data>
+    void evaluate(const Data* data) const {
+        static_assert(sizeof(Data) == 6 * sizeof(double));
         V8 point[kLanes];
-        load_bodies(points, 6, point);
+        load_bodies(data->point[0], 6, point);
         W3 x[2], arm[2];
         load_poses(point, x, arm);
         V8 v[2][kLanes];

@@ -31,21 +31,12 @@ struct LaneRows {
     std::int32_t id[kLanes], row[kLanes], body[B][kLanes];
     bool in_a_row = false;  ///< Ids follow each other, and so do their rows.
 
-    /// Eight entries from ids[0] on. @return false where they are not all lumps, or so near
-    /// the end of the arrays that vector loads would leave them.
+    /// Eight of View::among_lumps, from ids[0] on. @return true: they all go.
     bool take(const std::int32_t* ids) {
         for (int l = 0; l < kLanes; ++l) {
             id[l] = ids[l];
             row[l] = view.row_begin[id[l]];
-            for (int b = 0; b < B; ++b) {
-                const std::int32_t i = view.body[kMaxInteractionBodies * id[l] + b];
-                body[b][l] = i;
-                if (view.dof[i] != D || i + 3 > view.body_count ||
-                    view.dof_begin[i] + kLanes > view.dof_count)
-                    return false;
-            }
-            if (K::kGeometry != Geometry::line) continue;
-            if (view.geo[id[l]].dof != D || view.geo[id[l]].record < 0) return false;
+            for (int b = 0; b < B; ++b) body[b][l] = view.body[kMaxInteractionBodies * id[l] + b];
         }
         in_a_row = id[kLanes - 1] - id[0] == kLanes - 1;  // they ascend
         return true;

@@ -82,22 +82,34 @@ void evaluate_arms(const View& view, const typename K::Data& data, const BodyRef
     store3(force + 3, -t.back * turn(view.v));
 }
 
-/// Eight at once, lane by lane another one. @return false where they do not go so.
+/// Those from ids[0] on, of `count`, that go eight at a time, lane by lane another one: the last
+/// few with some before them, which get the same results once more. @return how many.
+template <class Lanes, class Data, class Goes>
+std::int32_t by_eights(const View& view, const std::int32_t* ids, const Data* data,
+                       std::int32_t count, Goes goes) {
+    std::int32_t run = 0;
+    while (run < count && goes(run)) ++run;
+    if (run < kLanes) return 0;
+    for (std::int32_t k = 0; k < run; k += kLanes) {
+        const std::int32_t from = k + kLanes <= run ? k : run - kLanes;
+        Lanes lanes(view);
+        if (!lanes.take(ids + from)) return k;
+        lanes.evaluate(data + from);
+    }
+    return run;
+}
 template <class K>
-bool eight_of_kind(const View& view, const std::int32_t* ids, const typename K::Data* data) {
+std::int32_t evaluate_lanes(const View& view, const std::int32_t* ids, const typename K::Data* data,
+                            std::int32_t count) {
     if constexpr (requires { requires K::kInShort; }) {
-        JointRows joints(view);
-        static_assert(sizeof(typename K::Data) == 6 * sizeof(double));
-        if (!joints.take(ids)) return false;
-        joints.evaluate(data->point[0]);
-        return true;
+        return by_eights<JointRows>(view, ids, data, count, [&](std::int32_t k) {
+            return view.arms[ids[k]] != 0 && ids[k] - ids[0] == k;
+        });
     } else if constexpr (requires { K::kInLanes; }) {
-        LaneRows<K> lanes(view);
-        if (!lanes.take(ids)) return false;
-        lanes.evaluate(data);
-        return true;
+        return by_eights<LaneRows<K>>(
+            view, ids, data, count, [&](std::int32_t k) { return view.among_lumps[ids[k]] != 0; });
     } else {
-        return false;
+        return 0;
     }
 }
 
@@ -109,11 +121,8 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
     const auto* data = static_cast<const typename K::Data*>(data_in);
     const double inv_h4 = 4.0 / view.h;
     for (std::int32_t k = begin; k < end; ++k) {
-        // A few that are left go with some before them, which get the same results once more.
-        const std::int32_t from = end - k > 1 && end - k < kLanes ? end - kLanes : k;
-        if (from >= begin && from + kLanes <= end &&
-            eight_of_kind<K>(view, ids + from, data + from)) {
-            k = from + kLanes - 1;
+        if (const std::int32_t done = evaluate_lanes<K>(view, ids + k, data + k, end - k)) {
+            k += done - 1;
             continue;
         }
         const std::int32_t id = ids[k];
