@@ -49,6 +49,7 @@ struct BlockWrite {
     bool shrink : 1 = false;   ///< Columns get shorter, as in a lower triangle by columns.
     bool turned : 1 = false;   ///< Row and column node have changed places since the form was made.
     bool diagonal : 1 = false;
+    std::uint8_t unused : 4 = 0;  ///< Written with the others, so that nothing is read first.
 
     BlockWrite() = default;
     /// @param turn  The block is written transposed. @throws std::length_error if the address needs
@@ -58,8 +59,8 @@ struct BlockWrite {
           begin(op.begin),
           to(static_cast<std::uint32_t>(address)),
           stride(column_stride),
-          row_size(turn ? op.col_size : op.row_size),
-          col_size(turn ? op.row_size : op.col_size),
+          row_size(swapped(op.row_size, op.col_size, turn)),
+          col_size(swapped(op.col_size, op.row_size, turn)),
           step(static_cast<std::uint8_t>(row_step)),
           by_rows(op.by_rows != turn),
           turned(turn),
@@ -68,6 +69,12 @@ struct BlockWrite {
         if (address != to) out_of_reach();
     }
     [[noreturn]] static void out_of_reach();
+
+  private:
+    /// Which of the two is no better known than the scene: a mask, not a branch.
+    static std::uint8_t swapped(std::uint8_t a, std::uint8_t b, bool swap) noexcept {
+        return static_cast<std::uint8_t>(a ^ ((a ^ b) & -static_cast<int>(swap)));
+    }
 };
 static_assert(sizeof(BlockWrite) == 32);
 

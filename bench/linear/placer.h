@@ -32,21 +32,20 @@ class Placer {
         std::int64_t column;    ///< Address of its first column.
         std::int32_t ld, row;   ///< Of its front; in it.
         std::int32_t position;  ///< In the order of elimination.
-        std::int32_t front;
-        std::int32_t rank;  ///< Of its piece.
+        std::int32_t group;     ///< Its front; of a chain's node: its step, behind all fronts.
     };
     void find_nodes(const factor::Symbolic& s, const std::vector<factor::Piece>& pieces);
-    void sort(const BlockForm& form, std::size_t fronts);
+    void sort(const BlockForm& form);
     void find_rows(const BlockForm& form, const factor::Analysis& analysis,
                    const factor::Front& front);
 
     std::vector<Place> places_;                                    ///< By node.
     std::vector<std::pair<std::int64_t, std::int32_t>> by_place_;  ///< By rank: panel, piece.
-    std::vector<std::int32_t> front_rank_, step_rank_;             ///< Of the piece.
+    std::vector<std::int32_t> rank_;                               ///< By group: of the piece.
     std::vector<std::int32_t> next_;    ///< By rank: end of the blocks of the piece.
-    std::vector<std::int32_t> start_;   ///< By front: end of its blocks in index_.
+    std::vector<std::int32_t> start_;   ///< By group: end of its blocks in index_.
     std::vector<std::int32_t> column_;  ///< By block: its column's node twice, 1 more if turned.
-    std::vector<std::int32_t> index_;   ///< Blocks by front.
+    std::vector<std::int32_t> index_;   ///< Blocks by group.
     std::vector<std::int32_t> to_;      ///< By block: where it ends up.
     std::vector<std::int32_t> row_;     ///< By node: its row in a front.
 };
