@@ -75,19 +75,35 @@ bool Analysis::resume(const Pattern& pattern, const AnalysisState& state) {
 }
 
 RepairReport Analysis::update(const Pattern& next, std::span<const std::int32_t> old_of_new) {
-    RepairReport report = repair(next, old_of_new);
-    if (static_cast<double>(symbolic_.flops) > kReplan * static_cast<double>(planned_flops_)) {
-        plan(next);
+    const bool same_numbers = compare(next, old_of_new);
+    const double nodes = next.nodes(), changes = static_cast<double>(changes_.size());
+    RepairReport report;
+    if (!planner_ && next.nodes() <= MinimumDegree::kMost && changes > kEdited * nodes) {
+        report.columns = next.nodes();
         report.replanned = true;
+    } else {
+        report = follow(next, same_numbers);
+        report.replanned =
+            static_cast<double>(symbolic_.flops) > kReplan * static_cast<double>(planned_flops_);
     }
+    if (report.replanned) plan(next);
     return report;
 }
 
 RepairReport Analysis::repair(const Pattern& next, std::span<const std::int32_t> old_of_new) {
-    RepairReport report;
+    return follow(next, compare(next, old_of_new));
+}
+
+/// Which nodes changed, by their new numbers. @return they have the ones they had.
+bool Analysis::compare(const Pattern& next, std::span<const std::int32_t> old_of_new) {
     const bool same_numbers = match_nodes(next, old_of_new);
     if (!same_numbers) columns_.renumber(old_of_new_, pattern_.nodes());
     find_changes(next, same_numbers);
+    return same_numbers;
+}
+
+RepairReport Analysis::follow(const Pattern& next, bool same_numbers) {
+    RepairReport report;
     keep_chains(next, report);
     choose_moves(next);
     collect_rest(next);

@@ -26,7 +26,8 @@
 /// gives for the same order and chains, member by member.
 ///
 /// An order grows stale: update() makes a new one when the flops exceed kReplan times those after
-/// the last plan. Measured on the paper's scene in docs/factor_benchmark.md.
+/// the last plan, and at once where more than kEdited of the nodes changed. Measured on the
+/// paper's scene in docs/factor_benchmark.md.
 
 #include "factor/columns.h"
 #include "factor/layout.h"
@@ -44,6 +45,12 @@ namespace hawser::factor {
 /// Growth of the flops since the last plan at which a new one is made: a plan takes about twice the
 /// time of a repair.
 inline constexpr double kReplan = 1.2;
+
+/// Share of nodes that are new or have other neighbours above which a plan is made at once: it
+/// takes about as long as repairs with the plans that they end in, and the order is a new one.
+/// Where nodes are more than MinimumDegree::kMost an order takes most of the time: repairs pay for
+/// more changes.
+inline constexpr double kEdited = 0.125;
 
 /// What a repair did.
 struct RepairReport {
@@ -84,7 +91,7 @@ class Analysis {
     /// A node of another size or sign counts as new. @throws std::bad_alloc; plan() again then.
     RepairReport repair(const Pattern& next, std::span<const std::int32_t> old_of_new = {});
 
-    /// repair(), and plan() where the order has become a bad one.
+    /// repair(), and plan() where the order has become a bad one, or at once where much changed.
     RepairReport update(const Pattern& next, std::span<const std::int32_t> old_of_new = {});
 
     [[nodiscard]] const Symbolic& symbolic() const noexcept { return symbolic_; }
@@ -99,6 +106,8 @@ class Analysis {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
+    bool compare(const Pattern& next, std::span<const std::int32_t> old_of_new);
+    RepairReport follow(const Pattern& next, bool same_numbers);
     bool match_nodes(const Pattern& next, std::span<const std::int32_t> old_of_new);
     void find_changes(const Pattern& next, bool same_numbers);
     void compare_lists(const Pattern& next);

@@ -395,5 +395,42 @@ TEST(Repair, ReplansWhenFlopsGrow) {
     EXPECT_LT(replans, 4 * 150);
 }
 
+/// What a repair would do to so many nodes, a plan does in less time.
+TEST(Repair, PlansAtOnceWhereMuchChanges) {
+    Random random(5);
+    const Pattern first = wires(random, 20, 30).pattern;
+    const int most = static_cast<int>(factor::kEdited * first.nodes());
+    int at_once = 0, repaired = 0;
+    for (int edges = 1; edges < 3 * most; edges += 5) {
+        Graph graph(first);
+        for (int k = 0; k < edges; ++k) graph.add_edge(random);
+        std::vector<std::int32_t> old_of_new;
+        const Pattern next = graph.pattern(old_of_new);
+        int changed = 0;
+        for (int v = 0; v < next.nodes(); ++v) {
+            const auto now = next.neighbours(v), then = first.neighbours(v);
+            changed += std::equal(now.begin(), now.end(), then.begin(), then.end()) ? 0 : 1;
+        }
+        Analysis analysis, planned;
+        analysis.plan(first);
+        const factor::RepairReport r = analysis.update(next);
+        if (changed <= most) {
+            ++repaired;
+            continue;
+        }
+        ++at_once;
+        EXPECT_TRUE(r.replanned);
+        EXPECT_EQ(r.placed, 0);
+        planned.plan(next);
+        EXPECT_TRUE(analysis.symbolic() == planned.symbolic());
+        EXPECT_TRUE(analysis.state() == planned.state());
+        // And it can be repaired again.
+        analysis.repair(first);
+        EXPECT_TRUE(analysis.symbolic() == factor::analyse(first, analysis.elimination()));
+    }
+    EXPECT_GT(at_once, 0);
+    EXPECT_GT(repaired, 0);
+}
+
 }  // namespace
 }  // namespace hawser::test
