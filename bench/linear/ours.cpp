@@ -20,12 +20,14 @@ class Ours final : public Solver {
 
     void analyse(const Input& input, base::Executor& executor) override {
         form_ = input.form;
+        analysis_.use(&executor);
         analysis_.plan(form_->pattern);
         find_places(executor);
     }
     /// Nodes keep their numbers; all that the analysis needs to know is in the pattern.
     void update(const Input& input, const std::vector<int>&, base::Executor& executor) override {
         form_ = input.form;
+        analysis_.use(&executor);
         analysis_.update(form_->pattern);
         find_places(executor);
     }
@@ -100,7 +102,7 @@ class Ours final : public Solver {
     /// Where each block is written.
     void find_places(base::Executor& executor) {
         numeric_.reserve(symbolic_, executor.threads());
-        placer_.place(*form_, analysis_, numeric_.pieces(), ops_, piece_ops_);
+        placer_.place(*form_, analysis_, numeric_.pieces(), ops_, piece_ops_, executor);
         const std::size_t n = at(symbolic_.scalars);
         x_.resize(n + 8, 0.0);
         // What is written past the end of a node is written again by the next.

@@ -4,44 +4,88 @@
 #include "index.h"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace hawser::bench {
+namespace {
+
+/// Rows of a front by node, where they are none of its pivots.
+void find_rows(const BlockForm& form, const factor::Analysis& analysis, const factor::Front& front,
+               std::int32_t* row_of) {
+    std::int32_t row = front.p;
+    const std::int32_t last = analysis.symbolic().order[at(front.node_end - 1)];
+    for (const std::int32_t v : analysis.columns().rows(last)) {
+        row_of[v] = row;
+        row += form.pattern.size[at(v)];
+    }
+}
+
+}  // namespace
 
 void Placer::place(const BlockForm& form, const factor::Analysis& analysis,
                    const std::vector<factor::Piece>& pieces, std::vector<BlockWrite>& ops,
-                   std::vector<Range>& of_piece) {
+                   std::vector<Range>& of_piece, base::Executor& executor) {
     const factor::Symbolic& s = analysis.symbolic();
+    if (s.panel_size > std::numeric_limits<std::uint32_t>::max()) BlockWrite::out_of_reach();
     find_nodes(s, pieces);
-    sort(form);
+    sort(form, executor);
     of_piece.resize(pieces.size());
     for (std::size_t r = 0; r < pieces.size(); ++r)
         of_piece[at(by_place_[r].second)] = {at(r == 0 ? 0 : next_[r - 1]), at(next_[r])};
     ops.resize(form.ops.size());
-    row_.resize(s.order.size());
+    const std::size_t n = s.order.size();
+    row_.resize(n * at(executor.threads()));
+    // Groups with about as many blocks each, of some microseconds.
+    constexpr std::size_t kBlocks = 512;
+    const std::size_t count = index_.size();
+    const int parts = executor.threads() == 1
+                          ? 1
+                          : static_cast<int>(std::clamp(count / kBlocks, std::size_t{1},
+                                                        4 * at(executor.threads())));
+    auto first = [&](int part) {
+        if (part == parts) return start_.size();
+        const auto block = static_cast<std::int32_t>(count * at(part) / at(parts));
+        return at(std::upper_bound(start_.begin(), start_.end(), block) - start_.begin());
+    };
+    auto task = [&](int part, int thread) noexcept {
+        place_groups(form, analysis, part == 0 ? 0 : first(part), first(part + 1),
+                     row_.data() + n * at(thread), ops.data());
+    };
+    executor.for_each(parts, task);
+}
+
+void Placer::place_groups(const BlockForm& form, const factor::Analysis& analysis,
+                          std::size_t begin, std::size_t end, std::int32_t* rows,
+                          BlockWrite* ops) const {
+    const factor::Symbolic& s = analysis.symbolic();
     const BlockOp* const from = form.ops.data();
-    BlockWrite* const to = ops.data();
     const Place* const places = places_.data();
     const std::int32_t *const index = index_.data(), *const column = column_.data();
-    std::int32_t k = 0;
-    for (std::size_t f = 0; f < s.fronts.size(); ++f) {
-        const factor::Front& front = s.fronts[f];
-        if (front.batch >= 0) continue;  // its blocks come with those of the steps
-        find_rows(form, analysis, front);
-        const std::int32_t* const rows = row_.data();
-        const auto id = static_cast<std::int32_t>(f);
-        for (const std::int32_t end = start_[f]; k < end; ++k) {
+    std::int32_t k = begin == 0 ? 0 : start_[begin - 1];
+    for (std::size_t g = begin; g < end; ++g) {
+        const std::int32_t blocks_end = start_[g];
+        if (g >= s.fronts.size()) {  // of a chain
+            for (; k < blocks_end; ++k) {
+                const std::int32_t i = index[k], col = column[i] / 2;
+                const factor::BlockTarget t = s.target(from[i].row + from[i].col - col, col);
+                ops[to_[at(i)]] =
+                    BlockWrite(from[i], (column[i] & 1) != 0, t.address, t.step, t.ld);
+            }
+            continue;
+        }
+        const factor::Front& front = s.fronts[g];
+        if (front.batch >= 0) continue;
+        find_rows(form, analysis, front, rows);
+        const auto id = static_cast<std::int32_t>(g);
+        for (; k < blocks_end; ++k) {
             const std::int32_t i = index[k], col = column[i] / 2;
             const std::int32_t row = from[i].row + from[i].col - col;
             const Place &r = places[row], &c = places[col];
             const std::int32_t below = -static_cast<std::int32_t>(r.group != id);
             const std::int32_t place = (rows[row] & below) | (r.row & ~below);
-            to[to_[at(i)]] = BlockWrite(from[i], (column[i] & 1) != 0, c.column + place, 1, c.ld);
+            ops[to_[at(i)]] = BlockWrite(from[i], (column[i] & 1) != 0, c.column + place, 1, c.ld);
         }
-    }
-    for (; k < std::ssize(index_); ++k) {
-        const std::int32_t i = index[k], col = column[i] / 2;
-        const factor::BlockTarget t = s.target(from[i].row + from[i].col - col, col);
-        to[to_[at(i)]] = BlockWrite(from[i], (column[i] & 1) != 0, t.address, t.step, t.ld);
     }
 }
 
@@ -77,7 +121,7 @@ void Placer::find_nodes(const factor::Symbolic& s, const std::vector<factor::Pie
 }
 
 /// Two counting sorts: by group, to find rows, and by piece, for where blocks end up.
-void Placer::sort(const BlockForm& form) {
+void Placer::sort(const BlockForm& form, base::Executor& executor) {
     const std::size_t count = form.ops.size();
     start_.assign(rank_.size(), 0);
     next_.assign(by_place_.size(), 0);
@@ -108,23 +152,18 @@ void Placer::sort(const BlockForm& form) {
         std::int32_t sum = 0;
         for (std::int32_t& k : *counts) sum += std::exchange(k, sum);
     }
-    in_turns([&](std::size_t i) {
-        index_[at(start[places[column[i] / 2].group]++)] = static_cast<std::int32_t>(i);
-    });
     std::int32_t *const next = next_.data(), *const to = to_.data();
     const std::int32_t* const rank = rank_.data();
-    for (const std::int32_t i : form.alike) to[i] = next[rank[places[column[i] / 2].group]]++;
-}
-
-/// Rows of a front by node, where they are none of its pivots.
-void Placer::find_rows(const BlockForm& form, const factor::Analysis& analysis,
-                       const factor::Front& front) {
-    std::int32_t row = front.p;
-    const std::int32_t last = analysis.symbolic().order[at(front.node_end - 1)];
-    for (const std::int32_t v : analysis.columns().rows(last)) {
-        row_[at(v)] = row;
-        row += form.pattern.size[at(v)];
-    }
+    auto one = [&](int which, int) noexcept {
+        if (which == 0)
+            in_turns([&](std::size_t i) {
+                index_[at(start[places[column[i] / 2].group]++)] = static_cast<std::int32_t>(i);
+            });
+        else
+            for (const std::int32_t i : form.alike)
+                to[i] = next[rank[places[column[i] / 2].group]]++;
+    };
+    executor.for_each(2, one);
 }
 
 }  // namespace hawser::bench

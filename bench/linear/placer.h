@@ -24,7 +24,7 @@ class Placer {
     /// @throws std::length_error if the panels need more than 32 bits.
     void place(const BlockForm& form, const factor::Analysis& analysis,
                const std::vector<factor::Piece>& pieces, std::vector<BlockWrite>& ops,
-               std::vector<Range>& of_piece);
+               std::vector<Range>& of_piece, base::Executor& executor);
 
   private:
     /// What the blocks need of a node.
@@ -35,9 +35,9 @@ class Placer {
         std::int32_t group;     ///< Its front; of a chain's node: its step, behind all fronts.
     };
     void find_nodes(const factor::Symbolic& s, const std::vector<factor::Piece>& pieces);
-    void sort(const BlockForm& form);
-    void find_rows(const BlockForm& form, const factor::Analysis& analysis,
-                   const factor::Front& front);
+    void sort(const BlockForm& form, base::Executor& executor);
+    void place_groups(const BlockForm& form, const factor::Analysis& analysis, std::size_t begin,
+                      std::size_t end, std::int32_t* row, BlockWrite* ops) const;
 
     std::vector<Place> places_;                                    ///< By node.
     std::vector<std::pair<std::int64_t, std::int32_t>> by_place_;  ///< By rank: panel, piece.
@@ -47,7 +47,7 @@ class Placer {
     std::vector<std::int32_t> column_;  ///< By block: its column's node twice, 1 more if turned.
     std::vector<std::int32_t> index_;   ///< Blocks by group.
     std::vector<std::int32_t> to_;      ///< By block: where it ends up.
-    std::vector<std::int32_t> row_;     ///< By node: its row in a front.
+    std::vector<std::int32_t> row_;     ///< By node, for each thread: its row in a front.
 };
 
 }  // namespace hawser::bench

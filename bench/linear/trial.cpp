@@ -204,9 +204,12 @@ void Candidate::rest() {
 
 double Candidate::analyse(const Input& input) {
     set_library_threads(threads_);
+    if (own_ == pool_.get()) wake();  // as within a time step
     Watch watch(processor_time());
     solver_->analyse(input, executor());
-    return watch.lap();
+    const double time = watch.lap();
+    sleep();
+    return time;
 }
 
 double Candidate::analyse_own() {
@@ -219,9 +222,12 @@ double Candidate::analyse_own() {
 
 double Candidate::update(const Input& input, const std::vector<int>& changed) {
     set_library_threads(threads_);
+    if (own_ == pool_.get()) wake();
     Watch watch(processor_time());
     solver_->update(input, changed, executor());
-    return watch.lap();
+    const double time = watch.lap();
+    sleep();
+    return time;
 }
 
 Phases Candidate::work() {

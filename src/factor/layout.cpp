@@ -5,14 +5,10 @@
 #include "factor/partial.h"
 
 #include <algorithm>
+#include <exception>
 
 namespace hawser::factor {
 namespace {
-
-/// Entries of a node are written so many at a time, and those past its end again by the next: a
-/// loop of fixed length is one or two vector stores.
-constexpr std::int32_t kWide = 8;
-static_assert(kWide >= kMaxBlock);
 
 constexpr std::int32_t round8(std::int32_t n) { return (n + 7) & ~7; }
 
@@ -34,9 +30,25 @@ void reset(Symbolic& s) {
     s.matrix_nnz = s.factor_nnz = s.flops = s.critical_flops = 0;
 }
 
-/// The last pivot's node: its structure covers every pivot's rows behind the front.
-std::int32_t last_node(const Symbolic& s, const Front& front) {
-    return s.order[at(front.node_end - 1)];
+/// Both, beside each other where there is a second thread.
+template <class A, class B>
+void beside(base::Executor* team, A&& a, B&& b) {
+    if (team == nullptr || team->threads() == 1) {
+        a();
+        b();
+        return;
+    }
+    std::exception_ptr thrown[2];
+    auto one = [&](int i, int) noexcept {
+        try {
+            i == 0 ? a() : b();
+        } catch (...) {
+            thrown[i] = std::current_exception();
+        }
+    };
+    team->for_each(2, one);
+    for (const std::exception_ptr& e : thrown)
+        if (e) std::rethrow_exception(e);
 }
 
 }  // namespace
@@ -100,7 +112,7 @@ void Layout::find_same_fronts(const Columns& columns, const Symbolic& s, bool fo
 }
 
 /// Fill in sizes, addresses, update rows.
-void Layout::lay_out_fronts(const Pattern& pattern, const Columns& columns, Symbolic& s) {
+void Layout::lay_out_fronts(const Columns& columns, Symbolic& s) {
     const std::size_t count = supernodes_.parent.size();
     s.fronts.resize(count);
     s.node_front.resize(s.order.size());
@@ -121,7 +133,7 @@ void Layout::lay_out_fronts(const Pattern& pattern, const Columns& columns, Symb
         rows += front.q;
         front.ld = round8(front.p + front.q);
         front.ldu = round8(front.q);
-        if (!chain_of_.empty() && chain_of_[at(s.order[at(front.node_begin)])] >= 0) {
+        if (in_chain(s, front)) {
             front.batch = 0;  // lay_out_batches() gives the right one, and the panel
             continue;
         }
@@ -137,20 +149,14 @@ void Layout::lay_out_fronts(const Pattern& pattern, const Columns& columns, Symb
         s.flops += flops_[f];
     }
     s.panel_size += 64;  // vector loads may read past the last column
-    s.rows.resize(at(rows + kWide));
-    std::int32_t* row = s.rows.data();
-    const std::int32_t* offsets = s.node_offset.data();
-    const std::int8_t* size = pattern.size.data();
-    for (const Front& front : s.fronts)
-        for (const std::int32_t v : columns.rows(last_node(s, front))) {
-            const std::int32_t offset = offsets[v];
-            for (std::int32_t c = 0; c < kWide; ++c) row[c] = offset + c;
-            row += size[v];
-        }
     s.rows.resize(at(rows));
 }
 
-void Layout::link_children(const Pattern& pattern, const Columns& columns, Symbolic& s) {
+bool Layout::in_chain(const Symbolic& s, const Front& front) const noexcept {
+    return !chain_of_.empty() && chain_of_[at(s.order[at(front.node_begin)])] >= 0;
+}
+
+void Layout::link_children(Symbolic& s) {
     const std::size_t count = s.fronts.size();
     for (const Front& f : s.fronts)
         if (f.parent >= 0) ++s.fronts[at(f.parent)].child_end;
@@ -166,80 +172,10 @@ void Layout::link_children(const Pattern& pattern, const Columns& columns, Symbo
     for (std::size_t f = 0; f < count; ++f)
         if (const std::int32_t p = s.fronts[f].parent; p >= 0)
             s.children[at(cursor_[at(p)]++)] = static_cast<std::int32_t>(f);
-    s.runs.resize(pattern.size.size());
-    row_of_.resize(s.order.size());
-    std::size_t runs = 0;
-    for (std::size_t f = 0; f < count; ++f) {
-        Front& front = s.fronts[f];
-        front.run_begin = front.run_end = static_cast<std::int32_t>(runs);
-        if (front.parent < 0) continue;
-        if (same_[f] >= 0 && same_[at(front.parent)] >= 0) {
-            const Front& old = old_fronts_[at(same_[f])];
-            if (old.parent == same_[at(front.parent)]) {
-                const auto length = at(old.run_end - old.run_begin);
-                if (runs + length > s.runs.size()) s.runs.resize(2 * (runs + length));
-                std::copy_n(old_runs_.begin() + old.run_begin, length,
-                            s.runs.begin() + static_cast<std::ptrdiff_t>(runs));
-                runs += length;
-                front.run_end = static_cast<std::int32_t>(runs);
-                continue;
-            }
-        }
-        const std::size_t most = runs + columns.rows(last_node(s, front)).size();
-        if (most > s.runs.size()) s.runs.resize(2 * most);
-        find_runs(pattern, columns, front, s);
-        runs = at(front.run_end);
-    }
-    s.runs.resize(runs);
-}
-
-/// Where the update rows of a front land in its parent.
-void Layout::find_runs(const Pattern& pattern, const Columns& columns, Front& front, Symbolic& s) {
-    const Front& parent = s.fronts[at(front.parent)];
-    const std::int32_t p = parent.p, first = parent.offset;
-    const auto own = columns.rows(last_node(s, front));
-    const auto theirs = columns.rows(last_node(s, parent));
-    const std::int32_t* scalars = s.rows.data() + parent.rows;
-    const std::int32_t* offsets = s.node_offset.data();
-    const std::int8_t* sizes = pattern.size.data();
-    std::int32_t* row_of = row_of_.data();
-    // The parent's rows are written down by node, or searched where they are many more.
-    if (theirs.size() > 8 * own.size()) {
-        for (const std::int32_t v : own)
-            row_of[v] =
-                p + static_cast<std::int32_t>(
-                        std::lower_bound(scalars, scalars + parent.q, offsets[v]) - scalars);
-    } else {
-        std::int32_t row = p;
-        for (const std::int32_t v : theirs) {
-            row_of[v] = row;
-            row += sizes[v];
-        }
-    }
-    // A run stays on one side of the parent's pivot boundary: its columns then lie wholly in the
-    // panel or wholly in the update matrix. The last one is written again as long as it grows.
-    // What comes next is no better known than the scene: masks, not branches.
-    Run* runs = s.runs.data();
-    std::int32_t from = 0, last = front.run_begin - 1, run_from = 0, run_to = 0;
-    std::int32_t next = p;  // goes on nowhere
-    for (const std::int32_t v : own) {
-        const std::int32_t size = sizes[v], pivot = offsets[v] - first;
-        const std::int32_t inside = -static_cast<std::int32_t>(pivot < p);
-        const std::int32_t to = (pivot & inside) | (row_of[v] & ~inside);
-        const std::int32_t joins =
-            -(static_cast<std::int32_t>(to == next) & static_cast<std::int32_t>(to != p));
-        run_from = (run_from & joins) | (from & ~joins);
-        run_to = (run_to & joins) | (to & ~joins);
-        next = to + size;
-        from += size;
-        last += 1 + joins;
-        runs[last] = {run_from, run_to, from - run_from};
-    }
-    front.run_end = last + 1;
 }
 
 void Layout::run(const Pattern& pattern, const Columns& columns, const Chains& chains, Symbolic& s,
-                 std::optional<std::span<const std::int32_t>> edited) {
+                 std::optional<std::span<const std::int32_t>> edited, base::Executor* team) {
     const bool follows = edited.has_value();
     s.fronts.swap(old_fronts_);
     s.runs.swap(old_runs_);
@@ -257,18 +193,28 @@ void Layout::run(const Pattern& pattern, const Columns& columns, const Chains& c
     find_same_fronts(columns, s, follows);
     count_entries(pattern, edited);
     place_nodes(pattern, s);
-    lay_out_fronts(pattern, columns, s);
+    lay_out_fronts(columns, s);
     front_of_chain_.clear();
     for (int c = 0; c < chains.count(); ++c)
         front_of_chain_.push_back(s.node_front[at(chains.unit(chains.begin[at(c)])[0])]);
-    lay_out_batches(pattern, chains, front_of_chain_, s);
-    link_children(pattern, columns, s);
-    choose_tasks(s);
-    link_tasks(s);
-    if (s.updates_kept)
-        keep_updates(s);
-    else
-        place_updates(s);
+    chain_rows_.clear();
+    fill_rows(pattern, columns, true, s);
+    link_children(s);
+    beside(
+        team,
+        [&] {
+            fill_rows(pattern, columns, false, s);
+            find_all_runs(pattern, columns, s);
+        },
+        [&] {
+            lay_out_batches(pattern, chains, front_of_chain_, s);
+            choose_tasks(s);
+            link_tasks(s);
+            if (s.updates_kept)
+                keep_updates(s);
+            else
+                place_updates(s);
+        });
     old_order_ = s.order;
 }
 
@@ -278,9 +224,9 @@ std::size_t Layout::bytes() const noexcept {
            base::bytes(task_) + base::bytes(flops_) + base::bytes(subtree_) + base::bytes(path_) +
            base::bytes(height_) + base::bytes(parity_) + base::bytes(crosses_) +
            base::bytes(edges_) + base::bytes(entries_) + base::bytes(row_of_) +
-           base::bytes(freed_) + base::bytes(old_fronts_) + base::bytes(old_runs_) +
-           base::bytes(old_order_) + base::bytes(old_node_front_) + base::bytes(same_) +
-           base::bytes(supernodes_.p);
+           base::bytes(freed_) + base::bytes(chain_rows_) + base::bytes(old_fronts_) +
+           base::bytes(old_runs_) + base::bytes(old_order_) + base::bytes(old_node_front_) +
+           base::bytes(same_) + base::bytes(supernodes_.p);
 }
 
 }  // namespace hawser::factor

@@ -3,6 +3,7 @@
 /// @file layout.h
 /// From the structure of the columns to addresses: fronts, rows, runs, tasks, update matrices.
 
+#include "base/executor.h"
 #include "factor/columns.h"
 #include "factor/symbolic.h"
 #include "factor/tree.h"
@@ -23,18 +24,34 @@ class Layout {
     /// @param edited  Where the columns are those of the last call after a Columns::repair(), nodes
     ///        and chains the same, and `symbolic` is as the last call left it but for the order:
     ///        the nodes that got other neighbours. What did not change is taken over then.
+    /// @param team  Rows and runs are found beside batches, tasks and update matrices: neither
+    /// reads
+    ///        what the other writes. nullptr: one after the other.
     void run(const Pattern& pattern, const Columns& columns, const Chains& chains,
-             Symbolic& symbolic, std::optional<std::span<const std::int32_t>> edited = {});
+             Symbolic& symbolic, std::optional<std::span<const std::int32_t>> edited = {},
+             base::Executor* team = nullptr);
     /// Fronts of the last call that are as they were before it.
     [[nodiscard]] std::int32_t same() const noexcept { return same_count_; }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
+    /// Entries of a node are written so many at a time, and those past its end again by the next: a
+    /// loop of fixed length is one or two vector stores.
+    static constexpr std::int32_t kWide = 8;
+    static_assert(kWide >= kMaxBlock);
+
+    /// The last pivot's node: its structure covers every pivot's rows behind the front.
+    [[nodiscard]] static std::int32_t last_node(const Symbolic& s, const Front& front) noexcept {
+        return s.order[static_cast<std::size_t>(front.node_end - 1)];
+    }
     void place_nodes(const Pattern& pattern, Symbolic& s);
     void count_entries(const Pattern& pattern, std::optional<std::span<const std::int32_t>> edited);
-    void lay_out_fronts(const Pattern& pattern, const Columns& columns, Symbolic& s);
+    void lay_out_fronts(const Columns& columns, Symbolic& s);
+    [[nodiscard]] bool in_chain(const Symbolic& s, const Front& front) const noexcept;
+    void fill_rows(const Pattern& pattern, const Columns& columns, bool of_chains, Symbolic& s);
     void find_same_fronts(const Columns& columns, const Symbolic& s, bool follows);
-    void link_children(const Pattern& pattern, const Columns& columns, Symbolic& s);
+    void link_children(Symbolic& s);
+    void find_all_runs(const Pattern& pattern, const Columns& columns, Symbolic& s);
     void find_runs(const Pattern& pattern, const Columns& columns, Front& front, Symbolic& s);
     void choose_tasks(Symbolic& s);  // tasks.cpp
     void choose_top_tasks(Symbolic& s, std::int64_t target);
@@ -52,6 +69,8 @@ class Layout {
     std::vector<Run> old_runs_;
     std::vector<std::int32_t> old_order_, old_node_front_, same_;
     std::int32_t same_count_ = 0;
+    std::vector<std::int64_t>
+        chain_rows_;                    ///< Where those of the chains begin, and the end of all.
     std::vector<std::int64_t> freed_;   ///< By front: update matrices that it takes from a stack.
     std::vector<std::int32_t> row_of_;  ///< By node: its row in a parent, if it has one.
     std::vector<std::uint8_t> parity_, crosses_;

@@ -50,7 +50,7 @@ void Analysis::plan(const Pattern& pattern, Elimination elimination) {
 void Analysis::analyse_order() {
     invert(symbolic_.order, symbolic_.position);
     columns_.build(pattern_, symbolic_.order, symbolic_.position);
-    layout_.run(pattern_, columns_, chains_, symbolic_);
+    layout_.run(pattern_, columns_, chains_, symbolic_, {}, team_);
     between_.assign(symbolic_.order.size(), 0);
     planned_flops_ = symbolic_.flops;
 }
@@ -118,7 +118,7 @@ RepairReport Analysis::follow(const Pattern& next, bool same_numbers) {
     pattern_ = next;
     std::optional<std::span<const std::int32_t>> edited;
     if (same_numbers && report.dissolved == 0) edited = changes_;
-    layout_.run(pattern_, columns_, chains_, symbolic_, edited);
+    layout_.run(pattern_, columns_, chains_, symbolic_, edited, team_);
     report.same = layout_.same();
     return report;
 }

@@ -79,6 +79,9 @@ class Analysis {
     /// Give every update matrix a place of its own from the next call on (partial.h).
     void keep_updates(bool keep) noexcept { symbolic_.updates_kept = keep; }
 
+    /// Who helps from the next call on; nullptr: nobody. Results are the same.
+    void use(base::Executor* team) noexcept { team_ = team; }
+
     /// Order and analyse from nothing. @throws std::bad_alloc.
     void plan(const Pattern& pattern);
     /// The same with this order.
@@ -142,6 +145,7 @@ class Analysis {
     }
 
     Planner planner_;
+    base::Executor* team_ = nullptr;
     Orderer orderer_;
     Pattern pattern_;
     Chains chains_;

@@ -73,6 +73,7 @@ void analyse(StepContext& ctx, const factor::AnalysisState* state) {
     open_cuts(ctx);
     analyse_clique(ctx);
     ctx.system.keeps_momentum = ctx.cuts.grouped;  // finish_cuts() adds them up
+    ctx.system.analysis.use(&ctx.pool);
     ctx.system.analyse(ctx.bodies, ctx.interactions, ctx.def, ctx.pool.threads(), state);
     ctx.norms.resize(at(ctx.system.strips.count() + ctx.system.strips.groups()));
     ctx.losses.resize(at(ctx.system.strips.count()));

@@ -29,6 +29,7 @@ struct BlockFactor::Impl {
     explicit Impl(const FactorOptions& o) : options(o), pool(std::max(1, o.threads)) {
         pool.pause();
         analysis.keep_updates(o.partial);
+        analysis.use(&pool);
     }
 
     void take(const BlockPattern& p);
@@ -158,6 +159,7 @@ BlockFactor& BlockFactor::operator=(BlockFactor&&) noexcept = default;
 void BlockFactor::analyse(const BlockPattern& pattern) {
     Impl& m = *impl_;
     m.take(pattern);
+    const Impl::Awake awake(m.pool);
     m.analysis.plan(m.pattern);
     m.report = {};
     m.report.replanned = true;
@@ -169,6 +171,7 @@ void BlockFactor::analyse(const BlockPattern& pattern, std::span<const std::int3
     Impl& m = *impl_;
     world::check_order(pattern, order);
     m.take(pattern);
+    const Impl::Awake awake(m.pool);
     m.analysis.plan(m.pattern, factor::Elimination{{order.begin(), order.end()}, {}});
     m.report = {};
     m.report.replanned = true;
@@ -190,6 +193,7 @@ void BlockFactor::update(const BlockPattern& pattern, std::span<const std::int32
             if (old >= 0) seen[at(old)] = true;
         }
     }
+    const Impl::Awake awake(m.pool);
     m.take(pattern);
     m.report = m.analysis.update(m.pattern, old_of_new);
     m.place();
