@@ -37,7 +37,7 @@ class JointRows {
                 apart |= i - first - l - b;
             }
         chain_ = apart == 0;
-        return kExactLoads ||
+        return kExactLoads || chain_ ||
                (last + 3 <= view_.body_count && view_.dof_begin[last] + kLanes <= view_.dof_count);
     }
 
@@ -46,7 +46,8 @@ class JointRows {
     void evaluate(const Data* data) const {
         static_assert(sizeof(Data) == 6 * sizeof(double));
         V8 point[kLanes];
-        load_bodies(data->point[0], 6, point);
+        for (int l = 0; l < kLanes; ++l) point[l] = load_first(data[l].point[0], 6);
+        transpose(point);
         W3 x[2], arm[2];
         load_poses(point, x, arm);
         V8 v[2][kLanes];

@@ -9,6 +9,8 @@
 #include "base/simd.h"
 #include "model/kinds/all.h"
 
+#include <algorithm>
+
 namespace hawser::HAWSER_ISA {
 namespace {
 
@@ -87,8 +89,10 @@ void evaluate_arms(const View& view, const typename K::Data& data, const BodyRef
 template <class Lanes, class Data, class Goes>
 std::int32_t by_eights(const View& view, const std::int32_t* ids, const Data* data,
                        std::int32_t count, Goes goes) {
+    // So many at a time: a run that is refused now and then is not looked at over and over.
+    constexpr std::int32_t kMost = 16 * kLanes;
     std::int32_t run = 0;
-    while (run < count && goes(run)) ++run;
+    while (run < std::min(count, kMost) && goes(run)) ++run;
     if (run < kLanes) return 0;
     for (std::int32_t k = 0; k < run; k += kLanes) {
         const std::int32_t from = k + kLanes <= run ? k : run - kLanes;
