@@ -92,8 +92,9 @@ class BlockFactor {
 
     /// Follow to a pattern that differs by some nodes and edges, in a fraction of the time: nodes
     /// that stay keep their order, and only the structure above the changes is computed again.
-    /// The order is made anew when the flops have grown by a fifth. Values must be given to
-    /// factor() before the next solve().
+    /// The order is made anew when the flops have grown by a fifth, and, unless it was given to
+    /// analyse(), at once where more than an eighth of up to 2,048 nodes changed. Values must be
+    /// given to factor() before the next solve().
     /// @param old_of_new  For each node of the pattern its number in the last one, −1: new. Empty:
     ///        nodes keep their numbers, further ones are new.
     /// @throws std::invalid_argument, std::bad_alloc; only analyse() helps after the latter.

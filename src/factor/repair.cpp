@@ -78,7 +78,8 @@ RepairReport Analysis::update(const Pattern& next, std::span<const std::int32_t>
     const bool same_numbers = compare(next, old_of_new);
     const double nodes = next.nodes(), changes = static_cast<double>(changes_.size());
     RepairReport report;
-    if (!planner_ && next.nodes() <= MinimumDegree::kMost && changes > kEdited * nodes) {
+    if (!planner_ && !order_given_ && next.nodes() <= MinimumDegree::kMost &&
+        changes > kEdited * nodes) {
         report.columns = next.nodes();
         report.replanned = true;
     } else {

@@ -79,6 +79,9 @@ class Analysis {
     /// Give every update matrix a place of its own from the next call on (partial.h).
     void keep_updates(bool keep) noexcept { symbolic_.updates_kept = keep; }
 
+    /// The order is the caller's: update() makes no other one while it serves.
+    void keep_order(bool given) noexcept { order_given_ = given; }
+
     /// Who helps from the next call on; nullptr: nobody. Results are the same.
     void use(base::Executor* team) noexcept { team_ = team; }
 
@@ -145,6 +148,7 @@ class Analysis {
     }
 
     Planner planner_;
+    bool order_given_ = false;  ///< See keep_order().
     base::Executor* team_ = nullptr;
     Orderer orderer_;
     Pattern pattern_;

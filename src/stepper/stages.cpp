@@ -73,7 +73,7 @@ void analyse(StepContext& ctx, const factor::AnalysisState* state) {
     open_cuts(ctx);
     analyse_clique(ctx);
     ctx.system.keeps_momentum = ctx.cuts.grouped;  // finish_cuts() adds them up
-    ctx.system.analysis.use(&ctx.pool);
+    ctx.system.analysis.use(nullptr);              // mostly between steps, where the pool sleeps
     ctx.system.analyse(ctx.bodies, ctx.interactions, ctx.def, ctx.pool.threads(), state);
     ctx.norms.resize(at(ctx.system.strips.count() + ctx.system.strips.groups()));
     ctx.losses.resize(at(ctx.system.strips.count()));
@@ -85,6 +85,7 @@ void analyse(StepContext& ctx, const factor::AnalysisState* state) {
 void relink(StepContext& ctx) {
     // What touches is one part: other cuts may be in force now.
     if (open_cuts(ctx)) return analyse(ctx);
+    ctx.system.analysis.use(&ctx.pool);
     ctx.system.relink(ctx.bodies, ctx.interactions, ctx.pool.threads());
     count_analysis(ctx);
 }

@@ -160,6 +160,7 @@ void BlockFactor::analyse(const BlockPattern& pattern) {
     Impl& m = *impl_;
     m.take(pattern);
     const Impl::Awake awake(m.pool);
+    m.analysis.keep_order(false);
     m.analysis.plan(m.pattern);
     m.report = {};
     m.report.replanned = true;
@@ -172,6 +173,7 @@ void BlockFactor::analyse(const BlockPattern& pattern, std::span<const std::int3
     world::check_order(pattern, order);
     m.take(pattern);
     const Impl::Awake awake(m.pool);
+    m.analysis.keep_order(true);
     m.analysis.plan(m.pattern, factor::Elimination{{order.begin(), order.end()}, {}});
     m.report = {};
     m.report.replanned = true;
@@ -196,6 +198,7 @@ void BlockFactor::update(const BlockPattern& pattern, std::span<const std::int32
     const Impl::Awake awake(m.pool);
     m.take(pattern);
     m.report = m.analysis.update(m.pattern, old_of_new);
+    if (m.report.replanned) m.analysis.keep_order(false);
     m.place();
 }
 

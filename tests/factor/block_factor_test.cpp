@@ -222,5 +222,25 @@ TEST(BlockFactor, SolvesNothing) {
     EXPECT_EQ(f.info().scalars, 0);
 }
 
+/// Much is planned at once, but for orders that were given: those serve until the flops have grown.
+TEST(BlockFactor, UpdatesKeepAnOrderThatWasGiven) {
+    constexpr std::int32_t kNodes = 64;
+    BlockPattern path;
+    path.size.assign(kNodes, 3);
+    path.sign.assign(kNodes, 1);
+    std::vector<std::int32_t> order;
+    for (std::int32_t i = 0; i < kNodes; ++i) order.push_back(kNodes - 1 - i);
+    for (std::int32_t i = 0; i + 1 < kNodes; ++i) path.edges.push_back({i, i + 1});
+    BlockPattern edited = path;
+    for (std::int32_t i = 0; i < 5; ++i) edited.edges.push_back({12 * i, 12 * i + 2});
+    BlockFactor given, own;
+    given.analyse(path, order);
+    own.analyse(path);
+    given.update(edited);
+    own.update(edited);
+    EXPECT_FALSE(given.info().planned);
+    EXPECT_TRUE(own.info().planned);
+}
+
 }  // namespace
 }  // namespace hawser::test
