@@ -24,8 +24,7 @@ class Layout {
     /// @param edited  Where the columns are those of the last call after a Columns::repair(), nodes
     ///        and chains the same, and `symbolic` is as the last call left it but for the order:
     ///        the nodes that got other neighbours. What did not change is taken over then.
-    /// @param team  Rows and runs are found beside batches, tasks and update matrices: neither
-    /// reads
+    /// @param team  Finds rows and runs beside batches, tasks and update matrices: neither reads
     ///        what the other writes. nullptr: one after the other.
     void run(const Pattern& pattern, const Columns& columns, const Chains& chains,
              Symbolic& symbolic, std::optional<std::span<const std::int32_t>> edited = {},

@@ -78,6 +78,17 @@ inline void load_slots(const assembly::View& view, std::int32_t id, int slot, co
     transpose(v);
 }
 
+/// G u of eight joints for the u of their bodies, six of each.
+inline V3T<W8> joint_speeds(const V8 (&a)[kLanes], const V8 (&b)[kLanes], const V3T<W8>& r0,
+                            const V3T<W8>& r1) {
+    return V3T<W8>{b[0], b[1], b[2]} - V3T<W8>{a[0], a[1], a[2]} +
+           cross(V3T<W8>{b[3], b[4], b[5]}, r1) - cross(V3T<W8>{a[3], a[4], a[5]}, r0);
+}
+/// ω₀ − ω₁ likewise.
+inline V3T<W8> joint_turns(const V8 (&a)[kLanes], const V8 (&b)[kLanes]) {
+    return V3T<W8>{a[3], a[4], a[5]} - V3T<W8>{b[3], b[4], b[5]};
+}
+
 /// G u of eight joints, three rows each, for a vector u packed by body; then ω₀ − ω₁ of it.
 template <class Offset>
 inline void eight_products(const assembly::View& view, std::int32_t id, const ArmsT<W8>& arms,
@@ -85,11 +96,9 @@ inline void eight_products(const assembly::View& view, std::int32_t id, const Ar
     V8 a[kLanes], b[kLanes];
     load_slots(view, id, 0, u, offset, a);
     load_slots(view, id, 1, u, offset, b);
-    const V3T<W8> w0{a[3], a[4], a[5]}, w1{b[3], b[4], b[5]};
-    const V3T<W8> p = V3T<W8>{b[0], b[1], b[2]} - V3T<W8>{a[0], a[1], a[2]} + cross(w1, arms.r1) -
-                      cross(w0, arms.r0);
+    const V3T<W8> p = joint_speeds(a, b, arms.r0, arms.r1);
     as_threes(p.x, p.y, p.z, rows);
-    turn = w0 - w1;
+    turn = joint_turns(a, b);
 }
 
 /// first_rhs() of eight_arms().

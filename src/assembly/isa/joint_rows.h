@@ -56,7 +56,7 @@ class JointRows {
         const std::int32_t row = view_.row_begin[id_];
         const double inv_h4 = 4.0 / view_.h;
         const W3 gap = x[1] + arm[1] - x[0] - arm[0];
-        const W3 speed = products(v, arm);
+        const W3 speed = joint_speeds(v[0], v[1], arm[0], arm[1]);
         V8 g[3], s[3];
         as_threes(gap.x, gap.y, gap.z, g);
         as_threes(speed.x, speed.y, speed.z, s);
@@ -68,13 +68,13 @@ class JointRows {
         slack(row, s);
         part();
         const JointTerms<W8> terms = record(arm);
-        W3 start{}, back = terms.back * turn(v);
+        W3 start{}, back = terms.back * joint_turns(v[0], v[1]);
         if (view_.v_start) {
             load_velocities(view_.v_start, v);
-            const W3 begin = products(v, arm);
+            const W3 begin = joint_speeds(v[0], v[1], arm[0], arm[1]);
             as_threes(begin.x, begin.y, begin.z, s);
             for (int k = 0; k < 3; ++k) store(view_.residual + row + kLanes * k, s[k]);
-            start = terms.damping * turn(v);
+            start = terms.damping * joint_turns(v[0], v[1]);
         }
         V8 force[kLanes] = {start.x, start.y, start.z, -back.x, -back.y, -back.z, V8{}, V8{}};
         store_bodies(view_.geo_force + view_.geo[id_].force, 6, 6, force);
@@ -123,22 +123,9 @@ class JointRows {
             for (int i = 0; i < 6; ++i) v[1][i] = shift_in(v[0][i], first[6 * kLanes + i]);
             return;
         }
-        for (int b = 0; b < 2; ++b) {
-            for (int l = 0; l < kLanes; ++l)
-                v[b][l] = load_at_least(packed + view_.dof_begin[body_[b][l]], 6);
-            transpose(v[b]);
-        }
-    }
-
-    /// G u, three rows each, of u by body.
-    HAWSER_INLINE static W3 products(const V8 (&u)[2][kLanes], const W3 (&arm)[2]) {
-        return W3{u[1][0], u[1][1], u[1][2]} - W3{u[0][0], u[0][1], u[0][2]} +
-               cross(W3{u[1][3], u[1][4], u[1][5]}, arm[1]) -
-               cross(W3{u[0][3], u[0][4], u[0][5]}, arm[0]);
-    }
-    /// ω₀ − ω₁.
-    HAWSER_INLINE static W3 turn(const V8 (&u)[2][kLanes]) {
-        return W3{u[0][3], u[0][4], u[0][5]} - W3{u[1][3], u[1][4], u[1][5]};
+        for (int b = 0; b < 2; ++b)
+            load_slots(
+                view_, id_, b, packed, [&](std::int32_t i) { return view_.dof_begin[i]; }, v[b]);
     }
 
     /// One-sided joints that are slack. @param speed  As the rows lie.

@@ -35,11 +35,7 @@ inline W3 shift_in(const W3& v, const double* p) {
     return {shift_in(v.x, p[0]), shift_in(v.y, p[1]), shift_in(v.z, p[2])};
 }
 /// The other way round than load_threes().
-inline void store_threes(double* p, const W3& v) {
-    V8 out[3];
-    as_threes(v.x, v.y, v.z, out);
-    for (int r = 0; r < 3; ++r) store(p + kLanes * r, out[r]);
-}
+inline void store_threes(double* p, const W3& v) { store_every<3>(p, {v.x, v.y, v.z}); }
 
 /// `stride` doubles a body: the first eight of each of eight bodies, turned into lanes; what there
 /// is beyond `stride` may be anything.
