@@ -4,7 +4,6 @@
 #include "base/index.h"
 
 namespace hawser::assembly {
-namespace {}  // namespace
 
 void System::relink(const model::Bodies& bodies, const model::Interactions& interactions,
                     int threads) {

@@ -80,14 +80,16 @@ RepairReport Analysis::update(const Pattern& next, std::span<const std::int32_t>
     RepairReport report;
     if (!planner_ && !order_given_ && next.nodes() <= MinimumDegree::kMost &&
         changes > kEdited * nodes) {
-        report.columns = next.nodes();
         report.replanned = true;
     } else {
         report = follow(next, same_numbers);
         report.replanned =
             static_cast<double>(symbolic_.flops) > kReplan * static_cast<double>(planned_flops_);
     }
-    if (report.replanned) plan(next);
+    if (report.replanned) {
+        plan(next);
+        report.columns = next.nodes();
+    }
     return report;
 }
 

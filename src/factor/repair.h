@@ -55,7 +55,7 @@ inline constexpr double kEdited = 0.125;
 /// What a repair did.
 struct RepairReport {
     std::int32_t placed = 0;     ///< Nodes that got a place in the order.
-    std::int32_t columns = 0;    ///< Block columns computed again.
+    std::int32_t columns = 0;    ///< Block columns computed again; replanned: all.
     std::int32_t dissolved = 0;  ///< Chains that became ordinary fronts.
     std::int32_t same = 0;       ///< Fronts with the pivots and rows of one before.
     bool replanned = false;      ///< update(): the order was made anew.
