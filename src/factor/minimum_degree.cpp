@@ -74,7 +74,7 @@ void MinimumDegree::run(const Pattern& pattern, std::vector<std::int32_t>& order
     order.resize(n);
     begin(pattern);
     order_ = order.data();
-    const FactorKernels& kernels = factor_kernels();
+    const Kernels& kernels = factor_kernels();
     while (order_ != order.data() + n) {
         while (next_[at(list_of(least_))] == list_of(least_)) ++least_;
         eliminate(next_[at(list_of(least_))], kernels);
@@ -103,7 +103,7 @@ std::int32_t MinimumDegree::list_heads(const std::uint64_t* own, std::uint32_t i
 }
 
 /// The pivot and its twins, then those of its neighbours that have no others.
-void MinimumDegree::eliminate(std::int32_t pivot, const FactorKernels& kernels) noexcept {
+void MinimumDegree::eliminate(std::int32_t pivot, const Kernels& kernels) noexcept {
     remove(pivot);
     finish(pivot);
     const std::int32_t clique = degree_[at(pivot)];  // all that is left of its neighbours

@@ -20,7 +20,7 @@
 
 namespace hawser::factor {
 
-struct FactorKernels;
+struct Kernels;
 
 /// A used one needs no memory for a graph of about the same size.
 class MinimumDegree {
@@ -34,7 +34,7 @@ class MinimumDegree {
 
   private:
     void begin(const Pattern& pattern);
-    void eliminate(std::int32_t pivot, const FactorKernels& kernels) noexcept;
+    void eliminate(std::int32_t pivot, const Kernels& kernels) noexcept;
     void finish(std::int32_t head) noexcept;
     [[nodiscard]] std::int32_t list_heads(const std::uint64_t* own,
                                           std::uint32_t in_words) noexcept;

@@ -37,7 +37,68 @@ struct Fill {
     void (*skew)(void* context, int piece, double* panel, double* upper) noexcept = nullptr;
 };
 
-class Numeric {
+/// Symmetric values, all panels filled before any is factored. Real: double, or float for a factor
+/// that refinement makes good (backward_error.h).
+template <class Real>
+class BasicNumeric {
+  public:
+    /// Make room for a structure and for that many threads; grows only. @throws std::bad_alloc.
+    void reserve(const Symbolic& symbolic, int threads) { make_room(symbolic, threads, 1); }
+
+    /// Zero the panels.
+    void clear(const Symbolic& symbolic, base::Executor& executor) noexcept;
+    /// Zero the panels of a part.
+    void clear(const Symbolic& symbolic, const DirtyParts& dirty,
+               base::Executor& executor) noexcept;
+
+    /// Panel array; blocks are column-major at BlockTarget::address with stride ld. Of a
+    /// diagonal block only the lower triangle is read.
+    [[nodiscard]] Real* values() noexcept { return panel_.data(); }
+
+    /// K = L D Lᵀ. @return number of pivots of the wrong sign or not finite (0 = success).
+    [[nodiscard]] int factor(const Symbolic& symbolic, base::Executor& executor) noexcept;
+    /// The factorisation of a part, the rest being that of the last one (partial.h). The structure
+    /// has its updates kept. @return wrong pivots in that part.
+    [[nodiscard]] int refactor(const Symbolic& symbolic, const DirtyParts& dirty,
+                               base::Executor& executor) noexcept;
+
+    void backward(const Symbolic& symbolic, Real* x, base::Executor& executor) noexcept;
+    /// K x = b in place, as last factored; x is in the permuted order (Symbolic::node_offset).
+    void solve(const Symbolic& symbolic, Real* x, base::Executor& executor) noexcept;
+
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  protected:
+    /// Entries of the update matrices: those of all, and a stack for each thread.
+    [[nodiscard]] static std::int64_t work_size(const Symbolic& s, int threads) noexcept {
+        return s.work_size + (threads - 1) * (s.work_size - s.stack_begin);
+    }
+    /// @param sides  2: scratch for unsymmetric fronts.
+    void make_room(const Symbolic& symbolic, int threads, int sides);
+    template <class Batches, class Fronts>
+    void run_tasks(const Symbolic& s, TaskPass pass, base::Executor& executor, Batches&& on_batch,
+                   Fronts&& on_fronts) noexcept;
+    [[nodiscard]] int count_wrong(const Symbolic& symbolic) const noexcept;
+    [[nodiscard]] FactorView<Real> view(const Symbolic& symbolic, int thread) noexcept;
+    [[nodiscard]] Real* scratch(int thread) noexcept {
+        return scratch_.data() + static_cast<std::ptrdiff_t>(thread) * scratch_stride_;
+    }
+
+    base::Array<Real> panel_, pivot_, work_, carry_, slot_pivot_, slot_y_, scratch_;
+    base::Array<int> wrong_;  ///< One a node, so that the count needs no atomics.
+    TaskQueue queue_;
+    std::int64_t scratch_stride_ = 0;
+
+    // Of unsymmetric fronts; empty where no room was asked for.
+    base::Array<Real> upper_, upper_work_;
+    base::Array<std::uint8_t> kind_;       ///< One a front, as last factored: 1 unsymmetric.
+    base::Array<std::int8_t> wrong_mark_;  ///< One a scalar; all zero between factorisations.
+    bool unsymmetric_ = false;             ///< Any front is.
+};
+
+/// In double, with unsymmetric values and with panels that are filled just before they are
+/// factored.
+class Numeric : public BasicNumeric<double> {
   public:
     /// From this size on a piece ends [doubles]: a share of a core's own cache. To be set before
     /// reserve().
@@ -50,12 +111,6 @@ class Numeric {
     /// fronts, the panels and update matrices take twice the memory. @throws std::bad_alloc.
     void reserve(const Symbolic& symbolic, int threads, bool unsymmetric = false);
 
-    /// Zero the panels.
-    void clear(const Symbolic& symbolic, base::Executor& executor) noexcept;
-
-    /// Panel array; blocks are column-major at BlockTarget::address with stride ld. Of a
-    /// diagonal block only the lower triangle is read.
-    [[nodiscard]] double* values() noexcept { return panel_.data(); }
     /// The upper half of the unsymmetric fronts, transposed, at the same addresses. Of a diagonal
     /// block only what lies below its diagonal there is read.
     [[nodiscard]] double* upper() noexcept { return upper_.data(); }
@@ -78,11 +133,7 @@ class Numeric {
         return wrong_nodes_;
     }
 
-    /// Zero the panels of a part.
-    void clear(const Symbolic& symbolic, const DirtyParts& dirty,
-               base::Executor& executor) noexcept;
-    /// The factorisation of a part, the rest being that of the last one (partial.h). The structure
-    /// has its updates kept. A front that is unsymmetric now and was not, or the other way round,
+    /// The same for a part. A front that is unsymmetric now and was not, or the other way round,
     /// must be dirty: it is if the columns given to DirtyParts::find() include those of all blocks
     /// that became unsymmetric or symmetric. @return wrong pivots in that part.
     [[nodiscard]] int refactor(const Symbolic& symbolic, const DirtyParts& dirty,
@@ -97,10 +148,6 @@ class Numeric {
     [[nodiscard]] int factor_forward(const Symbolic& symbolic, Fill fill, double* x,
                                      base::Executor& executor,
                                      const Unsymmetric* unsymmetric = nullptr) noexcept;
-    void backward(const Symbolic& symbolic, double* x, base::Executor& executor) noexcept;
-
-    /// K x = b in place, as last factored; x is in the permuted order (Symbolic::node_offset).
-    void solve(const Symbolic& symbolic, double* x, base::Executor& executor) noexcept;
 
     [[nodiscard]] std::size_t bytes() const noexcept;
 
@@ -117,31 +164,13 @@ class Numeric {
     void copy_range(std::int64_t begin, std::int64_t end) noexcept;
     /// @return whether the piece has an upper half.
     bool copy_piece(const Symbolic& symbolic, const Piece& piece) noexcept;
-    template <class Batches, class Fronts>
-    void run_tasks(const Symbolic& s, TaskPass pass, base::Executor& executor, Batches&& on_batch,
-                   Fronts&& on_fronts) noexcept;
-    [[nodiscard]] int count_wrong(const Symbolic& symbolic) noexcept;
     [[nodiscard]] int find_wrong(const Symbolic& symbolic, int wrong) noexcept;
-    [[nodiscard]] FactorView view(const Symbolic& symbolic, int thread) noexcept;
-    [[nodiscard]] double* scratch(int thread) noexcept {
-        return scratch_.data() + static_cast<std::ptrdiff_t>(thread) * scratch_stride_;
-    }
 
-    base::Array<double> panel_, pivot_, work_, carry_, slot_pivot_, slot_y_, scratch_;
     base::Array<double> stage_;  ///< A piece of a batch for each thread, where they are streamed.
     std::int64_t stage_stride_ = 0;  ///< 0: they are not.
     std::vector<Piece> pieces_;
-    std::vector<std::int32_t> task_piece_;  ///< First piece of each node of the graph.
-    base::Array<int> wrong_;                ///< One a node, so that the count needs no atomics.
-    TaskQueue queue_;
-    std::int64_t scratch_stride_ = 0;
-
-    // Of unsymmetric fronts; empty where no room was asked for.
-    base::Array<double> upper_, upper_work_;
-    base::Array<std::uint8_t> kind_;       ///< One a front, as last factored: 1 unsymmetric.
-    base::Array<std::int8_t> wrong_mark_;  ///< One a scalar; all zero between factorisations.
-    std::vector<std::int32_t> wrong_nodes_;
-    bool unsymmetric_ = false;  ///< Any front is.
+    std::vector<std::int32_t> task_piece_;   ///< First piece of each node of the graph.
+    std::vector<std::int32_t> wrong_nodes_;  ///< In unsymmetric fronts.
 };
 
 }  // namespace hawser::factor

@@ -2,6 +2,7 @@
 #include "factor/unsymmetric.h"
 
 #include "base/index.h"
+#include "factor/grow.h"
 #include "factor/numeric.h"
 
 #include <algorithm>
@@ -56,10 +57,41 @@ bool Unsymmetric::is_piece(const Symbolic& s, const Piece& piece) const noexcept
     return false;
 }
 
+void Numeric::reserve(const Symbolic& s, int threads, bool unsymmetric) {
+    make_room(s, threads, unsymmetric ? 2 : 1);
+    cut_pieces(s);
+    find_stage(s, threads);
+    use(s, nullptr);
+    if (!unsymmetric) return;
+    grow(upper_, s.panel_size, s.updates_kept);
+    grow(upper_work_, work_size(s, threads), s.updates_kept);
+    grow(kind_, static_cast<std::int64_t>(s.fronts.size()));
+    grow(wrong_mark_, s.scalars);
+    wrong_nodes_.reserve(s.order.size());
+}
+
 void Numeric::use(const Symbolic& s, const Unsymmetric* set) noexcept {
     wrong_nodes_.clear();
     unsymmetric_ = set != nullptr && !set->empty();
     if (unsymmetric_) std::copy_n(set->marks().begin(), s.fronts.size(), kind_.begin());
+}
+
+int Numeric::factor(const Symbolic& s, base::Executor& executor,
+                    const Unsymmetric* unsymmetric) noexcept {
+    use(s, unsymmetric);
+    return find_wrong(s, BasicNumeric::factor(s, executor));
+}
+
+int Numeric::refactor(const Symbolic& s, const DirtyParts& dirty, base::Executor& executor,
+                      const Unsymmetric* unsymmetric) noexcept {
+    use(s, unsymmetric);
+    return find_wrong(s, BasicNumeric::refactor(s, dirty, executor));
+}
+
+std::size_t Numeric::bytes() const noexcept {
+    return BasicNumeric::bytes() + base::bytes(stage_) + base::bytes(upper_) +
+           base::bytes(upper_work_) + base::bytes(kind_) + base::bytes(wrong_mark_) +
+           base::bytes(wrong_nodes_);
 }
 
 void Numeric::copy_front(const Front& front) noexcept {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 namespace hawser::test {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 struct Set {
     const char* name;
     bool available;
-    const factor::FactorKernels* kernels;
+    const factor::Kernels* kernels;
 };
 
 std::vector<Set> sets() {
@@ -27,60 +28,63 @@ std::vector<Set> sets() {
         avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
     return {
-        {"sse2", true, &sse2::kFactorKernels},
+        {"sse2", true, &sse2::kKernels},
 #if !defined(HAWSER_NO_AVX2)
-        {"avx2", avx2, &avx2::kFactorKernels},
+        {"avx2", avx2, &avx2::kKernels},
 #endif
 #if !defined(HAWSER_NO_AVX512)
-        {"avx512", avx512, &avx512::kFactorKernels},
+        {"avx512", avx512, &avx512::kKernels},
 #endif
     };
 }
 
-/// Factor and solve all fronts in order with one set of kernels.
-Solved solve_with(const factor::FactorKernels& kernels, const BlockMatrix& m,
-                  const factor::Symbolic& s, const Vector& b,
-                  const factor::Unsymmetric* set = nullptr) {
+/// Factor and solve all fronts in order with one set of kernels. Floats: a symmetric matrix.
+template <class Real = double>
+Solved solve_with(const factor::Kernels& all, const BlockMatrix& m, const factor::Symbolic& s,
+                  const Vector& b, const factor::Unsymmetric* set = nullptr) {
+    const factor::FactorKernels<Real>& kernels = all.of<Real>();
     const auto n = static_cast<std::size_t>(s.scalars);
-    base::Array<double> panel(static_cast<std::size_t>(s.panel_size), 0.0), pivot(n + 8),
+    base::Array<Real> panel(static_cast<std::size_t>(s.panel_size)), pivot(n + 8),
         // Garbage that must never reach a result.
-        work(static_cast<std::size_t>(s.work_size), std::nan("")), carry(s.rows.size() + 8),
+        work(static_cast<std::size_t>(s.work_size), std::numeric_limits<Real>::quiet_NaN()),
+        carry(s.rows.size() + 8),
         scratch(
             static_cast<std::size_t>(std::max(factor::scratch_size(s.max_front), s.batch_scratch)),
-            std::nan("")),
-        x(n + 8, 0.0), slot_pivot(8 * s.slot_sign.size()), slot_y(8 * s.slot_sign.size());
+            std::numeric_limits<Real>::quiet_NaN()),
+        x(n + 8), slot_pivot(8 * s.slot_sign.size()), slot_y(8 * s.slot_sign.size());
     fill(m, s, panel.data());
-    factor::FactorView view{s.fronts.data(),
-                            s.children.data(),
-                            s.rows.data(),
-                            s.runs.data(),
-                            s.sign.data(),
-                            panel.data(),
-                            pivot.data(),
-                            work.data(),
-                            work.data(),
-                            s.stack_begin,
-                            carry.data(),
-                            s.batch_steps.data(),
-                            s.slot_sign.data(),
-                            s.slot_index.data(),
-                            s.tail_slot.data(),
-                            slot_pivot.data(),
-                            slot_y.data(),
-                            true,
-                            true};
-    base::Array<double> upper, upper_work;
+    factor::FactorView<Real> view{s.fronts.data(),
+                                  s.children.data(),
+                                  s.rows.data(),
+                                  s.runs.data(),
+                                  s.sign.data(),
+                                  panel.data(),
+                                  pivot.data(),
+                                  work.data(),
+                                  work.data(),
+                                  s.stack_begin,
+                                  carry.data(),
+                                  s.batch_steps.data(),
+                                  s.slot_sign.data(),
+                                  s.slot_index.data(),
+                                  s.tail_slot.data(),
+                                  slot_pivot.data(),
+                                  slot_y.data(),
+                                  true,
+                                  true};
+    [[maybe_unused]] base::Array<Real> upper, upper_work;
     std::vector<std::int8_t> wrong(n, 0);
-    if (set != nullptr) {
-        upper.assign(panel.begin(), panel.end());
-        upper_work = work;
-        scratch.resize(2 * scratch.size(), std::nan(""));
-        fill_upper(m, s, upper.data(), [&](int v) { return in_set(s, *set, v); });
-        view.unsymmetric = set->marks().data();
-        view.upper = upper.data();
-        view.upper_work = view.upper_stack = upper_work.data();
-        view.wrong = wrong.data();
-    }
+    if constexpr (factor::kUnsymmetric<Real>)
+        if (set != nullptr) {
+            upper.assign(panel.begin(), panel.end());
+            upper_work = work;
+            scratch.resize(2 * scratch.size(), std::nan(""));
+            fill_upper(m, s, upper.data(), [&](int v) { return in_set(s, *set, v); });
+            view.unsymmetric = set->marks().data();
+            view.upper = upper.data();
+            view.upper_work = view.upper_stack = upper_work.data();
+            view.wrong = wrong.data();
+        }
     Solved out;
     const auto count = static_cast<std::int32_t>(s.fronts.size());
     for (const factor::Batch& batch : s.batches)
@@ -90,7 +94,8 @@ Solved solve_with(const factor::FactorKernels& kernels, const BlockMatrix& m,
         out.wrong += kernels.factor(view, t.begin, t.end, scratch.data());
     for (const std::int32_t f : s.top) out.wrong += kernels.factor(view, f, f + 1, scratch.data());
     const Vector y = permuted(m, s, b, false);
-    std::copy(y.data(), y.data() + y.size(), x.begin());
+    std::transform(y.data(), y.data() + y.size(), x.begin(),
+                   [](double v) { return static_cast<Real>(v); });
     for (const factor::Batch& batch : s.batches)
         kernels.forward_batch(view, batch, batch.step_begin, batch.step_end, x.data(),
                               scratch.data());
@@ -98,8 +103,21 @@ Solved solve_with(const factor::FactorKernels& kernels, const BlockMatrix& m,
     kernels.backward(view, 0, count, x.data(), scratch.data());
     for (const factor::Batch& batch : s.batches)
         kernels.backward_batch(view, batch, x.data(), scratch.data());
-    out.x = permuted(m, s, Eigen::Map<const Vector>(x.data(), s.scalars), true);
+    const Vector z =
+        Eigen::Map<const Eigen::VectorX<Real>>(x.data(), s.scalars).template cast<double>();
+    out.x = permuted(m, s, z, true);
     return out;
+}
+
+constexpr double kSingle = 0x1p29;  ///< Roundings of float over those of double.
+
+/// The same in float: the backward error that double has, in its roundings.
+void expect_single(const Set& set, const BlockMatrix& m, const factor::Symbolic& s,
+                   const Vector& b) {
+    const Solved got = solve_with<float>(*set.kernels, m, s, b);
+    EXPECT_EQ(got.wrong, 0) << set.name;
+    // Growth below 1e4 on 2⁻²⁴, as for double on 2⁻⁵³.
+    EXPECT_LE(backward_error(m, got.x, b), 1e-12 * kSingle) << set.name;
 }
 
 /// Rows of bits: each word by itself.
@@ -156,6 +174,7 @@ TEST(InstructionSets, AgreeWithTheReferenceAndEachOther) {
             EXPECT_EQ(got.wrong, 0) << set.name << " seed " << seed;
             // Condition about 1e3 and growth below 6e4 on 2⁻⁵³.
             EXPECT_LE((got.x - want).norm(), 1e-9 * want.norm()) << set.name << " seed " << seed;
+            expect_single(set, m, s, b);
         }
     }
 }
@@ -197,6 +216,12 @@ TEST(InstructionSets, EveryFrontShape) {
                     // Diagonally dominant: a few units in the last place.
                     EXPECT_LE((got.x - want).norm(), 1e-13 * want.norm())
                         << set.name << " p " << p << " q " << q;
+                    if (!symmetric) continue;
+                    const Solved single = solve_with<float>(*set.kernels, m, s, b);
+                    EXPECT_EQ(single.wrong, 0) << set.name << " p " << p << " q " << q;
+                    // The same number of units.
+                    EXPECT_LE((single.x - want).norm(), 1e-13 * kSingle * want.norm())
+                        << set.name << " p " << p << " q " << q;
                 }
             }
         }
@@ -214,6 +239,7 @@ TEST(InstructionSets, Batches) {
             const Solved got = solve_with(*set.kernels, m, s, b);
             EXPECT_EQ(got.wrong, 0) << set.name << " seed " << seed;
             EXPECT_LE((got.x - want).norm(), 1e-9 * want.norm()) << set.name << " seed " << seed;
+            expect_single(set, m, s, b);
         }
     }
 }
@@ -253,7 +279,9 @@ TEST(InstructionSets, AllCountWrongPivots) {
             factor::analyse(broken.pattern, factor::order_nodes(broken.pattern));
         for (const Set& set : sets()) {
             if (!set.available) continue;
-            EXPECT_GT(solve_with(*set.kernels, broken, s, Vector::Ones(m.scalars())).wrong, 0)
+            const Vector ones = Vector::Ones(m.scalars());
+            EXPECT_GT(solve_with(*set.kernels, broken, s, ones).wrong, 0) << set.name << " " << bad;
+            EXPECT_GT(solve_with<float>(*set.kernels, broken, s, ones).wrong, 0)
                 << set.name << " " << bad;
         }
     }

@@ -13,16 +13,13 @@
 /// columns of the other. A symmetric front has one side, which is its own other.
 #include "factor/kernels.h"
 
-#include "base/simd.h"
+#include "base/simd_float.h"
 #include "factor/isa/batch.h"
 #include "factor/isa/bits.h"
+#include "factor/isa/stream.h"
 #include "factor/isa/substitution.h"
 #include "factor/isa/with_count.h"
 #include "factor/symbolic.h"
-
-#if defined(__SSE2__)
-#include <immintrin.h>
-#endif
 
 namespace hawser::HAWSER_ISA {
 namespace {
@@ -33,22 +30,29 @@ using factor::Run;
 
 constexpr int kBlock = 8;  // pivot columns whose triangle is in registers
 using factor::kDepth;      // pivot columns factored before the rest is updated
-// Vectors of rows and columns updated at once, as registers allow: V8 is one, two or four.
+/// Vectors of rows and columns updated at once, as registers allow: V8 is one, two or four of them,
+/// F8 one, one or two.
+struct Tile {
+    int rows, columns;
+};
+template <class Real>
+constexpr bool kHalf = sizeof(Real) < sizeof(double);
+template <class Real>
 #if defined(__AVX512F__)
-constexpr int kRows = 2, kColumns = 8;
+constexpr Tile kAtOnce = {2, 8};
 #elif defined(__AVX2__)
-constexpr int kRows = 1, kColumns = 4;
+constexpr Tile kAtOnce = kHalf<Real> ? Tile{2, 4} : Tile{1, 4};
 #else
-constexpr int kRows = 1, kColumns = 2;
+constexpr Tile kAtOnce = kHalf<Real> ? Tile{1, 4} : Tile{1, 2};
 #endif
 
 /// The pivot columns of a front.
-template <int kSides>
+template <class Real, int kSides>
 struct Trapezoid {
-    double* panel[kSides];  ///< Column stride ld.
-    double* w[kSides];      ///< Unscaled columns of the current block, likewise.
+    Real* panel[kSides];  ///< Column stride ld.
+    Real* w[kSides];      ///< Unscaled columns of the current block, likewise.
     long ld;
-    double* pivot;  ///< 1/D.
+    Real* pivot;  ///< 1/D.
     const signed char* sign;
     signed char* wrong;  ///< Marks of wrong pivots, of unsymmetric fronts.
 
@@ -61,33 +65,33 @@ struct Trapezoid {
 /// Rows k0 … k0 + 7 hold the triangle: N sequential pivots, in registers. The vectors of rows
 /// below it are then independent of each other: x_c = a_c − Σ_{b<c} U_bc x_b, with Uᵀ for L on
 /// side 1.
-template <int kSides, int N>
-inline int factor_block(const Trapezoid<kSides> t, int k0) {
+template <int N, class Real, int kSides>
+inline int factor_block(const Trapezoid<Real, kSides> t, int k0) {
     const long ld = t.ld;
     int wrong = 0;
-    V8 top[kSides][N];
-    double inverse[N], diagonal[N], scaled[kSides][N][N];
+    Lanes<Real> top[kSides][N];
+    Real inverse[N], diagonal[N], scaled[kSides][N][N];
     for (int s = 0; s < kSides; ++s)
         for (int c = 0; c < N; ++c) top[s][c] = load(t.panel[s] + (k0 + c) * ld + k0);
     // Pivots apart from their columns: each waits for a division and one product.
     for (int c = 0; c < N; ++c) diagonal[c] = t.panel[0][(k0 + c) * ld + k0 + c];
 #pragma GCC unroll 8
     for (int c = 0; c < N; ++c) {
-        double d = diagonal[c];
+        Real d = diagonal[c];
         // The sign is known, see Symbolic::sign. !(…) also catches NaN.
-        if (!(d * t.sign[k0 + c] > 0.0) || d - d != 0.0) {
+        if (!(d * t.sign[k0 + c] > 0) || d - d != 0) {
             ++wrong;
             if constexpr (kSides == 2) t.wrong[k0 + c] = 1;
             // See unsymmetric.h: there the other sign may be right.
-            if (kSides == 1 || d == 0.0 || d - d != 0.0) d = t.sign[k0 + c];
+            if (kSides == 1 || d == 0 || d - d != 0) d = t.sign[k0 + c];
         }
-        inverse[c] = 1.0 / d;
+        inverse[c] = Real{1} / d;
         t.pivot[k0 + c] = inverse[c];
-        V8 l[kSides];
+        Lanes<Real> l[kSides];
         for (int s = 0; s < kSides; ++s) l[s] = after_lane(top[s][c] * inverse[c], c);
 #pragma GCC unroll 8
         for (int j = c + 1; j < N; ++j) {
-            double wj[kSides];
+            Real wj[kSides];
             for (int s = 0; s < kSides; ++s) {
                 wj[s] = lane(top[s][c], j);
                 scaled[s][j][c] = wj[s] * inverse[c];
@@ -101,9 +105,9 @@ inline int factor_block(const Trapezoid<kSides> t, int k0) {
         }
     }
     for (int s = 0; s < kSides; ++s) {
-        double *panel = t.panel[s] + k0 * ld, *w = t.w[s];
+        Real *panel = t.panel[s] + k0 * ld, *w = t.w[s];
         for (long i = k0 + 8; i < ld; i += 8) {
-            V8 x[N];
+            Lanes<Real> x[N];
 #pragma GCC unroll 8
             for (int c = 0; c < N; ++c) {
                 x[c] = load(panel + c * ld + i);
@@ -116,22 +120,23 @@ inline int factor_block(const Trapezoid<kSides> t, int k0) {
     return wrong;
 }
 
-template <int kSides>
-inline int factor_columns(const Trapezoid<kSides> t, int k0, int count) {
+template <class Real, int kSides>
+inline int factor_columns(const Trapezoid<Real, kSides> t, int k0, int count) {
     int wrong = 0;
-    with_count(count, [&]<int N>() { wrong = factor_block<kSides, N>(t, k0); });
+    with_count(count, [&]<int N>() { wrong = factor_block<N>(t, k0); });
     return wrong;
 }
 
 /// kVectors vectors of rows of C −= L · Wᵀ, or of C = −L · Wᵀ where C holds nothing yet.
-template <int kCols, int kVectors, bool kFirst>
-HAWSER_INLINE void update_rows(double* c, long ldc, const double* l, const double* w, long ld,
+template <int kCols, int kVectors, bool kFirst, class Real>
+HAWSER_INLINE void update_rows(Real* c, long ldc, const Real* l, const Real* w, long ld,
                                int depth) {
-    V8 acc[kVectors][kCols];
+    Lanes<Real> acc[kVectors][kCols];
     for (int r = 0; r < kVectors; ++r)
-        for (int j = 0; j < kCols; ++j) acc[r][j] = kFirst ? V8{} : load(c + j * ldc + 8 * r);
+        for (int j = 0; j < kCols; ++j)
+            acc[r][j] = kFirst ? Lanes<Real>{} : load(c + j * ldc + 8 * r);
     for (int k = 0; k < depth; ++k) {
-        V8 v[kVectors];
+        Lanes<Real> v[kVectors];
         for (int r = 0; r < kVectors; ++r) v[r] = load(l + k * ld + 8 * r);
         for (int j = 0; j < kCols; ++j)
             for (int r = 0; r < kVectors; ++r) acc[r][j] -= v[r] * w[k * ld + j];
@@ -142,33 +147,34 @@ HAWSER_INLINE void update_rows(double* c, long ldc, const double* l, const doubl
 
 /// C(:, 0..cols) −= L · Wᵀ for `cols` columns whose rows in l and w start at row0. The lower
 /// triangle is what counts; rows above it in the same vector are computed and never read.
-template <int kCols, bool kFirst>
-inline void update_columns(double* c, long ldc, const double* l, const double* w, long ld,
-                           int depth, int from, int rows) {
+template <int kCols, bool kFirst, class Real>
+inline void update_columns(Real* c, long ldc, const Real* l, const Real* w, long ld, int depth,
+                           int from, int rows) {
     int i = from;
-    for (; i + 8 * kRows <= rows; i += 8 * kRows)
-        update_rows<kCols, kRows, kFirst>(c + i, ldc, l + i, w, ld, depth);
-    if constexpr (kRows > 1)
+    constexpr int kStep = 8 * kAtOnce<Real>.rows;
+    for (; i + kStep <= rows; i += kStep)
+        update_rows<kCols, kAtOnce<Real>.rows, kFirst>(c + i, ldc, l + i, w, ld, depth);
+    if constexpr (kAtOnce<Real>.rows > 1)
         for (; i < rows; i += 8) update_rows<kCols, 1, kFirst>(c + i, ldc, l + i, w, ld, depth);
 }
 
 /// Update of the columns [begin, end) of one side of a matrix whose row r lies at l + r. The last
 /// columns go together, however many: a column alone waits for its own chain of sums.
-template <bool kFirst>
-inline void update_block(double* c, long ldc, const double* l, const double* w, long ld, int depth,
+template <bool kFirst, class Real>
+inline void update_block(Real* c, long ldc, const Real* l, const Real* w, long ld, int depth,
                          int begin, int end, int rows) {
     int j = begin;
     auto columns = [&]<int N>() {
         update_columns<N, kFirst>(c + j * ldc, ldc, l, w + j, ld, depth, j & ~7, rows);
         j += N;
     };
-    while (end - j >= kColumns) columns.template operator()<kColumns>();
+    while (end - j >= kAtOnce<Real>.columns) columns.template operator()<kAtOnce<Real>.columns>();
     if (end > j) with_count(end - j, columns);
 }
 
 /// to(0..rows, 0..columns) += from(0..rows, 0..columns).
-inline void add_block(double* to, long ld_to, const double* from, long ld_from, int rows,
-                      int columns) {
+template <class Real>
+inline void add_block(Real* to, long ld_to, const Real* from, long ld_from, int rows, int columns) {
     for (int i = 0; i < rows; i += 8) {
         for (int c = 0; c < columns; ++c)
             add_first(to + c * ld_to + i, from + c * ld_from + i, rows - i);
@@ -179,22 +185,23 @@ inline void add_block(double* to, long ld_to, const double* from, long ld_from, 
 /// not. A run of columns meets the runs of rows at and behind it in dense blocks; the triangle
 /// above the diagonal of the first comes along and is never read. Of a symmetric child both sides
 /// get the same.
-template <bool kPivots, int kSide>
-inline void extend_add(const FactorView& view, const Front& front, double* panel, double* update) {
+template <bool kPivots, int kSide, class Real>
+inline void extend_add(const FactorView<Real>& view, const Front& front, Real* panel,
+                       Real* update) {
     const long ld = kPivots ? front.ld : front.ldu;
-    double* target = kPivots ? panel : update - front.p - static_cast<long>(front.p) * ld;
+    Real* target = kPivots ? panel : update - front.p - static_cast<long>(front.p) * ld;
     for (std::int32_t i = front.child_begin; i < front.child_end; ++i) {
         const std::int32_t id = view.children[i];
         const Front& child = view.fronts[id];
-        const double* u = kSide == 1 && view.unsymmetric[id] != 0 ? view.upper_update(child.update)
-                                                                  : view.update(child.update);
+        const Real* u = kSide == 1 && view.unsymmetric[id] != 0 ? view.upper_update(child.update)
+                                                                : view.update(child.update);
         const Run* end = view.runs + child.run_end;
         const Run* run = view.runs + child.run_begin;
         if constexpr (!kPivots)
             while (run != end && run->to < front.p) ++run;
         for (; run != end && (!kPivots || run->to < front.p); ++run) {
-            double* to = target + run->to * ld;
-            const double* from = u + static_cast<long>(run->from) * child.ldu;
+            Real* to = target + run->to * ld;
+            const Real* from = u + static_cast<long>(run->from) * child.ldu;
             for (const Run* r = run; r != end; ++r)
                 add_block(to + r->to, ld, from + r->from, child.ldu, r->length, run->length);
         }
@@ -203,9 +210,10 @@ inline void extend_add(const FactorView& view, const Front& front, double* panel
 
 /// What the pivot columns [d0, d1) do to the columns and the update matrix behind them, on one
 /// side; w: of the other.
-inline void update_rest(const Front& front, double* panel, double* update, const double* w, int d0,
+template <class Real>
+inline void update_rest(const Front& front, Real* panel, Real* update, const Real* w, int d0,
                         int d1) {
-    const double* l = panel + static_cast<long>(d0) * front.ld;
+    const Real* l = panel + static_cast<long>(d0) * front.ld;
     if (d1 < front.p)
         update_block<false>(panel, front.ld, l, w, front.ld, d1 - d0, d1, front.p, front.ld);
     if (d0 == 0)
@@ -218,12 +226,12 @@ inline void update_rest(const Front& front, double* panel, double* update, const
 
 /// Factor the pivot columns [d0, d1), at most kDepth: each block first takes what those before it
 /// do, so that it is written once.
-template <int kSides>
-inline int factor_deep(const Trapezoid<kSides> t, int d0, int d1) {
+template <class Real, int kSides>
+inline int factor_deep(const Trapezoid<Real, kSides> t, int d0, int d1) {
     int wrong = 0;
     for (int k0 = d0; k0 < d1; k0 += kBlock) {
         const int k1 = k0 + kBlock < d1 ? k0 + kBlock : d1;
-        Trapezoid<kSides> block = t;
+        Trapezoid<Real, kSides> block = t;
         for (int s = 0; s < kSides; ++s) {
             if (k0 > d0)
                 update_block<false>(t.panel[s], t.ld, t.panel[s] + d0 * t.ld, t.w[t.other(s)], t.ld,
@@ -235,11 +243,12 @@ inline int factor_deep(const Trapezoid<kSides> t, int d0, int d1) {
     return wrong;
 }
 
-template <int kSides>
-inline int factor_front(const FactorView& view, const Front& front, double* scratch) {
-    Trapezoid<kSides> t{{view.panel + front.panel}, {scratch}, front.ld, view.pivot + front.offset,
-                        view.sign + front.offset,   nullptr};
-    double* update[kSides] = {view.update(front.update)};
+template <int kSides, class Real>
+inline int factor_front(const FactorView<Real>& view, const Front& front, Real* scratch) {
+    Trapezoid<Real, kSides> t{
+        {view.panel + front.panel}, {scratch}, front.ld, view.pivot + front.offset,
+        view.sign + front.offset,   nullptr};
+    Real* update[kSides] = {view.update(front.update)};
     if constexpr (kSides == 2) {
         t.panel[1] = view.upper + front.panel;
         t.w[1] = scratch + kDepth * t.ld;
@@ -260,38 +269,31 @@ inline int factor_front(const FactorView& view, const Front& front, double* scra
     return wrong;
 }
 
-int factor_fronts(const FactorView& view, std::int32_t begin, std::int32_t end,
-                  double* scratch) noexcept {
+template <class Real>
+int factor_fronts(const FactorView<Real>& view, std::int32_t begin, std::int32_t end,
+                  Real* scratch) noexcept {
     int wrong = 0;
     for (std::int32_t f = begin; f < end; ++f) {
         const Front& front = view.fronts[f];
         if (front.batch >= 0) continue;
-        wrong += view.is_unsymmetric(f) ? factor_front<2>(view, front, scratch)
-                                        : factor_front<1>(view, front, scratch);
+        if constexpr (factor::kUnsymmetric<Real>)
+            if (view.is_unsymmetric(f)) {
+                wrong += factor_front<2>(view, front, scratch);
+                continue;
+            }
+        wrong += factor_front<1>(view, front, scratch);
     }
     return wrong;
 }
 
-void stream(double* to, const double* from, std::int64_t n) noexcept {
-    for (std::int64_t i = 0; i < n; i += kLanes) {
-#if defined(__AVX512F__)
-        _mm512_stream_pd(to + i, load(from + i));
-#elif defined(__SSE2__)
-        for (int k = 0; k < kLanes; k += 2) _mm_stream_pd(to + i + k, _mm_load_pd(from + i + k));
-#else
-        store(to + i, load(from + i));
-#endif
-    }
-#if defined(__SSE2__)
-    _mm_sfence();
-#endif
-}
-
 }  // namespace
 
-extern const factor::FactorKernels kFactorKernels;
-const factor::FactorKernels kFactorKernels = {factor_fronts, forward_fronts, backward_fronts,
-                                              factor_batch,  forward_batch,  backward_batch,
-                                              unite_rows,    stream};
+template <class Real>
+constexpr factor::FactorKernels<Real> kKernelsOf = {factor_fronts<Real>,   forward_fronts<Real>,
+                                                    backward_fronts<Real>, factor_batch<Real>,
+                                                    forward_batch<Real>,   backward_batch<Real>};
+
+extern const factor::Kernels kKernels;
+const factor::Kernels kKernels = {kKernelsOf<double>, kKernelsOf<float>, unite_rows, stream};
 
 }  // namespace hawser::HAWSER_ISA

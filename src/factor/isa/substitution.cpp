@@ -8,7 +8,7 @@
 /// first update rows may share one with the last pivots.
 #include "factor/isa/substitution.h"
 
-#include "base/simd.h"
+#include "base/simd_float.h"
 #include "factor/isa/with_count.h"
 #include "factor/symbolic.h"
 
@@ -20,35 +20,36 @@ using factor::Front;
 using factor::Run;
 
 constexpr int kBlock = 8;
-// Doubles from the end of a panel to what is asked for, and of that; more has columns that are
-// long.
-constexpr long kAhead = 512, kMost = 2048;
+// Bytes from the end of a panel to what is asked for, and of that; more has columns that are long.
+constexpr long kAhead = 4096, kMost = 16'384, kLine = 64;
 
 /// Pivots [k, k + N) of L y = y, then y −= L y for the rows behind them, handed over by vectors:
 /// put(row, vector).
-template <int N, class Put>
-HAWSER_INLINE void forward_block(const double* panel, long ld, int k, const double* y, Put&& put) {
-    const double* column = panel + k * ld;
-    V8 v = load(y + k), pivot[N];
+template <int N, class Real, class Put>
+HAWSER_INLINE void forward_block(const Real* panel, long ld, int k, const Real* y, Put&& put) {
+    const Real* column = panel + k * ld;
+    Lanes<Real> v = load(y + k), pivot[N];
     for (int c = 0; c < N; ++c) {
         pivot[c] = spread_lane(v, c);
         v -= pivot[c] * load(column + c * ld + k);
     }
     put(k, v);
     for (int i = k + 8; i < ld; i += 8) {
-        V8 acc = load(y + i);
+        Lanes<Real> acc = load(y + i);
         for (int c = 0; c < N; ++c) acc -= pivot[c] * load(column + c * ld + i);
         put(i, acc);
     }
 }
 
 /// y = the front's part of x plus what its children carry. Whole vectors.
-inline void gather_forward(const FactorView& view, const Front& front, const double* x, double* y) {
+template <class Real>
+inline void gather_forward(const FactorView<Real>& view, const Front& front, const Real* x,
+                           Real* y) {
     for (int i = 0; i < front.ld; i += 8)
-        store(y + i, i < front.p ? load_first(x + front.offset + i, front.p - i) : V8{});
+        store(y + i, i < front.p ? load_first(x + front.offset + i, front.p - i) : Lanes<Real>{});
     for (std::int32_t c = front.child_begin; c < front.child_end; ++c) {
         const Front& child = view.fronts[view.children[c]];
-        const double* carried = view.carry + child.rows;
+        const Real* carried = view.carry + child.rows;
         const Run* end = view.runs + child.run_end;
         for (const Run* run = view.runs + child.run_begin; run != end; ++run)
             for (int i = 0; i < run->length; i += 8)
@@ -60,21 +61,21 @@ inline void gather_forward(const FactorView& view, const Front& front, const dou
 /// vector `from` on. The products with those come first and are independent of each other; then the
 /// small triangle, in which each entry waits only for the one before it. z comes with y_k … and
 /// leaves with z_k ….
-template <int N>
-HAWSER_INLINE void backward_block(const double* panel, long ld, int k, int from, const double* y,
-                                  double* z) {
-    V8 acc[N];
-    for (int c = 0; c < N; ++c) acc[c] = V8{};
-    const double* column = panel + k * ld;
+template <int N, class Real>
+HAWSER_INLINE void backward_block(const Real* panel, long ld, int k, int from, const Real* y,
+                                  Real* z) {
+    Lanes<Real> acc[N];
+    for (int c = 0; c < N; ++c) acc[c] = Lanes<Real>{};
+    const Real* column = panel + k * ld;
     for (int i = from; i < ld; i += 8) {
-        const V8 v = load(y + i);
+        const Lanes<Real> v = load(y + i);
         for (int c = 0; c < N; ++c) acc[c] += load(column + c * ld + i) * v;
     }
-    const V8 s = sums<N>(acc);
-    double solved[N];  // in registers: all indices are constants once unrolled
+    const Lanes<Real> s = sums<N>(acc);
+    Real solved[N];  // in registers: all indices are constants once unrolled
 #pragma GCC unroll 8
     for (int c = N - 1; c >= 0; --c) {
-        double zc = z[c] - lane(s, c);
+        Real zc = z[c] - lane(s, c);
 #pragma GCC unroll 8
         for (int i = N - 1; i > c; --i) zc -= column[c * ld + k + i] * solved[i];
         z[c] = solved[c] = zc;
@@ -83,32 +84,35 @@ HAWSER_INLINE void backward_block(const double* panel, long ld, int k, int from,
 
 /// Panels larger than a core's own cache come from further away than the processor looks ahead, as
 /// columns are short and going down their addresses fall. Asks for as much as the front has, from
-/// `distance` doubles behind the beginning of its panel on.
-HAWSER_INLINE void fetch_panels(const double* panel, long distance, long size) {
-    for (long i = 0; i < size && i < kMost; i += 8) __builtin_prefetch(panel + distance + i);
+/// `distance` entries behind the beginning of its panel on.
+template <class Real>
+HAWSER_INLINE void fetch_panels(const Real* panel, long distance, long size) {
+    constexpr long kSize = sizeof(Real);
+    for (long i = 0; i < size && i < kMost / kSize; i += kLine / kSize)
+        __builtin_prefetch(panel + distance + i);
 }
 
-}  // namespace
-
-void forward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
-                    double* scratch) noexcept {
+template <class Real>
+void forward(const FactorView<Real>& view, std::int32_t begin, std::int32_t end, Real* x,
+             Real* scratch) noexcept {
     for (std::int32_t f = begin; f < end; ++f) {
         const Front& front = view.fronts[f];
         if (front.batch >= 0) continue;
-        const double* panel = view.panel + front.panel;
+        const Real* panel = view.panel + front.panel;
         const int p = front.p, n = front.p + front.q;
         const long size = static_cast<long>(front.ld) * p;
-        if (view.remote) fetch_panels(panel, size + kAhead, size);
-        double* xf = x + front.offset;
-        double* y = scratch;
+        if (view.remote) fetch_panels(panel, size + kAhead / static_cast<long>(sizeof(Real)), size);
+        Real* xf = x + front.offset;
+        Real* y = scratch;
         gather_forward(view, front, x, y);
         int k = 0;
         for (; p - k > kBlock; k += kBlock)
-            forward_block<kBlock>(panel, front.ld, k, y,
-                                  [&](int i, const V8& v) { store(i == k ? xf + i : y + i, v); });
-        double* carry = view.carry + front.rows - p;
+            forward_block<kBlock>(panel, front.ld, k, y, [&](int i, const Lanes<Real>& v) {
+                store(i == k ? xf + i : y + i, v);
+            });
+        Real* carry = view.carry + front.rows - p;
         with_count(p - k, [&]<int N>() {
-            forward_block<N>(panel, front.ld, k, y, [&](int i, const V8& v) {
+            forward_block<N>(panel, front.ld, k, y, [&](int i, const Lanes<Real>& v) {
                 if (i == k) store_lanes(xf + i, v, 0, N);
                 store_lanes(carry + i, v, i == k ? N : 0, n - i);
             });
@@ -116,24 +120,26 @@ void forward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end
     }
 }
 
-void backward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
-                     double* scratch) noexcept {
+template <class Real>
+void backward(const FactorView<Real>& view, std::int32_t begin, std::int32_t end, Real* x,
+              Real* scratch) noexcept {
     for (std::int32_t f = end; f-- > begin;) {
         const Front& front = view.fronts[f];
         if (front.batch >= 0) continue;
-        const double* panel = (view.is_unsymmetric(f) ? view.upper : view.panel) + front.panel;
-        const double* inverse = view.pivot + front.offset;
+        const Real* panel = (view.is_unsymmetric(f) ? view.upper : view.panel) + front.panel;
+        const Real* inverse = view.pivot + front.offset;
         const int ld = front.ld, p = front.p, n = front.p + front.q;
         const long size = static_cast<long>(ld) * p;
-        if (view.remote) fetch_panels(panel, -kAhead - size, size);
-        double* xf = x + front.offset;
-        double* y = scratch;
+        if (view.remote)
+            fetch_panels(panel, -kAhead / static_cast<long>(sizeof(Real)) - size, size);
+        Real* xf = x + front.offset;
+        Real* y = scratch;
         const std::int32_t* rows = view.rows + front.rows - p;
         // Zeros where the last pivots share a vector with update rows, and behind those.
         for (int i = p & ~7; i < ld; i += 8) store(y + i, gather_range(x, rows + i, p - i, n - i));
         int k = (p - 1) & ~7, from = p & ~7;
         with_count(p - k, [&]<int N>() {
-            double z[8] = {};
+            Real z[8] = {};
             for (int c = 0; c < N; ++c) z[c] = xf[k + c] * inverse[k + c];
             backward_block<N>(panel, ld, k, from, y, z);
             for (int c = 0; c < N; ++c) xf[k + c] = z[c];
@@ -141,12 +147,36 @@ void backward_fronts(const FactorView& view, std::int32_t begin, std::int32_t en
                 for (int c = 0; c < N; ++c) y[k + c] = z[c];
         });
         for (k -= kBlock; k >= 0; k -= kBlock) {
-            double z[8];
+            Real z[8];
             for (int c = 0; c < kBlock; ++c) z[c] = xf[k + c] * inverse[k + c];
             backward_block<kBlock>(panel, ld, k, k + kBlock, y, z);
             for (int c = 0; c < kBlock; ++c) xf[k + c] = y[k + c] = z[c];
         }
     }
 }
+
+}  // namespace
+
+// Apart from what they do, so that its lambdas belong to this file alone: g++ inlines those.
+template <class Real>
+void forward_fronts(const FactorView<Real>& view, std::int32_t begin, std::int32_t end, Real* x,
+                    Real* scratch) noexcept {
+    forward(view, begin, end, x, scratch);
+}
+
+template <class Real>
+void backward_fronts(const FactorView<Real>& view, std::int32_t begin, std::int32_t end, Real* x,
+                     Real* scratch) noexcept {
+    backward(view, begin, end, x, scratch);
+}
+
+template void forward_fronts(const FactorView<double>&, std::int32_t, std::int32_t, double*,
+                             double*) noexcept;
+template void forward_fronts(const FactorView<float>&, std::int32_t, std::int32_t, float*,
+                             float*) noexcept;
+template void backward_fronts(const FactorView<double>&, std::int32_t, std::int32_t, double*,
+                              double*) noexcept;
+template void backward_fronts(const FactorView<float>&, std::int32_t, std::int32_t, float*,
+                              float*) noexcept;
 
 }  // namespace hawser::HAWSER_ISA
