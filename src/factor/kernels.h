@@ -10,6 +10,8 @@ namespace hawser::factor {
 struct Batch;
 struct BatchStep;
 struct Front;
+struct ResidualSize;
+struct ResidualView;
 struct Run;
 
 /// Raw view of a factorisation for the kernels. Real: double, or float for what is symmetric.
@@ -96,6 +98,9 @@ struct Kernels {
     /// Copy n doubles, a multiple of eight, to where they are not read soon: past the caches, which
     /// would read what is there before. Both aligned to base::kAlign.
     void (*stream)(double* to, const double* from, std::int64_t n) noexcept;
+    /// b − K x of the nodes [begin, end) and its size (residual.h).
+    ResidualSize (*residual)(const ResidualView& view, std::int32_t begin,
+                             std::int32_t end) noexcept;
 
     template <class Real>
     [[nodiscard]] const FactorKernels<Real>& of() const noexcept {

@@ -38,7 +38,7 @@ struct Fill {
 };
 
 /// Symmetric values, all panels filled before any is factored. Real: double, or float for a factor
-/// that refinement makes good (backward_error.h).
+/// that refinement makes good (residual.h).
 template <class Real>
 class BasicNumeric {
   public:

@@ -155,6 +155,7 @@ TEST(PaperMatrix, SmallInstancesAreQuasiDefinite) {
     expect_quasi_definite(chain(40));
     expect_quasi_definite(tree_of_chains(4, 5));
     expect_quasi_definite(net(8));
+    expect_quasi_definite(solid(4));
     expect_quasi_definite(moored_floats(90, 9, 3));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The kernels of every instruction set that this processor has, called one beside the other.
 #include "factor/friction.h"
+#include "factor/instruction_sets.h"
 #include "factor/matrices.h"
 #include "factor/minimum_degree.h"
 #include "support/sanitizer.h"
@@ -13,30 +14,6 @@
 
 namespace hawser::test {
 namespace {
-
-struct Set {
-    const char* name;
-    bool available;
-    const factor::Kernels* kernels;
-};
-
-std::vector<Set> sets() {
-    __builtin_cpu_init();
-    [[maybe_unused]] const bool avx2 =
-        __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    [[maybe_unused]] const bool avx512 =
-        avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-        __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
-    return {
-        {"sse2", true, &sse2::kKernels},
-#if !defined(HAWSER_NO_AVX2)
-        {"avx2", avx2, &avx2::kKernels},
-#endif
-#if !defined(HAWSER_NO_AVX512)
-        {"avx512", avx512, &avx512::kKernels},
-#endif
-    };
-}
 
 /// Factor and solve all fronts in order with one set of kernels. Floats: a symmetric matrix.
 template <class Real = double>

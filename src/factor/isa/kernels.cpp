@@ -16,6 +16,7 @@
 #include "base/simd_float.h"
 #include "factor/isa/batch.h"
 #include "factor/isa/bits.h"
+#include "factor/isa/residual.h"
 #include "factor/isa/stream.h"
 #include "factor/isa/substitution.h"
 #include "factor/isa/with_count.h"
@@ -294,6 +295,7 @@ constexpr factor::FactorKernels<Real> kKernelsOf = {factor_fronts<Real>,   forwa
                                                     forward_batch<Real>,   backward_batch<Real>};
 
 extern const factor::Kernels kKernels;
-const factor::Kernels kKernels = {kKernelsOf<double>, kKernelsOf<float>, unite_rows, stream};
+const factor::Kernels kKernels = {kKernelsOf<double>, kKernelsOf<float>, unite_rows, stream,
+                                  residual};
 
 }  // namespace hawser::HAWSER_ISA

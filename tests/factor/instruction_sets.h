@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file instruction_sets.h
+/// The kernels of every instruction set that was compiled, and whether this processor has it.
+
+#include "factor/kernels.h"
+
+#include <vector>
+
+namespace hawser::test {
+
+struct Set {
+    const char* name;
+    bool available;
+    const factor::Kernels* kernels;
+};
+
+inline std::vector<Set> sets() {
+    __builtin_cpu_init();
+    [[maybe_unused]] const bool avx2 =
+        __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    [[maybe_unused]] const bool avx512 =
+        avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+    return {
+        {"sse2", true, &sse2::kKernels},
+#if !defined(HAWSER_NO_AVX2)
+        {"avx2", avx2, &avx2::kKernels},
+#endif
+#if !defined(HAWSER_NO_AVX512)
+        {"avx512", avx512, &avx512::kKernels},
+#endif
+    };
+}
+
+}  // namespace hawser::test
