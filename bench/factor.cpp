@@ -46,8 +46,8 @@ std::vector<ProblemSource> choose(const FactorOptions& o) {
         const bool named = std::any_of(o.only.begin(), o.only.end(), [&](const std::string& part) {
             return p.name.find(part) != std::string::npos;
         });
-        if (o.sweep ? p.name.find("paper rigid") == 0 : o.only.empty() || named)
-            chosen.push_back(p);
+        const bool any = o.only.empty() && (!p.named_only || o.list);
+        if (o.sweep ? p.name.find("paper rigid") == 0 : any || named) chosen.push_back(p);
     }
     return chosen;
 }
@@ -82,7 +82,8 @@ CLI::App* add_options(CLI::App& app, FactorOptions& o) {
     app.add_option("--scale", o.scales, "Copies of the paper's scene and of SCENE")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
-    app.add_option("--only", o.only, "Matrices whose name contains one of these");
+    app.add_option("--only", o.only,
+                   "Matrices whose name contains one of these; the solid only so");
     app.add_flag("--list", o.list, "Print the names of the matrices and end");
     app.add_option("--matrix", o.matrix, "A Matrix Market file instead (coordinate, symmetric)")
         ->check(CLI::ExistingFile);
@@ -96,6 +97,11 @@ CLI::App* add_options(CLI::App& app, FactorOptions& o) {
     app.add_option("--rounds", o.trial.rounds, "Turns of each solver, 3 samples a turn")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
+    app.add_flag(
+        "--mixed", o.trial.mixed,
+        "Ours through hawser/factor.h, too: in double (hawser blocks) and with a factor in "
+        "float, each\nsolution refined to 1e-14 in double, or in double where that fails "
+        "(hawser mixed)");
     app.add_flag("--sweep", o.sweep, "The rigid scene at scales 1 to 50: who gains from threads?");
     app.add_option("--edits", o.edits,
                    "Repair our analysis of the paper's scene through so many steps instead")

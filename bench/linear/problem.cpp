@@ -56,6 +56,8 @@ std::vector<ProblemSource> standard_problems(const std::vector<int>& scales,
     all.push_back({"chain of 100,000", [](int) { return chain(100'000); }});
     all.push_back({"tree of 511 chains", [](int) { return tree_of_chains(9, 40); }});
     all.push_back({"net 50 x 50", [](int) { return net(50); }});
+    all.push_back({"solid 18 x 18 x 18", [](int) { return solid(18); }});
+    all.back().named_only = true;
     all.push_back({"1,076,748 links", [](int) { return moored_floats(1'076'748, 108, 9); }});
     return all;
 }

@@ -37,6 +37,7 @@ struct ProblemSource {
     int scale = 1;
     std::optional<PaperOptions> paper{};  ///< Then contacts can change.
     std::string file{}, blocks{};         ///< Matrix Market, or a scene.
+    bool named_only = false;              ///< Not among those that nobody named.
 
     [[nodiscard]] BlockSystem system() const;
 };

@@ -13,7 +13,9 @@
 #include "linear/form.h"
 #include "linear/scalar.h"
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,13 @@ struct Input {
     const BlockForm* form = nullptr;
     ScalarMatrix* matrix = nullptr;
     const std::vector<double>* inverse = nullptr;  ///< 1/Σ of eliminated rows.
+};
+
+/// See FactorInfo.
+struct MixedFigures {
+    bool single = false;
+    std::int64_t fallbacks = 0;
+    std::vector<std::int64_t> refinements{};  ///< Of each solution with the last factor.
 };
 
 class Solver {
@@ -67,6 +76,8 @@ class Solver {
     [[nodiscard]] virtual double flops() const { return 0.0; }
     /// Memory that the solver holds, 0 = not known.
     [[nodiscard]] virtual double bytes() const { return 0.0; }
+    /// What was done in mixed precision, if that is what the solver does.
+    [[nodiscard]] virtual std::optional<MixedFigures> mixed() const { return {}; }
 };
 
 struct Variant {
@@ -79,10 +90,13 @@ struct Variant {
     [[nodiscard]] std::string form() const { return condensed ? "condensed" : "saddle"; }
 };
 
-/// Every variant in this build; "hawser" comes first.
-[[nodiscard]] std::vector<Variant> all_variants();
+/// Every variant in this build; "hawser" comes first. @param mixed  With "hawser blocks" and
+/// "hawser mixed".
+[[nodiscard]] std::vector<Variant> all_variants(bool mixed);
 
 std::unique_ptr<Solver> make_ours(Order order);
+std::unique_ptr<Solver> make_public(Order order);
+std::unique_ptr<Solver> make_mixed(Order order);
 std::unique_ptr<Solver> make_eigen(Order order);
 std::unique_ptr<Solver> make_cholmod_simplicial(Order order);
 std::unique_ptr<Solver> make_cholmod_supernodal(Order order);

@@ -38,7 +38,7 @@ class Watch {
 };
 
 bool wanted(const Variant& v, const TrialOptions& o) {
-    const bool ours = v.library == "hawser";
+    const bool ours = v.library.starts_with("hawser");
     if (o.quick_choice && (v.order != (ours ? Order::library : Order::amd_blocks))) return false;
     if (o.libraries.empty()) return true;
     return std::any_of(o.libraries.begin(), o.libraries.end(), [&](const std::string& name) {
@@ -52,7 +52,8 @@ Result describe(Candidate& c) {
     r.form = c.variant().form();
     r.order = name_of(c.variant().order);
     if (c.variant().order == Order::library && r.library == "KLU") r.order = "COLAMD";
-    if (c.variant().order == Order::amd_blocks && r.library == "hawser") r.order = "minimum degree";
+    if (c.variant().order == Order::amd_blocks && r.library.starts_with("hawser"))
+        r.order = "minimum degree";
     r.threads = c.threads();
     return r;
 }
@@ -99,6 +100,7 @@ void complete(Candidate& c, const Problem& problem, Result& r) {
     r.factor_nnz = c.solver().factor_nnz();
     r.flops = c.solver().flops();
     r.bytes = c.solver().bytes();
+    r.mixed = c.solver().mixed();
     if (problem.reference) r.error = relative_error(problem.system, c.x(), problem.reference->x);
 }
 
@@ -266,7 +268,7 @@ std::vector<Result> compare(Problem& problem, const ProblemSource& source, int t
     // With more threads only solvers that can use them are worth another look.
     std::map<std::string, std::pair<Variant, Result>> best;
     std::vector<std::string> order;
-    for (const Variant& v : all_variants()) {
+    for (const Variant& v : all_variants(options.mixed)) {
         if (!wanted(v, options)) continue;
         const Result r = try_variant(problem, v, threads);
         all.push_back(r);

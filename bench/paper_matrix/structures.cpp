@@ -124,6 +124,42 @@ BlockSystem net(int side) {
     return builder.finish("net", 13);
 }
 
+BlockSystem solid(int side) {
+    using Mat3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    struct Bar {
+        int a, b;
+        Mat3 stiffness;
+    };
+    Dice dice(15);
+    std::vector<Bar> bars;
+    std::vector<Mat3> diagonal;
+    for (int i = 0; i < side * side * side; ++i)
+        diagonal.emplace_back(dice.uniform(0.1, 0.2) * Mat3::Identity());
+    const Eigen::Vector3i steps[] = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0},
+                                     {0, 1, 1}, {1, 0, 1}, {1, 1, 0}};
+    auto knot = [&](const Eigen::Vector3i& at) { return (at.x() * side + at.y()) * side + at.z(); };
+    auto join = [&](const Eigen::Vector3i& from, const Eigen::Vector3i& step) {
+        const Eigen::Vector3i to = from + step;
+        if (to.maxCoeff() >= side) return;
+        const Vec3 u = step.cast<double>().normalized();
+        const Mat3 k = dice.uniform(0.5, 1.0) * (u * u.transpose() + 0.1 * Mat3::Identity());
+        bars.push_back({knot(from), knot(to), k});
+        diagonal[static_cast<std::size_t>(knot(from))] += k;
+        diagonal[static_cast<std::size_t>(knot(to))] += k;
+    };
+    for (int x = 0; x < side; ++x)
+        for (int y = 0; y < side; ++y)
+            for (int z = 0; z < side; ++z)
+                for (const Eigen::Vector3i& step : steps) join({x, y, z}, step);
+    SystemBuilder builder;
+    for (const Mat3& block : diagonal) builder.add_body(3, {block.data(), 9});
+    for (const Bar& bar : bars) {
+        const Mat3 minus = -bar.stiffness;
+        builder.add_block(bar.b, bar.a, {minus.data(), 9});
+    }
+    return builder.finish("solid", 15);
+}
+
 BlockSystem moored_floats(int links, int chains, int floats) {
     if (floats < 1 || chains < floats || links < chains)
         throw std::invalid_argument("moored_floats: too few chains or links");

@@ -17,6 +17,11 @@ namespace hawser::bench {
 /// A fishing net: side × side knots (3 DoF) with an elastic string between neighbours.
 [[nodiscard]] BlockSystem net(int side);
 
+/// A solid body: side³ knots (3 DoF), each joined by elastic bars to the next one along three axes
+/// and three diagonals, as its tangent stiffness: positive definite, without rows. Factors of
+/// solids are large for their size, and the bars are soft for the masses.
+[[nodiscard]] BlockSystem solid(int side);
+
 /// `links` rigid links in `chains` chains between floats: one island. The first chains connect
 /// floats in a row, the others hang from a float into the ground.
 [[nodiscard]] BlockSystem moored_floats(int links, int chains, int floats);

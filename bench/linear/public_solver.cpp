@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Ours through hawser/factor.h, in double and in mixed precision: blocks are written into an array
+/// of values, which factor() copies to where it wants them.
+#include "index.h"
+#include "linear/solver.h"
+
+#include <hawser/factor.h>
+
+#include <fmt/core.h>
+
+#include <stdexcept>
+
+namespace hawser::bench {
+namespace {
+
+class PublicSolver final : public Solver {
+  public:
+    PublicSolver(Order order, Precision precision) : order_(order), precision_(precision) {}
+
+    void analyse(const Input& input, base::Executor& executor) override {
+        if (executor.threads() != threads_) {
+            threads_ = executor.threads();
+            factor_ = BlockFactor({.threads = threads_, .precision = precision_});
+        }
+        find_pattern(*input.form);
+        if (order_ == Order::library)
+            factor_.analyse(pattern_);
+        else
+            factor_.analyse(pattern_, order_ == Order::amd_blocks
+                                          ? minimum_degree_order(pattern_)
+                                          : order_blocks(*input.form, order_));
+        find_places(*input.form);
+    }
+    void update(const Input& input, const std::vector<int>&, base::Executor&) override {
+        find_pattern(*input.form);
+        factor_.update(pattern_);
+        find_places(*input.form);
+    }
+    void refresh(const Input& input, base::Executor& executor) override {
+        assemble(*input.system, ops_, input.form->contributions, *input.inverse, values_.data(),
+                 executor);
+    }
+    void factor(base::Executor&) override {
+        check(factor_.factor(values_));
+        refinements_ = {};
+    }
+    void solve(std::vector<double>& x, base::Executor&) override {
+        check(factor_.solve({x.data(), at(factor_.info().scalars)}));
+        refinements_.push_back(factor_.info().refinements);
+    }
+    [[nodiscard]] double factor_nnz() const override {
+        return static_cast<double>(factor_.info().factor_nnz);
+    }
+    [[nodiscard]] double flops() const override {
+        return static_cast<double>(factor_.info().flops);
+    }
+    [[nodiscard]] double bytes() const override {
+        return static_cast<double>(factor_.info().bytes);
+    }
+    [[nodiscard]] std::optional<MixedFigures> mixed() const override {
+        if (precision_ == Precision::full) return {};
+        const FactorInfo info = factor_.info();
+        return MixedFigures{info.single, info.fallbacks, refinements_};
+    }
+
+  private:
+    static void check(Status status) {
+        if (status != Status::ok) throw std::runtime_error(to_string(status));
+    }
+    /// The form has the columns of a block next to each other. So its rows are taken for columns.
+    void find_pattern(const BlockForm& form) {
+        pattern_.size = form.pattern.size;
+        pattern_.sign = form.pattern.sign;
+        pattern_.edges.clear();
+        for (const BlockOp& op : form.ops)
+            if (op.row != op.col) pattern_.edges.push_back({op.col, op.row});
+    }
+    void find_places(const BlockForm& form) {
+        values_.assign(at(factor_.value_count()), 0.0);
+        ops_.clear();
+        auto edge = static_cast<std::int32_t>(pattern_.size.size());
+        for (const BlockOp& op : form.ops) {
+            const int rows = op.row_size;
+            if (op.row == op.col)
+                ops_.emplace_back(op, false, factor_.value_begin(op.row), rows, 1);
+            else
+                ops_.emplace_back(op, false, factor_.value_begin(edge++), 1, rows);
+        }
+    }
+
+    Order order_;
+    Precision precision_;
+    int threads_ = 0;
+    BlockFactor factor_;
+    BlockPattern pattern_;
+    std::vector<BlockWrite> ops_;
+    std::vector<double> values_;
+    std::vector<std::int64_t> refinements_;
+};
+
+}  // namespace
+
+std::unique_ptr<Solver> make_public(Order order) {
+    return std::make_unique<PublicSolver>(order, Precision::full);
+}
+std::unique_ptr<Solver> make_mixed(Order order) {
+    return std::make_unique<PublicSolver>(order, Precision::mixed);
+}
+
+}  // namespace hawser::bench
