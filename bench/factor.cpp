@@ -6,6 +6,7 @@
 #include "linear/edits.h"
 #include "linear/report.h"
 #include "linear/schedule.h"
+#include "linear/shares.h"
 #include "observe/svg.h"
 
 #include <fmt/core.h>
@@ -26,7 +27,7 @@ struct FactorOptions {
     std::vector<std::string> only;
     std::string scene = "scenes/anchor_lines.json", matrix, blocks, json, picture;
     int threads = 2, edits = 0;
-    bool sweep = false, list = false, schedule = false, saddle = false;
+    bool sweep = false, list = false, schedule = false, saddle = false, shares = false;
     int reference_limit = 3'000'000;
     TrialOptions trial;
 };
@@ -108,6 +109,8 @@ CLI::App* add_options(CLI::App& app, FactorOptions& o) {
         ->check(CLI::Range(4, 100'000));
     app.add_flag("--schedule", o.schedule,
                  "Ours alone: measured on 1 and 2 threads, simulated on up to 64");
+    app.add_flag("--shares", o.shares,
+                 "Ours alone: what each part of a solution and of an update takes");
     app.add_flag("--saddle", o.saddle, "With --schedule: rows kept; else they are eliminated");
     app.add_option("--reference-limit", o.reference_limit,
                    "No long double reference above this many scalars")
@@ -182,6 +185,12 @@ int factor_command(int argc, char** argv) {
         return 0;
     }
     if (o.schedule) return schedules(sources, o);
+    if (o.shares) {
+        fmt::print("kernels {}, one thread; medians of {} rounds, wall time\n", instruction_set(),
+                   o.trial.rounds);
+        for (const ProblemSource& p : sources) print_shares(p, o.trial.rounds);
+        return 0;
+    }
     fmt::print("kernels {}, BLAS {}; one thread: processor time, more: wall time\n",
                instruction_set(), blas_core());
     std::vector<ProblemReport> reports;

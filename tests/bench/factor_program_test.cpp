@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
+#include <regex>
 #include <set>
 #include <string>
 
@@ -52,6 +53,45 @@ TEST(FactorProgram, EverySolverSolvesAMatrixFromAFile) {
     EXPECT_EQ(solvers.count("hawser"), 1u);
     EXPECT_EQ(solvers.count("Eigen SimplicialLDLT"), 1u);
     for (const std::string& file : {matrix, json, stem.string()}) std::filesystem::remove(file);
+}
+
+/// The parts add up to what is printed above them, and the marked ones to the line below.
+TEST(FactorProgram, SharesAddUp) {
+    const char* folder = std::getenv("HAWSER_BIN_DIR");
+    const std::string program = std::string(folder == nullptr ? "." : folder) + "/hawser-bench";
+    if (!std::filesystem::exists(program)) GTEST_SKIP() << "hawser-bench is not in this build";
+    const std::string out = (std::filesystem::temp_directory_path() /
+                             ("hawser_factor_shares_" + std::to_string(::getpid())))
+                                .string();
+    const std::string command =
+        program + R"( factor --only "paper lumped" --shares --rounds 3 > )" + out;
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    const std::regex head(".*condensed: ([0-9.]+) us"),
+        part("  ([^*]+?) +([0-9.]+) +[0-9.]+ %( .*)?"),
+        every("  \\* every solver runs it +([0-9.]+) .*"), update("  50 contacts changed: .* us");
+    double all = 0.0, sum = 0.0, marked = 0.0, common = 0.0;
+    int parts = 0, updates = 0;
+    std::ifstream in(out);
+    std::smatch m;
+    for (std::string line; std::getline(in, line);) {
+        if (std::regex_match(line, m, head)) {
+            all = std::stod(m[1]);
+        } else if (std::regex_match(line, m, every)) {
+            common = std::stod(m[1]);
+        } else if (std::regex_match(line, m, part)) {
+            ++parts;
+            sum += std::stod(m[2]);
+            if (m[3].length() > 0) marked += std::stod(m[2]);
+        }
+        updates += std::regex_match(line, update) ? 1 : 0;
+    }
+    EXPECT_EQ(parts, 9);
+    EXPECT_EQ(updates, 1);
+    EXPECT_GT(common, 0.0);
+    const double digits = 0.05 * (parts + 1);  // every figure is printed to a tenth
+    EXPECT_NEAR(sum, all, digits);
+    EXPECT_NEAR(marked, common, digits);
+    std::filesystem::remove(out);
 }
 
 }  // namespace

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file ours.h
+/// Our factorisation as one of the solvers compared, and in steps whose times can be told apart.
+
+#include "factor/numeric.h"
+#include "factor/repair.h"
+#include "linear/placer.h"
+#include "linear/solver.h"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace hawser::bench {
+
+/// Writes the values of a few fronts just before it factors them, and goes on with the substitution
+/// while they are in cache, as a time step does.
+class Ours final : public Solver {
+  public:
+    explicit Ours(Order order) : analysis_(planner(order)) {}
+
+    void analyse(const Input& input, base::Executor& executor) override;
+    /// Nodes keep their numbers; all that the analysis needs to know is in the pattern.
+    void update(const Input& input, const std::vector<int>& changed,
+                base::Executor& executor) override;
+    /// The two halves of analyse() and of update(): order and structure, then where each block is
+    /// written.
+    void plan(const Input& input, base::Executor& executor);
+    void repair(const Input& input, base::Executor& executor);
+    void find_places(base::Executor& executor);
+
+    /// The values are written as the fronts are factored.
+    void refresh(const Input& input, base::Executor& executor) override;
+    void factor(base::Executor& executor) override;
+    void factor_and_begin(std::vector<double>& x, base::Executor& executor) override;
+    void finish(std::vector<double>& x, base::Executor& executor) override;
+    void solve(std::vector<double>& x, base::Executor& executor) override;
+    /// All values by themselves. The factor is lost.
+    void write_values() noexcept;
+    [[nodiscard]] double factor_nnz() const override {
+        return static_cast<double>(symbolic_.factor_nnz);
+    }
+    [[nodiscard]] double flops() const override { return static_cast<double>(symbolic_.flops); }
+    [[nodiscard]] double bytes() const override {
+        return static_cast<double>(symbolic_.bytes() + numeric_.bytes());
+    }
+
+  private:
+    factor::Analysis::Planner planner(Order order);
+    int start(double* x, base::Executor& executor);
+    void write(std::size_t piece, double* panel) const noexcept;
+    void permute(const std::vector<double>& x, base::Executor& executor);
+    void permute_back(std::vector<double>& x, base::Executor& executor) const;
+
+    factor::Orderer orderer_;
+    const BlockForm* form_ = nullptr;
+    factor::Analysis analysis_;
+    const factor::Symbolic& symbolic_ = analysis_.symbolic();
+    factor::Numeric numeric_;
+    std::vector<BlockWrite> ops_;
+    std::vector<Placer::Range> piece_ops_;  ///< Of each piece: begin, end.
+    Input input_;
+    std::vector<std::int32_t> place_;  ///< Of each permuted scalar in the form.
+    std::vector<double> x_;
+    Placer placer_;
+};
+
+}  // namespace hawser::bench
