@@ -3,12 +3,14 @@
 /// @file solver.h
 /// One interface for all solvers compared, and the list of their variants.
 ///
-/// | library | forms | orders | threads |
-/// |---|---|---|---|
-/// | hawser | saddle, condensed | own: chains first, minimum degree; the latter alone; METIS on
-/// blocks | ours | | Eigen SimplicialLDLT, CHOLMOD simplicial, SuiteSparse LDL | both | all three |
-/// - | | CHOLMOD supernodal | condensed: it has no LDLᵀ | all three | BLAS | | KLU | both | all
-/// three, COLAMD | - | | MUMPS | both, SYM = 1: no pivoting | all three | BLAS |
+/// Forms, orders and threads:
+/// - hawser: saddle and condensed; its own order, minimum degree alone, METIS on blocks; ours.
+/// - hawser blocks, hawser mixed: the same through hawser/factor.h, in double and with a factor in
+///   float.
+/// - Eigen SimplicialLDLT, CHOLMOD simplicial, SuiteSparse LDL: both; all three; one thread.
+/// - CHOLMOD supernodal: condensed, as it has no LDLᵀ; all three; those of BLAS.
+/// - KLU: both; all three and COLAMD; one thread.
+/// - MUMPS: both with SYM = 1, without pivoting; all three; those of BLAS.
 
 #include "linear/form.h"
 #include "linear/scalar.h"

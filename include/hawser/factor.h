@@ -80,9 +80,10 @@ struct FactorInfo {
     bool planned = true;            ///< The last analyse() or update() made a new order.
     std::int64_t wrong_pivots = 0;  ///< Of the factor in use.
     // Precision::mixed; else false and 0.
-    bool single = false;           ///< The factor in use is one in float.
-    std::int64_t fallbacks = 0;    ///< Times since analyse() that double had to step in.
-    std::int64_t refinements = 0;  ///< Of the last solve(): solutions in float after the first.
+    bool single = false;         ///< The factor in use is one in float.
+    std::int64_t fallbacks = 0;  ///< Times since analyse() that double had to step in.
+    /// Of the last solve(): solutions in float after the first, in vain or not.
+    std::int64_t refinements = 0;
 };
 
 /// Analyses, factors, solves.

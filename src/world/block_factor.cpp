@@ -147,7 +147,9 @@ Status BlockFactor::solve(std::span<double> x) noexcept {
     Impl& m = *impl_;
     assert(x.size() + 8 == m.permuted.size());
     const Impl::Awake awake(m.pool);
-    return m.single() ? m.solve_mixed(x) : m.solve_full(x.data());
+    if (m.single()) return m.solve_mixed(x);
+    if (m.mixed) m.mixed->refinements = 0;
+    return m.solve_full(x.data());
 }
 
 void BlockFactor::multiply(std::span<const double> values, std::span<const double> x,

@@ -104,7 +104,6 @@ Status BlockFactor::Impl::fall_back() noexcept {
     m.single = false;
     ++m.fallbacks;
     ++m.failed;
-    m.refinements = 0;
     return factor_full(m.residual.values().data());
 }
 
