@@ -37,7 +37,6 @@ struct FactorView {
     Real* slot_pivot;  ///< 1/D.
     Real* slot_y;      ///< Between forward and backward substitution.
     bool distant;      ///< The panels are larger than a core's own cache.
-    bool remote;       ///< They are several times as large.
 
     // Unsymmetric fronts, see unsymmetric.h.
     const std::uint8_t* unsymmetric = nullptr;  ///< 1 where a front is; null: none is.

@@ -32,9 +32,7 @@ void BasicNumeric<Real>::make_room(const Symbolic& symbolic, int threads, int si
     grow(scratch_, scratch_stride_ * threads);
 }
 
-// Bytes: a megabyte, and three. Between them asking ahead for panels of fronts costs more than it
-// brings.
-constexpr std::int64_t kCached = 1'048'576, kNear = 3'145'728;
+constexpr std::int64_t kCached = 1'048'576;  // bytes that a core's own cache holds
 
 template <class Real>
 FactorView<Real> BasicNumeric<Real>::view(const Symbolic& s, int thread) noexcept {
@@ -45,8 +43,7 @@ FactorView<Real> BasicNumeric<Real>::view(const Symbolic& s, int thread) noexcep
                        pivot_.data(),      work_.data(),        stack,
                        s.stack_begin,      carry_.data(),       s.batch_steps.data(),
                        s.slot_sign.data(), s.slot_index.data(), s.tail_slot.data(),
-                       slot_pivot_.data(), slot_y_.data(),      bytes > kCached,
-                       bytes > kNear};
+                       slot_pivot_.data(), slot_y_.data(),      bytes > kCached};
     if (!unsymmetric_) return v;
     v.unsymmetric = kind_.data();
     v.upper = upper_.data();

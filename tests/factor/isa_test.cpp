@@ -47,7 +47,6 @@ Solved solve_with(const factor::Kernels& all, const BlockMatrix& m, const factor
                                   s.tail_slot.data(),
                                   slot_pivot.data(),
                                   slot_y.data(),
-                                  true,
                                   true};
     [[maybe_unused]] base::Array<Real> upper, upper_work;
     std::vector<std::int8_t> wrong(n, 0);

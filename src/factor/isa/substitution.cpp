@@ -20,23 +20,53 @@ using factor::Front;
 using factor::Run;
 
 constexpr int kBlock = 8;
-// Bytes from the end of a panel to what is asked for, and of that; more has columns that are long.
-constexpr long kAhead = 4096, kMost = 16'384, kLine = 64;
+// What is asked for ahead: of panels [bytes], of tables [fronts].
+constexpr long kAhead = 8192;
+constexpr std::int32_t kFrontsAhead = 6;
+
+/// Panels larger than a core's own cache come from further away than the processor looks ahead, as
+/// columns are short and going down their addresses fall. It takes a dozen requests at once and
+/// forgets what goes beyond, so each vector of a panel asks for another, `kBytes` away: 0 for none.
+template <long kBytes, class Real>
+HAWSER_INLINE Lanes<Real> load_ahead(const Real* p) {
+    if constexpr (kBytes != 0) __builtin_prefetch(reinterpret_cast<const char*>(p) + kBytes);
+    return load(p);
+}
+
+/// Asks for what a front needs besides its panel, and for the front `kFrontsAhead` further on.
+template <bool kUp, class Real>
+HAWSER_INLINE void ask_for_tables(const FactorView<Real>& view, const Front& front, const Real* x) {
+    constexpr int kLine = 64;
+    const char* const further =
+        reinterpret_cast<const char*>(kUp ? &front + kFrontsAhead : &front - kFrontsAhead);
+    for (int i = 0; i < static_cast<int>(sizeof(Front)); i += kLine)
+        __builtin_prefetch(further + i);
+    __builtin_prefetch(x + front.offset);
+    if constexpr (kUp) {
+        constexpr int kStep = kLine / sizeof(Real);
+        for (int i = 0; i < front.q; i += kStep) __builtin_prefetch(view.carry + front.rows + i);
+        __builtin_prefetch(view.runs + front.run_begin);
+    } else {
+        constexpr int kStep = kLine / sizeof(*view.rows);
+        for (int i = 0; i < front.q; i += kStep) __builtin_prefetch(view.rows + front.rows + i);
+        __builtin_prefetch(view.pivot + front.offset);
+    }
+}
 
 /// Pivots [k, k + N) of L y = y, then y −= L y for the rows behind them, handed over by vectors:
 /// put(row, vector).
-template <int N, class Real, class Put>
+template <int N, long kBytes, class Real, class Put>
 HAWSER_INLINE void forward_block(const Real* panel, long ld, int k, const Real* y, Put&& put) {
     const Real* column = panel + k * ld;
     Lanes<Real> v = load(y + k), pivot[N];
     for (int c = 0; c < N; ++c) {
         pivot[c] = spread_lane(v, c);
-        v -= pivot[c] * load(column + c * ld + k);
+        v -= pivot[c] * load_ahead<kBytes>(column + c * ld + k);
     }
     put(k, v);
     for (int i = k + 8; i < ld; i += 8) {
         Lanes<Real> acc = load(y + i);
-        for (int c = 0; c < N; ++c) acc -= pivot[c] * load(column + c * ld + i);
+        for (int c = 0; c < N; ++c) acc -= pivot[c] * load_ahead<kBytes>(column + c * ld + i);
         put(i, acc);
     }
 }
@@ -61,7 +91,7 @@ inline void gather_forward(const FactorView<Real>& view, const Front& front, con
 /// vector `from` on. The products with those come first and are independent of each other; then the
 /// small triangle, in which each entry waits only for the one before it. z comes with y_k … and
 /// leaves with z_k ….
-template <int N, class Real>
+template <int N, long kBytes, class Real>
 HAWSER_INLINE void backward_block(const Real* panel, long ld, int k, int from, const Real* y,
                                   Real* z) {
     Lanes<Real> acc[N];
@@ -69,7 +99,7 @@ HAWSER_INLINE void backward_block(const Real* panel, long ld, int k, int from, c
     const Real* column = panel + k * ld;
     for (int i = from; i < ld; i += 8) {
         const Lanes<Real> v = load(y + i);
-        for (int c = 0; c < N; ++c) acc[c] += load(column + c * ld + i) * v;
+        for (int c = 0; c < N; ++c) acc[c] += load_ahead<kBytes>(column + c * ld + i) * v;
     }
     const Lanes<Real> s = sums<N>(acc);
     Real solved[N];  // in registers: all indices are constants once unrolled
@@ -82,17 +112,7 @@ HAWSER_INLINE void backward_block(const Real* panel, long ld, int k, int from, c
     }
 }
 
-/// Panels larger than a core's own cache come from further away than the processor looks ahead, as
-/// columns are short and going down their addresses fall. Asks for as much as the front has, from
-/// `distance` entries behind the beginning of its panel on.
-template <class Real>
-HAWSER_INLINE void fetch_panels(const Real* panel, long distance, long size) {
-    constexpr long kSize = sizeof(Real);
-    for (long i = 0; i < size && i < kMost / kSize; i += kLine / kSize)
-        __builtin_prefetch(panel + distance + i);
-}
-
-template <class Real>
+template <long kBytes, class Real>
 void forward(const FactorView<Real>& view, std::int32_t begin, std::int32_t end, Real* x,
              Real* scratch) noexcept {
     for (std::int32_t f = begin; f < end; ++f) {
@@ -100,19 +120,19 @@ void forward(const FactorView<Real>& view, std::int32_t begin, std::int32_t end,
         if (front.batch >= 0) continue;
         const Real* panel = view.panel + front.panel;
         const int p = front.p, n = front.p + front.q;
-        const long size = static_cast<long>(front.ld) * p;
-        if (view.remote) fetch_panels(panel, size + kAhead / static_cast<long>(sizeof(Real)), size);
+        if (kBytes != 0 && f + 2 * kFrontsAhead < end)
+            ask_for_tables<true>(view, view.fronts[f + kFrontsAhead], x);
         Real* xf = x + front.offset;
         Real* y = scratch;
         gather_forward(view, front, x, y);
         int k = 0;
         for (; p - k > kBlock; k += kBlock)
-            forward_block<kBlock>(panel, front.ld, k, y, [&](int i, const Lanes<Real>& v) {
+            forward_block<kBlock, kBytes>(panel, front.ld, k, y, [&](int i, const Lanes<Real>& v) {
                 store(i == k ? xf + i : y + i, v);
             });
         Real* carry = view.carry + front.rows - p;
         with_count(p - k, [&]<int N>() {
-            forward_block<N>(panel, front.ld, k, y, [&](int i, const Lanes<Real>& v) {
+            forward_block<N, kBytes>(panel, front.ld, k, y, [&](int i, const Lanes<Real>& v) {
                 if (i == k) store_lanes(xf + i, v, 0, N);
                 store_lanes(carry + i, v, i == k ? N : 0, n - i);
             });
@@ -120,7 +140,7 @@ void forward(const FactorView<Real>& view, std::int32_t begin, std::int32_t end,
     }
 }
 
-template <class Real>
+template <long kBytes, class Real>
 void backward(const FactorView<Real>& view, std::int32_t begin, std::int32_t end, Real* x,
               Real* scratch) noexcept {
     for (std::int32_t f = end; f-- > begin;) {
@@ -129,9 +149,8 @@ void backward(const FactorView<Real>& view, std::int32_t begin, std::int32_t end
         const Real* panel = (view.is_unsymmetric(f) ? view.upper : view.panel) + front.panel;
         const Real* inverse = view.pivot + front.offset;
         const int ld = front.ld, p = front.p, n = front.p + front.q;
-        const long size = static_cast<long>(ld) * p;
-        if (view.remote)
-            fetch_panels(panel, -kAhead / static_cast<long>(sizeof(Real)) - size, size);
+        if (kBytes != 0 && f - 2 * kFrontsAhead >= begin)
+            ask_for_tables<false>(view, view.fronts[f - kFrontsAhead], x);
         Real* xf = x + front.offset;
         Real* y = scratch;
         const std::int32_t* rows = view.rows + front.rows - p;
@@ -141,7 +160,7 @@ void backward(const FactorView<Real>& view, std::int32_t begin, std::int32_t end
         with_count(p - k, [&]<int N>() {
             Real z[8] = {};
             for (int c = 0; c < N; ++c) z[c] = xf[k + c] * inverse[k + c];
-            backward_block<N>(panel, ld, k, from, y, z);
+            backward_block<N, kBytes>(panel, ld, k, from, y, z);
             for (int c = 0; c < N; ++c) xf[k + c] = z[c];
             if (k > 0)
                 for (int c = 0; c < N; ++c) y[k + c] = z[c];
@@ -149,7 +168,7 @@ void backward(const FactorView<Real>& view, std::int32_t begin, std::int32_t end
         for (k -= kBlock; k >= 0; k -= kBlock) {
             Real z[8];
             for (int c = 0; c < kBlock; ++c) z[c] = xf[k + c] * inverse[k + c];
-            backward_block<kBlock>(panel, ld, k, k + kBlock, y, z);
+            backward_block<kBlock, kBytes>(panel, ld, k, k + kBlock, y, z);
             for (int c = 0; c < kBlock; ++c) xf[k + c] = y[k + c] = z[c];
         }
     }
@@ -161,13 +180,15 @@ void backward(const FactorView<Real>& view, std::int32_t begin, std::int32_t end
 template <class Real>
 void forward_fronts(const FactorView<Real>& view, std::int32_t begin, std::int32_t end, Real* x,
                     Real* scratch) noexcept {
-    forward(view, begin, end, x, scratch);
+    view.distant ? forward<kAhead>(view, begin, end, x, scratch)
+                 : forward<0>(view, begin, end, x, scratch);
 }
 
 template <class Real>
 void backward_fronts(const FactorView<Real>& view, std::int32_t begin, std::int32_t end, Real* x,
                      Real* scratch) noexcept {
-    backward(view, begin, end, x, scratch);
+    view.distant ? backward<-kAhead>(view, begin, end, x, scratch)
+                 : backward<0>(view, begin, end, x, scratch);
 }
 
 template void forward_fronts(const FactorView<double>&, std::int32_t, std::int32_t, double*,
