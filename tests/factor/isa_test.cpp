@@ -30,24 +30,12 @@ Solved solve_with(const factor::Kernels& all, const BlockMatrix& m, const factor
             std::numeric_limits<Real>::quiet_NaN()),
         x(n + 8), slot_pivot(8 * s.slot_sign.size()), slot_y(8 * s.slot_sign.size());
     fill(m, s, panel.data());
-    factor::FactorView<Real> view{s.fronts.data(),
-                                  s.children.data(),
-                                  s.rows.data(),
-                                  s.runs.data(),
-                                  s.sign.data(),
-                                  panel.data(),
-                                  pivot.data(),
-                                  work.data(),
-                                  work.data(),
-                                  s.stack_begin,
-                                  carry.data(),
-                                  s.batch_steps.data(),
-                                  s.slot_sign.data(),
-                                  s.slot_index.data(),
-                                  s.tail_slot.data(),
-                                  slot_pivot.data(),
-                                  slot_y.data(),
-                                  true};
+    factor::FactorView<Real> view{s.fronts.data(),    s.children.data(),   s.rows.data(),
+                                  s.runs.data(),      s.sign.data(),       panel.data(),
+                                  pivot.data(),       work.data(),         work.data(),
+                                  s.stack_begin,      carry.data(),        s.batch_steps.data(),
+                                  s.slot_sign.data(), s.slot_index.data(), s.tail_slot.data(),
+                                  slot_pivot.data(),  slot_y.data(),       true};
     [[maybe_unused]] base::Array<Real> upper, upper_work;
     std::vector<std::int8_t> wrong(n, 0);
     if constexpr (factor::kUnsymmetric<Real>)
