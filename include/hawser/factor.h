@@ -92,7 +92,8 @@ struct FactorInfo {
 /// solve() solves in float, takes the residual b − K x in double and solves for the correction,
 /// until the componentwise backward error max_i |b − K x|_i / (|K| |x| + |b|)_i is at most
 /// kMixedTolerance. Scaling and units do not change it, and residual() is no larger; rows in which
-/// next to nothing adds up count less (src/factor/residual.h).
+/// less than a billionth of the others adds up, by the scale of their diagonal, count less
+/// (src/factor/residual.h).
 ///
 /// Double steps in, within the same call, where a pivot in float is wrong, where a refinement takes
 /// less than half of the error, and where ten are not enough. factor() and solve() then give what
@@ -152,7 +153,8 @@ class BlockFactor {
     /// The same, bit for bit, after the values of some blocks changed, all others being those of
     /// the last call: only fronts on their paths to the root are computed again. Does what factor()
     /// does without FactorOptions::partial, and where no good factor of this pattern is there. The
-    /// precision stays that of the factor in use, unless double has to step in.
+    /// precision stays that of the factor in use, unless double has to step in; of a factor in
+    /// float the solutions in float are the same, the number of refinements need not be.
     [[nodiscard]] Status refactor(std::span<const double> values,
                                   std::span<const std::int32_t> changed_blocks) noexcept;
 

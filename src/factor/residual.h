@@ -18,8 +18,9 @@
 ///
 /// Where hardly anything adds up, far from all loads, ω would ask for digits of next to nothing
 /// (Arioli, Demmel, Duff, "Solving sparse linear systems with sparse backward error", 1989). No
-/// denominator therefore counts as less than kLeast of the largest |b|, both scaled by the
-/// diagonal.
+/// denominator therefore counts as less than kLeast of the largest |b| or of the largest |x|, of
+/// the lesser of the two, all scaled by the diagonal: |x_i| √|K_ii|, |b_i| / √|K_ii|. Then |b − K
+/// x| is at most ω (‖K‖ max|x| + max|b|) still, as K's largest entry bounds √|K_ii K_jj|.
 ///
 /// Each node adds up its own rows, in the order of its blocks: K is kept both ways round, so that
 /// all blocks are read by columns of the node's own rows, a vector each, one after another.

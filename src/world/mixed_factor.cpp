@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hawser {
 namespace {
@@ -136,10 +137,16 @@ bool BlockFactor::Impl::refine_single(double most) noexcept {
     Mixed& m = *mixed;
     std::fill(m.x.begin(), m.x.end(), 0.0);
     std::copy(m.b.begin(), m.b.end(), m.rest.begin());
-    const double guard = factor::BlockResidual::kLeast * most;
+    const double load = most;
     double last = HUGE_VAL;
     for (int step = 0;; ++step) {
         add_correction(most);
+        // A loose scalar next to none has a large scale, and so a large scaled load: what it does
+        // to the solution tells how large the others' rows are.
+        const double reach = largest(at(analysis.symbolic().scalars),
+                                     [&](std::size_t i) { return m.x[i] / m.scale[i]; });
+        const double guard = std::max(std::numeric_limits<double>::min(),
+                                      factor::BlockResidual::kLeast * std::min(load, reach));
         const factor::ResidualSize left =
             m.residual.run(m.scale.data(), m.x.data(), m.b.data(), guard, m.rest.data(), pool);
         m.refinements = step;
@@ -156,11 +163,13 @@ Status BlockFactor::Impl::solve_mixed(std::span<double> x) noexcept {
     std::copy(x.begin(), x.end(), m.b.begin());
     const double most = largest(x.size(), [&](std::size_t i) { return x[i] * m.scale[i]; });
     m.refinements = 0;
-    if (most == 0.0 || !std::isfinite(most)) {
-        std::fill(x.begin(), x.end(), most);
-        return most == 0.0 ? Status::ok : Status::not_finite;
+    const double unscaled = largest(x.size(), [&](std::size_t i) { return x[i]; });
+    if (unscaled == 0.0 || !std::isfinite(unscaled)) {
+        std::fill(x.begin(), x.end(), unscaled);
+        return unscaled == 0.0 ? Status::ok : Status::not_finite;
     }
-    if (refine_single(most)) {
+    // The scale may take what is finite, and not zero, out of the range of double.
+    if (most != 0.0 && std::isfinite(most) && refine_single(most)) {
         m.failed = 0;
         std::copy_n(m.x.begin(), x.size(), x.begin());
         return Status::ok;

@@ -67,10 +67,11 @@ HAWSER_INLINE void run_node(const factor::ResidualView& view, std::int32_t node,
             for (int i = 0; i < count; ++i) r[i] = left[n][i];
         const Rows scale = rows_at(view.scale + first + n * kWidth);
         const Rows scaled = first_rows(magnitude(left[n]) * scale, count);
-        const Rows ratio = scaled / (first_rows(total[n] * scale, count) + view.guard);
+        const Rows full = first_rows(total[n] * scale, count) + view.guard;
+        const Rows ratio = scaled / full;
         most.error = larger(ratio, most.error);
         most.size = larger(scaled, most.size);
-        most.unfit += ratio - ratio;
+        most.unfit += (ratio - ratio) + (full - full);  // nothing is little beside infinity
     }
 }
 

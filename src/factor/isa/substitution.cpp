@@ -12,6 +12,8 @@
 #include "factor/isa/with_count.h"
 #include "factor/symbolic.h"
 
+#include <cstdint>
+
 namespace hawser::HAWSER_ISA {
 namespace {
 
@@ -29,7 +31,10 @@ constexpr std::int32_t kFrontsAhead = 6;
 /// forgets what goes beyond, so each vector of a panel asks for another, `kBytes` away: 0 for none.
 template <long kBytes, class Real>
 HAWSER_INLINE Lanes<Real> load_ahead(const Real* p) {
-    if constexpr (kBytes != 0) __builtin_prefetch(reinterpret_cast<const char*>(p) + kBytes);
+    // As a number: it may lie outside the array.
+    if constexpr (kBytes != 0)
+        __builtin_prefetch(
+            reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(p) + kBytes));
     return load(p);
 }
 
