@@ -29,15 +29,23 @@ void write_matrix_market(const Sparse& lower, const std::string& file) {
             out << it.row() + 1 << ' ' << j + 1 << ' ' << it.value() << '\n';
 }
 
-TEST(FactorProgram, EverySolverSolvesAMatrixFromAFile) {
-    const char* folder = std::getenv("HAWSER_BIN_DIR");
-    const std::string program = std::string(folder == nullptr ? "." : folder) + "/hawser-bench";
-    if (!std::filesystem::exists(program)) GTEST_SKIP() << "hawser-bench is not in this build";
+class FactorProgram : public testing::Test {
+  protected:
+    /// Presets with sanitizers build no hawser-bench.
+    void SetUp() override {
+        const char* folder = std::getenv("HAWSER_BIN_DIR");
+        program_ = std::string(folder == nullptr ? "." : folder) + "/hawser-bench";
+        if (!std::filesystem::exists(program_)) GTEST_SKIP() << "hawser-bench is not in this build";
+    }
+    std::string program_;
+};
+
+TEST_F(FactorProgram, EverySolverSolvesAMatrixFromAFile) {
     const auto stem = std::filesystem::temp_directory_path() /
                       ("hawser_factor_program_" + std::to_string(::getpid()));
     const std::string matrix = stem.string() + ".mtx", json = stem.string() + ".json";
     write_matrix_market(tree_of_chains(4, 6).lower(), matrix);
-    const std::string command = program + " factor --matrix " + matrix +
+    const std::string command = program_ + " factor --matrix " + matrix +
                                 " --rounds 1 --threads 2 --json " + json + " > " + stem.string();
     ASSERT_EQ(std::system(command.c_str()), 0);
     const nlohmann::json result = nlohmann::json::parse(std::ifstream(json)).at("matrices").at(0);
@@ -56,15 +64,12 @@ TEST(FactorProgram, EverySolverSolvesAMatrixFromAFile) {
 }
 
 /// The parts add up to what is printed above them, and the marked ones to the line below.
-TEST(FactorProgram, SharesAddUp) {
-    const char* folder = std::getenv("HAWSER_BIN_DIR");
-    const std::string program = std::string(folder == nullptr ? "." : folder) + "/hawser-bench";
-    if (!std::filesystem::exists(program)) GTEST_SKIP() << "hawser-bench is not in this build";
+TEST_F(FactorProgram, SharesAddUp) {
     const std::string out = (std::filesystem::temp_directory_path() /
                              ("hawser_factor_shares_" + std::to_string(::getpid())))
                                 .string();
     const std::string command =
-        program + R"( factor --only "paper lumped" --shares --rounds 3 > )" + out;
+        program_ + R"( factor --only "paper lumped" --shares --rounds 3 > )" + out;
     ASSERT_EQ(std::system(command.c_str()), 0);
     const std::regex head(".*condensed: ([0-9.]+) us"),
         part("  ([^*]+?) +([0-9.]+) +[0-9.]+ %( .*)?"),
