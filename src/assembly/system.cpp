@@ -65,10 +65,21 @@ void System::analyse(const model::Bodies& bodies, model::Interactions& interacti
             const model::Pool& pool = interactions.pool[static_cast<std::size_t>(r.kind)];
             kernels().evaluate(v, r.kind, pool.ids.data(), pool.data.data(), r.begin, r.end);
         }
+    share_damping(bodies, interactions, def.step);
     soften_sides(bodies, interactions, def.step);
     choose_forms(bodies, interactions, def);
     find_order(bodies, interactions, state);
     place(bodies, interactions, threads);
+}
+
+void System::share_damping(const model::Bodies& bodies, model::Interactions& in, double h) const {
+    for (int i = 0; i < in.count(); ++i)
+        for (int r = 0; r < in.rows[at(i)]; ++r) {
+            const auto row = at(in.row_begin[at(i)] + r);
+            if (rests(i) || !(in.row_flags[row] & model::kRowDamper)) continue;
+            in.mobility[row] = mobility(bodies, in, i, r);
+            in.share_damping(row, in.rest_length[at(i)] > 0.0, h);
+        }
 }
 
 void System::find_resting(const model::Bodies& bodies, const model::Interactions& in) {
@@ -179,7 +190,8 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.inv_inertia = bodies.inv_inertia.data();
     v.principal = bodies.principal.data();
     v.force = bodies.force.data();
-    v.damping = bodies.damping.data();
+    v.drag_after = bodies.drag_after.data();
+    v.drag_before = bodies.drag_before.data();
     v.weight = bodies.weight.data();
     v.body_block = body_block_.data();
     v.a = a_.data();
@@ -199,6 +211,7 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.rest_length = in.rest_length.data();
     v.epsilon = in.epsilon.data();
     v.upsilon = in.upsilon.data();
+    v.recall = in.recall.data();
     v.sigma = in.sigma.data();
     v.inv_sigma = in.inv_sigma.data();
     v.row_flags = in.row_flags.data();

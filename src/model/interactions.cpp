@@ -3,6 +3,7 @@
 #include "model/interactions.h"
 
 #include "base/index.h"
+#include "model/damping.h"
 #include "model/kinds/all.h"
 
 #include <algorithm>
@@ -122,15 +123,16 @@ int Interactions::add(const InteractionDef& filled, const Bodies& bodies_in, dou
         d.damping_time[k] = spec[r].damping_time;
         epsilon.push_back(spec[r].compliance);
         tau.push_back(spec[r].damping_time);
-        const double ups = spec[r].velocity ? 0.0 : 1.0 / (1.0 + 4.0 * spec[r].damping_time / h);
-        upsilon.push_back(ups);
-        sigma.push_back(spec[r].velocity ? spec[r].compliance / h
-                                         : 4.0 * spec[r].compliance * ups / (h * h));
+        const bool damper = !spec[r].velocity && !spec[r].calmed;
         row_flags.push_back(static_cast<std::uint8_t>((spec[r].velocity ? kRowVelocity : 0) |
-                                                      (spec[r].gap ? kRowGap : 0)));
-        for (base::Array<double>* a :
-             {&inv_sigma, &least_sigma, &g, &c, &residual, &lambda, &multiplier, &force})
+                                                      (spec[r].gap ? kRowGap : 0) |
+                                                      (damper ? kRowDamper : 0)));
+        for (base::Array<double>* a : {&mobility, &upsilon, &recall, &inv_sigma, &least_sigma, &g,
+                                       &c, &residual, &lambda, &multiplier, &force})
             a->push_back(0.0);
+        share_damping(upsilon.size() - 1, is_stretch(d.kind), h);
+        sigma.push_back(spec[r].velocity ? spec[r].compliance / h
+                                         : 4.0 * spec[r].compliance * upsilon.back() / (h * h));
     }
     if (is_stretch(d.kind)) follow_length(id, bodies_in, h);
     if (d.kind == InteractionKind::WinchStretch && (flags.back() & kFromLength))
@@ -199,10 +201,27 @@ void Interactions::truncate(int kept) {
         a->resize(n);
     load_begin.resize(n);
     const auto m = at(row_count);
-    for (base::Array<double>* a : {&epsilon, &tau, &upsilon, &sigma, &least_sigma, &inv_sigma, &g,
-                                   &c, &residual, &lambda, &multiplier, &force})
+    for (base::Array<double>* a :
+         {&epsilon, &tau, &mobility, &upsilon, &recall, &sigma, &least_sigma, &inv_sigma, &g, &c,
+          &residual, &lambda, &multiplier, &force})
         a->resize(m);
     row_flags.resize(m);
+}
+
+/// The axial swing of a wire's lumps is seldom resolved, and with the trapezoidal rule alone it
+/// would never end: where it is not, a wire has the damping of half a step at least.
+void Interactions::share_damping(std::size_t row, bool wire, double h) noexcept {
+    const double w = mobility[row], e = epsilon[row];
+    double t = tau[row], late = 1.0;
+    recall[row] = 1.0;
+    if (row_flags[row] & kRowVelocity) return;
+    if ((row_flags[row] & kRowDamper) && w > 0.0 && e > 0.0) {
+        const double spring = 0.25 * h * h * w / e;
+        if (wire) t = std::max(t, (late_share(spring) - 0.5) * h);
+        late = late_share(h * t * w / e + spring);
+        recall[row] = 1.0 - 4.0 * t * (1.0 - late) / h;
+    }
+    upsilon[row] = 1.0 / (1.0 + 4.0 * t * late / h);
 }
 
 void Interactions::mirror(int copy, int original, const Bodies& bodies_in, double h) noexcept {
@@ -219,6 +238,7 @@ void Interactions::mirror(int copy, int original, const Bodies& bodies_in, doubl
         const auto row = at(row_begin[at(copy)] + r), of = at(row_begin[at(original)] + r);
         epsilon[row] = epsilon[of];
         if (row_flags[row] & kRowVelocity) continue;
+        share_damping(row, is_stretch(d.kind), h);
         sigma[row] = std::max(4.0 * epsilon[row] * upsilon[row] / (h * h), least_sigma[row]);
         if (inv_sigma[row] != 0.0) inv_sigma[row] = 1.0 / sigma[row];
     }
@@ -250,6 +270,7 @@ void Interactions::follow_length(int id, const Bodies& bodies_in, double h) noex
     if (!(flags[at(id)] & kFromLength)) return;
     const auto row = at(row_begin[at(id)]);
     epsilon[row] = length / d.params[1];
+    share_damping(row, true, h);
     sigma[row] = std::max(4.0 * epsilon[row] * upsilon[row] / (h * h), least_sigma[row]);
     if (inv_sigma[row] != 0.0) inv_sigma[row] = 1.0 / sigma[row];
 }
@@ -314,13 +335,14 @@ double Interactions::elastic(int id, const Bodies& b, double h) const noexcept {
 
 std::size_t Interactions::bytes() const noexcept {
     using base::bytes;
-    std::size_t total =
-        bytes(def) + bytes(pool_index) + bytes(body) + bytes(bodies) + bytes(rows) + bytes(flags) +
-        bytes(row_begin) + bytes(jac_begin) + bytes(arms) + bytes(geo) + bytes(active) +
-        bytes(held) + bytes(low) + bytes(high) + bytes(anchor) + bytes(load_begin) + bytes(loads) +
-        bytes(parted) + bytes(rest_length) + bytes(epsilon) + bytes(tau) + bytes(upsilon) +
-        bytes(sigma) + bytes(inv_sigma) + bytes(g) + bytes(c) + bytes(residual) + bytes(lambda) +
-        bytes(multiplier) + bytes(force) + bytes(row_flags) + bytes(jacobian);
+    std::size_t total = bytes(def) + bytes(pool_index) + bytes(body) + bytes(bodies) + bytes(rows) +
+                        bytes(flags) + bytes(row_begin) + bytes(jac_begin) + bytes(arms) +
+                        bytes(geo) + bytes(active) + bytes(held) + bytes(low) + bytes(high) +
+                        bytes(anchor) + bytes(load_begin) + bytes(loads) + bytes(parted) +
+                        bytes(rest_length) + bytes(epsilon) + bytes(tau) + bytes(mobility) +
+                        bytes(upsilon) + bytes(recall) + bytes(sigma) + bytes(inv_sigma) +
+                        bytes(g) + bytes(c) + bytes(residual) + bytes(lambda) + bytes(multiplier) +
+                        bytes(force) + bytes(row_flags) + bytes(jacobian);
     for (const Pool& p : pool) total += bytes(p.ids) + bytes(p.data);
     return total;
 }

@@ -80,6 +80,7 @@ void copy_interactions(Clique& c, const StepContext& world) noexcept {
             in.lambda[row] = from.lambda[of];
             if (in.epsilon[row] == from.epsilon[of]) continue;
             in.epsilon[row] = from.epsilon[of];
+            in.share_damping(row, in.rest_length[i] > 0.0, h);
             in.sigma[row] = 4.0 * in.epsilon[row] * in.upsilon[row] / (h * h);
             if (in.inv_sigma[row] != 0.0) in.inv_sigma[row] = 1.0 / in.sigma[row];
         }
@@ -151,6 +152,9 @@ void make_clique(StepContext& ctx) {
         if (friction) continue;
         clique->interaction.push_back(id);
         const int own = clique->ctx.interactions.add(def, clique->ctx.bodies, ctx.def.step);
+        std::copy_n(
+            &in.row_flags[at(in.row_begin[at(id)])], in.rows[at(id)],
+            &clique->ctx.interactions.row_flags[at(clique->ctx.interactions.row_begin[at(own)])]);
         if (in.flags[at(id)] & model::kByInput) clique->ctx.interactions.mark_driven(own);
     }
     clique->ctx.started = true;

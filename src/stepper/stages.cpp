@@ -68,6 +68,7 @@ View view(StepContext& ctx) noexcept {
 
 void analyse(StepContext& ctx, const factor::AnalysisState* state) {
     place_images(ctx);
+    ctx.bodies.share_drag(ctx.def.step);
     ctx.analysed_x = ctx.bodies.x;
     ctx.analysed_r = ctx.bodies.r;
     open_cuts(ctx);

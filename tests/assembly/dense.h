@@ -19,7 +19,7 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
 struct DenseStep {
-    Matrix mass;       ///< M + h D.
+    Matrix mass;       ///< M + h θ D.
     Matrix geometric;  ///< (h²/4) K_g.
     Matrix damping;    ///< (1 + u) h C.
     Matrix before;     ///< (1 − u) h C, on the velocities before the step.
@@ -169,6 +169,30 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
     scatter(s, (1.0 - u) * h * c, out.before, out.couple_fixed);
 }
 
+/// θ of a damper, docs/methods.md, 2.
+inline double late(double z) { return z < 1e-3 ? 0.5 + z / 12.0 : -1.0 / std::expm1(-z) - 1.0 / z; }
+
+/// G M⁻¹ Gᵀ of a row.
+inline double row_mobility(const stepper::StepContext& ctx, int id, const SlotState& s, int r) {
+    double sum = 0.0;
+    for (int b = 0; b < ctx.interactions.bodies[static_cast<std::size_t>(id)]; ++b) {
+        const auto body =
+            static_cast<std::size_t>(ctx.interactions.def[static_cast<std::size_t>(id)]
+                                         .body[static_cast<std::size_t>(b)]
+                                         .index);
+        const double* j = s.j[b][r];
+        for (int k = 0; k < s.dof[b] && k < 3; ++k) sum += j[k] * j[k] / ctx.bodies.mass[body];
+        if (s.dof[b] < 6) continue;
+        const Mat3 rotation = Quat(ctx.bodies.q[4 * body], ctx.bodies.q[4 * body + 1],
+                                   ctx.bodies.q[4 * body + 2], ctx.bodies.q[4 * body + 3])
+                                  .toRotationMatrix();
+        const Eigen::Map<const Mat3> inertia(&ctx.bodies.inertia[9 * body]);
+        const Vec3 turn = rotation.transpose() * Vec3(j[3], j[4], j[5]);
+        sum += turn.dot(inertia.inverse() * turn);
+    }
+    return sum;
+}
+
 inline void add_bodies(const stepper::StepContext& ctx, DenseStep& out) {
     const model::Bodies& b = ctx.bodies;
     const double h = ctx.def.step;
@@ -181,14 +205,34 @@ inline void add_bodies(const stepper::StepContext& ctx, DenseStep& out) {
         auto vec = [&](const base::Array<double>& a, std::size_t k) {
             return Vec3(a[k], a[k + 1], a[k + 2]);
         };
-        if (dof == 1) d(0, 0) = b.damping[6 * i];
-        if (dof >= 3) d.block(0, 0, 3, 3) = r * vec(b.damping, 6 * i).asDiagonal() * r.transpose();
+        Matrix past = d;  // drag on the velocity before the step
+        const auto share = [&](int k, double mobility) {
+            return late(h * b.damping[6 * i + static_cast<std::size_t>(k)] * mobility);
+        };
+        const auto drag = [&](int from, const Vec3& shares) -> Mat3 {
+            return r *
+                   shares.cwiseProduct(vec(b.damping, 6 * i + static_cast<std::size_t>(from)))
+                       .asDiagonal() *
+                   r.transpose();
+        };
+        const auto late_linear = [&](int k) { return share(k, 1.0 / b.mass[i]); };
+        if (dof == 1) {
+            d(0, 0) = late_linear(0) * b.damping[6 * i];
+            past(0, 0) = b.damping[6 * i] - d(0, 0);
+        }
+        if (dof >= 3) {
+            const Vec3 shares(late_linear(0), late_linear(1), late_linear(2));
+            d.block(0, 0, 3, 3) = drag(0, shares);
+            past.block(0, 0, 3, 3) = drag(0, Vec3::Ones() - shares);
+        }
         if (dof == 6) {
             Mat3 inertia;
             for (std::size_t k = 0; k < 9; ++k)
                 inertia(static_cast<int>(k / 3), static_cast<int>(k % 3)) = b.inertia[9 * i + k];
             m.block(3, 3, 3, 3) = r * inertia * r.transpose();
-            d.block(3, 3, 3, 3) = r * vec(b.damping, 6 * i + 3).asDiagonal() * r.transpose();
+            const Vec3 mobility = Mat3(inertia.inverse()).diagonal();
+            d.block(3, 3, 3, 3) =
+                drag(3, {share(3, mobility[0]), share(4, mobility[1]), share(5, mobility[2])});
         }
         out.mass.block(at, at, dof, dof) = m + h * d;
         for (int k = 0; k < dof && k < 3; ++k) {
@@ -199,6 +243,9 @@ inline void add_bodies(const stepper::StepContext& ctx, DenseStep& out) {
                     (b.v[static_cast<std::size_t>(at) + static_cast<std::size_t>(k)] + h * weight) +
                 h * b.force[force];
         }
+        const int moves = std::min(dof, 3);
+        const Eigen::Map<const Vector> now(&b.v[static_cast<std::size_t>(at)], moves);
+        out.a.segment(at, moves) -= h * past.block(0, 0, moves, moves) * now;
     }
 }
 
@@ -237,8 +284,20 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
                     in.def[i].get("EA");
             }
             const double tau = in.def[i].damping_time[static_cast<std::size_t>(r)];
-            const double ups = 1.0 / (1.0 + 4.0 * tau / h);
             const bool velocity = info.row_units[r] == 'v';
+            // A damper; the scheme's own damping acts on the velocity after the step alone. Wires
+            // have that of half a step at least where their swing is not resolved.
+            double theta = 1.0, seen = tau;
+            if (!velocity && (in.row_flags[static_cast<std::size_t>(row)] & model::kRowDamper) &&
+                e > 0.0) {
+                const double w = row_mobility(ctx, id, s, r), spring = 0.25 * h * h * w / e;
+                const bool wire = in.def[i].kind == InteractionKind::Stretch ||
+                                  in.def[i].kind == InteractionKind::WinchStretch;
+                if (wire) seen = std::max(tau, (late(spring) - 0.5) * h);
+                theta = late(h * seen * w / e + spring);
+            }
+            const double ups = 1.0 / (1.0 + 4.0 * seen * theta / h);
+            const double recall = 1.0 - 4.0 * seen * (1.0 - theta) / h;
             out.sigma[row] = velocity ? e / h : 4.0 * e * ups / (h * h);
             if (idle) continue;
             double prescribed = 0.0;
@@ -249,12 +308,13 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
                         prescribed += s.j[b][r][j] * (j < 3 ? s.lin[b][j] : s.ang[b][j - 3]);
                 }
             out.c[row] = velocity ? s.g[r] - prescribed
-                                  : ups * (out.g.row(row) * v + prescribed) -
+                                  : ups * recall * (out.g.row(row) * v + prescribed) -
                                         4.0 / h * ups * s.g[r] - prescribed;
             if (in.flags[i] & model::kOneSided) {
                 // x̄₋, where the line was half a step ago: slack is 0 in the mean (x̄₋ + x̄₊)/2.
                 const double before = s.g[r] - 0.5 * h * (out.g.row(row) * v + prescribed);
-                const double mean = 4.0 / h * ups;  // factor of x̄ in c
+                // Its damper sees the rate that leads from there.
+                const double mean = 4.0 / h * ups * recall;  // factor of x̄ in c
                 out.c[row] += mean * 0.5 * std::min(before, 0.0);
             }
         }

@@ -124,20 +124,22 @@ struct LaneRows {
     HAWSER_INLINE void write_rows(const Rows<B, R, W8>& rows, const V8 (&v)[B][kLanes],
                                   const V8 (&start)[B][kLanes]) const {
         const double inv_h4 = 4.0 / view.h;
-        V8 speed[R], upsilon[R], c[R], g[R];
+        V8 speed[R], upsilon[R], recall[R], c[R], g[R];
         products(rows, v, speed);
         load_rows(view.upsilon, upsilon);
+        load_rows(view.recall, recall);
         for (int r = 0; r < R; ++r) {
             g[r] = rows.g[r];
-            c[r] = upsilon[r] * (speed[r] - inv_h4 * g[r]);
+            c[r] = upsilon[r] * (recall[r] * speed[r] - inv_h4 * g[r]);
         }
         store_rows(view.g, g);
         store_rows(view.c, c);
         if (any_flag(view.flags, 1))
             for (int l = 0; l < kLanes; ++l)
                 for (int r = 0; r < R && (view.flags[id[l]] & 1); ++r)
-                    view.c[row[l] + r] += when_slack(lane(g[r], l), lane(speed[r], l),
-                                                     view.upsilon[row[l] + r], view.h);
+                    view.c[row[l] + r] +=
+                        when_slack(lane(g[r], l), lane(speed[r], l),
+                                   view.upsilon[row[l] + r] * view.recall[row[l] + r], view.h);
         if (!view.v_start) return;
         products(rows, start, speed);
         store_rows(view.residual, speed);

@@ -180,19 +180,21 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         }
         const std::int32_t row = view.row_begin[id];
         for (int r = 0; r < R; ++r) {
-            const double ups = view.upsilon[row + r];
+            const double ups = view.upsilon[row + r], recalled = ups * view.recall[row + r];
             view.residual[row + r] = start[r];
             if (view.row_flags[row + r] & 1) {  // velocity row
                 view.g[row + r] = 0.0;
                 view.c[row + r] = rows.g[r] - prescribed[r];
             } else {
                 view.g[row + r] = rows.g[r];
-                view.c[row + r] = ups * (speed[r] + before[r] - inv_h4 * rows.g[r]) - prescribed[r];
+                view.c[row + r] =
+                    recalled * (speed[r] + before[r]) - ups * inv_h4 * rows.g[r] - prescribed[r];
                 // What slid has no memory of its speed: it is to stop.
                 if (view.flags[id] & 128)
-                    view.c[row + r] -= (1.0 - view.active[id]) * ups * speed[r];
+                    view.c[row + r] -= (1.0 - view.active[id]) * recalled * speed[r];
                 if (view.flags[id] & 1) {
-                    view.c[row + r] += when_slack(rows.g[r], speed[r] + before[r], ups, view.h);
+                    view.c[row + r] +=
+                        when_slack(rows.g[r], speed[r] + before[r], recalled, view.h);
                 }
             }
         }
