@@ -126,6 +126,8 @@ struct StepStats {
     std::int64_t factor_flops = 0;    ///< Multiply-adds counted as two, of one factorisation.
     std::int32_t factorisations = 0;  ///< In this step.
     std::int32_t partial_factorisations = 0;  ///< Of those, of what contacts changed only.
+    /// Times that this step was solved again since a wire would have gained energy.
+    std::int32_t wire_repeats = 0;
     std::int32_t contacts = 0;  ///< Contact points, those near without touching included.
     /// Tension-only rows and contacts whose status was still changing when the solve ended.
     std::int32_t flips_left = 0;

@@ -80,6 +80,18 @@ void System::share_damping(const model::Bodies& bodies, model::Interactions& in,
             in.mobility[row] = mobility(bodies, in, i, r);
             in.share_damping(row, in.rest_length[at(i)] > 0.0, h);
         }
+    // What a cut row is to all of its bodies.
+    for (const Sides& s : sides)
+        for (int r = 0; r < in.rows[at(s.first)]; ++r) {
+            double whole = 0.0;
+            for (std::int32_t id = s.first; id < s.first + s.count; ++id)
+                whole += in.mobility[at(in.row_begin[at(id)] + r)];
+            for (std::int32_t id = s.first; id < s.first + s.count && whole > 0.0; ++id) {
+                const auto row = at(in.row_begin[at(id)] + r);
+                in.mobility[row] = whole;
+                in.share_damping(row, in.rest_length[at(id)] > 0.0, h);
+            }
+        }
 }
 
 void System::find_resting(const model::Bodies& bodies, const model::Interactions& in) {
@@ -181,6 +193,7 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.r = bodies.r.data();
     v.v = bodies.v.data();
     v.v_start = bodies.v_start.data();
+    v.v_ahead = bodies.v_start.data();
     v.v_fixed = bodies.v_fixed.data();
     v.v_before = bodies.v_before.empty() ? bodies.v_fixed.data() : bodies.v_before.data();
     v.spin_free = bodies.spin_free.data();
@@ -208,6 +221,8 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.active = in.active.data();
     v.held = in.held.data();
     v.parted = in.parted.data();
+    v.lightness = in.lightness.data();
+    v.alert = in.alert.data();
     v.rest_length = in.rest_length.data();
     v.epsilon = in.epsilon.data();
     v.upsilon = in.upsilon.data();

@@ -114,6 +114,8 @@ struct View {
     /// Packed like v: where the solution for v₊ starts, see model/bodies.h. Null for evaluate()
     /// where it starts at 0.
     double* v_start;
+    /// The same where nothing starts there: 2 v − v₋, of the velocities of the last two steps.
+    const double* v_ahead;
     const double* v_fixed;
     const double* v_before;  ///< What v_fixed was at the last half step.
     double* spin_free;       ///< 3 a body: ω₊ without torque, world frame.
@@ -147,6 +149,10 @@ struct View {
     double* active;
     const double* held;  ///< By interaction: impulse of its first row while idle.
     const std::uint8_t* parted;
+    /// By interaction between points: 1/m of the lighter end [1/kg], and 1 where its wire gained
+    /// energy lately, else 0 (assembly/geo.h).
+    const double* lightness;
+    const double* alert;
     const double* rest_length;  ///< l₀ of wire elements [m], 0 for all else.
     const double* epsilon;
     const double* upsilon;
@@ -199,6 +205,11 @@ struct Norms {
     double finite = 0.0;   ///< Sum of everything: not finite if anything is not.
 };
 
+/// See stepper/wires.h [J].
+struct LineGain {
+    double gain = 0.0, exchanged = 0.0, noise = 0.0;
+};
+
 /// Hot loops. Ranges are of bodies or of interactions; a range writes only its own entries.
 struct Kernels {
     /// Violation, Jacobian, c and geometric record of pool entries [begin, end); G v_start, M̃
@@ -235,6 +246,10 @@ struct Kernels {
     /// more than their rows; room for kLossChunk.
     double (*row_losses)(const View&, std::int32_t begin, std::int32_t end, std::int32_t* left,
                          int* left_count) noexcept;
+    /// What lines hold more after the step than before, and than the bodies at their ends gave
+    /// them; and what they hold more or less. Added up.
+    void (*line_gains)(const View&, const std::int32_t* ids, std::int32_t count,
+                       LineGain*) noexcept;
     /// Move bodies by h v₊ and store v₊.
     void (*integrate)(const View&, std::int32_t begin, std::int32_t end) noexcept;
 };

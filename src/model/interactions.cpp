@@ -39,6 +39,21 @@ std::uint8_t flags_of(const InteractionDef& d, const generic::RowSpec& first,
     return static_cast<std::uint8_t>(flag);
 }
 
+/// How easily the lighter end of a line moves across it, arms at their longest [1/kg].
+double lightest_end(const InteractionDef& d, const Bodies& b) {
+    double most = 0.0;
+    for (std::size_t slot = 0; slot < 2; ++slot) {
+        const auto body = at(d.body[slot].index);
+        const int dof = b.dof(d.body[slot].index);
+        if (dof < 3) continue;
+        double end = 1.0 / b.mass[body];
+        for (std::size_t i = 0; i < 3 && dof == 6; ++i)
+            end += d.point[slot].squaredNorm() * b.inv_inertia[9 * body + 4 * i];
+        most = std::max(most, end);
+    }
+    return most;
+}
+
 /// Range of the force of the first row [N or N m].
 void force_range(const InteractionDef& d, int flags, double& low, double& high) {
     low = -kUnbounded;
@@ -110,6 +125,8 @@ int Interactions::add(const InteractionDef& filled, const Bodies& bodies_in, dou
     active.push_back(1.0);
     parted.push_back(0);
     held.push_back(0.0);
+    lightness.push_back(geometry == generic::Geometry::line ? lightest_end(d, bodies_in) : 0.0);
+    alert.push_back(0.0);
     low.push_back(0.0);
     high.push_back(0.0);
     force_range(filled, flags.back(), low.back(), high.back());
@@ -120,7 +137,9 @@ int Interactions::add(const InteractionDef& filled, const Bodies& bodies_in, dou
     for (int r = 0; r < info.rows; ++r) {
         const auto k = static_cast<std::size_t>(r);
         d.compliance[k] = spec[r].compliance;
-        d.damping_time[k] = spec[r].damping_time;
+        // One that is the scheme's own stays unsaid: a copy is to know that no damper stands for
+        // it.
+        if (!spec[r].calmed) d.damping_time[k] = spec[r].damping_time;
         epsilon.push_back(spec[r].compliance);
         tau.push_back(spec[r].damping_time);
         const bool damper = !spec[r].velocity && !spec[r].calmed;
@@ -197,7 +216,8 @@ void Interactions::truncate(int kept) {
     row_begin.resize(n);
     jac_begin.resize(n);
     geo.resize(n);
-    for (base::Array<double>* a : {&active, &held, &low, &high, &anchor, &rest_length})
+    for (base::Array<double>* a :
+         {&active, &held, &low, &high, &anchor, &rest_length, &lightness, &alert})
         a->resize(n);
     load_begin.resize(n);
     const auto m = at(row_count);
@@ -335,14 +355,14 @@ double Interactions::elastic(int id, const Bodies& b, double h) const noexcept {
 
 std::size_t Interactions::bytes() const noexcept {
     using base::bytes;
-    std::size_t total = bytes(def) + bytes(pool_index) + bytes(body) + bytes(bodies) + bytes(rows) +
-                        bytes(flags) + bytes(row_begin) + bytes(jac_begin) + bytes(arms) +
-                        bytes(geo) + bytes(active) + bytes(held) + bytes(low) + bytes(high) +
-                        bytes(anchor) + bytes(load_begin) + bytes(loads) + bytes(parted) +
-                        bytes(rest_length) + bytes(epsilon) + bytes(tau) + bytes(mobility) +
-                        bytes(upsilon) + bytes(recall) + bytes(sigma) + bytes(inv_sigma) +
-                        bytes(g) + bytes(c) + bytes(residual) + bytes(lambda) + bytes(multiplier) +
-                        bytes(force) + bytes(row_flags) + bytes(jacobian);
+    std::size_t total =
+        bytes(def) + bytes(pool_index) + bytes(body) + bytes(bodies) + bytes(rows) + bytes(flags) +
+        bytes(row_begin) + bytes(jac_begin) + bytes(arms) + bytes(geo) + bytes(active) +
+        bytes(held) + bytes(low) + bytes(high) + bytes(anchor) + bytes(load_begin) + bytes(loads) +
+        bytes(parted) + bytes(lightness) + bytes(alert) + bytes(rest_length) + bytes(epsilon) +
+        bytes(tau) + bytes(mobility) + bytes(upsilon) + bytes(recall) + bytes(sigma) +
+        bytes(inv_sigma) + bytes(g) + bytes(c) + bytes(residual) + bytes(lambda) +
+        bytes(multiplier) + bytes(force) + bytes(row_flags) + bytes(jacobian);
     for (const Pool& p : pool) total += bytes(p.ids) + bytes(p.data);
     return total;
 }

@@ -85,7 +85,10 @@ struct Interactions {
     base::Array<double> anchor;            ///< Of friction, see kinds/friction.h [m or rad].
     std::vector<std::int32_t> load_begin;  ///< First of kMaxFrictionLoads in `loads`, or −1.
     std::vector<Load> loads;
-    base::Array<std::uint8_t> parted;     ///< 1 once a line has parted.
+    base::Array<std::uint8_t> parted;  ///< 1 once a line has parted.
+    /// Of lines between points: 1/m of the lighter end [1/kg]; 1 while their wire is stepped more
+    /// calmly (stepper/wires.h), follows the state.
+    base::Array<double> lightness, alert;
     base::Array<double> rest_length;      ///< l₀ of wire elements [m], 0 for all else.
     std::vector<std::int32_t> working;    ///< Those through which work enters: motors, driven by an
                                           ///< input, touching a prescribed velocity. Ascending.

@@ -66,9 +66,10 @@ void Verifier::add_interactions(const World& world) {
     for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
         const InteractionDef& def = world.interaction_def({i});
         const Wrenches rows = row_wrenches(world, {i}, pose_, world.force({i}));
-        const Wrenches other =
-            intact_[index_of(i)] ? stiffness_wrenches(world, {i}, pose_, twist_, last_[index_of(i)])
-                                 : Wrenches{};
+        const Wrenches other = intact_[index_of(i)]
+                                   ? stiffness_wrenches(world, {i}, pose_, twist_, earlier_,
+                                                        last_[index_of(i)], alert_[index_of(i)])
+                                   : Wrenches{};
         for (int k = 0; k < kind_info(def.kind).bodies; ++k) {
             const std::int32_t b = def.body[index_of(k)].index;
             if (sleeps(world, b)) continue;
@@ -76,7 +77,7 @@ void Verifier::add_interactions(const World& world) {
             const Vec3 linear = step_ * f.force + g.force, turn = step_ * f.torque + g.torque;
             linear_[index_of(b)] += linear;
             angular_[index_of(b)] += turn;
-            if (!rows.known) unsure_[index_of(b)] = true;
+            if (!rows.known || !other.known) unsure_[index_of(b)] = true;
             const BodyDef& body = world.body_def({b});
             if (body.kind == BodyKind::fixed || body.kind == BodyKind::kinematic) continue;
             impulse_ += linear.squaredNorm() / body.mass +

@@ -152,9 +152,6 @@ void make_clique(StepContext& ctx) {
         if (friction) continue;
         clique->interaction.push_back(id);
         const int own = clique->ctx.interactions.add(def, clique->ctx.bodies, ctx.def.step);
-        std::copy_n(
-            &in.row_flags[at(in.row_begin[at(id)])], in.rows[at(id)],
-            &clique->ctx.interactions.row_flags[at(clique->ctx.interactions.row_begin[at(own)])]);
         if (in.flags[at(id)] & model::kByInput) clique->ctx.interactions.mark_driven(own);
     }
     clique->ctx.started = true;

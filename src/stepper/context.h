@@ -22,6 +22,7 @@
 #include "stepper/cuts.h"
 #include "stepper/deadline.h"
 #include "stepper/regroup.h"
+#include "stepper/wires.h"
 
 #include <algorithm>
 #include <chrono>
@@ -140,6 +141,7 @@ struct StepContext {
     std::vector<std::int32_t> columns;        ///< Scratch: nodes, one a block of contacts.
     std::vector<double> partial;              ///< Scratch of merged_over().
     Sleep sleep;
+    Wires wires;
     double contact_floor = 0.0;          ///< Impulse of a contact that does not count [N s].
     double residual_floor = 0.0;         ///< Denominator floor of the momentum residual.
     std::vector<assembly::Norms> norms;  ///< One a strip or group, merged in order.

@@ -80,7 +80,6 @@ void add_copy(StepContext& ctx, std::int32_t id, std::int32_t side,
     const int copy = in.add(def, ctx.bodies, ctx.def.step);
     const auto row = in.row_begin[at(id)], to = in.row_begin[at(copy)];
     std::copy_n(&in.lambda[at(row)], in.rows[at(id)], &in.lambda[at(to)]);
-    std::copy_n(&in.row_flags[at(row)], in.rows[at(id)], &in.row_flags[at(to)]);
     in.active[at(copy)] = in.active[at(id)];
     in.parted[at(copy)] = in.parted[at(id)];
     ctx.cuts.of.push_back(id);

@@ -20,7 +20,7 @@ using world::layout_of;
 using world::parameters_of;
 
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '4'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '5'};
     std::uint64_t layout = 0;       ///< See layout_of().
     std::uint64_t parameters = 0;   ///< See parameters_of().
     std::uint64_t contacts = 0;     ///< Remembered from the last step.
@@ -108,6 +108,8 @@ void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f)
     array(ctx.interactions.parted);
     array(ctx.interactions.saturated);
     array(ctx.interactions.anchor);
+    array(ctx.wires.credit);
+    array(ctx.wires.alert);
     array(ctx.collider.kept());
     value(ctx.collider.kept_awake());
     array(ctx.system.contacts.memory);
@@ -279,6 +281,7 @@ void World::restore(std::span<const std::byte> bytes) {
     // Whatever the bytes say: what has no freedom is awake, and no more contacts than there are.
     m.ctx.collider.kept_awake() = std::min(m.ctx.collider.kept_awake(), header.contacts);
     stepper::check_asleep(m.ctx);
+    stepper::follow_alerts(m.ctx);
     m.ctx.refine_unasked = std::max(0, m.ctx.refine_unasked);
     if (regrouped || relinked || asked != m.ctx.cuts.asked || asleep != m.ctx.bodies.asleep ||
         m.ctx.analysed_x != analysed_x || m.ctx.analysed_r != analysed_r ||

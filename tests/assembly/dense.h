@@ -20,7 +20,9 @@ using Vector = Eigen::VectorXd;
 
 struct DenseStep {
     Matrix mass;       ///< M + h θ D.
-    Matrix geometric;  ///< (h²/4) K_g.
+    Matrix geometric;  ///< (h²/4) K_g, of lines (a + d) h² K_g (assembly/geo.h).
+    Matrix late;       ///< The same on the velocities before the step, of lines a h² K_g.
+    Matrix ahead;      ///< Of lines d h² K_g, on those expected after it.
     Matrix damping;    ///< (1 + u) h C.
     Matrix before;     ///< (1 − u) h C, on the velocities before the step.
     double fastest;    ///< Largest u.
@@ -132,7 +134,8 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
     const auto row =
         static_cast<std::size_t>(ctx.interactions.row_begin[static_cast<std::size_t>(id)]);
     const double* lambda = &ctx.interactions.lambda[row];
-    Matrix k = Matrix::Zero(12, 12), c = Matrix::Zero(12, 12);
+    Matrix k = Matrix::Zero(12, 12), c = Matrix::Zero(12, 12), line = k;
+    double late_share = 0.25, ahead_share = 0.0;
     Vec3 f1;
     double u = 0.0;  // docs/methods.md, 4
     if (s.geometry == generic::Geometry::line) {
@@ -141,8 +144,24 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
         const Vec3 along(s.j[1][0][0], s.j[1][0][1], s.j[1][0][2]);
         Matrix rel(3, 12);  // velocity of point 0 minus that of point 1
         rel << Mat3::Identity(), -skew(s.arm[0]), -Mat3::Identity(), skew(s.arm[1]);
-        k = rel.transpose() *
-            (tension / s.length * (Mat3::Identity() - along * along.transpose())) * rel;
+        line = rel.transpose() *
+               (tension / s.length * (Mat3::Identity() - along * along.transpose())) * rel;
+        double lighter = 0.0;  // 1/m of the lighter end, arms at their longest
+        for (std::size_t b = 0; b < 2; ++b) {
+            const auto body = static_cast<std::size_t>(
+                ctx.interactions.def[static_cast<std::size_t>(id)].body[b].index);
+            if (s.dof[b] < 3) continue;
+            double end = 1.0 / ctx.bodies.mass[body];
+            if (s.dof[b] == 6)
+                end +=
+                    s.arm[b].squaredNorm() *
+                    Mat3(Eigen::Map<const Mat3>(&ctx.bodies.inertia[9 * body]).inverse()).trace();
+            lighter = std::max(lighter, end);
+        }
+        const double swing = 4.0 * quarter * tension / s.length * lighter;
+        const double p = swing > 0.25 ? (swing - 0.25) / (swing + 0.25) : 0.0;
+        late_share = 0.25 + 0.25 * p;
+        ahead_share = -0.1 * p;
         f1 = -tension * along;
     } else {
         f1 = Vec3(lambda[0], lambda[1], lambda[2]) / h;
@@ -163,7 +182,11 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
         k.block(6 * b + 3, 6 * b + 3, 3, 3) +=
             (1.0 + 0.5 * u) * projected(f.dot(r) * Mat3::Identity() - r * f.transpose());
     }
-    scatter(s, quarter * k, out.geometric, out.couple_fixed);
+    const double share = late_share + ahead_share;
+    scatter(s, quarter * k + 4.0 * quarter * share * line, out.geometric, out.couple_fixed);
+    Vector none = Vector::Zero(out.couple_fixed.size());
+    scatter(s, quarter * k + 4.0 * quarter * late_share * line, out.late, none);
+    scatter(s, 4.0 * quarter * ahead_share * line, out.ahead, none);
     // Joints damp between two rigid bodies only, so nothing couples to a prescribed velocity.
     scatter(s, (1.0 + u) * h * c, out.damping, out.couple_fixed);
     scatter(s, (1.0 - u) * h * c, out.before, out.couple_fixed);
@@ -258,6 +281,8 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
                   none,
                   none,
                   none,
+                  none,
+                  none,
                   0.0,
                   Matrix::Zero(rows, n),
                   Vector::Zero(rows),
@@ -283,7 +308,8 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
                 e = (in.def[i].get("length") + in.def[i].get("radius") * ctx.bodies.x[3 * drum]) /
                     in.def[i].get("EA");
             }
-            const double tau = in.def[i].damping_time[static_cast<std::size_t>(r)];
+            const double given = in.def[i].damping_time[static_cast<std::size_t>(r)];
+            const double tau = std::isnan(given) ? 2.0 * h : given;
             const bool velocity = info.row_units[r] == 'v';
             // A damper; the scheme's own damping acts on the velocity after the step alone. Wires
             // have that of half a step at least where their swing is not resolved.
@@ -320,7 +346,8 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
         }
         if (!idle) add_geometry(ctx, id, s, out);
     }
-    out.a += out.geometric * v - out.before * v + out.couple_fixed;
+    const Eigen::Map<const Vector> expected(ctx.bodies.v_start.data(), n);
+    out.a += out.late * v + out.ahead * expected - out.before * v + out.couple_fixed;
     return out;
 }
 

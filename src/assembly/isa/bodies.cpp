@@ -140,6 +140,6 @@ extern const assembly::Kernels kAssemblyKernels;
 const assembly::Kernels kAssemblyKernels = {
     evaluate,       body_terms, gather_blocks, gather_lane_blocks, first_rhs,
     first_body_rhs, body_rhs,   add_solution,  row_update,         body_norms,
-    row_norms,      row_losses, integrate};
+    row_norms,      row_losses, line_gains,    integrate};
 
 }  // namespace hawser::HAWSER_ISA

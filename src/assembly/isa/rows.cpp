@@ -18,8 +18,9 @@ using assembly::View;
 
 constexpr int kSlots = kMaxInteractionBodies;
 
-/// Force on slot b at the joint's point: the first three rows are translations along ±E. @return by
-/// how much less the damping of the record acts on the velocity before the step.
+/// Force on slot b at the joint's point: the first three rows are translations along ±E. @return of
+/// a joint: by how much less the damping of the record acts on the velocity before the step; of a
+/// line: which share of K in its record acts on that velocity, the rest on the one ahead.
 template <class K>
 double geometry(const View& view, const typename K::Data& data, const BodyRef* refs,
                 std::int32_t id, const Rows<K::kBodies, K::kRows>& rows) {
@@ -30,12 +31,20 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
     const bool rigid0 = view.dof[body[0]] == 6, rigid1 = view.dof[body[1]] == 6;
     const int size = place.dof == 3 ? assembly::kGeoLine : assembly::kGeoSwing;
     for (int i = 0; i < size; ++i) rec[i] = 0.0;
+    if constexpr (K::kGeometry == Geometry::line) {
+        store3(rec + 1, load3(rows.J[1][0]));
+        if (place.dof == 6) {
+            store3(rec + 4, refs[0].arm(data.point[0]));
+            store3(rec + 7, refs[1].arm(data.point[1]));
+        }
+    }
     if (view.geometric_stiffness == 0.0 && view.rotation_damping == 0.0) return 1.0;
     if (view.active[id] == 0.0) return 1.0;
     const double scale = 0.25 * view.h * view.h * view.geometric_stiffness;
     const double per_h = 1.0 / view.h;
     const double* lambda = view.lambda + view.row_begin[id];
     const V3 r0 = refs[0].arm(data.point[0]), r1 = refs[1].arm(data.point[1]);
+    double share = 1.0;
     V3 f1;  // force on body 1
     if constexpr (K::kGeometry == Geometry::line) {
         const V3 u = load3(rows.J[1][0]);
@@ -43,16 +52,18 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
         // Compression has a negative geometric stiffness: left out, so that M̃ stays positive.
         if (!(tension > 0.0)) return 1.0;
         const double length = norm(refs[1].x + r1 - refs[0].x - r0);
-        rec[0] = scale * tension / (length > 1e-9 ? length : 1e-9);
-        store3(rec + 1, u);
+        const double full = 4.0 * scale * tension / (length > 1e-9 ? length : 1e-9);
+        const auto [late, ahead] = across_shares(full * view.lightness[id], view.alert[id]);
+        rec[0] = (late + ahead) * full;
+        share = late / (late + ahead);
         f1 = -tension * u;
     } else {
         f1 = per_h * load3(lambda);
     }
-    if (place.dof == 3) return 1.0;
+    if (place.dof == 3) return share;
     store3(rec + 4, r0);
     store3(rec + 7, r1);
-    if (!rigid0 && !rigid1) return 1.0;
+    if (!rigid0 && !rigid1) return share;
     const double nf = norm(f1), n0 = norm(r0), n1 = norm(r1);
     const bool joint = K::kGeometry == Geometry::joint && rigid0 && rigid1;
     const JointTerms<double> t = joint_terms(view, nf, n0, n1, rec[assembly::kGeoSwing]);
@@ -60,6 +71,7 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
     if (rigid0) arm_stiffness(-f1, nf, r0, n0, stiff, rec + 10);
     if (rigid1) arm_stiffness(f1, nf, r1, n1, stiff, rec + 16);
     if (joint) rec[22] = t.damping;
+    if (K::kGeometry == Geometry::line) return share;
     return joint && t.damping > 0.0 ? t.back / t.damping : 1.0;
 }
 
@@ -209,7 +221,10 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         if constexpr (K::kGeometry != Geometry::none) {
             const double back = geometry<K>(view, data[k], refs, id, rows);
             if (view.geo[id].record >= 0) {
-                geo_force(view, id, view.v, -back, view.geo[id].dof);
+                if constexpr (K::kGeometry == Geometry::line)
+                    line_past(view, id, back);
+                else
+                    geo_force(view, id, view.v, -back, view.geo[id].dof);
                 if (view.v_start) geo_force(view, id, view.v_start);
             }
         }

@@ -14,6 +14,9 @@ void row_update(const assembly::View&, std::int32_t, std::int32_t, bool) noexcep
 void row_norms(const assembly::View&, std::int32_t, std::int32_t, assembly::Norms*) noexcept;
 double row_losses(const assembly::View&, std::int32_t, std::int32_t, std::int32_t*, int*) noexcept;
 
+void line_gains(const assembly::View&, const std::int32_t*, std::int32_t,
+                assembly::LineGain*) noexcept;
+
 void body_terms(const assembly::View&, std::int32_t, std::int32_t) noexcept;
 void first_rhs(const assembly::View&, std::int32_t, std::int32_t, bool) noexcept;
 void first_body_rhs(const assembly::View&, std::int32_t, std::int32_t, bool) noexcept;

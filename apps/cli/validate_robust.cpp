@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validate_robust.h"
+
+namespace hawser::cli {
+namespace {
+
+constexpr Case kRobust[] = {
+    {"R.1", "zigzag_wires", "wires bent to and fro, at steps that do not resolve their swing",
+     case_zigzag_wires},
+    {"R.2", "long_wire", "a tug at the end of 300 m of wire, steps up to half a second",
+     case_long_wire},
+    {"R.3", "wire_sway", "first swing of a taut wire at 30 and 120 steps a period", case_wire_sway},
+    {"R.4", "wires_come_taut", "taut wires of half-metre and five-metre elements, bent",
+     case_wires_come_taut},
+    {"R.5", "damping_orders", "order of dampers, drag and hydrostatic heave", case_damping_orders},
+};
+
+}  // namespace
+
+std::span<const Case> robust_cases() { return kRobust; }
+
+}  // namespace hawser::cli
