@@ -122,6 +122,7 @@ int Interactions::add(const InteractionDef& filled, const Bodies& bodies_in, dou
     active.push_back(1.0);
     parted.push_back(0);
     coarse.push_back(0);
+    repeats.push_back(0);
     completed.push_back(0);
     swing.push_back(0.0);
     held.push_back(0.0);
@@ -208,7 +209,7 @@ void Interactions::truncate(int kept) {
     pool_index.resize(n);
     body.resize(kMaxInteractionBodies * n);
     for (base::Array<std::uint8_t>* a :
-         {&bodies, &rows, &flags, &parted, &coarse, &completed, &arms})
+         {&bodies, &rows, &flags, &parted, &coarse, &repeats, &completed, &arms})
         a->resize(n);
     row_begin.resize(n);
     jac_begin.resize(n);
@@ -333,14 +334,14 @@ double Interactions::elastic(int id, const Bodies& b, double h) const noexcept {
 
 std::size_t Interactions::bytes() const noexcept {
     using base::bytes;
-    std::size_t total = bytes(def) + bytes(pool_index) + bytes(body) + bytes(bodies) + bytes(rows) +
-                        bytes(flags) + bytes(row_begin) + bytes(jac_begin) + bytes(arms) +
-                        bytes(geo) + bytes(active) + bytes(held) + bytes(low) + bytes(high) +
-                        bytes(anchor) + bytes(load_begin) + bytes(loads) + bytes(parted) +
-                        bytes(coarse) + bytes(completed) + bytes(swing) + bytes(rest_length) +
-                        bytes(epsilon) + bytes(tau) + bytes(upsilon) + bytes(sigma) +
-                        bytes(inv_sigma) + bytes(g) + bytes(c) + bytes(residual) + bytes(lambda) +
-                        bytes(multiplier) + bytes(force) + bytes(row_flags) + bytes(jacobian);
+    std::size_t total =
+        bytes(def) + bytes(pool_index) + bytes(body) + bytes(bodies) + bytes(rows) + bytes(flags) +
+        bytes(row_begin) + bytes(jac_begin) + bytes(arms) + bytes(geo) + bytes(active) +
+        bytes(held) + bytes(low) + bytes(high) + bytes(anchor) + bytes(load_begin) + bytes(loads) +
+        bytes(parted) + bytes(coarse) + bytes(repeats) + bytes(completed) + bytes(swing) +
+        bytes(rest_length) + bytes(epsilon) + bytes(tau) + bytes(upsilon) + bytes(sigma) +
+        bytes(inv_sigma) + bytes(g) + bytes(c) + bytes(residual) + bytes(lambda) +
+        bytes(multiplier) + bytes(force) + bytes(row_flags) + bytes(jacobian);
     for (const Pool& p : pool) total += bytes(p.ids) + bytes(p.data);
     return total;
 }

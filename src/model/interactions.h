@@ -87,6 +87,7 @@ struct Interactions {
     base::Array<std::uint8_t> parted;  ///< 1 once a line has parted.
     // Of rigid joints, see stepper/completion.h; 0 of all else.
     base::Array<std::uint8_t> coarse;     ///< Steps to come in which its rows are linearised once.
+    base::Array<std::uint8_t> repeats;    ///< 1: in a loop in which rows repeat each other.
     base::Array<std::uint8_t> completed;  ///< 1: this step solves its rows at the step's end.
     base::Array<double> swing;  ///< max |arm|/I, constant: h² times force times this is (hω)².
     base::Array<double> rest_length;      ///< l₀ of wire elements [m], 0 for all else.

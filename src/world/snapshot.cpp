@@ -107,6 +107,7 @@ void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f)
     array(ctx.interactions.active);
     array(ctx.interactions.parted);
     array(ctx.interactions.coarse);
+    array(ctx.interactions.repeats);
     array(ctx.interactions.saturated);
     array(ctx.interactions.anchor);
     array(ctx.collider.kept());

@@ -115,11 +115,12 @@ Turning complete_kind(const View& view, const std::int32_t* ids, const typename 
     return t;
 }
 
-/// What the spin w turns into what acts within a step, body frame: I w with the gyroscopic impulse
-/// of half a step before (sign −1) or behind (+1), docs/methods.md 3.
+/// I w with the gyroscopic impulse of half a step before (sign −1) or behind (+1), body frame. The
+/// Cayley map turns one into the other, so that angular momentum is exact; about a fixed axis both
+/// are I w.
 V3 half_step_momentum(const M3& inertia, const V3& w, double h, double sign) {
     const V3 momentum = inertia * w;
-    return momentum + (sign * 0.5 * h) * cross(w, momentum) + (0.25 * h * h * dot(w, momentum)) * w;
+    return momentum + (sign * 0.5 * h) * cross(w, momentum);
 }
 
 }  // namespace
