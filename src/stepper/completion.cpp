@@ -56,15 +56,26 @@ void find_turning(StepContext& ctx) noexcept {
     }
 }
 
-/// The equations about v₊ as it stands. @return how much their right-hand sides changed.
+/// The equations take what they are about v₊.
+void adopt(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    const std::vector<std::int32_t>& joints = ctx.completion.joints;
+    over(ctx, static_cast<std::int32_t>(joints.size()), [&](std::int32_t a, std::int32_t b) {
+        assembly::kernels().adopt_completed(v, joints.data(), a, b);
+    });
+    over(ctx, v.body_count,
+         [&](std::int32_t a, std::int32_t b) { assembly::kernels().adopt_spins(v, a, b); });
+}
+
+/// What the equations are about v₊ as it stands. @return how much their right-hand sides changed.
 Turning renew(StepContext& ctx) noexcept {
     const View v = view(ctx);
     const assembly::Strips& strips = ctx.system.strips;
     auto& parts = ctx.turnings;  // one a strip or group
     sweep(
-        ctx, [&](int strip) { parts[at(strip)] = complete_strip(ctx, v, strip, v.v_new); },
+        ctx, [&](int strip) { parts[at(strip)] = complete_strip(ctx, v, strip, v.v_new, false); },
         [&](std::int32_t a, std::int32_t b, int i) {
-            const Turning t = assembly::kernels().complete_spins(v, a, b, v.v_new);
+            const Turning t = assembly::kernels().complete_spins(v, a, b, v.v_new, false);
             parts[at(i)].add(t);
         });
     Turning all;
@@ -81,7 +92,9 @@ Turning make_rounds(StepContext& ctx) noexcept {
     double first = 0.0;
     Turning t = renew(ctx);
     for (int round = 0; round < kMostRounds && t.change > kTurning; ++round) {
+        adopt(ctx);
         continue_with_factor(ctx);
+        ctx.losses_known = false;
         ++ctx.stats.completion_rounds;
         t = renew(ctx);
         if (round == 0) first = t.change;
@@ -268,12 +281,13 @@ void choose_completed(StepContext& ctx) noexcept {
     find_turning(ctx);
 }
 
-Turning complete_strip(StepContext& ctx, const View& v, int strip, const double* u) noexcept {
+Turning complete_strip(StepContext& ctx, const View& v, int strip, const double* u,
+                       bool first) noexcept {
     Turning t;
     for (const assembly::PoolRange& r : ctx.system.strips.pools(strip)) {
         const model::Pool& pool = ctx.interactions.pool[static_cast<std::size_t>(r.kind)];
         t.add(assembly::kernels().complete_rows(v, r.kind, pool.ids.data(), pool.data.data(),
-                                                r.begin, r.end, u));
+                                                r.begin, r.end, u, first));
     }
     return t;
 }

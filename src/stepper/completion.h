@@ -59,9 +59,10 @@ void find_joints(StepContext& ctx);
 /// Which joints this step completes, by their forces in the last one; marks their records.
 void choose_completed(StepContext& ctx) noexcept;
 
-/// c of completed rows of a strip about packed velocities u. @return how much changed.
+/// c of completed rows of a strip about packed velocities u, see Kernels::complete_rows.
+/// @return how much changed.
 assembly::Turning complete_strip(StepContext& ctx, const assembly::View& v, int strip,
-                                 const double* u) noexcept;
+                                 const double* u, bool first) noexcept;
 
 /// Rounds until the equations hold at the step's end; then the filter. v₊ and λ solve the linear
 /// ones. Changes nothing where nothing is to be completed.
