@@ -2,6 +2,7 @@
 #include "validate.h"
 
 #include "validate_cases.h"
+#include "validate_robust.h"
 
 #include <fmt/format.h>
 
@@ -11,16 +12,10 @@
 #include <exception>
 #include <fstream>
 #include <iterator>
+#include <span>
 
 namespace hawser::cli {
 namespace {
-
-struct Case {
-    const char* id;
-    const char* name;
-    const char* text;
-    void (*run)(Report&);
-};
 
 constexpr Case kCases[] = {
     {"1", "pendulum", "period of a pendulum at 90 and 30 degrees and small", case_pendulum_period},
@@ -62,9 +57,9 @@ constexpr Case kCases[] = {
 };
 
 const Case* find(const std::string& wanted) {
-    for (const Case& c : kCases) {
-        if (wanted == c.id || wanted == c.name) return &c;
-    }
+    for (const std::span<const Case> cases : {std::span<const Case>(kCases), robust_cases()})
+        for (const Case& c : cases)
+            if (wanted == c.id || wanted == c.name) return &c;
     return nullptr;
 }
 
@@ -96,10 +91,16 @@ void run_case(const Case& c, Report& report, bool quiet) {
 int run_validate(const std::vector<std::string>& cases, const std::string& json_file, bool list) {
     if (list) {
         for (const Case& c : kCases) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
+        fmt::print("robust: beyond what a step resolves, not among those that run unasked\n");
+        for (const Case& c : robust_cases()) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
         return 0;
     }
     std::vector<const Case*> chosen;
     for (const std::string& name : cases) {
+        if (name == "robust") {
+            for (const Case& c : robust_cases()) chosen.push_back(&c);
+            continue;
+        }
         chosen.push_back(find(name));
         if (chosen.back() == nullptr) {
             fmt::print(stderr, "hawser validate: no case {}; `hawser validate --list` names them\n",
