@@ -68,7 +68,7 @@ double losses_of(StepContext& ctx, const View& v, std::int32_t id) noexcept {
     Rates rate;
     rates_by_rows(v, id, rate);
     const bool line = (flags & model::kOneSided) != 0;
-    if ((flags & model::kCarried) ||
+    if ((flags & model::kCarried) || v.completed[id] ||
         (line && (v.active[id] == 0.0 || !was_taut(v, v.row_begin[id], rate.before[0]))))
         rates_by_jacobian(ctx, v, id, rate);
     double taken = 0.0;

@@ -26,6 +26,8 @@ SavedState::SavedState(const stepper::StepContext& ctx, const std::vector<double
     as(interactions.force, in.force);
     as(interactions.active, in.active);
     as(interactions.parted, in.parted);
+    as(interactions.coarse, in.coarse);
+    as(interactions.repeats, in.repeats);
     as(interactions.saturated, in.saturated);
     as(interactions.anchor, in.anchor);
     as(regroup.parts.part, ctx.regroup.parts.part);

@@ -15,7 +15,7 @@ namespace hawser::world {
 
 /// Identifies the world's layout and says how much follows.
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '4'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '5'};
     std::uint64_t layout = 0;       ///< See layout_of().
     std::uint64_t parameters = 0;   ///< See parameters_of().
     std::uint64_t contacts = 0;     ///< Remembered from the last step.
@@ -62,6 +62,8 @@ void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f)
     array(ctx.interactions.force);
     array(ctx.interactions.active);
     array(ctx.interactions.parted);
+    array(ctx.interactions.coarse);
+    array(ctx.interactions.repeats);
     array(ctx.interactions.saturated);
     array(ctx.interactions.anchor);
     array(ctx.collider.kept());
@@ -111,7 +113,7 @@ struct SavedState {
     } bodies;
     struct {
         base::Array<double> lambda, force, active, anchor;
-        base::Array<std::uint8_t> parted;
+        base::Array<std::uint8_t> parted, coarse, repeats;
         std::vector<std::uint8_t> saturated;
     } interactions;
     struct {

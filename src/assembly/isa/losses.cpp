@@ -27,7 +27,8 @@ int mark(const View& view, std::int32_t begin, std::int32_t end, std::int32_t fi
         const int flags = view.flags[id], row = view.row_begin[id];
         const bool idle = view.active[id] == 0.0, pulls = (flags & kPullsOnly) != 0;
         const bool none = (flags & kFriction) || view.parted[id] || (idle && !pulls);
-        const bool own = none || idle || (flags & (kCarried | kRange));
+        // The c of a completed one is not that of its speed before.
+        const bool own = none || idle || (flags & (kCarried | kRange)) || view.completed[id];
         if (own && !none) left[count++] = id;
         for (int r = row; r < row + view.rows[id]; ++r) {
             const bool driven = (view.row_flags[r] & kVelocityRow) ||
