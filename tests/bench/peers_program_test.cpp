@@ -51,8 +51,8 @@ class PeersProgram : public testing::Test {
         if (!std::filesystem::exists(program)) GTEST_SKIP() << "hawser-bench is not in this build";
         const auto out = own_path("hawser_peers_program.json");
         const std::string command = program +
-                                    " peers --engines hawser --scene all --reference "
-                                    "bench/peers/reference --json " +
+                                    " peers --engines hawser --scene all --budget 3600 "
+                                    "--reference bench/peers/reference --json " +
                                     out.string() + " > /dev/null";
         // 1: ours missed a demand, which each test looks at itself: time is not its business.
         ASSERT_LE(WEXITSTATUS(std::system(command.c_str())), 1);
