@@ -43,7 +43,9 @@ inline std::int32_t odd_index(Random& random, std::int32_t old) {
             return static_cast<std::int32_t>(static_cast<std::uint32_t>(old) +
                                              static_cast<std::uint32_t>(random.integer(-3, 3)));
         default:
-            return random.integer(-kMost, kMost - 1);
+            return static_cast<std::int32_t>(static_cast<std::uint32_t>(random.integer(0, 0xFFFF))
+                                                 << 16U |
+                                             static_cast<std::uint32_t>(random.integer(0, 0xFFFF)));
     }
 }
 
