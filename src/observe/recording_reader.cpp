@@ -21,7 +21,7 @@ constexpr int kStarted = 4;
 
 Frame get_frame_head(ByteReader& in) {
     Frame frame;
-    frame.step = in.get<std::int64_t>();
+    frame.step = get_step(in, 0);
     frame.time = get_finite(in);
     frame.hash = in.get<std::uint64_t>();
     frame.violation_max = get_finite(in);
@@ -205,8 +205,7 @@ void Recording::add_frame(std::span<const std::byte> payload) {
     const Frame head = get_frame_head(in);
     const std::int64_t gap =
         frames_.empty() ? head.step - start_step : head.step - frame_head(frames_.size() - 1).step;
-    if (head.step < 0 || head.step > kMostSteps || gap > settings.stride ||
-        (frames_.empty() ? gap != 0 : gap <= 0))
+    if (gap > settings.stride || (frames_.empty() ? gap != 0 : gap <= 0))
         throw BadBytes("frames are not in the order of time");
     // The world's clock counts steps.
     const double time = static_cast<double>(head.step) * settings.step;

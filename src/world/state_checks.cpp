@@ -183,6 +183,10 @@ void check_order(const factor::AnalysisState& order) {
 void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
     if (s.step < 0 || s.step > kMostSteps) refuse("the step is out of range");
     if (s.started > 1) refuse("the start is no flag");
+    const auto sleeps = [](std::uint8_t flag) { return flag != 0; };
+    if (s.started == 0 && (s.step != 0 || !s.collider.contacts.empty() ||
+                           std::any_of(s.bodies.asleep.begin(), s.bodies.asleep.end(), sleeps)))
+        refuse("something has happened before the start");
     if (s.refine_unasked < 0 || s.refine_unasked > 1'000'000)
         refuse("refinements are out of range");
     for (const std::int64_t n : s.stats.event_count)
