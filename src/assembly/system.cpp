@@ -87,7 +87,9 @@ void System::reserve(const model::Bodies& bodies, model::Interactions& in, doubl
     lay_out_rows(bodies, in, h);
     body_block_.resize(2 * at(bodies.dofs) + kSlack);
     for (base::Array<double>* a : {&a_, &v_new_}) a->assign(at(bodies.dofs) + kSlack, 0.0);
-    spin_momentum_.assign(3 * at(bodies.count()) + kSlack, 0.0);
+    for (base::Array<double>* a : {&spin_momentum_, &spin_next_})
+        a->assign(3 * at(bodies.count()) + kSlack, 0.0);
+    for (base::Array<double>* a : {&c_next_, &rate_}) a->assign(at(in.row_count) + kSlack, 0.0);
     turning.assign(at(bodies.count()), 0);
     momentum_.assign(keeps_momentum ? at(bodies.dofs) + kSlack : 0, 0.0);
     bounded.clear();
@@ -177,6 +179,7 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.spin_free = bodies.spin_free.data();
     v.spin_change = bodies.spin_change.data();
     v.spin_momentum = spin_momentum_.data();
+    v.spin_next = spin_next_.data();
     v.turning = turning.data();
     v.mass = bodies.mass.data();
     v.inertia = bodies.inertia.data();
@@ -210,6 +213,8 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.row_flags = in.row_flags.data();
     v.g = in.g.data();
     v.c = in.c.data();
+    v.c_next = c_next_.data();
+    v.rate = rate_.data();
     v.residual = in.residual.data();
     v.lambda = in.lambda.data();
     v.multiplier = in.multiplier.data();
@@ -235,10 +240,10 @@ std::size_t System::bytes() const noexcept {
     return analysis.bytes() + numeric.bytes() + bytes(ops) + bytes(lane_ops) + bytes(op_entries_) +
            bytes(op_order_) + bytes(incident_) + bytes(incident_begin_) + bytes(body_offset_) +
            bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) + bytes(v_new_) +
-           bytes(momentum_) + bytes(spin_momentum_) + bytes(turning) + bytes(geo_record_) +
-           bytes(geo_force_) + bytes(solution_) + bytes(rests_) + bytes(links_) +
-           bytes(among_lumps_) + bytes(node_of_body) + bytes(node_of_interaction) + strips.bytes() +
-           contacts.bytes();
+           bytes(momentum_) + bytes(spin_momentum_) + bytes(spin_next_) + bytes(c_next_) +
+           bytes(rate_) + bytes(turning) + bytes(geo_record_) + bytes(geo_force_) +
+           bytes(solution_) + bytes(rests_) + bytes(links_) + bytes(among_lumps_) +
+           bytes(node_of_body) + bytes(node_of_interaction) + strips.bytes() + contacts.bytes();
 }
 
 }  // namespace hawser::assembly

@@ -117,6 +117,7 @@ struct View {
     double* spin_free;       ///< 3 a body: ω₊ without torque, world frame.
     double* spin_change;     ///< 3 a body: ω₊ − spin_free of the last step, body frame.
     double* spin_momentum;   ///< 3 a body: what of `a` comes of the body's spin, world frame.
+    double* spin_next;       ///< 3 a body: the same about a later solution.
     /// By body, 1: its spin's equation is solved as it is, not about the last step
     /// (stepper/completion.h).
     const std::uint8_t* turning;
@@ -157,6 +158,8 @@ struct View {
     const std::uint8_t* row_flags;
     double* g;
     double* c;
+    double* c_next;  ///< By row: c about a later solution, of completed ones.
+    double* rate;    ///< By row: ġ at the step's start, of completed ones.
     double* residual;
     double* lambda;
     double* multiplier;  ///< By row: λ + Σ⁻¹ residual where condensed, 0 where idle.
@@ -217,13 +220,19 @@ struct Kernels {
     /// v_start.
     void (*evaluate)(const View&, InteractionKind kind, const std::int32_t* ids, const void* data,
                      std::int32_t begin, std::int32_t end) noexcept;
-    /// c of the completed ones among pool entries [begin, end), about the packed velocities u.
+    /// c of the completed ones among pool entries [begin, end), about the packed velocities u: as
+    /// the step's `first` into c, else into c_next.
     Turning (*complete_rows)(const View&, InteractionKind kind, const std::int32_t* ids,
                              const void* data, std::int32_t begin, std::int32_t end,
-                             const double* u) noexcept;
-    /// a of turning bodies, about u likewise.
-    Turning (*complete_spins)(const View&, std::int32_t begin, std::int32_t end,
-                              const double* u) noexcept;
+                             const double* u, bool first) noexcept;
+    /// What spins of turning bodies give, about u: as the first one into a, else into spin_next.
+    Turning (*complete_spins)(const View&, std::int32_t begin, std::int32_t end, const double* u,
+                              bool first) noexcept;
+    /// c becomes c_next, of the completed ones among ids[begin, end).
+    void (*adopt_completed)(const View&, const std::int32_t* ids, std::int32_t begin,
+                            std::int32_t end) noexcept;
+    /// a takes spin_next, likewise.
+    void (*adopt_spins)(const View&, std::int32_t begin, std::int32_t end) noexcept;
     /// Body blocks and a, geometric terms included.
     void (*body_terms)(const View&, std::int32_t begin, std::int32_t end) noexcept;
     /// Write blocks of the matrix into the panels.

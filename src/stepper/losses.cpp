@@ -43,7 +43,8 @@ void rates_by_jacobian(StepContext& ctx, const View& v, std::int32_t id, Rates& 
 void rates_by_rows(const View& v, std::int32_t id, Rates& out) noexcept {
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
-        out.before[r] = v.c[row] / v.upsilon[row] + 4.0 / v.h * v.g[row];
+        out.before[r] =
+            v.completed[id] ? v.rate[row] : v.c[row] / v.upsilon[row] + 4.0 / v.h * v.g[row];
         out.after[r] = v.c[row] - v.sigma[row] * v.lambda[row] - v.residual[row];
     }
 }
@@ -68,7 +69,7 @@ double losses_of(StepContext& ctx, const View& v, std::int32_t id) noexcept {
     Rates rate;
     rates_by_rows(v, id, rate);
     const bool line = (flags & model::kOneSided) != 0;
-    if ((flags & model::kCarried) || v.completed[id] ||
+    if ((flags & model::kCarried) ||
         (line && (v.active[id] == 0.0 || !was_taut(v, v.row_begin[id], rate.before[0]))))
         rates_by_jacobian(ctx, v, id, rate);
     double taken = 0.0;

@@ -147,13 +147,13 @@ void assemble_rows(StepContext& ctx) noexcept {
         ctx,
         [&](int strip) {
             evaluate_strip(ctx, rows, strip);
-            if (completes) (void)complete_strip(ctx, v, strip, v.v_start);
+            if (completes) (void)complete_strip(ctx, v, strip, v.v_start, true);
             each(ctx.system.strips.interactions(strip),
                  [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b, moving); });
         },
         [&](std::int32_t a, std::int32_t b, int) {
             k.body_terms(v, a, b);
-            if (completes) (void)k.complete_spins(v, a, b, v.v_start);
+            if (completes) (void)k.complete_spins(v, a, b, v.v_start, true);
             k.first_body_rhs(v, a, b, moving);
         });
     ctx.rhs_ready = true;
