@@ -49,6 +49,7 @@ class Includer {
         if (!done_.insert(key).second) {
             return;  // Reached twice by different routes: its entries are there already.
         }
+        document_.files.push_back(file);
         const Json content = read_json_file(file);
         check_shape(content, *format().part, {file.string(), ""});
         open_.push_back(key);
@@ -122,6 +123,8 @@ void read_state(Document& document, const std::filesystem::path& file) {
     }
     const auto stored = resolve_inside(file.parent_path(), file.parent_path(),
                                        (*state)["file"].get<std::string>(), place / "file");
+    document.files.push_back(stored);
+    document.state_file = stored;
     Json content = read_json_file(stored);
     const Place stored_place{stored.string(), ""};
     check_shape(content, *format().state, stored_place);
@@ -137,7 +140,9 @@ Document make_document(Json root, const std::filesystem::path& file, const Optio
                       .line_types = {},
                       .templates = {},
                       .materials = {},
-                      .state = {}};
+                      .state = {},
+                      .files = {},
+                      .state_file = {}};
     check_shape(document.root, *format().scene, document.place);
     const Json original = document.root.contains("include")
                               ? Json{{"include", document.root["include"]}}

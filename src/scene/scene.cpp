@@ -140,6 +140,8 @@ Scene make_scene(Json root, const std::filesystem::path& file, const Options& op
     Scene scene{.name = document.root["name"].get<std::string>(),
                 .description = text_or(document.root, "description", ""),
                 .path = file.string(),
+                .files = document.files,
+                .state_file = document.state_file,
                 .text = std::move(text),
                 .hash = hash,
                 .duration = description.duration,
@@ -156,7 +158,9 @@ Scene make_scene(Json root, const std::filesystem::path& file, const Options& op
 }  // namespace
 
 Scene load_file(const std::filesystem::path& file, const Options& options) {
-    return make_scene(read_json_file(file), file, options);
+    Scene scene = make_scene(read_json_file(file), file, options);
+    scene.files.push_back(file);
+    return scene;
 }
 
 Scene load_text(std::string_view text, const std::string& name_for_messages,
