@@ -21,6 +21,7 @@ struct CableInfo {
     double EA = 0.0;                      ///< Axial stiffness [N]; 0 = not elastic.
     double breaking_load = 0.0;           ///< [N]; 0 = not given.
     double length = 0.0;                  ///< Unstretched [m].
+    double diameter = 0.0;                ///< [m]; 0 = not given.
 };
 
 struct SceneInfo {

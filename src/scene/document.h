@@ -5,6 +5,7 @@
 /// stored state read in, the shape checked.
 
 #include "scene/format.h"
+#include "scene/mistakes.h"
 
 #include <map>
 #include <string>
@@ -19,11 +20,12 @@ struct Document {
     std::map<std::string, Place, std::less<>> templates;
     std::map<std::string, Place, std::less<>> materials;
     Place state;  ///< Of the state's "bodies".
+    Mistakes* mistakes = nullptr;  ///< Where mistakes are taken down; null: they are thrown.
 };
 
-/// @throws SceneError.
+/// @param mistakes  Where they are taken down; null: the first is thrown. @throws SceneError.
 [[nodiscard]] Document make_document(Json root, const std::filesystem::path& file,
-                                     const Options& options);
+                                     const Options& options, Mistakes* mistakes = nullptr);
 
 /// Apply one "path=value" (see Options::set). @throws SceneError.
 void apply_override(Json& root, const std::string& option, const Place& place);

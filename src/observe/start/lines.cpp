@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "observe/axes.h"
+#include "observe/start/parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace hawser::observe::start {
+
+namespace {
+
+bool is_line(InteractionKind kind) {
+    return kind == InteractionKind::Stretch || kind == InteractionKind::WinchStretch;
+}
+
+struct Tightest {
+    double tension = 0.0, breaking = 0.0;
+    InteractionId at{};
+};
+
+void take(const World& world, InteractionId id, Tightest& worst) {
+    const InteractionDef& def = world.interaction_def(id);
+    if (!is_line(def.kind)) return;
+    const double breaking = def.get("breaking_load");
+    const double tension = start_tension(world, id);
+    if (!(breaking > 0.0) || breaking >= 1e29 || tension <= breaking) return;
+    if (tension * worst.breaking >= worst.tension * breaking) worst = {tension, breaking, id};
+}
+
+void report(const World& world, const std::string& name, const std::string& what,
+            const Tightest& worst, Findings& out) {
+    out.add(false, FindingKind::tension, {name}, worst.tension,
+            fmt::format("{} starts with {} in {}, {:.3g} times its breaking load of {}: it parts in "
+                        "the first step; give it more length, or start its ends nearer",
+                        what, with_unit(worst.tension, "N"),
+                        quoted(interaction_label(world, worst.at)),
+                        worst.tension / worst.breaking, with_unit(worst.breaking, "N")));
+}
+
+}  // namespace
+
+double start_tension(const World& world, InteractionId id) {
+    const InteractionDef& def = world.interaction_def(id);
+    if (!is_line(def.kind)) return 0.0;
+    const RowsView view = world.rows(id);
+    return view.compliance[0] > 0.0 ? std::max(0.0, view.violation[0] / view.compliance[0]) : 0.0;
+}
+
+void check_tensions(const SceneInfo& scene, const World& world, Findings& out) {
+    std::vector<bool> of_cable(static_cast<std::size_t>(world.interaction_count()), false);
+    for (const CableInfo& cable : scene.cables) {
+        Tightest worst{.breaking = 1.0};
+        for (const InteractionId id : cable.elements) {
+            of_cable[static_cast<std::size_t>(id.index)] = true;
+            take(world, id, worst);
+        }
+        if (worst.at.valid())
+            report(world, cable.name, "the cable " + quoted(cable.name), worst, out);
+    }
+    for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
+        if (of_cable[static_cast<std::size_t>(i)]) continue;
+        Tightest worst{.breaking = 1.0};
+        take(world, {i}, worst);
+        if (worst.at.valid())
+            report(world, interaction_label(world, {i}), joint_in_words(world, {i}), worst, out);
+    }
+}
+
+}  // namespace hawser::observe::start
