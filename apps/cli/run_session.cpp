@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "observe/host.h"
 #include "observe/snapshot_file.h"
+#include "observe/start/check.h"
 #include "progress.h"
 #include "signals.h"
 
@@ -32,7 +33,11 @@ RunSession::RunSession(const RunOptions& options)
     : options_(options), scene_(options.scene.load()), info_(info_of(scene_)) {
     World& world = scene_.world;
     world.prepare();
-    if (!options.restore.empty()) observe::restore_snapshot(options.restore, info_, world);
+    // A restored state is no start: what touches presses, and lines carry what they carry.
+    if (options.restore.empty())
+        check_start();
+    else
+        observe::restore_snapshot(options.restore, info_, world);
     const double h = world.settings().step;
     end_time_ = options.duration.value_or(scene_.duration);
     steps_ = static_cast<std::int64_t>(std::ceil((end_time_ - world.time()) / h - kTimeSlack));
@@ -86,6 +91,17 @@ RunSession::RunSession(const RunOptions& options)
         coupling_ = std::make_unique<observe::CouplingObserver>(world);
     }
     if (options.verify) verifier_ = std::make_unique<observe::Verifier>(world);
+}
+
+void RunSession::check_start() {
+    if (options_.unchecked) return;
+    const auto findings = observe::start::check_start(info_, scene_.world);
+    if (!options_.quiet || findings.errors() > 0)
+        fmt::print(stderr, "{}", observe::start::to_text(findings, scene_.path + ": "));
+    if (findings.errors() > 0)
+        throw std::runtime_error(fmt::format(
+            "{}: this start is impossible; --unchecked runs it nevertheless", scene_.path));
+    for (const observe::start::Finding& finding : findings.list) warnings_.push_back(finding.text);
 }
 
 void RunSession::choose_stride() {
@@ -180,6 +196,7 @@ int RunSession::finish(observe::Ending ending, double wall_seconds) {
     const World& world = scene_.world;
     observe::Summary summary = collector_->result(world);
     summary.wall_seconds = wall_seconds;
+    summary.warnings = warnings_;
     if (pacer_) {
         summary.missed_frames = pacer_->missed();
         summary.lateness_max = pacer_->lateness_max();

@@ -38,7 +38,7 @@ class Description {
     std::optional<int> parts;  ///< settings.parts; none: kParts where no body has a group, else 0.
     static constexpr int kParts = 4;
     Mistakes* mistakes = nullptr;  ///< Where mistakes are taken down; null: they are thrown.
-    std::size_t copies = 1;  ///< That will be made of everything: counts against the limits.
+    std::size_t copies = 1;        ///< That will be made of everything: counts against the limits.
     double default_compliance = kDefault;
     double default_damping_time = kDefault;
 

@@ -19,7 +19,7 @@ struct Document {
     std::map<std::string, Place, std::less<>> line_types;
     std::map<std::string, Place, std::less<>> templates;
     std::map<std::string, Place, std::less<>> materials;
-    Place state;  ///< Of the state's "bodies".
+    Place state;                   ///< Of the state's "bodies".
     Mistakes* mistakes = nullptr;  ///< Where mistakes are taken down; null: they are thrown.
 };
 

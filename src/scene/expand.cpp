@@ -135,8 +135,7 @@ class Expander {
                                                              : document_.place / "templates" / name;
         inner.note = fmt::format(" (in the instance {})",
                                  in_quotes(scope.prefix.substr(0, scope.prefix.size() - 1)));
-        inner.content =
-            std::make_unique<Json>(fill_in(definition, instance, inner, place));
+        inner.content = std::make_unique<Json>(fill_in(definition, instance, inner, place));
         scope.content = inner.content.get();
         set_frame(scope, instance, outer, place);
         bind(scope, instance, outer, place);

@@ -28,8 +28,7 @@ inline constexpr int kMaxNesting = 64;
                               Mistakes* mistakes = nullptr);
 
 /// Read and parse a file. @throws SceneError when it cannot be read or is too large.
-[[nodiscard]] Json read_json_file(const std::filesystem::path& file,
-                                  Mistakes* mistakes = nullptr);
+[[nodiscard]] Json read_json_file(const std::filesystem::path& file, Mistakes* mistakes = nullptr);
 
 /// Resolve a file name found at `place`, relative to `base`, and refuse it when it leaves the
 /// folder `root` (links followed) or does not exist.

@@ -62,9 +62,8 @@ class Builder {
         settings.budget = options.budget;
         settings.budget_work = options.budget_work;
         const auto& bodies = description_.bodies;
-        const bool grouped = std::any_of(bodies.begin(), bodies.end(), [](const BodyDef& body) {
-            return !body.group.empty();
-        });
+        const bool grouped = std::any_of(bodies.begin(), bodies.end(),
+                                         [](const BodyDef& body) { return !body.group.empty(); });
         if (settings.coupling != Coupling::exact) {
             settings.parts = description_.parts.value_or(grouped ? 0 : Description::kParts);
         }
@@ -88,8 +87,8 @@ class Builder {
             if (!numbered_ && def.load[0].interaction.valid()) {
                 continue;
             }
-            numbered_ &= take(description_.interaction_place(i),
-                              [&] { world.add_interaction(def); });
+            numbered_ &=
+                take(description_.interaction_place(i), [&] { world.add_interaction(def); });
         }
         numbered_ &= whole_;
     }
@@ -134,8 +133,7 @@ void read_plot(Scene& scene, const Description& description, const Document& doc
     };
     read(
         "tensions", scene.plot_tensions,
-        [&](const std::string& name) { return description.has_cable(name); }, "cable",
-        Lost::cable,
+        [&](const std::string& name) { return description.has_cable(name); }, "cable", Lost::cable,
         [&] {
             std::vector<std::string> known;
             for (const Cable& cable : description.cables) {
@@ -231,7 +229,8 @@ std::optional<Scene> try_scene(const Read& read, const std::filesystem::path& fi
                                const Options& options, std::vector<SceneError>& found) {
     Mistakes mistakes;
     std::optional<Scene> scene;
-    (void)attempt(&mistakes, [&] { scene = make_scene(read(&mistakes), file, options, &mistakes); });
+    (void)attempt(&mistakes,
+                  [&] { scene = make_scene(read(&mistakes), file, options, &mistakes); });
     found = mistakes.list();
     if (!mistakes.none()) {
         scene.reset();

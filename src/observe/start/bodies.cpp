@@ -2,8 +2,8 @@
 #include "observe/axes.h"
 #include "observe/start/parts.h"
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -31,8 +31,7 @@ double volume_of(const ShapeDef& def) {
         case ShapeKind::sphere:
             return 4.0 / 3.0 * kPi * r * r * r;
         case ShapeKind::capsule:
-            return def.body_b.valid() ? 0.0
-                                      : kPi * r * r * (2.0 * def.half_length + 4.0 / 3.0 * r);
+            return def.body_b.valid() ? 0.0 : kPi * r * r * (2.0 * def.half_length + 4.0 / 3.0 * r);
         case ShapeKind::cylinder:
             return 2.0 * kPi * r * r * def.half_length;
         case ShapeKind::box:
@@ -56,9 +55,8 @@ double volume_of(const ShapeDef& def) {
 void check_density(const World& world, BodyId id, double shapes, Findings& out) {
     const BodyDef& def = world.body_def(id);
     const double box = 8.0 * def.half_size.prod();
-    const double most = std::max(box, shapes), least = box > 0.0 && shapes > 0.0
-                                                           ? std::min(box, shapes)
-                                                           : most;
+    const double most = std::max(box, shapes),
+                 least = box > 0.0 && shapes > 0.0 ? std::min(box, shapes) : most;
     if (!(most > 0.0)) return;
     const bool dense = def.mass / most > kDensest;
     if (!dense && def.mass / least >= kLightest) return;
@@ -66,7 +64,7 @@ void check_density(const World& world, BodyId id, double shapes, Findings& out) 
     out.add(false, FindingKind::density, {body_label(world, id)}, density,
             fmt::format("{} has a density of {:.3g} kg/m³ ({:.6g} kg in {:.3g} m³), which is that "
                         "of nothing: {}; check its mass in kg and its size in m (half sizes)",
-                        quoted(body_label(world, id)), density, def.mass, volume,
+                        name_in_quotes(body_label(world, id)), density, def.mass, volume,
                         dense ? "platinum has 21,450" : "air has 1.2"));
 }
 
@@ -80,7 +78,7 @@ void check_inertia(const World& world, BodyId id, Findings& out) {
                 fmt::format("the inertia of {} is that of no body: its principal moments are "
                             "{:.4g}, {:.4g} and {:.4g} kg m², and no moment can exceed the sum of "
                             "the other two",
-                            quoted(name), i[0], i[1], i[2]));
+                            name_in_quotes(name), i[0], i[1], i[2]));
     const double extent = def.half_size.norm();
     if (!(extent > 0.0)) return;
     // Half the trace is Σ m r² about the centre.
@@ -90,18 +88,18 @@ void check_inertia(const World& world, BodyId id, Findings& out) {
     out.add(false, FindingKind::inertia, {name}, ratio,
             fmt::format("the inertia of {} does not fit its size: its mass would lie {} from the "
                         "centre, and its box reaches to {}",
-                        quoted(name), with_unit(spread, "m"), with_unit(extent, "m")));
+                        name_in_quotes(name), with_unit(spread, "m"), with_unit(extent, "m")));
 }
 
 void check_spin(const World& world, BodyId id, Findings& out) {
     const double turn = world.velocity(id).angular.norm() * world.settings().step;
     if (turn <= kTurn) return;
     const std::string name = body_label(world, id);
-    out.add(false, FindingKind::spin_step, {name}, turn,
-            fmt::format("{} turns by {:.3g} rad in a step; a step follows up to {:.3g} rad: use "
-                        "steps of {:.2g} ms or less",
-                        quoted(name), turn, kTurn,
-                        1e3 * world.settings().step * kTurn / turn));
+    out.add(
+        false, FindingKind::spin_step, {name}, turn,
+        fmt::format("{} turns by {:.3g} rad in a step; a step follows up to {:.3g} rad: use "
+                    "steps of {:.2g} ms or less",
+                    name_in_quotes(name), turn, kTurn, 1e3 * world.settings().step * kTurn / turn));
 }
 
 }  // namespace
@@ -133,7 +131,7 @@ void check_cable_density(const SceneInfo& scene, const World& world, Findings& o
         out.add(false, FindingKind::density, {cable.name}, density,
                 fmt::format("the cable {} has a density of {:.3g} kg/m³ ({:.4g} kg/m at a diameter "
                             "of {}), which is that of no rope, wire or chain",
-                            quoted(cable.name), density, node.mass / element,
+                            name_in_quotes(cable.name), density, node.mass / element,
                             with_unit(cable.diameter, "m")));
     }
 }

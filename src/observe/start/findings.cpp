@@ -12,7 +12,7 @@ namespace hawser::observe::start {
 
 const char* to_string(FindingKind kind) noexcept {
     constexpr const char* kNames[kFindingKindCount] = {
-        "contradiction", "repeated", "motor",   "overlap",   "gap",        "speed",     "tension",
+        "contradiction", "repeated", "motor",     "overlap",    "gap",       "speed",     "tension",
         "density",       "inertia",  "wire_step", "joint_step", "spin_step", "unexamined"};
     return kNames[static_cast<std::size_t>(kind)];
 }
@@ -52,19 +52,6 @@ std::string to_text(const Findings& findings, const std::string& before) {
                                before, error ? "error" : "warning", n - kListedOfAKind,
                                to_string(static_cast<FindingKind>(k)));
         }
-    return text;
-}
-
-std::string names_in_words(const std::vector<std::string>& names) {
-    constexpr std::size_t kNamed = 8;
-    const std::size_t shown = std::min(kNamed, names.size());
-    std::string text;
-    for (std::size_t i = 0; i < shown; ++i) {
-        const bool last = i + 1 == names.size();
-        text += i == 0 ? "" : last ? " and " : ", ";
-        text += names[i];
-    }
-    if (names.size() > shown) text += fmt::format(" and {} more", names.size() - shown);
     return text;
 }
 

@@ -51,7 +51,4 @@ inline constexpr std::size_t kListedOfAKind = 5;
 /// A line each, beginning with `before`; of each kind the worst kListedOfAKind and how many more.
 [[nodiscard]] std::string to_text(const Findings& findings, const std::string& before);
 
-/// "a", "a and b", "a, b and c"; of more than eight the first eight and how many more.
-[[nodiscard]] std::string names_in_words(const std::vector<std::string>& names);
-
 }  // namespace hawser::observe::start

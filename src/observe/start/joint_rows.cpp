@@ -125,8 +125,7 @@ void JointRows::find_bodies(const World& world) {
             if (node < 0) continue;
             edge_of_slot_[kMaxInteractionBodies * j + b] =
                 static_cast<std::int32_t>(pattern_.edges.size());
-            pattern_.edges.push_back(
-                {static_cast<std::int32_t>(bodies_.size() + j), node});
+            pattern_.edges.push_back({static_cast<std::int32_t>(bodies_.size() + j), node});
         }
     }
 }

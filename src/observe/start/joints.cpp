@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace hawser::observe::start {
@@ -17,8 +18,9 @@ namespace {
 /// two steps without anyone noticing. Of the reach of the joint; of an angle [rad].
 constexpr double kOpen = 1e-4, kTurned = 1e-3;
 
-/// A speed that a joint takes away in the first step: of what gravity gives in a second.
-constexpr double kTearing = 0.1;  // [m/s]
+/// A speed that a joint takes away in the first step: what gravity gives in a hundredth of a second
+/// [m/s].
+constexpr double kTearing = 0.1;
 
 bool is_angle(const KindInfo& kind, int row) { return kind.row_units[row] == 'r'; }
 
@@ -31,8 +33,8 @@ Worst worst_of(const World& world, const Joint& joint, const std::vector<double>
     Worst worst;
     for (std::int32_t k = 0; k < joint.rows; ++k) {
         const double g = std::abs(values[static_cast<std::size_t>(joint.row_begin + k)]);
-        double& most = is_angle(kind, joint.row[static_cast<std::size_t>(k)]) ? worst.angle
-                                                                             : worst.length;
+        double& most =
+            is_angle(kind, joint.row[static_cast<std::size_t>(k)]) ? worst.angle : worst.length;
         most = std::max(most, g);
     }
     return worst;
@@ -41,20 +43,6 @@ Worst worst_of(const World& world, const Joint& joint, const std::vector<double>
 }  // namespace
 
 double reach(const Joint& joint) { return std::max(0.1, joint.size); }
-
-std::string quoted(const std::string& name) { return "\"" + name + "\""; }
-
-std::string joint_in_words(const World& world, InteractionId id) {
-    const InteractionDef& def = world.interaction_def(id);
-    const KindInfo& kind = kind_info(def.kind);
-    std::string words = kind.name;
-    std::replace(words.begin(), words.end(), '_', ' ');
-    words = "the " + words + " " + quoted(interaction_label(world, id));
-    std::vector<std::string> bodies;
-    for (std::size_t b = 0; b < static_cast<std::size_t>(kind.bodies); ++b)
-        bodies.push_back(quoted(body_label(world, def.body[b])));
-    return words + (bodies.size() > 1 ? " between " : " of ") + names_in_words(bodies);
-}
 
 void check_gaps(const World& world, const JointRows& rows, Findings& out) {
     for (const Joint& joint : rows.joints()) {
@@ -66,19 +54,18 @@ void check_gaps(const World& world, const JointRows& rows, Findings& out) {
             out.add(false, FindingKind::gap, {name}, open ? gap.length : gap.angle,
                     fmt::format("{} starts {}; the first steps close that with a blow: move the "
                                 "bodies or the joint's points",
-                                joint_in_words(world, joint.id),
+                                interaction_in_words(world, joint.id),
                                 open ? with_unit(gap.length, "m") + " apart"
                                      : fmt::format("{:.3g} degrees out of line",
-                                                   gap.angle * 180.0 / 3.14159265358979)));
+                                                   gap.angle * 180.0 / std::numbers::pi)));
         }
-        std::vector<double> tearing(rows.rates());
-        const Worst speed = worst_of(world, joint, tearing);
+        const Worst speed = worst_of(world, joint, rows.rates());
         const double turning = speed.angle * reach(joint);
         if (std::max(speed.length, turning) > kTearing)
             out.add(false, FindingKind::speed, {name}, std::max(speed.length, turning),
                     fmt::format("{} starts with speeds that tear it at {}; the first step takes "
                                 "them away with a blow: give its bodies velocities that fit",
-                                joint_in_words(world, joint.id),
+                                interaction_in_words(world, joint.id),
                                 with_unit(std::max(speed.length, turning), "m/s")));
     }
 }
@@ -112,17 +99,17 @@ void check_motor_friction(const World& world, Findings& out) {
             if (pair->friction != brake.kind || bodies(motor) != bodies(brake)) continue;
             const double speed = motor.get("speed");
             if (speed == 0.0) continue;
-            const double most =
-                speed > 0.0 ? motor.get("force_max") : -motor.get("force_min");
+            const double most = speed > 0.0 ? motor.get("force_max") : -motor.get("force_min");
             const double held = brake.get(pair->param);
             if (held < most || most <= 0.0) continue;
             const char* unit = motor.kind == InteractionKind::HingeMotor ? "N m" : "N";
-            out.add(false, FindingKind::motor,
-                    {interaction_label(world, {m}), interaction_label(world, {f})}, held,
-                    fmt::format("{} gives at most {}, and {} holds with {}: nothing will move "
-                                "until one of them changes",
-                                joint_in_words(world, {m}), with_unit(most, unit),
-                                quoted(interaction_label(world, {f})), with_unit(held, unit)));
+            out.add(
+                false, FindingKind::motor,
+                {interaction_label(world, {m}), interaction_label(world, {f})}, held,
+                fmt::format("{} gives at most {}, and {} holds with {}: nothing will move "
+                            "until one of them changes",
+                            interaction_in_words(world, {m}), with_unit(most, unit),
+                            name_in_quotes(interaction_label(world, {f})), with_unit(held, unit)));
         }
 }
 

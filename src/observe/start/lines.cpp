@@ -30,12 +30,13 @@ void take(const World& world, InteractionId id, Tightest& worst) {
 
 void report(const World& world, const std::string& name, const std::string& what,
             const Tightest& worst, Findings& out) {
-    out.add(false, FindingKind::tension, {name}, worst.tension,
-            fmt::format("{} starts with {} in {}, {:.3g} times its breaking load of {}: it parts in "
-                        "the first step; give it more length, or start its ends nearer",
-                        what, with_unit(worst.tension, "N"),
-                        quoted(interaction_label(world, worst.at)),
-                        worst.tension / worst.breaking, with_unit(worst.breaking, "N")));
+    out.add(
+        false, FindingKind::tension, {name}, worst.tension,
+        fmt::format("{} starts with {} in {}, {:.3g} times its breaking load of {}: it parts in "
+                    "the first step; give it more length, or start its ends nearer",
+                    what, with_unit(worst.tension, "N"),
+                    name_in_quotes(interaction_label(world, worst.at)),
+                    worst.tension / worst.breaking, with_unit(worst.breaking, "N")));
 }
 
 }  // namespace
@@ -56,14 +57,15 @@ void check_tensions(const SceneInfo& scene, const World& world, Findings& out) {
             take(world, id, worst);
         }
         if (worst.at.valid())
-            report(world, cable.name, "the cable " + quoted(cable.name), worst, out);
+            report(world, cable.name, "the cable " + name_in_quotes(cable.name), worst, out);
     }
     for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
         if (of_cable[static_cast<std::size_t>(i)]) continue;
         Tightest worst{.breaking = 1.0};
         take(world, {i}, worst);
         if (worst.at.valid())
-            report(world, interaction_label(world, {i}), joint_in_words(world, {i}), worst, out);
+            report(world, interaction_label(world, {i}), interaction_in_words(world, {i}), worst,
+                   out);
     }
 }
 

@@ -136,8 +136,8 @@ class Overlaps {
         const double narrower = std::min(width[0], width[1]);
         if (!(narrower > 0.0)) return;
         if (depth <= std::min(world_.settings().contact_margin, kInside * narrower)) return;
-        const double weight = std::max(this->weight(contact.shape[0]),
-                                       this->weight(contact.shape[1]));
+        const double weight =
+            std::max(this->weight(contact.shape[0]), this->weight(contact.shape[1]));
         if (contact.force.norm() <= kWeights * weight) return;
         take(contact, depth, narrower, std::max(width[0], width[1]));
     }
@@ -164,13 +164,14 @@ class Overlaps {
     void report(const Pair& pair, Findings& out) const {
         const bool deep = pair.depth > 0.5 * pair.width;
         const std::string a = label(pair.shape[0]), b = label(pair.shape[1]);
-        out.add(deep, FindingKind::overlap, {a, b}, pair.depth,
-                fmt::format("{} and {} start {} inside each other{}: move one of them", quoted(a),
-                            quoted(b), with_unit(pair.depth, "m"),
-                            deep ? fmt::format(", deeper than half of {}, from where contact pushes "
-                                               "to the wrong side",
-                                               with_unit(pair.width, "m"))
-                                 : "; contact throws them apart"));
+        out.add(
+            deep, FindingKind::overlap, {a, b}, pair.depth,
+            fmt::format("{} and {} start {} inside each other{}: move one of them",
+                        name_in_quotes(a), name_in_quotes(b), with_unit(pair.depth, "m"),
+                        deep ? fmt::format(", deeper than half of {}, from where contact pushes "
+                                           "to the wrong side",
+                                           with_unit(pair.width, "m"))
+                             : "; contact throws them apart"));
     }
 
     const World& world_;

@@ -29,10 +29,6 @@ void check_motor_friction(const World& world, Findings& out);
 /// Wires and joints that the step does not resolve (steps.cpp).
 void check_steps(const SceneInfo& scene, const World& world, Findings& out);
 
-/// `the hinge "foot" between "ship" and "boom"`.
-[[nodiscard]] std::string joint_in_words(const World& world, InteractionId id);
-/// Name of the joint, or its kind and number, in quotes.
-[[nodiscard]] std::string quoted(const std::string& name);
 /// Tension from the stretch at the start [N]; 0 where slack, or of another kind.
 [[nodiscard]] double start_tension(const World& world, InteractionId id);
 /// Length of what a gap at this joint is compared with: its longest arm, at least 0.1 m.

@@ -150,7 +150,8 @@ class Search {
                 repetitions_[joint_of(rows[row])] += shared(a, a);  // The trace is the rank.
                 for (Eigen::Index b = 0; b < a; ++b)
                     if (std::abs(shared(a, b)) > kPart)
-                        fine.unite(joint_of(rows[row]), joint_of(rows[static_cast<std::size_t>(b)]));
+                        fine.unite(joint_of(rows[row]),
+                                   joint_of(rows[static_cast<std::size_t>(b)]));
             }
         }
         sets_ = fine;
@@ -227,16 +228,17 @@ class Search {
         if (!apart) return;
         for (const std::int32_t j : group.joints) contradicts_[static_cast<std::size_t>(j)] = true;
         const std::vector<std::string> names = names_of(group);
-        const std::string open = length > kApart * 0.1 ? with_unit(length, "m")
-                                                       : fmt::format("{:.3g} rad", angle);
-        out_.add(true, FindingKind::contradiction, names, std::max(length, angle),
-                 names.size() == 1
-                     ? fmt::format("{} cannot hold: wherever its bodies go, {} stays open; move "
-                                   "its points and axes",
-                                   joint_in_words(world_, joint(index(group.joints[0])).id), open)
-                     : fmt::format("the joints {} contradict each other: wherever their bodies go, "
-                                   "{} stays open; take one away, or move points and axes",
-                                   in_quotes(names), open));
+        const std::string open =
+            length > kApart * 0.1 ? with_unit(length, "m") : fmt::format("{:.3g} rad", angle);
+        out_.add(
+            true, FindingKind::contradiction, names, std::max(length, angle),
+            names.size() == 1
+                ? fmt::format("{} cannot hold: wherever its bodies go, {} stays open; move "
+                              "its points and axes",
+                              interaction_in_words(world_, joint(index(group.joints[0])).id), open)
+                : fmt::format("the joints {} contradict each other: wherever their bodies go, "
+                              "{} stays open; take one away, or move points and axes",
+                              in_quotes(names), open));
     }
 
     void report(const Group& group, const std::vector<double>& still) {
@@ -262,7 +264,7 @@ class Search {
 
     [[nodiscard]] static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
     [[nodiscard]] static std::string in_quotes(std::vector<std::string> names) {
-        for (std::string& name : names) name = quoted(name);
+        for (std::string& name : names) name = name_in_quotes(name);
         return names_in_words(names);
     }
 
@@ -285,24 +287,26 @@ class Search {
             if (wanted == 0.0) continue;
             std::vector<std::string> others;
             for (const std::string& name : names)
-                if (name != interaction_label(world_, one.id)) others.push_back(quoted(name));
-            out_.add(unlimited, FindingKind::motor, names, std::abs(wanted),
-                     fmt::format("{} wants {:.3g} m/s or rad/s where {} hold still or drive "
-                                 "otherwise: {}",
-                                 joint_in_words(world_, one.id), wanted, names_in_words(others),
-                                 unlimited ? "with no limit of its force nothing can give way; "
-                                             "give it force_min and force_max, or take one away"
-                                           : "it will push with all its force and not move"));
+                if (name != interaction_label(world_, one.id))
+                    others.push_back(name_in_quotes(name));
+            out_.add(
+                unlimited, FindingKind::motor, names, std::abs(wanted),
+                fmt::format("{} wants {:.3g} m/s or rad/s where {} hold still or drive "
+                            "otherwise: {}",
+                            interaction_in_words(world_, one.id), wanted, names_in_words(others),
+                            unlimited ? "with no limit of its force nothing can give way; "
+                                        "give it force_min and force_max, or take one away"
+                                      : "it will push with all its force and not move"));
         }
     }
 
     void report_repetition(const Group& group, const std::vector<std::string>& names,
                            const std::string& all, bool drives) {
         const char* what = drives ? "the joints and motors" : "the joints";
-        const std::string count =
-            group.repetitions == 1  ? " in one direction"
-            : group.repetitions > 1 ? fmt::format(" in {} directions", group.repetitions)
-                                    : "";
+        const std::string count = group.repetitions == 1 ? " in one direction"
+                                  : group.repetitions > 1
+                                      ? fmt::format(" in {} directions", group.repetitions)
+                                      : "";
         out_.add(false, FindingKind::repeated, names, group.repetitions,
                  fmt::format("{} {} repeat each other{}: how they share the force there is not "
                              "determined; where that matters, put a joint that holds less in place "

@@ -42,8 +42,7 @@ class Statics {
             pattern_.sign.push_back(-1);
             for (std::size_t b = 0; b < index_of(kind.bodies); ++b)
                 if (const std::int32_t body = this->node(i, b); body >= 0)
-                    pattern_.edges.push_back(
-                        {static_cast<std::int32_t>(bodies_.size()) + i, body});
+                    pattern_.edges.push_back({static_cast<std::int32_t>(bodies_.size()) + i, body});
         }
     }
 
@@ -93,23 +92,23 @@ class Statics {
         const auto size = static_cast<std::size_t>(pattern_.size[n]);
         double* const own = &values_[index_of64(factor_.value_begin(node))];
         double* const f = &rhs_[index_of64(factor_.scalar_begin(node))];
-        for (std::size_t i = 0; i < std::min<std::size_t>(size, 3); ++i) own[i * size + i] = def.mass;
-        const Mat3 turn = def.kind == BodyKind::rigid ? pose.orientation.toRotationMatrix()
-                                                      : Mat3::Identity();
-        Vec3 force = def.force - turn * def.linear_damping.cwiseProduct(turn.transpose() * v.linear);
+        for (std::size_t i = 0; i < std::min<std::size_t>(size, 3); ++i)
+            own[i * size + i] = def.mass;
+        const Mat3 turn =
+            def.kind == BodyKind::rigid ? pose.orientation.toRotationMatrix() : Mat3::Identity();
+        Vec3 force =
+            def.force - turn * def.linear_damping.cwiseProduct(turn.transpose() * v.linear);
         if (def.gravity) force += def.mass * world_.settings().gravity;
         for (std::size_t i = 0; i < std::min<std::size_t>(size, 3); ++i)
             f[i] = force[static_cast<int>(i)];
         if (size < 6) return;
         const Mat3 inertia = turn * def.inertia * turn.transpose();
-        const Vec3 torque =
-            def.torque - v.angular.cross(inertia * v.angular) -
-            turn * def.angular_damping.cwiseProduct(turn.transpose() * v.angular);
+        const Vec3 torque = def.torque - v.angular.cross(inertia * v.angular) -
+                            turn * def.angular_damping.cwiseProduct(turn.transpose() * v.angular);
         for (std::size_t i = 0; i < 3; ++i) {
             f[3 + i] = torque[static_cast<int>(i)];
             for (std::size_t j = 0; j < 3; ++j)
-                own[(3 + i) * 6 + 3 + j] =
-                    inertia(static_cast<int>(i), static_cast<int>(j));
+                own[(3 + i) * 6 + 3 + j] = inertia(static_cast<int>(i), static_cast<int>(j));
         }
     }
 
@@ -134,16 +133,15 @@ class Statics {
                     mobile[r] += j * j / inertia[c * size + c];
                 }
         }
-        const bool elastic = def.kind == InteractionKind::Stretch ||
-                             def.kind == InteractionKind::WinchStretch ||
-                             def.kind == InteractionKind::Bend ||
-                             def.kind == InteractionKind::Twist ||
-                             def.kind == InteractionKind::Hydrostatic;
-        const bool idle = def.kind == InteractionKind::HingeRange ||
-                          def.kind == InteractionKind::SlideRange;
+        const bool elastic =
+            def.kind == InteractionKind::Stretch || def.kind == InteractionKind::WinchStretch ||
+            def.kind == InteractionKind::Bend || def.kind == InteractionKind::Twist ||
+            def.kind == InteractionKind::Hydrostatic;
+        const bool idle =
+            def.kind == InteractionKind::HingeRange || def.kind == InteractionKind::SlideRange;
         for (std::size_t r = 0; r < rows; ++r) {
-            const double soft = view.velocity[r] ? view.compliance[r] / h_
-                                                 : view.compliance[r] / (h_ * h_);
+            const double soft =
+                view.velocity[r] ? view.compliance[r] / h_ : view.compliance[r] / (h_ * h_);
             double s = std::max(soft, kFloor * mobile[r]);
             if (idle || !(mobile[r] > 0.0)) s = kSlack;
             own[r * rows + r] = -s;

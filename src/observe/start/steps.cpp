@@ -3,8 +3,8 @@
 #include "observe/start/parts.h"
 #include "observe/start/start_forces.h"
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -66,9 +66,9 @@ void report_swing(const World& world, std::vector<std::string> about, const std:
                         "{:.3g}); that swing is damped in place of followed, which takes steps of "
                         "{:.2g} ms",
                         what, with_unit(worst.force, "N"),
-                        quoted(interaction_label(world, worst.joint)),
-                        quoted(body_label(world, worst.body)), 6.283 / std::sqrt(worst.s), worst.s,
-                        1e3 * h * std::sqrt(kSwing / worst.s)));
+                        name_in_quotes(interaction_label(world, worst.joint)),
+                        name_in_quotes(body_label(world, worst.body)), 6.283 / std::sqrt(worst.s),
+                        worst.s, 1e3 * h * std::sqrt(kSwing / worst.s)));
 }
 
 /// Joints in no cable: those that hang together are told of once.
@@ -99,9 +99,9 @@ void check_other_joints(const World& world, const std::vector<Fastest>& fast, Fi
         for (const Fastest& one : group) about.push_back(interaction_label(world, one.joint));
         report_swing(world, about,
                      group.size() == 1
-                         ? joint_in_words(world, worst.joint)
+                         ? interaction_in_words(world, worst.joint)
                          : fmt::format("{} joints from {} to {}", group.size(),
-                                       quoted(about.front()), quoted(about.back())),
+                                       name_in_quotes(about.front()), name_in_quotes(about.back())),
                      worst, out);
     }
 }
@@ -139,8 +139,8 @@ void check_wire(const World& world, const CableInfo& cable, const StartForces& f
         if (lumps == 0) continue;
         mass /= lumps;
         const double length = def.get("length");
-        const double pull = std::max({start_tension(world, cable.elements[i]),
-                                      forces.push(cable.elements[i]), at_ends});
+        const double pull = std::max(
+            {start_tension(world, cable.elements[i]), forces.push(cable.elements[i]), at_ends});
         const double ratio = h * std::sqrt(pull / (mass * length));  // ρ = m/l
         if (ratio <= worst) continue;
         worst = ratio;
@@ -152,7 +152,7 @@ void check_wire(const World& world, const CableInfo& cable, const StartForces& f
                         "elements in a step (h √(T/ρ)/l), where less than {:.2g} are followed; "
                         "that sway is damped, which steps of {:.2g} ms or {:.0f} elements would "
                         "follow",
-                        quoted(cable.name), with_unit(tension, "N"), worst, kWire,
+                        name_in_quotes(cable.name), with_unit(tension, "N"), worst, kWire,
                         1e3 * h * kWire / worst,
                         std::max(1.0, std::floor(static_cast<double>(cable.elements.size()) *
                                                  kWire / worst))));
@@ -178,10 +178,10 @@ void check_steps(const SceneInfo& scene, const World& world, Findings& out) {
             const Fastest here = fastest_at(world, forces, id);
             if (here.s > worst.s) worst = here;
         }
-        if (lumps)
-            check_wire(world, cable, forces, pull_at_ends(world, cable, cables_at), out);
+        if (lumps) check_wire(world, cable, forces, pull_at_ends(world, cable, cables_at), out);
         if (worst.s > kSwing)
-            report_swing(world, {cable.name}, "the cable " + quoted(cable.name), worst, out);
+            report_swing(world, {cable.name}, "the cable " + name_in_quotes(cable.name), worst,
+                         out);
     }
     std::vector<Fastest> others;
     for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
