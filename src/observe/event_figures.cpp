@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
-#include <string_view>
+#include <utility>
 
 namespace hawser::observe {
 
@@ -113,8 +113,10 @@ std::string events_in_words(const Summary& summary) {
     const auto out = std::back_inserter(text);
     fmt::format_to(out, "\n");
     if (summary.happened.empty()) fmt::format_to(out, "  events       none\n");
+    const char* label = "  events       ";
     for (const EventFigures& e : summary.happened) {
-        fmt::format_to(out, "  events       {}: first at {}\n", what_happened(e), told(e, e.first));
+        fmt::format_to(out, "{}{}: first at {}\n", std::exchange(label, "               "),
+                       what_happened(e), told(e, e.first));
         const bool another = e.worst.time != e.first.time || e.worst.where != e.first.where;
         if (another) fmt::format_to(out, "               worst at {}\n", told(e, e.worst));
     }

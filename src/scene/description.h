@@ -119,6 +119,8 @@ struct Scope {
 /// down, what they are in is left out.
 void expand(Description& out, const Document& document);
 
+/// "settings" and "defaults" of a scene (settings.cpp).
+void read_settings(Description& out, const Json& root);
 /// Bodies of one scope (bodies.cpp).
 void expand_bodies(Description& out, const Scope& scope);
 /// Interactions of one scope (interactions.cpp).

@@ -155,8 +155,8 @@ std::string driven(const std::string& motors, bool locked) {
 
 std::string motor(const std::string& name, const std::string& rest) {
     return R"(, {"name": ")" + name +
-           R"(", "kind": "hinge_motor", "bodies": ["world", "rotor"], "at": [0, 0, 1], "axis": [0, 0, 1], )" +
-           rest + "}";
+           R"(", "kind": "hinge_motor", "bodies": ["world", "rotor"], "axis": [0, 0, 1], )" + rest +
+           "}";
 }
 
 TEST(StartJoints, MotorsAgainstWhatHolds) {
@@ -184,7 +184,7 @@ TEST(StartJoints, TwoMotorsOfOneJoint) {
 TEST(StartJoints, AMotorThatFrictionHolds) {
     const std::string brake =
         R"(, {"name": "brake", "kind": "hinge_friction", "bodies": ["world", "rotor"],
-        "at": [0, 0, 1], "axis": [0, 0, 1], "torque": 500})";
+        "axis": [0, 0, 1], "torque": 500})";
     const std::string m = motor("m", R"("speed": 2, "force_min": -300, "force_max": 300)");
     const Finding held = only(start_of(driven(m + brake, false)), FindingKind::motor);
     EXPECT_EQ(held.about, (Names{"m", "brake"}));

@@ -3,7 +3,6 @@
 #include "observe/start/parts.h"
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +16,6 @@ namespace {
 constexpr double kLightest = 1.0, kDensest = 25'000.0;
 /// A chain weighs 22 kg/m for each cm² of its bar, by the diameter of which it is called: 28,000.
 constexpr double kLightestLine = 10.0, kDensestLine = 40'000.0;
-/// Of principal moments, whose sum of two is no less than the third: digits that were rounded.
-constexpr double kRounded = 1e-3;
 /// Twice as large as it is, or all mass within a thirtieth of it: not the inertia of this body.
 constexpr double kTooWide = 4.0, kTooNarrow = 1e-3;
 /// Turn in a step beyond which a rotation is not followed [rad].
@@ -70,19 +67,11 @@ void check_density(const World& world, BodyId id, double shapes, Findings& out) 
 
 void check_inertia(const World& world, BodyId id, Findings& out) {
     const BodyDef& def = world.body_def(id);
-    const Eigen::SelfAdjointEigenSolver<Mat3> eigen(def.inertia, Eigen::EigenvaluesOnly);
-    const Vec3 i = eigen.eigenvalues();
     const std::string name = body_label(world, id);
-    if (i[2] > (1.0 + kRounded) * (i[0] + i[1]))
-        out.add(false, FindingKind::inertia, {name}, i[2] / (i[0] + i[1]),
-                fmt::format("the inertia of {} is that of no body: its principal moments are "
-                            "{:.4g}, {:.4g} and {:.4g} kg m², and no moment can exceed the sum of "
-                            "the other two",
-                            name_in_quotes(name), i[0], i[1], i[2]));
     const double extent = def.half_size.norm();
     if (!(extent > 0.0)) return;
     // Half the trace is Σ m r² about the centre.
-    const double spread = std::sqrt(0.5 * i.sum() / def.mass);
+    const double spread = std::sqrt(0.5 * def.inertia.trace() / def.mass);
     const double ratio = spread * spread / (extent * extent);
     if (ratio <= kTooWide && ratio >= kTooNarrow) return;
     out.add(false, FindingKind::inertia, {name}, ratio,

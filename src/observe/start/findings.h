@@ -18,7 +18,7 @@ enum class FindingKind : std::uint8_t {
     speed,          ///< A joint whose bodies start with speeds that tear it. value: [m/s or rad/s].
     tension,        ///< A line that starts beyond its breaking load. value: tension [N].
     density,        ///< A mass that does not fit the size. value: [kg/m³].
-    inertia,        ///< An inertia that no body has. value: as its text says.
+    inertia,        ///< An inertia of another size. value: (radius of its mass/half diagonal)².
     wire_step,      ///< A wire whose sway the step does not resolve. value: h √(T/ρ)/l.
     joint_step,     ///< A joint about which a body swings faster than the step. value: h² f r/I.
     spin_step,      ///< A body that turns too far in a step. value: [rad].

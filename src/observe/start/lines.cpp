@@ -10,12 +10,19 @@ namespace hawser::observe::start {
 
 namespace {
 
+/// Stretch that wires, chains and most ropes do not survive, where no breaking load is given.
+constexpr double kStrain = 0.05;
+
+/// As good as no breaking load [N].
+constexpr double kUnbreakable = 1e29;
+
 bool is_line(InteractionKind kind) {
     return kind == InteractionKind::Stretch || kind == InteractionKind::WinchStretch;
 }
 
 struct Tightest {
-    double tension = 0.0, breaking = 0.0;
+    double tension = 0.0, most = 1.0;
+    bool strain = false;  ///< `most` is that of kStrain.
     InteractionId at{};
 };
 
@@ -23,20 +30,26 @@ void take(const World& world, InteractionId id, Tightest& worst) {
     const InteractionDef& def = world.interaction_def(id);
     if (!is_line(def.kind)) return;
     const double breaking = def.get("breaking_load");
+    const bool strain = !(breaking > 0.0) || breaking >= kUnbreakable;
+    const double most = strain ? kStrain * def.get("EA") : breaking;
     const double tension = start_tension(world, id);
-    if (!(breaking > 0.0) || breaking >= 1e29 || tension <= breaking) return;
-    if (tension * worst.breaking >= worst.tension * breaking) worst = {tension, breaking, id};
+    if (tension > most && tension * worst.most >= worst.tension * most)
+        worst = {tension, most, strain, id};
 }
 
 void report(const World& world, const std::string& name, const std::string& what,
             const Tightest& worst, Findings& out) {
-    out.add(
-        false, FindingKind::tension, {name}, worst.tension,
-        fmt::format("{} starts with {} in {}, {:.3g} times its breaking load of {}: it parts in "
-                    "the first step; give it more length, or start its ends nearer",
-                    what, with_unit(worst.tension, "N"),
-                    name_in_quotes(interaction_label(world, worst.at)),
-                    worst.tension / worst.breaking, with_unit(worst.breaking, "N")));
+    const double ratio = worst.tension / worst.most;
+    const std::string where = name_in_quotes(interaction_label(world, worst.at));
+    out.add(false, FindingKind::tension, {name}, worst.tension,
+            fmt::format(
+                "{} starts with {} in {}, {}; give it more length, or start its ends nearer", what,
+                with_unit(worst.tension, "N"), where,
+                worst.strain ? fmt::format("stretched by {:.2g} %, which no wire or chain survives",
+                                           100.0 * kStrain * ratio)
+                             : fmt::format("{:.3g} times its breaking load of {}: it parts in the "
+                                           "first step",
+                                           ratio, with_unit(worst.most, "N"))));
 }
 
 }  // namespace
@@ -51,7 +64,7 @@ double start_tension(const World& world, InteractionId id) {
 void check_tensions(const SceneInfo& scene, const World& world, Findings& out) {
     std::vector<bool> of_cable(static_cast<std::size_t>(world.interaction_count()), false);
     for (const CableInfo& cable : scene.cables) {
-        Tightest worst{.breaking = 1.0};
+        Tightest worst;
         for (const InteractionId id : cable.elements) {
             of_cable[static_cast<std::size_t>(id.index)] = true;
             take(world, id, worst);
@@ -61,7 +74,7 @@ void check_tensions(const SceneInfo& scene, const World& world, Findings& out) {
     }
     for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
         if (of_cable[static_cast<std::size_t>(i)]) continue;
-        Tightest worst{.breaking = 1.0};
+        Tightest worst;
         take(world, {i}, worst);
         if (worst.at.valid())
             report(world, interaction_label(world, {i}), interaction_in_words(world, {i}), worst,
