@@ -5,7 +5,8 @@
 #include "support.h"
 
 #include <algorithm>
-#include <set>
+#include <iterator>
+#include <random>
 
 namespace hawser::scene::test {
 namespace {
@@ -180,6 +181,43 @@ TEST(Mistakes, keys_given_twice_and_options_are_listed) {
     options.set = {"bodies.rog.mass=1", "settings.stp=0.1"};
     const auto found = mistakes_in(kSite, options);
     EXPECT_EQ(found.size(), 2U) << all_of(found);
+}
+
+/// Every place of a good scene, in turn with something wrong: reading goes on past all of it, and
+/// finds mistakes just where loading throws one.
+TEST(Mistakes, reading_goes_on_past_anything) {
+    const Json replacements[] = {nullptr,        -1,       1e300, "text", Json::array(),
+                                 Json::object(), {1, 2, 3}};
+    std::mt19937 random(7);
+    int refused = 0, documents = 0;
+    for (const std::string_view text : kGoodScenes) {
+        const Json scene = Json::parse(text);
+        const Json flat = scene.flatten();
+        std::vector<Json::json_pointer> places;
+        for (const auto& [pointer, value] : flat.items()) {
+            for (Json::json_pointer at(pointer); !at.empty(); at = at.parent_pointer()) {
+                places.push_back(at);
+            }
+        }
+        // A few at once: each leaves something out that others may name.
+        for (int round = 0; round < 200; ++round) {
+            Json changed = scene;
+            for (unsigned k = 0; k < 1 + random() % 4; ++k) {
+                const Json::json_pointer& at = places[random() % places.size()];
+                if (changed.contains(at)) {
+                    changed[at] = replacements[random() % std::size(replacements)];
+                }
+            }
+            const std::string document = changed.dump();
+            std::vector<SceneError> found;
+            ASSERT_NO_THROW((void)load_text(document, "test.json", Options(), found)) << document;
+            const std::string first = refusal(document);
+            ASSERT_EQ(found.empty(), first.empty()) << document << "\n" << first;
+            refused += found.empty() ? 0 : 1;
+            ++documents;
+        }
+    }
+    EXPECT_GT(refused, documents / 4);
 }
 
 }  // namespace

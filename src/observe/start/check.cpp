@@ -21,9 +21,15 @@ Findings check_start(const SceneInfo& scene, const World& world, std::size_t mos
                 fmt::format("the {} rows of joints are more than {}: gaps, and joints that repeat "
                             "or contradict each other, were not looked for",
                             rows.rows(), most_rows));
-    } else if (rows.rows() > 0 && rows.update(world)) {
-        check_gaps(world, rows, out);
-        check_repetitions(world, rows, out);
+    } else if (rows.rows() > 0) {
+        if (rows.update(world)) {
+            check_gaps(world, rows, out);
+            check_repetitions(world, rows, out);
+        } else {
+            out.add(false, FindingKind::unexamined, {}, 0.0,
+                    "gaps, and joints that repeat or contradict each other, could not be computed: "
+                    "lengths in this scene differ too much");
+        }
     }
     out.sort();
     return out;

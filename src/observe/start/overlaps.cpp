@@ -18,7 +18,8 @@ namespace {
 constexpr double kInside = 0.05;
 
 /// What lies still on soft ground, or under others, presses its contact in by its weight and theirs
-/// over the stiffness: no more than so many times its own weight at a point.
+/// over the stiffness, a line on a roller by its tension: no more than so many times the weight of
+/// the lighter one at a point, and twice the tension.
 constexpr double kWeights = 4.0;
 
 /// A wire laid out by straight lines cuts into the rollers that it runs over; contact lifts it out
@@ -70,7 +71,16 @@ void add_reach(const World& world, const ShapeDef& def, const Vec3& n, Reach& re
 
 class Overlaps {
   public:
-    explicit Overlaps(const World& world) : world_(world) {
+    explicit Overlaps(const World& world)
+        : world_(world), pull_(static_cast<std::size_t>(world.body_count()), 0.0) {
+        for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
+            const double tension = start_tension(world, {i});
+            for (std::size_t b = 0; b < 2 && tension > 0.0; ++b) {
+                const BodyId body = world.interaction_def({i}).body[b];
+                double& pull = pull_[static_cast<std::size_t>(body.index)];
+                pull = std::max(pull, tension);
+            }
+        }
         of_body_.resize(static_cast<std::size_t>(world.body_count()));
         for (std::int32_t s = 0; s < world.shape_count(); ++s) {
             const ShapeDef& def = world.shape_def({s});
@@ -119,14 +129,18 @@ class Overlaps {
         return reach.high - reach.low;
     }
 
-    /// Of the bodies of a shape that move [N].
-    [[nodiscard]] double weight(ShapeId shape) const {
+    /// What may press the bodies of a shape against others at rest [N]; infinite where none moves.
+    [[nodiscard]] double press(ShapeId shape) const {
         const ShapeDef& def = world_.shape_def(shape);
-        double mass = 0.0;
-        for (const BodyId body : {def.body, def.body_b})
-            if (body.valid() && freedoms(world_.body_def(body).kind) > 0)
-                mass += world_.body_def(body).mass;
-        return mass * world_.settings().gravity.norm();
+        double mass = 0.0, pull = 0.0;
+        for (const BodyId body : {def.body, def.body_b}) {
+            if (!body.valid() || freedoms(world_.body_def(body).kind) == 0) continue;
+            mass += world_.body_def(body).mass;
+            pull = std::max(pull, pull_[static_cast<std::size_t>(body.index)]);
+        }
+        // A line that turns back on itself presses with twice its tension.
+        return mass > 0.0 ? kWeights * mass * world_.settings().gravity.norm() + 2.0 * pull
+                          : HUGE_VAL;
     }
 
     void take(const ContactView& contact) {
@@ -136,9 +150,8 @@ class Overlaps {
         const double narrower = std::min(width[0], width[1]);
         if (!(narrower > 0.0)) return;
         if (depth <= std::min(world_.settings().contact_margin, kInside * narrower)) return;
-        const double weight =
-            std::max(this->weight(contact.shape[0]), this->weight(contact.shape[1]));
-        if (contact.force.norm() <= kWeights * weight) return;
+        const double pressed = std::min(press(contact.shape[0]), press(contact.shape[1]));
+        if (std::isfinite(pressed) && contact.force.norm() <= pressed) return;
         take(contact, depth, narrower, std::max(width[0], width[1]));
     }
 
@@ -175,6 +188,7 @@ class Overlaps {
     }
 
     const World& world_;
+    std::vector<double> pull_;                        ///< Largest tension at each body [N].
     std::vector<std::vector<std::int32_t>> of_body_;  ///< Shapes of each body, without segments.
     std::map<std::pair<Owner, Owner>, Pair> pairs_;
 };

@@ -15,8 +15,11 @@ namespace hawser::observe::start {
 namespace {
 
 /// What remains open is a contradiction above this part of the reach of a joint; of an angle [rad];
-/// of a speed [m/s or rad/s], and of the speed asked for. Below it steps put up with it.
-constexpr double kApart = 1e-3, kAngleApart = 1e-3, kSpeedApart = 1e-6;
+/// of the largest speed asked for. Below it steps put up with it.
+constexpr double kApart = 1e-3, kAngleApart = 1e-3, kSpeedApart = 1e-3;
+
+/// A speed that no one asks for: round-off of others [m/s or rad/s].
+constexpr double kStill = 1e-6;
 
 /// A motor whose force is less than this can be held [N or N m].
 constexpr double kUnlimited = 1e29;
@@ -121,7 +124,7 @@ class Search {
         const std::vector<std::string> names = names_of(group);
         const bool known = std::any_of(group.joints.begin(), group.joints.end(),
                                        [&](std::int32_t j) { return contradicts_[index(j)]; });
-        if (speed > kSpeedApart * std::max(1.0, asked))
+        if (speed > std::max(kStill, kSpeedApart * asked))
             report_motion(group, names, in_quotes(names), speed, drives);
         else if (!known)
             report_repetition(group, names, in_quotes(names), drives);

@@ -186,7 +186,8 @@ class Statics {
 
 StartForces::StartForces(const World& world) {
     push_.assign(index_of(world.interaction_count()), 0.0);
-    if (world.interaction_count() == 0) return;
+    known_ = world.interaction_count() == 0;
+    if (known_) return;
     Statics statics(world);
     known_ = statics.solve();
     for (std::int32_t i = 0; known_ && i < world.interaction_count(); ++i)

@@ -162,7 +162,12 @@ void check_wire(const World& world, const CableInfo& cable, const StartForces& f
 
 void check_steps(const SceneInfo& scene, const World& world, Findings& out) {
     const StartForces forces(world);
-    if (!forces.known()) return;
+    if (!forces.known()) {
+        out.add(false, FindingKind::unexamined, {}, 0.0,
+                "the forces at the start could not be computed, so that no one knows what the step "
+                "resolves: masses in this scene differ too much");
+        return;
+    }
     CablesAt cables_at(static_cast<std::size_t>(world.body_count()), 0.0);
     for (const CableInfo& cable : scene.cables)
         for (const BodyId end : {cable.nodes.front(), cable.nodes.back()})
