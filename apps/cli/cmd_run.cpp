@@ -75,6 +75,8 @@ void add_run(CLI::App& app, Command& chosen) {
         "--verify", options->verify,
         "Compute contacts, momentum and bounds of every step anew, by separate code, and "
         "fail where they disagree");
+    command->add_flag("--unchecked", options->unchecked,
+                      "Run a scene whose start `hawser check` finds impossible");
     command->add_flag("--quiet", options->quiet, "No progress and no report");
     command->callback([&chosen, options, save_at, save] {
         if (save->count() > 0) std::tie(options->save_time, options->save_file) = *save_at;

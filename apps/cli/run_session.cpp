@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "observe/host.h"
 #include "observe/snapshot_file.h"
+#include "observe/start/check.h"
 #include "outputs.h"
 #include "progress.h"
 #include "signals.h"
@@ -36,7 +37,11 @@ RunSession::RunSession(const RunOptions& options)
     World& world = scene_.world;
     check_files();
     world.prepare();
-    if (!options.restore.empty()) observe::restore_snapshot(options.restore, info_, world);
+    // A restored state is no start: what touches presses, and lines carry what they carry.
+    if (options.restore.empty())
+        check_start();
+    else
+        observe::restore_snapshot(options.restore, info_, world);
     choose_times();
     framed_ = world.step_count();
     if (!options.control.empty())
@@ -112,6 +117,17 @@ void RunSession::choose_times() {
             fmt::format("--save-at {:.6g}: not between the start {:.6g} s "
                         "and the end {:.6g} s of the run",
                         *options_.save_time, world.time(), end_time_));
+}
+
+void RunSession::check_start() {
+    if (options_.unchecked) return;
+    const auto findings = observe::start::check_start(info_, scene_.world);
+    if (!options_.quiet || findings.errors() > 0)
+        fmt::print(stderr, "{}", observe::start::to_text(findings, scene_.path + ": "));
+    if (findings.errors() > 0)
+        throw std::runtime_error(fmt::format(
+            "{}: this start is impossible; --unchecked runs it nevertheless", scene_.path));
+    for (const observe::start::Finding& finding : findings.list) warnings_.push_back(finding.text);
 }
 
 void RunSession::choose_stride() {
@@ -211,6 +227,7 @@ int RunSession::finish(observe::Ending ending, double wall_seconds) {
     const World& world = scene_.world;
     observe::Summary summary = collector_->result(world);
     summary.wall_seconds = wall_seconds;
+    summary.warnings = warnings_;
     if (pacer_) {
         summary.missed_frames = pacer_->missed();
         summary.lateness_max = pacer_->lateness_max();

@@ -23,6 +23,7 @@ struct RunOptions {
     SceneOptions scene;
     std::optional<double> duration;  ///< Time at which the run ends [s].
     bool realtime = false, rt = false, quiet = false, verify = false;
+    bool unchecked = false;  ///< Runs whatever check_start() finds.
     std::string control, record, csv, summary, restore, save_file;
     std::optional<double> save_time;  ///< [s]
     std::int32_t stride = 0;          ///< Steps from frame to frame; 0 = chosen by size.
@@ -39,6 +40,7 @@ class RunSession {
   private:
     void check_files() const;
     void choose_times();
+    void check_start();
     void choose_stride();
     void apply_inputs();
     void after_step();
@@ -61,6 +63,7 @@ class RunSession {
     std::unique_ptr<observe::Verifier> verifier_;
     std::unique_ptr<observe::CouplingObserver> coupling_;  ///< Where something is cut.
     std::string wrong_;                                    ///< What the verifier found.
+    std::vector<std::string> warnings_;                    ///< Of the start.
     std::unique_ptr<Pacer> pacer_;
     bool saved_ = false;
     std::vector<std::string> written_;

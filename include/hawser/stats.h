@@ -52,6 +52,13 @@ struct Event {
     EventKind kind = EventKind::warning;
     InteractionId interaction{};  ///< Where; invalid for what concerns the whole world.
     double value = 0.0;           ///< See EventKind.
+    InputId input{};              ///< Of input_clamped: which one.
+};
+
+/// What stays of the events of a kind, however many there were.
+struct EventExtremes {
+    std::int64_t count = 0;  ///< Since the world was made; a restored state has none of before.
+    Event first, worst;      ///< Worst: with the largest |value|, the first of equals.
 };
 
 /// Mechanical energy, evaluated at the half-step position x̄ = (x_k + x_{k−1})/2 with v_k [J].

@@ -110,6 +110,9 @@ double World::time() const noexcept { return impl_->ctx.time; }
 std::int64_t World::step_count() const noexcept { return impl_->ctx.step; }
 const StepStats& World::stats() const noexcept { return impl_->ctx.stats; }
 std::vector<Event> World::take_events() { return impl_->ctx.events.take(); }
+EventExtremes World::event_extremes(EventKind kind) const noexcept {
+    return impl_->ctx.events.extremes(kind);
+}
 const WorldDef& World::settings() const noexcept { return impl_->ctx.def; }
 
 Energy World::energy() const noexcept {
@@ -142,7 +145,7 @@ void World::set_input(InputId id, double value) {
     const double clamped = std::min(std::max(value, def.min), def.max);
     stepper::StepContext& c = impl_->ctx;
     if (clamped != value) {
-        c.events.push({c.time, EventKind::input_clamped, def.interaction, value});
+        c.events.push({c.time, EventKind::input_clamped, def.interaction, value, id});
         ++c.stats.event_count[static_cast<std::size_t>(EventKind::input_clamped)];
     }
     // What a changed length or target does to elastic energy is work done by the input.
