@@ -18,6 +18,7 @@
 #include "runtime/tasks.h"
 #include "runtime/trace.h"
 #include "stepper/budget.h"
+#include "stepper/completion.h"
 #include "stepper/cut_levels.h"
 #include "stepper/cuts.h"
 #include "stepper/deadline.h"
@@ -110,6 +111,8 @@ struct StepContext {
     runtime::PoolStopwatch pool_stopwatch{pool};
     runtime::Stopwatch* stopwatch = &pool_stopwatch;  ///< Of the solver; tests put their own.
     std::unique_ptr<runtime::Trace> trace;            ///< What threads do; none: not written down.
+    Completion completion;
+    std::vector<assembly::Turning> turnings;  ///< Scratch of completion: one a strip or group.
     Cuts cuts;
     Regroup regroup;
     Budget budget;

@@ -2,6 +2,7 @@
 #include "stepper/step.h"
 
 #include "stepper/bounds.h"
+#include "stepper/completion.h"
 #include "stepper/contact.h"
 #include "stepper/impact.h"
 #include "stepper/nonsmooth.h"
@@ -150,6 +151,11 @@ void recall(StepContext& ctx) noexcept {
 }
 
 Status solve_assembled(StepContext& ctx) noexcept {
+    const Status status = solve_linear(ctx);
+    return status == Status::ok ? complete(ctx) : status;
+}
+
+Status solve_linear(StepContext& ctx) noexcept {
     if (ctx.def.nonsmooth == Nonsmooth::pgs) return timed(ctx, Stage::nonsmooth, solve_pgs);
     if (ctx.system.contacts.count() > 0) return timed(ctx, Stage::nonsmooth, solve_contacts);
     const Status status = factor_and_solve(ctx);
@@ -178,6 +184,8 @@ Status step(StepContext& ctx) noexcept {
     const Clock::time_point begin = Clock::now();
     ctx.stats.stage_seconds.fill(0.0);
     ctx.stats.factorisations = 0;
+    ctx.stats.substitutions = ctx.stats.completion_rounds = ctx.stats.undetermined = 0;
+    ctx.completion.banned = false;
     ctx.stats.partial_factorisations = 0;
     ctx.stats.flips_left = 0;
     ctx.step_flops = 0;
