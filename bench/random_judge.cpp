@@ -178,7 +178,7 @@ void RandomJudge::look_at_energy(const World& world) {
     rise = std::min(rise, at_pose);
     if (!std::isfinite(moved + height + spring)) out_.finite = false;
     out_.created = std::max(out_.created, rise);
-    const double share = rise / std::max(out_.exchanged, floor_);
+    const double share = rise / std::max(out_.exchanged + moved, floor_);
     if (share > out_.created_share) {
         out_.created_share = share;
         out_.created_at = world.time();

@@ -15,7 +15,7 @@ namespace hawser::bench {
 struct Judged {
     double exchanged = 0.0;  ///< ½ Σ of what kinetic, gravity and elastic energy changed by [J].
     double created = 0.0;    ///< Largest rise of mechanical energy above what it was before [J].
-    double created_share = 0.0;    ///< The same over what had been exchanged by then.
+    double created_share = 0.0;    ///< The same over `exchanged` and kinetic energy then.
     double created_at = 0.0;       ///< [s].
     double violation = 0.0;        ///< Largest of a joint [m]; turns count at half the body's size.
     double violation_share = 0.0;  ///< Largest over what is allowed: 1 cm or 1 % of the size.

@@ -85,7 +85,8 @@ void SummaryCollector::after_step(const World& world, std::span<const Event> eve
     for (const Event& event : events)
         if (summary_.events.size() < kListedEvents)
             summary_.events.push_back({event.time, to_string(event.kind),
-                                       interaction_label(world, event.interaction), event.value});
+                                       place_label(world, event.interaction, event.body),
+                                       event.value});
     summary_.degradations.after_step(stats);
     watch_contacts(world);
     watch_cables(world);
@@ -157,6 +158,7 @@ void SummaryCollector::watch_energy(const World& world) {
 Summary SummaryCollector::result(const World& world) const {
     Summary out = summary_;
     out.last = world.stats();
+    out.verdict = in_words(world, world.verdict());
     out.timed_steps = step_.count();
     out.step_ms = spread(step_);
     out.solver_ms = spread(solver_);

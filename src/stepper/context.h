@@ -22,6 +22,7 @@
 #include "stepper/cut_levels.h"
 #include "stepper/cuts.h"
 #include "stepper/deadline.h"
+#include "stepper/judge.h"
 #include "stepper/regroup.h"
 
 #include <algorithm>
@@ -118,6 +119,7 @@ struct StepContext {
     Budget budget;
     Deadline deadline;
     CutLevels cut_levels;
+    JudgeData judge;
     Laps laps;               ///< Of the step being taken, where a budget asks for time.
     Degradation imposed;     ///< On the next step.
     int refine_unasked = 0;  ///< So many steps to come refine before they measure, see solve.cpp.

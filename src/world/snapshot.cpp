@@ -136,6 +136,7 @@ void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f)
     value(ctx.friction);
     value(ctx.contact);
     value(ctx.damped);
+    value(ctx.judge.state);
     value(ctx.stats.event_count);
 }
 
