@@ -295,7 +295,9 @@ void begin_half_step_before(StepContext& ctx) noexcept {
 
 Status judge(StepContext& ctx) noexcept {
     JudgeData& d = ctx.judge;
-    if (ctx.step % d.every != 0) return Status::ok;
+    // Joints are looked at in each step, at no cost: in between they may open and close.
+    const bool open = ctx.stats.violation_max > limit::kOpen.doubtful;
+    if (ctx.step % d.every != 0 && !open) return Status::ok;
     if (ctx.step == 0) {
         begin_half_step_before(ctx);
         return Status::ok;
