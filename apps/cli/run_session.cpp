@@ -226,6 +226,10 @@ void RunSession::save_if_due() {
 int RunSession::finish(observe::Ending ending, double wall_seconds) {
     const World& world = scene_.world;
     observe::Summary summary = collector_->result(world);
+    // The last state is judged here: no step after it does.
+    const bool wrong = summary.verdict.verdict.grade == Grade::wrong &&
+                       world.settings().on_diverged == OnDiverged::stop;
+    if (wrong && ending == observe::Ending::finished) ending = observe::Ending::failed;
     summary.wall_seconds = wall_seconds;
     summary.warnings = warnings_;
     if (pacer_) {
@@ -254,6 +258,11 @@ int RunSession::finish(observe::Ending ending, double wall_seconds) {
     if (!wrong_.empty()) {
         fmt::print(stderr, "hawser: --verify: the step to {:.6g} s is wrong: {}\n", world.time(),
                    wrong_);
+        return kFailed;
+    }
+    if (wrong) {
+        fmt::print(stderr, "hawser: failed at {:.6g} s (diverged): {}\n", world.time(),
+                   summary.verdict.said);
         return kFailed;
     }
     if (ending == observe::Ending::failed) {

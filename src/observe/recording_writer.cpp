@@ -3,6 +3,7 @@
 #include "observe/outlines.h"
 #include "observe/recording.h"
 #include "observe/recording_format.h"
+#include "observe/verdict_text.h"
 
 #include <fmt/format.h>
 
@@ -235,7 +236,7 @@ void RecordingWriter::add_event(const World& world, const Event& event) {
     payload_.put(event.time);
     payload_.put(static_cast<std::uint8_t>(event.kind));
     payload_.put(in_range(event.value));
-    payload_.put_text(interaction_label(world, event.interaction));
+    payload_.put_text(place_label(world, event.interaction, event.body));
     write_chunk(kEventChunk);
 }
 

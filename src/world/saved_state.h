@@ -92,6 +92,7 @@ void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f)
     value(ctx.friction);
     value(ctx.contact);
     value(ctx.damped);
+    value(ctx.judge.state);
     value(ctx.stats.event_count);
 }
 
@@ -142,6 +143,9 @@ struct SavedState {
         } parts;
         std::int64_t made = 0, seen = 0;
     } regroup;
+    struct {
+        stepper::JudgeState state;
+    } judge;
     struct {
         std::array<std::int64_t, kEventKindCount> event_count{};
     } stats;

@@ -191,6 +191,16 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
         refuse("refinements are out of range");
     for (const std::int64_t n : s.stats.event_count)
         if (n < 0) refuse("a count of events is negative");
+    const stepper::JudgeState& j = s.judge.state;
+    numbers(std::array{j.kinetic, j.potential, j.elastic, j.mean[0], j.mean[1], j.held, j.given,
+                       j.exchanged, j.unsolved, j.open_start},
+            "a figure of the judge", 1e300);
+    numbers(j.work, "a figure of the judge", 1e300);
+    for (const stepper::Tide& tide : {j.now_tide[0], j.now_tide[1], j.mean_tide[0], j.mean_tide[1]})
+        numbers(std::array{tide.least, tide.most}, "a figure of the judge", 1e300);
+    flags(j.told, "a word of the judge");
+    if (j.step < 0 || j.step > s.step || j.begun < 0 || j.begun > s.step + 1)
+        refuse("the judge looked at no step");
     const double energies[] = {s.work, s.drag, s.drive, s.friction, s.contact, s.damped};
     numbers(energies, "an energy", 1e300);
     const auto& r = s.regroup;
