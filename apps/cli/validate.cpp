@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "validate.h"
 
+#include "observe/files.h"
 #include "validate_cases.h"
 #include "validate_robust.h"
 
@@ -10,7 +11,6 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <iterator>
 #include <span>
 
@@ -68,11 +68,9 @@ bool write_json(const std::string& file, const std::string& text) {
         fmt::print("{}", text);
         return true;
     }
-    std::ofstream out(file);
-    out << text;
-    out.close();
-    if (!out) fmt::print(stderr, "hawser validate: cannot write {}\n", file);
-    return static_cast<bool>(out);
+    const std::string fault = observe::write_file(file, text);
+    if (!fault.empty()) fmt::print(stderr, "hawser validate: cannot write {}: {}\n", file, fault);
+    return fault.empty();
 }
 
 void run_case(const Case& c, Report& report, bool quiet) {

@@ -13,6 +13,12 @@ constexpr Case kRobust[] = {
     {"R.4", "wires_come_taut", "taut wires of half-metre and five-metre elements, bent",
      case_wires_come_taut},
     {"R.5", "damping_orders", "order of dampers, drag and hydrostatic heave", case_damping_orders},
+    {"R.11", "repeated_joints", "a boom on two hinges, slewing", case_repeated_joints},
+    {"R.12", "overconstrained", "loops of Bricard and Bennett", case_overconstrained},
+    {"R.13", "ships_on_chain", "heavy ships on rigid chains", case_ships_on_chain},
+    {"R.14", "long_motions", "double pendulum, chain of rods: energy and momentum",
+     case_long_motions},
+    {"R.15", "governor", "flyball governor: course, momentum of a free bearing", case_governor},
 };
 
 }  // namespace

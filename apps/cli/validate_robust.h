@@ -27,5 +27,11 @@ void case_wire_sway(Report& report);
 void case_wires_come_taut(Report& report);
 // validate_robust_damping.cpp
 void case_damping_orders(Report& report);
+// validate_robust_joints.cpp
+void case_repeated_joints(Report& report);
+void case_overconstrained(Report& report);
+void case_ships_on_chain(Report& report);
+void case_long_motions(Report& report);
+void case_governor(Report& report);
 
 }  // namespace hawser::cli

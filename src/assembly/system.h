@@ -38,6 +38,11 @@ namespace hawser::assembly {
 /// residual the error at 1e9 is 1e-15, at 1e12 it is 1e-9 (see docs/methods.md).
 inline constexpr double kSafeRatio = 1e10;
 
+/// Σ of a rigid row, as a share of G M⁻¹Gᵀ: rows that repeat each other leave the matrix regular,
+/// and twenty links between bodies a hundred thousand times heavier give by some thousandths in
+/// their first step.
+inline constexpr double kRigidShare = 2e-9;
+
 /// Part of the nodes that may come or go for a repair; beyond, a new order is made.
 inline constexpr double kRepairable = 0.125;
 
@@ -88,6 +93,7 @@ class System {
     bool keeps_momentum = false;           ///< View::momentum is not null. Likewise.
     std::vector<std::int32_t> bounded;     ///< Interactions with a bounded force, ascending.
     std::vector<double> bounded_mobility;  ///< Of their first row: G M⁻¹ Gᵀ at the last analysis.
+    base::Array<std::uint8_t> turning;     ///< View::turning.
     std::vector<std::int32_t> breakable;
     std::vector<double> breaking_load;  ///< Of each breakable one [N].
 
@@ -121,7 +127,7 @@ class System {
     /// all that belongs to them stand in a row.
     void find_links(const model::Bodies& bodies);
     /// Where Jacobians and geometric terms are.
-    void lay_out_rows(const model::Bodies& bodies, model::Interactions& interactions);
+    void lay_out_rows(const model::Bodies& bodies, model::Interactions& interactions, double h);
     /// Sets mobilities of dampers, and what follows from them.
     void share_damping(const model::Bodies& bodies, model::Interactions& interactions,
                        double h) const;
@@ -159,7 +165,7 @@ class System {
                             const model::Interactions& interactions) const;
     void share_lanes(std::span<const Op> together, std::int64_t place,
                      const model::Interactions& interactions);
-    void reserve(const model::Bodies& bodies, model::Interactions& interactions, int threads);
+    void reserve(const model::Bodies& bodies, model::Interactions& interactions, double h);
 
     factor::RepairReport report_;
     bool ordered_ = false;                                        ///< There is an order to repair.
@@ -178,7 +184,8 @@ class System {
     base::Array<std::int32_t> incident_begin_;
     base::Array<Incidence> incident_;
     base::Array<std::int32_t> body_offset_, interaction_offset_;
-    base::Array<double> body_block_, a_, v_new_, momentum_, geo_record_, geo_force_, solution_;
+    base::Array<double> body_block_, a_, v_new_, momentum_, geo_record_, geo_force_, solution_,
+        spin_momentum_, spin_next_, c_next_, rate_;
 };
 
 }  // namespace hawser::assembly

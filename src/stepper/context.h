@@ -18,9 +18,12 @@
 #include "runtime/tasks.h"
 #include "runtime/trace.h"
 #include "stepper/budget.h"
+#include "stepper/completion.h"
 #include "stepper/cut_levels.h"
 #include "stepper/cuts.h"
 #include "stepper/deadline.h"
+#include "stepper/events.h"
+#include "stepper/judge.h"
 #include "stepper/regroup.h"
 #include "stepper/wires.h"
 
@@ -31,29 +34,6 @@
 #include <vector>
 
 namespace hawser::stepper {
-
-/// Fixed-size ring of events: the newest are kept, nothing is allocated.
-class EventRing {
-  public:
-    explicit EventRing(std::size_t capacity) : ring_(capacity) {}
-    void push(const Event& event) noexcept {
-        ring_[static_cast<std::size_t>(count_ % static_cast<std::int64_t>(ring_.size()))] = event;
-        ++count_;
-    }
-    /// Events since the last take, oldest first.
-    [[nodiscard]] std::vector<Event> take() {
-        const auto size = static_cast<std::int64_t>(ring_.size());
-        std::vector<Event> out;
-        for (std::int64_t i = std::max(taken_, count_ - size); i < count_; ++i)
-            out.push_back(ring_[static_cast<std::size_t>(i % size)]);
-        taken_ = count_;
-        return out;
-    }
-
-  private:
-    std::vector<Event> ring_;
-    std::int64_t count_ = 0, taken_ = 0;
-};
 
 /// First row of an interaction with a bounded force, see bounds.h.
 struct BoundedRow {
@@ -92,7 +72,7 @@ struct Sleep {
 };
 
 struct StepContext {
-    explicit StepContext(const WorldDef& d) : def(d), pool(d.threads), events(65'536) {
+    explicit StepContext(const WorldDef& d) : def(d), pool(d.threads) {
         collider.margin = d.contact_margin;
         // They couple bodies beside the rows, which a sweep over rows does not see.
         if (d.nonsmooth == Nonsmooth::pgs) def.geometric_stiffness = def.rotation_damping = 0.0;
@@ -111,16 +91,19 @@ struct StepContext {
     runtime::PoolStopwatch pool_stopwatch{pool};
     runtime::Stopwatch* stopwatch = &pool_stopwatch;  ///< Of the solver; tests put their own.
     std::unique_ptr<runtime::Trace> trace;            ///< What threads do; none: not written down.
+    Completion completion;
+    std::vector<assembly::Turning> turnings;  ///< Scratch of completion: one a strip or group.
     Cuts cuts;
     Regroup regroup;
     Budget budget;
     Deadline deadline;
     CutLevels cut_levels;
+    JudgeData judge;
     Laps laps;               ///< Of the step being taken, where a budget asks for time.
     Degradation imposed;     ///< On the next step.
     int refine_unasked = 0;  ///< So many steps to come refine before they measure, see solve.cpp.
     int refine_unasked_before = 0;  ///< The same, for a step that fails.
-    EventRing events;
+    EventLog events;
     StepStats stats;
 
     double time = 0.0;

@@ -2,6 +2,7 @@
 #include "stepper/step.h"
 
 #include "stepper/bounds.h"
+#include "stepper/completion.h"
 #include "stepper/contact.h"
 #include "stepper/impact.h"
 #include "stepper/nonsmooth.h"
@@ -151,6 +152,11 @@ void recall(StepContext& ctx) noexcept {
 }
 
 Status solve_assembled(StepContext& ctx) noexcept {
+    const Status status = solve_linear(ctx);
+    return status == Status::ok ? complete(ctx) : status;
+}
+
+Status solve_linear(StepContext& ctx) noexcept {
     if (ctx.def.nonsmooth == Nonsmooth::pgs) return timed(ctx, Stage::nonsmooth, solve_pgs);
     if (ctx.system.contacts.count() > 0) return timed(ctx, Stage::nonsmooth, solve_contacts);
     const Status status = factor_and_solve(ctx);
@@ -165,6 +171,7 @@ Status step(StepContext& ctx) noexcept {
     }
     ctx.pool.resume();
     if (!ctx.started) {
+        begin_judge(ctx);
         Status status = Status::ok;
         if (ctx.collider.count() > 0)
             status =
@@ -179,6 +186,8 @@ Status step(StepContext& ctx) noexcept {
     const Clock::time_point begin = Clock::now();
     ctx.stats.stage_seconds.fill(0.0);
     ctx.stats.factorisations = 0;
+    ctx.stats.substitutions = ctx.stats.completion_rounds = ctx.stats.undetermined = 0;
+    begin_completion(ctx);
     ctx.stats.partial_factorisations = 0;
     ctx.stats.flips_left = 0;
     ctx.stats.wire_repeats = 0;
@@ -214,6 +223,8 @@ Status step(StepContext& ctx) noexcept {
     ctx.stats.newton_iterations = ctx.newton.iterations;
     ctx.stats.factor_work = static_cast<double>(ctx.step_flops) /
                             static_cast<double>(std::max<std::int64_t>(1, ctx.stats.factor_flops));
+    if (status == Status::ok)
+        status = timed(ctx, Stage::integrate, [](StepContext& c) { return judge(c); });
     if (status == Status::ok) {
         timed(ctx, Stage::integrate, integrate);
         ctx.imposed = {};

@@ -117,6 +117,10 @@ void go_back(StepContext& ctx) noexcept {
     model::Interactions& in = ctx.interactions;
     Wires& w = ctx.wires;
     std::copy(ctx.lambda_before.begin(), ctx.lambda_before.end(), in.lambda.begin());
+    // Joints whose force has grown within the step go on with the stiffness of that.
+    for (const std::int32_t id : ctx.completion.joints)
+        std::copy_n(&ctx.completion.lambda_with[at(in.row_begin[at(id)])], in.rows[at(id)],
+                    &in.lambda[at(in.row_begin[at(id)])]);
     for (std::size_t i = 0; i < ctx.active_before.size(); ++i) {
         const std::int32_t id = ctx.system.bounded[i];
         const std::int32_t wire = id < interaction_count(ctx) ? w.wire_of[at(id)] : -1;
@@ -170,8 +174,7 @@ bool refuse(StepContext& ctx) noexcept {
 void remember_gains(StepContext& ctx, bool any_fast) noexcept {
     Wires& w = ctx.wires;
     constexpr double kept = 1.0 - 1.0 / kCreditSteps;
-    const auto alert =
-        static_cast<std::int32_t>(std::ceil(std::max(kAlertSteps, kAlertSeconds / ctx.def.step)));
+    const std::int32_t alert = most_alert(ctx.def.step);
     for (std::size_t k = 0; k < w.count(); ++k) {
         const double lost = any_fast && w.fast[k] ? -w.gain[k].gain : 0.0;
         w.credit[k] = std::isfinite(lost) ? kept * std::max(0.0, w.credit[k] + lost) : 0.0;
@@ -233,6 +236,11 @@ void calm_start(StepContext& ctx) noexcept {
             if (v.dof[w.lump[at(i)]] == 3) std::copy_n(v.v_ahead + begin, 3, v.v + begin);
         }
     }
+}
+
+std::int32_t most_alert(double step) noexcept {
+    // A step of 1e-7 s, the shortest, makes ten million of them.
+    return static_cast<std::int32_t>(std::ceil(std::max(kAlertSteps, kAlertSeconds / step)));
 }
 
 Status guard_wires(StepContext& ctx) noexcept {

@@ -87,6 +87,8 @@ void calm_start(StepContext& ctx) noexcept;
 void replan_wires(StepContext& ctx, const assembly::View& v, int strip) noexcept;
 /// Multipliers and states of elements that gave way, once their losses are counted.
 void settle_wires(StepContext& ctx) noexcept;
+/// Steps that a wire is stepped more calmly for after it has been refused.
+[[nodiscard]] std::int32_t most_alert(double step) noexcept;
 /// What a restored state says of alerts becomes the elements'; what cannot be is mended.
 void follow_alerts(StepContext& ctx) noexcept;
 

@@ -110,12 +110,17 @@ double World::time() const noexcept { return impl_->ctx.time; }
 std::int64_t World::step_count() const noexcept { return impl_->ctx.step; }
 const StepStats& World::stats() const noexcept { return impl_->ctx.stats; }
 std::vector<Event> World::take_events() { return impl_->ctx.events.take(); }
+EventExtremes World::event_extremes(EventKind kind) const noexcept {
+    return impl_->ctx.events.extremes(kind);
+}
 const WorldDef& World::settings() const noexcept { return impl_->ctx.def; }
 
 Energy World::energy() const noexcept {
     if (impl_->ctx.topology_changed) return {};
     return stepper::energy(impl_->ctx);
 }
+
+Verdict World::verdict() const noexcept { return stepper::verdict(impl_->ctx); }
 
 std::uint64_t World::state_hash() const noexcept {
     const std::vector<double>& inputs = impl_->input_values;
@@ -142,7 +147,7 @@ void World::set_input(InputId id, double value) {
     const double clamped = std::min(std::max(value, def.min), def.max);
     stepper::StepContext& c = impl_->ctx;
     if (clamped != value) {
-        c.events.push({c.time, EventKind::input_clamped, def.interaction, value});
+        c.events.push({c.time, EventKind::input_clamped, def.interaction, value, id});
         ++c.stats.event_count[static_cast<std::size_t>(EventKind::input_clamped)];
     }
     // What a changed length or target does to elastic energy is work done by the input.
@@ -228,6 +233,7 @@ void World::set_pose(BodyId id, const Pose& pose) {
     if (!pose.position.allFinite() || !std::isfinite(norm) || norm < 0.5)
         throw DefError(world::label("body", impl_->body_defs[b].name) + ": the pose is not valid");
     model::Bodies& s = impl_->ctx.bodies;
+    impl_->ctx.judge.state.begun = 0;  // no work did that
     // What leant on it hangs in the air now.
     if (s.dof(id.index) == 0 || s.asleep[b] != 0) stepper::disturb_all(impl_->ctx);
     stepper::disturb(impl_->ctx, id.index);
@@ -253,7 +259,10 @@ void World::set_velocity(BodyId id, const Twist& twist) {
     double* v = dof == 0 ? &s.v_fixed[6 * b] : &s.v[at(s.dof_begin[b])];
     const int count = dof == 0 ? 6 : dof;
     // What a prescribed velocity carries wakes in the step (stepper/sleep.h).
-    if (dof > 0) stepper::disturb(impl_->ctx, id.index);
+    if (dof > 0) {
+        stepper::disturb(impl_->ctx, id.index);
+        impl_->ctx.judge.state.begun = 0;  // no work did that
+    }
     for (int i = 0; i < count; ++i) v[i] = i < 3 ? twist.linear[i] : twist.angular[i - 3];
     // Nothing else is known of where that leads to.
     if (dof > 0) std::copy_n(v, dof, &s.v_start[at(s.dof_begin[b])]);
@@ -358,6 +367,8 @@ const char* to_string(Status status) noexcept {
             return "not_finite";
         case Status::out_of_memory:
             return "out_of_memory";
+        case Status::diverged:
+            return "diverged";
     }
     return "?";
 }
@@ -375,7 +386,8 @@ const char* to_string(DegradedBy cause) noexcept {
 
 const char* to_string(EventKind kind) noexcept {
     constexpr const char* kNames[kEventKindCount] = {
-        "line_break", "slack", "taut", "saturation", "range", "input_clamped", "warning"};
+        "line_break", "slack",          "taut",       "saturation", "range",       "input_clamped",
+        "warning",    "energy_created", "joint_open", "cable_law",  "uncertified", "fast"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 

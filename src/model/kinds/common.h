@@ -14,6 +14,8 @@
 ///                                                 // defaults taken from the initial poses
 ///     static void defaults(const InteractionDef&, double h, RowSpec*);   // ε, τ of each row
 ///     static void evaluate(const Data&, const BodyRef*, Rows<kBodies, kRows>&);
+///     static constexpr bool kCompletes;           // optional: a rigid joint whose rows a step
+///                                                 // solves at its end (stepper/completion.h)
 /// };
 /// ```
 /// evaluate() gives the violation g and the Jacobian G of each row for the poses handed in:
@@ -69,7 +71,8 @@ struct RowSpec {
 /// Geometric stiffness: none; of the arms of a joint; of a line between two points.
 enum class Geometry : unsigned char { none, joint, line };
 
-inline constexpr double kConstraintCompliance = 1e-12;  ///< [m/N]: gap = 1e-12 × force at rest.
+/// [m/N] of what stops or holds by contact: ranges, friction, motors.
+inline constexpr double kStopCompliance = 1e-12;
 
 inline double given(double value, double fallback) { return value == value ? value : fallback; }
 
@@ -80,11 +83,11 @@ inline void damping_or_calm(const InteractionDef& def, double h, int row, RowSpe
     out.calmed = defined != defined;
 }
 
-/// ε and τ of an ordinary constraint: the definition's, else 1e-12 and two steps.
+/// ε and τ of an ordinary constraint: the definition's, else rigid (or `compliance`) and two steps.
 inline void constraint_rows(const InteractionDef& def, double h, int first, int count, bool gap,
-                            RowSpec* out) {
+                            RowSpec* out, double compliance = 0.0) {
     for (int r = first; r < first + count; ++r) {
-        out[r].compliance = given(def.compliance.data()[r], kConstraintCompliance);
+        out[r].compliance = given(def.compliance.data()[r], compliance);
         damping_or_calm(def, h, r, out[r]);
         out[r].gap = gap;
     }
