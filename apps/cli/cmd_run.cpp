@@ -23,8 +23,8 @@ constexpr const char* kRunFooter = R"(Examples:
   hawser run scene.json --save-at 10 ten.hws; hawser run scene.json --restore ten.hws
 
 A CONTROL file has the line "time,<input>,<input>,…" and below it times and values, which hold
-until the next line. Exit codes: 0 done, 1 wrong option, scene or file, 2 a step failed,
-130 interrupted; what there was until then is written in every case.)";
+until the next line. Exit codes: 0 done, 1 wrong option, scene or file, or a report that could not
+be printed, 2 a step failed, 130 interrupted; what there was until then is written in every case.)";
 
 void add_outputs(CLI::App& command, RunOptions& options) {
     command.add_option("--record", options.record, "Write a recording (for replay and plot)");

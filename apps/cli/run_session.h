@@ -38,19 +38,22 @@ class RunSession {
     int run();
 
   private:
+    void check_files() const;
+    void choose_times();
     void check_start();
     void choose_stride();
     void apply_inputs();
     void after_step();
+    void add_frame();
     void save_if_due();
     int finish(observe::Ending ending, double wall_seconds);
-    void write_summary(const observe::Summary& summary) const;
 
     const RunOptions& options_;
     scene::Scene scene_;
     observe::SceneInfo info_;
     double end_time_ = 0.0;
     std::int64_t steps_ = 0, done_ = 0;
+    std::int64_t framed_ = 0;  ///< Steps taken at the last frame.
     std::int32_t stride_ = 1;
     std::vector<observe::ControlChange> control_;
     std::size_t next_control_ = 0;

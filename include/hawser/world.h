@@ -79,6 +79,9 @@ class World {
     [[nodiscard]] std::int64_t step_count() const noexcept;
     [[nodiscard]] const StepStats& stats() const noexcept;
     [[nodiscard]] Energy energy() const noexcept;  ///< Of the state; zeros before prepare().
+    /// Worst of all states since the start or the last restore(), the present one included; of a
+    /// step that was refused as diverged the state that it came to.
+    [[nodiscard]] Verdict verdict() const noexcept;
     /// The next step leaves out just this, and WorldDef's budgets are ignored in it: repeats what
     /// StepStats::degradation reported. Nothing (the default) takes it back.
     void degrade_next_step(const Degradation& degradation) noexcept;

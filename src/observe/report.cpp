@@ -123,6 +123,7 @@ void coupling(Out out, const Summary& s) {
 }
 
 void quality(Out out, const Summary& s) {
+    fmt::format_to(out, "  margins      of what a step is refused for: {}\n", margins(s.verdict));
     fmt::format_to(out, "  residuals    momentum {:.2e} (median {:.2e}), constraint {:.2e}\n",
                    s.momentum_residual_max, s.momentum_residual_median, s.constraint_residual_max);
     fmt::format_to(out, "  violation    {} at {} ({:.4g} s)\n", with_unit(s.violation_max, "m"),
@@ -141,9 +142,12 @@ void quality(Out out, const Summary& s) {
     if (const Verification& v = s.verified; v.steps > 0)
         fmt::format_to(out,
                        "  verified     {} steps: natural map {:.2e} (differs by {:.2e}), momentum "
-                       "of {} of {} bodies {:.2e}, bounds {:.2e}\n",
+                       "of {} of {} bodies {:.2e}, bounds {:.2e}\n"
+                       "               of what is wrong: energy {:.2g} %, joints {:.2g} %, cable "
+                       "law {:.2g} %, turns {:.2g} %\n",
                        v.steps, v.natural_map, v.difference, v.covered_bodies, v.moving_bodies,
-                       v.momentum, v.bounds);
+                       v.momentum, v.bounds, 100.0 * v.states.created, 100.0 * v.states.open,
+                       100.0 * v.states.cable, 100.0 * v.states.turn);
     if (s.stretch_error_max > 0.0)
         fmt::format_to(out, "  cable law    |l − l0 (1 + T/EA)| at most {:.2e} l0 ({:.4g} s)\n",
                        s.stretch_error_max, s.stretch_error_time);
@@ -202,7 +206,12 @@ void bodies(Out out, const Summary& s) {
 std::string report(const Summary& s) {
     std::string text;
     const Out out = std::back_inserter(text);
-    fmt::format_to(out, "\n{} ({}), {}\n", s.scene, s.outcome, to_string(s.last.status));
+    const bool doubtful = s.verdict.verdict.grade != Grade::good;
+    fmt::format_to(out, "\n{} ({}), {}\n", s.scene, s.outcome,
+                   doubtful && s.last.status == Status::ok ? to_string(s.verdict.verdict.grade)
+                                                           : to_string(s.last.status));
+    if (doubtful)
+        fmt::format_to(out, "  {:<11}  {}\n", to_string(s.verdict.verdict.grade), s.verdict.said);
     simulated(out, s);
     constexpr std::size_t kWarnings = 5;
     for (std::size_t i = 0; i < std::min(kWarnings, s.warnings.size()); ++i)

@@ -88,7 +88,7 @@ void SummaryCollector::after_step(const World& world, std::span<const Event> eve
             summary_.events.push_back({event.time, to_string(event.kind),
                                        event.input.valid()
                                            ? world.input_def(event.input).name
-                                           : interaction_label(world, event.interaction),
+                                           : place_label(world, event.interaction, event.body),
                                        event.value});
     }
     summary_.degradations.after_step(stats);
@@ -163,6 +163,7 @@ Summary SummaryCollector::result(const World& world) const {
     Summary out = summary_;
     out.last = world.stats();
     out.happened = event_figures(world);
+    out.verdict = in_words(world, world.verdict());
     out.timed_steps = step_.count();
     out.step_ms = spread(step_);
     out.solver_ms = spread(solver_);

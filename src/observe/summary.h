@@ -8,6 +8,7 @@
 #include "observe/degradations.h"
 #include "observe/samples.h"
 #include "observe/scene_info.h"
+#include "observe/verdict_text.h"
 
 #include <hawser/hawser.h>
 
@@ -70,6 +71,7 @@ struct Summary {
     std::uint64_t scene_hash = 0;
     std::string outcome = "finished";  ///< "finished", "interrupted" or "failed".
     StepStats last{};                  ///< Of the last step.
+    VerdictText verdict;               ///< Of all states.
     double start_time = 0.0;           ///< [s]
     std::int64_t steps = 0;            ///< In this run.
     std::int64_t timed_steps = 0;      ///< Of those, counted in the times below.

@@ -56,6 +56,7 @@ class Includer {
         if (!done_.insert(key).second) {
             return;  // Reached twice by different routes: its entries are there already.
         }
+        document_.files.push_back(file);
         Json content = read_json_file(file, document_.mistakes);
         check_document(content, *format().part, {file.string(), ""}, document_.mistakes);
         if (!content.is_object()) {
@@ -145,6 +146,8 @@ void read_state(Document& document, const std::filesystem::path& file) {
     }
     const auto stored = resolve_inside(file.parent_path(), file.parent_path(),
                                        (*state)["file"].get<std::string>(), place / "file");
+    document.files.push_back(stored);
+    document.state_file = stored;
     Json content = read_json_file(stored, document.mistakes);
     const Place stored_place{stored.string(), ""};
     check_document(content, *format().state, stored_place, document.mistakes);
@@ -165,6 +168,8 @@ Document make_document(Json root, const std::filesystem::path& file, const Optio
                       .templates = {},
                       .materials = {},
                       .state = {},
+                      .files = {},
+                      .state_file = {},
                       .mistakes = mistakes};
     check_document(document.root, *format().scene, document.place, mistakes);
     if (!document.root.is_object()) {

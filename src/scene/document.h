@@ -7,8 +7,10 @@
 #include "scene/format.h"
 #include "scene/mistakes.h"
 
+#include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace hawser::scene {
 
@@ -19,7 +21,9 @@ struct Document {
     std::map<std::string, Place, std::less<>> line_types;
     std::map<std::string, Place, std::less<>> templates;
     std::map<std::string, Place, std::less<>> materials;
-    Place state;                   ///< Of the state's "bodies".
+    Place state;                               ///< Of the state's "bodies".
+    std::vector<std::filesystem::path> files;  ///< Read beside the scene's own.
+    std::filesystem::path state_file;          ///< Of these; empty: none.
     Mistakes* mistakes = nullptr;  ///< Where mistakes are taken down; null: they are thrown.
 };
 

@@ -108,8 +108,9 @@ Json parse_json(std::string_view text, const std::string& file, Mistakes* mistak
 Json read_json_file(const std::filesystem::path& file, Mistakes* mistakes) {
     const Place place{file.string(), ""};
     std::error_code failure;
+    // Before it is opened: a pipe that nobody writes would be waited for.
     if (!std::filesystem::is_regular_file(file, failure)) {
-        refuse(place, "no such file");
+        refuse(place, std::filesystem::exists(file, failure) ? "is no plain file" : "no such file");
     }
     const auto size = std::filesystem::file_size(file, failure);
     if (failure) {

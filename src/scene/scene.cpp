@@ -207,6 +207,8 @@ std::optional<Scene> make_scene(Json root, const std::filesystem::path& file,
     Scene scene{.name = document.root["name"].get<std::string>(),
                 .description = text_or(document.root, "description", ""),
                 .path = file.string(),
+                .files = document.files,
+                .state_file = document.state_file,
                 .text = std::move(text),
                 .hash = hash,
                 .duration = description.duration,
@@ -241,7 +243,9 @@ std::optional<Scene> try_scene(const Read& read, const std::filesystem::path& fi
 }  // namespace
 
 Scene load_file(const std::filesystem::path& file, const Options& options) {
-    return *make_scene(read_json_file(file), file, options, nullptr);
+    Scene scene = *make_scene(read_json_file(file), file, options, nullptr);
+    scene.files.push_back(file);
+    return scene;
 }
 
 Scene load_text(std::string_view text, const std::string& name_for_messages,

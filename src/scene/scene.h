@@ -69,6 +69,9 @@ struct Scene {
     std::string name;
     std::string description;
     std::string path;  ///< File it was read from, or the name for messages.
+    /// All files that were read: the scene, its includes and its state.
+    std::vector<std::filesystem::path> files;
+    std::filesystem::path state_file;  ///< Of these, the one under "state"; empty: none.
     /// Self-contained document in JSON with includes, options, templates and copies worked in:
     /// reading it alone gives the same world.
     std::string text;

@@ -42,6 +42,8 @@ void read_settings(Description& out, const Json& root) {
     def.contact_margin = number_or(settings, "contact_margin", def.contact_margin);
     def.sleep_after = number_or(settings, "sleep_after", def.sleep_after);
     def.sleep_speed = number_or(settings, "sleep_speed", def.sleep_speed);
+    def.on_diverged =
+        text_or(settings, "on_diverged", "stop") == "warn" ? OnDiverged::warn : OnDiverged::stop;
     def.nonsmooth = nonsmooth_from(text_or(settings, "nonsmooth", "newton"));
     def.coupling = coupling_from(text_or(settings, "coupling", "exact"));
     def.predictor = predictor_from(text_or(settings, "predictor", "hold"));

@@ -23,6 +23,7 @@
 #include "stepper/cuts.h"
 #include "stepper/deadline.h"
 #include "stepper/events.h"
+#include "stepper/judge.h"
 #include "stepper/regroup.h"
 
 #include <algorithm>
@@ -96,6 +97,7 @@ struct StepContext {
     Budget budget;
     Deadline deadline;
     CutLevels cut_levels;
+    JudgeData judge;
     Laps laps;               ///< Of the step being taken, where a budget asks for time.
     Degradation imposed;     ///< On the next step.
     int refine_unasked = 0;  ///< So many steps to come refine before they measure, see solve.cpp.

@@ -170,6 +170,7 @@ Status step(StepContext& ctx) noexcept {
     }
     ctx.pool.resume();
     if (!ctx.started) {
+        begin_judge(ctx);
         Status status = Status::ok;
         if (ctx.collider.count() > 0)
             status =
@@ -220,6 +221,8 @@ Status step(StepContext& ctx) noexcept {
     ctx.stats.newton_iterations = ctx.newton.iterations;
     ctx.stats.factor_work = static_cast<double>(ctx.step_flops) /
                             static_cast<double>(std::max<std::int64_t>(1, ctx.stats.factor_flops));
+    if (status == Status::ok)
+        status = timed(ctx, Stage::integrate, [](StepContext& c) { return judge(c); });
     if (status == Status::ok) {
         timed(ctx, Stage::integrate, integrate);
         ctx.imposed = {};

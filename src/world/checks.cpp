@@ -78,6 +78,7 @@ void check(const WorldDef& def) {
         refuse(where, "sleep_after must be 0 to 1e6 s");
     if (!(def.sleep_speed >= 0.0 && def.sleep_speed <= 1.0))
         refuse(where, "sleep_speed must be 0 to 1 m/s");
+    if (def.on_diverged > OnDiverged::warn) refuse(where, "unknown on_diverged");
     if (def.coupling > Coupling::deadline) refuse(where, "unknown coupling");
     if (def.predictor > Predictor::clique) refuse(where, "unknown predictor");
     if (def.coupling != Coupling::exact && def.sleep_after > 0.0)

@@ -120,6 +120,8 @@ Energy World::energy() const noexcept {
     return stepper::energy(impl_->ctx);
 }
 
+Verdict World::verdict() const noexcept { return stepper::verdict(impl_->ctx); }
+
 std::uint64_t World::state_hash() const noexcept {
     const std::vector<double>& inputs = impl_->input_values;
     return base::fnv1a(inputs.data(), inputs.size() * sizeof(double),
@@ -231,6 +233,7 @@ void World::set_pose(BodyId id, const Pose& pose) {
     if (!pose.position.allFinite() || !std::isfinite(norm) || norm < 0.5)
         throw DefError(world::label("body", impl_->body_defs[b].name) + ": the pose is not valid");
     model::Bodies& s = impl_->ctx.bodies;
+    impl_->ctx.judge.state.begun = 0;  // no work did that
     // What leant on it hangs in the air now.
     if (s.dof(id.index) == 0 || s.asleep[b] != 0) stepper::disturb_all(impl_->ctx);
     stepper::disturb(impl_->ctx, id.index);
@@ -256,7 +259,10 @@ void World::set_velocity(BodyId id, const Twist& twist) {
     double* v = dof == 0 ? &s.v_fixed[6 * b] : &s.v[at(s.dof_begin[b])];
     const int count = dof == 0 ? 6 : dof;
     // What a prescribed velocity carries wakes in the step (stepper/sleep.h).
-    if (dof > 0) stepper::disturb(impl_->ctx, id.index);
+    if (dof > 0) {
+        stepper::disturb(impl_->ctx, id.index);
+        impl_->ctx.judge.state.begun = 0;  // no work did that
+    }
     for (int i = 0; i < count; ++i) v[i] = i < 3 ? twist.linear[i] : twist.angular[i - 3];
 }
 
@@ -352,6 +358,8 @@ const char* to_string(Status status) noexcept {
             return "not_finite";
         case Status::out_of_memory:
             return "out_of_memory";
+        case Status::diverged:
+            return "diverged";
     }
     return "?";
 }
@@ -369,7 +377,8 @@ const char* to_string(DegradedBy cause) noexcept {
 
 const char* to_string(EventKind kind) noexcept {
     constexpr const char* kNames[kEventKindCount] = {
-        "line_break", "slack", "taut", "saturation", "range", "input_clamped", "warning"};
+        "line_break", "slack",          "taut",       "saturation", "range",       "input_clamped",
+        "warning",    "energy_created", "joint_open", "cable_law",  "uncertified", "fast"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 
