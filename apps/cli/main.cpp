@@ -63,6 +63,7 @@ int main(int argc, char** argv) {
         return app.exit(e) == 0 ? kOk : kUsageError;
     }
     try {
+        hawser::check_environment();
         return chosen();
     } catch (const std::bad_alloc&) {
         fmt::print(stderr, "hawser: out of memory\n");

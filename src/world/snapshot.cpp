@@ -179,7 +179,7 @@ void analyse_as_saved(stepper::StepContext& ctx, const factor::AnalysisState& or
 
 std::vector<std::byte> World::save() const {
     Impl& m = *impl_;
-    if (m.ctx.topology_changed) stepper::prepare(m.ctx);
+    stepper::ready(m.ctx);
     Header header;
     header.layout = layout_of(m.ctx, m.inputs.size());
     header.parameters = parameters_of(m.ctx, m.inputs, m.shape_defs);
@@ -208,7 +208,7 @@ std::vector<std::byte> World::save() const {
     return out;
 }
 
-void World::restore(std::span<const std::byte> bytes) {
+void World::take_saved(std::span<const std::byte> bytes) {
     Impl& m = *impl_;
     Header header;
     const Header expected;
@@ -226,7 +226,7 @@ void World::restore(std::span<const std::byte> bytes) {
         throw DefError(
             "snapshot: it belongs to a world with other parameters (masses, inertias, points, "
             "lengths, stiffnesses, damping, gravity, ranges of inputs, method, coupling, sleep)");
-    if (m.ctx.topology_changed) stepper::prepare(m.ctx);
+    stepper::ready(m.ctx);
     const auto damaged = [] { return DefError("snapshot: the bytes are damaged (checksum)"); };
     if (sum != base::fnv1a(bytes.data(), bytes.size() - sizeof sum)) throw damaged();
     // What is no array of groups is refused before anything changes; what is wrong beyond it, by
