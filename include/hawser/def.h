@@ -181,7 +181,7 @@ struct WorldDef {
     /// Contact points of a step, those near without touching included; 1 to 1e9. A step that would
     /// have more ends with Status::over_bound, as does one with eight times as many pairs of shapes
     /// near each other.
-    std::int32_t max_contacts = 200'000;
+    std::int32_t max_contacts = 400'000;
     /// Memory [bytes] that state, solver and contacts may take, 1e6 to 1e15. What the factorisation
     /// takes is known from its structure, and is refused before it is asked for: by LimitError from
     /// World::prepare() and whatever else analyses, by Status::over_bound from a step.

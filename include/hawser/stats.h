@@ -129,6 +129,14 @@ struct StepStats {
     std::int64_t factor_nnz = 0;      ///< Scalars of L, diagonal included.
     std::int64_t factor_flops = 0;    ///< Multiply-adds counted as two, of one factorisation.
     std::int32_t factorisations = 0;  ///< In this step.
+    /// Substitutions of the step's solution: those of its factorisations, refinements, rounds of
+    /// completion, and of the filter of joints in loops. Not those of Krylov iterations.
+    std::int32_t substitutions = 0;
+    std::int32_t completion_rounds = 0;  ///< Of rigid joints in this step (docs/methods.md, 2).
+    /// Steps since the start whose rounds did not converge, so that joints were linearised once.
+    std::int64_t completion_failures = 0;
+    /// Joints in closed loops whose force the step leaves undetermined; the smallest one is shown.
+    std::int32_t undetermined = 0;
     std::int32_t partial_factorisations = 0;  ///< Of those, of what contacts changed only.
     std::int32_t contacts = 0;  ///< Contact points, those near without touching included.
     /// Tension-only rows and contacts whose status was still changing when the solve ended.

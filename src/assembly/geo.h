@@ -70,6 +70,14 @@ inline T unresolved(const T& s4) {
 }
 inline constexpr double kMoreStiffness = 0.5, kMoreDamping = 9.0;
 
+/// Share of its geometric stiffness that a completed joint has: none while s ≤ 1, all from 2 on.
+/// At s of about one it would bend paths that the step resolves. @param s4  4 s.
+template <class T>
+inline T completed_stiffness(const T& s4) {
+    const T beyond = 0.25 * positive_part(T(s4 - constant(s4, 4.0)));
+    return select_greater(beyond, one(s4), one(s4), beyond);
+}
+
 /// scale × projected arm stiffness of the force f, of size nf, at arm r, of length nr. Zero where
 /// either is.
 template <class T>
@@ -97,15 +105,23 @@ template <class T>
 struct JointTerms {
     T stiff, damping, back;
 };
+/// Of a completed joint, whose swing has its sign changed, the stiffness fades in and there is no
+/// damping.
 template <class T>
 inline JointTerms<T> joint_terms(const assembly::View& view, const T& nf, const T& n0, const T& n1,
-                                 const T& swing) {
-    const T push = (view.h * view.h) * nf, s4 = 4.0 * push * swing, unit = one(nf);
+                                 const T& marked_swing) {
+    const T unit = one(nf), none = zero(nf);
+    const T swing = select_greater(none, marked_swing, -marked_swing, marked_swing);
+    const T push = (view.h * view.h) * nf, s4 = 4.0 * push * swing;
     const T fast = unresolved(s4);
     const T need = select_greater(unit, s4, T(s4 * s4), T(unit + kMoreDamping * fast));
-    const T half = push * view.rotation_damping * select_greater(n1, n0, n0, n1) * need;
-    return {(0.25 * view.h * view.h * view.geometric_stiffness) * (unit + kMoreStiffness * fast),
-            half * (unit + fast), half * (unit - fast)};
+    const T half =
+        select_greater(none, marked_swing, none,
+                       push * view.rotation_damping * select_greater(n1, n0, n0, n1) * need);
+    const T fade = select_greater(none, marked_swing, completed_stiffness(s4), unit);
+    return {
+        (0.25 * view.h * view.h * view.geometric_stiffness) * fade * (unit + kMoreStiffness * fast),
+        half * (unit + fast), half * (unit - fast)};
 }
 
 /// Line and damping parts of M̃ v on both slots; `lin`, `ang` are the slots' velocities. With

@@ -9,26 +9,43 @@
 namespace hawser::assembly {
 namespace {
 
-/// max |r|/I over the two bodies of a joint, I the mean moment of inertia across the arm r, see
-/// geo.h. 0 unless both turn.
+/// |r|/I of one body of an interaction, I the mean moment of inertia across its arm r, see geo.h.
+double arm_rate(const model::Bodies& bodies, const model::Interactions& in, int id, int b) {
+    const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
+    const Vec3& arm = in.def[at(id)].point[at(b)];
+    const double length = arm.norm();
+    if (bodies.dof(body) != 6 || length == 0.0) return 0.0;
+    const Eigen::Map<const Mat3> inertia(&bodies.inertia[at(9 * body)]);
+    const double along = arm.dot(inertia * arm) / (length * length);
+    return 2.0 * length / (inertia.trace() - along);
+}
+
+/// The larger one of the two bodies of a joint. 0 unless both turn.
 double swing_rate(const model::Bodies& bodies, const model::Interactions& in, int id) {
-    double rate = 0.0;
+    for (int b = 0; b < 2; ++b)
+        if (bodies.dof(in.body[at(kMaxInteractionBodies * id + b)]) != 6) return 0.0;
+    return std::max(arm_rate(bodies, in, id, 0), arm_rate(bodies, in, id, 1));
+}
+
+/// How fast a joint or rod swings, see model::Interactions::swing: about its bodies' centres of
+/// mass; a rod between lumps also across itself, 1/(l m).
+double swing_of(const model::Bodies& bodies, const model::Interactions& in, int id) {
+    const InteractionKind kind = in.def[at(id)].kind;
+    // What slides has no arm of its own along which a force would act.
+    if (kind == InteractionKind::Prismatic || kind == InteractionKind::Cylindrical) return 0.0;
+    double rate = std::max(arm_rate(bodies, in, id, 0), arm_rate(bodies, in, id, 1));
+    if (kind != InteractionKind::Distance) return rate;
+    const double length = in.def[at(id)].params[0];
     for (int b = 0; b < 2; ++b) {
         const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
-        if (bodies.dof(body) != 6) return 0.0;
-        const Vec3& arm = in.def[at(id)].point[at(b)];
-        const double length = arm.norm();
-        if (length == 0.0) continue;
-        const Eigen::Map<const Mat3> inertia(&bodies.inertia[at(9 * body)]);
-        const double along = arm.dot(inertia * arm) / (length * length);
-        rate = std::max(rate, 2.0 * length / (inertia.trace() - along));
+        if (bodies.dof(body) == 3) rate = std::max(rate, 1.0 / (length * bodies.mass[at(body)]));
     }
     return rate;
 }
 
 }  // namespace
 
-void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) {
+void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in, double h) {
     // Vector loads read up to seven entries past the end.
     constexpr std::size_t kSlack = 8;
     geo_place_.assign(at(in.count()), {});
@@ -72,6 +89,7 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) 
     geo_record_.assign(at(record) + kSlack, 0.0);
     geo_force_.assign(at(force) + kSlack, 0.0);
     for (int i = 0; i < in.count(); ++i) {
+        in.swing[at(i)] = model::may_complete(in, i, h) ? swing_of(bodies, in, i) : 0.0;
         const GeoPlace& place = geo_place_[at(i)];
         if (in.arms[at(i)])
             in.jacobian[at(in.jac_begin[at(i)] + model::kArmsSwing)] = swing_rate(bodies, in, i);

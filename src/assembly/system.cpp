@@ -52,7 +52,7 @@ double mobility(const model::Bodies& bodies, const model::Interactions& in, int 
 void System::analyse(const model::Bodies& bodies, model::Interactions& interactions,
                      const WorldDef& def, int threads, const factor::AnalysisState* state) {
     find_resting(bodies, interactions);
-    reserve(bodies, interactions, threads);
+    reserve(bodies, interactions, def.step);
     strips.build(dof_, rests_, interactions);
     build_incidence(bodies, interactions);
     find_islands(interactions);
@@ -82,11 +82,15 @@ void System::find_resting(const model::Bodies& bodies, const model::Interactions
     for (const std::int32_t id : left_out) rests_[at(id)] = 1;
 }
 
-void System::reserve(const model::Bodies& bodies, model::Interactions& in, int) {
+void System::reserve(const model::Bodies& bodies, model::Interactions& in, double h) {
     constexpr std::size_t kSlack = 8;  // as in lay_out_rows()
-    lay_out_rows(bodies, in);
+    lay_out_rows(bodies, in, h);
     body_block_.resize(2 * at(bodies.dofs) + kSlack);
     for (base::Array<double>* a : {&a_, &v_new_}) a->assign(at(bodies.dofs) + kSlack, 0.0);
+    for (base::Array<double>* a : {&spin_momentum_, &spin_next_})
+        a->assign(3 * at(bodies.count()) + kSlack, 0.0);
+    for (base::Array<double>* a : {&c_next_, &rate_}) a->assign(at(in.row_count) + kSlack, 0.0);
+    turning.assign(at(bodies.count()), 0);
     momentum_.assign(keeps_momentum ? at(bodies.dofs) + kSlack : 0, 0.0);
     bounded.clear();
     breakable.clear();
@@ -132,15 +136,15 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
             double sigma =
                 velocity ? in.epsilon[row] / h : 4.0 * in.epsilon[row] * in.upsilon[row] / (h * h);
             // A rigid row may repeat others (closed loops): a floor keeps the pivots' signs.
-            if (in.epsilon[row] == 0.0) sigma = 1e-9 * w;
+            if (in.epsilon[row] == 0.0) sigma = kRigidShare * w;
             sigma = std::max(sigma, in.least_sigma[row]);
             if (sigma < 1e-300) sigma = 1e-300;
             in.sigma[row] = sigma;
-            if (in.epsilon[row] == 0.0) keep = true;
             // By the compliance as defined: a world restored with other lengths of its lines must
             // choose as the one that was saved.
             const double defined = in.def[at(i)].compliance[at(r)];
             const double ratio = in.epsilon[row] > 0.0 ? defined / in.epsilon[row] : 1.0;
+            static_assert(kRigidShare * kSafeRatio > 1.0);
             if (def.form == Form::automatic && w > kSafeRatio * ratio * sigma) keep = true;
         }
         kept_[at(i)] = keep ? 1 : 0;
@@ -174,6 +178,9 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.v_before = bodies.v_before.empty() ? bodies.v_fixed.data() : bodies.v_before.data();
     v.spin_free = bodies.spin_free.data();
     v.spin_change = bodies.spin_change.data();
+    v.spin_momentum = spin_momentum_.data();
+    v.spin_next = spin_next_.data();
+    v.turning = turning.data();
     v.mass = bodies.mass.data();
     v.inertia = bodies.inertia.data();
     v.inv_inertia = bodies.inv_inertia.data();
@@ -196,6 +203,8 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.active = in.active.data();
     v.held = in.held.data();
     v.parted = in.parted.data();
+    v.completed = in.completed.data();
+    v.swing = in.swing.data();
     v.rest_length = in.rest_length.data();
     v.epsilon = in.epsilon.data();
     v.upsilon = in.upsilon.data();
@@ -204,6 +213,8 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.row_flags = in.row_flags.data();
     v.g = in.g.data();
     v.c = in.c.data();
+    v.c_next = c_next_.data();
+    v.rate = rate_.data();
     v.residual = in.residual.data();
     v.lambda = in.lambda.data();
     v.multiplier = in.multiplier.data();
@@ -229,9 +240,10 @@ std::size_t System::bytes() const noexcept {
     return analysis.bytes() + numeric.bytes() + bytes(ops) + bytes(lane_ops) + bytes(op_entries_) +
            bytes(op_order_) + bytes(incident_) + bytes(incident_begin_) + bytes(body_offset_) +
            bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) + bytes(v_new_) +
-           bytes(momentum_) + bytes(geo_record_) + bytes(geo_force_) + bytes(solution_) +
-           bytes(rests_) + bytes(links_) + bytes(among_lumps_) + bytes(node_of_body) +
-           bytes(node_of_interaction) + strips.bytes() + contacts.bytes();
+           bytes(momentum_) + bytes(spin_momentum_) + bytes(spin_next_) + bytes(c_next_) +
+           bytes(rate_) + bytes(turning) + bytes(geo_record_) + bytes(geo_force_) +
+           bytes(solution_) + bytes(rests_) + bytes(links_) + bytes(among_lumps_) +
+           bytes(node_of_body) + bytes(node_of_interaction) + strips.bytes() + contacts.bytes();
 }
 
 }  // namespace hawser::assembly

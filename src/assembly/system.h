@@ -38,6 +38,10 @@ namespace hawser::assembly {
 /// residual the error at 1e9 is 1e-15, at 1e12 it is 1e-9 (see docs/methods.md).
 inline constexpr double kSafeRatio = 1e10;
 
+/// Σ of a rigid row, as a share of G M⁻¹Gᵀ: rows that repeat each other leave the matrix regular,
+/// and a chain of a hundred links between bodies a million times heavier gives by a thousandth.
+inline constexpr double kRigidShare = 1e-9;
+
 /// Part of the nodes that may come or go for a repair; beyond, a new order is made.
 inline constexpr double kRepairable = 0.125;
 
@@ -101,6 +105,7 @@ class System {
     bool keeps_momentum = false;           ///< View::momentum is not null. Likewise.
     std::vector<std::int32_t> bounded;     ///< Interactions with a bounded force, ascending.
     std::vector<double> bounded_mobility;  ///< Of their first row: G M⁻¹ Gᵀ at the last analysis.
+    base::Array<std::uint8_t> turning;     ///< View::turning.
     std::vector<std::int32_t> breakable;
     std::vector<double> breaking_load;  ///< Of each breakable one [N].
 
@@ -134,7 +139,7 @@ class System {
     /// all that belongs to them stand in a row.
     void find_links(const model::Bodies& bodies);
     /// Where Jacobians and geometric terms are.
-    void lay_out_rows(const model::Bodies& bodies, model::Interactions& interactions);
+    void lay_out_rows(const model::Bodies& bodies, model::Interactions& interactions, double h);
     /// Sets least_sigma of the rows of sides.
     void soften_sides(const model::Bodies& bodies, model::Interactions& interactions,
                       double h) const;
@@ -169,7 +174,7 @@ class System {
                             const model::Interactions& interactions) const;
     void share_lanes(std::span<const Op> together, std::int64_t place,
                      const model::Interactions& interactions);
-    void reserve(const model::Bodies& bodies, model::Interactions& interactions, int threads);
+    void reserve(const model::Bodies& bodies, model::Interactions& interactions, double h);
     void check_memory(const model::Bodies& bodies, const model::Interactions& interactions,
                       int threads) const;
 
@@ -190,7 +195,8 @@ class System {
     base::Array<std::int32_t> incident_begin_;
     base::Array<Incidence> incident_;
     base::Array<std::int32_t> body_offset_, interaction_offset_;
-    base::Array<double> body_block_, a_, v_new_, momentum_, geo_record_, geo_force_, solution_;
+    base::Array<double> body_block_, a_, v_new_, momentum_, geo_record_, geo_force_, solution_,
+        spin_momentum_, spin_next_, c_next_, rate_;
 };
 
 }  // namespace hawser::assembly

@@ -116,6 +116,11 @@ struct View {
     const double* v_before;  ///< What v_fixed was at the last half step.
     double* spin_free;       ///< 3 a body: ω₊ without torque, world frame.
     double* spin_change;     ///< 3 a body: ω₊ − spin_free of the last step, body frame.
+    double* spin_momentum;   ///< 3 a body: what of `a` comes of the body's spin, world frame.
+    double* spin_next;       ///< 3 a body: the same about a later solution.
+    /// By body, 1: its spin's equation is solved as it is, not about the last step
+    /// (stepper/completion.h).
+    const std::uint8_t* turning;
     const double* mass;
     const double* inertia;
     const double* inv_inertia;
@@ -143,7 +148,9 @@ struct View {
     double* active;
     const double* held;  ///< By interaction: impulse of its first row while idle.
     const std::uint8_t* parted;
-    const double* rest_length;  ///< l₀ of wire elements [m], 0 for all else.
+    const std::uint8_t* completed;  ///< By interaction, likewise see model::Interactions.
+    const double* swing;            ///< Likewise.
+    const double* rest_length;      ///< l₀ of wire elements [m], 0 for all else.
     const double* epsilon;
     const double* upsilon;
     const double* sigma;
@@ -151,6 +158,8 @@ struct View {
     const std::uint8_t* row_flags;
     double* g;
     double* c;
+    double* c_next;  ///< By row: c about a later solution, of completed ones.
+    double* rate;    ///< By row: ġ at the step's start, of completed ones.
     double* residual;
     double* lambda;
     double* multiplier;  ///< By row: λ + Σ⁻¹ residual where condensed, 0 where idle.
@@ -194,12 +203,36 @@ struct Norms {
     double finite = 0.0;   ///< Sum of everything: not finite if anything is not.
 };
 
+/// How far a solution is from the equations at the step's end, see stepper/completion.h.
+struct Turning {
+    double change = 0.0;  ///< Largest change of a right-hand side [m/s or rad/s].
+    double gap = 0.0;     ///< Largest violation at the end of the step [m or rad].
+    /// Larger of both; what is not a number stays.
+    void add(const Turning& other) noexcept {
+        if (!(other.change <= change)) change = other.change;
+        if (!(other.gap <= gap)) gap = other.gap;
+    }
+};
+
 /// Hot loops. Ranges are of bodies or of interactions; a range writes only its own entries.
 struct Kernels {
     /// Violation, Jacobian, c and geometric record of pool entries [begin, end); G v_start, M̃
     /// v_start.
     void (*evaluate)(const View&, InteractionKind kind, const std::int32_t* ids, const void* data,
                      std::int32_t begin, std::int32_t end) noexcept;
+    /// c of the completed ones among pool entries [begin, end), about the packed velocities u: as
+    /// the step's `first` into c, else into c_next.
+    Turning (*complete_rows)(const View&, InteractionKind kind, const std::int32_t* ids,
+                             const void* data, std::int32_t begin, std::int32_t end,
+                             const double* u, bool first) noexcept;
+    /// What spins of turning bodies give, about u: as the first one into a, else into spin_next.
+    Turning (*complete_spins)(const View&, std::int32_t begin, std::int32_t end, const double* u,
+                              bool first) noexcept;
+    /// c becomes c_next, of the completed ones among ids[begin, end).
+    void (*adopt_completed)(const View&, const std::int32_t* ids, std::int32_t begin,
+                            std::int32_t end) noexcept;
+    /// a takes spin_next, likewise.
+    void (*adopt_spins)(const View&, std::int32_t begin, std::int32_t end) noexcept;
     /// Body blocks and a, geometric terms included.
     void (*body_terms)(const View&, std::int32_t begin, std::int32_t end) noexcept;
     /// Write blocks of the matrix into the panels.

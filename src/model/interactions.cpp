@@ -56,6 +56,19 @@ void force_range(const InteractionDef& d, int flags, double& low, double& high) 
 
 }  // namespace
 
+bool may_complete(const Interactions& in, int id, double h) noexcept {
+    bool kind = false;
+    generic::with_kind(in.def[at(id)].kind, [&]<class K>() {
+        if constexpr (requires { K::kCompletes; }) kind = K::kCompletes;
+    });
+    if (!kind || (in.flags[at(id)] & kByInput)) return false;
+    for (int r = 0; r < in.rows[at(id)]; ++r) {
+        const auto row = at(in.row_begin[at(id)] + r);
+        if (in.epsilon[row] != 0.0 || in.tau[row] != 2.0 * h) return false;
+    }
+    return true;
+}
+
 void complete(InteractionDef& def, const Vec3* positions, double distance) {
     const KindInfo& info = kind_info(def.kind);
     for (std::size_t i = 0; i < info.params.size(); ++i) {
@@ -82,9 +95,9 @@ void Interactions::make_room(InteractionKind kind) {
     base::make_room(loads, kMaxFrictionLoads);
     for (base::Array<std::int32_t>* a : {&body, &row_begin, &jac_begin})
         base::make_room(*a, kMaxInteractionBodies);
-    for (base::Array<std::uint8_t>* a : {&bodies, &rows, &flags, &arms, &parted})
+    for (base::Array<std::uint8_t>* a : {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
         base::make_room(*a, 1);
-    for (base::Array<double>* a : {&active, &held, &low, &high, &anchor, &rest_length})
+    for (base::Array<double>* a : {&active, &held, &low, &high, &anchor, &rest_length, &swing})
         base::make_room(*a, 1);
     for (base::Array<double>* a : {&epsilon, &tau, &upsilon, &sigma, &least_sigma, &inv_sigma, &g,
                                    &c, &residual, &lambda, &multiplier, &force})
@@ -131,6 +144,10 @@ int Interactions::add(InteractionDef filled, const Bodies& bodies_in, double h) 
     geo.push_back(geometry == generic::Geometry::none ? -1 : geo_count++);
     active.push_back(1.0);
     parted.push_back(0);
+    coarse.push_back(0);
+    repeats.push_back(0);
+    completed.push_back(0);
+    swing.push_back(0.0);
     held.push_back(0.0);
     low.push_back(0.0);
     high.push_back(0.0);
@@ -214,11 +231,13 @@ void Interactions::truncate(int kept) {
     def.resize(n);
     pool_index.resize(n);
     body.resize(kMaxInteractionBodies * n);
-    for (base::Array<std::uint8_t>* a : {&bodies, &rows, &flags, &parted, &arms}) a->resize(n);
+    for (base::Array<std::uint8_t>* a :
+         {&bodies, &rows, &flags, &parted, &coarse, &repeats, &completed, &arms})
+        a->resize(n);
     row_begin.resize(n);
     jac_begin.resize(n);
     geo.resize(n);
-    for (base::Array<double>* a : {&active, &held, &low, &high, &anchor, &rest_length})
+    for (base::Array<double>* a : {&active, &held, &low, &high, &anchor, &rest_length, &swing})
         a->resize(n);
     load_begin.resize(n);
     const auto m = at(row_count);
@@ -241,7 +260,8 @@ void Interactions::mirror(int copy, int original, const Bodies& bodies_in, doubl
     for (int r = 0; r < rows[at(copy)]; ++r) {
         const auto row = at(row_begin[at(copy)] + r), of = at(row_begin[at(original)] + r);
         epsilon[row] = epsilon[of];
-        if (row_flags[row] & kRowVelocity) continue;
+        // A rigid row's Σ is that of the analysis.
+        if ((row_flags[row] & kRowVelocity) || epsilon[row] == 0.0) continue;
         sigma[row] = std::max(4.0 * epsilon[row] * upsilon[row] / (h * h), least_sigma[row]);
         if (inv_sigma[row] != 0.0) inv_sigma[row] = 1.0 / sigma[row];
     }
@@ -341,8 +361,9 @@ std::size_t Interactions::bytes() const noexcept {
         bytes(def) + bytes(pool_index) + bytes(body) + bytes(bodies) + bytes(rows) + bytes(flags) +
         bytes(row_begin) + bytes(jac_begin) + bytes(arms) + bytes(geo) + bytes(active) +
         bytes(held) + bytes(low) + bytes(high) + bytes(anchor) + bytes(load_begin) + bytes(loads) +
-        bytes(parted) + bytes(rest_length) + bytes(epsilon) + bytes(tau) + bytes(upsilon) +
-        bytes(sigma) + bytes(inv_sigma) + bytes(g) + bytes(c) + bytes(residual) + bytes(lambda) +
+        bytes(parted) + bytes(coarse) + bytes(repeats) + bytes(completed) + bytes(swing) +
+        bytes(rest_length) + bytes(epsilon) + bytes(tau) + bytes(upsilon) + bytes(sigma) +
+        bytes(inv_sigma) + bytes(g) + bytes(c) + bytes(residual) + bytes(lambda) +
         bytes(multiplier) + bytes(force) + bytes(row_flags) + bytes(jacobian);
     for (const Pool& p : pool) total += bytes(p.ids) + bytes(p.data);
     return total;

@@ -84,7 +84,12 @@ struct Interactions {
     base::Array<double> anchor;            ///< Of friction, see kinds/friction.h [m or rad].
     std::vector<std::int32_t> load_begin;  ///< First of kMaxFrictionLoads in `loads`, or −1.
     std::vector<Load> loads;
-    base::Array<std::uint8_t> parted;     ///< 1 once a line has parted.
+    base::Array<std::uint8_t> parted;  ///< 1 once a line has parted.
+    // Of rigid joints, see stepper/completion.h; 0 of all else.
+    base::Array<std::uint8_t> coarse;     ///< Steps to come in which its rows are linearised once.
+    base::Array<std::uint8_t> repeats;    ///< 1: in a loop in which rows repeat each other.
+    base::Array<std::uint8_t> completed;  ///< 1: this step solves its rows at the step's end.
+    base::Array<double> swing;  ///< max |arm|/I, constant: h² times force times this is (hω)².
     base::Array<double> rest_length;      ///< l₀ of wire elements [m], 0 for all else.
     std::vector<std::int32_t> working;    ///< Those through which work enters: motors, driven by an
                                           ///< input, touching a prescribed velocity. Ascending.
@@ -142,6 +147,10 @@ struct Interactions {
     void evaluated(int id, const Bodies& bodies_in, F&& f) const noexcept;
     void add_loads(const InteractionDef& d);
 };
+
+/// Whether a step may solve the rows of an interaction at the step's end (stepper/completion.h):
+/// it is a joint or rod, rigid, damped by default, and no input moves it.
+[[nodiscard]] bool may_complete(const Interactions& in, int id, double h) noexcept;
 
 /// Fill in the defaults that a kind takes from the initial poses.
 void complete(InteractionDef& def, const Vec3* positions, double distance);

@@ -59,7 +59,7 @@ ShapePtr settings_shape() {
           "A scene with more, copies included, is refused before it is built."},
          {"max_interactions", integer("a number of interactions", 1, 2 * kMaxElements), false,
           "4000000", "", "Likewise."},
-         {"max_contacts", integer("a number of contact points", 1, 1e9), false, "200000", "",
+         {"max_contacts", integer("a number of contact points", 1, 1e9), false, "400000", "",
           "Steps with more fail, as do those with eight times as many pairs of shapes nearby."},
          {"max_memory", number("a number of bytes", 1e6, 1e15), false, "1.6e10", "byte",
           "Memory for state, solver and contacts; more is refused before it is asked for."}});

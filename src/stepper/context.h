@@ -18,6 +18,7 @@
 #include "runtime/tasks.h"
 #include "runtime/trace.h"
 #include "stepper/budget.h"
+#include "stepper/completion.h"
 #include "stepper/cut_levels.h"
 #include "stepper/cuts.h"
 #include "stepper/deadline.h"
@@ -113,6 +114,8 @@ struct StepContext {
     runtime::PoolStopwatch pool_stopwatch{pool};
     runtime::Stopwatch* stopwatch = &pool_stopwatch;  ///< Of the solver; tests put their own.
     std::unique_ptr<runtime::Trace> trace;            ///< What threads do; none: not written down.
+    Completion completion;
+    std::vector<assembly::Turning> turnings;  ///< Scratch of completion: one a strip or group.
     Cuts cuts;
     Regroup regroup;
     Budget budget;
@@ -156,6 +159,7 @@ struct StepContext {
     base::Array<double> analysed_x, analysed_r;
     std::vector<double> carriers_before;  ///< Poses of kinematic bodies, for the energy.
     std::vector<double> lambda_before;    ///< Multipliers, for a step that fails.
+    std::vector<std::uint8_t> repeats_before;  ///< Likewise.
 
     /// Chunks of bodies or interactions: coarse tasks of fixed size.
     static constexpr std::int32_t kChunk = 128;

@@ -143,6 +143,8 @@ std::uint64_t state_hash(const StepContext& ctx) noexcept {
     add(ctx.interactions.lambda);
     add(ctx.interactions.active);
     add(ctx.interactions.parted);
+    add(ctx.interactions.coarse);
+    add(ctx.interactions.repeats);
     add(ctx.interactions.anchor);
     add(ctx.collider.kept());
     add(ctx.bodies.asleep);

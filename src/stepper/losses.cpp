@@ -43,7 +43,8 @@ void rates_by_jacobian(StepContext& ctx, const View& v, std::int32_t id, Rates& 
 void rates_by_rows(const View& v, std::int32_t id, Rates& out) noexcept {
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
-        out.before[r] = v.c[row] / v.upsilon[row] + 4.0 / v.h * v.g[row];
+        out.before[r] =
+            v.completed[id] ? v.rate[row] : v.c[row] / v.upsilon[row] + 4.0 / v.h * v.g[row];
         out.after[r] = v.c[row] - v.sigma[row] * v.lambda[row] - v.residual[row];
     }
 }

@@ -266,6 +266,11 @@ Status from_soft(StepContext& ctx) noexcept {
     return iterate(ctx, Coupling::exact, ctx.def.contact_tolerance);
 }
 
+/// What the statistics say of contacts that are solved, or not.
+void state_certificate(StepContext& ctx) noexcept {
+    ctx.stats.natural_map = std::max(worst(ctx), bounds_map(ctx));
+}
+
 }  // namespace
 
 void reserve_newton(StepContext& ctx) {
@@ -326,7 +331,7 @@ Status solve_newton(StepContext& ctx) noexcept {
     if (status == Status::ok && !early) status = follow_loads(ctx);
     if (status != Status::ok) return status;
     // Of what the step ends with.
-    ctx.stats.natural_map = std::max(worst(ctx), bounds_map(ctx));
+    state_certificate(ctx);
     if (early) {
         const std::int32_t asking = asking_rows(ctx, ctx.contact_floor);
         ctx.newton.switch_late = hasty && asking > 0;
@@ -336,6 +341,19 @@ Status solve_newton(StepContext& ctx) noexcept {
         ctx.stats.degradation.iterations = ctx.newton.iterations;
         ctx.stats.degradation.hasty = hasty;
     }
+    return status;
+}
+
+Status settle_newton(StepContext& ctx) noexcept {
+    Status status = refine(ctx);
+    if (status != Status::ok) return status;
+    state_certificate(ctx);
+    if (ctx.stats.natural_map <= ctx.def.contact_tolerance || ctx.stats.cut) return Status::ok;
+    restart(ctx);
+    status = iterate(ctx, Coupling::exact, ctx.def.contact_tolerance);
+    if (status == Status::ok) status = refine(ctx);
+    if (status == Status::ok) status = follow_loads(ctx);
+    if (status == Status::ok) state_certificate(ctx);
     return status;
 }
 

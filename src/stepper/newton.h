@@ -47,5 +47,8 @@ void begin_newton(StepContext& ctx) noexcept;
 
 /// Stages 6 and 7; the right-hand side is that of assemble_rows().
 [[nodiscard]] Status solve_newton(StepContext& ctx) noexcept;
+/// Refine v₊ and λ after right-hand sides of rows changed, and iterate again where contacts no
+/// longer obey their law.
+[[nodiscard]] Status settle_newton(StepContext& ctx) noexcept;
 
 }  // namespace hawser::stepper

@@ -92,6 +92,7 @@ void cut_anew(StepContext& ctx) {
     analyse(ctx);
     reserve_sleep(ctx);
     ctx.lambda_before.resize(ctx.interactions.lambda.size());
+    ctx.repeats_before.resize(ctx.interactions.repeats.size());
     ctx.undo.reserve(ctx);
 }
 

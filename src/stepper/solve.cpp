@@ -150,6 +150,7 @@ Status finish_solve(StepContext& ctx, const View& v, Norms n, int most) noexcept
              [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
         ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
         ++ctx.stats.refinements;
+        ++ctx.stats.substitutions;
         n = correct(ctx, v, false, Next::measure);
         if (!(n.momentum < 0.25 * before.momentum)) break;
     }
@@ -211,6 +212,7 @@ Status factor(StepContext& ctx, bool whole) noexcept {
         constexpr double kPartial = 0.7;
         if (static_cast<double>(s.dirty.flops) < kPartial * static_cast<double>(all)) {
             ctx.step_flops += s.dirty.flops;
+            ++ctx.stats.substitutions;
             ++ctx.stats.partial_factorisations;
             s.numeric.clear(s.symbolic, s.dirty, ctx.pool);
             s.write_blocks(v, s.dirty, s.numeric.values(), ctx.pool);
@@ -223,6 +225,7 @@ Status factor(StepContext& ctx, bool whole) noexcept {
         }
     }
     ctx.step_flops += all;
+    ++ctx.stats.substitutions;
     Writer writer{s, v};
     const factor::Fill fill{Writer::write, &writer, Writer::skew};
     if (fails(s.numeric, s.numeric.factor_forward(s.symbolic, fill, v.solution, ctx.pool, set)))
@@ -239,15 +242,17 @@ Status factor_and_solve(StepContext& ctx) noexcept {
     // To measure a solution and refine it then takes a pass over all rows and bodies more than to
     // refine at once; where the residual asked for it lately, it is not asked again for a while.
     constexpr int kAWhile = 8;
-    const bool measured_first = ctx.refine_unasked == 0;
+    const bool measured_first = ctx.refine_unasked == 0 || ctx.completion.any;
     const int refinements = measured_first ? 0 : ctx.def.refinements;
     if (!measured_first) --ctx.refine_unasked;
     Norms n;
     for (int i = 0; i <= refinements; ++i) {
         if (i > 0) ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
+        ctx.stats.substitutions += i > 0 ? 1 : 0;
         n = correct(ctx, v, i == 0, i < refinements ? Next::solve : Next::measure);
     }
     ctx.stats.refinements = refinements;
+    if (ctx.completion.any) return report(ctx, n);  // its rounds refine, too
     if (measured_first && ctx.def.refinements > 0 && wants_refinement(ctx, n))
         ctx.refine_unasked = kAWhile;
     return finish_solve(ctx, v, n, most_refinements(ctx) - refinements);
@@ -278,6 +283,7 @@ void continue_with_factor(StepContext& ctx) noexcept {
     continue_solve(ctx, v);
     ctx.rhs_ready = false;
     ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
+    ++ctx.stats.substitutions;
     add_everywhere(ctx, v);
     update_contacts(ctx, v.v_new);
     const assembly::Kernels& k = assembly::kernels();
@@ -291,7 +297,16 @@ Status refine(StepContext& ctx) noexcept {
          [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
     ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
     ctx.stats.refinements = 1;
+    ++ctx.stats.substitutions;
     return finish_solve(ctx, v, correct(ctx, v, false, Next::measure), most_refinements(ctx) - 1);
+}
+
+Status settle_rounds(StepContext& ctx, bool measured) noexcept {
+    if (!measured)
+        if (const Status status = measure(ctx); status != Status::ok) return status;
+    const double good = ctx.def.solution_tolerance;
+    const bool wanted = ctx.stats.momentum_residual > good || ctx.stats.constraint_residual > good;
+    return wanted && ctx.def.refinements > 0 ? refine(ctx) : Status::ok;
 }
 
 Status measure(StepContext& ctx) noexcept {

@@ -4,6 +4,7 @@
 #include "base/index.h"
 #include "stepper/bounds.h"
 #include "stepper/clique.h"
+#include "stepper/completion.h"
 #include "stepper/contact.h"
 #include "stepper/drives.h"
 #include "stepper/regroup.h"
@@ -77,6 +78,7 @@ void analyse(StepContext& ctx, const factor::AnalysisState* state) {
     ctx.system.analyse(ctx.bodies, ctx.interactions, ctx.def, ctx.pool.threads(), state);
     ctx.norms.resize(at(ctx.system.strips.count() + ctx.system.strips.groups()));
     ctx.losses.resize(at(ctx.system.strips.count()));
+    find_joints(ctx);
     reserve_bounds(ctx);
     ctx.active_before.resize(ctx.system.bounded.size());
     count_analysis(ctx);
@@ -103,6 +105,7 @@ void prepare(StepContext& ctx) {
     analyse(ctx);
     reserve_sleep(ctx);
     ctx.lambda_before.resize(ctx.interactions.lambda.size());
+    ctx.repeats_before.resize(ctx.interactions.repeats.size());
     ctx.carriers_before.resize(16 * ctx.bodies.driven.size());
     ctx.undo.reserve(ctx);
     double mass = 0.0, least = 1e300;
@@ -136,6 +139,8 @@ void assemble_rows(StepContext& ctx) noexcept {
     const View v = view(ctx);
     const assembly::Kernels& k = assembly::kernels();
     hold_bounds(ctx, ctx.def.step);
+    choose_completed(ctx);
+    const bool completes = ctx.completion.any;
     const bool moving = starts_moving(ctx);
     View rows = v;
     // PGS measures its solution without renewing what v₊ does.
@@ -144,11 +149,13 @@ void assemble_rows(StepContext& ctx) noexcept {
         ctx,
         [&](int strip) {
             evaluate_strip(ctx, rows, strip);
+            if (completes) (void)complete_strip(ctx, v, strip, v.v_start, true);
             each(ctx.system.strips.interactions(strip),
                  [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b, moving); });
         },
         [&](std::int32_t a, std::int32_t b, int) {
             k.body_terms(v, a, b);
+            if (completes) (void)k.complete_spins(v, a, b, v.v_start, true);
             k.first_body_rhs(v, a, b, moving);
         });
     ctx.rhs_ready = true;
@@ -199,6 +206,7 @@ void integrate(StepContext& ctx) noexcept {
                        now != 0.0 ? -v.force_of_row[row] : 0.0);
         }
     }
+    finish_completion(ctx);
     move_anchors(ctx);
     report_saturation(ctx);
     follow_winches(ctx);

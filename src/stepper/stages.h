@@ -34,6 +34,8 @@ void assemble_rows(StepContext& ctx) noexcept;
 void continue_with_factor(StepContext& ctx) noexcept;
 /// Refine what newton_solve() found, and measure it.
 [[nodiscard]] Status refine(StepContext& ctx) noexcept;
+/// The same where the residual asks for it. `measured`: it has been, and is in the statistics.
+[[nodiscard]] Status settle_rounds(StepContext& ctx, bool measured) noexcept;
 /// Measure v₊, λ and row residuals as they stand, found without the matrix.
 [[nodiscard]] Status measure(StepContext& ctx) noexcept;
 /// G v₊ of a one-row interaction.

@@ -2,6 +2,7 @@
 #include "stepper/step.h"
 
 #include "stepper/bounds.h"
+#include "stepper/completion.h"
 #include "stepper/contact.h"
 #include "stepper/guarded.h"
 #include "stepper/impact.h"
@@ -134,6 +135,7 @@ Status solve_velocities(StepContext& ctx) noexcept {
 void remember(StepContext& ctx) noexcept {
     const model::Interactions& in = ctx.interactions;
     std::copy(in.lambda.begin(), in.lambda.end(), ctx.lambda_before.begin());
+    std::copy(in.repeats.begin(), in.repeats.end(), ctx.repeats_before.begin());
     ctx.remembered = true;
     ctx.refine_unasked_before = ctx.refine_unasked;
     for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
@@ -143,12 +145,18 @@ void remember(StepContext& ctx) noexcept {
 void recall(StepContext& ctx) noexcept {
     model::Interactions& in = ctx.interactions;
     std::copy(ctx.lambda_before.begin(), ctx.lambda_before.end(), in.lambda.begin());
+    std::copy(ctx.repeats_before.begin(), ctx.repeats_before.end(), in.repeats.begin());
     ctx.refine_unasked = ctx.refine_unasked_before;
     for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
         in.active[static_cast<std::size_t>(ctx.system.bounded[i])] = ctx.active_before[i];
 }
 
 Status solve_assembled(StepContext& ctx) noexcept {
+    const Status status = solve_linear(ctx);
+    return status == Status::ok ? complete(ctx) : status;
+}
+
+Status solve_linear(StepContext& ctx) noexcept {
     if (ctx.def.nonsmooth == Nonsmooth::pgs) return timed(ctx, Stage::nonsmooth, solve_pgs);
     if (ctx.system.contacts.count() > 0) return timed(ctx, Stage::nonsmooth, solve_contacts);
     const Status status = factor_and_solve(ctx);
@@ -169,6 +177,8 @@ Status start_world(StepContext& ctx) noexcept {
 void clear_figures(StepContext& ctx) noexcept {
     ctx.stats.stage_seconds.fill(0.0);
     ctx.stats.factorisations = 0;
+    ctx.stats.substitutions = ctx.stats.completion_rounds = ctx.stats.undetermined = 0;
+    ctx.completion.banned = false;
     ctx.stats.partial_factorisations = 0;
     ctx.stats.flips_left = 0;
     ctx.step_flops = 0;

@@ -20,8 +20,10 @@ void prepare(StepContext& ctx);
 Status stagger(StepContext& ctx) noexcept;
 
 /// Stages factor and nonsmooth for rows already assembled, repeated while the set of
-/// active rows changes.
+/// active rows changes; then rigid joints at the step's end (completion.h).
 Status solve_assembled(StepContext& ctx) noexcept;
+/// The same without the latter: the equations linearised about the step's start.
+Status solve_linear(StepContext& ctx) noexcept;
 
 /// Keep, and put back, what a solve overwrites of the state: λ and which rows are active. λ is
 /// kept bit by bit: h × the stored force would differ in its last place.

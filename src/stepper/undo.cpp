@@ -24,6 +24,7 @@ void Undo::reserve(const StepContext& ctx) {
     spin_change_.reserve(ctx.bodies.spin_change.size());
     lambda_.reserve(ctx.interactions.lambda.size());
     active_.reserve(ctx.interactions.active.size());
+    repeats_.reserve(ctx.interactions.repeats.size());
 }
 
 Undo::Scalars Undo::read(const StepContext& c) noexcept {
@@ -60,6 +61,7 @@ void Undo::keep_motion(const StepContext& ctx) noexcept {
     put(ctx.bodies.spin_change, spin_change_);
     put(ctx.interactions.lambda, lambda_);
     put(ctx.interactions.active, active_);
+    put(ctx.interactions.repeats, repeats_);
     scalars_ = read(ctx);
     moved_ = true;
 }
@@ -169,6 +171,7 @@ void Undo::go_back(StepContext& ctx) noexcept {
         put(spin_change_, ctx.bodies.spin_change);
         put(lambda_, ctx.interactions.lambda);
         put(active_, ctx.interactions.active);
+        put(repeats_, ctx.interactions.repeats);
         write(scalars_, ctx);
     }
     drop();
@@ -225,6 +228,7 @@ void mend(StepContext& ctx) {
     }
     reserve_sleep(ctx);
     ctx.lambda_before.resize(ctx.interactions.lambda.size());
+    ctx.repeats_before.resize(ctx.interactions.repeats.size());
     ctx.undo.reserve(ctx);
     ctx.mend = Mend::nothing;
 }

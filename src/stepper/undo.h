@@ -84,6 +84,7 @@ class Undo {
 
     // Motion.
     base::Array<double> v_, spin_change_, lambda_, active_;
+    base::Array<std::uint8_t> repeats_;
     Scalars scalars_{};
     std::vector<std::int64_t> link_used_;
 

@@ -221,6 +221,8 @@ void World::take_state(const World& other) {
     front(from.interactions.force, to.interactions.force);
     front(from.interactions.active, to.interactions.active);
     front(from.interactions.parted, to.interactions.parted);
+    front(from.interactions.coarse, to.interactions.coarse);
+    front(from.interactions.repeats, to.interactions.repeats);
     front(from.interactions.saturated, to.interactions.saturated);
     front(from.interactions.anchor, to.interactions.anchor);
     copy_contacts(from, to);

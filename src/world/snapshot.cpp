@@ -20,7 +20,7 @@ using world::layout_of;
 using world::parameters_of;
 
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '4'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '5'};
     std::uint64_t layout = 0;       ///< See layout_of().
     std::uint64_t parameters = 0;   ///< See parameters_of().
     std::uint64_t contacts = 0;     ///< Remembered from the last step.
@@ -106,6 +106,8 @@ void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f)
     array(ctx.interactions.force);
     array(ctx.interactions.active);
     array(ctx.interactions.parted);
+    array(ctx.interactions.coarse);
+    array(ctx.interactions.repeats);
     array(ctx.interactions.saturated);
     array(ctx.interactions.anchor);
     array(ctx.collider.kept());

@@ -74,7 +74,7 @@ TEST(Limits, AnUnknownInstructionSetIsAnError) {
 TEST(Limits, AnInterruptEndsTheStepUnderWay) {
     const auto folder = test_folder();
     const std::string scene = folder / "heap.json";
-    write_text(scene, heap_of_balls(500, R"("max_contacts": 200000)"));
+    write_text(scene, heap_of_balls(500, R"("max_contacts": 400000)"));
     const auto begin = std::chrono::steady_clock::now();
     const Outcome run =
         run_program({"run", scene, "--summary", folder / "s.json", "--duration", "1"}, 2.0);

@@ -60,6 +60,7 @@ void own_terms(const View& view, std::int32_t body) {
                    load3(v + 3), load3(view.spin_change + 3 * body), h);
     M3 world = spin.inertia;
     store3(view.spin_free + 3 * body, spin.free);
+    store3(view.spin_momentum + 3 * body, spin.momentum);
     store3(a + 3, spin.momentum + h * load3(f + 3));
     if (any3(d + 3)) {
         const M3 drag = world_diagonal(view.r + 9 * body, d + 3);
@@ -181,6 +182,7 @@ void rigid_terms(const View& view, std::int32_t body) {
     const V8 last = a[kLast] + h * load_first(force + 6 * kLast, 6);
     store_lanes(out + 6 * kLast, last, 0, 6);
     store_threes(view.spin_free + 3L * body, spin.free);
+    store_threes(view.spin_momentum + 3L * body, spin.momentum);
 
     V8 low[kLanes] = {lin.a[0], lin.a[1], lin.a[2],   lin.a[4],
                       lin.a[5], lin.a[8], world.a[0], world.a[1]};

@@ -13,10 +13,11 @@ constexpr double kElastic = 1e-11;  // model::kElasticCompliance
 constexpr int kPullsOnly = 1, kRange = 2, kByInput = 16, kCarried = 32, kFriction = 128;
 constexpr int kVelocityRow = 1;
 
-/// Rows of some interactions in a row: which count, and which only pull.
+/// Rows of some interactions in a row: which count, which only pull, and which are completed.
 struct Marks {
     double counts[assembly::kLossChunk * kMaxInteractionRows + kLanes];
     double pulls[assembly::kLossChunk * kMaxInteractionRows + kLanes];
+    double completed[assembly::kLossChunk * kMaxInteractionRows + kLanes];
 };
 
 /// @return Interactions left to the caller.
@@ -34,6 +35,7 @@ int mark(const View& view, std::int32_t begin, std::int32_t end, std::int32_t fi
                                 ((flags & kByInput) && view.epsilon[r] <= kElastic);
             marks.counts[r - first] = own || driven ? 0.0 : 1.0;
             marks.pulls[r - first] = pulls ? 1.0 : 0.0;
+            marks.completed[r - first] = view.completed[id];
         }
     }
     return count;
@@ -47,7 +49,8 @@ double row_losses(const View& view, std::int32_t begin, std::int32_t end, std::i
     const std::int32_t first = view.row_begin[begin];
     const std::int32_t rows = view.row_begin[end - 1] + view.rows[end - 1] - first;
     *left_count = mark(view, begin, end, first, marks, left);
-    for (int i = rows; i < rows + kLanes; ++i) marks.counts[i] = marks.pulls[i] = 0.0;
+    for (int i = rows; i < rows + kLanes; ++i)
+        marks.counts[i] = marks.pulls[i] = marks.completed[i] = 0.0;
     V8 taken{};
     const V8 none{}, half = none + 0.5 * view.h, per_h4 = none + 4.0 / view.h;
     bool was_slack = false;
@@ -56,7 +59,9 @@ double row_losses(const View& view, std::int32_t begin, std::int32_t end, std::i
         auto of = [&](const double* array) { return load_first(array + first + i, n); };
         const V8 g = of(view.g), c = of(view.c), epsilon = of(view.epsilon);
         const V8 lambda = of(view.lambda), pulls = load(marks.pulls + i);
-        const V8 before = c * (1.0 / of(view.upsilon)) + per_h4 * g;
+        // The c of a completed row is not that of its speed before.
+        const V8 before = select_greater(load(marks.completed + i), none, of(view.rate),
+                                         c * (1.0 / of(view.upsilon)) + per_h4 * g);
         const V8 after = c - of(view.sigma) * lambda - of(view.residual);
         const V8 old = g - half * before, now = g + half * after;
         // A line that was slack at the last half step has another c (when_slack()).

@@ -18,6 +18,12 @@ using assembly::View;
 
 constexpr int kSlots = kMaxInteractionBodies;
 
+/// Share of the geometric stiffness that an interaction with the force nf has.
+double fade(const View& view, std::int32_t id, double nf) {
+    if (!view.completed[id]) return 1.0;
+    return completed_stiffness(4.0 * view.h * view.h * nf * view.swing[id]);
+}
+
 /// Force on slot b at the joint's point: the first three rows are translations along ±E. @return by
 /// how much less the damping of the record acts on the velocity before the step.
 template <class K>
@@ -43,7 +49,7 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
         // Compression has a negative geometric stiffness: left out, so that M̃ stays positive.
         if (!(tension > 0.0)) return 1.0;
         const double length = norm(refs[1].x + r1 - refs[0].x - r0);
-        rec[0] = scale * tension / (length > 1e-9 ? length : 1e-9);
+        rec[0] = scale * fade(view, id, tension) * tension / (length > 1e-9 ? length : 1e-9);
         store3(rec + 1, u);
         f1 = -tension * u;
     } else {
@@ -55,10 +61,12 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
     if (!rigid0 && !rigid1) return 1.0;
     const double nf = norm(f1), n0 = norm(r0), n1 = norm(r1);
     const bool joint = K::kGeometry == Geometry::joint && rigid0 && rigid1;
+    const bool completed = view.completed[id] != 0;
     const JointTerms<double> t = joint_terms(view, nf, n0, n1, rec[assembly::kGeoSwing]);
-    const double stiff = joint ? t.stiff : scale;
+    const double stiff = completed ? scale * fade(view, id, nf) : (joint ? t.stiff : scale);
     if (rigid0) arm_stiffness(-f1, nf, r0, n0, stiff, rec + 10);
     if (rigid1) arm_stiffness(f1, nf, r1, n1, stiff, rec + 16);
+    if (completed) return 1.0;  // without damping
     if (joint) rec[22] = t.damping;
     return joint && t.damping > 0.0 ? t.back / t.damping : 1.0;
 }
@@ -110,8 +118,9 @@ std::int32_t evaluate_lanes(const View& view, const std::int32_t* ids, const typ
             return view.arms[ids[k]] != 0 && ids[k] - ids[0] == k;
         });
     } else if constexpr (requires { K::kInLanes; }) {
-        return by_eights<LaneRows<K>>(
-            view, ids, data, count, [&](std::int32_t k) { return view.among_lumps[ids[k]] != 0; });
+        return by_eights<LaneRows<K>>(view, ids, data, count, [&](std::int32_t k) {
+            return view.among_lumps[ids[k]] != 0 && view.completed[ids[k]] == 0;
+        });
     } else {
         return 0;
     }

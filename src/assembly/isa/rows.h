@@ -10,6 +10,14 @@ namespace hawser::HAWSER_ISA {
 
 void evaluate(const assembly::View&, InteractionKind, const std::int32_t*, const void*,
               std::int32_t, std::int32_t) noexcept;
+assembly::Turning complete_rows(const assembly::View&, InteractionKind, const std::int32_t*,
+                                const void*, std::int32_t, std::int32_t, const double*,
+                                bool) noexcept;
+assembly::Turning complete_spins(const assembly::View&, std::int32_t, std::int32_t, const double*,
+                                 bool) noexcept;
+void adopt_completed(const assembly::View&, const std::int32_t*, std::int32_t,
+                     std::int32_t) noexcept;
+void adopt_spins(const assembly::View&, std::int32_t, std::int32_t) noexcept;
 void row_update(const assembly::View&, std::int32_t, std::int32_t, bool) noexcept;
 void row_norms(const assembly::View&, std::int32_t, std::int32_t, assembly::Norms*) noexcept;
 double row_losses(const assembly::View&, std::int32_t, std::int32_t, std::int32_t*, int*) noexcept;

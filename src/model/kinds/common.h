@@ -14,6 +14,8 @@
 ///                                                 // defaults taken from the initial poses
 ///     static void defaults(const InteractionDef&, double h, RowSpec*);   // ε, τ of each row
 ///     static void evaluate(const Data&, const BodyRef*, Rows<kBodies, kRows>&);
+///     static constexpr bool kCompletes;           // optional: a rigid joint whose rows a step
+///                                                 // solves at its end (stepper/completion.h)
 /// };
 /// ```
 /// evaluate() gives the violation g and the Jacobian G of each row for the poses handed in:
@@ -68,15 +70,16 @@ struct RowSpec {
 /// Geometric stiffness: none; of the arms of a joint; of a line between two points.
 enum class Geometry : unsigned char { none, joint, line };
 
-inline constexpr double kConstraintCompliance = 1e-12;  ///< [m/N]: gap = 1e-12 × force at rest.
+/// [m/N] of what stops or holds by contact: ranges, friction, motors.
+inline constexpr double kStopCompliance = 1e-12;
 
 inline double given(double value, double fallback) { return value == value ? value : fallback; }
 
-/// ε and τ of an ordinary constraint: the definition's, else 1e-12 and two steps.
+/// ε and τ of an ordinary constraint: the definition's, else rigid (or `compliance`) and two steps.
 inline void constraint_rows(const InteractionDef& def, double h, int first, int count, bool gap,
-                            RowSpec* out) {
+                            RowSpec* out, double compliance = 0.0) {
     for (int r = first; r < first + count; ++r) {
-        out[r].compliance = given(def.compliance.data()[r], kConstraintCompliance);
+        out[r].compliance = given(def.compliance.data()[r], compliance);
         out[r].damping_time = given(def.damping_time.data()[r], 2.0 * h);
         out[r].gap = gap;
     }

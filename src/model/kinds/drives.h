@@ -117,7 +117,7 @@ inline constexpr ParamInfo kMotorParams[] = {
     {"force_max", "N or N m", 1e30, -1e30, 1e30, "Largest force or torque.", true}};
 
 inline void motor_rows(const InteractionDef& d, RowSpec* s) {
-    s[0].compliance = given(d.compliance.data()[0], kConstraintCompliance);
+    s[0].compliance = given(d.compliance.data()[0], kStopCompliance);
     s[0].velocity = true;
 }
 
@@ -224,7 +224,7 @@ struct RangeData {
 };
 
 inline void range_rows(const InteractionDef& d, double h, RowSpec* s) {
-    constraint_rows(d, h, 0, 1, false, s);
+    constraint_rows(d, h, 0, 1, false, s, kStopCompliance);
     s[0].range = true;
 }
 

@@ -23,7 +23,7 @@ inline constexpr ParamInfo kForceParams[] = {
     {"force", "N", 0.0, 0.0, 1e30, "Largest force, loads apart.", true}};
 
 inline void friction_rows(const InteractionDef& d, double h, RowSpec* s) {
-    constraint_rows(d, h, 0, 1, false, s);
+    constraint_rows(d, h, 0, 1, false, s, kStopCompliance);
     s[0].friction = true;
 }
 

@@ -12,6 +12,7 @@ namespace hawser::HAWSER_ISA::kinds {
 struct Ball {
     static constexpr int kBodies = 2, kRows = 3;
     static constexpr Geometry kGeometry = Geometry::joint;
+    static constexpr bool kCompletes = true;
     static constexpr KindInfo kInfo{
         .kind = InteractionKind::Ball,
         .name = "ball",
@@ -56,6 +57,7 @@ struct JointKind {
 struct Hinge : JointKind {
     static constexpr int kBodies = 2, kRows = 5;
     static constexpr Geometry kGeometry = Geometry::joint;
+    static constexpr bool kCompletes = true;
     static constexpr KindInfo kInfo{
         .kind = InteractionKind::Hinge,
         .name = "hinge",
@@ -81,6 +83,7 @@ struct Hinge : JointKind {
 struct Prismatic : JointKind {
     static constexpr int kBodies = 2, kRows = 5;
     static constexpr Geometry kGeometry = Geometry::none;
+    static constexpr bool kCompletes = true;
     static constexpr KindInfo kInfo{
         .kind = InteractionKind::Prismatic,
         .name = "prismatic",
@@ -110,6 +113,7 @@ struct Prismatic : JointKind {
 struct Cylindrical : JointKind {
     static constexpr int kBodies = 2, kRows = 4;
     static constexpr Geometry kGeometry = Geometry::none;
+    static constexpr bool kCompletes = true;
     static constexpr KindInfo kInfo{.kind = InteractionKind::Cylindrical,
                                     .name = "cylindrical",
                                     .bodies = 2,
@@ -137,6 +141,7 @@ struct Cylindrical : JointKind {
 struct Universal : JointKind {
     static constexpr int kBodies = 2, kRows = 4;
     static constexpr Geometry kGeometry = Geometry::joint;
+    static constexpr bool kCompletes = true;
     static constexpr KindInfo kInfo{
         .kind = InteractionKind::Universal,
         .name = "universal",
@@ -160,6 +165,7 @@ struct Universal : JointKind {
 struct Lock : JointKind {
     static constexpr int kBodies = 2, kRows = 6;
     static constexpr Geometry kGeometry = Geometry::joint;
+    static constexpr bool kCompletes = true;
     static constexpr KindInfo kInfo{
         .kind = InteractionKind::Lock,
         .name = "lock",

@@ -52,6 +52,7 @@ inline constexpr ParamInfo kDistanceParams[] = {
 struct Distance {
     static constexpr int kBodies = 2, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::line;
+    static constexpr bool kCompletes = true;
     static constexpr KindInfo kInfo{
         .kind = InteractionKind::Distance,
         .name = "distance",

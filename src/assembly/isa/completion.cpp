@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Right-hand sides with which rows and spins hold at the end of a step (stepper/completion.h).
+#include "assembly/isa/arms.h"
+#include "assembly/isa/rigid_lanes.h"
+#include "assembly/isa/rows.h"
+#include "assembly/isa/spin.h"
+#include "base/simd.h"
+#include "model/kinds/all.h"
+
+#include <cstring>
+
+namespace hawser::HAWSER_ISA {
+namespace {
+
+using assembly::Turning;
+using assembly::View;
+
+constexpr int kSlots = kMaxInteractionBodies;
+
+/// The rotation by h ω as the step makes it, E + 2 (â + â²)/(1 + a²), a = h ω/2: the Cayley map.
+M3 step_rotation(const V3& a) {
+    const double k = 2.0 / (1.0 + dot(a, a)), s = 1.0 - k * dot(a, a);
+    return {{s + k * a.x * a.x, k * (a.x * a.y - a.z), k * (a.x * a.z + a.y), k * (a.x * a.y + a.z),
+             s + k * a.y * a.y, k * (a.y * a.z - a.x), k * (a.x * a.z - a.y), k * (a.y * a.z + a.x),
+             s + k * a.z * a.z}};
+}
+
+M3 product(const M3& a, const M3& b) {
+    M3 out;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            out.a[3 * i + j] =
+                a.a[3 * i] * b.a[j] + a.a[3 * i + 1] * b.a[3 + j] + a.a[3 * i + 2] * b.a[6 + j];
+    return out;
+}
+
+/// Pose of a body at the end of a step with packed velocities u. @param room  For its rotation.
+BodyRef end_pose(const View& view, std::int32_t body, const double* u, M3& room) {
+    const int dof = view.dof[body];
+    const V3 x = load3(view.x + 3 * body);
+    if (dof == 3 || dof == 1) {
+        const double* v = u + view.dof_begin[body];
+        return {x + view.h * (dof == 3 ? load3(v) : V3{v[0], 0.0, 0.0}), view.r + 9 * body, false};
+    }
+    const double* v = dof == 6 ? u + view.dof_begin[body] : view.v_fixed + 6 * body;
+    room = product(step_rotation((0.5 * view.h) * load3(v + 3)), load9(view.r + 9 * body));
+    return {x + view.h * load3(v), room.a, true};
+}
+
+/// G u of the rows of one interaction.
+template <int R>
+void row_speeds(const View& view, std::int32_t id, const double* u, double (&speed)[R]) {
+    double room[model::kArmRoom];
+    const double* jac = packed_rows(view, id, room);
+    for (int r = 0; r < R; ++r) {
+        speed[r] = 0.0;
+        for (int b = 0; b < view.bodies[id]; ++b) {
+            const std::int32_t body = view.body[kSlots * id + b];
+            const double* v = u + view.dof_begin[body];
+            for (int j = 0; j < view.dof[body]; ++j) speed[r] += *jac++ * v[j];
+        }
+    }
+}
+
+/// What a step asks of completed rows and spins, and where that goes.
+struct Asked {
+    const double* u;  ///< Packed velocities about which.
+    double* c;        ///< By row.
+    double* spin;     ///< 3 a body.
+    bool first;       ///< The step's first one: ġ at its start is still in c and is to be kept.
+};
+
+/// ġ at the step's start, of what c was evaluated with.
+void keep_rate(const View& view, std::int32_t row) {
+    view.rate[row] = view.c[row] / view.upsilon[row] + 4.0 / view.h * view.g[row];
+}
+
+/// A ball joint in short. With a = h ω/2 of a body, what its arm r ends at beyond h ω × r is
+///     (2/h) (a × (a × r) − a² a × r)/(1 + a²)    [m/s]
+/// so that c = −(g/h + that of body 1 − that of body 0) needs neither poses nor a difference.
+void complete_arms(const View& view, std::int32_t id, const Asked& asked, Turning& t) {
+    const ArmsT<double> arms = load_arms(view.jacobian + view.jac_begin[id]);
+    const std::int32_t* body = view.body + kSlots * id;
+    V3 beyond{0.0, 0.0, 0.0}, closing = beyond;
+    for (int b = 0; b < 2; ++b) {
+        const double* v = asked.u + view.dof_begin[body[b]];
+        const V3 a = (0.5 * view.h) * load3(v + 3), r = b == 0 ? arms.r0 : arms.r1;
+        const V3 turn = cross(a, r);
+        const double square = dot(a, a), scale = (b == 0 ? -2.0 : 2.0) / (view.h * (1.0 + square));
+        beyond = beyond + scale * (cross(a, turn) - square * turn);
+        closing = closing + (b == 0 ? -1.0 : 1.0) * (load3(v) + cross(load3(v + 3), r));
+    }
+    const std::int32_t row = view.row_begin[id];
+    const double per_h = 1.0 / view.h;
+    const V3 c = -(per_h * load3(view.g + row) + beyond);
+    const double to[3] = {c.x, c.y, c.z};
+    const double gap[3] = {closing.x - c.x, closing.y - c.y, closing.z - c.z};
+    for (int r = 0; r < 3; ++r) {
+        if (asked.first) keep_rate(view, row + r);
+        t.add({__builtin_fabs(to[r] - view.c[row + r]), view.h * __builtin_fabs(gap[r])});
+        asked.c[row + r] = to[r];
+    }
+}
+
+/// Do eight completed joints in short stand from `id` on?
+bool eight_completed(const View& view, std::int32_t id) {
+    std::uint64_t flags;
+    std::memcpy(&flags, view.completed + id, sizeof flags);
+    return flags == 0x0101010101010101 && eight_arms(view, id);
+}
+
+/// complete_arms() of eight of them.
+void complete_eight(const View& view, std::int32_t id, const Asked& asked, Turning& t) {
+    const ArmsT<W8> arms = next_arms(view.jacobian + view.jac_begin[id]);
+    const W8 none{}, unit = one(none), half = none + 0.5 * view.h, two_per_h = none + 2.0 / view.h;
+    V8 v[2][kLanes];
+    W3 beyond[2];
+    for (int b = 0; b < 2; ++b) {
+        load_slots(view, id, b, asked.u, [&](std::int32_t i) { return view.dof_begin[i]; }, v[b]);
+        const W3 a = half * W3{v[b][3], v[b][4], v[b][5]}, &r = b == 0 ? arms.r0 : arms.r1;
+        const W3 turn = cross(a, r);
+        const W8 square = dot(a, a), scale = two_per_h * (1.0 / (unit + square));
+        beyond[b] = scale * (cross(a, turn) - square * turn);
+    }
+    const W3 over = beyond[1] - beyond[0], closing = joint_speeds(v[0], v[1], arms.r0, arms.r1);
+    V8 over3[3], closing3[3];
+    as_threes(over.x, over.y, over.z, over3);
+    as_threes(closing.x, closing.y, closing.z, closing3);
+    const V8 per_h = none + 1.0 / view.h, per_h4 = 4.0 * per_h;
+    auto larger = [&](const V8& a, const V8& b) {
+        const V8 size = select_greater(b, none, b, -b);
+        return select_greater(a, size, a, size);
+    };
+    V8 change{}, gap{}, finite{};
+    const std::int32_t row = view.row_begin[id];
+    for (int k = 0; k < 3; ++k) {
+        const std::int32_t r = row + kLanes * k;
+        const V8 g = load(view.g + r), c = load(view.c + r);
+        if (asked.first) store(view.rate + r, c * (1.0 / load(view.upsilon + r)) + per_h4 * g);
+        const V8 to = none - (per_h * g + over3[k]);
+        change = larger(change, to - c);
+        gap = larger(gap, closing3[k] - to);
+        finite += to - to;
+        store(asked.c + r, to);
+    }
+    t.add({largest(change) + sum(finite), view.h * largest(gap) + sum(finite)});
+}
+
+template <class K>
+Turning complete_kind(const View& view, const std::int32_t* ids, const typename K::Data* data,
+                      std::int32_t begin, std::int32_t end, const Asked& asked) {
+    constexpr int B = K::kBodies, R = K::kRows;
+    constexpr bool kMayBeShort = requires { requires K::kInShort; };
+    Turning t;
+    for (std::int32_t k = begin; k < end; ++k) {
+        const std::int32_t id = ids[k];
+        if (!view.completed[id]) continue;
+        if (kMayBeShort && view.arms[id]) {
+            const bool run = k + kLanes <= end && ids[k + kLanes - 1] - id == kLanes - 1;
+            if (run && eight_completed(view, id)) {
+                complete_eight(view, id, asked, t);
+                k += kLanes - 1;
+            } else {
+                complete_arms(view, id, asked, t);
+            }
+            continue;
+        }
+        BodyRef refs[B];
+        M3 room[B];
+        for (int b = 0; b < B; ++b)
+            refs[b] = end_pose(view, view.body[kSlots * id + b], asked.u, room[b]);
+        Rows<B, R> rows;
+        K::evaluate(data[k], refs, rows);
+        double speed[R];
+        row_speeds<R>(view, id, asked.u, speed);
+        const std::int32_t row = view.row_begin[id];
+        for (int r = 0; r < R; ++r) {
+            const double c = speed[r] - rows.g[r] / view.h;
+            if (asked.first) keep_rate(view, row + r);
+            t.add({__builtin_fabs(c - view.c[row + r]), __builtin_fabs(rows.g[r])});
+            asked.c[row + r] = c;
+        }
+    }
+    return t;
+}
+
+/// I w with the gyroscopic impulse of half a step before (half < 0) or behind, body frame. The
+/// Cayley map turns one into the other, so that angular momentum is exact; about a fixed axis both
+/// are I w.
+template <class T, class Inertia>
+V3T<T> half_step_momentum(const Inertia& inertia, const V3T<T>& w, const T& half) {
+    const V3T<T> momentum = inertia * w;
+    return momentum + half * cross(w, momentum);
+}
+
+/// What of `a` the spin gives, body frame: momentum before the step less what momentum after it
+/// has beyond the I ω₊ of the matrix.
+template <class T, class Inertia>
+V3T<T> spin_impulse(const Inertia& inertia, const V3T<T>& before, const V3T<T>& now,
+                    const T& half) {
+    return half_step_momentum(inertia, before, T(-half)) - half * cross(now, inertia * now);
+}
+
+Turning complete_spin(const View& view, std::int32_t body, const Asked& asked) {
+    const M3 r = load9(view.r + 9 * body);
+    const std::int32_t at = view.dof_begin[body] + 3;
+    const V3 before = tmul(r, load3(view.v + at)), now = tmul(r, load3(asked.u + at));
+    const V3 world = r * spin_impulse(load9(view.inertia + 9 * body), before, now, 0.5 * view.h);
+    const V3 change = world - load3(view.spin_momentum + 3 * body);
+    store3(asked.spin + 3 * body, world);
+    if (asked.first) add3(view.a + at, change);
+    return {norm(load9(view.inv_inertia + 9 * body) * tmul(r, change)), 0.0};
+}
+
+/// complete_spin() of eight rigid bodies in a row.
+Turning complete_eight_spins(const View& view, std::int32_t body, const Asked& asked) {
+    const std::int32_t begin = view.dof_begin[body];
+    const WM3 r = load_bodies9(view.r + 9L * body);
+    V8 v[kLanes], u[kLanes], own[kLanes];
+    load_bodies(view.v + begin, 6, v);
+    load_bodies(asked.u + begin, 6, u);
+    load_bodies(view.principal + 6L * body, 6, own);
+    const W3 before = tmul(r, W3{v[3], v[4], v[5]}), now = tmul(r, W3{u[3], u[4], u[5]});
+    const W3 last = load_threes(view.spin_momentum + 3L * body);
+    const W8 half = W8{} + 0.5 * view.h;
+    W3 world, rate;
+    auto solve = [&](const auto& inertia, const auto& inverse) {
+        world = r * spin_impulse(inertia, before, now, half);
+        rate = inverse * tmul(r, world - last);
+    };
+    if (all_principal(own[0]))
+        solve(Principal<W8>{{own[0], own[1], own[2]}}, Principal<W8>{{own[3], own[4], own[5]}});
+    else
+        solve(load_bodies9(view.inertia + 9L * body), load_bodies9(view.inv_inertia + 9L * body));
+    if (asked.first) {
+        const W3 change = world - last;
+        for (int l = 0; l < kLanes; ++l)
+            add3(view.a + begin + 6 * l + 3,
+                 {lane(change.x, l), lane(change.y, l), lane(change.z, l)});
+    }
+    store_threes(asked.spin + 3L * body, world);
+    const W8 square = dot(rate, rate);
+    return {root(largest(square)) + sum(square - square), 0.0};
+}
+
+}  // namespace
+
+Turning complete_rows(const View& view, InteractionKind kind, const std::int32_t* ids,
+                      const void* data, std::int32_t begin, std::int32_t end, const double* u,
+                      bool first) noexcept {
+    Turning t;
+    const Asked asked{u, first ? view.c : view.c_next, nullptr, first};
+    with_kind(kind, [&]<class K>() {
+        if constexpr (requires { requires K::kCompletes; })
+            t = complete_kind<K>(view, ids, static_cast<const typename K::Data*>(data), begin, end,
+                                 asked);
+    });
+    return t;
+}
+
+Turning complete_spins(const View& view, std::int32_t begin, std::int32_t end, const double* u,
+                       bool first) noexcept {
+    Turning t;
+    const Asked asked{u, nullptr, first ? view.spin_momentum : view.spin_next, first};
+    for (std::int32_t body = begin; body < end; ++body) {
+        if (!view.turning[body]) continue;
+        std::uint64_t turning = 0;
+        if (body + kLanes <= end) std::memcpy(&turning, view.turning + body, sizeof turning);
+        if (turning == 0x0101010101010101 && eight_rigid(view, body)) {
+            t.add(complete_eight_spins(view, body, asked));
+            body += kLanes - 1;
+        } else if (view.dof[body] == 6) {
+            t.add(complete_spin(view, body, asked));
+        }
+    }
+    return t;
+}
+
+void adopt_completed(const View& view, const std::int32_t* ids, std::int32_t begin,
+                     std::int32_t end) noexcept {
+    for (std::int32_t k = begin; k < end; ++k) {
+        const std::int32_t id = ids[k];
+        if (!view.completed[id]) continue;
+        for (std::int32_t r = view.row_begin[id]; r < view.row_begin[id] + view.rows[id]; ++r)
+            view.c[r] = view.c_next[r];
+    }
+}
+
+void adopt_spins(const View& view, std::int32_t begin, std::int32_t end) noexcept {
+    for (std::int32_t body = begin; body < end; ++body) {
+        if (!view.turning[body] || view.dof[body] != 6) continue;
+        const V3 next = load3(view.spin_next + 3 * body);
+        add3(view.a + view.dof_begin[body] + 3, next - load3(view.spin_momentum + 3 * body));
+        store3(view.spin_momentum + 3 * body, next);
+    }
+}
+
+}  // namespace hawser::HAWSER_ISA

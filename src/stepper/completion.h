@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file completion.h
+/// Rigid joints that hold at the end of a step, and spins that keep their angular momentum.
+///
+/// One linear solution leaves a rigid row behind by the turning of its direction, h² v⊥²/L, and by
+/// different amounts on rows that say the same: over no compliance at all that is self-stress
+/// without limit. So the step goes on, with the factorisation at hand, until
+/// ```
+///     g(x_k ⊕ h v₊) = 0                                     of completed rows
+///     μ₊(ω₊) = μ₋(ω) + h t + (Gᵀλ)                          of turning bodies, body frame
+///     μ±(ω) = Iω ± (h/2) ω×Iω + (h²/4)(ω·Iω) ω
+/// ```
+/// G taken at x_k. This is SHAKE with the Cayley rotation (Ryckaert, Ciccotti, Berendsen 1977;
+/// Bou-Rabee, Marsden 2009): variational, so that energy does not drift and momentum is exact.
+/// Each round writes what the linear equations lack into their right-hand sides,
+/// ```
+///     c = G u − g(x_k ⊕ h u)/h,      a += μ₋(ω) − μ₊(ω_u) + I ω_u,       u = v₊ so far,
+/// ```
+/// and costs a substitution; the first one is about u = 2v − v₋, so that motion without jerk takes
+/// none but the first. Rounds end at a change of kTurning.
+///
+/// *What is completed.* Rigid joints and rods (model::may_complete()) whose swing under their force
+/// f is resolved: s = h² f max(r/I) ≤ 1.5. Beyond that the rounds need not converge: such a joint,
+/// and for 60 steps after, is linearised once a step with numerical damping (assembly/geo.h).
+///
+/// *Fallback.* Rounds that do not converge, or end with a gap of more than 0.1 mm, are given up:
+/// the step is solved again with every joint linearised once.
+///
+/// *Filter.* Of joints in closed loops some impulses move nothing: Gᵀλ₀ = 0. What rounding and the
+/// last round leave in them over Σ is taken out, λ ← (W + Σ)⁻¹ W λ with W = G M⁻¹ Gᵀ, by one
+/// substitution: K [u; −λ] = [Gᵀλ; 0]. Only where that changes a joint's impulse by more than a
+/// hundredth: elsewhere it would take a thousandth off long chains between heavy bodies.
+
+#include <hawser/stats.h>
+
+#include "assembly/view.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace hawser::stepper {
+
+struct StepContext;
+
+/// What the analysis knows of joints, and what the step being taken chose.
+struct Completion {
+    std::vector<std::int32_t> joints;  ///< Interactions that may be completed, ascending.
+    std::vector<std::int32_t> looped;  ///< Of these, those in closed loops of them.
+    std::vector<std::uint8_t>
+        coarse_next;      ///< model::Interactions::coarse after the step, a joint.
+    bool any = false;     ///< The step completes some.
+    bool banned = false;  ///< The step is being solved again without.
+};
+
+/// Find the joints of a system that has just been analysed. @throws std::bad_alloc.
+void find_joints(StepContext& ctx);
+
+/// Which joints this step completes, by their forces in the last one; marks their records.
+void choose_completed(StepContext& ctx) noexcept;
+
+/// c of completed rows of a strip about packed velocities u, see Kernels::complete_rows.
+/// @return how much changed.
+assembly::Turning complete_strip(StepContext& ctx, const assembly::View& v, int strip,
+                                 const double* u, bool first) noexcept;
+
+/// Rounds until the equations hold at the step's end; then the filter. v₊ and λ solve the linear
+/// ones. Changes nothing where nothing is to be completed.
+[[nodiscard]] Status complete(StepContext& ctx) noexcept;
+
+/// A step has been taken: counters go on.
+void finish_completion(StepContext& ctx) noexcept;
+
+}  // namespace hawser::stepper
