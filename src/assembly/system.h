@@ -40,7 +40,7 @@ inline constexpr double kSafeRatio = 1e10;
 
 /// Σ of a rigid row, as a share of G M⁻¹Gᵀ: rows that repeat each other leave the matrix regular,
 /// and a chain of a hundred links between bodies a million times heavier gives by a thousandth.
-inline constexpr double kRigidShare = 1e-9;
+inline constexpr double kRigidShare = 3e-9;
 
 /// Part of the nodes that may come or go for a repair; beyond, a new order is made.
 inline constexpr double kRepairable = 0.125;

@@ -23,14 +23,15 @@ using assembly::View;
 
 constexpr double kTurning = 1e-7;  ///< A round's change below which the step has ended [m/s].
 constexpr int kMostRounds = 12;
-constexpr double kGap = 1e-4;         ///< Largest gap that a step may leave [m or rad].
-constexpr double kResolved = 1.5;     ///< s up to which joints are completed.
-constexpr std::uint8_t kCoarse = 60;  ///< Steps for which one beyond is not.
+constexpr double kGap = 1e-4;                 ///< Largest gap that a step may leave [m or rad].
+constexpr double kResolved = 1.5;             ///< s up to which joints are completed.
+constexpr double kTooFast = 2.0 * kResolved;  ///< s by the step's own force that ends a trial.
+constexpr std::uint8_t kCoarse = 60;          ///< Steps for which one beyond is not.
 
-/// s of a joint under its impulse of the last step: h² f max(r/I).
-double swing_number(const StepContext& ctx, std::int32_t id) noexcept {
+/// s of a joint under its impulse, h² f max(r/I). @param lambdas  By row.
+double swing_number(const StepContext& ctx, std::int32_t id, const double* lambdas) noexcept {
     const model::Interactions& in = ctx.interactions;
-    const double* lambda = &in.lambda[at(in.row_begin[at(id)])];
+    const double* lambda = lambdas + in.row_begin[at(id)];
     double square = 0.0;
     for (int r = 0; r < std::min<int>(in.rows[at(id)], 3); ++r) square += lambda[r] * lambda[r];
     return ctx.def.step * std::sqrt(square) * in.swing[at(id)];
@@ -107,15 +108,60 @@ Turning make_rounds(StepContext& ctx) noexcept {
     return t;
 }
 
-/// Solve the step again with all joints linearised once.
-Status solve_linearised(StepContext& ctx) noexcept {
-    ctx.completion.banned = true;
-    ++ctx.stats.completion_failures;
-    recall(ctx);
+/// Solve the step again, with the joints that choose_completed() now chooses.
+Status assemble_and_solve(StepContext& ctx) noexcept {
     if (ctx.collider.count() > 0)
         if (const Status s = start_contacts(ctx, Phase::regular); s != Status::ok) return s;
     assemble_rows(ctx);
     return solve_linear(ctx);
+}
+
+/// The same with all joints linearised once.
+Status solve_linearised(StepContext& ctx) noexcept {
+    ctx.completion.banned = true;
+    ++ctx.stats.completion_failures;
+    recall(ctx);
+    return assemble_and_solve(ctx);
+}
+
+/// Joints whose force has grown within the step beyond what it was solved with: completed ones that
+/// swing too fast now, and others whose stiffness was that of a much smaller force.
+/// @return whether there are.
+bool outgrown(StepContext& ctx) noexcept {
+    Completion& c = ctx.completion;
+    bool found = false;
+    for (std::size_t k = 0; k < c.joints.size(); ++k) {
+        const std::int32_t id = c.joints[k];
+        const double now = swing_number(ctx, id, ctx.interactions.lambda.data());
+        if (ctx.interactions.completed[at(id)]) {
+            if (now <= kTooFast) continue;
+            c.refused[k] = 1;
+        } else {
+            constexpr double kGrown = 1.5;
+            const double with = swing_number(ctx, id, c.lambda_with.data());
+            if (now <= kResolved || now <= kGrown * with) continue;
+        }
+        found = true;
+    }
+    return found;
+}
+
+/// Solve the step again with the stiffness of the forces that have been found, where they are
+/// larger.
+Status solve_with_new_forces(StepContext& ctx) noexcept {
+    model::Interactions& in = ctx.interactions;
+    Completion& c = ctx.completion;
+    for (const std::int32_t id : c.joints) {
+        const bool larger =
+            swing_number(ctx, id, in.lambda.data()) > swing_number(ctx, id, c.lambda_with.data());
+        const auto row = in.row_begin[at(id)];
+        if (larger) std::copy_n(&in.lambda[at(row)], in.rows[at(id)], &c.lambda_with[at(row)]);
+    }
+    recall(ctx);
+    for (const std::int32_t id : c.joints)
+        std::copy_n(&c.lambda_with[at(in.row_begin[at(id)])], in.rows[at(id)],
+                    &in.lambda[at(in.row_begin[at(id)])]);
+    return assemble_and_solve(ctx);
 }
 
 /// A number in [−½, ½) that belongs to a row: without a pattern, and the same on every machine.
@@ -259,8 +305,17 @@ void find_joints(StepContext& ctx) {
     for (std::size_t k = 0; k < c.joints.size(); ++k)
         if (looped[k]) c.looped.push_back(c.joints[k]);
     c.coarse_next.assign(c.joints.size(), 0);
+    c.refused.assign(c.joints.size(), 0);
+    c.lambda_with.assign(in.lambda.size(), 0.0);
     c.any = false;
     ctx.turnings.assign(at(ctx.system.strips.count() + ctx.system.strips.groups()), {});
+}
+
+void begin_completion(StepContext& ctx) noexcept {
+    ctx.completion.banned = false;
+    std::fill(ctx.completion.refused.begin(), ctx.completion.refused.end(), std::uint8_t{0});
+    std::copy(ctx.interactions.lambda.begin(), ctx.interactions.lambda.end(),
+              ctx.completion.lambda_with.begin());
 }
 
 void choose_completed(StepContext& ctx) noexcept {
@@ -272,7 +327,8 @@ void choose_completed(StepContext& ctx) noexcept {
         for (std::int32_t k = a; k < b; ++k) {
             const std::int32_t id = c.joints[at(k)];
             const std::uint8_t left = in.coarse[at(id)];
-            const bool fast = !(swing_number(ctx, id) <= kResolved);
+            const bool fast =
+                c.refused[at(k)] || !(swing_number(ctx, id, in.lambda.data()) <= kResolved);
             c.coarse_next[at(k)] = fast ? kCoarse : static_cast<std::uint8_t>(left - (left > 0));
             in.completed[at(id)] = allowed && c.coarse_next[at(k)] == 0 && in.parted[at(id)] == 0;
             mark_record(in, id);
@@ -294,7 +350,11 @@ Turning complete_strip(StepContext& ctx, const View& v, int strip, const double*
 
 Status complete(StepContext& ctx) noexcept {
     Status status = Status::ok;
-    if (ctx.completion.any) {
+    constexpr int kMostGrowths = 2;  // times that a step is solved again for them
+    if (ctx.started)
+        for (int i = 0; i < kMostGrowths && status == Status::ok && outgrown(ctx); ++i)
+            status = solve_with_new_forces(ctx);
+    if (ctx.completion.any && status == Status::ok) {
         const Turning t = make_rounds(ctx);
         if (!(t.gap <= kGap))
             status = solve_linearised(ctx);
@@ -311,7 +371,6 @@ void finish_completion(StepContext& ctx) noexcept {
     Completion& c = ctx.completion;
     for (std::size_t k = 0; k < c.joints.size(); ++k)
         ctx.interactions.coarse[at(c.joints[k])] = c.coarse_next[k];
-    c.banned = false;
 }
 
 }  // namespace hawser::stepper

@@ -24,6 +24,11 @@
 /// f is resolved: s = h² f max(r/I) ≤ 1.5. Beyond that the rounds need not converge: such a joint,
 /// and for 60 steps after, is linearised once a step with numerical damping (assembly/geo.h).
 ///
+/// A force that comes within a step is seen once it is known: where a first solution has completed
+/// joints swing far too fast, or others with one and a half times the force of their stiffness, the
+/// step is solved again, with the former linearised once and the stiffness of the new forces. A
+/// chain that comes taut would else make energy.
+///
 /// *Fallback.* Rounds that do not converge, or end with a gap of more than 0.1 mm, are given up:
 /// the step is solved again with every joint linearised once.
 ///
@@ -48,13 +53,18 @@ struct Completion {
     std::vector<std::int32_t> joints;  ///< Interactions that may be completed, ascending.
     std::vector<std::int32_t> looped;  ///< Of these, those in closed loops of them.
     std::vector<std::uint8_t>
-        coarse_next;      ///< model::Interactions::coarse after the step, a joint.
-    bool any = false;     ///< The step completes some.
-    bool banned = false;  ///< The step is being solved again without.
+        coarse_next;                    ///< model::Interactions::coarse after the step, a joint.
+    std::vector<std::uint8_t> refused;  ///< 1 a joint: the step being taken does without it.
+    std::vector<double> lambda_with;  ///< By row: of whose forces the joints have their stiffness.
+    bool any = false;                 ///< The step completes some.
+    bool banned = false;              ///< The step is being solved again without.
 };
 
 /// Find the joints of a system that has just been analysed. @throws std::bad_alloc.
 void find_joints(StepContext& ctx);
+
+/// A step begins: nothing is refused yet.
+void begin_completion(StepContext& ctx) noexcept;
 
 /// Which joints this step completes, by their forces in the last one; marks their records.
 void choose_completed(StepContext& ctx) noexcept;
