@@ -65,15 +65,15 @@ TEST(Bounds, OnMemoryIsCheckedBeforeItIsAskedFor) {
     EXPECT_EQ(w.step(), Status::over_bound);
     EXPECT_EQ(w.stats().bound_met.bound, Bound::memory);
     EXPECT_EQ(w.state_hash(), before);
-    // What is said is what it takes: with a tenth more it is granted, and kept to.
+    // What is said is about what it takes; the tables of addresses come on top.
     const double wanted = w.stats().bound_met.value;
-    recipe.world.max_memory = 1.1 * wanted;
+    recipe.world.max_memory = 1.01 * wanted;
     World enough = recipe.make();
     EXPECT_EQ(enough.step(), Status::ok);
     const auto held = static_cast<double>(enough.memory_bytes());
     std::printf("foreseen %.3g bytes, held %.3g\n", wanted, held);
-    EXPECT_LT(held, 1.1 * wanted);
-    EXPECT_GT(held, 0.5 * wanted) << "or the estimate refuses what would fit";
+    EXPECT_LT(held, 1.25 * wanted);
+    EXPECT_GT(held, 0.8 * wanted) << "or the estimate refuses what would fit";
 }
 
 }  // namespace
