@@ -31,6 +31,9 @@ int coupling_command(int argc, char** argv);
 /// Compare state hashes between numbers of threads, and after restoring.
 int hashes_command(int argc, char** argv);
 
+/// Run random mechanisms, and judge those that end ok.
+int random_command(int argc, char** argv);
+
 /// Compare engines on the scenes of peers/scenes.h.
 int peers_command(int argc, char** argv);
 

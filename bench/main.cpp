@@ -31,6 +31,8 @@ constexpr Command kCommands[] = {
     {"deadline", "steps within a budget while the load doubles", hawser::bench::deadline_command},
     {"hashes", "the same bits for any number of threads and after restoring",
      hawser::bench::hashes_command},
+    {"random", "mechanisms that no one has tuned: is what ends ok right?",
+     hawser::bench::random_command},
     {"peers", "our steps against other engines, on six scenes", hawser::bench::peers_command},
 };
 

@@ -127,6 +127,12 @@ enum class Predictor : std::uint8_t {
     clique,  ///< Of a solve of the bodies at cuts and their neighbours first, all others held.
 };
 
+/// What a step does whose state its judges find to be wrong (docs/limits.md).
+enum class OnDiverged : std::uint8_t {
+    stop,  ///< It is refused: Status::diverged, and the state before stays.
+    warn,  ///< It counts, with an event.
+};
+
 /// Settings of a world; fixed once it has been created. The world refuses values out of range.
 struct WorldDef {
     double step = 1.0 / 60.0;       ///< Time step h [s], 1e-7 to 1.
@@ -176,6 +182,7 @@ struct WorldDef {
     double sleep_after = 0.0;
     /// Speed [m/s] below which a body is at rest: √(2T/m), T its kinetic energy. 0 to 1.
     double sleep_speed = 1e-4;
+    OnDiverged on_diverged = OnDiverged::stop;
     std::int32_t max_bodies = 4'000'000;        ///< Refuse to grow beyond this.
     std::int32_t max_interactions = 8'000'000;  ///< Refuse to grow beyond this.
     /// Contact points of a step, those near without touching included; 1 to 1e9. A step that would

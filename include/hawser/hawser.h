@@ -8,6 +8,7 @@
 #include <hawser/id.h>
 #include <hawser/inspect.h>
 #include <hawser/interactions.h>
+#include <hawser/limits.h>
 #include <hawser/math.h>
 #include <hawser/partition.h>
 #include <hawser/schedule.h>

@@ -20,6 +20,9 @@ enum class Status : std::uint8_t {
     out_of_memory,  ///< Capacity could not grow.
     cancelled,      ///< World::cancel() ended it.
     over_bound,     ///< It would exceed a bound of WorldDef: StepStats::bound_met says which.
+    /// The state that the last steps came to is nothing that the model can do: World::verdict()
+    /// says what. Where WorldDef::on_diverged is stop.
+    diverged,
 };
 [[nodiscard]] const char* to_string(Status status) noexcept;
 
@@ -46,8 +49,15 @@ enum class EventKind : std::uint8_t {
     range,       ///< A joint reached the end of its range. value: how far beyond [m or rad].
     input_clamped,  ///< An input was outside its range. value: the value asked for.
     warning,        ///< Residual above its limit. value: the residual.
+    // What a judge found to be doubtful, or worse; each once until it is well again. value:
+    // Finding::value.
+    energy_created,  ///< Judge::energy.
+    joint_open,      ///< Judge::violation.
+    cable_law,       ///< Judge::cable.
+    uncertified,     ///< Judge::certificate.
+    fast,            ///< Judge::speed.
 };
-inline constexpr int kEventKindCount = 7;
+inline constexpr int kEventKindCount = 12;
 [[nodiscard]] const char* to_string(EventKind kind) noexcept;
 
 struct Event {
@@ -55,6 +65,52 @@ struct Event {
     EventKind kind = EventKind::warning;
     InteractionId interaction{};  ///< Where; invalid for what concerns the whole world.
     double value = 0.0;           ///< See EventKind.
+    InputId input{};              ///< Of input_clamped: which one.
+    BodyId body{};                ///< Where, if that is a body.
+};
+
+/// What stays of the events of a kind, however many there were.
+struct EventExtremes {
+    std::int64_t count = 0;  ///< Since the world was made; a restored state has none of before.
+    Event first, worst;      ///< Worst: with the largest |value|, the first of equals.
+};
+
+/// What a step is judged by (docs/limits.md).
+enum class Judge : std::uint8_t {
+    energy,       ///< Mechanical energy that nothing accounts for.
+    violation,    ///< Rigid joints that stand open.
+    cable,        ///< Elements whose tension is not that of their length.
+    certificate,  ///< Equations and laws of contact that are not solved.
+    speed,        ///< Turns of more than a step can follow.
+};
+inline constexpr int kJudgeCount = 5;
+[[nodiscard]] const char* to_string(Judge judge) noexcept;
+/// What to do about it, in a sentence.
+[[nodiscard]] const char* remedy(Judge judge) noexcept;
+
+/// The worst that a judge has found.
+struct Finding {
+    /// energy: [J]; violation: [m] or [rad]; cable: |l − l₀(1 + T/EA)|/l₀ [1]; certificate:
+    /// relative residual [1]; speed: angle of a step [rad].
+    double value = 0.0;
+    double doubtful = 0.0;        ///< Over the limit beyond which a result is doubtful [1].
+    double wrong = 0.0;           ///< Over the limit beyond which it is wrong [1]; 0: it has none.
+    double time = 0.0;            ///< Of the state [s].
+    InteractionId interaction{};  ///< Where, if that is an interaction, …
+    BodyId body{};                ///< … or a body.
+};
+
+enum class Grade : std::uint8_t { good, doubtful, wrong };
+[[nodiscard]] const char* to_string(Grade grade) noexcept;
+
+/// What a world vouches for: see docs/limits.md.
+struct Verdict {
+    Grade grade = Grade::good;    ///< Worst since the start; speed alone makes nothing doubtful.
+    Judge judge = Judge::energy;  ///< Who says so; where good, who is nearest to its limit.
+    std::array<Finding, kJudgeCount> worst{};  ///< Of each judge, since the start.
+    [[nodiscard]] const Finding& of(Judge j) const noexcept {
+        return worst[static_cast<std::size_t>(j)];
+    }
 };
 
 /// Mechanical energy, evaluated at the half-step position x̄ = (x_k + x_{k−1})/2 with v_k [J].

@@ -43,6 +43,7 @@ struct PartitionView;     // partition.h
 struct PartitionRequest;  // partition.h
 struct TraceView;         // trace.h
 struct CutView;           // inspect.h
+struct RowsView;          // inspect.h
 
 class World {
   public:
@@ -87,6 +88,9 @@ class World {
     [[nodiscard]] std::int64_t step_count() const noexcept;
     [[nodiscard]] const StepStats& stats() const noexcept;
     [[nodiscard]] Energy energy() const noexcept;  ///< Of the state; zeros before prepare().
+    /// Worst of all states since the start or the last restore(), the present one included; of a
+    /// step that was refused as diverged the state that it came to.
+    [[nodiscard]] Verdict verdict() const noexcept;
     /// The next step leaves out just this, and WorldDef's budgets are ignored in it: repeats what
     /// StepStats::degradation reported. Nothing (the default) takes it back. Iterations below 0
     /// count as 0.
@@ -94,8 +98,11 @@ class World {
     /// FNV-1a 64 over poses, velocities, multipliers, time, inputs, and the name of the
     /// instruction set in use. Equal for any number of threads and after save/restore.
     [[nodiscard]] std::uint64_t state_hash() const noexcept;
-    /// Events since the last call, oldest first; keeps the newest 65,536.
+    /// Events since the last call, oldest first; keeps the newest 32,768 of slack and of taut each,
+    /// and 8,192 of any other kind.
     [[nodiscard]] std::vector<Event> take_events();
+    /// How many of a kind there were, the first and the worst; taking events changes nothing of it.
+    [[nodiscard]] EventExtremes event_extremes(EventKind kind) const noexcept;
 
     // --- Inputs and applied forces --------------------------------------------------------
     [[nodiscard]] int input_count() const noexcept;
@@ -138,6 +145,8 @@ class World {
     [[nodiscard]] std::span<const double> force(InteractionId id) const;
     /// Violation g of each row at the current poses [m or rad]; 0 for velocity rows.
     [[nodiscard]] std::array<double, kMaxInteractionRows> violation(InteractionId id) const;
+    /// Its rows at the present poses and velocities, see inspect.h.
+    [[nodiscard]] RowsView rows(InteractionId id) const;
     /// False once a stretch element has parted.
     [[nodiscard]] bool intact(InteractionId id) const;
 
@@ -179,6 +188,10 @@ class World {
     [[nodiscard]] int shape_count() const noexcept;
     [[nodiscard]] const ShapeDef& shape_def(ShapeId id) const;  ///< As added.
     [[nodiscard]] ShapeId find_shape(std::string_view name) const noexcept;
+    /// Contact points at the present poses whose shapes overlap (gap < 0), likewise. Takes no step
+    /// and changes none. Forces are what the overlap and the stiffness of the contact give; laws
+    /// are zeros. @throws std::bad_alloc.
+    [[nodiscard]] std::vector<ContactView> overlaps() const;
     /// Contact points of the last step, ascending by their shapes, those that sleep last; those
     /// that are near without touching included. Empty before the first step and after restore().
     [[nodiscard]] std::vector<ContactView> contacts() const;
@@ -213,7 +226,7 @@ class World {
   private:
     // All or nothing by those who call them.
     void take_saved(std::span<const std::byte> bytes);
-    void take_state(const World& other);
+    void copy_from(const World& other);
     void regroup_all(int parts);
 
     struct Impl;

@@ -39,8 +39,9 @@ namespace hawser::assembly {
 inline constexpr double kSafeRatio = 1e10;
 
 /// Σ of a rigid row, as a share of G M⁻¹Gᵀ: rows that repeat each other leave the matrix regular,
-/// and a chain of a hundred links between bodies a million times heavier gives by a thousandth.
-inline constexpr double kRigidShare = 3e-9;
+/// and twenty links between bodies a hundred thousand times heavier give by some thousandths in
+/// their first step.
+inline constexpr double kRigidShare = 2e-9;
 
 /// Part of the nodes that may come or go for a repair; beyond, a new order is made.
 inline constexpr double kRepairable = 0.125;

@@ -37,7 +37,7 @@ Mat3 cross_matrix(const Vec3& a) {
     return m;
 }
 
-Verifier::Verifier(const World& world) : step_(world.settings().step) {
+Verifier::Verifier(const World& world) : step_(world.settings().step), states_(world) {
     const auto bodies = slot(world.body_count());
     mobility_.assign(bodies, Mat3::Zero());
     double least = 1e300, mass = 0.0;
@@ -82,6 +82,7 @@ void Verifier::before_step(const World& world) {
     unsure_.assign(unsure_.size(), false);
     impulse_ = 0.0;
     wrong_law_.clear();
+    states_.before_step(world);
 }
 
 std::string Verifier::after_step(const World& world) {
@@ -94,6 +95,8 @@ std::string Verifier::after_step(const World& world) {
     const double excess = bound_excess(world);
     add_interactions(world);
     const double momentum = momentum_residual(world);
+    const std::string state = states_.after_step(world);
+    result_.states = states_.result();
     ++result_.steps;
     result_.difference = std::max(result_.difference, difference);
     result_.momentum = std::max(result_.momentum, momentum);
@@ -113,6 +116,7 @@ std::string Verifier::after_step(const World& world) {
         return fmt::format("the force of a row is beyond its bound by {:.3e}, relative", excess);
     if (!(momentum <= kRoundOff))
         return fmt::format("momentum is off by {:.3e}, relative", momentum);
+    if (world.settings().on_diverged == OnDiverged::stop) return state;
     return {};
 }
 

@@ -14,9 +14,12 @@
 /// stiffness and damping of joints (interaction_forces.h). Left out in a step are the bodies of an
 /// interaction whose force rounding decides on.
 ///
+/// **States**: energy, joints, lines and turns (certificate_state.h).
+///
 /// **Bounds**: what only pulls does not push, motors keep to their range, friction in joints to its
 /// bound with its loads, limits push only at an end.
 
+#include "observe/certificate_state.h"
 #include "observe/interaction_forces.h"
 
 #include <hawser/hawser.h>
@@ -36,6 +39,7 @@ struct Verification {
     double difference = 0.0;   ///< Largest |natural map − StepStats::natural_map|.
     double momentum = 0.0;     ///< Largest relative residual.
     double bounds = 0.0;       ///< Largest relative excess over the bound of a row.
+    StateFigures states;       ///< See certificate_state.h.
     std::int32_t moving_bodies = 0;
     /// Of them, those whose momentum was computed; the fewest of all steps that were.
     std::int32_t covered_bodies = 0;
@@ -88,6 +92,7 @@ class Verifier {
     std::int64_t impacts_ = 0;            ///< Until the last step.
     int seen_ = 0;                        ///< Steps whose momentum was computed.
     double step_ = 0.0, floor_ = 0.0, momentum_floor_ = 0.0;
+    StateVerifier states_;
     Verification result_;
 };
 

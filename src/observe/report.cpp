@@ -15,14 +15,17 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-void times(Out out, const Summary& s) {
-    const double simulated = s.last.time - s.start_time;
-    fmt::format_to(out, "  simulated    {:.6g} s in {} steps of {:.6g} ms", simulated, s.steps,
+void simulated(Out out, const Summary& s) {
+    const double time = s.last.time - s.start_time;
+    fmt::format_to(out, "  simulated    {:.6g} s in {} steps of {:.6g} ms", time, s.steps,
                    1e3 * s.step);
     if (s.wall_seconds > 0.0)
         fmt::format_to(out, ", {:.3g} s of wall time: {:.3g} x real time", s.wall_seconds,
-                       simulated / s.wall_seconds);
+                       time / s.wall_seconds);
     fmt::format_to(out, "\n");
+}
+
+void times(Out out, const Summary& s) {
     if (s.timed_steps > 0) {
         fmt::format_to(out, "  step         median {:.4g} ms, p99 {:.4g} ms, max {:.4g} ms",
                        s.step_ms.median, s.step_ms.p99, s.step_ms.max);
@@ -120,6 +123,7 @@ void coupling(Out out, const Summary& s) {
 }
 
 void quality(Out out, const Summary& s) {
+    fmt::format_to(out, "  margins      of what a step is refused for: {}\n", margins(s.verdict));
     fmt::format_to(out, "  residuals    momentum {:.2e} (median {:.2e}), constraint {:.2e}\n",
                    s.momentum_residual_max, s.momentum_residual_median, s.constraint_residual_max);
     fmt::format_to(out, "  violation    {} at {} ({:.4g} s)\n", with_unit(s.violation_max, "m"),
@@ -138,9 +142,12 @@ void quality(Out out, const Summary& s) {
     if (const Verification& v = s.verified; v.steps > 0)
         fmt::format_to(out,
                        "  verified     {} steps: natural map {:.2e} (differs by {:.2e}), momentum "
-                       "of {} of {} bodies {:.2e}, bounds {:.2e}\n",
+                       "of {} of {} bodies {:.2e}, bounds {:.2e}\n"
+                       "               of what is wrong: energy {:.2g} %, joints {:.2g} %, cable "
+                       "law {:.2g} %, turns {:.2g} %\n",
                        v.steps, v.natural_map, v.difference, v.covered_bodies, v.moving_bodies,
-                       v.momentum, v.bounds);
+                       v.momentum, v.bounds, 100.0 * v.states.created, 100.0 * v.states.open,
+                       100.0 * v.states.cable, 100.0 * v.states.turn);
     if (s.stretch_error_max > 0.0)
         fmt::format_to(out, "  cable law    |l − l0 (1 + T/EA)| at most {:.2e} l0 ({:.4g} s)\n",
                        s.stretch_error_max, s.stretch_error_time);
@@ -194,32 +201,28 @@ void bodies(Out out, const Summary& s) {
         fmt::format_to(out, "  … and {} more (see --summary)\n", s.bodies.size() - kShown);
 }
 
-void events(Out out, const Summary& s) {
-    std::string counts;
-    for (int k = 0; k < kEventKindCount; ++k) {
-        const auto count = s.last.event_count[static_cast<std::size_t>(k)];
-        if (count > 0)
-            counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count,
-                                  to_string(static_cast<EventKind>(k)));
-    }
-    fmt::format_to(out, "\n  events       {}\n", counts.empty() ? "none" : counts);
-    if (s.last.event_count[static_cast<std::size_t>(EventKind::saturation)] > 0)
-        fmt::format_to(out, "  warning      a motor gave all the force that its range allows\n");
-    constexpr std::size_t kShown = 10;
-    for (std::size_t i = 0; i < std::min(kShown, s.events.size()); ++i)
-        fmt::format_to(out, "    {:10.4f} s  {:<13} {}  {:.6g}\n", s.events[i].time,
-                       s.events[i].kind, s.events[i].where, s.events[i].value);
-    if (s.events.size() > kShown)
-        fmt::format_to(out, "    … (see --summary for the first {})\n", kListedEvents);
-}
-
 }  // namespace
 
 std::string report(const Summary& s) {
     std::string text;
     const Out out = std::back_inserter(text);
-    fmt::format_to(out, "\n{} ({}), {}\n", s.scene, s.outcome, to_string(s.last.status));
-    fmt::format_to(out, "  system       {} bodies, {} interactions, {} equations, {} island{}\n",
+    const bool doubtful = s.verdict.verdict.grade != Grade::good;
+    fmt::format_to(out, "\n{} ({}), {}\n", s.scene, s.outcome,
+                   doubtful && s.last.status == Status::ok ? to_string(s.verdict.verdict.grade)
+                                                           : to_string(s.last.status));
+    if (doubtful)
+        fmt::format_to(out, "  {:<11}  {}\n", to_string(s.verdict.verdict.grade), s.verdict.said);
+    simulated(out, s);
+    constexpr std::size_t kWarnings = 5;
+    for (std::size_t i = 0; i < std::min(kWarnings, s.warnings.size()); ++i)
+        fmt::format_to(out, "  warning      {}\n", s.warnings[i]);
+    if (s.warnings.size() > kWarnings)
+        fmt::format_to(out, "  warning      and {} more of the start (see --summary)\n",
+                       s.warnings.size() - kWarnings);
+    cables(out, s);
+    bodies(out, s);
+    text += events_in_words(s);
+    fmt::format_to(out, "\n  system       {} bodies, {} interactions, {} equations, {} island{}\n",
                    s.last.bodies, s.last.interactions, s.last.equations, s.last.islands,
                    s.last.islands == 1 ? "" : "s");
     fmt::format_to(out, "  matrix       {} scalars, factor {}, {:.4g} Mflop a factorisation\n",
@@ -227,9 +230,6 @@ std::string report(const Summary& s) {
                    1e-6 * static_cast<double>(s.last.factor_flops));
     times(out, s);
     quality(out, s);
-    cables(out, s);
-    bodies(out, s);
-    events(out, s);
     fmt::format_to(out, "  state hash   {:016x}  (scene {:016x}, {}, {} thread{}, Hawser {})\n",
                    s.state_hash, s.scene_hash, instruction_set(), s.threads,
                    s.threads == 1 ? "" : "s", version());

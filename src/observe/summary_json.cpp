@@ -139,10 +139,35 @@ Json bodies(const Summary& s) {
     return out;
 }
 
+Json verdict(const VerdictText& text) {
+    const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(); };
+    Json judges = Json::object();
+    for (std::size_t k = 0; k < kJudgeCount; ++k) {
+        const Finding& f = text.verdict.worst[k];
+        judges[to_string(static_cast<Judge>(k))] = {{"value", number(f.value)},
+                                                    {"of_doubtful", number(f.doubtful)},
+                                                    {"of_wrong", number(f.wrong)},
+                                                    {"time", f.time},
+                                                    {"where", text.where[k]}};
+    }
+    return {{"grade", to_string(text.verdict.grade)}, {"said", text.said}, {"margins", judges}};
+}
+
 Json event_counts(const Summary& s) {
     Json out = Json::object();
     for (int k = 0; k < kEventKindCount; ++k)
         out[to_string(static_cast<EventKind>(k))] = s.last.event_count[static_cast<std::size_t>(k)];
+    return out;
+}
+
+Json event_extremes(const Summary& s) {
+    Json out = Json::object();
+    const auto one = [](const ListedEvent& e) {
+        return Json{{"time", e.time}, {"where", e.where}, {"value", e.value}};
+    };
+    for (const EventFigures& e : s.happened)
+        out[to_string(e.kind)] = {
+            {"count", e.count}, {"unit", e.unit}, {"first", one(e.first)}, {"worst", one(e.worst)}};
     return out;
 }
 
@@ -203,7 +228,8 @@ std::string to_json(const Summary& s) {
              {"scene_file", s.scene_path},
              {"scene_hash", fmt::format("{:016x}", s.scene_hash)},
              {"outcome", s.outcome},
-             {"status", to_string(s.last.status)}};
+             {"status", to_string(s.last.status)},
+             {"verdict", verdict(s.verdict)}};
     out.update(sizes(s));
     out.update(Json{{"steps", s.steps},
                     {"step", s.step},
@@ -228,6 +254,11 @@ std::string to_json(const Summary& s) {
                            {"largest_disagreement", v.difference},
                            {"momentum", v.momentum},
                            {"bounds", v.bounds},
+                           {"states",
+                            {{"created", v.states.created},
+                             {"open", v.states.open},
+                             {"cable_law", v.states.cable},
+                             {"turn", v.states.turn}}},
                            {"covered_bodies", v.covered_bodies},
                            {"moving_bodies", v.moving_bodies}};
     out.update(Json{
@@ -242,6 +273,8 @@ std::string to_json(const Summary& s) {
         {"stretch_error_time", s.stretch_error_time},
         {"energy", energy_balance(s)},
         {"event_counts", event_counts(s)},
+        {"event_extremes", event_extremes(s)},
+        {"start_warnings", s.warnings},
         {"events", event_list(s)},
         {"tensions", cables(s)},
         {"motions", bodies(s)},

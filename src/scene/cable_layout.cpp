@@ -29,8 +29,8 @@ const Json& line_type_of(const Json& cable, const Document& document, const Plac
             known.push_back(key);
         }
     }
-    refuse(place / "line_type",
-           "there is no line type " + in_quotes(name) + suggestion(name, known));
+    refuse_missing(document.mistakes, Lost::line_type, name, place / "line_type",
+                   "there is no line type " + in_quotes(name) + suggestion(name, known));
 }
 
 void read_line_type(CableLayout& c, const Json& cable, const Document& document,

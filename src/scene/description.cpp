@@ -141,7 +141,8 @@ BodyId resolve_body(Description& out, const Scope& scope, const std::string& nam
             known.push_back(body.name.substr(scope.prefix.size()));
         }
     }
-    refuse(place, "there is no body " + in_quotes(name) + suggestion(name, known));
+    refuse_missing(out.mistakes, Lost::body, scope.prefix + name, place,
+                   "there is no body " + in_quotes(name) + suggestion(name, known));
 }
 
 Vec3 vector_of(const Json& value) {

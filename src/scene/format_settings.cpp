@@ -53,6 +53,9 @@ ShapePtr settings_shape() {
           "Shapes closer than this are in contact before they touch."},
          {"sleep_after", number("a time", 0.0, 1e6), false, "0", "s",
           "Islands at rest for this long sleep until something disturbs them; 0 is never."},
+         {"on_diverged", word("what to do", {"stop", "warn"}), false, "stop", "",
+          "What a step does that comes to what cannot be (docs/limits.md): stop the run as failed, "
+          "or go on with a warning."},
          {"sleep_speed", number("a speed", 0.0, 1.0), false, "1e-4", "m/s",
           "Speed √(2T/m) below which a body is at rest, T its kinetic energy."},
          {"max_bodies", integer("a number of bodies", 1, kMaxElements), false, "2000000", "",

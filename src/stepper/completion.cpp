@@ -21,7 +21,9 @@ namespace {
 using assembly::Turning;
 using assembly::View;
 
-constexpr double kTurning = 1e-7;  ///< A round's change below which the step has ended [m/s].
+/// A round's change below which the step has ended [m/s or rad/s]. Near singular poses of closed
+/// loops less would only add rounding.
+constexpr double kTurning = 1e-7;
 constexpr int kMostRounds = 12;
 constexpr double kGap = 1e-4;                 ///< Largest gap that a step may leave [m or rad].
 constexpr double kResolved = 1.5;             ///< s up to which joints are completed.
@@ -132,6 +134,8 @@ bool outgrown(StepContext& ctx) noexcept {
     bool found = false;
     for (std::size_t k = 0; k < c.joints.size(); ++k) {
         const std::int32_t id = c.joints[k];
+        // The force of what repeats others is not known before the filter.
+        if (ctx.interactions.repeats[at(id)]) continue;
         const double now = swing_number(ctx, id, ctx.interactions.lambda.data());
         if (ctx.interactions.completed[at(id)]) {
             if (now <= kTooFast) continue;

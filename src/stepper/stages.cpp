@@ -104,6 +104,7 @@ void prepare(StepContext& ctx) {
     wake_all(ctx);
     analyse(ctx);
     reserve_sleep(ctx);
+    prepare_judge(ctx);
     ctx.lambda_before.resize(ctx.interactions.lambda.size());
     ctx.repeats_before.resize(ctx.interactions.repeats.size());
     ctx.carriers_before.resize(16 * ctx.bodies.driven.size());

@@ -167,6 +167,8 @@ namespace {
 
 /// From time 0 to −h/2, in the first step.
 Status start_world(StepContext& ctx) noexcept {
+    ctx.undo.keep_motion(ctx);
+    begin_judge(ctx);
     Status status = Status::ok;
     if (ctx.collider.count() > 0) status = find_contacts(ctx);
     if (status == Status::ok && ctx.collider.count() > 0)
@@ -222,6 +224,8 @@ Status take_step(StepContext& ctx) noexcept {
                             static_cast<double>(std::max<std::int64_t>(1, ctx.stats.factor_flops));
     // What was left out because of it is not to be used.
     if (status == Status::ok && ctx.pool.stopping()) status = Status::cancelled;
+    if (status == Status::ok)
+        status = timed(ctx, Stage::integrate, [](StepContext& c) { return judge(c); });
     if (status == Status::ok) {
         timed(ctx, Stage::integrate, integrate);
         ctx.imposed = {};

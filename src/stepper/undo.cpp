@@ -38,7 +38,8 @@ Undo::Scalars Undo::read(const StepContext& c) noexcept {
             c.damped,
             c.refine_unasked,
             c.started,
-            c.stats.event_count};
+            c.stats.event_count,
+            c.judge.state};
 }
 
 void Undo::write(const Scalars& from, StepContext& c) noexcept {
@@ -53,6 +54,7 @@ void Undo::write(const Scalars& from, StepContext& c) noexcept {
     c.refine_unasked = from.refine_unasked;
     c.started = from.started;
     c.stats.event_count = from.event_count;
+    c.judge.state = from.judge;
 }
 
 void Undo::keep_motion(const StepContext& ctx) noexcept {

@@ -21,6 +21,7 @@
 #include "model/bodies.h"
 #include "model/interactions.h"
 #include "stepper/cuts.h"
+#include "stepper/judge.h"
 #include "stepper/regroup.h"
 
 #include <array>
@@ -72,6 +73,7 @@ class Undo {
         int refine_unasked;
         bool started;
         std::array<std::int64_t, kEventKindCount> event_count;
+        JudgeState judge;
     };
     void keep_system(const StepContext& ctx);
     static Scalars read(const StepContext& ctx) noexcept;

@@ -79,6 +79,7 @@ void check(const WorldDef& def) {
     const auto within = [&](const char* field, double value, double low, double high,
                             const char* unit = "") { range(where, field, value, low, high, unit); };
     if (def.form > Form::condensed) refuse(where, "unknown form");
+    if (def.on_diverged > OnDiverged::warn) refuse(where, "unknown on_diverged");
     if (def.coupling > Coupling::deadline) refuse(where, "unknown coupling");
     if (def.predictor > Predictor::clique) refuse(where, "unknown predictor");
     if (def.nonsmooth > Nonsmooth::convex) refuse(where, "unknown nonsmooth method");

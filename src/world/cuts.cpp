@@ -197,7 +197,7 @@ void World::copy_state(const World& other) {
     stepper::Transaction all(to);
     to.undo.keep(to, stepper::Undo::Depth::all);
     try {
-        take_state(other);
+        copy_from(other);
     } catch (...) {
         impl_->input_values.swap(inputs);
         throw;
@@ -205,7 +205,7 @@ void World::copy_state(const World& other) {
     all.done();
 }
 
-void World::take_state(const World& other) {
+void World::copy_from(const World& other) {
     const stepper::StepContext& from = other.impl_->ctx;
     stepper::StepContext& to = impl_->ctx;
     copy_groups(from, to);

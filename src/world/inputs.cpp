@@ -77,7 +77,7 @@ void World::set_input(InputId id, double value) {
     const double clamped = std::min(std::max(value, def.min), def.max);
     stepper::StepContext& c = impl_->ctx;
     if (clamped != value) {
-        c.events.push({c.time, EventKind::input_clamped, def.interaction, value});
+        c.events.push({c.time, EventKind::input_clamped, def.interaction, value, id});
         ++c.stats.event_count[static_cast<std::size_t>(EventKind::input_clamped)];
     }
     // What a changed length or target does to elastic energy is work done by the input.

@@ -23,6 +23,8 @@ const char* to_string(Status status) noexcept {
             return "cancelled";
         case Status::over_bound:
             return "over_bound";
+        case Status::diverged:
+            return "diverged";
     }
     return "?";
 }
@@ -59,7 +61,8 @@ const char* to_string(DegradedBy cause) noexcept {
 
 const char* to_string(EventKind kind) noexcept {
     constexpr const char* kNames[kEventKindCount] = {
-        "line_break", "slack", "taut", "saturation", "range", "input_clamped", "warning"};
+        "line_break", "slack",          "taut",       "saturation", "range",       "input_clamped",
+        "warning",    "energy_created", "joint_open", "cable_law",  "uncertified", "fast"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -94,6 +94,9 @@ double World::time() const noexcept { return impl_->ctx.time; }
 std::int64_t World::step_count() const noexcept { return impl_->ctx.step; }
 const StepStats& World::stats() const noexcept { return impl_->ctx.stats; }
 std::vector<Event> World::take_events() { return impl_->ctx.events.take(); }
+EventExtremes World::event_extremes(EventKind kind) const noexcept {
+    return impl_->ctx.events.extremes(kind);
+}
 const WorldDef& World::settings() const noexcept { return impl_->ctx.def; }
 
 Energy World::energy() const noexcept {
@@ -105,6 +108,8 @@ Energy World::energy() const noexcept {
     }
     return stepper::energy(impl_->ctx);
 }
+
+Verdict World::verdict() const noexcept { return stepper::verdict(impl_->ctx); }
 
 std::uint64_t World::state_hash() const noexcept {
     const std::vector<double>& inputs = impl_->input_values;
@@ -154,6 +159,7 @@ void World::set_pose(BodyId id, const Pose& pose) {
     world::check_pose(world::label("body", impl_->body_defs[b].name), pose.position,
                       pose.orientation);
     model::Bodies& s = impl_->ctx.bodies;
+    impl_->ctx.judge.state.begun = 0;  // no work did that
     // What leant on it hangs in the air now.
     if (s.dof(id.index) == 0 || s.asleep[b] != 0) stepper::disturb_all(impl_->ctx);
     stepper::disturb(impl_->ctx, id.index);
@@ -179,7 +185,10 @@ void World::set_velocity(BodyId id, const Twist& twist) {
     double* v = dof == 0 ? &s.v_fixed[6 * b] : &s.v[at(s.dof_begin[b])];
     const int count = dof == 0 ? 6 : dof;
     // What a prescribed velocity carries wakes in the step (stepper/sleep.h).
-    if (dof > 0) stepper::disturb(impl_->ctx, id.index);
+    if (dof > 0) {
+        stepper::disturb(impl_->ctx, id.index);
+        impl_->ctx.judge.state.begun = 0;  // no work did that
+    }
     for (int i = 0; i < count; ++i) v[i] = i < 3 ? twist.linear[i] : twist.angular[i - 3];
 }
 

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file random_cases.h
+/// Mechanisms that no one has tuned: trees and loops of all joints with random bodies, wires,
+/// repeated and contradictory joints, as scene documents.
+
+#include <cstdint>
+#include <string>
+
+namespace hawser::bench {
+
+struct RandomCase {
+    std::string text;            ///< The scene (docs/scenes.md).
+    double step = 0.0;           ///< [s].
+    bool loops = false;          ///< Some joint closes a loop.
+    bool repeated = false;       ///< Some joint says again what another one says.
+    bool contradictory = false;  ///< Two joints cannot hold at once, in no pose.
+    bool wires = false;          ///< Cables of lumps.
+    bool extreme = false;        ///< Masses or stiffnesses with a ratio of 1e6 or more.
+};
+
+/// The same case for the same two numbers, whatever other cases there are.
+[[nodiscard]] RandomCase make_random_case(std::uint64_t seed, std::uint64_t number);
+
+}  // namespace hawser::bench

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file limits.h
+/// What the states of a world are judged by, World::verdict(). The reason of each is in
+/// docs/limits.md.
+
+namespace hawser {
+
+/// Beyond `doubtful` a result is that, beyond `wrong` a step is refused.
+struct Limit {
+    double doubtful, wrong;
+};
+
+namespace limit {
+inline constexpr Limit kCreated{0.005, 0.2};     ///< Energy, over what was exchanged.
+inline constexpr Limit kLost{0.1, 0.2};          ///< Likewise.
+inline constexpr Limit kOpen{0.005, 0.05};       ///< [m], and over the size of the smaller body.
+inline constexpr Limit kCable{0.03, 0.15};       ///< |l − l₀(1 + T/EA)|/l₀.
+inline constexpr Limit kCertificate{1e-3, 0.1};  ///< Relative, for kSustained.
+inline constexpr Limit kTurn{0.5, 20.0};         ///< Of a body or an element in a step [rad].
+inline constexpr double kMemory = 10.0;          ///< Of what was exchanged [s].
+inline constexpr double kMean = 0.5;             ///< Of energies that refuse a step [s].
+inline constexpr double kHeld = 0.1;             ///< That rows may hold energy [s].
+inline constexpr double kSustained = 0.5;        ///< [s].
+inline constexpr double kLook = 0.1;             ///< From look to look [s], at least a step.
+inline constexpr double kSettled = 3.0;          ///< What stands open at the start closes [steps].
+/// Energy that is nothing: of kinetic and elastic energy, and of all bodies this much higher [m].
+inline constexpr double kNothing = 1e-6, kNothingHigher = 1e-4;
+}  // namespace limit
+
+}  // namespace hawser

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stepper/judge.h"
+
+#include "base/index.h"
+#include "stepper/regroup.h"
+#include "stepper/stages.h"
+#include "stepper/step.h"
+#include "stepper/sweeps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::View;
+
+constexpr std::size_t place(Judge judge) noexcept { return static_cast<std::size_t>(judge); }
+
+std::array<double, 6> works(const StepContext& ctx) noexcept {
+    return {ctx.work, ctx.drive, ctx.drag, ctx.friction, ctx.contact, ctx.damped};
+}
+
+/// What nothing accounts for, without and with what rows gave [J].
+std::array<double, 2> unexplained(const JudgePart& p, const std::array<double, 6>& w,
+                                  double given) noexcept {
+    const double left =
+        p.kinetic + p.potential + p.elastic - w[0] - w[1] + w[2] + w[3] + w[4] + w[5];
+    return {left, left + given};
+}
+
+/// Rises and falls of a sum; forgets a part of its extremes.
+struct Swing {
+    double rise, fall;
+};
+Swing follow(Tide& tide, double now, double forgotten) noexcept {
+    tide.least = std::min(now, tide.least + forgotten * (now - tide.least));
+    tide.most = std::max(now, tide.most + forgotten * (now - tide.most));
+    return {now - tide.least, tide.most - now};
+}
+
+/// Energy that came or went without reason [J]: at this moment, and in the mean.
+struct Unexplained {
+    Swing now{}, mean{};
+};
+
+void set(JudgeState& state, std::size_t i, double now) noexcept {
+    state.mean[i] = now;
+    state.now_tide[i] = state.mean_tide[i] = {now, now};
+}
+
+void begin(const JudgePart& p, const std::array<double, 6>& w, JudgeState& state) noexcept {
+    const std::array<double, 2> now = unexplained(p, w, state.given);
+    for (std::size_t i = 0; i < 2; ++i) set(state, i, now[i]);
+    state.exchanged = 0.0;
+    state.begun = 1;
+}
+
+/// What rows gave beyond what they had taken lately, which they may hold for a while.
+void count_given(double taken, double time, JudgeState& state) noexcept {
+    state.held = (state.held + std::max(0.0, taken)) * std::exp(-time / limit::kHeld);
+    const double back = std::min(state.held, std::max(0.0, -taken));
+    state.held -= back;
+    state.given += std::max(0.0, -taken) - back;
+}
+
+void keep(const JudgePart& p, const std::array<double, 6>& w, JudgeState& state) noexcept {
+    state.kinetic = p.kinetic;
+    state.potential = p.potential;
+    state.elastic = p.elastic;
+    state.work = w;
+}
+
+/// `state` goes on to this look. @param time  Since the last one [s].
+Unexplained follow(const JudgePart& p, const std::array<double, 6>& w, double time,
+                   JudgeState& state) noexcept {
+    if (state.begun == 0) begin(p, w, state);
+    count_given(w[5] - state.work[5], time, state);
+    double changes = std::fabs(p.kinetic - state.kinetic) +
+                     std::fabs(p.potential - state.potential) +
+                     std::fabs(p.elastic - state.elastic);
+    for (std::size_t i = 0; i < w.size(); ++i) changes += std::fabs(w[i] - state.work[i]);
+    const double forgotten = std::min(1.0, time / limit::kMemory);
+    state.exchanged += 0.5 * changes - forgotten * state.exchanged;
+    const std::array<double, 2> now = unexplained(p, w, state.given);
+    // How much there was half a step before the start is known to the first order only.
+    const bool first = state.begun++ == 1;
+    Unexplained out;
+    for (std::size_t i = 0; i < 2; ++i) {
+        // Rows that close what stood open at the start put in energy by order of the scene.
+        if ((i == 1 && state.open_start > 1.0) || (first && now[i] < state.mean[i]))
+            set(state, i, now[i]);
+        state.mean[i] += (1.0 - std::exp(-time / limit::kMean)) * (now[i] - state.mean[i]);
+        const Swing own = follow(state.now_tide[i], now[i], forgotten);
+        const Swing mean = follow(state.mean_tide[i], state.mean[i], forgotten);
+        out.now.rise = std::max(out.now.rise, own.rise);
+        out.mean.rise = std::max(out.mean.rise, mean.rise);
+        if (i == 1) continue;
+        out.now.fall = own.fall;
+        out.mean.fall = mean.fall;
+    }
+    keep(p, w, state);
+    return out;
+}
+
+/// Interaction of a row.
+std::int32_t owner_of(const StepContext& ctx, std::int32_t row) noexcept {
+    const auto& begin = ctx.interactions.row_begin;
+    const auto end = begin.begin() + interaction_count(ctx);
+    return static_cast<std::int32_t>(std::upper_bound(begin.begin(), end, row) - begin.begin()) - 1;
+}
+
+/// How far the step's equations and laws are from solved.
+double certificate(const StepContext& ctx) noexcept {
+    // The other methods end where they end, as does a step that keeps to a budget.
+    if (ctx.def.nonsmooth != Nonsmooth::newton || ctx.stats.degradation.any()) return 0.0;
+    return std::max(ctx.stats.natural_map, ctx.stats.momentum_residual);
+}
+
+Finding finding(double value, Limit by, double time) noexcept {
+    return {.value = value,
+            .doubtful = value / by.doubtful,
+            .wrong = value / by.wrong,
+            .time = time,
+            .interaction = {},
+            .body = {}};
+}
+
+using Findings = std::array<Finding, kJudgeCount>;
+
+Finding energy_finding(const StepContext& ctx, const JudgePart& p, JudgeState& state,
+                       double time) noexcept {
+    const Unexplained u = follow(p, works(ctx), time, state);
+    const double nothing = std::max(limit::kNothing * (p.kinetic + p.elastic), ctx.judge.nothing);
+    const double exchanged = p.kinetic + state.exchanged;
+    const auto share = [&](double energy) { return energy <= nothing ? 0.0 : energy / exchanged; };
+    Finding out;
+    const double created = share(u.now.rise) / limit::kCreated.doubtful;
+    const double lost = share(u.now.fall) / limit::kLost.doubtful;
+    out.value = created >= lost ? u.now.rise : -u.now.fall;
+    out.doubtful = std::max(created, lost);
+    out.wrong = std::max(share(u.mean.rise) / limit::kCreated.wrong,
+                         share(u.mean.fall) / limit::kLost.wrong);
+    if (!std::isfinite(u.now.rise)) out.doubtful = out.wrong = HUGE_VAL;
+    out.time = ctx.time;
+    return out;
+}
+
+Finding open_finding(const StepContext& ctx, const JudgePart& p, JudgeState& state,
+                     double time) noexcept {
+    state.open_start *= std::exp(-time / (limit::kSettled * ctx.def.step));
+    const double open = std::max(0.0, p.open - state.open_start);
+    Finding out = finding(open * limit::kOpen.doubtful, limit::kOpen, ctx.time);
+    if (p.open_row < 0) return out;
+    out.value = std::fabs(ctx.interactions.g[at(p.open_row)]);
+    out.interaction = InteractionId{owner_of(ctx, p.open_row)};
+    return out;
+}
+
+Finding solved_finding(const StepContext& ctx, JudgeState& state, double time) noexcept {
+    const double residual = certificate(ctx);
+    state.unsolved = residual > limit::kCertificate.doubtful ? state.unsolved + time : 0.0;
+    const bool counts = state.unsolved >= limit::kSustained;
+    return finding(counts ? residual : 0.0, limit::kCertificate, ctx.time);
+}
+
+Finding turn_finding(const StepContext& ctx, const JudgePart& p) noexcept {
+    Finding out =
+        finding(ctx.def.step * std::sqrt(std::max(p.turn, p.twist)), limit::kTurn, ctx.time);
+    if (p.turn >= p.twist)
+        out.body = BodyId{p.turn_body};
+    else
+        out.interaction = InteractionId{p.twist_id};
+    return out;
+}
+
+/// What all judges say of a state. `state` goes on to it.
+Findings judged(StepContext& ctx, JudgeState& state) noexcept {
+    const JudgePart p = look(ctx, At::half_step);
+    const double time = ctx.def.step * static_cast<double>(ctx.step - state.step);
+    if (state.begun == 0) state.open_start = p.open;  // bodies were put where they are
+    Findings out{};
+    out[place(Judge::energy)] = energy_finding(ctx, p, state, time);
+    out[place(Judge::violation)] = open_finding(ctx, p, state, time);
+    out[place(Judge::cable)] = finding(p.stretch, limit::kCable, ctx.time);
+    out[place(Judge::cable)].interaction = InteractionId{p.stretch_id};
+    out[place(Judge::certificate)] = solved_finding(ctx, state, time);
+    out[place(Judge::speed)] = turn_finding(ctx, p);
+    state.step = ctx.step;
+    return out;
+}
+
+/// The worse of two findings, with the largest shares of both: a moment and a mean differ.
+void take(const Finding& f, Finding& worst) noexcept {
+    const double wrong = std::max(f.wrong, worst.wrong);
+    const double doubtful = std::max(f.doubtful, worst.doubtful);
+    if (!(f.doubtful <= worst.doubtful)) worst = f;
+    worst.wrong = wrong;
+    worst.doubtful = doubtful;
+}
+
+/// @return The grade of these findings, which join those of before.
+Grade add(const Findings& now, Verdict& verdict) noexcept {
+    Grade grade = Grade::good;
+    for (int k = 0; k < kJudgeCount; ++k) {
+        const Finding& f = now[at(k)];
+        Finding& worst = verdict.worst[at(k)];
+        take(f, worst);
+        const bool speed = static_cast<Judge>(k) == Judge::speed;
+        const Grade own = !(f.wrong <= 1.0)                ? Grade::wrong
+                          : !(f.doubtful <= 1.0) && !speed ? Grade::doubtful
+                                                           : Grade::good;
+        grade = std::max(grade, own);
+    }
+    if (grade > verdict.grade) verdict.grade = grade;
+    double most = -1.0;
+    for (int k = 0; k < kJudgeCount; ++k) {
+        const Finding& f = verdict.worst[at(k)];
+        const double share = verdict.grade == Grade::wrong ? f.wrong : f.doubtful;
+        if (share <= most ||
+            (verdict.grade == Grade::doubtful && static_cast<Judge>(k) == Judge::speed))
+            continue;
+        most = share;
+        verdict.judge = static_cast<Judge>(k);
+    }
+    return grade;
+}
+
+/// An event for each judge that has become doubtful.
+void tell(StepContext& ctx, const Findings& now, JudgeState& state) noexcept {
+    constexpr EventKind kKinds[kJudgeCount] = {EventKind::energy_created, EventKind::joint_open,
+                                               EventKind::cable_law, EventKind::uncertified,
+                                               EventKind::fast};
+    for (std::size_t k = 0; k < kJudgeCount; ++k) {
+        const Finding& f = now[k];
+        const bool doubtful = !(f.doubtful <= 1.0);
+        if (doubtful && state.told[k] == 0) {
+            Event event;
+            event.time = ctx.time;
+            event.kind = kKinds[k];
+            event.interaction = f.interaction;
+            event.value = f.value;
+            event.body = f.body;
+            ctx.events.push(event);
+            ++ctx.stats.event_count[static_cast<std::size_t>(kKinds[k])];
+        }
+        state.told[k] = doubtful ? 1 : 0;
+    }
+}
+
+}  // namespace
+
+/// evaluate_rows() decides afresh which ranges are active; the state keeps what it had.
+template <class F>
+void evaluated(StepContext& ctx, F&& f) noexcept {
+    const View v = view(ctx);
+    for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
+        ctx.active_before[i] = v.active[ctx.system.bounded[i]];
+    evaluate_rows(ctx);
+    f();
+    for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
+        v.active[ctx.system.bounded[i]] = ctx.active_before[i];
+}
+
+void begin_judge(StepContext& ctx) noexcept {
+    JudgeState& state = ctx.judge.state;
+    if (state.begun != 0) return;
+    evaluated(ctx, [&] {
+        const JudgePart p = look(ctx, At::pose);
+        state = {};
+        state.step = ctx.step;
+        state.open_start = p.open > 1.0 ? p.open : 0.0;
+        begin(p, works(ctx), state);
+        keep(p, works(ctx), state);
+    });
+}
+
+namespace {
+
+/// Energy half a step before the start: friction and drag have yet to take what they take until
+/// then. No more of it than there was kinetic energy, as forces that cannot be throw a body about
+/// within this half step already.
+void begin_half_step_before(StepContext& ctx) noexcept {
+    JudgeState& state = ctx.judge.state;
+    const JudgePart p = look(ctx, At::half_step);
+    const std::array<double, 2> before = unexplained(p, works(ctx), state.given);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double least = state.now_tide[i].least;
+        const double start = std::clamp(before[i], least, least + state.kinetic);
+        set(state, i, start);
+    }
+}
+
+}  // namespace
+
+Status judge(StepContext& ctx) noexcept {
+    JudgeData& d = ctx.judge;
+    // Joints are looked at in each step, at no cost: in between they may open and close.
+    const bool open = ctx.stats.violation_max > limit::kOpen.doubtful;
+    if (ctx.step % d.every != 0 && !open) return Status::ok;
+    if (ctx.step == 0) {
+        begin_half_step_before(ctx);
+        return Status::ok;
+    }
+    JudgeState next = d.state;
+    const Findings now = judged(ctx, next);
+    const Grade grade = add(now, d.verdict);
+    if (grade == Grade::wrong && ctx.def.on_diverged == OnDiverged::stop) return Status::diverged;
+    d.state = next;
+    tell(ctx, now, d.state);
+    return Status::ok;
+}
+
+Verdict verdict(StepContext& ctx) noexcept {
+    Verdict out = ctx.judge.verdict;
+    if (ctx.topology_changed || ctx.mend != Mend::nothing || ctx.step == 0) return out;
+    evaluated(ctx, [&] {
+        JudgeState next = ctx.judge.state;
+        (void)add(judged(ctx, next), out);
+    });
+    return out;
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file judge.h
+/// Whether what steps come to can be: each state is judged in the step after it, by figures that
+/// this one has at hand. The limits and their reasons are in docs/limits.md.
+///
+/// Energy. Unexplained is what kinetic, gravity and elastic energy together gained beyond the work
+/// of forces and drives and what drag, friction, contacts and rows took. All of these are sums over
+/// the steps, so that a look every few steps misses nothing. What rows take is an explanation as
+/// long as it is more than nothing: joints do no work, and two that contradict each other put in
+/// energy as if they took less than nothing. A second sum therefore adds what rows gave beyond what
+/// they had taken within about kHeld, which may be held in an overlap or in an element that comes
+/// taut. Judged is how far either rises above its lowest value, and the first falls below its
+/// highest, over what was exchanged: kinetic energy and half the changes of all that is in the
+/// sums. Both forget within kMemory. A
+/// result is doubtful by the values of a moment; a step is refused by their means over kMean, as
+/// energy of a moment comes and goes where a step is long.
+///
+/// Limits. A rise in one place and a loss in another at the same time are not told apart.
+
+#include <hawser/limits.h>
+#include <hawser/stats.h>
+
+#include "assembly/view.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace hawser::stepper {
+
+struct StepContext;
+
+/// A sum with its extremes, forgetting.
+struct Tide {
+    double least = 0.0, most = 0.0;
+};
+
+/// Part of the state of a world.
+struct JudgeState {
+    double kinetic = 0.0, potential = 0.0, elastic = 0.0;  ///< At the last look [J].
+    std::array<double, 6> work{};  ///< Likewise: forces, drives, drag, friction, contacts, rows.
+    std::array<double, 2> mean{};  ///< Of the two sums [J].
+    std::array<Tide, 2> now_tide{}, mean_tide{};
+    double held = 0.0, given = 0.0;      ///< By rows: what they may give back, and gave beyond [J].
+    double exchanged = 0.0;              ///< [J].
+    double unsolved = 0.0;               ///< For so long [s].
+    double open_start = 0.0;             ///< What still excuses joints that started open.
+    std::int64_t step = 0;               ///< Of the last look.
+    std::int64_t begun = 0;              ///< 0: the next look is the first one.
+    std::array<std::uint8_t, 8> told{};  ///< By judge: it has been said, and holds on.
+};
+
+/// What a chunk of bodies or interactions adds.
+struct JudgePart {
+    double kinetic = 0.0, potential = 0.0, elastic = 0.0;
+    double open = 0.0, stretch = 0.0, turn = 0.0, twist = 0.0;
+    std::int32_t open_row = -1, stretch_id = -1, turn_body = -1, twist_id = -1;
+};
+
+struct JudgeData {
+    JudgeState state;
+    std::vector<double> allowed;        ///< By row: 1 / what it may be open by, 0: anything.
+    std::vector<std::int32_t> elastic;  ///< Interactions with rows that hold energy.
+    std::vector<std::int32_t> lines;    ///< Wire elements.
+    std::vector<JudgePart> part;        ///< One a chunk.
+    double nothing = 0.0;               ///< See limit::kNothingHigher [J].
+    std::int32_t every = 1;             ///< Steps from look to look.
+    Verdict verdict;
+};
+
+/// When velocities are those of the poses, or of half a step before them.
+enum class At { pose, half_step };
+/// Energies and extremes of the state, whose rows have been evaluated; they do not depend on
+/// threads.
+[[nodiscard]] JudgePart look(StepContext& ctx, At when) noexcept;
+
+/// Arrays for the interactions there are. @throws std::bad_alloc.
+void prepare_judge(StepContext& ctx);
+/// Energy at the start, from velocities as given.
+void begin_judge(StepContext& ctx) noexcept;
+/// Judge the state before the step being taken, whose rows have been evaluated.
+[[nodiscard]] Status judge(StepContext& ctx) noexcept;
+/// The verdict with the present state.
+[[nodiscard]] Verdict verdict(StepContext& ctx) noexcept;
+
+}  // namespace hawser::stepper

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What judges look at.
+#include "base/index.h"
+#include "stepper/judge.h"
+#include "stepper/regroup.h"
+#include "stepper/stages.h"
+#include "stepper/step.h"
+#include "stepper/sweeps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::View;
+
+/// Length of the edges of a cube with the same mass and inertia [m]; none for other bodies.
+double size_of(const model::Bodies& b, std::int32_t body) noexcept {
+    if (b.dof(body) != 6) return std::numeric_limits<double>::infinity();
+    const double* s = &b.inertia[9 * at(body)];
+    return std::sqrt(2.0 * (s[0] + s[4] + s[8]) / b.mass[at(body)]);
+}
+
+void look_at_body(const StepContext& ctx, std::int32_t body, double half, JudgePart& p) noexcept {
+    const model::Bodies& b = ctx.bodies;
+    const auto i = at(body);
+    const int dof = b.dof(body);
+    const double* v = &b.v[at(b.dof_begin[i])];
+    p.kinetic += kinetic_energy_of(b, body, b.v.data());
+    if (dof == 1) return;
+    if (b.weight[i])
+        for (int k = 0; k < 3; ++k)
+            p.potential -= b.mass[i] * ctx.def.gravity[k] * (b.x[3 * i + at(k)] - half * v[k]);
+    if (dof < 6) return;
+    const double turn = v[3] * v[3] + v[4] * v[4] + v[5] * v[5];
+    if (!(turn <= p.turn)) {
+        p.turn = turn;
+        p.turn_body = body;
+    }
+}
+
+void look_at_rows(const StepContext& ctx, const View& v, std::int32_t begin, std::int32_t end,
+                  JudgePart& p) noexcept {
+    for (std::int32_t r = begin; r < end; ++r) {
+        const double open = std::fabs(v.g[r]) * ctx.judge.allowed[at(r)];
+        if (open <= p.open) continue;
+        p.open = open;
+        p.open_row = r;
+    }
+}
+
+/// ½ g²/ε half a step before the poses, as energy() has it.
+void look_at_elastic(StepContext& ctx, const View& v, std::int32_t id, double half,
+                     JudgePart& p) noexcept {
+    const bool line = (v.flags[id] & model::kOneSided) != 0;
+    if (line ? v.parted[id] != 0 : v.active[id] == 0.0) return;
+    const bool rests = ctx.system.rests(id);
+    const bool state = rests || (v.flags[id] & model::kCarried) != 0;
+    const model::RowState s =
+        state ? ctx.interactions.row_state(id, ctx.bodies) : model::RowState{};
+    double room[model::kArmRoom];
+    const double* jac = rests ? nullptr : packed_rows(v, id, room);
+    for (int r = 0; r < v.rows[id]; ++r) {
+        const std::int32_t row = v.row_begin[id] + r;
+        double speed = state ? s.carried[r] + (rests ? s.rate[r] : 0.0) : 0.0;
+        for (int k = 0; k < v.bodies[id] && !rests; ++k) {
+            const std::int32_t body = v.body[kMaxInteractionBodies * id + k];
+            for (int j = 0; j < v.dof[body]; ++j) speed += *jac++ * v.v[v.dof_begin[body] + j];
+        }
+        if ((v.row_flags[row] & model::kRowVelocity) || v.epsilon[row] <= model::kElasticCompliance)
+            continue;
+        const double g = (rests ? s.g[r] : v.g[row]) - half * speed;
+        if (!line || g > 0.0) p.elastic += 0.5 * g * g / v.epsilon[row];
+    }
+}
+
+/// Cable law, and how far an element turns.
+void look_at_line(const StepContext& ctx, const View& v, std::int32_t id, JudgePart& p) noexcept {
+    if (v.parted[id] || ctx.system.rests(id)) return;
+    const std::int32_t row = v.row_begin[id];
+    const double length = v.rest_length[id];
+    const std::int32_t* body = v.body + kMaxInteractionBodies * id;
+    // Of bodies with arms the end moves with them, which is judged by their own turn.
+    if (v.dof[body[0]] == 3 && v.dof[body[1]] == 3) {
+        double apart = 0.0;
+        for (int k = 0; k < 3; ++k) {
+            const double d = v.v[v.dof_begin[body[1]] + k] - v.v[v.dof_begin[body[0]] + k];
+            apart += d * d;
+        }
+        const double twist = apart / (length * length);
+        if (!(twist <= p.twist)) {
+            p.twist = twist;
+            p.twist_id = id;
+        }
+    }
+    if (v.active[id] == 0.0 || v.lambda[row] >= 0.0) return;
+    const double stretch = std::fabs(v.g[row] + v.epsilon[row] * v.lambda[row] / v.h) / length;
+    if (!(stretch <= p.stretch)) {
+        p.stretch = stretch;
+        p.stretch_id = id;
+    }
+}
+
+void take_worse(double value, std::int32_t which, double& most, std::int32_t& who) noexcept {
+    if (value <= most) return;
+    most = value;
+    who = which;
+}
+
+}  // namespace
+
+// Merged in order, so that nothing depends on threads.
+JudgePart look(StepContext& ctx, At when) noexcept {
+    const View v = view(ctx);
+    JudgeData& data = ctx.judge;
+    const double half = when == At::pose ? 0.0 : 0.5 * ctx.def.step;
+    const auto count_of = [](const auto& list) { return static_cast<std::int32_t>(list.size()); };
+    const std::int32_t bodies = count_of(ctx.bodies.moving), rows = count_of(data.allowed),
+                       elastic = count_of(data.elastic), lines = count_of(data.lines);
+    const std::int32_t most = std::max({bodies, rows, elastic, lines});
+    over(ctx, most, [&](std::int32_t a, std::int32_t b) {
+        JudgePart p;
+        for (std::int32_t i = a; i < std::min(b, bodies); ++i)
+            look_at_body(ctx, ctx.bodies.moving[at(i)], half, p);
+        look_at_rows(ctx, v, a, std::min(b, rows), p);
+        for (std::int32_t i = a; i < std::min(b, elastic); ++i)
+            look_at_elastic(ctx, v, data.elastic[at(i)], half, p);
+        for (std::int32_t i = a; i < std::min(b, lines); ++i)
+            look_at_line(ctx, v, data.lines[at(i)], p);
+        data.part[at(a / StepContext::kChunk)] = p;
+    });
+    JudgePart sum;
+    for (int i = 0; i < StepContext::chunks(most); ++i) {
+        const JudgePart& p = data.part[at(i)];
+        sum.kinetic += p.kinetic;
+        sum.potential += p.potential;
+        sum.elastic += p.elastic;
+        take_worse(p.open, p.open_row, sum.open, sum.open_row);
+        take_worse(p.stretch, p.stretch_id, sum.stretch, sum.stretch_id);
+        take_worse(p.turn, p.turn_body, sum.turn, sum.turn_body);
+        take_worse(p.twist, p.twist_id, sum.twist, sum.twist_id);
+    }
+    return sum;
+}
+
+void prepare_judge(StepContext& ctx) {
+    JudgeData& d = ctx.judge;
+    const model::Interactions& in = ctx.interactions;
+    d.state = {};
+    d.allowed.assign(at(user_rows(ctx)), 0.0);
+    d.elastic.clear();
+    d.lines.clear();
+    for (std::int32_t id = 0; id < interaction_count(ctx); ++id) {
+        const KindInfo& kind = kind_info(in.def[at(id)].kind);
+        if (in.rest_length[at(id)] > 0.0) d.lines.push_back(id);
+        if (in.flags[at(id)] & model::kFriction) continue;  // counted as driven
+        double size = std::numeric_limits<double>::infinity();
+        for (int b = 0; b < in.bodies[at(id)]; ++b)
+            size = std::min(size, size_of(ctx.bodies, in.body[at(kMaxInteractionBodies * id + b)]));
+        bool soft = false;
+        for (int r = 0; r < in.rows[at(id)]; ++r) {
+            const auto row = at(in.row_begin[at(id)] + r);
+            if (in.row_flags[row] & model::kRowVelocity) continue;
+            if (in.epsilon[row] > model::kElasticCompliance) {
+                soft = true;
+            } else if (!(in.flags[at(id)] & (model::kRange | model::kMotor))) {
+                const bool turns = kind.row_units[r] == 'r';
+                const double arm = std::isfinite(size) ? 0.5 * size : 0.0;
+                const double open = limit::kOpen.doubtful * std::max(1.0, 2.0 * arm);
+                d.allowed[row] = (turns ? arm : 1.0) / open;
+            }
+        }
+        if (soft) d.elastic.push_back(id);
+    }
+    const auto most = static_cast<std::int32_t>(
+        std::max({ctx.bodies.moving.size(), d.allowed.size(), d.elastic.size(), d.lines.size()}));
+    d.part.resize(at(StepContext::chunks(most)));
+    d.nothing = 0.0;
+    for (const std::int32_t b : ctx.bodies.moving)
+        if (ctx.bodies.weight[at(b)])
+            d.nothing += limit::kNothingHigher * ctx.bodies.mass[at(b)] * ctx.def.gravity.norm();
+    d.every = static_cast<std::int32_t>(std::max(1.0, std::round(limit::kLook / ctx.def.step)));
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a world vouches for: states that cannot be end a run, are named, and come out the same
+/// after restoring.
+#include "support/recipe.h"
+
+#include <hawser/limits.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::test {
+namespace {
+
+/// Two boxes under gravity, one hanging from the ground.
+struct Boxes {
+    Recipe recipe;
+    BodyId a, b;
+    Boxes() {
+        const BodyId g = recipe.ground();
+        a = recipe.rigid({0, 0, -1}, Quat::Identity(), 100.0, {30, 30, 10});
+        b = recipe.rigid({1, 0, -1}, Quat::Identity(), 50.0, {8, 8, 8});
+        recipe.add(recipe.at(InteractionKind::Ball, {g, a}, {0, 0, 0}));
+        recipe.add(recipe.at(InteractionKind::Ball, {a, b}, {0.5, 0, -1}));
+    }
+    /// A second ball joint 0.5 m from the first one in a, 0.9 m in b: no pose closes both.
+    Boxes& contradict() {
+        InteractionDef d = between(InteractionKind::Ball, {a, b});
+        d.name = "other";
+        d.point[0] = {0.5, 0.5, 0};
+        d.point[1] = {-0.5, 0, 0.9};
+        recipe.add(d);
+        return *this;
+    }
+};
+
+/// A line of lumps under tension, struck sideways: at this step far beyond what any scheme follows.
+Recipe struck_line(double step) {
+    Recipe r;
+    r.world.step = step;
+    r.world.gravity = Vec3::Zero();
+    const BodyId g = r.ground();
+    BodyId last = g;
+    constexpr int kElements = 30;
+    for (int i = 1; i <= kElements; ++i) {
+        const BodyId next =
+            i < kElements ? r.lump({1.0 * i, 0, 0.4 * (i % 2)}, 1.0)
+                          : r.add({.name = "end", .kind = BodyKind::fixed, .position = {30, 0, 0}});
+        InteractionDef d = between(InteractionKind::Stretch, {last, next});
+        d.damping_time[0] = 0.0;
+        r.add(d.set("EA", 1e8).set("length", 0.999));
+        last = next;
+    }
+    return r;
+}
+
+/// Steps until one is not ok, at most so many. @return the status of the last one.
+Status run(World& w, int steps) {
+    Status status = Status::ok;
+    for (int i = 0; i < steps && status == Status::ok; ++i) status = w.step();
+    return status;
+}
+
+TEST(Judge, WhatSwingsIsGood) {
+    World w = Boxes().recipe.make();
+    ASSERT_EQ(run(w, 120), Status::ok);
+    const Verdict v = w.verdict();
+    EXPECT_EQ(v.grade, Grade::good) << to_string(v.judge);
+    for (const Finding& f : v.worst) EXPECT_LT(f.wrong, 0.2);  // far from every limit
+    EXPECT_EQ(w.stats().event_count[static_cast<std::size_t>(EventKind::joint_open)], 0);
+}
+
+TEST(Judge, ContradictoryJointsEndAsDivergedAndTheStateBeforeStays) {
+    World w = Boxes().contradict().recipe.make();
+    ASSERT_EQ(run(w, 60), Status::diverged);
+    const Verdict v = w.verdict();
+    EXPECT_EQ(v.grade, Grade::wrong);
+    EXPECT_GT(std::max(v.of(Judge::violation).wrong, v.of(Judge::energy).wrong), 1.0);
+    EXPECT_TRUE(v.of(Judge::violation).interaction.valid());
+    EXPECT_LE(v.of(v.judge).time, w.time());
+    const std::uint64_t hash = w.state_hash();
+    const std::int64_t steps = w.step_count();
+    EXPECT_EQ(w.step(), Status::diverged) << "the next call tries the same step again";
+    EXPECT_EQ(w.state_hash(), hash);
+    EXPECT_EQ(w.step_count(), steps);
+    EXPECT_NE(std::string(remedy(v.judge)), "");
+}
+
+TEST(Judge, WarnGoesOnAndSaysSo) {
+    Recipe r = Boxes().contradict().recipe;
+    r.world.on_diverged = OnDiverged::warn;
+    World w = r.make();
+    ASSERT_EQ(run(w, 60), Status::ok);
+    EXPECT_EQ(w.verdict().grade, Grade::wrong);
+    const std::vector<Event> events = w.take_events();
+    const auto open = std::find_if(events.begin(), events.end(),
+                                   [](const Event& e) { return e.kind == EventKind::joint_open; });
+    ASSERT_NE(open, events.end());
+    EXPECT_TRUE(open->interaction.valid());
+    EXPECT_GT(open->value, limit::kOpen.doubtful);
+}
+
+/// A joint that starts open is the scene's own doing, as long as it closes.
+TEST(Judge, AJointThatStartsOpenMayClose) {
+    Recipe r;
+    r.world.gravity = Vec3::Zero();
+    const BodyId g = r.ground(), b = r.lump({1.3, 0, 0}, 1.0);
+    InteractionDef d = between(InteractionKind::Distance, {g, b});
+    r.add(d.set("length", 1.0));
+    World w = r.make();
+    ASSERT_EQ(run(w, 120), Status::ok);
+    EXPECT_EQ(w.verdict().grade, Grade::good) << to_string(w.verdict().judge);
+}
+
+/// The judge's sums are part of the state: a restored world refuses the same step.
+TEST(Judge, ARestoredWorldGivesTheSameVerdict) {
+    const Recipe r = struck_line(0.1);
+    World w = r.make();
+    ASSERT_EQ(run(w, 3), Status::ok);
+    const std::vector<std::byte> saved = w.save();
+    const Status end = run(w, 2000);
+    ASSERT_NE(end, Status::ok) << "a line that no step of 0.1 s follows";
+    World other = r.make();
+    other.restore(saved);
+    EXPECT_EQ(run(other, 2000), end);
+    EXPECT_EQ(other.step_count(), w.step_count());
+    EXPECT_EQ(other.state_hash(), w.state_hash());
+    EXPECT_EQ(other.save(), w.save());
+}
+
+TEST(Judge, PuttingABodyElsewhereIsNoEnergyOutOfNothing) {
+    Recipe r;
+    const BodyId b = r.rigid({0, 0, 0}, Quat::Identity(), 10.0, {1, 1, 1});
+    World w = r.make();
+    ASSERT_EQ(run(w, 60), Status::ok);
+    w.set_pose(b, {{0, 0, 1000.0}, Quat::Identity()});
+    w.set_velocity(b, {{100, 0, 0}, {0, 0, 0}});
+    ASSERT_EQ(run(w, 60), Status::ok);
+    EXPECT_EQ(w.verdict().grade, Grade::good);
+}
+
+TEST(Judge, AFastTurnIsToldWithItsBody) {
+    Recipe r;
+    const BodyId b = r.add({.kind = BodyKind::rigid,
+                            .angular_velocity = {0, 0, 60.0},  // a radian a step
+                            .mass = 10.0,
+                            .inertia = Mat3::Identity()});
+    World w = r.make();
+    ASSERT_EQ(run(w, 30), Status::ok);
+    const std::vector<Event> events = w.take_events();
+    ASSERT_EQ(events.size(), 1U) << "once until it is well again";
+    EXPECT_EQ(events[0].kind, EventKind::fast);
+    EXPECT_EQ(events[0].body, b);
+    EXPECT_NEAR(events[0].value, 1.0, 1e-9);
+    EXPECT_EQ(w.verdict().grade, Grade::good) << "speed alone makes nothing doubtful";
+}
+
+}  // namespace
+}  // namespace hawser::test
