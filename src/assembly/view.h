@@ -217,6 +217,7 @@ struct Norms {
 /// See stepper/wires.h [J].
 struct LineGain {
     double gain = 0.0, exchanged = 0.0, noise = 0.0;
+    double unbooked = 0.0;  ///< Lost beyond what row_losses() counts.
 };
 
 /// How far a solution is from the equations at the step's end, see stepper/completion.h.

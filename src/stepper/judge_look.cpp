@@ -54,6 +54,13 @@ void look_at_rows(const StepContext& ctx, const View& v, std::int32_t begin, std
 /// ½ g²/ε half a step before the poses, as energy() has it.
 void look_at_elastic(StepContext& ctx, const View& v, std::int32_t id, double half,
                      JudgePart& p) noexcept {
+    // Of a wire by its true length, as the guard counts it.
+    if (half > 0.0 && ctx.wires.wire_of[at(id)] >= 0 && !ctx.system.rests(id) && !v.parted[id] &&
+        (v.flags[id] & model::kCarried) == 0) {
+        if (v.epsilon[v.row_begin[id]] > model::kElasticCompliance)
+            p.elastic += held_by_element(v, id);
+        return;
+    }
     const bool line = (v.flags[id] & model::kOneSided) != 0;
     if (line ? v.parted[id] != 0 : v.active[id] == 0.0) return;
     const bool rests = ctx.system.rests(id);

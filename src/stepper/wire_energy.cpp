@@ -68,7 +68,7 @@ void measure_wires(StepContext& ctx) noexcept {
         assembly::kernels().line_gains(v, w.element.data() + p.element_begin,
                                        p.element_end - p.element_begin, &sum);
         sum.exchanged += kinetic_exchange(ctx, v, p.lump_begin, p.lump_end);
-        w.part_gain[at(i)] = {sum.gain, sum.exchanged, sum.noise};
+        w.part_gain[at(i)] = {sum.gain, sum.exchanged, sum.noise, sum.unbooked};
     };
     ctx.pool.for_each(static_cast<int>(w.parts.size()), part);
     std::fill(w.gain.begin(), w.gain.end(), WireGain{});
@@ -78,6 +78,7 @@ void measure_wires(StepContext& ctx) noexcept {
         g.gain += w.part_gain[i].gain;
         g.exchanged += w.part_gain[i].exchanged;
         g.noise += w.part_gain[i].noise;
+        g.unbooked += w.part_gain[i].unbooked;
     }
 }
 

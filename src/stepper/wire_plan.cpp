@@ -174,18 +174,18 @@ void replan_wires(StepContext& ctx, const View& v, int strip) noexcept {
 
 void settle_wires(StepContext& ctx) noexcept {
     Wires& w = ctx.wires;
+    // What a guarded wire lost is known exactly, and counts instead of what its rows tell.
+    if (w.measured)
+        for (std::size_t k = 0; k < w.count(); ++k)
+            if (w.fast[k]) ctx.damped += w.gain[k].unbooked;
     if (!w.replacing) return;
     const View v = view(ctx);
     for (const std::int32_t id : w.element) {
         const std::int32_t row = v.row_begin[id];
         if (!w.replaced[at(id)]) continue;
         w.replaced[at(id)] = 0;
-        assembly::LineGain gain;
-        assembly::kernels().line_gains(v, &id, 1, &gain);
         const Line l = line_of(v, id);
         const bool pulls = (v.flags[id] & model::kOneSided) != 0;
-        // What it lost, instead of what its idle row did not do.
-        ctx.damped -= gain.gain + losses_between(ctx, v, id, id + 1);
         const double tension = tension_after(l);
         const bool taut = !pulls || tension > 0.0;
         v.active[id] = taut ? 1.0 : 0.0;

@@ -244,6 +244,7 @@ std::int32_t most_alert(double step) noexcept {
 }
 
 Status guard_wires(StepContext& ctx) noexcept {
+    ctx.wires.measured = false;
     if (!on_guard(ctx)) return Status::ok;
     Wires& w = ctx.wires;
     std::fill(w.fast.begin(), w.fast.end(), 0);
@@ -258,6 +259,7 @@ Status guard_wires(StepContext& ctx) noexcept {
             measure_wires(ctx);
         }
     }
+    ctx.wires.measured = any_fast;
     remember_gains(ctx, any_fast);
     return Status::ok;
 }

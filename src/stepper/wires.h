@@ -40,6 +40,7 @@ struct WireGain {
     double gain = 0.0;       ///< Energy out of nothing; negative: lost.
     double exchanged = 0.0;  ///< Sum of |changes|.
     double noise = 0.0;      ///< What rounding of positions makes of it.
+    double unbooked = 0.0;   ///< Lost beyond what rows are counted to lose (losses.cpp).
 };
 
 struct Wires {
@@ -67,6 +68,7 @@ struct Wires {
     std::vector<std::uint8_t> replaced;
     bool again = false;      ///< The step is being solved again.
     bool replacing = false;  ///< Some are replaced.
+    bool measured = false;   ///< WireGain of fast wires is that of the step being taken.
     bool stale = false;      ///< Alerts of elements are behind those of wires.
 
     [[nodiscard]] std::size_t count() const noexcept { return credit.size(); }

@@ -7,6 +7,8 @@
 namespace hawser::HAWSER_ISA {
 namespace {
 
+constexpr double kElastic = 1e-11;  // model::kElasticCompliance
+
 using assembly::LineGain;
 using assembly::View;
 
@@ -16,6 +18,9 @@ struct Ends {
     V3T<T> apart;        ///< Of the points where the step began.
     V3T<T> back, ahead;  ///< The same, half a step before and after.
     V3T<T> mean;         ///< Relative velocity, mean of before and after.
+    V3T<T> along;        ///< Direction of the row.
+    T rate[2], lambda;   ///< Of the row, before and after.
+    T elastic, acts;     ///< 1: what it holds counts; row_losses() counts it.
     V3T<T> impulse;
     T g, stiffness, pulls;  ///< pulls: 1, holds nothing while it is short.
     T size;                 ///< Of the coordinates: their rounding is that of lengths.
@@ -31,13 +36,25 @@ inline T size_of(const T& x) {
     return select_greater(x, zero(x), x, -x);
 }
 
+/// What row_losses() takes the row to lose.
 template <class T>
-inline void gain_of(const Ends<T>& e, T& gain, T& exchanged, T& noise) {
+inline T booked_loss(const Ends<T>& e, double half) {
+    const T old = e.g - half * e.rate[0], now = e.g + half * e.rate[1];
+    const T before = select_greater(e.pulls, zero(old), positive_part(old), old);
+    const T after = select_greater(e.pulls, zero(now), positive_part(now), now);
+    return 0.5 *
+           (e.stiffness * (before * before - after * after) - e.lambda * (e.rate[0] + e.rate[1]));
+}
+
+template <class T>
+inline void gain_of(const Ends<T>& e, double half, T& gain, T& exchanged, T& noise, T& unbooked) {
     const T rest = root(dot(e.apart, e.apart)) - e.g;
     const T before = longer_by(e, e.back, rest), after = longer_by(e, e.ahead, rest);
     const T change = 0.5 * e.stiffness * (after * after - before * before);
     constexpr double kRounding = 1e-15;  // of a few sums
-    gain += change + dot(e.impulse, e.mean);
+    const T one = change + dot(e.impulse, e.mean);
+    gain += one;
+    unbooked -= e.elastic * (one + e.acts * booked_loss(e, half));
     exchanged += size_of(change);
     noise += kRounding * e.stiffness * (size_of(before) + size_of(after)) * e.size;
 }
@@ -55,7 +72,7 @@ void one_gain(const View& view, std::int32_t id, LineGain* sum) {
     const std::int32_t* body = view.body + kMaxInteractionBodies * id;
     const std::int32_t row = view.row_begin[id];
     const double h = view.h;
-    V3 point[2], before[2], after[2], mean[2];
+    V3 point[2], before[2], after[2], mean[2], speed[2], speed_after[2];
     for (int b = 0; b < 2; ++b) {
         V3 lin, ang, lin_after, ang_after;
         slot_velocity(view, view.v, body[b], lin, ang);
@@ -65,25 +82,36 @@ void one_gain(const View& view, std::int32_t id, LineGain* sum) {
         point[b] = x + r;
         before[b] = x - (0.5 * h) * lin + turned(r, (-0.25 * h) * ang);
         after[b] = x + (0.5 * h) * lin_after + turned(r, (0.25 * h) * ang_after);
-        mean[b] = 0.5 * (lin + lin_after + cross(ang + ang_after, r));
+        speed[b] = lin + cross(ang, r);
+        speed_after[b] = lin_after + cross(ang_after, r);
+        mean[b] = 0.5 * (speed[b] + speed_after[b]);
     }
     const V3 across = load3(f + (place.dof == 3 ? 3 : 6)) - load3(f);  // of slot 0
+    const double* jac = view.jacobian + view.jac_begin[id];
+    const V3 n = view.dof[body[1]] > 0 ? load3(jac + view.dof[body[0]]) : -load3(jac);
+    // What gave way to another force is idle, and counts where it only pulls.
+    const bool acts = view.active[id] != 0.0 || (view.flags[id] & 1);
     const Ends<double> e{point[1] - point[0],
                          before[1] - before[0],
                          after[1] - after[0],
                          mean[1] - mean[0],
-                         view.lambda[row] * load3(record + 1) - across,
+                         n,
+                         {dot(n, speed[1] - speed[0]), dot(n, speed_after[1] - speed_after[0])},
+                         view.lambda[row],
+                         view.epsilon[row] > kElastic ? 1.0 : 0.0,
+                         acts ? 1.0 : 0.0,
+                         view.lambda[row] * n - across,
                          view.g[row],
                          1.0 / view.epsilon[row],
                          view.flags[id] & 1 ? 1.0 : 0.0,
                          size_of(point[0].x) + size_of(point[0].y) + size_of(point[0].z)};
-    gain_of(e, sum->gain, sum->exchanged, sum->noise);
+    gain_of(e, 0.5 * h, sum->gain, sum->exchanged, sum->noise, sum->unbooked);
 }
 
 /// Eight of View::among_lumps. @return false where one has parted.
 bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
-    std::int32_t x[2][kLanes], v[2][kLanes], row[kLanes], record[kLanes], force[kLanes];
-    double pulls[kLanes];
+    std::int32_t x[2][kLanes], v[2][kLanes], row[kLanes], jac[kLanes], force[kLanes];
+    double pulls[kLanes], acts[kLanes], elastic[kLanes];
     for (int l = 0; l < kLanes; ++l) {
         const std::int32_t id = ids[l];
         if (view.parted[id] || !view.among_lumps[id]) return false;
@@ -93,9 +121,11 @@ bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
             v[b][l] = view.dof_begin[body];
         }
         row[l] = view.row_begin[id];
-        record[l] = view.geo[id].record;
+        jac[l] = view.jac_begin[id];
         force[l] = view.geo[id].force;
         pulls[l] = view.flags[id] & 1 ? 1.0 : 0.0;
+        acts[l] = view.active[id] != 0.0 || (view.flags[id] & 1) ? 1.0 : 0.0;
+        elastic[l] = view.epsilon[row[l]] > kElastic ? 1.0 : 0.0;
     }
     auto apart = [&](const double* base, const std::int32_t(&from)[2][kLanes]) {
         V8 a[kLanes], b[kLanes];
@@ -109,24 +139,30 @@ bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
     const W8 size = size_of(W8(at[0])) + size_of(W8(at[1])) + size_of(W8(at[2]));
     V8 f[kLanes], line[kLanes];
     load_lanes(view.geo_force, force, f);
-    load_lanes(view.geo_record, record, line);
+    load_lanes(view.jacobian, jac, line);
     const W8 half = constant(W8(f[0]), 0.5 * view.h), lambda = gather_range(view.lambda, row, 0, 8);
     const V3T<W8> across{f[3] - f[0], f[4] - f[1], f[5] - f[2]};
-    const V3T<W8> n{line[1], line[2], line[3]};
+    const V3T<W8> n{line[3], line[4], line[5]};  // of the second lump
     const Ends<W8> e{d,
                      d - half * u,
                      d + half * w,
                      constant(half, 0.5) * (u + w),
+                     n,
+                     {dot(n, u), dot(n, w)},
+                     lambda,
+                     load(elastic),
+                     load(acts),
                      lambda * n - across,
                      gather_range(view.g, row, 0, 8),
                      1.0 / gather_range(view.epsilon, row, 0, 8),
                      load(pulls),
                      size};
-    W8 gain{}, exchanged{}, noise{};
-    gain_of(e, gain, exchanged, noise);
+    W8 gain{}, exchanged{}, noise{}, unbooked{};
+    gain_of(e, 0.5 * view.h, gain, exchanged, noise, unbooked);
     sum->gain += hawser::HAWSER_ISA::sum(gain);
     sum->exchanged += hawser::HAWSER_ISA::sum(exchanged);
     sum->noise += hawser::HAWSER_ISA::sum(noise);
+    sum->unbooked += hawser::HAWSER_ISA::sum(unbooked);
     return true;
 }
 
