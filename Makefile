@@ -8,13 +8,14 @@ BIN    := build/$(PRESET)/bin
 DEMO   := out/demo
 CXX_FILES = git ls-files -co --exclude-standard '*.cpp' '*.h'
 
-.PHONY: help demo test test-long build bench format format-check layers tidy check clean packages
+.PHONY: help demo test test-long test-bare build bench format format-check layers tidy check clean packages
 .NOTPARALLEL:
 
 help:
 	@echo "make demo      install what is missing, build, simulate the anchor lines of a rig, plot"
 	@echo "make test      install what is missing, build, run all tests"
-	@echo "make test-long 100,000 random pairs of shapes of each two kinds, hashes of 1,000 steps: minutes"
+	@echo "make test-long 100,000 random pairs of shapes of each two kinds, a million forged files, hashes: minutes"
+	@echo "make test-bare demo and test in a bare Debian 12 that debootstrap makes: root, network, minutes"
 	@echo "make bench     build with the foreign engines installed, run the comparisons"
 	@echo "make build     build everything   (PRESET=$(PRESET); others: debug relassert asan-ubsan tsan)"
 	@echo "make format    format all C++ files; format-check only looks"
@@ -57,10 +58,15 @@ test: build
 test-long: build
 	@HAWSER_LONG=1 $(BIN)/hawser_test_slow --gtest_filter='NarrowPairs.*'
 	@HAWSER_LONG=1 $(BIN)/hawser_test_world --gtest_filter='Degenerate*'
+	@HAWSER_LONG=1 $(BIN)/hawser_test_files --gtest_filter='Forged*'
 	@$(BIN)/hawser-bench hashes --steps 1000
 	@$(BIN)/hawser-bench hashes scenes/anchor_lines.json scenes/mooring.json --steps 600 \
 	    --threads 1 2 3 4 8
 	@$(BIN)/hawser-bench hashes --steps 200 --nonsmooth pivoting split pgs convex
+
+# Not part of check: it fetches a system.
+test-bare:
+	@scripts/test_bare.sh
 
 bench:
 	@scripts/install_packages.sh build bench

@@ -2,7 +2,8 @@
 #
 # hawser-bench: a program apart from `hawser`, because it links foreign engines and GPL parts
 # of SuiteSparse. It is never installed. Each peer is used where it is found; the source sees
-# HAWSER_HAVE_<PEER> as 1 or 0.
+# HAWSER_HAVE_<PEER> as 1 or 0. With HAWSER_BENCH_LIBRARIES=OFF the build is that of a machine
+# which lacks the group `bench` of scripts/packages.txt; SuiteSparse stays, the library needs AMD.
 
 hawser_sources(bench_sources bench)
 if(NOT bench_sources)
@@ -75,19 +76,21 @@ target_link_libraries(hawser_bench PRIVATE CLI11::CLI11 fmt::fmt nlohmann_json::
 target_compile_definitions(hawser_bench PRIVATE
     HAWSER_BENCH_REFERENCE="${PROJECT_SOURCE_DIR}/bench/peers/reference")
 
+# What an earlier configuration of the folder found stays in its cache: each use asks the option.
+set(foreign_peers ODE BULLET SIMBODY METIS SCOTCH MUMPS)
 function(hawser_bench_peer name found)
-    if(found)
+    if(found AND (HAWSER_BENCH_LIBRARIES OR NOT name IN_LIST foreign_peers))
         target_compile_definitions(hawser_bench PRIVATE HAWSER_HAVE_${name}=1)
         target_link_libraries(hawser_bench PRIVATE ${ARGN})
     else()
         target_compile_definitions(hawser_bench PRIVATE HAWSER_HAVE_${name}=0)
-        message(STATUS "hawser-bench: ${name} not found, left out")
+        message(STATUS "hawser-bench: ${name} left out")
     endif()
 endfunction()
 
 hawser_bench_peer(ODE "${ODE_FOUND}" PkgConfig::ODE)
 hawser_bench_peer(BULLET "${BULLET_FOUND}" PkgConfig::BULLET)
-if(Simbody_FOUND AND simbody_sources)
+if(HAWSER_BENCH_LIBRARIES AND Simbody_FOUND AND simbody_sources)
     add_library(hawser_bench_simbody OBJECT ${simbody_sources})
     hawser_settings(hawser_bench_simbody)
     # Debian builds Simbody with assertions on, and its inline State classes have other members

@@ -24,8 +24,8 @@ set(HAWSER_PROGRAM_TESTS bench cli)
 set(HAWSER_THREAD_TESTS runtime threads)
 set(HAWSER_UNSANITIZED_TESTS assembly observe)
 # Tests that need more than the library.
-set(HAWSER_OBSERVE_TESTS cli observe)
-set(HAWSER_SCENE_TESTS bench cli observe scene scenes slow stepper threads validate world)
+set(HAWSER_OBSERVE_TESTS cli files observe)
+set(HAWSER_SCENE_TESTS bench cli files observe scene scenes slow stepper threads validate world)
 add_custom_target(hawser_fast_tests)
 add_custom_target(hawser_thread_tests)
 

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -27,9 +28,7 @@ int bench(std::vector<std::string> arguments) {
     const std::filesystem::path program = self.parent_path() / "hawser-bench";
     if (error || !std::filesystem::exists(program))
         throw std::runtime_error(
-            fmt::format("{}: not found; build it with -DHAWSER_BENCH=ON (needs ODE, Bullet and "
-                        "Simbody)",
-                        program.string()));
+            fmt::format("{}: not found; build it with -DHAWSER_BENCH=ON", program.string()));
     std::string name = program.string();
     std::vector<char*> argv{name.data()};
     for (std::string& argument : arguments) {
@@ -37,6 +36,7 @@ int bench(std::vector<std::string> arguments) {
         argv.push_back(argument.data());
     }
     argv.push_back(nullptr);
+    std::signal(SIGPIPE, SIG_DFL);  // ignored here, see streams.h
     execv(name.c_str(), argv.data());
     throw std::runtime_error(fmt::format("{}: cannot run: {}", name, std::strerror(errno)));
 }

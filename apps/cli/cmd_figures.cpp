@@ -6,6 +6,7 @@
 #include "observe/figures/panel.h"
 #include "observe/host.h"
 #include "observe/png.h"
+#include "outputs.h"
 #include "scene_options.h"
 
 #include <fmt/format.h>
@@ -101,9 +102,7 @@ class Writer {
         data.update(origin_);
         data.update(panel.data);
         const std::filesystem::path file = folder_ / (panel.name + ".json");
-        std::ofstream out(file);
-        out << data.dump() << '\n';
-        if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
+        write_output(file.string(), data.dump() + '\n', "the data of a figure");
         fmt::print("wrote {}\n", file.string());
     }
 

@@ -77,7 +77,8 @@ void add_plot(CLI::App& app, Command& chosen) {
         ->required();
     command->add_option("-o,--output", options->folder, "Folder for the pictures")
         ->capture_default_str();
-    command->add_option("--at", options->at, "Time of the views of the scene [s]; else the end");
+    command->add_option("--at", options->at, "Time of the views of the scene [s]; else the end")
+        ->check(finite());
     command->callback([&chosen, options] { chosen = [options] { return plot(*options); }; });
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
+#include "failure.h"
 #include "observe/recording.h"
 #include "progress.h"
 #include "scene/scene.h"
@@ -21,8 +22,9 @@ constexpr const char* kReplayFooter = R"(Examples:
   HAWSER_ISA=avx2 hawser replay run.hwr     # recorded on a machine without avx512
 
 Builds the scene from the text in the recording, restores the state it began with, applies the
-recorded inputs, steps, and compares the state hash of every recorded frame. Exit codes: 0 the
-same, 1 unreadable, 2 a step failed, 3 different, 130 interrupted.)";
+recorded inputs, steps, and compares the state hash of every recorded frame and of the end. Exit
+codes: 0 the same, 1 unreadable, or not complete and the same as far as it goes, 2 a step failed,
+3 different, 130 interrupted.)";
 
 struct ReplayOptions {
     std::string file;
@@ -72,9 +74,12 @@ class Replay {
 
     int run(bool quiet) {
         const auto frames = recording_.frame_count();
-        const std::int64_t last =
-            frames > 0 ? recording_.frame_head(frames - 1).step : recording_.start_step;
+        const bool ended = recording_.ending != observe::Ending::unknown;
+        const std::int64_t last = ended        ? recording_.end_step
+                                  : frames > 0 ? recording_.frame_head(frames - 1).step
+                                               : recording_.start_step;
         catch_signals();
+        const CancelledBySignal cancelled(world_);
         Progress progress(last - recording_.start_step, recording_.settings.step, !quiet);
         for (std::size_t i = 0; i < frames; ++i) {
             const observe::Frame head = recording_.frame_head(i);
@@ -85,15 +90,37 @@ class Replay {
                 return kMismatch;
             }
         }
+        if (const int code = ended ? advance(last, progress) : kOk; code != kOk) return code;
         progress.close();
-        fmt::print("{}: same state hash at all {} frames, {} steps, last {:016x}\n",
-                   recording_.file, frames, last - recording_.start_step, world_.state_hash());
-        if (!recording_.damage.empty())
-            fmt::print("the recording is not complete: {}\n", recording_.damage);
-        return kOk;
+        if (ended && world_.state_hash() != recording_.end_hash) {
+            fmt::print(
+                "difference at the end, step {}, {:.6g} s: recorded hash {:016x}, replayed "
+                "{:016x}\n",
+                last, world_.time(), recording_.end_hash, world_.state_hash());
+            return kMismatch;
+        }
+        fmt::print("{}: same state hash at all {} frames{}, {} steps, last {:016x}\n",
+                   recording_.file, frames, ended ? " and at the end" : "",
+                   last - recording_.start_step, world_.state_hash());
+        return conclude();
     }
 
   private:
+    /// How the recorded run ended, if not well. @return kUsageError where the recording does not
+    /// say so: what is missing was not repeated.
+    int conclude() const {
+        if (recording_.ending == observe::Ending::interrupted)
+            fmt::print("the recorded run was interrupted at {:.6g} s\n", world_.time());
+        if (recording_.ending == observe::Ending::failed)
+            fmt::print("the recorded run failed in the step from {:.6g} s\n", world_.time());
+        if (recording_.damage.empty()) return kOk;
+        fmt::print(stderr,
+                   "hawser: {}: the recording is not complete: {}; only what comes before, to "
+                   "{:.6g} s, was repeated\n",
+                   recording_.file, recording_.damage, world_.time());
+        return kUsageError;
+    }
+
     int advance(std::int64_t to, Progress& progress) {
         while (world_.step_count() < to) {
             if (stop_requested()) return kInterrupted;
@@ -107,9 +134,10 @@ class Replay {
             if (next_cut_ < cuts.size() && cuts[next_cut_].step == world_.step_count())
                 world_.degrade_next_step(cuts[next_cut_].left_out);
             if (const Status status = world_.step(); status != Status::ok) {
+                if (status == Status::cancelled) return kInterrupted;
                 progress.close();
                 fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}\n", world_.time(),
-                           to_string(status));
+                           failure(world_.stats()));
                 return kFailed;
             }
             progress.at(world_.step_count() - recording_.start_step);
@@ -134,6 +162,7 @@ int replay(const ReplayOptions& options) {
         return input.input < 0 || input.input >= world.input_count();
     };
     if (world.body_count() != static_cast<std::int32_t>(recording.bodies.size()) ||
+        world.settings().step != recording.settings.step ||
         std::any_of(recording.inputs.begin(), recording.inputs.end(), bad_input))
         throw observe::RecordingError(options.file +
                                       ": the embedded scene does not fit the recording");

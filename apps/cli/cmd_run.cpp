@@ -23,8 +23,8 @@ constexpr const char* kRunFooter = R"(Examples:
   hawser run scene.json --save-at 10 ten.hws; hawser run scene.json --restore ten.hws
 
 A CONTROL file has the line "time,<input>,<input>,…" and below it times and values, which hold
-until the next line. Exit codes: 0 done, 1 wrong option, scene or file, 2 a step failed,
-130 interrupted; what there was until then is written in every case.)";
+until the next line. Exit codes: 0 done, 1 wrong option, scene or file, or a report that could not
+be printed, 2 a step failed, 130 interrupted; what there was until then is written in every case.)";
 
 void add_outputs(CLI::App& command, RunOptions& options) {
     command.add_option("--record", options.record, "Write a recording (for replay and plot)");
@@ -75,6 +75,8 @@ void add_run(CLI::App& app, Command& chosen) {
         "--verify", options->verify,
         "Compute contacts, momentum and bounds of every step anew, by separate code, and "
         "fail where they disagree");
+    command->add_flag("--unchecked", options->unchecked,
+                      "Run a scene whose start `hawser check` finds impossible");
     command->add_flag("--quiet", options->quiet, "No progress and no report");
     command->callback([&chosen, options, save_at, save] {
         if (save->count() > 0) std::tie(options->save_time, options->save_file) = *save_at;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
+#include "failure.h"
+#include "outputs.h"
 #include "progress.h"
 #include "scene_options.h"
 #include "signals.h"
@@ -10,9 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <stdexcept>
 
 namespace hawser::cli {
 
@@ -109,7 +109,8 @@ class Settler {
 
     int run() {
         const double h = scene_.world.settings().step;
-        const auto steps = static_cast<std::int64_t>(std::ceil(options_.max_time / h));
+        const auto steps =
+            static_cast<std::int64_t>(std::min(std::ceil(options_.max_time / h), 0x1p53));
         catch_signals();
         Progress progress(steps, h, !options_.quiet);
         for (double stop_time : {0.1, 0.3, 1.0, 4.0, 15.0}) {
@@ -143,6 +144,7 @@ class Settler {
     int run_stage(World& world, double duration, bool last, std::int64_t steps,
                   Progress& progress) {
         const double h = world.settings().step;
+        const CancelledBySignal cancelled(world);
         double quiet = 0.0;
         while (world.time() < duration && quiet < kQuietTime) {
             if (stop_requested()) return kInterrupted;
@@ -155,9 +157,10 @@ class Settler {
                 return kFailed;
             }
             if (const Status status = world.step(); status != Status::ok) {
+                if (status == Status::cancelled) return kInterrupted;
                 progress.close();
                 fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}\n", time(),
-                           to_string(status));
+                           failure(world.stats()));
                 return kFailed;
             }
             motion_ = motion_of(world);
@@ -179,6 +182,15 @@ class Settler {
 int settle(const SettleOptions& options) {
     scene::Scene scene = options.scene.load();
     World& world = scene.world;
+    const std::filesystem::path output =
+        options.output.empty()
+            ? std::filesystem::path(options.scene.file).replace_extension(".settled.json")
+            : std::filesystem::path(options.output);
+    // A scene's own state may be written: it begins where it came to rest the last time.
+    std::vector<NamedFile> inputs;
+    for (const std::filesystem::path& file : scene.files)
+        if (file != scene.state_file) inputs.push_back({"a file of the scene", file.string()});
+    check_outputs(inputs, {{"--output", output.string()}});
     std::vector<Pose> start;
     for (std::int32_t i = 0; i < world.body_count(); ++i) start.push_back(world.pose({i}));
     Settler settler(scene, options);
@@ -196,13 +208,7 @@ int settle(const SettleOptions& options) {
             where = {i};
         }
     }
-    std::filesystem::path output = options.output;
-    if (output.empty())
-        output = std::filesystem::path(options.scene.file).replace_extension(".settled.json");
-    std::ofstream out(output, std::ios::binary);
-    out << scene::state_text(scene);
-    out.close();
-    if (!out) throw std::runtime_error(fmt::format("{}: cannot write the state", output.string()));
+    write_output(output.string(), scene::state_text(scene), "the state");
     fmt::print(
         "{}: {} after {:.6g} s; {} still moves at {:.3g} m/s; {} moved most, by {:.4g} m\n"
         "wrote {}\n",

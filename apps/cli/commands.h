@@ -27,6 +27,7 @@ inline constexpr int kMostThreads = 256;  ///< As WorldDef::threads.
 /// Checks of options; their messages say what was expected.
 [[nodiscard]] CLI::Validator positive();
 [[nodiscard]] CLI::Validator not_negative();
+[[nodiscard]] CLI::Validator finite();
 
 void add_run(CLI::App& app, Command& chosen);
 void add_check(CLI::App& app, Command& chosen);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
+#include "streams.h"
 
 #include <fmt/format.h>
 #include <hawser/hawser.h>
@@ -7,6 +8,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <sstream>
 
 namespace {
 
@@ -17,8 +19,8 @@ constexpr const char* kFooter = R"(Examples:
   hawser replay run.hwr
   hawser COMMAND --help
 
-Exit codes: 0 success; 1 wrong option, scene or file; 2 a step failed;
-3 replay or validation differs; 130 interrupted (Ctrl-C).)";
+Exit codes: 0 success; 1 wrong option, scene or file, or a report that could not be
+printed; 2 a step failed; 3 replay or validation differs; 130 interrupted (Ctrl-C).)";
 
 }  // namespace
 
@@ -29,10 +31,9 @@ std::string& command_line() {
     return line;
 }
 
-}  // namespace hawser::cli
+namespace {
 
-int main(int argc, char** argv) {
-    using namespace hawser::cli;
+int run_main(int argc, char** argv) {
     CLI::App app{"Hawser: real-time dynamics of ships, cranes, winches and cables", "hawser"};
     app.set_version_flag(
         "--version", fmt::format("hawser {} ({})", hawser::version(), hawser::instruction_set()));
@@ -60,14 +61,32 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? kOk : kUsageError;
+        std::ostringstream out, error;
+        const int code = app.exit(e, out, error) == 0 ? kOk : kUsageError;
+        fmt::print("{}", out.str());
+        fmt::print(stderr, "{}", error.str());
+        return code;
     }
+    hawser::check_environment();
+    return chosen();
+}
+
+}  // namespace
+
+}  // namespace hawser::cli
+
+int main(int argc, char** argv) {
+    using namespace hawser::cli;
+    open_streams();
+    int code = kUsageError;
     try {
-        return chosen();
+        code = run_main(argc, argv);
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "hawser: out of memory\n");
+        std::fputs("hawser: out of memory\n", stderr);
     } catch (const std::exception& e) {
-        fmt::print(stderr, "hawser: {}\n", e.what());
+        std::fputs("hawser: ", stderr);
+        std::fputs(e.what(), stderr);
+        std::fputs("\n", stderr);
     }
-    return kUsageError;
+    return close_streams(code);
 }

@@ -2,8 +2,11 @@
 #include "run_session.h"
 
 #include "commands.h"
+#include "failure.h"
 #include "observe/host.h"
 #include "observe/snapshot_file.h"
+#include "observe/start/check.h"
+#include "outputs.h"
 #include "progress.h"
 #include "signals.h"
 
@@ -13,7 +16,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
 
 namespace hawser::cli {
@@ -26,28 +28,23 @@ constexpr double kRecordingBytes = 128e6;
 // Times are multiples of the step up to rounding.
 constexpr double kTimeSlack = 1e-6;  // [steps]
 
+// Times are doubles: beyond this a step is lost in rounding.
+constexpr double kMostRunSteps = 0x1p53;
+
 }  // namespace
 
 RunSession::RunSession(const RunOptions& options)
     : options_(options), scene_(options.scene.load()), info_(info_of(scene_)) {
     World& world = scene_.world;
+    check_files();
     world.prepare();
-    if (!options.restore.empty()) observe::restore_snapshot(options.restore, info_, world);
-    const double h = world.settings().step;
-    end_time_ = options.duration.value_or(scene_.duration);
-    steps_ = static_cast<std::int64_t>(std::ceil((end_time_ - world.time()) / h - kTimeSlack));
-    if (steps_ <= 0 && !options.restore.empty())
-        throw std::runtime_error(
-            fmt::format("{}: the snapshot is at {:.6g} s and the run ends at {:.6g} s; give a "
-                        "later end with --duration",
-                        options.restore, world.time(), end_time_));
-    steps_ = std::max<std::int64_t>(0, steps_);
-    if (options.save_time &&
-        (*options.save_time > end_time_ + 0.5 * h || *options.save_time < world.time()))
-        throw std::runtime_error(
-            fmt::format("--save-at {:.6g}: not between the start {:.6g} s "
-                        "and the end {:.6g} s of the run",
-                        *options.save_time, world.time(), end_time_));
+    // A restored state is no start: what touches presses, and lines carry what they carry.
+    if (options.restore.empty())
+        check_start();
+    else
+        observe::restore_snapshot(options.restore, info_, world);
+    choose_times();
+    framed_ = world.step_count();
     if (!options.control.empty())
         control_ = observe::read_control(options.control, input_names(world));
     choose_stride();
@@ -70,8 +67,6 @@ RunSession::RunSession(const RunOptions& options)
             csv_->add_row(world);
         written_.push_back(options.csv);
     }
-    if (!options.summary.empty() && !std::ofstream(options.summary))
-        throw std::runtime_error(fmt::format("{}: cannot write the summary", options.summary));
     options.trace.start(world);
     collector_ = std::make_unique<observe::SummaryCollector>(info_, world);
     const std::vector<CutView> cuts = world.cuts();
@@ -88,6 +83,54 @@ RunSession::RunSession(const RunOptions& options)
     if (options.verify) verifier_ = std::make_unique<observe::Verifier>(world);
 }
 
+void RunSession::check_files() const {
+    std::vector<NamedFile> inputs{{"the control file", options_.control},
+                                  {"the saved state", options_.restore}};
+    for (const std::filesystem::path& file : scene_.files)
+        inputs.push_back({"a file of the scene", file.string()});
+    std::vector<NamedFile> outputs{{"--record", options_.record},
+                                   {"--csv", options_.csv},
+                                   {"--summary", options_.summary},
+                                   {"--save-at", options_.save_file}};
+    for (const std::string& file : options_.trace.files) outputs.push_back({"--trace", file});
+    check_outputs(inputs, outputs);
+}
+
+void RunSession::choose_times() {
+    const World& world = scene_.world;
+    const double h = world.settings().step;
+    end_time_ = options_.duration.value_or(scene_.duration);
+    const double count = std::ceil((end_time_ - world.time()) / h - kTimeSlack);
+    if (!(end_time_ / h <= kMostRunSteps))
+        throw std::runtime_error(fmt::format(
+            "the end at {:.6g} s cannot be reached with a step of {:.6g} s: at most {:.6g} s; give "
+            "another --duration",
+            end_time_, h, kMostRunSteps * h));
+    if (count <= 0.0 && !options_.restore.empty())
+        throw std::runtime_error(
+            fmt::format("{}: the snapshot is at {:.6g} s and the run ends at {:.6g} s; give a "
+                        "later end with --duration",
+                        options_.restore, world.time(), end_time_));
+    steps_ = static_cast<std::int64_t>(std::max(0.0, count));
+    if (options_.save_time &&
+        !(*options_.save_time <= end_time_ + 0.5 * h && *options_.save_time >= world.time()))
+        throw std::runtime_error(
+            fmt::format("--save-at {:.6g}: not between the start {:.6g} s "
+                        "and the end {:.6g} s of the run",
+                        *options_.save_time, world.time(), end_time_));
+}
+
+void RunSession::check_start() {
+    if (options_.unchecked) return;
+    const auto findings = observe::start::check_start(info_, scene_.world);
+    if (!options_.quiet || findings.errors() > 0)
+        fmt::print(stderr, "{}", observe::start::to_text(findings, scene_.path + ": "));
+    if (findings.errors() > 0)
+        throw std::runtime_error(fmt::format(
+            "{}: this start is impossible; --unchecked runs it nevertheless", scene_.path));
+    for (const observe::start::Finding& finding : findings.list) warnings_.push_back(finding.text);
+}
+
 void RunSession::choose_stride() {
     stride_ = options_.stride;
     if (stride_ > 0) return;
@@ -99,6 +142,7 @@ void RunSession::choose_stride() {
 int RunSession::run() {
     World& world = scene_.world;
     catch_signals();
+    const CancelledBySignal cancelled(world);
     if (!options_.quiet)
         fmt::print(stderr, "{}: {} bodies, {} interactions, {} steps of {:.6g} ms\n", info_.name,
                    world.body_count(), world.interaction_count(), steps_,
@@ -118,6 +162,10 @@ int RunSession::run() {
         if (verifier_) verifier_->before_step(world);
         if (coupling_) coupling_->before_step(world);
         const Status status = world.step();
+        if (status == Status::cancelled) {
+            ending = observe::Ending::interrupted;
+            break;
+        }
         ++done_;
         if (status != Status::ok) {
             ending = observe::Ending::failed;
@@ -154,16 +202,21 @@ void RunSession::after_step() {
     World& world = scene_.world;
     const std::vector<Event> events = world.take_events();
     collector_->after_step(world, events);
-    const bool frame = done_ % stride_ == 0 || done_ == steps_;
     if (recording_) {
         if (const StepStats& stats = world.stats(); stats.degradation.any())
             recording_->add_cut(
                 {stats.step - 1, stats.degradation, stats.degraded_by, stats.foreseen_seconds});
         for (const Event& event : events) recording_->add_event(world, event);
-        if (frame) recording_->add_frame(world);
     }
-    if (csv_ && frame) csv_->add_row(world);
+    if (done_ % stride_ == 0 || done_ == steps_) add_frame();
     save_if_due();
+}
+
+void RunSession::add_frame() {
+    const World& world = scene_.world;
+    if (recording_) recording_->add_frame(world);
+    if (csv_) csv_->add_row(world);
+    framed_ = world.step_count();
 }
 
 void RunSession::save_if_due() {
@@ -184,6 +237,7 @@ int RunSession::finish(observe::Ending ending, double wall_seconds) {
                        world.settings().on_diverged == OnDiverged::stop;
     if (wrong && ending == observe::Ending::finished) ending = observe::Ending::failed;
     summary.wall_seconds = wall_seconds;
+    summary.warnings = warnings_;
     if (pacer_) {
         summary.missed_frames = pacer_->missed();
         summary.lateness_max = pacer_->lateness_max();
@@ -192,10 +246,12 @@ int RunSession::finish(observe::Ending ending, double wall_seconds) {
     if (verifier_) summary.verified = verifier_->result();
     if (ending == observe::Ending::interrupted) summary.outcome = "interrupted";
     if (ending == observe::Ending::failed) summary.outcome = "failed";
+    // Where it ended early the last step need not be one of a frame.
+    if (world.step_count() > framed_) add_frame();
     if (recording_) recording_->finish(world, ending);
     if (csv_) csv_->finish();
     if (!options_.summary.empty()) {
-        write_summary(summary);
+        write_output(options_.summary, observe::to_json(summary), "the summary");
         written_.push_back(options_.summary);
     }
     const std::string timeline = options_.trace.finish(world, info_.name);
@@ -217,18 +273,10 @@ int RunSession::finish(observe::Ending ending, double wall_seconds) {
     }
     if (ending == observe::Ending::failed) {
         fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}; the state before it stays\n",
-                   world.time(), to_string(summary.last.status));
+                   world.time(), failure(summary.last));
         return kFailed;
     }
     return ending == observe::Ending::interrupted ? kInterrupted : kOk;
-}
-
-void RunSession::write_summary(const observe::Summary& summary) const {
-    std::ofstream out(options_.summary, std::ios::binary);
-    out << observe::to_json(summary);
-    out.close();
-    if (!out)
-        throw std::runtime_error(fmt::format("{}: cannot write the summary", options_.summary));
 }
 
 }  // namespace hawser::cli

@@ -23,6 +23,7 @@ struct RunOptions {
     SceneOptions scene;
     std::optional<double> duration;  ///< Time at which the run ends [s].
     bool realtime = false, rt = false, quiet = false, verify = false;
+    bool unchecked = false;  ///< Runs whatever check_start() finds.
     std::string control, record, csv, summary, restore, save_file;
     std::optional<double> save_time;  ///< [s]
     std::int32_t stride = 0;          ///< Steps from frame to frame; 0 = chosen by size.
@@ -37,18 +38,22 @@ class RunSession {
     int run();
 
   private:
+    void check_files() const;
+    void choose_times();
+    void check_start();
     void choose_stride();
     void apply_inputs();
     void after_step();
+    void add_frame();
     void save_if_due();
     int finish(observe::Ending ending, double wall_seconds);
-    void write_summary(const observe::Summary& summary) const;
 
     const RunOptions& options_;
     scene::Scene scene_;
     observe::SceneInfo info_;
     double end_time_ = 0.0;
     std::int64_t steps_ = 0, done_ = 0;
+    std::int64_t framed_ = 0;  ///< Steps taken at the last frame.
     std::int32_t stride_ = 1;
     std::vector<observe::ControlChange> control_;
     std::size_t next_control_ = 0;
@@ -58,6 +63,7 @@ class RunSession {
     std::unique_ptr<observe::Verifier> verifier_;
     std::unique_ptr<observe::CouplingObserver> coupling_;  ///< Where something is cut.
     std::string wrong_;                                    ///< What the verifier found.
+    std::vector<std::string> warnings_;                    ///< Of the start.
     std::unique_ptr<Pacer> pacer_;
     bool saved_ = false;
     std::vector<std::string> written_;

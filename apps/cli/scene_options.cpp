@@ -9,9 +9,22 @@
 
 namespace hawser::cli {
 
+void SceneOptions::add_changes_to(CLI::App& command) {
+    command.add_option("--step", step, "Time step [s] instead of the scene's")->check(positive());
+    command.add_option("--scale", scale, "Repeat the scene this many times, joined into one")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command
+        .add_option("--set", set,
+                    "Change a value of the scene: path=value, e.g. bodies.rig.mass=2e7; "
+                    "may be given several times")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 void SceneOptions::add_to(CLI::App& command, bool required) {
     command.add_option("SCENE", file, "Scene file (JSON)")->required(required);
-    command.add_option("--step", step, "Time step [s] instead of the scene's")->check(positive());
+    add_changes_to(command);
     command.add_option("--form", form, "Form of the equations: auto, saddle or condensed")
         ->check(CLI::IsMember({"auto", "saddle", "condensed"}));
     command
@@ -43,18 +56,25 @@ void SceneOptions::add_to(CLI::App& command, bool required) {
     command.add_option("--threads", threads, "Worker threads; results do not depend on it")
         ->check(CLI::Range(1, kMostThreads))
         ->capture_default_str();
-    command.add_option("--scale", scale, "Repeat the scene this many times, joined into one")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    command
-        .add_option("--set", set,
-                    "Change a value of the scene: path=value, e.g. bodies.rig.mass=2e7; "
-                    "may be given several times")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 scene::Scene SceneOptions::load() const {
+    std::vector<scene::SceneError> mistakes;
+    std::optional<scene::Scene> scene = load(mistakes);
+    if (scene) return std::move(*scene);
+    scene::SceneError first = mistakes.front();
+    if (mistakes.size() > 1)
+        first = scene::SceneError(first.file, first.path,
+                                  fmt::format("{} (and {} more: `hawser check` lists them)",
+                                              first.message, mistakes.size() - 1));
+    throw first;
+}
+
+std::optional<scene::Scene> SceneOptions::load(std::vector<scene::SceneError>& mistakes) const {
+    return scene::load_file(file, options(), mistakes);
+}
+
+scene::Options SceneOptions::options() const {
     scene::Options options;
     options.scale = scale;
     options.set = set;
@@ -72,7 +92,7 @@ scene::Scene SceneOptions::load() const {
         options.form = *form == "saddle"      ? Form::saddle
                        : *form == "condensed" ? Form::condensed
                                               : Form::automatic;
-    return scene::load_file(file, options);
+    return options;
 }
 
 observe::SceneInfo info_of(const scene::Scene& scene) {
@@ -85,7 +105,7 @@ observe::SceneInfo info_of(const scene::Scene& scene) {
                             .plot_bodies = {}};
     for (const scene::Cable& cable : scene.cables)
         info.cables.push_back({cable.name, cable.line_type, cable.nodes, cable.stretch, cable.EA,
-                               cable.breaking_load, cable.length});
+                               cable.breaking_load, cable.length, cable.diameter});
     for (const std::string& name : scene.plot_tensions)
         for (std::size_t i = 0; i < scene.cables.size(); ++i)
             if (scene.cables[i].name == name)

@@ -30,8 +30,15 @@ struct SceneOptions {
 
     /// @param required  Whether the scene must be named.
     void add_to(CLI::App& command, bool required = true);
-    /// @throws scene::SceneError.
+    /// Options that change the scene, as far as its start depends on them.
+    void add_changes_to(CLI::App& command);
+    /// @throws scene::SceneError of the first mistake, which says how many more there are.
     [[nodiscard]] scene::Scene load() const;
+    /// All mistakes in place of the first; nothing where there are any.
+    [[nodiscard]] std::optional<scene::Scene> load(std::vector<scene::SceneError>& mistakes) const;
+
+  private:
+    [[nodiscard]] scene::Options options() const;
 };
 
 [[nodiscard]] observe::SceneInfo info_of(const scene::Scene& scene);

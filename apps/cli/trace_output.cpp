@@ -4,12 +4,11 @@
 #include "observe/host.h"
 #include "observe/svg.h"
 #include "observe/timeline.h"
+#include "outputs.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <stdexcept>
 
 namespace hawser::cli {
 
@@ -19,13 +18,6 @@ namespace {
 constexpr std::size_t kTraceSpans = std::size_t{1} << 18;
 
 bool is_picture(const std::string& file) { return file.ends_with(".svg"); }
-
-void write_trace(const std::string& file, const std::string& text) {
-    std::ofstream out(file, std::ios::binary);
-    out << text;
-    out.close();
-    if (!out) throw std::runtime_error(fmt::format("{}: cannot write the trace", file));
-}
 
 /// What more threads would bring, where one has run: the median over the steps.
 std::string predict_more_threads(const TraceView& trace) {
@@ -69,7 +61,6 @@ void TraceOptions::add_to(CLI::App& command) {
 
 void TraceOptions::start(World& world) const {
     if (files.empty()) return;
-    for (const std::string& file : files) write_trace(file, {});
     world.start_trace(kTraceSpans);
 }
 
@@ -85,18 +76,19 @@ std::string TraceOptions::finish(const World& world, const std::string& scene) c
     if (any) shown = observe::timeline_of(all, held ? step : observe::typical_step(all));
     for (const std::string& file : files) {
         if (!is_picture(file)) {
-            write_trace(file, observe::to_trace_events(last, scene));
+            write_output(file, observe::to_trace_events(last, scene), "the trace");
             continue;
         }
         const std::string parameters =
             fmt::format("{}, {}, {}, step {:.6g} ms", scene, observe::processor_model(),
                         instruction_set(), 1e3 * world.settings().step);
-        write_trace(
+        write_output(
             file,
             observe::to_svg(observe::plot_timelines(
                 {shown},
                 fmt::format("What {} thread{} did", shown.threads, shown.threads == 1 ? "" : "s"),
-                parameters)));
+                parameters)),
+            "the trace");
     }
     if (!any) return "  timeline     no whole step was traced\n";
     std::string lines = fmt::format("  timeline     {}\n", observe::describe(shown));

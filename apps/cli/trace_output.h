@@ -19,7 +19,7 @@ struct TraceOptions {
     std::int64_t step = 0;           ///< Of the picture; 0: the one of median length.
 
     void add_to(CLI::App& command);
-    /// Begin to write down. @throws std::runtime_error where a file cannot be written.
+    /// Begin to write down. @throws std::bad_alloc.
     void start(World& world) const;
     /// Write the files. @return lines for the report; empty where nothing was asked for.
     [[nodiscard]] std::string finish(const World& world, const std::string& scene) const;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "validate.h"
 
+#include "observe/files.h"
 #include "validate_cases.h"
+#include "validate_robust.h"
 
 #include <fmt/format.h>
 
@@ -9,18 +11,11 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <iterator>
+#include <span>
 
 namespace hawser::cli {
 namespace {
-
-struct Case {
-    const char* id;
-    const char* name;
-    const char* text;
-    void (*run)(Report&);
-};
 
 constexpr Case kCases[] = {
     {"1", "pendulum", "period of a pendulum at 90 and 30 degrees and small", case_pendulum_period},
@@ -62,9 +57,9 @@ constexpr Case kCases[] = {
 };
 
 const Case* find(const std::string& wanted) {
-    for (const Case& c : kCases) {
-        if (wanted == c.id || wanted == c.name) return &c;
-    }
+    for (const std::span<const Case> cases : {std::span<const Case>(kCases), robust_cases()})
+        for (const Case& c : cases)
+            if (wanted == c.id || wanted == c.name) return &c;
     return nullptr;
 }
 
@@ -73,11 +68,9 @@ bool write_json(const std::string& file, const std::string& text) {
         fmt::print("{}", text);
         return true;
     }
-    std::ofstream out(file);
-    out << text;
-    out.close();
-    if (!out) fmt::print(stderr, "hawser validate: cannot write {}\n", file);
-    return static_cast<bool>(out);
+    const std::string fault = observe::write_file(file, text);
+    if (!fault.empty()) fmt::print(stderr, "hawser validate: cannot write {}: {}\n", file, fault);
+    return fault.empty();
 }
 
 void run_case(const Case& c, Report& report, bool quiet) {
@@ -96,10 +89,16 @@ void run_case(const Case& c, Report& report, bool quiet) {
 int run_validate(const std::vector<std::string>& cases, const std::string& json_file, bool list) {
     if (list) {
         for (const Case& c : kCases) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
+        fmt::print("robust: beyond what a step resolves, not among those that run unasked\n");
+        for (const Case& c : robust_cases()) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
         return 0;
     }
     std::vector<const Case*> chosen;
     for (const std::string& name : cases) {
+        if (name == "robust") {
+            for (const Case& c : robust_cases()) chosen.push_back(&c);
+            continue;
+        }
         chosen.push_back(find(name));
         if (chosen.back() == nullptr) {
             fmt::print(stderr, "hawser validate: no case {}; `hawser validate --list` names them\n",

@@ -9,12 +9,16 @@
 namespace hawser::cli {
 namespace {
 
+bool to_number(const std::string& text, double& value) {
+    char* end = nullptr;
+    value = std::strtod(text.c_str(), &end);
+    return end != text.c_str() && *end == '\0' && std::isfinite(value);
+}
+
 /// Why `text` is no finite number of at least (or above) zero; empty if it is one.
 std::string fault(const std::string& text, bool zero_too) {
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    const bool number = end != text.c_str() && *end == '\0' && std::isfinite(value);
-    if (number && (value > 0.0 || (zero_too && value == 0.0))) return {};
+    double value = 0.0;
+    if (to_number(text, value) && (value > 0.0 || (zero_too && value == 0.0))) return {};
     return fmt::format("expected a number {}, found \"{}\"",
                        zero_too ? "of at least 0" : "greater than 0", text);
 }
@@ -27,6 +31,16 @@ CLI::Validator positive() {
 
 CLI::Validator not_negative() {
     return {[](const std::string& text) { return fault(text, true); }, ">= 0"};
+}
+
+CLI::Validator finite() {
+    return {[](const std::string& text) {
+                double value = 0.0;
+                return to_number(text, value)
+                           ? std::string()
+                           : fmt::format("expected a finite number, found \"{}\"", text);
+            },
+            "FINITE"};
 }
 
 }  // namespace hawser::cli

@@ -26,8 +26,10 @@ double percentile(const std::vector<double>& sorted, double p) {
 
 /// Layout number `choice` of the scene, counted from 1; 0 takes the one that was fastest for the
 /// engine: Bullet pays for the length of the trees between closures (the first layout), Simbody
-/// for the number of closures (the last of those with the fewest).
-const TreeLayout& layout(const Scene& scene, std::size_t choice, bool few_closures) {
+/// for the number of closures (the last of those with the fewest). Nobody asks for it where neither
+/// is built in.
+[[maybe_unused]] const TreeLayout& layout(const Scene& scene, std::size_t choice,
+                                          bool few_closures) {
     const std::vector<TreeLayout>& all = scene.layouts;
     if (choice > 0) return all[std::min(choice, all.size()) - 1];
     std::size_t best = 0;

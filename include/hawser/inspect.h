@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file inspect.h
-/// Read-only picture of the system that the last analysis produced, for plots and reports.
+/// Read-only picture of the system that the last analysis produced, for plots and reports, and of
+/// the rows of an interaction, for checks of a start.
 
 #include <hawser/def.h>
 #include <hawser/id.h>
+#include <hawser/interactions.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -44,6 +47,24 @@ struct CutView {
     bool open = false;
     double momentum_defect = 0.0;  ///< ‖Σ of the impulses on its bodies‖ [N s].
     double residual = 0.0;         ///< max |G v₊ + Σλ − c|, λ the mean of the sides [m/s or rad/s].
+};
+
+/// Rows of an interaction at the present poses and velocities (interactions.h). Those of a range, a
+/// motor or friction are there whether or not they act at the moment.
+struct RowsView {
+    int rows = 0, bodies = 0;
+    /// Of a velocity row: it wants G v = speed, and has no violation.
+    std::array<bool, kMaxInteractionRows> velocity{};
+    std::array<double, kMaxInteractionRows> violation{};  ///< g [m or rad].
+    std::array<double, kMaxInteractionRows> speed{};      ///< Of velocity rows [m/s or rad/s].
+    /// G v, bodies with a prescribed velocity included [m/s or rad/s].
+    std::array<double, kMaxInteractionRows> rate{};
+    std::array<double, kMaxInteractionRows> compliance{};    ///< ε, or γ, in force.
+    std::array<double, kMaxInteractionRows> damping_time{};  ///< τ in force [s].
+    /// G by body and row: of the velocity of its centre of mass, then of its angular velocity, in
+    /// the world's axes; of a scalar body the first entry.
+    std::array<std::array<std::array<double, 6>, kMaxInteractionRows>, kMaxInteractionBodies>
+        jacobian{};
 };
 
 }  // namespace hawser

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "observe/control.h"
 
+#include "observe/files.h"
 #include "observe/names.h"
 
 #include <fmt/format.h>
@@ -8,8 +9,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 namespace hawser::observe {
 
@@ -137,10 +136,9 @@ std::vector<ControlChange> parse_control(std::string_view text, const std::strin
 
 std::vector<ControlChange> read_control(const std::filesystem::path& file,
                                         std::span<const std::string> inputs) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in || !std::filesystem::is_regular_file(file))
-        throw ControlError(fmt::format("{}: cannot open the file", file.string()));
-    const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    std::string text;
+    if (const std::string fault = read_file(file, text); !fault.empty())
+        throw ControlError(fmt::format("{}: {}", file.string(), fault));
     return parse_control(text, file.string(), inputs);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "observe/csv.h"
 
+#include "observe/files.h"
 #include "observe/series.h"
 
 #include <fmt/format.h>
@@ -25,7 +26,10 @@ std::string quoted(const std::string& name) {
 }  // namespace
 
 CsvWriter::CsvWriter(const std::filesystem::path& file, const SceneInfo& scene, const World& world)
-    : file_(file), out_(std::fopen(file.c_str(), "wb")) {
+    : file_(file) {
+    if (const std::string fault = output_fault(file); !fault.empty())
+        throw std::runtime_error(fmt::format("{}: cannot write: {}", file.string(), fault));
+    out_.reset(std::fopen(file.c_str(), "wb"));
     if (!out_)
         throw std::runtime_error(
             fmt::format("{}: cannot write: {}", file.string(), std::strerror(errno)));

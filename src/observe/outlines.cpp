@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "observe/outlines.h"
 
+#include "observe/recording_bytes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -180,11 +182,10 @@ std::vector<RecordedOutline> get_outlines(ByteReader& in, std::size_t bodies) {
     for (RecordedOutline& o : outlines) {
         o.body = in.get<std::int32_t>();
         const auto kind = in.get<std::uint8_t>();
-        o.radius = in.get<double>();
+        o.radius = get_finite(in);
         o.row = in.get<std::int32_t>();
         o.points.resize(in.get_count(24));
-        for (Vec3& p : o.points)
-            for (int k = 0; k < 3; ++k) p[k] = in.get<double>();
+        for (Vec3& p : o.points) p = get_vector(in);
         o.kind = static_cast<OutlineKind>(kind);
         if (o.body < 0 || static_cast<std::size_t>(o.body) >= bodies || kind > 2 ||
             !(o.radius >= 0.0) || o.points.empty() ||

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "observe/png.h"
 
+#include "observe/files.h"
 #include "observe/svg.h"
 
 #include <fmt/format.h>
@@ -11,7 +12,6 @@
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 
@@ -58,6 +58,7 @@ bool write_rows(png_structp png, png_infop info, std::FILE* out, const Image& im
 }  // namespace
 
 void write_png(const Image& image, const std::filesystem::path& file, const Drawing& about) {
+    if (const std::string fault = output_fault(file); !fault.empty()) fail(file, fault);
     const std::unique_ptr<std::FILE, CloseFile> out(std::fopen(file.c_str(), "wb"));
     if (!out) fail(file, std::strerror(errno));
     char message[kMessageSize] = "out of memory";
@@ -85,10 +86,8 @@ std::vector<std::filesystem::path> write_pictures(const Drawing& drawing,
     std::error_code ignored;  // A folder that cannot be made shows when the file is opened.
     if (base.has_parent_path()) std::filesystem::create_directories(base.parent_path(), ignored);
     const std::filesystem::path svg = base.string() + ".svg", png = base.string() + ".png";
-    std::ofstream out(svg, std::ios::binary);
-    out << to_svg(drawing);
-    out.close();
-    if (!out) fail(svg, std::strerror(errno));
+    if (const std::string fault = write_file(svg, to_svg(drawing)); !fault.empty())
+        fail(svg, fault);
     write_png(rasterise(drawing), png, drawing);
     return {svg, png};
 }

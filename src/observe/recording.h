@@ -180,6 +180,10 @@ class Recording {
     void read_settings(ByteReader in);
     void read_layout(ByteReader in);
     void read_inputs(ByteReader in);
+    void read_cut(ByteReader in);
+    void read_event(ByteReader in);
+    void read_end(ByteReader in);
+    void check_floats(ByteReader in) const;
     void add_frame(std::span<const std::byte> payload);
 
     std::vector<std::byte> bytes_;

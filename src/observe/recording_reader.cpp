@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "observe/files.h"
 #include "observe/outlines.h"
 #include "observe/recording.h"
+#include "observe/recording_bytes.h"
 #include "observe/recording_format.h"
 
 #include <fmt/format.h>
@@ -8,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 
 namespace hawser::observe {
 
@@ -18,36 +19,14 @@ namespace {
 constexpr const char* kStartChunks[] = {kSceneChunk, kSettingsChunk, kLayoutChunk, kSnapshotChunk};
 constexpr int kStarted = 4;
 
-template <class Enum>
-Enum get_enum(ByteReader& in, int count) {
-    const auto value = in.get<std::uint8_t>();
-    if (value >= count) throw BadBytes("an enumerated value is out of range");
-    return static_cast<Enum>(value);
-}
-
-std::vector<std::int32_t> get_indices(ByteReader& in, std::size_t limit) {
-    std::vector<std::int32_t> out(in.get_count(4));
-    for (std::int32_t& index : out) {
-        index = in.get<std::int32_t>();
-        if (index < 0 || static_cast<std::size_t>(index) >= limit)
-            throw BadBytes("an index is out of range");
-    }
-    return out;
-}
-
-Vec3 get_vector(ByteReader& in) {
-    const double x = in.get<double>(), y = in.get<double>(), z = in.get<double>();
-    return {x, y, z};
-}
-
 Frame get_frame_head(ByteReader& in) {
     Frame frame;
-    frame.step = in.get<std::int64_t>();
-    frame.time = in.get<double>();
+    frame.step = get_step(in, 0);
+    frame.time = get_finite(in);
     frame.hash = in.get<std::uint64_t>();
-    frame.violation_max = in.get<double>();
-    frame.momentum_residual = in.get<double>();
-    frame.energy = in.get<double>();
+    frame.violation_max = get_finite(in);
+    frame.momentum_residual = get_finite(in);
+    frame.energy = get_finite(in);
     return frame;
 }
 
@@ -77,13 +56,9 @@ std::vector<bool> cable_interior(const Recording& recording) {
 }
 
 Recording Recording::open(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary | std::ios::ate);
-    if (!in || !std::filesystem::is_regular_file(file))
-        throw RecordingError(fmt::format("{}: cannot open the recording", file.string()));
-    std::vector<std::byte> bytes(static_cast<std::size_t>(in.tellg()));
-    in.seekg(0);
-    in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    if (!in) throw RecordingError(fmt::format("{}: cannot read the recording", file.string()));
+    std::vector<std::byte> bytes;
+    if (const std::string fault = read_file(file, bytes); !fault.empty())
+        throw RecordingError(fmt::format("{}: the recording: {}", file.string(), fault));
     return read(std::move(bytes), file.string());
 }
 
@@ -135,7 +110,7 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
                 read_layout(in);
                 break;
             default:
-                start_step = in.get<std::int64_t>();
+                start_step = get_step(in, 0);
                 start_hash = in.get<std::uint64_t>();
                 snapshot = in.take(in.left());
         }
@@ -145,6 +120,7 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
     } else if (kind == kInputsChunk) {
         read_inputs(in);
     } else if (kind == kInputNamesChunk) {
+        if (!input_names.empty() || !inputs.empty()) throw BadBytes("inputs are named too late");
         input_names.resize(in.get_count(4));
         for (std::string& name : input_names) name = in.get_text();
         in.expect_end();
@@ -152,33 +128,11 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
         outlines = get_outlines(in, bodies.size());
         in.expect_end();
     } else if (kind == kCutChunk) {
-        RecordedCut cut;
-        cut.step = in.get<std::int64_t>();
-        cut.left_out.iterations = in.get<std::int32_t>();
-        if (in.left() > 0) {  // not in recordings of earlier versions
-            cut.left_out.hasty = in.get<std::uint8_t>() != 0;
-            cut.cause = get_enum<DegradedBy>(in, kDegradedByCount);
-            cut.foreseen = in.get<double>();
-            cut.left_out.cuts = in.get<std::uint64_t>();
-        }
-        in.expect_end();
-        if (!cut.left_out.any() || (!cuts.empty() && cut.step <= cuts.back().step))
-            throw BadBytes("cuts are not in the order of time");
-        cuts.push_back(cut);
+        read_cut(in);
     } else if (kind == kEventChunk) {
-        RecordedEvent event;
-        event.time = in.get<double>();
-        event.kind = get_enum<EventKind>(in, kEventKindCount);
-        event.value = in.get<double>();
-        event.where = in.get_text();
-        in.expect_end();
-        events.push_back(std::move(event));
+        read_event(in);
     } else if (kind == kEndChunk) {
-        const auto how = get_enum<Ending>(in, static_cast<int>(Ending::unknown));
-        end_step = in.get<std::int64_t>();
-        end_hash = in.get<std::uint64_t>();
-        in.expect_end();
-        ending = how;
+        read_end(in);
     }
     // Chunks of other names belong to later additions and are skipped.
 }
@@ -191,75 +145,57 @@ void Recording::read_scene(ByteReader in) {
     in.expect_end();
 }
 
-void Recording::read_settings(ByteReader in) {
-    settings.step = in.get<double>();
-    settings.form = get_enum<Form>(in, 3);
-    settings.threads = in.get<std::int32_t>();
-    settings.stride = in.get<std::int32_t>();
-    settings.instruction_set = in.get_text();
-    settings.version = in.get_text();
-    settings.processor = in.get_text();
+void Recording::read_cut(ByteReader in) {
+    RecordedCut cut;
+    cut.step = get_step(in, start_step);
+    cut.left_out.iterations = in.get<std::int32_t>();
+    if (in.left() > 0) {  // not in recordings of earlier versions
+        cut.left_out.hasty = in.get<std::uint8_t>() != 0;
+        cut.cause = get_enum<DegradedBy>(in, kDegradedByCount);
+        cut.foreseen = get_finite(in);
+        cut.left_out.cuts = in.get<std::uint64_t>();
+    }
     in.expect_end();
-    if (!(settings.step > 0.0) || !std::isfinite(settings.step))
-        throw BadBytes("the time step is not positive");
+    if (!cut.left_out.any() || cut.left_out.iterations < 0 ||
+        (!cuts.empty() && cut.step <= cuts.back().step))
+        throw BadBytes("cuts are not in the order of time");
+    cuts.push_back(cut);
 }
 
-void Recording::read_layout(ByteReader in) {
-    // Smallest entries: a body has a name length, a kind and 10 numbers; a cable two name
-    // lengths, 3 numbers, 2 points and 2 counts.
-    bodies.resize(in.get_count(4 + 1 + 80));
-    std::size_t floats = 0;
-    for (RecordedBody& body : bodies) {
-        body.name = in.get_text();
-        body.kind = get_enum<BodyKind>(in, 5);
-        body.half_size = get_vector(in);
-        body.start.position = get_vector(in);
-        const double w = in.get<double>();
-        const Vec3 q = get_vector(in);
-        body.start.orientation = Quat(w, q.x(), q.y(), q.z());
-        floats += static_cast<std::size_t>(pose_floats(body.kind));
-    }
-    cables.resize(in.get_count(8 + 24 + 4 + 48 + 4));
-    std::uint64_t elements = 0;
-    for (RecordedCable& cable : cables) {
-        cable.name = in.get_text();
-        cable.line_type = in.get_text();
-        cable.EA = in.get<double>();
-        cable.breaking_load = in.get<double>();
-        cable.length = in.get<double>();
-        cable.nodes = get_indices(in, bodies.size());
-        for (Vec3& end : cable.end) end = get_vector(in);
-        const auto count = in.get<std::uint32_t>();
-        cable.first_element = static_cast<std::int32_t>(elements);
-        cable.elements = static_cast<std::int32_t>(count & 0x7FFFFFFFu);
-        elements += count;
-        if (elements > kMaxChunk / 4) throw BadBytes("too many elements");
-    }
-    plot_cables = get_indices(in, cables.size());
-    plot_bodies = get_indices(in, bodies.size());
-    joints.resize(in.get_count(2 * (4 + 24)));
-    for (RecordedJoint& joint : joints) {
-        for (int k = 0; k < 2; ++k) {
-            joint.body[k] = in.get<std::int32_t>();
-            joint.point[k] = get_vector(in);
-            if (joint.body[k] < 0 || static_cast<std::size_t>(joint.body[k]) >= bodies.size())
-                throw BadBytes("an index is out of range");
-        }
-    }
+void Recording::read_event(ByteReader in) {
+    RecordedEvent event;
+    event.time = get_finite(in);
+    event.kind = get_enum<EventKind>(in, kEventKindCount);
+    event.value = get_finite(in);
+    event.where = in.get_text();
     in.expect_end();
-    element_count = static_cast<std::int32_t>(elements);
-    frame_size_ = kFrameHeadBytes + 4 * (floats + static_cast<std::size_t>(elements));
+    events.push_back(std::move(event));
+}
+
+/// The end belongs to the last frame or comes less than a stride behind it: replay steps there.
+void Recording::read_end(ByteReader in) {
+    const auto how = get_enum<Ending>(in, static_cast<int>(Ending::unknown));
+    end_step = get_step(in, start_step);
+    end_hash = in.get<std::uint64_t>();
+    in.expect_end();
+    const std::int64_t last = frames_.empty() ? start_step : frame_head(frames_.size() - 1).step;
+    if (end_step < last || end_step - last > settings.stride)
+        throw BadBytes("the end is not behind the last frame");
+    ending = how;
 }
 
 void Recording::read_inputs(ByteReader in) {
     std::vector<RecordedInput> changes(in.get_count(20));
     for (RecordedInput& change : changes) {
-        change.step = in.get<std::int64_t>();
+        change.step = get_step(in, inputs.empty() ? start_step : inputs.back().step);
         change.input = in.get<std::int32_t>();
-        change.value = in.get<double>();
+        change.value = get_finite(in);
+        if (change.input < 0 ||
+            (!input_names.empty() && static_cast<std::size_t>(change.input) >= input_names.size()))
+            throw BadBytes("an index is out of range");
+        inputs.push_back(change);
     }
     in.expect_end();
-    inputs.insert(inputs.end(), changes.begin(), changes.end());
 }
 
 void Recording::add_frame(std::span<const std::byte> payload) {
@@ -267,10 +203,26 @@ void Recording::add_frame(std::span<const std::byte> payload) {
         throw BadBytes("a frame does not have the size of the scene");
     ByteReader in(payload);
     const Frame head = get_frame_head(in);
-    if (!std::isfinite(head.time) || head.step < start_step ||
-        (!frames_.empty() && head.step <= frame_head(frames_.size() - 1).step))
+    const std::int64_t gap =
+        frames_.empty() ? head.step - start_step : head.step - frame_head(frames_.size() - 1).step;
+    if (gap > settings.stride || (frames_.empty() ? gap != 0 : gap <= 0))
         throw BadBytes("frames are not in the order of time");
+    // The world's clock counts steps.
+    const double time = static_cast<double>(head.step) * settings.step;
+    if (!(std::abs(head.time - time) <= 1e-9 * (1.0 + time)))
+        throw BadBytes("the time of a frame is not that of its step");
+    check_floats(in);
     frames_.push_back(payload);
+}
+
+/// Poses and tensions of a frame, as add_frame() has to find them.
+void Recording::check_floats(ByteReader in) const {
+    for (const RecordedBody& body : bodies) {
+        const int floats = pose_floats(body.kind);
+        for (int k = 0; k < std::min(3, floats); ++k) (void)get_finite<float>(in);
+        if (floats == 7) check_unit(get_quaternion<float>(in), 1e-3);
+    }
+    for (std::int32_t k = 0; k < element_count; ++k) (void)get_finite<float>(in);
 }
 
 Frame Recording::frame_head(std::size_t index) const {
@@ -287,9 +239,7 @@ Frame Recording::frame(std::size_t index) const {
         const int floats = pose_floats(body.kind);
         for (int k = 0; k < std::min(3, floats); ++k) pose.position[k] += in.get<float>();
         if (floats == 7) {
-            const double w = in.get<float>(), x = in.get<float>(), y = in.get<float>(),
-                         z = in.get<float>();
-            pose.orientation = Quat(w, x, y, z);
+            pose.orientation = get_quaternion<float>(in);
         }
         frame.poses.push_back(pose);
     }

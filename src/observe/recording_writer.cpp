@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "observe/files.h"
 #include "observe/outlines.h"
 #include "observe/recording.h"
 #include "observe/recording_format.h"
@@ -8,7 +9,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace hawser::observe {
 
@@ -22,12 +25,22 @@ std::size_t frame_bytes(const World& world, const SceneInfo& scene) {
 
 namespace {
 
+// A reader takes finite numbers only; what left the range of the format is at its end.
+double in_range(double value) {
+    constexpr double kMost = std::numeric_limits<double>::max();
+    return std::isnan(value) ? 0.0 : std::clamp(value, -kMost, kMost);
+}
+float to_float(double value) {
+    constexpr double kMost = std::numeric_limits<float>::max();
+    return static_cast<float>(std::isnan(value) ? 0.0 : std::clamp(value, -kMost, kMost));
+}
+
 // Positions are kept as distances from the start: single precision at a kilometre from the
 // origin would round to a tenth of a millimetre.
 void put_pose(ByteWriter& out, const Pose& pose, const Pose& start, BodyKind kind) {
     const int floats = pose_floats(kind);
     for (int k = 0; k < std::min(3, floats); ++k)
-        out.put(static_cast<float>(pose.position[k] - start.position[k]));
+        out.put(to_float(pose.position[k] - start.position[k]));
     if (floats == 7)
         for (const double q : {pose.orientation.w(), pose.orientation.x(), pose.orientation.y(),
                                pose.orientation.z()})
@@ -109,7 +122,12 @@ void put_layout(ByteWriter& out, const SceneInfo& scene, const World& world) {
 
 RecordingWriter::RecordingWriter(const std::filesystem::path& file, const SceneInfo& scene,
                                  const World& world, const RecordingSettings& settings)
-    : file_(file), out_(std::fopen(file.c_str(), "wb")) {
+    : file_(file) {
+    // A pipe would be waited for.
+    if (const std::string fault = output_fault(file); !fault.empty())
+        throw RecordingError(
+            fmt::format("{}: cannot write the recording: {}", file.string(), fault));
+    out_.reset(std::fopen(file.c_str(), "wb"));
     if (!out_) fail();
     for (const CableInfo& cable : scene.cables)
         elements_.insert(elements_.end(), cable.elements.begin(), cable.elements.end());
@@ -182,14 +200,14 @@ void RecordingWriter::add_frame(const World& world) {
     payload_.put(world.step_count());
     payload_.put(world.time());
     payload_.put(world.state_hash());
-    payload_.put(stats.violation_max);
-    payload_.put(stats.momentum_residual);
-    payload_.put(world.energy().mechanical());
+    for (const double figure :
+         {stats.violation_max, stats.momentum_residual, world.energy().mechanical()})
+        payload_.put(in_range(figure));
     for (std::int32_t i = 0; i < world.body_count(); ++i)
         put_pose(payload_, world.pose({i}), start_[static_cast<std::size_t>(i)],
                  world.body_def({i}).kind);
     for (const InteractionId element : elements_)
-        payload_.put(static_cast<float>(element_tension(world, element)));
+        payload_.put(to_float(element_tension(world, element)));
     write_chunk(kFrameChunk);
 }
 
@@ -217,7 +235,7 @@ void RecordingWriter::add_cut(const RecordedCut& cut) {
 void RecordingWriter::add_event(const World& world, const Event& event) {
     payload_.put(event.time);
     payload_.put(static_cast<std::uint8_t>(event.kind));
-    payload_.put(event.value);
+    payload_.put(in_range(event.value));
     payload_.put_text(place_label(world, event.interaction, event.body));
     write_chunk(kEventChunk);
 }

@@ -15,14 +15,17 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-void times(Out out, const Summary& s) {
-    const double simulated = s.last.time - s.start_time;
-    fmt::format_to(out, "  simulated    {:.6g} s in {} steps of {:.6g} ms", simulated, s.steps,
+void simulated(Out out, const Summary& s) {
+    const double time = s.last.time - s.start_time;
+    fmt::format_to(out, "  simulated    {:.6g} s in {} steps of {:.6g} ms", time, s.steps,
                    1e3 * s.step);
     if (s.wall_seconds > 0.0)
         fmt::format_to(out, ", {:.3g} s of wall time: {:.3g} x real time", s.wall_seconds,
-                       simulated / s.wall_seconds);
+                       time / s.wall_seconds);
     fmt::format_to(out, "\n");
+}
+
+void times(Out out, const Summary& s) {
     if (s.timed_steps > 0) {
         fmt::format_to(out, "  step         median {:.4g} ms, p99 {:.4g} ms, max {:.4g} ms",
                        s.step_ms.median, s.step_ms.p99, s.step_ms.max);
@@ -198,25 +201,6 @@ void bodies(Out out, const Summary& s) {
         fmt::format_to(out, "  … and {} more (see --summary)\n", s.bodies.size() - kShown);
 }
 
-void events(Out out, const Summary& s) {
-    std::string counts;
-    for (int k = 0; k < kEventKindCount; ++k) {
-        const auto count = s.last.event_count[static_cast<std::size_t>(k)];
-        if (count > 0)
-            counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count,
-                                  to_string(static_cast<EventKind>(k)));
-    }
-    fmt::format_to(out, "\n  events       {}\n", counts.empty() ? "none" : counts);
-    if (s.last.event_count[static_cast<std::size_t>(EventKind::saturation)] > 0)
-        fmt::format_to(out, "  warning      a motor gave all the force that its range allows\n");
-    constexpr std::size_t kShown = 10;
-    for (std::size_t i = 0; i < std::min(kShown, s.events.size()); ++i)
-        fmt::format_to(out, "    {:10.4f} s  {:<13} {}  {:.6g}\n", s.events[i].time,
-                       s.events[i].kind, s.events[i].where, s.events[i].value);
-    if (s.events.size() > kShown)
-        fmt::format_to(out, "    … (see --summary for the first {})\n", kListedEvents);
-}
-
 }  // namespace
 
 std::string report(const Summary& s) {
@@ -228,7 +212,17 @@ std::string report(const Summary& s) {
                                                            : to_string(s.last.status));
     if (doubtful)
         fmt::format_to(out, "  {:<11}  {}\n", to_string(s.verdict.verdict.grade), s.verdict.said);
-    fmt::format_to(out, "  system       {} bodies, {} interactions, {} equations, {} island{}\n",
+    simulated(out, s);
+    constexpr std::size_t kWarnings = 5;
+    for (std::size_t i = 0; i < std::min(kWarnings, s.warnings.size()); ++i)
+        fmt::format_to(out, "  warning      {}\n", s.warnings[i]);
+    if (s.warnings.size() > kWarnings)
+        fmt::format_to(out, "  warning      and {} more of the start (see --summary)\n",
+                       s.warnings.size() - kWarnings);
+    cables(out, s);
+    bodies(out, s);
+    text += events_in_words(s);
+    fmt::format_to(out, "\n  system       {} bodies, {} interactions, {} equations, {} island{}\n",
                    s.last.bodies, s.last.interactions, s.last.equations, s.last.islands,
                    s.last.islands == 1 ? "" : "s");
     fmt::format_to(out, "  matrix       {} scalars, factor {}, {:.4g} Mflop a factorisation\n",
@@ -236,9 +230,6 @@ std::string report(const Summary& s) {
                    1e-6 * static_cast<double>(s.last.factor_flops));
     times(out, s);
     quality(out, s);
-    cables(out, s);
-    bodies(out, s);
-    events(out, s);
     fmt::format_to(out, "  state hash   {:016x}  (scene {:016x}, {}, {} thread{}, Hawser {})\n",
                    s.state_hash, s.scene_hash, instruction_set(), s.threads,
                    s.threads == 1 ? "" : "s", version());

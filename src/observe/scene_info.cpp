@@ -50,4 +50,32 @@ std::string interaction_label(const World& world, InteractionId interaction) {
                             : def.name;
 }
 
+std::string name_in_quotes(const std::string& name) { return "\"" + name + "\""; }
+
+std::string names_in_words(const std::vector<std::string>& names) {
+    constexpr std::size_t kNamed = 8;
+    const std::size_t shown = std::min(kNamed, names.size());
+    std::string text;
+    for (std::size_t i = 0; i < shown; ++i) {
+        const bool last = i + 1 == names.size();
+        text += i == 0 ? "" : last ? " and " : ", ";
+        text += names[i];
+    }
+    if (names.size() > shown) text += fmt::format(" and {} more", names.size() - shown);
+    return text;
+}
+
+std::string interaction_in_words(const World& world, InteractionId interaction) {
+    if (!interaction.valid()) return "the whole world";
+    const InteractionDef& def = world.interaction_def(interaction);
+    const KindInfo& kind = kind_info(def.kind);
+    std::string words = kind.name;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    words = "the " + words + " " + name_in_quotes(interaction_label(world, interaction));
+    std::vector<std::string> bodies;
+    for (std::size_t b = 0; b < static_cast<std::size_t>(kind.bodies); ++b)
+        bodies.push_back(name_in_quotes(body_label(world, def.body[b])));
+    return words + (bodies.size() > 1 ? " between " : " of ") + names_in_words(bodies);
+}
+
 }  // namespace hawser::observe

@@ -21,6 +21,7 @@ struct CableInfo {
     double EA = 0.0;                      ///< Axial stiffness [N]; 0 = not elastic.
     double breaking_load = 0.0;           ///< [N]; 0 = not given.
     double length = 0.0;                  ///< Unstretched [m].
+    double diameter = 0.0;                ///< [m]; 0 = not given.
 };
 
 struct SceneInfo {
@@ -45,5 +46,11 @@ struct SceneInfo {
 [[nodiscard]] std::string body_label(const World& world, BodyId body);
 /// The interaction's own name, or its kind and number: "stretch 17"; "-" for no interaction.
 [[nodiscard]] std::string interaction_label(const World& world, InteractionId interaction);
+/// What it is and between whom: `the hinge "foot" between "ship" and "boom"`.
+[[nodiscard]] std::string interaction_in_words(const World& world, InteractionId interaction);
+/// "a", "a and b", "a, b and c"; of more than eight the first eight and how many more.
+[[nodiscard]] std::string names_in_words(const std::vector<std::string>& names);
+/// A name in double quotes.
+[[nodiscard]] std::string name_in_quotes(const std::string& name);
 
 }  // namespace hawser::observe

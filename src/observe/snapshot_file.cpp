@@ -2,12 +2,11 @@
 #include "observe/snapshot_file.h"
 
 #include "observe/bytes.h"
+#include "observe/files.h"
 
 #include <fmt/format.h>
 
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -17,17 +16,6 @@ namespace {
 
 constexpr char kSnapshotMagic[8] = {'H', 'A', 'W', 'S', 'E', 'R', 'S', 'T'};
 constexpr std::uint32_t kVersion = 1;
-
-std::vector<std::byte> read_file(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary | std::ios::ate);
-    if (!in || !std::filesystem::is_regular_file(file))
-        throw SnapshotError(fmt::format("{}: cannot open the snapshot", file.string()));
-    std::vector<std::byte> bytes(static_cast<std::size_t>(in.tellg()));
-    in.seekg(0);
-    in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    if (!in) throw SnapshotError(fmt::format("{}: cannot read the snapshot", file.string()));
-    return bytes;
-}
 
 }  // namespace
 
@@ -41,15 +29,14 @@ void save_snapshot(const std::filesystem::path& file, const SceneInfo& scene, co
     out.put(world.state_hash());
     out.put_bytes(world.save());
     out.put(crc32(out.bytes()));
-    std::ofstream to(file, std::ios::binary);
-    to.write(reinterpret_cast<const char*>(out.bytes().data()),
-             static_cast<std::streamsize>(out.bytes().size()));
-    to.close();
-    if (!to) throw SnapshotError(fmt::format("{}: cannot write the snapshot", file.string()));
+    if (const std::string fault = write_file(file, out.bytes()); !fault.empty())
+        throw SnapshotError(fmt::format("{}: cannot write the snapshot: {}", file.string(), fault));
 }
 
 void restore_snapshot(const std::filesystem::path& file, const SceneInfo& scene, World& world) {
-    const std::vector<std::byte> bytes = read_file(file);
+    std::vector<std::byte> bytes;
+    if (const std::string fault = read_file(file, bytes); !fault.empty())
+        throw SnapshotError(fmt::format("{}: the snapshot: {}", file.string(), fault));
     try {
         ByteReader in(bytes);
         if (std::memcmp(in.take(sizeof kSnapshotMagic).data(), kSnapshotMagic,
@@ -72,12 +59,15 @@ void restore_snapshot(const std::filesystem::path& file, const SceneInfo& scene,
                 "hash {:016x}: restore it with the same scene file and the same --step, --form, "
                 "--scale and --set",
                 time, name, hash, scene.name, scene.hash));
+        const std::vector<std::byte> before = world.save();
         world.restore(state);
-        if (world.state_hash() != state_hash)
+        if (world.state_hash() != state_hash) {
+            world.restore(before);
             throw BadBytes(
                 fmt::format("the restored state has another hash; it was saved with another "
                             "instruction set than {} or another version of Hawser",
                             instruction_set()));
+        }
     } catch (const BadBytes& e) {
         throw SnapshotError(fmt::format("{}: {}", file.string(), e.what()));
     } catch (const DefError& e) {

@@ -82,11 +82,15 @@ void SummaryCollector::after_step(const World& world, std::span<const Event> eve
         for (std::size_t s = 0; s < stage_.size(); ++s)
             stage_[s].add(kMilliseconds * stats.stage_seconds[s]);
     }
-    for (const Event& event : events)
-        if (summary_.events.size() < kListedEvents)
+    for (const Event& event : events) {
+        const bool line = event.kind == EventKind::slack || event.kind == EventKind::taut;
+        if (listed_[line ? 0 : 1]++ < kListedEvents)
             summary_.events.push_back({event.time, to_string(event.kind),
-                                       place_label(world, event.interaction, event.body),
+                                       event.input.valid()
+                                           ? world.input_def(event.input).name
+                                           : place_label(world, event.interaction, event.body),
                                        event.value});
+    }
     summary_.degradations.after_step(stats);
     watch_contacts(world);
     watch_cables(world);
@@ -158,6 +162,7 @@ void SummaryCollector::watch_energy(const World& world) {
 Summary SummaryCollector::result(const World& world) const {
     Summary out = summary_;
     out.last = world.stats();
+    out.happened = event_figures(world);
     out.verdict = in_words(world, world.verdict());
     out.timed_steps = step_.count();
     out.step_ms = spread(step_);

@@ -21,7 +21,7 @@ namespace hawser::observe {
 
 /// Steps whose times do not count: caches, branch predictors and clocks are still cold.
 inline constexpr std::int64_t kWarmUpSteps = 60;
-/// Events that are listed one by one.
+/// Events that are listed one by one: of lines that go slack or come taut, and of all others.
 inline constexpr std::size_t kListedEvents = 100;
 
 struct Spread {
@@ -58,6 +58,14 @@ struct ListedEvent {
     double value = 0.0;
 };
 
+/// Events of one kind over the run.
+struct EventFigures {
+    EventKind kind = EventKind::warning;
+    std::int64_t count = 0;
+    ListedEvent first, worst;  ///< Where they are, in words.
+    const char* unit = "";     ///< Of the values.
+};
+
 struct Summary {
     std::string scene, scene_path;
     std::uint64_t scene_hash = 0;
@@ -92,9 +100,11 @@ struct Summary {
     double stretch_error_max = 0.0;   ///< Relative.
     double stretch_error_time = 0.0;  ///< [s]
     Energy energy_start, energy_end;
-    double energy_scale = 0.0;  ///< What the drift is relative to [J].
-    Spread energy_step_drift;   ///< |Drift| of a single step [J].
-    std::vector<ListedEvent> events;
+    double energy_scale = 0.0;           ///< What the drift is relative to [J].
+    Spread energy_step_drift;            ///< |Drift| of a single step [J].
+    std::vector<ListedEvent> events;     ///< In the order in which they happened.
+    std::vector<EventFigures> happened;  ///< Kinds that there were, what matters most first.
+    std::vector<std::string> warnings;   ///< Of the start, in words.
     std::vector<CableFigures> cables;
     std::vector<BodyFigures> bodies;
     std::uint64_t state_hash = 0;
@@ -135,13 +145,19 @@ class SummaryCollector {
     Samples step_, solver_, solver_cpu_, momentum_, constraint_, contacts_, asleep_;
     Samples map_, work_, cut_, step_drift_, interactions_, equations_;
     std::int64_t within_budget_ = 0;
+    std::array<std::size_t, 2> listed_{};  ///< Events of lines slack or taut; of all others.
     std::array<Samples, kStageCount> stage_{};
     double kinetic_max_ = 0.0, potential_low_ = 0.0, potential_high_ = 0.0;
 };
 
 [[nodiscard]] std::string to_json(const Summary& summary);
 
-/// A page of text for the end of a run.
+/// A page of text for the end of a run: what a user asks for first, the solver last.
 [[nodiscard]] std::string report(const Summary& summary);
+
+/// First and worst of each kind of event that the world has had (event_figures.cpp).
+[[nodiscard]] std::vector<EventFigures> event_figures(const World& world);
+/// The lines of a report about them.
+[[nodiscard]] std::string events_in_words(const Summary& summary);
 
 }  // namespace hawser::observe

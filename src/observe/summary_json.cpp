@@ -160,6 +160,17 @@ Json event_counts(const Summary& s) {
     return out;
 }
 
+Json event_extremes(const Summary& s) {
+    Json out = Json::object();
+    const auto one = [](const ListedEvent& e) {
+        return Json{{"time", e.time}, {"where", e.where}, {"value", e.value}};
+    };
+    for (const EventFigures& e : s.happened)
+        out[to_string(e.kind)] = {
+            {"count", e.count}, {"unit", e.unit}, {"first", one(e.first)}, {"worst", one(e.worst)}};
+    return out;
+}
+
 Json event_list(const Summary& s) {
     Json out = Json::array();
     for (const ListedEvent& e : s.events)
@@ -262,6 +273,8 @@ std::string to_json(const Summary& s) {
         {"stretch_error_time", s.stretch_error_time},
         {"energy", energy_balance(s)},
         {"event_counts", event_counts(s)},
+        {"event_extremes", event_extremes(s)},
+        {"start_warnings", s.warnings},
         {"events", event_list(s)},
         {"tensions", cables(s)},
         {"motions", bodies(s)},

@@ -186,10 +186,18 @@ void expand_bodies(Description& out, const Scope& scope) {
         return;
     }
     for (std::size_t i = 0; i < list->size(); ++i) {
+        const Json& json = (*list)[i];
+        if (json.is_null()) {
+            continue;  // Left out: mistakes.h.
+        }
         const Place place = scope.place / "bodies" / i;
-        BodyDef def = read_body((*list)[i], scope, place);
-        const BodyId id = out.add_body(std::move(def), out.keep(place));
-        if (const auto shapes = (*list)[i].find("shapes"); shapes != (*list)[i].end()) {
+        BodyId id;
+        const bool read = attempt(out.mistakes, [&] {
+            id = out.add_body(read_body(json, scope, place), out.keep(place));
+        });
+        if (!read) {
+            out.mistakes->lose(Lost::body, scope.prefix + json["name"].get<std::string>());
+        } else if (const auto shapes = json.find("shapes"); shapes != json.end()) {
             expand_shapes(out, id, *shapes, place / "shapes");
         }
     }

@@ -37,7 +37,8 @@ class Description {
     double duration = 10.0;
     std::optional<int> parts;  ///< settings.parts; none: kParts where no body has a group, else 0.
     static constexpr int kParts = 4;
-    std::size_t copies = 1;  ///< That will be made of everything: counts against the limits.
+    Mistakes* mistakes = nullptr;  ///< Where mistakes are taken down; null: they are thrown.
+    std::size_t copies = 1;        ///< That will be made of everything: counts against the limits.
     double default_compliance = kDefault;
     double default_damping_time = kDefault;
 
@@ -114,9 +115,12 @@ struct Scope {
 [[nodiscard]] InteractionId resolve_interaction(const Description& out, const Scope& scope,
                                                 const std::string& name, const Place& place);
 
-/// Fill the description with everything in the document; see expand.cpp.
+/// Fill the description with everything in the document; see expand.cpp. Where mistakes are taken
+/// down, what they are in is left out.
 void expand(Description& out, const Document& document);
 
+/// "settings" and "defaults" of a scene (settings.cpp).
+void read_settings(Description& out, const Json& root);
 /// Bodies of one scope (bodies.cpp).
 void expand_bodies(Description& out, const Scope& scope);
 /// Interactions of one scope (interactions.cpp).

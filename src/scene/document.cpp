@@ -28,7 +28,14 @@ class Includer {
         }
         for (std::size_t i = 0; i < list->size(); ++i) {
             const Place entry = place / "include" / i;
-            include((*list)[i].get<std::string>(), file, depth, entry);
+            const bool read = attempt(document_.mistakes, [&] {
+                if (!(*list)[i].is_null()) {
+                    include((*list)[i].get<std::string>(), file, depth, entry);
+                }
+            });
+            if (!read) {
+                lose_what_files_hold();
+            }
         }
     }
 
@@ -49,8 +56,12 @@ class Includer {
         if (!done_.insert(key).second) {
             return;  // Reached twice by different routes: its entries are there already.
         }
-        const Json content = read_json_file(file);
-        check_shape(content, *format().part, {file.string(), ""});
+        document_.files.push_back(file);
+        Json content = read_json_file(file, document_.mistakes);
+        check_document(content, *format().part, {file.string(), ""}, document_.mistakes);
+        if (!content.is_object()) {
+            return lose_what_files_hold();
+        }
         open_.push_back(key);
         merge(content, file, depth + 1);
         open_.pop_back();
@@ -66,11 +77,21 @@ class Includer {
             const Place at = place / what / name;
             if (document_.root.contains(what) && document_.root[what].contains(name)) {
                 const auto other = places.find(name);
-                refuse(at, in_quotes(name) + " is already defined in " +
-                               (other == places.end() ? document_.place.file : other->second.file));
+                const std::string& there =
+                    other == places.end() ? document_.place.file : other->second.file;
+                (void)attempt(document_.mistakes, [&, &name = name] {
+                    refuse(at, in_quotes(name) + " is already defined in " + there);
+                });
+                continue;
             }
             document_.root[what][name] = value;
             places.emplace(name, at);
+        }
+    }
+
+    void lose_what_files_hold() {
+        for (const Lost what : {Lost::line_type, Lost::instance_template, Lost::material}) {
+            document_.mistakes->lose_any(what);
         }
     }
 
@@ -83,11 +104,12 @@ class Includer {
 void apply_options(Document& document, const Options& options) {
     Json& root = document.root;
     const bool changed = !options.set.empty() || options.step || options.form || options.scale != 1;
-    if (!changed) {
+    // What is left of a document with mistakes is not what the options were meant for.
+    if (!changed || (document.mistakes != nullptr && !document.mistakes->none())) {
         return;
     }
     for (const std::string& option : options.set) {
-        apply_override(root, option, document.place);
+        (void)attempt(document.mistakes, [&] { apply_override(root, option, document.place); });
     }
     if (options.step) {
         root["settings"]["step"] = *options.step;
@@ -97,14 +119,16 @@ void apply_options(Document& document, const Options& options) {
         root["settings"]["form"] = words[static_cast<std::size_t>(*options.form)];
     }
     if (options.scale != 1) {
-        if (!root.contains("repeat")) {
-            refuse(document.place,
-                   "this scene cannot be scaled; it needs the key \"repeat\" with the offset "
-                   "from one copy to the next");
-        }
-        root["repeat"]["copies"] = options.scale;
+        (void)attempt(document.mistakes, [&] {
+            if (!root.contains("repeat")) {
+                refuse(document.place,
+                       "this scene cannot be scaled; it needs the key \"repeat\" with the offset "
+                       "from one copy to the next");
+            }
+            root["repeat"]["copies"] = options.scale;
+        });
     }
-    check_shape(root, *format().scene, document.place);
+    check_document(root, *format().scene, document.place, document.mistakes);
 }
 
 void read_state(Document& document, const std::filesystem::path& file) {
@@ -122,23 +146,35 @@ void read_state(Document& document, const std::filesystem::path& file) {
     }
     const auto stored = resolve_inside(file.parent_path(), file.parent_path(),
                                        (*state)["file"].get<std::string>(), place / "file");
-    Json content = read_json_file(stored);
+    document.files.push_back(stored);
+    document.state_file = stored;
+    Json content = read_json_file(stored, document.mistakes);
     const Place stored_place{stored.string(), ""};
-    check_shape(content, *format().state, stored_place);
+    check_document(content, *format().state, stored_place, document.mistakes);
+    if (!content.is_object() || !content.contains("bodies")) {
+        return;
+    }
     *state = Json{{"bodies", std::move(content["bodies"])}};
     document.state = stored_place / "bodies";
 }
 
 }  // namespace
 
-Document make_document(Json root, const std::filesystem::path& file, const Options& options) {
+Document make_document(Json root, const std::filesystem::path& file, const Options& options,
+                       Mistakes* mistakes) {
     Document document{.root = std::move(root),
                       .place = {file.string(), ""},
                       .line_types = {},
                       .templates = {},
                       .materials = {},
-                      .state = {}};
-    check_shape(document.root, *format().scene, document.place);
+                      .state = {},
+                      .files = {},
+                      .state_file = {},
+                      .mistakes = mistakes};
+    check_document(document.root, *format().scene, document.place, mistakes);
+    if (!document.root.is_object()) {
+        return document;
+    }
     const Json original = document.root.contains("include")
                               ? Json{{"include", document.root["include"]}}
                               : Json::object();
@@ -146,7 +182,9 @@ Document make_document(Json root, const std::filesystem::path& file, const Optio
     document.root.erase("$schema");
     document.root.erase("include");
     apply_options(document, options);
-    read_state(document, file);
+    if (!attempt(mistakes, [&] { read_state(document, file); })) {
+        document.root.erase("state");
+    }
     return document;
 }
 

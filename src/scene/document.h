@@ -5,9 +5,12 @@
 /// stored state read in, the shape checked.
 
 #include "scene/format.h"
+#include "scene/mistakes.h"
 
+#include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace hawser::scene {
 
@@ -18,12 +21,15 @@ struct Document {
     std::map<std::string, Place, std::less<>> line_types;
     std::map<std::string, Place, std::less<>> templates;
     std::map<std::string, Place, std::less<>> materials;
-    Place state;  ///< Of the state's "bodies".
+    Place state;                               ///< Of the state's "bodies".
+    std::vector<std::filesystem::path> files;  ///< Read beside the scene's own.
+    std::filesystem::path state_file;          ///< Of these; empty: none.
+    Mistakes* mistakes = nullptr;  ///< Where mistakes are taken down; null: they are thrown.
 };
 
-/// @throws SceneError.
+/// @param mistakes  Where they are taken down; null: the first is thrown. @throws SceneError.
 [[nodiscard]] Document make_document(Json root, const std::filesystem::path& file,
-                                     const Options& options);
+                                     const Options& options, Mistakes* mistakes = nullptr);
 
 /// Apply one "path=value" (see Options::set). @throws SceneError.
 void apply_override(Json& root, const std::string& option, const Place& place);

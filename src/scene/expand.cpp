@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 #include <set>
+#include <utility>
 
 namespace hawser::scene {
 namespace {
@@ -17,15 +18,18 @@ struct InstanceScope {
     std::string note;  ///< Ending of messages about it.
 };
 
-/// Run `work`; a mistake found in it says in which instance it showed.
+/// Run `work`; a mistake found in it says in which instance it showed. @return attempt()'s.
 template <class Work>
-void with_note(const std::string& note, const Work& work) {
-    if (note.empty()) {
-        work();
-        return;
+bool with_note(Mistakes* mistakes, const std::string& note, const Work& work) {
+    if (mistakes != nullptr) {
+        const std::string outer = std::exchange(mistakes->note, note);
+        const bool done = attempt(mistakes, work);
+        mistakes->note = outer;
+        return done;
     }
     try {
         work();
+        return true;
     } catch (const SceneError& error) {
         throw SceneError(error.file, error.path, error.message + note);
     }
@@ -41,7 +45,7 @@ class Expander {
         root.scope.place = document_.place;
         add_bodies(std::move(root), 0);
         for (const InstanceScope& item : scopes_) {
-            with_note(item.note, [&] {
+            (void)with_note(out_.mistakes, item.note, [&] {
                 expand_segments(out_, item.scope);
                 expand_interactions(out_, item.scope);
                 expand_inputs(out_, item.scope);
@@ -58,19 +62,26 @@ class Expander {
         // A copy: the list of scopes grows below.
         const Scope scope = scopes_[index].scope;
         const std::string note = scopes_[index].note;
-        with_note(note, [&] { expand_bodies(out_, scope); });
+        (void)with_note(out_.mistakes, note, [&] { expand_bodies(out_, scope); });
         if (const auto list = scope.content->find("instances"); list != scope.content->end()) {
             for (std::size_t i = 0; i < list->size(); ++i) {
                 InstanceScope inner;
-                with_note(note, [&] {
+                if ((*list)[i].is_null()) {
+                    continue;  // Left out: mistakes.h.
+                }
+                (void)with_note(out_.mistakes, note, [&] {
                     inner = open((*list)[i], scope, depth, scope.place / "instances" / i);
                 });
+                if (!inner.content) {
+                    lose_parts(scope.prefix + (*list)[i]["name"].get<std::string>());
+                    continue;
+                }
                 open_.push_back((*list)[i]["template"].get<std::string>());
                 add_bodies(std::move(inner), depth + 1);
                 open_.pop_back();
             }
         }
-        with_note(note, [&] { add_cables(scope); });
+        (void)with_note(out_.mistakes, note, [&] { add_cables(scope); });
     }
 
     void add_cables(const Scope& scope) {
@@ -79,7 +90,23 @@ class Expander {
             return;
         }
         for (std::size_t i = 0; i < list->size(); ++i) {
-            expand_cable(out_, scope, scope, (*list)[i], document_, scope.place / "cables" / i);
+            const Json& cable = (*list)[i];
+            if (cable.is_null()) {
+                continue;  // Left out: mistakes.h.
+            }
+            const bool laid = attempt(out_.mistakes, [&] {
+                expand_cable(out_, scope, scope, cable, document_, scope.place / "cables" / i);
+            });
+            if (!laid) {
+                lose_parts(scope.prefix + cable["name"].get<std::string>());
+            }
+        }
+    }
+
+    /// A cable or an instance was left out.
+    void lose_parts(const std::string& name) {
+        for (const Lost what : {Lost::body, Lost::interaction, Lost::cable}) {
+            out_.mistakes->lose(what, name);
         }
     }
 
@@ -108,8 +135,7 @@ class Expander {
                                                              : document_.place / "templates" / name;
         inner.note = fmt::format(" (in the instance {})",
                                  in_quotes(scope.prefix.substr(0, scope.prefix.size() - 1)));
-        inner.content =
-            std::make_unique<Json>(fill_in(definition, instance, scope.place, place, inner.note));
+        inner.content = std::make_unique<Json>(fill_in(definition, instance, inner, place));
         scope.content = inner.content.get();
         set_frame(scope, instance, outer, place);
         bind(scope, instance, outer, place);
@@ -126,12 +152,13 @@ class Expander {
                 known.push_back(key);
             }
         }
-        refuse(place, "there is no template " + in_quotes(name) + suggestion(name, known));
+        refuse_missing(out_.mistakes, Lost::instance_template, name, place,
+                       "there is no template " + in_quotes(name) + suggestion(name, known));
     }
 
     /// The lists of the template with parameters in place, checked again.
-    static Json fill_in(const Json& definition, const Json& instance, const Place& template_place,
-                        const Place& instance_place, const std::string& note) {
+    Json fill_in(const Json& definition, const Json& instance, const InstanceScope& inner,
+                 const Place& instance_place) {
         Json parameters = definition.value("parameters", Json::object());
         if (const auto given = instance.find("parameters"); given != instance.end()) {
             std::vector<std::string> known;
@@ -154,6 +181,10 @@ class Expander {
                 parameters[key] = value;
             }
         }
+        return filled_lists(definition, parameters, inner);
+    }
+
+    Json filled_lists(const Json& definition, const Json& parameters, const InstanceScope& inner) {
         Json content = Json::object();
         const Format& f = format();
         const std::pair<const char*, const Shape*> lists[] = {
@@ -162,15 +193,18 @@ class Expander {
             {"cables", f.cables.get()},
             {"interactions", f.interactions.get()},
             {"inputs", f.inputs.get()}};
-        with_note(note, [&] {
+        const bool filled = with_note(out_.mistakes, inner.note, [&] {
             for (const auto& [key, shape] : lists) {
                 if (definition.contains(key)) {
-                    const Place at = template_place / key;
+                    const Place at = inner.scope.place / key;
                     content[key] = substitute(definition[key], parameters, at);
-                    check_shape(content[key], *shape, at);
+                    check_list(content, key, *shape, at, inner.scope.prefix, out_.mistakes);
                 }
             }
         });
+        if (!filled) {
+            lose_parts(inner.scope.prefix.substr(0, inner.scope.prefix.size() - 1));
+        }
         return content;
     }
 
@@ -213,70 +247,24 @@ class Expander {
     std::set<std::string> prefixes_;
 };
 
-Nonsmooth nonsmooth_from(const std::string& word) {
-    return word == "pivoting" ? Nonsmooth::pivoting
-           : word == "split"  ? Nonsmooth::split
-           : word == "pgs"    ? Nonsmooth::pgs
-           : word == "convex" ? Nonsmooth::convex
-                              : Nonsmooth::newton;
-}
-
-Coupling coupling_from(const std::string& word) {
-    return word == "kinematic"   ? Coupling::kinematic
-           : word == "compliant" ? Coupling::compliant
-           : word == "deadline"  ? Coupling::deadline
-                                 : Coupling::exact;
-}
-
-Predictor predictor_from(const std::string& word) {
-    return word == "forces"   ? Predictor::forces
-           : word == "clique" ? Predictor::clique
-                              : Predictor::hold;
-}
-
-void read_settings(Description& out, const Json& root) {
-    const Json settings = root.value("settings", Json::object());
-    WorldDef& def = out.settings;
-    def.step = number_or(settings, "step", def.step);
-    def.gravity = vector_or(settings, "gravity", def.gravity);
-    const std::string form = text_or(settings, "form", "auto");
-    def.form = form == "saddle"      ? Form::saddle
-               : form == "condensed" ? Form::condensed
-                                     : Form::automatic;
-    def.geometric_stiffness = number_or(settings, "geometric_stiffness", def.geometric_stiffness);
-    def.rotation_damping = number_or(settings, "rotation_damping", def.rotation_damping);
-    def.staggered_start = settings.value("staggered_start", def.staggered_start);
-    def.contact_margin = number_or(settings, "contact_margin", def.contact_margin);
-    def.sleep_after = number_or(settings, "sleep_after", def.sleep_after);
-    def.sleep_speed = number_or(settings, "sleep_speed", def.sleep_speed);
-    def.on_diverged =
-        text_or(settings, "on_diverged", "stop") == "warn" ? OnDiverged::warn : OnDiverged::stop;
-    def.nonsmooth = nonsmooth_from(text_or(settings, "nonsmooth", "newton"));
-    def.coupling = coupling_from(text_or(settings, "coupling", "exact"));
-    def.predictor = predictor_from(text_or(settings, "predictor", "hold"));
-    if (settings.contains("parts")) out.parts = settings["parts"].get<int>();
-    def.regroup_every = settings.value("regroup_every", def.regroup_every);
-    def.contact_tolerance = number_or(settings, "contact_tolerance", def.contact_tolerance);
-    def.contact_iterations = settings.value("contact_iterations", def.contact_iterations);
-    def.nonsmooth_sweeps = settings.value("nonsmooth_sweeps", def.nonsmooth_sweeps);
-    def.refinements = settings.value("refinements", def.refinements);
-    def.solution_tolerance = number_or(settings, "solution_tolerance", def.solution_tolerance);
-    out.duration = number_or(settings, "duration", out.duration);
-    out.copies = root.contains("repeat") ? root["repeat"].value("copies", std::size_t{1}) : 1;
-    const Json defaults = root.value("defaults", Json::object());
-    out.default_compliance = number_or(defaults, "compliance", kDefault);
-    out.default_damping_time = number_or(defaults, "damping_time", kDefault);
-}
-
 }  // namespace
 
 void expand(Description& out, const Document& document) {
+    out.mistakes = document.mistakes;
     read_settings(out, document.root);
     expand_materials(out, document);
     Expander(out, document).run();
-    out.check_groups();
-    apply_state(out, document);
-    expand_copies(out, document);
+    const bool complete = out.mistakes == nullptr || !out.mistakes->incomplete();
+    if (complete) {
+        out.check_groups();
+    }
+    // A state and copies are of a whole scene.
+    if (out.mistakes == nullptr || out.mistakes->none()) {
+        (void)attempt(out.mistakes, [&] {
+            apply_state(out, document);
+            expand_copies(out, document);
+        });
+    }
 }
 
 }  // namespace hawser::scene

@@ -15,7 +15,8 @@ InteractionId resolve_interaction(const Description& out, const Scope& scope,
             known.push_back(def.name.substr(scope.prefix.size()));
         }
     }
-    refuse(place, "there is no interaction " + in_quotes(name) + suggestion(name, known));
+    refuse_missing(out.mistakes, Lost::interaction, scope.prefix + name, place,
+                   "there is no interaction " + in_quotes(name) + suggestion(name, known));
 }
 
 namespace {
@@ -85,9 +86,14 @@ void expand_inputs(Description& out, const Scope& scope) {
         return;
     }
     for (std::size_t i = 0; i < list->size(); ++i) {
+        if ((*list)[i].is_null()) {
+            continue;  // Left out: mistakes.h.
+        }
         const Place place = scope.place / "inputs" / i;
-        InputDef def = read_input(out, scope, (*list)[i], place);
-        out.add_input(std::move(def), out.keep(place));
+        (void)attempt(out.mistakes, [&] {
+            InputDef def = read_input(out, scope, (*list)[i], place);
+            out.add_input(std::move(def), out.keep(place));
+        });
     }
 }
 

@@ -233,9 +233,18 @@ void expand_interactions(Description& out, const Scope& scope) {
         return;
     }
     for (std::size_t i = 0; i < list->size(); ++i) {
+        const Json& json = (*list)[i];
+        if (json.is_null()) {
+            continue;  // Left out: mistakes.h.
+        }
         const Place place = scope.place / "interactions" / i;
-        InteractionDef def = Reader(out, scope, (*list)[i], place).read();
-        out.add_interaction(std::move(def), out.keep(place));
+        const bool read = attempt(out.mistakes, [&] {
+            InteractionDef def = Reader(out, scope, json, place).read();
+            out.add_interaction(std::move(def), out.keep(place));
+        });
+        if (!read && json.contains("name")) {
+            out.mistakes->lose(Lost::interaction, scope.prefix + json["name"].get<std::string>());
+        }
     }
 }
 

@@ -27,7 +27,8 @@ MaterialId find_material(const Description& out, const std::string& name, const 
         }
         known.push_back(out.materials[i].name);
     }
-    refuse(place, "there is no material " + in_quotes(name) + suggestion(name, known));
+    refuse_missing(out.mistakes, Lost::material, name, place,
+                   "there is no material " + in_quotes(name) + suggestion(name, known));
 }
 
 /// Call f(name, place) for a word or each of a list of words.
@@ -42,6 +43,24 @@ void each_name(const Json& names, const Place& place, const F& f) {
     }
 }
 
+using MaterialPairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
+
+void expand_pair(Description& out, const Json& json, MaterialPairs& seen, const Place& place) {
+    const auto one = [&](std::size_t k) {
+        return find_material(out, json["between"][k].get<std::string>(), place / "between" / k);
+    };
+    MaterialPairDef pair;
+    pair.a = one(0);
+    pair.b = one(1);
+    const std::pair<std::int32_t, std::int32_t> key = std::minmax(pair.a.index, pair.b.index);
+    if (std::find(seen.begin(), seen.end(), key) != seen.end()) {
+        refuse(place, "these two materials have a pair already");
+    }
+    seen.push_back(key);
+    read_values(pair.values, json);
+    out.material_pairs.push_back(pair);
+}
+
 }  // namespace
 
 void expand_materials(Description& out, const Document& document) {
@@ -52,11 +71,16 @@ void expand_materials(Description& out, const Document& document) {
             const Place place = elsewhere != document.materials.end()
                                     ? elsewhere->second
                                     : document.place / "materials" / name;
-            if (!is_valid_name(name)) {
-                refuse(place, in_quotes(name) + " is not a name: letters, digits and _ . + -");
-            }
-            if (name == "default") {
-                refuse(place, "the material \"default\" is always there; choose another name");
+            const bool good = attempt(out.mistakes, [&, &name = name] {
+                if (!is_valid_name(name)) {
+                    refuse(place, in_quotes(name) + " is not a name: letters, digits and _ . + -");
+                }
+                if (name == "default") {
+                    refuse(place, "the material \"default\" is always there; choose another name");
+                }
+            });
+            if (!good) {
+                continue;
             }
             MaterialDef def;
             def.name = name;
@@ -68,23 +92,14 @@ void expand_materials(Description& out, const Document& document) {
     if (pairs == document.root.end()) {
         return;
     }
-    std::vector<std::pair<std::int32_t, std::int32_t>> seen;
+    MaterialPairs seen;
     for (std::size_t i = 0; i < pairs->size(); ++i) {
         const Json& json = (*pairs)[i];
-        const Place place = document.place / "material_pairs" / i;
-        const auto one = [&](std::size_t k) {
-            return find_material(out, json["between"][k].get<std::string>(), place / "between" / k);
-        };
-        MaterialPairDef pair;
-        pair.a = one(0);
-        pair.b = one(1);
-        const auto key = std::minmax(pair.a.index, pair.b.index);
-        if (std::find(seen.begin(), seen.end(), std::pair(key.first, key.second)) != seen.end()) {
-            refuse(place, "these two materials have a pair already");
+        if (json.is_null()) {
+            continue;  // Left out: mistakes.h.
         }
-        seen.emplace_back(key.first, key.second);
-        read_values(pair.values, json);
-        out.material_pairs.push_back(pair);
+        const Place place = document.place / "material_pairs" / i;
+        (void)attempt(out.mistakes, [&] { expand_pair(out, json, seen, place); });
     }
 }
 
@@ -144,8 +159,10 @@ void Description::check_groups() const {
         while (bit >> g != 1U) {
             ++g;
         }
-        refuse(place, "no shape is in the group " + in_quotes(group_names_[g]) +
-                          suggestion(group_names_[g], known));
+        (void)attempt(mistakes, [&, &place = place] {
+            refuse(place, "no shape is in the group " + in_quotes(group_names_[g]) +
+                              suggestion(group_names_[g], known));
+        });
     }
 }
 

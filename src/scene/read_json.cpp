@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/read_json.h"
 
+#include "scene/mistakes.h"
+
 #include <fstream>
 #include <set>
 #include <vector>
@@ -11,7 +13,8 @@ namespace {
 /// First pass over the text: everything that the parser alone would let through.
 class LimitChecker : public nlohmann::json_sax<Json> {
   public:
-    explicit LimitChecker(std::string file) : place_{std::move(file), ""} {}
+    LimitChecker(std::string file, Mistakes* mistakes)
+        : place_{std::move(file), ""}, mistakes_(mistakes) {}
 
     bool null() override { return next(); }
     bool boolean(bool) override { return next(); }
@@ -29,7 +32,9 @@ class LimitChecker : public nlohmann::json_sax<Json> {
         Level& level = levels_.back();
         level.key = name;
         if (!level.keys.insert(name).second) {
-            refuse(here(), "the key " + in_quotes(name) + " is given twice in this object");
+            (void)attempt(mistakes_, [&] {
+                refuse(here(), "the key " + in_quotes(name) + " is given twice in this object");
+            });
         }
         return true;
     }
@@ -81,12 +86,13 @@ class LimitChecker : public nlohmann::json_sax<Json> {
     }
 
     Place place_;
+    Mistakes* mistakes_;
     std::vector<Level> levels_;
 };
 
 }  // namespace
 
-Json parse_json(std::string_view text, const std::string& file) {
+Json parse_json(std::string_view text, const std::string& file, Mistakes* mistakes) {
     if (text.size() > kMaxFileBytes) {
         refuse({file, ""}, "larger than 64 MiB");
     }
@@ -94,16 +100,17 @@ Json parse_json(std::string_view text, const std::string& file) {
     if (const auto nul = text.find('\0'); nul != std::string_view::npos) {
         refuse({file, ""}, "a NUL byte at offset " + std::to_string(nul));
     }
-    LimitChecker checker(file);
+    LimitChecker checker(file, mistakes);
     Json::sax_parse(text.begin(), text.end(), &checker);
     return Json::parse(text.begin(), text.end());
 }
 
-Json read_json_file(const std::filesystem::path& file) {
+Json read_json_file(const std::filesystem::path& file, Mistakes* mistakes) {
     const Place place{file.string(), ""};
     std::error_code failure;
+    // Before it is opened: a pipe that nobody writes would be waited for.
     if (!std::filesystem::is_regular_file(file, failure)) {
-        refuse(place, "no such file");
+        refuse(place, std::filesystem::exists(file, failure) ? "is no plain file" : "no such file");
     }
     const auto size = std::filesystem::file_size(file, failure);
     if (failure) {
@@ -118,7 +125,7 @@ Json read_json_file(const std::filesystem::path& file) {
     if (!stream) {
         refuse(place, "cannot be read");
     }
-    return parse_json(text, place.file);
+    return parse_json(text, place.file, mistakes);
 }
 
 std::filesystem::path resolve_inside(const std::filesystem::path& root,

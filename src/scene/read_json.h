@@ -13,6 +13,8 @@
 
 namespace hawser::scene {
 
+class Mistakes;  // mistakes.h
+
 /// Objects keep their keys sorted, so a value has one text.
 using Json = nlohmann::json;
 
@@ -22,10 +24,11 @@ inline constexpr int kMaxNesting = 64;
 /// Parse a document. Refuses what JSON does not allow (comments, NaN, Infinity, damaged
 /// UTF-8), keys given twice in one object, numbers beyond the range of double, deep nesting.
 /// @throws SceneError with line and column.
-[[nodiscard]] Json parse_json(std::string_view text, const std::string& file);
+[[nodiscard]] Json parse_json(std::string_view text, const std::string& file,
+                              Mistakes* mistakes = nullptr);
 
 /// Read and parse a file. @throws SceneError when it cannot be read or is too large.
-[[nodiscard]] Json read_json_file(const std::filesystem::path& file);
+[[nodiscard]] Json read_json_file(const std::filesystem::path& file, Mistakes* mistakes = nullptr);
 
 /// Resolve a file name found at `place`, relative to `base`, and refuse it when it leaves the
 /// folder `root` (links followed) or does not exist.

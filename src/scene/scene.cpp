@@ -4,6 +4,7 @@
 #include "scene/description.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace hawser::scene {
@@ -21,47 +22,94 @@ std::uint64_t hash_text(std::string_view text) {
     return hash;
 }
 
-/// Hand the flat lists to a new world. What it refuses is reported at its place in the file.
-World build(const Description& description, const Options& options, const Place& settings_place) {
-    WorldDef settings = description.settings;
-    settings.threads = options.threads;
-    settings.budget = options.budget;
-    settings.budget_work = options.budget_work;
-    const bool grouped = std::any_of(description.bodies.begin(), description.bodies.end(),
-                                     [](const BodyDef& body) { return !body.group.empty(); });
-    if (settings.coupling != Coupling::exact) {
-        settings.parts = description.parts.value_or(grouped ? 0 : Description::kParts);
+/// Hands the flat lists to a new world. What it refuses is reported at its place in the file.
+class Builder {
+  public:
+    explicit Builder(const Description& description) : description_(description) {}
+
+    World build(const Options& options, const Place& settings_place) {
+        std::optional<World> world;
+        (void)take(settings_place, [&] { world.emplace(settings_of(options)); });
+        if (!world) {
+            return World();
+        }
+        add_bodies(*world);
+        add_interactions(*world);
+        add_surfaces(*world);
+        for (std::size_t i = 0; i < description_.inputs.size() && numbered_; ++i) {
+            (void)take(description_.input_place(i),
+                       [&] { world->add_input(description_.inputs[i]); });
+        }
+        return std::move(*world);
     }
-    const Place* at = &settings_place;
-    try {
-        World world(settings);
-        for (std::size_t i = 0; i < description.bodies.size(); ++i) {
-            at = &description.body_place(i);
-            world.add_body(description.bodies[i]);
+
+  private:
+    /// Run `work`; what the world refuses becomes a mistake at this place. @return attempt()'s.
+    template <class Work>
+    bool take(const Place& place, const Work& work) {
+        return attempt(description_.mistakes, [&] {
+            try {
+                work();
+            } catch (const DefError& error) {
+                refuse(place, error.what());
+            }
+        });
+    }
+
+    [[nodiscard]] WorldDef settings_of(const Options& options) const {
+        WorldDef settings = description_.settings;
+        settings.threads = options.threads;
+        settings.budget = options.budget;
+        settings.budget_work = options.budget_work;
+        const auto& bodies = description_.bodies;
+        const bool grouped = std::any_of(bodies.begin(), bodies.end(),
+                                         [](const BodyDef& body) { return !body.group.empty(); });
+        if (settings.coupling != Coupling::exact) {
+            settings.parts = description_.parts.value_or(grouped ? 0 : Description::kParts);
         }
-        for (std::size_t i = 0; i < description.interactions.size(); ++i) {
-            at = &description.interaction_place(i);
-            world.add_interaction(description.interactions[i]);
+        return settings;
+    }
+
+    void add_bodies(World& world) {
+        for (std::size_t i = 0; i < description_.bodies.size(); ++i) {
+            const BodyDef& def = description_.bodies[i];
+            const bool added = take(description_.body_place(i), [&] { world.add_body(def); });
+            if (!added) {  // One in its place, so that numbers stay what they are.
+                world.add_body({.name = "", .kind = BodyKind::fixed});
+                whole_ = false;
+            }
         }
-        for (const MaterialDef& material : description.materials) {
+    }
+
+    void add_interactions(World& world) {
+        for (std::size_t i = 0; i < description_.interactions.size() && whole_; ++i) {
+            const InteractionDef& def = description_.interactions[i];
+            if (!numbered_ && def.load[0].interaction.valid()) {
+                continue;
+            }
+            numbered_ &=
+                take(description_.interaction_place(i), [&] { world.add_interaction(def); });
+        }
+        numbered_ &= whole_;
+    }
+
+    void add_surfaces(World& world) {
+        for (const MaterialDef& material : description_.materials) {
             world.add_material(material);
         }
-        for (const MaterialPairDef& pair : description.material_pairs) {
+        for (const MaterialPairDef& pair : description_.material_pairs) {
             world.add_material_pair(pair);
         }
-        for (std::size_t i = 0; i < description.shapes.size(); ++i) {
-            at = &description.shape_place(i);
-            world.add_shape(description.shapes[i]);
+        for (std::size_t i = 0; i < description_.shapes.size() && whole_; ++i) {
+            (void)take(description_.shape_place(i),
+                       [&] { world.add_shape(description_.shapes[i]); });
         }
-        for (std::size_t i = 0; i < description.inputs.size(); ++i) {
-            at = &description.input_place(i);
-            world.add_input(description.inputs[i]);
-        }
-        return world;
-    } catch (const DefError& error) {
-        refuse(*at, error.what());
     }
-}
+
+    const Description& description_;
+    bool whole_ = true;     ///< All bodies are those of the scene.
+    bool numbered_ = true;  ///< Interactions have the numbers of the description.
+};
 
 void read_plot(Scene& scene, const Description& description, const Document& document) {
     const auto plot = document.root.find("plot");
@@ -70,20 +118,22 @@ void read_plot(Scene& scene, const Description& description, const Document& doc
     }
     const Place place = document.place / "plot";
     const auto read = [&](const char* key, std::vector<std::string>& names, const auto& exists,
-                          const char* what, const auto& known) {
+                          const char* what, Lost lost, const auto& known) {
         const auto list = plot->find(key);
         for (std::size_t i = 0; list != plot->end() && i < list->size(); ++i) {
             names.push_back((*list)[i].template get<std::string>());
-            if (!exists(names.back())) {
-                refuse(place / key / i, std::string("there is no ") + what + " " +
-                                            in_quotes(names.back()) +
-                                            suggestion(names.back(), known()));
-            }
+            (void)attempt(description.mistakes, [&] {
+                if (!exists(names.back())) {
+                    refuse_missing(description.mistakes, lost, names.back(), place / key / i,
+                                   std::string("there is no ") + what + " " +
+                                       in_quotes(names.back()) + suggestion(names.back(), known()));
+                }
+            });
         }
     };
     read(
         "tensions", scene.plot_tensions,
-        [&](const std::string& name) { return description.has_cable(name); }, "cable",
+        [&](const std::string& name) { return description.has_cable(name); }, "cable", Lost::cable,
         [&] {
             std::vector<std::string> known;
             for (const Cable& cable : description.cables) {
@@ -94,6 +144,7 @@ void read_plot(Scene& scene, const Description& description, const Document& doc
     read(
         "motions", scene.plot_motions,
         [&](const std::string& name) { return description.find_body(name).valid(); }, "body",
+        Lost::body,
         [&] {
             std::vector<std::string> known;
             for (const BodyDef& body : description.bodies) {
@@ -106,9 +157,11 @@ void read_plot(Scene& scene, const Description& description, const Document& doc
             scene.plot_view_box.emplace_back((*box)[i].get<double>(), (*box)[i + 1].get<double>(),
                                              (*box)[i + 2].get<double>());
         }
-        if (!(scene.plot_view_box[0].array() < scene.plot_view_box[1].array()).all()) {
-            refuse(place / "view_box", "the lower corner must lie below the upper one");
-        }
+        (void)attempt(description.mistakes, [&] {
+            if (!(scene.plot_view_box[0].array() < scene.plot_view_box[1].array()).all()) {
+                refuse(place / "view_box", "the lower corner must lie below the upper one");
+            }
+        });
     }
 }
 
@@ -122,46 +175,94 @@ void check_options(const Options& options, const Place& place) {
     }
 }
 
-Scene make_scene(Json root, const std::filesystem::path& file, const Options& options) {
+/// @param mistakes  Where they are taken down: there is no scene then. Null: they are thrown.
+std::optional<Scene> make_scene(Json root, const std::filesystem::path& file,
+                                const Options& options, Mistakes* mistakes) {
     const Place place{file.string(), ""};
     check_options(options, place);
-    const Document document = make_document(std::move(root), file, options);
+    const Document document = make_document(std::move(root), file, options, mistakes);
+    if (!document.root.is_object()) {
+        return std::nullopt;
+    }
     Description description;
     expand(description, document);
-    const bool moves =
-        std::any_of(description.bodies.begin(), description.bodies.end(), [](const BodyDef& body) {
-            return body.kind != BodyKind::fixed && body.kind != BodyKind::kinematic;
+    const auto is_at_rest = [](const BodyDef& body) {
+        return body.kind == BodyKind::fixed || body.kind == BodyKind::kinematic;
+    };
+    const auto& bodies = description.bodies;
+    if (mistakes == nullptr || !mistakes->incomplete()) {
+        (void)attempt(mistakes, [&] {
+            if (std::all_of(bodies.begin(), bodies.end(), is_at_rest)) {
+                refuse(place, "the scene has no body that moves");
+            }
         });
-    if (!moves) {
-        refuse(place, "the scene has no body that moves");
+    }
+    if (mistakes != nullptr && !mistakes->none()) {
+        Scene unused;
+        read_plot(unused, description, document);
+        return std::nullopt;
     }
     std::string text = document.root.dump(1) + "\n";
     const std::uint64_t hash = hash_text(text);
     Scene scene{.name = document.root["name"].get<std::string>(),
                 .description = text_or(document.root, "description", ""),
                 .path = file.string(),
+                .files = document.files,
+                .state_file = document.state_file,
                 .text = std::move(text),
                 .hash = hash,
                 .duration = description.duration,
-                .world = build(description, options, document.place / "settings"),
+                .world = Builder(description).build(options, document.place / "settings"),
                 .cables = {},
                 .plot_tensions = {},
                 .plot_motions = {},
                 .plot_view_box = {}};
     read_plot(scene, description, document);
     scene.cables = std::move(description.cables);
+    if (mistakes != nullptr && !mistakes->none()) {
+        return std::nullopt;
+    }
+    return scene;
+}
+
+/// Read and make with a list of mistakes.
+template <class Read>
+std::optional<Scene> try_scene(const Read& read, const std::filesystem::path& file,
+                               const Options& options, std::vector<SceneError>& found) {
+    Mistakes mistakes;
+    std::optional<Scene> scene;
+    (void)attempt(&mistakes,
+                  [&] { scene = make_scene(read(&mistakes), file, options, &mistakes); });
+    found = mistakes.list();
+    if (!mistakes.none()) {
+        scene.reset();
+    }
     return scene;
 }
 
 }  // namespace
 
 Scene load_file(const std::filesystem::path& file, const Options& options) {
-    return make_scene(read_json_file(file), file, options);
+    Scene scene = *make_scene(read_json_file(file), file, options, nullptr);
+    scene.files.push_back(file);
+    return scene;
 }
 
 Scene load_text(std::string_view text, const std::string& name_for_messages,
                 const Options& options) {
-    return make_scene(parse_json(text, name_for_messages), name_for_messages, options);
+    return *make_scene(parse_json(text, name_for_messages), name_for_messages, options, nullptr);
+}
+
+std::optional<Scene> load_file(const std::filesystem::path& file, const Options& options,
+                               std::vector<SceneError>& mistakes) {
+    return try_scene([&](Mistakes* list) { return read_json_file(file, list); }, file, options,
+                     mistakes);
+}
+
+std::optional<Scene> load_text(std::string_view text, const std::string& name_for_messages,
+                               const Options& options, std::vector<SceneError>& mistakes) {
+    return try_scene([&](Mistakes* list) { return parse_json(text, name_for_messages, list); },
+                     name_for_messages, options, mistakes);
 }
 
 }  // namespace hawser::scene

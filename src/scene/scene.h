@@ -7,7 +7,8 @@
 /// each in its own files: the document is parsed and its shape checked against the format;
 /// includes are merged, options applied and templates expanded into one flat document;
 /// cables are laid out; the bodies, interactions and inputs are added to a new World through
-/// its public interface. A mistake anywhere throws SceneError and leaves nothing behind.
+/// its public interface. A mistake anywhere throws SceneError and leaves nothing behind; there is a
+/// second pair of functions that lists all of them.
 
 #include <hawser/hawser.h>
 
@@ -68,6 +69,9 @@ struct Scene {
     std::string name;
     std::string description;
     std::string path;  ///< File it was read from, or the name for messages.
+    /// All files that were read: the scene, its includes and its state.
+    std::vector<std::filesystem::path> files;
+    std::filesystem::path state_file;  ///< Of these, the one under "state"; empty: none.
     /// Self-contained document in JSON with includes, options, templates and copies worked in:
     /// reading it alone gives the same world.
     std::string text;
@@ -88,6 +92,17 @@ struct Scene {
 /// `name_for_messages` taken as a path. @throws SceneError.
 [[nodiscard]] Scene load_text(std::string_view text, const std::string& name_for_messages,
                               const Options& options = {});
+
+/// Read a scene and take down all its mistakes in the order in which reading meets them, as far as
+/// it can go on: what holds a mistake is left out, and what only names something left out is no
+/// mistake. @return nothing where there are any.
+[[nodiscard]] std::optional<Scene> load_file(const std::filesystem::path& file,
+                                             const Options& options,
+                                             std::vector<SceneError>& mistakes);
+[[nodiscard]] std::optional<Scene> load_text(std::string_view text,
+                                             const std::string& name_for_messages,
+                                             const Options& options,
+                                             std::vector<SceneError>& mistakes);
 
 /// The present pose and velocity of every moving body, as a state file (docs/scenes.md) that
 /// a scene names under "state".

@@ -75,13 +75,17 @@ struct Shape {
     bool literal = false;
 };
 
-/// The first mistake in a value.
+/// A mistake in a value.
 struct Problem {
     std::string path;  ///< JSON pointer from the value that was checked.
     std::string message;
 };
 
-/// Compare a value with a shape. @return nothing when it fits.
+/// Compare a value with a shape. @return its mistakes in the order of the value, at most so many.
+[[nodiscard]] std::vector<Problem> find_problems(const Json& value, const Shape& shape,
+                                                 std::size_t most);
+
+/// The first of them; nothing when it fits.
 [[nodiscard]] std::optional<Problem> find_problem(const Json& value, const Shape& shape,
                                                   bool placeholders = false);
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 namespace hawser::scene {
 namespace {
@@ -158,8 +159,12 @@ void expand_segments(Description& out, const Scope& scope) {
     }
     for (std::size_t b = 0; b < bodies->size(); ++b) {
         const Json& body = (*bodies)[b];
+        if (body.is_null()) {
+            continue;  // Left out: mistakes.h.
+        }
         const auto shapes = body.find("shapes");
-        if (shapes == body.end()) {
+        const BodyId id = out.find_body(scope.prefix + body["name"].get<std::string>());
+        if (shapes == body.end() || !id.valid()) {
             continue;
         }
         for (std::size_t i = 0; i < shapes->size(); ++i) {
@@ -167,38 +172,41 @@ void expand_segments(Description& out, const Scope& scope) {
                 continue;
             }
             const Place at = scope.place / "bodies" / b / "shapes" / i;
-            const BodyId id = out.find_body(scope.prefix + body["name"].get<std::string>());
-            ShapeDef def = read_segment(out, scope, id, (*shapes)[i], at);
-            read_surface(def, out, (*shapes)[i], at);
-            out.add_shape(std::move(def), out.keep(at));
+            (void)attempt(out.mistakes, [&] {
+                ShapeDef def = read_segment(out, scope, id, (*shapes)[i], at);
+                read_surface(def, out, (*shapes)[i], at);
+                out.add_shape(std::move(def), out.keep(at));
+            });
         }
     }
 }
 
+namespace {
+
+void expand_shape(Description& out, BodyId body, const Json& json, std::set<std::string>& names,
+                  const Place& at) {
+    const std::string name = text_or(json, "name", "");
+    if (!name.empty() && !names.insert(name).second) {
+        refuse(at / "name", "the body has a shape " + in_quotes(name) + " already");
+    }
+    if (is_segment(json)) {
+        return;  // Its other end may not be there yet: expand_segments().
+    }
+    ShapeDef def = read_shape(json, at);
+    def.body = body;
+    if (!name.empty()) {
+        def.name = out.body(body).name + "/" + name;
+    }
+    read_surface(def, out, json, at);
+    out.add_shape(std::move(def), out.keep(at));
+}
+
+}  // namespace
+
 void expand_shapes(Description& out, BodyId body, const Json& list, const Place& place) {
-    std::vector<std::string> names;
+    std::set<std::string> names;
     for (std::size_t i = 0; i < list.size(); ++i) {
-        const Place at = place / i;
-        std::string name;
-        if (list[i].contains("name")) {
-            name = list[i]["name"].get<std::string>();
-            for (const std::string& other : names) {
-                if (other == name) {
-                    refuse(at / "name", "the body has a shape " + in_quotes(name) + " already");
-                }
-            }
-            names.push_back(name);
-        }
-        if (is_segment(list[i])) {
-            continue;  // Its other end may not be there yet: expand_segments().
-        }
-        ShapeDef def = read_shape(list[i], at);
-        def.body = body;
-        if (!name.empty()) {
-            def.name = out.body(body).name + "/" + name;
-        }
-        read_surface(def, out, list[i], at);
-        out.add_shape(std::move(def), out.keep(at));
+        (void)attempt(out.mistakes, [&] { expand_shape(out, body, list[i], names, place / i); });
     }
 }
 

@@ -134,6 +134,8 @@ bool outgrown(StepContext& ctx) noexcept {
     bool found = false;
     for (std::size_t k = 0; k < c.joints.size(); ++k) {
         const std::int32_t id = c.joints[k];
+        // The force of what repeats others is not known before the filter.
+        if (ctx.interactions.repeats[at(id)]) continue;
         const double now = swing_number(ctx, id, ctx.interactions.lambda.data());
         if (ctx.interactions.completed[at(id)]) {
             if (now <= kTooFast) continue;

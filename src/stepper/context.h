@@ -22,8 +22,10 @@
 #include "stepper/cut_levels.h"
 #include "stepper/cuts.h"
 #include "stepper/deadline.h"
+#include "stepper/events.h"
 #include "stepper/judge.h"
 #include "stepper/regroup.h"
+#include "stepper/undo.h"
 
 #include <algorithm>
 #include <chrono>
@@ -32,29 +34,6 @@
 #include <vector>
 
 namespace hawser::stepper {
-
-/// Fixed-size ring of events: the newest are kept, nothing is allocated.
-class EventRing {
-  public:
-    explicit EventRing(std::size_t capacity) : ring_(capacity) {}
-    void push(const Event& event) noexcept {
-        ring_[static_cast<std::size_t>(count_ % static_cast<std::int64_t>(ring_.size()))] = event;
-        ++count_;
-    }
-    /// Events since the last take, oldest first.
-    [[nodiscard]] std::vector<Event> take() {
-        const auto size = static_cast<std::int64_t>(ring_.size());
-        std::vector<Event> out;
-        for (std::int64_t i = std::max(taken_, count_ - size); i < count_; ++i)
-            out.push_back(ring_[static_cast<std::size_t>(i % size)]);
-        taken_ = count_;
-        return out;
-    }
-
-  private:
-    std::vector<Event> ring_;
-    std::int64_t count_ = 0, taken_ = 0;
-};
 
 /// First row of an interaction with a bounded force, see bounds.h.
 struct BoundedRow {
@@ -93,8 +72,10 @@ struct Sleep {
 };
 
 struct StepContext {
-    explicit StepContext(const WorldDef& d) : def(d), pool(d.threads), events(65'536) {
+    explicit StepContext(const WorldDef& d) : def(d), pool(d.threads) {
         collider.margin = d.contact_margin;
+        collider.most_contacts = d.max_contacts;
+        collider.most_bytes = system.most_bytes = d.max_memory;
         // They couple bodies beside the rows, which a sweep over rows does not see.
         if (d.nonsmooth == Nonsmooth::pgs) def.geometric_stiffness = def.rotation_damping = 0.0;
     }
@@ -120,11 +101,13 @@ struct StepContext {
     Deadline deadline;
     CutLevels cut_levels;
     JudgeData judge;
-    Laps laps;               ///< Of the step being taken, where a budget asks for time.
-    Degradation imposed;     ///< On the next step.
+    Undo undo;
+    Mend mend = Mend::nothing;  ///< Before the system may be used.
+    Laps laps;                  ///< Of the step being taken, where a budget asks for time.
+    Degradation imposed;        ///< On the next step.
     int refine_unasked = 0;  ///< So many steps to come refine before they measure, see solve.cpp.
     int refine_unasked_before = 0;  ///< The same, for a step that fails.
-    EventRing events;
+    EventLog events;
     StepStats stats;
 
     double time = 0.0;
@@ -132,6 +115,7 @@ struct StepContext {
     int stage_now = -1;  ///< Whose time is counted, see timer.h; −1: no one's.
     std::chrono::steady_clock::time_point stage_since{};
     bool factor_whole = false;  ///< Never in part: for tests, to compare bits.
+    bool remembered = false;    ///< In this step, see remember().
     bool rhs_ready = false;  ///< The solver's vector holds the right-hand side of the first solve.
     bool topology_changed = true;             ///< Bodies or interactions were added.
     bool started = false;                     ///< The staggered start has been made.
@@ -153,8 +137,9 @@ struct StepContext {
     std::vector<double> active_before;   ///< Of bounded interactions, for events.
     /// Positions and rotations at the last analysis, which chose forms and floors by them.
     base::Array<double> analysed_x, analysed_r;
-    std::vector<double> carriers_before;  ///< Poses of kinematic bodies, for the energy.
-    std::vector<double> lambda_before;    ///< Multipliers, for a step that fails.
+    std::vector<double> carriers_before;       ///< Poses of kinematic bodies, for the energy.
+    std::vector<double> lambda_before;         ///< Multipliers, for a step that fails.
+    std::vector<std::uint8_t> repeats_before;  ///< Likewise.
 
     /// Chunks of bodies or interactions: coarse tasks of fixed size.
     static constexpr std::int32_t kChunk = 128;

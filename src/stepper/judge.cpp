@@ -208,7 +208,7 @@ Status judge(StepContext& ctx) noexcept {
 
 Verdict verdict(StepContext& ctx) noexcept {
     Verdict out = ctx.judge.verdict;
-    if (ctx.topology_changed || ctx.step == 0) return out;
+    if (ctx.topology_changed || ctx.mend != Mend::nothing || ctx.step == 0) return out;
     evaluated(ctx, [&] {
         JudgeState next = ctx.judge.state;
         (void)add(judged(ctx, next), out);

@@ -8,6 +8,7 @@
 #include "stepper/stages.h"
 #include "world/identity.h"
 #include "world/impl.h"
+#include "world/saved_state.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,27 +17,21 @@
 namespace hawser {
 namespace {
 
+using world::Header;
 using world::layout_of;
 using world::parameters_of;
+using world::visit_groups;
+using world::visit_state;
 
-struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '5'};
-    std::uint64_t layout = 0;       ///< See layout_of().
-    std::uint64_t parameters = 0;   ///< See parameters_of().
-    std::uint64_t contacts = 0;     ///< Remembered from the last step.
-    std::uint64_t resistances = 0;  ///< Those of them that resist rolling or spinning.
-    std::uint64_t links = 0;        ///< Pairs of bodies that touched.
-    std::uint64_t nodes = 0;        ///< Of the order of elimination.
-    std::uint64_t chained = 0, units = 0, chains = 0;  ///< Nodes in chains, and so on.
-    std::uint64_t grouped = 0;  ///< Bodies whose groups follow the state: all or none.
-    std::uint64_t bytes = 0;    ///< Of the arrays that follow.
-};
-
-/// Bytes of one contact in the arrays that resize_contacts() sizes.
-constexpr std::size_t kContactBytes =
-    sizeof(collide::KeptContact) + sizeof(assembly::ContactMemory);
-constexpr std::size_t kResistanceBytes = sizeof(assembly::ResistanceMemory);
-constexpr std::size_t kLinkBytes = sizeof(assembly::Contacts::Link) + sizeof(std::int64_t);
+/// Whether as many entries as a header says fit into as many bytes.
+bool fits(const Header& h, std::size_t bytes) {
+    const auto fit = [&](std::uint64_t n, std::size_t size) { return n <= bytes / size; };
+    return fit(h.contacts, sizeof(collide::KeptContact) + sizeof(assembly::ContactMemory)) &&
+           fit(h.resistances, sizeof(assembly::ResistanceMemory)) &&
+           fit(h.links, sizeof(assembly::Contacts::Link) + sizeof(std::int64_t)) &&
+           fit(h.nodes, sizeof(std::int32_t) + 1) && fit(h.chained, sizeof(std::int32_t)) &&
+           fit(h.units, sizeof(std::int32_t)) && fit(h.chains, sizeof(std::int32_t) + 2);
+}
 
 /// Arrays of the state with an entry a contact; what was shown of contacts is gone.
 void resize_contacts(stepper::StepContext& ctx, std::size_t count, std::size_t resistances) {
@@ -48,96 +43,6 @@ void resize_contacts(stepper::StepContext& ctx, std::size_t count, std::size_t r
     ctx.contact_impulse.clear();
     ctx.contact_sliding.clear();
     ctx.stats.contacts = 0;
-}
-
-/// Arrays for an order of elimination.
-factor::AnalysisState room_for_order(const Header& header) {
-    factor::AnalysisState s;
-    s.elimination.order.resize(header.nodes);
-    s.between.resize(header.nodes);
-    factor::Chains& c = s.elimination.chains;
-    c.nodes.resize(header.chained);
-    c.unit_begin.resize(header.units + 1);
-    c.begin.resize(header.chains + 1);
-    c.body_size.resize(header.chains);
-    c.reach.resize(header.chains);
-    return s;
-}
-
-/// Bytes of the order of elimination in the arrays.
-std::uint64_t order_bytes(const Header& h) {
-    constexpr std::uint64_t kNode = sizeof(std::int32_t) + 1;
-    return kNode * h.nodes + sizeof(std::int32_t) * (h.chained + h.units + 1) +
-           (sizeof(std::int32_t) + 2) * h.chains + sizeof(std::int32_t);
-}
-
-/// Groups that follow the state, which come first: how many images and copies there are depends
-/// on them.
-template <class Groups, class F>
-void visit_groups(Groups& groups, F&& f) {
-    f(groups.parts.part.data(), groups.parts.part.size() * sizeof(std::int32_t));
-    f(&groups.parts.parts, sizeof groups.parts.parts);
-    f(&groups.parts.worse_for, sizeof groups.parts.worse_for);
-    f(&groups.made, sizeof groups.made);
-    f(&groups.seen, sizeof groups.seen);
-}
-
-/// Visit every array of the state with f(pointer, bytes).
-template <class Context, class Order, class F>
-void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f) {
-    auto array = [&](auto& a) { f(a.data(), a.size() * sizeof(a[0])); };
-    auto value = [&](auto& v) { f(&v, sizeof v); };
-    visit_groups(ctx.regroup, f);
-    array(ctx.bodies.x);
-    array(ctx.bodies.q);
-    // Kept, not computed anew: the integrator's kernel rounds as its instruction set does.
-    array(ctx.bodies.r);
-    array(ctx.bodies.v);
-    array(ctx.bodies.v_start);
-    array(ctx.bodies.v_fixed);
-    array(ctx.bodies.spin_change);
-    array(ctx.bodies.force);
-    // Forms and the floors of rigid rows were chosen at these poses.
-    array(ctx.analysed_x);
-    array(ctx.analysed_r);
-    array(ctx.bodies.asleep);
-    array(ctx.bodies.quiet);
-    array(ctx.interactions.lambda);
-    array(ctx.interactions.force);
-    array(ctx.interactions.active);
-    array(ctx.interactions.parted);
-    array(ctx.interactions.coarse);
-    array(ctx.interactions.repeats);
-    array(ctx.interactions.saturated);
-    array(ctx.interactions.anchor);
-    array(ctx.collider.kept());
-    value(ctx.collider.kept_awake());
-    array(ctx.system.contacts.memory);
-    array(ctx.system.contacts.resistances.memory);
-    array(ctx.system.contacts.links);
-    array(ctx.system.contacts.link_used);
-    value(ctx.cuts.asked);
-    // Repaired again and again, the order of elimination depends on the past.
-    array(order.elimination.order);
-    array(order.between);
-    array(order.elimination.chains.nodes);
-    array(order.elimination.chains.unit_begin);
-    array(order.elimination.chains.begin);
-    array(order.elimination.chains.body_size);
-    array(order.elimination.chains.reach);
-    value(order.planned_flops);
-    array(inputs);
-    value(ctx.step);
-    value(ctx.started);
-    value(ctx.refine_unasked);
-    value(ctx.work);
-    value(ctx.drag);
-    value(ctx.drive);
-    value(ctx.friction);
-    value(ctx.contact);
-    value(ctx.damped);
-    value(ctx.judge.state);
-    value(ctx.stats.event_count);
 }
 
 /// What the bytes say of groups. @return false where that cannot be.
@@ -178,11 +83,39 @@ void analyse_as_saved(stepper::StepContext& ctx, const factor::AnalysisState& or
     ctx.interactions.active = active;
 }
 
+/// The arrays, which have been checked. @throws DefError for an order of elimination that is none
+/// of this system; the state is then neither the old nor the new one.
+void take_state(stepper::StepContext& ctx, std::vector<double>& inputs, const Header& header,
+                const std::byte* from, bool regrouped) {
+    const auto analysed_x = ctx.analysed_x;
+    const auto analysed_r = ctx.analysed_r;
+    const auto links = ctx.system.contacts.links;
+    const auto asleep = ctx.bodies.asleep;
+    const auto asked = ctx.cuts.asked;
+    resize_contacts(ctx, header.contacts, header.resistances);
+    ctx.system.contacts.links.resize(header.links);
+    ctx.system.contacts.link_used.resize(header.links);
+    factor::AnalysisState order = world::room_for_order(header);
+    visit_state(ctx, inputs, order, [&](void* to, std::size_t n) {
+        if (n > 0) std::memcpy(to, from, n);
+        from += n;
+    });
+    const bool relinked = links != ctx.system.contacts.links;
+    if (relinked) ctx.system.contacts.make_blocks();
+    stepper::check_asleep(ctx);
+    if (regrouped || relinked || asked != ctx.cuts.asked || asleep != ctx.bodies.asleep ||
+        ctx.analysed_x != analysed_x || ctx.analysed_r != analysed_r ||
+        ctx.system.analysis.state() != order)
+        analyse_as_saved(ctx, order);
+    if (ctx.system.analysis.state() != order)
+        throw DefError("snapshot: its order of elimination is none of this world's");
+}
+
 }  // namespace
 
 std::vector<std::byte> World::save() const {
     Impl& m = *impl_;
-    if (m.ctx.topology_changed) stepper::prepare(m.ctx);
+    stepper::ready(m.ctx);
     Header header;
     header.layout = layout_of(m.ctx, m.inputs.size());
     header.parameters = parameters_of(m.ctx, m.inputs, m.shape_defs);
@@ -211,7 +144,7 @@ std::vector<std::byte> World::save() const {
     return out;
 }
 
-void World::restore(std::span<const std::byte> bytes) {
+void World::take_saved(std::span<const std::byte> bytes) {
     Impl& m = *impl_;
     Header header;
     const Header expected;
@@ -229,64 +162,23 @@ void World::restore(std::span<const std::byte> bytes) {
         throw DefError(
             "snapshot: it belongs to a world with other parameters (masses, inertias, points, "
             "lengths, stiffnesses, damping, gravity, ranges of inputs, method, coupling, sleep)");
-    if (m.ctx.topology_changed) stepper::prepare(m.ctx);
+    stepper::ready(m.ctx);
     const auto damaged = [] { return DefError("snapshot: the bytes are damaged (checksum)"); };
     if (sum != base::fnv1a(bytes.data(), bytes.size() - sizeof sum)) throw damaged();
-    // What is no array of groups is refused before anything changes; what is wrong beyond it, by
-    // going back.
+    // What bytes alone tell is told before anything changes, the rest by going back.
     visit_groups(m.ctx.regroup, [&](const void*, std::size_t n) { size += n; });
     stepper::Regroup groups;
-    if (header.grouped != m.ctx.regroup.parts.part.size() ||
+    if (header.grouped != m.ctx.regroup.parts.part.size() || !fits(header, bytes.size()) ||
         bytes.size() < sizeof header + size + sizeof sum ||
         !read_groups(m.ctx, bytes.data() + sizeof header, groups))
         throw damaged();
-    std::vector<std::byte> before;
-    if (groups.parts.part != m.ctx.regroup.parts.part) before = save();
     const bool regrouped = take_groups(m.ctx, groups);
-    size = 0;
-    factor::AnalysisState order;
-    visit_state(m.ctx, m.input_values, order, [&](const void*, std::size_t n) { size += n; });
-    // All but the contacts and the order has the size that this world has.
-    constexpr std::uint64_t kMost = std::uint64_t{1} << 32;
-    size -= m.ctx.collider.kept().size() * kContactBytes;
-    size -= m.ctx.system.contacts.resistances.memory.size() * kResistanceBytes;
-    size -= m.ctx.system.contacts.links.size() * kLinkBytes;
-    size += std::min(header.contacts, kMost) * kContactBytes;
-    size += std::min(header.resistances, kMost) * kResistanceBytes;
-    size += std::min(header.links, kMost) * kLinkBytes;
-    size -= order_bytes({});
-    Header order_of = header;
-    for (std::uint64_t* n : {&order_of.nodes, &order_of.chained, &order_of.units, &order_of.chains})
-        *n = std::min(*n, kMost);
-    size += order_bytes(order_of);
-    if (header.bytes != size || bytes.size() != sizeof header + size + sizeof sum) {
-        if (!before.empty()) restore(before);
-        throw damaged();
-    }
-    const auto analysed_x = m.ctx.analysed_x;
-    const auto analysed_r = m.ctx.analysed_r;
-    const auto links = m.ctx.system.contacts.links;
-    const auto asleep = m.ctx.bodies.asleep;
-    const auto asked = m.ctx.cuts.asked;
-    resize_contacts(m.ctx, header.contacts, header.resistances);
-    m.ctx.system.contacts.links.resize(header.links);
-    m.ctx.system.contacts.link_used.resize(header.links);
-    order = room_for_order(header);
-    const std::byte* from = bytes.data() + sizeof header;
-    visit_state(m.ctx, m.input_values, order, [&](void* to, std::size_t n) {
-        if (n > 0) std::memcpy(to, from, n);
-        from += n;
-    });
-    const bool relinked = links != m.ctx.system.contacts.links;
-    if (relinked) m.ctx.system.contacts.make_blocks();
-    // Whatever the bytes say: what has no freedom is awake, and no more contacts than there are.
-    m.ctx.collider.kept_awake() = std::min(m.ctx.collider.kept_awake(), header.contacts);
-    stepper::check_asleep(m.ctx);
-    m.ctx.refine_unasked = std::max(0, m.ctx.refine_unasked);
-    if (regrouped || relinked || asked != m.ctx.cuts.asked || asleep != m.ctx.bodies.asleep ||
-        m.ctx.analysed_x != analysed_x || m.ctx.analysed_r != analysed_r ||
-        m.ctx.system.analysis.state() != order)
-        analyse_as_saved(m.ctx, order);
+    world::SavedState state(m.ctx, m.input_values, header);
+    size = state.size();
+    if (header.bytes != size || bytes.size() != sizeof header + size + sizeof sum) throw damaged();
+    state.read(bytes.subspan(sizeof header, size));
+    world::check_state(m.ctx, m.inputs, state);
+    take_state(m.ctx, m.input_values, header, bytes.data() + sizeof header, regrouped);
     m.ctx.time = static_cast<double>(m.ctx.step) * m.ctx.def.step;
     m.ctx.stats.step = m.ctx.step;
     m.ctx.stats.time = m.ctx.time;

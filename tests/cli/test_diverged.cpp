@@ -33,7 +33,7 @@ TEST_F(Diverged, ARunEndsWithCode2AndTheReasonInWords) {
     const std::string record = (folder_ / "r.hwr").string();
     const Outcome o = run_program({"run", scene_, "--summary", summary, "--record", record});
     EXPECT_EQ(o.code, 2) << o.err;
-    for (const char* word : {"failed at", "diverged", "'weld'", " m ", "check"})
+    for (const char* word : {"failed at", "diverged", "joint '", " m ", "check"})
         EXPECT_NE(o.err.find(word), std::string::npos) << word << ": " << o.err;
     EXPECT_NE(o.out.find("(failed)"), std::string::npos) << o.out;
     EXPECT_NE(o.out.find("margins"), std::string::npos);

@@ -44,12 +44,14 @@ TEST_F(Figures, WriteAPictureInTwoFormsAndItsDataForEachPanel) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         if (entry.path().extension() != ".json") continue;
         ++panels;
+        const json d = data(entry.path().stem().string());
+        // A panel of an order that this build has not says so in one line.
+        const std::uintmax_t least = d.contains("missing") ? 500 : 2000;
         for (const char* extension : {".svg", ".png"}) {
             const auto picture = std::filesystem::path(entry.path()).replace_extension(extension);
             ASSERT_TRUE(std::filesystem::exists(picture)) << picture;
-            EXPECT_GT(std::filesystem::file_size(picture), 2000u) << picture;
+            EXPECT_GT(std::filesystem::file_size(picture), least) << picture;
         }
-        const json d = data(entry.path().stem().string());
         SCOPED_TRACE(entry.path().string());
         EXPECT_EQ(d["scene"], "mooring");
         EXPECT_EQ(d["scene_hash"].get<std::string>().size(), 16u);

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file outputs.h
+/// Files that a command reads and writes, looked at before anything is opened.
+
+#include <string>
+#include <vector>
+
+namespace hawser::cli {
+
+struct NamedFile {
+    std::string what;  ///< As the user knows it: "--record", "the scene".
+    std::string file;
+};
+
+/// Each output can be written, none is an input or another output: a file that a run has begun to
+/// write over is gone. Those without a name are left out.
+/// @throws std::runtime_error that names file and options.
+void check_outputs(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
+
+/// Write a whole file beside and rename it. @throws std::runtime_error that begins with the file.
+void write_output(const std::string& file, const std::string& text, const char* what);
+
+}  // namespace hawser::cli

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/saved_state.h"
+
+#include <cstring>
+
+namespace hawser::world {
+
+SavedState::SavedState(const stepper::StepContext& ctx, const std::vector<double>& values,
+                       const Header& header) {
+    const model::Bodies& b = ctx.bodies;
+    const model::Interactions& in = ctx.interactions;
+    const auto as = [](auto& mine, const auto& its) { mine.resize(its.size()); };
+    as(bodies.x, b.x);
+    as(bodies.q, b.q);
+    as(bodies.r, b.r);
+    as(bodies.v, b.v);
+    as(bodies.v_start, b.v_start);
+    as(bodies.v_fixed, b.v_fixed);
+    as(bodies.spin_change, b.spin_change);
+    as(bodies.force, b.force);
+    as(bodies.asleep, b.asleep);
+    as(bodies.quiet, b.quiet);
+    as(analysed_x, ctx.analysed_x);
+    as(analysed_r, ctx.analysed_r);
+    as(interactions.lambda, in.lambda);
+    as(interactions.force, in.force);
+    as(interactions.active, in.active);
+    as(interactions.parted, in.parted);
+    as(interactions.coarse, in.coarse);
+    as(interactions.repeats, in.repeats);
+    as(interactions.saturated, in.saturated);
+    as(interactions.anchor, in.anchor);
+    as(regroup.parts.part, ctx.regroup.parts.part);
+    as(inputs, values);
+    collider.contacts.resize(header.contacts);
+    system.contacts.memory.resize(header.contacts);
+    system.contacts.resistances.memory.resize(header.resistances);
+    system.contacts.links.resize(header.links);
+    system.contacts.link_used.resize(header.links);
+    order = room_for_order(header);
+}
+
+std::uint64_t SavedState::size() {
+    std::uint64_t sum = 0;
+    visit_state(*this, inputs, order, [&](const void*, std::size_t n) { sum += n; });
+    return sum;
+}
+
+void SavedState::read(std::span<const std::byte> from) {
+    visit_state(*this, inputs, order, [&](void* to, std::size_t n) {
+        if (n > 0) std::memcpy(to, from.data(), n);
+        from = from.subspan(n);
+    });
+}
+
+factor::AnalysisState room_for_order(const Header& header) {
+    factor::AnalysisState s;
+    s.elimination.order.resize(header.nodes);
+    s.between.resize(header.nodes);
+    factor::Chains& c = s.elimination.chains;
+    c.nodes.resize(header.chained);
+    c.unit_begin.resize(header.units + 1);
+    c.begin.resize(header.chains + 1);
+    c.body_size.resize(header.chains);
+    c.reach.resize(header.chains);
+    return s;
+}
+
+}  // namespace hawser::world

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file saved_state.h
+/// The arrays of a snapshot in their order, and a place to read them to before a world takes them.
+
+#include "stepper/context.h"
+#include "world/impl.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hawser::world {
+
+/// Identifies the world's layout and says how much follows.
+struct Header {
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '5'};
+    std::uint64_t layout = 0;       ///< See layout_of().
+    std::uint64_t parameters = 0;   ///< See parameters_of().
+    std::uint64_t contacts = 0;     ///< Remembered from the last step.
+    std::uint64_t resistances = 0;  ///< Those of them that resist rolling or spinning.
+    std::uint64_t links = 0;        ///< Pairs of bodies that touched.
+    std::uint64_t nodes = 0;        ///< Of the order of elimination.
+    std::uint64_t chained = 0, units = 0, chains = 0;  ///< Nodes in chains, and so on.
+    std::uint64_t grouped = 0;  ///< Bodies whose groups follow the state: all or none.
+    std::uint64_t bytes = 0;    ///< Of the arrays that follow.
+};
+
+/// Groups that follow the state, which come first: how many images and copies there are depends
+/// on them.
+template <class Groups, class F>
+void visit_groups(Groups& groups, F&& f) {
+    f(groups.parts.part.data(), groups.parts.part.size() * sizeof(std::int32_t));
+    f(&groups.parts.parts, sizeof groups.parts.parts);
+    f(&groups.parts.worse_for, sizeof groups.parts.worse_for);
+    f(&groups.made, sizeof groups.made);
+    f(&groups.seen, sizeof groups.seen);
+}
+
+/// Visit every array of the state with f(pointer, bytes).
+template <class Context, class Order, class F>
+void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f) {
+    auto array = [&](auto& a) { f(a.data(), a.size() * sizeof(a[0])); };
+    auto value = [&](auto& v) { f(&v, sizeof v); };
+    visit_groups(ctx.regroup, f);
+    array(ctx.bodies.x);
+    array(ctx.bodies.q);
+    // Kept, not computed anew: the integrator's kernel rounds as its instruction set does.
+    array(ctx.bodies.r);
+    array(ctx.bodies.v);
+    array(ctx.bodies.v_start);
+    array(ctx.bodies.v_fixed);
+    array(ctx.bodies.spin_change);
+    array(ctx.bodies.force);
+    // Forms and the floors of rigid rows were chosen at these poses.
+    array(ctx.analysed_x);
+    array(ctx.analysed_r);
+    array(ctx.bodies.asleep);
+    array(ctx.bodies.quiet);
+    array(ctx.interactions.lambda);
+    array(ctx.interactions.force);
+    array(ctx.interactions.active);
+    array(ctx.interactions.parted);
+    array(ctx.interactions.coarse);
+    array(ctx.interactions.repeats);
+    array(ctx.interactions.saturated);
+    array(ctx.interactions.anchor);
+    array(ctx.collider.kept());
+    value(ctx.collider.kept_awake());
+    array(ctx.system.contacts.memory);
+    array(ctx.system.contacts.resistances.memory);
+    array(ctx.system.contacts.links);
+    array(ctx.system.contacts.link_used);
+    value(ctx.cuts.asked);
+    // Repaired again and again, the order of elimination depends on the past.
+    array(order.elimination.order);
+    array(order.between);
+    array(order.elimination.chains.nodes);
+    array(order.elimination.chains.unit_begin);
+    array(order.elimination.chains.begin);
+    array(order.elimination.chains.body_size);
+    array(order.elimination.chains.reach);
+    value(order.planned_flops);
+    array(inputs);
+    value(ctx.step);
+    value(ctx.started);
+    value(ctx.refine_unasked);
+    value(ctx.work);
+    value(ctx.drag);
+    value(ctx.drive);
+    value(ctx.friction);
+    value(ctx.contact);
+    value(ctx.damped);
+    value(ctx.judge.state);
+    value(ctx.stats.event_count);
+}
+
+/// The state as bytes say it, sized by the header and by the world that is to take it: it has the
+/// members of a StepContext that visit_state() visits.
+struct SavedState {
+    /// @param header  Its counts fit into the bytes that there are. @throws std::bad_alloc.
+    SavedState(const stepper::StepContext& ctx, const std::vector<double>& inputs,
+               const Header& header);
+    /// Bytes of all arrays.
+    [[nodiscard]] std::uint64_t size();
+    /// Take all from bytes, of which there are size().
+    void read(std::span<const std::byte> from);
+
+    struct {
+        base::Array<double> x, q, r, v, v_start, v_fixed, spin_change, force;
+        base::Array<std::uint8_t> asleep;
+        base::Array<std::int32_t> quiet;
+    } bodies;
+    struct {
+        base::Array<double> lambda, force, active, anchor;
+        base::Array<std::uint8_t> parted, coarse, repeats;
+        std::vector<std::uint8_t> saturated;
+    } interactions;
+    struct {
+        base::Array<collide::KeptContact> contacts;
+        std::uint64_t awake = 0;
+        [[nodiscard]] auto& kept() noexcept { return contacts; }
+        [[nodiscard]] auto& kept_awake() noexcept { return awake; }
+    } collider;
+    struct {
+        struct {
+            base::Array<assembly::ContactMemory> memory;
+            struct {
+                base::Array<assembly::ResistanceMemory> memory;
+            } resistances;
+            std::vector<assembly::Contacts::Link> links;
+            std::vector<std::int64_t> link_used;
+        } contacts;
+    } system;
+    struct {
+        std::uint64_t asked = 0;
+    } cuts;
+    struct {
+        struct {
+            std::vector<std::int32_t> part;
+            std::int32_t parts = 0, worse_for = 0;
+        } parts;
+        std::int64_t made = 0, seen = 0;
+    } regroup;
+    struct {
+        stepper::JudgeState state;
+    } judge;
+    struct {
+        std::array<std::int64_t, kEventKindCount> event_count{};
+    } stats;
+    base::Array<double> analysed_x, analysed_r;
+    std::int64_t step = 0;
+    std::uint8_t started = 0;  ///< A byte: any other than 0 and 1 is no bool.
+    int refine_unasked = 0;
+    double work = 0.0, drag = 0.0, drive = 0.0, friction = 0.0, contact = 0.0, damped = 0.0;
+    factor::AnalysisState order;
+    std::vector<double> inputs;
+};
+
+/// Arrays for an order of elimination.
+[[nodiscard]] factor::AnalysisState room_for_order(const Header& header);
+
+/// Whether a world may go on from a state: indices that exist, numbers that are finite, counts and
+/// steps that agree. What is not looked at here is whether the order of elimination is one of the
+/// system's pattern, which the analysis tells.
+/// @param inputs  Their definitions. @throws DefError that names the quantity.
+void check_state(const stepper::StepContext& ctx, const std::vector<InputDef>& inputs,
+                 const SavedState& state);
+
+}  // namespace hawser::world

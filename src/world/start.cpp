@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a check of a start looks at: rows and overlaps at the present poses.
+#include <hawser/inspect.h>
+#include <hawser/world.h>
+
+#include "world/impl.h"
+#include "world/lookup.h"
+
+#include <new>
+
+namespace hawser {
+
+RowsView World::rows(InteractionId id) const {
+    const std::size_t i = world::index_of(id.index, interaction_count(), "interaction");
+    const stepper::StepContext& ctx = impl_->ctx;
+    const model::Interactions& in = ctx.interactions;
+    const model::RowState state = in.row_state(id.index, ctx.bodies);
+    RowsView out;
+    out.rows = in.rows[i];
+    out.bodies = in.bodies[i];
+    for (std::size_t r = 0; r < in.rows[i]; ++r) {
+        const std::size_t row = at(in.row_begin[i]) + r;
+        out.velocity[r] = (in.row_flags[row] & model::kRowVelocity) != 0;
+        (out.velocity[r] ? out.speed : out.violation)[r] = state.g[r];
+        out.rate[r] = state.rate[r] + state.carried[r];
+        out.compliance[r] = in.epsilon[row];
+        out.damping_time[r] = in.tau[row];
+        double unit[kMaxInteractionRows] = {};
+        unit[r] = 1.0;
+        for (std::size_t b = 0; b < in.bodies[i]; ++b)
+            in.add_impulse(id.index, static_cast<int>(b), ctx.bodies, unit,
+                           out.jacobian[b][r].data());
+    }
+    return out;
+}
+
+std::vector<ContactView> World::overlaps() const {
+    stepper::StepContext& ctx = impl_->ctx;
+    std::vector<ContactView> out;
+    if (ctx.collider.count() == 0) return out;
+    stepper::ready(ctx);
+    collide::ContactSet found;
+    ctx.collider.surfaces(ctx.def.step, found);
+    // Until keep() the collider remembers nothing of it.
+    if (!ctx.collider.collide(ctx.bodies, ctx.def.step, found, ctx.pool)) throw std::bad_alloc();
+    for (const collide::Contact& c : found.contacts) {
+        if (c.gap >= 0.0) continue;
+        ContactView& v = out.emplace_back();
+        v.gap = c.gap;
+        for (int k = 0; k < 3; ++k) {
+            v.point[k] = 0.5 * (c.on[0][k] + c.on[1][k]);
+            v.normal[k] = c.normal[k];
+        }
+        v.force = -c.gap / found.surfaces[at(c.surface)].compliance * v.normal;
+        for (int s = 0; s < 2; ++s) v.shape[s] = ShapeId{c.shape[s]};
+    }
+    return out;
+}
+
+}  // namespace hawser

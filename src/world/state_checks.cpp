@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a state read from bytes must be like. A right checksum says who wrote it at most, not that
+/// it makes sense: an index from a file is used as an address a step later.
+#include "base/index.h"
+#include "world/saved_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string>
+
+namespace hawser::world {
+namespace {
+
+/// Far beyond what any scene reaches; below it no product of a few of them overflows [m, m/s].
+constexpr double kFar = 1e15;
+/// Forces, impulses, energies [N, N s, J].
+constexpr double kHuge = 1e40;
+/// A product is a double up to this many steps.
+constexpr std::int64_t kMostSteps = std::int64_t{1} << 53;
+constexpr double kUnit = 1e-6;  ///< Of lengths of quaternions and entries of rotations.
+constexpr std::int32_t kMostQuiet = 1'000'000'000;  ///< Steps, see stepper/sleep.cpp.
+
+[[noreturn]] void refuse(const std::string& what) {
+    throw DefError("snapshot: not a state that a world can have: " + what);
+}
+
+std::string entry(std::size_t i) { return " (entry " + std::to_string(i) + ")"; }
+
+void numbers(std::span<const double> array, const char* what, double most) {
+    for (std::size_t i = 0; i < array.size(); ++i)
+        if (!(std::abs(array[i]) <= most))
+            refuse(std::string(what) +
+                   (std::isfinite(array[i]) ? " is out of range" : " is not a finite number") +
+                   entry(i));
+}
+
+void number(double value, const char* what, double most = kHuge) {
+    numbers(std::span(&value, 1), what, most);
+}
+
+template <class A>
+void flags(const A& array, const char* what) {
+    for (std::size_t i = 0; i < array.size(); ++i)
+        if (array[i] != 0 && array[i] != 1) refuse(std::string(what) + " is no flag" + entry(i));
+}
+
+/// Of a quaternion's length.
+bool unit(const double* q, double off) {
+    const double n = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    return std::abs(n - 1.0) <= off;
+}
+
+bool is_rotation_of(const double* r, const double* q) {
+    const Mat3 m = Quat(q[0], q[1], q[2], q[3]).toRotationMatrix();
+    for (int i = 0; i < 9; ++i)
+        if (!(std::abs(r[i] - m(i / 3, i % 3)) <= kUnit)) return false;
+    return true;
+}
+
+void check_bodies(const stepper::StepContext& ctx, const SavedState& s) {
+    numbers(s.bodies.x, "a position", kFar);
+    numbers(s.bodies.v, "a velocity", kFar);
+    numbers(s.bodies.v_start, "a predicted velocity", kFar);
+    numbers(s.bodies.v_fixed, "a prescribed velocity", kFar);
+    numbers(s.bodies.spin_change, "a change of spin", kFar);
+    numbers(s.bodies.force, "an applied force", 1e300);  // as setters take it
+    numbers(s.analysed_x, "an analysed position", kFar);
+    numbers(s.analysed_r, "an analysed rotation", 2.0);
+    flags(s.bodies.asleep, "sleep");
+    for (std::size_t b = 0; b < at(ctx.bodies.count()); ++b) {
+        const BodyKind kind = ctx.bodies.kind[b];
+        const double* q = &s.bodies.q[4 * b];
+        if (!unit(q, kUnit)) refuse("an orientation is no rotation" + entry(b));
+        const bool turns = kind != BodyKind::lump && kind != BodyKind::scalar;
+        if (turns && !is_rotation_of(&s.bodies.r[9 * b], q))
+            refuse("a rotation is not that of the orientation" + entry(b));
+        if (s.bodies.asleep[b] != 0 && ctx.bodies.dof(static_cast<int>(b)) == 0)
+            refuse("what cannot move is asleep" + entry(b));
+        if (s.bodies.quiet[b] < 0 || s.bodies.quiet[b] > kMostQuiet)
+            refuse("a time at rest is out of range" + entry(b));
+    }
+    numbers(s.bodies.r, "a rotation", 2.0);
+}
+
+void check_interactions(const stepper::StepContext& ctx, const SavedState& s) {
+    numbers(s.interactions.lambda, "an impulse", kHuge);
+    numbers(s.interactions.force, "a force", kHuge);
+    numbers(s.interactions.anchor, "an anchor of friction", kFar);
+    flags(s.interactions.active, "which rows act");
+    flags(s.interactions.parted, "which lines have parted");
+    flags(s.interactions.saturated, "which motors are at a limit");
+    flags(s.interactions.repeats, "which joints repeat each other");
+    for (std::size_t i = 0; i < s.interactions.parted.size(); ++i)
+        if (s.interactions.parted[i] != 0 && (ctx.interactions.flags[i] & model::kBreakable) == 0)
+            refuse("what cannot part has parted" + entry(i));
+}
+
+/// Whether a side of a contact remembers bodies that the side's shape has.
+bool fits(const std::int32_t (&body)[2], const collide::Shape& shape) {
+    const auto of_shape = [&](std::int32_t b) { return b == shape.body[0] || b == shape.body[1]; };
+    return body[0] >= 0 && of_shape(body[0]) &&
+           (body[1] == -1 || (body[1] >= 0 && of_shape(body[1])));
+}
+
+bool behind(const collide::KeptContact& a, const collide::KeptContact& b) {
+    return a.shape[0] != b.shape[0] ? a.shape[0] > b.shape[0] : a.shape[1] > b.shape[1];
+}
+
+void check_contacts(const stepper::StepContext& ctx, const SavedState& s) {
+    const auto& kept = s.collider.contacts;
+    const auto& memory = s.system.contacts.memory;
+    const std::vector<collide::Shape>& shapes = ctx.collider.shapes();
+    if (s.collider.awake > kept.size()) refuse("more contacts take part than there are");
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        const collide::KeptContact& k = kept[i];
+        const auto count = static_cast<std::int32_t>(shapes.size());
+        if (k.shape[0] < 0 || k.shape[0] >= k.shape[1] || k.shape[1] >= count || k.zero != 0)
+            refuse("a contact is of shapes that there are not" + entry(i));
+        if (i > 0 && i != s.collider.awake && behind(kept[i - 1], k))
+            refuse("contacts are not in their order" + entry(i));
+        numbers(k.at, "the place of a contact", kFar);
+        const assembly::ContactMemory& m = memory[i];
+        numbers(m.share, "the share of a contact", 2.0);
+        numbers(m.anchor[0], "the anchor of a contact", kFar);
+        numbers(m.anchor[1], "the anchor of a contact", kFar);
+        numbers(m.rolled, "the violation of a contact", kFar);
+        numbers(m.lambda, "the impulse of a contact", kHuge);
+        const bool nothing =
+            std::equal(&m.body[0][0], &m.body[0][0] + 4, &assembly::kNoMemory.body[0][0]);
+        const bool known =
+            fits(m.body[0], shapes[at(k.shape[0])]) && fits(m.body[1], shapes[at(k.shape[1])]);
+        if (!nothing && !known) refuse("a contact remembers bodies that it has not" + entry(i));
+    }
+}
+
+void check_resistances(const SavedState& s) {
+    std::int32_t before = -1;
+    std::size_t i = 0;
+    for (const assembly::ResistanceMemory& m : s.system.contacts.resistances.memory) {
+        if (m.contact <= before || at(m.contact) >= s.collider.contacts.size())
+            refuse("a resistance is of a contact that there is not" + entry(i));
+        before = m.contact;
+        if (m.anew != 0 && m.anew != 1) refuse("a resistance has no such flag" + entry(i));
+        numbers(m.reference, "the reference of a resistance", 2.0);
+        if (m.anew == 0 && !unit(m.reference, kUnit))
+            refuse("the reference of a resistance is no rotation" + entry(i));
+        numbers(m.turned, "the turn of a resistance", kFar);
+        numbers(m.lambda, "the impulse of a resistance", kHuge);
+        ++i;
+    }
+}
+
+void check_links(const stepper::StepContext& ctx, const SavedState& s) {
+    std::vector<std::uint8_t> touches(at(ctx.bodies.count()), 0);
+    for (const collide::Shape& shape : ctx.collider.shapes())
+        for (const std::int32_t b : shape.body)
+            if (b >= 0) touches[at(b)] = ctx.bodies.dof(b) > 0 ? 1 : 0;
+    const auto& links = s.system.contacts.links;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        const auto [first, second] = links[i];
+        if (first < 0 || first >= second || at(second) >= touches.size() ||
+            touches[at(first)] == 0 || touches[at(second)] == 0)
+            refuse("bodies are linked that cannot touch" + entry(i));
+        if (i > 0 && !(links[i - 1] < links[i])) refuse("links are not in their order" + entry(i));
+        const std::int64_t used = s.system.contacts.link_used[i];
+        if (used < 0 || used > s.step) refuse("a link was used at no step" + entry(i));
+    }
+}
+
+/// As far as it can be told without the pattern.
+void check_order(const factor::AnalysisState& order) {
+    flags(order.between, "a place in the order of elimination");
+    std::vector<std::uint8_t> seen(order.elimination.order.size(), 0);
+    for (const std::int32_t node : order.elimination.order) {
+        if (node < 0 || at(node) >= seen.size() || seen[at(node)] != 0)
+            refuse("the order of elimination is none");
+        seen[at(node)] = 1;
+    }
+    if (order.planned_flops < 0) refuse("work is negative");
+}
+
+void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
+    if (s.step < 0 || s.step > kMostSteps) refuse("the step is out of range");
+    if (s.started > 1) refuse("the start is no flag");
+    const auto sleeps = [](std::uint8_t flag) { return flag != 0; };
+    if (s.started == 0 && (s.step != 0 || !s.collider.contacts.empty() ||
+                           std::any_of(s.bodies.asleep.begin(), s.bodies.asleep.end(), sleeps)))
+        refuse("something has happened before the start");
+    if (s.refine_unasked < 0 || s.refine_unasked > 1'000'000)
+        refuse("refinements are out of range");
+    for (const std::int64_t n : s.stats.event_count)
+        if (n < 0) refuse("a count of events is negative");
+    const stepper::JudgeState& j = s.judge.state;
+    numbers(std::array{j.kinetic, j.potential, j.elastic, j.mean[0], j.mean[1], j.held, j.given,
+                       j.exchanged, j.unsolved, j.open_start},
+            "a figure of the judge", 1e300);
+    numbers(j.work, "a figure of the judge", 1e300);
+    for (const stepper::Tide& tide : {j.now_tide[0], j.now_tide[1], j.mean_tide[0], j.mean_tide[1]})
+        numbers(std::array{tide.least, tide.most}, "a figure of the judge", 1e300);
+    flags(j.told, "a word of the judge");
+    if (j.step < 0 || j.step > s.step || j.begun < 0 || j.begun > s.step + 1)
+        refuse("the judge looked at no step");
+    const double energies[] = {s.work, s.drag, s.drive, s.friction, s.contact, s.damped};
+    numbers(energies, "an energy", 1e300);
+    const auto& r = s.regroup;
+    if (r.made < 0 || r.made > s.step || r.seen < -1 || r.seen > s.step || r.parts.worse_for < 0 ||
+        r.parts.worse_for > kMostQuiet || r.parts.parts != ctx.regroup.parts.parts)
+        refuse("groups were made at no step");
+}
+
+}  // namespace
+
+void check_state(const stepper::StepContext& ctx, const std::vector<InputDef>& inputs,
+                 const SavedState& state) {
+    check_counts(ctx, state);
+    check_bodies(ctx, state);
+    check_interactions(ctx, state);
+    check_contacts(ctx, state);
+    check_resistances(state);
+    check_links(ctx, state);
+    check_order(state.order);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        number(state.inputs[i], "an input", 1e300);
+        // What acts where no input was ever set may lie outside of its range.
+        const InteractionDef* d = inputs[i].interaction.valid()
+                                      ? &ctx.interactions.def[at(inputs[i].interaction.index)]
+                                      : nullptr;
+        if (d == nullptr) continue;
+        for (const ParamInfo& p : kind_info(d->kind).params)
+            if (inputs[i].param == p.name &&
+                !(state.inputs[i] >= p.min && state.inputs[i] <= p.max))
+                refuse("input '" + inputs[i].name + "' is outside the range of its parameter");
+    }
+}
+
+}  // namespace hawser::world

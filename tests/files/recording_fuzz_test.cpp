@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Recordings and snapshot files whose contents were changed and whose checksums are right: refused
+/// or read, and what was read can be drawn, whatever it says.
+#include "files/mutate.h"
+#include "observe/bytes.h"
+#include "observe/plots.h"
+#include "observe/raster.h"
+#include "observe/small_scene.h"
+#include "observe/snapshot_file.h"
+#include "observe/svg.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace hawser::test {
+namespace {
+
+using observe::Recording;
+
+struct Chunk {
+    std::array<std::byte, 4> kind{};
+    std::vector<std::byte> payload;
+};
+
+constexpr std::size_t kMagicBytes = 12;
+
+std::vector<Chunk> chunks_of(std::span<const std::byte> file) {
+    std::vector<Chunk> out;
+    observe::ByteReader in(file.subspan(kMagicBytes));
+    while (in.left() > 0) {
+        Chunk chunk;
+        std::memcpy(chunk.kind.data(), in.take(4).data(), 4);
+        const auto payload = in.take(in.get<std::uint32_t>());
+        chunk.payload.assign(payload.begin(), payload.end());
+        (void)in.get<std::uint32_t>();
+        out.push_back(std::move(chunk));
+    }
+    return out;
+}
+
+/// The file of some chunks, each with the checksum that it needs.
+std::vector<std::byte> file_of(std::span<const std::byte> magic, const std::vector<Chunk>& chunks) {
+    observe::ByteWriter out;
+    out.put_bytes(magic);
+    for (const Chunk& chunk : chunks) {
+        const std::size_t from = out.bytes().size();
+        out.put_bytes(chunk.kind);
+        out.put(static_cast<std::uint32_t>(chunk.payload.size()));
+        out.put_bytes(chunk.payload);
+        out.put(observe::crc32(out.bytes().subspan(from)));
+    }
+    return {out.bytes().begin(), out.bytes().end()};
+}
+
+void forge(std::vector<Chunk>& chunks, Random& random) {
+    const auto any = [&] {
+        return static_cast<std::size_t>(random.integer(0, static_cast<int>(chunks.size()) - 1));
+    };
+    for (int i = random.integer(1, 3); i > 0; --i) {
+        std::vector<std::byte>& payload = chunks[any()].payload;
+        mutate(payload, random);
+        if (random.chance(0.05) && !payload.empty())
+            payload.resize(
+                static_cast<std::size_t>(random.integer(0, static_cast<int>(payload.size()) + 16)));
+    }
+    if (random.chance(0.05)) std::swap(chunks[any()], chunks[any()]);
+    if (random.chance(0.05)) chunks.push_back(chunks[any()]);
+    if (random.chance(0.02)) chunks.erase(chunks.begin() + static_cast<std::ptrdiff_t>(any()));
+}
+
+/// What a reader promises of what it gives out.
+void expect_sound(const Recording& r) {
+    std::int64_t step = r.start_step - 1;
+    for (std::size_t i = 0; i < r.frame_count(); ++i) {
+        const observe::Frame frame = r.frame(i);
+        ASSERT_GT(frame.step, step);
+        ASSERT_TRUE(i == 0 || frame.step - step <= r.settings.stride);
+        step = frame.step;
+        ASSERT_TRUE(std::isfinite(frame.energy));
+        ASSERT_EQ(frame.poses.size(), r.bodies.size());
+        for (const Pose& pose : frame.poses) {
+            ASSERT_TRUE(pose.position.allFinite());
+            ASSERT_NEAR(pose.orientation.norm(), 1.0, 2e-3);
+        }
+        for (const float tension : frame.tensions) ASSERT_TRUE(std::isfinite(tension));
+    }
+    for (const observe::RecordedInput& input : r.inputs) ASSERT_GE(input.input, 0);
+    if (r.ending != observe::Ending::unknown) {
+        ASSERT_GE(r.end_step, step);
+    }
+}
+
+void draw(const Recording& r) {
+    if (r.frame_count() == 0) return;
+    const observe::Series series = observe::collect_series(r);
+    for (const auto& drawing :
+         {observe::plot_tensions(r, series), observe::plot_motions(r, series),
+          observe::plot_views(r, series, r.frame_count() - 1), observe::plot_details(r, 0)})
+        if (drawing) (void)observe::to_svg(*drawing);
+}
+
+TEST(ForgedRecordings, AreRefusedOrSound) {
+    const auto file = fresh_folder() / "r.hwr";
+    SmallScene scene;
+    scene.record(file, 5);
+    const std::vector<std::byte> good = read_bytes(file);
+    const std::vector<Chunk> chunks = chunks_of(good);
+    const auto magic = std::span<const std::byte>(good).first(kMagicBytes);
+    ASSERT_EQ(file_of(magic, chunks), good);
+    Random random(8);
+    const int inputs = inputs_of(4000, 50'000, 500'000);
+    int whole = 0, partly = 0, refused = 0;
+    for (int i = 0; i < inputs; ++i) {
+        std::vector<Chunk> bad = chunks;
+        forge(bad, random);
+        try {
+            const Recording r = Recording::read(file_of(magic, bad), "forged");
+            ++(r.damage.empty() ? whole : partly);
+            expect_sound(r);
+            ASSERT_FALSE(testing::Test::HasFatalFailure()) << "input " << i;
+            if (i % 20 == 0) draw(r);  // takes long
+        } catch (const observe::RecordingError& e) {
+            ++refused;
+            ASSERT_EQ(std::string(e.what()).rfind("forged: ", 0), 0u) << e.what();
+        }
+    }
+    std::printf("%d forged recordings: %d refused, %d read in part, %d whole\n", inputs, refused,
+                partly, whole);
+    EXPECT_GT(whole, 0);
+    EXPECT_GT(partly, 0);
+    EXPECT_GT(refused, 0);
+}
+
+/// Around the state of a world: name, time and hash of the file.
+TEST(ForgedRecordings, SnapshotFilesAreRefusedOrTaken) {
+    const auto folder = fresh_folder();
+    SmallScene scene;
+    ASSERT_EQ(scene.world.step(), Status::ok);
+    observe::save_snapshot(folder / "good.hws", scene.info, scene.world);
+    const std::vector<std::byte> good = read_bytes(folder / "good.hws");
+    const auto hash = scene.world.state_hash();
+    Random random(9);
+    int taken = 0, refused = 0;
+    for (int i = 0; i < inputs_of(200, 2000, 20'000); ++i) {
+        std::vector<std::byte> bad = good;
+        mutate(std::span(bad).first(random.chance(0.5) ? 64 : bad.size() - 4), random);
+        const std::uint32_t crc = observe::crc32(std::span(bad).first(bad.size() - 4));
+        write_at(std::span(bad), bad.size() - 4, crc);
+        std::ofstream(folder / "bad.hws", std::ios::binary)
+            .write(reinterpret_cast<const char*>(bad.data()), std::ssize(bad));
+        try {
+            observe::restore_snapshot(folder / "bad.hws", scene.info, scene.world);
+            ++taken;
+        } catch (const observe::SnapshotError&) {
+            ++refused;
+        }
+        ASSERT_EQ(scene.world.state_hash(), hash) << "input " << i;
+    }
+    std::printf("forged snapshot files: %d refused, %d taken\n", refused, taken);
+    EXPECT_GT(refused, 0);
+}
+
+}  // namespace
+}  // namespace hawser::test
