@@ -58,7 +58,17 @@ void SceneOptions::add_to(CLI::App& command, bool required) {
         ->capture_default_str();
 }
 
-scene::Scene SceneOptions::load() const { return scene::load_file(file, options()); }
+scene::Scene SceneOptions::load() const {
+    std::vector<scene::SceneError> mistakes;
+    std::optional<scene::Scene> scene = load(mistakes);
+    if (scene) return std::move(*scene);
+    scene::SceneError first = mistakes.front();
+    if (mistakes.size() > 1)
+        first = scene::SceneError(first.file, first.path,
+                                  fmt::format("{} (and {} more: `hawser check` lists them)",
+                                              first.message, mistakes.size() - 1));
+    throw first;
+}
 
 std::optional<scene::Scene> SceneOptions::load(std::vector<scene::SceneError>& mistakes) const {
     return scene::load_file(file, options(), mistakes);

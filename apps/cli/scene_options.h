@@ -32,7 +32,7 @@ struct SceneOptions {
     void add_to(CLI::App& command, bool required = true);
     /// Options that change the scene, as far as its start depends on them.
     void add_changes_to(CLI::App& command);
-    /// @throws scene::SceneError.
+    /// @throws scene::SceneError of the first mistake, which says how many more there are.
     [[nodiscard]] scene::Scene load() const;
     /// All mistakes in place of the first; nothing where there are any.
     [[nodiscard]] std::optional<scene::Scene> load(std::vector<scene::SceneError>& mistakes) const;

@@ -98,8 +98,8 @@ class World {
     /// FNV-1a 64 over poses, velocities, multipliers, time, inputs, and the name of the
     /// instruction set in use. Equal for any number of threads and after save/restore.
     [[nodiscard]] std::uint64_t state_hash() const noexcept;
-    /// Events since the last call, oldest first; keeps the newest 32,768 of slack and of taut each,
-    /// and 8,192 of any other kind.
+    /// Events since the last call, oldest first; keeps the newest 16,384 of slack and of taut each,
+    /// and 4,096 of any other kind.
     [[nodiscard]] std::vector<Event> take_events();
     /// How many of a kind there were, the first and the worst; taking events changes nothing of it.
     [[nodiscard]] EventExtremes event_extremes(EventKind kind) const noexcept;

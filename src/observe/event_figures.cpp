@@ -17,8 +17,14 @@ int rank_of(EventKind kind) {
     switch (kind) {
         case EventKind::line_break:
             return 0;
+        case EventKind::energy_created:
+        case EventKind::joint_open:
+        case EventKind::cable_law:
+        case EventKind::uncertified:
         case EventKind::warning:
             return 1;
+        case EventKind::fast:
+            return 5;
         case EventKind::saturation:
             return 2;
         case EventKind::range:
@@ -27,9 +33,9 @@ int rank_of(EventKind kind) {
             return 4;
         case EventKind::taut:
         case EventKind::slack:
-            return 9;
+            break;
     }
-    return 5;
+    return 9;
 }
 
 const char* unit_of(const World& world, const Event& event) {
@@ -45,9 +51,20 @@ const char* unit_of(const World& world, const Event& event) {
             return is(InteractionKind::HingeMotor) ? "N m" : "N";
         case EventKind::range:
             return is(InteractionKind::HingeRange) ? "rad" : "m";
-        default:
-            return "";
+        case EventKind::energy_created:
+            return "J";
+        case EventKind::joint_open:
+            return "m";
+        case EventKind::fast:
+            return "rad";
+        case EventKind::slack:
+        case EventKind::input_clamped:
+        case EventKind::warning:
+        case EventKind::cable_law:
+        case EventKind::uncertified:
+            break;
     }
+    return "";
 }
 
 std::string plural(std::int64_t count, const char* one, const char* many) {
@@ -73,8 +90,18 @@ std::string what_happened(const EventFigures& e) {
         case EventKind::warning:
             return "the equations of a step were not solved to 1e-8 " +
                    plural(e.count, "time", "times");
+        case EventKind::energy_created:
+            return "energy came out of nothing " + plural(e.count, "time", "times");
+        case EventKind::joint_open:
+            return "joints stood open " + plural(e.count, "time", "times");
+        case EventKind::cable_law:
+            return "tensions were not those of the lengths " + plural(e.count, "time", "times");
+        case EventKind::uncertified:
+            return "contacts were not solved " + plural(e.count, "time", "times");
+        case EventKind::fast:
+            return "bodies turned further than a step follows " + plural(e.count, "time", "times");
     }
-    return fmt::format("{} {}", to_string(e.kind), plural(e.count, "time", "times"));
+    return "";
 }
 
 std::string told(const EventFigures& e, const ListedEvent& event) {
@@ -85,11 +112,16 @@ std::string told(const EventFigures& e, const ListedEvent& event) {
     return fmt::format("{:.4g} s, {}{}", event.time, event.where, value);
 }
 
+std::string place_in_words(const World& world, const Event& event) {
+    if (event.input.valid())
+        return "the input " + name_in_quotes(world.input_def(event.input).name);
+    if (!event.interaction.valid() && event.body.valid())
+        return name_in_quotes(body_label(world, event.body));
+    return interaction_in_words(world, event.interaction);
+}
+
 ListedEvent listed(const World& world, const Event& event) {
-    return {event.time, to_string(event.kind),
-            event.input.valid() ? "the input " + name_in_quotes(world.input_def(event.input).name)
-                                : interaction_in_words(world, event.interaction),
-            event.value};
+    return {event.time, to_string(event.kind), place_in_words(world, event), event.value};
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace hawser::stepper {
 class EventLog {
   public:
     /// Of slack and taut each, and of any other kind.
-    static constexpr std::size_t kFrequent = 32'768, kRare = 8'192;
+    static constexpr std::size_t kFrequent = 16'384, kRare = 4'096;
 
     EventLog() {
         for (std::size_t k = 0; k < rings_.size(); ++k) {

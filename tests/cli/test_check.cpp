@@ -55,6 +55,16 @@ TEST(Check, ContradictoryJointsAreNamedAndRefused) {
     EXPECT_NE(unchecked.out.find("contradiction ("), std::string::npos) << unchecked.out;
 }
 
+TEST(Check, OtherCommandsSayHowManyMistakesThereAre) {
+    const auto file = (test_folder() / "b.json").string();
+    write_text(file, R"({"version": 1, "name": "b", "bodies": [{"name": "x", "kind": "lump",
+        "mass": -1}], "settings": {"step": 7, "stp": 1}})");
+    const Outcome run = run_program({"run", file});
+    EXPECT_EQ(run.code, 1);
+    EXPECT_NE(run.err.find("/bodies/0/mass"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("and 2 more: `hawser check` lists them"), std::string::npos) << run.err;
+}
+
 TEST(Check, JsonHasWhatWasFound) {
     const auto folder = test_folder();
     const auto good = (folder / "c.json").string(), bad = (folder / "b.json").string();

@@ -171,6 +171,24 @@ TEST(StartJoints, MotorsAgainstWhatHolds) {
     EXPECT_TRUE(only(unlimited, FindingKind::motor).error) << unlimited.text();
 }
 
+TEST(StartJoints, MotorsAgainstAClosedRangeAndAHold) {
+    const std::string m = motor("m", R"("speed": 2, "force_min": -300, "force_max": 300)");
+    const auto range = [](const char* max) {
+        return R"(, {"name": "catch", "kind": "hinge_range", "bodies": ["world", "rotor"],
+            "axis": [0, 0, 1], "min": 0, "max": )" +
+               std::string(max) + "}";
+    };
+    const Finding closed = only(start_of(driven(m + range("0"), false)), FindingKind::motor);
+    EXPECT_NE(closed.text.find("\"catch\""), std::string::npos) << closed.text;
+    EXPECT_TRUE(start_of(driven(m + range("1"), false)).of(FindingKind::motor).empty());
+
+    const Started drum = start_of(R"("bodies": [{"name": "drum", "kind": "scalar", "mass": 50}],
+      "interactions": [{"name": "brake", "kind": "hold", "bodies": ["drum"]},
+        {"name": "haul", "kind": "scalar_motor", "bodies": ["drum"], "speed": -1,
+         "force_min": -500, "force_max": 500}])");
+    EXPECT_EQ(only(drum, FindingKind::motor).about, (Names{"brake", "haul"}));
+}
+
 TEST(StartJoints, TwoMotorsOfOneJoint) {
     const std::string a = motor("a", R"("speed": 2)"), b = motor("b", R"("speed": 1.5)");
     const Started apart = start_of(driven(a + b, false));
