@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
+#include "failure.h"
 #include "observe/recording.h"
 #include "progress.h"
 #include "scene/scene.h"
@@ -78,6 +79,7 @@ class Replay {
                                   : frames > 0 ? recording_.frame_head(frames - 1).step
                                                : recording_.start_step;
         catch_signals();
+        const CancelledBySignal cancelled(world_);
         Progress progress(last - recording_.start_step, recording_.settings.step, !quiet);
         for (std::size_t i = 0; i < frames; ++i) {
             const observe::Frame head = recording_.frame_head(i);
@@ -132,9 +134,10 @@ class Replay {
             if (next_cut_ < cuts.size() && cuts[next_cut_].step == world_.step_count())
                 world_.degrade_next_step(cuts[next_cut_].left_out);
             if (const Status status = world_.step(); status != Status::ok) {
+                if (status == Status::cancelled) return kInterrupted;
                 progress.close();
                 fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}\n", world_.time(),
-                           to_string(status));
+                           failure(world_.stats()));
                 return kFailed;
             }
             progress.at(world_.step_count() - recording_.start_step);

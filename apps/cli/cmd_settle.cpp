@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
+#include "failure.h"
 #include "outputs.h"
 #include "progress.h"
 #include "scene_options.h"
@@ -143,6 +144,7 @@ class Settler {
     int run_stage(World& world, double duration, bool last, std::int64_t steps,
                   Progress& progress) {
         const double h = world.settings().step;
+        const CancelledBySignal cancelled(world);
         double quiet = 0.0;
         while (world.time() < duration && quiet < kQuietTime) {
             if (stop_requested()) return kInterrupted;
@@ -155,9 +157,10 @@ class Settler {
                 return kFailed;
             }
             if (const Status status = world.step(); status != Status::ok) {
+                if (status == Status::cancelled) return kInterrupted;
                 progress.close();
                 fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}\n", time(),
-                           to_string(status));
+                           failure(world.stats()));
                 return kFailed;
             }
             motion_ = motion_of(world);

@@ -67,6 +67,7 @@ int run_main(int argc, char** argv) {
         fmt::print(stderr, "{}", error.str());
         return code;
     }
+    hawser::check_environment();
     return chosen();
 }
 

@@ -2,6 +2,7 @@
 #include "run_session.h"
 
 #include "commands.h"
+#include "failure.h"
 #include "observe/host.h"
 #include "observe/snapshot_file.h"
 #include "observe/start/check.h"
@@ -141,6 +142,7 @@ void RunSession::choose_stride() {
 int RunSession::run() {
     World& world = scene_.world;
     catch_signals();
+    const CancelledBySignal cancelled(world);
     if (!options_.quiet)
         fmt::print(stderr, "{}: {} bodies, {} interactions, {} steps of {:.6g} ms\n", info_.name,
                    world.body_count(), world.interaction_count(), steps_,
@@ -160,6 +162,10 @@ int RunSession::run() {
         if (verifier_) verifier_->before_step(world);
         if (coupling_) coupling_->before_step(world);
         const Status status = world.step();
+        if (status == Status::cancelled) {
+            ending = observe::Ending::interrupted;
+            break;
+        }
         ++done_;
         if (status != Status::ok) {
             ending = observe::Ending::failed;
@@ -267,7 +273,7 @@ int RunSession::finish(observe::Ending ending, double wall_seconds) {
     }
     if (ending == observe::Ending::failed) {
         fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}; the state before it stays\n",
-                   world.time(), to_string(summary.last.status));
+                   world.time(), failure(summary.last));
         return kFailed;
     }
     return ending == observe::Ending::interrupted ? kInterrupted : kOk;

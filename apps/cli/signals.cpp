@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "signals.h"
 
+#include <hawser/world.h>
+
+#include <atomic>
 #include <csignal>
 
 namespace hawser::cli {
@@ -8,8 +11,13 @@ namespace hawser::cli {
 namespace {
 
 volatile std::sig_atomic_t g_stop = 0;
+std::atomic<World*> g_world{nullptr};
+static_assert(std::atomic<World*>::is_always_lock_free);
 
-extern "C" void on_signal(int) { g_stop = 1; }
+extern "C" void on_signal(int) {
+    g_stop = 1;
+    if (World* const world = g_world.load(); world != nullptr) world->cancel();
+}
 
 }  // namespace
 
@@ -24,5 +32,11 @@ void catch_signals() noexcept {
 }
 
 bool stop_requested() noexcept { return g_stop != 0; }
+
+CancelledBySignal::CancelledBySignal(World& world) noexcept { g_world = &world; }
+
+// A handler that read the pointer before has run to its end: worker threads take no signals
+// (runtime/tasks.cpp), so that it was on this thread.
+CancelledBySignal::~CancelledBySignal() { g_world = nullptr; }
 
 }  // namespace hawser::cli

@@ -18,6 +18,47 @@ class DefError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// What a world may not grow beyond, see WorldDef.
+enum class Bound : std::uint8_t { none, contacts, pairs, memory };
+
+/// A bound that something would have exceeded.
+struct BoundMet {
+    Bound bound = Bound::none;
+    double value = 0.0;  ///< What was needed [contact points, pairs of shapes or bytes].
+    double limit = 0.0;  ///< What was allowed, likewise.
+};
+/// One sentence with the bound, the value and the remedy; "" for none.
+[[nodiscard]] std::string to_string(const BoundMet& met);
+
+/// A world would exceed a bound of its definition; what() is to_string() of it.
+class LimitError : public std::runtime_error {
+  public:
+    explicit LimitError(const BoundMet& met) : std::runtime_error(to_string(met)), met_(met) {}
+    [[nodiscard]] const BoundMet& met() const noexcept { return met_; }
+
+  private:
+    BoundMet met_;
+};
+
+/// A variable of the environment that makes no sense; what() says which, its value and the remedy.
+class EnvironmentError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// The system does not give a world its worker threads; what() says how many started and the
+/// remedy. None is left running.
+class ThreadError : public std::runtime_error {
+  public:
+    ThreadError(int wanted, int started, const std::string& reason);
+    /// Besides the calling thread: WorldDef::threads − 1.
+    [[nodiscard]] int wanted() const noexcept { return wanted_; }
+    [[nodiscard]] int started() const noexcept { return started_; }
+
+  private:
+    int wanted_, started_;
+};
+
 enum class BodyKind : std::uint8_t {
     rigid,      ///< 6 degrees of freedom.
     lump,       ///< 3: a point mass, such as a wire node.
@@ -144,6 +185,14 @@ struct WorldDef {
     OnDiverged on_diverged = OnDiverged::stop;
     std::int32_t max_bodies = 4'000'000;        ///< Refuse to grow beyond this.
     std::int32_t max_interactions = 8'000'000;  ///< Refuse to grow beyond this.
+    /// Contact points of a step, those near without touching included; 1 to 1e9. A step that would
+    /// have more ends with Status::over_bound, as does one with eight times as many pairs of shapes
+    /// near each other.
+    std::int32_t max_contacts = 400'000;
+    /// Memory [bytes] that state, solver and contacts may take, 1e6 to 1e15. What the factorisation
+    /// takes is known from its structure, and is refused before it is asked for: by LimitError from
+    /// World::prepare() and whatever else analyses, by Status::over_bound from a step.
+    double max_memory = 16e9;
 };
 
 /// A number that may be changed between steps by name, within a range.

@@ -3,6 +3,7 @@
 /// @file stats.h
 /// What a step reports: status, times, residuals, energy, events.
 
+#include <hawser/def.h>
 #include <hawser/id.h>
 
 #include <array>
@@ -17,6 +18,8 @@ enum class Status : std::uint8_t {
     wrong_pivot,    ///< A pivot had the wrong sign or was not finite: the model is singular.
     not_finite,     ///< The solution or an input was not finite.
     out_of_memory,  ///< Capacity could not grow.
+    cancelled,      ///< World::cancel() ended it.
+    over_bound,     ///< It would exceed a bound of WorldDef: StepStats::bound_met says which.
     /// The state that the last steps came to is nothing that the model can do: World::verdict()
     /// says what. Where WorldDef::on_diverged is stop.
     diverged,
@@ -158,6 +161,7 @@ inline constexpr int kDegradedByCount = 5;
 /// Figures of the last step.
 struct StepStats {
     Status status = Status::ok;
+    BoundMet bound_met;     ///< Of Status::over_bound.
     std::int64_t step = 0;  ///< Steps taken so far.
     double time = 0.0;      ///< End of the step [s].
 

@@ -14,7 +14,9 @@
 ///     if (world.step() != hawser::Status::ok) break;
 /// ```
 /// Set-up functions throw DefError, as does every function that is given an id of nothing; step()
-/// does not throw. A name that is not found gives an invalid id. A world is used by one thread at
+/// does not throw. A function that throws, std::bad_alloc or anything else, leaves the world as it
+/// was; so does a step that fails, and what is tried again gives the same bits as if nothing had
+/// failed. A name that is not found gives an invalid id. A world is used by one thread at
 /// a time; different worlds are independent. Bodies, interactions, shapes and inputs may be added
 /// between steps; the next step analyses anew.
 
@@ -45,6 +47,8 @@ struct RowsView;          // inspect.h
 
 class World {
   public:
+    /// @throws DefError on a value out of range, ThreadError where the worker threads cannot be
+    ///         started, EnvironmentError (see check_environment()), std::bad_alloc.
     explicit World(const WorldDef& def = {});
     ~World();
     World(World&&) noexcept;
@@ -67,13 +71,18 @@ class World {
     /// @throws DefError on a body that cannot have such a shape, sizes out of range, a name that is
     ///         taken, vertices that span no volume.
     ShapeId add_shape(const ShapeDef& def);
-    /// Analyse now instead of in the first step. @throws std::bad_alloc.
+    /// Analyse now instead of in the first step. @throws std::bad_alloc, LimitError.
     void prepare();
 
     // --- Stepping -----------------------------------------------------------------------
     /// Advance by WorldDef::step. On a status other than ok the state is that of the last
     /// good step.
     Status step() noexcept;
+    /// End the step under way at the next opportunity, between parts of the factorisation or of the
+    /// collisions, or else the next step where it begins: with Status::cancelled and the state of
+    /// the last good step. Only an analysis is not left in the middle. May be called by another
+    /// thread, or by a signal handler: it sets a flag.
+    void cancel() noexcept;
 
     [[nodiscard]] double time() const noexcept;  ///< [s].
     [[nodiscard]] std::int64_t step_count() const noexcept;
@@ -83,7 +92,8 @@ class World {
     /// step that was refused as diverged the state that it came to.
     [[nodiscard]] Verdict verdict() const noexcept;
     /// The next step leaves out just this, and WorldDef's budgets are ignored in it: repeats what
-    /// StepStats::degradation reported. Nothing (the default) takes it back.
+    /// StepStats::degradation reported. Nothing (the default) takes it back. Iterations below 0
+    /// count as 0.
     void degrade_next_step(const Degradation& degradation) noexcept;
     /// FNV-1a 64 over poses, velocities, multipliers, time, inputs, and the name of the
     /// instruction set in use. Equal for any number of threads and after save/restore.
@@ -101,7 +111,8 @@ class World {
     [[nodiscard]] double input(InputId id) const;  ///< Value last set, or that of the definition.
     /// Clamped to the range, with an event; @throws DefError when not finite.
     void set_input(InputId id, double value);
-    /// Replace the applied force [N] and torque [N m], world frame.
+    /// Replace the applied force [N] and torque [N m], world frame. @throws DefError when not
+    /// finite or above 1e300, as add_body() does.
     void set_force(BodyId body, const Vec3& force, const Vec3& torque);
 
     // --- Bodies ---------------------------------------------------------------------------
@@ -111,6 +122,8 @@ class World {
     [[nodiscard]] Pose pose(BodyId id) const;       ///< At time().
     [[nodiscard]] Twist velocity(BodyId id) const;  ///< At time() − h/2 (the scheme is staggered).
     /// Move a body between steps; multipliers are kept. Velocity is used as it is (no staggering).
+    /// @throws DefError as add_body() does: a position not finite or beyond 1e7 m, an orientation
+    /// far from length 1, a speed not finite or beyond 1e5, a velocity for a fixed body.
     void set_pose(BodyId id, const Pose& pose);
     void set_velocity(BodyId id, const Twist& twist);
     /// Whether it sleeps (WorldDef::sleep_after). Its velocity is then that of its last step.
@@ -188,7 +201,8 @@ class World {
     /// same definitions continues bit for bit. Parameters are not part of it, apart from those
     /// that inputs drive.
     [[nodiscard]] std::vector<std::byte> save() const;
-    /// @throws DefError when the bytes are damaged or belong to another world: other bodies,
+    /// @throws std::bad_alloc, LimitError; DefError when the bytes are damaged or belong to another
+    /// world: other bodies,
     ///         interactions, inputs, step or parameters (any mass, length, stiffness, …; names,
     ///         form and threads may differ). The state is then unchanged.
     void restore(std::span<const std::byte> bytes);
@@ -203,19 +217,29 @@ class World {
 
     /// From the next step on write down what each thread does and when, with room for so many spans
     /// of each thread: a step of some thousand bodies leaves a few hundred. 0 ends it. What was
-    /// written before is dropped. @throws std::bad_alloc.
+    /// written before is dropped. @throws DefError above 2^28, std::bad_alloc; the trace that there
+    /// is then goes on.
     void start_trace(std::size_t spans);
     /// The last steps of which nothing has been overwritten, at most so many.
     [[nodiscard]] TraceView trace(std::int64_t steps = 1'000'000) const;
 
   private:
+    // All or nothing by those who call them.
+    void take_saved(std::span<const std::byte> bytes);
+    void copy_from(const World& other);
+    void regroup_all(int parts);
+
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
 
 /// Instruction set that the dispatcher chose: "sse2", "avx2" or "avx512". The environment
-/// variable HAWSER_ISA lowers it (never raises it beyond the processor).
+/// variable HAWSER_ISA chooses a lesser one than the processor has.
 [[nodiscard]] const char* instruction_set() noexcept;
+
+/// What World's constructor does first. @throws EnvironmentError where HAWSER_ISA is set and names
+/// no instruction set, or one that the processor has not.
+void check_environment();
 
 /// Version of the library, e.g. "0.1.0".
 [[nodiscard]] const char* version() noexcept;

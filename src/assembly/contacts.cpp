@@ -38,6 +38,8 @@ void Contacts::relink(std::int64_t step) {
     all.erase(std::unique(all.begin(), all.end(),
                           [](const auto& p, const auto& q) { return p.first == q.first; }),
               all.end());
+    base::make_room(links, all.size());
+    base::make_room(link_used, all.size());
     missing_.clear();
     links.clear();
     link_used.clear();

@@ -74,6 +74,9 @@ class Contacts {
     /// Add the pairs needed, drop those long unused. @throws std::bad_alloc.
     void relink(std::int64_t step);
 
+    /// What connect() missed is not asked for any more.
+    void forget_missing() noexcept { missing_.clear(); }
+
     /// Blocks for the links there are. @throws std::bad_alloc.
     void make_blocks();
 

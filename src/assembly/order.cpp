@@ -3,6 +3,8 @@
 #include "assembly/system.h"
 #include "base/index.h"
 
+#include <algorithm>
+
 namespace hawser::assembly {
 
 void System::relink(const model::Bodies& bodies, const model::Interactions& interactions,
@@ -38,6 +40,7 @@ void System::find_order(const model::Bodies& bodies, const model::Interactions& 
 void System::place(const model::Bodies& bodies, const model::Interactions& interactions,
                    int threads) {
     const bool touching = !contacts.blocks.empty();
+    check_memory(bodies, interactions, threads);
     if (touching) {
         dirty.reserve(symbolic);
         unsymmetric.reserve(symbolic);
@@ -51,6 +54,31 @@ void System::place(const model::Bodies& bodies, const model::Interactions& inter
         if (node_of_interaction[at(i)] >= 0)
             interaction_offset_[at(i)] = symbolic.node_offset[at(node_of_interaction[at(i)])];
     build_ops(bodies, interactions);
+}
+
+/// Before the panels are asked for: they are most of what a world takes.
+void System::check_memory(const model::Bodies& bodies, const model::Interactions& interactions,
+                          int threads) const {
+    const bool touching = !contacts.blocks.empty();
+    const double ours = static_cast<double>(bodies.bytes() + interactions.bytes() + bytes()) -
+                        static_cast<double>(numeric.bytes());
+    const double all = ours + std::max(static_cast<double>(numeric.bytes()),
+                                       factor::Numeric::bytes_for(symbolic, threads, touching));
+    if (all > most_bytes) throw LimitError({Bound::memory, all, most_bytes});
+}
+
+void System::keep(Kept& out) const {
+    if (ordered_) analysis.keep(out.analysis);
+    out.node_of_body = node_of_body;
+    out.node_of_interaction = node_of_interaction;
+    out.ordered = ordered_;
+}
+
+void System::go_back(Kept& to) noexcept {
+    if (to.ordered) analysis.go_back(to.analysis);
+    node_of_body.swap(to.node_of_body);
+    node_of_interaction.swap(to.node_of_interaction);
+    ordered_ = to.ordered;
 }
 
 std::int32_t System::build_pattern(const model::Bodies& bodies, const model::Interactions& in,

@@ -67,6 +67,19 @@ class System {
     /// Follow to contacts.links: order, structure and addresses. Forms and floors stay as they are.
     /// @throws std::bad_alloc; analyse() then.
     void relink(const model::Bodies& bodies, const model::Interactions& interactions, int threads);
+    /// What an analysis goes on from, to go back to where one fails.
+    struct Kept {
+        factor::KeptAnalysis analysis;
+        std::vector<std::int32_t> node_of_body, node_of_interaction;
+        bool ordered = false;
+    };
+    /// @throws std::bad_alloc.
+    void keep(Kept& out) const;
+    /// Only analyse() makes the system one again.
+    void go_back(Kept& to) noexcept;
+    /// Bytes that the factorisation may take. @throws LimitError from analyse() and relink() where
+    /// it would take more.
+    double most_bytes = 1e15;
     /// What the last of these did.
     [[nodiscard]] const factor::RepairReport& report() const noexcept { return report_; }
 
@@ -163,6 +176,8 @@ class System {
     void share_lanes(std::span<const Op> together, std::int64_t place,
                      const model::Interactions& interactions);
     void reserve(const model::Bodies& bodies, model::Interactions& interactions, double h);
+    void check_memory(const model::Bodies& bodies, const model::Interactions& interactions,
+                      int threads) const;
 
     factor::RepairReport report_;
     bool ordered_ = false;                                        ///< There is an order to repair.

@@ -30,6 +30,10 @@ class Executor {
     /// Threads that may run tasks; `thread` above is in [0, threads()).
     [[nodiscard]] virtual int threads() const noexcept = 0;
 
+    /// What is under way is to end soon: long tasks may be left out, since nobody is going to use
+    /// what they give.
+    [[nodiscard]] virtual bool stopping() const noexcept { return false; }
+
     /// The next run() is of the nodes of a graph, which its tasks choose themselves.
     virtual void announce(const TaskOrder& order) noexcept { static_cast<void>(order); }
     /// In such a task: it is this node, and what it waited for is done.

@@ -44,6 +44,13 @@ struct AlignedAllocator {
 template <class T>
 using Array = std::vector<T, AlignedAllocator<T>>;
 
+/// So that as many more entries can be added without asking for memory; grows geometrically.
+template <class T, class A>
+void make_room(std::vector<T, A>& v, std::size_t more) {
+    if (v.capacity() - v.size() >= more) return;
+    v.reserve(2 * v.capacity() > v.size() + more ? 2 * v.capacity() : v.size() + more);
+}
+
 /// Bytes held by an array, for memory reports.
 template <class T, class A>
 [[nodiscard]] std::size_t bytes(const std::vector<T, A>& v) noexcept {

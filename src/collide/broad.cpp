@@ -5,6 +5,8 @@
 #include "base/small.h"
 #include "collide/grow.h"
 
+#include <hawser/def.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -150,10 +152,27 @@ void Broad::cut_into_strips() {
     }
 }
 
-void Broad::sweep(int chunk, const Filter& filter) {
+/// Pairs found by all tasks, which each of them tells now and then.
+struct Broad::Count {
+    static constexpr std::size_t kNowAndThen = 4096;
+    std::atomic<std::int64_t> told{0};
+    const std::int64_t most;
+    base::Executor& pool;
+    /// @param found  By the task so far. @param own  Of these, told before. @return whether to go
+    /// on.
+    bool go_on(std::size_t found, std::size_t& own) noexcept {
+        if (found - own < kNowAndThen) return !pool.stopping();
+        const auto more = static_cast<std::int64_t>(found - own);
+        own = found;
+        return told.fetch_add(more, std::memory_order_relaxed) + more <= most && !pool.stopping();
+    }
+};
+
+void Broad::sweep(int chunk, const Filter& filter, Count& count) {
     base::Array<Pair>& found = found_[at(chunk)];
     found.clear();
     const std::size_t end = std::min(entries_.size(), at((chunk + 1) * kSweepChunk));
+    std::size_t told = 0;
     for (std::size_t i = at(chunk * kSweepChunk); i < end; ++i) {
         const Sorted& s = entries_[i];
         const std::size_t stop = at(strip_begin_[at(s.strip) + 1]);
@@ -165,15 +184,17 @@ void Broad::sweep(int chunk, const Filter& filter) {
             if (std::max(s.first, o.first) != s.strip || !filter.allows(s.shape, o.shape)) continue;
             found.push_back({std::min(s.shape, o.shape), std::max(s.shape, o.shape)});
         }
+        if (!count.go_on(found.size(), told)) return;
     }
 }
 
 void Broad::hold_against_large(int chunk, const base::Array<Placed>& placed, const Filter& filter,
-                               double h, double margin) {
+                               double h, double margin, Count& pairs) {
     base::Array<Pair>& found = found_[at(base::chunks(entries_.size(), kSweepChunk) + chunk)];
     found.clear();
     const auto count = static_cast<std::int32_t>(placed.size());
     const std::int32_t begin = chunk * kLargeChunk, end = std::min(count, begin + kLargeChunk);
+    std::size_t told = 0;
     for (const std::int32_t big : large_) {
         const Placed& p = placed[at(big)];
         const bool plane = p.geometry.kind == ShapeKind::plane;
@@ -184,6 +205,7 @@ void Broad::hold_against_large(int chunk, const base::Array<Placed>& placed, con
             if (plane && !o.unbounded && !meets_plane(p, o, h, margin)) continue;
             if (filter.allows(big, s)) found.push_back({std::min(big, s), std::max(big, s)});
         }
+        if (!pairs.go_on(found.size(), told)) return;
     }
 }
 
@@ -203,19 +225,24 @@ void Broad::gather(int lists, base::Array<Pair>& out) {
 }
 
 void Broad::find(const base::Array<Placed>& placed, const Filter& filter, double h, double margin,
-                 base::Executor& pool, base::Array<Pair>& out) {
+                 std::int64_t most, base::Executor& pool, base::Array<Pair>& out) {
     sort(placed);
     cut_into_strips();
     const int sweeps = base::chunks(entries_.size(), kSweepChunk);
     const int others = large_.empty() ? 0 : base::chunks(placed.size(), kLargeChunk);
     const auto tasks = static_cast<std::size_t>(sweeps) + static_cast<std::size_t>(others);
     while (found_.size() < tasks) found_.emplace_back().reserve(kRoom);
+    Count count{.told = 0, .most = most, .pool = pool};
     run(pool, sweeps + others, [&](int i) {
         if (i < sweeps)
-            sweep(i, filter);
+            sweep(i, filter, count);
         else
-            hold_against_large(i - sweeps, placed, filter, h, margin);
+            hold_against_large(i - sweeps, placed, filter, h, margin, count);
     });
+    std::size_t pairs = 0;
+    for (std::size_t l = 0; l < tasks; ++l) pairs += found_[l].size();
+    if (pairs > static_cast<std::size_t>(most))
+        throw LimitError({Bound::pairs, static_cast<double>(pairs), static_cast<double>(most)});
     gather(sweeps + others, out);
 }
 

@@ -31,9 +31,10 @@ class Broad {
   public:
     /// Choose the large shapes by their boxes. @throws std::bad_alloc.
     void prepare(const base::Array<Placed>& placed);
-    /// All pairs that the filter allows, ascending. @throws std::bad_alloc.
+    /// All pairs that the filter allows, ascending. @param most  More are refused as soon as they
+    /// are counted. @throws std::bad_alloc, LimitError.
     void find(const base::Array<Placed>& placed, const Filter& filter, double h, double margin,
-              base::Executor& pool, base::Array<Pair>& out);
+              std::int64_t most, base::Executor& pool, base::Array<Pair>& out);
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
@@ -45,9 +46,10 @@ class Broad {
     };
     void sort(const base::Array<Placed>& placed);
     void cut_into_strips();
-    void sweep(int chunk, const Filter& filter);
+    struct Count;
+    void sweep(int chunk, const Filter& filter, Count& count);
     void hold_against_large(int chunk, const base::Array<Placed>& placed, const Filter& filter,
-                            double h, double margin);
+                            double h, double margin, Count& count);
     void gather(int lists, base::Array<Pair>& out);
 
     std::vector<std::uint8_t> is_large_;

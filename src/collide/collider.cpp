@@ -5,6 +5,8 @@
 #include "collide/grow.h"
 #include "collide/touch.h"
 
+#include <hawser/def.h>
+
 #include <algorithm>
 #include <array>
 #include <new>
@@ -88,18 +90,27 @@ void Collider::place_all(const model::Bodies& bodies, double h, base::Executor& 
     pool.for_each(base::chunks(shapes_.size(), kPlaceChunk), task);
 }
 
+/// Room for whatever the pairs may give: tasks do not allocate.
+void Collider::make_chunks(int tasks) {
+    if (static_cast<int>(chunks_.size()) >= tasks) return;
+    const auto room = at(tasks + tasks / 2 + 1);
+    const double more = static_cast<double>(room - chunks_.size()) * kChunkRoom * sizeof(Contact);
+    if (const double all = static_cast<double>(bytes()) + more; all > most_bytes)
+        throw LimitError({Bound::memory, all, most_bytes});
+    chunk_size_.resize(room, 0);
+    chunks_.reserve(room);
+    while (chunks_.size() < room)
+        chunks_.push_back(std::make_unique_for_overwrite<Contact[]>(kChunkRoom));
+}
+
 void Collider::narrow(double h, base::Executor& pool) {
     const int tasks = base::chunks(pairs_.size(), kPairChunk);
-    const int room = static_cast<int>(chunks_.size()) < tasks ? tasks + tasks / 2 + 1 : 0;
-    while (static_cast<int>(chunks_.size()) < room) {
-        // Room for whatever the pairs may give: tasks do not allocate.
-        chunks_.push_back(std::make_unique_for_overwrite<Contact[]>(kChunkRoom));
-        chunk_size_.push_back(0);
-    }
+    make_chunks(tasks);
     auto task = [&](int i, int) noexcept {
         Contact* const begin = chunks_[at(i)].get();
         Contact* to = begin;
-        const std::size_t end = std::min(pairs_.size(), at((i + 1) * kPairChunk));
+        const std::size_t end =
+            pool.stopping() ? 0 : std::min(pairs_.size(), at((i + 1) * kPairChunk));
         for (std::size_t p = at(i * kPairChunk); p < end; ++p) {
             const std::int32_t a = pairs_[p].a, b = pairs_[p].b;
             const int n = touch(shapes_[at(a)], placed_[at(a)], shapes_[at(b)], placed_[at(b)], h,
@@ -119,6 +130,12 @@ void Collider::put_together(ContactSet& out, base::Executor& pool) {
     const int tasks = base::chunks(pairs_.size(), kPairChunk);
     std::size_t total = 0;
     for (int i = 0; i < tasks; ++i) total += at(chunk_size_[at(i)]);
+    // Duplicates are yet to go, which are fewer than those that stay.
+    const auto refuse_beyond = [](std::size_t n, std::size_t most) {
+        if (n > most)
+            throw LimitError({Bound::contacts, static_cast<double>(n), static_cast<double>(most)});
+    };
+    refuse_beyond(total / 2, at(most_contacts));
     resize_with_room(out.contacts, total);
     auto to = out.contacts.begin();
     for (int i = 0; i < tasks; ++i) to = std::copy_n(chunks_[at(i)].get(), chunk_size_[at(i)], to);
@@ -136,6 +153,7 @@ void Collider::put_together(ContactSet& out, base::Executor& pool) {
         ++n;
     }
     out.contacts.resize(n);
+    refuse_beyond(n, at(most_contacts));
     resize_with_room(found_, n);
     auto keep = [&](int i, int) noexcept {
         const std::size_t end = std::min(n, at((i + 1) * kContactChunk));
@@ -179,16 +197,25 @@ bool Collider::set_aside(ContactSet& out, const base::Array<std::uint8_t>& aslee
 
 bool Collider::collide(const model::Bodies& bodies, double h, ContactSet& out,
                        base::Executor& pool) noexcept {
-    try {
-        place_all(bodies, h, pool);
-        broad_.find(placed_, filter_, h, margin, pool, pairs_);
-        narrow(h, pool);
-        put_together(out, pool);
-    } catch (const std::bad_alloc&) {
+    const auto nothing = [&] {
         out.contacts.clear();
         out.awake = found_awake_ = 0;
         found_.clear();
         return false;
+    };
+    constexpr std::int64_t kPairsOfContact = 8, kMostPairs = 1'000'000'000;  // 32 bits count them
+    over_ = {};
+    try {
+        place_all(bodies, h, pool);
+        broad_.find(placed_, filter_, h, margin,
+                    std::min(kPairsOfContact * most_contacts, kMostPairs), pool, pairs_);
+        narrow(h, pool);
+        put_together(out, pool);
+    } catch (const std::bad_alloc&) {
+        return nothing();
+    } catch (const LimitError& error) {
+        over_ = error.met();
+        return nothing();
     }
     const std::size_t held = bytes() + base::bytes(out.contacts);
     if (held > held_) ++growths_;

@@ -42,6 +42,9 @@ class Collider {
     Materials materials;
     /// Shapes closer than this are in contact before they touch [m], see touch().
     double margin = 0.02;
+    /// Contacts of a step, and eight times as many pairs of shapes, that collide() finds at most.
+    std::int32_t most_contacts = 1'000'000'000;
+    double most_bytes = 1e15;  ///< That its arrays may take.
 
     /// The definition has been checked (world/shape_checks.h) and its bodies exist. @return its
     /// index. @throws DefError for vertices without volume, std::bad_alloc.
@@ -55,9 +58,11 @@ class Collider {
     void prepare(const model::Bodies& bodies, const model::Interactions& interactions, double h);
 
     /// Contacts at the present poses; `out.surfaces` stays as surfaces() filled it.
-    /// @return false where memory could not grow; `out` is then empty.
+    /// @return false where memory could not grow or over() says more; `out` is then empty.
     [[nodiscard]] bool collide(const model::Bodies& bodies, double h, ContactSet& out,
                                base::Executor& pool) noexcept;
+    /// The bound that the last collide() met, if any.
+    [[nodiscard]] const BoundMet& over() const noexcept { return over_; }
     /// The step with these contacts is done: from now on they are what Contact::previous counts.
     /// Before it, collide() may be called again (a step that failed is tried again).
     void keep() noexcept {
@@ -88,6 +93,7 @@ class Collider {
   private:
     void place_all(const model::Bodies& bodies, double h, base::Executor& pool) noexcept;
     void narrow(double h, base::Executor& pool);
+    void make_chunks(int tasks);
     void put_together(ContactSet& out, base::Executor& pool);
     void find_owners(int body_count);
     void find_lines(const model::Interactions& interactions);
@@ -104,6 +110,7 @@ class Collider {
     base::Array<KeptContact> kept_, found_, aside_kept_;
     std::vector<Contact> aside_;
     std::size_t kept_awake_ = 0, found_awake_ = 0;
+    BoundMet over_;
     base::Array<std::uint8_t> drop_, taken_;
     std::size_t held_ = 0;  ///< Bytes at the last count of growths.
     std::int64_t growths_ = 0;

@@ -37,6 +37,8 @@ std::int32_t Collider::add(const ShapeDef& def, const model::Bodies& bodies) {
     for (const std::int32_t b : s.body) s.moves = s.moves || (b >= 0 && bodies.dof(b) > 0);
     std::shared_ptr<const ShapeData> data = make_shape_data(def);
     s.geometry.data = data.get();
+    base::make_room(data_, 1);
+    base::make_room(shapes_, 1);
     data_.push_back(std::move(data));
     shapes_.push_back(s);
     return count() - 1;

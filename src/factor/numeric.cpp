@@ -74,6 +74,7 @@ void BasicNumeric<Real>::run_tasks(const Symbolic& s, TaskPass pass, base::Execu
     const std::size_t batches = s.batches.size(), below = batches + s.tasks.size();
     auto node = [&](int i, int thread) noexcept {
         const auto n = static_cast<std::size_t>(i);
+        if (executor.stopping()) return;
         if (n < batches) {
             on_batch(s.batches[n], n, thread);
         } else if (n < below) {

@@ -110,6 +110,9 @@ class Numeric : public BasicNumeric<double> {
     /// Make room for a structure and for that many threads; grows only. With room for unsymmetric
     /// fronts, the panels and update matrices take twice the memory. @throws std::bad_alloc.
     void reserve(const Symbolic& symbolic, int threads, bool unsymmetric = false);
+    /// About what reserve() takes from nothing: panels, update matrices, vectors [bytes].
+    [[nodiscard]] static double bytes_for(const Symbolic& symbolic, int threads,
+                                          bool unsymmetric = false) noexcept;
 
     /// The upper half of the unsymmetric fronts, transposed, at the same addresses. Of a diagonal
     /// block only what lies below its diagonal there is read.

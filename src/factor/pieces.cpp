@@ -115,7 +115,7 @@ int Numeric::factor_forward(const Symbolic& symbolic, Fill fill, double* x,
     auto node = [&](int i, int thread) noexcept {
         const auto n = static_cast<std::size_t>(i);
         int wrong = 0;
-        for (std::int32_t p = task_piece_[n]; p < task_piece_[n + 1]; ++p)
+        for (std::int32_t p = task_piece_[n]; p < task_piece_[n + 1] && !executor.stopping(); ++p)
             wrong += run_piece(symbolic, p, fill, x, thread);
         wrong_[n] = wrong;
     };

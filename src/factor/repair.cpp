@@ -53,6 +53,7 @@ void Analysis::analyse_order() {
     layout_.run(pattern_, columns_, chains_, symbolic_, {}, team_);
     between_.assign(symbolic_.order.size(), 0);
     planned_flops_ = symbolic_.flops;
+    stale_ = false;
 }
 
 bool Analysis::resume(const Pattern& pattern, const AnalysisState& state) {
@@ -75,6 +76,7 @@ bool Analysis::resume(const Pattern& pattern, const AnalysisState& state) {
 }
 
 RepairReport Analysis::update(const Pattern& next, std::span<const std::int32_t> old_of_new) {
+    freshen();
     const bool same_numbers = compare(next, old_of_new);
     const double nodes = next.nodes(), changes = static_cast<double>(changes_.size());
     RepairReport report;
@@ -94,6 +96,7 @@ RepairReport Analysis::update(const Pattern& next, std::span<const std::int32_t>
 }
 
 RepairReport Analysis::repair(const Pattern& next, std::span<const std::int32_t> old_of_new) {
+    freshen();
     return follow(next, compare(next, old_of_new));
 }
 

@@ -70,6 +70,13 @@ struct AnalysisState {
     friend bool operator==(const AnalysisState&, const AnalysisState&) = default;
 };
 
+/// An analysis as it was, to go back to: enough to go on as if what came after had not been.
+struct KeptAnalysis {
+    Pattern pattern;
+    AnalysisState state;
+    bool stale = false;
+};
+
 class Analysis {
   public:
     using Planner = std::function<Elimination(const Pattern&)>;
@@ -99,6 +106,12 @@ class Analysis {
 
     /// repair(), and plan() where the order has become a bad one, or at once where much changed.
     RepairReport update(const Pattern& next, std::span<const std::int32_t> old_of_new = {});
+
+    /// Copy what the analysis is. @throws std::bad_alloc.
+    void keep(KeptAnalysis& out) const;
+    /// Go back to it; what is computed from it is computed again when it is needed next, by
+    /// update(), repair() or resume(). Until then symbolic() is of no use.
+    void go_back(KeptAnalysis& to) noexcept;
 
     [[nodiscard]] const Symbolic& symbolic() const noexcept { return symbolic_; }
     [[nodiscard]] const Columns& columns() const noexcept { return columns_; }
@@ -134,6 +147,7 @@ class Analysis {
     void hang(std::vector<std::int32_t>& heads, std::size_t place, std::int32_t node);
 
     void analyse_order();
+    void freshen();
     /// f(node) for each that is marked, ascending: eight at a time are looked at.
     template <class F>
     static void each_marked(const std::vector<std::uint8_t>& marks, F&& f) {
@@ -157,6 +171,7 @@ class Analysis {
     Layout layout_;
     Symbolic symbolic_;
     std::int64_t planned_flops_ = 0;
+    bool stale_ = false;  ///< Columns, layout and structure do not belong to pattern and order.
 
     // Buffers of repair(); by node of the next pattern unless said otherwise.
     std::vector<std::int32_t> old_of_new_, new_of_old_;

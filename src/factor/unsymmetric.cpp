@@ -70,6 +70,16 @@ void Numeric::reserve(const Symbolic& s, int threads, bool unsymmetric) {
     wrong_nodes_.reserve(s.order.size());
 }
 
+double Numeric::bytes_for(const Symbolic& s, int threads, bool unsymmetric) noexcept {
+    const auto panels = static_cast<double>(s.panel_size + work_size(s, threads));
+    const double sides = unsymmetric ? 2.0 : 1.0;
+    const auto scratch =
+        static_cast<double>(std::max(scratch_size(s.max_front), s.batch_scratch)) * threads;
+    return sizeof(double) * (sides * (panels + scratch) + static_cast<double>(s.rows.size()) +
+                             static_cast<double>(s.scalars) +
+                             2.0 * kLaneCount * static_cast<double>(s.slot_sign.size()));
+}
+
 void Numeric::use(const Symbolic& s, const Unsymmetric* set) noexcept {
     wrong_nodes_.clear();
     unsymmetric_ = set != nullptr && !set->empty();

@@ -125,6 +125,7 @@ void Cost::build(const Hypergraph& graph, const Neighbours& neighbours) {
     search_all(graph, neighbours);
     loops.assign(graph.size.size(), 0);
     find_loops(neighbours);
+    through_.reserve(order.size());  // close_loops() does not throw
     close_loops();
     paper.resize(at(islands()));
     for (std::int32_t i = 0; i < islands(); ++i) {

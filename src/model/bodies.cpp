@@ -15,6 +15,16 @@ void append3(base::Array<double>& to, const V& v) {
 
 }  // namespace
 
+void Bodies::make_room() {
+    base::make_room(kind, 1);
+    for (base::Array<std::int32_t>* a : {&dof_begin, &quiet}) base::make_room(*a, 1);
+    for (std::vector<std::int32_t>* a : {&moving, &rigid, &driven}) base::make_room(*a, 1);
+    for (base::Array<std::uint8_t>* a : {&weight, &asleep}) base::make_room(*a, 1);
+    for (base::Array<double>* a : {&x, &q, &r, &v, &v_start, &v_fixed, &spin_free, &spin_change,
+                                   &mass, &inertia, &inv_inertia, &principal, &force, &damping})
+        base::make_room(*a, 9);
+}
+
 int Bodies::add(const BodyDef& def) {
     const int id = count();
     const int d = dof_of(def.kind);

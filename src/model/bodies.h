@@ -71,6 +71,8 @@ struct Bodies {
     [[nodiscard]] int dof(int body) const noexcept {
         return dof_of(kind[static_cast<std::size_t>(body)]);
     }
+    /// So that add() does not throw. @throws std::bad_alloc.
+    void make_room();
     /// Append one body; the definition has been checked. @return its index.
     int add(const BodyDef& def);
     /// Take away those from `kept` on, which are fixed.

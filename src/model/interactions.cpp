@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace hawser::model {
 namespace {
@@ -82,10 +83,32 @@ void complete(InteractionDef& def, const Vec3* positions, double distance) {
     });
 }
 
-int Interactions::add(const InteractionDef& filled, const Bodies& bodies_in, double h) {
+void Interactions::make_room(InteractionKind kind) {
+    base::make_room(def, 1);
+    Pool& p = pool[static_cast<std::size_t>(kind)];
+    base::make_room(p.ids, 1);
+    generic::with_kind(kind, [&]<class K>() { base::make_room(p.data, sizeof(typename K::Data)); });
+    for (std::vector<std::int32_t>* a :
+         {&pool_index, &geo, &load_begin, &working, &motors, &frictions, &winches})
+        base::make_room(*a, 1);
+    base::make_room(saturated, 1);
+    base::make_room(loads, kMaxFrictionLoads);
+    for (base::Array<std::int32_t>* a : {&body, &row_begin, &jac_begin})
+        base::make_room(*a, kMaxInteractionBodies);
+    for (base::Array<std::uint8_t>* a : {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
+        base::make_room(*a, 1);
+    for (base::Array<double>* a : {&active, &held, &low, &high, &anchor, &rest_length, &swing})
+        base::make_room(*a, 1);
+    for (base::Array<double>* a : {&epsilon, &tau, &upsilon, &sigma, &least_sigma, &inv_sigma, &g,
+                                   &c, &residual, &lambda, &multiplier, &force})
+        base::make_room(*a, kMaxInteractionRows);
+    base::make_room(row_flags, kMaxInteractionRows);
+}
+
+int Interactions::add(InteractionDef filled, const Bodies& bodies_in, double h) {
     const int id = count();
     const KindInfo& info = kind_info(filled.kind);
-    def.push_back(filled);
+    def.push_back(std::move(filled));
     InteractionDef& d = def.back();
 
     generic::RowSpec spec[kMaxInteractionRows];
@@ -117,7 +140,7 @@ int Interactions::add(const InteractionDef& filled, const Bodies& bodies_in, dou
     row_count += info.rows;
 
     rest_length.push_back(0.0);
-    flags.push_back(flags_of(filled, spec[0], bodies_in));
+    flags.push_back(flags_of(d, spec[0], bodies_in));
     geo.push_back(geometry == generic::Geometry::none ? -1 : geo_count++);
     active.push_back(1.0);
     parted.push_back(0);
@@ -128,7 +151,7 @@ int Interactions::add(const InteractionDef& filled, const Bodies& bodies_in, dou
     held.push_back(0.0);
     low.push_back(0.0);
     high.push_back(0.0);
-    force_range(filled, flags.back(), low.back(), high.back());
+    force_range(d, flags.back(), low.back(), high.back());
     anchor.push_back(0.0);
     write_data(id);
     add_loads(d);

@@ -114,8 +114,10 @@ struct Interactions {
     std::int32_t row_count = 0, geo_count = 0;
 
     [[nodiscard]] int count() const noexcept { return static_cast<int>(def.size()); }
+    /// So that add() of one of this kind, given an rvalue, does not throw. @throws std::bad_alloc.
+    void make_room(InteractionKind kind);
     /// Append; `filled` is checked and complete. Row constants depend on h.
-    int add(const InteractionDef& filled, const Bodies& bodies_in, double h);
+    int add(InteractionDef filled, const Bodies& bodies_in, double h);
     /// Take away those from `kept` on, none of which drives, rubs or winds up a line.
     void truncate(int kept);
     /// A copy of an interaction follows its parameters.

@@ -3,8 +3,25 @@
 
 #include "runtime/trace.h"
 
+#include <hawser/def.h>
+
 #include <pthread.h>
+#include <csignal>
 #include <ctime>
+#include <string>
+#include <system_error>
+
+namespace hawser {
+
+ThreadError::ThreadError(int wanted, int started, const std::string& reason)
+    : std::runtime_error("worker threads: " + std::to_string(started) + " of " +
+                         std::to_string(wanted) + " could be started (" + reason +
+                         "); ask for at most " + std::to_string(started + 1) +
+                         " threads, or raise the limit of processes (ulimit -u, pids.max)"),
+      wanted_(wanted),
+      started_(started) {}
+
+}  // namespace hawser
 
 namespace hawser::runtime {
 namespace {
@@ -15,18 +32,50 @@ inline void relax() noexcept {
 #endif
 }
 
+/// Threads started while it lives take no signals from outside: handlers run on the threads of the
+/// program that has them, and what they work on is not gone while they do.
+class SignalsBlocked {
+  public:
+    SignalsBlocked() noexcept {
+        sigset_t all;
+        sigfillset(&all);
+        for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT})
+            sigdelset(&all, own);
+        pthread_sigmask(SIG_BLOCK, &all, &before_);
+    }
+    ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    SignalsBlocked(const SignalsBlocked&) = delete;
+    SignalsBlocked& operator=(const SignalsBlocked&) = delete;
+
+  private:
+    sigset_t before_{};
+};
+
 }  // namespace
 
 Pool::Pool(int threads) {
     workers_.reserve(static_cast<std::size_t>(threads > 1 ? threads - 1 : 0));
-    for (int t = 1; t < threads; ++t)
-        workers_.emplace_back([this, t](const std::stop_token& stop) { work(stop, t); });
+    const SignalsBlocked blocked;
+    try {
+        for (int t = 1; t < threads; ++t)
+            workers_.emplace_back([this, t](const std::stop_token& stop) { work(stop, t); });
+    } catch (const std::system_error& error) {
+        const std::size_t started = workers_.size();
+        end_workers();
+        throw ThreadError(threads - 1, static_cast<int>(started), error.code().message());
+    } catch (...) {
+        end_workers();  // they sleep, and the destructor is not going to run
+        throw;
+    }
 }
 
-Pool::~Pool() {
+Pool::~Pool() { end_workers(); }
+
+void Pool::end_workers() noexcept {
     for (std::jthread& w : workers_) w.request_stop();
     awake_.fetch_add(2, std::memory_order_release);
     awake_.notify_all();
+    workers_.clear();  // joins
 }
 
 void Pool::resume() noexcept {

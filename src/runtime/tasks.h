@@ -22,7 +22,8 @@ class Trace;
 
 class Pool final : public base::Executor {
   public:
-    /// @param threads  Including the caller; at least 1.
+    /// @param threads  Including the caller; at least 1. @throws ThreadError where they cannot
+    /// start, std::bad_alloc; none is left running then.
     explicit Pool(int threads);
     ~Pool() override;
     Pool(const Pool&) = delete;
@@ -32,6 +33,13 @@ class Pool final : public base::Executor {
     void resume() noexcept;
     /// Let the workers sleep.
     void pause() noexcept;
+
+    /// Have stopping() say so until go_on(). By any thread, or a signal handler.
+    void stop() noexcept { stopping_.store(true, std::memory_order_relaxed); }
+    void go_on() noexcept { stopping_.store(false, std::memory_order_relaxed); }
+    [[nodiscard]] bool stopping() const noexcept override {
+        return stopping_.load(std::memory_order_relaxed);
+    }
 
     /// CPU time that a thread has used since it began [s]; 0: the calling thread.
     [[nodiscard]] double cpu_seconds(int thread) noexcept;
@@ -50,6 +58,7 @@ class Pool final : public base::Executor {
     void deal(int count, Task task, void* context) noexcept;
     void deal_recorded(int count, Task task, void* context) noexcept;
     void work(const std::stop_token& stop, int thread) noexcept;
+    void end_workers() noexcept;
     bool drain(int thread) noexcept;
 
     /// Ticket = batch number (high half) and next task (low half). While the fields below it
@@ -64,6 +73,8 @@ class Pool final : public base::Executor {
     alignas(64) std::atomic<Task> task_{nullptr};
     std::atomic<void*> context_{nullptr};
     std::atomic<std::int32_t> count_{0};
+    std::atomic<bool> stopping_{false};
+    static_assert(std::atomic<bool>::is_always_lock_free);  // signal handlers
     Trace* trace_ = nullptr;
     std::vector<std::jthread> workers_;
 };

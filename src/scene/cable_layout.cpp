@@ -150,10 +150,12 @@ void read_elements(CableLayout& c, const Description& out, const Json& cable, co
                                             "found {}",
                                             c.elements - 1, points->size()));
     }
-    if ((out.bodies.size() + c.elements) * out.copies > kMaxElements) {
-        refuse(place / "elements", fmt::format("the scene would have more than {} bodies, its {} "
-                                               "copies included",
-                                               kMaxElements, out.copies));
+    const auto most = static_cast<std::size_t>(out.settings.max_bodies);
+    if ((out.bodies.size() + c.elements) * out.copies > most) {
+        refuse(place / "elements",
+               fmt::format("the scene would have more than {} bodies (settings.max_bodies), its {} "
+                           "copies included",
+                           most, out.copies));
     }
 }
 

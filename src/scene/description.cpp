@@ -16,9 +16,9 @@ void refuse_taken(const char* what, const std::string& name, const Place& place,
                        first.file == place.file ? first.path : first.file + ": " + first.path));
 }
 
-void refuse_too_many(std::size_t count, const char* what, const Place& place) {
-    if (count >= kMaxElements) {
-        refuse(place, fmt::format("the scene has more than {} {}", kMaxElements, what));
+void refuse_too_many(std::size_t count, std::int64_t most, const char* what, const Place& place) {
+    if (static_cast<std::int64_t>(count) >= most) {
+        refuse(place, fmt::format("the scene has more than {} {}", most, what));
     }
 }
 
@@ -32,7 +32,7 @@ int Description::keep(const Place& place) {
 BodyId Description::add_body(BodyDef def, int place) {
     const auto index = static_cast<std::int32_t>(bodies.size());
     const Place& at = places_[static_cast<std::size_t>(place)];
-    refuse_too_many(bodies.size(), "bodies", at);
+    refuse_too_many(bodies.size(), settings.max_bodies, "bodies (settings.max_bodies)", at);
     if (!def.name.empty()) {
         const auto [entry, added] = body_names_.emplace(def.name, index);
         if (!added) {
@@ -46,7 +46,8 @@ BodyId Description::add_body(BodyDef def, int place) {
 }
 
 void Description::add_shape(ShapeDef def, int place) {
-    refuse_too_many(shapes.size(), "shapes", places_[static_cast<std::size_t>(place)]);
+    refuse_too_many(shapes.size(), kMaxElements, "shapes",
+                    places_[static_cast<std::size_t>(place)]);
     shapes.push_back(std::move(def));
     shape_at_.push_back(static_cast<std::size_t>(place));
 }
@@ -54,7 +55,8 @@ void Description::add_shape(ShapeDef def, int place) {
 InteractionId Description::add_interaction(InteractionDef def, int place) {
     const auto index = static_cast<std::int32_t>(interactions.size());
     const Place& at = places_[static_cast<std::size_t>(place)];
-    refuse_too_many(interactions.size() / 2, "interactions (twice)", at);
+    refuse_too_many(interactions.size(), settings.max_interactions,
+                    "interactions (settings.max_interactions)", at);
     if (!def.name.empty()) {
         const auto [entry, added] = interaction_names_.emplace(def.name, index);
         if (!added) {

@@ -31,6 +31,9 @@ struct Format {
 
 [[nodiscard]] const Format& format();
 
+/// How a scene is simulated. See format_settings.cpp.
+[[nodiscard]] ShapePtr settings_shape();
+
 /// Shape of one interaction, by kind. See format_kinds.cpp.
 [[nodiscard]] ShapePtr interaction_shape();
 

@@ -58,11 +58,16 @@ class Copier {
                 out.shapes.size()} {}
 
     void run(int copies) {
-        const std::size_t total = base_.bodies * static_cast<std::size_t>(copies);
-        if (total > kMaxElements) {
-            refuse(place_, fmt::format("{} copies of {} bodies are more than {}", copies,
-                                       base_.bodies, kMaxElements));
-        }
+        const auto check = [&](std::size_t each, std::int64_t most, const char* what) {
+            if (static_cast<std::int64_t>(each) * copies > most) {
+                refuse(place_, fmt::format("{} copies of {} {} are more than {}", copies, each,
+                                           what, most));
+            }
+        };
+        check(base_.bodies, out_.settings.max_bodies, "bodies (settings.max_bodies)");
+        check(base_.interactions, out_.settings.max_interactions,
+              "interactions (settings.max_interactions)");
+        check(base_.shapes, kMaxElements, "shapes");
         if (offset_.isZero(0.0) && copies > 1) {
             refuse(place_ / "offset", "must not be zero");
         }

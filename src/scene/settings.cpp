@@ -54,6 +54,10 @@ void read_settings(Description& out, const Json& root) {
     def.nonsmooth_sweeps = settings.value("nonsmooth_sweeps", def.nonsmooth_sweeps);
     def.refinements = settings.value("refinements", def.refinements);
     def.solution_tolerance = number_or(settings, "solution_tolerance", def.solution_tolerance);
+    def.max_bodies = settings.value("max_bodies", std::int32_t{kMaxElements});
+    def.max_interactions = settings.value("max_interactions", std::int32_t{2 * kMaxElements});
+    def.max_contacts = settings.value("max_contacts", def.max_contacts);
+    def.max_memory = number_or(settings, "max_memory", def.max_memory);
     out.duration = number_or(settings, "duration", out.duration);
     out.copies = root.contains("repeat") ? root["repeat"].value("copies", std::size_t{1}) : 1;
     const Json defaults = root.value("defaults", Json::object());

@@ -163,7 +163,8 @@ void analyse_clique(StepContext& ctx) {
     for (std::size_t i = 0; i < c.body.size(); ++i)
         copy_pose(c.ctx.bodies, static_cast<std::int32_t>(i), ctx.bodies, c.body[i]);
     copy_interactions(c, ctx);
-    prepare(c.ctx);
+    c.ctx.topology_changed = true;
+    ready(c.ctx);
 }
 
 bool solve_clique(StepContext& ctx) noexcept {

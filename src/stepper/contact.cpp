@@ -3,6 +3,7 @@
 
 #include "base/index.h"
 #include "stepper/gauss_seidel.h"
+#include "stepper/guarded.h"
 #include "stepper/newton.h"
 #include "stepper/nonsmooth.h"
 #include "stepper/stages.h"
@@ -86,7 +87,8 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
     const StageTimer timer(ctx, Stage::assemble);
     Contacts& c = ctx.system.contacts;
     const collide::ContactSet& set = ctx.contacts;
-    try {
+    Status status = guarded(ctx, [&] {
+        ctx.undo.keep_links(ctx);
         make_room(ctx);
         over(ctx, static_cast<std::int32_t>(set.awake), [&](std::int32_t a, std::int32_t b) {
             for (std::size_t k = at(a); k < at(b); ++k)
@@ -98,17 +100,15 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
         make_resistances(ctx);
         if (!c.connect(ctx.step)) {
             const StageTimer again(ctx, Stage::analyse);
+            ctx.undo.keep(ctx, Undo::Depth::system);
             c.relink(ctx.step);
-            // Should memory end in between, the next step begins anew.
-            ctx.topology_changed = true;
             relink(ctx);
-            ctx.topology_changed = false;
-            if (!c.connect(ctx.step)) return Status::out_of_memory;
+            if (!c.connect(ctx.step)) throw std::bad_alloc();
         }
         ctx.columns.reserve(c.blocks.size());
-    } catch (const std::bad_alloc&) {
-        return Status::out_of_memory;
-    }
+    });
+    if (status == Status::ok && ctx.pool.stopping()) status = Status::cancelled;
+    if (status != Status::ok) return status;
     // u of the last step's velocities; λ is that of the last step.
     update_rows(ctx, ctx.bodies.v.data());
     c.resistances.recall(c.rows);

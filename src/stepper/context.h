@@ -25,6 +25,7 @@
 #include "stepper/events.h"
 #include "stepper/judge.h"
 #include "stepper/regroup.h"
+#include "stepper/undo.h"
 
 #include <algorithm>
 #include <chrono>
@@ -73,6 +74,8 @@ struct Sleep {
 struct StepContext {
     explicit StepContext(const WorldDef& d) : def(d), pool(d.threads) {
         collider.margin = d.contact_margin;
+        collider.most_contacts = d.max_contacts;
+        collider.most_bytes = system.most_bytes = d.max_memory;
         // They couple bodies beside the rows, which a sweep over rows does not see.
         if (d.nonsmooth == Nonsmooth::pgs) def.geometric_stiffness = def.rotation_damping = 0.0;
     }
@@ -98,8 +101,10 @@ struct StepContext {
     Deadline deadline;
     CutLevels cut_levels;
     JudgeData judge;
-    Laps laps;               ///< Of the step being taken, where a budget asks for time.
-    Degradation imposed;     ///< On the next step.
+    Undo undo;
+    Mend mend = Mend::nothing;  ///< Before the system may be used.
+    Laps laps;                  ///< Of the step being taken, where a budget asks for time.
+    Degradation imposed;        ///< On the next step.
     int refine_unasked = 0;  ///< So many steps to come refine before they measure, see solve.cpp.
     int refine_unasked_before = 0;  ///< The same, for a step that fails.
     EventLog events;
@@ -110,6 +115,7 @@ struct StepContext {
     int stage_now = -1;  ///< Whose time is counted, see timer.h; −1: no one's.
     std::chrono::steady_clock::time_point stage_since{};
     bool factor_whole = false;  ///< Never in part: for tests, to compare bits.
+    bool remembered = false;    ///< In this step, see remember().
     bool rhs_ready = false;  ///< The solver's vector holds the right-hand side of the first solve.
     bool topology_changed = true;             ///< Bodies or interactions were added.
     bool started = false;                     ///< The staggered start has been made.
@@ -131,8 +137,9 @@ struct StepContext {
     std::vector<double> active_before;   ///< Of bounded interactions, for events.
     /// Positions and rotations at the last analysis, which chose forms and floors by them.
     base::Array<double> analysed_x, analysed_r;
-    std::vector<double> carriers_before;  ///< Poses of kinematic bodies, for the energy.
-    std::vector<double> lambda_before;    ///< Multipliers, for a step that fails.
+    std::vector<double> carriers_before;       ///< Poses of kinematic bodies, for the energy.
+    std::vector<double> lambda_before;         ///< Multipliers, for a step that fails.
+    std::vector<std::uint8_t> repeats_before;  ///< Likewise.
 
     /// Chunks of bodies or interactions: coarse tasks of fixed size.
     static constexpr std::int32_t kChunk = 128;

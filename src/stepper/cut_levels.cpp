@@ -31,20 +31,15 @@ std::vector<double> interface_weights(StepContext& ctx) {
 
 /// The work of the matrix with these interfaces cut.
 double analysed_work(StepContext& ctx, std::uint64_t interfaces) {
+    ctx.undo.keep(ctx, Undo::Depth::system);
     const std::uint64_t asked = std::exchange(ctx.cuts.asked, interfaces);
-    const bool changed = std::exchange(ctx.topology_changed, true);  // should memory end in between
     assembly::System beside;
-    try {
-        (void)open_cuts(ctx);
-        beside.left_out = ctx.system.left_out;
-        beside.sides = ctx.system.sides;
-    } catch (...) {
-        ctx.cuts.asked = asked;
-        throw;
-    }
+    beside.most_bytes = ctx.def.max_memory;
+    (void)open_cuts(ctx);
+    beside.left_out = ctx.system.left_out;
+    beside.sides = ctx.system.sides;
     ctx.cuts.asked = asked;
     (void)open_cuts(ctx);
-    ctx.topology_changed = changed;
     beside.contacts = ctx.system.contacts;
     model::Interactions rows = ctx.interactions;  // an analysis chooses forms
     beside.analyse(ctx.bodies, rows, ctx.def, ctx.pool.threads());

@@ -57,8 +57,7 @@ class CutLevels {
 };
 
 /// Levels of the present state, with their matrices analysed beside the world, which stays as it
-/// is.
-/// @throws std::bad_alloc.
+/// is. Within a step, which goes back where this throws. @throws std::bad_alloc, LimitError.
 [[nodiscard]] std::vector<CutLevels::Level> find_cut_levels(StepContext& ctx);
 
 }  // namespace hawser::stepper

@@ -4,13 +4,13 @@
 #include "base/index.h"
 #include "stepper/clique.h"
 #include "stepper/context.h"
+#include "stepper/guarded.h"
 #include "stepper/stages.h"
 #include "stepper/timer.h"
 
 #include <algorithm>
 #include <array>
 #include <map>
-#include <new>
 #include <numeric>
 #include <span>
 #include <unordered_map>
@@ -137,6 +137,12 @@ bool can_cut(const StepContext& ctx, std::int32_t id) noexcept {
     const std::int32_t row = in.row_begin[at(id)];
     return std::none_of(in.loads.begin(), in.loads.end(),
                         [row](const model::Load& l) { return l.rows > 0 && l.row_begin == row; });
+}
+
+bool may_have_cuts(const StepContext& ctx) noexcept {
+    const std::vector<std::int32_t>& group = ctx.cuts.group;
+    return ctx.cuts.bodies >= 0 || makes_groups(ctx) ||
+           std::any_of(group.begin(), group.end(), [&](std::int32_t g) { return g != group[0]; });
 }
 
 void make_cuts(StepContext& ctx) {
@@ -288,18 +294,12 @@ std::uint64_t open_interfaces(const StepContext& ctx) noexcept {
 
 Status ask_for_cuts(StepContext& ctx, std::uint64_t interfaces) noexcept {
     if (interfaces == ctx.cuts.asked) return Status::ok;
-    ctx.cuts.asked = interfaces;
-    if (ctx.cuts.list.empty()) return Status::ok;
     const StageTimer timer(ctx, Stage::analyse);
-    try {
-        // Should memory end in between, the next step begins anew.
-        ctx.topology_changed = true;
-        if (open_cuts(ctx)) analyse(ctx);
-        ctx.topology_changed = false;
-    } catch (const std::bad_alloc&) {
-        return Status::out_of_memory;
-    }
-    return Status::ok;
+    return guarded(ctx, [&] {
+        ctx.undo.keep(ctx, Undo::Depth::system);
+        ctx.cuts.asked = interfaces;
+        if (!ctx.cuts.list.empty() && open_cuts(ctx)) analyse(ctx);
+    });
 }
 
 }  // namespace hawser::stepper

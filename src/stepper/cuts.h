@@ -78,6 +78,9 @@ struct Cuts {
 /// loads friction.
 [[nodiscard]] bool can_cut(const StepContext& ctx, std::int32_t id) noexcept;
 
+/// Whether there are images and copies, or would be after prepare().
+[[nodiscard]] bool may_have_cuts(const StepContext& ctx) noexcept;
+
 /// Images and copies for the groups and couplings there are. @throws std::bad_alloc.
 void make_cuts(StepContext& ctx);
 /// Take them away, as must be done before bodies or interactions are added.

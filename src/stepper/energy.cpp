@@ -129,12 +129,17 @@ std::uint64_t state_hash(const StepContext& ctx) noexcept {
     auto add = [&](const auto& array) {
         hash = base::fnv1a(array.data(), array.size() * sizeof(array[0]), hash);
     };
-    add(ctx.bodies.x);
-    add(ctx.bodies.q);
+    // Images of bodies (cuts.h) follow from them.
+    const auto bodies = at(body_count(ctx));
+    auto front = [&](const base::Array<double>& array, std::size_t each) {
+        hash = base::fnv1a(array.data(), each * bodies * sizeof(double), hash);
+    };
+    front(ctx.bodies.x, 3);
+    front(ctx.bodies.q, 4);
     add(ctx.bodies.v);
-    add(ctx.bodies.spin_change);
-    add(ctx.bodies.v_fixed);
-    add(ctx.bodies.force);
+    front(ctx.bodies.spin_change, 3);
+    front(ctx.bodies.v_fixed, 6);
+    front(ctx.bodies.force, 6);
     add(ctx.interactions.lambda);
     add(ctx.interactions.active);
     add(ctx.interactions.parted);

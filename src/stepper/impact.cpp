@@ -95,6 +95,12 @@ Status attempt(StepContext& ctx, double scale) noexcept {
     return solve_newton(ctx);
 }
 
+/// Not for the attempt, but for what it had to work with: the step goes back.
+bool ends_step(Status status) noexcept {
+    return status == Status::out_of_memory || status == Status::over_bound ||
+           status == Status::cancelled;
+}
+
 }  // namespace
 
 Status impact(StepContext& ctx, bool& found) noexcept {
@@ -111,12 +117,14 @@ Status impact(StepContext& ctx, bool& found) noexcept {
         return Status::ok;
     }
     ++ctx.stats.impacts;
+    ctx.undo.keep_motion(ctx);
     const View v = view(ctx);
     const double before = kinetic_energy(ctx.bodies, v.v);
     Status status = Status::ok;
     for (const double scale : {1.0, 0.0}) {
         if (scale == 0.0) ++ctx.stats.impact_retries;
         status = attempt(ctx, scale);
+        if (ends_step(status)) return status;
         const double after = status == Status::ok ? kinetic_energy(ctx.bodies, v.v_new) : 0.0;
         const bool good = status == Status::ok && after <= before * (1.0 + 1e-9) &&
                           ctx.stats.flips_left == 0 &&
@@ -127,11 +135,11 @@ Status impact(StepContext& ctx, bool& found) noexcept {
         }
         // Lines and multipliers go on from the last step.
         recall(ctx);
-        if (good || status == Status::out_of_memory) break;
+        if (good) break;
     }
     ctx.stats.flips_left = 0;  // the step's own solve is to come
     ctx.newton.iterations = 0;
-    return status == Status::out_of_memory ? status : Status::ok;
+    return Status::ok;
 }
 
 }  // namespace hawser::stepper

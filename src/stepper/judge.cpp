@@ -17,90 +17,8 @@ using assembly::View;
 
 constexpr std::size_t place(Judge judge) noexcept { return static_cast<std::size_t>(judge); }
 
-std::array<double, 6> works(const StepContext& ctx) noexcept {
+Works works(const StepContext& ctx) noexcept {
     return {ctx.work, ctx.drive, ctx.drag, ctx.friction, ctx.contact, ctx.damped};
-}
-
-/// What nothing accounts for, without and with what rows gave [J].
-std::array<double, 2> unexplained(const JudgePart& p, const std::array<double, 6>& w,
-                                  double given) noexcept {
-    const double left =
-        p.kinetic + p.potential + p.elastic - w[0] - w[1] + w[2] + w[3] + w[4] + w[5];
-    return {left, left + given};
-}
-
-/// Rises and falls of a sum; forgets a part of its extremes.
-struct Swing {
-    double rise, fall;
-};
-Swing follow(Tide& tide, double now, double forgotten) noexcept {
-    tide.least = std::min(now, tide.least + forgotten * (now - tide.least));
-    tide.most = std::max(now, tide.most + forgotten * (now - tide.most));
-    return {now - tide.least, tide.most - now};
-}
-
-/// Energy that came or went without reason [J]: at this moment, and in the mean.
-struct Unexplained {
-    Swing now{}, mean{};
-};
-
-void set(JudgeState& state, std::size_t i, double now) noexcept {
-    state.mean[i] = now;
-    state.now_tide[i] = state.mean_tide[i] = {now, now};
-}
-
-void begin(const JudgePart& p, const std::array<double, 6>& w, JudgeState& state) noexcept {
-    const std::array<double, 2> now = unexplained(p, w, state.given);
-    for (std::size_t i = 0; i < 2; ++i) set(state, i, now[i]);
-    state.exchanged = 0.0;
-    state.begun = 1;
-}
-
-/// What rows gave beyond what they had taken lately, which they may hold for a while.
-void count_given(double taken, double time, JudgeState& state) noexcept {
-    state.held = (state.held + std::max(0.0, taken)) * std::exp(-time / limit::kHeld);
-    const double back = std::min(state.held, std::max(0.0, -taken));
-    state.held -= back;
-    state.given += std::max(0.0, -taken) - back;
-}
-
-void keep(const JudgePart& p, const std::array<double, 6>& w, JudgeState& state) noexcept {
-    state.kinetic = p.kinetic;
-    state.potential = p.potential;
-    state.elastic = p.elastic;
-    state.work = w;
-}
-
-/// `state` goes on to this look. @param time  Since the last one [s].
-Unexplained follow(const JudgePart& p, const std::array<double, 6>& w, double time,
-                   JudgeState& state) noexcept {
-    if (state.begun == 0) begin(p, w, state);
-    count_given(w[5] - state.work[5], time, state);
-    double changes = std::fabs(p.kinetic - state.kinetic) +
-                     std::fabs(p.potential - state.potential) +
-                     std::fabs(p.elastic - state.elastic);
-    for (std::size_t i = 0; i < w.size(); ++i) changes += std::fabs(w[i] - state.work[i]);
-    const double forgotten = std::min(1.0, time / limit::kMemory);
-    state.exchanged += 0.5 * changes - forgotten * state.exchanged;
-    const std::array<double, 2> now = unexplained(p, w, state.given);
-    // How much there was half a step before the start is known to the first order only.
-    const bool first = state.begun++ == 1;
-    Unexplained out;
-    for (std::size_t i = 0; i < 2; ++i) {
-        // Rows that close what stood open at the start put in energy by order of the scene.
-        if ((i == 1 && state.open_start > 1.0) || (first && now[i] < state.mean[i]))
-            set(state, i, now[i]);
-        state.mean[i] += (1.0 - std::exp(-time / limit::kMean)) * (now[i] - state.mean[i]);
-        const Swing own = follow(state.now_tide[i], now[i], forgotten);
-        const Swing mean = follow(state.mean_tide[i], state.mean[i], forgotten);
-        out.now.rise = std::max(out.now.rise, own.rise);
-        out.mean.rise = std::max(out.mean.rise, mean.rise);
-        if (i == 1) continue;
-        out.now.fall = own.fall;
-        out.mean.fall = mean.fall;
-    }
-    keep(p, w, state);
-    return out;
 }
 
 /// Interaction of a row.
@@ -130,7 +48,7 @@ using Findings = std::array<Finding, kJudgeCount>;
 
 Finding energy_finding(const StepContext& ctx, const JudgePart& p, JudgeState& state,
                        double time) noexcept {
-    const Unexplained u = follow(p, works(ctx), time, state);
+    const Unexplained u = follow_energy(p, works(ctx), time, state);
     const double nothing = std::max(limit::kNothing * (p.kinetic + p.elastic), ctx.judge.nothing);
     const double exchanged = p.kinetic + state.exchanged;
     const auto share = [&](double energy) { return energy <= nothing ? 0.0 : energy / exchanged; };
@@ -270,28 +188,9 @@ void begin_judge(StepContext& ctx) noexcept {
         state = {};
         state.step = ctx.step;
         state.open_start = p.open > 1.0 ? p.open : 0.0;
-        begin(p, works(ctx), state);
-        keep(p, works(ctx), state);
+        begin_energy(p, works(ctx), state);
     });
 }
-
-namespace {
-
-/// Energy half a step before the start: friction and drag have yet to take what they take until
-/// then. No more of it than there was kinetic energy, as forces that cannot be throw a body about
-/// within this half step already.
-void begin_half_step_before(StepContext& ctx) noexcept {
-    JudgeState& state = ctx.judge.state;
-    const JudgePart p = look(ctx, At::half_step);
-    const std::array<double, 2> before = unexplained(p, works(ctx), state.given);
-    for (std::size_t i = 0; i < 2; ++i) {
-        const double least = state.now_tide[i].least;
-        const double start = std::clamp(before[i], least, least + state.kinetic);
-        set(state, i, start);
-    }
-}
-
-}  // namespace
 
 Status judge(StepContext& ctx) noexcept {
     JudgeData& d = ctx.judge;
@@ -299,7 +198,7 @@ Status judge(StepContext& ctx) noexcept {
     const bool open = ctx.stats.violation_max > limit::kOpen.doubtful;
     if (ctx.step % d.every != 0 && !open) return Status::ok;
     if (ctx.step == 0) {
-        begin_half_step_before(ctx);
+        begin_half_step_before(look(ctx, At::half_step), works(ctx), d.state);
         return Status::ok;
     }
     JudgeState next = d.state;
@@ -313,7 +212,7 @@ Status judge(StepContext& ctx) noexcept {
 
 Verdict verdict(StepContext& ctx) noexcept {
     Verdict out = ctx.judge.verdict;
-    if (ctx.topology_changed || ctx.step == 0) return out;
+    if (ctx.topology_changed || ctx.mend != Mend::nothing || ctx.step == 0) return out;
     evaluated(ctx, [&] {
         JudgeState next = ctx.judge.state;
         (void)add(judged(ctx, next), out);

@@ -36,11 +36,14 @@ struct Tide {
     double least = 0.0, most = 0.0;
 };
 
+/// Works since the start [J]: forces, drives, drag, friction, contacts, rows.
+using Works = std::array<double, 6>;
+
 /// Part of the state of a world.
 struct JudgeState {
     double kinetic = 0.0, potential = 0.0, elastic = 0.0;  ///< At the last look [J].
-    std::array<double, 6> work{};  ///< Likewise: forces, drives, drag, friction, contacts, rows.
-    std::array<double, 2> mean{};  ///< Of the two sums [J].
+    Works work{};                                          ///< Likewise.
+    std::array<double, 2> mean{};                          ///< Of the two sums [J].
     std::array<Tide, 2> now_tide{}, mean_tide{};
     double held = 0.0, given = 0.0;      ///< By rows: what they may give back, and gave beyond [J].
     double exchanged = 0.0;              ///< [J].
@@ -74,6 +77,24 @@ enum class At { pose, half_step };
 /// Energies and extremes of the state, whose rows have been evaluated; they do not depend on
 /// threads.
 [[nodiscard]] JudgePart look(StepContext& ctx, At when) noexcept;
+
+/// How far a sum is above its least value, and below its highest [J].
+struct Swing {
+    double rise = 0.0, fall = 0.0;
+};
+/// Energy that came or went without reason: at this moment, and in the mean.
+struct Unexplained {
+    Swing now{}, mean{};
+};
+/// The sums begin: energy at the start.
+void begin_energy(const JudgePart& p, const Works& works, JudgeState& state) noexcept;
+/// Energy half a step before the start: friction and drag have yet to take what they take until
+/// then. No more of it than there was kinetic energy, as forces that cannot be throw a body about
+/// within this half step already.
+void begin_half_step_before(const JudgePart& p, const Works& works, JudgeState& state) noexcept;
+/// `state` goes on to this look. @param time  Since the last one [s].
+[[nodiscard]] Unexplained follow_energy(const JudgePart& p, const Works& works, double time,
+                                        JudgeState& state) noexcept;
 
 /// Arrays for the interactions there are. @throws std::bad_alloc.
 void prepare_judge(StepContext& ctx);

@@ -5,13 +5,13 @@
 #include "stepper/bounds.h"
 #include "stepper/contact.h"
 #include "stepper/gauss_seidel.h"
+#include "stepper/guarded.h"
 #include "stepper/iterate.h"
 #include "stepper/nonsmooth.h"
 #include "stepper/stages.h"
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 
 namespace hawser::stepper {
 namespace {
@@ -128,16 +128,14 @@ void take_residuals(StepContext& ctx, const View& v) noexcept {
 void begin_pgs(StepContext& ctx) noexcept { freeze_impulses(ctx); }
 
 Status solve_pgs(StepContext& ctx) noexcept {
-    try {
-        reserve_gauss_seidel(ctx, ctx.system.contacts.count());
-    } catch (const std::bad_alloc&) {
-        return Status::out_of_memory;
-    }
+    const Status room =
+        guarded(ctx, [&] { reserve_gauss_seidel(ctx, ctx.system.contacts.count()); });
+    if (room != Status::ok) return room;
     const View v = view(ctx);
     ctx.rhs_ready = false;
     if (!invert_masses(ctx, v)) return Status::wrong_pivot;
     start(ctx, v);
-    for (int i = 0; i < ctx.def.nonsmooth_sweeps; ++i) {
+    for (int i = 0; i < ctx.def.nonsmooth_sweeps && !ctx.pool.stopping(); ++i) {
         sweep_rows(ctx, v);
         for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
             relax_normal(ctx, v, k);

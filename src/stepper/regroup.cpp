@@ -3,12 +3,12 @@
 
 #include "base/index.h"
 #include "stepper/context.h"
+#include "stepper/guarded.h"
 #include "stepper/sleep.h"
 #include "stepper/stages.h"
 #include "stepper/timer.h"
 
 #include <algorithm>
-#include <new>
 #include <utility>
 
 namespace hawser::stepper {
@@ -92,6 +92,8 @@ void cut_anew(StepContext& ctx) {
     analyse(ctx);
     reserve_sleep(ctx);
     ctx.lambda_before.resize(ctx.interactions.lambda.size());
+    ctx.repeats_before.resize(ctx.interactions.repeats.size());
+    ctx.undo.reserve(ctx);
 }
 
 }  // namespace
@@ -159,7 +161,8 @@ Status regroup(StepContext& ctx) noexcept {
     if (!due(ctx)) return Status::ok;
     Regroup& r = ctx.regroup;
     const StageTimer timer(ctx, Stage::graph);
-    try {
+    return guarded(ctx, [&] {
+        ctx.undo.keep(ctx, Undo::Depth::system);
         read_own_graph(ctx, true);
         r.next = r.parts;
         const graph::PartitionOptions options{ctx.def.parts};
@@ -167,20 +170,15 @@ Status regroup(StepContext& ctx) noexcept {
             r.splitter.split(r.graph.view(), options, r.next);
         else
             (void)r.splitter.follow(r.graph.view(), options, r.next);
-        // From here on the round has been made: should memory end, the next step begins anew.
         r.seen = ctx.step;
         std::swap(r.parts, r.next);
         const std::int64_t moved = assign_groups(ctx);
-        if (moved == 0) return Status::ok;
+        if (moved == 0) return;
+        ctx.undo.keep(ctx, Undo::Depth::model);
+        cut_anew(ctx);
         ++ctx.stats.regroupings;
         ctx.stats.regrouped_bodies += moved;
-        ctx.topology_changed = true;
-        cut_anew(ctx);
-        ctx.topology_changed = false;
-    } catch (const std::bad_alloc&) {
-        return Status::out_of_memory;
-    }
-    return Status::ok;
+    });
 }
 
 }  // namespace hawser::stepper

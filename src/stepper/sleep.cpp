@@ -2,13 +2,13 @@
 #include "stepper/sleep.h"
 
 #include "base/index.h"
+#include "stepper/guarded.h"
 #include "stepper/stages.h"
 #include "stepper/step.h"
 #include "stepper/timer.h"
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <numeric>
 
 namespace hawser::stepper {
@@ -139,19 +139,22 @@ bool wake_islands(StepContext& ctx) noexcept {
     return woken;
 }
 
-/// The system without what sleeps. Where memory ends the next step begins with prepare(), awake.
-bool analyse_anew(StepContext& ctx) noexcept {
+/// The system without what sleeps. @throws std::bad_alloc, LimitError.
+void analyse_anew(StepContext& ctx) {
     const StageTimer timer(ctx, Stage::analyse);
-    try {
-        // An analysis looks at which limits are met, which is for the step to find and to report.
-        const base::Array<double> active = ctx.interactions.active;
-        analyse(ctx);
-        ctx.interactions.active = active;
-        return true;
-    } catch (const std::bad_alloc&) {
-        ctx.topology_changed = true;
-        return false;
-    }
+    // An analysis looks at which limits are met, which is for the step to find and to report.
+    const base::Array<double> active = ctx.interactions.active;
+    analyse(ctx);
+    ctx.interactions.active = active;
+}
+
+/// The same after a step, which is done: where it fails it is left to the next one.
+void analyse_after_step(StepContext& ctx) noexcept {
+    ctx.analysed_x = ctx.bodies.x;
+    ctx.analysed_r = ctx.bodies.r;
+    ctx.mend = Mend::follow;
+    const StageTimer timer(ctx, Stage::analyse);
+    (void)guarded(ctx, [&] { mend(ctx); });
 }
 
 }  // namespace
@@ -186,10 +189,18 @@ void disturb(StepContext& ctx, std::int32_t body) noexcept {
     if (moves(ctx.bodies, body)) ctx.bodies.quiet[at(body)] = 0;
 }
 
-bool wake_disturbed(StepContext& ctx) noexcept {
-    if (ctx.stats.asleep == 0) return true;
-    if (disturbed(ctx) && wake_islands(ctx) && !analyse_anew(ctx)) return false;
-    return ctx.stats.asleep == 0 || ctx.collider.set_aside(ctx.contacts, ctx.bodies.asleep);
+Status wake_disturbed(StepContext& ctx) noexcept {
+    if (ctx.stats.asleep == 0) return Status::ok;
+    if (disturbed(ctx)) {
+        const Status status = guarded(ctx, [&] {
+            ctx.undo.keep(ctx, Undo::Depth::system);
+            if (wake_islands(ctx)) analyse_anew(ctx);
+        });
+        if (status != Status::ok) return status;
+    }
+    const bool room =
+        ctx.stats.asleep == 0 || ctx.collider.set_aside(ctx.contacts, ctx.bodies.asleep);
+    return room ? Status::ok : Status::out_of_memory;
 }
 
 void fall_asleep(StepContext& ctx) noexcept {
@@ -217,7 +228,7 @@ void fall_asleep(StepContext& ctx) noexcept {
     for (const std::int32_t body : b.moving)
         if (ctx.sleep.mark[at(root(ctx.sleep.island, body))] == 0)
             fallen = set_asleep(ctx, body, true) || fallen;
-    if (fallen) (void)analyse_anew(ctx);
+    if (fallen) analyse_after_step(ctx);
 }
 
 }  // namespace hawser::stepper

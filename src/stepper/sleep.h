@@ -47,8 +47,8 @@ void disturb(StepContext& ctx, std::int32_t body) noexcept;
 void disturb_all(StepContext& ctx) noexcept;
 
 /// Before the step is solved: islands that are disturbed wake; contacts of the others are set
-/// aside. @return false where memory could not grow.
-[[nodiscard]] bool wake_disturbed(StepContext& ctx) noexcept;
+/// aside.
+[[nodiscard]] Status wake_disturbed(StepContext& ctx) noexcept;
 
 /// After a good step: count how long bodies have been at rest; islands fall asleep.
 void fall_asleep(StepContext& ctx) noexcept;

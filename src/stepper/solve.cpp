@@ -193,6 +193,7 @@ bool fails(const factor::Numeric& numeric, int wrong) noexcept {
 
 /// `whole`: rows changed besides contacts.
 Status factor(StepContext& ctx, bool whole) noexcept {
+    if (ctx.pool.stopping()) return Status::cancelled;
     const View v = view(ctx);
     assembly::System& s = ctx.system;
     ++ctx.stats.factorisations;

@@ -80,7 +80,7 @@ Status solve_normals(StepContext& ctx, bool first) noexcept {
 Status sweep_tangents(StepContext& ctx) noexcept {
     const assembly::View v = view(ctx);
     if (!invert_masses(ctx, v)) return Status::wrong_pivot;
-    for (int i = 0; i < ctx.def.nonsmooth_sweeps; ++i)
+    for (int i = 0; i < ctx.def.nonsmooth_sweeps && !ctx.pool.stopping(); ++i)
         for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) relax_tangents(ctx, v, k);
     // The radius changes a little in what follows; what slides is decided here.
     for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k)

@@ -106,7 +106,9 @@ void prepare(StepContext& ctx) {
     reserve_sleep(ctx);
     prepare_judge(ctx);
     ctx.lambda_before.resize(ctx.interactions.lambda.size());
+    ctx.repeats_before.resize(ctx.interactions.repeats.size());
     ctx.carriers_before.resize(16 * ctx.bodies.driven.size());
+    ctx.undo.reserve(ctx);
     double mass = 0.0, least = 1e300;
     for (std::int32_t b : ctx.bodies.moving) {
         mass += ctx.bodies.mass[at(b)];

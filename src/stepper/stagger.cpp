@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/index.h"
 #include "stepper/cuts.h"
+#include "stepper/guarded.h"
 #include "stepper/stages.h"
 #include "stepper/step.h"
 
 #include <algorithm>
-#include <new>
 #include <vector>
 
 namespace hawser::stepper {
@@ -25,6 +25,7 @@ void keep_spin_change(model::Bodies& bodies, const assembly::View& v, std::int32
 /// Violations of all rows with every body moved by time t at its velocity.
 void violations_at(StepContext& ctx, double t, std::vector<double>& g) {
     model::Bodies& b = ctx.bodies;
+    g.resize(ctx.interactions.g.size());
     const auto x = b.x;
     const auto q = b.q;
     const auto r = b.r;
@@ -42,7 +43,7 @@ void violations_at(StepContext& ctx, double t, std::vector<double>& g) {
     }
     place_images(ctx);
     evaluate_rows(ctx);
-    g.assign(ctx.interactions.g.begin(), ctx.interactions.g.end());
+    std::copy(ctx.interactions.g.begin(), ctx.interactions.g.end(), g.begin());
     b.x = x;
     b.q = q;
     b.r = r;
@@ -65,12 +66,11 @@ std::vector<double> row_curvature(StepContext& ctx) {
 Status try_stagger(StepContext& ctx) noexcept {
     std::vector<double> curvature;
     base::Array<double> active;
-    try {
+    const Status room = guarded(ctx, [&] {
         curvature = row_curvature(ctx);
         active = ctx.interactions.active;
-    } catch (const std::bad_alloc&) {
-        return Status::out_of_memory;
-    }
+    });
+    if (room != Status::ok) return room;
     const assembly::View v = view(ctx);
     // The first trial finds λ without geometric stiffness, the second uses it.
     for (int trial = 0; trial < 2; ++trial) {
@@ -101,13 +101,10 @@ Status stagger(StepContext& ctx) noexcept {
         ctx.started = true;
         return Status::ok;
     }
+    ctx.undo.keep_motion(ctx);
     remember(ctx);
     const Status status = try_stagger(ctx);
     ctx.started = status == Status::ok;
-    if (!ctx.started) {
-        recall(ctx);
-        std::fill(ctx.bodies.spin_change.begin(), ctx.bodies.spin_change.end(), 0.0);
-    }
     return status;
 }
 

@@ -4,6 +4,7 @@
 #include "stepper/bounds.h"
 #include "stepper/completion.h"
 #include "stepper/contact.h"
+#include "stepper/guarded.h"
 #include "stepper/impact.h"
 #include "stepper/nonsmooth.h"
 #include "stepper/regroup.h"
@@ -13,20 +14,22 @@
 
 #include <algorithm>
 #include <chrono>
-#include <new>
 
 namespace hawser::stepper {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Stage 2. Contacts at the present poses. @return false where memory could not grow.
-bool find_contacts(StepContext& ctx) noexcept {
+/// Stage 2. Contacts at the present poses.
+Status find_contacts(StepContext& ctx) noexcept {
     const std::int64_t growths = ctx.collider.growths();
     const bool found = ctx.collider.collide(ctx.bodies, ctx.def.step, ctx.contacts, ctx.pool);
     ctx.stats.growths += ctx.collider.growths() - growths;
     ctx.stats.contacts = static_cast<std::int32_t>(ctx.contacts.contacts.size());
-    return found;
+    if (ctx.pool.stopping()) return Status::cancelled;
+    if (found) return Status::ok;
+    ctx.stats.bound_met = ctx.collider.over();
+    return ctx.stats.bound_met.bound == Bound::none ? Status::out_of_memory : Status::over_bound;
 }
 
 /// Work of the step's solver.
@@ -49,12 +52,7 @@ bool may_cut(const StepContext& ctx) noexcept {
 Status prepare_levels(StepContext& ctx) noexcept {
     if (!may_cut(ctx) || ctx.cut_levels.known()) return Status::ok;
     const StageTimer timer(ctx, Stage::analyse);
-    try {
-        ctx.cut_levels.set(find_cut_levels(ctx));
-    } catch (const std::bad_alloc&) {
-        return Status::out_of_memory;
-    }
-    return Status::ok;
+    return guarded(ctx, [&] { ctx.cut_levels.set(find_cut_levels(ctx)); });
 }
 
 /// Cuts of this step. Only those who ask by themselves have some without a budget.
@@ -137,6 +135,8 @@ Status solve_velocities(StepContext& ctx) noexcept {
 void remember(StepContext& ctx) noexcept {
     const model::Interactions& in = ctx.interactions;
     std::copy(in.lambda.begin(), in.lambda.end(), ctx.lambda_before.begin());
+    std::copy(in.repeats.begin(), in.repeats.end(), ctx.repeats_before.begin());
+    ctx.remembered = true;
     ctx.refine_unasked_before = ctx.refine_unasked;
     for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
         ctx.active_before[i] = in.active[static_cast<std::size_t>(ctx.system.bounded[i])];
@@ -145,6 +145,7 @@ void remember(StepContext& ctx) noexcept {
 void recall(StepContext& ctx) noexcept {
     model::Interactions& in = ctx.interactions;
     std::copy(ctx.lambda_before.begin(), ctx.lambda_before.end(), in.lambda.begin());
+    std::copy(ctx.repeats_before.begin(), ctx.repeats_before.end(), in.repeats.begin());
     ctx.refine_unasked = ctx.refine_unasked_before;
     for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
         in.active[static_cast<std::size_t>(ctx.system.bounded[i])] = ctx.active_before[i];
@@ -162,27 +163,20 @@ Status solve_linear(StepContext& ctx) noexcept {
     return status == Status::ok ? timed(ctx, Stage::nonsmooth, settle_bounds) : status;
 }
 
-Status step(StepContext& ctx) noexcept {
-    try {
-        if (ctx.topology_changed) prepare(ctx);
-    } catch (const std::bad_alloc&) {
-        return ctx.stats.status = Status::out_of_memory;
-    }
-    ctx.pool.resume();
-    if (!ctx.started) {
-        begin_judge(ctx);
-        Status status = Status::ok;
-        if (ctx.collider.count() > 0)
-            status =
-                find_contacts(ctx) ? start_contacts(ctx, Phase::stagger) : Status::out_of_memory;
-        if (status == Status::ok) status = stagger(ctx);
-        if (status != Status::ok) {
-            ctx.pool.pause();
-            return ctx.stats.status = status;
-        }
-    }
-    const StepTimer timer(ctx);
-    const Clock::time_point begin = Clock::now();
+namespace {
+
+/// From time 0 to −h/2, in the first step.
+Status start_world(StepContext& ctx) noexcept {
+    ctx.undo.keep_motion(ctx);
+    begin_judge(ctx);
+    Status status = Status::ok;
+    if (ctx.collider.count() > 0) status = find_contacts(ctx);
+    if (status == Status::ok && ctx.collider.count() > 0)
+        status = start_contacts(ctx, Phase::stagger);
+    return status == Status::ok ? stagger(ctx) : status;
+}
+
+void clear_figures(StepContext& ctx) noexcept {
     ctx.stats.stage_seconds.fill(0.0);
     ctx.stats.factorisations = 0;
     ctx.stats.substitutions = ctx.stats.completion_rounds = ctx.stats.undetermined = 0;
@@ -196,23 +190,30 @@ Status step(StepContext& ctx) noexcept {
     ctx.stats.degradation = {};
     ctx.stats.degraded_by = DegradedBy::nothing;
     ctx.stats.foreseen_seconds = 0.0;
+}
+
+/// All stages. Where it fails, the state may be that of a step half done.
+Status take_step(StepContext& ctx) noexcept {
+    if (!ctx.started)
+        if (const Status status = start_world(ctx); status != Status::ok) return status;
+    const StepTimer timer(ctx);
+    const Clock::time_point begin = Clock::now();
+    clear_figures(ctx);
 
     timed(ctx, Stage::prestep, prestep);
     const bool shapes = ctx.collider.count() > 0;
-    if ((shapes && !timed(ctx, Stage::collide, find_contacts)) || !wake_disturbed(ctx)) {
-        ctx.pool.pause();
-        return ctx.stats.status = Status::out_of_memory;
-    }
+    Status status = shapes ? timed(ctx, Stage::collide, find_contacts) : Status::ok;
+    if (status == Status::ok) status = wake_disturbed(ctx);
+    if (status != Status::ok) return status;
     const Clock::time_point solver_begin = Clock::now();
     ctx.stopwatch->start();
     ctx.laps = {};
     const std::int64_t analyses = ctx.stats.plans + ctx.stats.repairs;
     const bool knew_levels = ctx.cut_levels.known();
-    if (regroup(ctx) != Status::ok || prepare_levels(ctx) != Status::ok) {
-        ctx.pool.pause();
-        return ctx.stats.status = Status::out_of_memory;
-    }
-    Status status = solve_velocities(ctx);
+    status = regroup(ctx);
+    if (status == Status::ok) status = prepare_levels(ctx);
+    if (status != Status::ok) return status;
+    status = solve_velocities(ctx);
     ctx.stats.solver_seconds = std::chrono::duration<double>(Clock::now() - solver_begin).count();
     ctx.stats.solver_cpu_seconds = ctx.stopwatch->seconds();
     ctx.laps.analysed =
@@ -221,19 +222,45 @@ Status step(StepContext& ctx) noexcept {
     ctx.stats.newton_iterations = ctx.newton.iterations;
     ctx.stats.factor_work = static_cast<double>(ctx.step_flops) /
                             static_cast<double>(std::max<std::int64_t>(1, ctx.stats.factor_flops));
+    // What was left out because of it is not to be used.
+    if (status == Status::ok && ctx.pool.stopping()) status = Status::cancelled;
     if (status == Status::ok)
         status = timed(ctx, Stage::integrate, [](StepContext& c) { return judge(c); });
     if (status == Status::ok) {
         timed(ctx, Stage::integrate, integrate);
         ctx.imposed = {};
-    } else {
-        recall(ctx);
+        if (shapes) ctx.collider.keep();
+        ctx.undo.drop();
+        fall_asleep(ctx);
     }
-    if (shapes && status == Status::ok) ctx.collider.keep();
-    if (status == Status::ok) fall_asleep(ctx);
-
-    ctx.pool.pause();
     ctx.stats.step_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    return status;
+}
+
+/// After a step that failed: the state of the last good one.
+void go_back(StepContext& ctx) noexcept {
+    if (ctx.remembered && !ctx.undo.moved()) recall(ctx);
+    ctx.undo.go_back(ctx);
+}
+
+}  // namespace
+
+Status step(StepContext& ctx) noexcept {
+    ctx.stats.bound_met = {};
+    ctx.remembered = false;
+    Status status = ctx.pool.stopping() ? Status::cancelled : Status::ok;
+    if (status == Status::ok) status = guarded(ctx, [&] { make_ready(ctx); });
+    if (status == Status::ok) {
+        ctx.pool.resume();
+        status = take_step(ctx);
+        ctx.pool.pause();
+    }
+    if (status != Status::ok) {
+        go_back(ctx);
+        // Whatever the step ended with then came of what was left out.
+        if (ctx.pool.stopping()) status = Status::cancelled;
+    }
+    if (status == Status::cancelled) ctx.pool.go_on();
     return ctx.stats.status = status;
 }
 

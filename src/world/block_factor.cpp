@@ -5,6 +5,8 @@
 #include "base/index.h"
 #include "world/block_pattern.h"
 
+#include <hawser/world.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -13,7 +15,9 @@
 
 namespace hawser {
 
-BlockFactor::BlockFactor(const FactorOptions& options) : impl_(std::make_unique<Impl>(options)) {
+BlockFactor::BlockFactor(const FactorOptions& options) {
+    check_environment();
+    impl_ = std::make_unique<Impl>(options);
     analyse({});
 }
 BlockFactor::~BlockFactor() = default;

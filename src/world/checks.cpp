@@ -3,12 +3,15 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 namespace hawser::world {
 namespace {
 
+constexpr double kMostElements = 1e9;  // their indices have 32 bits
 // Beyond these, products of entries overflow or lose all digits.
 constexpr double kMaxLength = 1e7, kMaxSpeed = 1e5, kMaxMass = 1e15;
 
@@ -17,14 +20,23 @@ constexpr double kMaxLength = 1e7, kMaxSpeed = 1e5, kMaxMass = 1e15;
 }
 
 void finite(const std::string& where, const char* field, double value, double limit = 1e300) {
-    if (!std::isfinite(value)) refuse(where, std::string(field) + " is not a finite number");
+    if (!std::isfinite(value))
+        refuse(where, std::string(field) + " = " + number(value) +
+                          " is not a finite number; give one up to " + number(limit));
     if (std::abs(value) > limit)
-        refuse(where, std::string(field) + " = " + std::to_string(value) +
-                          " is out of range; at most " + std::to_string(limit));
+        refuse(where, std::string(field) + " = " + number(value) +
+                          " is out of range; give one up to " + number(limit));
 }
 
 void finite(const std::string& where, const char* field, const Vec3& v, double limit = 1e300) {
     for (int i = 0; i < 3; ++i) finite(where, field, v[i], limit);
+}
+
+void range(const std::string& where, const char* field, double value, double low, double high,
+           const char* unit) {
+    if (!(value >= low && value <= high))
+        refuse(where, std::string(field) + " must be " + number(low) + " to " + number(high) +
+                          unit + ", not " + number(value));
 }
 
 void unit_quaternion(const std::string& where, const char* field, const Quat& q) {
@@ -52,64 +64,75 @@ void check_inertia(const std::string& where, const Mat3& inertia) {
 
 }  // namespace
 
+std::string number(double value) {
+    std::array<char, 32> text{};
+    (void)std::snprintf(text.data(), text.size(), "%.9g", value);
+    return text.data();
+}
+
 std::string label(const char* what, const std::string& name) {
     return name.empty() ? std::string(what) + " (unnamed)" : std::string(what) + " '" + name + "'";
 }
 
 void check(const WorldDef& def) {
     const std::string where = "world";
-    finite(where, "step", def.step);
-    if (!(def.step >= 1e-7 && def.step <= 1.0)) refuse(where, "step must be 1e-7 to 1 s");
-    finite(where, "gravity", def.gravity, 1e4);
-    finite(where, "geometric_stiffness", def.geometric_stiffness);
-    finite(where, "rotation_damping", def.rotation_damping);
-    if (def.geometric_stiffness < 0.0 || def.geometric_stiffness > 100.0)
-        refuse(where, "geometric_stiffness must be 0 to 100");
-    if (def.rotation_damping < 0.0 || def.rotation_damping > 100.0)
-        refuse(where, "rotation_damping must be 0 to 100");
-    if (def.refinements < 0 || def.refinements > 4) refuse(where, "refinements must be 0 to 4");
-    if (!(def.solution_tolerance >= 1e-13 && def.solution_tolerance <= 1e-6))
-        refuse(where, "solution_tolerance must be 1e-13 to 1e-6");
-    if (!(def.contact_tolerance >= 1e-12 && def.contact_tolerance <= 1.0))
-        refuse(where, "contact_tolerance must be 1e-12 to 1");
-    if (def.contact_iterations < 1 || def.contact_iterations > 1000)
-        refuse(where, "contact_iterations must be 1 to 1000");
-    if (!(def.sleep_after >= 0.0 && def.sleep_after <= 1e6))
-        refuse(where, "sleep_after must be 0 to 1e6 s");
-    if (!(def.sleep_speed >= 0.0 && def.sleep_speed <= 1.0))
-        refuse(where, "sleep_speed must be 0 to 1 m/s");
+    const auto within = [&](const char* field, double value, double low, double high,
+                            const char* unit = "") { range(where, field, value, low, high, unit); };
+    if (def.form > Form::condensed) refuse(where, "unknown form");
     if (def.on_diverged > OnDiverged::warn) refuse(where, "unknown on_diverged");
     if (def.coupling > Coupling::deadline) refuse(where, "unknown coupling");
     if (def.predictor > Predictor::clique) refuse(where, "unknown predictor");
+    if (def.nonsmooth > Nonsmooth::convex) refuse(where, "unknown nonsmooth method");
+    within("step", def.step, 1e-7, 1.0, " s");
+    finite(where, "gravity", def.gravity, 1e4);
+    within("geometric_stiffness", def.geometric_stiffness, 0.0, 100.0);
+    within("rotation_damping", def.rotation_damping, 0.0, 100.0);
+    within("refinements", def.refinements, 0, 4);
+    within("solution_tolerance", def.solution_tolerance, 1e-13, 1e-6);
+    within("contact_tolerance", def.contact_tolerance, 1e-12, 1.0);
+    within("contact_iterations", def.contact_iterations, 1, 1000);
+    within("sleep_after", def.sleep_after, 0.0, 1e6, " s");
+    within("sleep_speed", def.sleep_speed, 0.0, 1.0, " m/s");
     if (def.coupling != Coupling::exact && def.sleep_after > 0.0)
         refuse(where,
                "a coupling other than exact needs sleep_after 0: what is cut cannot tell "
                "when to wake");
-    if (def.parts < 0 || def.parts > 4096) refuse(where, "parts must be 0 to 4096");
-    if (def.regroup_every < 0 || def.regroup_every > 1'000'000)
-        refuse(where, "regroup_every must be 0 to 1000000 steps");
-    if (def.nonsmooth > Nonsmooth::convex) refuse(where, "unknown nonsmooth method");
-    if (def.nonsmooth_sweeps < 1 || def.nonsmooth_sweeps > 100'000)
-        refuse(where, "nonsmooth_sweeps must be 1 to 100000");
-    if (!(def.budget >= 0.0 && def.budget <= 1e6)) refuse(where, "budget must be 0 to 1e6 s");
-    if (!(def.budget_work >= 0.0 && def.budget_work <= 1e18))
-        refuse(where, "budget_work must be 0 to 1e18 flops");
+    within("parts", def.parts, 0, 4096);
+    within("regroup_every", def.regroup_every, 0, 1'000'000, " steps");
+    within("nonsmooth_sweeps", def.nonsmooth_sweeps, 1, 100'000);
+    within("budget", def.budget, 0.0, 1e6, " s");
+    within("budget_work", def.budget_work, 0.0, 1e18, " flops");
     if ((def.budget > 0.0 || def.budget_work > 0.0) && def.nonsmooth != Nonsmooth::newton)
         refuse(where, "a budget needs the nonsmooth method newton");
-    if (!(def.contact_margin >= 1e-6 && def.contact_margin <= 10.0))
-        refuse(where, "contact_margin must be 1e-6 to 10 m");
-    if (def.threads < 1 || def.threads > 256) refuse(where, "threads must be 1 to 256");
+    within("contact_margin", def.contact_margin, 1e-6, 10.0, " m");
+    within("threads", def.threads, 1, 256);
+    within("max_bodies", def.max_bodies, 1, kMostElements);
+    within("max_interactions", def.max_interactions, 0, kMostElements);
+    within("max_contacts", def.max_contacts, 1, kMostElements);
+    within("max_memory", def.max_memory, 1e6, 1e15, " bytes");
+}
+
+void check_pose(const std::string& where, const Vec3& position, const Quat& orientation) {
+    finite(where, "position", position, kMaxLength);
+    unit_quaternion(where, "orientation", orientation);
+}
+
+void check_velocity(const std::string& where, const Vec3& linear, const Vec3& angular) {
+    finite(where, "velocity", linear, kMaxSpeed);
+    finite(where, "angular_velocity", angular, kMaxSpeed);
+}
+
+void check_force(const std::string& where, const Vec3& force, const Vec3& torque) {
+    finite(where, "force", force);
+    finite(where, "torque", torque);
 }
 
 void check(const BodyDef& def) {
     const std::string where = label("body", def.name);
     if (def.kind > BodyKind::kinematic) refuse(where, "unknown kind");
-    finite(where, "position", def.position, kMaxLength);
-    unit_quaternion(where, "orientation", def.orientation);
-    finite(where, "velocity", def.velocity, kMaxSpeed);
-    finite(where, "angular_velocity", def.angular_velocity, kMaxSpeed);
-    finite(where, "force", def.force);
-    finite(where, "torque", def.torque);
+    check_pose(where, def.position, def.orientation);
+    check_velocity(where, def.velocity, def.angular_velocity);
+    check_force(where, def.force, def.torque);
     finite(where, "half_size", def.half_size, kMaxLength);
     finite(where, "linear_damping", def.linear_damping);
     finite(where, "angular_damping", def.angular_damping);
@@ -127,8 +150,8 @@ void check(const BodyDef& def) {
     if (def.kind == BodyKind::rigid) check_inertia(where, def.inertia);
 }
 
-void check(const InteractionDef& def, const model::Bodies& bodies,
-           const std::vector<InteractionDef>& before) {
+void check(const InteractionDef& def, const model::Bodies& bodies, int count,
+           std::span<const InteractionDef> before) {
     const std::string where = label("interaction", def.name);
     if (static_cast<int>(def.kind) >= kInteractionKindCount) refuse(where, "unknown kind");
     const KindInfo& info = kind_info(def.kind);
@@ -137,7 +160,7 @@ void check(const InteractionDef& def, const model::Bodies& bodies,
         const auto slot = static_cast<std::size_t>(b);
         const std::int32_t index = def.body[slot].index;
         const std::string which = "body " + std::to_string(b);
-        if (index < 0 || index >= bodies.count())
+        if (index < 0 || index >= count)
             refuse(where, which + " does not exist; a " + info.name + " couples " +
                               std::to_string(info.bodies) + " bodies");
         for (int c = 0; c < b; ++c)

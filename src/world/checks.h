@@ -9,6 +9,8 @@
 
 #include "model/bodies.h"
 
+#include <span>
+#include <string>
 #include <vector>
 
 namespace hawser::world {
@@ -17,9 +19,10 @@ namespace hawser::world {
 void check(const WorldDef& def);
 /// @throws DefError
 void check(const BodyDef& def);
-/// Checks bodies, points, frames and row constants. @throws DefError
-void check(const InteractionDef& def, const model::Bodies& bodies,
-           const std::vector<InteractionDef>& before);
+/// Checks bodies, points, frames and row constants. @param count  Bodies of the user.
+/// @param before  Interactions of the user. @throws DefError
+void check(const InteractionDef& def, const model::Bodies& bodies, int count,
+           std::span<const InteractionDef> before);
 /// Checks parameters once defaults have been filled in. @throws DefError
 void check_params(const InteractionDef& def);
 /// @param method  Not all of them have every resistance. @throws DefError
@@ -27,8 +30,15 @@ void check(const MaterialDef& def, Nonsmooth method);
 /// @param materials  That there are. @throws DefError
 void check(const MaterialPairDef& def, int materials, Nonsmooth method);
 /// @throws DefError
-void check(const ShapeDef& def, const model::Bodies& bodies, int materials);
+void check(const ShapeDef& def, const model::Bodies& bodies, int count, int materials);
 
+/// The ranges of a definition for what changes later. @throws DefError
+void check_pose(const std::string& where, const Vec3& position, const Quat& orientation);
+void check_velocity(const std::string& where, const Vec3& linear, const Vec3& angular);
+void check_force(const std::string& where, const Vec3& force, const Vec3& torque);
+
+/// For messages: as short as it may be, 1e+300 has 301 digits else.
+[[nodiscard]] std::string number(double value);
 /// "body 'bob'" or "body 7 (unnamed)" for messages.
 [[nodiscard]] std::string label(const char* what, const std::string& name);
 

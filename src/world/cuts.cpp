@@ -19,8 +19,9 @@ void World::set_group(BodyId id, const std::string& group) {
     const std::size_t b = index_of(id.index, body_count(), "body");
     Impl& m = *impl_;
     if (m.body_defs[b].group == group) return;
-    m.body_defs[b].group = group;
+    std::string name = group;
     m.ctx.regroup.by_hand[b] = m.number_of_group(group);
+    m.body_defs[b].group.swap(name);
     m.ctx.regroup.stale = true;
     if (!stepper::makes_groups(m.ctx)) m.ctx.cuts.group[b] = m.ctx.regroup.by_hand[b];
     m.ctx.topology_changed = true;
@@ -38,17 +39,18 @@ void World::follow_groups(int parts, int every) {
     def.regroup_every = every;
     world::check(def);
     if (parts != c.def.parts) {
+        std::vector<std::int32_t> by_hand = c.regroup.by_hand;
         c.regroup.parts = {};
         c.regroup.stale = true;
         c.topology_changed = true;
-        if (parts == 0) c.cuts.group = c.regroup.by_hand;
+        if (parts == 0) c.cuts.group.swap(by_hand);
     }
     c.def = def;
 }
 
 std::vector<std::int32_t> World::groups() const {
     stepper::StepContext& c = impl_->ctx;
-    if (c.topology_changed) stepper::prepare(c);
+    stepper::ready(c);
     std::vector<std::int32_t> out = c.cuts.group;
     for (std::int32_t b = 0; b < body_count(); ++b)
         if (c.bodies.dof(b) == 0) out[at(b)] = -1;
@@ -56,7 +58,27 @@ std::vector<std::int32_t> World::groups() const {
 }
 
 void World::set_groups(int parts) {
-    if (parts < 1 || parts > 4096) throw DefError("groups: 1 to 4096 parts");
+    if (parts < 1 || parts > 4096)
+        throw DefError("groups: parts = " + std::to_string(parts) + "; give 1 to 4096");
+    Impl& m = *impl_;
+    std::vector<std::string> names;
+    for (const BodyDef& b : m.body_defs) names.push_back(b.group);
+    std::vector<std::int32_t> by_hand = m.ctx.regroup.by_hand;
+    const WorldDef before = m.ctx.def;
+    stepper::Transaction all(m.ctx);
+    m.ctx.undo.keep(m.ctx, stepper::Undo::Depth::model);
+    try {
+        regroup_all(parts);
+    } catch (...) {
+        m.ctx.def = before;
+        m.ctx.regroup.by_hand.swap(by_hand);
+        for (std::size_t b = 0; b < names.size(); ++b) m.body_defs[b].group.swap(names[b]);
+        throw;
+    }
+    all.done();
+}
+
+void World::regroup_all(int parts) {
     follow_groups(0, impl_->ctx.def.regroup_every);
     for (std::int32_t b = 0; b < body_count(); ++b) set_group(BodyId{b}, "");
     if (parts == 1) return;
@@ -91,7 +113,7 @@ Coupling World::coupling(InteractionId id) const {
 
 std::vector<CutView> World::cuts() const {
     Impl& m = *impl_;
-    if (m.ctx.topology_changed) stepper::prepare(m.ctx);
+    stepper::ready(m.ctx);
     std::vector<CutView> out;
     for (const stepper::Cut& c : m.ctx.cuts.list)
         out.push_back(
@@ -165,12 +187,27 @@ void copy_groups(const stepper::StepContext& from, stepper::StepContext& to) {
 void World::copy_state(const World& other) {
     const stepper::StepContext& from = other.impl_->ctx;
     stepper::StepContext& to = impl_->ctx;
-    if (from.topology_changed) stepper::prepare(other.impl_->ctx);
-    if (to.topology_changed) stepper::prepare(to);
+    stepper::ready(other.impl_->ctx);
+    stepper::ready(to);
     if (other.body_count() != body_count() || other.interaction_count() != interaction_count() ||
         other.input_count() != input_count() || from.bodies.v.size() != to.bodies.v.size() ||
         from.def.step != to.def.step)
         throw DefError("copy_state: the worlds have other bodies, interactions, inputs or steps");
+    std::vector<double> inputs = impl_->input_values;
+    stepper::Transaction all(to);
+    to.undo.keep(to, stepper::Undo::Depth::all);
+    try {
+        copy_from(other);
+    } catch (...) {
+        impl_->input_values.swap(inputs);
+        throw;
+    }
+    all.done();
+}
+
+void World::copy_from(const World& other) {
+    const stepper::StepContext& from = other.impl_->ctx;
+    stepper::StepContext& to = impl_->ctx;
     copy_groups(from, to);
     front(from.bodies.x, to.bodies.x);
     front(from.bodies.q, to.bodies.q);

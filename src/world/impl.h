@@ -7,9 +7,9 @@
 
 #include "stepper/sleep.h"
 #include "stepper/step.h"
+#include "world/lookup.h"
 
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace hawser {
@@ -20,13 +20,12 @@ struct World::Impl {
     stepper::StepContext ctx;
     std::vector<BodyDef> body_defs;
     /// BodyDef::group, in order of use; "" is none.
-    std::unordered_map<std::string, std::int32_t> groups;
+    world::Names groups;
     [[nodiscard]] std::int32_t number_of_group(const std::string& name);
     std::vector<ShapeDef> shape_defs;
     std::vector<InputDef> inputs;
     std::vector<double> input_values;
-    std::unordered_map<std::string, std::int32_t> body_names, interaction_names, input_names,
-        material_names, shape_names;
+    world::Names body_names, interaction_names, input_names, material_names, shape_names;
 
     void apply_input(std::size_t index, double value);
     /// What acts at present where an input does: its value, unless something else set it since.

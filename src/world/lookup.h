@@ -8,6 +8,7 @@
 #include <hawser/def.h>
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -21,16 +22,35 @@ inline std::size_t index_of(std::int32_t index, int count, const char* what) {
     return at(index);
 }
 
-inline void claim(std::unordered_map<std::string, std::int32_t>& names, const std::string& name,
-                  std::int32_t index, const char* what) {
+/// To be looked up without a copy of the name, which would need memory.
+struct NameHash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view name) const noexcept {
+        return std::hash<std::string_view>{}(name);
+    }
+};
+using Names = std::unordered_map<std::string, std::int32_t, NameHash, std::equal_to<>>;
+
+inline void claim(Names& names, const std::string& name, std::int32_t index, const char* what) {
     if (name.empty()) return;
     if (!names.emplace(name, index).second)
         throw DefError(std::string(what) + " '" + name + "': the name is taken; names are unique");
 }
 
-inline std::int32_t lookup(const std::unordered_map<std::string, std::int32_t>& names,
-                           std::string_view name) {
-    const auto found = names.find(std::string(name));
+/// A claim is given back where f() throws; what f() did it takes back itself.
+template <class F>
+void claim_for(Names& names, const std::string& name, std::int32_t index, const char* what, F&& f) {
+    claim(names, name, index, what);
+    try {
+        f();
+    } catch (...) {
+        if (!name.empty()) names.erase(name);
+        throw;
+    }
+}
+
+inline std::int32_t lookup(const Names& names, std::string_view name) noexcept {
+    const auto found = names.find(name);
     return found == names.end() ? -1 : found->second;
 }
 

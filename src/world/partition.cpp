@@ -125,7 +125,7 @@ PartitionView World::partition(const PartitionRequest& request) const {
     if (request.before != nullptr && request.before->use != request.use)
         throw DefError("a partition goes on from one of the same use");
     stepper::StepContext& c = impl_->ctx;
-    if (c.topology_changed) stepper::prepare(c);
+    stepper::ready(c);
     PartitionView view;
     view.use = request.use;
     Clock::time_point clock = Clock::now();

@@ -100,9 +100,10 @@ void check_size(const std::string& where, const ShapeDef& d) {
     reject(where, "unknown kind");
 }
 
-void check_bodies(const std::string& where, const ShapeDef& d, const model::Bodies& bodies) {
+void check_bodies(const std::string& where, const ShapeDef& d, const model::Bodies& bodies,
+                  int count) {
     auto kind = [&](BodyId id, const char* which) {
-        if (id.index < 0 || id.index >= bodies.count())
+        if (id.index < 0 || id.index >= count)
             reject(where, std::string(which) + " does not exist");
         return bodies.kind[static_cast<std::size_t>(id.index)];
     };
@@ -146,9 +147,9 @@ void check(const MaterialPairDef& def, int materials, Nonsmooth method) {
     check_values(where, def.values, method);
 }
 
-void check(const ShapeDef& def, const model::Bodies& bodies, int materials) {
+void check(const ShapeDef& def, const model::Bodies& bodies, int count, int materials) {
     const std::string where = label("shape", def.name);
-    check_bodies(where, def, bodies);
+    check_bodies(where, def, bodies, count);
     for (int k = 0; k < 3; ++k)
         if (!(std::abs(def.position[k]) <= kLongest))
             reject(where, "position is not finite or beyond 1e6 m");

@@ -6,6 +6,8 @@
 #include "world/impl.h"
 #include "world/lookup.h"
 
+#include <utility>
+
 namespace hawser {
 
 const char* to_string(ShapeKind kind) noexcept {
@@ -14,7 +16,7 @@ const char* to_string(ShapeKind kind) noexcept {
     return kNames[static_cast<std::size_t>(kind)];
 }
 
-using world::claim;
+using world::claim_for;
 using world::index_of;
 using world::lookup;
 
@@ -48,9 +50,11 @@ void add_resistance(const stepper::StepContext& ctx, std::size_t i, ContactView&
 MaterialId World::add_material(const MaterialDef& def) {
     Impl& m = *impl_;
     world::check(def, m.ctx.def.nonsmooth);
-    claim(m.material_names, def.name, material_count(), "material");
+    const int index = material_count();
+    claim_for(m.material_names, def.name, index, "material",
+              [&] { m.ctx.collider.materials.add(def); });
     m.ctx.topology_changed = true;
-    return MaterialId{m.ctx.collider.materials.add(def)};
+    return MaterialId{index};
 }
 
 void World::add_material_pair(const MaterialPairDef& def) {
@@ -61,12 +65,13 @@ void World::add_material_pair(const MaterialPairDef& def) {
 
 ShapeId World::add_shape(const ShapeDef& def) {
     Impl& m = *impl_;
-    world::check(def, m.ctx.bodies, material_count());
-    // First, so that a shape that the collider refuses leaves no name behind.
-    if (m.shape_names.contains(def.name)) claim(m.shape_names, def.name, 0, "shape");
-    const std::int32_t index = m.ctx.collider.add(def, m.ctx.bodies);
-    claim(m.shape_names, def.name, index, "shape");
-    m.shape_defs.push_back(def);
+    world::check(def, m.ctx.bodies, body_count(), material_count());
+    ShapeDef kept = def;
+    base::make_room(m.shape_defs, 1);
+    const int index = shape_count();
+    claim_for(m.shape_names, def.name, index, "shape",
+              [&] { m.ctx.collider.add(def, m.ctx.bodies); });
+    m.shape_defs.push_back(std::move(kept));
     m.ctx.topology_changed = true;
     return ShapeId{index};
 }

@@ -115,7 +115,7 @@ void take_state(stepper::StepContext& ctx, std::vector<double>& inputs, const He
 
 std::vector<std::byte> World::save() const {
     Impl& m = *impl_;
-    if (m.ctx.topology_changed) stepper::prepare(m.ctx);
+    stepper::ready(m.ctx);
     Header header;
     header.layout = layout_of(m.ctx, m.inputs.size());
     header.parameters = parameters_of(m.ctx, m.inputs, m.shape_defs);
@@ -144,7 +144,7 @@ std::vector<std::byte> World::save() const {
     return out;
 }
 
-void World::restore(std::span<const std::byte> bytes) {
+void World::take_saved(std::span<const std::byte> bytes) {
     Impl& m = *impl_;
     Header header;
     const Header expected;
@@ -162,7 +162,7 @@ void World::restore(std::span<const std::byte> bytes) {
         throw DefError(
             "snapshot: it belongs to a world with other parameters (masses, inertias, points, "
             "lengths, stiffnesses, damping, gravity, ranges of inputs, method, coupling, sleep)");
-    if (m.ctx.topology_changed) stepper::prepare(m.ctx);
+    stepper::ready(m.ctx);
     const auto damaged = [] { return DefError("snapshot: the bytes are damaged (checksum)"); };
     if (sum != base::fnv1a(bytes.data(), bytes.size() - sizeof sum)) throw damaged();
     // What bytes alone tell is told before anything changes, the rest by going back.
@@ -172,22 +172,13 @@ void World::restore(std::span<const std::byte> bytes) {
         bytes.size() < sizeof header + size + sizeof sum ||
         !read_groups(m.ctx, bytes.data() + sizeof header, groups))
         throw damaged();
-    const std::vector<std::byte> before = save();
-    bool changed = groups.parts.part != m.ctx.regroup.parts.part;
-    try {
-        const bool regrouped = take_groups(m.ctx, groups);
-        world::SavedState state(m.ctx, m.input_values, header);
-        size = state.size();
-        if (header.bytes != size || bytes.size() != sizeof header + size + sizeof sum)
-            throw damaged();
-        state.read(bytes.subspan(sizeof header, size));
-        world::check_state(m.ctx, m.inputs, state);
-        changed = true;
-        take_state(m.ctx, m.input_values, header, bytes.data() + sizeof header, regrouped);
-    } catch (const DefError&) {
-        if (changed) restore(before);
-        throw;
-    }
+    const bool regrouped = take_groups(m.ctx, groups);
+    world::SavedState state(m.ctx, m.input_values, header);
+    size = state.size();
+    if (header.bytes != size || bytes.size() != sizeof header + size + sizeof sum) throw damaged();
+    state.read(bytes.subspan(sizeof header, size));
+    world::check_state(m.ctx, m.inputs, state);
+    take_state(m.ctx, m.input_values, header, bytes.data() + sizeof header, regrouped);
     m.ctx.time = static_cast<double>(m.ctx.step) * m.ctx.def.step;
     m.ctx.stats.step = m.ctx.step;
     m.ctx.stats.time = m.ctx.time;

@@ -38,7 +38,7 @@ std::vector<ContactView> World::overlaps() const {
     stepper::StepContext& ctx = impl_->ctx;
     std::vector<ContactView> out;
     if (ctx.collider.count() == 0) return out;
-    if (ctx.topology_changed) stepper::prepare(ctx);
+    stepper::ready(ctx);
     collide::ContactSet found;
     ctx.collider.surfaces(ctx.def.step, found);
     // Until keep() the collider remembers nothing of it.

@@ -5,13 +5,21 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
+#include <utility>
 
 namespace hawser {
 
 void World::start_trace(std::size_t spans) {
+    constexpr std::size_t kMost = std::size_t{1} << 28;
+    if (spans > kMost)
+        throw DefError("start_trace: spans = " + std::to_string(spans) + "; give at most " +
+                       std::to_string(kMost));
     stepper::StepContext& c = impl_->ctx;
+    std::unique_ptr<runtime::Trace> trace;
+    if (spans > 0) trace = std::make_unique<runtime::Trace>(c.pool.threads(), spans);
     c.pool.record(nullptr);
-    c.trace = spans > 0 ? std::make_unique<runtime::Trace>(c.pool.threads(), spans) : nullptr;
+    c.trace = std::move(trace);
     c.pool.record(c.trace.get());
 }
 

@@ -9,14 +9,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 namespace hawser {
 
 using world::claim;
+using world::claim_for;
 using world::index_of;
 using world::lookup;
 
 World::World(const WorldDef& def) {
+    check_environment();
     world::check(def);
     impl_ = std::make_unique<Impl>(def);
 }
@@ -27,23 +31,34 @@ World& World::operator=(World&&) noexcept = default;
 BodyId World::add_body(const BodyDef& def) {
     world::check(def);
     Impl& m = *impl_;
+    const int index = body_count();
+    if (index >= m.ctx.def.max_bodies)
+        throw DefError("too many bodies; raise max_bodies = " +
+                       std::to_string(m.ctx.def.max_bodies));
+    BodyDef kept = def;
+    base::make_room(m.body_defs, 1);
+    base::make_room(m.ctx.regroup.by_hand, 1);
+    base::make_room(m.ctx.cuts.group, 1);
+    m.ctx.bodies.make_room();
+    std::int32_t group = -1;
+    claim_for(m.body_names, def.name, index, "body", [&] { group = m.number_of_group(def.group); });
+    // From here on nothing throws.
     stepper::drop_cuts(m.ctx);
-    if (m.ctx.bodies.count() >= m.ctx.def.max_bodies)
-        throw DefError("too many bodies; raise WorldDef::max_bodies");
-    claim(m.body_names, def.name, m.ctx.bodies.count(), "body");
-    m.body_defs.push_back(def);
-    m.ctx.regroup.by_hand.push_back(m.number_of_group(def.group));
-    m.ctx.cuts.group.push_back(m.ctx.regroup.by_hand.back());
+    m.body_defs.push_back(std::move(kept));
+    m.ctx.regroup.by_hand.push_back(group);
+    m.ctx.cuts.group.push_back(group);
     m.ctx.topology_changed = true;
     return BodyId{m.ctx.bodies.add(def)};
 }
 
 InteractionId World::add_interaction(const InteractionDef& def) {
     Impl& m = *impl_;
-    stepper::drop_cuts(m.ctx);
-    world::check(def, m.ctx.bodies, m.ctx.interactions.def);
-    if (m.ctx.interactions.count() >= m.ctx.def.max_interactions)
-        throw DefError("too many interactions; raise WorldDef::max_interactions");
+    model::Interactions& all = m.ctx.interactions;
+    const int index = interaction_count();
+    world::check(def, m.ctx.bodies, body_count(), std::span(all.def).first(at(index)));
+    if (index >= m.ctx.def.max_interactions)
+        throw DefError("too many interactions; raise max_interactions = " +
+                       std::to_string(m.ctx.def.max_interactions));
     InteractionDef d = def;
     const KindInfo& info = kind_info(d.kind);
     Vec3 position[kMaxInteractionBodies], point[kMaxInteractionBodies];
@@ -55,55 +70,24 @@ InteractionId World::add_interaction(const InteractionDef& def) {
     const double distance = info.bodies > 1 ? (point[1] - point[0]).norm() : 0.0;
     model::complete(d, position, distance);
     world::check_params(d);
-    claim(m.interaction_names, d.name, m.ctx.interactions.count(), "interaction");
+    all.make_room(d.kind);
+    claim(m.interaction_names, d.name, index, "interaction");
+    // From here on nothing throws.
+    stepper::drop_cuts(m.ctx);
     m.ctx.topology_changed = true;
-    return InteractionId{m.ctx.interactions.add(d, m.ctx.bodies, m.ctx.def.step)};
+    return InteractionId{all.add(std::move(d), m.ctx.bodies, m.ctx.def.step)};
 }
 
-InputId World::add_input(const InputDef& def) {
-    Impl& m = *impl_;
-    const std::string where = world::label("input", def.name);
-    if (def.name.empty()) throw DefError("an input needs a name");
-    if (!std::isfinite(def.min) || !std::isfinite(def.max) || def.min > def.max)
-        throw DefError(where + ": the range is empty or not finite");
-    double value = 0.0;
-    InputDef allowed = def;
-    if (def.interaction.valid()) {
-        const InteractionDef& d = interaction_def(def.interaction);
-        value = d.get(def.param);
-        for (const ParamInfo& p : kind_info(d.kind).params) {
-            if (def.param != p.name) continue;
-            if (!p.input)
-                throw DefError(where + ": parameter '" + def.param + "' of a " +
-                               kind_info(d.kind).name + " cannot change between steps");
-            // An input must not reach what add_interaction() would have refused.
-            allowed.min = std::max(def.min, p.min);
-            allowed.max = std::min(def.max, p.max);
-            if (allowed.min > allowed.max)
-                throw DefError(where + ": the range lies outside that of parameter '" + def.param +
-                               "', " + std::to_string(p.min) + " … " + std::to_string(p.max));
-        }
-    } else {
-        const std::size_t b = index_of(def.body.index, body_count(), "body");
-        if (def.component < 0 || def.component > 5)
-            throw DefError(where + ": component must be 0 to 5");
-        value = m.ctx.bodies.force[6 * b + at(def.component)];
-    }
-    claim(m.input_names, def.name, input_count(), "input");
-    if (def.interaction.valid()) m.ctx.interactions.mark_driven(def.interaction.index);
-    m.inputs.push_back(allowed);
-    m.input_values.push_back(value);
-    return InputId{input_count() - 1};
-}
-
-void World::prepare() {
-    if (impl_->ctx.topology_changed) stepper::prepare(impl_->ctx);
-}
+void World::prepare() { stepper::ready(impl_->ctx); }
 
 Status World::step() noexcept { return stepper::step(impl_->ctx); }
 
+void World::cancel() noexcept { impl_->ctx.pool.stop(); }
+
 void World::degrade_next_step(const Degradation& degradation) noexcept {
     impl_->ctx.imposed = degradation;
+    // As 0, where it came from bytes that no step wrote.
+    impl_->ctx.imposed.iterations = std::max(0, degradation.iterations);
 }
 
 double World::time() const noexcept { return impl_->ctx.time; }
@@ -117,6 +101,11 @@ const WorldDef& World::settings() const noexcept { return impl_->ctx.def; }
 
 Energy World::energy() const noexcept {
     if (impl_->ctx.topology_changed) return {};
+    try {
+        stepper::ready(impl_->ctx);
+    } catch (const std::exception&) {
+        return {};  // after a step that failed
+    }
     return stepper::energy(impl_->ctx);
 }
 
@@ -128,71 +117,9 @@ std::uint64_t World::state_hash() const noexcept {
                        stepper::state_hash(impl_->ctx));
 }
 
-int World::input_count() const noexcept { return static_cast<int>(impl_->inputs.size()); }
-const InputDef& World::input_def(InputId id) const {
-    return impl_->inputs[index_of(id.index, input_count(), "input")];
-}
-InputId World::find_input(std::string_view name) const noexcept {
-    return InputId{lookup(impl_->input_names, name)};
-}
-double World::input(InputId id) const {
-    return impl_->input_values[index_of(id.index, input_count(), "input")];
-}
-
-void World::set_input(InputId id, double value) {
-    const std::size_t i = index_of(id.index, input_count(), "input");
-    const InputDef& def = impl_->inputs[i];
-    if (!std::isfinite(value))
-        throw DefError(world::label("input", def.name) + ": the value is not finite");
-    const double clamped = std::min(std::max(value, def.min), def.max);
-    stepper::StepContext& c = impl_->ctx;
-    if (clamped != value) {
-        c.events.push({c.time, EventKind::input_clamped, def.interaction, value, id});
-        ++c.stats.event_count[static_cast<std::size_t>(EventKind::input_clamped)];
-    }
-    // What a changed length or target does to elastic energy is work done by the input.
-    const auto elastic = [&] {
-        return def.interaction.valid() && c.started
-                   ? c.interactions.elastic(def.interaction.index, c.bodies, c.def.step)
-                   : 0.0;
-    };
-    const double before = elastic();
-    if (clamped != impl_->applied(def) || clamped != impl_->input_values[i]) impl_->disturb(def);
-    impl_->apply_input(i, clamped);
-    c.drive += elastic() - before;
-}
-
-double World::Impl::applied(const InputDef& input) const {
-    if (input.interaction.valid())
-        return ctx.interactions.def[at(input.interaction.index)].get(input.param);
-    return ctx.bodies.force[6 * at(input.body.index) + at(input.component)];
-}
-
-void World::Impl::disturb(const InputDef& input) noexcept {
-    if (!input.interaction.valid()) {
-        stepper::disturb(ctx, input.body.index);
-        return;
-    }
-    const std::size_t first = kMaxInteractionBodies * at(input.interaction.index);
-    for (std::size_t b = 0; b < ctx.interactions.bodies[at(input.interaction.index)]; ++b) {
-        stepper::disturb(ctx, ctx.interactions.body[first + b]);
-    }
-}
-
-void World::Impl::apply_input(std::size_t index, double value) {
-    const InputDef& def = inputs[index];
-    input_values[index] = value;
-    if (def.interaction.valid()) {
-        ctx.interactions.def[at(def.interaction.index)].set(def.param, value);
-        ctx.interactions.refresh(def.interaction.index, ctx.bodies, ctx.def.step);
-    } else {
-        ctx.bodies.force[6 * at(def.body.index) + at(def.component)] = value;
-    }
-}
-
 void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
     const std::size_t b = index_of(body.index, body_count(), "body");
-    if (!force.allFinite() || !torque.allFinite()) throw DefError("an applied force is not finite");
+    world::check_force(world::label("body", impl_->body_defs[b].name), force, torque);
     for (int i = 0; i < 3; ++i) {
         double* now = &impl_->ctx.bodies.force[6 * b + at(i)];
         if (now[0] != force[i] || now[3] != torque[i]) stepper::disturb(impl_->ctx, body.index);
@@ -229,9 +156,8 @@ Twist World::velocity(BodyId id) const {
 
 void World::set_pose(BodyId id, const Pose& pose) {
     const std::size_t b = index_of(id.index, body_count(), "body");
-    const double norm = pose.orientation.norm();
-    if (!pose.position.allFinite() || !std::isfinite(norm) || norm < 0.5)
-        throw DefError(world::label("body", impl_->body_defs[b].name) + ": the pose is not valid");
+    world::check_pose(world::label("body", impl_->body_defs[b].name), pose.position,
+                      pose.orientation);
     model::Bodies& s = impl_->ctx.bodies;
     impl_->ctx.judge.state.begun = 0;  // no work did that
     // What leant on it hangs in the air now.
@@ -250,12 +176,12 @@ void World::set_pose(BodyId id, const Pose& pose) {
 
 void World::set_velocity(BodyId id, const Twist& twist) {
     const std::size_t b = index_of(id.index, body_count(), "body");
-    if (!twist.linear.allFinite() || !twist.angular.allFinite())
-        throw DefError(world::label("body", impl_->body_defs[b].name) +
-                       ": the velocity is not finite");
+    const std::string where = world::label("body", impl_->body_defs[b].name);
+    world::check_velocity(where, twist.linear, twist.angular);
     model::Bodies& s = impl_->ctx.bodies;
     const int dof = s.dof(id.index);
-    if (s.kind[b] == BodyKind::fixed) throw DefError("a fixed body has no velocity");
+    if (s.kind[b] == BodyKind::fixed)
+        throw DefError(where + ": velocity: a fixed body has none; a kinematic one has");
     double* v = dof == 0 ? &s.v_fixed[6 * b] : &s.v[at(s.dof_begin[b])];
     const int count = dof == 0 ? 6 : dof;
     // What a prescribed velocity carries wakes in the step (stepper/sleep.h).
@@ -312,7 +238,7 @@ bool World::intact(InteractionId id) const {
 
 SystemView World::inspect() const {
     Impl& m = *impl_;
-    if (m.ctx.topology_changed) stepper::prepare(m.ctx);
+    stepper::ready(m.ctx);
     const assembly::System& s = m.ctx.system;
     SystemView v;
     v.nodes.resize(static_cast<std::size_t>(s.pattern.nodes()));
@@ -346,40 +272,6 @@ std::size_t World::memory_bytes() const noexcept {
     const stepper::StepContext& c = impl_->ctx;
     return c.bodies.bytes() + c.interactions.bytes() + c.system.bytes() + c.collider.bytes() +
            impl_->body_defs.capacity() * sizeof(BodyDef);
-}
-
-const char* to_string(Status status) noexcept {
-    switch (status) {
-        case Status::ok:
-            return "ok";
-        case Status::wrong_pivot:
-            return "wrong_pivot";
-        case Status::not_finite:
-            return "not_finite";
-        case Status::out_of_memory:
-            return "out_of_memory";
-        case Status::diverged:
-            return "diverged";
-    }
-    return "?";
-}
-
-const char* to_string(Stage stage) noexcept {
-    constexpr const char* kNames[kStageCount] = {"prestep",  "collide", "graph",     "analyse",
-                                                 "assemble", "factor",  "nonsmooth", "integrate"};
-    return kNames[static_cast<std::size_t>(stage)];
-}
-
-const char* to_string(DegradedBy cause) noexcept {
-    constexpr const char* kNames[] = {"nothing", "prediction", "clock", "work", "order"};
-    return kNames[static_cast<std::size_t>(cause)];
-}
-
-const char* to_string(EventKind kind) noexcept {
-    constexpr const char* kNames[kEventKindCount] = {
-        "line_break", "slack",          "taut",       "saturation", "range",       "input_clamped",
-        "warning",    "energy_created", "joint_open", "cable_law",  "uncertified", "fast"};
-    return kNames[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace hawser

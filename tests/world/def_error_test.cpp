@@ -88,6 +88,11 @@ TEST(DefError, BadWorlds) {
         {"rotation_damping", [](WorldDef& d) { d.rotation_damping = kNan; }},
         {"refinements", [](WorldDef& d) { d.refinements = 9; }},
         {"solution_tolerance", [](WorldDef& d) { d.solution_tolerance = 1e-5; }},
+        {"max_bodies", [](WorldDef& d) { d.max_bodies = -1; }},
+        {"max_interactions", [](WorldDef& d) { d.max_interactions = -1; }},
+        {"max_contacts", [](WorldDef& d) { d.max_contacts = 0; }},
+        {"max_memory", [](WorldDef& d) { d.max_memory = kNan; }},
+        {"form", [](WorldDef& d) { d.form = static_cast<Form>(7); }},
         {"threads", [](WorldDef& d) { d.threads = 0; }},
         {"threads", [](WorldDef& d) { d.threads = 1000; }}};
     for (const auto& [field, spoil] : bad) {

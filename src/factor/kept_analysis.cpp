@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The way back of an analysis that failed.
+#include "factor/repair.h"
+
+#include <utility>
+
+namespace hawser::factor {
+
+void Analysis::keep(KeptAnalysis& out) const {
+    out.pattern = pattern_;
+    out.state.elimination.order = symbolic_.order;
+    out.state.elimination.chains = chains_;
+    out.state.between = between_;
+    out.state.planned_flops = planned_flops_;
+    out.stale = stale_;
+}
+
+void Analysis::go_back(KeptAnalysis& to) noexcept {
+    std::swap(pattern_, to.pattern);
+    std::swap(symbolic_.order, to.state.elimination.order);
+    std::swap(chains_, to.state.elimination.chains);
+    std::swap(between_, to.state.between);
+    planned_flops_ = to.state.planned_flops;
+    stale_ = true;
+}
+
+/// Structure of the order after go_back(). What it is taken from stays until all is done.
+void Analysis::freshen() {
+    if (!stale_) return;
+    KeptAnalysis now;
+    keep(now);
+    try {
+        const Pattern pattern = now.pattern;
+        plan(pattern, now.state.elimination);
+        between_ = now.state.between;
+        planned_flops_ = now.state.planned_flops;
+    } catch (...) {
+        go_back(now);
+        throw;
+    }
+}
+
+}  // namespace hawser::factor

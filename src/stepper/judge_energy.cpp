@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The ledger of judges: sums, their extremes, what was exchanged.
+#include "stepper/judge.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::stepper {
+namespace {
+
+/// What nothing accounts for, without and with what rows gave [J].
+std::array<double, 2> unexplained(const JudgePart& p, const Works& w, double given) noexcept {
+    const double left =
+        p.kinetic + p.potential + p.elastic - w[0] - w[1] + w[2] + w[3] + w[4] + w[5];
+    return {left, left + given};
+}
+
+Swing follow(Tide& tide, double now, double forgotten) noexcept {
+    tide.least = std::min(now, tide.least + forgotten * (now - tide.least));
+    tide.most = std::max(now, tide.most + forgotten * (now - tide.most));
+    return {now - tide.least, tide.most - now};
+}
+
+void set(JudgeState& state, std::size_t i, double now) noexcept {
+    state.mean[i] = now;
+    state.now_tide[i] = state.mean_tide[i] = {now, now};
+}
+
+/// What rows gave beyond what they had taken lately, which they may hold for a while.
+void count_given(double taken, double time, JudgeState& state) noexcept {
+    state.held = (state.held + std::max(0.0, taken)) * std::exp(-time / limit::kHeld);
+    const double back = std::min(state.held, std::max(0.0, -taken));
+    state.held -= back;
+    state.given += std::max(0.0, -taken) - back;
+}
+
+void keep(const JudgePart& p, const Works& w, JudgeState& state) noexcept {
+    state.kinetic = p.kinetic;
+    state.potential = p.potential;
+    state.elastic = p.elastic;
+    state.work = w;
+}
+
+}  // namespace
+
+void begin_energy(const JudgePart& p, const Works& w, JudgeState& state) noexcept {
+    const std::array<double, 2> now = unexplained(p, w, state.given);
+    for (std::size_t i = 0; i < 2; ++i) set(state, i, now[i]);
+    state.exchanged = 0.0;
+    state.begun = 1;
+    keep(p, w, state);
+}
+
+void begin_half_step_before(const JudgePart& p, const Works& w, JudgeState& state) noexcept {
+    const std::array<double, 2> before = unexplained(p, w, state.given);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double least = state.now_tide[i].least;
+        set(state, i, std::clamp(before[i], least, least + state.kinetic));
+    }
+}
+
+Unexplained follow_energy(const JudgePart& p, const Works& w, double time,
+                          JudgeState& state) noexcept {
+    if (state.begun == 0) begin_energy(p, w, state);
+    count_given(w[5] - state.work[5], time, state);
+    double changes = std::fabs(p.kinetic - state.kinetic) +
+                     std::fabs(p.potential - state.potential) +
+                     std::fabs(p.elastic - state.elastic);
+    for (std::size_t i = 0; i < w.size(); ++i) changes += std::fabs(w[i] - state.work[i]);
+    const double forgotten = std::min(1.0, time / limit::kMemory);
+    state.exchanged += 0.5 * changes - forgotten * state.exchanged;
+    const std::array<double, 2> now = unexplained(p, w, state.given);
+    // How much there was half a step before the start is known to the first order only.
+    const bool first = state.begun++ == 1;
+    Unexplained out;
+    for (std::size_t i = 0; i < 2; ++i) {
+        // Rows that close what stood open at the start put in energy by order of the scene.
+        if ((i == 1 && state.open_start > 1.0) || (first && now[i] < state.mean[i]))
+            set(state, i, now[i]);
+        state.mean[i] += (1.0 - std::exp(-time / limit::kMean)) * (now[i] - state.mean[i]);
+        const Swing own = follow(state.now_tide[i], now[i], forgotten);
+        const Swing mean = follow(state.mean_tide[i], state.mean[i], forgotten);
+        out.now.rise = std::max(out.now.rise, own.rise);
+        out.mean.rise = std::max(out.mean.rise, mean.rise);
+        if (i == 1) continue;
+        out.now.fall = own.fall;
+        out.mean.fall = mean.fall;
+    }
+    keep(p, w, state);
+    return out;
+}
+
+}  // namespace hawser::stepper

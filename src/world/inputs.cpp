@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Inputs of a world.
+#include <hawser/world.h>
+
+#include "world/checks.h"
+#include "world/impl.h"
+#include "world/lookup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace hawser {
+
+using world::claim;
+using world::index_of;
+using world::lookup;
+
+InputId World::add_input(const InputDef& def) {
+    Impl& m = *impl_;
+    const std::string where = world::label("input", def.name);
+    if (def.name.empty()) throw DefError("an input needs a name");
+    if (!std::isfinite(def.min) || !std::isfinite(def.max) || def.min > def.max)
+        throw DefError(where + ": min = " + world::number(def.min) +
+                       ", max = " + world::number(def.max) + ": the range is empty or not finite");
+    double value = 0.0;
+    InputDef allowed = def;
+    if (def.interaction.valid()) {
+        const InteractionDef& d = interaction_def(def.interaction);
+        value = d.get(def.param);
+        for (const ParamInfo& p : kind_info(d.kind).params) {
+            if (def.param != p.name) continue;
+            if (!p.input)
+                throw DefError(where + ": parameter '" + def.param + "' of a " +
+                               kind_info(d.kind).name + " cannot change between steps");
+            // An input must not reach what add_interaction() would have refused.
+            allowed.min = std::max(def.min, p.min);
+            allowed.max = std::min(def.max, p.max);
+            if (allowed.min > allowed.max)
+                throw DefError(where + ": the range lies outside that of parameter '" + def.param +
+                               "', " + world::number(p.min) + " … " + world::number(p.max));
+        }
+    } else {
+        const std::size_t b = index_of(def.body.index, body_count(), "body");
+        if (def.component < 0 || def.component > 5)
+            throw DefError(where + ": component must be 0 to 5");
+        value = m.ctx.bodies.force[6 * b + at(def.component)];
+    }
+    base::make_room(m.inputs, 1);
+    base::make_room(m.input_values, 1);
+    base::make_room(m.ctx.interactions.working, 1);
+    claim(m.input_names, def.name, input_count(), "input");
+    if (def.interaction.valid()) m.ctx.interactions.mark_driven(def.interaction.index);
+    m.inputs.push_back(std::move(allowed));
+    m.input_values.push_back(value);
+    return InputId{input_count() - 1};
+}
+
+int World::input_count() const noexcept { return static_cast<int>(impl_->inputs.size()); }
+const InputDef& World::input_def(InputId id) const {
+    return impl_->inputs[index_of(id.index, input_count(), "input")];
+}
+InputId World::find_input(std::string_view name) const noexcept {
+    return InputId{lookup(impl_->input_names, name)};
+}
+double World::input(InputId id) const {
+    return impl_->input_values[index_of(id.index, input_count(), "input")];
+}
+
+void World::set_input(InputId id, double value) {
+    const std::size_t i = index_of(id.index, input_count(), "input");
+    const InputDef& def = impl_->inputs[i];
+    if (!std::isfinite(value))
+        throw DefError(world::label("input", def.name) + ": value = " + world::number(value) +
+                       " is not a finite number; give one within its range");
+    const double clamped = std::min(std::max(value, def.min), def.max);
+    stepper::StepContext& c = impl_->ctx;
+    if (clamped != value) {
+        c.events.push({c.time, EventKind::input_clamped, def.interaction, value, id});
+        ++c.stats.event_count[static_cast<std::size_t>(EventKind::input_clamped)];
+    }
+    // What a changed length or target does to elastic energy is work done by the input.
+    const auto elastic = [&] {
+        return def.interaction.valid() && c.started
+                   ? c.interactions.elastic(def.interaction.index, c.bodies, c.def.step)
+                   : 0.0;
+    };
+    const double before = elastic();
+    if (clamped != impl_->applied(def) || clamped != impl_->input_values[i]) impl_->disturb(def);
+    impl_->apply_input(i, clamped);
+    c.drive += elastic() - before;
+}
+
+double World::Impl::applied(const InputDef& input) const {
+    if (input.interaction.valid())
+        return ctx.interactions.def[at(input.interaction.index)].get(input.param);
+    return ctx.bodies.force[6 * at(input.body.index) + at(input.component)];
+}
+
+void World::Impl::disturb(const InputDef& input) noexcept {
+    if (!input.interaction.valid()) {
+        stepper::disturb(ctx, input.body.index);
+        return;
+    }
+    const std::size_t first = kMaxInteractionBodies * at(input.interaction.index);
+    for (std::size_t b = 0; b < ctx.interactions.bodies[at(input.interaction.index)]; ++b) {
+        stepper::disturb(ctx, ctx.interactions.body[first + b]);
+    }
+}
+
+void World::Impl::apply_input(std::size_t index, double value) {
+    const InputDef& def = inputs[index];
+    input_values[index] = value;
+    if (def.interaction.valid()) {
+        ctx.interactions.def[at(def.interaction.index)].set(def.param, value);
+        ctx.interactions.refresh(def.interaction.index, ctx.bodies, ctx.def.step);
+    } else {
+        ctx.bodies.force[6 * at(def.body.index) + at(def.component)] = value;
+    }
+}
+
+}  // namespace hawser

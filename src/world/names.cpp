@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What statuses, stages, events and bounds are called.
+#include <hawser/stats.h>
+
+#include "world/checks.h"
+
+#include <cstddef>
+#include <string>
+
+namespace hawser {
+
+const char* to_string(Status status) noexcept {
+    switch (status) {
+        case Status::ok:
+            return "ok";
+        case Status::wrong_pivot:
+            return "wrong_pivot";
+        case Status::not_finite:
+            return "not_finite";
+        case Status::out_of_memory:
+            return "out_of_memory";
+        case Status::cancelled:
+            return "cancelled";
+        case Status::over_bound:
+            return "over_bound";
+        case Status::diverged:
+            return "diverged";
+    }
+    return "?";
+}
+
+std::string to_string(const BoundMet& met) {
+    const std::string value = world::number(met.value), limit = world::number(met.limit);
+    switch (met.bound) {
+        case Bound::none:
+            return "";
+        case Bound::contacts:
+            return value + " contact points exceed max_contacts = " + limit +
+                   "; raise it, or part the shapes that lie in each other";
+        case Bound::pairs:
+            return value +
+                   " pairs of shapes near each other (and more) exceed 8 max_contacts = " + limit +
+                   "; raise it, or part the shapes that lie in each other";
+        case Bound::memory:
+            return value + " bytes exceed max_memory = " + limit +
+                   "; raise it where the machine has as much, or make the scene smaller";
+    }
+    return "?";
+}
+
+const char* to_string(Stage stage) noexcept {
+    constexpr const char* kNames[kStageCount] = {"prestep",  "collide", "graph",     "analyse",
+                                                 "assemble", "factor",  "nonsmooth", "integrate"};
+    return kNames[static_cast<std::size_t>(stage)];
+}
+
+const char* to_string(DegradedBy cause) noexcept {
+    constexpr const char* kNames[] = {"nothing", "prediction", "clock", "work", "order"};
+    return kNames[static_cast<std::size_t>(cause)];
+}
+
+const char* to_string(EventKind kind) noexcept {
+    constexpr const char* kNames[kEventKindCount] = {
+        "line_break", "slack",          "taut",       "saturation", "range",       "input_clamped",
+        "warning",    "energy_created", "joint_open", "cable_law",  "uncertified", "fast"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace hawser

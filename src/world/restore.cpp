@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Restore, all or nothing.
+#include <hawser/world.h>
+
+#include "world/impl.h"
+
+namespace hawser {
+
+void World::restore(std::span<const std::byte> bytes) {
+    stepper::StepContext& ctx = impl_->ctx;
+    std::vector<double> inputs = impl_->input_values;
+    stepper::Transaction all(ctx);
+    ctx.undo.keep(ctx, stepper::Undo::Depth::all);
+    try {
+        take_saved(bytes);
+    } catch (...) {
+        impl_->input_values.swap(inputs);
+        throw;
+    }
+    all.done();
+}
+
+}  // namespace hawser

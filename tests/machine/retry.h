@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file retry.h
+/// Runs the calls of a world without failures, which gives what is right, and with failing memory:
+/// every request of every call fails once in a world of its own, and all of them, one after
+/// another, in one world, where what an attempt got stays for the next one.
+
+#include "machine/failing.h"
+#include "support/sanitizer.h"
+
+#include <gtest/gtest.h>
+
+#include <hawser/hawser.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace hawser::test {
+
+/// One call; false: it failed for want of memory.
+using Call = std::function<bool(World&)>;
+
+/// What may throw std::bad_alloc.
+template <class F>
+Call throwing(F f) {
+    return [f](World& w) {
+        try {
+            f(w);
+        } catch (const std::bad_alloc&) {
+            return false;
+        }
+        return true;
+    };
+}
+
+inline bool step_once(World& w) {
+    const Status status = w.step();
+    if (status == Status::out_of_memory) return false;
+    EXPECT_EQ(status, Status::ok) << to_string(status);
+    return true;
+}
+
+/// What happened in the calls of a run without failures.
+struct Rights {
+    std::vector<std::uint64_t> hash;  ///< After each call.
+    std::vector<long> requests;       ///< Of memory, in each.
+};
+
+class Retry {
+  public:
+    /// Of the exception that ends a run of which nothing more is asked.
+    struct Enough {};
+
+    /// No failures.
+    Retry() = default;
+    /// Requests fail in call `number`, the n-th one, or one after another in all calls (−1).
+    Retry(const Rights& rights, long number, long n) : rights_(&rights), number_(number), n_(n) {}
+
+    /// Make a call until it succeeds. @param saves  The saved state must stay, too.
+    void call(World& w, const char* name, const Call& f, bool saves = false) {
+        if (testing::Test::HasFailure()) throw Enough{};
+        const auto k = static_cast<long>(done_.hash.size());
+        const bool here = rights_ != nullptr && (number_ < 0 || number_ == k);
+        if (here && number_ >= 0)
+            fail_once(w, name, f, saves);
+        else
+            try_all(w, name, f, here, saves);
+        done_.hash.push_back(w.state_hash());
+        if (rights_ != nullptr) {
+            ASSERT_EQ(done_.hash.back(), rights_->hash.at(static_cast<std::size_t>(k)))
+                << "after " << name << ", call " << k << ", where request " << n_ << " of call "
+                << number_ << " failed";
+        }
+        constexpr long kMore = 3;
+        if (number_ >= 0 && k >= number_ + kMore) throw Enough{};
+    }
+
+    [[nodiscard]] long failures() const { return failures_; }
+    [[nodiscard]] const Rights& rights() const { return done_; }
+
+  private:
+    void fail_once(World& w, const char* name, const Call& f, bool saves) {
+        std::vector<std::byte> saved;
+        if (saves && n_ % 2 == 0) saved = w.save();
+        const std::uint64_t before = w.state_hash();
+        bool done = false;
+        {
+            const failing::Memory memory(n_);
+            done = f(w);
+        }
+        // Put off, where it was for what follows a step.
+        if (done) return;
+        ++failures_;
+        ASSERT_EQ(w.state_hash(), before) << name << ", request " << n_ << " of memory";
+        // Every other time nothing looks at the world before the call is made again.
+        if (saves && n_ % 2 == 0) {
+            ASSERT_EQ(w.save(), saved) << name << ", request " << n_ << " of memory";
+        }
+        ASSERT_TRUE(f(w));
+    }
+
+    void try_all(World& w, const char* name, const Call& f, bool fails, bool saves) {
+        std::vector<std::byte> saved;
+        if (fails && saves) saved = w.save();
+        const std::uint64_t before = w.state_hash();
+        for (long n = fails ? 0 : -1;; ++n) {
+            bool done = false;
+            {
+                const failing::Memory memory(n);
+                done = f(w);
+                if (!fails) done_.requests.push_back(failing::Memory::seen());
+            }
+            if (done) return;
+            ++failures_;
+            ASSERT_EQ(w.state_hash(), before) << name << ", request " << n << " of memory";
+            if (saves && n % 2 == 0) {
+                ASSERT_EQ(w.save(), saved) << name << ", request " << n << " of memory";
+            }
+        }
+    }
+
+    const Rights* rights_ = nullptr;
+    long number_ = -1, n_ = -1;
+    Rights done_;
+    long failures_ = 0;
+};
+
+/// The same bits after each call, whatever failed. @param every  So many requests from one world of
+/// its own to the next; 1: all.
+inline void expect_same_bits(const char* name, const std::function<void(Retry&)>& calls,
+                             long every = 1) {
+    SCOPED_TRACE(name);
+    Retry right;
+    calls(right);
+    long failures = 0, requests = 0;
+    const auto run = [&](long number, long n) {
+        Retry failing(right.rights(), number, n);
+        try {
+            calls(failing);
+        } catch (const Retry::Enough&) {
+        }
+        failures += failing.failures();
+    };
+    run(-1, 0);
+    const std::vector<long>& seen = right.rights().requests;
+    // A sanitizer sees the same code in a few of them.
+    if (kSanitized) every *= 11;
+    long number = 0;
+    for (std::size_t k = 0; k < seen.size(); ++k)
+        for (long n = 0; n < seen[k] && !testing::Test::HasFailure(); ++n) {
+            if (number++ % every != 0) continue;
+            ++requests;
+            run(static_cast<long>(k), n);
+        }
+    EXPECT_GT(failures, 0) << "or nothing has been tried";
+    std::printf("%-24s %4zu calls, %6ld requests of memory, %6ld failures\n", name, seen.size(),
+                requests, failures);
+}
+
+}  // namespace hawser::test
