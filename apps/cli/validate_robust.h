@@ -20,6 +20,13 @@ struct Case {
 /// Those that "robust" stands for.
 [[nodiscard]] std::span<const Case> robust_cases();
 
+// validate_robust_wires.cpp
+void case_zigzag_wires(Report& report);
+void case_long_wire(Report& report);
+void case_wire_sway(Report& report);
+void case_wires_come_taut(Report& report);
+// validate_robust_damping.cpp
+void case_damping_orders(Report& report);
 // validate_robust_joints.cpp
 void case_repeated_joints(Report& report);
 void case_overconstrained(Report& report);

@@ -194,6 +194,8 @@ struct StepStats {
     /// Joints in closed loops whose force the step leaves undetermined; the smallest one is shown.
     std::int32_t undetermined = 0;
     std::int32_t partial_factorisations = 0;  ///< Of those, of what contacts changed only.
+    /// Times that this step was solved again since a wire would have gained energy.
+    std::int32_t wire_repeats = 0;
     std::int32_t contacts = 0;  ///< Contact points, those near without touching included.
     /// Tension-only rows and contacts whose status was still changing when the solve ended.
     std::int32_t flips_left = 0;

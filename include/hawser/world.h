@@ -149,6 +149,9 @@ class World {
     [[nodiscard]] RowsView rows(InteractionId id) const;
     /// False once a stretch element has parted.
     [[nodiscard]] bool intact(InteractionId id) const;
+    /// Steps to come in which the swings of an element's wire are damped more, since it would have
+    /// gained energy (StepStats::wire_repeats); 0: none, or no element of a wire.
+    [[nodiscard]] int wire_alert(InteractionId id) const;
 
     // --- Cuts (docs/methods.md, 10) ---------------------------------------------------------
     /// Group of a body from the next step on (BodyDef::group).

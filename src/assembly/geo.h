@@ -5,7 +5,13 @@
 ///
 /// *Line* (distance, stretch): a tension T along the unit vector u, length l, resists
 /// transverse motion of the end points: K_g = (T/l)(E − u uᵀ) on their relative displacement.
-/// Without it a taut wire is stable only while h √(T/ρ) ≤ element length.
+/// Without it a taut wire is stable only while h √(T/ρ) ≤ element length. With s = h² T/(l m), m
+/// the lighter end, p = (s − ¼)/(s + ¼) for s > ¼ and 0 below, v̂ = 2 v − v₋ the velocity of the
+/// step before carried on,
+///   M̃ += (a + d) h² K,  a += h² K (a v + d v̂),   a = ¼ + p (A − ¼),  d = p D
+/// with A = ½, D = −0.1, or 1 and −0.2 for a wire that has gained energy lately (stepper/wires.h):
+/// up to s = ¼ the trapezoidal rule; beyond, where it keeps swings for ever that the step does not
+/// resolve, d < 0 damps the second difference of the velocity, by about |d| (hω)³/2 of a swing ω.
 ///
 /// *Arms*: a force f on a body at arm r turns with the body: K = (f·r)E − r fᵀ on its rotation,
 /// symmetrised. In the plane of unit vectors r̂, f̂ at angle θ (c = cos θ) its eigenvalues, in
@@ -13,7 +19,7 @@
 /// along s = r̂ + f̂. Projected to be positive semi-definite:
 ///   c ≥ 0:  c (E − s sᵀ/|s|²) + d dᵀ/4        (regular at θ = 0, where d = 0)
 ///   c < 0:  (c + 1)/2 · d dᵀ/|d|²
-/// Both enter conservatively: M̃ += (h²/4) K, a += (h²/4) K v. Sources: Tournier, Nesme,
+/// That of arms enters conservatively: M̃ += (h²/4) K, a += (h²/4) K v. Sources: Tournier, Nesme,
 /// Gilles, Faure, "Stable constrained dynamics" (2015); Andrews, Teichmann, Kry, "Geometric
 /// stiffness for real-time constrained multibody dynamics" (2017); the conservative form is
 /// that of the trapezoidal rule.
@@ -32,7 +38,7 @@
 /// to implicit with the same sum; and the arms' stiffness is (1 + u/2) times as large, against a
 /// force that grows within a step. Measured on chains, tests/stepper/joint_damping_test.cpp.
 ///
-/// Record (doubles): 0 w = (h²/4) T/l; 1-3 u; 4-6 r₀; 7-9 r₁; 10-15 (h²/4) P₀ and 16-21
+/// Record (doubles): 0 w = (a + d) h² T/l; 1-3 u; 4-6 r₀; 7-9 r₁; 10-15 (h²/4) P₀ and 16-21
 /// (h²/4) P₁ as xx xy xz yy yz zz; 22 (1 + u) h c. 23: max(|r₀|/I₀, |r₁|/I₁) [1/(kg m)], constant,
 /// set by the analysis; 0 where one of the bodies does not turn. Between bodies without arms a
 /// record ends after u. Ball joints between two rigid bodies have an arms record instead
@@ -69,6 +75,20 @@ inline T unresolved(const T& s4) {
     return beyond * (1.0 / (beyond + constant(s4, 32.0)));
 }
 inline constexpr double kMoreStiffness = 0.5, kMoreDamping = 9.0;
+
+/// a and d of the text above. @param s  h² T/(l m). @param alert  1: the wire gained lately, else
+/// 0.
+template <class T>
+struct AcrossShares {
+    T late, ahead;
+};
+template <class T>
+inline AcrossShares<T> across_shares(const T& s, const T& alert) {
+    const T s4 = 4.0 * s, unit = one(s);
+    const T beyond = positive_part(T(s4 - unit)) * (1.0 / (s4 + unit));
+    return {constant(s, 0.25) + beyond * (constant(s, 0.25) + 0.5 * alert),
+            zero(s) - 0.1 * beyond * (unit + alert)};
+}
 
 /// Share of its geometric stiffness that a completed joint has: none while s ≤ 1, all from 2 on.
 /// At s of about one it would bend paths that the step resolves. @param s4  4 s.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How soft a cut has to be. Two bodies that hold to each other by a row with Σ and Υ, each of
-/// which takes the other's last velocity for its next one, are stable if and only if
+/// How soft a cut has to be. Two bodies that hold to each other by a row with Σ, Υ and recall R,
+/// each of which takes the other's last velocity for its next one, are stable if and only if
 /// ```
-///     A (1 + Υ) ≤ 2,   A = Σ over sides W/(W + Σ),   W = G M⁻¹ Gᵀ of the side's bodies
+///     A (1 + Υ (2 − R)) ≤ 2,   A = Σ over sides W/(W + Σ),   W = G M⁻¹ Gᵀ of the side's bodies
 /// ```
 /// (docs/methods.md, 10). Rows at the same body act together: W counts as often as rows do that
 /// are stiff against it. Bodies that others hold are heavier than they look, which is on the safe
@@ -70,7 +70,7 @@ void System::soften_sides(const model::Bodies& bodies, model::Interactions& in, 
             for (std::int32_t id = s.first; id < s.first + s.count; ++id)
                 w.push_back(together * mobility(bodies, in, id, r));
             const auto first = at(in.row_begin[at(s.first)] + r);
-            const double most = kShare * 2.0 / (1.0 + in.upsilon[first]);
+            const double most = kShare * 2.0 / (1.0 + in.upsilon[first] * (2.0 - in.recall[first]));
             const double least = s.soften ? least_sigma(w, sigma_of(first), most) : 0.0;
             for (std::int32_t id = s.first; id < s.first + s.count; ++id)
                 in.least_sigma[at(in.row_begin[at(id)] + r)] = least;

@@ -65,10 +65,33 @@ void System::analyse(const model::Bodies& bodies, model::Interactions& interacti
             const model::Pool& pool = interactions.pool[static_cast<std::size_t>(r.kind)];
             kernels().evaluate(v, r.kind, pool.ids.data(), pool.data.data(), r.begin, r.end);
         }
+    share_damping(bodies, interactions, def.step);
     soften_sides(bodies, interactions, def.step);
     choose_forms(bodies, interactions, def);
     find_order(bodies, interactions, state);
     place(bodies, interactions, threads);
+}
+
+void System::share_damping(const model::Bodies& bodies, model::Interactions& in, double h) const {
+    for (int i = 0; i < in.count(); ++i)
+        for (int r = 0; r < in.rows[at(i)]; ++r) {
+            const auto row = at(in.row_begin[at(i)] + r);
+            if (rests(i) || !(in.row_flags[row] & model::kRowDamper)) continue;
+            in.mobility[row] = mobility(bodies, in, i, r);
+            in.share_damping(row, in.rest_length[at(i)] > 0.0, h);
+        }
+    // What a cut row is to all of its bodies.
+    for (const Sides& s : sides)
+        for (int r = 0; r < in.rows[at(s.first)]; ++r) {
+            double whole = 0.0;
+            for (std::int32_t id = s.first; id < s.first + s.count; ++id)
+                whole += in.mobility[at(in.row_begin[at(id)] + r)];
+            for (std::int32_t id = s.first; id < s.first + s.count && whole > 0.0; ++id) {
+                const auto row = at(in.row_begin[at(id)] + r);
+                in.mobility[row] = whole;
+                in.share_damping(row, in.rest_length[at(id)] > 0.0, h);
+            }
+        }
 }
 
 void System::find_resting(const model::Bodies& bodies, const model::Interactions& in) {
@@ -174,6 +197,7 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.r = bodies.r.data();
     v.v = bodies.v.data();
     v.v_start = bodies.v_start.data();
+    v.v_ahead = bodies.v_start.data();
     v.v_fixed = bodies.v_fixed.data();
     v.v_before = bodies.v_before.empty() ? bodies.v_fixed.data() : bodies.v_before.data();
     v.spin_free = bodies.spin_free.data();
@@ -186,7 +210,8 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.inv_inertia = bodies.inv_inertia.data();
     v.principal = bodies.principal.data();
     v.force = bodies.force.data();
-    v.damping = bodies.damping.data();
+    v.drag_after = bodies.drag_after.data();
+    v.drag_before = bodies.drag_before.data();
     v.weight = bodies.weight.data();
     v.body_block = body_block_.data();
     v.a = a_.data();
@@ -203,11 +228,14 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.active = in.active.data();
     v.held = in.held.data();
     v.parted = in.parted.data();
+    v.lightness = in.lightness.data();
+    v.alert = in.alert.data();
     v.completed = in.completed.data();
     v.swing = in.swing.data();
     v.rest_length = in.rest_length.data();
     v.epsilon = in.epsilon.data();
     v.upsilon = in.upsilon.data();
+    v.recall = in.recall.data();
     v.sigma = in.sigma.data();
     v.inv_sigma = in.inv_sigma.data();
     v.row_flags = in.row_flags.data();

@@ -141,6 +141,9 @@ class System {
     void find_links(const model::Bodies& bodies);
     /// Where Jacobians and geometric terms are.
     void lay_out_rows(const model::Bodies& bodies, model::Interactions& interactions, double h);
+    /// Sets mobilities of dampers, and what follows from them.
+    void share_damping(const model::Bodies& bodies, model::Interactions& interactions,
+                       double h) const;
     /// Sets least_sigma of the rows of sides.
     void soften_sides(const model::Bodies& bodies, model::Interactions& interactions,
                       double h) const;

@@ -5,11 +5,11 @@
 ///
 /// The step solves (paper, eq. (1); λ an impulse; unknown −λ makes the matrix symmetric)
 /// ```
-///   [ M̃  Gᵀ ] [ v₊ ]   [ a ]      M̃ = M + h D + (h²/4) K_g + h C
-///   [ G  −Σ ] [ −λ ] = [ c ]      a = M v + h f + gyro + (h²/4) K_g v − h C v
+///   [ M̃  Gᵀ ] [ v₊ ]   [ a ]      M̃ = M + h θ D + (h²/4) K_g + h C
+///   [ G  −Σ ] [ −λ ] = [ c ]      a = M v + h f + gyro + (h²/4) K_g v − h C v − h (1 − θ) D v
 /// ```
-/// M mass matrix, D drag, K_g geometric stiffness, C relative-rotation damping (part 4 of
-/// docs/methods.md); Σ, c from compliance, damping time and violation (SPOOK).
+/// M mass matrix, D drag, θ by model/damping.h, K_g geometric stiffness, C relative-rotation
+/// damping (part 4 of docs/methods.md); Σ, c from compliance, damping time and violation (SPOOK).
 
 #include <hawser/interactions.h>
 
@@ -31,6 +31,8 @@ inline constexpr int kGeoSwing = 23;  ///< Its last one, which no step writes.
 inline constexpr int kGeoLine = 4;    ///< Of them, those between bodies without arms.
 
 inline constexpr int kLossChunk = 64;  ///< Interactions of one call of row_losses().
+/// Of View::recall; below it c does not tell ġ.
+inline constexpr double kLeastRecall = 1e-2;
 
 /// One contribution to one block of the matrix. Of a Jacobian in short (model/arms.h) `width` is 0,
 /// the offsets are those of its record, and `condensed` has the damping in it.
@@ -112,6 +114,8 @@ struct View {
     /// Packed like v: where the solution for v₊ starts, see model/bodies.h. Null for evaluate()
     /// where it starts at 0.
     double* v_start;
+    /// The same where nothing starts there: 2 v − v₋, of the velocities of the last two steps.
+    const double* v_ahead;
     const double* v_fixed;
     const double* v_before;  ///< What v_fixed was at the last half step.
     double* spin_free;       ///< 3 a body: ω₊ without torque, world frame.
@@ -126,7 +130,9 @@ struct View {
     const double* inv_inertia;
     const double* principal;
     const double* force;
-    const double* damping;
+    /// 6 a body: its drag on the velocity after the step, and before it. [N s/m, N m s]
+    const double* drag_after;
+    const double* drag_before;
     const std::uint8_t* weight;
     double* body_block;  ///< See block_place().
     double* a;           ///< Packed like v: right-hand side of the momentum rows.
@@ -148,11 +154,16 @@ struct View {
     double* active;
     const double* held;  ///< By interaction: impulse of its first row while idle.
     const std::uint8_t* parted;
+    /// By interaction between points: 1/m of the lighter end [1/kg], and 1 where its wire gained
+    /// energy lately, else 0 (assembly/geo.h).
+    const double* lightness;
+    const double* alert;
     const std::uint8_t* completed;  ///< By interaction, likewise see model::Interactions.
     const double* swing;            ///< Likewise.
     const double* rest_length;      ///< l₀ of wire elements [m], 0 for all else.
     const double* epsilon;
     const double* upsilon;
+    const double* recall;
     const double* sigma;
     const double* inv_sigma;
     const std::uint8_t* row_flags;
@@ -199,8 +210,13 @@ struct Norms {
     std::int32_t gap_id = -1;
     double stretch = 0.0;  ///< max |g + ε f| / length over wire elements.
     double work = 0.0;     ///< h f·(v + v₊)/2 of applied forces and torques [J].
-    double drag = 0.0;     ///< h v₊ᵀ D (v + v₊)/2 [J].
+    double drag = 0.0;     ///< h (θ v₊ + (1 − θ) v)ᵀ D (v + v₊)/2 [J].
     double finite = 0.0;   ///< Sum of everything: not finite if anything is not.
+};
+
+/// See stepper/wires.h [J].
+struct LineGain {
+    double gain = 0.0, exchanged = 0.0, noise = 0.0;
 };
 
 /// How far a solution is from the equations at the step's end, see stepper/completion.h.
@@ -263,6 +279,10 @@ struct Kernels {
     /// more than their rows; room for kLossChunk.
     double (*row_losses)(const View&, std::int32_t begin, std::int32_t end, std::int32_t* left,
                          int* left_count) noexcept;
+    /// What lines hold more after the step than before, and than the bodies at their ends gave
+    /// them; and what they hold more or less. Added up.
+    void (*line_gains)(const View&, const std::int32_t* ids, std::int32_t count,
+                       LineGain*) noexcept;
     /// Move bodies by h v₊ and store v₊.
     void (*integrate)(const View&, std::int32_t begin, std::int32_t end) noexcept;
 };

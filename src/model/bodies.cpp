@@ -2,6 +2,7 @@
 #include "model/bodies.h"
 
 #include "base/small.h"
+#include "model/damping.h"
 
 #include <Eigen/LU>
 
@@ -66,6 +67,20 @@ int Bodies::add(const BodyDef& def) {
     return id;
 }
 
+void Bodies::share_drag(double h) {
+    drag_after.resize(damping.size());
+    drag_before.resize(damping.size());
+    for (std::size_t b = 0; b < kind.size(); ++b)
+        for (std::size_t i = 0; i < 6; ++i) {
+            const double d = damping[6 * b + i];
+            const double mobility = i < 3 ? 1.0 / mass[b] : inv_inertia[9 * b + 4 * (i - 3)];
+            const double late =
+                d > 0.0 && dof(static_cast<int>(b)) > 0 ? late_share(h * d * mobility) : 0.5;
+            drag_after[6 * b + i] = late * d;
+            drag_before[6 * b + i] = d - late * d;
+        }
+}
+
 void Bodies::truncate(int kept) {
     const auto n = static_cast<std::size_t>(kept);
     kind.resize(n);
@@ -109,7 +124,8 @@ std::size_t Bodies::bytes() const noexcept {
     return bytes(kind) + bytes(dof_begin) + bytes(moving) + bytes(rigid) + bytes(driven) +
            bytes(x) + bytes(q) + bytes(r) + bytes(v) + bytes(v_start) + bytes(v_fixed) +
            bytes(spin_free) + bytes(spin_change) + bytes(mass) + bytes(inertia) +
-           bytes(inv_inertia) + bytes(principal) + bytes(force) + bytes(damping) + bytes(weight);
+           bytes(inv_inertia) + bytes(principal) + bytes(force) + bytes(damping) +
+           bytes(drag_after) + bytes(drag_before) + bytes(weight);
 }
 
 }  // namespace hawser::model

@@ -59,7 +59,8 @@ struct Bodies {
     base::Array<double> principal;
     base::Array<double> force;    ///< 6 a body: applied force and torque, world frame [N, N m].
     base::Array<double> damping;  ///< 6 a body: drag along and about the body's axes.
-    base::Array<std::uint8_t> weight;  ///< 1: gravity acts.
+    base::Array<double> drag_after, drag_before;  ///< Likewise: θ and 1 − θ of it (damping.h).
+    base::Array<std::uint8_t> weight;             ///< 1: gravity acts.
 
     /// 1: asleep, see stepper/sleep.h. Part of the state, like …
     base::Array<std::uint8_t> asleep;
@@ -75,6 +76,8 @@ struct Bodies {
     void make_room();
     /// Append one body; the definition has been checked. @return its index.
     int add(const BodyDef& def);
+    /// Sets drag_after and drag_before for the step h [s].
+    void share_drag(double h);
     /// Take away those from `kept` on, which are fixed.
     void truncate(int kept);
     /// Move by time t at constant velocity [m/s]; with ω [rad/s, world frame] also turn, by the

@@ -3,6 +3,7 @@
 #include "model/interactions.h"
 
 #include "base/index.h"
+#include "model/damping.h"
 #include "model/kinds/all.h"
 
 #include <algorithm>
@@ -37,6 +38,21 @@ std::uint8_t flags_of(const InteractionDef& d, const generic::RowSpec& first,
     for (int b = 0; b < kind_info(d.kind).bodies; ++b)
         if (bodies.kind[at(d.body[at(b)].index)] == BodyKind::kinematic) flag |= kCarried;
     return static_cast<std::uint8_t>(flag);
+}
+
+/// How easily the lighter end of a line moves across it, arms at their longest [1/kg].
+double lightest_end(const InteractionDef& d, const Bodies& b) {
+    double most = 0.0;
+    for (std::size_t slot = 0; slot < 2; ++slot) {
+        const auto body = at(d.body[slot].index);
+        const int dof = b.dof(d.body[slot].index);
+        if (dof < 3) continue;
+        double end = 1.0 / b.mass[body];
+        for (std::size_t i = 0; i < 3 && dof == 6; ++i)
+            end += d.point[slot].squaredNorm() * b.inv_inertia[9 * body + 4 * i];
+        most = std::max(most, end);
+    }
+    return most;
 }
 
 /// Range of the force of the first row [N or N m].
@@ -149,6 +165,8 @@ int Interactions::add(InteractionDef filled, const Bodies& bodies_in, double h) 
     completed.push_back(0);
     swing.push_back(0.0);
     held.push_back(0.0);
+    lightness.push_back(geometry == generic::Geometry::line ? lightest_end(d, bodies_in) : 0.0);
+    alert.push_back(0.0);
     low.push_back(0.0);
     high.push_back(0.0);
     force_range(d, flags.back(), low.back(), high.back());
@@ -159,18 +177,21 @@ int Interactions::add(InteractionDef filled, const Bodies& bodies_in, double h) 
     for (int r = 0; r < info.rows; ++r) {
         const auto k = static_cast<std::size_t>(r);
         d.compliance[k] = spec[r].compliance;
-        d.damping_time[k] = spec[r].damping_time;
+        // One that is the scheme's own stays unsaid: a copy is to know that no damper stands for
+        // it.
+        if (!spec[r].calmed) d.damping_time[k] = spec[r].damping_time;
         epsilon.push_back(spec[r].compliance);
         tau.push_back(spec[r].damping_time);
-        const double ups = spec[r].velocity ? 0.0 : 1.0 / (1.0 + 4.0 * spec[r].damping_time / h);
-        upsilon.push_back(ups);
-        sigma.push_back(spec[r].velocity ? spec[r].compliance / h
-                                         : 4.0 * spec[r].compliance * ups / (h * h));
+        const bool damper = !spec[r].velocity && !spec[r].calmed;
         row_flags.push_back(static_cast<std::uint8_t>((spec[r].velocity ? kRowVelocity : 0) |
-                                                      (spec[r].gap ? kRowGap : 0)));
-        for (base::Array<double>* a :
-             {&inv_sigma, &least_sigma, &g, &c, &residual, &lambda, &multiplier, &force})
+                                                      (spec[r].gap ? kRowGap : 0) |
+                                                      (damper ? kRowDamper : 0)));
+        for (base::Array<double>* a : {&mobility, &upsilon, &recall, &inv_sigma, &least_sigma, &g,
+                                       &c, &residual, &lambda, &multiplier, &force})
             a->push_back(0.0);
+        share_damping(upsilon.size() - 1, is_stretch(d.kind), h);
+        sigma.push_back(spec[r].velocity ? spec[r].compliance / h
+                                         : 4.0 * spec[r].compliance * upsilon.back() / (h * h));
     }
     if (is_stretch(d.kind)) follow_length(id, bodies_in, h);
     if (d.kind == InteractionKind::WinchStretch && (flags.back() & kFromLength))
@@ -237,14 +258,32 @@ void Interactions::truncate(int kept) {
     row_begin.resize(n);
     jac_begin.resize(n);
     geo.resize(n);
-    for (base::Array<double>* a : {&active, &held, &low, &high, &anchor, &rest_length, &swing})
+    for (base::Array<double>* a :
+         {&active, &held, &low, &high, &anchor, &rest_length, &lightness, &alert, &swing})
         a->resize(n);
     load_begin.resize(n);
     const auto m = at(row_count);
-    for (base::Array<double>* a : {&epsilon, &tau, &upsilon, &sigma, &least_sigma, &inv_sigma, &g,
-                                   &c, &residual, &lambda, &multiplier, &force})
+    for (base::Array<double>* a :
+         {&epsilon, &tau, &mobility, &upsilon, &recall, &sigma, &least_sigma, &inv_sigma, &g, &c,
+          &residual, &lambda, &multiplier, &force})
         a->resize(m);
     row_flags.resize(m);
+}
+
+/// The axial swing of a wire's lumps is seldom resolved, and with the trapezoidal rule alone it
+/// would never end: where it is not, a wire has the damping of half a step at least.
+void Interactions::share_damping(std::size_t row, bool wire, double h) noexcept {
+    const double w = mobility[row], e = epsilon[row];
+    double t = tau[row], late = 1.0;
+    recall[row] = 1.0;
+    if (row_flags[row] & kRowVelocity) return;
+    if ((row_flags[row] & kRowDamper) && w > 0.0 && e > 0.0) {
+        const double spring = 0.25 * h * h * w / e;
+        if (wire) t = std::max(t, (late_share(spring) - 0.5) * h);
+        late = late_share(h * t * w / e + spring);
+        recall[row] = 1.0 - 4.0 * t * (1.0 - late) / h;
+    }
+    upsilon[row] = 1.0 / (1.0 + 4.0 * t * late / h);
 }
 
 void Interactions::mirror(int copy, int original, const Bodies& bodies_in, double h) noexcept {
@@ -262,6 +301,7 @@ void Interactions::mirror(int copy, int original, const Bodies& bodies_in, doubl
         epsilon[row] = epsilon[of];
         // A rigid row's Σ is that of the analysis.
         if ((row_flags[row] & kRowVelocity) || epsilon[row] == 0.0) continue;
+        share_damping(row, is_stretch(d.kind), h);
         sigma[row] = std::max(4.0 * epsilon[row] * upsilon[row] / (h * h), least_sigma[row]);
         if (inv_sigma[row] != 0.0) inv_sigma[row] = 1.0 / sigma[row];
     }
@@ -293,6 +333,7 @@ void Interactions::follow_length(int id, const Bodies& bodies_in, double h) noex
     if (!(flags[at(id)] & kFromLength)) return;
     const auto row = at(row_begin[at(id)]);
     epsilon[row] = length / d.params[1];
+    share_damping(row, true, h);
     sigma[row] = std::max(4.0 * epsilon[row] * upsilon[row] / (h * h), least_sigma[row]);
     if (inv_sigma[row] != 0.0) inv_sigma[row] = 1.0 / sigma[row];
 }
@@ -362,9 +403,10 @@ std::size_t Interactions::bytes() const noexcept {
         bytes(row_begin) + bytes(jac_begin) + bytes(arms) + bytes(geo) + bytes(active) +
         bytes(held) + bytes(low) + bytes(high) + bytes(anchor) + bytes(load_begin) + bytes(loads) +
         bytes(parted) + bytes(coarse) + bytes(repeats) + bytes(completed) + bytes(swing) +
-        bytes(rest_length) + bytes(epsilon) + bytes(tau) + bytes(upsilon) + bytes(sigma) +
-        bytes(inv_sigma) + bytes(g) + bytes(c) + bytes(residual) + bytes(lambda) +
-        bytes(multiplier) + bytes(force) + bytes(row_flags) + bytes(jacobian);
+        bytes(lightness) + bytes(alert) + bytes(rest_length) + bytes(epsilon) + bytes(tau) +
+        bytes(mobility) + bytes(upsilon) + bytes(recall) + bytes(sigma) + bytes(inv_sigma) +
+        bytes(g) + bytes(c) + bytes(residual) + bytes(lambda) + bytes(multiplier) + bytes(force) +
+        bytes(row_flags) + bytes(jacobian);
     for (const Pool& p : pool) total += bytes(p.ids) + bytes(p.data);
     return total;
 }

@@ -29,6 +29,7 @@ struct Pool {
 enum RowFlag : std::uint8_t {
     kRowVelocity = 1,  ///< G v = u.
     kRowGap = 2,       ///< Counts in violation_max.
+    kRowDamper = 4,    ///< Its τ is that of a damper, not of the scheme.
 };
 
 enum InteractionFlag : std::uint8_t {
@@ -85,6 +86,9 @@ struct Interactions {
     std::vector<std::int32_t> load_begin;  ///< First of kMaxFrictionLoads in `loads`, or −1.
     std::vector<Load> loads;
     base::Array<std::uint8_t> parted;  ///< 1 once a line has parted.
+    /// Of lines between points: 1/m of the lighter end [1/kg]; 1 while their wire is stepped more
+    /// calmly (stepper/wires.h), follows the state.
+    base::Array<double> lightness, alert;
     // Of rigid joints, see stepper/completion.h; 0 of all else.
     base::Array<std::uint8_t> coarse;     ///< Steps to come in which its rows are linearised once.
     base::Array<std::uint8_t> repeats;    ///< 1: in a loop in which rows repeat each other.
@@ -100,7 +104,9 @@ struct Interactions {
 
     // By row.
     base::Array<double> epsilon, tau;    ///< ε, τ (γ, – for velocity rows).
-    base::Array<double> upsilon;         ///< Υ = 1/(1 + 4τ/h); 0 for velocity rows.
+    base::Array<double> mobility;        ///< W = G M⁻¹ Gᵀ of dampers at the last analysis, or 0.
+    base::Array<double> upsilon;         ///< Υ = 1/(1 + 4τθ/h), damping.h; 0 for velocity rows.
+    base::Array<double> recall;          ///< 1 − 4τ(1 − θ)/h: share of ġ in c/Υ. Scheme's τ: θ = 1.
     base::Array<double> sigma;           ///< Σ = 4ε Υ/h² (γ/h for velocity rows), or …
     base::Array<double> least_sigma;     ///< … this where that is more.
     base::Array<double> inv_sigma;       ///< 1/Σ where condensed, else 0.
@@ -120,6 +126,8 @@ struct Interactions {
     int add(InteractionDef filled, const Bodies& bodies_in, double h);
     /// Take away those from `kept` on, none of which drives, rubs or winds up a line.
     void truncate(int kept);
+    /// Υ and recall of a row, after its compliance or mobility changed; its Σ has to follow.
+    void share_damping(std::size_t row, bool wire, double h) noexcept;
     /// A copy of an interaction follows its parameters.
     void mirror(int copy, int original, const Bodies& bodies_in, double h) noexcept;
     /// An input is going to drive a parameter.

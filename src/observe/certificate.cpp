@@ -56,6 +56,7 @@ Verifier::Verifier(const World& world) : step_(world.settings().step), states_(w
     momentum_floor_ = 1e-6 * step_ * 9.81 * std::sqrt(mass);
     pose_.resize(bodies);
     twist_.resize(bodies);
+    earlier_.resize(bodies);
     change_.assign(bodies, Vec3::Zero());
     linear_.resize(bodies);
     angular_.resize(bodies);
@@ -63,10 +64,12 @@ Verifier::Verifier(const World& world) : step_(world.settings().step), states_(w
     slept_.resize(bodies);
     last_.resize(slot(world.interaction_count()));
     intact_.resize(last_.size());
+    alert_.resize(last_.size());
     result_.moving_bodies = result_.covered_bodies = static_cast<std::int32_t>(moving_.size());
 }
 
 void Verifier::before_step(const World& world) {
+    earlier_ = twist_;
     for (std::int32_t b = 0; b < world.body_count(); ++b) {
         pose_[slot(b)] = world.pose({b});
         twist_[slot(b)] = world.velocity({b});
@@ -78,6 +81,7 @@ void Verifier::before_step(const World& world) {
         const auto force = world.force({i});
         last_[slot(i)].assign(force.begin(), force.end());
         intact_[slot(i)] = world.intact({i});
+        alert_[slot(i)] = world.wire_alert({i});
     }
     unsure_.assign(unsure_.size(), false);
     impulse_ = 0.0;

@@ -77,7 +77,8 @@ class Verifier {
     [[nodiscard]] Vec3 spin_impulse(std::int32_t body, const Mat3& inertia, const Twist& now);
 
     std::vector<Pose> pose_;
-    std::vector<Twist> twist_;
+    std::vector<Twist> twist_, earlier_;  ///< Before this step, and before the last one.
+    std::vector<int> alert_;              ///< Of wires, before the step, by interaction.
     std::vector<std::int32_t> moving_;
     std::vector<std::vector<double>> last_;  ///< Forces of each interaction's rows before the step.
     std::vector<bool> intact_;               ///< Before the step, by interaction.

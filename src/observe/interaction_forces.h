@@ -32,11 +32,13 @@ struct Wrenches {
                                     std::span<const Pose> pose, std::span<const double> force);
 
 /// Impulses [N s, N m s] of the geometric stiffness and the damping of joints (docs/methods.md, 4)
-/// in the step that led from velocities `before` to those at hand. @param last  Forces of the rows
-/// in the step before that one.
+/// in the step that led from velocities `before` to those at hand. @param earlier  Velocities
+/// before the step before that one. @param last  Forces of the rows in it. @param alert
+/// World::wire_alert() before the step that led here.
 [[nodiscard]] Wrenches stiffness_wrenches(const World& world, InteractionId id,
                                           std::span<const Pose> pose, std::span<const Twist> before,
-                                          std::span<const double> last);
+                                          std::span<const Twist> earlier,
+                                          std::span<const double> last, int alert);
 
 /// Forces that the first row of an interaction may have [N or N m].
 struct ForceRange {

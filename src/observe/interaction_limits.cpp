@@ -41,6 +41,53 @@ double swing(const BodyDef& body, const Vec3& arm) {
     return 2.0 * arm.norm() / (body.inertia.trace() - u.dot(body.inertia * u));
 }
 
+// How fast the lighter end of a line gives way across it [1/kg].
+double lightness(const Attached& on, const World& world) {
+    double most = 0.0;
+    for (std::size_t b = 0; b < 2; ++b) {
+        const BodyDef& body = world.body_def(on.def().body[b]);
+        const BodyKind kind = on.kind(static_cast<int>(b));
+        if (kind == BodyKind::fixed || kind == BodyKind::kinematic) continue;
+        double end = 1.0 / body.mass;
+        if (kind == BodyKind::rigid)
+            end += on.def().point[b].squaredNorm() * Mat3(body.inertia.inverse()).trace();
+        most = std::max(most, end);
+    }
+    return most;
+}
+
+// A line that pulls: its stiffness across on the changes of velocity, and on those from what the
+// last two steps let expect (docs/methods.md, 4).
+void add_across(const World& world, const Attached& on, std::span<const Twist> before,
+                std::span<const Twist> earlier, double tension, bool calm, Wrenches& out) {
+    const double h = world.settings().step;
+    const Vec3 between = on.point(1) - on.point(0), u = between.normalized();
+    const double full =
+        h * h * world.settings().geometric_stiffness * tension / std::max(between.norm(), 1e-9);
+    const double s = full * lightness(on, world), p = s > 0.25 ? (s - 0.25) / (s + 0.25) : 0.0;
+    const double late = 0.25 + p * (calm ? 0.75 : 0.25), ahead = p * (calm ? -0.2 : -0.1);
+    Vec3 arm[2], push = Vec3::Zero();
+    for (int b = 0; b < 2; ++b) {
+        const BodyId body = on.def().body[static_cast<std::size_t>(b)];
+        const auto i = static_cast<std::size_t>(body.index);
+        const bool prescribed = on.kind(b) == BodyKind::fixed || on.kind(b) == BodyKind::kinematic;
+        const bool turns = !on.is_point(b);
+        arm[b] = on.point(b) - on.center(b);
+        const auto at_point = [&](const Twist& t) -> Vec3 {
+            return turns ? Vec3(t.linear + t.angular.cross(arm[b])) : t.linear;
+        };
+        const Vec3 now = at_point(world.velocity(body)), old = at_point(before[i]);
+        const Vec3 expected = prescribed ? now : Vec3(2.0 * old - at_point(earlier[i]));
+        push += (b == 0 ? -1.0 : 1.0) * (late * (now - old) + ahead * (now - expected));
+    }
+    const Vec3 across = full * (push - push.dot(u) * u);
+    for (std::size_t b = 0; b < 2; ++b) {
+        const double sign = b == 0 ? 1.0 : -1.0;
+        out.on[b].force += sign * across;
+        out.on[b].torque += sign * arm[b].cross(across);
+    }
+}
+
 double angle_of(const Attached& on) {
     const Quat turn = on.frame(0).conjugate() * on.frame(1);
     return std::remainder(2.0 * std::atan2(turn.z(), turn.w()), 2.0 * std::acos(-1.0));
@@ -76,12 +123,15 @@ ForceRange limit_range(const World& world, InteractionId id, double q) {
 }  // namespace
 
 Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<const Pose> pose,
-                            std::span<const Twist> before, std::span<const double> last) {
+                            std::span<const Twist> before, std::span<const Twist> earlier,
+                            std::span<const double> last, int alert) {
     const Attached on(world, id, pose);
     const InteractionKind kind = on.def().kind;
     const WorldDef& settings = world.settings();
     Wrenches out;
     if (!(is_line(kind) || is_joint(kind)) || settings.nonsmooth == Nonsmooth::pgs) return out;
+    // What a wire that would have gained energy was stepped with instead is not shown.
+    out.known = world.wire_alert(id) < std::lround(std::ceil(std::max(20.0, 1.0 / settings.step)));
     const double h = settings.step, scale = 0.25 * h * h * settings.geometric_stiffness;
     const Vec3 between = on.point(1) - on.point(0);
     Vec3 pull;  // on body 1
@@ -101,7 +151,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
         swings = std::max(swings, h * h * pull.norm() * rate);
     }
     if (swings > 4.0) fast = (swings - 4.0) / (swings + 4.0);
-    Vec3 arm[2], moved[2], turned[2], spin[2];  // changes of velocity; (1 − u) ω + (1 + u) ω₊
+    Vec3 arm[2], turned[2], spin[2];  // changes of velocity; (1 − u) ω + (1 + u) ω₊
     for (int b = 0; b < 2; ++b) {
         const BodyId body = on.def().body[static_cast<std::size_t>(b)];
         const Twist &old = before[static_cast<std::size_t>(body.index)], now = world.velocity(body);
@@ -110,20 +160,13 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
         turned[b] = turns ? Vec3(now.angular - old.angular) : Vec3::Zero();
         spin[b] =
             turns ? Vec3((1.0 + fast) * now.angular + (1.0 - fast) * old.angular) : Vec3::Zero();
-        moved[b] = now.linear - old.linear + turned[b].cross(arm[b]);
         if (on.kind(b) == BodyKind::rigid)
             out.on[static_cast<std::size_t>(b)].torque -=
                 (1.0 + 0.5 * fast) * scale *
                 (arm_stiffness(b == 0 ? Vec3(-pull) : pull, arm[b]) * turned[b]);
     }
     if (is_line(kind)) {
-        const Vec3 u = between.normalized(), apart = moved[1] - moved[0];
-        const Vec3 across =
-            scale * -last[0] / std::max(between.norm(), 1e-9) * (apart - apart.dot(u) * u);
-        out.on[0].force += across;
-        out.on[0].torque += arm[0].cross(across);
-        out.on[1].force -= across;
-        out.on[1].torque -= arm[1].cross(across);
+        add_across(world, on, before, earlier, -last[0], alert > 0, out);
     } else if (damped) {
         const double damping = settings.rotation_damping * h * h * pull.norm() *
                                std::min(arm[0].norm(), arm[1].norm()) *

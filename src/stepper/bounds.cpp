@@ -74,9 +74,12 @@ Wish wish_of(const StepContext& ctx, const View& v, std::size_t i, const Bounded
     const double y = lambda + p.r / stiffness_scale(ctx, i);
     return {was_active, range.low < y && y < range.high, std::clamp(y, range.low, range.high)};
 }
-/// Rows that never switch: what parted, and what is in the middle of its range.
-bool stays(const View& v, std::int32_t id, const ImpulseRange& range) noexcept {
-    return v.parted[id] || ((v.flags[id] & model::kRange) && range.low == range.high);
+/// Rows that never switch: what parted or gives way to another force, and what is in the middle of
+/// its range.
+bool stays(const StepContext& ctx, const View& v, std::int32_t id,
+           const ImpulseRange& range) noexcept {
+    return v.parted[id] || ctx.wires.gives_way(id) ||
+           ((v.flags[id] & model::kRange) && range.low == range.high);
 }
 
 /// asking_rows() > 0 with no floor, without a trace.
@@ -85,7 +88,7 @@ bool any_asks(const StepContext& ctx, const View& v) noexcept {
         const std::int32_t id = ctx.system.bounded[i];
         if (pulls_on(v, id)) continue;
         const ImpulseRange range = impulse_range(ctx, id);
-        if (stays(v, id, range)) continue;
+        if (stays(ctx, v, id, range)) continue;
         const BoundedRow p = row_now(v, id);
         const Wish wish = wish_of(ctx, v, i, p, range);
         if (wish.active != wish.was_active && std::fabs(wish.projected - p.lambda) > 0.0)
@@ -115,7 +118,7 @@ std::int32_t switch_solved(StepContext& ctx, int pass) noexcept {
 ImpulseRange impulse_range(const StepContext& ctx, std::int32_t id) noexcept {
     const model::Interactions& in = ctx.interactions;
     const int flags = in.flags[at(id)];
-    if (in.parted[at(id)]) return {0.0, 0.0};
+    if (in.parted[at(id)] || ctx.wires.gives_way(id)) return {0.0, 0.0};
     if (flags & model::kRange) {
         constexpr double kAll = model::kUnbounded;
         const double g = in.g[at(in.row_begin[at(id)])];
@@ -229,7 +232,7 @@ std::int32_t switch_bounds(StepContext& ctx, double floor, std::int32_t most) no
     for (std::size_t i = 0; i < ctx.system.bounded.size(); ++i) {
         const std::int32_t id = ctx.system.bounded[i], row = v.row_begin[id];
         const ImpulseRange range = impulse_range(ctx, id);
-        if (stays(v, id, range)) continue;
+        if (stays(ctx, v, id, range)) continue;
         const BoundedRow p = ctx.newton.row[i];
         double& held = ctx.interactions.held[at(id)];
         const auto [was_active, active, projected] = wish_of(ctx, v, i, p, range);

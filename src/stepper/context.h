@@ -26,6 +26,7 @@
 #include "stepper/judge.h"
 #include "stepper/regroup.h"
 #include "stepper/undo.h"
+#include "stepper/wires.h"
 
 #include <algorithm>
 #include <chrono>
@@ -129,6 +130,7 @@ struct StepContext {
     std::vector<std::int32_t> columns;        ///< Scratch: nodes, one a block of contacts.
     std::vector<double> partial;              ///< Scratch of merged_over().
     Sleep sleep;
+    Wires wires;
     double contact_floor = 0.0;          ///< Impulse of a contact that does not count [N s].
     double residual_floor = 0.0;         ///< Denominator floor of the momentum residual.
     std::vector<assembly::Norms> norms;  ///< One a strip or group, merged in order.

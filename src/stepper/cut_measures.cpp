@@ -99,7 +99,8 @@ double residual_of(StepContext& ctx, const Cut& cut) noexcept {
     for (int r = 0; r < v.rows[cut.id]; ++r) {
         const std::int32_t row = v.row_begin[cut.id] + r;
         const double ups = v.upsilon[row], sigma = 4.0 * v.epsilon[row] * ups / (h * h);
-        const double c = ups * (now.rate[r] + now.carried[r] - 4.0 / h * now.g[r]);
+        const double rate = ctx.interactions.recall[at(row)] * (now.rate[r] + now.carried[r]);
+        const double c = ups * (rate - 4.0 / h * now.g[r]);
         most =
             std::max(most, std::fabs(next.rate[r] + next.carried[r] + sigma * v.lambda[row] - c));
     }

@@ -94,6 +94,12 @@ Energy energy(StepContext& ctx) noexcept {
         const bool line = (v.flags[id] & model::kOneSided) != 0;
         if (v.flags[id] & model::kFriction) continue;  // counted as driven
         if (line ? v.parted[id] != 0 : v.active[id] == 0.0) continue;
+        if (ctx.wires.wire_of[at(id)] >= 0 && !ctx.system.rests(id) &&
+            (v.flags[id] & model::kCarried) == 0) {
+            if (v.epsilon[v.row_begin[id]] > model::kElasticCompliance)
+                e.elastic += held_by_element(v, id);
+            continue;
+        }
         double room[model::kArmRoom];
         const double* jac = packed_rows(v, id, room);
         const bool rests = ctx.system.rests(id);  // and has not been evaluated
@@ -146,6 +152,8 @@ std::uint64_t state_hash(const StepContext& ctx) noexcept {
     add(ctx.interactions.coarse);
     add(ctx.interactions.repeats);
     add(ctx.interactions.anchor);
+    add(ctx.wires.credit);
+    add(ctx.wires.alert);
     add(ctx.collider.kept());
     add(ctx.bodies.asleep);
     add(ctx.bodies.quiet);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Energy that rows take. An elastic row with violation g and rate ġ, at half-step positions
-/// g⁻ = g − hġ/2 and g⁺ = g + hġ₊/2, has the impulse λ = −(h/ε)((g⁻ + g⁺)/2 + τġ₊), so that
-/// −λ(ġ + ġ₊)/2, taken from the motion, is exactly (g⁺² − g⁻²)/2ε, held, plus τġ₊(g⁺ − g⁻)/ε, lost.
+/// g⁻ = g − hġ/2 and g⁺ = g + hġ₊/2, has the impulse λ = −(h/ε)((g⁻ + g⁺)/2 + τr), r = θġ₊ + (1 −
+/// θ)ġ (model/damping.h), so that −λ(ġ + ġ₊)/2, taken from the motion, is exactly (g⁺² − g⁻²)/2ε,
+/// held, plus τr(g⁺ − g⁻)/ε, lost.
 #include "stepper/drives.h"
 #include "stepper/stages.h"
 #include "stepper/sweeps.h"
@@ -39,12 +40,14 @@ void rates_by_jacobian(StepContext& ctx, const View& v, std::int32_t id, Rates& 
     }
 }
 
-/// From c = Υ(ġ − 4g/h) and the row's equation, which spares a pass over the Jacobian.
+/// From c = Υ(Rġ − 4g/h), R what is recalled of ġ, and the row's equation, which spares a pass over
+/// the Jacobian.
 void rates_by_rows(const View& v, std::int32_t id, Rates& out) noexcept {
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
-        out.before[r] =
-            v.completed[id] ? v.rate[row] : v.c[row] / v.upsilon[row] + 4.0 / v.h * v.g[row];
+        out.before[r] = v.completed[id]
+                            ? v.rate[row]
+                            : (v.c[row] / v.upsilon[row] + 4.0 / v.h * v.g[row]) / v.recall[row];
         out.after[r] = v.c[row] - v.sigma[row] * v.lambda[row] - v.residual[row];
     }
 }
@@ -68,8 +71,11 @@ double losses_of(StepContext& ctx, const View& v, std::int32_t id) noexcept {
     const int flags = v.flags[id];
     Rates rate;
     rates_by_rows(v, id, rate);
+    bool faded = false;
+    for (int r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r)
+        faded |= std::fabs(v.recall[r]) < assembly::kLeastRecall;
     const bool line = (flags & model::kOneSided) != 0;
-    if ((flags & model::kCarried) ||
+    if ((flags & model::kCarried) || faded ||
         (line && (v.active[id] == 0.0 || !was_taut(v, v.row_begin[id], rate.before[0]))))
         rates_by_jacobian(ctx, v, id, rate);
     double taken = 0.0;

@@ -69,6 +69,7 @@ View view(StepContext& ctx) noexcept {
 
 void analyse(StepContext& ctx, const factor::AnalysisState* state) {
     place_images(ctx);
+    ctx.bodies.share_drag(ctx.def.step);
     ctx.analysed_x = ctx.bodies.x;
     ctx.analysed_r = ctx.bodies.r;
     open_cuts(ctx);
@@ -102,6 +103,7 @@ void prepare(StepContext& ctx) {
         prepare_contacts(ctx);
     }
     wake_all(ctx);
+    make_wires(ctx);
     analyse(ctx);
     reserve_sleep(ctx);
     prepare_judge(ctx);
@@ -136,7 +138,7 @@ void evaluate_rows(StepContext& ctx) noexcept {
 void assemble_rows(StepContext& ctx) noexcept {
     const StageTimer timer(ctx, Stage::assemble);
     ctx.losses_known = false;
-    predict(ctx);
+    if (!ctx.wires.again) predict(ctx);
     const View v = view(ctx);
     const assembly::Kernels& k = assembly::kernels();
     hold_bounds(ctx, ctx.def.step);
@@ -150,6 +152,7 @@ void assemble_rows(StepContext& ctx) noexcept {
         ctx,
         [&](int strip) {
             evaluate_strip(ctx, rows, strip);
+            replan_wires(ctx, rows, strip);
             if (completes) (void)complete_strip(ctx, v, strip, v.v_start, true);
             each(ctx.system.strips.interactions(strip),
                  [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b, moving); });
@@ -167,6 +170,7 @@ void integrate(StepContext& ctx) noexcept {
     finish_cuts(ctx);
     ctx.drive += drive_work(ctx);
     ctx.damped += row_losses(ctx);
+    settle_wires(ctx);
     count_contact_work(ctx);
     if (ctx.collider.count() > 0) remember_contacts(ctx);
     over(ctx, v.body_count,

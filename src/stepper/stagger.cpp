@@ -83,6 +83,7 @@ Status try_stagger(StepContext& ctx) noexcept {
         for (std::int32_t body : ctx.bodies.rigid) keep_spin_change(ctx.bodies, v, body);
     }
     for (std::int32_t i = 0; i < ctx.bodies.dofs; ++i) v.v[i] -= 0.5 * (v.v_new[i] - v.v[i]);
+    calm_start(ctx);
     // Which lines are slack is for the first step to find, and to report.
     std::copy(active.begin(), active.end(), ctx.interactions.active.begin());
     return Status::ok;

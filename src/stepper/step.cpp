@@ -127,7 +127,8 @@ Status solve_velocities(StepContext& ctx) noexcept {
         if (const Status status = start_moving(ctx); status != Status::ok) return status;
     assemble_rows(ctx);
     begin_budget(ctx);
-    return solve_assembled(ctx);
+    const Status status = solve_assembled(ctx);
+    return status == Status::ok ? guard_wires(ctx) : status;
 }
 
 }  // namespace
@@ -183,6 +184,7 @@ void clear_figures(StepContext& ctx) noexcept {
     begin_completion(ctx);
     ctx.stats.partial_factorisations = 0;
     ctx.stats.flips_left = 0;
+    ctx.stats.wire_repeats = 0;
     ctx.step_flops = 0;
     ctx.newton.iterations = 0;
     ctx.stats.natural_map = 0.0;

@@ -225,6 +225,11 @@ void World::copy_from(const World& other) {
     front(from.interactions.repeats, to.interactions.repeats);
     front(from.interactions.saturated, to.interactions.saturated);
     front(from.interactions.anchor, to.interactions.anchor);
+    if (from.wires.count() == to.wires.count()) {
+        to.wires.credit = from.wires.credit;
+        to.wires.alert = from.wires.alert;
+        stepper::follow_alerts(to);
+    }
     copy_contacts(from, to);
     to.step = from.step;
     to.time = from.time;

@@ -30,6 +30,8 @@ SavedState::SavedState(const stepper::StepContext& ctx, const std::vector<double
     as(interactions.repeats, in.repeats);
     as(interactions.saturated, in.saturated);
     as(interactions.anchor, in.anchor);
+    as(wires.credit, ctx.wires.credit);
+    as(wires.alert, ctx.wires.alert);
     as(regroup.parts.part, ctx.regroup.parts.part);
     as(inputs, values);
     collider.contacts.resize(header.contacts);

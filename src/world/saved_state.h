@@ -15,7 +15,7 @@ namespace hawser::world {
 
 /// Identifies the world's layout and says how much follows.
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '5'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '6'};
     std::uint64_t layout = 0;       ///< See layout_of().
     std::uint64_t parameters = 0;   ///< See parameters_of().
     std::uint64_t contacts = 0;     ///< Remembered from the last step.
@@ -66,6 +66,8 @@ void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f)
     array(ctx.interactions.repeats);
     array(ctx.interactions.saturated);
     array(ctx.interactions.anchor);
+    array(ctx.wires.credit);
+    array(ctx.wires.alert);
     array(ctx.collider.kept());
     value(ctx.collider.kept_awake());
     array(ctx.system.contacts.memory);
@@ -117,6 +119,10 @@ struct SavedState {
         base::Array<std::uint8_t> parted, coarse, repeats;
         std::vector<std::uint8_t> saturated;
     } interactions;
+    struct {
+        std::vector<double> credit;
+        std::vector<std::int32_t> alert;
+    } wires;
     struct {
         base::Array<collide::KeptContact> contacts;
         std::uint64_t awake = 0;

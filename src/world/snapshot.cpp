@@ -103,6 +103,7 @@ void take_state(stepper::StepContext& ctx, std::vector<double>& inputs, const He
     const bool relinked = links != ctx.system.contacts.links;
     if (relinked) ctx.system.contacts.make_blocks();
     stepper::check_asleep(ctx);
+    stepper::follow_alerts(ctx);
     if (regrouped || relinked || asked != ctx.cuts.asked || asleep != ctx.bodies.asleep ||
         ctx.analysed_x != analysed_x || ctx.analysed_r != analysed_r ||
         ctx.system.analysis.state() != order)

@@ -2,6 +2,7 @@
 /// What a state read from bytes must be like. A right checksum says who wrote it at most, not that
 /// it makes sense: an index from a file is used as an address a step later.
 #include "base/index.h"
+#include "stepper/wires.h"
 #include "world/saved_state.h"
 
 #include <algorithm>
@@ -87,6 +88,11 @@ void check_interactions(const stepper::StepContext& ctx, const SavedState& s) {
     numbers(s.interactions.lambda, "an impulse", kHuge);
     numbers(s.interactions.force, "a force", kHuge);
     numbers(s.interactions.anchor, "an anchor of friction", kFar);
+    numbers(s.wires.credit, "what a wire lost lately", kHuge);
+    for (std::size_t k = 0; k < s.wires.credit.size(); ++k)
+        if (s.wires.credit[k] < 0.0 || s.wires.alert[k] < 0 ||
+            s.wires.alert[k] > stepper::most_alert(ctx.def.step))
+            refuse("a wire's guard is out of range" + entry(k));
     flags(s.interactions.active, "which rows act");
     flags(s.interactions.parted, "which lines have parted");
     flags(s.interactions.saturated, "which motors are at a limit");

@@ -190,6 +190,8 @@ void World::set_velocity(BodyId id, const Twist& twist) {
         impl_->ctx.judge.state.begun = 0;  // no work did that
     }
     for (int i = 0; i < count; ++i) v[i] = i < 3 ? twist.linear[i] : twist.angular[i - 3];
+    // Nothing else is known of where that leads to.
+    if (dof > 0) std::copy_n(v, dof, &s.v_start[at(s.dof_begin[b])]);
 }
 
 bool World::asleep(BodyId id) const {
@@ -229,6 +231,13 @@ std::array<double, kMaxInteractionRows> World::violation(InteractionId id) const
     for (std::size_t r = 0; r < in.rows[i]; ++r)
         if ((in.row_flags[at(in.row_begin[i]) + r] & model::kRowVelocity) == 0) g[r] = s.g[r];
     return g;
+}
+
+int World::wire_alert(InteractionId id) const {
+    const stepper::Wires& wires = impl_->ctx.wires;
+    const std::size_t i = index_of(id.index, interaction_count(), "interaction");
+    if (i >= wires.wire_of.size() || wires.wire_of[i] < 0) return 0;
+    return wires.alert[static_cast<std::size_t>(wires.wire_of[i])];
 }
 
 bool World::intact(InteractionId id) const {

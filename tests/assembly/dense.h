@@ -19,8 +19,10 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
 struct DenseStep {
-    Matrix mass;       ///< M + h D.
-    Matrix geometric;  ///< (h²/4) K_g.
+    Matrix mass;       ///< M + h θ D.
+    Matrix geometric;  ///< (h²/4) K_g, of lines (a + d) h² K_g (assembly/geo.h).
+    Matrix late;       ///< The same on the velocities before the step, of lines a h² K_g.
+    Matrix ahead;      ///< Of lines d h² K_g, on those expected after it.
     Matrix damping;    ///< (1 + u) h C.
     Matrix before;     ///< (1 − u) h C, on the velocities before the step.
     double fastest;    ///< Largest u.
@@ -132,7 +134,8 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
     const auto row =
         static_cast<std::size_t>(ctx.interactions.row_begin[static_cast<std::size_t>(id)]);
     const double* lambda = &ctx.interactions.lambda[row];
-    Matrix k = Matrix::Zero(12, 12), c = Matrix::Zero(12, 12);
+    Matrix k = Matrix::Zero(12, 12), c = Matrix::Zero(12, 12), line = k;
+    double late_share = 0.25, ahead_share = 0.0;
     Vec3 f1;
     double u = 0.0;  // docs/methods.md, 4
     if (s.geometry == generic::Geometry::line) {
@@ -141,8 +144,24 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
         const Vec3 along(s.j[1][0][0], s.j[1][0][1], s.j[1][0][2]);
         Matrix rel(3, 12);  // velocity of point 0 minus that of point 1
         rel << Mat3::Identity(), -skew(s.arm[0]), -Mat3::Identity(), skew(s.arm[1]);
-        k = rel.transpose() *
-            (tension / s.length * (Mat3::Identity() - along * along.transpose())) * rel;
+        line = rel.transpose() *
+               (tension / s.length * (Mat3::Identity() - along * along.transpose())) * rel;
+        double lighter = 0.0;  // 1/m of the lighter end, arms at their longest
+        for (std::size_t b = 0; b < 2; ++b) {
+            const auto body = static_cast<std::size_t>(
+                ctx.interactions.def[static_cast<std::size_t>(id)].body[b].index);
+            if (s.dof[b] < 3) continue;
+            double end = 1.0 / ctx.bodies.mass[body];
+            if (s.dof[b] == 6)
+                end +=
+                    s.arm[b].squaredNorm() *
+                    Mat3(Eigen::Map<const Mat3>(&ctx.bodies.inertia[9 * body]).inverse()).trace();
+            lighter = std::max(lighter, end);
+        }
+        const double swing = 4.0 * quarter * tension / s.length * lighter;
+        const double p = swing > 0.25 ? (swing - 0.25) / (swing + 0.25) : 0.0;
+        late_share = 0.25 + 0.25 * p;
+        ahead_share = -0.1 * p;
         f1 = -tension * along;
     } else {
         f1 = Vec3(lambda[0], lambda[1], lambda[2]) / h;
@@ -163,10 +182,38 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
         k.block(6 * b + 3, 6 * b + 3, 3, 3) +=
             (1.0 + 0.5 * u) * projected(f.dot(r) * Mat3::Identity() - r * f.transpose());
     }
-    scatter(s, quarter * k, out.geometric, out.couple_fixed);
+    const double share = late_share + ahead_share;
+    scatter(s, quarter * k + 4.0 * quarter * share * line, out.geometric, out.couple_fixed);
+    Vector none = Vector::Zero(out.couple_fixed.size());
+    scatter(s, quarter * k + 4.0 * quarter * late_share * line, out.late, none);
+    scatter(s, 4.0 * quarter * ahead_share * line, out.ahead, none);
     // Joints damp between two rigid bodies only, so nothing couples to a prescribed velocity.
     scatter(s, (1.0 + u) * h * c, out.damping, out.couple_fixed);
     scatter(s, (1.0 - u) * h * c, out.before, out.couple_fixed);
+}
+
+/// θ of a damper, docs/methods.md, 2.
+inline double late(double z) { return z < 1e-3 ? 0.5 + z / 12.0 : -1.0 / std::expm1(-z) - 1.0 / z; }
+
+/// G M⁻¹ Gᵀ of a row.
+inline double row_mobility(const stepper::StepContext& ctx, int id, const SlotState& s, int r) {
+    double sum = 0.0;
+    for (int b = 0; b < ctx.interactions.bodies[static_cast<std::size_t>(id)]; ++b) {
+        const auto body =
+            static_cast<std::size_t>(ctx.interactions.def[static_cast<std::size_t>(id)]
+                                         .body[static_cast<std::size_t>(b)]
+                                         .index);
+        const double* j = s.j[b][r];
+        for (int k = 0; k < s.dof[b] && k < 3; ++k) sum += j[k] * j[k] / ctx.bodies.mass[body];
+        if (s.dof[b] < 6) continue;
+        const Mat3 rotation = Quat(ctx.bodies.q[4 * body], ctx.bodies.q[4 * body + 1],
+                                   ctx.bodies.q[4 * body + 2], ctx.bodies.q[4 * body + 3])
+                                  .toRotationMatrix();
+        const Eigen::Map<const Mat3> inertia(&ctx.bodies.inertia[9 * body]);
+        const Vec3 turn = rotation.transpose() * Vec3(j[3], j[4], j[5]);
+        sum += turn.dot(inertia.inverse() * turn);
+    }
+    return sum;
 }
 
 inline void add_bodies(const stepper::StepContext& ctx, DenseStep& out) {
@@ -181,14 +228,34 @@ inline void add_bodies(const stepper::StepContext& ctx, DenseStep& out) {
         auto vec = [&](const base::Array<double>& a, std::size_t k) {
             return Vec3(a[k], a[k + 1], a[k + 2]);
         };
-        if (dof == 1) d(0, 0) = b.damping[6 * i];
-        if (dof >= 3) d.block(0, 0, 3, 3) = r * vec(b.damping, 6 * i).asDiagonal() * r.transpose();
+        Matrix past = d;  // drag on the velocity before the step
+        const auto share = [&](int k, double mobility) {
+            return late(h * b.damping[6 * i + static_cast<std::size_t>(k)] * mobility);
+        };
+        const auto drag = [&](int from, const Vec3& shares) -> Mat3 {
+            return r *
+                   shares.cwiseProduct(vec(b.damping, 6 * i + static_cast<std::size_t>(from)))
+                       .asDiagonal() *
+                   r.transpose();
+        };
+        const auto late_linear = [&](int k) { return share(k, 1.0 / b.mass[i]); };
+        if (dof == 1) {
+            d(0, 0) = late_linear(0) * b.damping[6 * i];
+            past(0, 0) = b.damping[6 * i] - d(0, 0);
+        }
+        if (dof >= 3) {
+            const Vec3 shares(late_linear(0), late_linear(1), late_linear(2));
+            d.block(0, 0, 3, 3) = drag(0, shares);
+            past.block(0, 0, 3, 3) = drag(0, Vec3::Ones() - shares);
+        }
         if (dof == 6) {
             Mat3 inertia;
             for (std::size_t k = 0; k < 9; ++k)
                 inertia(static_cast<int>(k / 3), static_cast<int>(k % 3)) = b.inertia[9 * i + k];
             m.block(3, 3, 3, 3) = r * inertia * r.transpose();
-            d.block(3, 3, 3, 3) = r * vec(b.damping, 6 * i + 3).asDiagonal() * r.transpose();
+            const Vec3 mobility = Mat3(inertia.inverse()).diagonal();
+            d.block(3, 3, 3, 3) =
+                drag(3, {share(3, mobility[0]), share(4, mobility[1]), share(5, mobility[2])});
         }
         out.mass.block(at, at, dof, dof) = m + h * d;
         for (int k = 0; k < dof && k < 3; ++k) {
@@ -199,6 +266,9 @@ inline void add_bodies(const stepper::StepContext& ctx, DenseStep& out) {
                     (b.v[static_cast<std::size_t>(at) + static_cast<std::size_t>(k)] + h * weight) +
                 h * b.force[force];
         }
+        const int moves = std::min(dof, 3);
+        const Eigen::Map<const Vector> now(&b.v[static_cast<std::size_t>(at)], moves);
+        out.a.segment(at, moves) -= h * past.block(0, 0, moves, moves) * now;
     }
 }
 
@@ -208,6 +278,8 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
     const double h = ctx.def.step;
     const Matrix none = Matrix::Zero(n, n);
     DenseStep out{none,
+                  none,
+                  none,
                   none,
                   none,
                   none,
@@ -236,9 +308,22 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
                 e = (in.def[i].get("length") + in.def[i].get("radius") * ctx.bodies.x[3 * drum]) /
                     in.def[i].get("EA");
             }
-            const double tau = in.def[i].damping_time[static_cast<std::size_t>(r)];
-            const double ups = 1.0 / (1.0 + 4.0 * tau / h);
+            const double given = in.def[i].damping_time[static_cast<std::size_t>(r)];
+            const double tau = std::isnan(given) ? 2.0 * h : given;
             const bool velocity = info.row_units[r] == 'v';
+            // A damper; the scheme's own damping acts on the velocity after the step alone. Wires
+            // have that of half a step at least where their swing is not resolved.
+            double theta = 1.0, seen = tau;
+            if (!velocity && (in.row_flags[static_cast<std::size_t>(row)] & model::kRowDamper) &&
+                e > 0.0) {
+                const double w = row_mobility(ctx, id, s, r), spring = 0.25 * h * h * w / e;
+                const bool wire = in.def[i].kind == InteractionKind::Stretch ||
+                                  in.def[i].kind == InteractionKind::WinchStretch;
+                if (wire) seen = std::max(tau, (late(spring) - 0.5) * h);
+                theta = late(h * seen * w / e + spring);
+            }
+            const double ups = 1.0 / (1.0 + 4.0 * seen * theta / h);
+            const double recall = 1.0 - 4.0 * seen * (1.0 - theta) / h;
             out.sigma[row] = velocity ? e / h : 4.0 * e * ups / (h * h);
             if (idle) continue;
             double prescribed = 0.0;
@@ -249,18 +334,20 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
                         prescribed += s.j[b][r][j] * (j < 3 ? s.lin[b][j] : s.ang[b][j - 3]);
                 }
             out.c[row] = velocity ? s.g[r] - prescribed
-                                  : ups * (out.g.row(row) * v + prescribed) -
+                                  : ups * recall * (out.g.row(row) * v + prescribed) -
                                         4.0 / h * ups * s.g[r] - prescribed;
             if (in.flags[i] & model::kOneSided) {
                 // x̄₋, where the line was half a step ago: slack is 0 in the mean (x̄₋ + x̄₊)/2.
                 const double before = s.g[r] - 0.5 * h * (out.g.row(row) * v + prescribed);
-                const double mean = 4.0 / h * ups;  // factor of x̄ in c
+                // Its damper sees the rate that leads from there.
+                const double mean = 4.0 / h * ups * recall;  // factor of x̄ in c
                 out.c[row] += mean * 0.5 * std::min(before, 0.0);
             }
         }
         if (!idle) add_geometry(ctx, id, s, out);
     }
-    out.a += out.geometric * v - out.before * v + out.couple_fixed;
+    const Eigen::Map<const Vector> expected(ctx.bodies.v_start.data(), n);
+    out.a += out.late * v + out.ahead * expected - out.before * v + out.couple_fixed;
     return out;
 }
 

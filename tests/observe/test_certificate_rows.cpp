@@ -142,8 +142,8 @@ TEST(CertificateRows, StiffnessBesideTheRowsCounts) {
         ASSERT_EQ(scene.world.step(), Status::ok);
         for (std::int32_t k = 0; k < scene.world.interaction_count(); ++k)
             for (const observe::Wrench& w :
-                 observe::stiffness_wrenches(scene.world, {k}, pose, twist,
-                                             before[static_cast<std::size_t>(k)])
+                 observe::stiffness_wrenches(scene.world, {k}, pose, twist, twist,
+                                             before[static_cast<std::size_t>(k)], 0)
                      .on)
                 largest = std::max(largest, w.torque.norm() + w.force.norm());
     }

@@ -47,10 +47,14 @@ bool grows(const Recipe& r) {
     return late >= 1e300 || late > 1.5 * early;
 }
 
-/// A(1 + Υ) of methods.md 10: at most 2 where stable.
+/// A(1 + Υ(2 − R)) of methods.md 10: at most 2 where stable. n: damping time of the spring in
+/// steps.
 double criterion(double m1, double m2, double k, double n) {
-    const double h = 1.0 / 60, ups = 1.0 / (1.0 + 4.0 * n), sigma = 4.0 * ups / (k * h * h);
-    return (1.0 / (1.0 + m1 * sigma) + 1.0 / (1.0 + m2 * sigma)) * (1.0 + ups);
+    const double h = 1.0 / 60, w = 1.0 / m1 + 1.0 / m2, z = h * h * k * w * (n + 0.25);
+    const double late = z < 1e-3 ? 0.5 + z / 12.0 : -1.0 / std::expm1(-z) - 1.0 / z;
+    const double ups = 1.0 / (1.0 + 4.0 * n * late), recall = 1.0 - 4.0 * n * (1.0 - late);
+    const double sigma = 4.0 * ups / (k * h * h);
+    return (1.0 / (1.0 + m1 * sigma) + 1.0 / (1.0 + m2 * sigma)) * (1.0 + ups * (2.0 - recall));
 }
 
 TEST(Cuts, TwoBodiesAreStableUpToTheBoundaryOfTheTheory) {

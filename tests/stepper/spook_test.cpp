@@ -95,9 +95,11 @@ TEST(Spook, LinearOscillatorFollowsItsCharacteristicPolynomial) {
         for (double omega_h : {0.01, 0.3, 2.0, 30.0}) {
             const double h = 1.0 / 60, omega = omega_h / h;
             World w = oscillator(h, 1.0, 1.0 / (omega * omega), n * h, 0.01, 0.0).make();
-            // (z − 1)² + (Ω²/4)[(1 + 4n)z² + (2 − 4n)z + 1] = 0
-            const double q = omega_h * omega_h / 4;
-            const double a = 1 + q * (1 + 4 * n), b = -2 + q * (2 - 4 * n), c = 1 + q;
+            // (z − 1)² + (Ω²/4)[(1 + 4nθ)z² + (2 + 4n(1 − 2θ))z + 1 − 4n(1 − θ)] = 0
+            const double q = omega_h * omega_h / 4, y = 4 * n * q + q;
+            const double t = y < 1e-3 ? 0.5 + y / 12 : -1 / std::expm1(-y) - 1 / y;
+            const double a = 1 + q * (1 + 4 * n * t), b = -2 + q * (2 + 4 * n * (1 - 2 * t)),
+                         c = 1 + q * (1 - 4 * n * (1 - t));
             const std::complex<double> root = std::sqrt(std::complex<double>(b * b - 4 * a * c));
             EXPECT_LE(std::abs((-b + root) / (2 * a)), 1 + 1e-12);
             EXPECT_LE(std::abs((-b - root) / (2 * a)), 1 + 1e-12);

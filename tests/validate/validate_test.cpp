@@ -85,6 +85,11 @@ TEST(Validate, joints_at_their_bounds) {
 TEST(Validate, bouncing_ball) { expect_pass("20", 6); }
 TEST(Validate, stacks_and_walls) { expect_pass("stacks walls", 14); }
 
+TEST(Validate, robust_wires) {
+    expect_pass("zigzag_wires long_wire wire_sway wires_come_taut", 110);
+}
+TEST(Validate, damping_orders) { expect_pass("damping_orders", 3); }
+
 TEST(Validate, unknown_case_is_refused) { EXPECT_EQ(validate("no_such_case").code, 1); }
 
 // A scene that is not what the case describes must be noticed: the rod is 1 % too long.

@@ -140,6 +140,6 @@ extern const assembly::Kernels kAssemblyKernels;
 const assembly::Kernels kAssemblyKernels = {
     evaluate,      complete_rows,      complete_spins, adopt_completed, adopt_spins, body_terms,
     gather_blocks, gather_lane_blocks, first_rhs,      first_body_rhs,  body_rhs,    add_solution,
-    row_update,    body_norms,         row_norms,      row_losses,      integrate};
+    row_update,    body_norms,         row_norms,      row_losses,      line_gains,  integrate};
 
 }  // namespace hawser::HAWSER_ISA

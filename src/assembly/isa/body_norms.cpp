@@ -14,21 +14,26 @@ using assembly::kBodyBlock;
 using assembly::Norms;
 using assembly::View;
 
-/// h v₊ᵀ D (v + v₊)/2 [J]: the drag is that of v₊, it acts along the way between half steps.
-double drag_work(const View& view, std::int32_t body, const double* u, const double* mean) {
-    const double* d = view.damping + 6 * body;
+/// h (θ v₊ + (1 − θ) v)ᵀ D (v + v₊)/2 [J]: drag (model/damping.h) acts along the way between half
+/// steps.
+double drag_work(const View& view, std::int32_t body, const double* v, const double* u,
+                 const double* mean) {
+    const double *d = view.drag_after + 6 * body, *e = view.drag_before + 6 * body;
     const int dof = view.dof[body];
-    if (dof == 1) return view.h * d[0] * u[0] * mean[0];
+    if (dof == 1) return view.h * (d[0] * u[0] + e[0] * v[0]) * mean[0];
     double work = 0.0;
     if (dof == 3) {  // a lump's axes are the world's
-        for (int i = 0; i < 3; ++i) work += d[i] * u[i] * mean[i];
+        for (int i = 0; i < 3; ++i) work += (d[i] * u[i] + e[i] * v[i]) * mean[i];
         return view.h * work;
     }
     const M3 r = load9(view.r + 9 * body);
     for (int part = 0; part < dof; part += 3) {
         if (!any3(d + part)) continue;
         const V3 a = tmul(r, load3(u + part)), b = tmul(r, load3(mean + part));
-        work += d[part] * a.x * b.x + d[part + 1] * a.y * b.y + d[part + 2] * a.z * b.z;
+        const V3 c = tmul(r, load3(v + part));
+        work += (d[part] * a.x + e[part] * c.x) * b.x +
+                (d[part + 1] * a.y + e[part + 1] * c.y) * b.y +
+                (d[part + 2] * a.z + e[part + 2] * c.z) * b.z;
     }
     return view.h * work;
 }
@@ -57,7 +62,7 @@ void one_body(const View& view, std::int32_t body, const double* residual, Norms
         n.work += view.h * f[j] * mean[j];
         n.finite += u[j];
     }
-    n.drag += drag_work(view, body, u, mean);
+    n.drag += drag_work(view, body, v, u, mean);
     block_times(view.body_block + assembly::block_place(view.dof_begin[body]), dof, v, mv);
     for (int j = 0; j < dof; ++j) diff[j] = view.a[begin + j] - mv[j];
     n.momentum += inverse_mass_norm(view, body, residual);
@@ -103,15 +108,18 @@ void eight_bodies(const View& view, std::int32_t body, Norms& n) {
         work += load(force + k) * (0.5 * (load(view.v + begin + k) + next));
         finite += next;
     }
-    const double* damping = view.damping + 6L * body;
+    const double* damping = view.drag_after + 6L * body;
     if (any_of_six(damping)) {
-        V8 d[kLanes];
+        V8 d[kLanes], e[kLanes];
         load_bodies(damping, 6, d);
+        load_bodies(view.drag_before + 6L * body, 6, e);
         for (int part = 0; part < 6; part += 3) {
             const W3 last{v[part], v[part + 1], v[part + 2]};
             const W3 next{u[part], u[part + 1], u[part + 2]};
-            const W3 x = tmul(r, next), y = tmul(r, last + next);  // y: twice the mean
-            drag += d[part] * x.x * y.x + d[part + 1] * x.y * y.y + d[part + 2] * x.z * y.z;
+            const W3 x = tmul(r, next), w = tmul(r, last), y = w + x;  // y: twice the mean
+            drag += (d[part] * x.x + e[part] * w.x) * y.x +
+                    (d[part + 1] * x.y + e[part + 1] * w.y) * y.y +
+                    (d[part + 2] * x.z + e[part + 2] * w.z) * y.z;
         }
     }
     const W3 linear = W3{a[0], a[1], a[2]} - mul6(low, W3{v[0], v[1], v[2]});

@@ -36,11 +36,11 @@ void own_terms(const View& view, std::int32_t body) {
     const double* v = view.v + view.dof_begin[body];
     double* a = view.a + view.dof_begin[body];
     const double* f = view.force + 6 * body;
-    const double* d = view.damping + 6 * body;
+    const double *d = view.drag_after + 6 * body, *past = view.drag_before + 6 * body;
     const double m = view.mass[body];
     if (dof == 1) {
         block[0] = m + h * d[0];
-        a[0] = m * v[0] + h * f[0];
+        a[0] = (m - h * past[0]) * v[0] + h * f[0];
         return;
     }
     M3 lin{{m, 0, 0, 0, m, 0, 0, 0, m}};
@@ -53,7 +53,10 @@ void own_terms(const View& view, std::int32_t body) {
     store_sym(block, lin);
     const double w = view.weight[body] ? h * m : 0.0;
     for (int i = 0; i < 3; ++i) a[i] = m * v[i] + h * f[i] + w * view.gravity[i];
-    if (dof < 6) return;
+    if (dof == 3) {
+        for (int i = 0; i < 3; ++i) a[i] -= h * past[i] * v[i];
+        return;
+    }
     const M3 r = load9(view.r + 9 * body);
     const Spin<double> spin =
         spin_terms(load9(view.inertia + 9 * body), load9(view.inv_inertia + 9 * body), r,
@@ -62,9 +65,11 @@ void own_terms(const View& view, std::int32_t body) {
     store3(view.spin_free + 3 * body, spin.free);
     store3(view.spin_momentum + 3 * body, spin.momentum);
     store3(a + 3, spin.momentum + h * load3(f + 3));
+    if (any3(d)) add3(a, (-h) * (world_diagonal(view.r + 9 * body, past) * load3(v)));
     if (any3(d + 3)) {
         const M3 drag = world_diagonal(view.r + 9 * body, d + 3);
         for (int i = 0; i < 9; ++i) world.a[i] += h * drag.a[i];
+        add3(a + 3, (-h) * (world_diagonal(view.r + 9 * body, past + 3) * load3(v + 3)));
     }
     store_sym(block + 6, world);
 }
@@ -135,17 +140,21 @@ void rigid_terms(const View& view, std::int32_t body) {
     WM3 world = spin.inertia;
     W3 turn = spin.momentum;
     WM3 lin{{m, none, none, none, m, none, none, none, m}};
-    auto add_drag = [&](const V8* diagonal, WM3& to) {
+    W3 past{none, none, none};  // impulse of drag on the velocity before the step
+    auto add_drag = [&](const V8* diagonal, const V8* before, const V8* u, WM3& to) {
         const W8 s[9] = {diagonal[0], none, none, none, diagonal[1], none, none, none, diagonal[2]};
         const WM3 drag = congruence(r, s);
         for (int i = 0; i < 9; ++i) to.a[i] += h * drag.a[i];
+        const W3 w = tmul(r, W3{u[0], u[1], u[2]});
+        return h * (r * W3{before[0] * w.x, before[1] * w.y, before[2] * w.z});
     };
-    const double* damping = view.damping + 6L * body;
+    const double* damping = view.drag_after + 6L * body;
     if (any_of_six(damping)) {
-        V8 d[kLanes];
+        V8 d[kLanes], e[kLanes];
         load_bodies(damping, 6, d);
-        if (any(d[0]) || any(d[1]) || any(d[2])) add_drag(d, lin);
-        if (any(d[3]) || any(d[4]) || any(d[5])) add_drag(d + 3, world);
+        load_bodies(view.drag_before + 6L * body, 6, e);
+        if (any(d[0]) || any(d[1]) || any(d[2])) past = add_drag(d, e, v, lin);
+        if (any(d[3]) || any(d[4]) || any(d[5])) turn = turn - add_drag(d + 3, e + 3, v + 3, world);
     }
 
     if constexpr (kLinks) {
@@ -165,9 +174,9 @@ void rigid_terms(const View& view, std::int32_t body) {
     double weight[kLanes];
     for (int l = 0; l < kLanes; ++l) weight[l] = view.weight[body + l] ? view.h : 0.0;
     const V8 w = load(weight) * m;
-    V8 a[kLanes] = {m * v[0] + w * view.gravity[0],
-                    m * v[1] + w * view.gravity[1],
-                    m * v[2] + w * view.gravity[2],
+    V8 a[kLanes] = {m * v[0] + w * view.gravity[0] - past.x,
+                    m * v[1] + w * view.gravity[1] - past.y,
+                    m * v[2] + w * view.gravity[2] - past.z,
                     turn.x,
                     turn.y,
                     turn.z,

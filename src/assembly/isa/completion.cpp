@@ -72,7 +72,8 @@ struct Asked {
 
 /// ġ at the step's start, of what c was evaluated with.
 void keep_rate(const View& view, std::int32_t row) {
-    view.rate[row] = view.c[row] / view.upsilon[row] + 4.0 / view.h * view.g[row];
+    view.rate[row] =
+        (view.c[row] / view.upsilon[row] + 4.0 / view.h * view.g[row]) / view.recall[row];
 }
 
 /// A ball joint in short. With a = h ω/2 of a body, what its arm r ends at beyond h ω × r is
@@ -136,7 +137,9 @@ void complete_eight(const View& view, std::int32_t id, const Asked& asked, Turni
     for (int k = 0; k < 3; ++k) {
         const std::int32_t r = row + kLanes * k;
         const V8 g = load(view.g + r), c = load(view.c + r);
-        if (asked.first) store(view.rate + r, c * (1.0 / load(view.upsilon + r)) + per_h4 * g);
+        if (asked.first)
+            store(view.rate + r, (c * (1.0 / load(view.upsilon + r)) + per_h4 * g) *
+                                     (1.0 / load(view.recall + r)));
         const V8 to = none - (per_h * g + over3[k]);
         change = larger(change, to - c);
         gap = larger(gap, closing3[k] - to);

@@ -18,6 +18,34 @@ inline void slot_velocity(const assembly::View& view, const double* v, std::int3
     ang = dof == 6 || dof == 0 ? load3(p + 3) : V3{0, 0, 0};
 }
 
+/// A line's part of a on its two bodies. @param share  Of K on v, the rest on v_ahead.
+inline void line_past(const assembly::View& view, std::int32_t id, double share) {
+    const assembly::GeoPlace& place = view.geo[id];
+    const double* rec = view.geo_record + place.record;
+    double* out[2] = {view.geo_force + place.slot(0) + place.dof,
+                      view.geo_force + place.slot(1) + place.dof};
+    if (rec[0] == 0.0) {
+        for (double* o : out)
+            for (int i = 0; i < place.dof; ++i) o[i] = 0.0;
+        return;
+    }
+    const std::int32_t* body = view.body + kMaxInteractionBodies * id;
+    V3 lin[2], ang[2];
+    for (int b = 0; b < 2; ++b) {
+        V3 ahead, turn;
+        slot_velocity(view, view.v, body[b], lin[b], ang[b]);
+        slot_velocity(view, view.v_ahead, body[b], ahead, turn);
+        lin[b] = share * lin[b] + (1.0 - share) * ahead;
+        ang[b] = share * ang[b] + (1.0 - share) * turn;
+    }
+    if (place.dof == 3) {  // no arms: one slot for both
+        const V3 u = load3(rec + 1), rel = lin[0] - lin[1];
+        store3(out[0], rec[0] * (rel - dot(u, rel) * u));
+        return;
+    }
+    geo_product(rec, lin, ang, 0.0, out[0], out[1]);
+}
+
 /// An interaction's part of M̃ v on its two bodies, see geo.h; with `damping`, as geo_product(), of
 /// a. @param from  0 or dof: which half of a slot, see GeoPlace.
 inline void geo_force(const assembly::View& view, std::int32_t id, const double* v,

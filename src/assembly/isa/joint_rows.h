@@ -63,7 +63,8 @@ class JointRows {
         for (int k = 0; k < 3; ++k) {
             const std::int32_t r = row + kLanes * k;
             store(view_.g + r, g[k]);
-            store(view_.c + r, load(view_.upsilon + r) * (s[k] - inv_h4 * g[k]));
+            store(view_.c + r,
+                  load(view_.upsilon + r) * (load(view_.recall + r) * s[k] - inv_h4 * g[k]));
         }
         slack(row, s);
         part();
@@ -137,7 +138,7 @@ class JointRows {
             if ((view_.flags[id_ + k / 3] & 1) == 0) continue;
             const std::int32_t r = row + k;
             view_.c[r] += when_slack(view_.g[r], lane(speed[k / kLanes], k % kLanes),
-                                     view_.upsilon[r], view_.h);
+                                     view_.upsilon[r] * view_.recall[r], view_.h);
         }
     }
     /// Joints that have parted.

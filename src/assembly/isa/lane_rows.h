@@ -64,8 +64,9 @@ struct LaneRows {
         for (int l = 0; l < kLanes; ++l)
             for (int r = 0; r < R; ++r) values[row[l] + r] = lane(v[r], l);
     }
-    W8 load_active() const {
-        return in_a_row ? W8(load(view.active + id[0])) : pick(view.active, id, 0);
+    /// A value of each interaction.
+    W8 load_each(const double* values) const {
+        return in_a_row ? W8(load(values + id[0])) : pick(values, id, 0);
     }
     /// Is one of the flags set anywhere?
     bool any_flag(const std::uint8_t* flags, std::uint8_t mask) const {
@@ -97,7 +98,7 @@ struct LaneRows {
             std::int32_t from[kLanes];
             for (int l = 0; l < kLanes; ++l) from[l] = view.dof_begin[body[b][l]];
             load_lanes(view.v, from, v[b]);
-            if (view.v_start) load_lanes(view.v_start, from, start[b]);
+            load_lanes(view.v_ahead, from, start[b]);
         }
         typename K::template DataT<W8> fields{};
         load_data(data, fields);
@@ -124,20 +125,22 @@ struct LaneRows {
     HAWSER_INLINE void write_rows(const Rows<B, R, W8>& rows, const V8 (&v)[B][kLanes],
                                   const V8 (&start)[B][kLanes]) const {
         const double inv_h4 = 4.0 / view.h;
-        V8 speed[R], upsilon[R], c[R], g[R];
+        V8 speed[R], upsilon[R], recall[R], c[R], g[R];
         products(rows, v, speed);
         load_rows(view.upsilon, upsilon);
+        load_rows(view.recall, recall);
         for (int r = 0; r < R; ++r) {
             g[r] = rows.g[r];
-            c[r] = upsilon[r] * (speed[r] - inv_h4 * g[r]);
+            c[r] = upsilon[r] * (recall[r] * speed[r] - inv_h4 * g[r]);
         }
         store_rows(view.g, g);
         store_rows(view.c, c);
         if (any_flag(view.flags, 1))
             for (int l = 0; l < kLanes; ++l)
                 for (int r = 0; r < R && (view.flags[id[l]] & 1); ++r)
-                    view.c[row[l] + r] += when_slack(lane(g[r], l), lane(speed[r], l),
-                                                     view.upsilon[row[l] + r], view.h);
+                    view.c[row[l] + r] +=
+                        when_slack(lane(g[r], l), lane(speed[r], l),
+                                   view.upsilon[row[l] + r] * view.recall[row[l] + r], view.h);
         if (!view.v_start) return;
         products(rows, start, speed);
         store_rows(view.residual, speed);
@@ -187,26 +190,28 @@ struct LaneRows {
     /// Record of a line between lumps, and its parts of M̃ v and of a.
     void line(const LumpLanes* refs, const Rows<B, R, W8>& rows, const V8 (&v)[B][kLanes],
               const V8 (&start)[B][kLanes]) const {
-        const double scale = 0.25 * view.h * view.h * view.geometric_stiffness;
+        const double scale = view.h * view.h * view.geometric_stiffness;
         V8 lambda[R];
         load_rows(view.lambda, lambda);
         const W8 none{}, tension = (-1.0 / view.h) * W8(lambda[0]);
         const W8 length = norm(refs[1].x - refs[0].x);
         const W8 at_least = constant(length, 1e-9);
         const W8 size = select_greater(length, at_least, length, at_least);
-        const W8 pulls = positive_part(tension) * load_active();
-        const W8 w = scale * pulls * (1.0 / size);
+        const W8 pulls = positive_part(tension) * load_each(view.active);
+        const W8 full = scale * pulls * (1.0 / size);  // h² T/l
+        const auto [late, ahead] =
+            across_shares(W8(full * load_each(view.lightness)), load_each(view.alert));
+        const W8 w = (late + ahead) * full;
         const V3T<W8> u{rows.J[1][0][0], rows.J[1][0][1], rows.J[1][0][2]};
         V8 record[kLanes] = {w, u.x, u.y, u.z, none, none, none, none};
         put_record<0, assembly::kGeoLine>(record);
         const V3T<W8> rel{v[0][0] - v[1][0], v[0][1] - v[1][1], v[0][2] - v[1][2]};
-        const V3T<W8> t = w * (rel - dot(u, rel) * u);
+        const V3T<W8> begin{start[0][0] - start[1][0], start[0][1] - start[1][1],
+                            start[0][2] - start[1][2]};
+        const V3T<W8> mix = late * rel + ahead * begin;
+        const V3T<W8> t = full * (mix - dot(u, mix) * u);
         V3T<W8> s{none, none, none};
-        if (view.v_start) {
-            const V3T<W8> begin{start[0][0] - start[1][0], start[0][1] - start[1][1],
-                                start[0][2] - start[1][2]};
-            s = w * (begin - dot(u, begin) * u);
-        }
+        if (view.v_start) s = w * (begin - dot(u, begin) * u);
         V8 force[kLanes] = {s.x, s.y, s.z, t.x, t.y, t.z, none, none};
         put_force<0, 6>(force);
     }

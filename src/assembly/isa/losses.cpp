@@ -28,7 +28,9 @@ int mark(const View& view, std::int32_t begin, std::int32_t end, std::int32_t fi
         const int flags = view.flags[id], row = view.row_begin[id];
         const bool idle = view.active[id] == 0.0, pulls = (flags & kPullsOnly) != 0;
         const bool none = (flags & kFriction) || view.parted[id] || (idle && !pulls);
-        const bool own = none || idle || (flags & (kCarried | kRange));
+        bool own = none || idle || (flags & (kCarried | kRange));
+        for (int r = row; r < row + view.rows[id]; ++r)
+            own |= __builtin_fabs(view.recall[r]) < assembly::kLeastRecall;
         if (own && !none) left[count++] = id;
         for (int r = row; r < row + view.rows[id]; ++r) {
             const bool driven = (view.row_flags[r] & kVelocityRow) ||
@@ -60,8 +62,9 @@ double row_losses(const View& view, std::int32_t begin, std::int32_t end, std::i
         const V8 g = of(view.g), c = of(view.c), epsilon = of(view.epsilon);
         const V8 lambda = of(view.lambda), pulls = load(marks.pulls + i);
         // The c of a completed row is not that of its speed before.
-        const V8 before = select_greater(load(marks.completed + i), none, of(view.rate),
-                                         c * (1.0 / of(view.upsilon)) + per_h4 * g);
+        const V8 before =
+            select_greater(load(marks.completed + i), none, of(view.rate),
+                           (c * (1.0 / of(view.upsilon)) + per_h4 * g) * (1.0 / of(view.recall)));
         const V8 after = c - of(view.sigma) * lambda - of(view.residual);
         const V8 old = g - half * before, now = g + half * after;
         // A line that was slack at the last half step has another c (when_slack()).

@@ -24,8 +24,9 @@ double fade(const View& view, std::int32_t id, double nf) {
     return completed_stiffness(4.0 * view.h * view.h * nf * view.swing[id]);
 }
 
-/// Force on slot b at the joint's point: the first three rows are translations along ±E. @return by
-/// how much less the damping of the record acts on the velocity before the step.
+/// Force on slot b at the joint's point: the first three rows are translations along ±E. @return of
+/// a joint: by how much less the damping of the record acts on the velocity before the step; of a
+/// line: which share of K in its record acts on that velocity, the rest on the one ahead.
 template <class K>
 double geometry(const View& view, const typename K::Data& data, const BodyRef* refs,
                 std::int32_t id, const Rows<K::kBodies, K::kRows>& rows) {
@@ -36,12 +37,20 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
     const bool rigid0 = view.dof[body[0]] == 6, rigid1 = view.dof[body[1]] == 6;
     const int size = place.dof == 3 ? assembly::kGeoLine : assembly::kGeoSwing;
     for (int i = 0; i < size; ++i) rec[i] = 0.0;
+    if constexpr (K::kGeometry == Geometry::line) {
+        store3(rec + 1, load3(rows.J[1][0]));
+        if (place.dof == 6) {
+            store3(rec + 4, refs[0].arm(data.point[0]));
+            store3(rec + 7, refs[1].arm(data.point[1]));
+        }
+    }
     if (view.geometric_stiffness == 0.0 && view.rotation_damping == 0.0) return 1.0;
     if (view.active[id] == 0.0) return 1.0;
     const double scale = 0.25 * view.h * view.h * view.geometric_stiffness;
     const double per_h = 1.0 / view.h;
     const double* lambda = view.lambda + view.row_begin[id];
     const V3 r0 = refs[0].arm(data.point[0]), r1 = refs[1].arm(data.point[1]);
+    double share = 1.0;
     V3 f1;  // force on body 1
     if constexpr (K::kGeometry == Geometry::line) {
         const V3 u = load3(rows.J[1][0]);
@@ -49,16 +58,19 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
         // Compression has a negative geometric stiffness: left out, so that M̃ stays positive.
         if (!(tension > 0.0)) return 1.0;
         const double length = norm(refs[1].x + r1 - refs[0].x - r0);
-        rec[0] = scale * fade(view, id, tension) * tension / (length > 1e-9 ? length : 1e-9);
-        store3(rec + 1, u);
+        const double full =
+            4.0 * scale * fade(view, id, tension) * tension / (length > 1e-9 ? length : 1e-9);
+        const auto [late, ahead] = across_shares(full * view.lightness[id], view.alert[id]);
+        rec[0] = (late + ahead) * full;
+        share = late / (late + ahead);
         f1 = -tension * u;
     } else {
         f1 = per_h * load3(lambda);
     }
-    if (place.dof == 3) return 1.0;
+    if (place.dof == 3) return share;
     store3(rec + 4, r0);
     store3(rec + 7, r1);
-    if (!rigid0 && !rigid1) return 1.0;
+    if (!rigid0 && !rigid1) return share;
     const double nf = norm(f1), n0 = norm(r0), n1 = norm(r1);
     const bool joint = K::kGeometry == Geometry::joint && rigid0 && rigid1;
     const bool completed = view.completed[id] != 0;
@@ -66,8 +78,9 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
     const double stiff = completed ? scale * fade(view, id, nf) : (joint ? t.stiff : scale);
     if (rigid0) arm_stiffness(-f1, nf, r0, n0, stiff, rec + 10);
     if (rigid1) arm_stiffness(f1, nf, r1, n1, stiff, rec + 16);
-    if (completed) return 1.0;  // without damping
+    if (completed) return share;  // without damping
     if (joint) rec[22] = t.damping;
+    if (K::kGeometry == Geometry::line) return share;
     return joint && t.damping > 0.0 ? t.back / t.damping : 1.0;
 }
 
@@ -189,19 +202,21 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         }
         const std::int32_t row = view.row_begin[id];
         for (int r = 0; r < R; ++r) {
-            const double ups = view.upsilon[row + r];
+            const double ups = view.upsilon[row + r], recalled = ups * view.recall[row + r];
             view.residual[row + r] = start[r];
             if (view.row_flags[row + r] & 1) {  // velocity row
                 view.g[row + r] = 0.0;
                 view.c[row + r] = rows.g[r] - prescribed[r];
             } else {
                 view.g[row + r] = rows.g[r];
-                view.c[row + r] = ups * (speed[r] + before[r] - inv_h4 * rows.g[r]) - prescribed[r];
+                view.c[row + r] =
+                    recalled * (speed[r] + before[r]) - ups * inv_h4 * rows.g[r] - prescribed[r];
                 // What slid has no memory of its speed: it is to stop.
                 if (view.flags[id] & 128)
-                    view.c[row + r] -= (1.0 - view.active[id]) * ups * speed[r];
+                    view.c[row + r] -= (1.0 - view.active[id]) * recalled * speed[r];
                 if (view.flags[id] & 1) {
-                    view.c[row + r] += when_slack(rows.g[r], speed[r] + before[r], ups, view.h);
+                    view.c[row + r] +=
+                        when_slack(rows.g[r], speed[r] + before[r], recalled, view.h);
                 }
             }
         }
@@ -216,7 +231,10 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         if constexpr (K::kGeometry != Geometry::none) {
             const double back = geometry<K>(view, data[k], refs, id, rows);
             if (view.geo[id].record >= 0) {
-                geo_force(view, id, view.v, -back, view.geo[id].dof);
+                if constexpr (K::kGeometry == Geometry::line)
+                    line_past(view, id, back);
+                else
+                    geo_force(view, id, view.v, -back, view.geo[id].dof);
                 if (view.v_start) geo_force(view, id, view.v_start);
             }
         }

@@ -22,6 +22,9 @@ void row_update(const assembly::View&, std::int32_t, std::int32_t, bool) noexcep
 void row_norms(const assembly::View&, std::int32_t, std::int32_t, assembly::Norms*) noexcept;
 double row_losses(const assembly::View&, std::int32_t, std::int32_t, std::int32_t*, int*) noexcept;
 
+void line_gains(const assembly::View&, const std::int32_t*, std::int32_t,
+                assembly::LineGain*) noexcept;
+
 void body_terms(const assembly::View&, std::int32_t, std::int32_t) noexcept;
 void first_rhs(const assembly::View&, std::int32_t, std::int32_t, bool) noexcept;
 void first_body_rhs(const assembly::View&, std::int32_t, std::int32_t, bool) noexcept;
@@ -40,10 +43,11 @@ void gather_lane_blocks(const assembly::View&, const assembly::LaneOp*, std::int
 /// What to add to c of a row that only pulls. The force of a step is that of the mean of the
 /// half-step positions x̄₋ = g − (h/2) ġ and x̄₊. Of a line that was slack, x̄₋ < 0, the mean would
 /// ask the motion for less than what is stored then, by x̄₋²/2ε: each time that it comes taut,
-/// energy out of nothing. So slack counts as x̄₋ = 0, which takes a little too much instead.
-inline double when_slack(double g, double speed, double upsilon, double h) noexcept {
+/// energy out of nothing. So slack counts as x̄₋ = 0, which takes a little too much instead: ġ is
+/// then 2g/h, to a damper too. @param recalled  Υ × recall of the row.
+inline double when_slack(double g, double speed, double recalled, double h) noexcept {
     const double before = g - 0.5 * h * speed;
-    return before < 0.0 ? 2.0 * upsilon / h * before : 0.0;
+    return before < 0.0 ? 2.0 * recalled / h * before : 0.0;
 }
 
 }  // namespace hawser::HAWSER_ISA

@@ -61,6 +61,7 @@ struct RowSpec {
     double compliance = 1e-12;  ///< ε or γ.
     double damping_time = 0.0;  ///< τ [s].
     bool velocity = false;      ///< G v = u instead of g = 0.
+    bool calmed = false;        ///< τ is the scheme's own: it belongs to no damper.
     bool gap = false;           ///< A translational constraint: counts in violation_max.
     bool one_sided = false;     ///< Only pulls (λ ≤ 0).
     bool range = false;         ///< Idle while inside its range.
@@ -75,12 +76,19 @@ inline constexpr double kStopCompliance = 1e-12;
 
 inline double given(double value, double fallback) { return value == value ? value : fallback; }
 
+/// τ as defined, else two steps that no damper stands for.
+inline void damping_or_calm(const InteractionDef& def, double h, int row, RowSpec& out) {
+    const double defined = def.damping_time.data()[row];
+    out.damping_time = given(defined, 2.0 * h);
+    out.calmed = defined != defined;
+}
+
 /// ε and τ of an ordinary constraint: the definition's, else rigid (or `compliance`) and two steps.
 inline void constraint_rows(const InteractionDef& def, double h, int first, int count, bool gap,
                             RowSpec* out, double compliance = 0.0) {
     for (int r = first; r < first + count; ++r) {
         out[r].compliance = given(def.compliance.data()[r], compliance);
-        out[r].damping_time = given(def.damping_time.data()[r], 2.0 * h);
+        damping_or_calm(def, h, r, out[r]);
         out[r].gap = gap;
     }
 }

@@ -93,7 +93,7 @@ inline constexpr ParamInfo kStretchParams[] = {
 
 inline void stretch_rows(const InteractionDef& d, double h, RowSpec* s) {
     s[0].compliance = given(d.compliance.data()[0], d.params.data()[0] / d.params.data()[1]);
-    s[0].damping_time = given(d.damping_time.data()[0], 2.0 * h);
+    damping_or_calm(d, h, 0, s[0]);
     s[0].one_sided = d.params.data()[2] > 0.5;
 }
 
@@ -192,7 +192,7 @@ struct Bend {
         for (int r = 0; r < 2; ++r) {
             s[r].compliance =
                 given(d.compliance.data()[r], d.params.data()[1] / d.params.data()[0]);
-            s[r].damping_time = given(d.damping_time.data()[r], 2.0 * h);
+            damping_or_calm(d, h, r, s[r]);
         }
     }
     template <class T, class Ref>
@@ -249,7 +249,7 @@ struct Twist {
     using Data = JointData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         s[0].compliance = given(d.compliance.data()[0], d.params.data()[1] / d.params.data()[0]);
-        s[0].damping_time = given(d.damping_time.data()[0], 2.0 * h);
+        damping_or_calm(d, h, 0, s[0]);
     }
     static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
         V3 t;

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Energy that lines hold more than the bodies at their ends gave them, see stepper/wires.h.
+#include "assembly/isa/geo_force.h"
+#include "assembly/isa/rows.h"
+#include "base/transpose.h"
+
+namespace hawser::HAWSER_ISA {
+namespace {
+
+using assembly::LineGain;
+using assembly::View;
+
+/// Both ends of an element: points, velocities before and after, and the impulse on the second.
+template <class T>
+struct Ends {
+    V3T<T> apart;        ///< Of the points where the step began.
+    V3T<T> back, ahead;  ///< The same, half a step before and after.
+    V3T<T> mean;         ///< Relative velocity, mean of before and after.
+    V3T<T> impulse;
+    T g, stiffness, pulls;  ///< pulls: 1, holds nothing while it is short.
+    T size;                 ///< Of the coordinates: their rounding is that of lengths.
+};
+
+template <class T>
+inline T longer_by(const Ends<T>& e, const V3T<T>& apart, const T& rest) {
+    const T longer = root(dot(apart, apart)) - rest;
+    return select_greater(e.pulls, zero(rest), positive_part(longer), longer);
+}
+template <class T>
+inline T size_of(const T& x) {
+    return select_greater(x, zero(x), x, -x);
+}
+
+template <class T>
+inline void gain_of(const Ends<T>& e, T& gain, T& exchanged, T& noise) {
+    const T rest = root(dot(e.apart, e.apart)) - e.g;
+    const T before = longer_by(e, e.back, rest), after = longer_by(e, e.ahead, rest);
+    const T change = 0.5 * e.stiffness * (after * after - before * before);
+    constexpr double kRounding = 1e-15;  // of a few sums
+    gain += change + dot(e.impulse, e.mean);
+    exchanged += size_of(change);
+    noise += kRounding * e.stiffness * (size_of(before) + size_of(after)) * e.size;
+}
+
+/// A vector turned by the Cayley map of the angle 4b.
+inline V3 turned(const V3& r, const V3& b) {
+    const V3 c = cross(b, r);
+    return r + (2.0 / (1.0 + dot(b, b))) * (c + cross(b, c));
+}
+
+void one_gain(const View& view, std::int32_t id, LineGain* sum) {
+    if (view.parted[id]) return;
+    const assembly::GeoPlace& place = view.geo[id];
+    const double *record = view.geo_record + place.record, *f = view.geo_force + place.force;
+    const std::int32_t* body = view.body + kMaxInteractionBodies * id;
+    const std::int32_t row = view.row_begin[id];
+    const double h = view.h;
+    V3 point[2], before[2], after[2], mean[2];
+    for (int b = 0; b < 2; ++b) {
+        V3 lin, ang, lin_after, ang_after;
+        slot_velocity(view, view.v, body[b], lin, ang);
+        slot_velocity(view, view.v_new, body[b], lin_after, ang_after);
+        const V3 x = load3(view.x + 3 * body[b]);
+        const V3 r = place.dof == 3 ? V3{0, 0, 0} : load3(record + 4 + 3 * b);
+        point[b] = x + r;
+        before[b] = x - (0.5 * h) * lin + turned(r, (-0.25 * h) * ang);
+        after[b] = x + (0.5 * h) * lin_after + turned(r, (0.25 * h) * ang_after);
+        mean[b] = 0.5 * (lin + lin_after + cross(ang + ang_after, r));
+    }
+    const V3 across = load3(f + (place.dof == 3 ? 3 : 6)) - load3(f);  // of slot 0
+    const Ends<double> e{point[1] - point[0],
+                         before[1] - before[0],
+                         after[1] - after[0],
+                         mean[1] - mean[0],
+                         view.lambda[row] * load3(record + 1) - across,
+                         view.g[row],
+                         1.0 / view.epsilon[row],
+                         view.flags[id] & 1 ? 1.0 : 0.0,
+                         size_of(point[0].x) + size_of(point[0].y) + size_of(point[0].z)};
+    gain_of(e, sum->gain, sum->exchanged, sum->noise);
+}
+
+/// Eight of View::among_lumps. @return false where one has parted.
+bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
+    std::int32_t x[2][kLanes], v[2][kLanes], row[kLanes], record[kLanes], force[kLanes];
+    double pulls[kLanes];
+    for (int l = 0; l < kLanes; ++l) {
+        const std::int32_t id = ids[l];
+        if (view.parted[id] || !view.among_lumps[id]) return false;
+        for (int b = 0; b < 2; ++b) {
+            const std::int32_t body = view.body[kMaxInteractionBodies * id + b];
+            x[b][l] = 3 * body;
+            v[b][l] = view.dof_begin[body];
+        }
+        row[l] = view.row_begin[id];
+        record[l] = view.geo[id].record;
+        force[l] = view.geo[id].force;
+        pulls[l] = view.flags[id] & 1 ? 1.0 : 0.0;
+    }
+    auto apart = [&](const double* base, const std::int32_t(&from)[2][kLanes]) {
+        V8 a[kLanes], b[kLanes];
+        load_lanes(base, from[0], a);
+        load_lanes(base, from[1], b);
+        return V3T<W8>{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    };
+    const V3T<W8> d = apart(view.x, x), u = apart(view.v, v), w = apart(view.v_new, v);
+    V8 at[kLanes];
+    load_lanes(view.x, x[0], at);
+    const W8 size = size_of(W8(at[0])) + size_of(W8(at[1])) + size_of(W8(at[2]));
+    V8 f[kLanes], line[kLanes];
+    load_lanes(view.geo_force, force, f);
+    load_lanes(view.geo_record, record, line);
+    const W8 half = constant(W8(f[0]), 0.5 * view.h), lambda = gather_range(view.lambda, row, 0, 8);
+    const V3T<W8> across{f[3] - f[0], f[4] - f[1], f[5] - f[2]};
+    const V3T<W8> n{line[1], line[2], line[3]};
+    const Ends<W8> e{d,
+                     d - half * u,
+                     d + half * w,
+                     constant(half, 0.5) * (u + w),
+                     lambda * n - across,
+                     gather_range(view.g, row, 0, 8),
+                     1.0 / gather_range(view.epsilon, row, 0, 8),
+                     load(pulls),
+                     size};
+    W8 gain{}, exchanged{}, noise{};
+    gain_of(e, gain, exchanged, noise);
+    sum->gain += hawser::HAWSER_ISA::sum(gain);
+    sum->exchanged += hawser::HAWSER_ISA::sum(exchanged);
+    sum->noise += hawser::HAWSER_ISA::sum(noise);
+    return true;
+}
+
+}  // namespace
+
+void line_gains(const View& view, const std::int32_t* ids, std::int32_t count,
+                LineGain* sum) noexcept {
+    std::int32_t i = 0;
+    for (; i + kLanes <= count; i += kLanes) {
+        if (eight_gains(view, ids + i, sum)) continue;
+        for (int l = 0; l < kLanes; ++l) one_gain(view, ids[i + l], sum);
+    }
+    for (; i < count; ++i) one_gain(view, ids[i], sum);
+}
+
+}  // namespace hawser::HAWSER_ISA

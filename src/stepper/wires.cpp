@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stepper/wires.h"
+
+#include "base/index.h"
+#include "stepper/contact.h"
+#include "stepper/stages.h"
+#include "stepper/step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::View;
+
+constexpr std::int32_t kPart = 64;  ///< Elements, or lumps, of one part.
+constexpr int kMostRepeats = 7;     ///< See wires.h.
+constexpr double kMayGain = 1e-3;   ///< Of what was exchanged.
+/// Steps after which a loss no longer comes back, all but a third: what the stiffness takes of a
+/// swing of few steps a period, and returns in a quarter of it, is above kMayGain.
+constexpr double kCreditSteps = 240.0;
+/// For so long a wire is stepped more calmly, the longer of both.
+constexpr double kAlertSteps = 20.0, kAlertSeconds = 1.0;
+
+bool is_element(const model::Interactions& in, std::int32_t id) {
+    const InteractionKind kind = in.def[at(id)].kind;
+    if (kind == InteractionKind::Stretch) return true;
+    return kind == InteractionKind::Distance &&  // a spring, not a rod
+           in.epsilon[at(in.row_begin[at(id)])] > model::kElasticCompliance;
+}
+
+/// Smallest of the numbers joined with i.
+std::int32_t root_of(std::vector<std::int32_t>& joined, std::int32_t i) {
+    while (joined[at(i)] != i) {
+        joined[at(i)] = joined[at(joined[at(i)])];
+        i = joined[at(i)];
+    }
+    return i;
+}
+
+/// Elements joined by lumps: by interaction, the first one of its wire.
+std::vector<std::int32_t> join_elements(const StepContext& ctx, std::int32_t count) {
+    const model::Interactions& in = ctx.interactions;
+    std::vector<std::int32_t> joined(at(count)), of_body(at(ctx.bodies.count()), -1);
+    std::iota(joined.begin(), joined.end(), 0);
+    for (std::int32_t id = 0; id < count; ++id) {
+        if (!is_element(in, id)) continue;
+        for (int b = 0; b < 2; ++b) {
+            const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
+            if (ctx.bodies.dof(body) != 3) continue;
+            std::int32_t& first = of_body[at(body)];
+            if (first < 0) first = id;
+            const std::int32_t p = root_of(joined, first), q = root_of(joined, id);
+            joined[at(std::max(p, q))] = std::min(p, q);
+        }
+    }
+    for (std::int32_t id = 0; id < count; ++id) joined[at(id)] = root_of(joined, id);
+    return joined;
+}
+
+/// Lumps by wire, and parts of elements and lumps.
+void make_parts(StepContext& ctx, const std::vector<std::vector<std::int32_t>>& elements) {
+    Wires& w = ctx.wires;
+    const model::Interactions& in = ctx.interactions;
+    std::vector<std::uint8_t> seen(at(ctx.bodies.count()), 0);
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        const auto element = static_cast<std::int32_t>(w.element.size());
+        const auto lump = static_cast<std::int32_t>(w.lump.size());
+        for (const std::int32_t id : elements[k]) {
+            w.place[at(id)] = static_cast<std::int32_t>(w.element.size());
+            w.element.push_back(id);
+            for (int b = 0; b < 2; ++b) {
+                const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
+                if (ctx.bodies.dof(body) != 3 || seen[at(body)]) continue;
+                seen[at(body)] = 1;
+                w.lump.push_back(body);
+            }
+        }
+        const auto end = static_cast<std::int32_t>(w.element.size());
+        const auto lump_end = static_cast<std::int32_t>(w.lump.size());
+        for (std::int32_t e = element, l = lump; e < end || l < lump_end; e += kPart, l += kPart)
+            w.parts.push_back({static_cast<std::int32_t>(k), std::min(e, end),
+                               std::min(e + kPart, end), std::min(l, lump_end),
+                               std::min(l + kPart, lump_end)});
+    }
+}
+
+/// Whether the guard looks at this step at all: sides of cuts have energy that crosses the cut, and
+/// without geometric stiffness there is nothing to be more careful with.
+bool on_guard(const StepContext& ctx) noexcept {
+    return ctx.wires.count() > 0 && ctx.cuts.list.empty() && ctx.def.geometric_stiffness > 0.0;
+}
+
+bool accepted(const Wires& w, std::size_t wire) noexcept {
+    const WireGain& g = w.gain[wire];
+    return !w.fast[wire] || g.gain <= kMayGain * g.exchanged + g.noise + w.credit[wire];
+}
+
+/// Rows that gave way follow their law again.
+void release(StepContext& ctx) noexcept {
+    Wires& w = ctx.wires;
+    if (!w.replacing) return;
+    for (const std::int32_t id : w.element) {
+        if (!w.replaced[at(id)]) continue;
+        w.replaced[at(id)] = 0;
+        if (!(ctx.interactions.flags[at(id)] & model::kOneSided))
+            ctx.interactions.active[at(id)] = 1.0;
+    }
+    w.replacing = false;
+}
+
+/// Multipliers as the step began with, which geometric stiffness goes by, and the state of lines
+/// but in refused wires, where it is as last found.
+void go_back(StepContext& ctx) noexcept {
+    model::Interactions& in = ctx.interactions;
+    Wires& w = ctx.wires;
+    std::copy(ctx.lambda_before.begin(), ctx.lambda_before.end(), in.lambda.begin());
+    // Joints whose force has grown within the step go on with the stiffness of that.
+    for (const std::int32_t id : ctx.completion.joints)
+        std::copy_n(&ctx.completion.lambda_with[at(in.row_begin[at(id)])], in.rows[at(id)],
+                    &in.lambda[at(in.row_begin[at(id)])]);
+    for (std::size_t i = 0; i < ctx.active_before.size(); ++i) {
+        const std::int32_t id = ctx.system.bounded[i];
+        const std::int32_t wire = id < interaction_count(ctx) ? w.wire_of[at(id)] : -1;
+        if (wire < 0 || w.level[at(wire)] == 0) in.active[at(id)] = ctx.active_before[i];
+    }
+}
+
+/// Rows of wires that are to be bounded.
+void replace(StepContext& ctx) noexcept {
+    Wires& w = ctx.wires;
+    constexpr int kFirstBound = 4;
+    for (const std::int32_t id : w.element) {
+        if (w.level[at(w.wire_of[at(id)])] < kFirstBound || ctx.interactions.parted[at(id)] ||
+            ctx.system.rests(id))
+            continue;
+        w.replaced[at(id)] = 1;
+        w.replacing = true;
+    }
+}
+
+Status solve_again(StepContext& ctx) noexcept {
+    ++ctx.stats.wire_repeats;
+    release(ctx);
+    go_back(ctx);
+    replace(ctx);
+    ctx.wires.again = true;
+    Status status = Status::ok;
+    if (ctx.collider.count() > 0) status = start_contacts(ctx, Phase::regular);
+    if (status == Status::ok) {
+        assemble_rows(ctx);
+        status = solve_assembled(ctx);
+    }
+    ctx.wires.again = false;
+    if (status != Status::ok) release(ctx);
+    return status;
+}
+
+/// Refused wires get their next plan. @return whether there are any.
+bool refuse(StepContext& ctx) noexcept {
+    Wires& w = ctx.wires;
+    bool any = false;
+    for (std::size_t k = 0; k < w.count(); ++k) {
+        if (accepted(w, k) || w.level[k] >= kMostRepeats) continue;
+        plan_wires(ctx, static_cast<std::int32_t>(k));
+        any = true;
+    }
+    return any;
+}
+
+/// What the step as it is to be leaves for the next ones.
+void remember_gains(StepContext& ctx, bool any_fast) noexcept {
+    Wires& w = ctx.wires;
+    constexpr double kept = 1.0 - 1.0 / kCreditSteps;
+    const std::int32_t alert = most_alert(ctx.def.step);
+    for (std::size_t k = 0; k < w.count(); ++k) {
+        const double lost = any_fast && w.fast[k] ? -w.gain[k].gain : 0.0;
+        w.credit[k] = std::isfinite(lost) ? kept * std::max(0.0, w.credit[k] + lost) : 0.0;
+        const std::int32_t before = w.alert[k];
+        w.alert[k] = any_fast && w.level[k] > 0 ? alert : std::max(0, before - 1);
+        if ((before > 0) != (w.alert[k] > 0)) w.stale = true;
+    }
+    if (w.stale) follow_alerts(ctx);
+}
+
+}  // namespace
+
+void make_wires(StepContext& ctx) {
+    const std::int32_t count = interaction_count(ctx);
+    const std::vector<std::int32_t> joined = join_elements(ctx, count);
+    std::vector<std::vector<std::int32_t>> elements;
+    Wires made;
+    made.wire_of.assign(at(count), -1);
+    made.place.assign(at(count), -1);
+    for (std::int32_t id = 0; id < count; ++id) {
+        if (!is_element(ctx.interactions, id)) continue;
+        std::int32_t& wire = made.wire_of[at(id)];
+        wire = made.wire_of[at(joined[at(id)])];  // that of the first, which comes first
+        if (wire < 0) {
+            wire = static_cast<std::int32_t>(elements.size());
+            elements.emplace_back();
+        }
+        elements[at(wire)].push_back(id);
+    }
+    made.credit.assign(elements.size(), 0.0);
+    made.alert.assign(elements.size(), 0);
+    if (ctx.wires.wire_of == made.wire_of) {
+        made.credit = ctx.wires.credit;
+        made.alert = ctx.wires.alert;
+    }
+    made.fast.assign(elements.size(), 0);
+    made.level.assign(elements.size(), 0);
+    made.gain.resize(elements.size());
+    std::swap(ctx.wires, made);
+    make_parts(ctx, elements);
+    Wires& w = ctx.wires;
+    w.part_gain.resize(w.parts.size());
+    w.pull.assign(w.element.size(), 0.0);
+    w.holds.assign(w.element.size(), 0);
+    w.replaced.assign(at(ctx.interactions.count()), 0);
+    follow_alerts(ctx);
+}
+
+void calm_start(StepContext& ctx) noexcept {
+    if (!on_guard(ctx)) return;
+    Wires& w = ctx.wires;
+    const View v = view(ctx);
+    std::fill(w.fast.begin(), w.fast.end(), 0);
+    if (!find_fast_wires(ctx)) return;
+    for (const WirePart& p : w.parts) {
+        if (!w.fast[at(p.wire)]) continue;
+        for (std::int32_t i = p.lump_begin; i < p.lump_end; ++i) {
+            const std::int32_t begin = v.dof_begin[w.lump[at(i)]];
+            if (v.dof[w.lump[at(i)]] == 3) std::copy_n(v.v_ahead + begin, 3, v.v + begin);
+        }
+    }
+}
+
+std::int32_t most_alert(double step) noexcept {
+    // A step of 1e-7 s, the shortest, makes ten million of them.
+    return static_cast<std::int32_t>(std::ceil(std::max(kAlertSteps, kAlertSeconds / step)));
+}
+
+Status guard_wires(StepContext& ctx) noexcept {
+    if (!on_guard(ctx)) return Status::ok;
+    Wires& w = ctx.wires;
+    std::fill(w.fast.begin(), w.fast.end(), 0);
+    std::fill(w.level.begin(), w.level.end(), 0);
+    const bool any_fast = find_fast_wires(ctx);
+    if (any_fast) {
+        measure_wires(ctx);
+        while (refuse(ctx)) {
+            const Status status = solve_again(ctx);
+            if (status != Status::ok) return status;
+            (void)find_fast_wires(ctx);
+            measure_wires(ctx);
+        }
+    }
+    remember_gains(ctx, any_fast);
+    return Status::ok;
+}
+
+void follow_alerts(StepContext& ctx) noexcept {
+    Wires& w = ctx.wires;
+    for (std::size_t k = 0; k < w.count(); ++k) {
+        if (!(w.credit[k] >= 0.0) || !std::isfinite(w.credit[k])) w.credit[k] = 0.0;
+        w.alert[k] = std::max(0, w.alert[k]);
+    }
+    for (const std::int32_t id : w.element)
+        ctx.interactions.alert[at(id)] = w.alert[at(w.wire_of[at(id)])] > 0 ? 1.0 : 0.0;
+    w.stale = false;
+}
+
+}  // namespace hawser::stepper
