@@ -104,6 +104,7 @@ void RandomJudge::start(const World& world) {
     elastic_ = elastic(world, before_);
     const double energy = kinetic_ + gravity_ + elastic_;
     (void)between_.rise(energy);
+    (void)by_force_.rise(energy);
     // The mean of the kinetic energies half a step before and after is higher than that between
     // them where bodies fall: by m (g h)²/8.
     double fall = 0.0;
@@ -127,6 +128,15 @@ double RandomJudge::elastic(const World& world, const std::vector<Pose>& poses) 
         const InteractionDef& d = world.interaction_def(s.id);
         const double g = (point_of(d, poses, 1) - point_of(d, poses, 0)).norm() - s.length;
         if (g > 0.0 || !s.one_sided) sum += 0.5 * g * g / s.compliance;
+    }
+    return sum;
+}
+
+double RandomJudge::elastic_by_force(const World& world) const {
+    double sum = 0.0;
+    for (const Spring& s : springs_) {
+        const double force = world.force(s.id)[0];
+        sum += 0.5 * force * force * s.compliance;
     }
     return sum;
 }
@@ -168,7 +178,8 @@ void RandomJudge::look_at_energy(const World& world) {
     const double height = gravity(world, half), spring = elastic(world, half);
     out_.exchanged += 0.5 * (std::abs(moved - kinetic_) + std::abs(height - gravity_) +
                              std::abs(spring - elastic_));
-    double rise = between_.rise(moved + height + spring);
+    double rise = std::min(between_.rise(moved + height + spring),
+                           by_force_.rise(moved + height + elastic_by_force(world)));
     // At the pose before, between the velocity before and this one; before the first step there is
     // no velocity before.
     const double at_pose = begun_

@@ -20,7 +20,6 @@ inline constexpr Limit kCertificate{1e-3, 0.1};  ///< Relative, for kSustained.
 inline constexpr Limit kTurn{0.5, 20.0};         ///< Of a body or an element in a step [rad].
 inline constexpr double kMemory = 10.0;          ///< Of what was exchanged [s].
 inline constexpr double kMean = 0.5;             ///< Of energies that refuse a step [s].
-inline constexpr double kHeld = 0.1;             ///< That rows may hold energy [s].
 inline constexpr double kSustained = 0.5;        ///< [s].
 inline constexpr double kLook = 0.1;             ///< From look to look [s], at least a step.
 inline constexpr double kSettled = 3.0;          ///< What stands open at the start closes [steps].

@@ -255,8 +255,12 @@ Scene load_text(std::string_view text, const std::string& name_for_messages,
 
 std::optional<Scene> load_file(const std::filesystem::path& file, const Options& options,
                                std::vector<SceneError>& mistakes) {
-    return try_scene([&](Mistakes* list) { return read_json_file(file, list); }, file, options,
-                     mistakes);
+    std::optional<Scene> scene = try_scene(
+        [&](Mistakes* list) { return read_json_file(file, list); }, file, options, mistakes);
+    if (scene) {
+        scene->files.push_back(file);
+    }
+    return scene;
 }
 
 std::optional<Scene> load_text(std::string_view text, const std::string& name_for_messages,

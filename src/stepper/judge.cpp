@@ -196,11 +196,7 @@ Status judge(StepContext& ctx) noexcept {
     JudgeData& d = ctx.judge;
     // Joints are looked at in each step, at no cost: in between they may open and close.
     const bool open = ctx.stats.violation_max > limit::kOpen.doubtful;
-    if (ctx.step % d.every != 0 && !open) return Status::ok;
-    if (ctx.step == 0) {
-        begin_half_step_before(look(ctx, At::half_step), works(ctx), d.state);
-        return Status::ok;
-    }
+    if (ctx.step == 0 || (ctx.step > 1 && ctx.step % d.every != 0 && !open)) return Status::ok;
     JudgeState next = d.state;
     const Findings now = judged(ctx, next);
     const Grade grade = add(now, d.verdict);

@@ -9,8 +9,8 @@
 /// the steps, so that a look every few steps misses nothing. What rows take is an explanation as
 /// long as it is more than nothing: joints do no work, and two that contradict each other put in
 /// energy as if they took less than nothing. A second sum therefore adds what rows gave beyond what
-/// they had taken within about kHeld, which may be held in an overlap or in an element that comes
-/// taut. Judged is how far either rises above its lowest value, and the first falls below its
+/// they had taken within about a second, which may be held in an overlap or in an element that
+/// comes taut. Judged is how far either rises above its lowest value, and the first falls below its
 /// highest, over what was exchanged: kinetic energy and half the changes of all that is in the
 /// sums. Both forget within kMemory. A
 /// result is doubtful by the values of a moment; a step is refused by their means over kMean, as
@@ -88,10 +88,6 @@ struct Unexplained {
 };
 /// The sums begin: energy at the start.
 void begin_energy(const JudgePart& p, const Works& works, JudgeState& state) noexcept;
-/// Energy half a step before the start: friction and drag have yet to take what they take until
-/// then. No more of it than there was kinetic energy, as forces that cannot be throw a body about
-/// within this half step already.
-void begin_half_step_before(const JudgePart& p, const Works& works, JudgeState& state) noexcept;
 /// `state` goes on to this look. @param time  Since the last one [s].
 [[nodiscard]] Unexplained follow_energy(const JudgePart& p, const Works& works, double time,
                                         JudgeState& state) noexcept;

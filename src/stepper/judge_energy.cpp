@@ -26,9 +26,12 @@ void set(JudgeState& state, std::size_t i, double now) noexcept {
     state.now_tide[i] = state.mean_tide[i] = {now, now};
 }
 
+/// That rows may hold what they took, in an overlap or in an element that comes taut [s].
+constexpr double kHeldFor = 1.0;
+
 /// What rows gave beyond what they had taken lately, which they may hold for a while.
 void count_given(double taken, double time, JudgeState& state) noexcept {
-    state.held = (state.held + std::max(0.0, taken)) * std::exp(-time / limit::kHeld);
+    state.held = (state.held + std::max(0.0, taken)) * std::exp(-time / kHeldFor);
     const double back = std::min(state.held, std::max(0.0, -taken));
     state.held -= back;
     state.given += std::max(0.0, -taken) - back;
@@ -51,14 +54,6 @@ void begin_energy(const JudgePart& p, const Works& w, JudgeState& state) noexcep
     keep(p, w, state);
 }
 
-void begin_half_step_before(const JudgePart& p, const Works& w, JudgeState& state) noexcept {
-    const std::array<double, 2> before = unexplained(p, w, state.given);
-    for (std::size_t i = 0; i < 2; ++i) {
-        const double least = state.now_tide[i].least;
-        set(state, i, std::clamp(before[i], least, least + state.kinetic));
-    }
-}
-
 Unexplained follow_energy(const JudgePart& p, const Works& w, double time,
                           JudgeState& state) noexcept {
     if (state.begun == 0) begin_energy(p, w, state);
@@ -70,13 +65,15 @@ Unexplained follow_energy(const JudgePart& p, const Works& w, double time,
     const double forgotten = std::min(1.0, time / limit::kMemory);
     state.exchanged += 0.5 * changes - forgotten * state.exchanged;
     const std::array<double, 2> now = unexplained(p, w, state.given);
-    // How much there was half a step before the start is known to the first order only.
+    // Works are those from half a step before the start on: half of them is not of this motion.
     const bool first = state.begun++ == 1;
+    double early = 0.0;
+    for (std::size_t i = 0; i < w.size(); ++i) early += 0.5 * std::fabs(w[i] - state.work[i]);
     Unexplained out;
     for (std::size_t i = 0; i < 2; ++i) {
         // Rows that close what stood open at the start put in energy by order of the scene.
-        if ((i == 1 && state.open_start > 1.0) || (first && now[i] < state.mean[i]))
-            set(state, i, now[i]);
+        if (i == 1 && state.open_start > 1.0) set(state, i, now[i]);
+        if (first) set(state, i, std::min(now[i], state.mean[i] + early));
         state.mean[i] += (1.0 - std::exp(-time / limit::kMean)) * (now[i] - state.mean[i]);
         const Swing own = follow(state.now_tide[i], now[i], forgotten);
         const Swing mean = follow(state.mean_tide[i], state.mean[i], forgotten);

@@ -188,7 +188,12 @@ void prepare_judge(StepContext& ctx) {
     for (const std::int32_t b : ctx.bodies.moving)
         if (ctx.bodies.weight[at(b)])
             d.nothing += limit::kNothingHigher * ctx.bodies.mass[at(b)] * ctx.def.gravity.norm();
-    d.every = static_cast<std::int32_t>(std::max(1.0, std::round(limit::kLook / ctx.def.step)));
+    // A look at a small scene costs next to nothing.
+    constexpr std::size_t kSmall = 64;
+    const bool small = ctx.bodies.moving.size() + d.elastic.size() <= kSmall;
+    d.every =
+        small ? 1
+              : static_cast<std::int32_t>(std::max(1.0, std::round(limit::kLook / ctx.def.step)));
 }
 
 }  // namespace hawser::stepper

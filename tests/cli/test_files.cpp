@@ -13,7 +13,10 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <initializer_list>
 #include <span>
+#include <string>
+#include <string_view>
 
 namespace hawser::test {
 namespace {
@@ -30,6 +33,12 @@ int shell(const std::string& line) {
         "H='" + program_file().string() + "'; export H; timeout 60 sh -c '" + line + "'";
     const int status = std::system(whole.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+std::string joined(std::initializer_list<std::string_view> parts) {
+    std::string out;
+    for (const std::string_view part : parts) out += part;
+    return out;
 }
 
 /// Exit code 1 and these words, soon.
@@ -98,7 +107,7 @@ TEST(Files, PipesAreRefusedNotWaitedFor) {
     refused("replay " + pipe, "is a pipe");
     refused("plot " + pipe, "is a pipe");
     for (const char* option : {"--record ", "--csv ", "--summary ", "--save-at 0.1 "})
-        refused(run + option + pipe, "is a pipe");
+        refused(joined({run, option, pipe}), "is a pipe");
     refused(run + "--restore " + pipe, "is a pipe");
     refused(run + "--control " + pipe, "is a pipe");
     refused(run + "--record " + folder.string(), "is a folder");
@@ -134,8 +143,8 @@ TEST(Files, NoOutputIsAnInputOrAnotherOutput) {
     for (const std::string& name :
          {at("s.json"), at("link.json"), at("hard.json"), at("d/../s.json")}) {
         for (const char* option : {"--record ", "--csv ", "--summary ", "--save-at 0.1 "})
-            refused(run + option + name, "would overwrite a file of the scene");
-        refused(run + "--trace " + name, "would overwrite a file of the scene");
+            refused(joined({run, option, name}), "would overwrite a file of the scene");
+        refused(joined({run, "--trace ", name}), "would overwrite a file of the scene");
         refused("settle " + at("s.json") + " -o " + name, "would overwrite a file of the scene");
     }
     EXPECT_EQ(read_text(at("s.json")), scene);
@@ -189,7 +198,7 @@ TEST(Times, MustBeFiniteAndReachable) {
     refused(run + "--set settings.duration=1e18", "duration");
     const std::string save = " " + (folder / "a.hws").string();
     for (const char* time : {"nan", "inf", "-inf", "-1", "1e18"})
-        refused(run + "--duration 1 --save-at " + time + save, "--save-at");
+        refused(joined({run, "--duration 1 --save-at ", time, save}), "--save-at");
     EXPECT_FALSE(fs::exists(folder / "a.hws"));
     refused(run + "--sleep nan", "nan");
     refused("settle " + std::string(kSwing) + " --max-time nan", "nan");

@@ -149,6 +149,7 @@ TEST(MemoryEnds, WhereGroupsAreCutAndFollowTheState) {
             [&](Retry& retry) {
                 Cables t(2, 8);
                 t.recipe.world.predictor = predictor;
+                t.recipe.world.on_diverged = OnDiverged::warn;
                 World w = t.recipe.make();
                 steps(retry, w, 2, false);
                 t.turn(w, 0);
@@ -177,6 +178,7 @@ TEST(MemoryEnds, WhereDeadlinesChooseLevelsOfCuts) {
         using regrouping::Cables;
         Cables t(0);
         t.recipe.world.coupling = Coupling::deadline;
+        t.recipe.world.on_diverged = OnDiverged::warn;  // cuts at will make energy
         t.recipe.world.budget = 1e6;  // never met: levels are analysed, none is chosen
         for (std::size_t b = 20; b < 60; ++b) t.recipe.bodies[b].group = "other";
         World w = t.recipe.make();
