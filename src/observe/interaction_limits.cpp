@@ -44,6 +44,8 @@ double swing(const BodyDef& body, const Vec3& arm) {
 // How fast the lighter end of a line gives way across it [1/kg].
 double lightness(const Attached& on, const World& world) {
     double most = 0.0;
+    // Between two rigid bodies the rule of trapezia holds however fast they are.
+    if (on.kind(0) == BodyKind::rigid && on.kind(1) == BodyKind::rigid) return most;
     for (std::size_t b = 0; b < 2; ++b) {
         const BodyDef& body = world.body_def(on.def().body[b]);
         const BodyKind kind = on.kind(static_cast<int>(b));

@@ -138,7 +138,10 @@ void evaluate_rows(StepContext& ctx) noexcept {
 void assemble_rows(StepContext& ctx) noexcept {
     const StageTimer timer(ctx, Stage::assemble);
     ctx.losses_known = false;
-    if (!ctx.wires.again) predict(ctx);
+    if (!ctx.wires.again) {
+        release_wires(ctx);
+        predict(ctx);
+    }
     const View v = view(ctx);
     const assembly::Kernels& k = assembly::kernels();
     hold_bounds(ctx, ctx.def.step);

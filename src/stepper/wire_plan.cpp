@@ -174,6 +174,7 @@ void replan_wires(StepContext& ctx, const View& v, int strip) noexcept {
 
 void settle_wires(StepContext& ctx) noexcept {
     Wires& w = ctx.wires;
+    remember_gains(ctx);
     // What a guarded wire lost is known exactly, and counts instead of what its rows tell.
     if (w.measured)
         for (std::size_t k = 0; k < w.count(); ++k)

@@ -24,11 +24,14 @@ constexpr double kCreditSteps = 240.0;
 /// For so long a wire is stepped more calmly, the longer of both.
 constexpr double kAlertSteps = 20.0, kAlertSeconds = 1.0;
 
-bool is_element(const model::Interactions& in, std::int32_t id) {
+bool is_element(const StepContext& ctx, std::int32_t id) {
+    const model::Interactions& in = ctx.interactions;
     const InteractionKind kind = in.def[at(id)].kind;
-    if (kind == InteractionKind::Stretch) return true;
-    return kind == InteractionKind::Distance &&  // a spring, not a rod
-           in.epsilon[at(in.row_begin[at(id)])] > model::kElasticCompliance;
+    const bool spring = kind == InteractionKind::Distance &&  // and no rod
+                        in.epsilon[at(in.row_begin[at(id)])] > model::kElasticCompliance;
+    if (kind != InteractionKind::Stretch && !spring) return false;
+    const std::int32_t* body = &in.body[at(kMaxInteractionBodies * id)];
+    return ctx.bodies.dof(body[0]) == 3 || ctx.bodies.dof(body[1]) == 3;
 }
 
 /// Smallest of the numbers joined with i.
@@ -46,7 +49,7 @@ std::vector<std::int32_t> join_elements(const StepContext& ctx, std::int32_t cou
     std::vector<std::int32_t> joined(at(count)), of_body(at(ctx.bodies.count()), -1);
     std::iota(joined.begin(), joined.end(), 0);
     for (std::int32_t id = 0; id < count; ++id) {
-        if (!is_element(in, id)) continue;
+        if (!is_element(ctx, id)) continue;
         for (int b = 0; b < 2; ++b) {
             const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
             if (ctx.bodies.dof(body) != 3) continue;
@@ -98,19 +101,6 @@ bool accepted(const Wires& w, std::size_t wire) noexcept {
     return !w.fast[wire] || g.gain <= kMayGain * g.exchanged + g.noise + w.credit[wire];
 }
 
-/// Rows that gave way follow their law again.
-void release(StepContext& ctx) noexcept {
-    Wires& w = ctx.wires;
-    if (!w.replacing) return;
-    for (const std::int32_t id : w.element) {
-        if (!w.replaced[at(id)]) continue;
-        w.replaced[at(id)] = 0;
-        if (!(ctx.interactions.flags[at(id)] & model::kOneSided))
-            ctx.interactions.active[at(id)] = 1.0;
-    }
-    w.replacing = false;
-}
-
 /// Multipliers as the step began with, which geometric stiffness goes by, and the state of lines
 /// but in refused wires, where it is as last found.
 void go_back(StepContext& ctx) noexcept {
@@ -143,7 +133,7 @@ void replace(StepContext& ctx) noexcept {
 
 Status solve_again(StepContext& ctx) noexcept {
     ++ctx.stats.wire_repeats;
-    release(ctx);
+    release_wires(ctx);
     go_back(ctx);
     replace(ctx);
     ctx.wires.again = true;
@@ -154,7 +144,7 @@ Status solve_again(StepContext& ctx) noexcept {
         status = solve_assembled(ctx);
     }
     ctx.wires.again = false;
-    if (status != Status::ok) release(ctx);
+    if (status != Status::ok) release_wires(ctx);
     return status;
 }
 
@@ -170,22 +160,19 @@ bool refuse(StepContext& ctx) noexcept {
     return any;
 }
 
-/// What the step as it is to be leaves for the next ones.
-void remember_gains(StepContext& ctx, bool any_fast) noexcept {
-    Wires& w = ctx.wires;
-    constexpr double kept = 1.0 - 1.0 / kCreditSteps;
-    const std::int32_t alert = most_alert(ctx.def.step);
-    for (std::size_t k = 0; k < w.count(); ++k) {
-        const double lost = any_fast && w.fast[k] ? -w.gain[k].gain : 0.0;
-        w.credit[k] = std::isfinite(lost) ? kept * std::max(0.0, w.credit[k] + lost) : 0.0;
-        const std::int32_t before = w.alert[k];
-        w.alert[k] = any_fast && w.level[k] > 0 ? alert : std::max(0, before - 1);
-        if ((before > 0) != (w.alert[k] > 0)) w.stale = true;
-    }
-    if (w.stale) follow_alerts(ctx);
-}
-
 }  // namespace
+
+void release_wires(StepContext& ctx) noexcept {
+    Wires& w = ctx.wires;
+    if (!w.replacing) return;
+    for (const std::int32_t id : w.element) {
+        if (!w.replaced[at(id)]) continue;
+        w.replaced[at(id)] = 0;
+        if (!(ctx.interactions.flags[at(id)] & model::kOneSided))
+            ctx.interactions.active[at(id)] = 1.0;
+    }
+    w.replacing = false;
+}
 
 void make_wires(StepContext& ctx) {
     const std::int32_t count = interaction_count(ctx);
@@ -195,7 +182,7 @@ void make_wires(StepContext& ctx) {
     made.wire_of.assign(at(count), -1);
     made.place.assign(at(count), -1);
     for (std::int32_t id = 0; id < count; ++id) {
-        if (!is_element(ctx.interactions, id)) continue;
+        if (!is_element(ctx, id)) continue;
         std::int32_t& wire = made.wire_of[at(id)];
         wire = made.wire_of[at(joined[at(id)])];  // that of the first, which comes first
         if (wire < 0) {
@@ -243,6 +230,22 @@ std::int32_t most_alert(double step) noexcept {
     return static_cast<std::int32_t>(std::ceil(std::max(kAlertSteps, kAlertSeconds / step)));
 }
 
+void remember_gains(StepContext& ctx) noexcept {
+    Wires& w = ctx.wires;
+    if (!on_guard(ctx)) return;
+    const bool any_fast = w.measured;
+    constexpr double kept = 1.0 - 1.0 / kCreditSteps;
+    const std::int32_t alert = most_alert(ctx.def.step);
+    for (std::size_t k = 0; k < w.count(); ++k) {
+        const double lost = any_fast && w.fast[k] ? -w.gain[k].gain : 0.0;
+        w.credit[k] = std::isfinite(lost) ? kept * std::max(0.0, w.credit[k] + lost) : 0.0;
+        const std::int32_t before = w.alert[k];
+        w.alert[k] = any_fast && w.level[k] > 0 ? alert : std::max(0, before - 1);
+        if ((before > 0) != (w.alert[k] > 0)) w.stale = true;
+    }
+    if (w.stale) follow_alerts(ctx);
+}
+
 Status guard_wires(StepContext& ctx) noexcept {
     ctx.wires.measured = false;
     if (!on_guard(ctx)) return Status::ok;
@@ -260,7 +263,6 @@ Status guard_wires(StepContext& ctx) noexcept {
         }
     }
     ctx.wires.measured = any_fast;
-    remember_gains(ctx, any_fast);
     return Status::ok;
 }
 

@@ -85,6 +85,10 @@ void make_wires(StepContext& ctx);
 /// which is half a step late. That of half a step before follows from a trial step, which does not
 /// resolve how fast elements swing along.
 void calm_start(StepContext& ctx) noexcept;
+/// Rows that gave way in a step that was not taken follow their law again.
+void release_wires(StepContext& ctx) noexcept;
+/// What the step that is being taken leaves for the next ones.
+void remember_gains(StepContext& ctx) noexcept;
 /// Write what refused wires are stepped with over what evaluate() wrote, of one strip.
 void replan_wires(StepContext& ctx, const assembly::View& v, int strip) noexcept;
 /// Multipliers and states of elements that gave way, once their losses are counted.

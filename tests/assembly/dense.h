@@ -159,7 +159,8 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
             lighter = std::max(lighter, end);
         }
         const double swing = 4.0 * quarter * tension / s.length * lighter;
-        const double p = swing > 0.25 ? (swing - 0.25) / (swing + 0.25) : 0.0;
+        const bool rigid = s.dof[0] == 6 && s.dof[1] == 6;
+        const double p = swing > 0.25 && !rigid ? (swing - 0.25) / (swing + 0.25) : 0.0;
         late_share = 0.25 + 0.25 * p;
         ahead_share = -0.1 * p;
         f1 = -tension * along;
