@@ -194,6 +194,8 @@ struct StepStats {
     /// Joints in closed loops whose force the step leaves undetermined; the smallest one is shown.
     std::int32_t undetermined = 0;
     std::int32_t partial_factorisations = 0;  ///< Of those, of what contacts changed only.
+    /// Times that this step was solved again with the stiffness of joints' forces that had grown.
+    std::int32_t restiffened = 0;
     /// Times that this step was solved again since a wire would have gained energy.
     std::int32_t wire_repeats = 0;
     std::int32_t contacts = 0;  ///< Contact points, those near without touching included.

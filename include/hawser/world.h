@@ -149,6 +149,9 @@ class World {
     [[nodiscard]] RowsView rows(InteractionId id) const;
     /// False once a stretch element has parted.
     [[nodiscard]] bool intact(InteractionId id) const;
+    /// Whether the last step solved the rows of a rigid joint or rod where the step ends
+    /// (docs/methods.md, 2); else it linearised them once, as all other rows.
+    [[nodiscard]] bool completed(InteractionId id) const;
     /// Steps to come in which the swings of an element's wire are damped more, since it would have
     /// gained energy (StepStats::wire_repeats); 0: none, or no element of a wire.
     [[nodiscard]] int wire_alert(InteractionId id) const;

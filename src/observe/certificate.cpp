@@ -84,6 +84,7 @@ void Verifier::before_step(const World& world) {
         alert_[slot(i)] = world.wire_alert({i});
     }
     unsure_.assign(unsure_.size(), false);
+    turning_.assign(unsure_.size(), false);
     impulse_ = 0.0;
     wrong_law_.clear();
     states_.before_step(world);

@@ -83,6 +83,7 @@ class Verifier {
     std::vector<std::vector<double>> last_;  ///< Forces of each interaction's rows before the step.
     std::vector<bool> intact_;               ///< Before the step, by interaction.
     std::vector<bool> slept_;                ///< Likewise, by body.
+    std::vector<bool> turning_;              ///< Bodies at joints that hold at the step's end.
     std::vector<bool> unsure_;               ///< Bodies left out in this step.
     std::vector<Mat3> mobility_;             ///< Inverse inertia, body frame.
     std::vector<Vec3> change_;               ///< Of spin by torque in the last step, body frame.

@@ -58,6 +58,11 @@ double lightness(const Attached& on, const World& world) {
     return most;
 }
 
+// Between bodies that turn, without lumps, a line has less of it where its swing is resolved.
+double resolved(const Attached& on, double s) {
+    return on.is_point(0) || on.is_point(1) || s >= 0.25 ? 1.0 : 16.0 * s * s;
+}
+
 // A line that pulls: its stiffness across on the changes of velocity, and on those from what the
 // last two steps let expect (docs/methods.md, 4).
 void add_across(const World& world, const Attached& on, std::span<const Twist> before,
@@ -66,7 +71,8 @@ void add_across(const World& world, const Attached& on, std::span<const Twist> b
     const Vec3 between = on.point(1) - on.point(0), u = between.normalized();
     const double full =
         h * h * world.settings().geometric_stiffness * tension / std::max(between.norm(), 1e-9);
-    const double s = full * lightness(on, world), p = s > 0.25 ? (s - 0.25) / (s + 0.25) : 0.0;
+    const double s = full * lightness(on, world), fade = resolved(on, s),
+                 p = s > 0.25 ? (s - 0.25) / (s + 0.25) : 0.0;
     const double late = 0.25 + p * (calm ? 0.75 : 0.25), ahead = p * (calm ? -0.2 : -0.1);
     Vec3 arm[2], push = Vec3::Zero();
     for (int b = 0; b < 2; ++b) {
@@ -82,12 +88,33 @@ void add_across(const World& world, const Attached& on, std::span<const Twist> b
         const Vec3 expected = prescribed ? now : Vec3(2.0 * old - at_point(earlier[i]));
         push += (b == 0 ? -1.0 : 1.0) * (late * (now - old) + ahead * (now - expected));
     }
-    const Vec3 across = full * (push - push.dot(u) * u);
+    const Vec3 across = fade * full * (push - push.dot(u) * u);
     for (std::size_t b = 0; b < 2; ++b) {
         const double sign = b == 0 ? 1.0 : -1.0;
         out.on[b].force += sign * across;
         out.on[b].torque += sign * arm[b].cross(across);
     }
+}
+
+Wrenches unknown() {
+    Wrenches out;
+    out.known = false;
+    return out;
+}
+
+// A joint that holds at the step's end has no stiffness while its swing is resolved, and from
+// there on a part of it that is not followed here.
+Wrenches completed_stiffness(const Attached& on, const World& world, double force) {
+    double rate = 0.0;
+    for (std::size_t b = 0; b < 2; ++b) {
+        const BodyDef& body = world.body_def(on.def().body[b]);
+        const BodyKind kind = on.kind(static_cast<int>(b));
+        if (kind == BodyKind::rigid) rate = std::max(rate, swing(body, on.def().point[b]));
+        if (kind == BodyKind::lump && on.def().kind == InteractionKind::Distance)
+            rate = std::max(rate, 1.0 / (on.def().get("length") * body.mass));
+    }
+    const double h = world.settings().step;
+    return h * h * force * rate <= 1.0 ? Wrenches{} : unknown();
 }
 
 double angle_of(const Attached& on) {
@@ -132,6 +159,9 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
     const WorldDef& settings = world.settings();
     Wrenches out;
     if (!(is_line(kind) || is_joint(kind)) || settings.nonsmooth == Nonsmooth::pgs) return out;
+    // The force that a step was solved again with is not shown.
+    const bool rigid = is_joint(kind) || kind == InteractionKind::Distance;
+    if (rigid && world.stats().restiffened > 0) return unknown();
     // What a wire that would have gained energy was stepped with instead is not shown.
     out.known = world.wire_alert(id) < std::lround(std::ceil(std::max(20.0, 1.0 / settings.step)));
     const double h = settings.step, scale = 0.25 * h * h * settings.geometric_stiffness;
@@ -143,6 +173,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
     } else {
         pull = Vec3(last[0], last[1], last[2]);
     }
+    if (world.completed(id)) return completed_stiffness(on, world, pull.norm());
     // How much too fast for the step the swing about a joint is: docs/methods.md, 4.
     double swings = 0.0, fast = 0.0;
     const bool damped =
@@ -153,6 +184,10 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
         swings = std::max(swings, h * h * pull.norm() * rate);
     }
     if (swings > 4.0) fast = (swings - 4.0) / (swings + 4.0);
+    const double share =
+        is_line(kind) ? resolved(on, 4.0 * scale * pull.norm() / std::max(between.norm(), 1e-9) *
+                                         lightness(on, world))
+                      : 1.0;
     Vec3 arm[2], turned[2], spin[2];  // changes of velocity; (1 − u) ω + (1 + u) ω₊
     for (int b = 0; b < 2; ++b) {
         const BodyId body = on.def().body[static_cast<std::size_t>(b)];
@@ -164,7 +199,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
             turns ? Vec3((1.0 + fast) * now.angular + (1.0 - fast) * old.angular) : Vec3::Zero();
         if (on.kind(b) == BodyKind::rigid)
             out.on[static_cast<std::size_t>(b)].torque -=
-                (1.0 + 0.5 * fast) * scale *
+                share * (1.0 + 0.5 * fast) * scale *
                 (arm_stiffness(b == 0 ? Vec3(-pull) : pull, arm[b]) * turned[b]);
     }
     if (is_line(kind)) {

@@ -162,6 +162,7 @@ Status solve_with_new_forces(StepContext& ctx) noexcept {
         if (larger) std::copy_n(&in.lambda[at(row)], in.rows[at(id)], &c.lambda_with[at(row)]);
     }
     recall(ctx);
+    ++ctx.stats.restiffened;
     for (const std::int32_t id : c.joints)
         std::copy_n(&c.lambda_with[at(in.row_begin[at(id)])], in.rows[at(id)],
                     &in.lambda[at(in.row_begin[at(id)])]);

@@ -181,6 +181,7 @@ void clear_figures(StepContext& ctx) noexcept {
     ctx.stats.stage_seconds.fill(0.0);
     ctx.stats.factorisations = 0;
     ctx.stats.substitutions = ctx.stats.completion_rounds = ctx.stats.undetermined = 0;
+    ctx.stats.restiffened = 0;
     begin_completion(ctx);
     ctx.stats.partial_factorisations = 0;
     ctx.stats.flips_left = 0;

@@ -233,6 +233,11 @@ std::array<double, kMaxInteractionRows> World::violation(InteractionId id) const
     return g;
 }
 
+bool World::completed(InteractionId id) const {
+    return impl_->ctx.interactions
+               .completed[index_of(id.index, interaction_count(), "interaction")] != 0;
+}
+
 int World::wire_alert(InteractionId id) const {
     const stepper::Wires& wires = impl_->ctx.wires;
     const std::size_t i = index_of(id.index, interaction_count(), "interaction");

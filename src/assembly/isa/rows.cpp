@@ -24,6 +24,14 @@ double fade(const View& view, std::int32_t id, double nf) {
     return completed_stiffness(4.0 * view.h * view.h * nf * view.swing[id]);
 }
 
+/// The same of a line between bodies that turn, without lumps: none where the swing is resolved,
+/// for it is right to second order in angular momentum only. @param s  As in across_shares().
+double line_fade(const View& view, const std::int32_t* body, double s) {
+    for (int b = 0; b < 2; ++b)
+        if (view.dof[body[b]] == 3 || view.dof[body[b]] == 1) return 1.0;
+    return s < 0.25 ? 16.0 * s * s : 1.0;
+}
+
 /// Force on slot b at the joint's point: the first three rows are translations along ±E. @return of
 /// a joint: by how much less the damping of the record acts on the velocity before the step; of a
 /// line: which share of K in its record acts on that velocity, the rest on the one ahead.
@@ -50,7 +58,7 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
     const double per_h = 1.0 / view.h;
     const double* lambda = view.lambda + view.row_begin[id];
     const V3 r0 = refs[0].arm(data.point[0]), r1 = refs[1].arm(data.point[1]);
-    double share = 1.0;
+    double share = 1.0, resolved = 1.0;
     V3 f1;  // force on body 1
     if constexpr (K::kGeometry == Geometry::line) {
         const V3 u = load3(rows.J[1][0]);
@@ -60,8 +68,10 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
         const double length = norm(refs[1].x + r1 - refs[0].x - r0);
         const double full =
             4.0 * scale * fade(view, id, tension) * tension / (length > 1e-9 ? length : 1e-9);
-        const auto [late, ahead] = across_shares(full * view.lightness[id], view.alert[id]);
-        rec[0] = (late + ahead) * full;
+        const double s = full * view.lightness[id];
+        const auto [late, ahead] = across_shares(s, view.alert[id]);
+        resolved = line_fade(view, body, s);
+        rec[0] = resolved * (late + ahead) * full;
         share = late / (late + ahead);
         f1 = -tension * u;
     } else {
@@ -75,7 +85,8 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
     const bool joint = K::kGeometry == Geometry::joint && rigid0 && rigid1;
     const bool completed = view.completed[id] != 0;
     const JointTerms<double> t = joint_terms(view, nf, n0, n1, rec[assembly::kGeoSwing]);
-    const double stiff = completed ? scale * fade(view, id, nf) : (joint ? t.stiff : scale);
+    const double stiff =
+        completed ? scale * fade(view, id, nf) : (joint ? t.stiff : resolved * scale);
     if (rigid0) arm_stiffness(-f1, nf, r0, n0, stiff, rec + 10);
     if (rigid1) arm_stiffness(f1, nf, r1, n1, stiff, rec + 16);
     if (completed) return share;  // without damping
