@@ -224,10 +224,12 @@ struct LineGain {
 struct Turning {
     double change = 0.0;  ///< Largest change of a right-hand side [m/s or rad/s].
     double gap = 0.0;     ///< Largest violation at the end of the step [m or rad].
+    double spin = 0.0;    ///< Largest spin of a turning body [rad/s].
     /// Larger of both; what is not a number stays.
     void add(const Turning& other) noexcept {
         if (!(other.change <= change)) change = other.change;
         if (!(other.gap <= gap)) gap = other.gap;
+        if (!(other.spin <= spin)) spin = other.spin;
     }
 };
 

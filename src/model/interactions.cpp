@@ -39,18 +39,24 @@ std::uint8_t flags_of(const InteractionDef& d, const generic::RowSpec& first,
     return static_cast<std::uint8_t>(flag);
 }
 
-/// How easily the lighter end of a line moves across it, arms at their longest; 0 between rigid
-/// bodies, where it does not count (assembly/geo.h) [1/kg].
+/// How easily the lighter end of a line moves across it [1/kg]: arms at their longest, or, between
+/// two rigid bodies, by the mean inertia across the arm.
 double lightest_end(const InteractionDef& d, const Bodies& b) {
     double most = 0.0;
-    if (b.dof(d.body[0].index) == 6 && b.dof(d.body[1].index) == 6) return most;
+    const bool rigid = b.dof(d.body[0].index) == 6 && b.dof(d.body[1].index) == 6;
     for (std::size_t slot = 0; slot < 2; ++slot) {
         const auto body = at(d.body[slot].index);
         const int dof = b.dof(d.body[slot].index);
         if (dof < 3) continue;
         double end = 1.0 / b.mass[body];
-        for (std::size_t i = 0; i < 3 && dof == 6; ++i)
-            end += d.point[slot].squaredNorm() * b.inv_inertia[9 * body + 4 * i];
+        const Vec3& arm = d.point[slot];
+        const double square = arm.squaredNorm();
+        if (rigid && square > 0.0) {
+            const Eigen::Map<const Mat3> inertia(&b.inertia[9 * body]);
+            end += 2.0 * square / (inertia.trace() - arm.dot(inertia * arm) / square);
+        }
+        for (std::size_t i = 0; i < 3 && dof == 6 && !rigid; ++i)
+            end += square * b.inv_inertia[9 * body + 4 * i];
         most = std::max(most, end);
     }
     return most;

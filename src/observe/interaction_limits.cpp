@@ -44,14 +44,15 @@ double swing(const BodyDef& body, const Vec3& arm) {
 // How fast the lighter end of a line gives way across it [1/kg].
 double lightness(const Attached& on, const World& world) {
     double most = 0.0;
-    // Between two rigid bodies the rule of trapezia holds however fast they are.
-    if (on.kind(0) == BodyKind::rigid && on.kind(1) == BodyKind::rigid) return most;
+    const bool rigid = on.kind(0) == BodyKind::rigid && on.kind(1) == BodyKind::rigid;
     for (std::size_t b = 0; b < 2; ++b) {
         const BodyDef& body = world.body_def(on.def().body[b]);
         const BodyKind kind = on.kind(static_cast<int>(b));
         if (kind == BodyKind::fixed || kind == BodyKind::kinematic) continue;
         double end = 1.0 / body.mass;
-        if (kind == BodyKind::rigid)
+        if (rigid)
+            end += on.def().point[b].norm() * swing(body, on.def().point[b]);
+        else if (kind == BodyKind::rigid)
             end += on.def().point[b].squaredNorm() * Mat3(body.inertia.inverse()).trace();
         most = std::max(most, end);
     }
@@ -72,7 +73,11 @@ void add_across(const World& world, const Attached& on, std::span<const Twist> b
     const double full =
         h * h * world.settings().geometric_stiffness * tension / std::max(between.norm(), 1e-9);
     const double s = full * lightness(on, world), fade = resolved(on, s),
-                 p = s > 0.25 ? (s - 0.25) / (s + 0.25) : 0.0;
+                 // Between two rigid bodies the rule of trapezia holds however fast they are.
+        p = s > 0.25 && (on.is_point(0) || on.is_point(1) || on.kind(0) != BodyKind::rigid ||
+                         on.kind(1) != BodyKind::rigid)
+                ? (s - 0.25) / (s + 0.25)
+                : 0.0;
     const double late = 0.25 + p * (calm ? 0.75 : 0.25), ahead = p * (calm ? -0.2 : -0.1);
     Vec3 arm[2], push = Vec3::Zero();
     for (int b = 0; b < 2; ++b) {

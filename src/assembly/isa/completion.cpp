@@ -98,7 +98,7 @@ void complete_arms(const View& view, std::int32_t id, const Asked& asked, Turnin
     const double gap[3] = {closing.x - c.x, closing.y - c.y, closing.z - c.z};
     for (int r = 0; r < 3; ++r) {
         if (asked.first) keep_rate(view, row + r);
-        t.add({__builtin_fabs(to[r] - view.c[row + r]), view.h * __builtin_fabs(gap[r])});
+        t.add({__builtin_fabs(to[r] - view.c[row + r]), view.h * __builtin_fabs(gap[r]), 0.0});
         asked.c[row + r] = to[r];
     }
 }
@@ -146,7 +146,7 @@ void complete_eight(const View& view, std::int32_t id, const Asked& asked, Turni
         finite += to - to;
         store(asked.c + r, to);
     }
-    t.add({largest(change) + sum(finite), view.h * largest(gap) + sum(finite)});
+    t.add({largest(change) + sum(finite), view.h * largest(gap) + sum(finite), 0.0});
 }
 
 template <class K>
@@ -180,7 +180,7 @@ Turning complete_kind(const View& view, const std::int32_t* ids, const typename 
         for (int r = 0; r < R; ++r) {
             const double c = speed[r] - rows.g[r] / view.h;
             if (asked.first) keep_rate(view, row + r);
-            t.add({__builtin_fabs(c - view.c[row + r]), __builtin_fabs(rows.g[r])});
+            t.add({__builtin_fabs(c - view.c[row + r]), __builtin_fabs(rows.g[r]), 0.0});
             asked.c[row + r] = c;
         }
     }
@@ -212,7 +212,7 @@ Turning complete_spin(const View& view, std::int32_t body, const Asked& asked) {
     const V3 change = world - load3(view.spin_momentum + 3 * body);
     store3(asked.spin + 3 * body, world);
     if (asked.first) add3(view.a + at, change);
-    return {norm(load9(view.inv_inertia + 9 * body) * tmul(r, change)), 0.0};
+    return {norm(load9(view.inv_inertia + 9 * body) * tmul(r, change)), 0.0, norm(now)};
 }
 
 /// complete_spin() of eight rigid bodies in a row.
@@ -243,7 +243,7 @@ Turning complete_eight_spins(const View& view, std::int32_t body, const Asked& a
     }
     store_threes(asked.spin + 3L * body, world);
     const W8 square = dot(rate, rate);
-    return {root(largest(square)) + sum(square - square), 0.0};
+    return {root(largest(square)) + sum(square - square), 0.0, root(largest(dot(now, now)))};
 }
 
 }  // namespace

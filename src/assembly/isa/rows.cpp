@@ -69,7 +69,8 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
         const double full =
             4.0 * scale * fade(view, id, tension) * tension / (length > 1e-9 ? length : 1e-9);
         const double s = full * view.lightness[id];
-        const auto [late, ahead] = across_shares(s, view.alert[id]);
+        // What turns with a line between two rigid bodies would lose its momentum to the rest.
+        const auto [late, ahead] = across_shares(rigid0 && rigid1 ? 0.0 : s, view.alert[id]);
         resolved = line_fade(view, body, s);
         rec[0] = resolved * (late + ahead) * full;
         share = late / (late + ahead);
