@@ -22,8 +22,8 @@ using assembly::Turning;
 using assembly::View;
 
 /// A round's change below which the step has ended [m/s or rad/s], of bodies that turn by up to
-/// kSlowTurn [rad/s]; of faster ones a share. Near singular poses of closed loops less would only
-/// add rounding.
+/// kSlowTurn [rad/s]; of faster ones with the square of that. Near singular poses of closed loops
+/// less would only add rounding.
 constexpr double kTurning = 1e-7, kSlowTurn = 5.0;
 constexpr int kMostRounds = 12;
 constexpr double kGap = 1e-4;                 ///< Largest gap that a step may leave [m or rad].
@@ -96,7 +96,9 @@ Turning make_rounds(StepContext& ctx) noexcept {
     double first = 0.0;
     Turning t = renew(ctx);
     for (int round = 0;
-         round < kMostRounds && t.change > kTurning * std::max(1.0, t.spin / kSlowTurn); ++round) {
+         round < kMostRounds &&
+         t.change > kTurning * std::max(1.0, t.spin * t.spin / (kSlowTurn * kSlowTurn));
+         ++round) {
         adopt(ctx);
         continue_with_factor(ctx);
         ctx.losses_known = false;
