@@ -103,6 +103,8 @@ void look_at_line(const StepContext& ctx, const View& v, std::int32_t id, JudgeP
         }
     }
     if (v.active[id] == 0.0 || v.lambda[row] >= 0.0) return;
+    // Slack where the step began: it comes taut within it, and pulls for its end alone.
+    if ((v.flags[id] & model::kOneSided) && v.g[row] < 0.0) return;
     const double stretch = std::fabs(v.g[row] + v.epsilon[row] * v.lambda[row] / v.h) / length;
     if (!(stretch <= p.stretch)) {
         p.stretch = stretch;

@@ -110,19 +110,22 @@ inline void scatter(const SlotState& s, const Matrix& k, Matrix& into, Vector& f
         }
 }
 
-/// max |r|/I of the two bodies, I the mean of the principal moments across the arm r.
+/// |r|/I of a body at the arm r [world frame], I the mean of its moments across r.
+inline double swing_of(const stepper::StepContext& ctx, std::size_t body, const Vec3& arm) {
+    const Quat q(ctx.bodies.q[4 * body], ctx.bodies.q[4 * body + 1], ctx.bodies.q[4 * body + 2],
+                 ctx.bodies.q[4 * body + 3]);
+    const Eigen::Map<const Mat3> inertia(&ctx.bodies.inertia[9 * body]);
+    const Mat3 world = q.toRotationMatrix() * inertia * q.toRotationMatrix().transpose();
+    const Vec3 n = arm.normalized(), p = n.unitOrthogonal(), t = n.cross(p);
+    return arm.norm() / (0.5 * (p.dot(world * p) + t.dot(world * t)));
+}
+/// The larger one of both bodies.
 inline double swing_rate(const stepper::StepContext& ctx, int id, const SlotState& s) {
     double most = 0.0;
     for (std::size_t b = 0; b < 2; ++b) {
         const auto body = static_cast<std::size_t>(
             ctx.interactions.def[static_cast<std::size_t>(id)].body[b].index);
-        const Quat q(ctx.bodies.q[4 * body], ctx.bodies.q[4 * body + 1], ctx.bodies.q[4 * body + 2],
-                     ctx.bodies.q[4 * body + 3]);
-        const Eigen::Map<const Mat3> inertia(&ctx.bodies.inertia[9 * body]);
-        const Mat3 world = q.toRotationMatrix() * inertia * q.toRotationMatrix().transpose();
-        if (s.arm[b].norm() == 0.0) continue;
-        const Vec3 n = s.arm[b].normalized(), p = n.unitOrthogonal(), t = n.cross(p);
-        most = std::max(most, s.arm[b].norm() / (0.5 * (p.dot(world * p) + t.dot(world * t))));
+        if (s.arm[b].norm() > 0.0) most = std::max(most, swing_of(ctx, body, s.arm[b]));
     }
     return most;
 }
@@ -135,7 +138,7 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
         static_cast<std::size_t>(ctx.interactions.row_begin[static_cast<std::size_t>(id)]);
     const double* lambda = &ctx.interactions.lambda[row];
     Matrix k = Matrix::Zero(12, 12), c = Matrix::Zero(12, 12), line = k;
-    double late_share = 0.25, ahead_share = 0.0;
+    double late_share = 0.25, ahead_share = 0.0, resolved = 1.0;
     Vec3 f1;
     double u = 0.0;  // docs/methods.md, 4
     if (s.geometry == generic::Geometry::line) {
@@ -146,23 +149,29 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
         rel << Mat3::Identity(), -skew(s.arm[0]), -Mat3::Identity(), skew(s.arm[1]);
         line = rel.transpose() *
                (tension / s.length * (Mat3::Identity() - along * along.transpose())) * rel;
+        const bool rigid = s.dof[0] == 6 && s.dof[1] == 6;
         double lighter = 0.0;  // 1/m of the lighter end, arms at their longest
         for (std::size_t b = 0; b < 2; ++b) {
             const auto body = static_cast<std::size_t>(
                 ctx.interactions.def[static_cast<std::size_t>(id)].body[b].index);
             if (s.dof[b] < 3) continue;
             double end = 1.0 / ctx.bodies.mass[body];
-            if (s.dof[b] == 6)
+            if (rigid && s.arm[b].norm() > 0.0)
+                end += s.arm[b].norm() * swing_of(ctx, body, s.arm[b]);
+            else if (s.dof[b] == 6)
                 end +=
                     s.arm[b].squaredNorm() *
                     Mat3(Eigen::Map<const Mat3>(&ctx.bodies.inertia[9 * body]).inverse()).trace();
             lighter = std::max(lighter, end);
         }
         const double swing = 4.0 * quarter * tension / s.length * lighter;
-        const bool rigid = s.dof[0] == 6 && s.dof[1] == 6;
         const double p = swing > 0.25 && !rigid ? (swing - 0.25) / (swing + 0.25) : 0.0;
         late_share = 0.25 + 0.25 * p;
         ahead_share = -0.1 * p;
+        // Without lumps a resolved line needs none of it.
+        const bool lumps = s.dof[0] == 3 || s.dof[1] == 3 || s.dof[0] == 1 || s.dof[1] == 1;
+        if (!lumps && swing < 0.25) resolved = 16.0 * swing * swing;
+        line *= resolved;
         f1 = -tension * along;
     } else {
         f1 = Vec3(lambda[0], lambda[1], lambda[2]) / h;
@@ -181,7 +190,7 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
         if (s.dof[b] != 6) continue;
         const Vec3 f = b == 0 ? Vec3(-f1) : f1, r = s.arm[b];
         k.block(6 * b + 3, 6 * b + 3, 3, 3) +=
-            (1.0 + 0.5 * u) * projected(f.dot(r) * Mat3::Identity() - r * f.transpose());
+            resolved * (1.0 + 0.5 * u) * projected(f.dot(r) * Mat3::Identity() - r * f.transpose());
     }
     const double share = late_share + ahead_share;
     scatter(s, quarter * k + 4.0 * quarter * share * line, out.geometric, out.couple_fixed);

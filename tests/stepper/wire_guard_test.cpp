@@ -27,6 +27,7 @@ struct WireRecipe {
         r.world.step = step;
         r.world.gravity = {0, 0, 0};
         r.world.staggered_start = false;  // the energy at the start is that of half a step before
+        r.world.on_diverged = OnDiverged::warn;  // elements that turn by a third in a step: bounded
         std::vector<BodyId> nodes;
         for (int i = 0; i <= elements; ++i) {
             const bool inner = i > 0 && i < elements;
