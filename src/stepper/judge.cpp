@@ -59,6 +59,8 @@ Finding energy_finding(const StepContext& ctx, const JudgePart& p, JudgeState& s
     out.doubtful = std::max(created, lost);
     out.wrong = std::max(share(u.mean.rise) / limit::kCreated.wrong,
                          share(u.mean.fall) / limit::kLost.wrong);
+    // A split is approximate by choice, and says itself what it does to momentum and forces.
+    if (!ctx.cuts.list.empty()) out.wrong = 0.0;
     if (!std::isfinite(u.now.rise)) out.doubtful = out.wrong = HUGE_VAL;
     out.time = ctx.time;
     return out;

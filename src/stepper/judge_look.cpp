@@ -105,7 +105,16 @@ void look_at_line(const StepContext& ctx, const View& v, std::int32_t id, JudgeP
     if (v.active[id] == 0.0 || v.lambda[row] >= 0.0) return;
     // Slack where the step began: it comes taut within it, and pulls for its end alone.
     if ((v.flags[id] & model::kOneSided) && v.g[row] < 0.0) return;
-    const double stretch = std::fabs(v.g[row] + v.epsilon[row] * v.lambda[row] / v.h) / length;
+    // What its damper adds at this speed, and half a step's way, is part of the law.
+    double room[model::kArmRoom], speed = 0.0;
+    const double* jac = packed_rows(v, id, room);
+    for (int b = 0; b < v.bodies[id]; ++b) {
+        const std::int32_t body = v.body[kMaxInteractionBodies * id + b];
+        for (int j = 0; j < v.dof[body]; ++j) speed += *jac++ * v.v[v.dof_begin[body] + j];
+    }
+    const double late = 0.25 * v.h * (1.0 / v.upsilon[row] - 1.0) + 0.5 * v.h;
+    const double off = std::fabs(v.g[row] + v.epsilon[row] * v.lambda[row] / v.h);
+    const double stretch = std::max(0.0, off - late * std::fabs(speed)) / length;
     if (!(stretch <= p.stretch)) {
         p.stretch = stretch;
         p.stretch_id = id;
@@ -187,9 +196,12 @@ void prepare_judge(StepContext& ctx) {
         std::max({ctx.bodies.moving.size(), d.allowed.size(), d.elastic.size(), d.lines.size()}));
     d.part.resize(at(StepContext::chunks(most)));
     d.nothing = 0.0;
-    for (const std::int32_t b : ctx.bodies.moving)
+    constexpr double kAtRest = 1e-5;  // [m/s]: weightless bodies that rest make rounding only
+    for (const std::int32_t b : ctx.bodies.moving) {
+        d.nothing += 0.5 * ctx.bodies.mass[at(b)] * kAtRest * kAtRest;
         if (ctx.bodies.weight[at(b)])
             d.nothing += limit::kNothingHigher * ctx.bodies.mass[at(b)] * ctx.def.gravity.norm();
+    }
     // A look at a small scene costs next to nothing.
     constexpr std::size_t kSmall = 64;
     const bool small = ctx.bodies.moving.size() + d.elastic.size() <= kSmall;

@@ -4,6 +4,7 @@
 #include "stepper/sleep.h"
 #include "stepper/stages.h"
 #include "stepper/step.h"
+#include "stepper/wires.h"
 
 #include <algorithm>
 #include <utility>
@@ -25,6 +26,9 @@ void Undo::reserve(const StepContext& ctx) {
     lambda_.reserve(ctx.interactions.lambda.size());
     active_.reserve(ctx.interactions.active.size());
     repeats_.reserve(ctx.interactions.repeats.size());
+    coarse_.reserve(ctx.interactions.coarse.size());
+    credit_.reserve(ctx.wires.credit.size());
+    alert_.reserve(ctx.wires.alert.size());
 }
 
 Undo::Scalars Undo::read(const StepContext& c) noexcept {
@@ -64,6 +68,9 @@ void Undo::keep_motion(const StepContext& ctx) noexcept {
     put(ctx.interactions.lambda, lambda_);
     put(ctx.interactions.active, active_);
     put(ctx.interactions.repeats, repeats_);
+    put(ctx.interactions.coarse, coarse_);
+    put(ctx.wires.credit, credit_);
+    put(ctx.wires.alert, alert_);
     scalars_ = read(ctx);
     moved_ = true;
 }
@@ -174,6 +181,10 @@ void Undo::go_back(StepContext& ctx) noexcept {
         put(lambda_, ctx.interactions.lambda);
         put(active_, ctx.interactions.active);
         put(repeats_, ctx.interactions.repeats);
+        put(coarse_, ctx.interactions.coarse);
+        put(credit_, ctx.wires.credit);
+        put(alert_, ctx.wires.alert);
+        follow_alerts(ctx);
         write(scalars_, ctx);
     }
     drop();

@@ -86,7 +86,9 @@ class Undo {
 
     // Motion.
     base::Array<double> v_, spin_change_, lambda_, active_;
-    base::Array<std::uint8_t> repeats_;
+    base::Array<std::uint8_t> repeats_, coarse_;
+    std::vector<double> credit_;
+    std::vector<std::int32_t> alert_;
     Scalars scalars_{};
     std::vector<std::int64_t> link_used_;
 

@@ -335,6 +335,8 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
             const double ups = 1.0 / (1.0 + 4.0 * seen * theta / h);
             const double recall = 1.0 - 4.0 * seen * (1.0 - theta) / h;
             out.sigma[row] = velocity ? e / h : 4.0 * e * ups / (h * h);
+            // A rigid row has a share of its mobility where the system was analysed.
+            if (!velocity && e == 0.0) out.sigma[row] = in.sigma[static_cast<std::size_t>(row)];
             if (idle) continue;
             double prescribed = 0.0;
             for (int b = 0; b < info.bodies; ++b)

@@ -47,7 +47,8 @@ TEST(Spook, StaticDeflectionDoesNotDependOnStepOrDamping) {
 
 /// 2. Decay of a violation, ε → 0, n = 2: 1, 5/9, 7/27, 1/9, …
 TEST(Spook, ViolationDecaysWithTheDoubleRootOfOneThird) {
-    for (double compliance : {0.0, 1e-12}) {
+    // A row without compliance holds at the end of the first step (completion.h).
+    for (double compliance : {1e-12}) {
         const double h = 1.0 / 60;
         World w = oscillator(h, 1.0, compliance, 2 * h, 1.0, 0.0).make();
         double before = 1.0, now = 1.0;  // g₋₁ = g₀: at rest
