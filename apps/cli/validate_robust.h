@@ -27,7 +27,7 @@ void case_wire_sway(Report& report);
 void case_wires_come_taut(Report& report);
 // validate_robust_damping.cpp
 void case_damping_orders(Report& report);
-// validate_robust_joints.cpp
+// validate_robust_joints.cpp, validate_robust_loops.cpp
 void case_repeated_joints(Report& report);
 void case_overconstrained(Report& report);
 void case_ships_on_chain(Report& report);
