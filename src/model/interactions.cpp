@@ -79,19 +79,6 @@ void force_range(const InteractionDef& d, int flags, double& low, double& high) 
 
 }  // namespace
 
-bool may_complete(const Interactions& in, int id, double h) noexcept {
-    bool kind = false;
-    generic::with_kind(in.def[at(id)].kind, [&]<class K>() {
-        if constexpr (requires { K::kCompletes; }) kind = K::kCompletes;
-    });
-    if (!kind || (in.flags[at(id)] & kByInput)) return false;
-    for (int r = 0; r < in.rows[at(id)]; ++r) {
-        const auto row = at(in.row_begin[at(id)] + r);
-        if (in.epsilon[row] != 0.0 || in.tau[row] != 2.0 * h) return false;
-    }
-    return true;
-}
-
 void complete(InteractionDef& def, const Vec3* positions, double distance) {
     const KindInfo& info = kind_info(def.kind);
     for (std::size_t i = 0; i < info.params.size(); ++i) {

@@ -109,8 +109,8 @@ void look_at_line(const StepContext& ctx, const View& v, std::int32_t id, JudgeP
     double room[model::kArmRoom], speed = 0.0;
     const double* jac = packed_rows(v, id, room);
     for (int b = 0; b < v.bodies[id]; ++b) {
-        const std::int32_t body = v.body[kMaxInteractionBodies * id + b];
-        for (int j = 0; j < v.dof[body]; ++j) speed += *jac++ * v.v[v.dof_begin[body] + j];
+        const std::int32_t end = v.body[kMaxInteractionBodies * id + b];
+        for (int j = 0; j < v.dof[end]; ++j) speed += *jac++ * v.v[v.dof_begin[end] + j];
     }
     const double late = 0.25 * v.h * (1.0 / v.upsilon[row] - 1.0) + 0.5 * v.h;
     const double off = std::fabs(v.g[row] + v.epsilon[row] * v.lambda[row] / v.h);
