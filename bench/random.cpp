@@ -181,15 +181,12 @@ void write_json(const RandomOptions& o, const std::array<Tally, kCategories.size
     nlohmann::ordered_json out{{"seed", o.seed}, {"count", o.count}, {"wrong", wrong}};
     for (std::size_t i = 0; i < kCategories.size(); ++i) {
         const Tally& t = tallies[i];
-        out["categories"][kCategories[i].name] = {{"cases", t.cases},
-                                                  {"ok", t.ok},
-                                                  {"failed", t.failed},
-                                                  {"refused", t.refused},
-                                                  {"wrong", t.wrong},
-                                                  {"energy", t.energy},
-                                                  {"open", t.open},
-                                                  {"consistent", t.consistent},
-                                                  {"consistent_ok", t.consistent_ok}};
+        out["categories"][kCategories[i].name] = {
+            {"cases", t.cases},           {"ok", t.ok},
+            {"doubtful", t.doubtful},     {"failed", t.failed},
+            {"refused", t.refused},       {"wrong", t.wrong},
+            {"energy", t.energy},         {"open", t.open},
+            {"consistent", t.consistent}, {"consistent_ok", t.consistent_ok}};
     }
     std::ofstream file(o.json);
     file << out.dump(1) << '\n';

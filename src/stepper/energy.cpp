@@ -152,8 +152,13 @@ std::uint64_t state_hash(const StepContext& ctx) noexcept {
     add(ctx.interactions.coarse);
     add(ctx.interactions.repeats);
     add(ctx.interactions.anchor);
-    add(ctx.wires.credit);
-    add(ctx.wires.alert);
+    // Not where there is nothing: there is no room for it before the first step is prepared.
+    for (std::size_t k = 0; k < ctx.wires.count(); ++k) {
+        if (ctx.wires.credit[k] == 0.0 && ctx.wires.alert[k] == 0) continue;
+        hash = base::fnv1a(&k, sizeof k, hash);
+        hash = base::fnv1a(&ctx.wires.credit[k], sizeof(double), hash);
+        hash = base::fnv1a(&ctx.wires.alert[k], sizeof(std::int32_t), hash);
+    }
     add(ctx.collider.kept());
     add(ctx.bodies.asleep);
     add(ctx.bodies.quiet);

@@ -202,7 +202,9 @@ Status judge(StepContext& ctx) noexcept {
     JudgeState next = d.state;
     const Findings now = judged(ctx, next);
     const Grade grade = add(now, d.verdict);
-    if (grade == Grade::wrong && ctx.def.on_diverged == OnDiverged::stop) return Status::diverged;
+    const bool split = !ctx.cuts.list.empty();
+    if (grade == Grade::wrong && ctx.def.on_diverged == OnDiverged::stop && !split)
+        return Status::diverged;
     d.state = next;
     tell(ctx, now, d.state);
     return Status::ok;

@@ -42,7 +42,11 @@ std::vector<ContactView> World::overlaps() const {
     collide::ContactSet found;
     ctx.collider.surfaces(ctx.def.step, found);
     // Until keep() the collider remembers nothing of it.
-    if (!ctx.collider.collide(ctx.bodies, ctx.def.step, found, ctx.pool)) throw std::bad_alloc();
+    if (!ctx.collider.collide(ctx.bodies, ctx.def.step, found, ctx.pool)) {
+        const BoundMet met = ctx.collider.over();
+        if (met.bound != Bound::none) throw LimitError(met);
+        throw std::bad_alloc();
+    }
     for (const collide::Contact& c : found.contacts) {
         if (c.gap >= 0.0) continue;
         ContactView& v = out.emplace_back();

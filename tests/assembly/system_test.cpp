@@ -131,6 +131,8 @@ TEST_P(ChainSeeds, GoEightAtATime) {
 
 TEST_P(Seeds, BlocksEqualTheDenseMatrix) {
     auto ctx = context();
+    // Completed joints have right-hand sides of their own (tests of stepper/completion.h).
+    ctx->completion.banned = true;
     stepper::assemble_rows(*ctx);
     const DenseStep d = dense_step(*ctx);
     write_blocks(*ctx);
@@ -148,6 +150,8 @@ TEST_P(Seeds, BlocksEqualTheDenseMatrix) {
 
 TEST_P(Seeds, RightHandSidesEqualTheDenseOnes) {
     auto ctx = context();
+    // Completed joints have right-hand sides of their own (tests of stepper/completion.h).
+    ctx->completion.banned = true;
     stepper::assemble_rows(*ctx);
     const DenseStep d = dense_step(*ctx);
     const assembly::View v = stepper::view(*ctx);
@@ -168,6 +172,8 @@ TEST_P(Seeds, RightHandSidesEqualTheDenseOnes) {
 /// Solved densely in long double with the stepper's own a: v₊ and λ.
 TEST_P(Seeds, SolutionSolvesTheDenseEquations) {
     auto ctx = context();
+    // Completed joints have right-hand sides of their own (tests of stepper/completion.h).
+    ctx->completion.banned = true;
     stepper::assemble_rows(*ctx);
     const DenseStep d = dense_step(*ctx);
     const int n = ctx->bodies.dofs, rows = ctx->interactions.row_count;
@@ -211,6 +217,8 @@ TEST_P(Seeds, SolutionSolvesTheDenseEquations) {
 /// Taken while the solution was measured, they are those of its rows.
 TEST_P(Seeds, LossesAreThoseOfTheSolution) {
     auto ctx = context();
+    // Completed joints have right-hand sides of their own (tests of stepper/completion.h).
+    ctx->completion.banned = true;
     stepper::assemble_rows(*ctx);
     EXPECT_FALSE(ctx->losses_known);
     ASSERT_EQ(stepper::factor_and_solve(*ctx), Status::ok);
@@ -222,6 +230,8 @@ TEST_P(Seeds, LossesAreThoseOfTheSolution) {
 
 TEST_P(Seeds, GeometricStiffnessIsSymmetricAndPositive) {
     auto ctx = context();
+    // Completed joints have right-hand sides of their own (tests of stepper/completion.h).
+    ctx->completion.banned = true;
     stepper::assemble_rows(*ctx);
     const DenseStep d = dense_step(*ctx);
     for (const Matrix* k : {&d.geometric, &d.damping}) {

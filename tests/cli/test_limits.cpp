@@ -26,13 +26,14 @@ TEST(Limits, OfContactsAndMemoryFailARunAndAreNamed) {
     const auto folder = test_folder();
     const std::string scene = folder / "heap.json";
     write_text(scene, heap_of_balls(16, R"("max_contacts": 100)"));
-    const Outcome run = run_program({"run", scene, "--duration", "0.1"});
+    const Outcome run = run_program({"run", scene, "--unchecked", "--duration", "0.1"});
     EXPECT_EQ(run.code, 2) << run.err;
     EXPECT_NE(run.err.find("120 contact points exceed max_contacts = 100"), std::string::npos)
         << run.err;
     EXPECT_NE(run.err.find("raise it"), std::string::npos) << run.err;
     const Outcome raised =
-        run_program({"run", scene, "--duration", "0.02", "--set", "settings.max_contacts=120"});
+        run_program({"run", scene, "--unchecked", "--duration", "0.02", "--set",
+                     "settings.max_contacts=120", "--set", "settings.on_diverged=\"warn\""});
     EXPECT_EQ(raised.code, 0) << raised.err;
     const Outcome small = run_program(
         {"run", "scenes/anchor_lines.json", "--set", "settings.max_memory=1e6", "--quiet"});
@@ -80,8 +81,8 @@ TEST(Limits, AnInterruptEndsTheStepUnderWay) {
     const std::string scene = folder / "heap.json";
     write_text(scene, heap_of_balls(500, R"("max_contacts": 400000)"));
     const auto begin = std::chrono::steady_clock::now();
-    const Outcome run =
-        run_program({"run", scene, "--summary", folder / "s.json", "--duration", "1"}, 2.0);
+    const Outcome run = run_program(
+        {"run", scene, "--unchecked", "--summary", folder / "s.json", "--duration", "1"}, 2.0);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     EXPECT_EQ(run.code, 130) << run.err;
     const auto summary = nlohmann::json::parse(read_text(folder / "s.json"));

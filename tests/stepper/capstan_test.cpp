@@ -123,7 +123,7 @@ TEST_P(Capstans, HoldsBelowIt) {
 /// One iteration cannot switch a line that comes taut and solve with it: such a step says so,
 /// though its contacts, at rest, are solved.
 TEST(BoundsLeftOpen, AreCountedWhereIterationsEnd) {
-    WorldDef def;
+    WorldDef def{.on_diverged = OnDiverged::warn};
     def.contact_iterations = 1;
     World w(def);
     BodyDef d;

@@ -12,7 +12,7 @@ namespace {
 
 /// Two weightless wires from one point, tight or slack, whose last nodes or elements meet head-on.
 World meeting_wires(int elements, bool segments) {
-    World w;
+    World w({.on_diverged = OnDiverged::warn});
     BodyDef ground;
     ground.kind = BodyKind::fixed;
     const BodyId top = w.add_body(ground);
@@ -45,6 +45,7 @@ World meeting_wires(int elements, bool segments) {
 }
 
 TEST(SlackContact, LinesThatSwitchDuringTheIterationsStayInTheMatrix) {
+    // Wires meet at a speed that their law does not hold at.
     for (const auto& [elements, segments] :
          {std::pair(1, false), std::pair(3, true), std::pair(10, false), std::pair(10, true)}) {
         World w = meeting_wires(elements, segments);

@@ -23,7 +23,7 @@ Vec3 corner(Random& r, double size) {
 }
 
 WorldDef any_world(Random& r) {
-    WorldDef def;
+    WorldDef def{.on_diverged = OnDiverged::warn};
     def.step = r.chance(0.5) ? 1.0 / 60.0 : magnitude(r, -6, 0);
     if (r.chance(0.2)) def.gravity.setZero();
     if (r.chance(0.1)) def.gravity = r.vector(1e4);

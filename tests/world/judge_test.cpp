@@ -72,7 +72,9 @@ TEST(Judge, WhatSwingsIsGood) {
 }
 
 TEST(Judge, ContradictoryJointsEndAsDivergedAndTheStateBeforeStays) {
-    World w = Boxes().contradict().recipe.make();
+    Recipe contradicting = Boxes().contradict().recipe;
+    contradicting.world.on_diverged = OnDiverged::stop;
+    World w = contradicting.make();
     ASSERT_EQ(run(w, 60), Status::diverged);
     const Verdict v = w.verdict();
     EXPECT_EQ(v.grade, Grade::wrong);
@@ -115,7 +117,8 @@ TEST(Judge, AJointThatStartsOpenMayClose) {
 
 /// The judge's sums are part of the state: a restored world refuses the same step.
 TEST(Judge, ARestoredWorldGivesTheSameVerdict) {
-    const Recipe r = struck_line(0.1);
+    Recipe r = struck_line(0.1);
+    r.world.on_diverged = OnDiverged::stop;
     World w = r.make();
     ASSERT_EQ(run(w, 3), Status::ok);
     const std::vector<std::byte> saved = w.save();
