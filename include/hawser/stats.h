@@ -188,6 +188,8 @@ struct StepStats {
     /// Substitutions of the step's solution: those of its factorisations, refinements, rounds of
     /// completion, and of the filter of joints in loops. Not those of Krylov iterations.
     std::int32_t substitutions = 0;
+    /// What another round would have changed in a right-hand side [m/s or rad/s].
+    double completion_change = 0.0;
     std::int32_t completion_rounds = 0;  ///< Of rigid joints in this step (docs/methods.md, 2).
     /// Steps since the start whose rounds did not converge, so that joints were linearised once.
     std::int64_t completion_failures = 0;

@@ -108,10 +108,12 @@ void Interactions::make_room(InteractionKind kind) {
     for (base::Array<std::uint8_t>* a :
          {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
         base::make_room(*a, 1);
-    for (base::Array<double>* a : {&active, &held, &low, &high, &anchor, &rest_length, &swing})
+    for (base::Array<double>* a :
+         {&active, &held, &low, &high, &anchor, &rest_length, &lightness, &alert, &swing})
         base::make_room(*a, 1);
-    for (base::Array<double>* a : {&epsilon, &tau, &upsilon, &sigma, &least_sigma, &inv_sigma, &g,
-                                   &c, &residual, &lambda, &multiplier, &force})
+    for (base::Array<double>* a :
+         {&epsilon, &tau, &mobility, &upsilon, &recall, &sigma, &least_sigma, &inv_sigma, &g, &c,
+          &residual, &lambda, &multiplier, &force})
         base::make_room(*a, kMaxInteractionRows);
     base::make_room(row_flags, kMaxInteractionRows);
 }

@@ -111,6 +111,7 @@ Turning make_rounds(StepContext& ctx) noexcept {
             break;
         }
     }
+    ctx.stats.completion_change = t.change;
     return t;
 }
 

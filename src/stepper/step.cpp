@@ -182,6 +182,7 @@ void clear_figures(StepContext& ctx) noexcept {
     ctx.stats.factorisations = 0;
     ctx.stats.substitutions = ctx.stats.completion_rounds = ctx.stats.undetermined = 0;
     ctx.stats.restiffened = 0;
+    ctx.stats.completion_change = 0.0;
     begin_completion(ctx);
     ctx.stats.partial_factorisations = 0;
     ctx.stats.flips_left = 0;
