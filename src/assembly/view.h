@@ -250,7 +250,7 @@ struct Kernels {
     /// c becomes c_next, of the completed ones among ids[begin, end).
     void (*adopt_completed)(const View&, const std::int32_t* ids, std::int32_t begin,
                             std::int32_t end) noexcept;
-    /// a takes spin_next, likewise.
+    /// Right-hand sides a of turning bodies take spin_next.
     void (*adopt_spins)(const View&, std::int32_t begin, std::int32_t end) noexcept;
     /// Body blocks and a, geometric terms included.
     void (*body_terms)(const View&, std::int32_t begin, std::int32_t end) noexcept;

@@ -45,6 +45,15 @@ TEST(Spook, StaticDeflectionDoesNotDependOnStepOrDamping) {
         }
 }
 
+/// A row without compliance holds at the end of the first step already, to a share of its Σ.
+TEST(Spook, ARigidRowHoldsAtTheEndOfTheStep) {
+    World w = oscillator(1.0 / 60, 1.0, 0.0, 2.0 / 60, 1.0, 0.0).make();
+    for (int k = 0; k < 30; ++k) {
+        ASSERT_EQ(w.step(), Status::ok);
+        EXPECT_NEAR(w.violation(InteractionId{0})[0], 0.0, 5e-9) << "step " << k + 1;
+    }
+}
+
 /// 2. Decay of a violation, ε → 0, n = 2: 1, 5/9, 7/27, 1/9, …
 TEST(Spook, ViolationDecaysWithTheDoubleRootOfOneThird) {
     // A row without compliance holds at the end of the first step (completion.h).
