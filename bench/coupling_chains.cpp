@@ -48,11 +48,13 @@ World chain(const std::vector<double>& mass, double k, double n, std::size_t bor
     return world;
 }
 
-/// A (1 + Υ): at most 2 where stable.
+/// A (1 + Υ(2 − R)): at most 2 where stable (docs/methods.md, 2 and 10).
 double criterion(double m1, double m2, double k, double n) {
-    const double upsilon = 1.0 / (1.0 + 4.0 * n);
+    const double z = k * kStep * kStep * (1.0 / m1 + 1.0 / m2) * (n + 0.25);
+    const double late = -1.0 / std::expm1(-z) - 1.0 / z;
+    const double upsilon = 1.0 / (1.0 + 4.0 * n * late), recall = 1.0 - 4.0 * n * (1.0 - late);
     const double sigma = 4.0 * upsilon / (k * kStep * kStep);
-    return (1.0 / (1.0 + m1 * sigma) + 1.0 / (1.0 + m2 * sigma)) * (1.0 + upsilon);
+    return (1.0 / (1.0 + m1 * sigma) + 1.0 / (1.0 + m2 * sigma)) * (1.0 + upsilon * (2.0 - recall));
 }
 
 /// Largest k for which `stable(k)`, to 0.1 %.

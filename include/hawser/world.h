@@ -152,6 +152,10 @@ class World {
     /// Whether the last step solved the rows of a rigid joint or rod where the step ends
     /// (docs/methods.md, 2); else it linearised them once, as all other rows.
     [[nodiscard]] bool completed(InteractionId id) const;
+    /// Force of each row that the geometric stiffness of the last step was taken with [N or N m]:
+    /// force() before that step, or a larger one of a joint where the step was solved again
+    /// (StepStats::restiffened). Zero before the first step, and behind its rows.
+    [[nodiscard]] std::array<double, kMaxInteractionRows> stiffness_force(InteractionId id) const;
     /// Steps to come in which the swings of an element's wire are damped more, since it would have
     /// gained energy (StepStats::wire_repeats); 0: none, or no element of a wire.
     [[nodiscard]] int wire_alert(InteractionId id) const;

@@ -66,6 +66,11 @@ void Verifier::add_interactions(const World& world) {
     for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
         const InteractionDef& def = world.interaction_def({i});
         const Wrenches rows = row_wrenches(world, {i}, pose_, world.force({i}));
+        // A step that was solved again took the stiffness of the forces it had found.
+        if (world.stats().restiffened > 0) {
+            const auto with = world.stiffness_force({i});
+            std::copy_n(with.begin(), last_[index_of(i)].size(), last_[index_of(i)].begin());
+        }
         const Wrenches other = intact_[index_of(i)]
                                    ? stiffness_wrenches(world, {i}, pose_, twist_, earlier_,
                                                         last_[index_of(i)], alert_[index_of(i)])

@@ -164,9 +164,6 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
     const WorldDef& settings = world.settings();
     Wrenches out;
     if (!(is_line(kind) || is_joint(kind)) || settings.nonsmooth == Nonsmooth::pgs) return out;
-    // The force that a step was solved again with is not shown.
-    const bool rigid = is_joint(kind) || kind == InteractionKind::Distance;
-    if (rigid && world.stats().restiffened > 0) return unknown();
     // What a wire that would have gained energy was stepped with instead is not shown.
     out.known = world.wire_alert(id) < std::lround(std::ceil(std::max(20.0, 1.0 / settings.step)));
     const double h = settings.step, scale = 0.25 * h * h * settings.geometric_stiffness;

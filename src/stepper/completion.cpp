@@ -22,9 +22,9 @@ using assembly::Turning;
 using assembly::View;
 
 /// A round's change below which the step has ended [m/s or rad/s], of bodies that turn by up to
-/// kSlowTurn [rad/s]; of faster ones with the square of that. Near singular poses of closed loops
-/// less would only add rounding.
-constexpr double kTurning = 1e-7, kSlowTurn = 5.0;
+/// kSlowTurn [rad/s]; of faster ones with the cube of that. Near singular poses of closed loops
+/// less would only add rounding, but who asks for solutions below kSolution gets it.
+constexpr double kTurning = 1e-7, kSlowTurn = 5.0, kSolution = 1e-10;
 constexpr int kMostRounds = 12;
 constexpr double kGap = 1e-4;                 ///< Largest gap that a step may leave [m or rad].
 constexpr double kResolved = 1.5;             ///< s up to which joints are completed.
@@ -94,11 +94,13 @@ Turning renew(StepContext& ctx) noexcept {
 /// they did not converge.
 Turning make_rounds(StepContext& ctx) noexcept {
     double first = 0.0;
+    const double enough = kTurning * std::min(1.0, ctx.def.solution_tolerance / kSolution);
+    const auto ended = [enough](const Turning& turning) {
+        const double fast = std::max(1.0, turning.spin / kSlowTurn);
+        return turning.change <= enough * fast * fast * fast;
+    };
     Turning t = renew(ctx);
-    for (int round = 0;
-         round < kMostRounds &&
-         t.change > kTurning * std::max(1.0, t.spin * t.spin / (kSlowTurn * kSlowTurn));
-         ++round) {
+    for (int round = 0; round < kMostRounds && !ended(t); ++round) {
         adopt(ctx);
         continue_with_factor(ctx);
         ctx.losses_known = false;

@@ -9,7 +9,7 @@
 /// ```
 ///     g(x_k ⊕ h v₊) = 0                                     of completed rows
 ///     μ₊(ω₊) = μ₋(ω) + h t + (Gᵀλ)                          of turning bodies, body frame
-///     μ±(ω) = Iω ± (h/2) ω×Iω + (h²/4)(ω·Iω) ω
+///     μ±(ω) = Iω ± (h/2) ω×Iω
 /// ```
 /// G taken at x_k. This is SHAKE with the Cayley rotation (Ryckaert, Ciccotti, Berendsen 1977;
 /// Bou-Rabee, Marsden 2009): variational, so that energy does not drift and momentum is exact.
@@ -18,7 +18,9 @@
 ///     c = G u − g(x_k ⊕ h u)/h,      a += μ₋(ω) − μ₊(ω_u) + I ω_u,       u = v₊ so far,
 /// ```
 /// and costs a substitution; the first one is about u = 2v − v₋, so that motion without jerk takes
-/// none but the first. Rounds end at a change of kTurning.
+/// none but the first. Rounds end at a change of 1e-7 m/s or rad/s, of bodies that turn by ω with
+/// max(1, ω/5)³ of it as what the step itself leaves grows so, and later where solution_tolerance
+/// is below its default, in proportion.
 ///
 /// *What is completed.* Rigid joints and rods (model::may_complete()) whose swing under their force
 /// f is resolved: s = h² f max(r/I) ≤ 1.5. Beyond that the rounds need not converge: such a joint,

@@ -238,6 +238,17 @@ bool World::completed(InteractionId id) const {
                .completed[index_of(id.index, interaction_count(), "interaction")] != 0;
 }
 
+std::array<double, kMaxInteractionRows> World::stiffness_force(InteractionId id) const {
+    const std::size_t i = index_of(id.index, interaction_count(), "interaction");
+    const model::Interactions& in = impl_->ctx.interactions;
+    const std::vector<double>& with = impl_->ctx.completion.lambda_with;
+    std::array<double, kMaxInteractionRows> f{};
+    const auto row = at(in.row_begin[i]);
+    for (std::size_t r = 0; r < in.rows[i] && row + r < with.size(); ++r)
+        f[r] = with[row + r] / settings().step;
+    return f;
+}
+
 int World::wire_alert(InteractionId id) const {
     const stepper::Wires& wires = impl_->ctx.wires;
     const std::size_t i = index_of(id.index, interaction_count(), "interaction");
