@@ -45,7 +45,7 @@ double swing_of(const model::Bodies& bodies, const model::Interactions& in, int 
 
 }  // namespace
 
-void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in, double h) {
+void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) {
     // Vector loads read up to seven entries past the end.
     constexpr std::size_t kSlack = 8;
     geo_place_.assign(at(in.count()), {});
@@ -89,7 +89,7 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in, 
     geo_record_.assign(at(record) + kSlack, 0.0);
     geo_force_.assign(at(force) + kSlack, 0.0);
     for (int i = 0; i < in.count(); ++i) {
-        in.swing[at(i)] = model::may_complete(in, i, h) ? swing_of(bodies, in, i) : 0.0;
+        in.swing[at(i)] = model::may_ever_complete(in, i) ? swing_of(bodies, in, i) : 0.0;
         const GeoPlace& place = geo_place_[at(i)];
         if (in.arms[at(i)])
             in.jacobian[at(in.jac_begin[at(i)] + model::kArmsSwing)] = swing_rate(bodies, in, i);

@@ -52,7 +52,7 @@ double mobility(const model::Bodies& bodies, const model::Interactions& in, int 
 void System::analyse(const model::Bodies& bodies, model::Interactions& interactions,
                      const WorldDef& def, int threads, const factor::AnalysisState* state) {
     find_resting(bodies, interactions);
-    reserve(bodies, interactions, def.step);
+    reserve(bodies, interactions);
     strips.build(dof_, rests_, interactions);
     build_incidence(bodies, interactions);
     find_islands(interactions);
@@ -105,9 +105,9 @@ void System::find_resting(const model::Bodies& bodies, const model::Interactions
     for (const std::int32_t id : left_out) rests_[at(id)] = 1;
 }
 
-void System::reserve(const model::Bodies& bodies, model::Interactions& in, double h) {
+void System::reserve(const model::Bodies& bodies, model::Interactions& in) {
     constexpr std::size_t kSlack = 8;  // as in lay_out_rows()
-    lay_out_rows(bodies, in, h);
+    lay_out_rows(bodies, in);
     body_block_.resize(2 * at(bodies.dofs) + kSlack);
     for (base::Array<double>* a : {&a_, &v_new_}) a->assign(at(bodies.dofs) + kSlack, 0.0);
     for (base::Array<double>* a : {&spin_momentum_, &spin_next_})

@@ -140,7 +140,7 @@ class System {
     /// all that belongs to them stand in a row.
     void find_links(const model::Bodies& bodies);
     /// Where Jacobians and geometric terms are.
-    void lay_out_rows(const model::Bodies& bodies, model::Interactions& interactions, double h);
+    void lay_out_rows(const model::Bodies& bodies, model::Interactions& interactions);
     /// Sets mobilities of dampers, and what follows from them.
     void share_damping(const model::Bodies& bodies, model::Interactions& interactions,
                        double h) const;
@@ -178,7 +178,7 @@ class System {
                             const model::Interactions& interactions) const;
     void share_lanes(std::span<const Op> together, std::int64_t place,
                      const model::Interactions& interactions);
-    void reserve(const model::Bodies& bodies, model::Interactions& interactions, double h);
+    void reserve(const model::Bodies& bodies, model::Interactions& interactions);
     void check_memory(const model::Bodies& bodies, const model::Interactions& interactions,
                       int threads) const;
 

@@ -233,6 +233,9 @@ struct Turning {
     }
 };
 
+/// Interactions whose rows a step solves at its end, beside 0: all others (stepper/completion.h).
+enum Completed : std::uint8_t { kRigid = 1, kStiffDamper = 2 };
+
 /// Hot loops. Ranges are of bodies or of interactions; a range writes only its own entries.
 struct Kernels {
     /// Violation, Jacobian, c and geometric record of pool entries [begin, end); G v_start, M̃

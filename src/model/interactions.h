@@ -92,7 +92,7 @@ struct Interactions {
     // Of rigid joints, see stepper/completion.h; 0 of all else.
     base::Array<std::uint8_t> coarse;     ///< Steps to come in which its rows are linearised once.
     base::Array<std::uint8_t> repeats;    ///< 1: in a loop in which rows repeat each other.
-    base::Array<std::uint8_t> completed;  ///< 1: this step solves its rows at the step's end.
+    base::Array<std::uint8_t> completed;  ///< By this step, see assembly::Completed.
     base::Array<double> swing;  ///< max |arm|/I, constant: h² times force times this is (hω)².
     base::Array<double> rest_length;      ///< l₀ of wire elements [m], 0 for all else.
     std::vector<std::int32_t> working;    ///< Those through which work enters: motors, driven by an
@@ -157,8 +157,12 @@ struct Interactions {
 };
 
 /// Whether a step may solve the rows of an interaction at the step's end (stepper/completion.h):
-/// it is a joint or rod, rigid, damped by default, and no input moves it.
+/// it is a joint or rod that no input moves, rigid and damped by default, or a spring with a damper
+/// that the step does not resolve at the poses of the last analysis.
 [[nodiscard]] bool may_complete(const Interactions& in, int id, double h) noexcept;
+
+/// Whether its kind and inputs allow that, whatever its rows are.
+[[nodiscard]] bool may_ever_complete(const Interactions& in, int id) noexcept;
 
 /// Fill in the defaults that a kind takes from the initial poses.
 void complete(InteractionDef& def, const Vec3* positions, double distance);

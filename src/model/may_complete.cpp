@@ -6,15 +6,34 @@
 
 namespace hawser::model {
 
-bool may_complete(const Interactions& in, int id, double h) noexcept {
+namespace {
+
+/// Whether all rows are springs with dampers which the step does not resolve: z of damping.h is
+/// above 1, so that the turning of a row's direction within the step is speed enough for a force.
+bool is_stiff_damper(const Interactions& in, int id, double h) noexcept {
+    for (int r = 0; r < in.rows[at(id)]; ++r) {
+        const auto row = at(in.row_begin[at(id)] + r);
+        const double e = in.epsilon[row], soft = h * (in.tau[row] + 0.25 * h) * in.mobility[row];
+        if (!(in.row_flags[row] & kRowDamper) || !(e > 0.0) || !(soft > e)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+bool may_ever_complete(const Interactions& in, int id) noexcept {
     bool kind = false;
     generic::with_kind(in.def[at(id)].kind, [&]<class K>() {
         if constexpr (requires { K::kCompletes; }) kind = K::kCompletes;
     });
-    if (!kind || (in.flags[at(id)] & kByInput)) return false;
+    return kind && (in.flags[at(id)] & kByInput) == 0;
+}
+
+bool may_complete(const Interactions& in, int id, double h) noexcept {
+    if (!may_ever_complete(in, id)) return false;
     for (int r = 0; r < in.rows[at(id)]; ++r) {
         const auto row = at(in.row_begin[at(id)] + r);
-        if (in.epsilon[row] != 0.0 || in.tau[row] != 2.0 * h) return false;
+        if (in.epsilon[row] != 0.0 || in.tau[row] != 2.0 * h) return is_stiff_damper(in, id, h);
     }
     return true;
 }

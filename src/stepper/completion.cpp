@@ -304,18 +304,21 @@ void find_joints(StepContext& ctx) {
     c.joints.clear();
     c.looped.clear();
     std::vector<std::pair<std::int32_t, std::int32_t>> edges;
+    std::vector<std::int32_t> rigid;
     const std::int32_t ground = ctx.bodies.count();
     auto node = [&](std::int32_t body) { return ctx.bodies.dof(body) > 0 ? body : ground; };
     for (std::int32_t id = 0; id < in.count(); ++id) {
         ctx.interactions.completed[at(id)] = 0;
         if (ctx.system.rests(id) || !model::may_complete(in, id, ctx.def.step)) continue;
         c.joints.push_back(id);
+        if (in.epsilon[at(in.row_begin[at(id)])] > 0.0) continue;  // what gives is determined
         const std::int32_t* body = &in.body[at(kMaxInteractionBodies * id)];
+        rigid.push_back(id);
         edges.emplace_back(node(body[0]), node(body[1]));
     }
     const std::vector<std::uint8_t> looped = graph::edges_on_loops(ground + 1, edges);
-    for (std::size_t k = 0; k < c.joints.size(); ++k)
-        if (looped[k]) c.looped.push_back(c.joints[k]);
+    for (std::size_t k = 0; k < rigid.size(); ++k)
+        if (looped[k]) c.looped.push_back(rigid[k]);
     c.coarse_next.assign(c.joints.size(), 0);
     c.refused.assign(c.joints.size(), 0);
     c.lambda_with.assign(in.lambda.size(), 0.0);
@@ -342,7 +345,10 @@ void choose_completed(StepContext& ctx) noexcept {
             const bool fast =
                 c.refused[at(k)] || !(swing_number(ctx, id, in.lambda.data()) <= kResolved);
             c.coarse_next[at(k)] = fast ? kCoarse : static_cast<std::uint8_t>(left - (left > 0));
-            in.completed[at(id)] = allowed && c.coarse_next[at(k)] == 0 && in.parted[at(id)] == 0;
+            const bool chosen = allowed && c.coarse_next[at(k)] == 0 && in.parted[at(id)] == 0;
+            const bool rigid = in.epsilon[at(in.row_begin[at(id)])] == 0.0;
+            in.completed[at(id)] =
+                !chosen ? 0 : (rigid ? assembly::kRigid : assembly::kStiffDamper);
             mark_record(in, id);
         }
     });

@@ -22,6 +22,14 @@
 /// max(1, ω/5)³ of it as what the step itself leaves grows so, and later where solution_tolerance
 /// is below its default, in proportion.
 ///
+/// Springs with dampers that the step does not resolve are completed as well, about the same u:
+/// with d₊ = (g(x_k ⊕ h u) − g)/h and d₋ = (g − g(x_k ⊖ h v))/h, Υ and R = 1 − 4τ(1 − θ)/h of
+/// model/damping.h,
+/// ```
+///     c = G u − d₊ − (4Υ/h) g + ΥR d₋,      λ = −(h/ε)((g₋ + 2g + g₊)/4 + τ(θ d₊ + (1 − θ) d₋)).
+/// ```
+/// Linearised once, the damper would resist the speed h v⊥²/L with which its direction turns.
+///
 /// *What is completed.* Rigid joints and rods (model::may_complete()) whose swing under their force
 /// f is resolved: s = h² f max(r/I) ≤ 1.5. Beyond that the rounds need not converge: such a joint,
 /// and for 60 steps after, is linearised once a step with numerical damping (assembly/geo.h).

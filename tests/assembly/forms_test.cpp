@@ -19,7 +19,10 @@ double difference(const World& a, const World& b) {
     return apart / most;
 }
 
-void expect_same(const Recipe& recipe, int steps) {
+/// @param mass_ratio  Of what pulls through a joint to the lightest body there: rounding of the
+/// force moves that body by so much more.
+void expect_same(const Recipe& recipe, int steps, double mass_ratio = 100.0) {
+    constexpr double kRounding = 1e-14;  // of the force, after as many joints as there are here
     WorldDef def = recipe.world;
     def.solution_tolerance = 1e-13;  // what is compared is the form, not where refinement ends
     def.form = Form::automatic;
@@ -36,8 +39,8 @@ void expect_same(const Recipe& recipe, int steps) {
         ASSERT_EQ(automatic.step(), Status::ok);
         ASSERT_EQ(saddle.step(), Status::ok);
         ASSERT_EQ(condensed.step(), Status::ok);
-        EXPECT_LE(difference(saddle, automatic), 1e-12) << "automatic, step " << i;
-        EXPECT_LE(difference(saddle, condensed), 1e-12) << "condensed, step " << i;
+        EXPECT_LE(difference(saddle, automatic), kRounding * mass_ratio) << "automatic, step " << i;
+        EXPECT_LE(difference(saddle, condensed), kRounding * mass_ratio) << "condensed, step " << i;
     }
 }
 
@@ -53,7 +56,7 @@ TEST(Forms, AgreeOnAChainWithAHeavyEnd) {
     BodyDef& hook = r.bodies.back();
     hook.mass *= 1e4;
     hook.inertia *= 1e4;
-    expect_same(r, 5);
+    expect_same(r, 5, 1e4);
 }
 
 TEST(Forms, AgreeOnAWire) { expect_same(wire(30), 10); }

@@ -47,7 +47,10 @@ TEST(Forms, EveryFormGivesTheSameVelocities) {
             // 1e-12 of the fastest body, or of a gravity step where all is at rest: below that
             // there is only the round-off of h g.
             const double floor = 9.81 * reference.world.settings().step;
-            const double close = reference.world.stats().contacts > 0 ? kContacts : 1e-12;
+            // The gap of a joint that holds at the end of a step comes from poses: what rounding of
+            // a hundred metres leaves in it over a step is 1e-12 m/s.
+            const double joints = reference.world.stats().completion_rounds > 0 ? 1e-11 : 1e-12;
+            const double close = reference.world.stats().contacts > 0 ? kContacts : joints;
             EXPECT_LE(c.difference, close * std::max(c.scale, floor))
                 << file << " form " << static_cast<int>(form);
         }

@@ -33,6 +33,7 @@ TEST_P(LinkLanes, MoveAsOneByOne) {
         Recipe r = chains(seed, 3, 21);
         r.world.form = form;
         r.world.solution_tolerance = 1e-13;
+        r.world.contact_tolerance = 1e-12;
         World row = r.make(), other = backwards(r).make();
         const int n = row.body_count();
         auto twin = [&](int k) { return BodyId{n - 1 - k}; };

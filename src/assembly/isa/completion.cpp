@@ -34,17 +34,30 @@ M3 product(const M3& a, const M3& b) {
     return out;
 }
 
-/// Pose of a body at the end of a step with packed velocities u. @param room  For its rotation.
-BodyRef end_pose(const View& view, std::int32_t body, const double* u, M3& room) {
+/// Pose of a body after `time` [s] with packed velocities u, those of fixed ones apart.
+/// @param room  For its rotation.
+BodyRef moved_pose(const View& view, std::int32_t body, const double* u, const double* fixed,
+                   double time, M3& room) {
     const int dof = view.dof[body];
     const V3 x = load3(view.x + 3 * body);
     if (dof == 3 || dof == 1) {
         const double* v = u + view.dof_begin[body];
-        return {x + view.h * (dof == 3 ? load3(v) : V3{v[0], 0.0, 0.0}), view.r + 9 * body, false};
+        return {x + time * (dof == 3 ? load3(v) : V3{v[0], 0.0, 0.0}), view.r + 9 * body, false};
     }
-    const double* v = dof == 6 ? u + view.dof_begin[body] : view.v_fixed + 6 * body;
-    room = product(step_rotation((0.5 * view.h) * load3(v + 3)), load9(view.r + 9 * body));
-    return {x + view.h * load3(v), room.a, true};
+    const double* v = dof == 6 ? u + view.dof_begin[body] : fixed + 6 * body;
+    room = product(step_rotation((0.5 * time) * load3(v + 3)), load9(view.r + 9 * body));
+    return {x + time * load3(v), room.a, true};
+}
+
+/// Violations at poses moved so.
+template <class K>
+void moved_rows(const View& view, std::int32_t id, const typename K::Data& data, const double* u,
+                const double* fixed, double time, Rows<K::kBodies, K::kRows>& rows) {
+    BodyRef refs[K::kBodies];
+    M3 room[K::kBodies];
+    for (int b = 0; b < K::kBodies; ++b)
+        refs[b] = moved_pose(view, view.body[kSlots * id + b], u, fixed, time, room[b]);
+    K::evaluate(data, refs, rows);
 }
 
 /// G u of the rows of one interaction.
@@ -158,7 +171,8 @@ Turning complete_kind(const View& view, const std::int32_t* ids, const typename 
     for (std::int32_t k = begin; k < end; ++k) {
         const std::int32_t id = ids[k];
         if (!view.completed[id]) continue;
-        if (kMayBeShort && view.arms[id]) {
+        const bool rigid = view.completed[id] == assembly::kRigid;
+        if (kMayBeShort && view.arms[id] && rigid) {
             const bool run = k + kLanes <= end && ids[k + kLanes - 1] - id == kLanes - 1;
             if (run && eight_completed(view, id)) {
                 complete_eight(view, id, asked, t);
@@ -168,19 +182,23 @@ Turning complete_kind(const View& view, const std::int32_t* ids, const typename 
             }
             continue;
         }
-        BodyRef refs[B];
-        M3 room[B];
-        for (int b = 0; b < B; ++b)
-            refs[b] = end_pose(view, view.body[kSlots * id + b], asked.u, room[b]);
-        Rows<B, R> rows;
-        K::evaluate(data[k], refs, rows);
+        Rows<B, R> after;
+        moved_rows<K>(view, id, data[k], asked.u, view.v_fixed, view.h, after);
         double speed[R];
         row_speeds<R>(view, id, asked.u, speed);
         const std::int32_t row = view.row_begin[id];
+        Rows<B, R> before;
+        if (!rigid) moved_rows<K>(view, id, data[k], view.v, view.v_before, -view.h, before);
         for (int r = 0; r < R; ++r) {
-            const double c = speed[r] - rows.g[r] / view.h;
+            double c = speed[r] - after.g[r] / view.h;
+            if (!rigid) {
+                const double ups = view.upsilon[row + r], g = view.g[row + r];
+                c += (1.0 - 4.0 * ups) * g / view.h +
+                     ups * view.recall[row + r] * (g - before.g[r]) / view.h;
+            }
             if (asked.first) keep_rate(view, row + r);
-            t.add({__builtin_fabs(c - view.c[row + r]), __builtin_fabs(rows.g[r]), 0.0});
+            const double change = __builtin_fabs(c - view.c[row + r]);
+            t.add({change, rigid ? __builtin_fabs(after.g[r]) : view.h * change, 0.0});
             asked.c[row + r] = c;
         }
     }
