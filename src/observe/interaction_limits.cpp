@@ -65,13 +65,14 @@ double resolved(const Attached& on, double s) {
 }
 
 // A line that pulls: its stiffness across on the changes of velocity, and on those from what the
-// last two steps let expect (docs/methods.md, 4).
+// last two steps let expect (docs/methods.md, 4). `held`: which share of it the step had.
 void add_across(const World& world, const Attached& on, std::span<const Twist> before,
-                std::span<const Twist> earlier, double tension, bool calm, Wrenches& out) {
+                std::span<const Twist> earlier, double tension, bool calm, double held,
+                Wrenches& out) {
     const double h = world.settings().step;
     const Vec3 between = on.point(1) - on.point(0), u = between.normalized();
-    const double full =
-        h * h * world.settings().geometric_stiffness * tension / std::max(between.norm(), 1e-9);
+    const double full = held * h * h * world.settings().geometric_stiffness * tension /
+                        std::max(between.norm(), 1e-9);
     const double s = full * lightness(on, world), fade = resolved(on, s),
                  // Between two rigid bodies the rule of trapezia holds however fast they are.
         p = s > 0.25 && (on.is_point(0) || on.is_point(1) || on.kind(0) != BodyKind::rigid ||
@@ -101,15 +102,9 @@ void add_across(const World& world, const Attached& on, std::span<const Twist> b
     }
 }
 
-Wrenches unknown() {
-    Wrenches out;
-    out.known = false;
-    return out;
-}
-
-// A joint that holds at the step's end has no stiffness while its swing is resolved, and from
-// there on a part of it that is not followed here.
-Wrenches completed_stiffness(const Attached& on, const World& world, double force) {
+// Share of its stiffness that a joint which holds at the step's end has under a force: none while
+// its swing is resolved, all of it at twice that.
+double completed_share(const Attached& on, const World& world, double force) {
     double rate = 0.0;
     for (std::size_t b = 0; b < 2; ++b) {
         const BodyDef& body = world.body_def(on.def().body[b]);
@@ -119,7 +114,7 @@ Wrenches completed_stiffness(const Attached& on, const World& world, double forc
             rate = std::max(rate, 1.0 / (on.def().get("length") * body.mass));
     }
     const double h = world.settings().step;
-    return h * h * force * rate <= 1.0 ? Wrenches{} : unknown();
+    return std::clamp(h * h * force * rate - 1.0, 0.0, 1.0);
 }
 
 double angle_of(const Attached& on) {
@@ -175,7 +170,9 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
     } else {
         pull = Vec3(last[0], last[1], last[2]);
     }
-    if (world.completed(id)) return completed_stiffness(on, world, pull.norm());
+    const bool completed = world.completed(id);
+    const double held = completed ? completed_share(on, world, pull.norm()) : 1.0;
+    if (held == 0.0) return out;
     // How much too fast for the step the swing about a joint is: docs/methods.md, 4.
     double swings = 0.0, fast = 0.0;
     const bool damped =
@@ -187,9 +184,10 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
     }
     if (swings > 4.0) fast = (swings - 4.0) / (swings + 4.0);
     const double share =
-        is_line(kind) ? resolved(on, 4.0 * scale * pull.norm() / std::max(between.norm(), 1e-9) *
-                                         lightness(on, world))
-                      : 1.0;
+        completed       ? held
+        : is_line(kind) ? resolved(on, 4.0 * scale * pull.norm() / std::max(between.norm(), 1e-9) *
+                                           lightness(on, world))
+                        : 1.0;
     Vec3 arm[2], turned[2], spin[2];  // changes of velocity; (1 − u) ω + (1 + u) ω₊
     for (int b = 0; b < 2; ++b) {
         const BodyId body = on.def().body[static_cast<std::size_t>(b)];
@@ -205,8 +203,8 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
                 (arm_stiffness(b == 0 ? Vec3(-pull) : pull, arm[b]) * turned[b]);
     }
     if (is_line(kind)) {
-        add_across(world, on, before, earlier, -last[0], alert > 0, out);
-    } else if (damped) {
+        add_across(world, on, before, earlier, -last[0], alert > 0, held, out);
+    } else if (damped && !completed) {
         const double damping = settings.rotation_damping * h * h * pull.norm() *
                                std::min(arm[0].norm(), arm[1].norm()) *
                                std::min(1.0, 16.0 * swings * swings) * (1.0 + 9.0 * fast);

@@ -61,8 +61,10 @@ double height_at_crossing(const World& w, const std::vector<BodyId>& upper,
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// A free wire falls across a taut one of 4 m, `aside` of the middle of their elements.
-void expect_held(double speed, double step, const Eigen::Vector2d& aside, double height) {
+/// A free wire falls across a taut one of 4 m, `aside` of the middle of their elements, and touches
+/// it for `least` steps.
+void expect_held(double speed, double step, const Eigen::Vector2d& aside, double height,
+                 int least = 6) {
     SCOPED_TRACE(std::to_string(speed) + " m/s, aside " + std::to_string(aside.x()) + ", " +
                  std::to_string(aside.y()) + ", from " + std::to_string(height));
     WorldDef def;
@@ -81,7 +83,7 @@ void expect_held(double speed, double step, const Eigen::Vector2d& aside, double
         // less what an element that turns takes from the height over the point of contact.
         ASSERT_GT(height_at_crossing(w, falling, taut), 0.0) << i;
     }
-    EXPECT_GT(touching, 5);  // they meet, and part
+    EXPECT_GE(touching, least);  // they meet, and part
 }
 
 TEST(FastContact, WiresHoldEachOtherAtTwentyFiveThicknessesAStepAndMore) {
@@ -98,12 +100,14 @@ TEST(FastContact, WiresHoldEachOtherAtTwentyFiveThicknessesAStepAndMore) {
 /// At 60 Hz they would be 0.8 and 5 m apart after a step. What is struck off its middle turns by
 /// more than a radian in the next step and may then swing past.
 TEST(FastContact, WiresHoldEachOtherAtSixtyHertz) {
+    // 50 ms, three times what 50 m/s takes with steps that follow it.
+    constexpr int kSteps = 3;
     for (const double height : {0.02, 0.3}) {
-        expect_held(50.0, 1.0 / 60.0, {0.0, 0.0}, height);
-        expect_held(50.0, 1.0 / 60.0, {0.1, 0.0}, height);
+        expect_held(50.0, 1.0 / 60.0, {0.0, 0.0}, height, kSteps);
+        expect_held(50.0, 1.0 / 60.0, {0.1, 0.0}, height, kSteps);
     }
-    expect_held(300.0, 1.0 / 60.0, {0.0, 0.0}, 0.02);
-    expect_held(300.0, 1.0 / 60.0, {0.0, 0.0}, 0.3);
+    expect_held(300.0, 1.0 / 60.0, {0.0, 0.0}, 0.02, kSteps);
+    expect_held(300.0, 1.0 / 60.0, {0.0, 0.0}, 0.3, kSteps);
 }
 
 /// A floor at z = 0: a plate of 2 mm, two triangles, a field of heights.
