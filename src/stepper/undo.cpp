@@ -93,6 +93,7 @@ void Undo::keep_system(const StepContext& ctx) {
     group_ = ctx.cuts.group;
     coupling_ = ctx.cuts.coupling;
     parts_ = ctx.regroup.parts;
+    if (ctx.topology_changed) wires_ = ctx.wires;
     keep_links(ctx);
     keep_motion(ctx);
     mend_ = ctx.mend;
@@ -147,6 +148,7 @@ void Undo::go_back_system(StepContext& ctx) noexcept {
     ctx.regroup.seen = seen_;
     ctx.regroup.stale = stale_;
     ctx.regroup.interactions = grouped_interactions_;
+    if (topology_changed_) std::swap(ctx.wires, wires_);
     ctx.topology_changed = topology_changed_;
     ctx.mend = mend_ == Mend::nothing ? Mend::rebuild : mend_;
 }

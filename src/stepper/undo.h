@@ -23,6 +23,7 @@
 #include "stepper/cuts.h"
 #include "stepper/judge.h"
 #include "stepper/regroup.h"
+#include "stepper/wires.h"
 
 #include <array>
 #include <cstdint>
@@ -107,6 +108,7 @@ class Undo {
     std::vector<std::int32_t> group_;
     std::vector<Coupling> coupling_;
     graph::Partition parts_;
+    Wires wires_;  ///< Where they are about to be found anew.
     std::int64_t made_ = 0, seen_ = -1;
     bool stale_ = true, grouped_ = false;
     std::int32_t grouped_interactions_ = 0;
