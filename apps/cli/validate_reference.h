@@ -32,9 +32,9 @@ inline constexpr std::array<double, 3> kBricardCornerLate{1.0, -1.000269, 0.9997
 /// Damping time over step, energy lost after 10 s at 60 Hz and 240 Hz [J].
 /// scripts/reference_spook.py.
 inline constexpr std::array<std::array<double, 3>, 3> kPendulumLoss{{
-    {2, 0.243566952365, 0.00768353661664},
-    {0.5, 0.0323106451571, 0.00154053295355},
-    {0.0625, 0.00574002093162, 0.000355534174979},
+    {2, -0.0150099946081, -0.00094416078961},
+    {0.5, -0.0150100229867, -0.000944160984167},
+    {0.0625, -0.0150100312746, -0.00094416104117},
 }};
 
 }  // namespace hawser::cli

@@ -229,9 +229,10 @@ void case_energy_loss(Report& report) {
     for (const auto& row : kPendulumLoss) {
         for (std::size_t i = 1; i < 3; ++i) {
             const double rate = i == 1 ? 60.0 : 240.0;
-            scene::Scene s = open_scene("pendulum", 1.0 / rate,
-                                        {set_value("interactions.rod.damping_time", row[0] / rate),
-                                         "settings.geometric_stiffness=0"});
+            scene::Scene s =
+                open_scene("pendulum", 1.0 / rate,
+                           {set_value("interactions.rod.damping_time", row[0] / rate),
+                            "settings.geometric_stiffness=0", "settings.solution_tolerance=1e-13"});
             advance(s.world, steps_to(s.world, 10.0));
             report.compare(
                 fmt::format("energy lost in 10 s, n = {}, h = 1/{:.0f} [J]", row[0], rate),
