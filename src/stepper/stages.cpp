@@ -4,6 +4,7 @@
 #include "base/index.h"
 #include "stepper/bounds.h"
 #include "stepper/clique.h"
+#include "stepper/closing.h"
 #include "stepper/completion.h"
 #include "stepper/contact.h"
 #include "stepper/drives.h"
@@ -179,6 +180,7 @@ void integrate(StepContext& ctx) noexcept {
     over(ctx, v.body_count,
          [&](std::int32_t a, std::int32_t b) { assembly::kernels().integrate(v, a, b); });
     move_carriers(ctx);
+    close_joints(ctx);
     ctx.work += ctx.step_work;
     ctx.drag += ctx.step_drag;
     ++ctx.step;
