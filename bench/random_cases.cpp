@@ -92,7 +92,7 @@ class Maker {
         const int count = dice_.number(masses_ ? 3 : 2, 10);
         // Someone who takes large steps has large bodies: what swings on an arm of half their size
         // turns by about 0.3 rad in a step, not by more than the step can tell.
-        const double least = 200.0 * result_.step * result_.step;
+        const double least = 1000.0 * result_.step * result_.step;
         const double scale = std::max(dice_.spread(0.3, 3.0), least * dice_.from(1.0, 2.0));
         // A tree that floats freely moves as one rigid body at first, which all joints allow.
         const Vec3 spin = grounded_ ? Vec3(Vec3::Zero()) : dice_.vector(2.0);

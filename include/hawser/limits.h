@@ -12,8 +12,14 @@ struct Limit {
 };
 
 namespace limit {
-inline constexpr Limit kCreated{0.005, 0.2};     ///< Energy, over what was exchanged.
-inline constexpr Limit kLost{0.1, 0.2};          ///< Likewise.
+/// Mechanical energy that came from nothing, over what was exchanged.
+inline constexpr Limit kCreated{0.005, 0.2};
+/// The same with all that rows and drag took added: what losses hide.
+inline constexpr Limit kHidden{0.2, 0.5};
+/// Energy that went without reason, over what was exchanged.
+inline constexpr Limit kLost{0.3, 1.0};
+/// What a joint softer than nothing, but no softer than this, may give is a gap [m/N].
+inline constexpr double kMeantRigid = 1e-10;
 inline constexpr Limit kOpen{0.005, 0.05};       ///< [m], and over the size of the smaller body.
 inline constexpr Limit kCable{0.03, 0.15};       ///< |l − l₀(1 + T/EA)|/l₀.
 inline constexpr Limit kCertificate{1e-3, 0.1};  ///< Relative, for kSustained.

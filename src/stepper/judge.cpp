@@ -53,15 +53,21 @@ Finding energy_finding(const StepContext& ctx, const JudgePart& p, JudgeState& s
     const double exchanged = p.kinetic + state.exchanged;
     const auto share = [&](double energy) { return energy <= nothing ? 0.0 : energy / exchanged; };
     Finding out;
-    const double created = share(u.now.rise) / limit::kCreated.doubtful;
-    const double lost = share(u.now.fall) / limit::kLost.doubtful;
-    out.value = created >= lost ? u.now.rise : -u.now.fall;
+    // Half-way between poses and at them energy comes and goes by different amounts.
+    const double now = std::min(u.now[2].rise, std::max(u.now[3].rise, u.posed));
+    const double mean = std::min(u.mean[2].rise, u.mean[3].rise);
+    const double created = std::max({share(now) / limit::kCreated.doubtful,
+                                     share(u.now[0].rise) / limit::kHidden.doubtful,
+                                     share(u.now[1].rise) / limit::kHidden.doubtful});
+    const double lost = share(u.now[0].fall) / limit::kLost.doubtful;
+    out.value = created >= lost ? std::max(now, u.now[0].rise) : -u.now[0].fall;
     out.doubtful = std::max(created, lost);
-    out.wrong = std::max(share(u.mean.rise) / limit::kCreated.wrong,
-                         share(u.mean.fall) / limit::kLost.wrong);
+    out.wrong = std::max(
+        {share(mean) / limit::kCreated.wrong, share(u.mean[0].rise) / limit::kHidden.wrong,
+         share(u.mean[1].rise) / limit::kHidden.wrong, share(u.mean[0].fall) / limit::kLost.wrong});
     // A split is approximate by choice, and says itself what it does to momentum and forces.
     if (!ctx.cuts.list.empty()) out.wrong = 0.0;
-    if (!std::isfinite(u.now.rise)) out.doubtful = out.wrong = HUGE_VAL;
+    if (!std::isfinite(u.now[0].rise)) out.doubtful = out.wrong = HUGE_VAL;
     out.time = ctx.time;
     return out;
 }

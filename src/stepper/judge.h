@@ -4,17 +4,20 @@
 /// Whether what steps come to can be: each state is judged in the step after it, by figures that
 /// this one has at hand. The limits and their reasons are in docs/limits.md.
 ///
-/// Energy. Unexplained is what kinetic, gravity and elastic energy together gained beyond the work
-/// of forces and drives and what drag, friction, contacts and rows took. All of these are sums over
-/// the steps, so that a look every few steps misses nothing. What rows take is an explanation as
-/// long as it is more than nothing: joints do no work, and two that contradict each other put in
-/// energy as if they took less than nothing. A second sum therefore adds what rows gave beyond what
-/// they had taken within about a second, which may be held in an overlap or in an element that
-/// comes taut. Judged is how far either rises above its lowest value, and the first falls below its
-/// highest, over what was exchanged: kinetic energy and half the changes of all that is in the
-/// sums. Both forget within kMemory. A
-/// result is doubtful by the values of a moment; a step is refused by their means over kMean, as
-/// energy of a moment comes and goes where a step is long.
+/// Energy. Created is what kinetic, gravity and elastic energy together gained beyond the work of
+/// forces and drives, friction and contacts: half-way between poses, where velocities live, and at
+/// the poses, with the mean of the velocities before and after. Each comes and goes where motion is
+/// fast; the smaller of both rises is taken. What drag and rows took may hide more: unexplained is
+/// the gain with that added, counted by rows linearised once a step, and so judged less closely.
+/// All of these are sums over the steps, so that a look every few steps misses nothing. What rows
+/// take is an explanation as long as it is more than nothing: joints do no work, and two that
+/// contradict each other put in energy as if they took less than nothing. A further sum therefore
+/// adds what rows gave beyond what they had taken within about a second, which may be held in an
+/// overlap or in an element that comes taut. Judged is how far each rises above its lowest value,
+/// and the unexplained falls below its highest, over what was exchanged: kinetic energy and half
+/// the changes of all that is in the sums. Both forget within kMemory. A result is doubtful by the
+/// values of a moment; a step is refused by their means over kMean, as energy of a moment comes and
+/// goes where a step is long.
 ///
 /// Limits. A rise in one place and a loss in another at the same time are not told apart.
 
@@ -43,8 +46,9 @@ using Works = std::array<double, 6>;
 struct JudgeState {
     double kinetic = 0.0, potential = 0.0, elastic = 0.0;  ///< At the last look [J].
     Works work{};                                          ///< Likewise.
-    std::array<double, 2> mean{};                          ///< Of the two sums [J].
-    std::array<Tide, 2> now_tide{}, mean_tide{};
+    std::array<double, 4> mean{};                          ///< Of the two sums [J].
+    std::array<Tide, 4> now_tide{}, mean_tide{};
+    double posed = 0.0;                  ///< Rise of the sum at poses, at the last look [J].
     double held = 0.0, given = 0.0;      ///< By rows: what they may give back, and gave beyond [J].
     double exchanged = 0.0;              ///< [J].
     double unsolved = 0.0;               ///< For so long [s].
@@ -57,6 +61,7 @@ struct JudgeState {
 /// What a chunk of bodies or interactions adds.
 struct JudgePart {
     double kinetic = 0.0, potential = 0.0, elastic = 0.0;
+    double at_pose = 0.0;  ///< All three at the poses, between the velocities before and after.
     double open = 0.0, stretch = 0.0, turn = 0.0, twist = 0.0;
     std::int32_t open_row = -1, stretch_id = -1, turn_body = -1, twist_id = -1;
 };
@@ -84,7 +89,8 @@ struct Swing {
 };
 /// Energy that came or went without reason: at this moment, and in the mean.
 struct Unexplained {
-    Swing now{}, mean{};
+    std::array<Swing, 4> now{}, mean{};
+    double posed = 0.0;  ///< What JudgeState::posed was before [J].
 };
 /// The sums begin: energy at the start.
 void begin_energy(const JudgePart& p, const Works& works, JudgeState& state) noexcept;

@@ -8,11 +8,13 @@
 namespace hawser::stepper {
 namespace {
 
-/// What nothing accounts for, without and with what rows gave [J].
-std::array<double, 2> unexplained(const JudgePart& p, const Works& w, double given) noexcept {
+/// What nothing accounts for: without and with what rows gave; without what drag and rows took,
+/// between poses and at them [J].
+std::array<double, 4> unexplained(const JudgePart& p, const Works& w, double given) noexcept {
     const double left =
         p.kinetic + p.potential + p.elastic - w[0] - w[1] + w[2] + w[3] + w[4] + w[5];
-    return {left, left + given};
+    const double moving = p.kinetic + p.potential + p.elastic;
+    return {left, left + given, left - w[2] - w[5], left - moving - w[2] - w[5] + p.at_pose};
 }
 
 Swing follow(Tide& tide, double now, double forgotten) noexcept {
@@ -47,8 +49,8 @@ void keep(const JudgePart& p, const Works& w, JudgeState& state) noexcept {
 }  // namespace
 
 void begin_energy(const JudgePart& p, const Works& w, JudgeState& state) noexcept {
-    const std::array<double, 2> now = unexplained(p, w, state.given);
-    for (std::size_t i = 0; i < 2; ++i) set(state, i, now[i]);
+    const std::array<double, 4> now = unexplained(p, w, state.given);
+    for (std::size_t i = 0; i < now.size(); ++i) set(state, i, now[i]);
     state.exchanged = 0.0;
     state.begun = 1;
     keep(p, w, state);
@@ -64,25 +66,23 @@ Unexplained follow_energy(const JudgePart& p, const Works& w, double time,
     for (std::size_t i = 0; i < w.size(); ++i) changes += std::fabs(w[i] - state.work[i]);
     const double forgotten = std::min(1.0, time / limit::kMemory);
     state.exchanged += 0.5 * changes - forgotten * state.exchanged;
-    const std::array<double, 2> now = unexplained(p, w, state.given);
+    const std::array<double, 4> now = unexplained(p, w, state.given);
     // Works are those from half a step before the start on: half of them is not of this motion.
     const bool first = state.begun++ == 1;
     double early = 0.0;
     for (std::size_t i = 0; i < w.size(); ++i) early += 0.5 * std::fabs(w[i] - state.work[i]);
     Unexplained out;
-    for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < now.size(); ++i) {
         // Rows that close what stood open at the start put in energy by order of the scene.
         if (i == 1 && state.open_start > 1.0) set(state, i, now[i]);
         if (first) set(state, i, std::min(now[i], state.mean[i] + early));
         state.mean[i] += (1.0 - std::exp(-time / limit::kMean)) * (now[i] - state.mean[i]);
-        const Swing own = follow(state.now_tide[i], now[i], forgotten);
-        const Swing mean = follow(state.mean_tide[i], state.mean[i], forgotten);
-        out.now.rise = std::max(out.now.rise, own.rise);
-        out.mean.rise = std::max(out.mean.rise, mean.rise);
-        if (i == 1) continue;
-        out.now.fall = own.fall;
-        out.mean.fall = mean.fall;
+        out.now[i] = follow(state.now_tide[i], now[i], forgotten);
+        out.mean[i] = follow(state.mean_tide[i], state.mean[i], forgotten);
     }
+    // Before the first look there is none.
+    out.posed = first ? out.now[2].rise : state.posed;
+    state.posed = out.now[3].rise;
     keep(p, w, state);
     return out;
 }

@@ -23,16 +23,22 @@ double size_of(const model::Bodies& b, std::int32_t body) noexcept {
     return std::sqrt(2.0 * (s[0] + s[4] + s[8]) / b.mass[at(body)]);
 }
 
-void look_at_body(const StepContext& ctx, std::int32_t body, double half, JudgePart& p) noexcept {
+void look_at_body(const StepContext& ctx, std::int32_t body, const double* after, double half,
+                  JudgePart& p) noexcept {
     const model::Bodies& b = ctx.bodies;
     const auto i = at(body);
     const int dof = b.dof(body);
     const double* v = &b.v[at(b.dof_begin[i])];
-    p.kinetic += kinetic_energy_of(b, body, b.v.data());
+    const double before = kinetic_energy_of(b, body, b.v.data());
+    p.kinetic += before;
+    p.at_pose += 0.5 * (before + kinetic_energy_of(b, body, after));
     if (dof == 1) return;
     if (b.weight[i])
-        for (int k = 0; k < 3; ++k)
-            p.potential -= b.mass[i] * ctx.def.gravity[k] * (b.x[3 * i + at(k)] - half * v[k]);
+        for (int k = 0; k < 3; ++k) {
+            const double weight = b.mass[i] * ctx.def.gravity[k];
+            p.potential -= weight * (b.x[3 * i + at(k)] - half * v[k]);
+            p.at_pose -= weight * b.x[3 * i + at(k)];
+        }
     if (dof < 6) return;
     const double turn = v[3] * v[3] + v[4] * v[4] + v[5] * v[5];
     if (!(turn <= p.turn)) {
@@ -57,8 +63,12 @@ void look_at_elastic(StepContext& ctx, const View& v, std::int32_t id, double ha
     // Of a wire by its true length, as the guard counts it.
     if (half > 0.0 && ctx.wires.wire_of[at(id)] >= 0 && !ctx.system.rests(id) && !v.parted[id] &&
         (v.flags[id] & model::kCarried) == 0) {
-        if (v.epsilon[v.row_begin[id]] > model::kElasticCompliance)
+        const std::int32_t row = v.row_begin[id];
+        if (v.epsilon[row] > model::kElasticCompliance) {
             p.elastic += held_by_element(v, id);
+            if (v.g[row] > 0.0 || !(v.flags[id] & model::kOneSided))
+                p.at_pose += 0.5 * v.g[row] * v.g[row] / v.epsilon[row];
+        }
         return;
     }
     const bool line = (v.flags[id] & model::kOneSided) != 0;
@@ -78,7 +88,8 @@ void look_at_elastic(StepContext& ctx, const View& v, std::int32_t id, double ha
         }
         if ((v.row_flags[row] & model::kRowVelocity) || v.epsilon[row] <= model::kElasticCompliance)
             continue;
-        const double g = (rests ? s.g[r] : v.g[row]) - half * speed;
+        const double now = rests ? s.g[r] : v.g[row], g = now - half * speed;
+        if (!line || now > 0.0) p.at_pose += 0.5 * now * now / v.epsilon[row];
         if (!line || g > 0.0) p.elastic += 0.5 * g * g / v.epsilon[row];
     }
 }
@@ -134,6 +145,7 @@ JudgePart look(StepContext& ctx, At when) noexcept {
     const View v = view(ctx);
     JudgeData& data = ctx.judge;
     const double half = when == At::pose ? 0.0 : 0.5 * ctx.def.step;
+    const double* after = when == At::half_step ? v.v_new : v.v;
     const auto count_of = [](const auto& list) { return static_cast<std::int32_t>(list.size()); };
     const std::int32_t bodies = count_of(ctx.bodies.moving), rows = count_of(data.allowed),
                        elastic = count_of(data.elastic), lines = count_of(data.lines);
@@ -141,7 +153,7 @@ JudgePart look(StepContext& ctx, At when) noexcept {
     over(ctx, most, [&](std::int32_t a, std::int32_t b) {
         JudgePart p;
         for (std::int32_t i = a; i < std::min(b, bodies); ++i)
-            look_at_body(ctx, ctx.bodies.moving[at(i)], half, p);
+            look_at_body(ctx, ctx.bodies.moving[at(i)], after, half, p);
         look_at_rows(ctx, v, a, std::min(b, rows), p);
         for (std::int32_t i = a; i < std::min(b, elastic); ++i)
             look_at_elastic(ctx, v, data.elastic[at(i)], half, p);
@@ -155,6 +167,7 @@ JudgePart look(StepContext& ctx, At when) noexcept {
         sum.kinetic += p.kinetic;
         sum.potential += p.potential;
         sum.elastic += p.elastic;
+        sum.at_pose += p.at_pose;
         take_worse(p.open, p.open_row, sum.open, sum.open_row);
         take_worse(p.stretch, p.stretch_id, sum.stretch, sum.stretch_id);
         take_worse(p.turn, p.turn_body, sum.turn, sum.turn_body);
@@ -183,7 +196,11 @@ void prepare_judge(StepContext& ctx) {
             if (in.row_flags[row] & model::kRowVelocity) continue;
             if (in.epsilon[row] > model::kElasticCompliance) {
                 soft = true;
-            } else if (!(in.flags[at(id)] & (model::kRange | model::kMotor))) {
+            }
+            const bool stiff =
+                in.epsilon[row] <= limit::kMeantRigid && model::may_ever_complete(in, id);
+            if ((stiff || in.epsilon[row] <= model::kElasticCompliance) &&
+                !(in.flags[at(id)] & (model::kRange | model::kMotor))) {
                 const bool turns = kind.row_units[r] == 'r';
                 const double arm = std::isfinite(size) ? 0.5 * size : 0.0;
                 const double open = limit::kOpen.doubtful * std::max(1.0, 2.0 * arm);
@@ -203,7 +220,7 @@ void prepare_judge(StepContext& ctx) {
             d.nothing += limit::kNothingHigher * ctx.bodies.mass[at(b)] * ctx.def.gravity.norm();
     }
     // A look at a small scene costs next to nothing.
-    constexpr std::size_t kSmall = 64;
+    constexpr std::size_t kSmall = 128;
     const bool small = ctx.bodies.moving.size() + d.elastic.size() <= kSmall;
     d.every =
         small ? 1
