@@ -16,7 +16,7 @@ inline constexpr std::array<int, 5> kSimulatedThreads{1, 2, 4, 8, 16};
 struct SimulatedStep {
     std::array<double, kSimulatedThreads.size()> ms{};  ///< By kSimulatedThreads [ms].
     double serial = 0.0;  ///< Share of one thread's step that no other thread can take [1].
-    std::array<double, kStageCount> serial_of{};  ///< The same by stage; of the mean step [1].
+    std::array<double, kStageCount> serial_of{};  ///< `serial` by stage, of the mean step [1].
     std::int64_t steps = 0;
 };
 

@@ -56,7 +56,7 @@ void open_streams() noexcept {
     std::signal(SIGPIPE, SIG_IGN);
     for (int number = 0; number <= STDERR_FILENO; ++number)
         if (::fcntl(number, F_GETFD) < 0 && errno == EBADF) {
-            // The other way round than it is used, so that the loss shows.
+            // Input is opened for writing, outputs for reading, so that the loss shows.
             const int flags = number == STDIN_FILENO ? O_WRONLY : O_RDONLY;
             if (::open("/dev/null", flags) != number) _exit(kUsageError);
         }

@@ -26,7 +26,7 @@ inline constexpr std::array<double, 9> kBricardCorner{
     0.96828367910695, -1.2246251594359,  0.75014660943754, 0.51050146118869, -1.6491675993935,
     0.14012311455149, -0.96934034477821, -1.2212468949525, 0.75427801078957};
 
-/// The same at 10 s, times (1, 10) in the script.
+/// Bricard's corner at 10 s, times (1, 10) in the script.
 inline constexpr std::array<double, 3> kBricardCornerLate{1.0, -1.000269, 0.999731};
 
 /// Damping time over step, energy lost after 10 s at 60 Hz and 240 Hz [J].

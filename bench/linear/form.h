@@ -37,7 +37,7 @@ struct BlockOp {
     bool by_rows = false;  ///< The base block is stored by rows of the row node.
 };
 
-/// The same with the place where it is written: half a cache line, as there are many.
+/// A block and the place where it is written: half a cache line, as there are many.
 struct BlockWrite {
     std::int32_t base = -1, begin = 0;
     std::int32_t count[kMostRows] = {};
@@ -45,7 +45,7 @@ struct BlockWrite {
     std::int32_t stride = 0;  ///< From column c to c + 1, less c if `shrink`.
     std::uint8_t row_size : 4 = 0, col_size : 4 = 0;
     std::uint8_t step = 1;     ///< From row i to i + 1.
-    bool by_rows : 1 = false;  ///< As above, of the node whose rows are written.
+    bool by_rows : 1 = false;  ///< Base block by rows of the node whose rows are written.
     bool shrink : 1 = false;   ///< Columns get shorter, as in a lower triangle by columns.
     bool turned : 1 = false;   ///< Row and column node have changed places since the form was made.
     bool diagonal : 1 = false;
@@ -117,7 +117,7 @@ struct BlockForm {
     factor::Pattern pattern;           ///< Of the kept nodes.
     std::vector<std::int32_t> offset;  ///< First scalar of each kept node, one more at the end.
     std::vector<BlockOp> ops;          ///< Blocks of the lower triangle, by column, then row.
-    std::vector<std::int32_t> alike;   ///< The same, those of one shape and length together.
+    std::vector<std::int32_t> alike;  ///< Indices of `ops`, those of one shape and length together.
     std::vector<Contribution> contributions;
     SweepTables tables;
 
@@ -144,7 +144,7 @@ void invert_sigma(const BlockSystem& system, const BlockForm& form, std::vector<
 void assemble(const BlockSystem& system, std::span<const BlockWrite> ops,
               const std::vector<Contribution>& contributions, const std::vector<double>& inverse,
               double* target) noexcept;
-/// The same with a team.
+/// Compute blocks and write them to `target` with a team.
 void assemble(const BlockSystem& system, const std::vector<BlockWrite>& ops,
               const std::vector<Contribution>& contributions, const std::vector<double>& inverse,
               double* target, base::Executor& executor);

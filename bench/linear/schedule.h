@@ -20,7 +20,7 @@ struct ScheduleTimes {
     double one = 0.0, two = 0.0;            ///< Measured, medians.
     double one_best = 0.0, two_best = 0.0;  ///< Measured, shortest.
     std::vector<double> predicted;          ///< By kScheduleThreads, medians.
-    std::vector<double> speed_up;  ///< Likewise: over one thread in the same run of the tasks.
+    std::vector<double> speed_up;  ///< By kScheduleThreads: one thread's work over `predicted`.
     double serial = 0.0, critical = 0.0;  ///< Medians.
     [[nodiscard]] double deviation() const noexcept { return predicted[1] / two - 1.0; }
 };

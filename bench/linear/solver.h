@@ -64,7 +64,7 @@ class Solver {
     virtual void refresh(const Input& input, base::Executor& executor) = 0;
     /// @throws std::runtime_error if it fails.
     virtual void factor(base::Executor& executor) = 0;
-    /// The same where a right-hand side is known: a solver may begin with x, which finish() ends.
+    /// factor() where a right-hand side is known: a solver may begin with x, which finish() ends.
     virtual void factor_and_begin(std::vector<double>& x, base::Executor& executor) {
         (void)x;
         factor(executor);

@@ -34,7 +34,7 @@ constexpr std::int64_t kMostFlops = 100'000'000'000;
 [[nodiscard]] double factor_seconds(const factor::Pattern& pattern,
                                     const std::vector<std::int32_t>& order, int least);
 
-/// The same in ms, the number of runs by the size of the case; NaN where `counts` exceed
+/// factor_seconds() in ms, the number of runs by the size of the case; NaN where `counts` exceed
 /// kMostFlops.
 [[nodiscard]] double factor_ms(const PartCase& c, const std::vector<std::int32_t>& order,
                                const FactorCounts& counts);

@@ -24,7 +24,7 @@ inline constexpr double kSettle = 1.0;         ///< Tension counts after this ti
 struct Measures {
     double gap = 0.0;                      ///< Largest distance between joint ends [m].
     std::optional<double> tension_error;   ///< rms of (T - T_ref) / T_ref, T the mean of a frame.
-    std::optional<double> substep_ripple;  ///< The same with the T of single substeps.
+    std::optional<double> substep_ripple;  ///< rms of (T - T_ref) / T_ref, T of single substeps.
     std::optional<double> tension_mean;    ///< (mean T - mean T_ref) / mean T_ref.
     std::optional<double> tension_ripple;  ///< rms of T about its mean / mean T_ref.
     std::optional<double> tension_worst;   ///< Largest |T - T_ref| / T_ref.

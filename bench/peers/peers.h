@@ -40,8 +40,8 @@ struct PeerResult {
     std::string unchecked;      ///< What *holds* could not look at, for want of a reference.
     double simulated = 0.0;     ///< Time that was simulated [s].
     double ms_per_frame = 0.0;  ///< Median wall time of frames, the first 60 left out [ms].
-    double ms_p99 = 0.0;        ///< 99th percentile of the same [ms].
-    double cpu_ms = 0.0;        ///< Median of a frame's CPU time, likewise [ms].
+    double ms_p99 = 0.0;        ///< 99th percentile wall time of frames, first 60 left out [ms].
+    double cpu_ms = 0.0;        ///< Median CPU time of frames, the first 60 left out [ms].
     Measures measures;
     std::vector<double> frame_ms;               ///< Every frame, the first included [ms].
     std::vector<int> contacts;                  ///< Points at the end of every frame, or empty.

@@ -25,7 +25,7 @@ enum class Bound : std::uint8_t { none, contacts, pairs, memory };
 struct BoundMet {
     Bound bound = Bound::none;
     double value = 0.0;  ///< What was needed [contact points, pairs of shapes or bytes].
-    double limit = 0.0;  ///< What was allowed, likewise.
+    double limit = 0.0;  ///< What was allowed, in the unit of `value`.
 };
 /// One sentence with the bound, the value and the remedy; "" for none.
 [[nodiscard]] std::string to_string(const BoundMet& met);
@@ -76,9 +76,10 @@ struct BodyDef {
     /// At time 0, of the centre of mass, world frame [m/s]; scalar: x() [m/s or rad/s];
     /// kinematic: prescribed until World::set_velocity() changes it.
     Vec3 velocity{0.0, 0.0, 0.0};
-    Vec3 angular_velocity{0.0, 0.0, 0.0};  ///< At time 0, world frame [rad/s]; kinematic likewise.
-    double mass = 0.0;                     ///< [kg]; scalar: [kg] or [kg m²]. Positive if it moves.
-    Mat3 inertia = Mat3::Zero();           ///< About the centre of mass, body frame [kg m²].
+    /// At time 0, world frame [rad/s]; kinematic: prescribed, until World::set_velocity().
+    Vec3 angular_velocity{0.0, 0.0, 0.0};
+    double mass = 0.0;            ///< [kg]; scalar: [kg] or [kg m²]. Positive if it moves.
+    Mat3 inertia = Mat3::Zero();  ///< About the centre of mass, body frame [kg m²].
     /// Constant applied force, world frame, at the centre of mass [N]; scalar: x() [N or N m].
     Vec3 force{0.0, 0.0, 0.0};
     Vec3 torque{0.0, 0.0, 0.0};           ///< Constant applied torque, world frame [N m].
@@ -116,7 +117,7 @@ enum class Nonsmooth : std::uint8_t {
 enum class Coupling : std::uint8_t {
     exact,      ///< Solved for with all else: one multiplier for all its bodies.
     kinematic,  ///< Each side solves for it as if the other side moved at a velocity given.
-    compliant,  ///< Likewise, with a compliance as large as stability needs.
+    compliant,  ///< Kinematic, with a compliance as large as stability needs.
     deadline,   ///< Exact; compliant in steps in which a deadline asks for it: docs/methods.md, 11.
 };
 

@@ -121,8 +121,8 @@ class BlockFactor {
     /// Order of elimination and all addresses. @throws std::invalid_argument, std::bad_alloc.
     void analyse(const BlockPattern& pattern);
 
-    /// The same with this order of elimination, or one equivalent to it: a postorder of its tree,
-    /// with the same fill. Fronts are merged as always.
+    /// All addresses for this order of elimination, or one equivalent to it: a postorder of its
+    /// tree, with the same fill. Fronts are merged as always.
     /// @param order  order[k] = node eliminated k-th. A negative node before all its positive
     ///        neighbours costs digits where its own block is nearly zero: rows_after_bodies().
     /// @throws std::invalid_argument where it is not a permutation of the nodes.
@@ -150,11 +150,11 @@ class BlockFactor {
     ///         with a unit pivot in its place.
     [[nodiscard]] Status factor(std::span<const double> values) noexcept;
 
-    /// The same, bit for bit, after the values of some blocks changed, all others being those of
-    /// the last call: only fronts on their paths to the root are computed again. Does what factor()
-    /// does without FactorOptions::partial, and where no good factor of this pattern is there. The
-    /// precision stays that of the factor in use, unless double has to step in; of a factor in
-    /// float the solutions in float are the same, the number of refinements need not be.
+    /// What factor() gives, bit for bit, after the values of some blocks changed, all others being
+    /// those of the last call: only fronts on their paths to the root are computed again. Does what
+    /// factor() does without FactorOptions::partial, and where no good factor of this pattern is
+    /// there. The precision stays that of the factor in use, unless double has to step in; of a
+    /// factor in float the solutions in float are the same, the number of refinements need not be.
     [[nodiscard]] Status refactor(std::span<const double> values,
                                   std::span<const std::int32_t> changed_blocks) noexcept;
 

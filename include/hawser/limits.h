@@ -14,7 +14,8 @@ struct Limit {
 namespace limit {
 /// Mechanical energy that came from nothing, over what was exchanged.
 inline constexpr Limit kCreated{0.005, 0.2};
-/// The same with all that rows and drag took added: what losses hide.
+/// Created energy with all that rows and drag took added to it, which may hide some: over what was
+/// exchanged.
 inline constexpr Limit kHidden{0.2, 0.5};
 /// Energy that went without reason, over what was exchanged.
 inline constexpr Limit kLost{0.3, 1.0};

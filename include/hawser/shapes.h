@@ -46,7 +46,8 @@ struct MaterialDef {
     /// Rolling resistance: moment over normal force [m], 0 to 10. This and the next act between
     /// bodies with an orientation, not on lumps and segments, and need Nonsmooth::newton.
     double rolling = 0.0;
-    double torsional = 0.0;  ///< Resistance to spinning about the normal, likewise [m].
+    /// Resistance to spinning about the normal: moment over normal force [m], 0 to 10.
+    double torsional = 0.0;
 };
 
 /// How two given materials touch; replaces the mixing rules.
@@ -94,7 +95,7 @@ struct ContactView {
     double friction = 0.0;    ///< μ.
     double softness[2] = {};  ///< Σ of the normal and of the tangents [1/kg].
     Vec3 target{0, 0, 0};     ///< b: velocity that closes gap and bristle, world frame [m/s].
-    // Resistance to rolling and spinning, likewise; zeros where there is none.
+    // The law of resistance to rolling and spinning; zeros also where there is none.
     Vec3 moment{0, 0, 0};                   ///< On the second shape, world frame [N m].
     double rolling = 0.0, torsional = 0.0;  ///< Moment over normal force, at most [m].
     double turn_softness = 0.0;             ///< Σ [1/(kg m²)].

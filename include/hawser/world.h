@@ -66,7 +66,8 @@ class World {
     InputId add_input(const InputDef& def);
     /// @throws DefError on a name that is taken, a value out of range.
     MaterialId add_material(const MaterialDef& def);
-    /// A later pair of the same two materials replaces the first. @throws DefError likewise.
+    /// A later pair of the same two materials replaces the first. @throws DefError on an unknown
+    /// material, a value out of range.
     void add_material_pair(const MaterialPairDef& def);
     /// @throws DefError on a body that cannot have such a shape, sizes out of range, a name that is
     ///         taken, vertices that span no volume.
@@ -198,9 +199,9 @@ class World {
     [[nodiscard]] int shape_count() const noexcept;
     [[nodiscard]] const ShapeDef& shape_def(ShapeId id) const;  ///< As added.
     [[nodiscard]] ShapeId find_shape(std::string_view name) const noexcept;
-    /// Contact points at the present poses whose shapes overlap (gap < 0), likewise. Takes no step
-    /// and changes none. Forces are what the overlap and the stiffness of the contact give; laws
-    /// are zeros. @throws std::bad_alloc.
+    /// Contact points at the present poses whose shapes overlap (gap < 0), ascending by their
+    /// shapes. Takes no step and changes none. Forces are what the overlap and the stiffness of the
+    /// contact give; laws are zeros. @throws std::bad_alloc, LimitError.
     [[nodiscard]] std::vector<ContactView> overlaps() const;
     /// Contact points of the last step, ascending by their shapes, those that sleep last; those
     /// that are near without touching included. Empty before the first step and after restore().

@@ -82,7 +82,7 @@ class Contacts {
 
     /// u, λ and the impulses on bodies at velocities v; null: at rest.
     void update(const double* v, std::int32_t begin, std::int32_t end) noexcept;
-    /// Then the same of resistances [begin, end).
+    /// u, λ and the impulses on bodies of resistances [begin, end), after those of contacts.
     void update_resistances(const double* v, std::int32_t begin, std::int32_t end) noexcept;
     /// λ of contact k: that of the last step.
     void recall_lambda(std::size_t k) noexcept;
@@ -146,8 +146,8 @@ class Contacts {
     std::vector<std::int32_t> touched_, touched_before_;   ///< Bodies.
     std::vector<std::int32_t> place_;                      ///< By body: index in touched_.
     std::vector<Link> missing_;
-    bool connected_ = false;  ///< Blocks, terms and incidences belong to …
-    std::vector<std::array<std::int32_t, 4>> bodies_of_;  ///< … the bodies of each contact.
+    bool connected_ = false;  ///< Blocks, terms and incidences are those of bodies_of_.
+    std::vector<std::array<std::int32_t, 4>> bodies_of_;  ///< Bodies of each contact.
     std::vector<std::int32_t> dof_begin_, dof_;
 };
 

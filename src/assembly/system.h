@@ -91,8 +91,8 @@ class System {
     const factor::Pattern& pattern = analysis.pattern();
     const factor::Symbolic& symbolic = analysis.symbolic();
     factor::Numeric numeric;
-    factor::DirtyParts dirty;         ///< Of a world in which something may touch, like …
-    factor::Unsymmetric unsymmetric;  ///< … this.
+    factor::DirtyParts dirty;         ///< Of a world in which something may touch.
+    factor::Unsymmetric unsymmetric;  ///< Of a world in which something may touch.
     graph::Islands islands;
     std::vector<std::int32_t> node_of_body, node_of_interaction;  ///< −1: no node.
     Strips strips;
@@ -103,7 +103,7 @@ class System {
     /// one side (stepper/cuts.h). To be set before analyse().
     std::vector<std::int32_t> left_out;
     std::vector<Sides> sides;
-    bool keeps_momentum = false;           ///< View::momentum is not null. Likewise.
+    bool keeps_momentum = false;           ///< View::momentum is not null. Before analyse().
     std::vector<std::int32_t> bounded;     ///< Interactions with a bounded force, ascending.
     std::vector<double> bounded_mobility;  ///< Of their first row: G M⁻¹ Gᵀ at the last analysis.
     base::Array<std::uint8_t> turning;     ///< View::turning.
@@ -115,7 +115,7 @@ class System {
     /// What contacts that slide add beyond the symmetric part that write_blocks() wrote to both
     /// halves of a piece with unsymmetric fronts (factor/unsymmetric.h).
     void write_skew(const View& view, int piece, double* upper) const noexcept;
-    /// The same for a part of the panels.
+    /// Write the blocks, and what contacts that slide add to them, for a part of the panels.
     void write_blocks(const View& view, const factor::DirtyParts& part, double* panel,
                       base::Executor& executor) const noexcept;
     void write_skew(const View& view, const factor::DirtyParts& part, double* upper,

@@ -65,7 +65,7 @@ struct LaneOp {
     std::uint8_t a, b;
     std::uint8_t dof_a, dof_b, width, rows;
     std::uint8_t used;    ///< One bit a lane.
-    std::uint8_t turned;  ///< Likewise: slots a and b change places, between joints in short.
+    std::uint8_t turned;  ///< One bit a lane: slots a and b change places, between joints in short.
     std::int32_t to_b;    ///< From slot a's columns to slot b's.
     std::int32_t id[8];
     std::int32_t from[8];  ///< Offsets of what op.kind reads: slot a's columns, record, block.
@@ -114,7 +114,8 @@ struct View {
     /// Packed like v: where the solution for v₊ starts, see model/bodies.h. Null for evaluate()
     /// where it starts at 0.
     double* v_start;
-    /// The same where nothing starts there: 2 v − v₋, of the velocities of the last two steps.
+    /// Packed like v: v₊ as expected, 2 v − v₋ of the velocities of the last two steps, also where
+    /// no solution starts there.
     const double* v_ahead;
     const double* v_fixed;
     const double* v_before;  ///< What v_fixed was at the last half step.
@@ -158,8 +159,8 @@ struct View {
     /// energy lately, else 0 (assembly/geo.h).
     const double* lightness;
     const double* alert;
-    const std::uint8_t* completed;  ///< By interaction, likewise see model::Interactions.
-    const double* swing;            ///< Likewise.
+    const std::uint8_t* completed;  ///< By interaction, see model::Interactions.
+    const double* swing;            ///< By interaction, see model::Interactions.
     const double* rest_length;      ///< l₀ of wire elements [m], 0 for all else.
     const double* epsilon;
     const double* upsilon;
@@ -177,7 +178,7 @@ struct View {
     double* force_of_row;
     double* jacobian;
     double* geo_record;  ///< See GeoPlace.
-    double* geo_force;   ///< Likewise.
+    double* geo_force;   ///< See GeoPlace.
 
     // Incidence: which (interaction, slot) pairs touch a body.
     const std::int32_t* incident_begin;
@@ -260,7 +261,7 @@ struct Kernels {
     /// Write blocks of the matrix into the panels.
     void (*gather_blocks)(const View&, const Op* ops, std::int64_t begin, std::int64_t end,
                           double* panel) noexcept;
-    /// The same for lanes.
+    /// Write blocks of the matrix into the panels, eight lanes at a time.
     void (*gather_lane_blocks)(const View&, const LaneOp* ops, std::int64_t begin, std::int64_t end,
                                double* panel) noexcept;
     /// First residual, of λ = 0 and v₊ = 0 or, if `moving`, v₊ = v_start, for which evaluate() has

@@ -219,7 +219,7 @@ HAWSER_INLINE bool any(const V8& v) {
     return found;
 #endif
 }
-// The same for one number, and what else templates over either need.
+// What templates over vectors and single numbers need, for one number.
 HAWSER_INLINE double root(double v) { return __builtin_sqrt(v); }
 HAWSER_INLINE double select_greater(double a, double b, double x, double y) {
     return a > b ? x : y;

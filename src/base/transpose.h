@@ -78,7 +78,7 @@ HAWSER_INLINE void load_threes(const double* p, V8 (&v)[3]) {
     pick_every(p, v);
 #endif
 }
-/// The other way round: out[r] = eight entries from 8 r on of what lies as threes.
+/// Eight threes (x, y, z) one after another: out[r] = their entries from 8 r on.
 HAWSER_INLINE void as_threes(const V8& x, const V8& y, const V8& z, V8 (&out)[3]) {
 #if defined(__AVX512F__)
     out[0] = __builtin_shuffle(__builtin_shuffle(x, y, I8{0, 8, 0, 1, 9, 0, 2, 10}), z,

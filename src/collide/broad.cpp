@@ -19,8 +19,8 @@ using generic::load3;
 using generic::V3;
 constexpr int kSweepChunk = 128;  ///< Places in the sweep of one task.
 constexpr int kLargeChunk = 256;  ///< Shapes that one task holds against all large ones.
-constexpr double kLarge = 8.0;    ///< Times the median size.
-constexpr double kStrip = 4.0;    ///< Width of a strip, likewise.
+constexpr double kLarge = 8.0;    ///< Shapes above so many times the median size are large.
+constexpr double kStrip = 4.0;    ///< Width of a strip over the median size.
 constexpr int kMostStrips = 1024;
 constexpr std::size_t kRoom = 512;  ///< Pairs that a task finds without growing.
 constexpr int kSomeAnyway = 4;      ///< Fewer shapes than this are all large.

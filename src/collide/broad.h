@@ -57,10 +57,10 @@ class Broad {
     int axis_[3] = {0, 1, 2};                  ///< Of the sweep, of the strips, the third.
     double width_ = 1.0;                       ///< Of a strip, at least [m].
     base::Array<Sorted> sorted_;               ///< Small shapes along the first axis.
-    base::Array<Sorted> entries_;              ///< The same strip by strip.
-    std::vector<std::int32_t> strip_begin_;    ///< In entries_.
-    std::vector<base::Array<Pair>> found_;     ///< By task.
-    std::vector<std::int32_t> first_;          ///< Where the pairs of each shape begin.
+    base::Array<Sorted> entries_;  ///< Small shapes strip by strip, once for each that they reach.
+    std::vector<std::int32_t> strip_begin_;  ///< In entries_.
+    std::vector<base::Array<Pair>> found_;   ///< By task.
+    std::vector<std::int32_t> first_;        ///< Where the pairs of each shape begin.
 };
 
 }  // namespace hawser::collide

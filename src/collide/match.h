@@ -40,8 +40,8 @@ void local_point(const Contact& contact, const Shape& side, const Placed& placed
 
 /// Fill in Contact::previous. The same key, else the nearest one of the same two shapes that has
 /// no successor yet and is within `radius` [m] of the same place on side 1: memory of friction
-/// outlives a change of feature. @param awake  Of the last step's contacts, so many come first,
-/// ascending; then the others, ascending likewise. @param taken  Scratch; resized.
+/// outlives a change of feature. @param awake  So many of the last step's contacts were awake:
+/// these come first, then those that slept, both ascending. @param taken  Scratch; resized.
 void match(std::vector<Contact>& contacts, const base::Array<KeptContact>& now,
            const base::Array<KeptContact>& last, std::size_t awake, double radius,
            base::Array<std::uint8_t>& taken);

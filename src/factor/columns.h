@@ -89,9 +89,9 @@ class Columns {
     std::vector<std::int32_t> mark_;   ///< Who took a node last.
     std::vector<std::uint64_t> todo_;  ///< By position: stale columns that repair() must do.
     std::vector<std::int32_t> stale_list_, moved_list_;  ///< Nodes that stale_ and moved_ mark.
-    std::vector<std::int32_t> rows_;                     ///< Of build().
-    std::vector<std::int64_t> cursor_;                   ///< Likewise.
-    std::vector<std::size_t> row_end_;                   ///< Likewise.
+    std::vector<std::int32_t> rows_;                     ///< Scratch of build().
+    std::vector<std::int64_t> cursor_;                   ///< Scratch of build().
+    std::vector<std::size_t> row_end_;                   ///< Scratch of build().
     std::vector<std::uint8_t> stale_, moved_, fresh_;
     std::int64_t live_ = 0;
     std::int32_t computed_ = 0;

@@ -25,7 +25,7 @@ struct FactorView {
     Real* panel;  ///< L below the diagonal of each panel; zeros on and above it.
     Real* pivot;  ///< D, one a permuted scalar.
     Real* work;   ///< Update matrices that more than one task reads.
-    Real* stack;  ///< The same array, moved on to what this thread has of it from there on:
+    Real* stack;  ///< `work`, moved on to what this thread has of it from stack_begin on.
     std::int64_t stack_begin;
     Real* carry;  ///< Forward substitution's update vectors, one entry an update row.
 

@@ -104,7 +104,8 @@ class Numeric : public BasicNumeric<double> {
     /// reserve().
     std::int64_t piece_size = 16'384;
     /// Panels above this size [doubles], 64 MB, stay in no cache until they are read again: pieces
-    /// of batches are made in a thread's own memory and written past the caches. Likewise.
+    /// of batches are made in a thread's own memory and written past the caches. To be set before
+    /// reserve().
     std::int64_t streamed_size = 8'388'608;
 
     /// Make room for a structure and for that many threads; grows only. With room for unsymmetric
@@ -136,7 +137,7 @@ class Numeric : public BasicNumeric<double> {
         return wrong_nodes_;
     }
 
-    /// The same for a part. A front that is unsymmetric now and was not, or the other way round,
+    /// Factor a part anew. A front that is unsymmetric now and was not, or the other way round,
     /// must be dirty: it is if the columns given to DirtyParts::find() include those of all blocks
     /// that became unsymmetric or symmetric. @return wrong pivots in that part.
     [[nodiscard]] int refactor(const Symbolic& symbolic, const DirtyParts& dirty,

@@ -94,7 +94,7 @@ class Analysis {
 
     /// Order and analyse from nothing. @throws std::bad_alloc.
     void plan(const Pattern& pattern);
-    /// The same with this order.
+    /// Analyse from nothing with this order. @throws std::bad_alloc.
     void plan(const Pattern& pattern, Elimination elimination);
     /// Go on from a state. @return false, and a plan() from nothing: it belongs to another pattern.
     bool resume(const Pattern& pattern, const AnalysisState& state);

@@ -47,7 +47,7 @@ struct ResidualTerm {
 struct ResidualView {
     const std::int64_t* term;  ///< First term of each node, and one more at the end.
     const ResidualTerm* terms;
-    const std::int64_t* scalar;  ///< First scalar of each node, likewise.
+    const std::int64_t* scalar;  ///< First scalar of each node, and one more at the end.
     const double* values;
     const double* scale;  ///< Of each scalar: powers of two.
     const double* x;

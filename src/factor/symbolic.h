@@ -127,7 +127,7 @@ struct Symbolic {
 
 /// Analyse a pattern for a given elimination order (made a postorder of its own tree).
 [[nodiscard]] Symbolic analyse(const Pattern& pattern, Elimination plan);
-/// The same without chains.
+/// Analyse a pattern for an elimination order without chains.
 [[nodiscard]] Symbolic analyse(const Pattern& pattern, std::vector<std::int32_t> order);
 
 }  // namespace hawser::factor

@@ -98,7 +98,7 @@ class TaskQueue {
 
     base::Array<std::int32_t> waits_;   ///< By node: still to come. Atomic while running.
     base::Array<std::uint64_t> ready_;  ///< A bit a rank. Atomic while running.
-    base::Array<std::uint64_t> mine_;   ///< Likewise, a set for each thread: what it owns.
+    base::Array<std::uint64_t> mine_;   ///< A bit a rank, a set for each thread: what it owns.
     base::Array<std::int16_t> owner_;   ///< By node: the thread that owns it.
     std::size_t words_ = 0;
 };

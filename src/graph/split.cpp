@@ -7,9 +7,9 @@
 namespace hawser::graph {
 namespace {
 
-/// Makespans over that of a new partition up to which an old one is kept for good …
+/// Makespans over that of a new partition up to which an old one is kept for good.
 constexpr double kWorse = 1.15;
-/// … and steps for which a worse one is.
+/// Steps for which an old partition is kept beyond kWorse.
 constexpr std::int32_t kPatience = 30;
 
 }  // namespace

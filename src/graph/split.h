@@ -80,7 +80,7 @@ class Splitter {
     Lineup lineup_;
     std::int64_t share_ = 0;
     std::vector<std::int64_t> weight_;  ///< By place in units_.nodes: of a cut behind it.
-    std::vector<std::int64_t> mend_;    ///< Likewise: of mending one that is there.
+    std::vector<std::int64_t> mend_;  ///< By place in units_.nodes: of mending a cut that is there.
     std::vector<std::int32_t> wire_place_;
     std::vector<std::int32_t> part_, fresh_part_, other_part_;  ///< By cluster.
     std::vector<std::int64_t> other_load_;

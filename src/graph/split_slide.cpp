@@ -10,7 +10,7 @@ namespace {
 constexpr double kSlide = 0.10;  ///< Cuts slide so many shares at most.
 /// A cut moves from one step to the next only where its weight falls below this share.
 constexpr double kWorth = 0.8;
-/// … and for at least as much as this, in thousandths: less is noise, which never rests.
+/// It moves only for a gain of at least this, in thousandths: less is noise, which never rests.
 constexpr std::int64_t kLeastGain = 100;
 
 }  // namespace

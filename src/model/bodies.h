@@ -40,12 +40,12 @@ struct Bodies {
     base::Array<double> q;  ///< 4 a body: quaternion w, x, y, z.
     base::Array<double> r;  ///< 9 a body: rotation matrix of q, row-major.
     base::Array<double> v;  ///< Packed velocities at t − h/2.
-    /// Likewise: what the next v is taken for before it is known, v + (v − the one before). The
-    /// nearer, the less rounding a solution that starts there leaves. Part of the state.
+    /// Packed velocities that the next v is taken for before it is known: v + (v − the one before).
+    /// The nearer, the less rounding a solution that starts there leaves. Part of the state.
     base::Array<double> v_start;
     base::Array<double> v_fixed;  ///< 6 a body: prescribed velocity of kinematic bodies.
-    /// Likewise at the last half step, where that is another one (images, stepper/cuts.h); else
-    /// empty.
+    /// 6 a body: prescribed velocity at the last half step, where it is another one than v_fixed
+    /// (images, stepper/cuts.h); else empty.
     base::Array<double> v_before;
     base::Array<double> spin_free;    ///< 3 a body: ω after the step being taken without torque.
     base::Array<double> spin_change;  ///< 3 a body: what torques changed ω by in the last step,
@@ -59,12 +59,13 @@ struct Bodies {
     base::Array<double> principal;
     base::Array<double> force;    ///< 6 a body: applied force and torque, world frame [N, N m].
     base::Array<double> damping;  ///< 6 a body: drag along and about the body's axes.
-    base::Array<double> drag_after, drag_before;  ///< Likewise: θ and 1 − θ of it (damping.h).
-    base::Array<std::uint8_t> weight;             ///< 1: gravity acts.
+    /// 6 a body: the shares θ and 1 − θ of `damping` that act on the velocities after and before
+    /// the step (damping.h).
+    base::Array<double> drag_after, drag_before;
+    base::Array<std::uint8_t> weight;  ///< 1: gravity acts.
 
-    /// 1: asleep, see stepper/sleep.h. Part of the state, like …
-    base::Array<std::uint8_t> asleep;
-    base::Array<std::int32_t> quiet;  ///< … the steps that it has been at rest for.
+    base::Array<std::uint8_t> asleep;  ///< 1: asleep, see stepper/sleep.h. Part of the state.
+    base::Array<std::int32_t> quiet;   ///< Steps for which it has been at rest. Part of the state.
 
     std::int32_t dofs = 0;
 

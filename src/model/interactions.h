@@ -74,8 +74,8 @@ struct Interactions {
     base::Array<std::int32_t> body;  ///< kMaxInteractionBodies an id; −1 behind the last.
     base::Array<std::uint8_t> bodies, rows, flags;
     base::Array<std::int32_t> row_begin;
-    base::Array<std::int32_t> jac_begin;  ///< Set by the analysis, like …
-    base::Array<std::uint8_t> arms;       ///< … this: 0, kInShort or kInShortCondensed (arms.h).
+    base::Array<std::int32_t> jac_begin;  ///< Set by the analysis.
+    base::Array<std::uint8_t> arms;       ///< Set by it: 0, kInShort or kInShortCondensed (arms.h).
     std::vector<std::int32_t> geo;        ///< Index of the geometric-stiffness record, or −1.
     /// 1; or 0: its rows ask for nothing, and the first has the impulse `held`: slack, inside its
     /// range or parted (0), or a motor or friction at a bound.
@@ -107,8 +107,8 @@ struct Interactions {
     base::Array<double> mobility;        ///< W = G M⁻¹ Gᵀ of dampers at the last analysis, or 0.
     base::Array<double> upsilon;         ///< Υ = 1/(1 + 4τθ/h), damping.h; 0 for velocity rows.
     base::Array<double> recall;          ///< 1 − 4τ(1 − θ)/h: share of ġ in c/Υ. Scheme's τ: θ = 1.
-    base::Array<double> sigma;           ///< Σ = 4ε Υ/h² (γ/h for velocity rows), or …
-    base::Array<double> least_sigma;     ///< … this where that is more.
+    base::Array<double> sigma;           ///< Σ = 4ε Υ/h² (γ/h for velocity rows), or least_sigma.
+    base::Array<double> least_sigma;     ///< Σ is at least this.
     base::Array<double> inv_sigma;       ///< 1/Σ where condensed, else 0.
     base::Array<double> g, c, residual;  ///< Violation, right-hand side, c − G v − Σλ.
     base::Array<double> lambda;          ///< Impulse [N s or N m s].

@@ -11,7 +11,7 @@ namespace hawser::observe {
 
 struct JointGap {
     double apart = 0.0;   ///< Of its points, as far as it holds them [m].
-    double turned = 0.0;  ///< Of its axes, likewise [rad].
+    double turned = 0.0;  ///< Of its axes, as far as it holds them [rad].
     bool rigid = false;   ///< False: no joint, or one that is meant to give way.
 };
 

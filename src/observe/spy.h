@@ -26,7 +26,7 @@ struct FactorBlocks {
 /// Sparse Positive Definite Systems", 1981).
 /// @throws std::runtime_error beyond `limit` blocks.
 [[nodiscard]] FactorBlocks factor_blocks(const SystemView& view, std::int64_t limit = 50'000'000);
-/// The same of neighbours in compressed rows, for any order of elimination.
+/// Symbolic elimination of neighbours in compressed rows, in any order.
 [[nodiscard]] FactorBlocks factor_blocks(std::span<const std::int32_t> start,
                                          std::span<const std::int32_t> adjacent,
                                          std::span<const std::int32_t> order,

@@ -26,8 +26,9 @@ constexpr double kAway = 2.0 * kTask;  // [s]; who comes later did not have a pr
 
 struct CostSamples {
     std::vector<double> wake, start, join;
-    std::vector<double> gap;    ///< Between two tasks of a thread.
-    std::vector<double> alone;  ///< The same where nothing is dealt: what writing down takes.
+    std::vector<double> gap;  ///< Between two tasks of a thread.
+    /// Between two tasks of a thread where nothing is dealt: what writing down takes.
+    std::vector<double> alone;
 };
 
 /// Loops of tasks that both threads have time to take.

@@ -42,8 +42,8 @@ struct CableLayout {
 
     std::vector<std::string> groups{""};  ///< Of its bodies, shared out evenly.
 
-    bool touches = false;  ///< It has shapes …
-    ShapeDef contact;      ///< … like this one; its radius is that of the contact.
+    bool touches = false;  ///< Its elements have shapes like `contact`.
+    ShapeDef contact;      ///< Its radius is that of the contact.
 
     BodyId drum;               ///< Of the winch, if any.
     double drum_radius = 0.0;  ///< [m].

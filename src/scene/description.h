@@ -63,7 +63,8 @@ class Description {
     void add_shape(ShapeDef def, int place);
     /// Bits of the groups named by a word or a list of words. A group comes to be by being named.
     std::uint32_t groups(const Json& names, const Place& place);
-    /// Likewise for what a shape touches; check_groups() refuses names that no shape has.
+    /// Bits of the groups that a shape touches, named in the same way; check_groups() refuses names
+    /// that no shape has.
     std::uint32_t touched(const Json& names, const Place& place);
     void check_groups() const;
     /// @throws SceneError when the name is taken or there are too many.

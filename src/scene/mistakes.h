@@ -77,7 +77,7 @@ bool attempt(Mistakes* mistakes, const Work& work) {
 /// document: an entry of a list becomes null, of a map goes, as does a key of the settings.
 void check_document(Json& root, const Shape& shape, const Place& place, Mistakes* mistakes);
 
-/// The same of one list, content[key], whose entries have names that begin with `prefix`.
+/// check_document() of one list, content[key], whose entries have names that begin with `prefix`.
 void check_list(Json& content, const char* key, const Shape& shape, const Place& place,
                 const std::string& prefix, Mistakes* mistakes);
 

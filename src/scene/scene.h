@@ -43,7 +43,7 @@ struct Options {
     std::optional<Form> form;    ///< Instead of settings.form.
     int threads = 1;             ///< Worker threads of the world; not part of the text.
     double budget = 0.0;         ///< WorldDef::budget [s]; not part of the text.
-    double budget_work = 0.0;    ///< WorldDef::budget_work [flop]; likewise.
+    double budget_work = 0.0;    ///< WorldDef::budget_work [flop]; not part of the text.
 };
 
 /// What a cable of the scene became.

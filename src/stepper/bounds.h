@@ -59,7 +59,8 @@ inline constexpr std::int32_t kAnyRows = 0x7fffffff;
 /// count. @return rows that ask to be active, or idle.
 std::int32_t switch_bounds(StepContext& ctx, double floor, std::int32_t most) noexcept;
 
-/// Rows that ask to switch where λ, v₊ are as they stand. Nothing is moved. @param floor  As above.
+/// Rows that ask to switch where λ, v₊ are as they stand. Nothing is moved. @param floor  Impulse
+/// that does not count [N s].
 [[nodiscard]] std::int32_t asking_rows(StepContext& ctx, double floor) noexcept;
 
 /// switch_bounds() for a solution λ, v₊ as it stands. @return whether to solve again.

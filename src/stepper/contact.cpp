@@ -53,7 +53,7 @@ void ask_for_acceleration(Cone& c, double gap) noexcept {
     c.b[2] = slides ? 0.0 : c.u[2];
 }
 
-/// Likewise what rolls and spins.
+/// An acceleration is asked for at the start: what rolls or spins keeps doing so.
 void ask_for_acceleration(nonsmooth::Resistance& a) noexcept {
     constexpr double kSlow = 0.05;  // [rad/s]
     a.b[0] = std::fabs(a.u[0]) > kSlow ? 0.0 : a.u[0];

@@ -47,15 +47,15 @@ struct Newton {
     std::vector<double> contact;           ///< u and λ there, six a contact, then six a resistance.
     std::vector<BoundedRow> row, row_end;  ///< Where an iteration begins, and ends.
     double bound_time = 0.0;               ///< That bounds of forces act for, see bounds.h [s].
-    std::vector<std::int32_t> loaded;      ///< Rows of friction whose bound moves, likewise.
-    nonsmooth::Anderson follow;            ///< Their impulses.
-    std::vector<nonsmooth::Law> laws;      ///< Of each contact, about the iterate.
-    std::vector<nonsmooth::ResistanceLaw> turns;  ///< Of each resistance, likewise.
+    std::vector<std::int32_t> loaded;  ///< Friction whose bound moves with a load, see bounds.h.
+    nonsmooth::Anderson follow;        ///< Acceleration of the impulses of `loaded`.
+    std::vector<nonsmooth::Law> laws;  ///< Of each contact, about the iterate.
+    std::vector<nonsmooth::ResistanceLaw> turns;  ///< Of each resistance, about the iterate.
     nonsmooth::Gmres gmres;
     std::vector<double> x, u;              ///< Three a contact, then three a resistance.
     std::vector<nonsmooth::Bound> bounds;  ///< Three a contact, of method pivoting.
     std::vector<nonsmooth::Touch> touch;   ///< One a contact, of method split.
-    std::vector<double> limit;             ///< Of friction in a contact, likewise [N s].
+    std::vector<double> limit;  ///< Of friction, one a contact, of method pivoting [N s].
     /// See gauss_seidel.h: of bodies; G M⁻¹ Gᵀ of rows, J M⁻¹ Jᵀ of contacts [1/kg].
     std::vector<double> inverse_mass, row_mobility, mobility;
     /// The best iterate so far with the lines as they are, where a later one was worse: v₊, λ, and
@@ -107,7 +107,7 @@ struct StepContext {
     Laps laps;                  ///< Of the step being taken, where a budget asks for time.
     Degradation imposed;        ///< On the next step.
     int refine_unasked = 0;  ///< So many steps to come refine before they measure, see solve.cpp.
-    int refine_unasked_before = 0;  ///< The same, for a step that fails.
+    int refine_unasked_before = 0;  ///< refine_unasked, kept for a step that fails.
     EventLog events;
     StepStats stats;
 
@@ -121,9 +121,9 @@ struct StepContext {
     bool topology_changed = true;             ///< Bodies or interactions were added.
     bool started = false;                     ///< The staggered start has been made.
     double work = 0.0, drag = 0.0;            ///< Since the start [J].
-    double drive = 0.0;                       ///< Likewise, see Energy::driven.
-    double friction = 0.0, contact = 0.0;     ///< Likewise, see Energy.
-    double damped = 0.0;                      ///< Likewise.
+    double drive = 0.0;                       ///< Since the start [J], see Energy::driven.
+    double friction = 0.0, contact = 0.0;     ///< Since the start [J], see Energy.
+    double damped = 0.0;                      ///< Since the start [J], see Energy.
     double step_work = 0.0, step_drag = 0.0;  ///< Of the step being taken [J].
     std::int64_t step_flops = 0;              ///< Of all factorisations of the step.
     Newton newton;                            ///< Of a world in which something may touch.
@@ -141,7 +141,7 @@ struct StepContext {
     base::Array<double> analysed_x, analysed_r;
     std::vector<double> carriers_before;       ///< Poses of kinematic bodies, for the energy.
     std::vector<double> lambda_before;         ///< Multipliers, for a step that fails.
-    std::vector<std::uint8_t> repeats_before;  ///< Likewise.
+    std::vector<std::uint8_t> repeats_before;  ///< Interactions::repeats, for a step that fails.
 
     /// Chunks of bodies or interactions: coarse tasks of fixed size.
     static constexpr std::int32_t kChunk = 128;

@@ -19,7 +19,8 @@ namespace hawser::stepper {
 [[nodiscard]] double losses_between(StepContext& ctx, const assembly::View& v, std::int32_t begin,
                                     std::int32_t end) noexcept;
 
-/// The same of a cut interaction with the mean of its sides' impulses (stepper/cuts.h) [J].
+/// What the rows of a cut interaction took, with the mean of its sides' impulses (stepper/cuts.h)
+/// [J].
 [[nodiscard]] double cut_losses(StepContext& ctx, std::int32_t id) noexcept;
 
 /// What a line holds at the half-step position after the step [J]: lost when it parts.

@@ -23,7 +23,8 @@ V3 mul6(const double* s, const V3& v) noexcept {
             s[2] * v.x + s[4] * v.y + s[5] * v.z};
 }
 
-/// Inverse of a symmetric 3×3 matrix stored likewise.
+/// Inverse of a symmetric 3×3 matrix, both stored as xx, xy, xz, yy, yz, zz.
+/// @return false where the determinant is not positive.
 bool invert6(const double* m, double* out) noexcept {
     const double a = m[3] * m[5] - m[4] * m[4], b = m[2] * m[4] - m[1] * m[5],
                  c = m[1] * m[4] - m[2] * m[3];

@@ -29,7 +29,7 @@ void read_contact(StepContext& ctx, const assembly::View& v, std::size_t k) noex
 /// Relax the tangents of contact k at v₊; v₊ follows.
 void relax_tangents(StepContext& ctx, const assembly::View& v, std::size_t k) noexcept;
 
-/// Likewise its normal.
+/// Relax the normal of contact k at v₊; v₊ follows.
 void relax_normal(StepContext& ctx, const assembly::View& v, std::size_t k) noexcept;
 
 /// Impulses as they are become the laws: S = 0, p = λ, status by λ.

@@ -81,9 +81,9 @@ double losses_of(StepContext& ctx, const View& v, std::int32_t id) noexcept {
     double taken = 0.0;
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
-        if (v.row_flags[row] & model::kRowVelocity) continue;  // counted as driven
+        if (v.row_flags[row] & model::kRowVelocity) continue;  // its work counts as driven
         const bool rigid = v.epsilon[row] <= model::kElasticCompliance;
-        if (rigid && (flags & model::kByInput)) continue;  // likewise
+        if (rigid && (flags & model::kByInput)) continue;  // its work counts as driven
         const double g = v.g[row], half = 0.5 * v.h;
         taken += held(v, id, row, g, g - half * rate.before[r]) -
                  held(v, id, row, g, g + half * rate.after[r]) -

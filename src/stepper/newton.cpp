@@ -169,8 +169,8 @@ Status end_early(StepContext& ctx) noexcept {
     return Status::ok;
 }
 
-/// The same where there is no time for another factorisation: the law in the matrix is moved
-/// through the projected impulse.
+/// Iterations ended before the step was solved, without time for another factorisation: the law in
+/// the matrix is moved through the projected impulse.
 void end_hastily(StepContext& ctx) noexcept {
     // After one iteration there is no other: that is when time is short.
     if (std::isfinite(ctx.newton.best) && ctx.newton.best < merit(ctx, 0.0)) take_best(ctx);

@@ -18,7 +18,7 @@ void begin_contacts(StepContext& ctx) noexcept;
 /// assemble_rows().
 [[nodiscard]] Status solve_contacts(StepContext& ctx) noexcept;
 
-/// The same by sweeps over all rows, whether or not something touches.
+/// Stages 6 and 7 by sweeps over all rows, whether or not something touches.
 [[nodiscard]] Status solve_pgs(StepContext& ctx) noexcept;
 
 void begin_pivoting(StepContext& ctx) noexcept;

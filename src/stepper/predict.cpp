@@ -37,7 +37,8 @@ void push_rigid(const StepContext& ctx, std::int32_t body, const double* p, doub
     ang += r * (inverse * torque);
 }
 
-/// Likewise of a lump or scalar.
+/// v += (p + h (f − D v + m g))/m for an impulse p of rows and contacts. Lump, or scalar,
+/// which has no weight.
 void push_point(const StepContext& ctx, std::int32_t body, const double* p, double* v) noexcept {
     const model::Bodies& b = ctx.bodies;
     const auto i = at(body);

@@ -14,7 +14,7 @@ namespace hawser::stepper {
 /// Stage analyse: the system for the interactions and links there are.
 /// @param state  Of the analysis of a saved world, to go on from. @throws std::bad_alloc.
 void analyse(StepContext& ctx, const factor::AnalysisState* state = nullptr);
-/// The same where only links changed. @throws std::bad_alloc; prepare() then.
+/// Stage analyse where only links of contacts changed. @throws std::bad_alloc; prepare() then.
 void relink(StepContext& ctx);
 
 void push_event(StepContext& ctx, EventKind kind, std::int32_t id, double value) noexcept;
@@ -26,15 +26,16 @@ void prestep(StepContext& ctx) noexcept;
 void assemble_rows(StepContext& ctx) noexcept;
 /// Stage 6. Write the blocks of the matrix, factor, solve, refine: v₊ and λ.
 [[nodiscard]] Status factor_and_solve(StepContext& ctx) noexcept;
-/// The same once, without refinement: one iteration of a Newton method. `first`: from v₊ = 0, else
-/// from v₊ and λ as they are.
+/// Write the blocks, factor and solve once, without refinement: one iteration of a Newton method.
+/// `first`: from v₊ = 0, else from v₊ and λ as they are.
 /// `whole`: other rows changed besides contacts, so that the matrix is factored whole.
 [[nodiscard]] Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept;
-/// Likewise with the factorisation at hand.
+/// One more iteration from v₊ and λ as they are, with the factorisation at hand.
 void continue_with_factor(StepContext& ctx) noexcept;
 /// Refine what newton_solve() found, and measure it.
 [[nodiscard]] Status refine(StepContext& ctx) noexcept;
-/// The same where the residual asks for it. `measured`: it has been, and is in the statistics.
+/// refine() where the residual is above solution_tolerance. `measured`: the residual is in the
+/// statistics, else it is measured first.
 [[nodiscard]] Status settle_rounds(StepContext& ctx, bool measured) noexcept;
 /// Measure v₊, λ and row residuals as they stand, found without the matrix.
 [[nodiscard]] Status measure(StepContext& ctx) noexcept;

@@ -22,7 +22,8 @@ Status stagger(StepContext& ctx) noexcept;
 /// Stages factor and nonsmooth for rows already assembled, repeated while the set of
 /// active rows changes; then rigid joints at the step's end (completion.h).
 Status solve_assembled(StepContext& ctx) noexcept;
-/// The same without the latter: the equations linearised about the step's start.
+/// solve_assembled() without rigid joints at the step's end: the equations linearised about its
+/// start.
 Status solve_linear(StepContext& ctx) noexcept;
 
 /// Keep, and put back, what a solve overwrites of the state: λ and which rows are active. λ is
@@ -38,7 +39,7 @@ void evaluate_rows(StepContext& ctx) noexcept;
 
 /// ½ vᵀ M v [J], M without damping and geometric stiffness. @param velocity  Packed.
 [[nodiscard]] double kinetic_energy(const model::Bodies& bodies, const double* velocity) noexcept;
-/// The same of one body that moves.
+/// Kinetic energy of one body that moves [J].
 [[nodiscard]] double kinetic_energy_of(const model::Bodies& bodies, std::int32_t body,
                                        const double* velocity) noexcept;
 

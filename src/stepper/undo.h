@@ -37,10 +37,10 @@ struct StepContext;
 enum class Mend : std::uint8_t {
     nothing,
     rebuild,  ///< Analyse as it was, at the poses of that analysis.
-    follow,   ///< It was to follow to what is awake now; likewise.
+    follow,   ///< Analyse for what is awake now, at the poses of the last analysis.
 };
 
-/// What was kept.
+/// Copies of the last good state, of what has changed or is about to.
 class Undo {
   public:
     /// How much may change beside velocities and impulses.

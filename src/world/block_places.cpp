@@ -85,7 +85,7 @@ void BlockFactor::Impl::copy(std::size_t k, const double* values) noexcept {
                 from[i * op.columns + j];
 }
 
-/// The same of S K S, rounded.
+/// Copy block k of S K S, rounded.
 void BlockFactor::Impl::copy_scaled(std::size_t k) noexcept {
     const CopyOp& op = ops[k];
     const double* from = mixed->residual.values().data() + op.from;

@@ -193,7 +193,7 @@ TEST(Collider, ALongBoomThatTurnsReachesAheadOfItsTip) {
     ASSERT_TRUE(site.collide());
     ASSERT_EQ(site.set.contacts.size(), 1U);
     EXPECT_NEAR(site.set.contacts[0].gap, 0.6, 1e-9);
-    // Likewise with the spin the other way: nothing.
+    // With the opposite spin the tip moves away from the sphere.
     site.bodies.v[5] = -2.0;
     ASSERT_TRUE(site.collide());
     EXPECT_TRUE(site.set.contacts.empty());

@@ -75,7 +75,7 @@ Solved solve_with(const factor::Kernels& all, const BlockMatrix& m, const factor
 
 constexpr double kSingle = 0x1p29;  ///< Roundings of float over those of double.
 
-/// The same in float: the backward error that double has, in its roundings.
+/// A solution in float has the backward error that double has, in its roundings.
 void expect_single(const Set& set, const BlockMatrix& m, const factor::Symbolic& s,
                    const Vector& b) {
     const Solved got = solve_with<float>(*set.kernels, m, s, b);

@@ -117,7 +117,7 @@ TEST(LinkAxes, MoveNothing) {
         ASSERT_EQ(one.step(), Status::ok);
         ASSERT_EQ(other.step(), Status::ok);
     }
-    // Rounding grows as above.
+    // One step of rounding grows with every joint that swings.
     for (int k = 1; k < one.body_count(); ++k) {
         const Twist v = one.velocity(BodyId{k}), u = other.velocity(BodyId{k});
         EXPECT_LE((one.pose(BodyId{k}).position - other.pose(BodyId{k}).position).norm(), 1e-9)

@@ -72,7 +72,7 @@ struct Recipe {
         for (const InteractionDef& i : interactions) w.add_interaction(i);
         return w;
     }
-    /// The same without a World around it, prepared.
+    /// The bodies and interactions without a World around them, prepared.
     [[nodiscard]] std::unique_ptr<stepper::StepContext> context() const {
         auto ctx = std::make_unique<stepper::StepContext>(world);
         for (const BodyDef& b : bodies) ctx->bodies.add(b);

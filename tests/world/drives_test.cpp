@@ -71,7 +71,7 @@ TEST(Drives, AWinchThatHaulsAMassBalances) {
     EXPECT_LT(std::abs(unexplained(start, end)), 1e-3 * (end.driven - start.driven));
 }
 
-/// The same with damping in the line: only the line's damping is left, and it takes energy.
+/// A winch hauls in a line with damping: only the line's damping is left, and it takes energy.
 TEST(Drives, TheLinesDampingIsWhatIsLeft) {
     const Winch parts = winch(0.05);
     World w = parts.recipe.make();

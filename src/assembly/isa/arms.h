@@ -84,7 +84,7 @@ inline V3T<W8> joint_speeds(const V8 (&a)[kLanes], const V8 (&b)[kLanes], const 
     return V3T<W8>{b[0], b[1], b[2]} - V3T<W8>{a[0], a[1], a[2]} +
            cross(V3T<W8>{b[3], b[4], b[5]}, r1) - cross(V3T<W8>{a[3], a[4], a[5]}, r0);
 }
-/// ω₀ − ω₁ likewise.
+/// ω₀ − ω₁ of eight joints for the u of their bodies, six of each.
 inline V3T<W8> joint_turns(const V8 (&a)[kLanes], const V8 (&b)[kLanes]) {
     return V3T<W8>{a[3], a[4], a[5]} - V3T<W8>{b[3], b[4], b[5]};
 }

@@ -49,7 +49,7 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
     for (int j = 0; j < dof; ++j) out[j] = sum8[j] - mv[j];
 }
 
-/// The same of eight links into the solver's vector.
+/// Right-hand sides of eight links, into the solver's vector.
 template <bool kAtRest>
 void links_rhs(const View& view, std::int32_t body, const double* y) {
     V8 out[kLanes];

@@ -39,8 +39,8 @@ void add_block(const M3& s, const ContactSlot& a, const ContactSlot& b, double* 
     }
 }
 
-/// The same of the resistance that belongs to the contact: J of a slot is w E [0, 1], and of what
-/// is coupled to the normal velocity w n [1, −r̂].
+/// out += J_aᵀ S J_b of the resistance that belongs to the contact: J of a slot is w E [0, 1], and
+/// of what is coupled to the normal velocity w n [1, −r̂].
 void add_resistance(const ContactRow& row, const nonsmooth::Resistance& law, const ContactSlot& a,
                     const ContactSlot& b, double* out) {
     const double w = a.weight * b.weight;

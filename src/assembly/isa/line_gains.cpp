@@ -15,8 +15,8 @@ using assembly::View;
 /// Both ends of an element: points, velocities before and after, and the impulse on the second.
 template <class T>
 struct Ends {
-    V3T<T> apart;        ///< Of the points where the step began.
-    V3T<T> back, ahead;  ///< The same, half a step before and after.
+    V3T<T> apart;        ///< Distance of the points where the step began.
+    V3T<T> back, ahead;  ///< Distance of the points half a step before and after.
     V3T<T> mean;         ///< Relative velocity, mean of before and after.
     V3T<T> along;        ///< Direction of the row.
     T rate[2], lambda;   ///< Of the row, before and after.

@@ -23,7 +23,7 @@ inline bool eight_rigid(const assembly::View& view, std::int32_t body) {
 using W3 = V3T<W8>;
 using WM3 = M3T<W8>;
 
-/// Vectors that follow each other.
+/// Eight vectors that follow each other, one a lane.
 inline W3 load_threes(const double* p) {
     V8 v[3];
     load_threes(p, v);
@@ -34,7 +34,7 @@ inline W3 load_threes(const double* p) {
 inline W3 shift_in(const W3& v, const double* p) {
     return {shift_in(v.x, p[0]), shift_in(v.y, p[1]), shift_in(v.z, p[2])};
 }
-/// The other way round than load_threes().
+/// Write eight vectors one after another, as load_threes() reads them.
 inline void store_threes(double* p, const W3& v) { store_every<3>(p, {v.x, v.y, v.z}); }
 
 /// `stride` doubles a body: the first eight of each of eight bodies, turned into lanes; what there
@@ -57,7 +57,7 @@ inline bool any_of_six(const double* first) {
     }
     return any(size);
 }
-/// The other way round: the first `count` of each; turns v.
+/// Writes the first `count` entries of each of eight bodies, `stride` doubles a body; turns v.
 inline void store_bodies(double* first, int stride, int count, V8 (&v)[kLanes]) {
     transpose(v);
     for (int l = 0; l < kLanes; ++l) store_lanes(first + l * stride, v[l], 0, count);

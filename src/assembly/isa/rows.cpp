@@ -24,8 +24,9 @@ double fade(const View& view, std::int32_t id, double nf) {
     return completed_stiffness(4.0 * view.h * view.h * nf * view.swing[id]);
 }
 
-/// The same of a line between bodies that turn, without lumps: none where the swing is resolved,
-/// for it is right to second order in angular momentum only. @param s  As in across_shares().
+/// Share of the geometric stiffness that a line has between bodies that turn, without lumps: none
+/// where the swing is resolved, for it is right to second order in angular momentum only.
+/// @param s  As in across_shares().
 double line_fade(const View& view, const std::int32_t* body, double s) {
     for (int b = 0; b < 2; ++b)
         if (view.dof[body[b]] == 3 || view.dof[body[b]] == 1) return 1.0;

@@ -79,7 +79,7 @@ struct Cells {
     int i0, i1, j0, j1;
 };
 
-/// A shape in the ground that no triangle claimed, see above.
+/// A shape in the ground that no triangle claimed: see the head of this file.
 void claim(const Convex& shape, const Ground& g, const Cells& cells, Points& out) {
     const V3 local = middle_of(shape), middle = local + g.centre;
     const double u = middle.x / g.data.cell[0] + 0.5 * (g.data.columns - 1);

@@ -35,7 +35,8 @@ inline void nearest(const Segment& a, const Segment& b, double& s, double& t) {
 /// Segment or point and triangle. @return false where they meet, or are nearer than 1e-10 of
 /// their size.
 bool segment_triangle(const Segment& a, const Convex& triangle, Separation& out);
-/// Segment and solid cylinder, likewise.
+/// Segment or point and solid cylinder. @return false where they meet, or are nearer than 1e-10 of
+/// their size.
 bool segment_cylinder(const Segment& a, const Convex& cylinder, Separation& out);
 /// Where they meet: the best of what the expanding polytope gives and of the ways out of the round
 /// side, which may all be nearly as short.

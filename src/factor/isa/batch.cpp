@@ -22,12 +22,12 @@ using factor::Front;
 template <class Real, int kSides>
 struct Columns {
     Real* panel[kSides];  ///< n rows of p vectors: A, overwritten with L or Uᵀ.
-    Real* w[kSides];      ///< Likewise: L D or (D U)ᵀ.
+    Real* w[kSides];      ///< n rows of p vectors: L D or (D U)ᵀ.
     long stride;          ///< 8 p.
     Real* pivot;          ///< p vectors: 1/D.
     const signed char* sign;
-    const std::int32_t* index;  ///< Of an unsymmetric batch: where each lane's pivot …
-    signed char* wrong;         ///< … is marked when it is wrong.
+    const std::int32_t* index;  ///< Of an unsymmetric batch: place of each pivot in `wrong`.
+    signed char* wrong;         ///< Marks of wrong pivots, of an unsymmetric batch.
 
     [[nodiscard]] static constexpr int other(int side) { return kSides - 1 - side; }
 };

@@ -52,7 +52,7 @@ struct Shift {
     }
 };
 
-/// As it is before a step of the batch.
+/// The shift as it is before a step of the batch.
 template <class Real>
 HAWSER_INLINE Shift shift_before(const factor::FactorView<Real>& view, const factor::Batch& batch,
                                  std::int32_t step) {

@@ -51,7 +51,7 @@ constexpr Tile kAtOnce = kHalf<Real> ? Tile{1, 4} : Tile{1, 2};
 template <class Real, int kSides>
 struct Trapezoid {
     Real* panel[kSides];  ///< Column stride ld.
-    Real* w[kSides];      ///< Unscaled columns of the current block, likewise.
+    Real* w[kSides];      ///< Unscaled columns of the current block, column stride ld.
     long ld;
     Real* pivot;  ///< 1/D.
     const signed char* sign;

@@ -41,7 +41,7 @@ HAWSER_INLINE long tile_at(int i, int j) {
 template <class Real>
 struct RigidStep {
     Real* panel;  ///< 6 + q rows of 6 vectors: A, overwritten with L.
-    Real* w;      ///< Likewise: L D, of rows from the seventh on.
+    Real* w;      ///< 6 + q rows of 6 vectors: L D, of rows from the seventh on.
     Real* pivot;  ///< 6 vectors: 1/D.
     const signed char* sign;
     int tiles;  ///< q / 3.

@@ -10,7 +10,7 @@
 ///     static constexpr Geometry kGeometry;        // which geometric stiffness it has
 ///     struct Data {…};                            // what evaluate() needs, doubles only
 ///     static Data make(const InteractionDef&);    // set-up (HAWSER_KIND_SETUP only)
-///     static void complete(InteractionDef&, const Vec3* position);  // optional, likewise:
+///     static void complete(InteractionDef&, const Vec3* position);  // optional; set-up only:
 ///                                                 // defaults taken from the initial poses
 ///     static void defaults(const InteractionDef&, double h, RowSpec*);   // ε, τ of each row
 ///     static void evaluate(const Data&, const BodyRef*, Rows<kBodies, kRows>&);

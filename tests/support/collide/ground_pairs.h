@@ -10,10 +10,11 @@
 namespace hawser::test {
 
 struct GroundScore : Score {
-    int own = 0;      ///< Touching ones whose depth a claim gives (1.–3.).
-    int beside = 0;   ///< … whose deepest point is what lies over a triangle, beside its deepest.
-    int left = 0;     ///< … that no triangle claims (4.).
-    int normals = 0;  ///< Compared.
+    int own = 0;  ///< Touching ones whose depth a claim gives (1.–3.).
+    /// Touching ones whose deepest point is what lies over a triangle, beside its deepest.
+    int beside = 0;
+    int left = 0;                  ///< Touching ones that no triangle claims (4.).
+    int normals = 0;               ///< Compared.
     std::uint64_t wrong_pair = 0;  ///< Seed of a wrong verdict.
     void wrong(std::uint64_t seed) { ++wrong_verdicts, wrong_pair = seed; }
 };

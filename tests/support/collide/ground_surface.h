@@ -11,7 +11,7 @@ namespace hawser::test {
 
 enum class Ground {
     heightfield,  ///< 3 × 3 cells of 4 m, heights within ±1 m.
-    terrain,      ///< The same as a mesh; some triangles the other way around.
+    terrain,      ///< The heightfield as a mesh; some triangles the other way around.
     rock,         ///< A closed mesh, about 8 m wide, with edges bent both ways.
 };
 
