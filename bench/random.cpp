@@ -23,7 +23,7 @@ namespace {
 constexpr const char* kRandomDescription =
     R"(Random trees and loops of all joints, with wires, repeated and contradictory joints and
 ratios of masses or stiffnesses of 1e6 and more, at steps from 1/240 to 0.2 s, for 1 s each. Bodies
-are 0.06 to 3 m large, at steps above 0.04 s larger, so that swinging stays within what a step
+are 0.06 to 3 m large, at steps above 0.017 s larger, so that swinging stays within what a step
 resolves.
 
 A run ends ok, or says that it is doubtful, or that it failed (docs/limits.md). What ended ok is

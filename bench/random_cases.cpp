@@ -91,7 +91,7 @@ class Maker {
         masses_ = result_.extreme && dice_.chance(0.5);
         const int count = dice_.number(masses_ ? 3 : 2, 10);
         // Someone who takes large steps has large bodies: what swings on an arm of half their size
-        // turns by about 0.3 rad in a step, not by more than the step can tell.
+        // turns by about 0.15 rad in a step, the links of chains that whip by more.
         const double least = 1000.0 * result_.step * result_.step;
         const double scale = std::max(dice_.spread(0.3, 3.0), least * dice_.from(1.0, 2.0));
         // A tree that floats freely moves as one rigid body at first, which all joints allow.
