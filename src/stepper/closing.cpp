@@ -15,7 +15,7 @@ using assembly::View;
 
 constexpr double kOpen = 1e-3;    ///< Gap that is closed [m or rad].
 constexpr double kClosed = 1e-5;  ///< Where rounds end [m or rad].
-constexpr double kTurned = 0.05;  ///< Turn of a body in a step that may open one by kOpen [rad].
+constexpr double kTurned = 0.03;  ///< Turn of a body in a step that may open one by kOpen [rad].
 constexpr int kMostRounds = 12;
 
 bool is_rigid(const StepContext& ctx, std::int32_t id) noexcept {

@@ -76,6 +76,9 @@ Unexplained follow_energy(const JudgePart& p, const Works& w, double time,
         // Rows that close what stood open at the start put in energy by order of the scene.
         if (i == 1 && state.open_start > 1.0) set(state, i, now[i]);
         if (first) set(state, i, std::min(now[i], state.mean[i] + early));
+        // Mechanical energy has to be gone again once they have closed.
+        constexpr std::int64_t kClosing = 3;  // steps
+        if (i > 1 && state.open_start > 1.0 && state.begun <= kClosing + 1) continue;
         state.mean[i] += (1.0 - std::exp(-time / limit::kMean)) * (now[i] - state.mean[i]);
         out.now[i] = follow(state.now_tide[i], now[i], forgotten);
         out.mean[i] = follow(state.mean_tide[i], state.mean[i], forgotten);

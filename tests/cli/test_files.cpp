@@ -92,7 +92,7 @@ TEST(Streams, ClosedOnesAreNobodyElsesAndALostReportIsCode1) {
 TEST(Streams, ARunGoesOnWhereNobodyReadsItsReport) {
     const fs::path folder = test_folder();
     const std::string code = (folder / "code").string();
-    EXPECT_EQ(shell("(" + run_line(folder) + " 2>&1; echo $? >" + code + ") | true"), 0);
+    EXPECT_EQ(shell("(sleep 0.3; " + run_line(folder) + " 2>&1; echo $? >" + code + ") | true"), 0);
     EXPECT_EQ(read_text(code), "1\n");
     expect_whole(folder, "a pipe without a reader");
 }

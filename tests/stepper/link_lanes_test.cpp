@@ -47,7 +47,11 @@ TEST_P(LinkLanes, MoveAsOneByOne) {
             for (int k = 1; k < n; ++k)
                 w->add_shape({.body = body(k), .radius = 0.2, .group = 2, .touches = 1});
         }
-        // One step of rounding grows with every joint that swings: 1e-9 in a dozen.
+        // One step of rounding grows with every joint that swings: 1e-9 in a dozen. What touches
+        // throws links about so fast that joints are closed by moving poses, with solutions that
+        // are not refined (stepper/closing.h): of ways of a centimetre some 1e-6 along what is
+        // free.
+        const double close = touching ? 1e-6 : 1e-9;
         int contacts = 0;
         for (int step = 0; step < 12; ++step) {
             ASSERT_EQ(row.step(), Status::ok);
@@ -57,10 +61,10 @@ TEST_P(LinkLanes, MoveAsOneByOne) {
         EXPECT_EQ(contacts > 0, touching);
         for (int k = 1; k < n; ++k) {
             const Twist v = row.velocity(BodyId{k}), u = other.velocity(twin(k));
-            EXPECT_LE((row.pose(BodyId{k}).position - other.pose(twin(k)).position).norm(), 1e-9)
+            EXPECT_LE((row.pose(BodyId{k}).position - other.pose(twin(k)).position).norm(), close)
                 << k;
-            EXPECT_LE((v.linear - u.linear).norm(), 1e-8 * (1.0 + v.linear.norm())) << k;
-            EXPECT_LE((v.angular - u.angular).norm(), 1e-8 * (1.0 + v.angular.norm())) << k;
+            EXPECT_LE((v.linear - u.linear).norm(), 10.0 * close * (1.0 + v.linear.norm())) << k;
+            EXPECT_LE((v.angular - u.angular).norm(), 10.0 * close * (1.0 + v.angular.norm())) << k;
         }
     }
 }

@@ -100,7 +100,7 @@ TEST(Judge, ARestoredWorldGivesTheSameVerdict) {
     Recipe r = Boxes().contradict().recipe;
     r.world.on_diverged = OnDiverged::stop;
     World w = r.make();
-    ASSERT_EQ(run(w, 3), Status::ok);
+    ASSERT_EQ(run(w, 1), Status::ok);
     const std::vector<std::byte> saved = w.save();
     const Status end = run(w, 2000);
     ASSERT_NE(end, Status::ok) << "joints that contradict each other";
