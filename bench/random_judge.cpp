@@ -85,10 +85,12 @@ RandomJudge::RandomJudge(const World& world) : before_(poses_of(world)) {
         const double compliance = line ? d.get("length") / d.get("EA") : d.compliance[0];
         // What gives more than this is a spring; the rest is meant to be rigid.
         constexpr double kRigid = 1e-10;
-        if (line || (d.kind == InteractionKind::Distance && compliance > kRigid)) {
+        const bool rod = d.kind == InteractionKind::Distance;
+        // Whatever gives holds energy, a rod that is meant to be rigid too.
+        if (line || (rod && compliance > 0.0))
             springs_.push_back({InteractionId{i}, d.get("length"), compliance,
                                 line && d.get("tension_only") != 0.0});
-        } else if (is_joint(d.kind) || d.kind == InteractionKind::Distance) {
+        if (is_joint(d.kind) || (rod && compliance <= kRigid)) {
             const double size = std::min(size_of(d.body[0]), size_of(d.body[1]));
             joints_.push_back(InteractionId{i});
             size_.push_back(std::isfinite(size) ? size : 0.0);

@@ -13,10 +13,10 @@ struct Limit {
 
 namespace limit {
 /// Mechanical energy that came from nothing, over what was exchanged.
-inline constexpr Limit kCreated{0.005, 0.2};
+inline constexpr Limit kCreated{0.009, 0.2};
 /// Created energy with all that rows and drag took added to it, which may hide some: over what was
 /// exchanged.
-inline constexpr Limit kHidden{0.2, 0.5};
+inline constexpr Limit kHidden{1.0, 2.0};
 /// Energy that went without reason, over what was exchanged.
 inline constexpr Limit kLost{0.3, 1.0};
 /// What a joint softer than nothing, but no softer than this, may give is a gap [m/N].

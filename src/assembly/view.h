@@ -202,6 +202,20 @@ struct View {
     return model::packed_rows(view.jacobian + view.jac_begin[id], view.arms[id] != 0, room);
 }
 
+/// Add a row G v = c, and nothing else of its interaction, to the right-hand side in the solver's
+/// vector. @param jac  The packed row. @return the next one.
+inline const double* ask_of_row(const View& v, std::int32_t id, int row, const double* jac,
+                                double c) noexcept {
+    const std::int32_t kept = v.interaction_offset[id];
+    if (kept >= 0) v.solution[kept + row] = c;
+    const double push = kept >= 0 ? 0.0 : c * v.inv_sigma[v.row_begin[id] + row];
+    for (int b = 0; b < v.bodies[id]; ++b) {
+        const std::int32_t body = v.body[kMaxInteractionBodies * id + b];
+        for (int j = 0; j < v.dof[body]; ++j) v.solution[v.body_offset[body] + j] += push * *jac++;
+    }
+    return jac;
+}
+
 /// Norms that the step reports; merged in index order.
 struct Norms {
     double momentum = 0.0;    ///< Σ rᵀM⁻¹r.

@@ -370,7 +370,8 @@ double Interactions::elastic(int id, const Bodies& b, double h) const noexcept {
     double energy = 0.0;
     for (int r = 0; r < rows[at(id)]; ++r) {
         const auto row = at(row_begin[at(id)] + r);
-        if ((row_flags[row] & kRowVelocity) || epsilon[row] <= kElasticCompliance) continue;
+        if ((row_flags[row] & kRowVelocity) || !holds_energy(epsilon[row], rest_length[at(id)]))
+            continue;
         const double middle = s.g[r] - 0.5 * h * (s.rate[r] + s.carried[r]);
         energy += 0.5 * middle * middle / epsilon[row];
     }

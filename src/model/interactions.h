@@ -46,8 +46,13 @@ enum InteractionFlag : std::uint8_t {
 /// No bound: far beyond any force [N].
 inline constexpr double kUnbounded = 1e30;
 
-/// Rows softer than this [m/N] store energy worth counting.
+/// Rows softer than this [m/N] store energy worth counting. What a stiffer one is off by is what
+/// steps leave of the turning of its direction.
 inline constexpr double kElasticCompliance = 1e-11;
+/// A wire element stores energy however stiff it is: of heavy bodies' wires that is much.
+[[nodiscard]] constexpr bool holds_energy(double epsilon, double rest_length) noexcept {
+    return epsilon > (rest_length > 0.0 ? 0.0 : kElasticCompliance);
+}
 
 /// Flags of interactions whose force is bounded.
 inline constexpr int kBounded = kOneSided | kRange | kMotor | kFriction;

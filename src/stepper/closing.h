@@ -12,9 +12,14 @@
 /// which moves bodies by as little as possible in the metric of M̃ and past what touches or pulls.
 /// Velocities stay as the step left them: nothing is thrown. Each round is a substitution.
 ///
-/// *Limits.* G is that of the step's start: beyond about a radian a step rounds need not converge,
-/// and then the poses of the step stay. Gravity and springs work along δ without being counted: the
-/// ledger of energy books it as unexplained, and the judges see it.
+/// G is that of the step's start, which closes nothing any more where light bodies have turned by
+/// half a radian and more. There, G and the factors are those of the poses reached, renewed until
+/// the joints are closed, with moves halved that open more than they close (Newton's method with a
+/// search along its direction).
+///
+/// *Limits.* Bodies a millionth as heavy as their neighbours, thrown by several lengths in a step,
+/// may stay open: the judges see it. Gravity and springs work along δ without being counted: the
+/// ledger of energy books it as unexplained.
 
 namespace hawser::stepper {
 

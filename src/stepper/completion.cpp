@@ -302,9 +302,9 @@ void find_joints(StepContext& ctx) {
     Completion& c = ctx.completion;
     const model::Interactions& in = ctx.interactions;
     c.joints.clear();
+    c.rigid.clear();
     c.looped.clear();
     std::vector<std::pair<std::int32_t, std::int32_t>> edges;
-    std::vector<std::int32_t> rigid;
     const std::int32_t ground = ctx.bodies.count();
     auto node = [&](std::int32_t body) { return ctx.bodies.dof(body) > 0 ? body : ground; };
     for (std::int32_t id = 0; id < in.count(); ++id) {
@@ -313,12 +313,12 @@ void find_joints(StepContext& ctx) {
         c.joints.push_back(id);
         if (in.epsilon[at(in.row_begin[at(id)])] > 0.0) continue;  // what gives is determined
         const std::int32_t* body = &in.body[at(kMaxInteractionBodies * id)];
-        rigid.push_back(id);
+        c.rigid.push_back(id);
         edges.emplace_back(node(body[0]), node(body[1]));
     }
     const std::vector<std::uint8_t> looped = graph::edges_on_loops(ground + 1, edges);
-    for (std::size_t k = 0; k < rigid.size(); ++k)
-        if (looped[k]) c.looped.push_back(rigid[k]);
+    for (std::size_t k = 0; k < c.rigid.size(); ++k)
+        if (looped[k]) c.looped.push_back(c.rigid[k]);
     c.coarse_next.assign(c.joints.size(), 0);
     c.refused.assign(c.joints.size(), 0);
     c.lambda_with.assign(in.lambda.size(), 0.0);

@@ -61,7 +61,8 @@ struct StepContext;
 /// What the analysis knows of joints, and what the step being taken chose.
 struct Completion {
     std::vector<std::int32_t> joints;  ///< Interactions that may be completed, ascending.
-    std::vector<std::int32_t> looped;  ///< Of these, those in closed loops of them.
+    std::vector<std::int32_t> rigid;   ///< Of these, those that give by nothing, ascending.
+    std::vector<std::int32_t> looped;  ///< Of the rigid ones, those in closed loops of them.
     std::vector<std::uint8_t>
         coarse_next;                    ///< model::Interactions::coarse after the step, a joint.
     std::vector<std::uint8_t> refused;  ///< 1 a joint: the step being taken does without it.

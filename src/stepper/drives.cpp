@@ -28,7 +28,8 @@ double work_on_bodies(const assembly::View& v, std::int32_t id, bool rigid_rows_
             }
         }
         const bool velocity = (v.row_flags[row] & model::kRowVelocity) != 0;
-        if (rigid_rows_only && !velocity && v.epsilon[row] > model::kElasticCompliance) continue;
+        if (rigid_rows_only && !velocity && model::holds_energy(v.epsilon[row], v.rest_length[id]))
+            continue;
         work += v.lambda[row] * speed;
     }
     return work;
@@ -42,7 +43,7 @@ double work_of_carriers(StepContext& ctx, const assembly::View& v, std::int32_t 
     double work = 0.0;
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
-        if (elastic_rows_only && v.epsilon[row] <= model::kElasticCompliance) continue;
+        if (elastic_rows_only && !model::holds_energy(v.epsilon[row], v.rest_length[id])) continue;
         if (!(v.row_flags[row] & model::kRowVelocity)) work -= v.lambda[row] * s.carried[r];
     }
     return work;

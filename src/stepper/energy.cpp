@@ -96,7 +96,7 @@ Energy energy(StepContext& ctx) noexcept {
         if (line ? v.parted[id] != 0 : v.active[id] == 0.0) continue;
         if (ctx.wires.wire_of[at(id)] >= 0 && !ctx.system.rests(id) &&
             (v.flags[id] & model::kCarried) == 0) {
-            if (v.epsilon[v.row_begin[id]] > model::kElasticCompliance)
+            if (model::holds_energy(v.epsilon[v.row_begin[id]], v.rest_length[id]))
                 e.elastic += held_by_element(v, id);
             continue;
         }
@@ -112,7 +112,7 @@ Energy energy(StepContext& ctx) noexcept {
                 for (int j = 0; j < v.dof[body]; ++j) speed += *jac++ * v.v[v.dof_begin[body] + j];
             }
             if ((v.row_flags[row] & model::kRowVelocity) ||
-                v.epsilon[row] <= model::kElasticCompliance)
+                !model::holds_energy(v.epsilon[row], v.rest_length[id]))
                 continue;
             const double g = (rests ? s.g[r] : v.g[row]) - half * speed;
             if (!line || g > 0.0) e.elastic += 0.5 * g * g / v.epsilon[row];

@@ -50,24 +50,31 @@ Finding energy_finding(const StepContext& ctx, const JudgePart& p, JudgeState& s
                        double time) noexcept {
     const Unexplained u = follow_energy(p, works(ctx), time, state);
     const double nothing = std::max(limit::kNothing * (p.kinetic + p.elastic), ctx.judge.nothing);
-    const double exchanged = p.kinetic + state.exchanged;
-    const auto share = [&](double energy) { return energy <= nothing ? 0.0 : energy / exchanged; };
+    const auto share = [nothing](double energy, double of) {
+        return energy <= nothing ? 0.0 : energy / of;
+    };
+    const double exchanged = p.kinetic + state.exchanged, counted = p.kinetic + state.counted;
+    const ByAccount<Swing>&now = u.now, &mean = u.mean;
+    // By each account energy comes and goes by different amounts.
+    const double created =
+        std::min({now[kBetween].rise, now[kByForce].rise, std::max(now[kAtPoses].rise, u.posed)});
+    const double lasting =
+        std::min({mean[kBetween].rise, mean[kByForce].rise, mean[kAtPoses].rise});
+    const double hidden = std::max(now[kUnexplained].rise, now[kWithGiven].rise);
+    const double lost = now[kUnexplained].fall;
     Finding out;
-    // Half-way between poses and at them energy comes and goes by different amounts.
-    const double now = std::min(u.now[2].rise, std::max(u.now[3].rise, u.posed));
-    const double mean = std::min(u.mean[2].rise, u.mean[3].rise);
-    const double created = std::max({share(now) / limit::kCreated.doubtful,
-                                     share(u.now[0].rise) / limit::kHidden.doubtful,
-                                     share(u.now[1].rise) / limit::kHidden.doubtful});
-    const double lost = share(u.now[0].fall) / limit::kLost.doubtful;
-    out.value = created >= lost ? std::max(now, u.now[0].rise) : -u.now[0].fall;
-    out.doubtful = std::max(created, lost);
-    out.wrong = std::max(
-        {share(mean) / limit::kCreated.wrong, share(u.mean[0].rise) / limit::kHidden.wrong,
-         share(u.mean[1].rise) / limit::kHidden.wrong, share(u.mean[0].fall) / limit::kLost.wrong});
+    const double gained = std::max(share(created, exchanged) / limit::kCreated.doubtful,
+                                   share(hidden, counted) / limit::kHidden.doubtful);
+    const double fell = share(lost, counted) / limit::kLost.doubtful;
+    out.value = gained >= fell ? std::max(created, now[kUnexplained].rise) : -lost;
+    out.doubtful = std::max(gained, fell);
+    out.wrong = std::max({share(lasting, exchanged) / limit::kCreated.wrong,
+                          share(std::max(mean[kUnexplained].rise, mean[kWithGiven].rise), counted) /
+                              limit::kHidden.wrong,
+                          share(mean[kUnexplained].fall, counted) / limit::kLost.wrong});
     // A split is approximate by choice, and says itself what it does to momentum and forces.
     if (!ctx.cuts.list.empty()) out.wrong = 0.0;
-    if (!std::isfinite(u.now[0].rise)) out.doubtful = out.wrong = HUGE_VAL;
+    if (!std::isfinite(now[kUnexplained].rise)) out.doubtful = out.wrong = HUGE_VAL;
     out.time = ctx.time;
     return out;
 }
@@ -90,6 +97,15 @@ Finding solved_finding(const StepContext& ctx, JudgeState& state, double time) n
     return finding(counts ? residual : 0.0, limit::kCertificate, ctx.time);
 }
 
+/// A line that comes taut is off its law for a moment, one that rings is at every look.
+Finding stretch_finding(const StepContext& ctx, const JudgePart& p, JudgeState& state) noexcept {
+    std::array<double, 2>& before = state.stretched;
+    Finding out = finding(std::min({p.stretch, before[0], before[1]}), limit::kCable, ctx.time);
+    out.interaction = InteractionId{p.stretch_id};
+    before = {p.stretch, before[0]};
+    return out;
+}
+
 Finding turn_finding(const StepContext& ctx, const JudgePart& p) noexcept {
     Finding out =
         finding(ctx.def.step * std::sqrt(std::max(p.turn, p.twist)), limit::kTurn, ctx.time);
@@ -108,8 +124,7 @@ Findings judged(StepContext& ctx, JudgeState& state) noexcept {
     Findings out{};
     out[place(Judge::energy)] = energy_finding(ctx, p, state, time);
     out[place(Judge::violation)] = open_finding(ctx, p, state, time);
-    out[place(Judge::cable)] = finding(p.stretch, limit::kCable, ctx.time);
-    out[place(Judge::cable)].interaction = InteractionId{p.stretch_id};
+    out[place(Judge::cable)] = stretch_finding(ctx, p, state);
     out[place(Judge::certificate)] = solved_finding(ctx, state, time);
     out[place(Judge::speed)] = turn_finding(ctx, p);
     state.step = ctx.step;

@@ -6,8 +6,10 @@
 ///
 /// Energy. Created is what kinetic, gravity and elastic energy together gained beyond the work of
 /// forces and drives, friction and contacts: half-way between poses, where velocities live, and at
-/// the poses, with the mean of the velocities before and after. Each comes and goes where motion is
-/// fast; the smaller of both rises is taken. What drag and rows took may hide more: unexplained is
+/// the poses, with the mean of the velocities before and after; and half-way with springs that hold
+/// what their force says, as one that the step does not resolve is left longer or shorter than it
+/// pulls by the turning of its direction. Each comes and goes where motion is fast; the smallest
+/// rise is taken. What drag and rows took may hide more: unexplained is
 /// the gain with that added, counted by rows linearised once a step, and so judged less closely.
 /// All of these are sums over the steps, so that a look every few steps misses nothing. What rows
 /// take is an explanation as long as it is more than nothing: joints do no work, and two that
@@ -39,19 +41,34 @@ struct Tide {
     double least = 0.0, most = 0.0;
 };
 
-/// Works since the start [J]: forces, drives, drag, friction, contacts, rows.
-using Works = std::array<double, 6>;
+/// Energy that nothing accounts for, by what is counted in.
+enum Account : std::uint8_t {
+    kUnexplained,  ///< Mechanical energy, and all that works, drag and rows took and gave.
+    kWithGiven,    ///< The same, with what rows gave beyond what they had taken.
+    kBetween,      ///< Created energy half-way between poses, of lines by their true lengths.
+    kAtPoses,      ///< Created energy at the poses, between the velocities before and after.
+    kByForce,      ///< kBetween, with what springs hold by their force: ½ f² ε.
+    kAccounts
+};
+template <class T>
+using ByAccount = std::array<T, kAccounts>;
+
+/// Works since the start [J].
+enum Work : std::uint8_t { kForces, kDrives, kDrag, kFriction, kContacts, kRows, kWorks };
+using Works = std::array<double, kWorks>;
 
 /// Part of the state of a world.
 struct JudgeState {
-    double kinetic = 0.0, potential = 0.0, elastic = 0.0;  ///< At the last look [J].
-    Works work{};                                          ///< Likewise.
-    std::array<double, 4> mean{};                          ///< Of the two sums [J].
-    std::array<Tide, 4> now_tide{}, mean_tide{};
-    double posed = 0.0;                  ///< Rise of the sum at poses, at the last look [J].
+    double kinetic = 0.0, potential = 0.0, elastic = 0.0, by_force = 0.0;  ///< See JudgePart [J].
+    Works work{};                                                          ///< At the last look.
+    ByAccount<double> mean{};                                              ///< Over kMean [J].
+    ByAccount<Tide> now_tide{}, mean_tide{};
+    double posed = 0.0;                  ///< Rise of kAtPoses, at the last look [J].
     double held = 0.0, given = 0.0;      ///< By rows: what they may give back, and gave beyond [J].
-    double exchanged = 0.0;              ///< [J].
+    double exchanged = 0.0;              ///< By bodies and springs, and by what drives them [J].
+    double counted = 0.0;                ///< The same with what rows took and gave [J].
     double unsolved = 0.0;               ///< For so long [s].
+    std::array<double, 2> stretched{};   ///< Off the cable law at the last two looks, newest first.
     double open_start = 0.0;             ///< What still excuses joints that started open.
     std::int64_t step = 0;               ///< Of the last look.
     std::int64_t begun = 0;              ///< 0: the next look is the first one.
@@ -61,7 +78,9 @@ struct JudgeState {
 /// What a chunk of bodies or interactions adds.
 struct JudgePart {
     double kinetic = 0.0, potential = 0.0, elastic = 0.0;
-    double at_pose = 0.0;  ///< All three at the poses, between the velocities before and after.
+    double at_pose = 0.0;    ///< All three at the poses, between the velocities before and after.
+    double by_length = 0.0;  ///< Elastic energy, of lines by their true lengths half-way.
+    double by_force = 0.0;   ///< Elastic energy by the force of the last step, ½ f² ε.
     double open = 0.0, stretch = 0.0, turn = 0.0, twist = 0.0;
     std::int32_t open_row = -1, stretch_id = -1, turn_body = -1, twist_id = -1;
 };
@@ -70,6 +89,7 @@ struct JudgeData {
     JudgeState state;
     std::vector<double> allowed;        ///< By row: 1 / what it may be open by, 0: anything.
     std::vector<std::int32_t> elastic;  ///< Interactions with rows that hold energy.
+    std::vector<std::uint8_t> line;     ///< Of those: 1, a spring or wire between two points.
     std::vector<std::int32_t> lines;    ///< Wire elements.
     std::vector<JudgePart> part;        ///< One a chunk.
     double nothing = 0.0;               ///< See limit::kNothingHigher [J].
@@ -89,7 +109,7 @@ struct Swing {
 };
 /// Energy that came or went without reason: at this moment, and in the mean.
 struct Unexplained {
-    std::array<Swing, 4> now{}, mean{};
+    ByAccount<Swing> now{}, mean{};
     double posed = 0.0;  ///< What JudgeState::posed was before [J].
 };
 /// The sums begin: energy at the start.

@@ -8,13 +8,14 @@
 namespace hawser::stepper {
 namespace {
 
-/// What nothing accounts for: without and with what rows gave; without what drag and rows took,
-/// between poses and at them [J].
-std::array<double, 4> unexplained(const JudgePart& p, const Works& w, double given) noexcept {
-    const double left =
-        p.kinetic + p.potential + p.elastic - w[0] - w[1] + w[2] + w[3] + w[4] + w[5];
+/// What nothing accounts for [J].
+ByAccount<double> unexplained(const JudgePart& p, const Works& w, double given) noexcept {
+    const double left = p.kinetic + p.potential + p.elastic - w[kForces] - w[kDrives] + w[kDrag] +
+                        w[kFriction] + w[kContacts] + w[kRows];
     const double moving = p.kinetic + p.potential + p.elastic;
-    return {left, left + given, left - w[2] - w[5], left - moving - w[2] - w[5] + p.at_pose};
+    const double between = left - w[kDrag] - w[kRows];
+    return {left, left + given, between - p.elastic + p.by_length, between - moving + p.at_pose,
+            between - p.elastic + p.by_force};
 }
 
 Swing follow(Tide& tide, double now, double forgotten) noexcept {
@@ -43,15 +44,16 @@ void keep(const JudgePart& p, const Works& w, JudgeState& state) noexcept {
     state.kinetic = p.kinetic;
     state.potential = p.potential;
     state.elastic = p.elastic;
+    state.by_force = p.by_force;
     state.work = w;
 }
 
 }  // namespace
 
 void begin_energy(const JudgePart& p, const Works& w, JudgeState& state) noexcept {
-    const std::array<double, 4> now = unexplained(p, w, state.given);
+    const ByAccount<double> now = unexplained(p, w, state.given);
     for (std::size_t i = 0; i < now.size(); ++i) set(state, i, now[i]);
-    state.exchanged = 0.0;
+    state.exchanged = state.counted = 0.0;
     state.begun = 1;
     keep(p, w, state);
 }
@@ -59,33 +61,40 @@ void begin_energy(const JudgePart& p, const Works& w, JudgeState& state) noexcep
 Unexplained follow_energy(const JudgePart& p, const Works& w, double time,
                           JudgeState& state) noexcept {
     if (state.begun == 0) begin_energy(p, w, state);
-    count_given(w[5] - state.work[5], time, state);
-    double changes = std::fabs(p.kinetic - state.kinetic) +
-                     std::fabs(p.potential - state.potential) +
-                     std::fabs(p.elastic - state.elastic);
-    for (std::size_t i = 0; i < w.size(); ++i) changes += std::fabs(w[i] - state.work[i]);
+    count_given(w[kRows] - state.work[kRows], time, state);
+    double moved = std::fabs(p.kinetic - state.kinetic) + std::fabs(p.potential - state.potential);
+    for (std::size_t i = 0; i < kRows; ++i) moved += std::fabs(w[i] - state.work[i]);
+    // A spring that the step does not resolve holds by its length what it never exerts, and rows
+    // take and give that: where it comes from is counted.
+    const double by_length = std::fabs(p.elastic - state.elastic);
+    const double sprung = std::min(by_length, std::fabs(p.by_force - state.by_force));
+    const double taken = std::fabs(w[kRows] - state.work[kRows]);
     const double forgotten = std::min(1.0, time / limit::kMemory);
-    state.exchanged += 0.5 * changes - forgotten * state.exchanged;
-    const std::array<double, 4> now = unexplained(p, w, state.given);
+    state.exchanged += 0.5 * (moved + sprung) - forgotten * state.exchanged;
+    state.counted += 0.5 * (moved + by_length + taken) - forgotten * state.counted;
+    const ByAccount<double> now = unexplained(p, w, state.given);
     // Works are those from half a step before the start on: half of them is not of this motion.
     const bool first = state.begun++ == 1;
-    double early = 0.0;
-    for (std::size_t i = 0; i < w.size(); ++i) early += 0.5 * std::fabs(w[i] - state.work[i]);
+    ByAccount<double> early{};
+    for (std::size_t i = 0; i < w.size(); ++i)
+        for (std::size_t k = 0; k < early.size(); ++k)
+            if (k < kBetween || (i != kDrag && i != kRows))
+                early[k] += 0.5 * std::fabs(w[i] - state.work[i]);
     Unexplained out;
     for (std::size_t i = 0; i < now.size(); ++i) {
         // Rows that close what stood open at the start put in energy by order of the scene.
-        if (i == 1 && state.open_start > 1.0) set(state, i, now[i]);
-        if (first) set(state, i, std::min(now[i], state.mean[i] + early));
+        if (i == kWithGiven && state.open_start > 1.0) set(state, i, now[i]);
+        if (first) set(state, i, std::min(now[i], state.mean[i] + early[i]));
         // Mechanical energy has to be gone again once they have closed.
         constexpr std::int64_t kClosing = 3;  // steps
-        if (i > 1 && state.open_start > 1.0 && state.begun <= kClosing + 1) continue;
+        if (i >= kBetween && state.open_start > 1.0 && state.begun <= kClosing + 1) continue;
         state.mean[i] += (1.0 - std::exp(-time / limit::kMean)) * (now[i] - state.mean[i]);
         out.now[i] = follow(state.now_tide[i], now[i], forgotten);
         out.mean[i] = follow(state.mean_tide[i], state.mean[i], forgotten);
     }
     // Before the first look there is none.
-    out.posed = first ? out.now[2].rise : state.posed;
-    state.posed = out.now[3].rise;
+    out.posed = first ? out.now[kBetween].rise : state.posed;
+    state.posed = out.now[kAtPoses].rise;
     keep(p, w, state);
     return out;
 }

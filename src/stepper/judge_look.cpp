@@ -57,15 +57,23 @@ void look_at_rows(const StepContext& ctx, const View& v, std::int32_t begin, std
     }
 }
 
+/// ½ f² ε by the force of the last step.
+double held_by_force(const View& v, std::int32_t row) noexcept {
+    return 0.5 * v.force_of_row[row] * v.force_of_row[row] * v.epsilon[row];
+}
+
 /// ½ g²/ε half a step before the poses, as energy() has it.
-void look_at_elastic(StepContext& ctx, const View& v, std::int32_t id, double half,
-                     JudgePart& p) noexcept {
+void look_at_elastic(StepContext& ctx, const View& v, std::int32_t id, bool between_points,
+                     double half, JudgePart& p) noexcept {
     // Of a wire by its true length, as the guard counts it.
     if (half > 0.0 && ctx.wires.wire_of[at(id)] >= 0 && !ctx.system.rests(id) && !v.parted[id] &&
         (v.flags[id] & model::kCarried) == 0) {
         const std::int32_t row = v.row_begin[id];
-        if (v.epsilon[row] > model::kElasticCompliance) {
-            p.elastic += held_by_element(v, id);
+        if (model::holds_energy(v.epsilon[row], v.rest_length[id])) {
+            const double held = held_by_element(v, id);
+            p.elastic += held;
+            p.by_length += held;
+            p.by_force += held_by_force(v, row);
             if (v.g[row] > 0.0 || !(v.flags[id] & model::kOneSided))
                 p.at_pose += 0.5 * v.g[row] * v.g[row] / v.epsilon[row];
         }
@@ -86,11 +94,15 @@ void look_at_elastic(StepContext& ctx, const View& v, std::int32_t id, double ha
             const std::int32_t body = v.body[kMaxInteractionBodies * id + k];
             for (int j = 0; j < v.dof[body]; ++j) speed += *jac++ * v.v[v.dof_begin[body] + j];
         }
-        if ((v.row_flags[row] & model::kRowVelocity) || v.epsilon[row] <= model::kElasticCompliance)
+        if ((v.row_flags[row] & model::kRowVelocity) ||
+            !model::holds_energy(v.epsilon[row], v.rest_length[id]))
             continue;
         const double now = rests ? s.g[r] : v.g[row], g = now - half * speed;
+        if (half > 0.0) p.by_force += held_by_force(v, row);
         if (!line || now > 0.0) p.at_pose += 0.5 * now * now / v.epsilon[row];
-        if (!line || g > 0.0) p.elastic += 0.5 * g * g / v.epsilon[row];
+        const double held = !line || g > 0.0 ? 0.5 * g * g / v.epsilon[row] : 0.0;
+        p.elastic += held;
+        p.by_length += between_points && !state && half > 0.0 ? held_by_element(v, id) : held;
     }
 }
 
@@ -156,7 +168,7 @@ JudgePart look(StepContext& ctx, At when) noexcept {
             look_at_body(ctx, ctx.bodies.moving[at(i)], after, half, p);
         look_at_rows(ctx, v, a, std::min(b, rows), p);
         for (std::int32_t i = a; i < std::min(b, elastic); ++i)
-            look_at_elastic(ctx, v, data.elastic[at(i)], half, p);
+            look_at_elastic(ctx, v, data.elastic[at(i)], data.line[at(i)] != 0, half, p);
         for (std::int32_t i = a; i < std::min(b, lines); ++i)
             look_at_line(ctx, v, data.lines[at(i)], p);
         data.part[at(a / StepContext::kChunk)] = p;
@@ -168,11 +180,14 @@ JudgePart look(StepContext& ctx, At when) noexcept {
         sum.potential += p.potential;
         sum.elastic += p.elastic;
         sum.at_pose += p.at_pose;
+        sum.by_length += p.by_length;
+        sum.by_force += p.by_force;
         take_worse(p.open, p.open_row, sum.open, sum.open_row);
         take_worse(p.stretch, p.stretch_id, sum.stretch, sum.stretch_id);
         take_worse(p.turn, p.turn_body, sum.turn, sum.turn_body);
         take_worse(p.twist, p.twist_id, sum.twist, sum.twist_id);
     }
+    if (when == At::pose) sum.by_force = sum.elastic;  // no step has been taken
     return sum;
 }
 
@@ -182,6 +197,7 @@ void prepare_judge(StepContext& ctx) {
     d.state = {};
     d.allowed.assign(at(user_rows(ctx)), 0.0);
     d.elastic.clear();
+    d.line.clear();
     d.lines.clear();
     for (std::int32_t id = 0; id < interaction_count(ctx); ++id) {
         const KindInfo& kind = kind_info(in.def[at(id)].kind);
@@ -194,12 +210,13 @@ void prepare_judge(StepContext& ctx) {
         for (int r = 0; r < in.rows[at(id)]; ++r) {
             const auto row = at(in.row_begin[at(id)] + r);
             if (in.row_flags[row] & model::kRowVelocity) continue;
-            if (in.epsilon[row] > model::kElasticCompliance) {
-                soft = true;
-            }
+            const double length = in.rest_length[at(id)];
+            const bool holds = model::holds_energy(in.epsilon[row], length);
+            soft |= holds;
             const bool stiff =
                 in.epsilon[row] <= limit::kMeantRigid && model::may_ever_complete(in, id);
-            if ((stiff || in.epsilon[row] <= model::kElasticCompliance) &&
+            // Of a wire element the cable law is asked.
+            if ((stiff || !holds) && length == 0.0 &&
                 !(in.flags[at(id)] & (model::kRange | model::kMotor))) {
                 const bool turns = kind.row_units[r] == 'r';
                 const double arm = std::isfinite(size) ? 0.5 * size : 0.0;
@@ -207,7 +224,10 @@ void prepare_judge(StepContext& ctx) {
                 d.allowed[row] = (turns ? arm : 1.0) / open;
             }
         }
-        if (soft) d.elastic.push_back(id);
+        if (!soft) continue;
+        d.elastic.push_back(id);
+        d.line.push_back(kind.kind == InteractionKind::Distance ||
+                         kind.kind == InteractionKind::Stretch);
     }
     const auto most = static_cast<std::int32_t>(
         std::max({ctx.bodies.moving.size(), d.allowed.size(), d.elastic.size(), d.lines.size()}));

@@ -54,7 +54,7 @@ void rates_by_rows(const View& v, std::int32_t id, Rates& out) noexcept {
 
 /// ½ g²/ε where the row pulls or pushes. @param now  Violation at the poses of the step.
 double held(const View& v, std::int32_t id, std::int32_t row, double now, double g) noexcept {
-    if (v.epsilon[row] <= model::kElasticCompliance) return 0.0;
+    if (!model::holds_energy(v.epsilon[row], v.rest_length[id])) return 0.0;
     if ((v.flags[id] & model::kOneSided) && g < 0.0) return 0.0;
     if ((v.flags[id] & model::kRange) && g * now < 0.0) return 0.0;
     return 0.5 * g * g / v.epsilon[row];
@@ -82,7 +82,7 @@ double losses_of(StepContext& ctx, const View& v, std::int32_t id) noexcept {
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
         if (v.row_flags[row] & model::kRowVelocity) continue;  // its work counts as driven
-        const bool rigid = v.epsilon[row] <= model::kElasticCompliance;
+        const bool rigid = !model::holds_energy(v.epsilon[row], v.rest_length[id]);
         if (rigid && (flags & model::kByInput)) continue;  // its work counts as driven
         const double g = v.g[row], half = 0.5 * v.h;
         taken += held(v, id, row, g, g - half * rate.before[r]) -

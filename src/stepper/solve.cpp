@@ -191,7 +191,6 @@ bool fails(const factor::Numeric& numeric, int wrong) noexcept {
 
 }  // namespace
 
-/// `whole`: rows changed besides contacts.
 Status factor(StepContext& ctx, bool whole) noexcept {
     if (ctx.pool.stopping()) return Status::cancelled;
     const View v = view(ctx);

@@ -83,6 +83,7 @@ void analyse(StepContext& ctx, const factor::AnalysisState* state) {
     find_joints(ctx);
     reserve_bounds(ctx);
     ctx.active_before.resize(ctx.system.bounded.size());
+    if (!ctx.completion.rigid.empty()) ctx.closing.resize(at(ctx.system.symbolic.scalars));
     count_analysis(ctx);
 }
 
@@ -136,6 +137,15 @@ void evaluate_rows(StepContext& ctx) noexcept {
     ctx.pool.for_each(ctx.system.strips.count(), strip);
 }
 
+void evaluate_keeping_ranges(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
+        ctx.active_before[i] = v.active[ctx.system.bounded[i]];
+    evaluate_rows(ctx);
+    for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
+        v.active[ctx.system.bounded[i]] = ctx.active_before[i];
+}
+
 void assemble_rows(StepContext& ctx) noexcept {
     const StageTimer timer(ctx, Stage::assemble);
     ctx.losses_known = false;
@@ -180,7 +190,6 @@ void integrate(StepContext& ctx) noexcept {
     over(ctx, v.body_count,
          [&](std::int32_t a, std::int32_t b) { assembly::kernels().integrate(v, a, b); });
     move_carriers(ctx);
-    close_joints(ctx);
     ctx.work += ctx.step_work;
     ctx.drag += ctx.step_drag;
     ++ctx.step;
@@ -216,6 +225,8 @@ void integrate(StepContext& ctx) noexcept {
                        now != 0.0 ? -v.force_of_row[row] : 0.0);
         }
     }
+    // Renews rows, so that events come first; anchors and winches go by the poses then.
+    close_joints(ctx);
     finish_completion(ctx);
     move_anchors(ctx);
     report_saturation(ctx);

@@ -26,9 +26,11 @@ void prestep(StepContext& ctx) noexcept;
 void assemble_rows(StepContext& ctx) noexcept;
 /// Stage 6. Write the blocks of the matrix, factor, solve, refine: v₊ and λ.
 [[nodiscard]] Status factor_and_solve(StepContext& ctx) noexcept;
+/// Write the blocks, factor, and solve for the right-hand side in the solver's vector, in place.
+/// `whole`: rows changed besides contacts, so that the matrix is factored whole.
+[[nodiscard]] Status factor(StepContext& ctx, bool whole) noexcept;
 /// Write the blocks, factor and solve once, without refinement: one iteration of a Newton method.
 /// `first`: from v₊ = 0, else from v₊ and λ as they are.
-/// `whole`: other rows changed besides contacts, so that the matrix is factored whole.
 [[nodiscard]] Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept;
 /// One more iteration from v₊ and λ as they are, with the factorisation at hand.
 void continue_with_factor(StepContext& ctx) noexcept;

@@ -36,6 +36,8 @@ Status step(StepContext& ctx) noexcept;
 
 /// Evaluate every interaction at the current poses (g, Jacobian), as stage 5 does.
 void evaluate_rows(StepContext& ctx) noexcept;
+/// evaluate_rows(), which decides afresh which ranges are active, with those kept that were.
+void evaluate_keeping_ranges(StepContext& ctx) noexcept;
 
 /// ½ vᵀ M v [J], M without damping and geometric stiffness. @param velocity  Packed.
 [[nodiscard]] double kinetic_energy(const model::Bodies& bodies, const double* velocity) noexcept;

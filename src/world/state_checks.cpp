@@ -198,11 +198,12 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
     for (const std::int64_t n : s.stats.event_count)
         if (n < 0) refuse("a count of events is negative");
     const stepper::JudgeState& j = s.judge.state;
-    numbers(std::array{j.kinetic, j.potential, j.elastic, j.posed, j.held, j.given, j.exchanged,
-                       j.unsolved, j.open_start},
+    numbers(std::array{j.kinetic, j.potential, j.elastic, j.by_force, j.posed, j.held, j.given,
+                       j.exchanged, j.counted, j.unsolved, j.open_start},
             "a figure of the judge", 1e300);
     numbers(j.mean, "a figure of the judge", 1e300);
     numbers(j.work, "a figure of the judge", 1e300);
+    numbers(j.stretched, "a figure of the judge", 1e300);
     for (const auto& tides : {j.now_tide, j.mean_tide})
         for (const stepper::Tide& tide : tides)
             numbers(std::array{tide.least, tide.most}, "a figure of the judge", 1e300);

@@ -7,8 +7,6 @@
 namespace hawser::HAWSER_ISA {
 namespace {
 
-constexpr double kElastic = 1e-11;  // model::kElasticCompliance
-
 using assembly::LineGain;
 using assembly::View;
 
@@ -20,7 +18,7 @@ struct Ends {
     V3T<T> mean;         ///< Relative velocity, mean of before and after.
     V3T<T> along;        ///< Direction of the row.
     T rate[2], lambda;   ///< Of the row, before and after.
-    T elastic, acts;     ///< 1: what it holds counts; row_losses() counts it.
+    T acts;              ///< 1: row_losses() counts it.
     V3T<T> impulse;
     T g, stiffness, pulls;  ///< pulls: 1, holds nothing while it is short.
     T size;                 ///< Of the coordinates: their rounding is that of lengths.
@@ -54,7 +52,7 @@ inline void gain_of(const Ends<T>& e, double half, T& gain, T& exchanged, T& noi
     constexpr double kRounding = 1e-15;  // of a few sums
     const T one = change + dot(e.impulse, e.mean);
     gain += one;
-    unbooked -= e.elastic * (one + e.acts * booked_loss(e, half));
+    unbooked -= one + e.acts * booked_loss(e, half);
     exchanged += size_of(change);
     noise += kRounding * e.stiffness * (size_of(before) + size_of(after)) * e.size;
 }
@@ -98,7 +96,6 @@ void one_gain(const View& view, std::int32_t id, LineGain* sum) {
                          n,
                          {dot(n, speed[1] - speed[0]), dot(n, speed_after[1] - speed_after[0])},
                          view.lambda[row],
-                         view.epsilon[row] > kElastic ? 1.0 : 0.0,
                          acts ? 1.0 : 0.0,
                          view.lambda[row] * n - across,
                          view.g[row],
@@ -111,7 +108,7 @@ void one_gain(const View& view, std::int32_t id, LineGain* sum) {
 /// Eight of View::among_lumps. @return false where one has parted.
 bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
     std::int32_t x[2][kLanes], v[2][kLanes], row[kLanes], jac[kLanes], force[kLanes];
-    double pulls[kLanes], acts[kLanes], elastic[kLanes];
+    double pulls[kLanes], acts[kLanes];
     for (int l = 0; l < kLanes; ++l) {
         const std::int32_t id = ids[l];
         if (view.parted[id] || !view.among_lumps[id]) return false;
@@ -125,7 +122,6 @@ bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
         force[l] = view.geo[id].force;
         pulls[l] = view.flags[id] & 1 ? 1.0 : 0.0;
         acts[l] = view.active[id] != 0.0 || (view.flags[id] & 1) ? 1.0 : 0.0;
-        elastic[l] = view.epsilon[row[l]] > kElastic ? 1.0 : 0.0;
     }
     auto apart = [&](const double* base, const std::int32_t(&from)[2][kLanes]) {
         V8 a[kLanes], b[kLanes];
@@ -150,7 +146,6 @@ bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
                      n,
                      {dot(n, u), dot(n, w)},
                      lambda,
-                     load(elastic),
                      load(acts),
                      lambda * n - across,
                      gather_range(view.g, row, 0, 8),

@@ -9,14 +9,21 @@ namespace {
 using assembly::View;
 
 constexpr double kElastic = 1e-11;  // model::kElasticCompliance
+
+/// As model::holds_energy().
+inline bool holds(const View& view, std::int32_t id, int row) {
+    return view.epsilon[row] > (view.rest_length[id] > 0.0 ? 0.0 : kElastic);
+}
+
 // model::InteractionFlag and RowFlag.
 constexpr int kPullsOnly = 1, kRange = 2, kByInput = 16, kCarried = 32, kFriction = 128;
 constexpr int kVelocityRow = 1;
 
-/// Rows of some interactions in a row: which count, which only pull, and which are completed.
+/// Rows of some interactions in a row: which count, only pull, hold energy, and are completed.
 struct Marks {
     double counts[assembly::kLossChunk * kMaxInteractionRows + kLanes];
     double pulls[assembly::kLossChunk * kMaxInteractionRows + kLanes];
+    double holds[assembly::kLossChunk * kMaxInteractionRows + kLanes];
     double completed[assembly::kLossChunk * kMaxInteractionRows + kLanes];
 };
 
@@ -33,10 +40,11 @@ int mark(const View& view, std::int32_t begin, std::int32_t end, std::int32_t fi
             own |= __builtin_fabs(view.recall[r]) < assembly::kLeastRecall;
         if (own && !none) left[count++] = id;
         for (int r = row; r < row + view.rows[id]; ++r) {
-            const bool driven = (view.row_flags[r] & kVelocityRow) ||
-                                ((flags & kByInput) && view.epsilon[r] <= kElastic);
+            const bool driven =
+                (view.row_flags[r] & kVelocityRow) || ((flags & kByInput) && !holds(view, id, r));
             marks.counts[r - first] = own || driven ? 0.0 : 1.0;
             marks.pulls[r - first] = pulls ? 1.0 : 0.0;
+            marks.holds[r - first] = holds(view, id, r) ? 1.0 : 0.0;
             marks.completed[r - first] = view.completed[id];
         }
     }
@@ -52,7 +60,7 @@ double row_losses(const View& view, std::int32_t begin, std::int32_t end, std::i
     const std::int32_t rows = view.row_begin[end - 1] + view.rows[end - 1] - first;
     *left_count = mark(view, begin, end, first, marks, left);
     for (int i = rows; i < rows + kLanes; ++i)
-        marks.counts[i] = marks.pulls[i] = marks.completed[i] = 0.0;
+        marks.counts[i] = marks.pulls[i] = marks.holds[i] = marks.completed[i] = 0.0;
     V8 taken{};
     const V8 none{}, half = none + 0.5 * view.h, per_h4 = none + 4.0 / view.h;
     bool was_slack = false;
@@ -75,7 +83,7 @@ double row_losses(const View& view, std::int32_t begin, std::int32_t end, std::i
         store(marks.pulls + i, slack);
         const V8 old_held = select_greater(pulls, none, positive_part(old), old);
         const V8 now_held = select_greater(pulls, none, positive_part(now), now);
-        const V8 stiffness = select_greater(epsilon, none + kElastic, 0.5 / epsilon, none);
+        const V8 stiffness = select_greater(load(marks.holds + i), none, 0.5 / epsilon, none);
         const V8 loss = stiffness * (old_held * old_held - now_held * now_held) -
                         0.5 * (lambda * (before + after));
         taken += select_greater(used, none, loss, none);
