@@ -56,6 +56,8 @@ double write_gaps(StepContext& ctx, const View& v) noexcept {
     return most;
 }
 
+/// Bodies go on by the solver's vector; their angular velocities turn with them, so that kinetic
+/// energy stays.
 void move(StepContext& ctx, const View& v, double time) noexcept {
     for (const std::int32_t body : ctx.bodies.moving) {
         const int dof = v.dof[body];
@@ -65,6 +67,10 @@ void move(StepContext& ctx, const View& v, double time) noexcept {
         } else if (dof > 1) {
             ctx.bodies.drift(body, d, dof == 6 ? d + 3 : nullptr, time);
         }
+        if (dof < 6) continue;
+        const double half = 0.5 * time;
+        Eigen::Map<Vec3> spin(v.v + v.dof_begin[body] + 3);
+        spin = (Quat(1.0, half * d[3], half * d[4], half * d[5]).normalized() * spin).eval();
     }
 }
 

@@ -10,7 +10,8 @@
 ///     K [δ; −μ] = [0; −g(x)/h],     x ← x ⊕ h δ,     until |g| ≤ kClosed,
 /// ```
 /// which moves bodies by as little as possible in the metric of M̃ and past what touches or pulls.
-/// Velocities stay as the step left them: nothing is thrown. Each round is a substitution.
+/// Velocities stay as the step left them, angular ones in their bodies' frames: nothing is thrown,
+/// and kinetic energy stays. Each round is a substitution.
 ///
 /// G is that of the step's start, which closes nothing any more where light bodies have turned by
 /// half a radian and more. There, G and the factors are those of the poses reached, renewed until

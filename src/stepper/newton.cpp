@@ -178,16 +178,28 @@ void end_hastily(StepContext& ctx) noexcept {
     update_contacts(ctx, view(ctx).v_new);
 }
 
-/// Newton iterations from the iterate at hand. @param coupling  Of all contacts. @param hasty  When
-/// the budget ends them, rows that ask to switch do so after the step.
-Status iterate(StepContext& ctx, Coupling coupling, double tolerance, bool hasty = false) noexcept {
+/// How Newton iterations go on.
+struct Course {
+    bool hasty =
+        false;  ///< When the budget ends them, rows that ask to switch do so after the step.
+    bool begun = false;  ///< The matrix holds the laws of an iterate close by, and its factors.
+};
+
+/// Newton iterations from the iterate at hand. @param coupling  Of all contacts.
+Status iterate(StepContext& ctx, Coupling coupling, double tolerance, Course course = {}) noexcept {
+    const bool hasty = course.hasty;
     for (Cone& c : ctx.system.contacts.cones) c.coupling = coupling;
     bool again = false, slow = false;
     int switches = 0;  // iterations that ended with some
     ctx.newton.follow.restart();
     double before = 0.0;
     forget_best(ctx);
-    for (int it = 0;; ++it) {
+    if (course.begun) {
+        keep_iterate(ctx);
+        before = merit(ctx, 0.0);
+        (void)linearise(ctx);
+    }
+    for (int it = course.begun ? kKrylovFrom : 0;; ++it) {
         ++ctx.newton.iterations;
         if (it < kKrylovFrom || again || slow || !find_impulses(ctx)) {
             if (it > 0) adopt_laws(ctx, false);
@@ -305,7 +317,8 @@ Status solve_newton(StepContext& ctx) noexcept {
     const bool cold = ctx.step == 0;
     const double tolerance = ctx.def.contact_tolerance;
     bool hasty = !cold && ctx.budget.hasty();
-    Status status = cold ? from_soft(ctx) : iterate(ctx, Coupling::exact, tolerance, hasty);
+    Status status =
+        cold ? from_soft(ctx) : iterate(ctx, Coupling::exact, tolerance, {.hasty = hasty});
     hasty = hasty && ctx.stats.cut;
     if (!cold && !solved(ctx, status) && !ctx.stats.cut) {
         go_back(ctx);
@@ -349,8 +362,7 @@ Status settle_newton(StepContext& ctx) noexcept {
     if (status != Status::ok) return status;
     state_certificate(ctx);
     if (ctx.stats.natural_map <= ctx.def.contact_tolerance || ctx.stats.cut) return Status::ok;
-    restart(ctx);
-    status = iterate(ctx, Coupling::exact, ctx.def.contact_tolerance);
+    status = iterate(ctx, Coupling::exact, ctx.def.contact_tolerance, {.begun = true});
     if (status == Status::ok) status = refine(ctx);
     if (status == Status::ok) status = follow_loads(ctx);
     if (status == Status::ok) state_certificate(ctx);
