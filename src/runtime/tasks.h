@@ -37,8 +37,11 @@ class Pool final : public base::Executor {
     /// Have stopping() say so until go_on(). By any thread, or a signal handler.
     void stop() noexcept { stopping_.store(true, std::memory_order_relaxed); }
     void go_on() noexcept { stopping_.store(false, std::memory_order_relaxed); }
+    /// Whether stopping() says no until this ends: what has begun to change the state is finished.
+    void shield(bool on) noexcept { shielded_.store(on, std::memory_order_relaxed); }
     [[nodiscard]] bool stopping() const noexcept override {
-        return stopping_.load(std::memory_order_relaxed);
+        return stopping_.load(std::memory_order_relaxed) &&
+               !shielded_.load(std::memory_order_relaxed);
     }
 
     /// CPU time that a thread has used since it began [s]; 0: the calling thread.
@@ -73,7 +76,7 @@ class Pool final : public base::Executor {
     alignas(64) std::atomic<Task> task_{nullptr};
     std::atomic<void*> context_{nullptr};
     std::atomic<std::int32_t> count_{0};
-    std::atomic<bool> stopping_{false};
+    std::atomic<bool> stopping_{false}, shielded_{false};
     static_assert(std::atomic<bool>::is_always_lock_free);  // signal handlers
     Trace* trace_ = nullptr;
     std::vector<std::jthread> workers_;

@@ -152,7 +152,9 @@ void close_joints(StepContext& ctx) noexcept {
     const View v = view(ctx);
     const double gap = write_gaps(ctx, v);
     if (!(gap > kOpen)) return;
+    ctx.pool.shield(true);  // poses have begun to move
     if (!(close_with_factor(ctx, v, gap) <= kOpen)) close_anew(ctx, v);
+    ctx.pool.shield(false);
 }
 
 }  // namespace hawser::stepper
