@@ -190,8 +190,12 @@ void RandomJudge::look_at_energy(const World& world) {
                                : rise;
     rise = std::min(rise, at_pose);
     if (!std::isfinite(moved + height + spring)) out_.finite = false;
-    out_.created = std::max(out_.created, rise);
-    const double share = rise / std::max(out_.exchanged + moved, floor_);
+    const double stays = std::min({rise, risen_[0], risen_[1]});
+    risen_ = {rise, risen_[0]};
+    out_.created = std::max(out_.created, stays);
+    const double of = std::max(out_.exchanged + moved, floor_);
+    out_.swing_share = std::max(out_.swing_share, rise / of);
+    const double share = stays / of;
     if (share > out_.created_share) {
         out_.created_share = share;
         out_.created_at = world.time();

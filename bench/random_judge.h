@@ -14,8 +14,10 @@ namespace hawser::bench {
 /// Figures of a motion so far.
 struct Judged {
     double exchanged = 0.0;  ///< ½ Σ of what kinetic, gravity and elastic energy changed by [J].
-    double created = 0.0;    ///< Largest rise of mechanical energy above what it was before [J].
+    /// Largest rise of mechanical energy above what it was before, of three states running [J].
+    double created = 0.0;
     double created_share = 0.0;    ///< The same over `exchanged` and kinetic energy then.
+    double swing_share = 0.0;      ///< Of one state: what comes and goes within two steps, too.
     double created_at = 0.0;       ///< [s].
     double violation = 0.0;        ///< Largest of a joint [m]; turns count at half the body's size.
     double violation_share = 0.0;  ///< Largest over what is allowed: 1 cm or 1 % of the size.
@@ -31,7 +33,9 @@ struct Judged {
 /// poses, with the mean of the kinetic energies before and after, or half-way between two poses;
 /// either may swing within a period while nothing is created. A spring that is far too stiff for
 /// the step stores by its length at a pose, a tenth of a millimetre off, what it never exerts; by
-/// its force it does not. What counts is the smallest of the three rises.
+/// its force it does not. What counts is the smallest of the three rises, as far as it is there in
+/// three states running: where a body whips round within two steps, its energy swings by some per
+/// cent and is back afterwards, and each halving of the step takes three quarters of that.
 class RandomJudge {
   public:
     explicit RandomJudge(const World& world);
@@ -68,6 +72,7 @@ class RandomJudge {
     double kinetic_ = 0.0, gravity_ = 0.0, elastic_ = 0.0;  ///< Before.
     double floor_ = 0.0;  ///< Energy of all bodies one centimetre higher [J].
     Swing at_poses_, between_, by_force_;
+    std::array<double, 2> risen_{};  ///< Smallest of the three in the last two states [J].
     bool begun_ = false;
     Judged out_;
 };

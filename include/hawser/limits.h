@@ -13,7 +13,7 @@ struct Limit {
 
 namespace limit {
 /// Mechanical energy that came from nothing, over what was exchanged.
-inline constexpr Limit kCreated{0.008, 0.2};
+inline constexpr Limit kCreated{0.009, 0.2};
 /// Created energy with all that rows and drag took added to it, which may hide some: over what was
 /// exchanged.
 inline constexpr Limit kHidden{1.0, 2.0};

@@ -74,6 +74,18 @@ void move(StepContext& ctx, const View& v, double time) noexcept {
     }
 }
 
+/// Potential energy of gravity [J].
+double height(const StepContext& ctx) noexcept {
+    const model::Bodies& b = ctx.bodies;
+    double sum = 0.0;
+    for (const std::int32_t body : b.moving) {
+        if (b.dof(body) == 1 || b.weight[at(body)] == 0) continue;
+        for (int k = 0; k < 3; ++k)
+            sum -= b.mass[at(body)] * ctx.def.gravity[k] * b.x[3 * at(body) + at(k)];
+    }
+    return sum;
+}
+
 /// Largest turn of a body under the solver's vector [rad/s].
 double fastest_turn(const StepContext& ctx, const View& v) noexcept {
     double most = 0.0;
@@ -147,14 +159,18 @@ void close_anew(StepContext& ctx, const View& v) noexcept {
 }  // namespace
 
 void close_joints(StepContext& ctx) noexcept {
+    double& closed = ctx.judge.state.closed;
+    closed = 0.0;
     if (!ctx.cuts.list.empty() || ctx.def.nonsmooth != Nonsmooth::newton || !may_be_open(ctx))
         return;
     const View v = view(ctx);
     const double gap = write_gaps(ctx, v);
     if (!(gap > kOpen)) return;
+    const double before = height(ctx);
     ctx.pool.shield(true);  // poses have begun to move
     if (!(close_with_factor(ctx, v, gap) <= kOpen)) close_anew(ctx, v);
     ctx.pool.shield(false);
+    closed = height(ctx) - before;
 }
 
 }  // namespace hawser::stepper

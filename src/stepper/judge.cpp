@@ -58,12 +58,14 @@ Finding energy_finding(const StepContext& ctx, const JudgePart& p, JudgeState& s
     // By each account energy comes and goes by different amounts.
     const double created =
         std::min({now[kBetween].rise, now[kByForce].rise, std::max(now[kAtPoses].rise, u.posed)});
+    const double stays = std::min({created, state.risen[0], state.risen[1]});
+    state.risen = {created, state.risen[0]};
     const double lasting =
         std::min({mean[kBetween].rise, mean[kByForce].rise, mean[kAtPoses].rise});
     const double hidden = std::max(now[kUnexplained].rise, now[kWithGiven].rise);
     const double lost = now[kUnexplained].fall;
     Finding out;
-    const double gained = std::max(share(created, exchanged) / limit::kCreated.doubtful,
+    const double gained = std::max(share(stays, exchanged) / limit::kCreated.doubtful,
                                    share(hidden, counted) / limit::kHidden.doubtful);
     const double fell = share(lost, counted) / limit::kLost.doubtful;
     out.value = gained >= fell ? std::max(created, now[kUnexplained].rise) : -lost;
@@ -82,8 +84,10 @@ Finding energy_finding(const StepContext& ctx, const JudgePart& p, JudgeState& s
 Finding open_finding(const StepContext& ctx, const JudgePart& p, JudgeState& state,
                      double time) noexcept {
     state.open_start *= std::exp(-time / (limit::kSettled * ctx.def.step));
+    Finding out = finding(p.open * limit::kOpen.doubtful, limit::kOpen, ctx.time);
+    // What the scene opened may close without being refused; that it stood open is said.
     const double open = std::max(0.0, p.open - state.open_start);
-    Finding out = finding(open * limit::kOpen.doubtful, limit::kOpen, ctx.time);
+    out.wrong = open * limit::kOpen.doubtful / limit::kOpen.wrong;
     if (p.open_row < 0) return out;
     out.value = std::fabs(ctx.interactions.g[at(p.open_row)]);
     out.interaction = InteractionId{owner_of(ctx, p.open_row)};

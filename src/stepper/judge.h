@@ -17,9 +17,9 @@
 /// adds what rows gave beyond what they had taken within about a second, which may be held in an
 /// overlap or in an element that comes taut. Judged is how far each rises above its lowest value,
 /// and the unexplained falls below its highest, over what was exchanged: kinetic energy and half
-/// the changes of all that is in the sums. Both forget within kMemory. A result is doubtful by the
-/// values of a moment; a step is refused by their means over kMean, as energy of a moment comes and
-/// goes where a step is long.
+/// the changes of all that is in the sums. Both forget within kMemory. A result is doubtful by
+/// what three looks running have in common, as energy of a moment comes and goes where something
+/// whips round within two steps; a step is refused by means over kMean.
 ///
 /// Limits. A rise in one place and a loss in another at the same time are not told apart.
 
@@ -67,7 +67,10 @@ struct JudgeState {
     double held = 0.0, given = 0.0;      ///< By rows: what they may give back, and gave beyond [J].
     double exchanged = 0.0;              ///< By bodies and springs, and by what drives them [J].
     double counted = 0.0;                ///< The same with what rows took and gave [J].
+    double age = 0.0;                    ///< Since the sums began [s].
+    double closed = 0.0;                 ///< Higher by closing poses, in the last step [J].
     double unsolved = 0.0;               ///< For so long [s].
+    std::array<double, 2> risen{};       ///< Created energy at the last two looks [J].
     std::array<double, 2> stretched{};   ///< Off the cable law at the last two looks, newest first.
     double open_start = 0.0;             ///< What still excuses joints that started open.
     std::int64_t step = 0;               ///< Of the last look.

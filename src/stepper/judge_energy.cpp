@@ -53,7 +53,7 @@ void keep(const JudgePart& p, const Works& w, JudgeState& state) noexcept {
 void begin_energy(const JudgePart& p, const Works& w, JudgeState& state) noexcept {
     const ByAccount<double> now = unexplained(p, w, state.given);
     for (std::size_t i = 0; i < now.size(); ++i) set(state, i, now[i]);
-    state.exchanged = state.counted = 0.0;
+    state.exchanged = state.counted = state.age = 0.0;
     state.begun = 1;
     keep(p, w, state);
 }
@@ -69,7 +69,10 @@ Unexplained follow_energy(const JudgePart& p, const Works& w, double time,
     const double by_length = std::fabs(p.elastic - state.elastic);
     const double sprung = std::min(by_length, std::fabs(p.by_force - state.by_force));
     const double taken = std::fabs(w[kRows] - state.work[kRows]);
-    const double forgotten = std::min(1.0, time / limit::kMemory);
+    // Nothing is forgotten before the memory is full.
+    state.age += time;
+    const double forgotten =
+        state.age <= limit::kMemory ? 0.0 : std::min(1.0, time / limit::kMemory);
     state.exchanged += 0.5 * (moved + sprung) - forgotten * state.exchanged;
     state.counted += 0.5 * (moved + by_length + taken) - forgotten * state.counted;
     const ByAccount<double> now = unexplained(p, w, state.given);

@@ -188,6 +188,8 @@ JudgePart look(StepContext& ctx, At when) noexcept {
         take_worse(p.twist, p.twist_id, sum.twist, sum.twist_id);
     }
     if (when == At::pose) sum.by_force = sum.elastic;  // no step has been taken
+    // Poses that were closed have moved by more than the velocity says: half-way, by half of it.
+    if (when == At::half_step) sum.potential -= 0.5 * data.state.closed;
     return sum;
 }
 

@@ -198,7 +198,21 @@ void settle_wires(StepContext& ctx) noexcept {
 
 double held_by_element(const View& v, std::int32_t id) noexcept {
     const Line l = line_of(v, id);
-    const double longer = norm(l.back) - l.rest;
+    const double* record = v.geo_record + v.geo[id].record;
+    V3 end[2];
+    for (int b = 0; b < 2; ++b) {
+        const std::int32_t body = v.body[kMaxInteractionBodies * id + b];
+        V3 lin, ang;
+        velocity_of(v, v.v, body, lin, ang);
+        // Half of the turn by 2 atan(h|ω|/2): a stiff spring feels the third order that Line::back
+        // leaves out.
+        const double whole = 0.25 * v.h * v.h * dot(ang, ang);
+        const double half = -0.5 * v.h / (1.0 + std::sqrt(1.0 + whole));
+        end[b] = generic::load3(v.x + 3 * body) - (0.5 * v.h) * lin;
+        if (v.geo[id].dof != 3)
+            end[b] = end[b] + turned(generic::load3(record + 4 + 3 * b), half * ang);
+    }
+    const double longer = norm(end[1] - end[0]) - l.rest;
     if ((v.flags[id] & model::kOneSided) && longer < 0.0) return 0.0;
     return 0.5 * l.stiffness * longer * longer;
 }
