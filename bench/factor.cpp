@@ -98,11 +98,7 @@ CLI::App* add_options(CLI::App& app, FactorOptions& o) {
     app.add_option("--rounds", o.trial.rounds, "Turns of each solver, 3 samples a turn")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
-    app.add_flag(
-        "--mixed", o.trial.mixed,
-        "Ours through hawser/factor.h, too: in double (hawser blocks) and with a factor in "
-        "float, each\nsolution refined to 1e-14 in double, or in double where that fails "
-        "(hawser mixed)");
+    app.add_flag("--blocks", o.trial.blocks, "Ours through hawser/factor.h, too (hawser blocks)");
     app.add_flag("--sweep", o.sweep, "The rigid scene at scales 1 to 50: who gains from threads?");
     app.add_option("--edits", o.edits,
                    "Repair our analysis of the paper's scene through so many steps instead")

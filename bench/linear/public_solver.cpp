@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Ours through hawser/factor.h, in double and in mixed precision: blocks are written into an array
-/// of values, which factor() copies to where it wants them.
+/// Ours through hawser/factor.h: blocks are written into an array of values, which factor() copies
+/// to where it wants them.
 #include "index.h"
 #include "linear/solver.h"
 
@@ -15,12 +15,12 @@ namespace {
 
 class PublicSolver final : public Solver {
   public:
-    PublicSolver(Order order, Precision precision) : order_(order), precision_(precision) {}
+    explicit PublicSolver(Order order) : order_(order) {}
 
     void analyse(const Input& input, base::Executor& executor) override {
         if (executor.threads() != threads_) {
             threads_ = executor.threads();
-            factor_ = BlockFactor({.threads = threads_, .precision = precision_});
+            factor_ = BlockFactor({.threads = threads_});
         }
         find_pattern(*input.form);
         if (order_ == Order::library)
@@ -40,13 +40,9 @@ class PublicSolver final : public Solver {
         assemble(*input.system, ops_, input.form->contributions, *input.inverse, values_.data(),
                  executor);
     }
-    void factor(base::Executor&) override {
-        check(factor_.factor(values_));
-        refinements_ = {};
-    }
+    void factor(base::Executor&) override { check(factor_.factor(values_)); }
     void solve(std::vector<double>& x, base::Executor&) override {
         check(factor_.solve({x.data(), at(factor_.info().scalars)}));
-        refinements_.push_back(factor_.info().refinements);
     }
     [[nodiscard]] double factor_nnz() const override {
         return static_cast<double>(factor_.info().factor_nnz);
@@ -56,11 +52,6 @@ class PublicSolver final : public Solver {
     }
     [[nodiscard]] double bytes() const override {
         return static_cast<double>(factor_.info().bytes);
-    }
-    [[nodiscard]] std::optional<MixedFigures> mixed() const override {
-        if (precision_ == Precision::full) return {};
-        const FactorInfo info = factor_.info();
-        return MixedFigures{info.single, info.fallbacks, refinements_};
     }
 
   private:
@@ -89,22 +80,15 @@ class PublicSolver final : public Solver {
     }
 
     Order order_;
-    Precision precision_;
     int threads_ = 0;
     BlockFactor factor_;
     BlockPattern pattern_;
     std::vector<BlockWrite> ops_;
     std::vector<double> values_;
-    std::vector<std::int64_t> refinements_;
 };
 
 }  // namespace
 
-std::unique_ptr<Solver> make_public(Order order) {
-    return std::make_unique<PublicSolver>(order, Precision::full);
-}
-std::unique_ptr<Solver> make_mixed(Order order) {
-    return std::make_unique<PublicSolver>(order, Precision::mixed);
-}
+std::unique_ptr<Solver> make_public(Order order) { return std::make_unique<PublicSolver>(order); }
 
 }  // namespace hawser::bench

@@ -65,11 +65,7 @@ json result_json(const Result& r) {
             {"factor_nnz", r.factor_nnz},
             {"flops", r.flops},
             {"bytes", r.bytes},
-            {"error", r.error},
-            {"mixed", r.mixed ? json{{"single", r.mixed->single},
-                                     {"fallbacks", r.mixed->fallbacks},
-                                     {"refinements", r.mixed->refinements}}
-                              : json()}};
+            {"error", r.error}};
 }
 
 void print_memory(const ProblemReport& report) {
@@ -89,14 +85,6 @@ void print_memory(const ProblemReport& report) {
                 "{:.3f} ms: {:.2f} times\n",
                 u.changed, 1e3 * u.time, 1e3 * u.anew, u.anew / u.time);
     }
-}
-
-void print_mixed(const Result& r) {
-    if (!r.mixed) return;
-    fmt::print(
-        "  {}, {} thread(s): factor in {}, {} fallback(s); refinements of the solutions: {}\n",
-        r.library, r.threads, r.mixed->single ? "float" : "double", r.mixed->fallbacks,
-        fmt::join(r.mixed->refinements, ", "));
 }
 
 }  // namespace
@@ -140,7 +128,6 @@ void print_report(const ProblemReport& report) {
             r.factor_nnz, r.flops > 0.0 ? fmt::format("{:.2f}", 1e-6 * r.flops) : "-");
     }
     print_memory(report);
-    for (const Result& r : report.best) print_mixed(r);
     for (const Result& r : report.tried)
         if (!r.failure.empty())
             fmt::print("  failed: {}, {}, {}, {} thread(s): {}\n", r.library, r.form, r.order,

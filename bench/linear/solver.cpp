@@ -27,7 +27,7 @@ std::string blas_core() {
     return name == nullptr ? "unknown" : std::string("OpenBLAS ") + name();
 }
 
-std::vector<Variant> all_variants(bool mixed) {
+std::vector<Variant> all_variants(bool blocks) {
     std::vector<Variant> all;
     constexpr Order kBlockOrders[] = {Order::library, Order::amd_blocks, Order::metis_blocks};
     constexpr Order kOrders[] = {Order::amd_scalars, Order::amd_blocks, Order::metis_blocks};
@@ -45,9 +45,8 @@ std::vector<Variant> all_variants(bool mixed) {
             if (possible(order)) all.push_back({"hawser", condensed, order, true, make_ours});
     for (const bool condensed : {false, true})
         for (const Order order : kBlockOrders) {
-            if (!mixed || !possible(order)) continue;
+            if (!blocks || !possible(order)) continue;
             all.push_back({"hawser blocks", condensed, order, true, make_public});
-            all.push_back({"hawser mixed", condensed, order, true, make_mixed});
         }
     add("Eigen SimplicialLDLT", make_eigen, false, true);
 #if HAWSER_HAVE_CHOLMOD

@@ -5,8 +5,7 @@
 ///
 /// Forms, orders and threads:
 /// - hawser: saddle and condensed; its own order, minimum degree alone, METIS on blocks; ours.
-/// - hawser blocks, hawser mixed: the same through hawser/factor.h, in double and with a factor in
-///   float.
+/// - hawser blocks: the same through hawser/factor.h.
 /// - Eigen SimplicialLDLT, CHOLMOD simplicial, SuiteSparse LDL: both; all three; one thread.
 /// - CHOLMOD supernodal: condensed, as it has no LDLᵀ; all three; those of BLAS.
 /// - KLU: both; all three and COLAMD; one thread.
@@ -29,13 +28,6 @@ struct Input {
     const BlockForm* form = nullptr;
     ScalarMatrix* matrix = nullptr;
     const std::vector<double>* inverse = nullptr;  ///< 1/Σ of eliminated rows.
-};
-
-/// See FactorInfo.
-struct MixedFigures {
-    bool single = false;
-    std::int64_t fallbacks = 0;
-    std::vector<std::int64_t> refinements{};  ///< Of each solution with the last factor.
 };
 
 class Solver {
@@ -78,8 +70,6 @@ class Solver {
     [[nodiscard]] virtual double flops() const { return 0.0; }
     /// Memory that the solver holds, 0 = not known.
     [[nodiscard]] virtual double bytes() const { return 0.0; }
-    /// What was done in mixed precision, if that is what the solver does.
-    [[nodiscard]] virtual std::optional<MixedFigures> mixed() const { return {}; }
 };
 
 struct Variant {
@@ -92,13 +82,11 @@ struct Variant {
     [[nodiscard]] std::string form() const { return condensed ? "condensed" : "saddle"; }
 };
 
-/// Every variant in this build; "hawser" comes first. @param mixed  With "hawser blocks" and
-/// "hawser mixed".
-[[nodiscard]] std::vector<Variant> all_variants(bool mixed);
+/// Every variant in this build; "hawser" comes first. @param blocks  With "hawser blocks".
+[[nodiscard]] std::vector<Variant> all_variants(bool blocks);
 
 std::unique_ptr<Solver> make_ours(Order order);
 std::unique_ptr<Solver> make_public(Order order);
-std::unique_ptr<Solver> make_mixed(Order order);
 std::unique_ptr<Solver> make_eigen(Order order);
 std::unique_ptr<Solver> make_cholmod_simplicial(Order order);
 std::unique_ptr<Solver> make_cholmod_supernodal(Order order);

@@ -100,7 +100,6 @@ void complete(Candidate& c, const Problem& problem, Result& r) {
     r.factor_nnz = c.solver().factor_nnz();
     r.flops = c.solver().flops();
     r.bytes = c.solver().bytes();
-    r.mixed = c.solver().mixed();
     if (problem.reference) r.error = relative_error(problem.system, c.x(), problem.reference->x);
 }
 
@@ -268,7 +267,7 @@ std::vector<Result> compare(Problem& problem, const ProblemSource& source, int t
     // With more threads only solvers that can use them are worth another look.
     std::map<std::string, std::pair<Variant, Result>> best;
     std::vector<std::string> order;
-    for (const Variant& v : all_variants(options.mixed)) {
+    for (const Variant& v : all_variants(options.blocks)) {
         if (!wanted(v, options)) continue;
         const Result r = try_variant(problem, v, threads);
         all.push_back(r);

@@ -44,7 +44,6 @@ struct Result {
     std::vector<UpdateTime> update{};
     double factor_nnz = 0.0, flops = 0.0, bytes = 0.0, error = 0.0;
     std::vector<double> totals{};  ///< Each sample [s].
-    std::optional<MixedFigures> mixed{};
 };
 
 struct TrialOptions {
@@ -54,7 +53,7 @@ struct TrialOptions {
     bool quick_choice = false;             ///< Try AMD on blocks only, for ours our own order.
     bool alternate = true;                 ///< Keep all solvers in memory and take turns.
     bool updates = true;
-    bool mixed = false;  ///< See all_variants().
+    bool blocks = false;  ///< See all_variants().
 };
 
 /// One solver on one problem.

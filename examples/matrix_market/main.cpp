@@ -2,9 +2,8 @@
 //
 // K x = b for a symmetric quasi-definite matrix in a Matrix Market file, through hawser/factor.h.
 //
-//   matrix_market K.mtx [--blocks SIZES] [--rhs B] [--threads N] [--mixed] [--solution X]
+//   matrix_market K.mtx [--blocks SIZES] [--rhs B] [--threads N] [--solution X]
 //
-// --mixed factors in float and refines in double.
 #include "matrix_market/market.h"
 
 #include <hawser/factor.h>
@@ -30,7 +29,6 @@ using Clock = std::chrono::steady_clock;
 struct Options {
     std::string matrix, blocks, rhs, solution;
     int threads = 1;
-    bool mixed = false;
 };
 
 Options parse(int argc, char** argv) {
@@ -49,8 +47,6 @@ Options parse(int argc, char** argv) {
             o.solution = value();
         else if (name == "--threads")
             o.threads = std::clamp(std::atoi(value().c_str()), 1, 64);
-        else if (name == "--mixed")
-            o.mixed = true;
         else if (name[0] == '-' || !o.matrix.empty())
             throw std::runtime_error("unknown argument " + name);
         else
@@ -58,7 +54,7 @@ Options parse(int argc, char** argv) {
     }
     if (o.matrix.empty())
         throw std::runtime_error(
-            "usage: matrix_market K.mtx [--blocks SIZES] [--rhs B] [--threads N] [--mixed] "
+            "usage: matrix_market K.mtx [--blocks SIZES] [--rhs B] [--threads N] "
             "[--solution X]");
     return o;
 }
@@ -148,9 +144,7 @@ int run(const Options& o) {
     const Blocks blocks =
         make_blocks(lower, o.blocks.empty() ? market::indistinguishable_columns(lower)
                                             : market::read_block_sizes(o.blocks, n));
-    using hawser::Precision;
-    hawser::BlockFactor factor(
-        {.threads = o.threads, .precision = o.mixed ? Precision::mixed : Precision::full});
+    hawser::BlockFactor factor({.threads = o.threads});
     Clock::time_point start = Clock::now();
     factor.analyse(blocks.pattern);
     const double analyse = milliseconds(start);
@@ -178,17 +172,10 @@ int run(const Options& o) {
     start = Clock::now();
     status = factor.solve(x);
     const double solve = milliseconds(start);
-    const std::int64_t refinements = factor.info().refinements;
     const double first = factor.residual(k, x, b);
     if (status == hawser::Status::ok) status = factor.refine(k, b, x);
     std::printf("analyse %.3f ms, factor %.3f ms, solve %.3f ms, %d thread(s)\n", analyse, refactor,
                 solve, o.threads);
-    if (o.mixed) {
-        const hawser::FactorInfo used = factor.info();
-        std::printf("factor in %s, %lld fallback(s) to double, %lld refinement(s)\n",
-                    used.single ? "float" : "double", static_cast<long long>(used.fallbacks),
-                    static_cast<long long>(refinements));
-    }
     std::printf("residual %.2e, after one refinement %.2e\n", first, factor.residual(k, x, b));
     if (!o.solution.empty()) {
         std::ofstream out(o.solution);

@@ -33,7 +33,6 @@ file(WRITE "${work}/rhs" "3\n0\n-2\n")
 check(ARGUMENTS "${matrix}" --rhs "${work}/rhs" SOLUTION 1 -1 2)
 check(ARGUMENTS "${matrix}" --rhs "${work}/rhs" --blocks "${work}/blocks" --threads 2
       SOLUTION 1 -1 2)
-check(ARGUMENTS "${matrix}" --rhs "${work}/rhs" --mixed SOLUTION 1 -1 2)
 
 # A block of both signs is an error, and so is a missing file.
 file(WRITE "${work}/wrong" "3\n")

@@ -51,19 +51,10 @@ struct BlockPattern {
     std::vector<BlockEdge> edges{};   ///< Each pair of nodes once, in either direction.
 };
 
-/// Of the factor. The solution is in double either way.
-enum class Precision : std::uint8_t {
-    full,  ///< Double.
-    /// Float, refined in double until the residual is that of double; double itself where float
-    /// does not do. See BlockFactor.
-    mixed,
-};
-
 struct FactorOptions {
     int threads = 1;  ///< That share the work, the caller included.
     /// Keep what refactor() needs: update matrices get memory of their own instead of sharing it.
     bool partial = false;
-    Precision precision = Precision::full;
 };
 
 /// Figures of the last analysis.
@@ -78,41 +69,12 @@ struct FactorInfo {
     std::int64_t columns = 0;       ///< Block columns that the last analyse() or update() computed.
     std::int64_t bytes = 0;         ///< Memory held.
     bool planned = true;            ///< The last analyse() or update() made a new order.
-    std::int64_t wrong_pivots = 0;  ///< Of the factor in use.
-    // Precision::mixed; else false and 0.
-    bool single = false;         ///< The factor in use is one in float.
-    std::int64_t fallbacks = 0;  ///< Times since analyse() that double had to step in.
-    /// Of the last solve(): solutions in float after the first, in vain or not.
-    std::int64_t refinements = 0;
+    std::int64_t wrong_pivots = 0;  ///< Of the last factor() or refactor().
 };
 
 /// Analyses, factors, solves.
-///
-/// With Precision::mixed, factor() scales K by its diagonal, rounds it to float and factors that.
-/// solve() solves in float, takes the residual b − K x in double and solves for the correction,
-/// until the componentwise backward error max_i |b − K x|_i / (|K| |x| + |b|)_i is at most
-/// kMixedTolerance. Scaling and units do not change it, and residual() is no larger; rows in which
-/// less than a billionth of the others adds up, by the scale of their diagonal, count less
-/// (src/factor/residual.h).
-///
-/// Double steps in, within the same call, where a pivot in float is wrong, where a refinement takes
-/// less than half of the error, and where ten are not enough. factor() and solve() then give what
-/// they give with Precision::full, bit for bit, and so do all calls up to the next factor(). That
-/// one tries float again, unless double had to step in three times without a solution by float
-/// between them: then all is double until the next analyse(). info() tells which factor is in use
-/// and how often double stepped in. Floats cannot tell all signs that doubles can: a matrix that
-/// fails to be quasi-definite by less than their rounding may be solved, to the tolerance, without
-/// wrong_pivot.
-///
-/// Mixed precision takes more memory, not less: both factors have their room from the analysis on.
-/// It pays where the factorisation is most of the work, floats are faster (AVX2, SSE2), and K is so
-/// well conditioned that few refinements do: docs/factor_benchmark.md.
 class BlockFactor {
   public:
-    /// Of solutions by mixed precision: some 90 roundings of double. Rows add up tens of products,
-    /// so double refined once is at about 1e-15; without refinement it can be above this.
-    static constexpr double kMixedTolerance = 1e-14;
-
     explicit BlockFactor(const FactorOptions& options = {});
     ~BlockFactor();
     BlockFactor(BlockFactor&&) noexcept;
@@ -153,13 +115,11 @@ class BlockFactor {
     /// What factor() gives, bit for bit, after the values of some blocks changed, all others being
     /// those of the last call: only fronts on their paths to the root are computed again. Does what
     /// factor() does without FactorOptions::partial, and where no good factor of this pattern is
-    /// there. The precision stays that of the factor in use, unless double has to step in; of a
-    /// factor in float the solutions in float are the same, the number of refinements need not be.
+    /// there.
     [[nodiscard]] Status refactor(std::span<const double> values,
                                   std::span<const std::int32_t> changed_blocks) noexcept;
 
-    /// K x = b, in place; info().scalars of them. @return not_finite if a result is. wrong_pivot:
-    /// double had to step in, and found what float had not.
+    /// K x = b, in place; info().scalars of them. @return not_finite if a result is.
     [[nodiscard]] Status solve(std::span<double> x) noexcept;
 
     /// y = K x.

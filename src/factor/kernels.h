@@ -10,45 +10,42 @@ namespace hawser::factor {
 struct Batch;
 struct BatchStep;
 struct Front;
-struct ResidualSize;
-struct ResidualView;
 struct Run;
 
-/// Raw view of a factorisation for the kernels. Real: double, or float for what is symmetric.
-template <class Real>
+/// Raw view of a factorisation for the kernels.
 struct FactorView {
     const Front* fronts;
     const std::int32_t* children;
     const std::int32_t* rows;
     const Run* runs;
     const std::int8_t* sign;
-    Real* panel;  ///< L below the diagonal of each panel; zeros on and above it.
-    Real* pivot;  ///< D, one a permuted scalar.
-    Real* work;   ///< Update matrices that more than one task reads.
-    Real* stack;  ///< `work`, moved on to what this thread has of it from stack_begin on.
+    double* panel;  ///< L below the diagonal of each panel; zeros on and above it.
+    double* pivot;  ///< D, one a permuted scalar.
+    double* work;   ///< Update matrices that more than one task reads.
+    double* stack;  ///< `work`, moved on to what this thread has of it from stack_begin on.
     std::int64_t stack_begin;
-    Real* carry;  ///< Forward substitution's update vectors, one entry an update row.
+    double* carry;  ///< Forward substitution's update vectors, one entry an update row.
 
     // Batches, see batches.h. Slot arrays hold eight lanes a slot.
     const BatchStep* batch_steps;
     const std::int8_t* slot_sign;  ///< One a slot.
     const std::int32_t* slot_index;
     const std::int32_t* tail_slot;
-    Real* slot_pivot;  ///< 1/D.
-    Real* slot_y;      ///< Between forward and backward substitution.
-    bool distant;      ///< The panels are larger than a core's own cache.
+    double* slot_pivot;  ///< 1/D.
+    double* slot_y;      ///< Between forward and backward substitution.
+    bool distant;        ///< The panels are larger than a core's own cache.
 
     // Unsymmetric fronts, see unsymmetric.h.
     const std::uint8_t* unsymmetric = nullptr;  ///< 1 where a front is; null: none is.
-    Real* upper = nullptr;                      ///< Uᵀ, laid out like the panels.
-    Real* upper_work = nullptr;    ///< Like work: upper halves of update matrices, transposed.
-    Real* upper_stack = nullptr;   ///< Like stack.
-    std::int8_t* wrong = nullptr;  ///< Set to 1 at wrong pivots, one a permuted scalar.
+    double* upper = nullptr;                    ///< Uᵀ, laid out like the panels.
+    double* upper_work = nullptr;   ///< Like work: upper halves of update matrices, transposed.
+    double* upper_stack = nullptr;  ///< Like stack.
+    std::int8_t* wrong = nullptr;   ///< Set to 1 at wrong pivots, one a permuted scalar.
 
-    [[nodiscard]] Real* update(std::int64_t place) const noexcept {
+    [[nodiscard]] double* update(std::int64_t place) const noexcept {
         return (place < stack_begin ? work : stack) + place;
     }
-    [[nodiscard]] Real* upper_update(std::int64_t place) const noexcept {
+    [[nodiscard]] double* upper_update(std::int64_t place) const noexcept {
         return (place < stack_begin ? upper_work : upper_stack) + place;
     }
     [[nodiscard]] bool is_unsymmetric(std::int32_t front) const noexcept {
@@ -56,38 +53,26 @@ struct FactorView {
     }
 };
 
-/// Unsymmetric fronts are factored in this precision.
-template <class Real>
-inline constexpr bool kUnsymmetric = false;
-template <>
-inline constexpr bool kUnsymmetric<double> = true;
-
-template <class Real>
-struct FactorKernels {
+/// All that is compiled for one instruction set.
+struct Kernels {
     /// Factor fronts [begin, end) in order. @return pivots of the wrong sign or not finite.
-    int (*factor)(const FactorView<Real>& view, std::int32_t begin, std::int32_t end,
-                  Real* scratch) noexcept;
+    int (*factor)(const FactorView& view, std::int32_t begin, std::int32_t end,
+                  double* scratch) noexcept;
     /// L y = x on fronts [begin, end); x is the permuted right-hand side, overwritten.
-    void (*forward)(const FactorView<Real>& view, std::int32_t begin, std::int32_t end, Real* x,
-                    Real* scratch) noexcept;
+    void (*forward)(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
+                    double* scratch) noexcept;
     /// U z = D⁻¹ y on fronts [end, begin) from the top down; U = Lᵀ where symmetric.
-    void (*backward)(const FactorView<Real>& view, std::int32_t begin, std::int32_t end, Real* x,
-                     Real* scratch) noexcept;
+    void (*backward)(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
+                     double* scratch) noexcept;
     /// The same three for the chains of a batch, with the updates they hand to their parents. The
     /// first two do steps [begin, end) of it, and go on from where they stopped with the same
     /// scratch. Wrong pivots are right in the sum over all steps.
-    int (*factor_batch)(const FactorView<Real>& view, const Batch& batch, std::int32_t begin,
-                        std::int32_t end, Real* scratch) noexcept;
-    void (*forward_batch)(const FactorView<Real>& view, const Batch& batch, std::int32_t begin,
-                          std::int32_t end, const Real* x, Real* scratch) noexcept;
-    void (*backward_batch)(const FactorView<Real>& view, const Batch& batch, Real* x,
-                           Real* scratch) noexcept;
-};
-
-/// All that is compiled for one instruction set.
-struct Kernels {
-    FactorKernels<double> full;
-    FactorKernels<float> single;
+    int (*factor_batch)(const FactorView& view, const Batch& batch, std::int32_t begin,
+                        std::int32_t end, double* scratch) noexcept;
+    void (*forward_batch)(const FactorView& view, const Batch& batch, std::int32_t begin,
+                          std::int32_t end, const double* x, double* scratch) noexcept;
+    void (*backward_batch)(const FactorView& view, const Batch& batch, double* x,
+                           double* scratch) noexcept;
     /// Rows of bits (minimum_degree.h): row nodes[k] becomes (row ∪ with) ∩ among, sizes[k] how
     /// many it then has, and folds[k] the exclusive or of its words, for k < count. Rows are
     /// aligned and have 8, 16, 24 or 32 words.
@@ -97,17 +82,6 @@ struct Kernels {
     /// Copy n doubles, a multiple of eight, to where they are not read soon: past the caches, which
     /// would read what is there before. Both aligned to base::kAlign.
     void (*stream)(double* to, const double* from, std::int64_t n) noexcept;
-    /// b − K x of the nodes [begin, end) and its size (residual.h).
-    ResidualSize (*residual)(const ResidualView& view, std::int32_t begin,
-                             std::int32_t end) noexcept;
-
-    template <class Real>
-    [[nodiscard]] const FactorKernels<Real>& of() const noexcept {
-        if constexpr (sizeof(Real) == sizeof(double))
-            return full;
-        else
-            return single;
-    }
 };
 
 /// Pivot columns whose unscaled values a front keeps in the scratch.

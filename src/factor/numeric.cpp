@@ -8,8 +8,7 @@
 
 namespace hawser::factor {
 
-template <class Real>
-void BasicNumeric<Real>::make_room(const Symbolic& symbolic, int threads, int sides) {
+void SymmetricNumeric::make_room(const Symbolic& symbolic, int threads, int sides) {
     const std::int64_t work = work_size(symbolic, threads);
     const auto carried = static_cast<std::int64_t>(symbolic.rows.size());
     // What follows a pattern outgrows its arrays one after another: they grow together.
@@ -34,16 +33,15 @@ void BasicNumeric<Real>::make_room(const Symbolic& symbolic, int threads, int si
 
 constexpr std::int64_t kCached = 1'048'576;  // bytes that a core's own cache holds
 
-template <class Real>
-FactorView<Real> BasicNumeric<Real>::view(const Symbolic& s, int thread) noexcept {
-    Real* stack = work_.data() + thread * (s.work_size - s.stack_begin);
-    const std::int64_t bytes = s.panel_size * static_cast<std::int64_t>(sizeof(Real));
-    FactorView<Real> v{s.fronts.data(),    s.children.data(),   s.rows.data(),
-                       s.runs.data(),      s.sign.data(),       panel_.data(),
-                       pivot_.data(),      work_.data(),        stack,
-                       s.stack_begin,      carry_.data(),       s.batch_steps.data(),
-                       s.slot_sign.data(), s.slot_index.data(), s.tail_slot.data(),
-                       slot_pivot_.data(), slot_y_.data(),      bytes > kCached};
+FactorView SymmetricNumeric::view(const Symbolic& s, int thread) noexcept {
+    double* stack = work_.data() + thread * (s.work_size - s.stack_begin);
+    const std::int64_t bytes = s.panel_size * static_cast<std::int64_t>(sizeof(double));
+    FactorView v{s.fronts.data(),    s.children.data(),   s.rows.data(),
+                 s.runs.data(),      s.sign.data(),       panel_.data(),
+                 pivot_.data(),      work_.data(),        stack,
+                 s.stack_begin,      carry_.data(),       s.batch_steps.data(),
+                 s.slot_sign.data(), s.slot_index.data(), s.tail_slot.data(),
+                 slot_pivot_.data(), slot_y_.data(),      bytes > kCached};
     if (!unsymmetric_) return v;
     v.unsymmetric = kind_.data();
     v.upper = upper_.data();
@@ -53,23 +51,21 @@ FactorView<Real> BasicNumeric<Real>::view(const Symbolic& s, int thread) noexcep
     return v;
 }
 
-template <class Real>
-void BasicNumeric<Real>::clear(const Symbolic& symbolic, base::Executor& executor) noexcept {
+void SymmetricNumeric::clear(const Symbolic& symbolic, base::Executor& executor) noexcept {
     constexpr std::int64_t kChunk = 65'536;
     const auto chunks = static_cast<int>((symbolic.panel_size + kChunk - 1) / kChunk);
     auto zero = [&](int i, int) noexcept {
         const std::int64_t from = i * kChunk, to = std::min(from + kChunk, symbolic.panel_size);
-        std::fill(panel_.begin() + from, panel_.begin() + to, Real{0});
+        std::fill(panel_.begin() + from, panel_.begin() + to, double{0});
     };
     executor.for_each(chunks, zero);
 }
 
 /// on_batch(batch, node, thread) or on_fronts(begin, end, node, thread) for all of them, the ranges
 /// of a node in their order, going down in the reverse one.
-template <class Real>
 template <class Batches, class Fronts>
-void BasicNumeric<Real>::run_tasks(const Symbolic& s, TaskPass pass, base::Executor& executor,
-                                   Batches&& on_batch, Fronts&& on_fronts) noexcept {
+void SymmetricNumeric::run_tasks(const Symbolic& s, TaskPass pass, base::Executor& executor,
+                                 Batches&& on_batch, Fronts&& on_fronts) noexcept {
     const bool up = pass != TaskPass::backward;
     const std::size_t batches = s.batches.size(), below = batches + s.tasks.size();
     auto node = [&](int i, int thread) noexcept {
@@ -92,14 +88,12 @@ void BasicNumeric<Real>::run_tasks(const Symbolic& s, TaskPass pass, base::Execu
     queue_.run(s.graph, pass, executor, node);
 }
 
-template <class Real>
-int BasicNumeric<Real>::count_wrong(const Symbolic& symbolic) const noexcept {
+int SymmetricNumeric::count_wrong(const Symbolic& symbolic) const noexcept {
     return std::accumulate(wrong_.begin(), wrong_.begin() + symbolic.graph.nodes(), 0);
 }
 
-template <class Real>
-int BasicNumeric<Real>::factor(const Symbolic& symbolic, base::Executor& executor) noexcept {
-    const FactorKernels<Real>& kernels = factor_kernels().of<Real>();
+int SymmetricNumeric::factor(const Symbolic& symbolic, base::Executor& executor) noexcept {
+    const Kernels& kernels = factor_kernels();
     std::fill_n(wrong_.begin(), symbolic.graph.nodes(), 0);
     run_tasks(
         symbolic, TaskPass::factor, executor,
@@ -113,11 +107,10 @@ int BasicNumeric<Real>::factor(const Symbolic& symbolic, base::Executor& executo
     return count_wrong(symbolic);
 }
 
-template <class Real>
-void BasicNumeric<Real>::solve(const Symbolic& symbolic, Real* x,
-                               base::Executor& executor) noexcept {
-    const FactorView<Real> v = view(symbolic, 0);
-    const FactorKernels<Real>& kernels = factor_kernels().of<Real>();
+void SymmetricNumeric::solve(const Symbolic& symbolic, double* x,
+                             base::Executor& executor) noexcept {
+    const FactorView v = view(symbolic, 0);
+    const Kernels& kernels = factor_kernels();
     run_tasks(
         symbolic, TaskPass::forward, executor,
         [&](const Batch& batch, std::size_t, int thread) noexcept {
@@ -129,11 +122,10 @@ void BasicNumeric<Real>::solve(const Symbolic& symbolic, Real* x,
     backward(symbolic, x, executor);
 }
 
-template <class Real>
-void BasicNumeric<Real>::backward(const Symbolic& symbolic, Real* x,
-                                  base::Executor& executor) noexcept {
-    const FactorView<Real> v = view(symbolic, 0);
-    const FactorKernels<Real>& kernels = factor_kernels().of<Real>();
+void SymmetricNumeric::backward(const Symbolic& symbolic, double* x,
+                                base::Executor& executor) noexcept {
+    const FactorView v = view(symbolic, 0);
+    const Kernels& kernels = factor_kernels();
     run_tasks(
         symbolic, TaskPass::backward, executor,
         [&](const Batch& batch, std::size_t, int thread) noexcept {
@@ -144,14 +136,10 @@ void BasicNumeric<Real>::backward(const Symbolic& symbolic, Real* x,
         });
 }
 
-template <class Real>
-std::size_t BasicNumeric<Real>::bytes() const noexcept {
+std::size_t SymmetricNumeric::bytes() const noexcept {
     return base::bytes(panel_) + base::bytes(pivot_) + base::bytes(work_) + base::bytes(carry_) +
            base::bytes(slot_pivot_) + base::bytes(slot_y_) + base::bytes(scratch_) +
            base::bytes(wrong_) + queue_.bytes();
 }
-
-template class BasicNumeric<double>;
-template class BasicNumeric<float>;
 
 }  // namespace hawser::factor

@@ -37,10 +37,8 @@ struct Fill {
     void (*skew)(void* context, int piece, double* panel, double* upper) noexcept = nullptr;
 };
 
-/// Symmetric values, all panels filled before any is factored. Real: double, or float for a factor
-/// that refinement makes good (residual.h).
-template <class Real>
-class BasicNumeric {
+/// Symmetric values, all panels filled before any is factored.
+class SymmetricNumeric {
   public:
     /// Make room for a structure and for that many threads; grows only. @throws std::bad_alloc.
     void reserve(const Symbolic& symbolic, int threads) { make_room(symbolic, threads, 1); }
@@ -53,7 +51,7 @@ class BasicNumeric {
 
     /// Panel array; blocks are column-major at BlockTarget::address with stride ld. Of a
     /// diagonal block only the lower triangle is read.
-    [[nodiscard]] Real* values() noexcept { return panel_.data(); }
+    [[nodiscard]] double* values() noexcept { return panel_.data(); }
 
     /// K = L D Lᵀ. @return number of pivots of the wrong sign or not finite (0 = success).
     [[nodiscard]] int factor(const Symbolic& symbolic, base::Executor& executor) noexcept;
@@ -62,9 +60,9 @@ class BasicNumeric {
     [[nodiscard]] int refactor(const Symbolic& symbolic, const DirtyParts& dirty,
                                base::Executor& executor) noexcept;
 
-    void backward(const Symbolic& symbolic, Real* x, base::Executor& executor) noexcept;
+    void backward(const Symbolic& symbolic, double* x, base::Executor& executor) noexcept;
     /// K x = b in place, as last factored; x is in the permuted order (Symbolic::node_offset).
-    void solve(const Symbolic& symbolic, Real* x, base::Executor& executor) noexcept;
+    void solve(const Symbolic& symbolic, double* x, base::Executor& executor) noexcept;
 
     [[nodiscard]] std::size_t bytes() const noexcept;
 
@@ -79,26 +77,25 @@ class BasicNumeric {
     void run_tasks(const Symbolic& s, TaskPass pass, base::Executor& executor, Batches&& on_batch,
                    Fronts&& on_fronts) noexcept;
     [[nodiscard]] int count_wrong(const Symbolic& symbolic) const noexcept;
-    [[nodiscard]] FactorView<Real> view(const Symbolic& symbolic, int thread) noexcept;
-    [[nodiscard]] Real* scratch(int thread) noexcept {
+    [[nodiscard]] FactorView view(const Symbolic& symbolic, int thread) noexcept;
+    [[nodiscard]] double* scratch(int thread) noexcept {
         return scratch_.data() + static_cast<std::ptrdiff_t>(thread) * scratch_stride_;
     }
 
-    base::Array<Real> panel_, pivot_, work_, carry_, slot_pivot_, slot_y_, scratch_;
+    base::Array<double> panel_, pivot_, work_, carry_, slot_pivot_, slot_y_, scratch_;
     base::Array<int> wrong_;  ///< One a node, so that the count needs no atomics.
     TaskQueue queue_;
     std::int64_t scratch_stride_ = 0;
 
     // Of unsymmetric fronts; empty where no room was asked for.
-    base::Array<Real> upper_, upper_work_;
+    base::Array<double> upper_, upper_work_;
     base::Array<std::uint8_t> kind_;       ///< One a front, as last factored: 1 unsymmetric.
     base::Array<std::int8_t> wrong_mark_;  ///< One a scalar; all zero between factorisations.
     bool unsymmetric_ = false;             ///< Any front is.
 };
 
-/// In double, with unsymmetric values and with panels that are filled just before they are
-/// factored.
-class Numeric : public BasicNumeric<double> {
+/// With unsymmetric values, and with panels that are filled just before they are factored.
+class Numeric : public SymmetricNumeric {
   public:
     /// From this size on a piece ends [doubles]: a share of a core's own cache. To be set before
     /// reserve().

@@ -112,21 +112,19 @@ void DirtyParts::make_ranges(const Symbolic& s) noexcept {
     }
 }
 
-template <class Real>
-void BasicNumeric<Real>::clear(const Symbolic&, const DirtyParts& dirty,
-                               base::Executor& executor) noexcept {
+void SymmetricNumeric::clear(const Symbolic&, const DirtyParts& dirty,
+                             base::Executor& executor) noexcept {
     auto zero = [&](int i, int) noexcept {
         const PanelRange& r = dirty.panels[at(i)];
-        std::fill(panel_.begin() + r.begin, panel_.begin() + r.end, Real{0});
+        std::fill(panel_.begin() + r.begin, panel_.begin() + r.end, double{0});
     };
     executor.for_each(static_cast<int>(dirty.panels.size()), zero);
 }
 
-template <class Real>
-int BasicNumeric<Real>::refactor(const Symbolic& s, const DirtyParts& dirty,
-                                 base::Executor& executor) noexcept {
-    const FactorView<Real> v = view(s, 0);  // no stacks: every update has its place
-    const FactorKernels<Real>& kernels = factor_kernels().of<Real>();
+int SymmetricNumeric::refactor(const Symbolic& s, const DirtyParts& dirty,
+                               base::Executor& executor) noexcept {
+    const FactorView v = view(s, 0);  // no stacks: every update has its place
+    const Kernels& kernels = factor_kernels();
     auto node = [&](int i, int thread) noexcept {
         int wrong = 0;
         if (at(i) < s.batches.size() && dirty.is_batch(i))
@@ -142,13 +140,5 @@ int BasicNumeric<Real>::refactor(const Symbolic& s, const DirtyParts& dirty,
 }
 
 // The other members are in numeric.cpp.
-template void BasicNumeric<double>::clear(const Symbolic&, const DirtyParts&,
-                                          base::Executor&) noexcept;
-template void BasicNumeric<float>::clear(const Symbolic&, const DirtyParts&,
-                                         base::Executor&) noexcept;
-template int BasicNumeric<double>::refactor(const Symbolic&, const DirtyParts&,
-                                            base::Executor&) noexcept;
-template int BasicNumeric<float>::refactor(const Symbolic&, const DirtyParts&,
-                                           base::Executor&) noexcept;
 
 }  // namespace hawser::factor

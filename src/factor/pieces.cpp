@@ -73,11 +73,11 @@ int Numeric::run_batch_piece(const Symbolic& symbolic, int piece, Fill fill, dou
     const Piece& p = pieces_[static_cast<std::size_t>(piece)];
     const Batch& batch = symbolic.batches[static_cast<std::size_t>(p.begin)];
     const Kernels& all = factor_kernels();
-    const FactorKernels<double>& kernels = all.full;
+    const Kernels& kernels = all;
     const std::int64_t size = p.panel_end - p.panel_begin;
     // Both go on with the next piece: each has its own share of the scratch.
     double* forward = scratch(thread) + (unsymmetric_ ? 2 : 1) * batch_windows(batch);
-    FactorView<double> v = view(symbolic, thread);
+    FactorView v = view(symbolic, thread);
     const bool streamed = stage_stride_ > 0 && !unsymmetric_;
     double* made = panel_.data() + p.panel_begin;
     if (streamed) {
@@ -98,8 +98,8 @@ int Numeric::run_piece(const Symbolic& symbolic, int piece, Fill fill, double* x
                        int thread) noexcept {
     const Piece& p = pieces_[static_cast<std::size_t>(piece)];
     if (p.begin == p.end) return run_batch_piece(symbolic, piece, fill, x, thread);
-    const FactorView<double> v = view(symbolic, thread);
-    const FactorKernels<double>& kernels = factor_kernels().full;
+    const FactorView v = view(symbolic, thread);
+    const Kernels& kernels = factor_kernels();
     std::fill(panel_.begin() + p.panel_begin, panel_.begin() + p.panel_end, 0.0);
     fill.write(fill.context, piece, panel_.data());
     if (unsymmetric_ && copy_piece(symbolic, p))

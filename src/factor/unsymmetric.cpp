@@ -89,17 +89,17 @@ void Numeric::use(const Symbolic& s, const Unsymmetric* set) noexcept {
 int Numeric::factor(const Symbolic& s, base::Executor& executor,
                     const Unsymmetric* unsymmetric) noexcept {
     use(s, unsymmetric);
-    return find_wrong(s, BasicNumeric::factor(s, executor));
+    return find_wrong(s, SymmetricNumeric::factor(s, executor));
 }
 
 int Numeric::refactor(const Symbolic& s, const DirtyParts& dirty, base::Executor& executor,
                       const Unsymmetric* unsymmetric) noexcept {
     use(s, unsymmetric);
-    return find_wrong(s, BasicNumeric::refactor(s, dirty, executor));
+    return find_wrong(s, SymmetricNumeric::refactor(s, dirty, executor));
 }
 
 std::size_t Numeric::bytes() const noexcept {
-    return BasicNumeric::bytes() + base::bytes(stage_) + base::bytes(upper_) +
+    return SymmetricNumeric::bytes() + base::bytes(stage_) + base::bytes(upper_) +
            base::bytes(upper_work_) + base::bytes(kind_) + base::bytes(wrong_mark_) +
            base::bytes(wrong_nodes_);
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The public face of src/factor.
-#include "world/block_factor.h"
-
 #include "base/index.h"
+#include "factor/numeric.h"
+#include "factor/partial.h"
+#include "factor/repair.h"
+#include "runtime/tasks.h"
 #include "world/block_pattern.h"
 
+#include <hawser/factor.h>
 #include <hawser/world.h>
 
 #include <algorithm>
@@ -14,6 +17,138 @@
 #include <string>
 
 namespace hawser {
+
+struct BlockFactor::Impl {
+    /// Copies one block of values to its place; `group` is the front or batch that holds it.
+    struct CopyOp {
+        std::int64_t from = 0, to = 0;
+        std::int32_t group = 0, step = 1, ld = 0;
+        std::int8_t rows = 0, columns = 0;  ///< Of the block as it is given.
+        bool diagonal = false;
+    };
+
+    explicit Impl(const FactorOptions& o) : options(o), pool(std::max(1, o.threads)) {
+        pool.pause();
+        analysis.keep_updates(o.partial);
+        analysis.use(&pool);
+    }
+
+    void take(const BlockPattern& p);
+    void place();
+    void copy(const CopyOp& op, const double* values) noexcept;
+    void copy_groups(std::span<const std::int32_t> groups, std::int32_t first,
+                     const double* values) noexcept;
+    Status finish(int wrong) noexcept;
+
+    /// Threads spin while this lives.
+    class Awake {
+      public:
+        explicit Awake(runtime::Pool& pool) : pool_(pool) { pool_.resume(); }
+        ~Awake() { pool_.pause(); }
+        Awake(const Awake&) = delete;
+        Awake& operator=(const Awake&) = delete;
+
+      private:
+        runtime::Pool& pool_;
+    };
+
+    FactorOptions options;
+    runtime::Pool pool;
+    factor::Analysis analysis;
+    factor::Numeric numeric;
+    factor::DirtyParts dirty;
+    factor::Pattern pattern;
+    std::vector<BlockEdge> edges;
+    std::vector<std::int64_t> value_begin, scalar_begin;
+    std::vector<CopyOp> ops;                ///< Grouped: fronts, then batches.
+    std::vector<std::int32_t> group_begin;  ///< Into ops.
+    std::vector<std::int32_t> column_of;    ///< Of each block: the node whose column holds it.
+    std::vector<std::int32_t> columns;      ///< Of changed blocks.
+    std::vector<double> permuted, rest, row_sum;
+    factor::RepairReport report;
+    std::int64_t part_flops = 0;
+    int wrong = 0;
+    bool factored = false;  ///< Since the last analysis.
+};
+
+void BlockFactor::Impl::take(const BlockPattern& p) {
+    pattern = world::graph_of(p);
+    edges = p.edges;
+    scalar_begin.assign(1, 0);
+    value_begin.assign(1, 0);
+    for (const std::int8_t size : p.size) {
+        scalar_begin.push_back(scalar_begin.back() + size);
+        value_begin.push_back(value_begin.back() + size * size);
+    }
+    for (const BlockEdge& e : edges)
+        value_begin.push_back(value_begin.back() + p.size[at(e.row)] * p.size[at(e.column)]);
+}
+
+/// Where each block goes.
+void BlockFactor::Impl::place() {
+    const factor::Symbolic& s = analysis.symbolic();
+    numeric.reserve(s, pool.threads());
+    dirty.reserve(s);
+    const std::size_t nodes = pattern.size.size(), blocks = nodes + edges.size();
+    const std::size_t groups = s.fronts.size() + s.batches.size();
+    column_of.resize(blocks);
+    std::vector<CopyOp> unsorted(blocks);
+    group_begin.assign(groups + 1, 0);
+    for (std::size_t b = 0; b < blocks; ++b) {
+        CopyOp& op = unsorted[b];
+        const auto node = static_cast<std::int32_t>(b);
+        const BlockEdge e = b < nodes ? BlockEdge{node, node} : edges[b - nodes];
+        const std::int32_t column = factor::DirtyParts::column(s, e.row, e.column);
+        const bool turned = column != e.column;
+        const factor::BlockTarget t = s.target(turned ? e.column : e.row, column);
+        column_of[b] = column;
+        const factor::Front& front = s.fronts[at(s.node_front[at(column)])];
+        op.group = front.batch < 0 ? s.node_front[at(column)]
+                                   : static_cast<std::int32_t>(s.fronts.size()) + front.batch;
+        op.from = value_begin[b];
+        op.to = t.address;
+        op.step = turned ? t.ld : t.step;
+        op.ld = turned ? t.step : t.ld;
+        op.rows = pattern.size[at(e.row)];
+        op.columns = pattern.size[at(e.column)];
+        op.diagonal = b < nodes;
+        ++group_begin[at(op.group) + 1];
+    }
+    for (std::size_t g = 0; g < groups; ++g) group_begin[g + 1] += group_begin[g];
+    ops.resize(blocks);
+    std::vector<std::int32_t> cursor(group_begin.begin(), group_begin.end() - 1);
+    for (const CopyOp& op : unsorted) ops[at(cursor[at(op.group)]++)] = op;
+    columns.resize(blocks);
+    factored = false;
+    const std::size_t n = at(s.scalars);
+    permuted.assign(n + 8, 0.0);  // vector loads read past the end
+    rest.assign(n, 0.0);
+    row_sum.assign(n, 0.0);
+}
+
+void BlockFactor::Impl::copy(const CopyOp& op, const double* values) noexcept {
+    const double* from = values + op.from;
+    double* to = numeric.values() + op.to;
+    for (int i = 0; i < op.rows; ++i)
+        for (int j = 0; j < (op.diagonal ? i + 1 : op.columns); ++j)
+            to[static_cast<std::int64_t>(i) * op.step + static_cast<std::int64_t>(j) * op.ld] =
+                from[i * op.columns + j];
+}
+
+/// Blocks of groups `first` + each.
+void BlockFactor::Impl::copy_groups(std::span<const std::int32_t> groups, std::int32_t first,
+                                    const double* values) noexcept {
+    auto one = [&](int i, int) noexcept {
+        const std::size_t g = at(first + groups[at(i)]);
+        for (std::int32_t k = group_begin[g]; k < group_begin[g + 1]; ++k) copy(ops[at(k)], values);
+    };
+    pool.for_each(static_cast<int>(groups.size()), one);
+}
+
+Status BlockFactor::Impl::finish(int wrong_pivots) noexcept {
+    wrong = wrong_pivots;
+    return wrong == 0 ? Status::ok : Status::wrong_pivot;
+}
 
 BlockFactor::BlockFactor(const FactorOptions& options) {
     check_environment();
@@ -27,7 +162,6 @@ BlockFactor& BlockFactor::operator=(BlockFactor&&) noexcept = default;
 void BlockFactor::analyse(const BlockPattern& pattern) {
     Impl& m = *impl_;
     m.take(pattern);
-    m.forget();
     const Impl::Awake awake(m.pool);
     m.analysis.keep_order(false);
     m.analysis.plan(m.pattern);
@@ -41,7 +175,6 @@ void BlockFactor::analyse(const BlockPattern& pattern, std::span<const std::int3
     Impl& m = *impl_;
     world::check_order(pattern, order);
     m.take(pattern);
-    m.forget();
     const Impl::Awake awake(m.pool);
     m.analysis.keep_order(true);
     m.analysis.plan(m.pattern, factor::Elimination{{order.begin(), order.end()}, {}});
@@ -80,28 +213,21 @@ std::int64_t BlockFactor::scalar_begin(std::int32_t node) const noexcept {
     return impl_->scalar_begin[at(node)];
 }
 
-Status BlockFactor::Impl::finish(int wrong_pivots) noexcept {
-    wrong = wrong_pivots;
-    return wrong == 0 ? Status::ok : Status::wrong_pivot;
-}
-
-Status BlockFactor::Impl::factor_full(const double* values) noexcept {
-    const factor::Symbolic& s = analysis.symbolic();
-    numeric.clear(s, pool);
-    copy_all([&](std::size_t k) noexcept { copy(k, values); });
-    factored = true;
-    return finish(numeric.factor(s, pool));
-}
-
 Status BlockFactor::factor(std::span<const double> values) noexcept {
     Impl& m = *impl_;
     assert(static_cast<std::int64_t>(values.size()) == value_count());
     const Impl::Awake awake(m.pool);
-    if (!m.mixed) return m.factor_full(values.data());
-    m.mixed->single = false;
-    if (!m.worth_trying()) return m.factor_full(values.data());
-    m.mixed->residual.keep(values, m.pool);
-    return m.factor_single() ? Status::ok : m.fall_back();
+    const factor::Symbolic& s = m.analysis.symbolic();
+    m.numeric.clear(s, m.pool);
+    constexpr std::int64_t kChunk = 256;
+    const auto count = static_cast<std::int64_t>(m.ops.size());
+    auto fill = [&](int i, int) noexcept {
+        const std::int64_t end = std::min(count, (i + 1) * kChunk);
+        for (std::int64_t k = i * kChunk; k < end; ++k) m.copy(m.ops[at(k)], values.data());
+    };
+    m.pool.for_each(static_cast<int>((count + kChunk - 1) / kChunk), fill);
+    m.factored = true;
+    return m.finish(m.numeric.factor(s, m.pool));
 }
 
 Status BlockFactor::refactor(std::span<const double> values,
@@ -120,40 +246,29 @@ Status BlockFactor::refactor(std::span<const double> values,
         m.columns[k] = m.column_of[at(changed_blocks[k])];
     m.dirty.find(s, {m.columns.data(), changed_blocks.size()});
     m.part_flops = m.dirty.flops;
-    if (m.single()) {
-        if (m.refactor_single(values, changed_blocks)) return Status::ok;
-        m.part_flops = s.flops;
-        return m.fall_back();
-    }
     m.numeric.clear(s, m.dirty, m.pool);
-    auto copy = [&](std::size_t k) noexcept { m.copy(k, values.data()); };
-    m.copy_groups(m.dirty.fronts, 0, copy);
-    m.copy_groups(m.dirty.batches, static_cast<std::int32_t>(s.fronts.size()), copy);
+    m.copy_groups(m.dirty.fronts, 0, values.data());
+    m.copy_groups(m.dirty.batches, static_cast<std::int32_t>(s.fronts.size()), values.data());
     return m.finish(m.numeric.refactor(s, m.dirty, m.pool));
-}
-
-Status BlockFactor::Impl::solve_full(double* x) noexcept {
-    const factor::Symbolic& s = analysis.symbolic();
-    for (std::size_t v = 0; v < pattern.size.size(); ++v)
-        std::copy_n(x + scalar_begin[v], pattern.size[v], permuted.data() + s.node_offset[v]);
-    numeric.solve(s, permuted.data(), pool);
-    bool finite = true;
-    for (std::size_t v = 0; v < pattern.size.size(); ++v)
-        for (std::int64_t i = 0; i < pattern.size[v]; ++i) {
-            const double value = permuted[at(s.node_offset[v] + i)];
-            x[scalar_begin[v] + i] = value;
-            finite &= std::isfinite(value);
-        }
-    return finite ? Status::ok : Status::not_finite;
 }
 
 Status BlockFactor::solve(std::span<double> x) noexcept {
     Impl& m = *impl_;
     assert(x.size() + 8 == m.permuted.size());
     const Impl::Awake awake(m.pool);
-    if (m.single()) return m.solve_mixed(x);
-    if (m.mixed) m.mixed->refinements = 0;
-    return m.solve_full(x.data());
+    const factor::Symbolic& s = m.analysis.symbolic();
+    for (std::size_t v = 0; v < m.pattern.size.size(); ++v)
+        std::copy_n(x.data() + m.scalar_begin[v], m.pattern.size[v],
+                    m.permuted.data() + s.node_offset[v]);
+    m.numeric.solve(s, m.permuted.data(), m.pool);
+    bool finite = true;
+    for (std::size_t v = 0; v < m.pattern.size.size(); ++v)
+        for (std::int64_t i = 0; i < m.pattern.size[v]; ++i) {
+            const double value = m.permuted[at(s.node_offset[v] + i)];
+            x[at(m.scalar_begin[v] + i)] = value;
+            finite &= std::isfinite(value);
+        }
+    return finite ? Status::ok : Status::not_finite;
 }
 
 void BlockFactor::multiply(std::span<const double> values, std::span<const double> x,
@@ -184,10 +299,10 @@ double BlockFactor::residual(std::span<const double> values, std::span<const dou
                              std::span<const double> b) noexcept {
     Impl& m = *impl_;
     auto largest = [](std::span<const double> v) {
-        double most = 0.0, unfit = 0.0;  // the latter of what is not finite: no number
+        double most = 0.0, unfit = 0.0;
         for (const double d : v) {
             most = std::max(most, std::abs(d));
-            unfit += d - d;
+            unfit += d - d;  // not a number where d is none
         }
         return most + unfit;
     };
@@ -208,7 +323,7 @@ double BlockFactor::residual(std::span<const double> values, std::span<const dou
             }
     }
     const double scale = largest(m.row_sum) * largest(x) + largest(b);
-    return scale == 0.0 ? 0.0 : largest(m.rest) / scale;
+    return scale > 0.0 ? largest(m.rest) / scale : 0.0;
 }
 
 Status BlockFactor::refine(std::span<const double> values, std::span<const double> b,
@@ -236,13 +351,7 @@ FactorInfo BlockFactor::info() const noexcept {
     info.columns = m.report.columns;
     info.planned = m.report.replanned;
     info.wrong_pivots = m.wrong;
-    if (m.mixed) {
-        info.single = m.mixed->single;
-        info.fallbacks = m.mixed->fallbacks;
-        info.refinements = m.mixed->refinements;
-        info.bytes = static_cast<std::int64_t>(m.mixed->bytes());
-    }
-    info.bytes += static_cast<std::int64_t>(
+    info.bytes = static_cast<std::int64_t>(
         m.analysis.bytes() + m.numeric.bytes() + base::bytes(m.ops) + base::bytes(m.column_of) +
         base::bytes(m.value_begin) + base::bytes(m.permuted) + base::bytes(m.edges));
     return info;

@@ -162,8 +162,8 @@ inline BlockMatrix wires(Random& random, int most_wires, int longest) {
 
 /// Write the blocks of the columns for which wanted(node) holds: of the lower half or, transposed,
 /// of the upper one.
-template <class Real, class Wanted>
-inline void fill_columns(const BlockMatrix& m, const factor::Symbolic& s, Real* values,
+template <class Wanted>
+inline void fill_columns(const BlockMatrix& m, const factor::Symbolic& s, double* values,
                          Wanted&& wanted, bool upper = false) {
     auto put = [&](int row, int column) {
         if (!wanted(column)) return;
@@ -174,7 +174,7 @@ inline void fill_columns(const BlockMatrix& m, const factor::Symbolic& s, Real* 
                 const int k = m.offset[r] + i, l = m.offset[c] + j;
                 values[t.address + static_cast<std::int64_t>(j) * t.ld +
                        static_cast<std::int64_t>(i) * t.step] =
-                    static_cast<Real>(upper ? m.dense(l, k) : m.dense(k, l));
+                    upper ? m.dense(l, k) : m.dense(k, l);
             }
     };
     for (int a = 0; a < m.pattern.nodes(); ++a) {
@@ -185,8 +185,7 @@ inline void fill_columns(const BlockMatrix& m, const factor::Symbolic& s, Real* 
     }
 }
 
-template <class Real>
-inline void fill(const BlockMatrix& m, const factor::Symbolic& s, Real* values) {
+inline void fill(const BlockMatrix& m, const factor::Symbolic& s, double* values) {
     fill_columns(m, s, values, [](int) { return true; });
 }
 

@@ -19,12 +19,12 @@ using factor::FactorView;
 using factor::Front;
 
 /// One column block of a step's panel.
-template <class Real, int kSides>
+template <int kSides>
 struct Columns {
-    Real* panel[kSides];  ///< n rows of p vectors: A, overwritten with L or Uᵀ.
-    Real* w[kSides];      ///< n rows of p vectors: L D or (D U)ᵀ.
-    long stride;          ///< 8 p.
-    Real* pivot;          ///< p vectors: 1/D.
+    double* panel[kSides];  ///< n rows of p vectors: A, overwritten with L or Uᵀ.
+    double* w[kSides];      ///< n rows of p vectors: L D or (D U)ᵀ.
+    long stride;            ///< 8 p.
+    double* pivot;          ///< p vectors: 1/D.
     const signed char* sign;
     const std::int32_t* index;  ///< Of an unsymmetric batch: place of each pivot in `wrong`.
     signed char* wrong;         ///< Marks of wrong pivots, of an unsymmetric batch.
@@ -33,8 +33,7 @@ struct Columns {
 };
 
 /// Mark wrong pivots, but not those of padding.
-template <class Real>
-HAWSER_INLINE void mark_wrong(const Columns<Real, 2>& m, int c, const Lanes<Real>& bad) {
+HAWSER_INLINE void mark_wrong(const Columns<2>& m, int c, const V8& bad) {
     if (!any(bad)) return;
     for (int lane_ = 0; lane_ < factor::kLaneCount; ++lane_)
         if (const std::int32_t i = m.index[8 * c + lane_]; i >= 0 && lane(bad, lane_) != 0)
@@ -42,28 +41,28 @@ HAWSER_INLINE void mark_wrong(const Columns<Real, 2>& m, int c, const Lanes<Real
 }
 
 /// Factor columns [c, c + N) of the panel, rows to n.
-template <int N, class Real, int kSides>
-inline void factor_columns(const Columns<Real, kSides> m, int c, int n, Lanes<Real>& bad) {
-    Lanes<Real> inverse[N], scaled[kSides][N][N];
+template <int N, int kSides>
+inline void factor_columns(const Columns<kSides> m, int c, int n, V8& bad) {
+    V8 inverse[N], scaled[kSides][N][N];
     {
-        Lanes<Real> a[kSides][N][N];
+        V8 a[kSides][N][N];
         for (int s = 0; s < kSides; ++s) {
-            const Real* row = m.panel[s] + c * m.stride;
+            const double* row = m.panel[s] + c * m.stride;
             for (int i = 0; i < N; ++i)
                 for (int j = 0; j < N; ++j) a[s][i][j] = load(row + i * m.stride + 8 * (c + j));
             tile<N, N>(a[s], m.w[s] + c * m.stride, m.panel[m.other(s)] + c * m.stride, m.stride,
                        c);
         }
         for (int j = 0; j < N; ++j) {
-            Lanes<Real> d = a[0][j][j];
-            const Lanes<Real> wrong = fix_pivot < kSides == 2 > (d, m.sign[c + j]);
+            V8 d = a[0][j][j];
+            const V8 wrong = fix_pivot < kSides == 2 > (d, m.sign[c + j]);
             if constexpr (kSides == 2) mark_wrong(m, c + j, wrong);
             bad += wrong;
             inverse[j] = reciprocal(d);
             store(m.pivot + 8 * (c + j), inverse[j]);
             for (int i = j + 1; i < N; ++i) {
                 for (int s = 0; s < kSides; ++s) {
-                    const Lanes<Real> x = a[s][i][j];
+                    const V8 x = a[s][i][j];
                     scaled[s][i][j] = x * inverse[j];
                     store(m.panel[s] + (c + i) * m.stride + 8 * (c + j), scaled[s][i][j]);
                     store(m.w[s] + (c + i) * m.stride + 8 * (c + j), x);
@@ -77,8 +76,8 @@ inline void factor_columns(const Columns<Real, kSides> m, int c, int n, Lanes<Re
     for (int r = c + N; r < n; r += kTile) {
         with_size(n - r, [&]<int R>() {
             for (int s = 0; s < kSides; ++s) {
-                Lanes<Real> a[R][N];
-                Real *row = m.panel[s] + r * m.stride, *w = m.w[s] + r * m.stride;
+                V8 a[R][N];
+                double *row = m.panel[s] + r * m.stride, *w = m.w[s] + r * m.stride;
                 for (int i = 0; i < R; ++i)
                     for (int j = 0; j < N; ++j) a[i][j] = load(row + i * m.stride + 8 * (c + j));
                 tile<R, N>(a, w, m.panel[m.other(s)] + c * m.stride, m.stride, c);
@@ -94,24 +93,23 @@ inline void factor_columns(const Columns<Real, kSides> m, int c, int n, Lanes<Re
 }
 
 /// next = shifted window − L21 W21ᵀ, with l and w at the first update row.
-template <class Real>
-inline void update_window(const Real* l, const Real* w, long stride, const BatchStep& step,
-                          const Shift& shift, const Real* window, Real* next) {
+inline void update_window(const double* l, const double* w, long stride, const BatchStep& step,
+                          const Shift& shift, const double* window, double* next) {
     for (int i = 0; i < step.q / kTile; ++i) {
         const int row = shift.from(i);
         for (int j = 0; j <= i; ++j) {
             const int column = shift.from(j);
-            Lanes<Real> acc[kTile][kTile];
+            V8 acc[kTile][kTile];
             if (row < 0 || column < 0) {
                 for (auto& r : acc)
-                    for (Lanes<Real>& v : r) v = Lanes<Real>{};
+                    for (V8& v : r) v = V8{};
             } else {
-                const Real* old = window + tile_at(row, column);
+                const double* old = window + tile_at(row, column);
                 for (int a = 0; a < kTile; ++a)
                     for (int b = 0; b < kTile; ++b) acc[a][b] = load(old + 8 * (kTile * a + b));
             }
             tile<kTile, kTile>(acc, l + kTile * i * stride, w + kTile * j * stride, stride, step.p);
-            Real* to = next + tile_at(i, j);
+            double* to = next + tile_at(i, j);
             for (int a = 0; a < kTile; ++a)
                 for (int b = 0; b < kTile; ++b) store(to + 8 * (kTile * a + b), acc[a][b]);
         }
@@ -119,12 +117,12 @@ inline void update_window(const Real* l, const Real* w, long stride, const Batch
 }
 
 /// Add what earlier units left on this step's body.
-template <class Real>
-inline void add_window(Real* panel, const BatchStep& step, const Shift& shift, const Real* window) {
-    auto add = [&](int row, int column, const Real* from, int right) {
+inline void add_window(double* panel, const BatchStep& step, const Shift& shift,
+                       const double* window) {
+    auto add = [&](int row, int column, const double* from, int right) {
         for (int a = 0; a < kTile; ++a)
             for (int b = 0; b < kTile && b <= a + right; ++b) {
-                Real* to = panel + 8 * ((row + a) * static_cast<long>(step.p) + column + b);
+                double* to = panel + 8 * ((row + a) * static_cast<long>(step.p) + column + b);
                 store(to, load(to) + load(from + 8 * (kTile * a + b)));
             }
     };
@@ -142,38 +140,35 @@ inline void add_window(Real* panel, const BatchStep& step, const Shift& shift, c
 struct SlotPlace {
     std::int32_t row, column;
 };
-template <class Real>
-constexpr int kPlaceSize = sizeof(SlotPlace) / sizeof(Real);  ///< Entries.
+constexpr int kPlaceSize = sizeof(SlotPlace) / sizeof(double);  ///< Entries.
 
 /// Write down the places of so many slots.
-template <class Real>
-inline void write_places(int slots, Real* room) {
+inline void write_places(int slots, double* room) {
     for (int i = 0; i < slots; ++i) {
         const SlotPlace p{
             static_cast<std::int32_t>(tile_at(i / kTile, 0)) + kLanes * kTile * (i % kTile),
             static_cast<std::int32_t>(tile_at(0, i / kTile)) + kLanes * (i % kTile)};
-        std::memcpy(room + kPlaceSize<Real> * i, &p, sizeof p);
+        std::memcpy(room + kPlaceSize * i, &p, sizeof p);
     }
 }
-template <class Real>
-HAWSER_INLINE SlotPlace place_of(const Real* room, int slot) {
+HAWSER_INLINE SlotPlace place_of(const double* room, int slot) {
     SlotPlace p;
-    std::memcpy(&p, room + kPlaceSize<Real> * slot, sizeof p);
+    std::memcpy(&p, room + kPlaceSize * slot, sizeof p);
     return p;
 }
 
 /// Hand the last window to the parents' side, lane by lane. The rows of a parent follow another
 /// order than the slots: an entry whose slots are the other way round is one of the other side.
 /// @param room  For a SlotPlace a slot.
-template <class Real, int kSides>
-inline void store_tails(const FactorView<Real>& view, const Batch& batch,
-                        Real* const (&window)[kSides], Real* room) {
+template <int kSides>
+inline void store_tails(const FactorView& view, const Batch& batch, double* const (&window)[kSides],
+                        double* room) {
     write_places(batch.most_q, room);
     for (int lane = 0; lane < factor::kLaneCount; ++lane) {
         if (batch.front[lane] < 0) continue;
         const Front& front = view.fronts[batch.front[lane]];
         const std::int32_t* slot = view.tail_slot + front.rows;
-        Real* update[kSides] = {view.work + front.update};
+        double* update[kSides] = {view.work + front.update};
         if constexpr (kSides == 2) update[1] = view.upper_work + front.update;
         for (int j = 0; j < front.q; ++j) {
             const long column = static_cast<long>(j) * front.ldu;
@@ -190,28 +185,23 @@ inline void store_tails(const FactorView<Real>& view, const Batch& batch,
     }
 }
 
-/// Whole numbers. Floats hold those up to 2²⁴: lane by lane enough, but not their sum.
+/// Sum of whole numbers.
 HAWSER_INLINE int count(const V8& v) { return static_cast<int>(sum(v)); }
-HAWSER_INLINE int count(const F8& v) {
-    int all = 0;
-    for (int i = 0; i < kLanes; ++i) all += static_cast<int>(lane(v, i));
-    return all;
-}
 
-template <int kSides, class Real>
-inline int factor_steps(const FactorView<Real>& view, const Batch& batch, std::int32_t begin,
-                        std::int32_t end, Real* scratch) {
+template <int kSides>
+inline int factor_steps(const FactorView& view, const Batch& batch, std::int32_t begin,
+                        std::int32_t end, double* scratch) {
     const long tiles = batch.most_q / kTile, size = kTileSize * (tiles * (tiles + 1) / 2);
     const long turned = (begin - batch.step_begin) % 2;  // windows change places at each step
-    Real *window[kSides], *next[kSides];
-    Columns<Real, kSides> m{};
+    double *window[kSides], *next[kSides];
+    Columns<kSides> m{};
     for (int s = 0; s < kSides; ++s) {
-        Real* room = scratch + s * factor::batch_windows(batch);
+        double* room = scratch + s * factor::batch_windows(batch);
         window[s] = room + turned * size;
         next[s] = room + (1 - turned) * size;
         m.w[s] = room + 2 * size;
     }
-    Lanes<Real> bad{};
+    V8 bad{};
     Shift shift = shift_before(view, batch, begin);
     auto swap_windows = [&] {
         for (int s = 0; s < kSides; ++s) std::swap(window[s], next[s]);
@@ -220,10 +210,10 @@ inline int factor_steps(const FactorView<Real>& view, const Batch& batch, std::i
     for (std::int32_t k = begin; k < end; ++k) {
         const BatchStep& step = view.batch_steps[k];
         if (kManyRegisters && kSides == 1 && is_rigid(view, batch, k)) {
-            const RigidStep<Real> rigid = rigid_step(view, k, m.w[0]);
+            const RigidStep rigid = rigid_step(view, k, m.w[0]);
             if (!begun) begin_rigid(rigid, shift, window[0], bad);
             begun = k + 1 < end && is_rigid(view, batch, k + 1);
-            const RigidStep<Real> following = begun ? rigid_step(view, k + 1, m.w[0]) : rigid;
+            const RigidStep following = begun ? rigid_step(view, k + 1, m.w[0]) : rigid;
             finish_rigid(rigid, begun ? &following : nullptr, shift, window[0], next[0], bad);
             swap_windows();
             shift.before = step.q / kTile;
@@ -257,18 +247,11 @@ inline int factor_steps(const FactorView<Real>& view, const Batch& batch, std::i
 
 }  // namespace
 
-template <class Real>
-int factor_batch(const FactorView<Real>& view, const Batch& batch, std::int32_t begin,
-                 std::int32_t end, Real* scratch) noexcept {
-    if constexpr (factor::kUnsymmetric<Real>)
-        if (view.is_unsymmetric(batch.front[0]))
-            return factor_steps<2>(view, batch, begin, end, scratch);
+int factor_batch(const FactorView& view, const Batch& batch, std::int32_t begin, std::int32_t end,
+                 double* scratch) noexcept {
+    if (view.is_unsymmetric(batch.front[0]))
+        return factor_steps<2>(view, batch, begin, end, scratch);
     return factor_steps<1>(view, batch, begin, end, scratch);
 }
-
-template int factor_batch(const FactorView<double>&, const Batch&, std::int32_t, std::int32_t,
-                          double*) noexcept;
-template int factor_batch(const FactorView<float>&, const Batch&, std::int32_t, std::int32_t,
-                          float*) noexcept;
 
 }  // namespace hawser::HAWSER_ISA

@@ -4,7 +4,7 @@
 /// What factorisation and substitution of batches (factor/batches.h) have in common: every scalar
 /// is a vector of eight lanes, so no loop has a remainder and no pivot waits for another lane.
 
-#include "base/simd_float.h"
+#include "base/simd.h"
 #include "factor/isa/keep.h"
 #include "factor/kernels.h"
 #include "factor/symbolic.h"
@@ -14,11 +14,11 @@ namespace hawser::HAWSER_ISA {
 using factor::kTile;
 
 /// acc(i, j) −= Σ_k a(i, k) b(j, k), rows `stride` entries apart.
-template <int NI, int NJ, class Real>
-HAWSER_INLINE void tile(Lanes<Real> (&acc)[NI][NJ], const Real* a, const Real* b, long stride,
+template <int NI, int NJ>
+HAWSER_INLINE void tile(V8 (&acc)[NI][NJ], const double* a, const double* b, long stride,
                         int depth) {
     for (int k = 0; k < depth; ++k) {
-        Lanes<Real> l[NI], u[NJ];
+        V8 l[NI], u[NJ];
         for (int i = 0; i < NI; ++i) l[i] = keep(load(a + i * stride + 8 * k));
         for (int j = 0; j < NJ; ++j) u[j] = keep(load(b + j * stride + 8 * k));
         for (int i = 0; i < NI; ++i)
@@ -53,8 +53,7 @@ struct Shift {
 };
 
 /// The shift as it is before a step of the batch.
-template <class Real>
-HAWSER_INLINE Shift shift_before(const factor::FactorView<Real>& view, const factor::Batch& batch,
+HAWSER_INLINE Shift shift_before(const factor::FactorView& view, const factor::Batch& batch,
                                  std::int32_t step) {
     const int before = step > batch.step_begin ? view.batch_steps[step - 1].q / kTile : 0;
     return {batch.body / kTile, batch.window / kTile, before};

@@ -18,11 +18,11 @@ using factor::Front;
 
 /// Ask for the panel that comes some steps later: what is known long before need not be waited
 /// for. The substitutions read each entry once, and large factors come from memory.
-template <class Real>
-HAWSER_INLINE void ask_for_panel(const Real* panel, const BatchStep& step) {
-    const Real* p = panel + step.panel;
+HAWSER_INLINE void ask_for_panel(const double* panel, const BatchStep& step) {
+    const double* p = panel + step.panel;
     const long size = 8L * step.p * (step.p + step.q);
-    for (long i = 0; i < size; i += 64 / static_cast<long>(sizeof(Real))) __builtin_prefetch(p + i);
+    for (long i = 0; i < size; i += 64 / static_cast<long>(sizeof(double)))
+        __builtin_prefetch(p + i);
 }
 constexpr int kAhead = 2;  // steps
 
@@ -30,25 +30,21 @@ constexpr int kAhead = 2;  // steps
 // entries of x are next to each other.
 
 /// Lane by lane x of the step's body, 0 where a lane has none.
-template <class Real>
-HAWSER_INLINE void load_rigid(const Real* x, const std::int32_t* index, Lanes<Real> (&v)[kLanes]) {
-    for (int l = 0; l < kLanes; ++l)
-        v[l] = index[l] < 0 ? Lanes<Real>{} : load_first(x + index[l], kRigid);
+HAWSER_INLINE void load_rigid(const double* x, const std::int32_t* index, V8 (&v)[kLanes]) {
+    for (int l = 0; l < kLanes; ++l) v[l] = index[l] < 0 ? V8{} : load_first(x + index[l], kRigid);
     transpose(v);
 }
-template <class Real>
-HAWSER_INLINE void store_rigid(Real* x, const std::int32_t* index, Lanes<Real> (&v)[kLanes]) {
+HAWSER_INLINE void store_rigid(double* x, const std::int32_t* index, V8 (&v)[kLanes]) {
     transpose(v);
     for (int l = 0; l < kLanes; ++l)
         if (index[l] >= 0) store_lanes(x + index[l], v[l], 0, kRigid);
 }
 
 /// One step of forward_batch().
-template <class Real>
-inline void forward_rigid(const FactorView<Real>& view, const BatchStep& step, const Shift& shift,
-                          const Real* x, const Real* carried, Real* next) {
-    const Real* panel = view.panel + step.panel;
-    Lanes<Real> y[kLanes];
+inline void forward_rigid(const FactorView& view, const BatchStep& step, const Shift& shift,
+                          const double* x, const double* carried, double* next) {
+    const double* panel = view.panel + step.panel;
+    V8 y[kLanes];
     load_rigid(x, view.slot_index + 8 * step.slot, y);
     if (shift.before > 0)
         for (int k = 0; k < kRigid; ++k) y[k] += load(carried + 8 * k);
@@ -57,11 +53,11 @@ inline void forward_rigid(const FactorView<Real>& view, const BatchStep& step, c
         store(view.slot_y + 8 * (step.slot + k), y[k]);
         for (int j = k + 1; j < kRigid; ++j) y[j] -= load(panel + j * kRigidStride + 8 * k) * y[k];
     }
-    const Real* row = panel + kRigid * kRigidStride;
+    const double* row = panel + kRigid * kRigidStride;
     for (int i = 0; i < step.q; i += kTile, row += kTile * kRigidStride) {
         const int from = shift.from(i / kTile);
         for (int a = 0; a < kTile; ++a) {
-            Lanes<Real> v = from >= 0 ? load(carried + 8 * (kTile * from + a)) : Lanes<Real>{};
+            V8 v = from >= 0 ? load(carried + 8 * (kTile * from + a)) : V8{};
             for (int k = 0; k < kRigid; ++k) v -= load(row + a * kRigidStride + 8 * k) * y[k];
             store(next + 8 * (i + a), v);
         }
@@ -69,16 +65,15 @@ inline void forward_rigid(const FactorView<Real>& view, const BatchStep& step, c
 }
 
 /// One step of backward_batch(). @param behind  Becomes x of this body in the first six.
-template <class Real>
-inline void backward_rigid(const FactorView<Real>& view, const BatchStep& step, const Real* panel,
-                           Real* behind, Real* x) {
-    Lanes<Real> z[kLanes] = {};
+inline void backward_rigid(const FactorView& view, const BatchStep& step, const double* panel,
+                           double* behind, double* x) {
+    V8 z[kLanes] = {};
     for (int k = 0; k < kRigid; ++k)
         z[k] =
             load(view.slot_y + 8 * (step.slot + k)) * load(view.slot_pivot + 8 * (step.slot + k));
     auto take_row = [&](int i) {
-        const Lanes<Real> b = load(behind + 8 * i);
-        const Real* row = panel + (kRigid + i) * kRigidStride;
+        const V8 b = load(behind + 8 * i);
+        const double* row = panel + (kRigid + i) * kRigidStride;
         for (int k = 0; k < kRigid; ++k) z[k] -= load(row + 8 * k) * b;
     };
     // Last the body that the step before has just come to.
@@ -94,12 +89,11 @@ inline void backward_rigid(const FactorView<Real>& view, const BatchStep& step, 
 }  // namespace
 
 /// y_p = L11⁻¹ (x_p + carried), carried −= L21 y_p.
-template <class Real>
-void forward_batch(const FactorView<Real>& view, const Batch& batch, std::int32_t begin,
-                   std::int32_t end, const Real* x, Real* scratch) noexcept {
+void forward_batch(const FactorView& view, const Batch& batch, std::int32_t begin, std::int32_t end,
+                   const double* x, double* scratch) noexcept {
     const long turned = (begin - batch.step_begin) % 2;
-    Real* carried = scratch + turned * 8 * batch.most_q;
-    Real* next = scratch + (1 - turned) * 8 * batch.most_q;
+    double* carried = scratch + turned * 8 * batch.most_q;
+    double* next = scratch + (1 - turned) * 8 * batch.most_q;
     Shift shift = shift_before(view, batch, begin);
     for (std::int32_t k = begin; k < end; ++k) {
         const BatchStep& step = view.batch_steps[k];
@@ -111,22 +105,22 @@ void forward_batch(const FactorView<Real>& view, const Batch& batch, std::int32_
             shift.before = step.q / kTile;
             continue;
         }
-        const Real* panel = view.panel + step.panel;
-        Real* y = view.slot_y + 8 * step.slot;
+        const double* panel = view.panel + step.panel;
+        double* y = view.slot_y + 8 * step.slot;
         const std::int32_t* index = view.slot_index + 8 * step.slot;
         const int p = step.p;
         for (int i = 0; i < p; ++i) {
-            Lanes<Real> v = gather_lanes(x, index + 8 * i);
+            V8 v = gather_lanes(x, index + 8 * i);
             if (i < batch.body && shift.before > 0) v += load(carried + 8 * i);
-            const Real* row = panel + 8L * i * p;
+            const double* row = panel + 8L * i * p;
             for (int j = 0; j < i; ++j) v -= load(row + 8 * j) * load(y + 8 * j);
             store(y + 8 * i, v);
         }
         for (int i = 0; i < step.q; i += kTile) {
             const int from = shift.from(i / kTile);
-            Lanes<Real> v[kTile][1];
+            V8 v[kTile][1];
             for (int a = 0; a < kTile; ++a)
-                v[a][0] = from >= 0 ? load(carried + 8 * (kTile * from + a)) : Lanes<Real>{};
+                v[a][0] = from >= 0 ? load(carried + 8 * (kTile * from + a)) : V8{};
             tile<kTile, 1>(v, panel + 8L * (p + i) * p, y, 8L * p, p);
             for (int a = 0; a < kTile; ++a) store(next + 8 * (i + a), v[a][0]);
         }
@@ -143,47 +137,46 @@ void forward_batch(const FactorView<Real>& view, const Batch& batch, std::int32_
 }
 
 /// x_p = U11⁻¹ (D⁻¹ y_p − U12 x_behind), with Uᵀ in the place of L; of a symmetric batch it is L.
-template <class Real>
-void backward_batch(const FactorView<Real>& view, const Batch& batch, Real* x,
-                    Real* scratch) noexcept {
-    const Real* halves = view.is_unsymmetric(batch.front[0]) ? view.upper : view.panel;
-    Real* behind = scratch;
+void backward_batch(const FactorView& view, const Batch& batch, double* x,
+                    double* scratch) noexcept {
+    const double* halves = view.is_unsymmetric(batch.front[0]) ? view.upper : view.panel;
+    double* behind = scratch;
     const int q = batch.most_q;
-    for (int i = 0; i < q; ++i) store(behind + 8 * i, Lanes<Real>{});
+    for (int i = 0; i < q; ++i) store(behind + 8 * i, V8{});
     for (int lane = 0; lane < factor::kLaneCount; ++lane) {
         if (batch.front[lane] < 0) continue;
         const Front& front = view.fronts[batch.front[lane]];
         const std::int32_t* slot = view.tail_slot + front.rows;
         for (int i = 0; i < front.q; ++i) behind[8 * slot[i] + lane] = x[view.rows[front.rows + i]];
     }
-    Real* z = behind + 8 * q;
+    double* z = behind + 8 * q;
     for (std::int32_t k = batch.step_end; k-- > batch.step_begin;) {
         const BatchStep& step = view.batch_steps[k];
         if (view.distant && k - kAhead >= batch.step_begin)
             ask_for_panel(halves, view.batch_steps[k - kAhead]);
-        const Real* panel = halves + step.panel;
+        const double* panel = halves + step.panel;
         if (kManyRegisters && batch.window == kRigid && is_rigid(view, batch, k)) {
             backward_rigid(view, step, panel, behind, x);
             continue;
         }
-        const Real* y = view.slot_y + 8 * step.slot;
-        const Real* pivot = view.slot_pivot + 8 * step.slot;
+        const double* y = view.slot_y + 8 * step.slot;
+        const double* pivot = view.slot_pivot + 8 * step.slot;
         const int p = step.p;
         for (int j = 0; j < p; j += kTile)
             with_size(p - j, [&]<int N>() {
-                Lanes<Real> v[N];
+                V8 v[N];
                 for (int a = 0; a < N; ++a)
                     v[a] = load(y + 8 * (j + a)) * load(pivot + 8 * (j + a));
-                const Real* column = panel + 8L * p * p + 8 * j;
+                const double* column = panel + 8L * p * p + 8 * j;
                 for (int i = 0; i < step.q; ++i, column += 8L * p) {
-                    const Lanes<Real> b = load(behind + 8 * i);
+                    const V8 b = load(behind + 8 * i);
                     for (int a = 0; a < N; ++a) v[a] -= load(column + 8 * a) * b;
                 }
                 for (int a = 0; a < N; ++a) store(z + 8 * (j + a), v[a]);
             });
         for (int i = p; i-- > 0;) {
-            const Lanes<Real> zi = load(z + 8 * i);
-            const Real* row = panel + 8L * i * p;
+            const V8 zi = load(z + 8 * i);
+            const double* row = panel + 8L * i * p;
             for (int j = 0; j < i; ++j) store(z + 8 * j, load(z + 8 * j) - load(row + 8 * j) * zi);
             scatter_lanes(x, view.slot_index + 8 * (step.slot + i), zi);
         }
@@ -193,12 +186,5 @@ void backward_batch(const FactorView<Real>& view, const Batch& batch, Real* x,
         for (int i = 0; i < batch.body; ++i) store(behind + 8 * i, load(z + 8 * i));
     }
 }
-
-template void forward_batch(const FactorView<double>&, const Batch&, std::int32_t, std::int32_t,
-                            const double*, double*) noexcept;
-template void forward_batch(const FactorView<float>&, const Batch&, std::int32_t, std::int32_t,
-                            const float*, float*) noexcept;
-template void backward_batch(const FactorView<double>&, const Batch&, double*, double*) noexcept;
-template void backward_batch(const FactorView<float>&, const Batch&, float*, float*) noexcept;
 
 }  // namespace hawser::HAWSER_ISA

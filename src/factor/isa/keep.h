@@ -4,18 +4,12 @@
 /// Products of register blocks use each operand several times. g++ prefers to read it from memory
 /// each time, as part of the instruction, and the loads then take longer than the products.
 
-#include "base/simd_float.h"
+#include "base/simd.h"
 
 namespace hawser::HAWSER_ISA {
 
 /// v, in a register from here on, where registers are many.
 HAWSER_INLINE V8 keep(V8 v) {
-#if defined(__AVX512F__)
-    asm("" : "+v"(v));
-#endif
-    return v;
-}
-HAWSER_INLINE F8 keep(F8 v) {
 #if defined(__AVX512F__)
     asm("" : "+v"(v));
 #endif

@@ -13,10 +13,9 @@
 /// columns of the other. A symmetric front has one side, which is its own other.
 #include "factor/kernels.h"
 
-#include "base/simd_float.h"
+#include "base/simd.h"
 #include "factor/isa/batch.h"
 #include "factor/isa/bits.h"
-#include "factor/isa/residual.h"
 #include "factor/isa/stream.h"
 #include "factor/isa/substitution.h"
 #include "factor/isa/with_count.h"
@@ -31,29 +30,25 @@ using factor::Run;
 
 constexpr int kBlock = 8;  // pivot columns whose triangle is in registers
 using factor::kDepth;      // pivot columns factored before the rest is updated
-/// Vectors of rows and columns updated at once, as registers allow: V8 is one, two or four of them,
-/// F8 one, one or two.
+/// Vectors of rows and columns updated at once, as registers allow: V8 is one, two or four of them.
 struct Tile {
     int rows, columns;
 };
-template <class Real>
-constexpr bool kHalf = sizeof(Real) < sizeof(double);
-template <class Real>
 #if defined(__AVX512F__)
 constexpr Tile kAtOnce = {2, 8};
 #elif defined(__AVX2__)
-constexpr Tile kAtOnce = kHalf<Real> ? Tile{2, 4} : Tile{1, 4};
+constexpr Tile kAtOnce = {1, 4};
 #else
-constexpr Tile kAtOnce = kHalf<Real> ? Tile{1, 4} : Tile{1, 2};
+constexpr Tile kAtOnce = {1, 2};
 #endif
 
 /// The pivot columns of a front.
-template <class Real, int kSides>
+template <int kSides>
 struct Trapezoid {
-    Real* panel[kSides];  ///< Column stride ld.
-    Real* w[kSides];      ///< Unscaled columns of the current block, column stride ld.
+    double* panel[kSides];  ///< Column stride ld.
+    double* w[kSides];      ///< Unscaled columns of the current block, column stride ld.
     long ld;
-    Real* pivot;  ///< 1/D.
+    double* pivot;  ///< 1/D.
     const signed char* sign;
     signed char* wrong;  ///< Marks of wrong pivots, of unsymmetric fronts.
 
@@ -66,19 +61,19 @@ struct Trapezoid {
 /// Rows k0 … k0 + 7 hold the triangle: N sequential pivots, in registers. The vectors of rows
 /// below it are then independent of each other: x_c = a_c − Σ_{b<c} U_bc x_b, with Uᵀ for L on
 /// side 1.
-template <int N, class Real, int kSides>
-inline int factor_block(const Trapezoid<Real, kSides> t, int k0) {
+template <int N, int kSides>
+inline int factor_block(const Trapezoid<kSides> t, int k0) {
     const long ld = t.ld;
     int wrong = 0;
-    Lanes<Real> top[kSides][N];
-    Real inverse[N], diagonal[N], scaled[kSides][N][N];
+    V8 top[kSides][N];
+    double inverse[N], diagonal[N], scaled[kSides][N][N];
     for (int s = 0; s < kSides; ++s)
         for (int c = 0; c < N; ++c) top[s][c] = load(t.panel[s] + (k0 + c) * ld + k0);
     // Pivots apart from their columns: each waits for a division and one product.
     for (int c = 0; c < N; ++c) diagonal[c] = t.panel[0][(k0 + c) * ld + k0 + c];
 #pragma GCC unroll 8
     for (int c = 0; c < N; ++c) {
-        Real d = diagonal[c];
+        double d = diagonal[c];
         // The sign is known, see Symbolic::sign. !(…) also catches NaN.
         if (!(d * t.sign[k0 + c] > 0) || d - d != 0) {
             ++wrong;
@@ -86,13 +81,13 @@ inline int factor_block(const Trapezoid<Real, kSides> t, int k0) {
             // See unsymmetric.h: there the other sign may be right.
             if (kSides == 1 || d == 0 || d - d != 0) d = t.sign[k0 + c];
         }
-        inverse[c] = Real{1} / d;
+        inverse[c] = double{1} / d;
         t.pivot[k0 + c] = inverse[c];
-        Lanes<Real> l[kSides];
+        V8 l[kSides];
         for (int s = 0; s < kSides; ++s) l[s] = after_lane(top[s][c] * inverse[c], c);
 #pragma GCC unroll 8
         for (int j = c + 1; j < N; ++j) {
-            Real wj[kSides];
+            double wj[kSides];
             for (int s = 0; s < kSides; ++s) {
                 wj[s] = lane(top[s][c], j);
                 scaled[s][j][c] = wj[s] * inverse[c];
@@ -106,9 +101,9 @@ inline int factor_block(const Trapezoid<Real, kSides> t, int k0) {
         }
     }
     for (int s = 0; s < kSides; ++s) {
-        Real *panel = t.panel[s] + k0 * ld, *w = t.w[s];
+        double *panel = t.panel[s] + k0 * ld, *w = t.w[s];
         for (long i = k0 + 8; i < ld; i += 8) {
-            Lanes<Real> x[N];
+            V8 x[N];
 #pragma GCC unroll 8
             for (int c = 0; c < N; ++c) {
                 x[c] = load(panel + c * ld + i);
@@ -121,23 +116,22 @@ inline int factor_block(const Trapezoid<Real, kSides> t, int k0) {
     return wrong;
 }
 
-template <class Real, int kSides>
-inline int factor_columns(const Trapezoid<Real, kSides> t, int k0, int count) {
+template <int kSides>
+inline int factor_columns(const Trapezoid<kSides> t, int k0, int count) {
     int wrong = 0;
     with_count(count, [&]<int N>() { wrong = factor_block<N>(t, k0); });
     return wrong;
 }
 
 /// kVectors vectors of rows of C −= L · Wᵀ, or of C = −L · Wᵀ where C holds nothing yet.
-template <int kCols, int kVectors, bool kFirst, class Real>
-HAWSER_INLINE void update_rows(Real* c, long ldc, const Real* l, const Real* w, long ld,
+template <int kCols, int kVectors, bool kFirst>
+HAWSER_INLINE void update_rows(double* c, long ldc, const double* l, const double* w, long ld,
                                int depth) {
-    Lanes<Real> acc[kVectors][kCols];
+    V8 acc[kVectors][kCols];
     for (int r = 0; r < kVectors; ++r)
-        for (int j = 0; j < kCols; ++j)
-            acc[r][j] = kFirst ? Lanes<Real>{} : load(c + j * ldc + 8 * r);
+        for (int j = 0; j < kCols; ++j) acc[r][j] = kFirst ? V8{} : load(c + j * ldc + 8 * r);
     for (int k = 0; k < depth; ++k) {
-        Lanes<Real> v[kVectors];
+        V8 v[kVectors];
         for (int r = 0; r < kVectors; ++r) v[r] = load(l + k * ld + 8 * r);
         for (int j = 0; j < kCols; ++j)
             for (int r = 0; r < kVectors; ++r) acc[r][j] -= v[r] * w[k * ld + j];
@@ -148,34 +142,34 @@ HAWSER_INLINE void update_rows(Real* c, long ldc, const Real* l, const Real* w, 
 
 /// C(:, 0..cols) −= L · Wᵀ for `cols` columns whose rows in l and w start at row0. The lower
 /// triangle is what counts; rows above it in the same vector are computed and never read.
-template <int kCols, bool kFirst, class Real>
-inline void update_columns(Real* c, long ldc, const Real* l, const Real* w, long ld, int depth,
-                           int from, int rows) {
+template <int kCols, bool kFirst>
+inline void update_columns(double* c, long ldc, const double* l, const double* w, long ld,
+                           int depth, int from, int rows) {
     int i = from;
-    constexpr int kStep = 8 * kAtOnce<Real>.rows;
+    constexpr int kStep = 8 * kAtOnce.rows;
     for (; i + kStep <= rows; i += kStep)
-        update_rows<kCols, kAtOnce<Real>.rows, kFirst>(c + i, ldc, l + i, w, ld, depth);
-    if constexpr (kAtOnce<Real>.rows > 1)
+        update_rows<kCols, kAtOnce.rows, kFirst>(c + i, ldc, l + i, w, ld, depth);
+    if constexpr (kAtOnce.rows > 1)
         for (; i < rows; i += 8) update_rows<kCols, 1, kFirst>(c + i, ldc, l + i, w, ld, depth);
 }
 
 /// Update of the columns [begin, end) of one side of a matrix whose row r lies at l + r. The last
 /// columns go together, however many: a column alone waits for its own chain of sums.
-template <bool kFirst, class Real>
-inline void update_block(Real* c, long ldc, const Real* l, const Real* w, long ld, int depth,
+template <bool kFirst>
+inline void update_block(double* c, long ldc, const double* l, const double* w, long ld, int depth,
                          int begin, int end, int rows) {
     int j = begin;
     auto columns = [&]<int N>() {
         update_columns<N, kFirst>(c + j * ldc, ldc, l, w + j, ld, depth, j & ~7, rows);
         j += N;
     };
-    while (end - j >= kAtOnce<Real>.columns) columns.template operator()<kAtOnce<Real>.columns>();
+    while (end - j >= kAtOnce.columns) columns.template operator()<kAtOnce.columns>();
     if (end > j) with_count(end - j, columns);
 }
 
 /// to(0..rows, 0..columns) += from(0..rows, 0..columns).
-template <class Real>
-inline void add_block(Real* to, long ld_to, const Real* from, long ld_from, int rows, int columns) {
+inline void add_block(double* to, long ld_to, const double* from, long ld_from, int rows,
+                      int columns) {
     for (int i = 0; i < rows; i += 8) {
         for (int c = 0; c < columns; ++c)
             add_first(to + c * ld_to + i, from + c * ld_from + i, rows - i);
@@ -186,23 +180,22 @@ inline void add_block(Real* to, long ld_to, const Real* from, long ld_from, int 
 /// not. A run of columns meets the runs of rows at and behind it in dense blocks; the triangle
 /// above the diagonal of the first comes along and is never read. Of a symmetric child both sides
 /// get the same.
-template <bool kPivots, int kSide, class Real>
-inline void extend_add(const FactorView<Real>& view, const Front& front, Real* panel,
-                       Real* update) {
+template <bool kPivots, int kSide>
+inline void extend_add(const FactorView& view, const Front& front, double* panel, double* update) {
     const long ld = kPivots ? front.ld : front.ldu;
-    Real* target = kPivots ? panel : update - front.p - static_cast<long>(front.p) * ld;
+    double* target = kPivots ? panel : update - front.p - static_cast<long>(front.p) * ld;
     for (std::int32_t i = front.child_begin; i < front.child_end; ++i) {
         const std::int32_t id = view.children[i];
         const Front& child = view.fronts[id];
-        const Real* u = kSide == 1 && view.unsymmetric[id] != 0 ? view.upper_update(child.update)
-                                                                : view.update(child.update);
+        const double* u = kSide == 1 && view.unsymmetric[id] != 0 ? view.upper_update(child.update)
+                                                                  : view.update(child.update);
         const Run* end = view.runs + child.run_end;
         const Run* run = view.runs + child.run_begin;
         if constexpr (!kPivots)
             while (run != end && run->to < front.p) ++run;
         for (; run != end && (!kPivots || run->to < front.p); ++run) {
-            Real* to = target + run->to * ld;
-            const Real* from = u + static_cast<long>(run->from) * child.ldu;
+            double* to = target + run->to * ld;
+            const double* from = u + static_cast<long>(run->from) * child.ldu;
             for (const Run* r = run; r != end; ++r)
                 add_block(to + r->to, ld, from + r->from, child.ldu, r->length, run->length);
         }
@@ -211,10 +204,9 @@ inline void extend_add(const FactorView<Real>& view, const Front& front, Real* p
 
 /// What the pivot columns [d0, d1) do to the columns and the update matrix behind them, on one
 /// side; w: of the other.
-template <class Real>
-inline void update_rest(const Front& front, Real* panel, Real* update, const Real* w, int d0,
+inline void update_rest(const Front& front, double* panel, double* update, const double* w, int d0,
                         int d1) {
-    const Real* l = panel + static_cast<long>(d0) * front.ld;
+    const double* l = panel + static_cast<long>(d0) * front.ld;
     if (d1 < front.p)
         update_block<false>(panel, front.ld, l, w, front.ld, d1 - d0, d1, front.p, front.ld);
     if (d0 == 0)
@@ -227,12 +219,12 @@ inline void update_rest(const Front& front, Real* panel, Real* update, const Rea
 
 /// Factor the pivot columns [d0, d1), at most kDepth: each block first takes what those before it
 /// do, so that it is written once.
-template <class Real, int kSides>
-inline int factor_deep(const Trapezoid<Real, kSides> t, int d0, int d1) {
+template <int kSides>
+inline int factor_deep(const Trapezoid<kSides> t, int d0, int d1) {
     int wrong = 0;
     for (int k0 = d0; k0 < d1; k0 += kBlock) {
         const int k1 = k0 + kBlock < d1 ? k0 + kBlock : d1;
-        Trapezoid<Real, kSides> block = t;
+        Trapezoid<kSides> block = t;
         for (int s = 0; s < kSides; ++s) {
             if (k0 > d0)
                 update_block<false>(t.panel[s], t.ld, t.panel[s] + d0 * t.ld, t.w[t.other(s)], t.ld,
@@ -244,12 +236,12 @@ inline int factor_deep(const Trapezoid<Real, kSides> t, int d0, int d1) {
     return wrong;
 }
 
-template <int kSides, class Real>
-inline int factor_front(const FactorView<Real>& view, const Front& front, Real* scratch) {
-    Trapezoid<Real, kSides> t{
+template <int kSides>
+inline int factor_front(const FactorView& view, const Front& front, double* scratch) {
+    Trapezoid<kSides> t{
         {view.panel + front.panel}, {scratch}, front.ld, view.pivot + front.offset,
         view.sign + front.offset,   nullptr};
-    Real* update[kSides] = {view.update(front.update)};
+    double* update[kSides] = {view.update(front.update)};
     if constexpr (kSides == 2) {
         t.panel[1] = view.upper + front.panel;
         t.w[1] = scratch + kDepth * t.ld;
@@ -270,18 +262,16 @@ inline int factor_front(const FactorView<Real>& view, const Front& front, Real* 
     return wrong;
 }
 
-template <class Real>
-int factor_fronts(const FactorView<Real>& view, std::int32_t begin, std::int32_t end,
-                  Real* scratch) noexcept {
+int factor_fronts(const FactorView& view, std::int32_t begin, std::int32_t end,
+                  double* scratch) noexcept {
     int wrong = 0;
     for (std::int32_t f = begin; f < end; ++f) {
         const Front& front = view.fronts[f];
         if (front.batch >= 0) continue;
-        if constexpr (factor::kUnsymmetric<Real>)
-            if (view.is_unsymmetric(f)) {
-                wrong += factor_front<2>(view, front, scratch);
-                continue;
-            }
+        if (view.is_unsymmetric(f)) {
+            wrong += factor_front<2>(view, front, scratch);
+            continue;
+        }
         wrong += factor_front<1>(view, front, scratch);
     }
     return wrong;
@@ -289,13 +279,8 @@ int factor_fronts(const FactorView<Real>& view, std::int32_t begin, std::int32_t
 
 }  // namespace
 
-template <class Real>
-constexpr factor::FactorKernels<Real> kKernelsOf = {factor_fronts<Real>,   forward_fronts<Real>,
-                                                    backward_fronts<Real>, factor_batch<Real>,
-                                                    forward_batch<Real>,   backward_batch<Real>};
-
 extern const factor::Kernels kKernels;
-const factor::Kernels kKernels = {kKernelsOf<double>, kKernelsOf<float>, unite_rows, stream,
-                                  residual};
+const factor::Kernels kKernels = {factor_fronts, forward_fronts, backward_fronts, factor_batch,
+                                  forward_batch, backward_batch, unite_rows,      stream};
 
 }  // namespace hawser::HAWSER_ISA

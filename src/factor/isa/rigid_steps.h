@@ -38,44 +38,37 @@ HAWSER_INLINE long tile_at(int i, int j) {
 }
 
 /// A step's panel and pivots.
-template <class Real>
 struct RigidStep {
-    Real* panel;  ///< 6 + q rows of 6 vectors: A, overwritten with L.
-    Real* w;      ///< 6 + q rows of 6 vectors: L D, of rows from the seventh on.
-    Real* pivot;  ///< 6 vectors: 1/D.
+    double* panel;  ///< 6 + q rows of 6 vectors: A, overwritten with L.
+    double* w;      ///< 6 + q rows of 6 vectors: L D, of rows from the seventh on.
+    double* pivot;  ///< 6 vectors: 1/D.
     const signed char* sign;
     int tiles;  ///< q / 3.
 };
 
 /// The lower triangle of a body's block.
-template <class Real>
-using RigidBlock = Lanes<Real>[kRigid][kRigid];
+using RigidBlock = V8[kRigid][kRigid];
 
-template <class Real>
-HAWSER_INLINE RigidStep<Real> rigid_step(const factor::FactorView<Real>& view, std::int32_t k,
-                                         Real* w) {
+HAWSER_INLINE RigidStep rigid_step(const factor::FactorView& view, std::int32_t k, double* w) {
     const factor::BatchStep& step = view.batch_steps[k];
     return {view.panel + step.panel, w, view.slot_pivot + kLanes * step.slot,
             view.slot_sign + step.slot, step.q / kTile};
 }
 
 /// a += the block as the matrix has it.
-template <class Real>
-HAWSER_INLINE void add_block(const RigidStep<Real>& m, RigidBlock<Real>& a) {
+HAWSER_INLINE void add_block(const RigidStep& m, RigidBlock& a) {
     for (int i = 0; i < kRigid; ++i)
         for (int j = 0; j <= i; ++j) a[i][j] += load(m.panel + i * kRigidStride + kLanes * j);
 }
 
 /// a = what earlier steps left on the body.
-template <class Real>
-HAWSER_INLINE void load_block(const Real* window, RigidBlock<Real>& a) {
+HAWSER_INLINE void load_block(const double* window, RigidBlock& a) {
     for (int i = 0; i < kRigid; ++i)
         for (int j = 0; j <= i; ++j)
             a[i][j] = load(window + tile_at(i / kTile, j / kTile) +
                            kLanes * (kTile * (i % kTile) + j % kTile));
 }
-template <class Real>
-HAWSER_INLINE void store_block(const RigidBlock<Real>& a, Real* window) {
+HAWSER_INLINE void store_block(const RigidBlock& a, double* window) {
     for (int i = 0; i < kRigid; ++i)
         for (int j = 0; j <= i; ++j)
             store(
@@ -84,12 +77,10 @@ HAWSER_INLINE void store_block(const RigidBlock<Real>& a, Real* window) {
 }
 
 /// Eliminate pivot j of the block.
-template <class Real>
-HAWSER_INLINE void eliminate(const RigidStep<Real>& m, int j, RigidBlock<Real>& a,
-                             Lanes<Real>& bad) {
-    Lanes<Real> d = a[j][j], l[kRigid];
+HAWSER_INLINE void eliminate(const RigidStep& m, int j, RigidBlock& a, V8& bad) {
+    V8 d = a[j][j], l[kRigid];
     bad += fix_pivot<false>(d, m.sign[j]);
-    const Lanes<Real> inverse = reciprocal(d);
+    const V8 inverse = reciprocal(d);
     store(m.pivot + kLanes * j, inverse);
     for (int i = j + 1; i < kRigid; ++i) {
         l[i] = a[i][j] * inverse;
@@ -101,11 +92,10 @@ HAWSER_INLINE void eliminate(const RigidStep<Real>& m, int j, RigidBlock<Real>& 
 
 /// Three rows of the panel below the block. @param left  What earlier steps left there, two tiles;
 /// null: nothing.
-template <class Real>
-HAWSER_INLINE void solve_rows(const RigidStep<Real>& m, int tile, const Real* left) {
-    Real* row = m.panel + (kRigid + kTile * tile) * kRigidStride;
-    Real* w = m.w + (kRigid + kTile * tile) * kRigidStride;
-    Lanes<Real> x[kTile][kRigid];
+HAWSER_INLINE void solve_rows(const RigidStep& m, int tile, const double* left) {
+    double* row = m.panel + (kRigid + kTile * tile) * kRigidStride;
+    double* w = m.w + (kRigid + kTile * tile) * kRigidStride;
+    V8 x[kTile][kRigid];
     for (int r = 0; r < kTile; ++r)
         for (int j = 0; j < kRigid; ++j) x[r][j] = load(row + r * kRigidStride + kLanes * j);
     if (left != nullptr)
@@ -116,10 +106,10 @@ HAWSER_INLINE void solve_rows(const RigidStep<Real>& m, int tile, const Real* le
     for (int k = 0; k < kRigid; ++k) {
 #pragma GCC unroll 6
         for (int j = k + 1; j < kRigid; ++j) {
-            const Lanes<Real> l = keep(load(m.panel + j * kRigidStride + kLanes * k));
+            const V8 l = keep(load(m.panel + j * kRigidStride + kLanes * k));
             for (int r = 0; r < kTile; ++r) x[r][j] -= l * x[r][k];
         }
-        const Lanes<Real> inverse = keep(load(m.pivot + kLanes * k));
+        const V8 inverse = keep(load(m.pivot + kLanes * k));
         for (int r = 0; r < kTile; ++r) {
             store(w + r * kRigidStride + kLanes * k, x[r][k]);
             store(row + r * kRigidStride + kLanes * k, x[r][k] * inverse);
@@ -129,19 +119,19 @@ HAWSER_INLINE void solve_rows(const RigidStep<Real>& m, int tile, const Real* le
 
 /// Tile (i, j) of the next window: that which moves there less the products. Of a tile on the
 /// diagonal the upper triangle is never read.
-template <bool kLower, class Real>
-HAWSER_INLINE void rigid_tile(const RigidStep<Real>& m, const Shift& shift, int i, int j,
-                              const Real* window, Lanes<Real> (&acc)[kTile][kTile]) {
+template <bool kLower>
+HAWSER_INLINE void rigid_tile(const RigidStep& m, const Shift& shift, int i, int j,
+                              const double* window, V8 (&acc)[kTile][kTile]) {
     const int row = shift.from(i), column = shift.from(j);
-    const Real* old = row < 0 || column < 0 ? nullptr : window + tile_at(row, column);
+    const double* old = row < 0 || column < 0 ? nullptr : window + tile_at(row, column);
     for (int a = 0; a < kTile; ++a)
         for (int b = 0; b < kTile; ++b)
-            acc[a][b] = old == nullptr ? Lanes<Real>{} : load(old + kLanes * (kTile * a + b));
-    const Real* l = m.panel + (kRigid + kTile * i) * kRigidStride;
-    const Real* w = m.w + (kRigid + kTile * j) * kRigidStride;
+            acc[a][b] = old == nullptr ? V8{} : load(old + kLanes * (kTile * a + b));
+    const double* l = m.panel + (kRigid + kTile * i) * kRigidStride;
+    const double* w = m.w + (kRigid + kTile * j) * kRigidStride;
 #pragma GCC unroll 6
     for (int k = 0; k < kRigid; ++k) {
-        Lanes<Real> left[kTile], right[kTile];
+        V8 left[kTile], right[kTile];
         for (int a = 0; a < kTile; ++a) left[a] = keep(load(l + a * kRigidStride + kLanes * k));
         for (int b = 0; b < kTile; ++b) right[b] = keep(load(w + b * kRigidStride + kLanes * k));
         for (int a = 0; a < kTile; ++a)
@@ -150,19 +140,18 @@ HAWSER_INLINE void rigid_tile(const RigidStep<Real>& m, const Shift& shift, int 
 }
 
 /// The tiles of the next window behind those of the body, one after another.
-template <class Real>
 struct OtherTiles {
-    const RigidStep<Real>& m;
+    const RigidStep& m;
     const Shift& shift;
-    const Real* window;
-    Real* next;
+    const double* window;
+    double* next;
     int i = kRigidTiles, j = 0;
 
     [[nodiscard]] HAWSER_INLINE bool left() const { return i < m.tiles; }
     HAWSER_INLINE void make_one() {
-        Lanes<Real> acc[kTile][kTile];
+        V8 acc[kTile][kTile];
         rigid_tile<false>(m, shift, i, j, window, acc);
-        Real* to = next + tile_at(i, j);
+        double* to = next + tile_at(i, j);
         for (int a = 0; a < kTile; ++a)
             for (int b = 0; b < kTile; ++b) store(to + kLanes * (kTile * a + b), acc[a][b]);
         if (++j > i) {
@@ -173,10 +162,9 @@ struct OtherTiles {
 };
 
 /// The body's tiles of the next window.
-template <class Real>
-HAWSER_INLINE void body_tiles(const RigidStep<Real>& m, const Shift& shift, const Real* window,
-                              RigidBlock<Real>& a) {
-    Lanes<Real> acc[kTile][kTile];
+HAWSER_INLINE void body_tiles(const RigidStep& m, const Shift& shift, const double* window,
+                              RigidBlock& a) {
+    V8 acc[kTile][kTile];
     auto put = [&](int i, int j) {
         for (int r = 0; r < kTile; ++r)
             for (int c = 0; c < (i == j ? r + 1 : kTile); ++c)
@@ -191,22 +179,19 @@ HAWSER_INLINE void body_tiles(const RigidStep<Real>& m, const Shift& shift, cons
 }
 
 /// Whether step k is one of these.
-template <class Real>
-HAWSER_INLINE bool is_rigid(const factor::FactorView<Real>& view, const factor::Batch& batch,
+HAWSER_INLINE bool is_rigid(const factor::FactorView& view, const factor::Batch& batch,
                             std::int32_t k) {
     return batch.body == kRigid && view.batch_steps[k].p == kRigid;
 }
 
 /// Pivots of the first of several such steps; its window is in memory.
-template <class Real>
-inline void begin_rigid(const RigidStep<Real>& m, const Shift& shift, const Real* window,
-                        Lanes<Real>& bad) {
-    RigidBlock<Real> a;
+inline void begin_rigid(const RigidStep& m, const Shift& shift, const double* window, V8& bad) {
+    RigidBlock a;
     if (shift.before > 0)
         load_block(window, a);
     else
         for (auto& row : a)
-            for (Lanes<Real>& v : row) v = Lanes<Real>{};
+            for (V8& v : row) v = V8{};
     add_block(m, a);
 #pragma GCC unroll 6
     for (int j = 0; j < kRigid; ++j) eliminate(m, j, a, bad);
@@ -214,16 +199,15 @@ inline void begin_rigid(const RigidStep<Real>& m, const Shift& shift, const Real
 
 /// One step whose pivots are eliminated: its rows, the window behind it, and the pivots of the
 /// step that follows, if it is one of these (null: its block goes to the window).
-template <class Real>
-inline void finish_rigid(const RigidStep<Real>& m, const RigidStep<Real>* following,
-                         const Shift& shift, const Real* window, Real* next, Lanes<Real>& bad) {
+inline void finish_rigid(const RigidStep& m, const RigidStep* following, const Shift& shift,
+                         const double* window, double* next, V8& bad) {
     for (int t = 0; t < m.tiles; ++t) {
         const int from = shift.from(t);
         solve_rows(m, t, from < 0 ? nullptr : window + tile_at(from, 0));
     }
-    RigidBlock<Real> a;
+    RigidBlock a;
     body_tiles(m, shift, window, a);
-    OtherTiles<Real> others{m, shift, window, next};
+    OtherTiles others{m, shift, window, next};
     if (following == nullptr) {
         store_block(a, next);
     } else {

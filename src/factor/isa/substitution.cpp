@@ -8,7 +8,7 @@
 /// first update rows may share one with the last pivots.
 #include "factor/isa/substitution.h"
 
-#include "base/simd_float.h"
+#include "base/simd.h"
 #include "factor/isa/with_count.h"
 #include "factor/symbolic.h"
 
@@ -29,8 +29,8 @@ constexpr std::int32_t kFrontsAhead = 6;
 /// Panels larger than a core's own cache come from further away than the processor looks ahead, as
 /// columns are short and going down their addresses fall. It takes a dozen requests at once and
 /// forgets what goes beyond, so each vector of a panel asks for another, `kBytes` away: 0 for none.
-template <long kBytes, class Real>
-HAWSER_INLINE Lanes<Real> load_ahead(const Real* p) {
+template <long kBytes>
+HAWSER_INLINE V8 load_ahead(const double* p) {
     // As a number: it may lie outside the array.
     if constexpr (kBytes != 0)
         __builtin_prefetch(
@@ -39,8 +39,8 @@ HAWSER_INLINE Lanes<Real> load_ahead(const Real* p) {
 }
 
 /// Asks for what a front needs besides its panel, and for the front `kFrontsAhead` further on.
-template <bool kUp, class Real>
-HAWSER_INLINE void ask_for_tables(const FactorView<Real>& view, const Front& front, const Real* x) {
+template <bool kUp>
+HAWSER_INLINE void ask_for_tables(const FactorView& view, const Front& front, const double* x) {
     constexpr int kLine = 64;
     const char* const further =
         reinterpret_cast<const char*>(kUp ? &front + kFrontsAhead : &front - kFrontsAhead);
@@ -48,7 +48,7 @@ HAWSER_INLINE void ask_for_tables(const FactorView<Real>& view, const Front& fro
         __builtin_prefetch(further + i);
     __builtin_prefetch(x + front.offset);
     if constexpr (kUp) {
-        constexpr int kStep = kLine / sizeof(Real);
+        constexpr int kStep = kLine / sizeof(double);
         for (int i = 0; i < front.q; i += kStep) __builtin_prefetch(view.carry + front.rows + i);
         __builtin_prefetch(view.runs + front.run_begin);
     } else {
@@ -60,31 +60,29 @@ HAWSER_INLINE void ask_for_tables(const FactorView<Real>& view, const Front& fro
 
 /// Pivots [k, k + N) of L y = y, then y −= L y for the rows behind them, handed over by vectors:
 /// put(row, vector).
-template <int N, long kBytes, class Real, class Put>
-HAWSER_INLINE void forward_block(const Real* panel, long ld, int k, const Real* y, Put&& put) {
-    const Real* column = panel + k * ld;
-    Lanes<Real> v = load(y + k), pivot[N];
+template <int N, long kBytes, class Put>
+HAWSER_INLINE void forward_block(const double* panel, long ld, int k, const double* y, Put&& put) {
+    const double* column = panel + k * ld;
+    V8 v = load(y + k), pivot[N];
     for (int c = 0; c < N; ++c) {
         pivot[c] = spread_lane(v, c);
         v -= pivot[c] * load_ahead<kBytes>(column + c * ld + k);
     }
     put(k, v);
     for (int i = k + 8; i < ld; i += 8) {
-        Lanes<Real> acc = load(y + i);
+        V8 acc = load(y + i);
         for (int c = 0; c < N; ++c) acc -= pivot[c] * load_ahead<kBytes>(column + c * ld + i);
         put(i, acc);
     }
 }
 
 /// y = the front's part of x plus what its children carry. Whole vectors.
-template <class Real>
-inline void gather_forward(const FactorView<Real>& view, const Front& front, const Real* x,
-                           Real* y) {
+inline void gather_forward(const FactorView& view, const Front& front, const double* x, double* y) {
     for (int i = 0; i < front.ld; i += 8)
-        store(y + i, i < front.p ? load_first(x + front.offset + i, front.p - i) : Lanes<Real>{});
+        store(y + i, i < front.p ? load_first(x + front.offset + i, front.p - i) : V8{});
     for (std::int32_t c = front.child_begin; c < front.child_end; ++c) {
         const Front& child = view.fronts[view.children[c]];
-        const Real* carried = view.carry + child.rows;
+        const double* carried = view.carry + child.rows;
         const Run* end = view.runs + child.run_end;
         for (const Run* run = view.runs + child.run_begin; run != end; ++run)
             for (int i = 0; i < run->length; i += 8)
@@ -96,48 +94,48 @@ inline void gather_forward(const FactorView<Real>& view, const Front& front, con
 /// vector `from` on. The products with those come first and are independent of each other; then the
 /// small triangle, in which each entry waits only for the one before it. z comes with y_k … and
 /// leaves with z_k ….
-template <int N, long kBytes, class Real>
-HAWSER_INLINE void backward_block(const Real* panel, long ld, int k, int from, const Real* y,
-                                  Real* z) {
-    Lanes<Real> acc[N];
-    for (int c = 0; c < N; ++c) acc[c] = Lanes<Real>{};
-    const Real* column = panel + k * ld;
+template <int N, long kBytes>
+HAWSER_INLINE void backward_block(const double* panel, long ld, int k, int from, const double* y,
+                                  double* z) {
+    V8 acc[N];
+    for (int c = 0; c < N; ++c) acc[c] = V8{};
+    const double* column = panel + k * ld;
     for (int i = from; i < ld; i += 8) {
-        const Lanes<Real> v = load(y + i);
+        const V8 v = load(y + i);
         for (int c = 0; c < N; ++c) acc[c] += load_ahead<kBytes>(column + c * ld + i) * v;
     }
-    const Lanes<Real> s = sums<N>(acc);
-    Real solved[N];  // in registers: all indices are constants once unrolled
+    const V8 s = sums<N>(acc);
+    double solved[N];  // in registers: all indices are constants once unrolled
 #pragma GCC unroll 8
     for (int c = N - 1; c >= 0; --c) {
-        Real zc = z[c] - lane(s, c);
+        double zc = z[c] - lane(s, c);
 #pragma GCC unroll 8
         for (int i = N - 1; i > c; --i) zc -= column[c * ld + k + i] * solved[i];
         z[c] = solved[c] = zc;
     }
 }
 
-template <long kBytes, class Real>
-void forward(const FactorView<Real>& view, std::int32_t begin, std::int32_t end, Real* x,
-             Real* scratch) noexcept {
+template <long kBytes>
+void forward(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
+             double* scratch) noexcept {
     for (std::int32_t f = begin; f < end; ++f) {
         const Front& front = view.fronts[f];
         if (front.batch >= 0) continue;
-        const Real* panel = view.panel + front.panel;
+        const double* panel = view.panel + front.panel;
         const int p = front.p, n = front.p + front.q;
         if (kBytes != 0 && f + 2 * kFrontsAhead < end)
             ask_for_tables<true>(view, view.fronts[f + kFrontsAhead], x);
-        Real* xf = x + front.offset;
-        Real* y = scratch;
+        double* xf = x + front.offset;
+        double* y = scratch;
         gather_forward(view, front, x, y);
         int k = 0;
         for (; p - k > kBlock; k += kBlock)
-            forward_block<kBlock, kBytes>(panel, front.ld, k, y, [&](int i, const Lanes<Real>& v) {
+            forward_block<kBlock, kBytes>(panel, front.ld, k, y, [&](int i, const V8& v) {
                 store(i == k ? xf + i : y + i, v);
             });
-        Real* carry = view.carry + front.rows - p;
+        double* carry = view.carry + front.rows - p;
         with_count(p - k, [&]<int N>() {
-            forward_block<N, kBytes>(panel, front.ld, k, y, [&](int i, const Lanes<Real>& v) {
+            forward_block<N, kBytes>(panel, front.ld, k, y, [&](int i, const V8& v) {
                 if (i == k) store_lanes(xf + i, v, 0, N);
                 store_lanes(carry + i, v, i == k ? N : 0, n - i);
             });
@@ -145,25 +143,25 @@ void forward(const FactorView<Real>& view, std::int32_t begin, std::int32_t end,
     }
 }
 
-template <long kBytes, class Real>
-void backward(const FactorView<Real>& view, std::int32_t begin, std::int32_t end, Real* x,
-              Real* scratch) noexcept {
+template <long kBytes>
+void backward(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
+              double* scratch) noexcept {
     for (std::int32_t f = end; f-- > begin;) {
         const Front& front = view.fronts[f];
         if (front.batch >= 0) continue;
-        const Real* panel = (view.is_unsymmetric(f) ? view.upper : view.panel) + front.panel;
-        const Real* inverse = view.pivot + front.offset;
+        const double* panel = (view.is_unsymmetric(f) ? view.upper : view.panel) + front.panel;
+        const double* inverse = view.pivot + front.offset;
         const int ld = front.ld, p = front.p, n = front.p + front.q;
         if (kBytes != 0 && f - 2 * kFrontsAhead >= begin)
             ask_for_tables<false>(view, view.fronts[f - kFrontsAhead], x);
-        Real* xf = x + front.offset;
-        Real* y = scratch;
+        double* xf = x + front.offset;
+        double* y = scratch;
         const std::int32_t* rows = view.rows + front.rows - p;
         // Zeros where the last pivots share a vector with update rows, and behind those.
         for (int i = p & ~7; i < ld; i += 8) store(y + i, gather_range(x, rows + i, p - i, n - i));
         int k = (p - 1) & ~7, from = p & ~7;
         with_count(p - k, [&]<int N>() {
-            Real z[8] = {};
+            double z[8] = {};
             for (int c = 0; c < N; ++c) z[c] = xf[k + c] * inverse[k + c];
             backward_block<N, kBytes>(panel, ld, k, from, y, z);
             for (int c = 0; c < N; ++c) xf[k + c] = z[c];
@@ -171,7 +169,7 @@ void backward(const FactorView<Real>& view, std::int32_t begin, std::int32_t end
                 for (int c = 0; c < N; ++c) y[k + c] = z[c];
         });
         for (k -= kBlock; k >= 0; k -= kBlock) {
-            Real z[8];
+            double z[8];
             for (int c = 0; c < kBlock; ++c) z[c] = xf[k + c] * inverse[k + c];
             backward_block<kBlock, kBytes>(panel, ld, k, k + kBlock, y, z);
             for (int c = 0; c < kBlock; ++c) xf[k + c] = y[k + c] = z[c];
@@ -182,27 +180,16 @@ void backward(const FactorView<Real>& view, std::int32_t begin, std::int32_t end
 }  // namespace
 
 // Apart from what they do, so that its lambdas belong to this file alone: g++ inlines those.
-template <class Real>
-void forward_fronts(const FactorView<Real>& view, std::int32_t begin, std::int32_t end, Real* x,
-                    Real* scratch) noexcept {
+void forward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
+                    double* scratch) noexcept {
     view.distant ? forward<kAhead>(view, begin, end, x, scratch)
                  : forward<0>(view, begin, end, x, scratch);
 }
 
-template <class Real>
-void backward_fronts(const FactorView<Real>& view, std::int32_t begin, std::int32_t end, Real* x,
-                     Real* scratch) noexcept {
+void backward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
+                     double* scratch) noexcept {
     view.distant ? backward<-kAhead>(view, begin, end, x, scratch)
                  : backward<0>(view, begin, end, x, scratch);
 }
-
-template void forward_fronts(const FactorView<double>&, std::int32_t, std::int32_t, double*,
-                             double*) noexcept;
-template void forward_fronts(const FactorView<float>&, std::int32_t, std::int32_t, float*,
-                             float*) noexcept;
-template void backward_fronts(const FactorView<double>&, std::int32_t, std::int32_t, double*,
-                              double*) noexcept;
-template void backward_fronts(const FactorView<float>&, std::int32_t, std::int32_t, float*,
-                              float*) noexcept;
 
 }  // namespace hawser::HAWSER_ISA
