@@ -98,7 +98,8 @@ CLI::App* add_options(CLI::App& app, FactorOptions& o) {
     app.add_option("--rounds", o.trial.rounds, "Turns of each solver, 3 samples a turn")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
-    app.add_flag("--blocks", o.trial.blocks, "Ours through hawser/factor.h, too (hawser blocks)");
+    app.add_flag("--public", o.trial.through_public,
+                 "Ours through hawser/factor.h, too (hawser blocks)");
     app.add_flag("--sweep", o.sweep, "The rigid scene at scales 1 to 50: who gains from threads?");
     app.add_option("--edits", o.edits,
                    "Repair our analysis of the paper's scene through so many steps instead")

@@ -27,7 +27,7 @@ std::string blas_core() {
     return name == nullptr ? "unknown" : std::string("OpenBLAS ") + name();
 }
 
-std::vector<Variant> all_variants(bool blocks) {
+std::vector<Variant> all_variants(bool through_public) {
     std::vector<Variant> all;
     constexpr Order kBlockOrders[] = {Order::library, Order::amd_blocks, Order::metis_blocks};
     constexpr Order kOrders[] = {Order::amd_scalars, Order::amd_blocks, Order::metis_blocks};
@@ -45,7 +45,7 @@ std::vector<Variant> all_variants(bool blocks) {
             if (possible(order)) all.push_back({"hawser", condensed, order, true, make_ours});
     for (const bool condensed : {false, true})
         for (const Order order : kBlockOrders) {
-            if (!blocks || !possible(order)) continue;
+            if (!through_public || !possible(order)) continue;
             all.push_back({"hawser blocks", condensed, order, true, make_public});
         }
     add("Eigen SimplicialLDLT", make_eigen, false, true);

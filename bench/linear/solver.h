@@ -82,8 +82,8 @@ struct Variant {
     [[nodiscard]] std::string form() const { return condensed ? "condensed" : "saddle"; }
 };
 
-/// Every variant in this build; "hawser" comes first. @param blocks  With "hawser blocks".
-[[nodiscard]] std::vector<Variant> all_variants(bool blocks);
+/// Every variant in this build; "hawser" comes first. @param through_public  With "hawser blocks".
+[[nodiscard]] std::vector<Variant> all_variants(bool through_public);
 
 std::unique_ptr<Solver> make_ours(Order order);
 std::unique_ptr<Solver> make_public(Order order);

@@ -267,7 +267,7 @@ std::vector<Result> compare(Problem& problem, const ProblemSource& source, int t
     // With more threads only solvers that can use them are worth another look.
     std::map<std::string, std::pair<Variant, Result>> best;
     std::vector<std::string> order;
-    for (const Variant& v : all_variants(options.blocks)) {
+    for (const Variant& v : all_variants(options.through_public)) {
         if (!wanted(v, options)) continue;
         const Result r = try_variant(problem, v, threads);
         all.push_back(r);

@@ -53,7 +53,7 @@ struct TrialOptions {
     bool quick_choice = false;             ///< Try AMD on blocks only, for ours our own order.
     bool alternate = true;                 ///< Keep all solvers in memory and take turns.
     bool updates = true;
-    bool blocks = false;  ///< See all_variants().
+    bool through_public = false;  ///< See all_variants().
 };
 
 /// One solver on one problem.

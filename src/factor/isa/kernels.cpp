@@ -238,9 +238,8 @@ inline int factor_deep(const Trapezoid<kSides> t, int d0, int d1) {
 
 template <int kSides>
 inline int factor_front(const FactorView& view, const Front& front, double* scratch) {
-    Trapezoid<kSides> t{
-        {view.panel + front.panel}, {scratch}, front.ld, view.pivot + front.offset,
-        view.sign + front.offset,   nullptr};
+    Trapezoid<kSides> t{{view.panel + front.panel}, {scratch}, front.ld, view.pivot + front.offset,
+                        view.sign + front.offset,   nullptr};
     double* update[kSides] = {view.update(front.update)};
     if constexpr (kSides == 2) {
         t.panel[1] = view.upper + front.panel;
