@@ -201,7 +201,8 @@ class World {
     [[nodiscard]] ShapeId find_shape(std::string_view name) const noexcept;
     /// Contact points at the present poses whose shapes overlap (gap < 0), ascending by their
     /// shapes. Takes no step and changes none. Forces are what the overlap and the stiffness of the
-    /// contact give; laws are zeros. @throws std::bad_alloc, LimitError.
+    /// contact give; laws are zeros. @throws std::bad_alloc, LimitError; DefError where a body with
+    /// a shape is beyond 1e100 m.
     [[nodiscard]] std::vector<ContactView> overlaps() const;
     /// Contact points of the last step, ascending by their shapes, those that sleep last; those
     /// that are near without touching included. Empty before the first step and after restore().

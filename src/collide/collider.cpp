@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <new>
 
 namespace hawser::collide {
@@ -195,6 +196,21 @@ bool Collider::set_aside(ContactSet& out, const base::Array<std::uint8_t>& aslee
     return true;
 }
 
+namespace {
+
+/// Whether a swept box is where numbers still tell lengths from each other: diverging motions get
+/// anywhere within a step.
+bool has_place(const Placed& p) noexcept {
+    constexpr double kFarthest = 1e100;                 // [m]: products of three of it are finite
+    if (p.swept.low[0] > p.swept.high[0]) return true;  // of a segment that has parted
+    for (int k = 0; k < 3; ++k)
+        if (!(std::fabs(p.swept.low[k]) < kFarthest) || !(std::fabs(p.swept.high[k]) < kFarthest))
+            return false;
+    return true;
+}
+
+}  // namespace
+
 bool Collider::collide(const model::Bodies& bodies, double h, ContactSet& out,
                        base::Executor& pool) noexcept {
     const auto nothing = [&] {
@@ -205,8 +221,12 @@ bool Collider::collide(const model::Bodies& bodies, double h, ContactSet& out,
     };
     constexpr std::int64_t kPairsOfContact = 8, kMostPairs = 1'000'000'000;  // 32 bits count them
     over_ = {};
+    finite_ = true;
     try {
         place_all(bodies, h, pool);
+        // Boxes of no place have no order either, by which the sweep sorts them.
+        finite_ = std::all_of(placed_.begin(), placed_.end(), has_place);
+        if (!finite_) return nothing();
         broad_.find(placed_, filter_, h, margin,
                     std::min(kPairsOfContact * most_contacts, kMostPairs), pool, pairs_);
         narrow(h, pool);

@@ -58,11 +58,14 @@ class Collider {
     void prepare(const model::Bodies& bodies, const model::Interactions& interactions, double h);
 
     /// Contacts at the present poses; `out.surfaces` stays as surfaces() filled it.
-    /// @return false where memory could not grow or over() says more; `out` is then empty.
+    /// @return false where memory could not grow, or over() or finite() say more; `out` is then
+    /// empty.
     [[nodiscard]] bool collide(const model::Bodies& bodies, double h, ContactSet& out,
                                base::Executor& pool) noexcept;
     /// The bound that the last collide() met, if any.
     [[nodiscard]] const BoundMet& over() const noexcept { return over_; }
+    /// Whether all shapes had a place in the last collide(): else bodies move beyond all numbers.
+    [[nodiscard]] bool finite() const noexcept { return finite_; }
     /// The step with these contacts is done: from now on they are what Contact::previous counts.
     /// Before it, collide() may be called again (a step that failed is tried again).
     void keep() noexcept {
@@ -111,6 +114,7 @@ class Collider {
     std::vector<Contact> aside_;
     std::size_t kept_awake_ = 0, found_awake_ = 0;
     BoundMet over_;
+    bool finite_ = true;
     base::Array<std::uint8_t> drop_, taken_;
     std::size_t held_ = 0;  ///< Bytes at the last count of growths.
     std::int64_t growths_ = 0;

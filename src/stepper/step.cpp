@@ -28,6 +28,7 @@ Status find_contacts(StepContext& ctx) noexcept {
     ctx.stats.contacts = static_cast<std::int32_t>(ctx.contacts.contacts.size());
     if (ctx.pool.stopping()) return Status::cancelled;
     if (found) return Status::ok;
+    if (!ctx.collider.finite()) return Status::not_finite;
     ctx.stats.bound_met = ctx.collider.over();
     return ctx.stats.bound_met.bound == Bound::none ? Status::out_of_memory : Status::over_bound;
 }

@@ -45,6 +45,8 @@ std::vector<ContactView> World::overlaps() const {
     if (!ctx.collider.collide(ctx.bodies, ctx.def.step, found, ctx.pool)) {
         const BoundMet met = ctx.collider.over();
         if (met.bound != Bound::none) throw LimitError(met);
+        if (!ctx.collider.finite())
+            throw DefError("a body with a shape is where numbers tell no lengths apart");
         throw std::bad_alloc();
     }
     for (const collide::Contact& c : found.contacts) {

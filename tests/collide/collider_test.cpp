@@ -53,6 +53,38 @@ TEST(Collider, AWireOnAPlaneTouchesOncePerLump) {
     for (const int n : seen) EXPECT_EQ(n, 1);
 }
 
+/// Positions and velocities that a diverging motion, or a forged snapshot, comes to: no place in
+/// any order by which boxes are sorted, and no way out of the strips they are cut into.
+TEST(Collider, BodiesBeyondAllNumbersAreSaidAndSorted) {
+    for (const double far : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e200}) {
+        Site site;
+        for (int i = 0; i < 40; ++i)
+            site.shape(ShapeKind::sphere, site.body(BodyKind::rigid, {0.3 * i, 0.0, 0.0}));
+        site.prepare();
+        ASSERT_TRUE(site.collide());
+        EXPECT_TRUE(site.collider.finite());
+        const std::size_t before = site.set.contacts.size();
+        for (const std::size_t entry : {std::size_t{3 * 7}, std::size_t{3 * 21 + 1}}) {
+            double& x = site.bodies.x[entry];
+            const double kept = x;
+            x = far;
+            EXPECT_FALSE(site.collide()) << far;
+            EXPECT_FALSE(site.collider.finite());
+            EXPECT_EQ(site.collider.over().bound, Bound::none);
+            EXPECT_TRUE(site.set.contacts.empty());
+            x = kept;
+        }
+        if (!std::isnan(far)) {  // which the step itself refuses, and no box is made of
+            site.bodies.v[2] = far;
+            EXPECT_FALSE(site.collide()) << far;
+            site.bodies.v[2] = 0.0;
+        }
+        ASSERT_TRUE(site.collide());
+        EXPECT_TRUE(site.collider.finite());
+        EXPECT_EQ(site.set.contacts.size(), before);
+    }
+}
+
 TEST(Collider, WireOnWireSharesTheForceAmongFourLumps) {
     Site site;
     site.wire({{-1, 0, 0}, {3, 0, 0}}, 0.05);
