@@ -9,12 +9,17 @@ and the rooms of src/ that they may include besides themselves. Further rules:
   - in src/, own headers are spelled "room/file.h";
   - every C++, Python, shell and CMake file names its licence in the first lines;
   - no C++ file is longer than 400 lines;
+  - modules of a room (a header with its source) include each other in no circle; rooms in which
+    they do so today are listed in CIRCLES, with how many take part, and may only get fewer;
   - no file names a path of somebody's machine, and none asks for -march=native.
 """
 import pathlib
 import re
 import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import structure  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = ROOT / "docs/architecture.md"
@@ -23,6 +28,12 @@ LICENCE = "SPDX-License-Identifier: Apache-2.0"
 # Rooms above the library: they may use foreign libraries and only the public headers.
 USERS = {"scene", "observe"}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
+# Modules that take part in circles within their room.
+CIRCLES = {"assembly": 3, "collide": 8, "factor": 6, "observe": 2, "scene": 8, "stepper": 25}
+LONG_FUNCTION, LONG_FILE = 70, 300  # lines
+# The verifier asks for kinds by itself: it shares no code with what it checks.
+ASKING = {"src/model/", "src/observe/certificate", "src/observe/interaction_forces",
+          "src/observe/interaction_limits", "src/observe/joint_gap"}
 # Headers of the C++ library have no dot and no slash.
 STANDARD = re.compile(r"^[a-z_0-9]+$")
 SYSTEM = re.compile(r"^(immintrin|x86intrin|cpuid|cxxabi|pthread|sched|unistd|time|errno|signal|"
@@ -114,7 +125,53 @@ def check_file(path: str, table: dict[str, set[str]]) -> list[str]:
     return found
 
 
+def read_sources(files: list[str]) -> dict[str, str]:
+    """Text of the C++ sources of the library and the program."""
+    return {path: (ROOT / path).read_text(encoding="utf-8") for path in files
+            if path.endswith((".cpp", ".h")) and path.startswith(("src/", "apps/", "include/"))
+            and (ROOT / path).is_file()}
+
+
+def check_circles(sources: dict[str, str]) -> tuple[list[str], int]:
+    """Rooms with more modules in circles than allowed; how many circles there are."""
+    rooms: dict[str, dict[str, str]] = {}
+    for path, text in sources.items():
+        if path.startswith("src/"):
+            rooms.setdefault(layer_of(path), {})[path[len("src/"):]] = text
+    found, count = [], 0
+    for room, texts in sorted(rooms.items()):
+        parts = structure.circles(structure.module_edges(texts))
+        count += len(parts)
+        modules = sum(len(part) for part in parts)
+        if modules > CIRCLES.get(room, 0):
+            names = "; ".join(", ".join(part) for part in parts)
+            found.append(f"src/{room}: {modules} modules include each other in circles, at most "
+                         f"{CIRCLES.get(room, 0)}: {names}")
+    return found, count
+
+
+def print_shape(sources: dict[str, str], circles: int, listed: bool) -> None:
+    """The figures that a redesign is held to."""
+    kinds = structure.kinds_of(sources["include/hawser/interactions.h"])
+    long = [f"{path}:{line}: {name} has {lines} lines" for path, text in sources.items()
+            for name, line, lines in structure.functions(text) if lines > LONG_FUNCTION]
+    large = [f"{path}: {lines} lines" for path, text in sources.items()
+             if (lines := text.count("\n")) > LONG_FILE]
+    asking = [f"{path}: asks for a kind" for path, text in sources.items()
+              if not path.startswith(tuple(ASKING)) and structure.asks_for_kind(text, kinds)]
+    print(f"circles within rooms: {circles}")
+    for what, lines in ((f"functions above {LONG_FUNCTION} lines", long),
+                        (f"files above {LONG_FILE} lines", large),
+                        ("files outside model that ask for a kind", asking)):
+        print(f"{what}: {len(lines)}")
+        if listed:
+            print(*(f"  {line}" for line in sorted(lines)), sep="\n")
+
+
 def main() -> int:
+    if set(sys.argv[1:]) - {"--list"}:
+        print("usage: scripts/check_layers.py [--list]    --list: name what is counted")
+        return 2
     table = read_table()
     if len(table) < 10:
         print(f"{TABLE}: the table of layers was not understood")
@@ -122,7 +179,11 @@ def main() -> int:
     files = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, check=True,
                            capture_output=True, text=True).stdout.splitlines()
     found = [line for path in sorted(set(files)) for line in check_file(path, table)]
+    sources = read_sources(files)
+    too_many, circles = check_circles(sources)
+    found += too_many
     print(*found, sep="\n", end="\n" if found else "")
+    print_shape(sources, circles, "--list" in sys.argv)
     print(f"layers: {len(files)} files checked, {len(found)} findings")
     return 1 if found else 0
 

@@ -86,7 +86,7 @@ World with_drag(const World& from, double stop_time) {
     }
     for (std::int32_t i = 0; i < from.interaction_count(); ++i) {
         InteractionDef def = from.interaction_def({i});
-        if (def.kind == InteractionKind::Stretch || def.kind == InteractionKind::WinchStretch) {
+        if (kind_info(def.kind).is(kWireElement)) {
             def.set("breaking_load", 1e30);  // Nothing parts on the way to rest.
             // A compliance from EA goes on following the length that a drum pays out.
             if (def.compliance[0] == def.get("length") / def.get("EA"))

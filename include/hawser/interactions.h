@@ -83,20 +83,53 @@ struct ParamInfo {
     bool input = false;  ///< May be changed between steps (see World::add_input).
 };
 
+/// What one degree of freedom is measured by.
+enum class KindCoordinate : std::uint8_t {
+    none,
+    about,   ///< Angle about the axis [rad], from the frames' x axes.
+    along,   ///< Way along the axis [m].
+    scalar,  ///< Of a scalar body [m or rad].
+};
+
+/// What a kind is, so that no one else has to know which kind it is. Bits of KindInfo::traits.
+enum KindTrait : std::uint32_t {
+    kHoldsBodies = 1 << 0,    ///< A joint: shapes of the bodies that it holds do not touch.
+    kSlides = 1 << 1,         ///< A joint that gives way along its axis: no arm swings about it.
+    kAxisFree = 1 << 2,       ///< Has frames but no axis: it keeps the orientation there is.
+    kTwoAxes = 1 << 3,        ///< Its bodies have an axis each, which differ.
+    kAlongLine = 1 << 4,      ///< One row along the line between its points: tension = −force[0].
+    kWireElement = 1 << 5,    ///< Of such: a piece of a line with a length at rest, which may part.
+    kWoundUp = 1 << 6,        ///< Of such: the length follows a drum. Never cut.
+    kElastic = 1 << 7,        ///< Its rows are springs, whatever their compliance.
+    kMotorKind = 1 << 8,      ///< Drives: parameters speed, force_min, force_max.
+    kRangeKind = 1 << 9,      ///< Limits a travel: parameters min, max.
+    kFrictionKind = 1 << 10,  ///< Rubs or brakes: its parameter is the bound.
+    kOfWires = 1 << 11,       ///< Wires and chains are made of it: partitions weigh it as a link.
+    kRigidOnly = 1 << 12,     ///< Acts on a rigid body.
+    kCompact = 1 << 13,  ///< Between rigid bodies its two arms are all its Jacobian is made of.
+};
+
 /// What a kind needs and does: the table row from which readers and documents are made.
 struct KindInfo {
     InteractionKind kind{};
-    const char* name = "";                ///< As in scene files.
-    int bodies = 2;                       ///< Bodies coupled, 1-3; a fixed body counts.
-    int rows = 0;                         ///< Equations added, 1-6.
-    bool uses_points = true;              ///< Reads InteractionDef::point.
-    bool uses_frames = false;             ///< Reads InteractionDef::frame.
-    const char* row_units = "";           ///< One letter a row: m metre, r radian, v velocity row.
-    int scalar_slot = -1;                 ///< Slot that must be a scalar body; others must not.
-    bool takes_loads = false;             ///< Reads InteractionDef::load.
-    bool length_from_pose = false;        ///< "length" defaults to the initial distance.
-    std::span<const ParamInfo> params{};  ///< At most kMaxInteractionParams.
-    const char* doc = "";                 ///< What it does, in one or two sentences.
+    const char* name = "";          ///< As in scene files.
+    int bodies = 2;                 ///< Bodies coupled, 1-3; a fixed body counts.
+    int rows = 0;                   ///< Equations added, 1-6.
+    bool uses_points = true;        ///< Reads InteractionDef::point.
+    bool uses_frames = false;       ///< Reads InteractionDef::frame.
+    const char* row_units = "";     ///< One letter a row: m metre, r radian, v velocity row.
+    int scalar_slot = -1;           ///< Slot that must be a scalar body; others must not.
+    bool takes_loads = false;       ///< Reads InteractionDef::load.
+    bool length_from_pose = false;  ///< "length" defaults to the initial distance.
+    const char* from_pose = "";     ///< Another parameter that defaults to the initial pose.
+    KindCoordinate coordinate = KindCoordinate::none;  ///< That it holds, drives, limits or rubs.
+    std::uint32_t traits = 0;                          ///< Of KindTrait.
+    std::span<const ParamInfo> params{};               ///< At most kMaxInteractionParams.
+    const char* doc = "";                              ///< What it does, in one or two sentences.
+
+    [[nodiscard]] constexpr bool is(KindTrait trait) const noexcept {
+        return (traits & trait) != 0;
+    }
 };
 
 /// All kinds in the order of InteractionKind.

@@ -16,19 +16,6 @@ constexpr double kSpeed = 0.1;       // v₀ [m/s]
 constexpr double kViolation = 0.01;  // g₀ [m]
 constexpr double kShare = 0.01;      // of the mean row force in F
 
-bool is_wire_row(InteractionKind kind) {
-    switch (kind) {
-        case InteractionKind::Stretch:
-        case InteractionKind::Bend:
-        case InteractionKind::Twist:
-        case InteractionKind::Distance:
-        case InteractionKind::Ball:
-            return true;
-        default:
-            return false;
-    }
-}
-
 }  // namespace
 
 std::int32_t thousandths(double weight) noexcept {
@@ -61,7 +48,7 @@ void PartGraph::build(const model::Bodies& bodies, std::int32_t body_count,
     }
     whole_.assign(begin.size() - 1, 1);
     for (int i = 0; i < interaction_count; ++i) {
-        if (!is_wire_row(in.def[at(i)].kind)) continue;
+        if (!kind_info(in.def[at(i)].kind).is(kOfWires)) continue;
         bool same = true;
         std::uint8_t first = 0;
         for (std::int32_t k = begin[at(i)]; k < begin[at(i) + 1]; ++k) {

@@ -49,7 +49,7 @@ void Collider::find_lines(const model::Interactions& interactions) {
     std::vector<Line> lines;
     for (std::int32_t i = 0; i < interactions.count(); ++i) {
         const InteractionDef& d = interactions.def[at(i)];
-        if (d.kind != InteractionKind::Stretch && d.kind != InteractionKind::WinchStretch) continue;
+        if (!kind_info(d.kind).is(kWireElement)) continue;
         const auto ends = std::minmax(d.body[0].index, d.body[1].index);
         lines.push_back({ends.first, ends.second, i});
     }

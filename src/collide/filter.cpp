@@ -8,20 +8,6 @@ namespace {
 
 using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
-bool holds_together(InteractionKind kind) noexcept {
-    switch (kind) {
-        case InteractionKind::Ball:
-        case InteractionKind::Hinge:
-        case InteractionKind::Prismatic:
-        case InteractionKind::Cylindrical:
-        case InteractionKind::Universal:
-        case InteractionKind::Lock:
-            return true;
-        default:
-            return false;
-    }
-}
-
 Pairs joined_bodies(const std::vector<Shape>& shapes, const model::Interactions& interactions) {
     Pairs pairs;
     auto join = [&](std::int32_t a, std::int32_t b) {
@@ -31,7 +17,7 @@ Pairs joined_bodies(const std::vector<Shape>& shapes, const model::Interactions&
     for (const Shape& s : shapes)
         if (s.segment()) join(s.body[0], s.body[1]);
     for (const InteractionDef& d : interactions.def)
-        if (holds_together(d.kind)) join(d.body[0].index, d.body[1].index);
+        if (kind_info(d.kind).is(kHoldsBodies)) join(d.body[0].index, d.body[1].index);
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;

@@ -13,24 +13,14 @@
 namespace hawser::model {
 namespace {
 
-bool is_stretch(InteractionKind kind) {
-    return kind == InteractionKind::Stretch || kind == InteractionKind::WinchStretch;
-}
-
-/// Motors: their parameters are speed, force_min, force_max.
-bool has_force_range(InteractionKind kind) {
-    const auto params = kind_info(kind).params;
-    return params.size() == 3 && std::string_view(params[1].name) == "force_min";
-}
-
 std::uint8_t flags_of(const InteractionDef& d, const generic::RowSpec& first,
                       const Bodies& bodies) {
     int flag = 0;
     if (first.one_sided) flag |= kOneSided;
     if (first.range) flag |= kRange;
     if (first.friction) flag |= kFriction;
-    if (has_force_range(d.kind)) flag |= kMotor;
-    if (is_stretch(d.kind)) {
+    if (kind_info(d.kind).is(kMotorKind)) flag |= kMotor;
+    if (kind_info(d.kind).is(kWireElement)) {
         if (d.get("breaking_load") < 1e30) flag |= kBreakable;
         if (std::isnan(d.compliance[0])) flag |= kFromLength;
     }
@@ -186,13 +176,12 @@ int Interactions::add(InteractionDef filled, const Bodies& bodies_in, double h) 
         for (base::Array<double>* a : {&mobility, &upsilon, &recall, &inv_sigma, &least_sigma, &g,
                                        &c, &residual, &lambda, &multiplier, &force})
             a->push_back(0.0);
-        share_damping(upsilon.size() - 1, is_stretch(d.kind), h);
+        share_damping(upsilon.size() - 1, kind_info(d.kind).is(kWireElement), h);
         sigma.push_back(spec[r].velocity ? spec[r].compliance / h
                                          : 4.0 * spec[r].compliance * upsilon.back() / (h * h));
     }
-    if (is_stretch(d.kind)) follow_length(id, bodies_in, h);
-    if (d.kind == InteractionKind::WinchStretch && (flags.back() & kFromLength))
-        winches.push_back(id);
+    if (kind_info(d.kind).is(kWireElement)) follow_length(id, bodies_in, h);
+    if (kind_info(d.kind).is(kWoundUp) && (flags.back() & kFromLength)) winches.push_back(id);
     if (flags.back() & kMotor) {
         motors.push_back(id);
         saturated.push_back(0);
@@ -282,7 +271,7 @@ void Interactions::mirror(int copy, int original, const Bodies& bodies_in, doubl
         epsilon[row] = epsilon[of];
         // A rigid row's Σ is that of the analysis.
         if ((row_flags[row] & kRowVelocity) || epsilon[row] == 0.0) continue;
-        share_damping(row, is_stretch(d.kind), h);
+        share_damping(row, kind_info(d.kind).is(kWireElement), h);
         sigma[row] = std::max(4.0 * epsilon[row] * upsilon[row] / (h * h), least_sigma[row]);
         if (inv_sigma[row] != 0.0) inv_sigma[row] = 1.0 / sigma[row];
     }
@@ -298,14 +287,14 @@ void Interactions::refresh(int id, const Bodies& bodies_in, double h) noexcept {
     const InteractionDef& d = def[at(id)];
     write_data(id);
     force_range(d, flags[at(id)], low[at(id)], high[at(id)]);
-    if (is_stretch(d.kind)) follow_length(id, bodies_in, h);
+    if (kind_info(d.kind).is(kWireElement)) follow_length(id, bodies_in, h);
 }
 
 void Interactions::follow_length(int id, const Bodies& bodies_in, double h) noexcept {
     const InteractionDef& d = def[at(id)];
     const double whole = d.params[0];
     double length = whole;
-    if (d.kind == InteractionKind::WinchStretch)
+    if (kind_info(d.kind).is(kWoundUp))
         length += d.params[4] * bodies_in.x[3 * at(d.body[2].index)];
     // A drum may wind in more than the element holds; its law then keeps the stiffness of the rest.
     constexpr double kShortest = 0.01;

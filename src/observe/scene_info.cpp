@@ -11,14 +11,7 @@ namespace hawser::observe {
 double element_tension(const World& world, InteractionId element) {
     const std::span<const double> force = world.force(element);
     if (force.empty()) return 0.0;
-    switch (world.interaction_def(element).kind) {
-        case InteractionKind::Stretch:
-        case InteractionKind::WinchStretch:
-        case InteractionKind::Distance:
-            return -force[0];
-        default:
-            break;
-    }
+    if (kind_info(world.interaction_def(element).kind).is(kAlongLine)) return -force[0];
     double sum = 0.0;
     for (const double f : force.first(std::min<std::size_t>(3, force.size()))) sum += f * f;
     return std::sqrt(sum);

@@ -112,8 +112,7 @@ ShapePtr kind_shape(const KindInfo& kind) {
 
 bool taken_from_pose(const KindInfo& kind, std::string_view param) {
     return (kind.length_from_pose && param == "length") ||
-           (kind.kind == InteractionKind::Hydrostatic && param == "rest_height") ||
-           (kind.kind == InteractionKind::Hold && param == "target");
+           (!param.empty() && param == kind.from_pose);
 }
 
 ShapePtr interaction_shape() {

@@ -18,9 +18,7 @@ bool needs_points(const KindInfo& kind) {
 }
 
 /// A lock keeps the orientation that the bodies have; every other kind has an axis.
-bool needs_axis(const KindInfo& kind) {
-    return kind.uses_frames && kind.kind != InteractionKind::Lock;
-}
+bool needs_axis(const KindInfo& kind) { return kind.uses_frames && !kind.is(kAxisFree); }
 
 /// Rows that hold exactly unless told otherwise, as against motors and springs.
 bool is_constraint(const KindInfo& kind) {
@@ -140,7 +138,7 @@ class Reader {
                                " needs \"axis\" (a world direction), \"axes\" (one a body) or "
                                "\"frames\"");
         }
-        if (axis && kind_.kind == InteractionKind::Universal) {
+        if (axis && kind_.is(kTwoAxes)) {
             refuse(place_ / "axis",
                    "the two axes of a universal joint differ; give \"axes\", one a body");
         }

@@ -133,7 +133,7 @@ std::int32_t speaker(const StepContext& ctx, std::int32_t id) noexcept {
 bool can_cut(const StepContext& ctx, std::int32_t id) noexcept {
     const model::Interactions& in = ctx.interactions;
     if (in.flags[at(id)] & (model::kMotor | model::kFriction | model::kRange)) return false;
-    if (in.def[at(id)].kind == InteractionKind::WinchStretch) return false;
+    if (kind_info(in.def[at(id)].kind).is(kWoundUp)) return false;
     const std::int32_t row = in.row_begin[at(id)];
     return std::none_of(in.loads.begin(), in.loads.end(),
                         [row](const model::Load& l) { return l.rows > 0 && l.row_begin == row; });

@@ -228,8 +228,7 @@ void prepare_judge(StepContext& ctx) {
         }
         if (!soft) continue;
         d.elastic.push_back(id);
-        d.line.push_back(kind.kind == InteractionKind::Distance ||
-                         kind.kind == InteractionKind::Stretch);
+        d.line.push_back(kind.is(kAlongLine) && !kind.is(kWoundUp));
     }
     const auto most = static_cast<std::int32_t>(
         std::max({ctx.bodies.moving.size(), d.allowed.size(), d.elastic.size(), d.lines.size()}));

@@ -26,10 +26,12 @@ constexpr double kAlertSteps = 20.0, kAlertSeconds = 1.0;
 
 bool is_element(const StepContext& ctx, std::int32_t id) {
     const model::Interactions& in = ctx.interactions;
-    const InteractionKind kind = in.def[at(id)].kind;
-    const bool spring = kind == InteractionKind::Distance &&  // and no rod
-                        in.epsilon[at(in.row_begin[at(id)])] > model::kElasticCompliance;
-    if (kind != InteractionKind::Stretch && !spring) return false;
+    const KindInfo& kind = kind_info(in.def[at(id)].kind);
+    if (!kind.is(kAlongLine) || kind.is(kWoundUp)) return false;
+    // A rod is none, but a spring between two points.
+    if (!kind.is(kWireElement) &&
+        !(in.epsilon[at(in.row_begin[at(id)])] > model::kElasticCompliance))
+        return false;
     const std::int32_t* body = &in.body[at(kMaxInteractionBodies * id)];
     return ctx.bodies.dof(body[0]) == 3 || ctx.bodies.dof(body[1]) == 3;
 }

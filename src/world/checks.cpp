@@ -177,7 +177,7 @@ void check(const InteractionDef& def, const model::Bodies& bodies, int count,
         if (info.uses_frames && kind == BodyKind::lump)
             refuse(where, which + " is a lump, which has no orientation; a " + info.name +
                               " needs rigid bodies");
-        if (def.kind == InteractionKind::Hydrostatic && kind != BodyKind::rigid)
+        if (info.is(kRigidOnly) && kind != BodyKind::rigid)
             refuse(where, "hydrostatics act on a rigid body");
         moves = moves || model::dof_of(kind) > 0;
         finite(where, "point", def.point[slot], kMaxLength);

@@ -17,6 +17,7 @@ def load(name: str):
 layers = load("check_layers")
 symbols = load("check_isa_symbols")
 tidy = load("tidy")
+structure = layers.structure
 
 
 class Layers(unittest.TestCase):
@@ -64,6 +65,48 @@ class Layers(unittest.TestCase):
         self.assertTrue(layers.MACHINE_PATH.search('open("/' + 'home/ann/scene.json")'))
         self.assertFalse(layers.MACHINE_PATH.search("build/release/x"))
         self.assertFalse(layers.MACHINE_PATH.search("$(DEMO)" + "/wo" + "rk/x"))
+
+
+class Structure(unittest.TestCase):
+    def test_circles(self):
+        sources = {"a/x.h": '#include "a/y.h"', "a/y.h": "", "a/y.cpp": '#include "a/z.h"',
+                   "a/z.h": '#include "a/x.h"', "a/w.h": '#include "a/x.h"'}
+        edges = structure.module_edges(sources)
+        self.assertEqual(structure.circles(edges), [["a/x", "a/y", "a/z"]])
+        edges["a/z"].clear()
+        self.assertEqual(structure.circles(edges), [])
+
+    def test_circles_above_the_allowance_are_findings(self):
+        sources = {"src/base/x.h": '#include "base/y.h"', "src/base/y.h": '#include "base/x.h"'}
+        found, count = layers.check_circles(sources)
+        self.assertEqual((len(found), count), (1, 1))
+        self.assertIn("base/x, base/y", found[0])
+
+    def test_functions(self):
+        text = """namespace n {
+struct S {
+    int one() const { return '}'; }  // }
+    S(int a) : a_(a) {
+        if (a) { /* } */ }
+    }
+};
+std::vector<int> n::long_one(int a,
+                             int b) noexcept {
+    auto f = [] { return 1; };
+    return {};
+}
+}"""
+        self.assertEqual(structure.functions(text),
+                         [("one", 3, 1), ("S", 4, 3), ("n::long_one", 8, 5)])
+
+    def test_kinds(self):
+        header = "#define HAWSER_INTERACTION_KINDS(X) \\\n    X(Ball) X(Hinge)\n"
+        kinds = structure.kinds_of(header)
+        self.assertEqual(kinds, ["Ball", "Hinge"])
+        self.assertTrue(structure.asks_for_kind("if (k == InteractionKind::Ball) {}", kinds))
+        self.assertTrue(structure.asks_for_kind("case InteractionKind::Hinge:", kinds))
+        self.assertFalse(structure.asks_for_kind("add(InteractionKind::Ball, d);", kinds))
+        self.assertFalse(structure.asks_for_kind("// k == InteractionKind::Ball", kinds))
 
 
 class IsaSymbols(unittest.TestCase):

@@ -28,6 +28,8 @@ struct Hydrostatic {
         .uses_points = false,
         .uses_frames = false,
         .row_units = "mrr",
+        .from_pose = "rest_height",
+        .traits = kElastic | kRigidOnly,
         .params = kHydrostaticParams,
         .doc =
             "Linear hydrostatic restoring and damping of one floating body in heave, roll "
@@ -79,6 +81,7 @@ struct Hold {
                                     .uses_frames = false,
                                     .row_units = "m",
                                     .scalar_slot = 0,
+                                    .from_pose = "target",
                                     .params = kHoldParams,
                                     .doc = "Holds a scalar body (drum, spool) at a coordinate."};
     using Data = TargetData;
@@ -141,6 +144,8 @@ struct HingeMotor {
         .uses_points = false,
         .uses_frames = true,
         .row_units = "v",
+        .coordinate = KindCoordinate::about,
+        .traits = kMotorKind,
         .params = kMotorParams,
         .doc = "Turns body 1 against body 0 about z of frame 0 at a speed."};
     using Data = MotorData;
@@ -167,6 +172,8 @@ struct SlideMotor {
                                     .uses_points = true,
                                     .uses_frames = true,
                                     .row_units = "v",
+                                    .coordinate = KindCoordinate::along,
+                                    .traits = kMotorKind,
                                     .params = kMotorParams,
                                     .doc = "Moves body 1 along z of frame 0 at a speed."};
     using Data = MotorData;
@@ -192,6 +199,8 @@ struct ScalarMotor {
                                     .uses_frames = false,
                                     .row_units = "v",
                                     .scalar_slot = 0,
+                                    .coordinate = KindCoordinate::scalar,
+                                    .traits = kMotorKind,
                                     .params = kMotorParams,
                                     .doc = "Turns a scalar body (drum) at a speed."};
     using Data = TargetData;
@@ -240,6 +249,8 @@ struct HingeRange {
         .uses_points = false,
         .uses_frames = true,
         .row_units = "r",
+        .coordinate = KindCoordinate::about,
+        .traits = kRangeKind,
         .params = kRangeParams,
         .doc = "Range of the angle of frame 1 against frame 0 about z."};
     using Data = RangeData;
@@ -264,6 +275,8 @@ struct SlideRange {
                                     .uses_points = true,
                                     .uses_frames = true,
                                     .row_units = "m",
+                                    .coordinate = KindCoordinate::along,
+                                    .traits = kRangeKind,
                                     .params = kRangeParams,
                                     .doc = "Range of the travel of body 1 along z of frame 0."};
     using Data = RangeData;

@@ -48,6 +48,8 @@ struct HingeFriction {
         .uses_frames = true,
         .row_units = "r",
         .takes_loads = true,
+        .coordinate = KindCoordinate::about,
+        .traits = kFrictionKind,
         .params = kTorqueParams,
         .doc = "Dry friction, or a brake, about z of the frames. It takes `loads`."};
     using Data = JointFrictionData;
@@ -79,6 +81,8 @@ struct SlideFriction {
         .uses_frames = true,
         .row_units = "m",
         .takes_loads = true,
+        .coordinate = KindCoordinate::along,
+        .traits = kFrictionKind,
         .params = kForceParams,
         .doc = "Dry friction, or a brake, along z of frame 0. It takes `loads`."};
     using Data = JointFrictionData;
@@ -106,6 +110,8 @@ struct ScalarFriction {
         .row_units = "m",
         .scalar_slot = 0,
         .takes_loads = true,
+        .coordinate = KindCoordinate::scalar,
+        .traits = kFrictionKind,
         .params = kForceParams,
         .doc = "Dry friction, or a brake, of a scalar body (drum, spool). It takes `loads`."};
     struct Data {

@@ -21,6 +21,7 @@ struct Ball {
         .uses_points = true,
         .uses_frames = false,
         .row_units = "mmm",
+        .traits = kHoldsBodies | kOfWires | kCompact,
         .doc = "Ball joint: a point of one body stays on a point of the other."};
     static constexpr bool kInShort = true;  ///< Between two rigid bodies, see model/arms.h.
     template <class T>
@@ -66,6 +67,7 @@ struct Hinge : JointKind {
         .uses_points = true,
         .uses_frames = true,
         .row_units = "mmmrr",
+        .traits = kHoldsBodies,
         .doc = "Hinge: the bodies share a point and turn about the frames' z axis."};
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         constraint_rows(d, h, 0, 3, true, s);
@@ -92,6 +94,7 @@ struct Prismatic : JointKind {
         .uses_points = true,
         .uses_frames = true,
         .row_units = "mmrrr",
+        .traits = kHoldsBodies | kSlides,
         .doc = "Slider: body 1 moves along z of frame 0 and does not turn against body 0."};
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         constraint_rows(d, h, 0, 2, true, s);
@@ -121,6 +124,7 @@ struct Cylindrical : JointKind {
                                     .uses_points = true,
                                     .uses_frames = true,
                                     .row_units = "mmrr",
+                                    .traits = kHoldsBodies | kSlides,
                                     .doc = "Body 1 slides along and turns about z of frame 0."};
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         constraint_rows(d, h, 0, 2, true, s);
@@ -150,6 +154,7 @@ struct Universal : JointKind {
         .uses_points = true,
         .uses_frames = true,
         .row_units = "mmmr",
+        .traits = kHoldsBodies | kTwoAxes,
         .doc = "Cardan joint: a shared point, and z of frame 0 stays square to z of frame 1."};
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         constraint_rows(d, h, 0, 3, true, s);
@@ -174,6 +179,7 @@ struct Lock : JointKind {
         .uses_points = true,
         .uses_frames = true,
         .row_units = "mmmrrr",
+        .traits = kHoldsBodies | kAxisFree,
         .doc = "Welds two bodies together: the points and the frames coincide."};
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         constraint_rows(d, h, 0, 3, true, s);

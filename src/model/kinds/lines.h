@@ -62,6 +62,7 @@ struct Distance {
         .uses_frames = false,
         .row_units = "m",
         .length_from_pose = true,
+        .traits = kAlongLine | kOfWires,
         .params = kDistanceParams,
         .doc =
             "Keeps two points at a distance: a massless rod, or a spring of compliance "
@@ -110,6 +111,7 @@ struct Stretch {
         .uses_frames = false,
         .row_units = "m",
         .length_from_pose = true,
+        .traits = kAlongLine | kWireElement | kElastic | kOfWires,
         .params = kStretchParams,
         .doc = "Axial stiffness of a wire element, compliance length/EA."};
     using Data = PointData;
@@ -149,6 +151,7 @@ struct WinchStretch {
         .row_units = "m",
         .scalar_slot = 2,
         .length_from_pose = true,
+        .traits = kAlongLine | kWireElement | kWoundUp | kElastic,
         .params = kWinchStretchParams,
         .doc =
             "Wire element from a fairlead whose rest length grows with the coordinate of a "
@@ -180,6 +183,7 @@ struct Bend {
         .uses_points = true,
         .uses_frames = false,
         .row_units = "rr",
+        .traits = kElastic | kOfWires,
         .params = kBendParams,
         .doc = "Bending stiffness of a line at the middle one of three nodes in order."};
     static constexpr bool kInLanes = true;
@@ -244,6 +248,7 @@ struct Twist {
         .uses_points = false,
         .uses_frames = true,
         .row_units = "r",
+        .traits = kElastic | kOfWires,
         .params = kTwistParams,
         .doc = "Torsional stiffness GJ/length about the common z axis of the two frames."};
     using Data = JointData;

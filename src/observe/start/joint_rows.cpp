@@ -16,22 +16,9 @@ constexpr double kFelt = 1e-4;
 
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-bool is_elastic(InteractionKind kind) {
-    return kind == InteractionKind::Stretch || kind == InteractionKind::WinchStretch ||
-           kind == InteractionKind::Bend || kind == InteractionKind::Twist ||
-           kind == InteractionKind::Hydrostatic;
-}
-
-bool is_friction(InteractionKind kind) {
-    return kind == InteractionKind::HingeFriction || kind == InteractionKind::SlideFriction ||
-           kind == InteractionKind::ScalarFriction;
-}
-
 /// A range is a joint where it has no width.
 bool is_open_range(const InteractionDef& def) {
-    const bool range =
-        def.kind == InteractionKind::HingeRange || def.kind == InteractionKind::SlideRange;
-    return range && def.get("max") - def.get("min") > 1e-9;
+    return kind_info(def.kind).is(kRangeKind) && def.get("max") - def.get("min") > 1e-9;
 }
 
 /// G M⁻¹ Gᵀ of one row with the bodies' masses [1/kg or 1/(kg m²)].
@@ -73,7 +60,9 @@ JointRows::JointRows(const World& world) {
     const double h = world.settings().step;
     for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
         const InteractionDef& def = world.interaction_def({i});
-        if (is_elastic(def.kind) || is_friction(def.kind) || is_open_range(def)) continue;
+        if (kind_info(def.kind).is(kElastic) || kind_info(def.kind).is(kFrictionKind) ||
+            is_open_range(def))
+            continue;
         const RowsView view = world.rows({i});
         Joint joint{.id = {i}, .row_begin = static_cast<std::int32_t>(rows_)};
         for (std::size_t r = 0; r < index(view.rows); ++r) {

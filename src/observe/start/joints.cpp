@@ -71,38 +71,28 @@ void check_gaps(const World& world, const JointRows& rows, Findings& out) {
 }
 
 void check_motor_friction(const World& world, Findings& out) {
-    struct Pair {
-        InteractionKind motor, friction;
-        const char* param;
-    };
-    constexpr std::array<Pair, 3> kPairs = {
-        Pair{InteractionKind::HingeMotor, InteractionKind::HingeFriction, "torque"},
-        Pair{InteractionKind::SlideMotor, InteractionKind::SlideFriction, "force"},
-        Pair{InteractionKind::ScalarMotor, InteractionKind::ScalarFriction, "force"}};
     std::vector<std::int32_t> motors, brakes;
-    for (std::int32_t i = 0; i < world.interaction_count(); ++i)
-        for (const Pair& pair : kPairs) {
-            const InteractionKind kind = world.interaction_def({i}).kind;
-            if (kind == pair.motor) motors.push_back(i);
-            if (kind == pair.friction) brakes.push_back(i);
-        }
+    for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
+        const KindInfo& kind = kind_info(world.interaction_def({i}).kind);
+        if (kind.is(kMotorKind)) motors.push_back(i);
+        if (kind.is(kFrictionKind)) brakes.push_back(i);
+    }
     for (const std::int32_t m : motors)
         for (const std::int32_t f : brakes) {
             const InteractionDef& motor = world.interaction_def({m});
             const InteractionDef& brake = world.interaction_def({f});
-            const auto pair = std::find_if(kPairs.begin(), kPairs.end(),
-                                           [&](const Pair& p) { return p.motor == motor.kind; });
+            const KindInfo &driven = kind_info(motor.kind), &held_by = kind_info(brake.kind);
             const auto bodies = [](const InteractionDef& d) {
                 const auto [low, high] = std::minmax(d.body[0].index, d.body[1].index);
                 return std::pair<std::int32_t, std::int32_t>(low, high);
             };
-            if (pair->friction != brake.kind || bodies(motor) != bodies(brake)) continue;
+            if (driven.coordinate != held_by.coordinate || bodies(motor) != bodies(brake)) continue;
             const double speed = motor.get("speed");
             if (speed == 0.0) continue;
             const double most = speed > 0.0 ? motor.get("force_max") : -motor.get("force_min");
-            const double held = brake.get(pair->param);
+            const double held = brake.get(held_by.params[0].name);
             if (held < most || most <= 0.0) continue;
-            const char* unit = motor.kind == InteractionKind::HingeMotor ? "N m" : "N";
+            const char* unit = driven.coordinate == KindCoordinate::about ? "N m" : "N";
             out.add(
                 false, FindingKind::motor,
                 {interaction_label(world, {m}), interaction_label(world, {f})}, held,

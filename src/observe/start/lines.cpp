@@ -16,10 +16,6 @@ constexpr double kStrain = 0.05;
 /// As good as no breaking load [N].
 constexpr double kUnbreakable = 1e29;
 
-bool is_line(InteractionKind kind) {
-    return kind == InteractionKind::Stretch || kind == InteractionKind::WinchStretch;
-}
-
 struct Tightest {
     double tension = 0.0, most = 1.0;
     bool strain = false;  ///< `most` is that of kStrain.
@@ -28,7 +24,7 @@ struct Tightest {
 
 void take(const World& world, InteractionId id, Tightest& worst) {
     const InteractionDef& def = world.interaction_def(id);
-    if (!is_line(def.kind)) return;
+    if (!kind_info(def.kind).is(kWireElement)) return;
     const double breaking = def.get("breaking_load");
     const bool strain = !(breaking > 0.0) || breaking >= kUnbreakable;
     const double most = strain ? kStrain * def.get("EA") : breaking;
@@ -56,7 +52,7 @@ void report(const World& world, const std::string& name, const std::string& what
 
 double start_tension(const World& world, InteractionId id) {
     const InteractionDef& def = world.interaction_def(id);
-    if (!is_line(def.kind)) return 0.0;
+    if (!kind_info(def.kind).is(kWireElement)) return 0.0;
     const RowsView view = world.rows(id);
     return view.compliance[0] > 0.0 ? std::max(0.0, view.violation[0] / view.compliance[0]) : 0.0;
 }

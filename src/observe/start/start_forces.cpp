@@ -133,12 +133,8 @@ class Statics {
                     mobile[r] += j * j / inertia[c * size + c];
                 }
         }
-        const bool elastic =
-            def.kind == InteractionKind::Stretch || def.kind == InteractionKind::WinchStretch ||
-            def.kind == InteractionKind::Bend || def.kind == InteractionKind::Twist ||
-            def.kind == InteractionKind::Hydrostatic;
-        const bool idle =
-            def.kind == InteractionKind::HingeRange || def.kind == InteractionKind::SlideRange;
+        const bool elastic = kind_info(def.kind).is(kElastic);
+        const bool idle = kind_info(def.kind).is(kRangeKind);
         for (std::size_t r = 0; r < rows; ++r) {
             const double soft =
                 view.velocity[r] ? view.compliance[r] / h_ : view.compliance[r] / (h_ * h_);
@@ -152,9 +148,7 @@ class Statics {
     }
 
     static bool is_one_sided(const InteractionDef& def) {
-        return (def.kind == InteractionKind::Stretch ||
-                def.kind == InteractionKind::WinchStretch) &&
-               def.get("tension_only") != 0.0;
+        return kind_info(def.kind).is(kWireElement) && def.get("tension_only") != 0.0;
     }
 
     void release(std::int32_t i) {

@@ -178,8 +178,7 @@ void check_steps(const SceneInfo& scene, const World& world, Findings& out) {
         bool lumps = false;
         for (const InteractionId id : cable.elements) {
             of_cable[static_cast<std::size_t>(id.index)] = true;
-            const InteractionKind kind = world.interaction_def(id).kind;
-            lumps |= kind == InteractionKind::Stretch || kind == InteractionKind::WinchStretch;
+            lumps |= kind_info(world.interaction_def(id).kind).is(kWireElement);
             const Fastest here = fastest_at(world, forces, id);
             if (here.s > worst.s) worst = here;
         }
