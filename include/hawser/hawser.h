@@ -12,6 +12,7 @@
 #include <hawser/math.h>
 #include <hawser/partition.h>
 #include <hawser/schedule.h>
+#include <hawser/settings.h>
 #include <hawser/shapes.h>
 #include <hawser/stats.h>
 #include <hawser/trace.h>

@@ -4,6 +4,8 @@
 /// Scene format version 1 as shapes. What an interaction accepts comes from the table of
 /// kinds (hawser/interactions.h), everything else from format.cpp.
 
+#include <hawser/settings.h>
+
 #include "scene/shape.h"
 
 namespace hawser::scene {
@@ -33,6 +35,8 @@ struct Format {
 
 /// How a scene is simulated. See format_settings.cpp.
 [[nodiscard]] ShapePtr settings_shape();
+/// Largest value of a setting in a scene, where that is less than what a world may have.
+[[nodiscard]] double most_of(const SettingInfo& setting);
 
 /// Shape of one interaction, by kind. See format_kinds.cpp.
 [[nodiscard]] ShapePtr interaction_shape();

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/checks.h"
 
+#include <hawser/settings.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <string_view>
 
 namespace hawser::world {
 namespace {
 
-constexpr double kMostElements = 1e9;  // their indices have 32 bits
 // Beyond these, products of entries overflow or lose all digits.
 constexpr double kMaxLength = 1e7, kMaxSpeed = 1e5, kMaxMass = 1e15;
 
@@ -33,7 +35,7 @@ void finite(const std::string& where, const char* field, const Vec3& v, double l
 }
 
 void range(const std::string& where, const char* field, double value, double low, double high,
-           const char* unit) {
+           const std::string& unit) {
     if (!(value >= low && value <= high))
         refuse(where, std::string(field) + " must be " + number(low) + " to " + number(high) +
                           unit + ", not " + number(value));
@@ -76,40 +78,24 @@ std::string label(const char* what, const std::string& name) {
 
 void check(const WorldDef& def) {
     const std::string where = "world";
-    const auto within = [&](const char* field, double value, double low, double high,
-                            const char* unit = "") { range(where, field, value, low, high, unit); };
-    if (def.form > Form::condensed) refuse(where, "unknown form");
-    if (def.on_diverged > OnDiverged::warn) refuse(where, "unknown on_diverged");
-    if (def.coupling > Coupling::deadline) refuse(where, "unknown coupling");
-    if (def.predictor > Predictor::clique) refuse(where, "unknown predictor");
-    if (def.nonsmooth > Nonsmooth::convex) refuse(where, "unknown nonsmooth method");
-    within("step", def.step, 1e-7, 1.0, " s");
-    finite(where, "gravity", def.gravity, 1e4);
-    within("geometric_stiffness", def.geometric_stiffness, 0.0, 100.0);
-    within("rotation_damping", def.rotation_damping, 0.0, 100.0);
-    within("refinements", def.refinements, 0, 4);
-    within("solution_tolerance", def.solution_tolerance, 1e-13, 1e-6);
-    within("contact_tolerance", def.contact_tolerance, 1e-12, 1.0);
-    within("contact_iterations", def.contact_iterations, 1, 1000);
-    within("sleep_after", def.sleep_after, 0.0, 1e6, " s");
-    within("sleep_speed", def.sleep_speed, 0.0, 1.0, " m/s");
+    for (const SettingInfo& s : setting_infos()) {
+        const int components = s.type == SettingType::vector ? 3 : 1;
+        for (int i = 0; i < components; ++i) {
+            const double value = s.get(def, i);
+            if (s.type == SettingType::vector) finite(where, s.name, value, s.max);
+            if (s.type == SettingType::word && !(value < static_cast<double>(s.words.size())))
+                refuse(where, std::string("unknown ") + s.name);
+            if (s.type == SettingType::word) continue;
+            const bool plain = s.unit[0] == 0 || std::string_view(s.unit) == "1";
+            range(where, s.name, value, s.min, s.max, plain ? "" : std::string(" ") + s.unit);
+        }
+    }
     if (def.coupling != Coupling::exact && def.sleep_after > 0.0)
         refuse(where,
                "a coupling other than exact needs sleep_after 0: what is cut cannot tell "
                "when to wake");
-    within("parts", def.parts, 0, 4096);
-    within("regroup_every", def.regroup_every, 0, 1'000'000, " steps");
-    within("nonsmooth_sweeps", def.nonsmooth_sweeps, 1, 100'000);
-    within("budget", def.budget, 0.0, 1e6, " s");
-    within("budget_work", def.budget_work, 0.0, 1e18, " flops");
     if ((def.budget > 0.0 || def.budget_work > 0.0) && def.nonsmooth != Nonsmooth::newton)
         refuse(where, "a budget needs the nonsmooth method newton");
-    within("contact_margin", def.contact_margin, 1e-6, 10.0, " m");
-    within("threads", def.threads, 1, 256);
-    within("max_bodies", def.max_bodies, 1, kMostElements);
-    within("max_interactions", def.max_interactions, 0, kMostElements);
-    within("max_contacts", def.max_contacts, 1, kMostElements);
-    within("max_memory", def.max_memory, 1e6, 1e15, " bytes");
 }
 
 void check_pose(const std::string& where, const Vec3& position, const Quat& orientation) {

@@ -7,9 +7,14 @@
 #include "world/checks.h"
 #include "world/impl.h"
 #include "world/lookup.h"
+#include "world/saved_state.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace hawser {
 
@@ -145,13 +150,45 @@ World World::twin(std::optional<Coupling> coupling) const {
 
 namespace {
 
-/// The front of an array, as much as both have.
-template <class A>
-void front(const A& from, A& to) {
-    std::copy_n(from.begin(), std::min(from.size(), to.size()), to.begin());
+/// What moves and remembers, as much of each array as both worlds have.
+void copy_motion(const stepper::StepContext& from, stepper::StepContext& to) {
+    std::vector<std::span<const std::byte>> arrays;
+    world::visit_motion(from,
+                        [&](const auto& a) { arrays.push_back(std::as_bytes(std::span(a))); });
+    std::size_t next = 0;
+    world::visit_motion(to, [&](auto& a) {
+        const std::span<const std::byte> its = arrays[next++];
+        const std::span<std::byte> mine = std::as_writable_bytes(std::span(a));
+        std::copy_n(its.begin(), std::min(its.size(), mine.size()), mine.begin());
+    });
+    // Their wires are others where other elements are cut.
+    if (from.wires.count() != to.wires.count()) {
+        std::fill(to.wires.credit.begin(), to.wires.credit.end(), 0.0);
+        std::fill(to.wires.alert.begin(), to.wires.alert.end(), 0);
+    }
+    if (to.def.sleep_after == 0.0) {  // what sleeps there is awake here
+        std::fill(to.bodies.asleep.begin(), to.bodies.asleep.end(), std::uint8_t{0});
+        std::fill(to.bodies.quiet.begin(), to.bodies.quiet.end(), 0);
+    }
+    stepper::check_asleep(to);
+    stepper::follow_alerts(to);
 }
 
-void copy_contacts(const stepper::StepContext& from, stepper::StepContext& to) {
+void copy_values(const stepper::StepContext& from, stepper::StepContext& to) {
+    std::vector<std::span<const std::byte>> values;
+    world::visit_values(from,
+                        [&](const auto& v) { values.push_back(std::as_bytes(std::span(&v, 1))); });
+    std::size_t next = 0;
+    world::visit_values(to, [&](auto& v) {
+        const std::span<const std::byte> its = values[next++];
+        std::memcpy(&v, its.data(), its.size());
+    });
+    to.time = to.stats.time = from.time;
+    to.stats.step = from.step;
+}
+
+/// Contacts that are remembered. @return whether other bodies touch than did here.
+bool copy_contacts(const stepper::StepContext& from, stepper::StepContext& to) {
     assembly::Contacts& c = to.system.contacts;
     const assembly::Contacts& f = from.system.contacts;
     to.collider.kept() = from.collider.kept();
@@ -164,10 +201,10 @@ void copy_contacts(const stepper::StepContext& from, stepper::StepContext& to) {
     to.contact_impulse.clear();
     to.contact_sliding.clear();
     to.stats.contacts = 0;
-    if (c.links == f.links) return;
+    if (c.links == f.links) return false;
     c.links = f.links;
     c.make_blocks();
-    stepper::analyse(to);
+    return true;
 }
 
 /// Groups that follow the state, where both worlds have some.
@@ -209,40 +246,10 @@ void World::copy_from(const World& other) {
     const stepper::StepContext& from = other.impl_->ctx;
     stepper::StepContext& to = impl_->ctx;
     copy_groups(from, to);
-    front(from.bodies.x, to.bodies.x);
-    front(from.bodies.q, to.bodies.q);
-    front(from.bodies.r, to.bodies.r);
-    front(from.bodies.v, to.bodies.v);
-    front(from.bodies.v_start, to.bodies.v_start);
-    front(from.bodies.v_fixed, to.bodies.v_fixed);
-    front(from.bodies.spin_change, to.bodies.spin_change);
-    front(from.bodies.force, to.bodies.force);
-    front(from.interactions.lambda, to.interactions.lambda);
-    front(from.interactions.force, to.interactions.force);
-    front(from.interactions.active, to.interactions.active);
-    front(from.interactions.parted, to.interactions.parted);
-    front(from.interactions.coarse, to.interactions.coarse);
-    front(from.interactions.repeats, to.interactions.repeats);
-    front(from.interactions.saturated, to.interactions.saturated);
-    front(from.interactions.anchor, to.interactions.anchor);
-    if (from.wires.count() == to.wires.count()) {
-        to.wires.credit = from.wires.credit;
-        to.wires.alert = from.wires.alert;
-        stepper::follow_alerts(to);
-    }
-    copy_contacts(from, to);
-    to.step = from.step;
-    to.time = from.time;
-    to.started = from.started;
-    to.work = from.work;
-    to.drag = from.drag;
-    to.drive = from.drive;
-    to.friction = from.friction;
-    to.contact = from.contact;
-    to.damped = from.damped;
-    to.refine_unasked = from.refine_unasked;
-    to.stats.step = from.step;
-    to.stats.time = from.time;
+    const auto asleep = to.bodies.asleep;
+    copy_motion(from, to);
+    if (copy_contacts(from, to) || asleep != to.bodies.asleep) stepper::analyse(to);
+    copy_values(from, to);
     for (std::size_t i = 0; i < impl_->inputs.size(); ++i) {
         impl_->input_values[i] = other.impl_->input_values[i];
         if (impl_->inputs[i].interaction.valid()) impl_->apply_input(i, impl_->input_values[i]);

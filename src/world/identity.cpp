@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/identity.h"
 
+#include <hawser/settings.h>
+
 #include "base/hash.h"
 
 namespace hawser::world {
@@ -17,7 +19,6 @@ std::uint64_t hash_of(const std::vector<ShapeDef>& shapes, const collide::Collid
                       std::uint64_t h) {
     auto array = [&](const auto& a) { h = base::fnv1a(a.data(), a.size() * sizeof(a[0]), h); };
     auto value = [&](const auto& v) { h = base::fnv1a(&v, sizeof v, h); };
-    value(collider.margin);
     for (int i = 0; i < collider.materials.count(); ++i) h = hash_of(collider.materials.def(i), h);
     for (const MaterialPairDef& pair : collider.materials.pairs()) {
         value(pair.a.index);
@@ -77,22 +78,15 @@ std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<I
     add(ctx.bodies.inertia.data(), 9 * bodies * sizeof(double));
     add(ctx.bodies.damping.data(), 6 * bodies * sizeof(double));
     add(ctx.bodies.weight.data(), bodies);
-    value(ctx.def.predictor);
+    for (const SettingInfo& s : setting_infos())
+        for (int c = 0; s.identity && c < (s.type == SettingType::vector ? 3 : 1); ++c)
+            value(s.get(ctx.def, c));
     if (stepper::makes_groups(ctx)) {
         value(ctx.def.parts);
         value(ctx.def.regroup_every);
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(stepper::interaction_count(ctx)); ++i)
         value(i < ctx.cuts.coupling.size() ? ctx.cuts.coupling[i] : ctx.def.coupling);
-    add(ctx.def.gravity.data(), sizeof(Vec3));
-    value(ctx.def.geometric_stiffness);
-    value(ctx.def.rotation_damping);
-    value(ctx.def.refinements);
-    value(ctx.def.solution_tolerance);
-    value(ctx.def.nonsmooth);
-    value(ctx.def.sleep_after);
-    value(ctx.def.sleep_speed);
-    value(ctx.def.nonsmooth_sweeps);
     for (const InputDef& input : inputs) {
         array(input.name);
         array(input.param);

@@ -7,31 +7,14 @@ namespace hawser::world {
 
 SavedState::SavedState(const stepper::StepContext& ctx, const std::vector<double>& values,
                        const Header& header) {
-    const model::Bodies& b = ctx.bodies;
-    const model::Interactions& in = ctx.interactions;
+    // As large as those of the world that is to take them: pairwise, in the order of the list.
+    std::vector<std::size_t> sizes;
+    visit_motion(ctx, [&](const auto& its) { sizes.push_back(its.size()); });
+    std::size_t next = 0;
+    visit_motion(*this, [&](auto& mine) { mine.resize(sizes[next++]); });
     const auto as = [](auto& mine, const auto& its) { mine.resize(its.size()); };
-    as(bodies.x, b.x);
-    as(bodies.q, b.q);
-    as(bodies.r, b.r);
-    as(bodies.v, b.v);
-    as(bodies.v_start, b.v_start);
-    as(bodies.v_fixed, b.v_fixed);
-    as(bodies.spin_change, b.spin_change);
-    as(bodies.force, b.force);
-    as(bodies.asleep, b.asleep);
-    as(bodies.quiet, b.quiet);
     as(analysed_x, ctx.analysed_x);
     as(analysed_r, ctx.analysed_r);
-    as(interactions.lambda, in.lambda);
-    as(interactions.force, in.force);
-    as(interactions.active, in.active);
-    as(interactions.parted, in.parted);
-    as(interactions.coarse, in.coarse);
-    as(interactions.repeats, in.repeats);
-    as(interactions.saturated, in.saturated);
-    as(interactions.anchor, in.anchor);
-    as(wires.credit, ctx.wires.credit);
-    as(wires.alert, ctx.wires.alert);
     as(regroup.parts.part, ctx.regroup.parts.part);
     as(inputs, values);
     collider.contacts.resize(header.contacts);

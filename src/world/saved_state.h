@@ -15,7 +15,7 @@ namespace hawser::world {
 
 /// Identifies the world's layout and says how much follows.
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '8'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '9'};
     std::uint64_t layout = 0;       ///< See layout_of().
     std::uint64_t parameters = 0;   ///< See parameters_of().
     std::uint64_t contacts = 0;     ///< Remembered from the last step.
@@ -38,42 +38,71 @@ void visit_groups(Groups& groups, F&& f) {
     f(&groups.seen, sizeof groups.seen);
 }
 
+/// Visit what moves and what remembers, of bodies, interactions and wires: f(array) in a fixed
+/// order. Of two worlds with the same definitions that couple otherwise, the arrays agree in front.
+template <class Context, class F>
+void visit_motion(Context& ctx, F&& f) {
+    f(ctx.bodies.x);
+    f(ctx.bodies.q);
+    // Kept, not computed anew: the integrator's kernel rounds as its instruction set does.
+    f(ctx.bodies.r);
+    f(ctx.bodies.v);
+    f(ctx.bodies.v_start);
+    f(ctx.bodies.v_fixed);
+    f(ctx.bodies.spin_change);
+    f(ctx.bodies.force);
+    f(ctx.bodies.asleep);
+    f(ctx.bodies.quiet);
+    f(ctx.interactions.lambda);
+    f(ctx.interactions.force);
+    f(ctx.interactions.active);
+    f(ctx.interactions.parted);
+    f(ctx.interactions.coarse);
+    f(ctx.interactions.repeats);
+    f(ctx.interactions.saturated);
+    f(ctx.interactions.anchor);
+    f(ctx.wires.credit);
+    f(ctx.wires.alert);
+}
+
+/// Visit the single values of the state: f(value).
+template <class Context, class F>
+void visit_values(Context& ctx, F&& f) {
+    f(ctx.step);
+    f(ctx.started);
+    f(ctx.refine_unasked);
+    f(ctx.work);
+    f(ctx.drag);
+    f(ctx.drive);
+    f(ctx.friction);
+    f(ctx.contact);
+    f(ctx.damped);
+    f(ctx.judge.state);
+    f(ctx.stats.event_count);
+}
+
+/// Visit contacts that are remembered: f(array).
+template <class Context, class F>
+void visit_contacts(Context& ctx, F&& f) {
+    f(ctx.collider.kept());
+    f(ctx.system.contacts.memory);
+    f(ctx.system.contacts.resistances.memory);
+    f(ctx.system.contacts.links);
+    f(ctx.system.contacts.link_used);
+}
+
 /// Visit every array of the state with f(pointer, bytes).
 template <class Context, class Order, class F>
 void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f) {
     auto array = [&](auto& a) { f(a.data(), a.size() * sizeof(a[0])); };
     auto value = [&](auto& v) { f(&v, sizeof v); };
     visit_groups(ctx.regroup, f);
-    array(ctx.bodies.x);
-    array(ctx.bodies.q);
-    // Kept, not computed anew: the integrator's kernel rounds as its instruction set does.
-    array(ctx.bodies.r);
-    array(ctx.bodies.v);
-    array(ctx.bodies.v_start);
-    array(ctx.bodies.v_fixed);
-    array(ctx.bodies.spin_change);
-    array(ctx.bodies.force);
+    visit_motion(ctx, array);
     // Forms and the floors of rigid rows were chosen at these poses.
     array(ctx.analysed_x);
     array(ctx.analysed_r);
-    array(ctx.bodies.asleep);
-    array(ctx.bodies.quiet);
-    array(ctx.interactions.lambda);
-    array(ctx.interactions.force);
-    array(ctx.interactions.active);
-    array(ctx.interactions.parted);
-    array(ctx.interactions.coarse);
-    array(ctx.interactions.repeats);
-    array(ctx.interactions.saturated);
-    array(ctx.interactions.anchor);
-    array(ctx.wires.credit);
-    array(ctx.wires.alert);
-    array(ctx.collider.kept());
+    visit_contacts(ctx, array);
     value(ctx.collider.kept_awake());
-    array(ctx.system.contacts.memory);
-    array(ctx.system.contacts.resistances.memory);
-    array(ctx.system.contacts.links);
-    array(ctx.system.contacts.link_used);
     value(ctx.cuts.asked);
     // Repaired again and again, the order of elimination depends on the past.
     array(order.elimination.order);
@@ -85,17 +114,7 @@ void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f)
     array(order.elimination.chains.reach);
     value(order.planned_flops);
     array(inputs);
-    value(ctx.step);
-    value(ctx.started);
-    value(ctx.refine_unasked);
-    value(ctx.work);
-    value(ctx.drag);
-    value(ctx.drive);
-    value(ctx.friction);
-    value(ctx.contact);
-    value(ctx.damped);
-    value(ctx.judge.state);
-    value(ctx.stats.event_count);
+    visit_values(ctx, value);
 }
 
 /// The state as bytes say it, sized by the header and by the world that is to take it: it has the
