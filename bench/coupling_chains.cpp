@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "coupling_chains.h"
 
-#include "observe/coupling.h"
+#include "verify/coupling.h"
 
 #include <fmt/core.h>
 
@@ -174,7 +174,7 @@ Json chain_predictors() {
         for (const Predictor predictor : {Predictor::hold, Predictor::forces, Predictor::clique})
             for (const double n : {0.0, 0.5, 2.0}) {
                 if (coupling == Coupling::exact && predictor != Predictor::hold) continue;
-                using observe::to_string;
+                using verify::to_string;
                 fmt::print("  {:<10} {:<8} {:>5}", to_string(coupling),
                            coupling == Coupling::exact ? "" : to_string(predictor), n);
                 for (const Case& c : cases) {

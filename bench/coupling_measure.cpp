@@ -33,14 +33,14 @@ double explained(const Energy& e) {
 }  // namespace
 
 std::string Mode::name() const {
-    using observe::to_string;
+    using verify::to_string;
     return coupling == Coupling::exact
                ? "exact"
                : fmt::format("{} {}", to_string(coupling), to_string(predictor));
 }
 
 scene::Scene load_split(const std::string& file, const Mode& mode, int parts, int threads) {
-    using observe::to_string;
+    using verify::to_string;
     scene::Options options;
     options.threads = threads;
     // Groups are made for all modes by the same split, and stay. Solutions are refined until what
@@ -59,7 +59,7 @@ scene::Scene load_split(const std::string& file, const Mode& mode, int parts, in
 
 Quality measure_quality(World& world, int steps) {
     Quality q;
-    observe::CouplingObserver observer(world);
+    verify::CouplingObserver observer(world);
     double start = 0.0, low = HUGE_VAL, high = -HUGE_VAL;
     for (int i = 0; i < steps; ++i) {
         observer.before_step(world);

@@ -3,8 +3,8 @@
 /// @file coupling_measure.h
 /// Ways to couple that hawser-bench coupling compares, and runs of scenes under them.
 
-#include "observe/coupling.h"
 #include "scene/scene.h"
+#include "verify/coupling.h"
 
 #include <array>
 #include <string>
@@ -45,7 +45,7 @@ struct CouplingOptions {
                                       int threads);
 
 struct Quality {
-    observe::CouplingFigures figures;
+    verify::CouplingFigures figures;
     double lost_at = -1.0;  ///< Time at which a step failed or something ran away [s]; −1: none.
     double energy_drift = 0.0, energy_exchanged = 0.0;  ///< [J]
     int islands = 0, cuts = 0;

@@ -29,7 +29,7 @@ std::size_t place(const CouplingOptions& o, int threads) {
 
 Json row_of(const ModeFigures& m, const CouplingOptions& o) {
     const Quality& q = m.quality;
-    const observe::CouplingFigures& f = q.figures;
+    const verify::CouplingFigures& f = q.figures;
     const bool split = m.mode.coupling != Coupling::exact;
     const bool some_steps = f.steps > 1;  // jerk needs three velocities
     const bool searched = m.stiffness.stable > 0.0 || m.stiffness.unstable > 0.0;
@@ -70,7 +70,7 @@ Json row_of(const ModeFigures& m, const CouplingOptions& o) {
 
 void print_row(const ModeFigures& m) {
     const Quality& q = m.quality;
-    const observe::CouplingFigures& f = q.figures;
+    const verify::CouplingFigures& f = q.figures;
     const bool split = m.mode.coupling != Coupling::exact, some_steps = f.steps > 1;
     fmt::print("  {:<17} {:>5} {:>7}", m.mode.name(), q.cuts, q.islands);
     for (const Timed& t : m.timed) {

@@ -2,7 +2,7 @@
 #include "coupling_stiffness.h"
 
 #include "linear/timing.h"
-#include "observe/coupling.h"
+#include "verify/coupling.h"
 
 #include <algorithm>
 
@@ -42,7 +42,7 @@ Stiffness largest_stable(const World& world, const std::vector<InteractionId>& c
     const double start = thread_seconds();
     auto stable = [&](double exponent) {
         const World w = stiffened(world, cuts, std::pow(10.0, exponent), coupling);
-        return observe::spectral_radius(w) <= kGrowth;
+        return verify::spectral_radius(w) <= kGrowth;
     };
     double low = -8.0, high = 2.0;
     if (stable(high)) return {std::pow(10.0, high), 0.0};

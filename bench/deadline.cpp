@@ -3,7 +3,7 @@
 #include "commands.h"
 #include "deadline_load.h"
 #include "deadline_run.h"
-#include "observe/host.h"
+#include "report/host.h"
 #include "verdict.h"
 
 #include <fmt/core.h>
@@ -118,7 +118,7 @@ int compare_deadline(const DeadlineOptions& o) {
     const DeadlineRun again = run_deadline(o, 0.0, &kept);
     fmt::print("{}, {} boxes on a moving deck for {} of {} steps, {} thread(s), {}, {}\n\n",
                o.scene, DeckCargo::kHigh * o.stacks, o.steps, kDeadlinePhases * o.steps, o.threads,
-               instruction_set(), observe::processor_model());
+               instruction_set(), report::processor_model());
     fmt::print("{:<16} {:>8} {:>31} {:>24} {:>9} {:>19}\n", "", "contact", "solver_cpu_ms",
                "step_ms (wall)", "degraded", "natural map");
     fmt::print("{:<16} {:>8} {:>7} {:>7} {:>7} {:>7} {:>8} {:>7} {:>7} {:>9} {:>9} {:>9}\n",
@@ -126,7 +126,7 @@ int compare_deadline(const DeadlineOptions& o) {
                "p95", "max");
     print_run("exact", exact);
     print_run("budget", kept);
-    const observe::Degradations& d = kept.log;
+    const report::Degradations& d = kept.log;
     fmt::print("\nload: {:.2f} times the solver time of before in the exact run (medians)\n",
                share_point(exact.phase[1].cpu, 0.5) / share_point(exact.phase[0].cpu, 0.5));
     fmt::print(

@@ -2,8 +2,8 @@
 #include "deadline_run.h"
 
 #include "deadline_load.h"
-#include "observe/control.h"
-#include "observe/summary.h"
+#include "record/control.h"
+#include "report/summary.h"
 #include "scene/scene.h"
 
 #include <fmt/core.h>
@@ -26,7 +26,7 @@ class DeadlineRunner {
         std::vector<std::string> names;
         for (std::int32_t i = 0; i < scene_.world.input_count(); ++i)
             names.push_back(scene_.world.input_def({i}).name);
-        if (!options.control.empty()) control_ = observe::read_control(options.control, names);
+        if (!options.control.empty()) control_ = record::read_control(options.control, names);
     }
 
     DeadlineRun run() {
@@ -86,7 +86,7 @@ class DeadlineRunner {
         const Energy now = w.energy();
         // Where boxes are moved by hand, energy comes from nowhere.
         if (i % o_.steps > 1) {
-            f.drift += std::abs(observe::energy_drift(before_, now));
+            f.drift += std::abs(report::energy_drift(before_, now));
             f.exchanged += std::abs(now.kinetic - before_.kinetic) +
                            std::abs(now.gravity + now.elastic - before_.gravity - before_.elastic);
         }
@@ -101,7 +101,7 @@ class DeadlineRunner {
     scene::Scene scene_;
     DeckCargo cargo_;
     const DeadlineRun* repeat_;
-    std::vector<observe::ControlChange> control_;
+    std::vector<record::ControlChange> control_;
     std::size_t next_ = 0;
     std::int64_t analyses_ = 0;
     Energy before_;

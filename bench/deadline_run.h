@@ -3,7 +3,7 @@
 /// One run of a scene with a load in its middle third, for hawser-bench deadline.
 #pragma once
 
-#include "observe/degradations.h"
+#include "report/degradations.h"
 
 #include <hawser/hawser.h>
 
@@ -40,7 +40,7 @@ struct PhaseFigures {
 struct DeadlineRun {
     std::array<PhaseFigures, kDeadlinePhases> phase;
     std::vector<Degradation> left_out;  ///< By step.
-    observe::Degradations log;
+    report::Degradations log;
     std::vector<Vec3> at_end_of_load;  ///< Where boxes were.
     std::uint64_t hash = 0;
     double step = 0.0;     ///< h [s]

@@ -3,11 +3,11 @@
 #include <hawser/world.h>
 
 #include "commands.h"
+#include "draw/svg.h"
 #include "linear/edits.h"
 #include "linear/report.h"
 #include "linear/schedule.h"
 #include "linear/shares.h"
-#include "observe/svg.h"
 
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
@@ -204,7 +204,7 @@ int factor_command(int argc, char** argv) {
                                                 {"matrices", all}}
                                      .dump(2)
                               << '\n';
-    if (!o.picture.empty()) std::ofstream(o.picture) << observe::to_svg(ratio_picture(reports));
+    if (!o.picture.empty()) std::ofstream(o.picture) << draw::to_svg(ratio_picture(reports));
     return 0;
 }
 

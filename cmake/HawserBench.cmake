@@ -55,7 +55,7 @@ set(command_sources ${bench_sources})
 list(FILTER command_sources INCLUDE REGEX "/bench/([a-z_]+|hashes/[a-z]+|partition/cost_study)\\.cpp$")
 list(REMOVE_ITEM bench_sources ${command_sources})
 add_library(hawser_bench_commands OBJECT ${command_sources})
-hawser_use(hawser_bench_commands hawser_observe hawser_scene)
+hawser_use(hawser_bench_commands hawser_report hawser_scene)
 hawser_unity(hawser_bench_commands 7)
 hawser_compile_fast(hawser_bench_commands)
 add_executable(hawser_bench ${bench_sources} $<TARGET_OBJECTS:hawser_bench_own>
@@ -67,7 +67,7 @@ endforeach()
 target_link_libraries(hawser_bench_commands PRIVATE CLI11::CLI11 fmt::fmt
     nlohmann_json::nlohmann_json)
 set_target_properties(hawser_bench PROPERTIES OUTPUT_NAME hawser-bench)
-hawser_use(hawser_bench hawser_observe hawser_scene)
+hawser_use(hawser_bench hawser_report hawser_scene)
 hawser_unity(hawser_bench 7)
 target_include_directories(hawser_bench PRIVATE
     ${PROJECT_SOURCE_DIR}/bench ${PROJECT_SOURCE_DIR}/examples)

@@ -16,16 +16,17 @@ include(GoogleTest)
 
 # Labels. `slow`: takes long. `program`: belongs to the programs. `fast` and `threads`: the rest,
 # without and with several threads in the code under test. The preset asan-ubsan builds and runs
-# both but for the tests of `observe` and `assembly`, which take long to compile (the kernels of
-# assembly run in the tests of `stepper` and `world`); tsan those labelled `threads`. The targets
+# both but for the tests of `assembly` and of the rooms that record, verify, report and draw, which
+# take long to compile (the kernels of assembly run in the tests of `stepper` and `world`); tsan those labelled `threads`. The targets
 # hawser_fast_tests and hawser_thread_tests build them.
 set(HAWSER_SLOW_TESTS slow validate)
 set(HAWSER_PROGRAM_TESTS bench cli)
 set(HAWSER_THREAD_TESTS runtime threads)
-set(HAWSER_UNSANITIZED_TESTS assembly observe)
+set(HAWSER_UNSANITIZED_TESTS assembly draw record report verify)
 # Tests that need more than the library.
-set(HAWSER_OBSERVE_TESTS cli files observe)
-set(HAWSER_SCENE_TESTS bench cli files observe scene scenes slow stepper threads validate world)
+set(HAWSER_REPORT_TESTS cli draw files record report verify)
+set(HAWSER_SCENE_TESTS bench cli draw files record report scene scenes slow stepper threads
+                       validate verify world)
 add_custom_target(hawser_fast_tests)
 add_custom_target(hawser_thread_tests)
 
@@ -67,8 +68,8 @@ endif()
 function(hawser_add_test_executable target folder)
     add_executable(${target} ${ARGN})
     set(libraries "")
-    if(folder IN_LIST HAWSER_OBSERVE_TESTS)
-        list(APPEND libraries hawser_observe)
+    if(folder IN_LIST HAWSER_REPORT_TESTS)
+        list(APPEND libraries hawser_report)
     endif()
     if(folder IN_LIST HAWSER_SCENE_TESTS)
         list(APPEND libraries hawser_scene)

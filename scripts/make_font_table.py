@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Write src/observe/font_table.inc: the glyph outlines that PNG pictures use for text.
+"""Write src/draw/font_table.inc: the glyph outlines that PNG pictures use for text.
 
-Usage: make_font_table.py Roboto-Regular.ttf > src/observe/font_table.inc
+Usage: make_font_table.py Roboto-Regular.ttf > src/draw/font_table.inc
 Needs the Debian packages python3-fonttools and fonts-roboto-unhinted (Roboto, Copyright 2011
 Google Inc., Apache-2.0). Run only to add glyphs; the result is kept in the repository.
 

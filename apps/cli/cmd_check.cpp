@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
-#include "observe/start/check.h"
+#include "report/start/check.h"
 #include "scene_options.h"
 
 #include <fmt/format.h>
@@ -37,7 +37,7 @@ struct CheckOptions {
 struct Checked {
     std::vector<scene::SceneError> mistakes;
     std::optional<scene::Scene> scene;  ///< None where there are mistakes.
-    observe::start::Findings start;
+    report::start::Findings start;
 
     [[nodiscard]] bool good() const { return scene && start.errors() == 0; }
 };
@@ -47,7 +47,7 @@ Checked examine(const CheckOptions& options, const std::string& file) {
     one.file = file;
     Checked out;
     out.scene = one.load(out.mistakes);
-    if (out.scene) out.start = observe::start::check_start(info_of(*out.scene), out.scene->world);
+    if (out.scene) out.start = report::start::check_start(info_of(*out.scene), out.scene->world);
     return out;
 }
 
@@ -64,7 +64,7 @@ void print_lines(const std::string& file, const Checked& checked) {
         return;
     }
     const scene::Scene& scene = *checked.scene;
-    fmt::print(stderr, "{}", observe::start::to_text(checked.start, file + ": "));
+    fmt::print(stderr, "{}", report::start::to_text(checked.start, file + ": "));
     fmt::print("{}: {}{}{}: {} bodies, {} interactions, {} cables, {} inputs, hash {:016x}\n", file,
                checked.good() ? "ok" : "impossible", counted(checked.start.errors(), "error"),
                counted(checked.start.warnings(), "warning"), scene.world.body_count(),
@@ -76,7 +76,7 @@ Report report_of(const std::string& file, const Checked& checked) {
     Report mistakes = Report::array(), findings = Report::array();
     for (const scene::SceneError& m : checked.mistakes)
         mistakes.push_back({{"file", m.file}, {"path", m.path}, {"message", m.message}});
-    for (const observe::start::Finding& f : checked.start.list)
+    for (const report::start::Finding& f : checked.start.list)
         findings.push_back({{"severity", f.error ? "error" : "warning"},
                             {"kind", to_string(f.kind)},
                             {"about", f.about},

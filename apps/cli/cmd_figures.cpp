@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
+#include "draw/figures/index.h"
+#include "draw/figures/panel.h"
+#include "draw/png.h"
 #include "figure_panels.h"
 #include "figure_timelines.h"
-#include "observe/figures/index.h"
-#include "observe/figures/panel.h"
-#include "observe/host.h"
-#include "observe/png.h"
 #include "outputs.h"
+#include "report/host.h"
 #include "scene_options.h"
 
 #include <fmt/format.h>
@@ -70,8 +70,8 @@ nlohmann::ordered_json origin_of(const scene::Scene& scene, const FiguresOptions
             {"state_hash", fmt::format("{:016x}", scene.world.state_hash())},
             {"command", command_line()},
             {"instruction_set", instruction_set()},
-            {"processor", observe::processor_model()},
-            {"processors", observe::processor_count()},
+            {"processor", report::processor_model()},
+            {"processors", report::processor_count()},
             {"threads", options.scene.threads},
             {"version", version()}};
 }
@@ -107,13 +107,13 @@ class Writer {
     }
 
     void page(const std::string& name, const std::string& title,
-              const std::vector<std::vector<const observe::Drawing*>>& rows) {
-        pictures(observe::make_page(title, parameters_, rows), name);
+              const std::vector<std::vector<const draw::Drawing*>>& rows) {
+        pictures(draw::make_page(title, parameters_, rows), name);
     }
 
   private:
-    void pictures(const observe::Drawing& drawing, const std::string& name) {
-        for (const auto& file : observe::write_pictures(drawing, folder_ / name))
+    void pictures(const draw::Drawing& drawing, const std::string& name) {
+        for (const auto& file : draw::write_pictures(drawing, folder_ / name))
             fmt::print("wrote {}\n", file.string());
     }
 
@@ -132,13 +132,13 @@ Parts partition(const World& world, int parts) {
             world.partition({.use = PartitionUse::separators, .parts = parts})};
 }
 
-void mark(observe::InteractionGraph& graph, const Parts& parts) {
-    for (observe::GraphNode& n : graph.nodes) {
-        n.part = std::max(-1, parts.cuts.part_of_body[observe::at(n.body.index)]);
+void mark(draw::InteractionGraph& graph, const Parts& parts) {
+    for (draw::GraphNode& n : graph.nodes) {
+        n.part = std::max(-1, parts.cuts.part_of_body[draw::at(n.body.index)]);
         n.separator = std::binary_search(parts.separators.separator.begin(),
                                          parts.separators.separator.end(), n.body);
     }
-    for (observe::GraphEdge& e : graph.edges)
+    for (draw::GraphEdge& e : graph.edges)
         e.cut =
             std::any_of(parts.cuts.cuts.begin(), parts.cuts.cuts.end(),
                         [&](const CutInteraction& c) { return c.interaction == e.interaction; });
@@ -164,7 +164,7 @@ nlohmann::ordered_json partition_data(const Parts& parts) {
 
 void figure1(Writer& writer, const World& world, const Parts& parts, const OrderedMatrix& whole,
              const OrderedMatrix& split) {
-    observe::InteractionGraph graph = observe::interaction_graph(world);
+    draw::InteractionGraph graph = draw::interaction_graph(world);
     std::vector<Panel> panels;
     panels.push_back(matrix_panel("fig1_matrix", "System matrix", whole));
     panels.push_back(matrix_panel("fig1_split_matrix",
@@ -190,7 +190,7 @@ void figure1(Writer& writer, const World& world, const Parts& parts, const Order
 
 void figure2(Writer& writer, const std::vector<OrderedMatrix>& full,
              const std::vector<OrderedMatrix>& split,
-             const std::vector<observe::NamedTimeline>& timelines) {
+             const std::vector<draw::NamedTimeline>& timelines) {
     static constexpr const char* kOrders[] = {"natural order", "AMD", "METIS nested dissection"};
     static constexpr const char* kFiles[] = {"natural", "amd", "metis"};
     std::vector<Panel> panels;
@@ -220,8 +220,8 @@ int figures(FiguresOptions options) {
     }
     Writer writer(options, scene);
     const Parts parts = partition(scene.world, options.scene.parts.value_or(kParts));
-    observe::BlockGraph whole = observe::graph_of(scene.world.inspect(), parts.cuts.part_of_body);
-    const observe::BlockGraph pieces = observe::split_graph(whole, parts.cuts.parts);
+    draw::BlockGraph whole = draw::graph_of(scene.world.inspect(), parts.cuts.part_of_body);
+    const draw::BlockGraph pieces = draw::split_graph(whole, parts.cuts.parts);
     whole.part.assign(whole.part.size(), -1);  // pictures of the whole show no parts
     std::vector<OrderedMatrix> full, split;
     std::vector<OrderedMatrix*> all;
@@ -253,7 +253,7 @@ void add_figures(CLI::App& app, Command& chosen) {
     CLI::App* command =
         app.add_subcommand("figures", "Draw the figures of the paper from a run of a scene");
     command->footer(kFiguresFooter);
-    options->scene.threads = std::clamp(observe::processor_count(), 1, 4);
+    options->scene.threads = std::clamp(report::processor_count(), 1, 4);
     options->scene.add_to(*command, false);
     command->add_option("-o,--output", options->folder, "Folder for the figures")
         ->capture_default_str();

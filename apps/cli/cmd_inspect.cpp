@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
+#include "draw/png.h"
+#include "draw/spy.h"
 #include "inspect_parts.h"
-#include "observe/png.h"
-#include "observe/spy.h"
 #include "scene_options.h"
 
 #include <fmt/format.h>
@@ -120,11 +120,11 @@ int inspect(const InspectOptions& options) {
         "{:016x}  ·  {}  ·  Hawser {}",
         view.nodes.size(), view.matrix_nnz, view.factor_nnz, 1e-6 * static_cast<double>(view.flops),
         scene.hash, instruction_set(), version());
-    const observe::Drawing drawing =
-        observe::plot_spy(view, observe::factor_blocks(view),
-                          scene.name + ": nonzero entries of matrix and factor", parameters);
+    const draw::Drawing drawing =
+        draw::plot_spy(view, draw::factor_blocks(view),
+                       scene.name + ": nonzero entries of matrix and factor", parameters);
     for (const auto& file :
-         observe::write_pictures(drawing, std::filesystem::path(options.folder) / "spy"))
+         draw::write_pictures(drawing, std::filesystem::path(options.folder) / "spy"))
         fmt::print("wrote {}\n", file.string());
     return kOk;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
-#include "observe/plots.h"
-#include "observe/png.h"
-#include "observe/recording.h"
-#include "observe/series.h"
+#include "draw/plots.h"
+#include "draw/png.h"
+#include "record/recording.h"
+#include "record/series.h"
 
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ struct PlotOptions {
     std::optional<double> at;
 };
 
-std::size_t frame_at(const observe::Recording& recording, std::optional<double> time) {
+std::size_t frame_at(const record::Recording& recording, std::optional<double> time) {
     const std::size_t n = recording.frame_count();
     if (!time) return n - 1;
     std::size_t best = 0;
@@ -41,28 +41,28 @@ std::size_t frame_at(const observe::Recording& recording, std::optional<double> 
 }
 
 int plot(const PlotOptions& options) {
-    const observe::Recording recording = observe::Recording::open(options.file);
+    const record::Recording recording = record::Recording::open(options.file);
     if (recording.frame_count() == 0)
-        throw observe::RecordingError(options.file + ": the recording has no complete frame");
+        throw record::RecordingError(options.file + ": the recording has no complete frame");
     if (!recording.damage.empty())
         fmt::print(stderr, "{}: not complete ({}); plotting its {} frames\n", options.file,
                    recording.damage, recording.frame_count());
-    const observe::Series series = observe::collect_series(recording);
+    const record::Series series = record::collect_series(recording);
     const std::filesystem::path folder = options.folder;
-    const auto write = [&](const char* name, const std::optional<observe::Drawing>& drawing,
+    const auto write = [&](const char* name, const std::optional<draw::Drawing>& drawing,
                            const char* why_not) {
         if (!drawing) {
             fmt::print("no picture \"{}\": {}\n", name, why_not);
             return;
         }
-        for (const auto& file : observe::write_pictures(*drawing, folder / name))
+        for (const auto& file : draw::write_pictures(*drawing, folder / name))
             fmt::print("wrote {}\n", file.string());
     };
-    write("tensions", observe::plot_tensions(recording, series), "the scene has no cables");
-    write("motions", observe::plot_motions(recording, series), "the scene has no moving bodies");
-    write("scene", observe::plot_views(recording, series, frame_at(recording, options.at)),
+    write("tensions", draw::plot_tensions(recording, series), "the scene has no cables");
+    write("motions", draw::plot_motions(recording, series), "the scene has no moving bodies");
+    write("scene", draw::plot_views(recording, series, frame_at(recording, options.at)),
           "nothing in the scene has a place");
-    write("details", observe::plot_details(recording, frame_at(recording, options.at)),
+    write("details", draw::plot_details(recording, frame_at(recording, options.at)),
           "no plotted body is small in the scene");
     return kOk;
 }

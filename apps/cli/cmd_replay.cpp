@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
 #include "failure.h"
-#include "observe/recording.h"
 #include "progress.h"
+#include "record/recording.h"
 #include "scene/scene.h"
 #include "signals.h"
 
@@ -33,7 +33,7 @@ struct ReplayOptions {
 };
 
 // Recordings hash the state with the instruction set, so another set always differs.
-bool same_instruction_set(const observe::Recording& recording) {
+bool same_instruction_set(const record::Recording& recording) {
     if (recording.settings.instruction_set == instruction_set()) return true;
     fmt::print(stderr,
                "{}: recorded with the instruction set {}, this program uses {}; results of "
@@ -44,7 +44,7 @@ bool same_instruction_set(const observe::Recording& recording) {
     return false;
 }
 
-void describe_difference(const observe::Recording& recording, const observe::Frame& frame,
+void describe_difference(const record::Recording& recording, const record::Frame& frame,
                          const World& world) {
     fmt::print("first difference at step {}, {:.6g} s: recorded hash {:016x}, replayed {:016x}\n",
                frame.step, frame.time, frame.hash, world.state_hash());
@@ -69,12 +69,12 @@ void describe_difference(const observe::Recording& recording, const observe::Fra
 
 class Replay {
   public:
-    Replay(const observe::Recording& recording, World& world)
+    Replay(const record::Recording& recording, World& world)
         : recording_(recording), world_(world) {}
 
     int run(bool quiet) {
         const auto frames = recording_.frame_count();
-        const bool ended = recording_.ending != observe::Ending::unknown;
+        const bool ended = recording_.ending != record::Ending::unknown;
         const std::int64_t last = ended        ? recording_.end_step
                                   : frames > 0 ? recording_.frame_head(frames - 1).step
                                                : recording_.start_step;
@@ -82,7 +82,7 @@ class Replay {
         const CancelledBySignal cancelled(world_);
         Progress progress(last - recording_.start_step, recording_.settings.step, !quiet);
         for (std::size_t i = 0; i < frames; ++i) {
-            const observe::Frame head = recording_.frame_head(i);
+            const record::Frame head = recording_.frame_head(i);
             if (const int code = advance(head.step, progress); code != kOk) return code;
             if (world_.state_hash() != head.hash) {
                 progress.close();
@@ -109,9 +109,9 @@ class Replay {
     /// How the recorded run ended, if not well. @return kUsageError where the recording does not
     /// say so: what is missing was not repeated.
     int conclude() const {
-        if (recording_.ending == observe::Ending::interrupted)
+        if (recording_.ending == record::Ending::interrupted)
             fmt::print("the recorded run was interrupted at {:.6g} s\n", world_.time());
-        if (recording_.ending == observe::Ending::failed)
+        if (recording_.ending == record::Ending::failed)
             fmt::print("the recorded run failed in the step from {:.6g} s\n", world_.time());
         if (recording_.damage.empty()) return kOk;
         fmt::print(stderr,
@@ -145,27 +145,27 @@ class Replay {
         return kOk;
     }
 
-    const observe::Recording& recording_;
+    const record::Recording& recording_;
     World& world_;
     std::size_t next_ = 0, next_cut_ = 0;
 };
 
 int replay(const ReplayOptions& options) {
-    const observe::Recording recording = observe::Recording::open(options.file);
+    const record::Recording recording = record::Recording::open(options.file);
     if (!same_instruction_set(recording)) return kMismatch;
     scene::Options scene_options;
     scene_options.threads = options.threads;
     scene::Scene scene =
         scene::load_text(recording.scene_text, options.file + " (embedded scene)", scene_options);
     World& world = scene.world;
-    const auto bad_input = [&](const observe::RecordedInput& input) {
+    const auto bad_input = [&](const record::RecordedInput& input) {
         return input.input < 0 || input.input >= world.input_count();
     };
     if (world.body_count() != static_cast<std::int32_t>(recording.bodies.size()) ||
         world.settings().step != recording.settings.step ||
         std::any_of(recording.inputs.begin(), recording.inputs.end(), bad_input))
-        throw observe::RecordingError(options.file +
-                                      ": the embedded scene does not fit the recording");
+        throw record::RecordingError(options.file +
+                                     ": the embedded scene does not fit the recording");
     world.prepare();
     world.restore(recording.snapshot);
     if (world.state_hash() != recording.start_hash) {

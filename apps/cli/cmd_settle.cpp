@@ -134,7 +134,7 @@ class Settler {
     }
     [[nodiscard]] const Motion& motion() const noexcept { return motion_; }
     [[nodiscard]] std::string name(BodyId body) const {
-        return observe::body_label(scene_.world, body);
+        return record::body_label(scene_.world, body);
     }
 
   private:

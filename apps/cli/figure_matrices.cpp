@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "figure_matrices.h"
 
-#include "observe/figures/index.h"
+#include "draw/figures/index.h"
 
 #include <algorithm>
 #include <ctime>
@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 namespace hawser::cli {
-using observe::at;
+using draw::at;
 
 namespace {
 
@@ -63,8 +63,7 @@ double OrderedMatrix::longest_seconds() const {
     return part_seconds.empty() ? 0.0 : *std::max_element(part_seconds.begin(), part_seconds.end());
 }
 
-OrderedMatrix order_matrix(const observe::BlockGraph& graph, std::int32_t parts,
-                           Ordering ordering) {
+OrderedMatrix order_matrix(const draw::BlockGraph& graph, std::int32_t parts, Ordering ordering) {
     OrderedMatrix m;
     m.ordering = ordering;
     m.graph = &graph;
@@ -76,11 +75,11 @@ OrderedMatrix order_matrix(const observe::BlockGraph& graph, std::int32_t parts,
         m.order = order_of(pattern_of(graph), ordering);
     else
         for (std::int32_t p = 0; p < parts; ++p) {
-            const observe::BlockGraph piece = observe::part_graph(graph, p);
+            const draw::BlockGraph piece = draw::part_graph(graph, p);
             for (const std::int32_t node : order_of(pattern_of(piece), ordering))
                 m.order.push_back(piece.origin[at(node)]);
         }
-    m.factor = observe::factor_blocks(graph.start, graph.adjacent, m.order);
+    m.factor = draw::factor_blocks(graph.start, graph.adjacent, m.order);
     m.counts = count(graph, m.order, m.factor);
     m.part_seconds.assign(at(std::max(1, parts)), 0.0);
     return m;
@@ -93,8 +92,8 @@ void time_matrices(std::vector<OrderedMatrix*> matrices, int samples, double mos
         m->samples = samples;
         for (std::size_t p = 0; p < m->part_seconds.size(); ++p) {
             const bool whole = m->part_seconds.size() == 1;
-            const observe::BlockGraph piece =
-                whole ? *m->graph : observe::part_graph(*m->graph, static_cast<std::int32_t>(p));
+            const draw::BlockGraph piece =
+                whole ? *m->graph : draw::part_graph(*m->graph, static_cast<std::int32_t>(p));
             std::vector<std::int32_t> place(at(m->graph->nodes()), -1), order;
             for (std::size_t k = 0; k < piece.origin.size(); ++k)
                 place[whole ? k : at(piece.origin[k])] = static_cast<std::int32_t>(k);

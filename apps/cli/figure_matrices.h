@@ -3,8 +3,8 @@
 /// @file figure_matrices.h
 /// The matrices of the paper's figures, ordered, counted and factored.
 
+#include "draw/figures/block_graph.h"
 #include "elimination_orders.h"
-#include "observe/figures/block_graph.h"
 
 #include <cstdint>
 #include <string>
@@ -15,11 +15,11 @@ namespace hawser::cli {
 /// One matrix in one order. A split matrix has its parts side by side.
 struct OrderedMatrix {
     Ordering ordering = Ordering::natural;
-    const observe::BlockGraph* graph = nullptr;
+    const draw::BlockGraph* graph = nullptr;
     std::string missing;              ///< Why there is no order; "": there is.
     std::vector<std::int32_t> order;  ///< order[k] = node eliminated k-th.
-    observe::FactorBlocks factor;
-    observe::MatrixCounts counts;
+    draw::FactorBlocks factor;
+    draw::MatrixCounts counts;
     /// Of the solver, summed over parts: fronts merged, their zeros counted.
     std::int64_t solver_nnz = 0, solver_matrix_nnz = 0, solver_flops = 0;
     std::vector<double> part_seconds;  ///< Of each part, a whole matrix being one; median.
@@ -30,7 +30,7 @@ struct OrderedMatrix {
 };
 
 /// @param parts  Parts of the graph, each ordered by itself; 0: the whole as one.
-[[nodiscard]] OrderedMatrix order_matrix(const observe::BlockGraph& graph, std::int32_t parts,
+[[nodiscard]] OrderedMatrix order_matrix(const draw::BlockGraph& graph, std::int32_t parts,
                                          Ordering ordering);
 
 /// Measure factorisations in turns, so that whatever disturbs meets all of them: writing the

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "figure_panels.h"
 
-#include "observe/figures/matrix.h"
-#include "observe/figures/panel.h"
+#include "draw/figures/matrix.h"
+#include "draw/figures/panel.h"
 
 #include <fmt/format.h>
 
@@ -44,8 +44,7 @@ ordered_json matrix_data(const OrderedMatrix& m) {
     d["node_origin"] = m.graph->origin;
     d["node_part"] = m.graph->part;
     ordered_json edges = ordered_json::array();
-    for (const BlockEdge& e : observe::pattern_of(*m.graph).edges)
-        edges.push_back({e.row, e.column});
+    for (const BlockEdge& e : draw::pattern_of(*m.graph).edges) edges.push_back({e.row, e.column});
     d["edges"] = std::move(edges);
     return d;
 }
@@ -54,16 +53,16 @@ ordered_json matrix_data(const OrderedMatrix& m) {
 
 Panel matrix_panel(const std::string& name, const std::string& title, const OrderedMatrix& m) {
     return {name,
-            observe::draw_matrix(*m.graph, m.order, m.factor,
-                                 {.title = title, .notes = {size_note(m)}, .fill = false}),
+            draw::draw_matrix(*m.graph, m.order, m.factor,
+                              {.title = title, .notes = {size_note(m)}, .fill = false}),
             matrix_data(m)};
 }
 
 Panel fill_panel(const std::string& name, const std::string& title, const OrderedMatrix& m) {
     if (!m.missing.empty()) {
-        observe::Drawing d = observe::make_panel(observe::kFigureWidth, observe::kFigureHeight,
-                                                 title, {"not drawn: " + m.missing});
-        d.box(observe::panel_square(), observe::kNoColor, observe::kSoft);
+        draw::Drawing d = draw::make_panel(draw::kFigureWidth, draw::kFigureHeight, title,
+                                           {"not drawn: " + m.missing});
+        d.box(draw::panel_square(), draw::kNoColor, draw::kSoft);
         return {name, std::move(d), {{"ordering", name_of(m.ordering)}, {"missing", m.missing}}};
     }
     const bool timed = m.samples > 0;
@@ -90,18 +89,18 @@ Panel fill_panel(const std::string& name, const std::string& title, const Ordere
             {"nnz", m.solver_matrix_nnz}, {"factor_nnz", m.solver_nnz}, {"flops", m.solver_flops}};
     }
     return {name,
-            observe::draw_matrix(*m.graph, m.order, m.factor,
-                                 {.title = title, .notes = {size_note(m), work}, .fill = true}),
+            draw::draw_matrix(*m.graph, m.order, m.factor,
+                              {.title = title, .notes = {size_note(m), work}, .fill = true}),
             std::move(d)};
 }
 
 Panel graph_panel(const std::string& name, const std::string& title,
-                  const std::vector<std::string>& notes, const observe::InteractionGraph& graph,
+                  const std::vector<std::string>& notes, const draw::InteractionGraph& graph,
                   bool parts) {
     static constexpr std::array<const char*, 5> kKinds{"rigid", "lump", "scalar", "fixed",
                                                        "kinematic"};
     ordered_json bodies = ordered_json::array(), edges = ordered_json::array();
-    for (const observe::GraphNode& n : graph.nodes) {
+    for (const draw::GraphNode& n : graph.nodes) {
         ordered_json b{{"name", n.name},
                        {"kind", kKinds.at(static_cast<std::size_t>(n.kind))},
                        {"position", {n.position.x(), n.position.y(), n.position.z()}},
@@ -113,7 +112,7 @@ Panel graph_panel(const std::string& name, const std::string& title,
         bodies.push_back(std::move(b));
     }
     std::int64_t cuts = 0;
-    for (const observe::GraphEdge& e : graph.edges) {
+    for (const draw::GraphEdge& e : graph.edges) {
         ordered_json i{{"name", e.name}, {"kind", e.kind}, {"bodies", e.nodes}};
         if (parts) i["cut"] = e.cut;
         cuts += e.cut;
@@ -121,7 +120,7 @@ Panel graph_panel(const std::string& name, const std::string& title,
     }
     ordered_json d{{"bodies", std::move(bodies)}, {"interactions", std::move(edges)}};
     if (parts) d["cut_count"] = cuts;
-    return {name, observe::draw_graph(graph, {.title = title, .notes = notes, .parts = parts}),
+    return {name, draw::draw_graph(graph, {.title = title, .notes = notes, .parts = parts}),
             std::move(d)};
 }
 

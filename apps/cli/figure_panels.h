@@ -3,9 +3,9 @@
 /// @file figure_panels.h
 /// Panels of the paper's Figs. 1 and 2, each with its data.
 
+#include "draw/drawing.h"
+#include "draw/figures/interaction_graph.h"
 #include "figure_matrices.h"
-#include "observe/drawing.h"
-#include "observe/figures/interaction_graph.h"
 
 #include <nlohmann/json.hpp>
 
@@ -17,7 +17,7 @@ namespace hawser::cli {
 
 struct Panel {
     std::string name;  ///< Of its files.
-    observe::Drawing drawing;
+    draw::Drawing drawing;
     nlohmann::ordered_json data;
 };
 
@@ -30,6 +30,6 @@ struct Panel {
 /// @param parts  Colour by part, mark cuts and separators.
 [[nodiscard]] Panel graph_panel(const std::string& name, const std::string& title,
                                 const std::vector<std::string>& notes,
-                                const observe::InteractionGraph& graph, bool parts);
+                                const draw::InteractionGraph& graph, bool parts);
 
 }  // namespace hawser::cli

@@ -26,8 +26,8 @@ TraceView trace_steps(World& world, double at) {
     return world.trace();
 }
 
-observe::Timeline typical(const TraceView& trace) {
-    return observe::timeline_of(trace, observe::typical_step(trace));
+draw::Timeline typical(const TraceView& trace) {
+    return draw::timeline_of(trace, draw::typical_step(trace));
 }
 
 std::string threads_note(int threads) {
@@ -36,9 +36,9 @@ std::string threads_note(int threads) {
 
 }  // namespace
 
-std::vector<observe::NamedTimeline> run_timelines(SceneOptions options, const TimelineRun& run) {
+std::vector<draw::NamedTimeline> run_timelines(SceneOptions options, const TimelineRun& run) {
     const PoolCosts costs = measure_pool_costs();
-    std::vector<observe::NamedTimeline> out;
+    std::vector<draw::NamedTimeline> out;
     const auto traced = [&](int threads) {
         options.threads = threads;
         scene::Scene scene = options.load();
@@ -48,10 +48,9 @@ std::vector<observe::NamedTimeline> run_timelines(SceneOptions options, const Ti
         out.push_back({fmt::format("{}, measured on {}", what, threads_note(run.threads)),
                        typical(traced(run.threads)),
                        {}});
-        out.push_back(
-            {fmt::format("{}, SIMULATED on {}", what, threads_note(run.simulated)),
-             observe::simulated_timeline(one, observe::typical_step(one), run.simulated, costs),
-             {}});
+        out.push_back({fmt::format("{}, SIMULATED on {}", what, threads_note(run.simulated)),
+                       draw::simulated_timeline(one, draw::typical_step(one), run.simulated, costs),
+                       {}});
     };
     const TraceView serial = traced(1);
     out.push_back({"Serial, measured on one thread", typical(serial), {}});
@@ -71,19 +70,19 @@ std::vector<observe::NamedTimeline> run_timelines(SceneOptions options, const Ti
 }
 
 Panel timeline_panel(const std::string& name, const std::string& title,
-                     const std::vector<observe::NamedTimeline>& timelines) {
+                     const std::vector<draw::NamedTimeline>& timelines) {
     ordered_json list = ordered_json::array();
-    for (const observe::NamedTimeline& t : timelines) {
+    for (const draw::NamedTimeline& t : timelines) {
         if (!t.note.empty()) {
             list.push_back({{"name", t.name}, {"missing", t.note}});
             continue;
         }
-        const observe::TimelineFigures f = observe::figures_of(t.timeline);
+        const draw::TimelineFigures f = draw::figures_of(t.timeline);
         ordered_json work, segments = ordered_json::array();
-        for (int w = 0; w < observe::kWorkCount; ++w)
-            work[to_string(static_cast<observe::Work>(w))] =
+        for (int w = 0; w < draw::kWorkCount; ++w)
+            work[to_string(static_cast<draw::Work>(w))] =
                 1e3 * f.seconds[static_cast<std::size_t>(w)];
-        for (const observe::Segment& s : t.timeline.segments)
+        for (const draw::Segment& s : t.timeline.segments)
             segments.push_back({s.thread, 1e3 * s.begin, 1e3 * s.end, to_string(s.work), s.task});
         list.push_back({{"name", t.name},
                         {"threads", t.timeline.threads},
@@ -100,7 +99,7 @@ Panel timeline_panel(const std::string& name, const std::string& title,
     ordered_json data;
     data["timelines"] = std::move(list);
     return {name,
-            observe::draw_timelines(
+            draw::draw_timelines(
                 timelines, title,
                 {"a step of median length of each run; high boxes: tasks that any thread may take, "
                  "low ones: code of the calling thread alone"}),

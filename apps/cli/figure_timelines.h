@@ -3,8 +3,8 @@
 /// @file figure_timelines.h
 /// Steps of a scene run in the ways that the paper's Fig. 2 compares.
 
+#include "draw/figures/timelines.h"
 #include "figure_panels.h"
-#include "observe/figures/timelines.h"
 #include "scene_options.h"
 
 #include <vector>
@@ -19,10 +19,10 @@ struct TimelineRun {
 };
 
 /// Each runs the scene anew. @throws std::runtime_error where a step fails.
-[[nodiscard]] std::vector<observe::NamedTimeline> run_timelines(SceneOptions options,
-                                                                const TimelineRun& run);
+[[nodiscard]] std::vector<draw::NamedTimeline> run_timelines(SceneOptions options,
+                                                             const TimelineRun& run);
 
 [[nodiscard]] Panel timeline_panel(const std::string& name, const std::string& title,
-                                   const std::vector<observe::NamedTimeline>& timelines);
+                                   const std::vector<draw::NamedTimeline>& timelines);
 
 }  // namespace hawser::cli

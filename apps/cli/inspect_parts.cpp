@@ -5,7 +5,7 @@
 #include <hawser/partition.h>
 
 #include "elimination_orders.h"
-#include "observe/elimination.h"
+#include "report/elimination.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -32,7 +32,7 @@ BlockPattern pattern_of(const SystemView& view) {
 }
 
 void print_order(const char* name, const SystemView& view, const std::vector<std::int32_t>& order) {
-    const observe::EliminationCounts c = observe::count_elimination(view, order);
+    const report::EliminationCounts c = report::count_elimination(view, order);
     fmt::print("    {:<24} {:>10} {:>10.4g} {:>14.4g} {:>10.3g}x\n", name, c.nnz,
                1e-6 * static_cast<double>(c.flops), 1e-6 * static_cast<double>(c.path),
                c.path > 0 ? static_cast<double>(c.flops) / static_cast<double>(c.path) : 1.0);

@@ -3,11 +3,11 @@
 
 #include "commands.h"
 #include "failure.h"
-#include "observe/host.h"
-#include "observe/snapshot_file.h"
-#include "observe/start/check.h"
 #include "outputs.h"
 #include "progress.h"
+#include "record/snapshot_file.h"
+#include "report/host.h"
+#include "report/start/check.h"
 #include "signals.h"
 
 #include <fmt/format.h>
@@ -42,33 +42,33 @@ RunSession::RunSession(const RunOptions& options)
     if (options.restore.empty())
         check_start();
     else
-        observe::restore_snapshot(options.restore, info_, world);
+        record::restore_snapshot(options.restore, info_, world);
     choose_times();
     framed_ = world.step_count();
     if (!options.control.empty())
-        control_ = observe::read_control(options.control, input_names(world));
+        control_ = record::read_control(options.control, input_names(world));
     choose_stride();
     if (!options.record.empty()) {
         const WorldDef& settings = world.settings();
-        recording_ = std::make_unique<observe::RecordingWriter>(
+        recording_ = std::make_unique<record::RecordingWriter>(
             options.record, info_, world,
-            observe::RecordingSettings{.step = settings.step,
-                                       .form = settings.form,
-                                       .threads = settings.threads,
-                                       .stride = stride_,
-                                       .instruction_set = instruction_set(),
-                                       .version = version(),
-                                       .processor = observe::processor_model()});
+            record::RecordingSettings{.step = settings.step,
+                                      .form = settings.form,
+                                      .threads = settings.threads,
+                                      .stride = stride_,
+                                      .instruction_set = instruction_set(),
+                                      .version = version(),
+                                      .processor = report::processor_model()});
         written_.push_back(options.record);
     }
     if (!options.csv.empty()) {
-        csv_ = std::make_unique<observe::CsvWriter>(options.csv, info_, world);
+        csv_ = std::make_unique<record::CsvWriter>(options.csv, info_, world);
         if (world.step_count() > 0)  // Before the first step no tension is known.
             csv_->add_row(world);
         written_.push_back(options.csv);
     }
     options.trace.start(world);
-    collector_ = std::make_unique<observe::SummaryCollector>(info_, world);
+    collector_ = std::make_unique<report::SummaryCollector>(info_, world);
     const std::vector<CutView> cuts = world.cuts();
     const bool may_split = !cuts.empty() && (world.settings().budget > 0.0 ||
                                              world.settings().coupling != Coupling::deadline);
@@ -78,9 +78,9 @@ RunSession::RunSession(const RunOptions& options)
             "--coupling exact");
     if (std::any_of(cuts.begin(), cuts.end(),
                     [](const CutView& c) { return c.coupling != Coupling::deadline; })) {
-        coupling_ = std::make_unique<observe::CouplingObserver>(world);
+        coupling_ = std::make_unique<verify::CouplingObserver>(world);
     }
-    if (options.verify) verifier_ = std::make_unique<observe::Verifier>(world);
+    if (options.verify) verifier_ = std::make_unique<verify::Verifier>(world);
 }
 
 void RunSession::check_files() const {
@@ -122,19 +122,19 @@ void RunSession::choose_times() {
 
 void RunSession::check_start() {
     if (options_.unchecked) return;
-    const auto findings = observe::start::check_start(info_, scene_.world);
+    const auto findings = report::start::check_start(info_, scene_.world);
     if (!options_.quiet || findings.errors() > 0)
-        fmt::print(stderr, "{}", observe::start::to_text(findings, scene_.path + ": "));
+        fmt::print(stderr, "{}", report::start::to_text(findings, scene_.path + ": "));
     if (findings.errors() > 0)
         throw std::runtime_error(fmt::format(
             "{}: this start is impossible; --unchecked runs it nevertheless", scene_.path));
-    for (const observe::start::Finding& finding : findings.list) warnings_.push_back(finding.text);
+    for (const report::start::Finding& finding : findings.list) warnings_.push_back(finding.text);
 }
 
 void RunSession::choose_stride() {
     stride_ = options_.stride;
     if (stride_ > 0) return;
-    const double all = static_cast<double>(observe::frame_bytes(scene_.world, info_)) *
+    const double all = static_cast<double>(record::frame_bytes(scene_.world, info_)) *
                        static_cast<double>(steps_ + 1);
     stride_ = static_cast<std::int32_t>(std::clamp(std::ceil(all / kRecordingBytes), 1.0, 1e6));
 }
@@ -151,11 +151,11 @@ int RunSession::run() {
     const auto start = Clock::now();
     Progress progress(steps_, world.settings().step, !options_.quiet);
     if (options_.realtime) pacer_ = std::make_unique<Pacer>(world.settings().step);
-    observe::Ending ending = observe::Ending::finished;
+    record::Ending ending = record::Ending::finished;
     save_if_due();
     while (done_ < steps_) {
         if (stop_requested()) {
-            ending = observe::Ending::interrupted;
+            ending = record::Ending::interrupted;
             break;
         }
         apply_inputs();
@@ -163,19 +163,19 @@ int RunSession::run() {
         if (coupling_) coupling_->before_step(world);
         const Status status = world.step();
         if (status == Status::cancelled) {
-            ending = observe::Ending::interrupted;
+            ending = record::Ending::interrupted;
             break;
         }
         ++done_;
         if (status != Status::ok) {
-            ending = observe::Ending::failed;
+            ending = record::Ending::failed;
             break;
         }
         after_step();
         if (coupling_) coupling_->after_step(world);
         if (verifier_) wrong_ = verifier_->after_step(world);
         if (!wrong_.empty()) {
-            ending = observe::Ending::failed;
+            ending = record::Ending::failed;
             break;
         }
         progress.at(done_);
@@ -188,10 +188,10 @@ int RunSession::run() {
 void RunSession::apply_inputs() {
     World& world = scene_.world;
     const double now = world.time() + kTimeSlack * world.settings().step;
-    std::vector<observe::RecordedInput> changes;
+    std::vector<record::RecordedInput> changes;
     for (; next_control_ < control_.size() && control_[next_control_].time <= now;
          ++next_control_) {
-        const observe::ControlChange& change = control_[next_control_];
+        const record::ControlChange& change = control_[next_control_];
         world.set_input({change.input}, change.value);
         changes.push_back({world.step_count(), change.input, change.value});
     }
@@ -224,18 +224,18 @@ void RunSession::save_if_due() {
     if (!options_.save_time || saved_ ||
         world.time() < *options_.save_time - kTimeSlack * world.settings().step)
         return;
-    observe::save_snapshot(options_.save_file, info_, world);
+    record::save_snapshot(options_.save_file, info_, world);
     saved_ = true;
     written_.push_back(options_.save_file);
 }
 
-int RunSession::finish(observe::Ending ending, double wall_seconds) {
+int RunSession::finish(record::Ending ending, double wall_seconds) {
     const World& world = scene_.world;
-    observe::Summary summary = collector_->result(world);
+    report::Summary summary = collector_->result(world);
     // The last state is judged here: no step after it does.
     const bool wrong = summary.verdict.verdict.grade == Grade::wrong &&
                        world.settings().on_diverged == OnDiverged::stop;
-    if (wrong && ending == observe::Ending::finished) ending = observe::Ending::failed;
+    if (wrong && ending == record::Ending::finished) ending = record::Ending::failed;
     summary.wall_seconds = wall_seconds;
     summary.warnings = warnings_;
     if (pacer_) {
@@ -244,20 +244,20 @@ int RunSession::finish(observe::Ending ending, double wall_seconds) {
     }
     if (coupling_) summary.coupling = coupling_->result(world);
     if (verifier_) summary.verified = verifier_->result();
-    if (ending == observe::Ending::interrupted) summary.outcome = "interrupted";
-    if (ending == observe::Ending::failed) summary.outcome = "failed";
+    if (ending == record::Ending::interrupted) summary.outcome = "interrupted";
+    if (ending == record::Ending::failed) summary.outcome = "failed";
     // Where it ended early the last step need not be one of a frame.
     if (world.step_count() > framed_) add_frame();
     if (recording_) recording_->finish(world, ending);
     if (csv_) csv_->finish();
     if (!options_.summary.empty()) {
-        write_output(options_.summary, observe::to_json(summary), "the summary");
+        write_output(options_.summary, report::to_json(summary), "the summary");
         written_.push_back(options_.summary);
     }
     const std::string timeline = options_.trace.finish(world, info_.name);
     written_.insert(written_.end(), options_.trace.files.begin(), options_.trace.files.end());
     if (!options_.quiet) {
-        fmt::print("{}{}", observe::report(summary), timeline);
+        fmt::print("{}{}", report::to_text(summary), timeline);
         if (!written_.empty()) fmt::print("  wrote        {}\n", fmt::join(written_, ", "));
         std::fflush(stdout);
     }
@@ -271,12 +271,12 @@ int RunSession::finish(observe::Ending ending, double wall_seconds) {
                    summary.verdict.said);
         return kFailed;
     }
-    if (ending == observe::Ending::failed) {
+    if (ending == record::Ending::failed) {
         fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}; the state before it stays\n",
                    world.time(), failure(summary.last));
         return kFailed;
     }
-    return ending == observe::Ending::interrupted ? kInterrupted : kOk;
+    return ending == record::Ending::interrupted ? kInterrupted : kOk;
 }
 
 }  // namespace hawser::cli

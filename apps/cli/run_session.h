@@ -3,14 +3,14 @@
 /// @file run_session.h
 /// One run of a scene: commands in, steps, recordings and figures out.
 
-#include "observe/control.h"
-#include "observe/coupling.h"
-#include "observe/csv.h"
-#include "observe/recording.h"
-#include "observe/summary.h"
 #include "realtime.h"
+#include "record/control.h"
+#include "record/csv.h"
+#include "record/recording.h"
+#include "report/summary.h"
 #include "scene_options.h"
 #include "trace_output.h"
+#include "verify/coupling.h"
 
 #include <memory>
 #include <optional>
@@ -46,24 +46,24 @@ class RunSession {
     void after_step();
     void add_frame();
     void save_if_due();
-    int finish(observe::Ending ending, double wall_seconds);
+    int finish(record::Ending ending, double wall_seconds);
 
     const RunOptions& options_;
     scene::Scene scene_;
-    observe::SceneInfo info_;
+    record::SceneInfo info_;
     double end_time_ = 0.0;
     std::int64_t steps_ = 0, done_ = 0;
     std::int64_t framed_ = 0;  ///< Steps taken at the last frame.
     std::int32_t stride_ = 1;
-    std::vector<observe::ControlChange> control_;
+    std::vector<record::ControlChange> control_;
     std::size_t next_control_ = 0;
-    std::unique_ptr<observe::RecordingWriter> recording_;
-    std::unique_ptr<observe::CsvWriter> csv_;
-    std::unique_ptr<observe::SummaryCollector> collector_;
-    std::unique_ptr<observe::Verifier> verifier_;
-    std::unique_ptr<observe::CouplingObserver> coupling_;  ///< Where something is cut.
-    std::string wrong_;                                    ///< What the verifier found.
-    std::vector<std::string> warnings_;                    ///< Of the start.
+    std::unique_ptr<record::RecordingWriter> recording_;
+    std::unique_ptr<record::CsvWriter> csv_;
+    std::unique_ptr<report::SummaryCollector> collector_;
+    std::unique_ptr<verify::Verifier> verifier_;
+    std::unique_ptr<verify::CouplingObserver> coupling_;  ///< Where something is cut.
+    std::string wrong_;                                   ///< What the verifier found.
+    std::vector<std::string> warnings_;                   ///< Of the start.
     std::unique_ptr<Pacer> pacer_;
     bool saved_ = false;
     std::vector<std::string> written_;

@@ -95,14 +95,14 @@ scene::Options SceneOptions::options() const {
     return options;
 }
 
-observe::SceneInfo info_of(const scene::Scene& scene) {
-    observe::SceneInfo info{.name = scene.name,
-                            .path = scene.path,
-                            .text = scene.text,
-                            .hash = scene.hash,
-                            .cables = {},
-                            .plot_cables = {},
-                            .plot_bodies = {}};
+record::SceneInfo info_of(const scene::Scene& scene) {
+    record::SceneInfo info{.name = scene.name,
+                           .path = scene.path,
+                           .text = scene.text,
+                           .hash = scene.hash,
+                           .cables = {},
+                           .plot_cables = {},
+                           .plot_bodies = {}};
     for (const scene::Cable& cable : scene.cables)
         info.cables.push_back({cable.name, cable.line_type, cable.nodes, cable.stretch, cable.EA,
                                cable.breaking_load, cable.length, cable.diameter});

@@ -3,7 +3,7 @@
 /// @file scene_options.h
 /// Options that change a scene while it is read, common to several commands.
 
-#include "observe/scene_info.h"
+#include "record/scene_info.h"
 #include "scene/scene.h"
 
 #include <CLI/CLI.hpp>
@@ -41,7 +41,7 @@ struct SceneOptions {
     [[nodiscard]] scene::Options options() const;
 };
 
-[[nodiscard]] observe::SceneInfo info_of(const scene::Scene& scene);
+[[nodiscard]] record::SceneInfo info_of(const scene::Scene& scene);
 
 /// Names of a world's inputs in their order.
 [[nodiscard]] std::vector<std::string> input_names(const World& world);

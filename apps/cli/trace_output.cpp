@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace_output.h"
 
-#include "observe/host.h"
-#include "observe/svg.h"
-#include "observe/timeline.h"
+#include "draw/svg.h"
+#include "draw/timeline.h"
 #include "outputs.h"
+#include "report/host.h"
 
 #include <fmt/format.h>
 
@@ -72,26 +72,26 @@ std::string TraceOptions::finish(const World& world, const std::string& scene) c
     const bool held = std::any_of(all.spans.begin(), all.spans.end(), [&](const TraceSpan& s) {
         return s.kind == SpanKind::step && s.step == step;
     });
-    observe::Timeline shown;
-    if (any) shown = observe::timeline_of(all, held ? step : observe::typical_step(all));
+    draw::Timeline shown;
+    if (any) shown = draw::timeline_of(all, held ? step : draw::typical_step(all));
     for (const std::string& file : files) {
         if (!is_picture(file)) {
-            write_output(file, observe::to_trace_events(last, scene), "the trace");
+            write_output(file, draw::to_trace_events(last, scene), "the trace");
             continue;
         }
         const std::string parameters =
-            fmt::format("{}, {}, {}, step {:.6g} ms", scene, observe::processor_model(),
+            fmt::format("{}, {}, {}, step {:.6g} ms", scene, report::processor_model(),
                         instruction_set(), 1e3 * world.settings().step);
         write_output(
             file,
-            observe::to_svg(observe::plot_timelines(
+            draw::to_svg(draw::plot_timelines(
                 {shown},
                 fmt::format("What {} thread{} did", shown.threads, shown.threads == 1 ? "" : "s"),
                 parameters)),
             "the trace");
     }
     if (!any) return "  timeline     no whole step was traced\n";
-    std::string lines = fmt::format("  timeline     {}\n", observe::describe(shown));
+    std::string lines = fmt::format("  timeline     {}\n", draw::describe(shown));
     if (step > 0 && !held)
         lines += fmt::format("               step {} is not among the {} that were kept\n", step,
                              all.steps);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "validate.h"
 
-#include "observe/files.h"
+#include "record/files.h"
 #include "validate_cases.h"
 #include "validate_robust.h"
 
@@ -68,7 +68,7 @@ bool write_json(const std::string& file, const std::string& text) {
         fmt::print("{}", text);
         return true;
     }
-    const std::string fault = observe::write_file(file, text);
+    const std::string fault = record::write_file(file, text);
     if (!fault.empty()) fmt::print(stderr, "hawser validate: cannot write {}: {}\n", file, fault);
     return fault.empty();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "draw/axes.h"
 #include "linear/report.h"
-#include "observe/axes.h"
 
 #include <fmt/core.h>
 
@@ -29,38 +29,37 @@ double total_of(const ProblemReport& p, const std::string& library) {
 
 }  // namespace
 
-observe::Drawing ratio_picture(const std::vector<ProblemReport>& reports) {
+draw::Drawing ratio_picture(const std::vector<ProblemReport>& reports) {
     const std::vector<std::string> libraries = libraries_of(reports);
     constexpr double kLow = 0.5, kHigh = 64.0, kLeft = 190.0, kTop = 70.0, kBar = 10.0;
     const double group = kBar * static_cast<double>(libraries.size()) + 16.0;
-    observe::Drawing d;
+    draw::Drawing d;
     d.width = 1000.0;
     d.height = kTop + group * static_cast<double>(reports.size()) + 50.0;
-    observe::draw_heading(d, "Time of each library over ours, one thread",
-                          "condense + refactor + solve + one refinement; logarithmic");
+    draw::draw_heading(d, "Time of each library over ours, one thread",
+                       "condense + refactor + solve + one refinement; logarithmic");
     const double width = d.width - kLeft - 200.0, bottom = d.height - 40.0;
     auto x = [&](double ratio) {
         return kLeft +
                width * std::log(std::clamp(ratio, kLow, kHigh) / kLow) / std::log(kHigh / kLow);
     };
     for (double tick = kLow; tick <= kHigh; tick *= 2.0) {
-        d.line({x(tick), kTop - 8.0}, {x(tick), bottom},
-               tick == 1.0 ? observe::kInk : observe::kGrid);
-        d.text({x(tick), bottom + 16.0}, fmt::format("{:g}", tick), 11.0, observe::Anchor::middle);
+        d.line({x(tick), kTop - 8.0}, {x(tick), bottom}, tick == 1.0 ? draw::kInk : draw::kGrid);
+        d.text({x(tick), bottom + 16.0}, fmt::format("{:g}", tick), 11.0, draw::Anchor::middle);
     }
-    std::vector<observe::LegendEntry> legend;
+    std::vector<draw::LegendEntry> legend;
     for (std::size_t k = 0; k < libraries.size(); ++k)
-        legend.push_back({libraries[k], "", observe::curve_color(k), {}});
-    observe::draw_legend(d, {d.width - 185.0, kTop}, legend);
+        legend.push_back({libraries[k], "", draw::curve_color(k), {}});
+    draw::draw_legend(d, {d.width - 185.0, kTop}, legend);
     double y = kTop;
     for (const ProblemReport& p : reports) {
         const double base = total_of(p, "hawser");
-        d.text({kLeft - 8.0, y + 0.5 * group - 4.0}, p.name, 12.0, observe::Anchor::end);
+        d.text({kLeft - 8.0, y + 0.5 * group - 4.0}, p.name, 12.0, draw::Anchor::end);
         for (std::size_t k = 0; k < libraries.size(); ++k) {
             const double t = total_of(p, libraries[k]);
             if (!(t > 0.0) || !(base > 0.0)) continue;
             const double top = y + kBar * static_cast<double>(k);
-            d.box({x(1.0), top, x(t / base) - x(1.0), kBar - 2.0}, observe::curve_color(k));
+            d.box({x(1.0), top, x(t / base) - x(1.0), kBar - 2.0}, draw::curve_color(k));
             d.text({x(t / base) + 4.0, top + kBar - 2.0}, fmt::format("{:.1f}", t / base), 9.0);
         }
         y += group;

@@ -3,8 +3,8 @@
 /// @file report.h
 /// Tables, JSON and a picture of the comparison of solvers.
 
+#include "draw/drawing.h"
 #include "linear/trial.h"
-#include "observe/drawing.h"
 
 #include <nlohmann/json.hpp>
 
@@ -31,6 +31,6 @@ void print_thread_gain(const std::vector<ProblemReport>& reports);
 [[nodiscard]] nlohmann::json to_json(const ProblemReport& report);
 
 /// Bars: time of each library over ours on the same problem, one thread, logarithmic.
-[[nodiscard]] observe::Drawing ratio_picture(const std::vector<ProblemReport>& reports);
+[[nodiscard]] draw::Drawing ratio_picture(const std::vector<ProblemReport>& reports);
 
 }  // namespace hawser::bench

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "partition/cost_study.h"
 
+#include "draw/axes.h"
+#include "draw/drawing.h"
+#include "draw/svg.h"
 #include "factor/ordering.h"
 #include "graph/cost.h"
 #include "graph/neighbours.h"
 #include "index.h"
 #include "linear/problem.h"
-#include "observe/axes.h"
-#include "observe/drawing.h"
-#include "observe/svg.h"
 #include "paper_matrix/structures.h"
 #include "partition/cases.h"
 #include "partition/measure.h"
@@ -146,14 +146,14 @@ Fit fit(const std::vector<Sample>& samples, std::size_t predictor) {
 
 void draw(const std::vector<Sample>& samples, const std::vector<Fit>& fits,
           const std::string& file) {
-    observe::Drawing d;
+    draw::Drawing d;
     d.width = 1200.0;
     d.height = 1000.0;
-    observe::draw_heading(
+    draw::draw_heading(
         d, "Predicted and measured time of a factorisation, one thread",
         fmt::format("{} islands; logarithms to base ten of microseconds", samples.size()));
     for (std::size_t p = 0; p < kPredictors; ++p) {
-        observe::Axes axes;
+        draw::Axes axes;
         axes.frame = {90.0 + 570.0 * static_cast<double>(p % 2),
                       110.0 + 450.0 * static_cast<double>(p / 2), 480.0, 350.0};
         axes.x = {-1.0, 6.0};
@@ -163,19 +163,19 @@ void draw(const std::vector<Sample>& samples, const std::vector<Fit>& fits,
         axes.title = fmt::format("{}: rank {:.3f}, off by {:.2f}x", kNames[p], fits[p].rank,
                                  fits[p].typical);
         axes.draw(d);
-        d.line(axes.at(0.0, 0.0), axes.at(5.0, 5.0), observe::kSoft, 1.0, {4.0, 4.0});
-        observe::Cells cells;
-        cells.fill = observe::curve_color(p);
+        d.line(axes.at(0.0, 0.0), axes.at(5.0, 5.0), draw::kSoft, 1.0, {4.0, 4.0});
+        draw::Cells cells;
+        cells.fill = draw::curve_color(p);
         for (const Sample& s : samples) {
             const double x = std::log10(1e6 * fits[p].factor * s.cost[p]);
             const double y = std::log10(1e6 * s.seconds);
             if (x < axes.x.low || x > axes.x.high || y < axes.y.low || y > axes.y.high) continue;
-            const observe::Point at = axes.at(x, y);
+            const draw::Point at = axes.at(x, y);
             cells.boxes.push_back({at.x - 2.0, at.y - 2.0, 4.0, 4.0});
         }
         d.add(std::move(cells));
     }
-    std::ofstream(file) << observe::to_svg(d);
+    std::ofstream(file) << draw::to_svg(d);
 }
 
 }  // namespace

@@ -5,12 +5,12 @@
 #include "index.h"
 #include "linear/problem.h"
 #include "linear/timing.h"
-#include "observe/coupling.h"
 #include "partition/cases.h"
 #include "partition/factors.h"
 #include "partition/foreign.h"
 #include "partition/scenes.h"
 #include "scene/scene.h"
+#include "verify/coupling.h"
 
 #include <fmt/core.h>
 
@@ -73,8 +73,8 @@ Json compare_worlds(const std::string& scene, Coupling coupling, const char* pre
     for (int k = 0; k < rounds; ++k)
         for (SteppedWorld& w : worlds) w.run(20);
     Json out = {
-        {"scene", scene}, {"coupling", observe::to_string(coupling)}, {"predictor", predictor}};
-    fmt::print("{}: whole steps, {} {}, {} parts [ms]\n", scene, observe::to_string(coupling),
+        {"scene", scene}, {"coupling", verify::to_string(coupling)}, {"predictor", predictor}};
+    fmt::print("{}: whole steps, {} {}, {} parts [ms]\n", scene, verify::to_string(coupling),
                predictor, parts);
     std::array<split::SimulatedStep, std::size(worlds)> simulated;
     for (std::size_t i = 0; i < std::size(worlds); ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/program.h"
-#include "observe/bytes.h"
+#include "record/bytes.h"
 
 #include <nlohmann/json.hpp>
 
@@ -271,7 +271,7 @@ TEST(Replay, NoticesAChangedCommand) {
     ASSERT_NE(at, std::string::npos);
     const double changed = 1001.0;
     std::memcpy(bytes.data() + at + 8 + 4 + 12, &changed, sizeof changed);
-    const std::uint32_t crc = observe::crc32(std::span(bytes).subspan(at, 8 + 24));
+    const std::uint32_t crc = record::crc32(std::span(bytes).subspan(at, 8 + 24));
     std::memcpy(bytes.data() + at + 8 + 24, &crc, sizeof crc);
     write_text(folder / "r.hwr", {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     const Outcome replay = run_program({"replay", folder / "r.hwr"});

@@ -2,8 +2,8 @@
 /// Files and streams that are not what a program hopes for: pipes, holes, the same file twice,
 /// closed and full outputs, times beyond all clocks, an end in the middle.
 #include "cli/program.h"
-#include "observe/bytes.h"
-#include "observe/recording.h"
+#include "record/bytes.h"
+#include "record/recording.h"
 
 #include <nlohmann/json.hpp>
 
@@ -56,9 +56,9 @@ std::string run_line(const fs::path& folder, const std::string& more = {}) {
 
 /// The recording of run_line() is whole: nothing else was written into it.
 void expect_whole(const fs::path& folder, const char* what) {
-    const auto r = observe::Recording::open(folder / "r.hwr");
+    const auto r = record::Recording::open(folder / "r.hwr");
     EXPECT_EQ(r.damage, "") << what;
-    EXPECT_EQ(r.ending, observe::Ending::finished) << what;
+    EXPECT_EQ(r.ending, record::Ending::finished) << what;
     fs::remove(folder / "r.hwr");
 }
 
@@ -215,8 +215,8 @@ TEST(Interrupted, RunRecordsItsLastStep) {
     EXPECT_EQ(run.code, 130) << run.err;
     const auto steps = json::parse(read_text(folder / "s.json"))["steps"].get<std::int64_t>();
     EXPECT_GT(steps, 1);
-    const auto r = observe::Recording::open(folder / "r.hwr");
-    EXPECT_EQ(r.ending, observe::Ending::interrupted);
+    const auto r = record::Recording::open(folder / "r.hwr");
+    EXPECT_EQ(r.ending, record::Ending::interrupted);
     EXPECT_EQ(r.end_step, steps);
     ASSERT_EQ(r.frame_count(), 2u);
     EXPECT_EQ(r.frame_head(1).step, steps);
@@ -235,7 +235,7 @@ std::string with_end(std::string bytes, std::size_t offset, std::int64_t value) 
     EXPECT_NE(end, std::string::npos);
     std::memcpy(bytes.data() + end + 8 + offset, &value, sizeof value);
     const std::size_t size = bytes.size() - end - 4;
-    const std::uint32_t crc = observe::crc32(std::as_bytes(std::span(bytes.data() + end, size)));
+    const std::uint32_t crc = record::crc32(std::as_bytes(std::span(bytes.data() + end, size)));
     std::memcpy(bytes.data() + end + size, &crc, sizeof crc);
     return bytes;
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Recordings and snapshot files whose contents were changed and whose checksums are right: refused
 /// or read, and what was read can be drawn, whatever it says.
+#include "draw/plots.h"
+#include "draw/raster.h"
+#include "draw/svg.h"
 #include "files/mutate.h"
-#include "observe/bytes.h"
-#include "observe/plots.h"
-#include "observe/raster.h"
-#include "observe/small_scene.h"
-#include "observe/snapshot_file.h"
-#include "observe/svg.h"
+#include "record/bytes.h"
+#include "record/small_scene.h"
+#include "record/snapshot_file.h"
 
 #include <cmath>
 #include <cstdio>
@@ -15,7 +15,7 @@
 namespace hawser::test {
 namespace {
 
-using observe::Recording;
+using record::Recording;
 
 struct Chunk {
     std::array<std::byte, 4> kind{};
@@ -26,7 +26,7 @@ constexpr std::size_t kMagicBytes = 12;
 
 std::vector<Chunk> chunks_of(std::span<const std::byte> file) {
     std::vector<Chunk> out;
-    observe::ByteReader in(file.subspan(kMagicBytes));
+    record::ByteReader in(file.subspan(kMagicBytes));
     while (in.left() > 0) {
         Chunk chunk;
         std::memcpy(chunk.kind.data(), in.take(4).data(), 4);
@@ -40,14 +40,14 @@ std::vector<Chunk> chunks_of(std::span<const std::byte> file) {
 
 /// The file of some chunks, each with the checksum that it needs.
 std::vector<std::byte> file_of(std::span<const std::byte> magic, const std::vector<Chunk>& chunks) {
-    observe::ByteWriter out;
+    record::ByteWriter out;
     out.put_bytes(magic);
     for (const Chunk& chunk : chunks) {
         const std::size_t from = out.bytes().size();
         out.put_bytes(chunk.kind);
         out.put(static_cast<std::uint32_t>(chunk.payload.size()));
         out.put_bytes(chunk.payload);
-        out.put(observe::crc32(out.bytes().subspan(from)));
+        out.put(record::crc32(out.bytes().subspan(from)));
     }
     return {out.bytes().begin(), out.bytes().end()};
 }
@@ -72,7 +72,7 @@ void forge(std::vector<Chunk>& chunks, Random& random) {
 void expect_sound(const Recording& r) {
     std::int64_t step = r.start_step - 1;
     for (std::size_t i = 0; i < r.frame_count(); ++i) {
-        const observe::Frame frame = r.frame(i);
+        const record::Frame frame = r.frame(i);
         ASSERT_GT(frame.step, step);
         ASSERT_TRUE(i == 0 || frame.step - step <= r.settings.stride);
         step = frame.step;
@@ -84,19 +84,19 @@ void expect_sound(const Recording& r) {
         }
         for (const float tension : frame.tensions) ASSERT_TRUE(std::isfinite(tension));
     }
-    for (const observe::RecordedInput& input : r.inputs) ASSERT_GE(input.input, 0);
-    if (r.ending != observe::Ending::unknown) {
+    for (const record::RecordedInput& input : r.inputs) ASSERT_GE(input.input, 0);
+    if (r.ending != record::Ending::unknown) {
         ASSERT_GE(r.end_step, step);
     }
 }
 
 void draw(const Recording& r) {
     if (r.frame_count() == 0) return;
-    const observe::Series series = observe::collect_series(r);
+    const record::Series series = record::collect_series(r);
     for (const auto& drawing :
-         {observe::plot_tensions(r, series), observe::plot_motions(r, series),
-          observe::plot_views(r, series, r.frame_count() - 1), observe::plot_details(r, 0)})
-        if (drawing) (void)observe::to_svg(*drawing);
+         {draw::plot_tensions(r, series), draw::plot_motions(r, series),
+          draw::plot_views(r, series, r.frame_count() - 1), draw::plot_details(r, 0)})
+        if (drawing) (void)draw::to_svg(*drawing);
 }
 
 TEST(ForgedRecordings, AreRefusedOrSound) {
@@ -119,7 +119,7 @@ TEST(ForgedRecordings, AreRefusedOrSound) {
             expect_sound(r);
             ASSERT_FALSE(testing::Test::HasFatalFailure()) << "input " << i;
             if (i % 20 == 0) draw(r);  // takes long
-        } catch (const observe::RecordingError& e) {
+        } catch (const record::RecordingError& e) {
             ++refused;
             ASSERT_EQ(std::string(e.what()).rfind("forged: ", 0), 0u) << e.what();
         }
@@ -136,7 +136,7 @@ TEST(ForgedRecordings, SnapshotFilesAreRefusedOrTaken) {
     const auto folder = fresh_folder();
     SmallScene scene;
     ASSERT_EQ(scene.world.step(), Status::ok);
-    observe::save_snapshot(folder / "good.hws", scene.info, scene.world);
+    record::save_snapshot(folder / "good.hws", scene.info, scene.world);
     const std::vector<std::byte> good = read_bytes(folder / "good.hws");
     const auto hash = scene.world.state_hash();
     Random random(9);
@@ -144,14 +144,14 @@ TEST(ForgedRecordings, SnapshotFilesAreRefusedOrTaken) {
     for (int i = 0; i < inputs_of(200, 2000, 20'000); ++i) {
         std::vector<std::byte> bad = good;
         mutate(std::span(bad).first(random.chance(0.5) ? 64 : bad.size() - 4), random);
-        const std::uint32_t crc = observe::crc32(std::span(bad).first(bad.size() - 4));
+        const std::uint32_t crc = record::crc32(std::span(bad).first(bad.size() - 4));
         write_at(std::span(bad), bad.size() - 4, crc);
         std::ofstream(folder / "bad.hws", std::ios::binary)
             .write(reinterpret_cast<const char*>(bad.data()), std::ssize(bad));
         try {
-            observe::restore_snapshot(folder / "bad.hws", scene.info, scene.world);
+            record::restore_snapshot(folder / "bad.hws", scene.info, scene.world);
             ++taken;
-        } catch (const observe::SnapshotError&) {
+        } catch (const record::SnapshotError&) {
             ++refused;
         }
         ASSERT_EQ(scene.world.state_hash(), hash) << "input " << i;

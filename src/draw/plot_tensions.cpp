@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/axes.h"
+#include "draw/commands_note.h"
+#include "draw/plots.h"
+#include "record/units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace hawser::draw {
+
+namespace {
+
+// Cables whose tensions differ by less than this share a panel: beyond it the smaller ones
+// could not be told from zero.
+constexpr double kPanelRatio = 6.0;
+constexpr std::size_t kMaxPanels = 3;
+constexpr double kLegendRow = 36.0;  // Height of a legend entry with its note [points].
+
+using Group = std::vector<std::size_t>;  // Indices into Series::cables.
+
+std::vector<Group> group_by_size(const record::Series& series) {
+    Group order(series.cables.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return series.cables[a].peak > series.cables[b].peak;
+    });
+    std::vector<Group> groups;
+    double top = 0.0;
+    for (const std::size_t i : order) {
+        const double peak = series.cables[i].peak;
+        if (groups.empty() || (peak * kPanelRatio < top && groups.size() < kMaxPanels)) {
+            groups.emplace_back();
+            top = peak;
+        }
+        groups.back().push_back(i);
+    }
+    for (Group& group : groups) std::sort(group.begin(), group.end());
+    return groups;
+}
+
+Range tension_range(const record::Series& series, const Group& group, double factor) {
+    std::vector<double> values;
+    for (const std::size_t i : group) {
+        const record::CableSeries& s = series.cables[i];
+        for (const auto* list : {&s.lowest, &s.highest}) {
+            const Range r = range_of(*list);
+            values.insert(values.end(), {factor * r.low, factor * r.high});
+        }
+    }
+    Range r = range_of(values);
+    // Near zero the axis begins at zero, so that heights compare as tensions do.
+    if (r.low > 0.0 && r.low < 0.6 * r.high) r.low = 0.0;
+    const bool at_zero = r.low == 0.0;
+    r = widened(r, 0.06, std::max(1e-9, 0.002 * std::abs(r.high)));
+    if (at_zero) r.low = 0.0;
+    return r;
+}
+
+std::vector<double> scaled(const std::vector<double>& values, double factor) {
+    std::vector<double> out(values);
+    for (double& v : out) v *= factor;
+    return out;
+}
+
+std::vector<double> dash_of(std::size_t index) {
+    return index < 9 ? std::vector<double>{} : std::vector<double>{7.0, 6.0};
+}
+
+void draw_curves(Drawing& drawing, const Axes& axes, const record::Series& series,
+                 const Group& group, double factor) {
+    for (const std::size_t i : group) {
+        const record::CableSeries& s = series.cables[i];
+        std::vector<Point> band = thinned(axes, series.time, scaled(s.highest, factor));
+        const std::vector<Point> lower = thinned(axes, series.time, scaled(s.lowest, factor));
+        band.insert(band.end(), lower.rbegin(), lower.rend());
+        drawing.add(Path{.points = std::move(band),
+                         .width = 0.0,
+                         .fill = curve_color(i).with_alpha(36),
+                         .closed = true});
+    }
+    for (const std::size_t i : group)
+        drawing.add(
+            Path{.points = thinned(axes, series.time, scaled(series.cables[i].first, factor)),
+                 .stroke = curve_color(i),
+                 .width = 1.8,
+                 .dash = dash_of(i)});
+}
+
+std::vector<LegendEntry> legend(const record::Recording& recording, const record::Series& series,
+                                const Group& group) {
+    std::vector<LegendEntry> entries;
+    for (const std::size_t i : group) {
+        const record::CableSeries& s = series.cables[i];
+        const record::RecordedCable& cable = recording.cables[static_cast<std::size_t>(s.cable)];
+        std::string note = "max " + record::with_unit(s.peak, "N");
+        if (cable.breaking_load > 0.0)
+            note += fmt::format(", {:.3g} % of breaking", 100.0 * s.peak / cable.breaking_load);
+        entries.push_back({cable.name, note, curve_color(i), dash_of(i)});
+    }
+    return entries;
+}
+
+void mark_events(Drawing& drawing, const record::Recording& recording, const Axes& axes) {
+    int shown = 0;
+    for (const record::RecordedEvent& event : recording.events) {
+        if (event.kind != EventKind::line_break || event.time < axes.x.low ||
+            event.time > axes.x.high || ++shown > 8)
+            continue;
+        const double x = axes.at(event.time, axes.y.low).x;
+        drawing.line({x, axes.frame.y}, {x, axes.frame.bottom()}, Color{190, 30, 30, 255}, 1.2,
+                     {5.0, 5.0});
+        drawing.add(Text{.at = {x + 4, axes.frame.y + 14.0 * shown},
+                         .text = event.where + " parts",
+                         .size = 11.0,
+                         .color = Color{190, 30, 30, 255},
+                         .halo = true});
+    }
+}
+
+void draw_panel(Drawing& drawing, const record::Recording& recording, const record::Series& series,
+                const Group& group, const std::vector<Command>& commands, Axes axes) {
+    double peak = 0.0;
+    for (const std::size_t i : group) peak = std::max(peak, series.cables[i].peak);
+    const record::Unit unit = record::readable_unit(peak, "N");
+    axes.x = range_of(series.time);
+    axes.x.high = std::max(axes.x.high, axes.x.low + recording.settings.step);
+    axes.y = tension_range(series, group, unit.factor);
+    axes.y_label = fmt::format("tension [{}]", unit.name);
+    axes.x_ticks = 10;
+    axes.y_ticks = std::max(3, static_cast<int>(axes.frame.height / 60));
+    axes.draw(drawing);
+    mark_commands(drawing, axes, commands);
+    draw_curves(drawing, axes, series, group, unit.factor);
+    mark_events(drawing, recording, axes);
+    draw_legend(drawing, {axes.frame.right() + 24, axes.frame.y + 14},
+                legend(recording, series, group));
+}
+
+}  // namespace
+
+std::optional<Drawing> plot_tensions(const record::Recording& recording,
+                                     const record::Series& series) {
+    if (series.cables.empty() || series.time.empty()) return std::nullopt;
+    const std::vector<Group> groups = group_by_size(series);
+    const std::vector<Command> commands = commands_of(recording);
+    const double listed = kCommandLine * static_cast<double>(commands.size());
+    const double top = 108, bottom = 96 + listed, gap = 40;
+    const double least = groups.size() == 1 ? 520 : groups.size() == 2 ? 270 : 190;
+    std::vector<double> heights;
+    double total = top + bottom - gap;
+    for (const Group& group : groups) {
+        const auto rows = static_cast<double>(group.size());
+        heights.push_back(std::max(least, rows * kLegendRow));
+        total += heights.back() + gap;
+    }
+    Drawing drawing{.width = 1280, .height = total};
+    draw_heading(drawing, recording.scene_name + ": tension of the cables over time",
+                 record::parameter_line(recording));
+    double y = top;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        draw_panel(drawing, recording, series, groups[g], commands,
+                   {.frame = {110, y, 880, heights[g]},
+                    .x_label = g + 1 == groups.size() ? "time [s]" : "",
+                    .x_numbers = g + 1 == groups.size()});
+        y += heights[g] + gap;
+    }
+    list_commands(drawing, {110, drawing.height - 22 - listed + kCommandLine}, commands);
+    drawing.text({110, drawing.height - 22 - listed},
+                 "Line: first element of the cable. Band: lowest to highest element.", 12.0,
+                 Anchor::start, kSoft);
+    return drawing;
+}
+
+}  // namespace hawser::draw

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/plots.h"
+#include "draw/projection.h"
+#include "draw/shapes.h"
+#include "draw/view_labels.h"
+#include "record/units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hawser::draw {
+
+namespace {
+
+// Room in the picture [points].
+constexpr double kViewsLeft = 100, kRight = 170, kViewsTop = 118, kBottom = 74, kViewsBetween = 84;
+constexpr double kWidth = 1280, kMaxHeight = 1180, kMinHeight = 640;
+
+struct Layout {
+    View view[2];
+    Axes axes[2];
+    double height = 0.0;  // Of the picture.
+    double bar_x = 0.0;   // Left edge of the colour bar.
+};
+
+Axes panel(const View& view, const Bounds& b, Box frame) {
+    static constexpr std::array<const char*, 3> kAxis{"x [m]", "y [m]", "z [m]"};
+    Range up{b.low[view.up], b.high[view.up]};
+    if (view.up_sign < 0.0) std::swap(up.low, up.high);
+    return {.frame = frame,
+            .x = {b.low[view.right], b.high[view.right]},
+            .y = up,
+            .x_label = kAxis[static_cast<std::size_t>(view.right)],
+            .y_label = kAxis[static_cast<std::size_t>(view.up)],
+            .title = view.title,
+            .x_numbers = true,
+            .x_ticks = std::max(2, static_cast<int>(frame.width / 90)),
+            .y_ticks = std::max(2, static_cast<int>(frame.height / 60))};
+}
+
+// Both panels have the same scale. They stand one above the other or side by side, whichever
+// shows the scene larger.
+Layout arrange(Bounds b) {
+    const Vec3 extent = b.high - b.low;
+    const int across = extent.x() >= extent.y() ? 0 : 1;
+    Layout out;
+    out.view[0] = {across, 2, 1.0, across == 0 ? "Side view (along y)" : "Side view (along −x)"};
+    out.view[1] = {across, 1 - across, across == 0 ? 1.0 : -1.0, "Top view"};
+    // Margins, and no panel thinner than a seventh of its length.
+    const double least = std::max(1e-3, extent.maxCoeff() / 7.0);
+    for (int k = 0; k < 3; ++k) {
+        const double wanted = std::max(extent[k] * 1.12, least);
+        const double middle = 0.5 * (b.low[k] + b.high[k]);
+        b.low[k] = middle - 0.5 * wanted;
+        b.high[k] = middle + 0.5 * wanted;
+    }
+    const Vec3 size = b.high - b.low;
+    const double wide = size[across], deep = size[1 - across], high = size.z();
+    const double room_x = kWidth - kViewsLeft - kRight, room_y = kMaxHeight - kViewsTop - kBottom;
+    const double stacked = std::min(room_x / wide, (room_y - kViewsBetween) / (high + deep));
+    const double beside =
+        std::min((room_x - kViewsBetween) / (2.0 * wide), room_y / std::max(high, deep));
+    const bool above = stacked >= 0.9 * beside;
+    const double scale = above ? stacked : beside;
+    const double w = wide * scale, h0 = high * scale, h1 = deep * scale;
+    if (above) {
+        const double x = kViewsLeft + 0.5 * (room_x - w);
+        out.axes[0] = panel(out.view[0], b, {x, kViewsTop, w, h0});
+        out.axes[1] = panel(out.view[1], b, {x, kViewsTop + h0 + kViewsBetween, w, h1});
+        out.height = kViewsTop + h0 + kViewsBetween + h1 + kBottom;
+    } else {
+        out.axes[0] = panel(out.view[0], b, {kViewsLeft, kViewsTop, w, h0});
+        out.axes[1] = panel(out.view[1], b, {kViewsLeft + w + kViewsBetween, kViewsTop, w, h1});
+        out.height = kViewsTop + std::max(h0, h1) + kBottom;
+    }
+    out.height = std::max(out.height, kMinHeight);
+    out.bar_x = std::max(out.axes[0].frame.right(), out.axes[1].frame.right()) + 40;
+    return out;
+}
+
+// Where the plotted bodies went.
+void draw_paths(Drawing& drawing, const Axes& axes, const View& view,
+                const record::Recording& recording, const record::Series& series) {
+    for (std::size_t i = 0; i < series.bodies.size(); ++i) {
+        const record::BodySeries& s = series.bodies[i];
+        const record::RecordedBody& body = recording.bodies[static_cast<std::size_t>(s.body)];
+        if (body.kind == BodyKind::scalar) continue;
+        std::vector<Point> path;
+        for (std::size_t t = 0; t < s.value[0].size(); ++t) {
+            const Point p =
+                project(axes, view,
+                        body.start.position + Vec3(s.value[0][t], s.value[1][t], s.value[2][t]));
+            if (path.empty() || std::hypot(p.x - path.back().x, p.y - path.back().y) > 0.5)
+                path.push_back(p);
+        }
+        drawing.add(Path{
+            .points = std::move(path), .stroke = curve_color(i).with_alpha(150), .width = 1.2});
+    }
+}
+
+void widen_by_paths(const record::Recording& recording, const record::Series& series,
+                    Bounds& bounds) {
+    for (const record::BodySeries& s : series.bodies) {
+        const record::RecordedBody& body = recording.bodies[static_cast<std::size_t>(s.body)];
+        if (body.kind == BodyKind::scalar) continue;
+        for (std::size_t t = 0; t < s.value[0].size(); ++t)
+            bounds.add(body.start.position + Vec3(s.value[0][t], s.value[1][t], s.value[2][t]));
+    }
+}
+
+}  // namespace
+
+std::optional<Drawing> plot_views(const record::Recording& recording, const record::Series& series,
+                                  std::size_t frame_index) {
+    if (frame_index >= recording.frame_count()) return std::nullopt;
+    const record::Frame first = recording.frame(0), frame = recording.frame(frame_index);
+    Bounds bounds;
+    add_to_bounds(recording, first, bounds);
+    add_to_bounds(recording, frame, bounds);
+    add_outlines_to_bounds(recording, first, bounds);
+    add_outlines_to_bounds(recording, frame, bounds);
+    widen_by_paths(recording, series, bounds);
+    if (bounds.empty()) return std::nullopt;
+    const Layout layout = arrange(bounds);
+    Drawing drawing{.width = kWidth, .height = layout.height};
+    draw_heading(drawing,
+                 fmt::format("{}: the scene at {:.6g} s", recording.scene_name, frame.time),
+                 record::parameter_line(recording));
+    const Range tension = tension_range(frame);
+    double low = 0.0;
+    for (int k = 0; k < 2; ++k) {
+        const Axes& axes = layout.axes[k];
+        const View& view = layout.view[k];
+        axes.draw(drawing);
+        draw_grounds(drawing, axes, view, recording, frame);
+        draw_solids(drawing, axes, view, recording, first, true);
+        draw_frame(drawing, axes, view, recording, first, {true, tension});
+        draw_paths(drawing, axes, view, recording, series);
+        draw_solids(drawing, axes, view, recording, frame, false);
+        draw_frame(drawing, axes, view, recording, frame, {false, tension});
+        draw_names(drawing, axes, view, recording, frame);
+        low = std::max(low, axes.frame.bottom());
+    }
+    if (recording.element_count > 0) {
+        const record::Unit unit = record::readable_unit(tension.high, "N");
+        draw_color_bar(drawing,
+                       {layout.bar_x, kViewsTop + 20, 22, std::min(420.0, low - kViewsTop - 20)},
+                       {tension.low * unit.factor, tension.high * unit.factor},
+                       fmt::format("tension [{}]", unit.name));
+    }
+    drawing.text({28, layout.height - 16},
+                 fmt::format("Grey: at {:.6g} s. Coloured thin lines: paths of the plotted "
+                             "bodies.",
+                             first.time),
+                 12.0, Anchor::start, kSoft);
+    return drawing;
+}
+
+}  // namespace hawser::draw

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/projection.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hawser::draw {
+
+namespace {
+
+constexpr Color kGhost{205, 210, 216, 255};
+constexpr Color kBodyLine{52, 62, 74, 255};
+
+bool has_size(const record::RecordedBody& body) { return body.half_size.maxCoeff() > 0.0; }
+
+std::array<Vec3, 8> corners(const record::RecordedBody& body, const Pose& pose) {
+    std::array<Vec3, 8> out;
+    const Mat3 r = pose.orientation.normalized().toRotationMatrix();
+    for (std::size_t i = 0; i < 8; ++i) {
+        const Vec3 sign((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
+        out[i] = pose.position + r * sign.cwiseProduct(body.half_size);
+    }
+    return out;
+}
+
+// The faces that the viewer sees, lighter where they face the viewer squarely.
+void draw_box(Drawing& drawing, const Axes& axes, const View& view,
+              const record::RecordedBody& body, const Pose& pose, bool ghost) {
+    static constexpr int kFaces[6][4] = {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                         {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}};
+    const std::array<Vec3, 8> p = corners(body, pose);
+    const Mat3 r = pose.orientation.normalized().toRotationMatrix();
+    for (int face = 0; face < 6; ++face) {
+        const Vec3 normal = r.col(face / 2) * (face % 2 == 0 ? -1.0 : 1.0);
+        const double facing = normal.dot(view.towards_viewer());
+        if (facing < 1e-3) continue;
+        std::vector<Point> outline;
+        for (const int corner : kFaces[face])
+            outline.push_back(project(axes, view, p[static_cast<std::size_t>(corner)]));
+        const auto light = static_cast<std::uint8_t>(150 + 70 * facing);
+        const Color fill{static_cast<std::uint8_t>(light - 8), light,
+                         static_cast<std::uint8_t>(light + 14), 215};
+        drawing.add(Path{.points = std::move(outline),
+                         .stroke = ghost ? kGhost : kBodyLine,
+                         .width = ghost ? 0.8 : 1.2,
+                         .fill = ghost ? kNoColor : fill,
+                         .closed = true});
+    }
+}
+
+void draw_dot(Drawing& drawing, Point at, double radius, Color color) {
+    std::vector<Point> circle;
+    for (int i = 0; i < 16; ++i)
+        circle.push_back(
+            {at.x + radius * std::cos(i * 0.392699), at.y + radius * std::sin(i * 0.392699)});
+    drawing.add(Path{.points = std::move(circle), .width = 0.0, .fill = color, .closed = true});
+}
+
+Vec3 place(const record::Frame& frame, std::int32_t body, const Vec3& point) {
+    const Pose& pose = frame.poses[static_cast<std::size_t>(body)];
+    return pose.position + pose.orientation.normalized() * point;
+}
+
+// Rods between their points; bodies as lines from their centre to joints outside their box.
+void draw_joints(Drawing& drawing, const Axes& axes, const View& view,
+                 const record::Recording& recording, const record::Frame& frame, bool ghost) {
+    const Color color = ghost ? kGhost : kBodyLine;
+    const double width = ghost ? 1.0 : 1.8;
+    for (const record::RecordedJoint& joint : recording.joints) {
+        Point ends[2];
+        bool drum = false;
+        for (int k = 0; k < 2; ++k) {
+            const record::RecordedBody& body =
+                recording.bodies[static_cast<std::size_t>(joint.body[k])];
+            drum = drum || body.kind == BodyKind::scalar;
+        }
+        if (drum) continue;
+        for (int k = 0; k < 2; ++k) {
+            const record::RecordedBody& body =
+                recording.bodies[static_cast<std::size_t>(joint.body[k])];
+            ends[k] = project(axes, view, place(frame, joint.body[k], joint.point[k]));
+            const bool outside =
+                (joint.point[k].cwiseAbs().array() > 1.05 * body.half_size.array()).any();
+            if (outside && body.kind != BodyKind::fixed)
+                drawing.line(project(axes, view,
+                                     frame.poses[static_cast<std::size_t>(joint.body[k])].position),
+                             ends[k], color, width);
+        }
+        drawing.line(ends[0], ends[1], color, width);
+        if (!ghost) draw_dot(drawing, ends[0], 2.4, kBodyLine);
+    }
+}
+
+// Places of a cable's nodes, its ends where it holds the bodies. Drums have no place.
+std::vector<Vec3> cable_points(const record::Recording& recording,
+                               const record::RecordedCable& cable, const record::Frame& frame) {
+    std::vector<Vec3> points;
+    const std::size_t n = cable.nodes.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::int32_t node = cable.nodes[i];
+        if (recording.bodies[static_cast<std::size_t>(node)].kind == BodyKind::scalar) continue;
+        const Vec3 local = i == 0 ? cable.end[0] : i + 1 == n ? cable.end[1] : Vec3::Zero();
+        points.push_back(place(frame, node, local));
+    }
+    return points;
+}
+
+void draw_cables(Drawing& drawing, const Axes& axes, const View& view,
+                 const record::Recording& recording, const record::Frame& frame,
+                 const FrameStyle& style) {
+    for (const record::RecordedCable& cable : recording.cables) {
+        std::vector<Point> points;
+        const std::vector<Vec3> nodes = cable_points(recording, cable, frame);
+        points.reserve(nodes.size());
+        for (const Vec3& node : nodes) points.push_back(project(axes, view, node));
+        if (style.ghost) {
+            drawing.add(Path{.points = points, .stroke = kGhost, .width = 1.0});
+            continue;
+        }
+        // A cable from a drum has an element more than drawn pieces; the last ones correspond.
+        const auto pieces = static_cast<std::int32_t>(points.size()) - 1;
+        for (std::int32_t i = 0; i < pieces; ++i) {
+            const std::int32_t element =
+                std::min(cable.elements - 1, std::max(0, cable.elements - pieces + i));
+            const double tension =
+                cable.elements > 0
+                    ? frame.tensions[static_cast<std::size_t>(cable.first_element + element)]
+                    : 0.0;
+            drawing.line(points[static_cast<std::size_t>(i)],
+                         points[static_cast<std::size_t>(i + 1)],
+                         scale_color((tension - style.tension.low) / style.tension.span()), 2.2);
+        }
+    }
+}
+
+}  // namespace
+
+Point project(const Axes& axes, const View& view, const Vec3& p) {
+    return axes.at(p[view.right], p[view.up]);
+}
+
+std::vector<bool> visible_bodies(const record::Recording& recording) {
+    std::vector<bool> node(recording.bodies.size(), false), visible(recording.bodies.size());
+    for (const record::RecordedCable& cable : recording.cables)
+        for (const std::int32_t body : cable.nodes) node[static_cast<std::size_t>(body)] = true;
+    for (std::size_t i = 0; i < visible.size(); ++i) {
+        const record::RecordedBody& body = recording.bodies[i];
+        visible[i] = body.kind != BodyKind::scalar &&
+                     (has_size(body) || (!node[i] && body.kind != BodyKind::fixed));
+    }
+    return visible;
+}
+
+void add_to_bounds(const record::Recording& recording, const record::Frame& frame, Bounds& bounds) {
+    const std::vector<bool> visible = visible_bodies(recording);
+    for (std::size_t i = 0; i < recording.bodies.size(); ++i)
+        if (visible[i])
+            for (const Vec3& corner : corners(recording.bodies[i], frame.poses[i]))
+                bounds.add(corner);
+    for (const record::RecordedCable& cable : recording.cables)
+        for (const Vec3& point : cable_points(recording, cable, frame)) bounds.add(point);
+    for (const record::RecordedJoint& joint : recording.joints)
+        for (int k = 0; k < 2; ++k)
+            if (recording.bodies[static_cast<std::size_t>(joint.body[k])].kind != BodyKind::scalar)
+                bounds.add(place(frame, joint.body[k], joint.point[k]));
+}
+
+void draw_frame(Drawing& drawing, const Axes& axes, const View& view,
+                const record::Recording& recording, const record::Frame& frame,
+                const FrameStyle& style) {
+    const std::vector<bool> visible = visible_bodies(recording);
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < visible.size(); ++i)
+        if (visible[i]) order.push_back(i);
+    // Far bodies first, so that near ones cover them.
+    const Vec3 viewer = view.towards_viewer();
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return frame.poses[a].position.dot(viewer) < frame.poses[b].position.dot(viewer);
+    });
+    for (const std::size_t i : order) {
+        const record::RecordedBody& body = recording.bodies[i];
+        if (has_size(body))
+            draw_box(drawing, axes, view, body, frame.poses[i], style.ghost);
+        else
+            draw_dot(drawing, project(axes, view, frame.poses[i].position), style.ghost ? 2.5 : 4.0,
+                     style.ghost ? kGhost : kBodyLine);
+    }
+    draw_joints(drawing, axes, view, recording, frame, style.ghost);
+    draw_cables(drawing, axes, view, recording, frame, style);
+}
+
+Box body_extent(const Axes& axes, const View& view, const record::RecordedBody& body,
+                const Pose& pose) {
+    double x0 = 1e300, y0 = 1e300, x1 = -1e300, y1 = -1e300;
+    for (const Vec3& corner : corners(body, pose)) {
+        const Point p = project(axes, view, corner);
+        x0 = std::min(x0, p.x);
+        x1 = std::max(x1, p.x);
+        y0 = std::min(y0, p.y);
+        y1 = std::max(y1, p.y);
+    }
+    return {x0, y0, x1 - x0, y1 - y0};
+}
+
+}  // namespace hawser::draw

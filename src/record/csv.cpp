@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/csv.h"
+
+#include "record/files.h"
+#include "record/series.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <iterator>
+#include <stdexcept>
+
+namespace hawser::record {
+
+namespace {
+
+// RFC 4180: a name with a comma or quote is quoted, quotes inside are doubled.
+std::string quoted(const std::string& name) {
+    if (name.find_first_of(",\"\n\r") == std::string::npos) return name;
+    std::string out = "\"";
+    for (const char c : name) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return out + "\"";
+}
+
+}  // namespace
+
+CsvWriter::CsvWriter(const std::filesystem::path& file, const SceneInfo& scene, const World& world)
+    : file_(file) {
+    if (const std::string fault = output_fault(file); !fault.empty())
+        throw std::runtime_error(fmt::format("{}: cannot write: {}", file.string(), fault));
+    out_.reset(std::fopen(file.c_str(), "wb"));
+    if (!out_)
+        throw std::runtime_error(
+            fmt::format("{}: cannot write: {}", file.string(), std::strerror(errno)));
+    line_ = "time [s]";
+    for (const CableInfo& cable : scene.cables) {
+        if (cable.elements.empty()) continue;
+        ends_.emplace_back(cable.elements.front(), cable.elements.back());
+        line_ += "," + quoted(cable.name + " tension at first end [N]");
+        line_ += "," + quoted(cable.name + " tension at last end [N]");
+    }
+    bodies_ = watched_bodies(scene, world);
+    for (const BodyId body : bodies_)
+        for (const char* what :
+             {"x [m]", "y [m]", "z [m]", "roll [deg]", "pitch [deg]", "yaw [deg]"})
+            line_ += "," + quoted(body_label(world, body) + " " + what);
+    write();
+}
+
+void CsvWriter::add_row(const World& world) {
+    const auto out = std::back_inserter(line_);
+    fmt::format_to(out, "{:.9g}", world.time());
+    for (const auto& [first, last] : ends_)
+        fmt::format_to(out, ",{:.9g},{:.9g}", element_tension(world, first),
+                       element_tension(world, last));
+    for (const BodyId body : bodies_) {
+        const Pose pose = world.pose(body);
+        const Vec3 angles = kDegrees * euler_angles(pose.orientation);
+        for (const Vec3& v : {pose.position, angles})
+            fmt::format_to(out, ",{:.9g},{:.9g},{:.9g}", v.x(), v.y(), v.z());
+    }
+    write();
+}
+
+void CsvWriter::write() {
+    line_ += '\n';
+    if (std::fwrite(line_.data(), 1, line_.size(), out_.get()) != line_.size())
+        throw std::runtime_error(
+            fmt::format("{}: cannot write: {}", file_.string(), std::strerror(errno)));
+    line_.clear();
+}
+
+void CsvWriter::finish() {
+    if (std::fflush(out_.get()) != 0)
+        throw std::runtime_error(
+            fmt::format("{}: cannot write: {}", file_.string(), std::strerror(errno)));
+}
+
+}  // namespace hawser::record

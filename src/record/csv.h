@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file csv.h
+/// Results over time as comma-separated values: tensions at both ends of every cable,
+/// position and Euler angles of the plotted bodies.
+
+#include "record/scene_info.h"
+
+#include <hawser/hawser.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hawser::record {
+
+class CsvWriter {
+  public:
+    /// Writes the line of names. @throws std::runtime_error when the file cannot be written.
+    CsvWriter(const std::filesystem::path& file, const SceneInfo& scene, const World& world);
+    void add_row(const World& world);
+    void finish();
+
+  private:
+    struct CloseFile {
+        void operator()(std::FILE* f) const { std::fclose(f); }
+    };
+    void write();
+
+    std::filesystem::path file_;
+    std::unique_ptr<std::FILE, CloseFile> out_;
+    std::vector<std::pair<InteractionId, InteractionId>> ends_;
+    std::vector<BodyId> bodies_;
+    std::string line_;
+};
+
+}  // namespace hawser::record

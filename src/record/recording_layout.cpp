@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a recording says of settings, bodies and cables before its first frame.
+#include "record/recording.h"
+#include "record/recording_bytes.h"
+#include "record/recording_format.h"
+
+namespace hawser::record {
+
+void Recording::read_settings(ByteReader in) {
+    settings.step = in.get<double>();
+    settings.form = get_enum<Form>(in, 3);
+    settings.threads = in.get<std::int32_t>();
+    settings.stride = in.get<std::int32_t>();
+    settings.instruction_set = in.get_text();
+    settings.version = in.get_text();
+    settings.processor = in.get_text();
+    in.expect_end();
+    if (!(settings.step > 0.0) || !(settings.step <= kMostStep))
+        throw BadBytes("the time step is not positive");
+    if (settings.stride < 1 || settings.stride > kMostStride)
+        throw BadBytes("the steps between frames are out of range");
+    if (settings.threads < 1) throw BadBytes("the number of threads is not positive");
+}
+
+void Recording::read_layout(ByteReader in) {
+    // Smallest entries: a body has a name length, a kind and 10 numbers; a cable two name
+    // lengths, 3 numbers, 2 points and 2 counts.
+    bodies.resize(in.get_count(4 + 1 + 80));
+    std::size_t floats = 0;
+    for (RecordedBody& body : bodies) {
+        body.name = in.get_text();
+        body.kind = get_enum<BodyKind>(in, 5);
+        body.half_size = get_vector(in);
+        body.start.position = get_vector(in);
+        body.start.orientation = get_quaternion<double>(in);
+        check_unit(body.start.orientation, 1e-6);
+        floats += static_cast<std::size_t>(pose_floats(body.kind));
+    }
+    cables.resize(in.get_count(8 + 24 + 4 + 48 + 4));
+    std::uint64_t elements = 0;
+    for (RecordedCable& cable : cables) {
+        cable.name = in.get_text();
+        cable.line_type = in.get_text();
+        cable.EA = get_finite(in);
+        cable.breaking_load = get_finite(in);
+        cable.length = get_finite(in);
+        cable.nodes = get_indices(in, bodies.size());
+        for (Vec3& end : cable.end) end = get_vector(in);
+        const auto count = in.get<std::uint32_t>();
+        cable.first_element = static_cast<std::int32_t>(elements);
+        // Between two nodes, or one more where an end is fast to the world.
+        if (count > cable.nodes.size() + 1) throw BadBytes("more elements than nodes");
+        cable.elements = static_cast<std::int32_t>(count);
+        elements += count;
+    }
+    plot_cables = get_indices(in, cables.size());
+    plot_bodies = get_indices(in, bodies.size());
+    joints.resize(in.get_count(2 * (4 + 24)));
+    for (RecordedJoint& joint : joints) {
+        for (int k = 0; k < 2; ++k) {
+            joint.body[k] = in.get<std::int32_t>();
+            joint.point[k] = get_vector(in);
+            if (joint.body[k] < 0 || static_cast<std::size_t>(joint.body[k]) >= bodies.size())
+                throw BadBytes("an index is out of range");
+        }
+    }
+    in.expect_end();
+    element_count = static_cast<std::int32_t>(elements);
+    frame_size_ = kFrameHeadBytes + 4 * (floats + static_cast<std::size_t>(elements));
+}
+
+}  // namespace hawser::record

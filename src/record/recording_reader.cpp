@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/files.h"
+#include "record/outlines.h"
+#include "record/recording.h"
+#include "record/recording_bytes.h"
+#include "record/recording_format.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace hawser::record {
+
+namespace {
+
+// The four chunks that must come first, in this order.
+constexpr const char* kStartChunks[] = {kSceneChunk, kSettingsChunk, kLayoutChunk, kSnapshotChunk};
+constexpr int kStarted = 4;
+
+Frame get_frame_head(ByteReader& in) {
+    Frame frame;
+    frame.step = get_step(in, 0);
+    frame.time = get_finite(in);
+    frame.hash = in.get<std::uint64_t>();
+    frame.violation_max = get_finite(in);
+    frame.momentum_residual = get_finite(in);
+    frame.energy = get_finite(in);
+    return frame;
+}
+
+}  // namespace
+
+int pose_floats(BodyKind kind) noexcept {
+    switch (kind) {
+        case BodyKind::rigid:
+        case BodyKind::kinematic:
+            return 7;
+        case BodyKind::lump:
+            return 3;
+        case BodyKind::scalar:
+            return 1;
+        case BodyKind::fixed:
+            return 0;
+    }
+    return 0;
+}
+
+std::vector<bool> cable_interior(const Recording& recording) {
+    std::vector<bool> interior(recording.bodies.size(), false);
+    for (const RecordedCable& cable : recording.cables)
+        for (std::size_t i = 1; i + 1 < cable.nodes.size(); ++i)
+            interior[static_cast<std::size_t>(cable.nodes[i])] = true;
+    return interior;
+}
+
+Recording Recording::open(const std::filesystem::path& file) {
+    std::vector<std::byte> bytes;
+    if (const std::string fault = read_file(file, bytes); !fault.empty())
+        throw RecordingError(fmt::format("{}: the recording: {}", file.string(), fault));
+    return read(std::move(bytes), file.string());
+}
+
+Recording Recording::read(std::vector<std::byte> bytes, const std::string& name) {
+    Recording r;
+    r.file = name;
+    r.bytes_ = std::move(bytes);  // Spans into it stay valid when the recording moves.
+    ByteReader in(r.bytes_);
+    if (r.bytes_.size() < sizeof kMagic + 4 ||
+        std::memcmp(in.take(sizeof kMagic).data(), kMagic, sizeof kMagic) != 0)
+        throw RecordingError(name + ": not a Hawser recording");
+    const auto version = in.get<std::uint32_t>();
+    if (version != kFormatVersion)
+        throw RecordingError(fmt::format("{}: recording format {}, this program reads {}", name,
+                                         version, kFormatVersion));
+    int stage = 0;
+    try {
+        while (in.left() > 0) {
+            if (r.ending != Ending::unknown) throw BadBytes("data follow the end");
+            const auto head = in.take(8);
+            ByteReader head_in(head.subspan(4));
+            const auto payload = in.take(head_in.get<std::uint32_t>());
+            if (in.get<std::uint32_t>() != crc32(payload, crc32(head)))
+                throw BadBytes("a checksum does not match");
+            r.read_chunk({reinterpret_cast<const char*>(head.data()), 4}, payload, stage);
+        }
+    } catch (const BadBytes& e) {
+        r.damage = e.what();
+    }
+    if (stage < kStarted)
+        throw RecordingError(fmt::format("{}: the recording's start is incomplete{}{}", name,
+                                         r.damage.empty() ? "" : ": ", r.damage));
+    if (r.damage.empty() && r.ending == Ending::unknown) r.damage = "the end is missing";
+    return r;
+}
+
+void Recording::read_chunk(std::string_view kind, std::span<const std::byte> payload, int& stage) {
+    ByteReader in(payload);
+    if (stage < kStarted) {
+        if (kind != kStartChunks[stage]) throw BadBytes("chunks are out of order");
+        switch (stage) {
+            case 0:
+                read_scene(in);
+                break;
+            case 1:
+                read_settings(in);
+                break;
+            case 2:
+                read_layout(in);
+                break;
+            default:
+                start_step = get_step(in, 0);
+                start_hash = in.get<std::uint64_t>();
+                snapshot = in.take(in.left());
+        }
+        ++stage;
+    } else if (kind == kFrameChunk) {
+        add_frame(payload);
+    } else if (kind == kInputsChunk) {
+        read_inputs(in);
+    } else if (kind == kInputNamesChunk) {
+        if (!input_names.empty() || !inputs.empty()) throw BadBytes("inputs are named too late");
+        input_names.resize(in.get_count(4));
+        for (std::string& name : input_names) name = in.get_text();
+        in.expect_end();
+    } else if (kind == kOutlineChunk) {
+        outlines = get_outlines(in, bodies.size());
+        in.expect_end();
+    } else if (kind == kCutChunk) {
+        read_cut(in);
+    } else if (kind == kEventChunk) {
+        read_event(in);
+    } else if (kind == kEndChunk) {
+        read_end(in);
+    }
+    // Chunks of other names belong to later additions and are skipped.
+}
+
+void Recording::read_scene(ByteReader in) {
+    scene_hash = in.get<std::uint64_t>();
+    scene_name = in.get_text();
+    scene_path = in.get_text();
+    scene_text = in.get_text();
+    in.expect_end();
+}
+
+void Recording::read_cut(ByteReader in) {
+    RecordedCut cut;
+    cut.step = get_step(in, start_step);
+    cut.left_out.iterations = in.get<std::int32_t>();
+    if (in.left() > 0) {  // not in recordings of earlier versions
+        cut.left_out.hasty = in.get<std::uint8_t>() != 0;
+        cut.cause = get_enum<DegradedBy>(in, kDegradedByCount);
+        cut.foreseen = get_finite(in);
+        cut.left_out.cuts = in.get<std::uint64_t>();
+    }
+    in.expect_end();
+    if (!cut.left_out.any() || cut.left_out.iterations < 0 ||
+        (!cuts.empty() && cut.step <= cuts.back().step))
+        throw BadBytes("cuts are not in the order of time");
+    cuts.push_back(cut);
+}
+
+void Recording::read_event(ByteReader in) {
+    RecordedEvent event;
+    event.time = get_finite(in);
+    event.kind = get_enum<EventKind>(in, kEventKindCount);
+    event.value = get_finite(in);
+    event.where = in.get_text();
+    in.expect_end();
+    events.push_back(std::move(event));
+}
+
+/// The end belongs to the last frame or comes less than a stride behind it: replay steps there.
+void Recording::read_end(ByteReader in) {
+    const auto how = get_enum<Ending>(in, static_cast<int>(Ending::unknown));
+    end_step = get_step(in, start_step);
+    end_hash = in.get<std::uint64_t>();
+    in.expect_end();
+    const std::int64_t last = frames_.empty() ? start_step : frame_head(frames_.size() - 1).step;
+    if (end_step < last || end_step - last > settings.stride)
+        throw BadBytes("the end is not behind the last frame");
+    ending = how;
+}
+
+void Recording::read_inputs(ByteReader in) {
+    std::vector<RecordedInput> changes(in.get_count(20));
+    for (RecordedInput& change : changes) {
+        change.step = get_step(in, inputs.empty() ? start_step : inputs.back().step);
+        change.input = in.get<std::int32_t>();
+        change.value = get_finite(in);
+        if (change.input < 0 ||
+            (!input_names.empty() && static_cast<std::size_t>(change.input) >= input_names.size()))
+            throw BadBytes("an index is out of range");
+        inputs.push_back(change);
+    }
+    in.expect_end();
+}
+
+void Recording::add_frame(std::span<const std::byte> payload) {
+    if (payload.size() != frame_size_)
+        throw BadBytes("a frame does not have the size of the scene");
+    ByteReader in(payload);
+    const Frame head = get_frame_head(in);
+    const std::int64_t gap =
+        frames_.empty() ? head.step - start_step : head.step - frame_head(frames_.size() - 1).step;
+    if (gap > settings.stride || (frames_.empty() ? gap != 0 : gap <= 0))
+        throw BadBytes("frames are not in the order of time");
+    // The world's clock counts steps.
+    const double time = static_cast<double>(head.step) * settings.step;
+    if (!(std::abs(head.time - time) <= 1e-9 * (1.0 + time)))
+        throw BadBytes("the time of a frame is not that of its step");
+    check_floats(in);
+    frames_.push_back(payload);
+}
+
+/// Poses and tensions of a frame, as add_frame() has to find them.
+void Recording::check_floats(ByteReader in) const {
+    for (const RecordedBody& body : bodies) {
+        const int floats = pose_floats(body.kind);
+        for (int k = 0; k < std::min(3, floats); ++k) (void)get_finite<float>(in);
+        if (floats == 7) check_unit(get_quaternion<float>(in), 1e-3);
+    }
+    for (std::int32_t k = 0; k < element_count; ++k) (void)get_finite<float>(in);
+}
+
+Frame Recording::frame_head(std::size_t index) const {
+    ByteReader in(frames_.at(index));
+    return get_frame_head(in);
+}
+
+Frame Recording::frame(std::size_t index) const {
+    ByteReader in(frames_.at(index));
+    Frame frame = get_frame_head(in);
+    frame.poses.reserve(bodies.size());
+    for (const RecordedBody& body : bodies) {
+        Pose pose = body.start;
+        const int floats = pose_floats(body.kind);
+        for (int k = 0; k < std::min(3, floats); ++k) pose.position[k] += in.get<float>();
+        if (floats == 7) {
+            pose.orientation = get_quaternion<float>(in);
+        }
+        frame.poses.push_back(pose);
+    }
+    frame.tensions.resize(static_cast<std::size_t>(element_count));
+    for (float& tension : frame.tensions) tension = in.get<float>();
+    return frame;
+}
+
+}  // namespace hawser::record

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/files.h"
+#include "record/outlines.h"
+#include "record/recording.h"
+#include "record/recording_format.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace hawser::record {
+
+std::size_t frame_bytes(const World& world, const SceneInfo& scene) {
+    std::size_t floats = 0;
+    for (std::int32_t i = 0; i < world.body_count(); ++i)
+        floats += static_cast<std::size_t>(pose_floats(world.body_def({i}).kind));
+    for (const CableInfo& cable : scene.cables) floats += cable.elements.size();
+    return kChunkOverhead + kFrameHeadBytes + 4 * floats;
+}
+
+namespace {
+
+// A reader takes finite numbers only; what left the range of the format is at its end.
+double in_range(double value) {
+    constexpr double kMost = std::numeric_limits<double>::max();
+    return std::isnan(value) ? 0.0 : std::clamp(value, -kMost, kMost);
+}
+float to_float(double value) {
+    constexpr double kMost = std::numeric_limits<float>::max();
+    return static_cast<float>(std::isnan(value) ? 0.0 : std::clamp(value, -kMost, kMost));
+}
+
+// Positions are kept as distances from the start: single precision at a kilometre from the
+// origin would round to a tenth of a millimetre.
+void put_pose(ByteWriter& out, const Pose& pose, const Pose& start, BodyKind kind) {
+    const int floats = pose_floats(kind);
+    for (int k = 0; k < std::min(3, floats); ++k)
+        out.put(to_float(pose.position[k] - start.position[k]));
+    if (floats == 7)
+        for (const double q : {pose.orientation.w(), pose.orientation.x(), pose.orientation.y(),
+                               pose.orientation.z()})
+            out.put(static_cast<float>(q));
+}
+
+// Joints and rods between two bodies that are not elements of a cable.
+std::vector<InteractionId> joints_of(const SceneInfo& scene, const World& world) {
+    std::vector<bool> in_cable(static_cast<std::size_t>(world.interaction_count()), false);
+    for (const CableInfo& cable : scene.cables)
+        for (const InteractionId element : cable.elements)
+            in_cable[static_cast<std::size_t>(element.index)] = true;
+    std::vector<InteractionId> joints;
+    for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
+        const KindInfo& kind = kind_info(world.interaction_def({i}).kind);
+        if (kind.bodies == 2 && kind.uses_points && !in_cable[static_cast<std::size_t>(i)])
+            joints.push_back({i});
+    }
+    return joints;
+}
+
+void put_joints(ByteWriter& out, const SceneInfo& scene, const World& world) {
+    const std::vector<InteractionId> joints = joints_of(scene, world);
+    out.put(static_cast<std::uint32_t>(joints.size()));
+    for (const InteractionId joint : joints) {
+        const InteractionDef& def = world.interaction_def(joint);
+        for (std::size_t k = 0; k < 2; ++k) {
+            out.put(def.body[k].index);
+            for (int d = 0; d < 3; ++d) out.put(def.point[k][d]);
+        }
+    }
+}
+
+// Point of the first or last body that the cable holds.
+Vec3 end_point(const CableInfo& cable, const World& world, bool last) {
+    if (cable.elements.empty() || cable.nodes.empty()) return Vec3::Zero();
+    const BodyId body = last ? cable.nodes.back() : cable.nodes.front();
+    const InteractionDef& def =
+        world.interaction_def(last ? cable.elements.back() : cable.elements.front());
+    for (std::size_t k = 0; k < def.body.size(); ++k)
+        if (def.body[k] == body) return def.point[k];
+    return Vec3::Zero();
+}
+
+void put_layout(ByteWriter& out, const SceneInfo& scene, const World& world) {
+    out.put(static_cast<std::uint32_t>(world.body_count()));
+    for (std::int32_t i = 0; i < world.body_count(); ++i) {
+        const BodyDef& def = world.body_def({i});
+        const Pose pose = world.pose({i});
+        out.put_text(def.name);
+        out.put(static_cast<std::uint8_t>(def.kind));
+        for (int k = 0; k < 3; ++k) out.put(def.half_size[k]);
+        for (int k = 0; k < 3; ++k) out.put(pose.position[k]);
+        for (const double q : {pose.orientation.w(), pose.orientation.x(), pose.orientation.y(),
+                               pose.orientation.z()})
+            out.put(q);
+    }
+    out.put(static_cast<std::uint32_t>(scene.cables.size()));
+    for (const CableInfo& cable : scene.cables) {
+        out.put_text(cable.name);
+        out.put_text(cable.line_type);
+        for (const double v : {cable.EA, cable.breaking_load, cable.length}) out.put(v);
+        out.put(static_cast<std::uint32_t>(cable.nodes.size()));
+        for (const BodyId node : cable.nodes) out.put(node.index);
+        for (const bool last : {false, true}) {
+            const Vec3 point = end_point(cable, world, last);
+            for (int k = 0; k < 3; ++k) out.put(point[k]);
+        }
+        out.put(static_cast<std::uint32_t>(cable.elements.size()));
+    }
+    out.put(static_cast<std::uint32_t>(scene.plot_cables.size()));
+    for (const std::int32_t cable : scene.plot_cables) out.put(cable);
+    out.put(static_cast<std::uint32_t>(scene.plot_bodies.size()));
+    for (const BodyId body : scene.plot_bodies) out.put(body.index);
+    put_joints(out, scene, world);
+}
+
+}  // namespace
+
+RecordingWriter::RecordingWriter(const std::filesystem::path& file, const SceneInfo& scene,
+                                 const World& world, const RecordingSettings& settings)
+    : file_(file) {
+    // A pipe would be waited for.
+    if (const std::string fault = output_fault(file); !fault.empty())
+        throw RecordingError(
+            fmt::format("{}: cannot write the recording: {}", file.string(), fault));
+    out_.reset(std::fopen(file.c_str(), "wb"));
+    if (!out_) fail();
+    for (const CableInfo& cable : scene.cables)
+        elements_.insert(elements_.end(), cable.elements.begin(), cable.elements.end());
+
+    for (std::int32_t i = 0; i < world.body_count(); ++i) start_.push_back(world.pose({i}));
+
+    if (std::fwrite(kMagic, 1, sizeof kMagic, out_.get()) != sizeof kMagic ||
+        std::fwrite(&kFormatVersion, 1, sizeof kFormatVersion, out_.get()) != sizeof kFormatVersion)
+        fail();
+
+    payload_.put(scene.hash);
+    for (const std::string& text : {scene.name, scene.path, scene.text}) payload_.put_text(text);
+    write_chunk(kSceneChunk);
+
+    payload_.put(settings.step);
+    payload_.put(static_cast<std::uint8_t>(settings.form));
+    payload_.put(settings.threads);
+    payload_.put(settings.stride);
+    for (const std::string& text : {settings.instruction_set, settings.version, settings.processor})
+        payload_.put_text(text);
+    write_chunk(kSettingsChunk);
+
+    put_layout(payload_, scene, world);
+    write_chunk(kLayoutChunk);
+
+    payload_.put(world.step_count());
+    payload_.put(world.state_hash());
+    payload_.put_bytes(world.save());
+    write_chunk(kSnapshotChunk);
+
+    payload_.put(static_cast<std::uint32_t>(world.input_count()));
+    for (std::int32_t i = 0; i < world.input_count(); ++i)
+        payload_.put_text(world.input_def({i}).name);
+    write_chunk(kInputNamesChunk);
+    if (const auto outlines = outlines_of(scene, world); !outlines.empty()) {
+        put_outlines(payload_, outlines);
+        write_chunk(kOutlineChunk);
+    }
+    add_frame(world);
+}
+
+void RecordingWriter::fail() const {
+    throw RecordingError(
+        fmt::format("{}: cannot write the recording: {}; free space or choose "
+                    "another file",
+                    file_.string(), std::strerror(errno)));
+}
+
+void RecordingWriter::write_chunk(const char* kind) {
+    const std::span<const std::byte> payload = payload_.bytes();
+    if (payload.size() > kMaxChunk)
+        throw RecordingError(
+            fmt::format("{}: the scene is too large for a recording: a chunk "
+                        "of {} bytes, at most {}",
+                        file_.string(), payload.size(), kMaxChunk));
+    ByteWriter head;
+    head.put_bytes(std::as_bytes(std::span(kind, 4)));
+    head.put(static_cast<std::uint32_t>(payload.size()));
+    const std::uint32_t crc = crc32(payload, crc32(head.bytes()));
+    if (std::fwrite(head.bytes().data(), 1, head.bytes().size(), out_.get()) !=
+            head.bytes().size() ||
+        std::fwrite(payload.data(), 1, payload.size(), out_.get()) != payload.size() ||
+        std::fwrite(&crc, 1, sizeof crc, out_.get()) != sizeof crc)
+        fail();
+    payload_.clear();
+}
+
+void RecordingWriter::add_frame(const World& world) {
+    const StepStats& stats = world.stats();
+    payload_.put(world.step_count());
+    payload_.put(world.time());
+    payload_.put(world.state_hash());
+    for (const double figure :
+         {stats.violation_max, stats.momentum_residual, world.energy().mechanical()})
+        payload_.put(in_range(figure));
+    for (std::int32_t i = 0; i < world.body_count(); ++i)
+        put_pose(payload_, world.pose({i}), start_[static_cast<std::size_t>(i)],
+                 world.body_def({i}).kind);
+    for (const InteractionId element : elements_)
+        payload_.put(to_float(element_tension(world, element)));
+    write_chunk(kFrameChunk);
+}
+
+void RecordingWriter::add_inputs(std::span<const RecordedInput> changes) {
+    if (changes.empty()) return;
+    payload_.put(static_cast<std::uint32_t>(changes.size()));
+    for (const RecordedInput& change : changes) {
+        payload_.put(change.step);
+        payload_.put(change.input);
+        payload_.put(change.value);
+    }
+    write_chunk(kInputsChunk);
+}
+
+void RecordingWriter::add_cut(const RecordedCut& cut) {
+    payload_.put(cut.step);
+    payload_.put(cut.left_out.iterations);
+    payload_.put(static_cast<std::uint8_t>(cut.left_out.hasty ? 1 : 0));
+    payload_.put(static_cast<std::uint8_t>(cut.cause));
+    payload_.put(cut.foreseen);
+    payload_.put(cut.left_out.cuts);
+    write_chunk(kCutChunk);
+}
+
+void RecordingWriter::add_event(const World& world, const Event& event) {
+    payload_.put(event.time);
+    payload_.put(static_cast<std::uint8_t>(event.kind));
+    payload_.put(in_range(event.value));
+    payload_.put_text(place_label(world, event.interaction, event.body));
+    write_chunk(kEventChunk);
+}
+
+void RecordingWriter::finish(const World& world, Ending ending) {
+    payload_.put(static_cast<std::uint8_t>(ending));
+    payload_.put(world.step_count());
+    payload_.put(world.state_hash());
+    write_chunk(kEndChunk);
+    if (std::fflush(out_.get()) != 0) fail();
+}
+
+}  // namespace hawser::record

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/scene_info.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::record {
+
+double element_tension(const World& world, InteractionId element) {
+    const std::span<const double> force = world.force(element);
+    if (force.empty()) return 0.0;
+    if (kind_info(world.interaction_def(element).kind).is(kAlongLine)) return -force[0];
+    double sum = 0.0;
+    for (const double f : force.first(std::min<std::size_t>(3, force.size()))) sum += f * f;
+    return std::sqrt(sum);
+}
+
+std::vector<BodyId> watched_bodies(const SceneInfo& scene, const World& world) {
+    if (!scene.plot_bodies.empty()) return scene.plot_bodies;
+    std::vector<bool> inside(static_cast<std::size_t>(world.body_count()), false);
+    for (const CableInfo& cable : scene.cables)
+        for (std::size_t i = 1; i + 1 < cable.nodes.size(); ++i)
+            inside[static_cast<std::size_t>(cable.nodes[i].index)] = true;
+    std::vector<BodyId> out;
+    for (std::int32_t i = 0; i < world.body_count(); ++i)
+        if (world.body_def({i}).kind == BodyKind::rigid && !inside[static_cast<std::size_t>(i)])
+            out.push_back({i});
+    return out;
+}
+
+std::string body_label(const World& world, BodyId body) {
+    if (!body.valid()) return "-";
+    const std::string& name = world.body_def(body).name;
+    return name.empty() ? fmt::format("body {}", body.index) : name;
+}
+
+std::string interaction_label(const World& world, InteractionId interaction) {
+    if (!interaction.valid()) return "-";
+    const InteractionDef& def = world.interaction_def(interaction);
+    return def.name.empty() ? fmt::format("{} {}", kind_info(def.kind).name, interaction.index)
+                            : def.name;
+}
+
+std::string name_in_quotes(const std::string& name) { return "\"" + name + "\""; }
+
+std::string names_in_words(const std::vector<std::string>& names) {
+    constexpr std::size_t kNamed = 8;
+    const std::size_t shown = std::min(kNamed, names.size());
+    std::string text;
+    for (std::size_t i = 0; i < shown; ++i) {
+        const bool last = i + 1 == names.size();
+        text += i == 0 ? "" : last ? " and " : ", ";
+        text += names[i];
+    }
+    if (names.size() > shown) text += fmt::format(" and {} more", names.size() - shown);
+    return text;
+}
+
+std::string place_label(const World& world, InteractionId interaction, BodyId body) {
+    if (interaction.valid()) return interaction_label(world, interaction);
+    return body.valid() ? body_label(world, body) : "-";
+}
+
+std::string interaction_in_words(const World& world, InteractionId interaction) {
+    if (!interaction.valid()) return "the whole world";
+    const InteractionDef& def = world.interaction_def(interaction);
+    const KindInfo& kind = kind_info(def.kind);
+    std::string words = kind.name;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    words = "the " + words + " " + name_in_quotes(interaction_label(world, interaction));
+    std::vector<std::string> bodies;
+    for (std::size_t b = 0; b < static_cast<std::size_t>(kind.bodies); ++b)
+        bodies.push_back(name_in_quotes(body_label(world, def.body[b])));
+    return words + (bodies.size() > 1 ? " between " : " of ") + names_in_words(bodies);
+}
+
+}  // namespace hawser::record

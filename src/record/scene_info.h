@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file scene_info.h
+/// What reports and pictures need to know about a scene beyond its World.
+
+#include <hawser/hawser.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hawser::record {
+
+/// A cable: a row of bodies joined by elements that carry tension.
+struct CableInfo {
+    std::string name;
+    std::string line_type;
+    std::vector<BodyId> nodes;            ///< In order, ends included.
+    std::vector<InteractionId> elements;  ///< In order: stretch elements or joints between links.
+    double EA = 0.0;                      ///< Axial stiffness [N]; 0 = not elastic.
+    double breaking_load = 0.0;           ///< [N]; 0 = not given.
+    double length = 0.0;                  ///< Unstretched [m].
+    double diameter = 0.0;                ///< [m]; 0 = not given.
+};
+
+struct SceneInfo {
+    std::string name;
+    std::string path;
+    std::string text;        ///< Self-contained document that rebuilds the world.
+    std::uint64_t hash = 0;  ///< Of `text`.
+    std::vector<CableInfo> cables;
+    std::vector<std::int32_t> plot_cables;  ///< Cables whose tension deserves a curve.
+    std::vector<BodyId> plot_bodies;        ///< Bodies whose motion deserves a curve.
+};
+
+/// Tension in one element after the last step [N]: minus the force of a stretch, winch or
+/// distance row, and the magnitude of the force of a joint between links.
+[[nodiscard]] double element_tension(const World& world, InteractionId element);
+
+/// Bodies whose motion is reported: those that the scene wants plotted, else the rigid bodies
+/// that are not inside a cable.
+[[nodiscard]] std::vector<BodyId> watched_bodies(const SceneInfo& scene, const World& world);
+
+/// The body's own name, or "body 17".
+[[nodiscard]] std::string body_label(const World& world, BodyId body);
+/// The interaction's own name, or its kind and number: "stretch 17"; "-" for no interaction.
+[[nodiscard]] std::string interaction_label(const World& world, InteractionId interaction);
+/// Where an event or a finding is: an interaction, a body, or "-".
+[[nodiscard]] std::string place_label(const World& world, InteractionId interaction, BodyId body);
+/// What it is and between whom: `the hinge "foot" between "ship" and "boom"`.
+[[nodiscard]] std::string interaction_in_words(const World& world, InteractionId interaction);
+/// "a", "a and b", "a, b and c"; of more than eight the first eight and how many more.
+[[nodiscard]] std::string names_in_words(const std::vector<std::string>& names);
+/// A name in double quotes.
+[[nodiscard]] std::string name_in_quotes(const std::string& name);
+
+}  // namespace hawser::record

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/series.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::record {
+
+namespace {
+
+std::vector<std::int32_t> chosen_bodies(const Recording& recording, std::size_t limit) {
+    if (!recording.plot_bodies.empty()) return recording.plot_bodies;
+    const std::vector<bool> interior = cable_interior(recording);
+    std::vector<std::int32_t> out;
+    const auto take = [&](auto wanted) {
+        for (std::size_t i = 0; i < recording.bodies.size() && out.size() < limit; ++i)
+            if (!interior[i] && wanted(recording.bodies[i].kind))
+                out.push_back(static_cast<std::int32_t>(i));
+    };
+    take([](BodyKind k) { return k == BodyKind::rigid; });
+    if (out.empty()) take([](BodyKind k) { return k != BodyKind::fixed; });
+    return out;
+}
+
+void append(CableSeries& s, const RecordedCable& cable, const Frame& frame) {
+    if (cable.elements == 0) return;
+    const float* from = frame.tensions.data() + cable.first_element;
+    const float* to = from + cable.elements;
+    s.first.push_back(*from);
+    s.last.push_back(*(to - 1));
+    s.lowest.push_back(*std::min_element(from, to));
+    s.highest.push_back(*std::max_element(from, to));
+    s.peak = std::max(s.peak, s.highest.back());
+}
+
+// Angles jump by a turn at ±180°; curves must not.
+void append_angle(std::vector<double>& values, double angle) {
+    const double before = values.empty() ? 0.0 : values.back();
+    angle -= 360.0 * std::round((angle - before) / 360.0);
+    values.push_back(angle);
+}
+
+void append(BodySeries& s, const Recording& recording, const Frame& frame) {
+    const auto index = static_cast<std::size_t>(s.body);
+    const Pose& pose = frame.poses[index];
+    const Vec3 moved = pose.position - recording.bodies[index].start.position;
+    for (int k = 0; k < 3; ++k) s.value[std::size_t(k)].push_back(moved[k]);
+    if (!s.turns) return;
+    const Vec3 angles = euler_angles(pose.orientation.normalized());
+    const Vec3 first = euler_angles(recording.bodies[index].start.orientation.normalized());
+    for (int k = 0; k < 3; ++k)
+        append_angle(s.value[std::size_t(3 + k)], kDegrees * (angles[k] - first[k]));
+}
+
+}  // namespace
+
+Vec3 euler_angles(const Quat& q) {
+    const double w = q.w(), x = q.x(), y = q.y(), z = q.z();
+    return {std::atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)),
+            std::asin(std::clamp(2 * (w * y - z * x), -1.0, 1.0)),
+            std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))};
+}
+
+Series collect_series(const Recording& recording, std::size_t limit) {
+    Series series;
+    std::vector<std::int32_t> cables = recording.plot_cables;
+    const bool all = cables.empty();
+    for (std::size_t i = 0; all && i < recording.cables.size(); ++i)
+        cables.push_back(static_cast<std::int32_t>(i));
+    for (const std::int32_t cable : cables)
+        if (recording.cables[static_cast<std::size_t>(cable)].elements > 0)
+            series.cables.push_back({.cable = cable});
+    for (const std::int32_t body : chosen_bodies(recording, limit)) {
+        const BodyKind kind = recording.bodies[static_cast<std::size_t>(body)].kind;
+        series.bodies.push_back(
+            {.body = body, .turns = kind == BodyKind::rigid || kind == BodyKind::kinematic});
+    }
+    for (std::size_t i = 0; i < recording.frame_count(); ++i) {
+        Frame frame = recording.frame(i);
+        // Before the first step no tension is known: the curves begin with the next frame's.
+        if (i == 0 && frame.step == 0 && recording.frame_count() > 1)
+            frame.tensions = recording.frame(1).tensions;
+        series.time.push_back(frame.time);
+        for (CableSeries& s : series.cables)
+            append(s, recording.cables[static_cast<std::size_t>(s.cable)], frame);
+        for (BodySeries& s : series.bodies) append(s, recording, frame);
+    }
+    if (all && series.cables.size() > limit) {
+        std::stable_sort(series.cables.begin(), series.cables.end(),
+                         [](const auto& a, const auto& b) { return a.peak > b.peak; });
+        series.cables.resize(limit);
+    }
+    return series;
+}
+
+std::string parameter_line(const Recording& recording) {
+    static constexpr const char* kForms[] = {"automatic", "saddle", "condensed"};
+    const std::size_t n = recording.frame_count();
+    const double from = n > 0 ? recording.frame_head(0).time : 0.0;
+    const double to = n > 0 ? recording.frame_head(n - 1).time : 0.0;
+    return fmt::format(
+        "step h = {:.6g} ms  ·  form {}  ·  {:.6g} s to {:.6g} s, {} frames  ·  scene hash "
+        "{:016x}  ·  {}  ·  Hawser {}",
+        1e3 * recording.settings.step, kForms[static_cast<int>(recording.settings.form)], from, to,
+        n, recording.scene_hash, recording.settings.instruction_set, recording.settings.version);
+}
+
+}  // namespace hawser::record

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/units.h"
+#include "report/summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace hawser::report {
+
+namespace {
+
+/// How much it matters that a user reads of it.
+int rank_of(EventKind kind) {
+    switch (kind) {
+        case EventKind::line_break:
+            return 0;
+        case EventKind::energy_created:
+        case EventKind::joint_open:
+        case EventKind::cable_law:
+        case EventKind::uncertified:
+        case EventKind::warning:
+            return 1;
+        case EventKind::fast:
+            return 5;
+        case EventKind::saturation:
+            return 2;
+        case EventKind::range:
+            return 3;
+        case EventKind::input_clamped:
+            return 4;
+        case EventKind::taut:
+        case EventKind::slack:
+            break;
+    }
+    return 9;
+}
+
+const char* unit_of(const World& world, const Event& event) {
+    const bool known = event.interaction.valid();
+    const auto is = [&](InteractionKind kind) {
+        return known && world.interaction_def(event.interaction).kind == kind;
+    };
+    switch (event.kind) {
+        case EventKind::line_break:
+        case EventKind::taut:
+            return "N";
+        case EventKind::saturation:
+            return is(InteractionKind::HingeMotor) ? "N m" : "N";
+        case EventKind::range:
+            return is(InteractionKind::HingeRange) ? "rad" : "m";
+        case EventKind::energy_created:
+            return "J";
+        case EventKind::joint_open:
+            return "m";
+        case EventKind::fast:
+            return "rad";
+        case EventKind::slack:
+        case EventKind::input_clamped:
+        case EventKind::warning:
+        case EventKind::cable_law:
+        case EventKind::uncertified:
+            break;
+    }
+    return "";
+}
+
+std::string plural(std::int64_t count, const char* one, const char* many) {
+    return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+/// What happened, how often.
+std::string what_happened(const EventFigures& e) {
+    switch (e.kind) {
+        case EventKind::line_break:
+            return plural(e.count, "line parted", "lines parted");
+        case EventKind::slack:
+            return "lines went slack " + plural(e.count, "time", "times");
+        case EventKind::taut:
+            return "lines came taut " + plural(e.count, "time", "times");
+        case EventKind::saturation:
+            return "motors gave all the force that they may " + plural(e.count, "time", "times");
+        case EventKind::range:
+            return "joints met the end of their range " + plural(e.count, "time", "times");
+        case EventKind::input_clamped:
+            return "inputs were asked for more than their range " +
+                   plural(e.count, "time", "times");
+        case EventKind::warning:
+            return "the equations of a step were not solved to 1e-8 " +
+                   plural(e.count, "time", "times");
+        case EventKind::energy_created:
+            return "energy came out of nothing " + plural(e.count, "time", "times");
+        case EventKind::joint_open:
+            return "joints stood open " + plural(e.count, "time", "times");
+        case EventKind::cable_law:
+            return "tensions were not those of the lengths " + plural(e.count, "time", "times");
+        case EventKind::uncertified:
+            return "contacts were not solved " + plural(e.count, "time", "times");
+        case EventKind::fast:
+            return "bodies turned further than a step follows " + plural(e.count, "time", "times");
+    }
+    return "";
+}
+
+std::string told(const EventFigures& e, const ListedEvent& event) {
+    std::string value;
+    if (e.kind != EventKind::slack)
+        value = *e.unit != '\0' ? ", " + record::with_unit(event.value, e.unit)
+                                : fmt::format(", {:.4g}", event.value);
+    return fmt::format("{:.4g} s, {}{}", event.time, event.where, value);
+}
+
+std::string place_in_words(const World& world, const Event& event) {
+    if (event.input.valid())
+        return "the input " + record::name_in_quotes(world.input_def(event.input).name);
+    if (!event.interaction.valid() && event.body.valid())
+        return record::name_in_quotes(record::body_label(world, event.body));
+    return record::interaction_in_words(world, event.interaction);
+}
+
+ListedEvent listed(const World& world, const Event& event) {
+    return {event.time, to_string(event.kind), place_in_words(world, event), event.value};
+}
+
+}  // namespace
+
+std::vector<EventFigures> event_figures(const World& world) {
+    std::vector<EventFigures> out;
+    for (int k = 0; k < kEventKindCount; ++k) {
+        const EventExtremes extremes = world.event_extremes(static_cast<EventKind>(k));
+        if (extremes.count == 0) continue;
+        out.push_back({extremes.first.kind, extremes.count, listed(world, extremes.first),
+                       listed(world, extremes.worst), unit_of(world, extremes.worst)});
+    }
+    std::stable_sort(out.begin(), out.end(), [](const EventFigures& a, const EventFigures& b) {
+        return rank_of(a.kind) < rank_of(b.kind);
+    });
+    return out;
+}
+
+std::string events_in_words(const Summary& summary) {
+    std::string text;
+    const auto out = std::back_inserter(text);
+    fmt::format_to(out, "\n");
+    if (summary.happened.empty()) fmt::format_to(out, "  events       none\n");
+    const char* label = "  events       ";
+    for (const EventFigures& e : summary.happened) {
+        fmt::format_to(out, "{}{}: first at {}\n", std::exchange(label, "               "),
+                       what_happened(e), told(e, e.first));
+        const bool another = e.worst.time != e.first.time || e.worst.where != e.first.where;
+        if (another) fmt::format_to(out, "               worst at {}\n", told(e, e.worst));
+    }
+    return text;
+}
+
+}  // namespace hawser::report

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/units.h"
+#include "report/host.h"
+#include "report/summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace hawser::report {
+
+namespace {
+
+using Out = std::back_insert_iterator<std::string>;
+
+void simulated(Out out, const Summary& s) {
+    const double time = s.last.time - s.start_time;
+    fmt::format_to(out, "  simulated    {:.6g} s in {} steps of {:.6g} ms", time, s.steps,
+                   1e3 * s.step);
+    if (s.wall_seconds > 0.0)
+        fmt::format_to(out, ", {:.3g} s of wall time: {:.3g} x real time", s.wall_seconds,
+                       time / s.wall_seconds);
+    fmt::format_to(out, "\n");
+}
+
+void times(Out out, const Summary& s) {
+    if (s.timed_steps > 0) {
+        fmt::format_to(out, "  step         median {:.4g} ms, p99 {:.4g} ms, max {:.4g} ms",
+                       s.step_ms.median, s.step_ms.p99, s.step_ms.max);
+        fmt::format_to(out, "  (solver {:.4g} ms; first {} steps left out)\n", s.solver_ms.median,
+                       kWarmUpSteps);
+        fmt::format_to(out,
+                       "  wall, cpu    step p50/p95/p99 {:.4g}/{:.4g}/{:.4g} ms, solver's slowest "
+                       "thread {:.4g}/{:.4g}/{:.4g} ms of CPU time\n",
+                       s.step_ms.median, s.step_ms.p95, s.step_ms.p99, s.solver_cpu_ms.median,
+                       s.solver_cpu_ms.p95, s.solver_cpu_ms.p99);
+        fmt::format_to(out, "  stages [ms] ");
+        for (std::size_t k = 0; k < s.stage_ms.size(); ++k)
+            if (s.stage_ms[k] > 1e-3 * s.step_ms.median)
+                fmt::format_to(out, " {} {:.3g}", to_string(static_cast<Stage>(k)), s.stage_ms[k]);
+        fmt::format_to(out, "\n");
+    } else {
+        fmt::format_to(out, "  step         not timed: the run has no more than {} steps\n",
+                       kWarmUpSteps);
+    }
+    if (s.last.plans + s.last.repairs > 1)
+        fmt::format_to(out,
+                       "  analyses     {} planned, {} repaired with {} block columns; in {} steps, "
+                       "at most {:.3g} ms\n",
+                       s.last.plans, s.last.repairs, s.last.columns_repaired, s.analyses,
+                       s.analyse_ms_max);
+    if (s.missed_frames >= 0)
+        fmt::format_to(out, "  real time    {} of {} frames late, at most {:.3g} ms\n",
+                       s.missed_frames, s.steps, 1e3 * s.lateness_max);
+}
+
+void friction(Out out, const Summary& s) {
+    const FrictionFigures& f = s.friction;
+    fmt::format_to(out, "  contacts     {:.0f} points in the median step, at most {:.0f}\n",
+                   s.contacts_median, s.contacts_max);
+    fmt::format_to(out, "               with them {:.0f} interactions, {:.0f} equations\n",
+                   s.interactions.median, s.equations.median);
+    fmt::format_to(out,
+                   "  friction     natural map p50 {:.2e}, p95 {:.2e}, max {:.2e}; {} of {} steps "
+                   "uncertified\n",
+                   f.natural_map.median, f.natural_map.p95, f.natural_map.max, f.uncertified_steps,
+                   f.steps);
+    fmt::format_to(out,
+                   "               factorisations a step median {:.3g}, p90 {:.3g}, max {:.3g}; "
+                   "friction took {}, contact {}\n",
+                   f.factorisations.median, f.factorisations.p90, f.factorisations.max,
+                   record::with_unit(s.energy_end.friction - s.energy_start.friction, "J"),
+                   record::with_unit(s.energy_end.contact - s.energy_start.contact, "J"));
+    if (s.budget_ms <= 0.0 && s.budget_mflop <= 0.0) return;
+    fmt::format_to(out, "  budget      ");
+    if (s.budget_ms > 0.0)
+        fmt::format_to(out, " {:.4g} ms: kept in {:.4g} % of steps;", s.budget_ms,
+                       100.0 * s.within_budget);
+    if (s.budget_mflop > 0.0) fmt::format_to(out, " {:.4g} Mflop;", s.budget_mflop);
+    fmt::format_to(out, " cut {} steps, residual p50 {:.2e}, max {:.2e}\n", f.cut_steps,
+                   f.cut_residual.median, f.cut_residual.max);
+}
+
+void degradations(Out out, const Summary& s) {
+    const Degradations& d = s.degradations;
+    if (d.all.steps == 0) return;
+    const auto by = [&](DegradedBy cause) { return d.by_cause[static_cast<std::size_t>(cause)]; };
+    fmt::format_to(out,
+                   "  degraded     {} of {} steps, {} times, {:.6g} s to {:.6g} s: friction {}, "
+                   "coupling {}; by prediction {}, clock {}, work {}",
+                   d.all.steps, s.steps, d.spans, d.all.begin, d.all.end, d.friction.steps,
+                   d.coupling.steps, by(DegradedBy::prediction), by(DegradedBy::clock),
+                   by(DegradedBy::work));
+    if (d.all.foreseen > 0.0)
+        fmt::format_to(out, "; another iteration would have ended by {:.4g} ms",
+                       1e3 * d.all.foreseen);
+    if (d.coupling.steps > 0)
+        fmt::format_to(out,
+                       "; momentum defect of compliant cuts at most {:.2e} of h g m, of one {:.3g} "
+                       "N s",
+                       d.coupling.momentum_defect, d.coupling.cut_defect);
+    fmt::format_to(out, "\n");
+}
+
+void coupling(Out out, const Summary& s) {
+    const verify::CouplingFigures& c = s.coupling;
+    fmt::format_to(out,
+                   "  split        {}, predictor {}: {} cuts, {} islands; interface residual "
+                   "{:.2e}, spectral radius {:.4f}\n",
+                   verify::to_string(c.coupling), verify::to_string(c.predictor), c.cuts,
+                   s.last.islands, c.residual_max, c.spectral_radius);
+    fmt::format_to(out, "               momentum defect rms {:.2e}, max {:.2e} of h g m\n",
+                   c.defect_rms, c.defect_max);
+    fmt::format_to(out,
+                   "               against an exact step from the same state: tension at cuts off "
+                   "by {:.3g} % rms, {:.3g} % at most\n",
+                   100.0 * c.tension_error_rms, 100.0 * c.tension_error_max);
+    fmt::format_to(out,
+                   "               jerk at most {:.3g} m/s³, exact {:.3g} m/s³, apart {:.3g}\n",
+                   c.jerk_max, c.jerk_exact_max, c.jerk_difference_max);
+}
+
+void quality(Out out, const Summary& s) {
+    fmt::format_to(out, "  margins      of what a step is refused for: {}\n", margins(s.verdict));
+    fmt::format_to(out, "  residuals    momentum {:.2e} (median {:.2e}), constraint {:.2e}\n",
+                   s.momentum_residual_max, s.momentum_residual_median, s.constraint_residual_max);
+    fmt::format_to(out, "  violation    {} at {} ({:.4g} s)\n",
+                   record::with_unit(s.violation_max, "m"), s.violation_where, s.violation_time);
+    if (s.contacts_max > 0.0) friction(out, s);
+    degradations(out, s);
+    if (s.coupling.steps > 0) coupling(out, s);
+    if (s.parts > 0)
+        fmt::format_to(out,
+                       "  groups       {} parts, looked at every {} steps: regrouped {} times, "
+                       "{} bodies moved\n",
+                       s.parts, s.regroup_every, s.last.regroupings, s.last.regrouped_bodies);
+    if (s.asleep_max > 0.0)
+        fmt::format_to(out, "  asleep       {:.0f} bodies in the median step, at most {:.0f}\n",
+                       s.asleep_median, s.asleep_max);
+    if (const verify::Verification& v = s.verified; v.steps > 0)
+        fmt::format_to(out,
+                       "  verified     {} steps: natural map {:.2e} (differs by {:.2e}), momentum "
+                       "of {} of {} bodies {:.2e}, bounds {:.2e}\n"
+                       "               of what is wrong: energy {:.2g} %, joints {:.2g} %, cable "
+                       "law {:.2g} %, turns {:.2g} %\n",
+                       v.steps, v.natural_map, v.difference, v.covered_bodies, v.moving_bodies,
+                       v.momentum, v.bounds, 100.0 * v.states.created, 100.0 * v.states.open,
+                       100.0 * v.states.cable, 100.0 * v.states.turn);
+    if (s.stretch_error_max > 0.0)
+        fmt::format_to(out, "  cable law    |l − l0 (1 + T/EA)| at most {:.2e} l0 ({:.4g} s)\n",
+                       s.stretch_error_max, s.stretch_error_time);
+    const double drift = s.energy_drift();
+    fmt::format_to(out,
+                   "  energy       {} changed by {}: applied {}, driven {}, drag took {}, "
+                   "rows {}, other {}",
+                   record::with_unit(s.energy_start.mechanical(), "J"),
+                   record::with_unit(s.energy_end.mechanical() - s.energy_start.mechanical(), "J"),
+                   record::with_unit(s.energy_end.applied - s.energy_start.applied, "J"),
+                   record::with_unit(s.energy_end.driven - s.energy_start.driven, "J"),
+                   record::with_unit(s.energy_end.dissipated - s.energy_start.dissipated, "J"),
+                   record::with_unit(s.energy_end.damped - s.energy_start.damped, "J"),
+                   record::with_unit(drift, "J"));
+    // At rest nothing is exchanged, and a part of nothing says nothing.
+    if (s.energy_scale > 1e-6 * std::abs(s.energy_start.mechanical()))
+        fmt::format_to(out, " ({:.2g} % of what was exchanged)", 100.0 * drift / s.energy_scale);
+    fmt::format_to(out, "\n");
+}
+
+void cables(Out out, const Summary& s) {
+    if (s.cables.empty()) return;
+    constexpr std::size_t kShown = 20;
+    std::size_t width = 5;
+    for (const CableFigures& c : s.cables) width = std::max(width, c.name.size());
+    fmt::format_to(out, "\n  {:<{}}  {:>10}  {:>10}  {:>10}  {:>10}\n", "cable", width, "min",
+                   "mean", "max", "of break");
+    for (std::size_t i = 0; i < std::min(kShown, s.cables.size()); ++i) {
+        const CableFigures& c = s.cables[i];
+        fmt::format_to(
+            out, "  {:<{}}  {:>10}  {:>10}  {:>10}  {:>10}\n", c.name, width,
+            record::with_unit(c.min, "N"), record::with_unit(c.mean, "N"),
+            record::with_unit(c.max, "N"),
+            c.breaking_load > 0.0 ? fmt::format("{:.3g} %", 100.0 * c.max / c.breaking_load) : "-");
+    }
+    if (s.cables.size() > kShown)
+        fmt::format_to(out, "  … and {} more (see --summary)\n", s.cables.size() - kShown);
+}
+
+void bodies(Out out, const Summary& s) {
+    if (s.bodies.empty()) return;
+    constexpr std::size_t kShown = 12;
+    std::size_t width = 5;
+    for (const BodyFigures& b : s.bodies) width = std::max(width, b.name.size());
+    fmt::format_to(out, "\n  {:<{}}  {:>14}  {:>10}  {:>10}\n", "body", width, "moved at most",
+                   "tilt", "rotation");
+    for (std::size_t i = 0; i < std::min(kShown, s.bodies.size()); ++i)
+        fmt::format_to(out, "  {:<{}}  {:>14}  {:>6.3g} deg  {:>6.3g} deg\n", s.bodies[i].name,
+                       width, record::with_unit(s.bodies[i].displacement, "m"), s.bodies[i].tilt,
+                       s.bodies[i].rotation);
+    if (s.bodies.size() > kShown)
+        fmt::format_to(out, "  … and {} more (see --summary)\n", s.bodies.size() - kShown);
+}
+
+}  // namespace
+
+std::string to_text(const Summary& s) {
+    std::string text;
+    const Out out = std::back_inserter(text);
+    const bool doubtful = s.verdict.verdict.grade != Grade::good;
+    fmt::format_to(out, "\n{} ({}), {}\n", s.scene, s.outcome,
+                   doubtful && s.last.status == Status::ok ? to_string(s.verdict.verdict.grade)
+                                                           : to_string(s.last.status));
+    if (doubtful)
+        fmt::format_to(out, "  {:<11}  {}\n", to_string(s.verdict.verdict.grade), s.verdict.said);
+    simulated(out, s);
+    constexpr std::size_t kWarnings = 5;
+    for (std::size_t i = 0; i < std::min(kWarnings, s.warnings.size()); ++i)
+        fmt::format_to(out, "  warning      {}\n", s.warnings[i]);
+    if (s.warnings.size() > kWarnings)
+        fmt::format_to(out, "  warning      and {} more of the start (see --summary)\n",
+                       s.warnings.size() - kWarnings);
+    cables(out, s);
+    bodies(out, s);
+    text += events_in_words(s);
+    fmt::format_to(out, "\n  system       {} bodies, {} interactions, {} equations, {} island{}\n",
+                   s.last.bodies, s.last.interactions, s.last.equations, s.last.islands,
+                   s.last.islands == 1 ? "" : "s");
+    fmt::format_to(out, "  matrix       {} scalars, factor {}, {:.4g} Mflop a factorisation\n",
+                   s.last.matrix_nnz, s.last.factor_nnz,
+                   1e-6 * static_cast<double>(s.last.factor_flops));
+    times(out, s);
+    quality(out, s);
+    fmt::format_to(out, "  state hash   {:016x}  (scene {:016x}, {}, {} thread{}, Hawser {})\n",
+                   s.state_hash, s.scene_hash, instruction_set(), s.threads,
+                   s.threads == 1 ? "" : "s", version());
+    fmt::format_to(out, "  machine      {}, {} usable, load {:.2f} -> {:.2f}, peak memory {} MB\n",
+                   processor_model(), processor_count(), s.load_start[0], s.load_end[0],
+                   peak_memory() / 1000000);
+    return text;
+}
+
+}  // namespace hawser::report

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/start/check.h"
+
+#include "report/start/parts.h"
+
+#include <fmt/format.h>
+
+namespace hawser::report::start {
+
+Findings check_start(const record::SceneInfo& scene, const World& world, std::size_t most_rows) {
+    Findings out;
+    check_bodies(world, out);
+    check_cable_density(scene, world, out);
+    check_tensions(scene, world, out);
+    check_overlaps(world, out);
+    check_motor_friction(world, out);
+    check_steps(scene, world, out);
+    JointRows rows(world);
+    if (rows.rows() > most_rows) {
+        out.add(false, FindingKind::unexamined, {}, static_cast<double>(rows.rows()),
+                fmt::format("the {} rows of joints are more than {}: gaps, and joints that repeat "
+                            "or contradict each other, were not looked for",
+                            rows.rows(), most_rows));
+    } else if (rows.rows() > 0) {
+        if (rows.update(world)) {
+            check_gaps(world, rows, out);
+            check_repetitions(world, rows, out);
+        } else {
+            out.add(false, FindingKind::unexamined, {}, 0.0,
+                    "gaps, and joints that repeat or contradict each other, could not be computed: "
+                    "lengths in this scene differ too much");
+        }
+    }
+    out.sort();
+    return out;
+}
+
+}  // namespace hawser::report::start

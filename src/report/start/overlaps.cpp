@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/units.h"
+#include "report/start/parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace hawser::report::start {
+
+namespace {
+
+/// Of the narrower of two things, above which it counts as lying in the other at the start.
+constexpr double kInside = 0.05;
+
+/// What lies still on soft ground, or under others, presses its contact in by its weight and theirs
+/// over the stiffness, a line on a roller by its tension: no more than so many times the weight of
+/// the lighter one at a point, and twice the tension.
+constexpr double kWeights = 4.0;
+
+/// A wire laid out by straight lines cuts into the rollers that it runs over; contact lifts it out
+/// where it is nearest, on the right side up to the middle of the roller. Diameters.
+constexpr double kWireDeep = 4.0;
+
+/// Errors that get a text each: a heap of thousands has one cause.
+constexpr std::size_t kMostPairs = 1000;
+
+/// How far a shape reaches along a direction, from its lowest to its highest point [m].
+struct Reach {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+    void add(double at, double half) {
+        low = std::min(low, at - half);
+        high = std::max(high, at + half);
+    }
+};
+
+/// @param n  Unit, world frame. Infinite for what has no other side.
+void add_reach(const World& world, const ShapeDef& def, const Vec3& n, Reach& reach) {
+    const Pose pose = world.pose(def.body);
+    const Vec3 at = pose.position + pose.orientation * def.position;
+    const Vec3 local = (pose.orientation * def.orientation).conjugate() * n;
+    const double x = n.dot(at);
+    const double across = std::hypot(local.x(), local.y());
+    switch (def.kind) {
+        case ShapeKind::sphere:
+            return reach.add(x, def.radius);
+        case ShapeKind::capsule:
+            if (def.body_b.valid()) {
+                reach.add(n.dot(pose.position), def.radius);
+                return reach.add(n.dot(world.pose(def.body_b).position), def.radius);
+            }
+            return reach.add(x, def.radius + def.half_length * std::abs(local.z()));
+        case ShapeKind::cylinder:
+            return reach.add(x, def.radius * across + def.half_length * std::abs(local.z()));
+        case ShapeKind::box:
+            return reach.add(x, def.half_size.dot(local.cwiseAbs()));
+        case ShapeKind::hull:
+            for (const Vec3& vertex : def.vertices) reach.add(x + local.dot(vertex), 0.0);
+            return;
+        case ShapeKind::plane:
+        case ShapeKind::heightfield:
+        case ShapeKind::mesh:
+            return reach.add(x, HUGE_VAL);
+    }
+}
+
+class Overlaps {
+  public:
+    explicit Overlaps(const World& world)
+        : world_(world), pull_(static_cast<std::size_t>(world.body_count()), 0.0) {
+        for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
+            const double tension = start_tension(world, {i});
+            for (std::size_t b = 0; b < 2 && tension > 0.0; ++b) {
+                const BodyId body = world.interaction_def({i}).body[b];
+                double& pull = pull_[static_cast<std::size_t>(body.index)];
+                pull = std::max(pull, tension);
+            }
+        }
+        of_body_.resize(static_cast<std::size_t>(world.body_count()));
+        for (std::int32_t s = 0; s < world.shape_count(); ++s) {
+            const ShapeDef& def = world.shape_def({s});
+            if (!def.body_b.valid())
+                of_body_[static_cast<std::size_t>(def.body.index)].push_back(s);
+        }
+    }
+
+    void run(Findings& out) {
+        for (const ContactView& contact : world_.overlaps()) take(contact);
+        std::vector<std::pair<std::pair<Owner, Owner>, Pair>> worst(pairs_.begin(), pairs_.end());
+        std::stable_sort(worst.begin(), worst.end(), [](const auto& a, const auto& b) {
+            return a.second.depth / a.second.width > b.second.depth / b.second.width;
+        });
+        for (std::size_t i = 0; i < std::min(kMostPairs, worst.size()); ++i)
+            report(worst[i].second, out);
+        if (worst.size() > kMostPairs)
+            out.add(false, FindingKind::unexamined, {}, static_cast<double>(worst.size()),
+                    fmt::format("{} pairs of bodies overlap at the start; the worst {} are listed",
+                                worst.size(), kMostPairs));
+    }
+
+  private:
+    /// A body, or the segment of a wire: −1 − shape.
+    using Owner = std::int32_t;
+    struct Pair {
+        double depth = 0.0, width = 1.0;  ///< Of the point that is deepest by its width [m].
+        ShapeId shape[2];
+    };
+
+    [[nodiscard]] Owner owner(ShapeId shape) const {
+        const ShapeDef& def = world_.shape_def(shape);
+        return def.body_b.valid() ? -1 - shape.index : def.body.index;
+    }
+
+    [[nodiscard]] bool is_wire(ShapeId shape) const {
+        return world_.shape_def(shape).body_b.valid();
+    }
+
+    [[nodiscard]] double width(ShapeId shape, const Vec3& n) const {
+        Reach reach;
+        const ShapeDef& def = world_.shape_def(shape);
+        if (is_wire(shape)) return 2.0 * def.radius;
+        for (const std::int32_t s : of_body_[static_cast<std::size_t>(def.body.index)])
+            add_reach(world_, world_.shape_def({s}), n, reach);
+        return reach.high - reach.low;
+    }
+
+    /// What may press the bodies of a shape against others at rest [N]; infinite where none moves.
+    [[nodiscard]] double press(ShapeId shape) const {
+        const ShapeDef& def = world_.shape_def(shape);
+        double mass = 0.0, pull = 0.0;
+        for (const BodyId body : {def.body, def.body_b}) {
+            if (!body.valid() || freedoms(world_.body_def(body).kind) == 0) continue;
+            mass += world_.body_def(body).mass;
+            pull = std::max(pull, pull_[static_cast<std::size_t>(body.index)]);
+        }
+        // A line that turns back on itself presses with twice its tension.
+        return mass > 0.0 ? kWeights * mass * world_.settings().gravity.norm() + 2.0 * pull
+                          : HUGE_VAL;
+    }
+
+    void take(const ContactView& contact) {
+        const double depth = -contact.gap;
+        double width[2];
+        for (int s = 0; s < 2; ++s) width[s] = this->width(contact.shape[s], contact.normal);
+        const double narrower = std::min(width[0], width[1]);
+        if (!(narrower > 0.0)) return;
+        if (depth <= std::min(world_.settings().contact_margin, kInside * narrower)) return;
+        const double pressed = std::min(press(contact.shape[0]), press(contact.shape[1]));
+        if (std::isfinite(pressed) && contact.force.norm() <= pressed) return;
+        take(contact, depth, narrower, std::max(width[0], width[1]));
+    }
+
+    void take(const ContactView& contact, double depth, double narrower, double wider) {
+        const bool wires[2] = {is_wire(contact.shape[0]), is_wire(contact.shape[1])};
+        // Half of this is too deep: of the narrower thing, but of what a wire lies in.
+        double width = narrower;
+        if (wires[0] != wires[1]) width = std::min(wider, 2.0 * kWireDeep * narrower);
+        std::pair<Owner, Owner> key(owner(contact.shape[0]), owner(contact.shape[1]));
+        if (key.first > key.second) std::swap(key.first, key.second);
+        Pair& pair = pairs_[key];
+        if (depth * pair.width <= pair.depth * width) return;
+        pair.depth = depth;
+        pair.width = width;
+        for (int s = 0; s < 2; ++s) pair.shape[s] = contact.shape[s];
+    }
+
+    [[nodiscard]] std::string label(ShapeId shape) const {
+        const ShapeDef& def = world_.shape_def(shape);
+        return !def.name.empty() ? def.name : record::body_label(world_, def.body);
+    }
+
+    void report(const Pair& pair, Findings& out) const {
+        const bool deep = pair.depth > 0.5 * pair.width;
+        const std::string a = label(pair.shape[0]), b = label(pair.shape[1]);
+        out.add(
+            deep, FindingKind::overlap, {a, b}, pair.depth,
+            fmt::format("{} and {} start {} inside each other{}: move one of them",
+                        record::name_in_quotes(a), record::name_in_quotes(b),
+                        record::with_unit(pair.depth, "m"),
+                        deep ? fmt::format(", deeper than half of {}, from where contact pushes "
+                                           "to the wrong side",
+                                           record::with_unit(pair.width, "m"))
+                             : "; contact throws them apart"));
+    }
+
+    const World& world_;
+    std::vector<double> pull_;                        ///< Largest tension at each body [N].
+    std::vector<std::vector<std::int32_t>> of_body_;  ///< Shapes of each body, without segments.
+    std::map<std::pair<Owner, Owner>, Pair> pairs_;
+};
+
+}  // namespace
+
+void check_overlaps(const World& world, Findings& out) {
+    if (world.shape_count() > 0) Overlaps(world).run(out);
+}
+
+}  // namespace hawser::report::start

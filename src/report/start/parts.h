@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file parts.h
+/// The parts of a check of a start; each adds to the findings. See check.h.
+
+#include "record/scene_info.h"
+#include "report/start/findings.h"
+#include "report/start/joint_rows.h"
+
+#include <string>
+#include <vector>
+
+namespace hawser::report::start {
+
+/// Masses, sizes and inertias (bodies.cpp); turns in a step.
+void check_bodies(const World& world, Findings& out);
+/// Mass of cables over the volume of their shapes (bodies.cpp).
+void check_cable_density(const record::SceneInfo& scene, const World& world, Findings& out);
+/// Lines that start beyond their breaking load (lines.cpp).
+void check_tensions(const record::SceneInfo& scene, const World& world, Findings& out);
+/// Shapes inside each other (overlaps.cpp).
+void check_overlaps(const World& world, Findings& out);
+/// Joints that start open or tearing (joints.cpp). Rows are those of the world.
+void check_gaps(const World& world, const JointRows& rows, Findings& out);
+/// Joints, motors and prescribed motions that repeat or contradict each other (repetitions.cpp).
+void check_repetitions(const World& world, JointRows& rows, Findings& out);
+/// Motors that friction holds (joints.cpp).
+void check_motor_friction(const World& world, Findings& out);
+/// Wires and joints that the step does not resolve (steps.cpp).
+void check_steps(const record::SceneInfo& scene, const World& world, Findings& out);
+
+/// Tension from the stretch at the start [N]; 0 where slack, or of another kind.
+[[nodiscard]] double start_tension(const World& world, InteractionId id);
+/// Length of what a gap at this joint is compared with: its longest arm, at least 0.1 m.
+[[nodiscard]] double reach(const Joint& joint);
+
+}  // namespace hawser::report::start

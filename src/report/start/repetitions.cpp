@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/units.h"
+#include "report/start/parts.h"
+#include "report/start/repeating.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace hawser::report::start {
+
+namespace {
+
+/// What remains open is a contradiction above this part of the reach of a joint; of an angle [rad];
+/// of the largest speed asked for. Below it steps put up with it.
+constexpr double kApart = 1e-3, kAngleApart = 1e-3, kSpeedApart = 1e-3;
+
+/// A speed that no one asks for: round-off of others [m/s or rad/s].
+constexpr double kStill = 1e-6;
+
+/// A motor whose force is less than this can be held [N or N m].
+constexpr double kUnlimited = 1e29;
+
+class Search {
+  public:
+    Search(const World& world, JointRows& rows, Findings& out)
+        : world_(world),
+          rows_(rows),
+          out_(out),
+          speeds_(rows.speeds()),
+          contradicts_(rows.joints().size(), false) {
+        joint_of_row_.reserve(rows.rows());
+        for (std::size_t j = 0; j < rows.joints().size(); ++j)
+            joint_of_row_.insert(joint_of_row_.end(),
+                                 static_cast<std::size_t>(rows.joints()[j].rows), j);
+    }
+
+    void run() {
+        const std::vector<Group> groups = find_groups(world_, rows_);
+        const std::vector<double> still = rows_.out_of_reach(rows_.speeds());
+        find_contradictions();
+        for (const Group& group : groups) report(group, still);
+    }
+
+  private:
+    [[nodiscard]] const Joint& joint(std::size_t j) const { return rows_.joints()[j]; }
+
+    /// Close what starts open. Where something stays open, rows that repeat each other there are
+    /// what cannot all hold.
+    void find_contradictions() {
+        if (!any_apart()) return;
+        World moved = world_.twin(Coupling::exact);
+        rows_.close(moved);
+        if (!any_apart()) return;
+        for (const Group& group : find_groups(world_, rows_)) report_contradiction(group);
+    }
+
+    [[nodiscard]] bool any_apart() const {
+        for (std::size_t r = 0; r < rows_.rows(); ++r)
+            if (is_apart(r, rows_.violations()[r])) return true;
+        return false;
+    }
+
+    [[nodiscard]] bool is_angle(std::size_t row) const {
+        const Joint& j = joint(joint_of_row_[row]);
+        const std::size_t k = row - static_cast<std::size_t>(j.row_begin);
+        return kind_info(world_.interaction_def(j.id).kind).row_units[j.row[k]] == 'r';
+    }
+    [[nodiscard]] bool is_apart(std::size_t row, double g) const {
+        return std::abs(g) >
+               (is_angle(row) ? kAngleApart : kApart * reach(joint(joint_of_row_[row])));
+    }
+
+    [[nodiscard]] std::vector<std::string> names_of(const Group& group) const {
+        std::vector<std::string> names;
+        for (const std::int32_t j : group.joints)
+            names.push_back(
+                record::interaction_label(world_, joint(static_cast<std::size_t>(j)).id));
+        return names;
+    }
+
+    void report_contradiction(const Group& group) {
+        double length = 0.0, angle = 0.0;
+        bool apart = false;
+        for (const std::int32_t j : group.joints) {
+            const Joint& one = joint(static_cast<std::size_t>(j));
+            for (std::int32_t k = 0; k < one.rows; ++k) {
+                const auto r = static_cast<std::size_t>(one.row_begin + k);
+                double& most = is_angle(r) ? angle : length;
+                most = std::max(most, std::abs(rows_.violations()[r]));
+                apart |= is_apart(r, rows_.violations()[r]);
+            }
+        }
+        if (!apart) return;
+        for (const std::int32_t j : group.joints) contradicts_[static_cast<std::size_t>(j)] = true;
+        const std::vector<std::string> names = names_of(group);
+        const std::string open = length > kApart * 0.1 ? record::with_unit(length, "m")
+                                                       : fmt::format("{:.3g} rad", angle);
+        out_.add(
+            true, FindingKind::contradiction, names, std::max(length, angle),
+            names.size() == 1
+                ? fmt::format(
+                      "{} cannot hold: wherever its bodies go, {} stays open; move "
+                      "its points and axes",
+                      record::interaction_in_words(world_, joint(index(group.joints[0])).id), open)
+                : fmt::format("the joints {} contradict each other: wherever their bodies go, "
+                              "{} stays open; take one away, or move points and axes",
+                              in_quotes(names), open));
+    }
+
+    void report(const Group& group, const std::vector<double>& still) {
+        double speed = 0.0, asked = 0.0;
+        bool drives = false;
+        for (const std::int32_t j : group.joints) {
+            const Joint& one = joint(index(j));
+            drives |= one.motor;
+            for (std::int32_t k = 0; k < one.rows; ++k) {
+                const std::size_t r = index(one.row_begin + k);
+                speed = std::max(speed, std::abs(still[r]));
+                asked = std::max(asked, std::abs(speeds_[r]));
+            }
+        }
+        const std::vector<std::string> names = names_of(group);
+        const bool known = std::any_of(group.joints.begin(), group.joints.end(),
+                                       [&](std::int32_t j) { return contradicts_[index(j)]; });
+        if (speed > std::max(kStill, kSpeedApart * asked))
+            report_motion(group, names, in_quotes(names), speed, drives);
+        else if (!known)
+            report_repetition(group, names, in_quotes(names), drives);
+    }
+
+    [[nodiscard]] static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+    [[nodiscard]] static std::string in_quotes(std::vector<std::string> names) {
+        for (std::string& name : names) name = record::name_in_quotes(name);
+        return record::names_in_words(names);
+    }
+
+    void report_motion(const Group& group, const std::vector<std::string>& names,
+                       const std::string& all, double speed, bool drives) {
+        if (!drives) {
+            out_.add(true, FindingKind::contradiction, names, speed,
+                     fmt::format("{} contradict the prescribed velocities of bodies that they hold "
+                                 "by {:.3g} m/s or rad/s: no motion of the others satisfies both",
+                                 all, speed));
+            return;
+        }
+        for (const std::int32_t j : group.joints) {
+            const Joint& one = joint(static_cast<std::size_t>(j));
+            if (!one.motor) continue;
+            const InteractionDef& def = world_.interaction_def(one.id);
+            const double wanted = def.get("speed");
+            const bool unlimited =
+                def.get("force_max") >= kUnlimited && def.get("force_min") <= -kUnlimited;
+            if (wanted == 0.0) continue;
+            std::vector<std::string> others;
+            for (const std::string& name : names)
+                if (name != record::interaction_label(world_, one.id))
+                    others.push_back(record::name_in_quotes(name));
+            out_.add(unlimited, FindingKind::motor, names, std::abs(wanted),
+                     fmt::format("{} wants {:.3g} m/s or rad/s where {} hold still or drive "
+                                 "otherwise: {}",
+                                 record::interaction_in_words(world_, one.id), wanted,
+                                 record::names_in_words(others),
+                                 unlimited ? "with no limit of its force nothing can give way; "
+                                             "give it force_min and force_max, or take one away"
+                                           : "it will push with all its force and not move"));
+        }
+    }
+
+    void report_repetition(const Group& group, const std::vector<std::string>& names,
+                           const std::string& all, bool drives) {
+        const char* what = drives ? "the joints and motors" : "the joints";
+        const std::string count = group.repetitions == 1 ? " in one direction"
+                                  : group.repetitions > 1
+                                      ? fmt::format(" in {} directions", group.repetitions)
+                                      : "";
+        out_.add(false, FindingKind::repeated, names, group.repetitions,
+                 fmt::format("{} {} repeat each other{}: how they share the force there is not "
+                             "determined; where that matters, put a joint that holds less in place "
+                             "of one",
+                             what, all, count));
+    }
+
+    const World& world_;
+    JointRows& rows_;
+    Findings& out_;
+    std::vector<double> speeds_;
+    std::vector<bool> contradicts_;  ///< By joint: said already.
+    std::vector<std::size_t> joint_of_row_;
+};
+
+}  // namespace
+
+void check_repetitions(const World& world, JointRows& rows, Findings& out) {
+    Search(world, rows, out).run();
+}
+
+}  // namespace hawser::report::start

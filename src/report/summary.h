@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file summary.h
+/// Collects the figures of a run step by step and writes them as JSON (docs/cli.md).
+
+#include "record/scene_info.h"
+#include "report/degradations.h"
+#include "report/samples.h"
+#include "report/verdict_text.h"
+#include "verify/certificate.h"
+#include "verify/coupling.h"
+
+#include <hawser/hawser.h>
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace hawser::report {
+
+/// Steps whose times do not count: caches, branch predictors and clocks are still cold.
+inline constexpr std::int64_t kWarmUpSteps = 60;
+/// Events that are listed one by one: of lines that go slack or come taut, and of all others.
+inline constexpr std::size_t kListedEvents = 100;
+
+struct Spread {
+    double median = 0.0, p90 = 0.0, p95 = 0.0, p99 = 0.0, max = 0.0;
+};
+
+/// The solve for contacts, over the steps in which there were any.
+struct FrictionFigures {
+    std::int64_t steps = 0;              ///< With contacts, or with a residual.
+    Spread natural_map, factorisations;  ///< See StepStats::natural_map, factor_work.
+    std::int32_t flips_left = 0;         ///< Largest of a step.
+    /// Residual above WorldDef::contact_tolerance, or rows and contacts whose status was open.
+    std::int64_t uncertified_steps = 0;
+    std::int64_t cut_steps = 0;  ///< Ended by a budget.
+    Spread cut_residual;         ///< Natural map of these.
+};
+
+struct CableFigures {
+    std::string name;
+    double min = 0.0, mean = 0.0, max = 0.0;  ///< Over elements and steps [N].
+    double breaking_load = 0.0;               ///< [N]; 0 = not given.
+};
+
+struct BodyFigures {
+    std::string name;
+    double displacement = 0.0;  ///< Largest distance from the first pose [m].
+    double tilt = 0.0;          ///< Largest angle between its z axis then and at first [deg].
+    double rotation = 0.0;      ///< Largest angle of rotation from the first pose [deg].
+};
+
+struct ListedEvent {
+    double time = 0.0;
+    std::string kind, where;
+    double value = 0.0;
+};
+
+/// Events of one kind over the run.
+struct EventFigures {
+    EventKind kind = EventKind::warning;
+    std::int64_t count = 0;
+    ListedEvent first, worst;  ///< Where they are, in words.
+    const char* unit = "";     ///< Of the values.
+};
+
+struct Summary {
+    std::string scene, scene_path;
+    std::uint64_t scene_hash = 0;
+    std::string outcome = "finished";  ///< "finished", "interrupted" or "failed".
+    StepStats last{};                  ///< Of the last step.
+    VerdictText verdict;               ///< Of all states.
+    double start_time = 0.0;           ///< [s]
+    std::int64_t steps = 0;            ///< In this run.
+    std::int64_t timed_steps = 0;      ///< Of those, counted in the times below.
+    double step = 0.0;                 ///< Time step [s].
+    Form form = Form::automatic;
+    double contacts_median = 0.0, contacts_max = 0.0;  ///< Contact points of a step.
+    double asleep_median = 0.0, asleep_max = 0.0;      ///< Bodies of a step.
+    FrictionFigures friction;
+    Spread interactions, equations;  ///< Of a step, contact points and their rows included.
+    Spread step_ms, solver_ms, solver_cpu_ms;
+    double budget_ms = 0.0, budget_mflop = 0.0;  ///< 0: none.
+    Degradations degradations;
+    verify::Verification verified;     ///< With --verify; no steps without.
+    verify::CouplingFigures coupling;  ///< Of a split; no steps without.
+    int parts = 0;                     ///< WorldDef::parts where coupling is not exact, else 0.
+    int regroup_every = 0;             ///< WorldDef::regroup_every [steps].
+    double within_budget = 1.0;        ///< Share of timed steps with solver_cpu_ms ≤.
+    std::array<double, kStageCount> stage_ms{};  ///< Medians.
+    std::int64_t analyses = 0;                   ///< Steps of this run, of all, with one.
+    double analyse_ms_max = 0.0;                 ///< Longest of these.
+    double momentum_residual_max = 0.0, momentum_residual_median = 0.0;
+    double constraint_residual_max = 0.0, constraint_residual_median = 0.0;
+    double violation_max = 0.0;  ///< [m]
+    std::string violation_where = "-";
+    double violation_time = 0.0;      ///< [s]
+    double stretch_error_max = 0.0;   ///< Relative.
+    double stretch_error_time = 0.0;  ///< [s]
+    Energy energy_start, energy_end;
+    double energy_scale = 0.0;           ///< What the drift is relative to [J].
+    Spread energy_step_drift;            ///< |Drift| of a single step [J].
+    std::vector<ListedEvent> events;     ///< In the order in which they happened.
+    std::vector<EventFigures> happened;  ///< Kinds that there were, what matters most first.
+    std::vector<std::string> warnings;   ///< Of the start, in words.
+    std::vector<CableFigures> cables;
+    std::vector<BodyFigures> bodies;
+    std::uint64_t state_hash = 0;
+    int threads = 1;
+    double wall_seconds = 0.0;
+    std::array<double, 3> load_start{}, load_end{};
+    std::size_t world_memory = 0;     ///< Held by state and solver [bytes].
+    std::int64_t missed_frames = -1;  ///< With --realtime; −1 without.
+    double lateness_max = 0.0;        ///< With --realtime [s].
+
+    /// See energy_drift(from, to) [J].
+    [[nodiscard]] double energy_drift() const noexcept;
+};
+
+/// Change of mechanical energy that applied and driven work, drag and contacts do not explain [J].
+[[nodiscard]] double energy_drift(const Energy& from, const Energy& to) noexcept;
+
+/// Watches a run. Costs O(elements) a step.
+class SummaryCollector {
+  public:
+    SummaryCollector(const record::SceneInfo& scene, const World& world);
+    /// Call after each step with the events of that step.
+    void after_step(const World& world, std::span<const Event> events);
+    /// The figures so far.
+    [[nodiscard]] Summary result(const World& world) const;
+
+  private:
+    void watch_cables(const World& world);
+    void watch_bodies(const World& world);
+    void watch_energy(const World& world);
+    void watch_contacts(const World& world);
+
+    const record::SceneInfo& scene_;
+    Summary summary_;
+    std::vector<Pose> first_pose_;
+    std::vector<BodyId> bodies_;
+    std::vector<double> tension_sum_;
+    Samples step_, solver_, solver_cpu_, momentum_, constraint_, contacts_, asleep_;
+    Samples map_, work_, cut_, step_drift_, interactions_, equations_;
+    std::int64_t within_budget_ = 0;
+    std::array<std::size_t, 2> listed_{};  ///< Events of lines slack or taut; of all others.
+    std::array<Samples, kStageCount> stage_{};
+    double kinetic_max_ = 0.0, potential_low_ = 0.0, potential_high_ = 0.0;
+};
+
+[[nodiscard]] std::string to_json(const Summary& summary);
+
+/// A page of text for the end of a run: what a user asks for first, the solver last.
+[[nodiscard]] std::string to_text(const Summary& summary);
+
+/// First and worst of each kind of event that the world has had (event_figures.cpp).
+[[nodiscard]] std::vector<EventFigures> event_figures(const World& world);
+/// The lines of a report about them.
+[[nodiscard]] std::string events_in_words(const Summary& summary);
+
+}  // namespace hawser::report

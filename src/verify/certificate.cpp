@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/certificate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::verify {
+
+namespace {
+
+// Sums of a dozen terms of size 1 differ by 1e-15; a light point among fast bodies loses a factor
+// of 1e6 (its impulse against the floor).
+constexpr double kRoundOff = 1e-9;
+
+std::size_t slot(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+bool is_free(BodyKind kind) { return kind == BodyKind::rigid || kind == BodyKind::lump; }
+
+// The nearest point of the cone ‖x_t‖ ≤ μ x_n.
+Vec3 onto_cone(const Vec3& x, const Vec3& n, double mu) {
+    const double normal = x.dot(n);
+    const Vec3 tangent = x - normal * n;
+    const double length = tangent.norm();
+    if (length <= mu * normal) return x;
+    if (mu * length <= -normal) return Vec3::Zero();
+    const double on_rim = (normal + mu * length) / (1.0 + mu * mu);
+    return on_rim * n + (mu * on_rim / length) * tangent;
+}
+
+}  // namespace
+
+Mat3 cross_matrix(const Vec3& a) {
+    Mat3 m;
+    m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+    return m;
+}
+
+Verifier::Verifier(const World& world) : step_(world.settings().step), states_(world) {
+    const auto bodies = slot(world.body_count());
+    mobility_.assign(bodies, Mat3::Zero());
+    double least = 1e300, mass = 0.0;
+    for (std::int32_t b = 0; b < world.body_count(); ++b) {
+        const BodyDef& def = world.body_def({b});
+        if (def.kind == BodyKind::fixed || def.kind == BodyKind::kinematic) continue;
+        least = std::min(least, def.mass);
+        mass += def.mass;
+        moving_.push_back(b);
+        if (def.kind == BodyKind::rigid) mobility_[slot(b)] = def.inertia.inverse();
+    }
+    for (std::int32_t i = 0; i < world.interaction_count(); ++i)
+        for (const FrictionLoad& load : world.interaction_def({i}).load)
+            loads_ = loads_ || load.interaction.valid();
+    floor_ = 1e-6 * step_ * 9.81 * least;
+    momentum_floor_ = 1e-6 * step_ * 9.81 * std::sqrt(mass);
+    pose_.resize(bodies);
+    twist_.resize(bodies);
+    earlier_.resize(bodies);
+    change_.assign(bodies, Vec3::Zero());
+    linear_.resize(bodies);
+    angular_.resize(bodies);
+    unsure_.resize(bodies);
+    slept_.resize(bodies);
+    last_.resize(slot(world.interaction_count()));
+    intact_.resize(last_.size());
+    alert_.resize(last_.size());
+    result_.moving_bodies = result_.covered_bodies = static_cast<std::int32_t>(moving_.size());
+}
+
+void Verifier::before_step(const World& world) {
+    earlier_ = twist_;
+    for (std::int32_t b = 0; b < world.body_count(); ++b) {
+        pose_[slot(b)] = world.pose({b});
+        twist_[slot(b)] = world.velocity({b});
+        linear_[slot(b)].setZero();
+        angular_[slot(b)].setZero();
+        slept_[slot(b)] = world.asleep({b});
+    }
+    for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
+        const auto force = world.force({i});
+        last_[slot(i)].assign(force.begin(), force.end());
+        intact_[slot(i)] = world.intact({i});
+        alert_[slot(i)] = world.wire_alert({i});
+    }
+    unsure_.assign(unsure_.size(), false);
+    turning_.assign(unsure_.size(), false);
+    impulse_ = 0.0;
+    wrong_law_.clear();
+    states_.before_step(world);
+}
+
+std::string Verifier::after_step(const World& world) {
+    const StepStats& stats = world.stats();
+    const double map = step_map(world);
+    // Joints whose friction has loads are part of what the step says, by how far their bounds moved
+    // after they were last solved for: contacts may then be better than that, not worse.
+    const double better = loads_ ? stats.natural_map : 0.0;
+    const double difference = std::max(map - stats.natural_map, stats.natural_map - map - better);
+    const double excess = bound_excess(world);
+    add_interactions(world);
+    const double momentum = momentum_residual(world);
+    const std::string state = states_.after_step(world);
+    result_.states = states_.result();
+    ++result_.steps;
+    result_.difference = std::max(result_.difference, difference);
+    result_.momentum = std::max(result_.momentum, momentum);
+    result_.bounds = std::max(result_.bounds, excess);
+    if (!stats.cut) result_.natural_map = std::max(result_.natural_map, map);
+    if (!wrong_law_.empty()) return wrong_law_;
+    // Comparisons written so that what is not a number fails.
+    if (!(difference <= kRoundOff + 1e-6 * stats.natural_map))
+        return fmt::format("the natural map is {:.3e}, the step says {:.3e}", map,
+                           stats.natural_map);
+    if (const double most = world.settings().contact_tolerance;
+        !stats.cut && !(map <= most + kRoundOff))
+        return fmt::format("the natural map is {:.3e}, more than {:.3e}", map, most);
+    // Bounds of friction are followed until their share in the natural map is small enough; rows
+    // that were still switching are reported as such.
+    if (!stats.cut && stats.flips_left == 0 && !(excess <= stats.natural_map + kRoundOff))
+        return fmt::format("the force of a row is beyond its bound by {:.3e}, relative", excess);
+    if (!(momentum <= kRoundOff))
+        return fmt::format("momentum is off by {:.3e}, relative", momentum);
+    if (world.settings().on_diverged == OnDiverged::stop) return state;
+    return {};
+}
+
+double Verifier::step_map(const World& world) {
+    double map = 0.0;
+    for (const ContactView& contact : world.contacts())
+        if (!contact.asleep)
+            map = std::max({map, natural_map(world, contact), turn_map(world, contact)});
+    return map;
+}
+
+double Verifier::bound_excess(const World& world) {
+    double excess = 0.0;
+    for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
+        const ForceRange range = force_range(world, {i}, pose_);
+        if (!range.bounded) continue;
+        const double force = world.force({i})[0];
+        const double bound = std::clamp(force, range.low, range.high);
+        // Where there are contacts, less than the floor switches no row.
+        const double beyond = step_ * std::abs(force - bound) - floor_;
+        if (!(beyond <= 0.0))
+            excess = std::max(excess, beyond / std::max(step_ * std::abs(bound), floor_));
+    }
+    return excess;
+}
+
+Verifier::Side Verifier::side_of(const World& world, ShapeId shape, const Vec3& on_axis) const {
+    const ShapeDef& def = world.shape_def(shape);
+    Side side{.count = 1, .body = {def.body.index, def.body_b.index}};
+    if (!def.body_b.valid()) return side;
+    const Vec3 from = pose_[slot(side.body[0])].position;
+    const Vec3 along = pose_[slot(side.body[1])].position - from;
+    const double s = std::clamp((on_axis - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    side.count = 2;
+    side.share[0] = 1.0 - s;
+    side.share[1] = s;
+    return side;
+}
+
+double Verifier::natural_map(const World& world, const ContactView& contact) {
+    const Vec3 &n = contact.normal, lambda = step_ * contact.force;
+    Vec3 u = Vec3::Zero();
+    double mobility = 0.0, speed = 0.0;
+    for (int k = 0; k < 2; ++k) {
+        const double sign = k == 0 ? -1.0 : 1.0;
+        const double to_axis = 0.5 * contact.gap + world.shape_def(contact.shape[k]).radius;
+        const Side side = side_of(world, contact.shape[k], contact.point + sign * to_axis * n);
+        for (int i = 0; i < side.count; ++i) {
+            const std::int32_t b = side.body[i];
+            const BodyDef& def = world.body_def({b});
+            const double w = side.share[i];
+            const Twist now = world.velocity({b}), before = twist_[slot(b)];
+            const bool turns = def.kind != BodyKind::lump;
+            const Vec3 arm = turns ? Vec3(contact.point - pose_[slot(b)].position) : Vec3::Zero();
+            u += sign * w * (now.linear + now.angular.cross(arm));
+            speed += sign * w * n.dot(before.linear + before.angular.cross(arm));
+            linear_[slot(b)] += sign * w * lambda;
+            angular_[slot(b)] += sign * w * arm.cross(lambda);
+            if (!is_free(def.kind)) continue;
+            double own = 1.0 / def.mass;
+            if (turns) {
+                const Vec3 local = pose_[slot(b)].orientation.conjugate() * arm;
+                const Mat3 cross = cross_matrix(local);
+                own += (cross.transpose() * def.inertia.inverse() * cross).trace() / 3.0;
+            }
+            mobility += w * w * own;
+        }
+    }
+    check_law(world, contact, mobility, speed);
+    // ‖λ − P_K(λ − ρ ũ)‖ over the larger of ‖λ‖ and ρ‖q‖.
+    const double sn = contact.softness[0], st = contact.softness[1];
+    const Vec3 lambda_n = lambda.dot(n) * n;
+    const Vec3 r = u + sn * lambda_n + st * (lambda - lambda_n) - contact.target;
+    const double shift = contact.friction * (r - r.dot(n) * n).norm();
+    const double rho = 1.0 / (mobility + std::max(sn, st));
+    const Vec3 error = lambda - onto_cone(lambda - rho * (r + shift * n), n, contact.friction);
+    const Vec3 q = rho * (u - contact.target - mobility * lambda);
+    if (error.norm() == 0.0) return 0.0;
+    return error.norm() / std::max({lambda.norm(), q.norm(), floor_});
+}
+
+double Verifier::turn_map(const World& world, const ContactView& contact) {
+    if (contact.rolling == 0.0 && contact.torsional == 0.0) return 0.0;
+    const Vec3 &n = contact.normal, lambda = step_ * contact.moment;
+    Vec3 u = Vec3::Zero();
+    double mobility = 0.0;
+    for (int k = 0; k < 2; ++k) {
+        const std::int32_t b = world.shape_def(contact.shape[k]).body.index;
+        const BodyDef& def = world.body_def({b});
+        const double sign = k == 0 ? -1.0 : 1.0;
+        u += sign * world.velocity({b}).angular;
+        angular_[slot(b)] += sign * lambda;
+        if (is_free(def.kind)) mobility += def.inertia.inverse().trace() / 3.0;
+    }
+    // Parts that are free have no row.
+    const auto rows = [&](const Vec3& x) -> Vec3 {
+        const Vec3 about = x.dot(n) * n;
+        return (contact.torsional > 0.0 ? about : Vec3(Vec3::Zero())) +
+               (contact.rolling > 0.0 ? Vec3(x - about) : Vec3(Vec3::Zero()));
+    };
+    const double rho = 1.0 / (mobility + contact.turn_softness);
+    const Vec3 r = u + contact.turn_softness * lambda - contact.turn_target;
+    const Vec3 y = rows(lambda - rho * r);
+    const double normal = std::max(0.0, step_ * contact.force.dot(n));
+    const double spin = y.dot(n), most = contact.torsional * normal;
+    const Vec3 roll = y - spin * n;
+    const double length = roll.norm(), radius = contact.rolling * normal;
+    const Vec3 nearest =
+        std::clamp(spin, -most, most) * n + (length > radius ? radius / length : 1.0) * roll;
+    const double error = (rows(lambda) - nearest).norm();
+    if (error == 0.0) return 0.0;
+    const Vec3 q = rho * rows(u - contact.turn_target - mobility * lambda);
+    return error / std::max({rows(lambda).norm(), q.norm(),
+                             floor_ * std::max(contact.rolling, contact.torsional)});
+}
+
+}  // namespace hawser::verify

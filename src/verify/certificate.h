@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file certificate.h
+/// Computes anew, from what a World shows, whether a step obeys its laws; nothing is shared with
+/// the solver's code. docs/methods.md, 8.
+///
+/// **Contacts**: every point's Jacobian from poses, place and shapes; from it, v₊ and the impulses
+/// the natural map (of resistance to rolling and spinning its own), whose largest is compared with
+/// StepStats::natural_map. μ, Σ and the target velocity b along the normal are computed from the
+/// materials, gap and velocities.
+///
+/// **Momentum** of bodies, translation and rotation with its gyroscopic terms: what changed against
+/// gravity, applied forces, drag, contacts, interactions by the forces of their rows, geometric
+/// stiffness and damping of joints (interaction_forces.h). Left out in a step are the bodies of an
+/// interaction whose force rounding decides on.
+///
+/// **States**: energy, joints, lines and turns (certificate_state.h).
+///
+/// **Bounds**: what only pulls does not push, motors keep to their range, friction in joints to its
+/// bound with its loads, limits push only at an end.
+
+#include "verify/certificate_state.h"
+#include "verify/interaction_forces.h"
+
+#include <hawser/hawser.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hawser::verify {
+
+/// a × as a matrix.
+[[nodiscard]] Mat3 cross_matrix(const Vec3& a);
+
+struct Verification {
+    std::int64_t steps = 0;
+    double natural_map = 0.0;  ///< Largest, of steps that no budget cut.
+    double difference = 0.0;   ///< Largest |natural map − StepStats::natural_map|.
+    double momentum = 0.0;     ///< Largest relative residual.
+    double bounds = 0.0;       ///< Largest relative excess over the bound of a row.
+    StateFigures states;       ///< See certificate_state.h.
+    std::int32_t moving_bodies = 0;
+    /// Of them, those whose momentum was computed; the fewest of all steps that were.
+    std::int32_t covered_bodies = 0;
+};
+
+class Verifier {
+  public:
+    /// Bodies and interactions stay as they are from now on.
+    explicit Verifier(const World& world);
+    void before_step(const World& world);
+    /// @return what is wrong with the step; empty: nothing.
+    [[nodiscard]] std::string after_step(const World& world);
+    [[nodiscard]] const Verification& result() const noexcept { return result_; }
+
+  private:
+    struct Side {
+        int count = 0;
+        std::int32_t body[2] = {-1, -1};
+        double share[2] = {1.0, 0.0};
+    };
+    [[nodiscard]] Side side_of(const World& world, ShapeId shape, const Vec3& on_axis) const;
+    [[nodiscard]] double natural_map(const World& world, const ContactView& contact);
+    /// μ, Σ, b along the normal. @param speed  Along the normal, before the step; > 0: apart.
+    void check_law(const World& world, const ContactView& contact, double mobility, double speed);
+    /// Of its resistance to rolling and spinning.
+    [[nodiscard]] double turn_map(const World& world, const ContactView& contact);
+    /// Largest of contacts.
+    [[nodiscard]] double step_map(const World& world);
+    /// Rows outside their bounds. @return by how much at most, 0: within what counts as nothing.
+    [[nodiscard]] double bound_excess(const World& world);
+    void add_interactions(const World& world);
+    /// All through the step.
+    [[nodiscard]] bool sleeps(const World& world, std::int32_t body) const;
+    [[nodiscard]] double momentum_residual(const World& world);
+    [[nodiscard]] Vec3 spin_impulse(std::int32_t body, const Mat3& inertia, const Twist& now);
+
+    std::vector<Pose> pose_;
+    std::vector<Twist> twist_, earlier_;  ///< Before this step, and before the last one.
+    std::vector<int> alert_;              ///< Of wires, before the step, by interaction.
+    std::vector<std::int32_t> moving_;
+    std::vector<std::vector<double>> last_;  ///< Forces of each interaction's rows before the step.
+    std::vector<bool> intact_;               ///< Before the step, by interaction.
+    std::vector<bool> slept_;                ///< Likewise, by body.
+    std::vector<bool> turning_;              ///< Bodies at joints that hold at the step's end.
+    std::vector<bool> unsure_;               ///< Bodies left out in this step.
+    std::vector<Mat3> mobility_;             ///< Inverse inertia, body frame.
+    std::vector<Vec3> change_;               ///< Of spin by torque in the last step, body frame.
+    std::vector<Vec3> linear_, angular_;  ///< Impulses of contacts and interactions on each body.
+    bool loads_ = false;                  ///< Friction in joints depends on other forces.
+    double impulse_ = 0.0;                ///< Σ of their squares in the norm of M⁻¹.
+    std::string wrong_law_;               ///< The first contact of the step that has one.
+    std::int64_t impacts_ = 0;            ///< Until the last step.
+    int seen_ = 0;                        ///< Steps whose momentum was computed.
+    double step_ = 0.0, floor_ = 0.0, momentum_floor_ = 0.0;
+    StateVerifier states_;
+    Verification result_;
+};
+
+}  // namespace hawser::verify

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Momentum of the bodies over a step.
+#include "verify/certificate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::verify {
+
+namespace {
+
+std::size_t index_of(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+double square_over(const Mat3& inverse, const Vec3& v) { return v.dot(inverse * v); }
+
+Vec3 spun(const Mat3& inertia, const Vec3& w, double h) {
+    const Vec3 l = inertia * w;
+    return l + 0.5 * h * w.cross(l) + 0.25 * h * h * w.dot(l) * w;
+}
+
+// Spin after h without torque (docs/methods.md, 3), by Newton's method: fixed points do not
+// converge for slender bodies.
+Vec3 free_spin(const Mat3& inertia, const Vec3& w, double h) {
+    const Vec3 target = spun(inertia, w, -h);
+    Vec3 u = w;
+    for (int i = 0; i < 30; ++i) {
+        const Vec3 l = inertia * u;
+        const Mat3 slope = inertia + 0.5 * h * (cross_matrix(u) * inertia - cross_matrix(l)) +
+                           0.25 * h * h * (u.dot(l) * Mat3::Identity() + 2.0 * u * l.transpose());
+        const Vec3 change = slope.partialPivLu().solve(target - spun(inertia, u, h));
+        u += change;
+        if (change.norm() <= 1e-16 * u.norm()) break;
+    }
+    return u;
+}
+
+// How much of the velocity after the step drag sees (docs/methods.md, 2): one for which a body with
+// nothing but drag slows down by exp(-z).
+double late_share(double z) {
+    if (z < 1e-2) return 0.5 + z / 12.0 - z * z * z / 720.0;
+    return -1.0 / std::expm1(-z) - 1.0 / z;
+}
+
+// Applied force and torque, inputs included.
+Twist applied(const World& world, std::int32_t body) {
+    const BodyDef& def = world.body_def({body});
+    Twist f;
+    f.linear = def.force;
+    f.angular = def.torque;
+    for (std::int32_t i = 0; i < world.input_count(); ++i) {
+        const InputDef& input = world.input_def({i});
+        if (input.interaction.valid() || input.body.index != body) continue;
+        (input.component < 3 ? f.linear[input.component] : f.angular[input.component - 3]) =
+            world.input({i});
+    }
+    return f;
+}
+
+}  // namespace
+
+bool Verifier::sleeps(const World& world, std::int32_t body) const {
+    return slept_[index_of(body)] && world.asleep({body});
+}
+
+void Verifier::add_interactions(const World& world) {
+    for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
+        const InteractionDef& def = world.interaction_def({i});
+        const Wrenches rows = row_wrenches(world, {i}, pose_, world.force({i}));
+        // A step that was solved again took the stiffness of the forces it had found.
+        if (world.stats().restiffened > 0) {
+            const auto with = world.stiffness_force({i});
+            std::copy_n(with.begin(), last_[index_of(i)].size(), last_[index_of(i)].begin());
+        }
+        const Wrenches other = intact_[index_of(i)]
+                                   ? stiffness_wrenches(world, {i}, pose_, twist_, earlier_,
+                                                        last_[index_of(i)], alert_[index_of(i)])
+                                   : Wrenches{};
+        for (int k = 0; k < kind_info(def.kind).bodies; ++k) {
+            const std::int32_t b = def.body[index_of(k)].index;
+            if (sleeps(world, b)) continue;
+            const Wrench &f = rows.on[index_of(k)], &g = other.on[index_of(k)];
+            const Vec3 linear = step_ * f.force + g.force, turn = step_ * f.torque + g.torque;
+            linear_[index_of(b)] += linear;
+            angular_[index_of(b)] += turn;
+            if (world.completed({i})) turning_[index_of(b)] = true;
+            if (!rows.known || !other.known) unsure_[index_of(b)] = true;
+            const BodyDef& body = world.body_def({b});
+            if (body.kind == BodyKind::fixed || body.kind == BodyKind::kinematic) continue;
+            impulse_ += linear.squaredNorm() / body.mass +
+                        square_over(mobility_[index_of(b)],
+                                    pose_[index_of(b)].orientation.conjugate() * turn);
+        }
+    }
+}
+
+// Iδ of a body between its free spin and now, less what couples spin and its change.
+Vec3 Verifier::spin_impulse(std::int32_t body, const Mat3& inertia, const Twist& now) {
+    const Quat& turn = pose_[index_of(body)].orientation;
+    const Vec3 w = turn.conjugate() * twist_[index_of(body)].angular;
+    const Vec3 delta = turn.conjugate() * now.angular - free_spin(inertia, w, step_);
+    Vec3& last = change_[index_of(body)];
+    const double limit = 0.5 * step_ / (1.0 + 0.25 * step_ * step_ * w.squaredNorm());
+    const Vec3 gyro = -limit * (last.cross(inertia * w) + w.cross(inertia * last));
+    last = delta;
+    if (turning_[index_of(body)]) {  // the whole equation, docs/methods.md 3
+        const Vec3 u = turn.conjugate() * now.angular, before = inertia * w, after = inertia * u;
+        return turn * (after - before + 0.5 * step_ * (u.cross(after) + w.cross(before)));
+    }
+    return turn * (inertia * delta - gyro);
+}
+
+double Verifier::momentum_residual(const World& world) {
+    const double h = step_;
+    double residual = 0.0, impulse = impulse_;
+    double momentum = 0.0;
+    std::int32_t covered = 0;
+    for (const std::int32_t b : moving_) {
+        if (sleeps(world, b)) {
+            ++covered;  // there is nothing to check
+            continue;
+        }
+        const BodyDef& def = world.body_def({b});
+        const Twist now = world.velocity({b}), force = applied(world, b);
+        const bool turns = def.kind == BodyKind::rigid, scalar = def.kind == BodyKind::scalar;
+        const Quat turn = turns ? pose_[index_of(b)].orientation : Quat::Identity();
+        // Of drag d on velocities before and after, each axis of the body with its own mobility.
+        const auto drag = [&](const Vec3& d, const Vec3& mobility, const Vec3& old,
+                              const Vec3& v) -> Vec3 {
+            const Vec3 w = turn.conjugate() * old, u = turn.conjugate() * v;
+            Vec3 sum;
+            for (int k = 0; k < 3; ++k) {
+                const double late = late_share(h * d[k] * mobility[k]);
+                sum[k] = d[k] * (late * u[k] + (1.0 - late) * w[k]);
+            }
+            return -h * (turn * sum);
+        };
+        const Vec3 lightness = Vec3::Constant(1.0 / def.mass);
+        const Twist& old = twist_[index_of(b)];
+        const Vec3 weight =
+            def.gravity && !scalar ? Vec3(def.mass * world.settings().gravity) : Vec3::Zero();
+        const Vec3 given = h * (force.linear + weight);
+        Vec3 p = def.mass * (now.linear - twist_[index_of(b)].linear) - given -
+                 drag(def.linear_damping, lightness, old.linear, now.linear) - linear_[index_of(b)];
+        if (scalar) p = Vec3(p.x(), 0.0, 0.0);
+        // Also where it does not count: it keeps the change of spin.
+        const Vec3 spin = turns ? spin_impulse(b, def.inertia, now) : Vec3::Zero();
+        if (unsure_[index_of(b)]) continue;
+        ++covered;
+        residual += p.squaredNorm() / def.mass;
+        momentum += def.mass * now.linear.squaredNorm();
+        impulse += given.squaredNorm() / def.mass;
+        if (!turns) continue;
+        const Vec3 l =
+            turn.conjugate() * (spin - h * force.angular -
+                                drag(def.angular_damping, mobility_[index_of(b)].diagonal(),
+                                     old.angular, now.angular) -
+                                angular_[index_of(b)]);
+        // Where its rounds ended, another one would have changed so much.
+        const double left = 1.01 * world.stats().completion_change + 1e-15;
+        if (!turning_[index_of(b)] || (mobility_[index_of(b)] * l).norm() > left)
+            residual += square_over(mobility_[index_of(b)], l);
+        const Vec3 w = turn.conjugate() * now.angular;
+        momentum += w.dot(def.inertia * w);
+    }
+    // An impact stage jumps velocities within the step: begin anew.
+    if (world.stats().impacts != impacts_) seen_ = 0;
+    impacts_ = world.stats().impacts;
+    // Velocities before a world's first step belong to another time, so that the change of spin is
+    // known from the second step on and used in the third.
+    if (++seen_ <= 2) return 0.0;
+    result_.covered_bodies = std::min(result_.covered_bodies, covered);
+    // What little impulse a body without load has drowns in the rounding of its momentum: 1e-4 of
+    // that counts as impulse, so that kRoundOff is 1e-13 of it.
+    return std::sqrt(residual) /
+           std::max({std::sqrt(impulse), momentum_floor_, 1e-4 * std::sqrt(momentum)});
+}
+
+}  // namespace hawser::verify

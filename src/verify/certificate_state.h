@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file certificate_state.h
+/// Judges states as the step does (docs/limits.md), computed anew from definitions, poses,
+/// velocities and the forces that a World shows: mechanical energy that no work explains, joints
+/// that stand open, lines whose tension is not that of their length, turns within a step.
+///
+/// Energy is taken at the poses, with the mean of the kinetic energies before and after; elastic
+/// energy is that of rows that are all elastic, by their compliance. Work is done by applied
+/// forces, contacts and all interactions that are neither rigid joints nor elastic, such as motors,
+/// and by those on bodies that move as prescribed: their wrenches along the way of the bodies.
+/// What drag and damping take can only lower the energy, and is not counted.
+
+#include <hawser/hawser.h>
+
+#include <string>
+#include <vector>
+
+namespace hawser::verify {
+
+/// Largest so far, over the limit beyond which a step is wrong.
+struct StateFigures {
+    double created = 0.0, open = 0.0, cable = 0.0, turn = 0.0;
+};
+
+class StateVerifier {
+  public:
+    explicit StateVerifier(const World& world);
+    void before_step(const World& world);
+    /// @return what is wrong with the step; empty: nothing.
+    [[nodiscard]] std::string after_step(const World& world);
+    [[nodiscard]] const StateFigures& result() const noexcept { return result_; }
+
+  private:
+    enum class Role : std::uint8_t { joint, spring, source };
+    [[nodiscard]] Role role_of(const World& world, InteractionId id) const;
+    [[nodiscard]] double kinetic(const World& world) const;
+    [[nodiscard]] double potential(const World& world) const;
+    void add_sources(const World& world);
+    [[nodiscard]] std::string check_energy(const World& world);
+    [[nodiscard]] std::string check_joints(const World& world);
+    [[nodiscard]] std::string check_lines(const World& world);
+    [[nodiscard]] std::string check_turns(const World& world);
+
+    std::vector<BodyId> moving_;
+    std::vector<Role> role_;
+    std::vector<bool> driven_;              ///< By interaction: an input changes it.
+    std::vector<Pose> pose_, pose_before_;  ///< Where the step began, and the one before.
+    std::vector<Vec3> force_, torque_;      ///< Of sources in the step, by body.
+    std::vector<Vec3> force_before_, torque_before_;
+    double potential_ = 0.0, kinetic_ = 0.0;  ///< Where the step began; before.
+    double energy_ = 0.0, swing_ = 0.0;       ///< Before [J].
+    double work_ = 0.0, exchanged_ = 0.0;     ///< [J].
+    double mean_ = 0.0, least_ = 0.0;         ///< Of energy less work [J].
+    double excused_ = 0.0;                    ///< What joints stood open by at the start.
+    std::int64_t steps_ = 0;
+    StateFigures result_;
+};
+
+}  // namespace hawser::verify

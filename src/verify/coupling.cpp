@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/coupling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::verify {
+
+namespace {
+
+bool moves(const World& world, std::int32_t body) {
+    const BodyKind kind = world.body_def(BodyId{body}).kind;
+    return kind == BodyKind::rigid || kind == BodyKind::lump;
+}
+
+void read_velocities(const World& world, std::vector<Vec3>& out) {
+    out.assign(static_cast<std::size_t>(world.body_count()), Vec3::Zero());
+    for (std::int32_t b = 0; b < world.body_count(); ++b)
+        if (moves(world, b)) out[static_cast<std::size_t>(b)] = world.velocity(BodyId{b}).linear;
+}
+
+/// Displacement, turn, velocity and angular velocity of a body, between two states.
+struct Deviation {
+    Vec3 x, turn, v, w;
+};
+
+Deviation operator*(double s, const Deviation& d) {
+    return {s * d.x, s * d.turn, s * d.v, s * d.w};
+}
+
+/// Bodies that move, their states, and the scales of their norms.
+class Linearised {
+  public:
+    explicit Linearised(const World& world)
+        : world_(world), base_(world.twin()), moved_(world.twin()), h_(world.settings().step) {
+        for (std::int32_t b = 0; b < world.body_count(); ++b)
+            if (moves(world, b)) bodies_.push_back(BodyId{b});
+        // Linearised is one step with the groups there are.
+        for (World* w : {&base_, &moved_}) w->follow_groups(world.settings().parts, 0);
+        ok_ = base_.step() == Status::ok;
+    }
+
+    [[nodiscard]] std::size_t size() const { return bodies_.size(); }
+
+    /// d becomes what the step makes of it. @return ‖change of velocities‖, mass-weighted; −1: the
+    /// step failed.
+    double apply(std::vector<Deviation>& d) {
+        moved_.copy_state(world_);
+        for (std::size_t i = 0; i < bodies_.size(); ++i) displace(bodies_[i], kSmall * d[i]);
+        if (!ok_ || moved_.step() != Status::ok) return -1.0;
+        double sum = 0.0;
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            const Deviation next = (1.0 / kSmall) * difference(bodies_[i]);
+            sum += weight(bodies_[i]) * (next.v - d[i].v).squaredNorm();
+            d[i] = next;
+        }
+        return std::sqrt(sum);
+    }
+
+    /// Mass-weighted, displacements as velocities over a step.
+    [[nodiscard]] double norm(const std::vector<Deviation>& d) const {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < d.size(); ++i)
+            sum += weight(bodies_[i]) * (d[i].v.squaredNorm() + d[i].x.squaredNorm() / (h_ * h_));
+        return std::sqrt(sum);
+    }
+
+    /// Of the size of one for the average body.
+    [[nodiscard]] double weight(BodyId body) const { return world_.body_def(body).mass; }
+
+  private:
+    static constexpr double kSmall = 1e-5;  ///< [m/s]: far above rounding, far below motions.
+
+    void displace(BodyId body, const Deviation& d) {
+        Pose pose = moved_.pose(body);
+        pose.position += d.x;
+        if (moved_.body_def(body).kind == BodyKind::rigid && d.turn.norm() > 0.0)
+            pose.orientation =
+                Quat(Eigen::AngleAxisd(d.turn.norm(), d.turn.normalized())) * pose.orientation;
+        moved_.set_pose(body, pose);
+        Twist twist = moved_.velocity(body);
+        twist.linear += d.v;
+        twist.angular += d.w;
+        moved_.set_velocity(body, twist);
+    }
+
+    [[nodiscard]] Deviation difference(BodyId body) const {
+        const Pose a = base_.pose(body), b = moved_.pose(body);
+        const Twist va = base_.velocity(body), vb = moved_.velocity(body);
+        Quat turn = b.orientation * a.orientation.conjugate();
+        if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
+        return {b.position - a.position, 2.0 * turn.vec(), vb.linear - va.linear,
+                vb.angular - va.angular};
+    }
+
+    const World& world_;
+    World base_, moved_;
+    double h_;
+    bool ok_ = false;
+    std::vector<BodyId> bodies_;
+};
+
+}  // namespace
+
+const char* to_string(Coupling coupling) noexcept {
+    return coupling == Coupling::kinematic   ? "kinematic"
+           : coupling == Coupling::compliant ? "compliant"
+           : coupling == Coupling::deadline  ? "deadline"
+                                             : "exact";
+}
+
+const char* to_string(Predictor predictor) noexcept {
+    return predictor == Predictor::forces   ? "forces"
+           : predictor == Predictor::clique ? "clique"
+                                            : "hold";
+}
+
+CouplingObserver::CouplingObserver(const World& world) : exact_(world.twin(Coupling::exact)) {
+    figures_.coupling = world.settings().coupling;
+    figures_.predictor = world.settings().predictor;
+    read_velocities(world, now_);
+}
+
+void CouplingObserver::before_step(const World& world) {
+    exact_.copy_state(world);
+    before_.swap(now_);
+    read_velocities(world, now_);
+}
+
+void CouplingObserver::after_step(const World& world) {
+    const StepStats& stats = world.stats();
+    ++figures_.steps;
+    figures_.cuts = stats.cuts;
+    figures_.residual_max = std::max(figures_.residual_max, stats.cut_residual);
+    figures_.defect_max = std::max(figures_.defect_max, stats.momentum_defect);
+    defect_squares_ += stats.momentum_defect * stats.momentum_defect;
+    if (exact_.step() != Status::ok) return;
+    const double per_h2 = 1.0 / (world.settings().step * world.settings().step);
+    // The first step has no velocity before it.
+    for (std::int32_t b = 0; b < world.body_count() && figures_.steps > 1; ++b) {
+        if (!moves(world, b)) continue;
+        const auto i = static_cast<std::size_t>(b);
+        const Vec3 v = world.velocity(BodyId{b}).linear, e = exact_.velocity(BodyId{b}).linear;
+        const Vec3 last = 2.0 * now_[i] - before_[i];
+        figures_.jerk_max = std::max(figures_.jerk_max, per_h2 * (v - last).norm());
+        figures_.jerk_exact_max = std::max(figures_.jerk_exact_max, per_h2 * (e - last).norm());
+        figures_.jerk_difference_max =
+            std::max(figures_.jerk_difference_max, per_h2 * (v - e).norm());
+    }
+    for (const CutView& cut : world.cuts()) {
+        const char* units = kind_info(world.interaction_def(cut.interaction).kind).row_units;
+        const auto f = world.force(cut.interaction), e = exact_.force(cut.interaction);
+        for (std::size_t r = 0; r < f.size() && units[r] == 'm'; ++r) {
+            const double error = std::fabs(f[r] - e[r]);
+            error_squares_ += error * error;
+            force_squares_ += e[r] * e[r];
+            error_max_ = std::max(error_max_, error);
+            ++forces_;
+        }
+    }
+}
+
+CouplingFigures CouplingObserver::result(const World& world, bool radius) const {
+    CouplingFigures out = figures_;
+    const auto steps = static_cast<double>(std::max<std::int64_t>(1, out.steps));
+    out.defect_rms = std::sqrt(defect_squares_ / steps);
+    if (force_squares_ > 0.0) {
+        out.tension_error_rms = std::sqrt(error_squares_ / force_squares_);
+        out.tension_error_max =
+            error_max_ / std::sqrt(force_squares_ / static_cast<double>(forces_));
+    }
+    if (radius) out.spectral_radius = spectral_radius(world);
+    return out;
+}
+
+double spectral_radius(const World& world) {
+    constexpr int kIterations = 160;
+    Linearised step(world);
+    std::vector<Deviation> d(step.size(), {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
+    for (std::size_t i = 0; i < d.size(); ++i) {  // no symmetry, the same each time
+        const auto s = static_cast<double>(i);
+        d[i].v = {std::sin(1.0 + 2.3 * s), std::sin(2.0 + 3.1 * s), std::sin(3.0 + 4.7 * s)};
+    }
+    double scale = 0.0, middle = 0.0, last = 0.0;  // logarithms
+    for (int k = 1; k <= kIterations; ++k) {
+        const double size = step.norm(d);
+        if (!(size > 0.0)) return 0.0;
+        // Of the order of 1 m/s for each body.
+        double mass = 0.0;
+        for (std::size_t i = 0; i < d.size(); ++i)
+            mass = std::max(mass, d[i].v.norm() + d[i].x.norm());
+        for (Deviation& each : d) each = (1.0 / mass) * each;
+        scale += std::log(mass);
+        const double change = step.apply(d);
+        if (change < 0.0) return HUGE_VAL;
+        last = scale + std::log(change + 1e-300);
+        if (k == kIterations / 2) middle = last;
+    }
+    return std::exp((last - middle) / (kIterations / 2));
+}
+
+}  // namespace hawser::verify

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/interaction_forces.h"
+
+#include <cmath>
+
+namespace hawser::verify {
+
+namespace {
+
+std::size_t place(int i) { return static_cast<std::size_t>(i); }
+
+/// Collects the forces of one interaction.
+class Forces : public Attached {
+  public:
+    using Attached::Attached;
+    Wrenches result;
+
+    void push(int slot, const Vec3& force, const Vec3& where) {
+        Wrench& w = result.on[place(slot)];
+        w.force += force;
+        w.torque += (where - center(slot)).cross(force);
+    }
+    /// A force on body 1 and its reaction on body 0.
+    void pull(const Vec3& force, const Vec3& on_0, const Vec3& on_1) {
+        push(0, -force, on_0);
+        push(1, force, on_1);
+    }
+    /// A torque on body 1 and its reaction on body 0.
+    void turn(const Vec3& torque) {
+        result.on[0].torque -= torque;
+        result.on[1].torque += torque;
+    }
+    /// Rows 0-2: both bodies at their own points, which coincide but for the violation.
+    void joined(std::span<const double> f) { pull(Vec3(f[0], f[1], f[2]), point(0), point(1)); }
+    /// The direction belongs to body 0, the place to body 1: that is where both are pushed.
+    void slide(int axis_of_0, double f) { pull(f * axis(0, axis_of_0), point(1), point(1)); }
+    /// p·q = 0 of an axis of each body: the torque that turns p and q further apart.
+    void square(int axis_of_0, int axis_of_1, double f) {
+        turn(f * axis(1, axis_of_1).cross(axis(0, axis_of_0)));
+    }
+    /// About the mean of both z axes, scaled so that both frames' own turning counts in full.
+    void twist(double f) {
+        const Vec3 a = axis(0, 2), b = axis(1, 2);
+        turn(f / (1.0 + a.dot(b)) * (a + b));
+    }
+    void line(double f) {
+        const Vec3 from = point(0), to = point(1), d = to - from;
+        const double length = d.norm();
+        pull(f * (length > 1e-12 ? Vec3(d / length) : Vec3(Vec3::UnitX())), from, to);
+    }
+    void bend(std::span<const double> f);
+    void hydrostatic(std::span<const double> f);
+};
+
+// Rows lie along n₁ and n₂ = t × n₁, square to the mean tangent t; n₁ is the world axis that makes
+// the largest angle with t, less its part along t. The energy of the moment N = Σ f n is
+// N·(e₂ − e₁), whose gradients are the nodes' forces.
+void Forces::bend(std::span<const double> f) {
+    if (f[0] == 0.0 && f[1] == 0.0) return;
+    const Vec3 p[3] = {point(0), point(1), point(2)};
+    const Vec3 d1 = p[1] - p[0], d2 = p[2] - p[1];
+    const Vec3 e1 = d1.normalized(), e2 = d2.normalized(), t = (e1 + e2).normalized();
+    int least = 0, next = 1, most = 2;
+    const auto size = [&](int k) { return std::abs(t[k]); };
+    if (size(next) < size(least)) std::swap(next, least);
+    if (size(most) < size(next)) std::swap(most, next);
+    if (size(next) < size(least)) std::swap(next, least);
+    // Where two are equal but for rounding, either may be meant; so it is where the line is folded
+    // back on itself. Positions of lumps are exact, attachment points of rigid bodies are not.
+    const bool exact = is_point(0) && is_point(1) && is_point(2);
+    const auto terms = [&](int k) { return std::abs(e1[k]) + std::abs(e2[k]); };
+    const double noise = 1e-12 * (exact ? terms(least) + terms(next) : 1.0);
+    if (size(next) - size(least) < noise || (e1 + e2).norm() < 1e-6) {
+        result.known = false;
+        return;
+    }
+    const Vec3 n1 = (Vec3::Unit(least) - t[least] * t).normalized();
+    const Vec3 moment = f[0] * n1 + f[1] * t.cross(n1);
+    const Vec3 first = (moment - moment.dot(e1) * e1) / d1.norm();
+    const Vec3 last = (moment - moment.dot(e2) * e2) / d2.norm();
+    push(0, first, p[0]);
+    push(1, -first - last, p[1]);
+    push(2, last, p[2]);
+}
+
+// Roll is measured by the height of the body's y axis, pitch by minus that of its x axis.
+void Forces::hydrostatic(std::span<const double> f) {
+    const Quat q = is_point(0) ? Quat::Identity() : Quat(frame(0));
+    const Vec3 up = Vec3::UnitZ();
+    push(0, f[0] * up, center(0));
+    result.on[0].torque += f[1] * (q * Vec3::UnitY()).cross(up);
+    result.on[0].torque -= f[2] * (q * Vec3::UnitX()).cross(up);
+}
+
+}  // namespace
+
+const Pose& Attached::at(int slot) const {
+    return pose_[static_cast<std::size_t>(def_.body[place(slot)].index)];
+}
+
+BodyKind Attached::kind(int slot) const { return world_.body_def(def_.body[place(slot)]).kind; }
+
+bool Attached::is_point(int slot) const {
+    return kind(slot) == BodyKind::lump || kind(slot) == BodyKind::scalar;
+}
+
+Vec3 Attached::point(int slot) const {
+    const Pose& pose = at(slot);
+    if (is_point(slot)) return pose.position;
+    return pose.position + pose.orientation * def_.point[place(slot)];
+}
+
+Quat Attached::frame(int slot) const {
+    const Quat own =
+        kind_info(def_.kind).uses_frames ? def_.frame[place(slot)].normalized() : Quat::Identity();
+    return is_point(slot) ? own : at(slot).orientation * own;
+}
+
+double parameter(const World& world, InteractionId id, std::string_view name) {
+    for (std::int32_t i = 0; i < world.input_count(); ++i) {
+        const InputDef& input = world.input_def({i});
+        if (input.interaction.index == id.index && input.param == name) return world.input({i});
+    }
+    return world.interaction_def(id).get(name);
+}
+
+Wrenches row_wrenches(const World& world, InteractionId id, std::span<const Pose> pose,
+                      std::span<const double> f) {
+    Forces on(world, id, pose);
+    const auto scalar = [&](int slot, double force) {
+        on.result.on[place(slot)].force.x() += force;
+    };
+    switch (on.def().kind) {
+        case InteractionKind::Ball:
+            on.joined(f);
+            break;
+        case InteractionKind::Hinge:
+            on.joined(f);
+            on.square(0, 2, f[3]);
+            on.square(1, 2, f[4]);
+            break;
+        case InteractionKind::Lock:
+            on.joined(f);
+            on.square(0, 2, f[3]);
+            on.square(1, 2, f[4]);
+            on.square(0, 1, f[5]);
+            break;
+        case InteractionKind::Universal:
+            on.joined(f);
+            on.square(2, 2, f[3]);
+            break;
+        case InteractionKind::Prismatic:
+            on.square(0, 1, f[4]);
+            [[fallthrough]];
+        case InteractionKind::Cylindrical:
+            on.slide(0, f[0]);
+            on.slide(1, f[1]);
+            on.square(0, 2, f[2]);
+            on.square(1, 2, f[3]);
+            break;
+        case InteractionKind::WinchStretch:
+            scalar(2, -f[0] * on.def().get("radius"));
+            [[fallthrough]];
+        case InteractionKind::Distance:
+        case InteractionKind::Stretch:
+            on.line(f[0]);
+            break;
+        case InteractionKind::Bend:
+            on.bend(f);
+            break;
+        case InteractionKind::HingeRange:
+        case InteractionKind::HingeFriction:
+        case InteractionKind::Twist:
+            on.twist(f[0]);
+            break;
+        case InteractionKind::HingeMotor:
+            on.turn(f[0] * on.axis(0, 2));
+            break;
+        case InteractionKind::SlideMotor:
+        case InteractionKind::SlideRange:
+        case InteractionKind::SlideFriction:
+            on.slide(2, f[0]);
+            break;
+        case InteractionKind::Hold:
+        case InteractionKind::ScalarMotor:
+        case InteractionKind::ScalarFriction:
+            scalar(0, f[0]);
+            break;
+        case InteractionKind::Hydrostatic:
+            on.hydrostatic(f);
+            break;
+        default:
+            on.result.known = false;
+    }
+    return on.result;
+}
+
+}  // namespace hawser::verify

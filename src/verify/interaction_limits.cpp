@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Geometric stiffness and damping beside the rows, and bounds of the rows' forces.
+#include "verify/interaction_forces.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hawser::verify {
+
+namespace {
+
+constexpr double kNoBound = std::numeric_limits<double>::infinity();
+
+bool is_line(InteractionKind kind) {
+    return kind == InteractionKind::Distance || kind == InteractionKind::Stretch ||
+           kind == InteractionKind::WinchStretch;
+}
+
+bool is_joint(InteractionKind kind) {
+    return kind == InteractionKind::Ball || kind == InteractionKind::Hinge ||
+           kind == InteractionKind::Universal || kind == InteractionKind::Lock;
+}
+
+// How the torque of a force that stays as it is changes as its arm turns; the part of it that
+// pushes back.
+Mat3 arm_stiffness(const Vec3& force, const Vec3& arm) {
+    const Mat3 outer = force * arm.transpose();
+    const Mat3 k = force.dot(arm) * Mat3::Identity() - 0.5 * (outer + outer.transpose());
+    const Eigen::SelfAdjointEigenSolver<Mat3> eigen(k);
+    return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
+           eigen.eigenvectors().transpose();
+}
+
+// |r|/I, I the mean moment of inertia about the axes across the arm.
+double swing(const BodyDef& body, const Vec3& arm) {
+    if (arm.norm() == 0.0) return 0.0;
+    const Vec3 u = arm.normalized();
+    return 2.0 * arm.norm() / (body.inertia.trace() - u.dot(body.inertia * u));
+}
+
+// How fast the lighter end of a line gives way across it [1/kg].
+double lightness(const Attached& on, const World& world) {
+    double most = 0.0;
+    const bool rigid = on.kind(0) == BodyKind::rigid && on.kind(1) == BodyKind::rigid;
+    for (std::size_t b = 0; b < 2; ++b) {
+        const BodyDef& body = world.body_def(on.def().body[b]);
+        const BodyKind kind = on.kind(static_cast<int>(b));
+        if (kind == BodyKind::fixed || kind == BodyKind::kinematic) continue;
+        double end = 1.0 / body.mass;
+        if (rigid)
+            end += on.def().point[b].norm() * swing(body, on.def().point[b]);
+        else if (kind == BodyKind::rigid)
+            end += on.def().point[b].squaredNorm() * Mat3(body.inertia.inverse()).trace();
+        most = std::max(most, end);
+    }
+    return most;
+}
+
+// Between bodies that turn, without lumps, a line has less of it where its swing is resolved.
+double resolved(const Attached& on, double s) {
+    return on.is_point(0) || on.is_point(1) || s >= 0.25 ? 1.0 : 16.0 * s * s;
+}
+
+// A line that pulls: its stiffness across on the changes of velocity, and on those from what the
+// last two steps let expect (docs/methods.md, 4). `held`: which share of it the step had.
+void add_across(const World& world, const Attached& on, std::span<const Twist> before,
+                std::span<const Twist> earlier, double tension, bool calm, double held,
+                Wrenches& out) {
+    const double h = world.settings().step;
+    const Vec3 between = on.point(1) - on.point(0), u = between.normalized();
+    const double full = held * h * h * world.settings().geometric_stiffness * tension /
+                        std::max(between.norm(), 1e-9);
+    const double s = full * lightness(on, world), fade = resolved(on, s),
+                 // Between two rigid bodies the rule of trapezia holds however fast they are.
+        p = s > 0.25 && (on.is_point(0) || on.is_point(1) || on.kind(0) != BodyKind::rigid ||
+                         on.kind(1) != BodyKind::rigid)
+                ? (s - 0.25) / (s + 0.25)
+                : 0.0;
+    const double late = 0.25 + p * (calm ? 0.75 : 0.25), ahead = p * (calm ? -0.2 : -0.1);
+    Vec3 arm[2], push = Vec3::Zero();
+    for (int b = 0; b < 2; ++b) {
+        const BodyId body = on.def().body[static_cast<std::size_t>(b)];
+        const auto i = static_cast<std::size_t>(body.index);
+        const bool prescribed = on.kind(b) == BodyKind::fixed || on.kind(b) == BodyKind::kinematic;
+        const bool turns = !on.is_point(b);
+        arm[b] = on.point(b) - on.center(b);
+        const auto at_point = [&](const Twist& t) -> Vec3 {
+            return turns ? Vec3(t.linear + t.angular.cross(arm[b])) : t.linear;
+        };
+        const Vec3 now = at_point(world.velocity(body)), old = at_point(before[i]);
+        const Vec3 expected = prescribed ? now : Vec3(2.0 * old - at_point(earlier[i]));
+        push += (b == 0 ? -1.0 : 1.0) * (late * (now - old) + ahead * (now - expected));
+    }
+    const Vec3 across = fade * full * (push - push.dot(u) * u);
+    for (std::size_t b = 0; b < 2; ++b) {
+        const double sign = b == 0 ? 1.0 : -1.0;
+        out.on[b].force += sign * across;
+        out.on[b].torque += sign * arm[b].cross(across);
+    }
+}
+
+// Share of its stiffness that a joint which holds at the step's end has under a force: none while
+// its swing is resolved, all of it at twice that.
+double completed_share(const Attached& on, const World& world, double force) {
+    double rate = 0.0;
+    for (std::size_t b = 0; b < 2; ++b) {
+        const BodyDef& body = world.body_def(on.def().body[b]);
+        const BodyKind kind = on.kind(static_cast<int>(b));
+        if (kind == BodyKind::rigid) rate = std::max(rate, swing(body, on.def().point[b]));
+        if (kind == BodyKind::lump && on.def().kind == InteractionKind::Distance)
+            rate = std::max(rate, 1.0 / (on.def().get("length") * body.mass));
+    }
+    const double h = world.settings().step;
+    return std::clamp(h * h * force * rate - 1.0, 0.0, 1.0);
+}
+
+double angle_of(const Attached& on) {
+    const Quat turn = on.frame(0).conjugate() * on.frame(1);
+    return std::remainder(2.0 * std::atan2(turn.z(), turn.w()), 2.0 * std::acos(-1.0));
+}
+
+double travel_of(const Attached& on) { return on.axis(0, 2).dot(on.point(1) - on.point(0)); }
+
+// Norm of the rows of a load that are in metres [N].
+double load_size(const World& world, InteractionId id) {
+    const std::string_view units = kind_info(world.interaction_def(id).kind).row_units;
+    const std::span<const double> f = world.force(id);
+    double square = 0.0;
+    for (std::size_t r = 0; r < f.size(); ++r)
+        if (units[r] == 'm') square += f[r] * f[r];
+    return std::sqrt(square);
+}
+
+ForceRange friction_range(const World& world, InteractionId id, const char* bound) {
+    double most = parameter(world, id, bound);
+    for (const FrictionLoad& load : world.interaction_def(id).load)
+        if (load.interaction.valid()) most += load.factor * load_size(world, load.interaction);
+    return {-most, most, true, true};
+}
+
+ForceRange limit_range(const World& world, InteractionId id, double q) {
+    const InteractionDef& def = world.interaction_def(id);
+    const double below = def.get("min") - q, above = q - def.get("max");
+    // Where rounding decides on which side of its end it is, either is right.
+    const double noise = 1e-12 * (1.0 + std::abs(q));
+    return {above > -noise ? -kNoBound : 0.0, below > -noise ? kNoBound : 0.0, true, false};
+}
+
+}  // namespace
+
+Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<const Pose> pose,
+                            std::span<const Twist> before, std::span<const Twist> earlier,
+                            std::span<const double> last, int alert) {
+    const Attached on(world, id, pose);
+    const InteractionKind kind = on.def().kind;
+    const WorldDef& settings = world.settings();
+    Wrenches out;
+    if (!(is_line(kind) || is_joint(kind)) || settings.nonsmooth == Nonsmooth::pgs) return out;
+    // What a wire that would have gained energy was stepped with instead is not shown.
+    out.known = world.wire_alert(id) < std::lround(std::ceil(std::max(20.0, 1.0 / settings.step)));
+    const double h = settings.step, scale = 0.25 * h * h * settings.geometric_stiffness;
+    const Vec3 between = on.point(1) - on.point(0);
+    Vec3 pull;  // on body 1
+    if (is_line(kind)) {
+        if (!(last[0] < 0.0)) return out;  // only what is under tension
+        pull = last[0] * between.normalized();
+    } else {
+        pull = Vec3(last[0], last[1], last[2]);
+    }
+    const bool completed = world.completed(id);
+    const double held = completed ? completed_share(on, world, pull.norm()) : 1.0;
+    if (held == 0.0) return out;
+    // How much too fast for the step the swing about a joint is: docs/methods.md, 4.
+    double swings = 0.0, fast = 0.0;
+    const bool damped =
+        is_joint(kind) && on.kind(0) == BodyKind::rigid && on.kind(1) == BodyKind::rigid;
+    for (int b = 0; damped && b < 2; ++b) {
+        const auto slot = static_cast<std::size_t>(b);
+        const double rate = swing(world.body_def(on.def().body[slot]), on.def().point[slot]);
+        swings = std::max(swings, h * h * pull.norm() * rate);
+    }
+    if (swings > 4.0) fast = (swings - 4.0) / (swings + 4.0);
+    const double share =
+        completed       ? held
+        : is_line(kind) ? resolved(on, 4.0 * scale * pull.norm() / std::max(between.norm(), 1e-9) *
+                                           lightness(on, world))
+                        : 1.0;
+    Vec3 arm[2], turned[2], spin[2];  // changes of velocity; (1 − u) ω + (1 + u) ω₊
+    for (int b = 0; b < 2; ++b) {
+        const BodyId body = on.def().body[static_cast<std::size_t>(b)];
+        const Twist &old = before[static_cast<std::size_t>(body.index)], now = world.velocity(body);
+        const bool turns = !on.is_point(b);
+        arm[b] = on.point(b) - on.center(b);
+        turned[b] = turns ? Vec3(now.angular - old.angular) : Vec3::Zero();
+        spin[b] =
+            turns ? Vec3((1.0 + fast) * now.angular + (1.0 - fast) * old.angular) : Vec3::Zero();
+        if (on.kind(b) == BodyKind::rigid)
+            out.on[static_cast<std::size_t>(b)].torque -=
+                share * (1.0 + 0.5 * fast) * scale *
+                (arm_stiffness(b == 0 ? Vec3(-pull) : pull, arm[b]) * turned[b]);
+    }
+    if (is_line(kind)) {
+        add_across(world, on, before, earlier, -last[0], alert > 0, held, out);
+    } else if (damped && !completed) {
+        const double damping = settings.rotation_damping * h * h * pull.norm() *
+                               std::min(arm[0].norm(), arm[1].norm()) *
+                               std::min(1.0, 16.0 * swings * swings) * (1.0 + 9.0 * fast);
+        const Vec3 torque = damping * (spin[1] - spin[0]);
+        out.on[0].torque += torque;
+        out.on[1].torque -= torque;
+    }
+    return out;
+}
+
+ForceRange force_range(const World& world, InteractionId id, std::span<const Pose> pose) {
+    const Attached on(world, id, pose);
+    switch (on.def().kind) {
+        case InteractionKind::Stretch:
+        case InteractionKind::WinchStretch:
+            if (!(on.def().get("tension_only") > 0.5)) return {};
+            return {-kNoBound, 0.0, true, false};
+        case InteractionKind::HingeMotor:
+        case InteractionKind::SlideMotor:
+        case InteractionKind::ScalarMotor: {
+            const double high = parameter(world, id, "force_max");
+            return {std::min(parameter(world, id, "force_min"), high), high, true, false};
+        }
+        case InteractionKind::HingeRange:
+            return limit_range(world, id, angle_of(on));
+        case InteractionKind::SlideRange:
+            return limit_range(world, id, travel_of(on));
+        case InteractionKind::HingeFriction:
+            return friction_range(world, id, "torque");
+        case InteractionKind::SlideFriction:
+        case InteractionKind::ScalarFriction:
+            return friction_range(world, id, "force");
+        default:
+            return {};
+    }
+}
+
+}  // namespace hawser::verify

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/control.h"
+#include "record/csv.h"
+#include "record/names.h"
+#include "record/small_scene.h"
+
+#include <nlohmann/json.hpp>
+
+namespace hawser::test {
+
+const std::vector<std::string> kInputs{"winch1.speed", "winch2.speed", "thrust"};
+
+std::string refusal(const std::string& text) {
+    try {
+        (void)record::parse_control(text, "c.csv", kInputs);
+    } catch (const record::ControlError& e) {
+        return e.what();
+    }
+    return "accepted";
+}
+
+TEST(Control, ReadsStepwiseValues) {
+    const auto changes = record::parse_control(
+        "# levers\r\ntime, thrust ,winch1.speed\r\n0,1e5,\n\n2.5, ,-0.5\n2.5,0,0\n", "c.csv",
+        kInputs);
+    ASSERT_EQ(changes.size(), 4u);
+    EXPECT_EQ(changes[0].input, 2);
+    EXPECT_EQ(changes[0].value, 1e5);
+    EXPECT_EQ(changes[1].time, 2.5);
+    EXPECT_EQ(changes[1].input, 0);
+    EXPECT_EQ(changes[1].value, -0.5);
+    EXPECT_EQ(changes[3].value, 0.0);
+}
+
+TEST(Control, ErrorsNameLineColumnAndNearestName) {
+    EXPECT_EQ(refusal("time,winch1.sped\n"),
+              "c.csv:1:6: unknown input \"winch1.sped\"; nearest: \"winch1.speed\"");
+    EXPECT_EQ(refusal("t,thrust\n"), "c.csv:1:1: the first column is \"t\", expected \"time\"");
+    EXPECT_EQ(refusal("time,thrust\n0,1\n1,abc\n"), "c.csv:3:3: \"abc\" is not a finite number");
+    EXPECT_EQ(refusal("time,thrust\n0,nan\n"), "c.csv:2:3: \"nan\" is not a finite number");
+    EXPECT_EQ(refusal("time,thrust\n0,1e999\n"), "c.csv:2:3: \"1e999\" is not a finite number");
+    EXPECT_EQ(refusal("time,thrust\n1,0\n0.5,0\n"),
+              "c.csv:3:1: time 0.5 is before the previous line's 1");
+    EXPECT_EQ(refusal("time,thrust\n0,1,2\n"), "c.csv:2:5: 3 fields, the first line has 2");
+    EXPECT_EQ(refusal("time,thrust,thrust\n"), "c.csv:1:13: the input \"thrust\" has two columns");
+    EXPECT_NE(refusal("").find("the first line must be"), std::string::npos);
+    EXPECT_NE(refusal("time\n").find("thrust"), std::string::npos);
+    EXPECT_THROW((void)record::read_control("no_such.csv", kInputs), record::ControlError);
+}
+
+TEST(Control, SurvivesRandomText) {
+    std::uint32_t state = 1;
+    const std::string alphabet = "time,thrust0123456789.e-\n\r \t#\"\xFF";
+    for (int round = 0; round < 3000; ++round) {
+        std::string text = round % 2 == 0 ? "time,thrust\n" : "";
+        for (int i = 0; i < 60; ++i) {
+            state = state * 1664525u + 1013904223u;
+            text += alphabet[(state >> 16) % alphabet.size()];
+        }
+        (void)refusal(text);
+    }
+}
+
+TEST(Names, NearestIsTheFewestEditsAway) {
+    EXPECT_EQ(record::nearest_name("thrus", kInputs), "thrust");
+    EXPECT_EQ(record::nearest_name("winch2speed", kInputs), "winch2.speed");
+    EXPECT_EQ(record::nearest_name("x", {}), "");
+}
+
+TEST(Csv, HasOneColumnPerNameAndOneRowPerTime) {
+    const auto file = fresh_folder() / "r.csv";
+    SmallScene scene;
+    scene.info.cables[0].name = "wire, \"old\"";
+    record::CsvWriter csv(file, scene.info, scene.world);
+    for (int i = 0; i < 3; ++i) {
+        ASSERT_EQ(scene.world.step(), Status::ok);
+        csv.add_row(scene.world);
+    }
+    csv.finish();
+    std::ifstream in(file);
+    std::string line;
+    std::getline(in, line);
+    EXPECT_NE(line.find("\"wire, \"\"old\"\" tension at first end [N]\""), std::string::npos);
+    int rows = 0;
+    while (std::getline(in, line)) {
+        ++rows;
+        EXPECT_EQ(std::count(line.begin(), line.end(), ','), 2 + 6);
+    }
+    EXPECT_EQ(rows, 3);
+    EXPECT_THROW(record::CsvWriter("/proc/none/r.csv", scene.info, scene.world),
+                 std::runtime_error);
+}
+
+}  // namespace hawser::test

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Events in a report and a summary: in words, the first and the worst of each kind.
+#include "report/summary.h"
+
+#include "record/small_scene.h"
+
+#include <nlohmann/json.hpp>
+
+namespace hawser::test {
+namespace {
+
+report::Summary run_with_events(SmallScene& scene) {
+    report::SummaryCollector collector(scene.info, scene.world);
+    const InputId push = scene.world.find_input("box.push");
+    for (int i = 0; i < 120; ++i) {
+        // Out of its range again and again, by more each time until the 40th step.
+        scene.world.set_input(push, i < 40 ? 100.0 + i : 60.0);
+        EXPECT_EQ(scene.world.step(), Status::ok);
+        collector.after_step(scene.world, scene.world.take_events());
+    }
+    return collector.result(scene.world);
+}
+
+TEST(ReportedEvents, FirstAndWorstInWords) {
+    SmallScene scene;
+    const report::Summary summary = run_with_events(scene);
+    const std::string text = report::events_in_words(summary);
+    EXPECT_NE(text.find("inputs were asked for more than their range 120 times: first at 0 s, the "
+                        "input \"box.push\", 100"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("worst at 0.65 s, the input \"box.push\", 139"), std::string::npos) << text;
+}
+
+TEST(ReportedEvents, SummaryHasTheSame) {
+    SmallScene scene;
+    const auto json = nlohmann::json::parse(report::to_json(run_with_events(scene)));
+    const auto& clamped = json["event_extremes"]["input_clamped"];
+    EXPECT_EQ(clamped["count"], 120);
+    EXPECT_EQ(clamped["first"]["value"], 100.0);
+    EXPECT_EQ(clamped["worst"]["value"], 139.0);
+    EXPECT_EQ(clamped["worst"]["where"], "the input \"box.push\"");
+    EXPECT_FALSE(json["event_extremes"].contains("line_break"));
+    EXPECT_EQ(json["events"].size(), report::kListedEvents);
+}
+
+TEST(ReportedEvents, LinesInWordsAndListsOfTheirOwn) {
+    SmallScene scene;
+    report::SummaryCollector collector(scene.info, scene.world);
+    ASSERT_EQ(scene.world.step(), Status::ok);
+    std::vector<Event> many(500, Event{.time = 1,
+                                       .kind = EventKind::slack,
+                                       .interaction = scene.info.cables[0].elements[0]});
+    many.push_back({.time = 2,
+                    .kind = EventKind::line_break,
+                    .interaction = scene.info.cables[0].elements[1],
+                    .value = 2e4});
+    collector.after_step(scene.world, many);
+    report::Summary summary = collector.result(scene.world);
+    ASSERT_EQ(summary.events.size(), report::kListedEvents + 1);
+    EXPECT_EQ(summary.events.back().kind, "line_break");
+    EXPECT_NE(report::to_text(summary).find("events       none"), std::string::npos)
+        << "the world itself had none";
+    EXPECT_EQ(record::interaction_in_words(scene.world, scene.info.cables[0].elements[1]),
+              "the stretch \"wire/s1\" between \"wire/1\" and \"box & <friends>\"");
+}
+
+}  // namespace
+}  // namespace hawser::test

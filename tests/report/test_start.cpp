@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What is wrong with a start besides its joints.
+#include "start_scene.h"
+
+#include "report/start/start_forces.h"
+
+#include <cmath>
+#include <filesystem>
+
+namespace hawser::test {
+namespace {
+
+std::string box(const std::string& name, double z, const std::string& more) {
+    return R"({"name": ")" + name + R"(", "position": [0, 0, )" + std::to_string(z) +
+           R"(], "mass": 1000, "box": [0.5, 0.5, 0.5],
+        "shapes": [{"kind": "box", "half_size": [0.5, 0.5, 0.5]}])" +
+           more + "}";
+}
+
+TEST(Start, OverlapsAreErrorsFromHalfTheNarrowerBody) {
+    const auto apart = [](double z) {
+        return start_of(R"("bodies": [)" + box("low", 0.0, "") + "," + box("high", z, "") + "]");
+    };
+    EXPECT_TRUE(apart(1.0).found.list.empty());
+    const Finding shallow = only(apart(0.6), FindingKind::overlap);
+    EXPECT_FALSE(shallow.error);
+    EXPECT_NEAR(shallow.value, 0.4, 1e-9);
+    EXPECT_EQ(shallow.about, (Names{"low", "high"}));
+    EXPECT_TRUE(only(apart(0.4), FindingKind::overlap).error);
+}
+
+TEST(Start, WhatLiesOnSoftGroundIsNoOverlap) {
+    const auto on_ground = [](const char* stiffness) {
+        // 9,810 N on four corners: 0.49 m of 5,000 N/m each.
+        return start_of(R"("materials": {"mud": {"stiffness": )" + std::string(stiffness) +
+                        R"(}}, "material_pairs": [{"between": ["mud", "default"], "stiffness": )" +
+                        std::string(stiffness) +
+                        R"(}], "bodies": [{"name": "ground", "kind": "fixed",
+          "shapes": [{"kind": "plane", "material": "mud"}]}, )" +
+                        box("crate", 0.01, "") + "]");
+    };
+    EXPECT_TRUE(on_ground("5000").of(FindingKind::overlap).empty());
+    EXPECT_FALSE(on_ground("5e6").of(FindingKind::overlap).empty());
+}
+
+TEST(Start, OverlapsOfThousandsAreToldShortly) {
+    std::string bodies;
+    for (int i = 0; i < 60; ++i)
+        bodies += (i > 0 ? ", " : "") + box("b" + std::to_string(i), 0.0, "");
+    const Started s = start_of(R"("bodies": [)" + bodies + "]");
+    EXPECT_EQ(s.found.errors(), 1000U) << "the worst of 60 x 59/2 pairs";
+    EXPECT_NE(only(s, FindingKind::unexamined).text.find("1770 pairs"), std::string::npos);
+    // A line for each of the first five, one for the rest, one for what is not listed.
+    const std::string text = s.text();
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 7);
+}
+
+std::string rope(double from, double length, const std::string& more) {
+    return R"("settings": {"gravity": [0, 0, 0]}, "line_types": {"rope": {"mass_per_length": 10,
+        "EA": 1e6, "breaking_load": 5e4)" +
+           more + R"(}}, "bodies": [{"name": "end", "kind": "lump", "mass": 100, "position": [)" +
+           std::to_string(from) +
+           R"(, 0, 0]}], "cables": [{"name": "tow", "line_type": "rope", "elements": 10,
+        "length": )" +
+           std::to_string(length) + R"(, "from": {"at": [0, 0, 0]}, "to": {"body": "end"}}])";
+}
+
+TEST(Start, TensionsBeyondTheBreakingLoadByCable) {
+    EXPECT_TRUE(start_of(rope(104.0, 100.0, "")).of(FindingKind::tension).empty());
+    const Finding f = only(start_of(rope(106.0, 100.0, "")), FindingKind::tension);
+    EXPECT_FALSE(f.error);
+    EXPECT_EQ(f.about, Names{"tow"});
+    // 6 % of EA.
+    EXPECT_NEAR(f.value, 6e4, 1.0);
+    EXPECT_NE(f.text.find("1.2 times"), std::string::npos) << f.text;
+}
+
+TEST(Start, WiresThatTheStepDoesNotResolve) {
+    // T = 4e4 N, ρ = 10 kg/m, l = 10 m: h c/l = 6.325 h/s, 2 from 0.316 s on.
+    const auto with_step = [](const char* step) {
+        std::string text = rope(104.0, 100.0, "");
+        return start_of(
+            text.replace(text.find("\"gravity\""), 0, std::string("\"step\": ") + step + ", "));
+    };
+    EXPECT_TRUE(with_step("0.3").of(FindingKind::wire_step).empty());
+    const Finding f = only(with_step("0.5"), FindingKind::wire_step);
+    EXPECT_EQ(f.about, Names{"tow"});
+    EXPECT_NEAR(f.value, 0.5 * std::sqrt(4e4 / 10.0) / 10.0, 1e-2 * f.value)
+        << "the force at the start is an estimate";
+}
+
+/// A rod of 1 m and 2 kg carries 1 t: f = 9.83 kN, r = 0.5 m, I = m l²/12 and thin.
+TEST(Start, JointsThatTheStepDoesNotResolve) {
+    const Started s = start_of(R"("bodies": [
+        {"name": "rod", "position": [0, 0, -0.5], "mass": 2, "cylinder": {"radius": 0.01,
+         "length": 1, "axis": "z"}},
+        {"name": "load", "kind": "lump", "position": [0, 0, -1], "mass": 1000}],
+      "interactions": [
+        {"name": "top", "kind": "ball", "bodies": ["world", "rod"], "at": [0, 0, 0]},
+        {"name": "hook", "kind": "ball", "bodies": ["rod", "load"], "at": [0, 0, -1]}])");
+    const Finding f = only(s, FindingKind::joint_step);
+    EXPECT_EQ(f.about, (Names{"top", "hook"}));
+    const double inertia = 2.0 * (3.0 * 0.01 * 0.01 + 1.0) / 12.0, h = 1.0 / 60.0;
+    // Rigid rows are soft by 1e-9 of what they move, and the thin rod moves a thousand times as
+    // readily as what it carries.
+    EXPECT_NEAR(f.value, h * h * 1002 * 9.81 * 0.5 / inertia, 1e-5 * f.value);
+}
+
+TEST(Start, ForcesHoldWhatHangs) {
+    const Started s = start_of(R"("bodies": [
+        {"name": "a", "kind": "lump", "position": [0, 0, -1], "mass": 10},
+        {"name": "b", "kind": "lump", "position": [0, 0, -2], "mass": 5, "force": [0, 0, -20]}],
+      "interactions": [{"name": "r", "kind": "distance", "bodies": ["world", "a"], "length": 1},
+                       {"name": "s", "kind": "distance", "bodies": ["a", "b"], "length": 1}])");
+    const report::start::StartForces forces(s.scene.world);
+    ASSERT_TRUE(forces.known());
+    // To the floor under rigid rows, 1e-9 of what they move.
+    EXPECT_NEAR(forces.push({0}), 15 * 9.81 + 20, 1e-5);
+    EXPECT_NEAR(forces.push({1}), 5 * 9.81 + 20, 1e-5);
+}
+
+TEST(Start, DensitiesOfNothing) {
+    const auto of_mass = [](const char* mass) {
+        return start_of(R"("bodies": [{"name": "crate", "mass": )" + std::string(mass) +
+                        R"(, "box": [0.5, 0.5, 0.5]}])");
+    };
+    EXPECT_TRUE(of_mass("7850").found.list.empty());
+    EXPECT_NEAR(only(of_mass("26000"), FindingKind::density).value, 26000, 1e-6);
+    EXPECT_NEAR(only(of_mass("0.5"), FindingKind::density).value, 0.5, 1e-12);
+    // A chain is heavier than a bar of its diameter.
+    EXPECT_TRUE(
+        start_of(rope(100.0, 100.0, R"(, "diameter": 0.02)")).of(FindingKind::density).empty());
+    EXPECT_EQ(
+        only(start_of(rope(100.0, 100.0, R"(, "diameter": 0.002)")), FindingKind::density).about,
+        Names{"tow"});
+}
+
+TEST(Start, InertiasOfNoBody) {
+    const auto of = [](const char* inertia) {
+        return start_of(R"("bodies": [{"name": "b", "mass": 1000, "half_size": [1, 0.5, 0.5],
+          "inertia": )" +
+                        std::string(inertia) + "}]");
+    };
+    EXPECT_TRUE(of("[167, 417, 417]").found.list.empty());
+    // Moments that no body has, [100, 100, 201], are a mistake of the scene already.
+    EXPECT_EQ(of("[1e5, 1e5, 1e5]").of(FindingKind::inertia).size(), 1U);
+    EXPECT_EQ(of("[0.1, 0.1, 0.1]").of(FindingKind::inertia).size(), 1U);
+}
+
+TEST(Start, ABodyThatTurnsTooFarInAStep) {
+    const auto turning = [](const char* speed) {
+        return start_of(R"("bodies": [{"name": "top", "mass": 10, "sphere": 0.1,
+          "angular_velocity": [0, 0, )" +
+                        std::string(speed) + "]}]");
+    };
+    EXPECT_TRUE(turning("29").of(FindingKind::spin_step).empty());
+    EXPECT_NEAR(only(turning("60"), FindingKind::spin_step).value, 1.0, 1e-12);
+}
+
+/// Looking changes nothing: bits of steps after it are those without it.
+TEST(Start, TheWorldStaysAsItIs) {
+    for (const char* file : {"scenes/chain_pile.json", "scenes/heavy_hook.json",
+                             "scenes/slider_crank.json", "scenes/box_stack.json"}) {
+        scene::Scene plain = scene::load_file(file);
+        Started looked = start_of_file(file);
+        EXPECT_EQ(plain.world.state_hash(), looked.scene.world.state_hash()) << file;
+        for (int i = 0; i < 5; ++i) {
+            ASSERT_EQ(plain.world.step(), Status::ok);
+            ASSERT_EQ(looked.scene.world.step(), Status::ok);
+            ASSERT_EQ(plain.world.state_hash(), looked.scene.world.state_hash()) << file;
+        }
+        EXPECT_EQ(plain.world.save(), looked.scene.world.save()) << file;
+    }
+}
+
+TEST(Start, NoSceneOfTheLibraryIsImpossible) {
+    int scenes = 0;
+    for (const auto& entry : std::filesystem::directory_iterator("scenes")) {
+        const std::string file = entry.path().string();
+        if (entry.path().extension() != ".json" || file.find(".settled") != std::string::npos)
+            continue;
+        const Started s = start_of_file(file);
+        EXPECT_EQ(s.found.errors(), 0U) << file << "\n" << s.text();
+        ++scenes;
+    }
+    EXPECT_GE(scenes, 40);
+}
+
+}  // namespace
+}  // namespace hawser::test
