@@ -4,6 +4,7 @@
 /// Everything public in one include.
 
 #include <hawser/def.h>
+#include <hawser/edits.h>
 #include <hawser/factor.h>
 #include <hawser/id.h>
 #include <hawser/inspect.h>

@@ -18,9 +18,12 @@
 /// was; so does a step that fails, and what is tried again gives the same bits as if nothing had
 /// failed. A name that is not found gives an invalid id. A world is used by one thread at
 /// a time; different worlds are independent. Bodies, interactions, shapes and inputs may be added
-/// between steps; the next step analyses anew.
+/// and removed between steps; the next step repairs its analysis, and what an edit touches wakes.
+/// Velocities given to what is added once the world has started are used as they are, like those
+/// of set_velocity(); the energy that comes and goes counts as driven (Energy).
 
 #include <hawser/def.h>
+#include <hawser/edits.h>
 #include <hawser/id.h>
 #include <hawser/interactions.h>
 #include <hawser/math.h>
@@ -72,6 +75,15 @@ class World {
     /// @throws DefError on a body that cannot have such a shape, sizes out of range, a name that is
     ///         taken, vertices that span no volume.
     ShapeId add_shape(const ShapeDef& def);
+    /// Take away a body, and all that hangs on it: its interactions, its shapes, the segments of
+    /// wires that end at it, what drives these. Friction that one of these loads stays, without
+    /// that load. Nothing is removed where this throws.
+    /// @return What went; valid until the next removal. @throws DefError, std::bad_alloc.
+    const Removed& remove_body(BodyId id);
+    /// The same for an interaction, with the inputs that drive it …
+    const Removed& remove_interaction(InteractionId id);
+    const Removed& remove_shape(ShapeId id);  ///< … a shape …
+    const Removed& remove_input(InputId id);  ///< … and an input: what it set stays as it is.
     /// Analyse now instead of in the first step. @throws std::bad_alloc, LimitError.
     void prepare();
 
@@ -106,7 +118,7 @@ class World {
     [[nodiscard]] EventExtremes event_extremes(EventKind kind) const noexcept;
 
     // --- Inputs and applied forces --------------------------------------------------------
-    [[nodiscard]] int input_count() const noexcept;
+    [[nodiscard]] int input_count() const noexcept;  ///< Places, as body_count().
     [[nodiscard]] const InputDef& input_def(InputId id) const;
     [[nodiscard]] InputId find_input(std::string_view name) const noexcept;
     [[nodiscard]] double input(InputId id) const;  ///< Value last set, or that of the definition.
@@ -117,7 +129,15 @@ class World {
     void set_force(BodyId body, const Vec3& force, const Vec3& torque);
 
     // --- Bodies ---------------------------------------------------------------------------
+    /// Places of bodies: ids have an index below it. Where a body was removed one is empty.
     [[nodiscard]] int body_count() const noexcept;
+    /// Of all bodies there are, ascending; valid until one is added or removed.
+    [[nodiscard]] std::span<const BodyId> bodies() const noexcept;
+    /// Whether an id names something: it was added here, and has not been removed.
+    [[nodiscard]] bool alive(BodyId id) const noexcept;
+    [[nodiscard]] bool alive(InteractionId id) const noexcept;
+    [[nodiscard]] bool alive(ShapeId id) const noexcept;
+    [[nodiscard]] bool alive(InputId id) const noexcept;
     [[nodiscard]] const BodyDef& body_def(BodyId id) const;  ///< As added.
     [[nodiscard]] BodyId find_body(std::string_view name) const noexcept;
     [[nodiscard]] Pose pose(BodyId id) const;       ///< At time().
@@ -136,7 +156,8 @@ class World {
     [[nodiscard]] Vec3 world_point(BodyId id, const Vec3& local) const;
 
     // --- Interactions -----------------------------------------------------------------------
-    [[nodiscard]] int interaction_count() const noexcept;
+    [[nodiscard]] int interaction_count() const noexcept;  ///< Places, as body_count().
+    [[nodiscard]] std::span<const InteractionId> interactions() const noexcept;  ///< As bodies().
     [[nodiscard]] const InteractionDef& interaction_def(
         InteractionId id) const;  ///< Defaults filled in.
     [[nodiscard]] InteractionId find_interaction(std::string_view name) const noexcept;
@@ -196,8 +217,9 @@ class World {
     [[nodiscard]] MaterialId find_material(std::string_view name) const noexcept;
     /// As added, in that order.
     [[nodiscard]] std::span<const MaterialPairDef> material_pairs() const noexcept;
-    [[nodiscard]] int shape_count() const noexcept;
-    [[nodiscard]] const ShapeDef& shape_def(ShapeId id) const;  ///< As added.
+    [[nodiscard]] int shape_count() const noexcept;                  ///< Places, as body_count().
+    [[nodiscard]] std::span<const ShapeId> shapes() const noexcept;  ///< As bodies().
+    [[nodiscard]] const ShapeDef& shape_def(ShapeId id) const;       ///< As added.
     [[nodiscard]] ShapeId find_shape(std::string_view name) const noexcept;
     /// Contact points at the present poses whose shapes overlap (gap < 0), ascending by their
     /// shapes. Takes no step and changes none. Forces are what the overlap and the stiffness of the

@@ -26,7 +26,49 @@ void Contacts::set_bodies(std::span<const std::int32_t> touching, const model::B
     place_.assign(n, -1);
     impulse.assign(at(bodies.dofs) + 8, 0.0);
     std::erase_if(touching_, [&](std::int32_t b) { return dof_[at(b)] == 0; });
+    drop_links();
     relink(0);
+}
+
+/// Of bodies that touch nothing any more.
+void Contacts::drop_links() noexcept {
+    const auto touches = [&](std::int32_t b) {
+        return std::binary_search(touching_.begin(), touching_.end(), b);
+    };
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        if (!touches(links[i].first) || !touches(links[i].second)) continue;
+        links[n] = links[i];
+        link_used[n++] = link_used[i];
+    }
+    links.resize(n);
+    link_used.resize(n);
+}
+
+void Contacts::forget(const std::vector<std::uint8_t>& stays) noexcept {
+    const std::size_t shown = rows.size();
+    std::size_t n = 0, kept_rows = 0, place = 0, resistance = 0;
+    for (std::size_t i = 0; i < memory.size(); ++i) {
+        const bool has_resistance = resistance < resistances.memory.size() &&
+                                    at(resistances.memory[resistance].contact) == i;
+        if (stays[i] != 0) {
+            if (i < shown) {
+                rows[kept_rows] = rows[i];
+                cones[kept_rows++] = cones[i];
+            }
+            if (has_resistance) {
+                resistances.memory[place] = resistances.memory[resistance];
+                resistances.memory[place++].contact = static_cast<std::int32_t>(n);
+            }
+            memory[n++] = memory[i];
+        }
+        if (has_resistance) ++resistance;
+    }
+    memory.resize(n);
+    resistances.memory.resize(place);
+    rows.resize(kept_rows);
+    cones.resize(kept_rows);
+    connected_ = false;
 }
 
 void Contacts::relink(std::int64_t step) {

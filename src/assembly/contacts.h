@@ -74,6 +74,10 @@ class Contacts {
     /// Add the pairs needed, drop those long unused. @throws std::bad_alloc.
     void relink(std::int64_t step);
 
+    /// Contacts of the last step that leave; their rows and memories go. @param stays  1 a contact
+    /// of `memory`: it stays.
+    void forget(const std::vector<std::uint8_t>& stays) noexcept;
+
     /// What connect() missed is not asked for any more.
     void forget_missing() noexcept { missing_.clear(); }
 
@@ -126,6 +130,7 @@ class Contacts {
     std::vector<std::int64_t> link_used;                  ///< Step in which each was needed last.
 
   private:
+    void drop_links() noexcept;
     [[nodiscard]] std::int32_t block_of(std::int32_t a, std::int32_t b) const noexcept;
     /// Whether contacts act on the same bodies as when this was last asked.
     [[nodiscard]] bool same_bodies() noexcept;

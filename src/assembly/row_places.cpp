@@ -82,7 +82,7 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) 
                    bodies.dof_begin[at(b)] + static_cast<int>(kSlack) <= bodies.dofs;
         };
         const std::int32_t* body = &in.body[at(kMaxInteractionBodies * i)];
-        const bool placed = in.geo[at(i)] < 0 || geo_place_[at(i)].record >= 0;
+        const bool placed = !in.gone(i) && (in.geo[at(i)] < 0 || geo_place_[at(i)].record >= 0);
         among_lumps_[at(i)] = placed && std::all_of(body, body + in.bodies[at(i)], is_far_lump);
     }
     in.jacobian.assign(at(jacobian) + kSlack, 0.0);

@@ -49,7 +49,7 @@ void Collider::find_lines(const model::Interactions& interactions) {
     std::vector<Line> lines;
     for (std::int32_t i = 0; i < interactions.count(); ++i) {
         const InteractionDef& d = interactions.def[at(i)];
-        if (!kind_info(d.kind).is(kWireElement)) continue;
+        if (!kind_info(d.kind).is(kWireElement) || interactions.gone(i)) continue;
         const auto ends = std::minmax(d.body[0].index, d.body[1].index);
         lines.push_back({ends.first, ends.second, i});
     }
@@ -74,7 +74,10 @@ void Collider::prepare(const model::Bodies& bodies, const model::Interactions& i
     placed_.assign(shapes_.size(), Placed{});
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
         placed_[i].geometry = shapes_[i].geometry;
-        place(shapes_[i], bodies, h, margin, placed_[i]);
+        if (shapes_[i].gone())
+            placed_[i].swept = kNowhere;
+        else
+            place(shapes_[i], bodies, h, margin, placed_[i]);
     }
     broad_.prepare(placed_);
 }
@@ -83,6 +86,7 @@ void Collider::place_all(const model::Bodies& bodies, double h, base::Executor& 
     auto task = [&](int i, int) noexcept {
         const std::size_t end = std::min(shapes_.size(), at((i + 1) * kPlaceChunk));
         for (std::size_t s = at(i * kPlaceChunk); s < end; ++s) {
+            if (shapes_[s].gone()) continue;  // stays nowhere
             place(shapes_[s], bodies, h, margin, placed_[s]);
             const std::int32_t line = shapes_[s].line;
             if (line >= 0 && (*parted_)[at(line)] != 0) placed_[s].swept = kNowhere;
@@ -167,6 +171,25 @@ void Collider::put_together(ContactSet& out, base::Executor& pool) {
     pool.for_each(base::chunks(n, kContactChunk), keep);
     match(out.contacts, found_, kept_, kept_awake_, kMatchMargins * margin, taken_);
     out.awake = found_awake_ = n;
+}
+
+void Collider::remove(std::int32_t shape) noexcept {
+    Shape& s = shapes_[at(shape)];
+    s = {};
+    s.body[0] = s.body[1] = s.owner[0] = s.owner[1] = s.line = -1;
+    data_[at(shape)].reset();
+    places.vacate(shape);
+}
+
+void Collider::forget(const std::vector<std::uint8_t>& stays) noexcept {
+    std::size_t n = 0, awake = 0;
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+        if (stays[i] == 0) continue;
+        if (i < kept_awake_) ++awake;
+        kept_[n++] = kept_[i];
+    }
+    kept_.resize(n);
+    kept_awake_ = awake;
 }
 
 bool Collider::set_aside(ContactSet& out, const base::Array<std::uint8_t>& asleep) noexcept {

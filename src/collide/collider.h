@@ -21,6 +21,7 @@
 
 #include "base/executor.h"
 #include "base/memory.h"
+#include "base/places.h"
 #include "collide/broad.h"
 #include "collide/contacts.h"
 #include "collide/filter.h"
@@ -49,6 +50,16 @@ class Collider {
     /// The definition has been checked (world/shape_checks.h) and its bodies exist. @return its
     /// index. @throws DefError for vertices without volume, std::bad_alloc.
     std::int32_t add(const ShapeDef& def, const model::Bodies& bodies);
+    /// So that remove() does not throw. @throws std::bad_alloc.
+    void make_room() { places.make_room(); }
+    /// Nothing touches it any more. What was remembered of its contacts is for the caller to
+    /// forget: kept().
+    void remove(std::int32_t shape) noexcept;
+    /// Whether the box of a shape, at the present poses and with the margin, meets that of another
+    /// one in the last collide(). @param f  Called with the other one.
+    template <class F>
+    void each_near(std::int32_t shape, const model::Bodies& bodies, double h, F&& f) const;
+    base::Places places;
     [[nodiscard]] int count() const noexcept { return static_cast<int>(shapes_.size()); }
     [[nodiscard]] const std::vector<Shape>& shapes() const noexcept { return shapes_; }
 
@@ -81,6 +92,9 @@ class Collider {
     [[nodiscard]] base::Array<KeptContact>& kept() noexcept { return kept_; }
     [[nodiscard]] const base::Array<KeptContact>& kept() const noexcept { return kept_; }
 
+    /// The same in the set that the step under way found. @param stays  1 a contact: the others
+    /// are forgotten.
+    void forget(const std::vector<std::uint8_t>& stays) noexcept;
     /// Of kept(), those that took part: they come first.
     [[nodiscard]] std::size_t& kept_awake() noexcept { return kept_awake_; }
     [[nodiscard]] const std::size_t& kept_awake() const noexcept { return kept_awake_; }
@@ -119,5 +133,19 @@ class Collider {
     std::size_t held_ = 0;  ///< Bytes at the last count of growths.
     std::int64_t growths_ = 0;
 };
+
+template <class F>
+void Collider::each_near(std::int32_t shape, const model::Bodies& bodies, double h, F&& f) const {
+    Placed own{};
+    own.geometry = shapes_[static_cast<std::size_t>(shape)].geometry;
+    place(shapes_[static_cast<std::size_t>(shape)], bodies, h, margin, own);
+    for (std::size_t i = 0; i < placed_.size() && i < shapes_.size(); ++i) {
+        const Bounds& box = placed_[i].swept;
+        bool meets = !shapes_[i].gone() && static_cast<std::int32_t>(i) != shape;
+        for (int k = 0; k < 3 && meets; ++k)
+            meets = box.low[k] <= own.swept.high[k] && own.swept.low[k] <= box.high[k];
+        if (meets) f(shapes_[i]);
+    }
+}
 
 }  // namespace hawser::collide

@@ -17,7 +17,8 @@ Pairs joined_bodies(const std::vector<Shape>& shapes, const model::Interactions&
     for (const Shape& s : shapes)
         if (s.segment()) join(s.body[0], s.body[1]);
     for (const InteractionDef& d : interactions.def)
-        if (kind_info(d.kind).is(kHoldsBodies)) join(d.body[0].index, d.body[1].index);
+        if (kind_info(d.kind).is(kHoldsBodies) && d.body[0].valid())
+            join(d.body[0].index, d.body[1].index);
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;

@@ -21,6 +21,8 @@ struct Shape {
     std::uint32_t group, touches;
     bool moves;  ///< Some body of it has freedom.
     [[nodiscard]] bool segment() const noexcept { return body[1] >= 0; }
+    /// It was removed, and nothing has taken its place.
+    [[nodiscard]] bool gone() const noexcept { return body[0] < 0; }
 };
 
 /// Velocity of a body [m/s, rad/s], world frame, at its centre of mass.

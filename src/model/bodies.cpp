@@ -1,70 +1,118 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/bodies.h"
 
+#include "base/index.h"
 #include "base/small.h"
+#include "base/sorted.h"
 #include "model/damping.h"
 
 #include <Eigen/LU>
 
+#include <algorithm>
+
 namespace hawser::model {
 namespace {
 
-template <class V>
-void append3(base::Array<double>& to, const V& v) {
-    for (int i = 0; i < 3; ++i) to.push_back(v[i]);
+void put3(base::Array<double>& to, std::size_t begin, const Vec3& v) noexcept {
+    for (int i = 0; i < 3; ++i) to[begin + at(i)] = v[i];
 }
 
 }  // namespace
 
 void Bodies::make_room() {
+    places.make_room();
     base::make_room(kind, 1);
     for (base::Array<std::int32_t>* a : {&dof_begin, &quiet}) base::make_room(*a, 1);
     for (std::vector<std::int32_t>* a : {&moving, &rigid, &driven}) base::make_room(*a, 1);
-    for (base::Array<std::uint8_t>* a : {&weight, &asleep}) base::make_room(*a, 1);
+    for (base::Array<std::uint8_t>* a : {&weight, &asleep, &room}) base::make_room(*a, 1);
     for (base::Array<double>* a : {&x, &q, &r, &v, &v_start, &v_fixed, &spin_free, &spin_change,
                                    &mass, &inertia, &inv_inertia, &principal, &force, &damping})
         base::make_room(*a, 9);
 }
 
 int Bodies::add(const BodyDef& def) {
-    const int id = count();
+    const int place = place_for(def.kind);
+    if (place < 0) return append(def);
+    places.take(place);
+    kind[at(place)] = def.kind;
+    write(place, def);
+    enlist(place);
+    return place;
+}
+
+int Bodies::append(const BodyDef& def) {
+    const int id = places.append();
+    const auto n = at(id) + 1;
     const int d = dof_of(def.kind);
     kind.push_back(def.kind);
     dof_begin.push_back(dofs);
-    if (d > 0) moving.push_back(id);
-    if (def.kind == BodyKind::rigid) rigid.push_back(id);
-    if (def.kind == BodyKind::kinematic) driven.push_back(id);
-    append3(x, def.position);
+    room.push_back(static_cast<std::uint8_t>(d));
+    dofs += d;
+    for (base::Array<double>* a : {&x, &spin_free, &spin_change}) a->resize(3 * n);
+    for (base::Array<double>* a : {&v_fixed, &principal, &force, &damping}) a->resize(6 * n);
+    for (base::Array<double>* a : {&r, &inertia, &inv_inertia}) a->resize(9 * n);
+    for (base::Array<double>* a : {&v, &v_start}) a->resize(at(dofs));
+    q.resize(4 * n);
+    mass.resize(n);
+    weight.resize(n);
+    asleep.resize(n);
+    quiet.resize(n);
+    write(id, def);
+    enlist(id);
+    return id;
+}
+
+void Bodies::write(int body, const BodyDef& def) noexcept {
+    const auto b = at(body);
+    const int d = dof(body);
+    const Vec3 none = Vec3::Zero();
+    put3(x, 3 * b, def.position);
     const bool turns = def.kind != BodyKind::lump && def.kind != BodyKind::scalar;
     const Quat o = turns ? def.orientation.normalized() : Quat::Identity();
-    q.insert(q.end(), {o.w(), o.x(), o.y(), o.z()});
-    r.resize(r.size() + 9);
-    refresh_rotation(id);
-    for (int i = 0; i < d; ++i) v.push_back(i < 3 ? def.velocity[i] : def.angular_velocity[i - 3]);
-    v_start.insert(v_start.end(), v.end() - d, v.end());
+    const double wxyz[4] = {o.w(), o.x(), o.y(), o.z()};
+    for (std::size_t i = 0; i < 4; ++i) q[4 * b + i] = wxyz[i];
+    refresh_rotation(body);
+    for (int i = 0; i < d; ++i) {
+        const auto k = at(dof_begin[b] + i);
+        v[k] = v_start[k] = i < 3 ? def.velocity[i] : def.angular_velocity[i - 3];
+    }
     const bool driven_body = def.kind == BodyKind::kinematic;
-    append3(v_fixed, driven_body ? def.velocity : Vec3::Zero().eval());
-    append3(v_fixed, driven_body ? def.angular_velocity : Vec3::Zero().eval());
-    append3(spin_free, Vec3::Zero().eval());
-    append3(spin_change, Vec3::Zero().eval());
-    mass.push_back(def.mass);
+    put3(v_fixed, 6 * b, driven_body ? def.velocity : none);
+    put3(v_fixed, 6 * b + 3, driven_body ? def.angular_velocity : none);
+    put3(spin_free, 3 * b, none);
+    put3(spin_change, 3 * b, none);
+    mass[b] = def.mass;
     const Mat3 inverse = def.kind == BodyKind::rigid ? Mat3(def.inertia.inverse()) : Mat3::Zero();
     for (int i = 0; i < 9; ++i) {
-        inertia.push_back(def.inertia(i / 3, i % 3));
-        inv_inertia.push_back(inverse(i / 3, i % 3));
+        inertia[9 * b + at(i)] = def.inertia(i / 3, i % 3);
+        inv_inertia[9 * b + at(i)] = inverse(i / 3, i % 3);
     }
     const bool diagonal = def.kind == BodyKind::rigid && def.inertia.isDiagonal(0.0);
-    append3(principal, diagonal ? Vec3(def.inertia.diagonal()) : Vec3::Zero().eval());
-    append3(principal, diagonal ? Vec3(inverse.diagonal()) : Vec3::Zero().eval());
-    append3(force, def.force);
-    append3(force, def.torque);
-    append3(damping, def.linear_damping);
-    append3(damping, def.angular_damping);
-    weight.push_back(def.gravity && def.kind != BodyKind::scalar ? 1 : 0);
-    asleep.push_back(0);
-    quiet.push_back(0);
-    dofs += d;
-    return id;
+    put3(principal, 6 * b, diagonal ? Vec3(def.inertia.diagonal()) : none);
+    put3(principal, 6 * b + 3, diagonal ? Vec3(inverse.diagonal()) : none);
+    put3(force, 6 * b, def.force);
+    put3(force, 6 * b + 3, def.torque);
+    put3(damping, 6 * b, def.linear_damping);
+    put3(damping, 6 * b + 3, def.angular_damping);
+    weight[b] = def.gravity && def.kind != BodyKind::scalar ? 1 : 0;
+    asleep[b] = 0;
+    quiet[b] = 0;
+}
+
+void Bodies::enlist(int body) noexcept {
+    if (dof(body) > 0) base::insert_sorted(moving, body);
+    if (kind[at(body)] == BodyKind::rigid) base::insert_sorted(rigid, body);
+    if (kind[at(body)] == BodyKind::kinematic) base::insert_sorted(driven, body);
+}
+
+void Bodies::remove(int body) noexcept {
+    for (std::vector<std::int32_t>* list : {&moving, &rigid, &driven})
+        base::erase_sorted(*list, body);
+    std::fill_n(v.data() + dof_begin[at(body)], room[at(body)], 0.0);
+    std::fill_n(v_start.data() + dof_begin[at(body)], room[at(body)], 0.0);
+    kind[at(body)] = BodyKind::fixed;
+    write(body, {.kind = BodyKind::fixed, .gravity = false});
+    places.vacate(body);
 }
 
 void Bodies::share_drag(double h) {
@@ -83,8 +131,10 @@ void Bodies::share_drag(double h) {
 
 void Bodies::truncate(int kept) {
     const auto n = static_cast<std::size_t>(kept);
+    places.truncate(kept);
     kind.resize(n);
     dof_begin.resize(n);
+    room.resize(n);
     for (base::Array<double>* a : {&x, &spin_free, &spin_change}) a->resize(3 * n);
     for (base::Array<double>* a : {&v_fixed, &principal, &force, &damping}) a->resize(6 * n);
     for (base::Array<double>* a : {&r, &inertia, &inv_inertia}) a->resize(9 * n);
@@ -121,10 +171,10 @@ void Bodies::refresh_rotation(int body) noexcept {
 
 std::size_t Bodies::bytes() const noexcept {
     using base::bytes;
-    return bytes(kind) + bytes(dof_begin) + bytes(moving) + bytes(rigid) + bytes(driven) +
-           bytes(x) + bytes(q) + bytes(r) + bytes(v) + bytes(v_start) + bytes(v_fixed) +
-           bytes(spin_free) + bytes(spin_change) + bytes(mass) + bytes(inertia) +
-           bytes(inv_inertia) + bytes(principal) + bytes(force) + bytes(damping) +
+    return places.bytes() + bytes(kind) + bytes(room) + bytes(dof_begin) + bytes(moving) +
+           bytes(rigid) + bytes(driven) + bytes(x) + bytes(q) + bytes(r) + bytes(v) +
+           bytes(v_start) + bytes(v_fixed) + bytes(spin_free) + bytes(spin_change) + bytes(mass) +
+           bytes(inertia) + bytes(inv_inertia) + bytes(principal) + bytes(force) + bytes(damping) +
            bytes(drag_after) + bytes(drag_before) + bytes(weight);
 }
 

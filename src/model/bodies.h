@@ -7,6 +7,7 @@
 #include <hawser/def.h>
 
 #include "base/memory.h"
+#include "base/places.h"
 
 #include <cstdint>
 #include <vector>
@@ -30,7 +31,9 @@ namespace hawser::model {
 }
 
 struct Bodies {
+    base::Places places;  ///< Where a body was removed, a fixed one without name is left.
     base::Array<BodyKind> kind;
+    base::Array<std::uint8_t> room;       ///< Entries of v at dof_begin, whatever is there now.
     base::Array<std::int32_t> dof_begin;  ///< Into v; for bodies without freedom: unused.
     std::vector<std::int32_t> moving;     ///< Bodies with freedom, ascending.
     std::vector<std::int32_t> rigid;      ///< Rigid bodies, ascending.
@@ -67,16 +70,27 @@ struct Bodies {
     base::Array<std::uint8_t> asleep;  ///< 1: asleep, see stepper/sleep.h. Part of the state.
     base::Array<std::int32_t> quiet;   ///< Steps for which it has been at rest. Part of the state.
 
-    std::int32_t dofs = 0;
+    std::int32_t dofs = 0;  ///< Entries of v, those of empty places included.
 
     [[nodiscard]] int count() const noexcept { return static_cast<int>(kind.size()); }
     [[nodiscard]] int dof(int body) const noexcept {
         return dof_of(kind[static_cast<std::size_t>(body)]);
     }
-    /// So that add() does not throw. @throws std::bad_alloc.
+    [[nodiscard]] BodyId id(int body) const noexcept { return places.id<BodyId>(body); }
+    /// So that add(), append() and remove() do not throw. @throws std::bad_alloc.
     void make_room();
-    /// Append one body; the definition has been checked. @return its index.
+    /// First empty place with as many degrees of freedom, −1: none.
+    [[nodiscard]] int place_for(BodyKind of) const noexcept {
+        return places.find_vacant(
+            [&](std::int32_t p) { return room[static_cast<std::size_t>(p)] == dof_of(of); });
+    }
+    /// Add one body, at the first empty place with as many degrees of freedom, else behind all
+    /// others; the definition has been checked. @return its place.
     int add(const BodyDef& def);
+    /// Add one behind all others.
+    int append(const BodyDef& def);
+    /// What is left at its place weighs nothing, does not move, and nothing touches it.
+    void remove(int body) noexcept;
     /// Sets drag_after and drag_before for the step h [s].
     void share_drag(double h);
     /// Take away those from `kept` on, which are fixed.
@@ -89,6 +103,11 @@ struct Bodies {
     /// Recompute r from q for every rigid, fixed and kinematic body.
     void refresh_rotation(int body) noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    void write(int body, const BodyDef& def) noexcept;
+    /// Lists of moving, rigid and kinematic bodies.
+    void enlist(int body) noexcept;
 };
 
 }  // namespace hawser::model

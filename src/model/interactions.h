@@ -10,6 +10,7 @@
 #include <hawser/interactions.h>
 
 #include "base/memory.h"
+#include "base/places.h"
 #include "model/bodies.h"
 
 #include <array>
@@ -71,6 +72,8 @@ struct RowState {
 };
 
 struct Interactions {
+    /// Where one was removed, one of its kind without bodies and rows is left.
+    base::Places places;
     std::vector<InteractionDef> def;  ///< As added, defaults filled in.
     std::array<Pool, kInteractionKindCount> pool;
     std::vector<std::int32_t> pool_index;  ///< Of each id in its pool.
@@ -125,10 +128,32 @@ struct Interactions {
     std::int32_t row_count = 0, geo_count = 0;
 
     [[nodiscard]] int count() const noexcept { return static_cast<int>(def.size()); }
-    /// So that add() of one of this kind, given an rvalue, does not throw. @throws std::bad_alloc.
+    [[nodiscard]] InteractionId id(int index) const noexcept {
+        return places.id<InteractionId>(index);
+    }
+    /// Whether nothing is at a place any more.
+    [[nodiscard]] bool gone(int id) const noexcept {
+        return bodies[static_cast<std::size_t>(id)] == 0;
+    }
+    /// So that add(), append() and remove() of one of this kind, given an rvalue, do not throw.
+    /// @throws std::bad_alloc.
     void make_room(InteractionKind kind);
-    /// Append; `filled` is checked and complete. Row constants depend on h.
+    /// First empty place of a kind, −1: none.
+    [[nodiscard]] int place_for(InteractionKind kind) const noexcept {
+        return places.find_vacant(
+            [&](std::int32_t p) { return def[static_cast<std::size_t>(p)].kind == kind; });
+    }
+    /// Add one, at the first empty place of its kind, else behind all others; `filled` is checked
+    /// and complete. Row constants depend on h. @return its place.
     int add(InteractionDef filled, const Bodies& bodies_in, double h);
+    /// Add one behind all others.
+    int append(InteractionDef filled, const Bodies& bodies_in, double h);
+    /// A place for one of a kind behind all others, with nothing there; for the caller to vacate.
+    void append_empty(InteractionKind kind);
+    /// What presses on friction, of interactions that there are.
+    void set_loads(int id, const std::array<FrictionLoad, kMaxFrictionLoads>& loads_in);
+    /// What is left at its place has no bodies and no rows. Friction that it loads is free of it.
+    void remove(int id) noexcept;
     /// Take away those from `kept` on, none of which drives, rubs or winds up a line.
     void truncate(int kept);
     /// Υ and recall of a row, after its compliance or mobility changed; its Σ has to follow.
@@ -137,6 +162,8 @@ struct Interactions {
     void mirror(int copy, int original, const Bodies& bodies_in, double h) noexcept;
     /// An input is going to drive a parameter.
     void mark_driven(int id);
+    /// No input does any more.
+    void unmark_driven(int id) noexcept;
     /// Rebuild the pool entry, and a compliance of length/EA, after a parameter changed.
     void refresh(int id, const Bodies& bodies_in, double h) noexcept;
     /// Where friction holds on. [m or rad]
@@ -154,11 +181,17 @@ struct Interactions {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
+    void grow(InteractionKind kind);
+    /// Everything of one whose place there is.
+    void write(int id, InteractionDef filled, const Bodies& bodies_in, double h);
+    void write_rows(int id, const Bodies& bodies_in, double h);
+    void enlist(int id, const Bodies& bodies_in);
     void write_data(int id) noexcept;
     /// f<K>(rows) for the rows at the present poses.
     template <class F>
     void evaluated(int id, const Bodies& bodies_in, F&& f) const noexcept;
-    void add_loads(const InteractionDef& d);
+    void write_loads(int id);
+    void set_range(int id) noexcept;
 };
 
 /// Whether a step may solve the rows of an interaction at the step's end (stepper/completion.h):

@@ -22,6 +22,7 @@ bool is_stiff_damper(const Interactions& in, int id, double h) noexcept {
 }  // namespace
 
 bool may_ever_complete(const Interactions& in, int id) noexcept {
+    if (in.gone(id)) return false;
     bool kind = false;
     generic::with_kind(in.def[at(id)].kind, [&]<class K>() {
         if constexpr (requires { K::kCompletes; }) kind = K::kCompletes;

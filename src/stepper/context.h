@@ -22,6 +22,7 @@
 #include "stepper/cut_levels.h"
 #include "stepper/cuts.h"
 #include "stepper/deadline.h"
+#include "stepper/edits.h"
 #include "stepper/events.h"
 #include "stepper/judge.h"
 #include "stepper/regroup.h"
@@ -103,6 +104,8 @@ struct StepContext {
     Deadline deadline;
     CutLevels cut_levels;
     JudgeData judge;
+    Edits edits;
+    std::vector<std::uint8_t> edits_stay;  ///< Scratch: by contact of the last step.
     Undo undo;
     Mend mend = Mend::nothing;  ///< Before the system may be used.
     Laps laps;                  ///< Of the step being taken, where a budget asks for time.

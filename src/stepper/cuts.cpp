@@ -60,7 +60,7 @@ std::int32_t add_image(StepContext& ctx, std::int32_t body) {
     def.position = {x[0], x[1], x[2]};
     def.orientation = Quat(q[0], q[1], q[2], q[3]);
     ctx.cuts.images.push_back({b.count(), body});
-    return b.add(def);
+    return b.append(def);
 }
 
 /// The rows of an interaction for one side.
@@ -77,7 +77,7 @@ void add_copy(StepContext& ctx, std::int32_t id, std::int32_t side,
         def.body[b] = BodyId{image[body]};
         if (dof < 6) def.point[b] = Vec3::Zero();  // an image would have arms, a lump has none
     }
-    const int copy = in.add(def, ctx.bodies, ctx.def.step);
+    const int copy = in.append(def, ctx.bodies, ctx.def.step);
     const auto row = in.row_begin[at(id)], to = in.row_begin[at(copy)];
     std::copy_n(&in.lambda[at(row)], in.rows[at(id)], &in.lambda[at(to)]);
     in.active[at(copy)] = in.active[at(id)];
@@ -120,7 +120,8 @@ std::int32_t original(const StepContext& ctx, std::int32_t id) noexcept {
 
 std::int32_t user_rows(const StepContext& ctx) noexcept {
     const model::Interactions& in = ctx.interactions;
-    return std::accumulate(in.rows.begin(), in.rows.begin() + interaction_count(ctx), 0);
+    const std::int32_t count = interaction_count(ctx);
+    return count < in.count() ? in.row_begin[at(count)] : in.row_count;
 }
 
 std::int32_t speaker(const StepContext& ctx, std::int32_t id) noexcept {

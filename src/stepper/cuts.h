@@ -67,7 +67,7 @@ struct Cuts {
 /// Bodies and interactions without images and copies.
 [[nodiscard]] std::int32_t body_count(const StepContext& ctx) noexcept;
 [[nodiscard]] std::int32_t interaction_count(const StepContext& ctx) noexcept;
-/// Rows without those of copies. Takes time in proportion to the interactions.
+/// Rows without those of copies; those of empty places count.
 [[nodiscard]] std::int32_t user_rows(const StepContext& ctx) noexcept;
 /// The interaction that reports events of this one: itself; of the first copy its original, of the
 /// others none (−1).

@@ -90,7 +90,7 @@ Finding open_finding(const StepContext& ctx, const JudgePart& p, JudgeState& sta
     out.wrong = open * limit::kOpen.doubtful / limit::kOpen.wrong;
     if (p.open_row < 0) return out;
     out.value = std::fabs(ctx.interactions.g[at(p.open_row)]);
-    out.interaction = InteractionId{owner_of(ctx, p.open_row)};
+    out.interaction = ctx.interactions.id(owner_of(ctx, p.open_row));
     return out;
 }
 
@@ -105,7 +105,7 @@ Finding solved_finding(const StepContext& ctx, JudgeState& state, double time) n
 Finding stretch_finding(const StepContext& ctx, const JudgePart& p, JudgeState& state) noexcept {
     std::array<double, 2>& before = state.stretched;
     Finding out = finding(std::min({p.stretch, before[0], before[1]}), limit::kCable, ctx.time);
-    out.interaction = InteractionId{p.stretch_id};
+    out.interaction = ctx.interactions.id(p.stretch_id);
     before = {p.stretch, before[0]};
     return out;
 }
@@ -114,9 +114,9 @@ Finding turn_finding(const StepContext& ctx, const JudgePart& p) noexcept {
     Finding out =
         finding(ctx.def.step * std::sqrt(std::max(p.turn, p.twist)), limit::kTurn, ctx.time);
     if (p.turn >= p.twist)
-        out.body = BodyId{p.turn_body};
+        out.body = ctx.bodies.id(p.turn_body);
     else
-        out.interaction = InteractionId{p.twist_id};
+        out.interaction = ctx.interactions.id(p.twist_id);
     return out;
 }
 

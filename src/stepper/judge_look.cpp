@@ -196,7 +196,7 @@ JudgePart look(StepContext& ctx, At when) noexcept {
 void prepare_judge(StepContext& ctx) {
     JudgeData& d = ctx.judge;
     const model::Interactions& in = ctx.interactions;
-    d.state = {};
+    if (!ctx.edits.any) d.state = {};
     d.allowed.assign(at(user_rows(ctx)), 0.0);
     d.elastic.clear();
     d.line.clear();
@@ -229,6 +229,14 @@ void prepare_judge(StepContext& ctx) {
         if (!soft) continue;
         d.elastic.push_back(id);
         d.line.push_back(kind.is(kAlongLine) && !kind.is(kWoundUp));
+    }
+    // A joint that comes open is excused as one that a scene opens.
+    for (const std::int32_t id : ctx.edits.interactions) {
+        const model::RowState now = in.row_state(id, ctx.bodies);
+        for (int r = 0; r < in.rows[at(id)]; ++r) {
+            const double open = std::fabs(now.g[r]) * d.allowed[at(in.row_begin[at(id)] + r)];
+            if (open > 1.0) d.state.open_start = std::max(d.state.open_start, open);
+        }
     }
     const auto most = static_cast<std::int32_t>(
         std::max({ctx.bodies.moving.size(), d.allowed.size(), d.elastic.size(), d.lines.size()}));

@@ -23,9 +23,12 @@ void evaluate_all(StepContext& ctx) {
     ctx.regroup.active.assign(active.begin(), active.end());
     for (std::size_t k = 0; k < ctx.interactions.pool.size(); ++k) {
         const model::Pool& pool = ctx.interactions.pool[k];
-        assembly::kernels().evaluate(v, static_cast<InteractionKind>(k), pool.ids.data(),
-                                     pool.data.data(), 0,
-                                     static_cast<std::int32_t>(pool.ids.size()));
+        const auto end = static_cast<std::int32_t>(pool.ids.size());
+        for (std::int32_t a = 0, b = 0; a < end; a = b + 1) {  // between empty places
+            for (b = a; b < end && !ctx.interactions.gone(pool.ids[at(b)]);) ++b;
+            assembly::kernels().evaluate(v, static_cast<InteractionKind>(k), pool.ids.data(),
+                                         pool.data.data(), a, b);
+        }
     }
     std::copy(ctx.regroup.active.begin(), ctx.regroup.active.end(), active.begin());
 }

@@ -119,7 +119,7 @@ Status report(StepContext& ctx, const Norms& n) noexcept {
     ctx.stats.momentum_residual = momentum_residual(ctx, n);
     ctx.stats.constraint_residual = n.constraint;
     ctx.stats.violation_max = n.gap;
-    ctx.stats.violation_worst = InteractionId{original(ctx, n.gap_id)};
+    ctx.stats.violation_worst = ctx.interactions.id(original(ctx, n.gap_id));
     ctx.stats.stretch_error_max = n.stretch;
     ctx.step_work = n.work;
     ctx.step_drag = n.drag;

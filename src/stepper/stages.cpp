@@ -46,6 +46,18 @@ void count_analysis(StepContext& ctx) noexcept {
     ++s.growths;
 }
 
+void count_model(StepContext& ctx) noexcept {
+    const model::Interactions& in = ctx.interactions;
+    StepStats& s = ctx.stats;
+    s.bodies = static_cast<std::int32_t>(ctx.bodies.moving.size());
+    s.interactions = s.equations = 0;
+    for (const std::int32_t b : ctx.bodies.moving) s.equations += ctx.bodies.dof(b);
+    for (std::int32_t id = 0; id < interaction_count(ctx); ++id) {
+        s.interactions += in.gone(id) ? 0 : 1;
+        s.equations += in.rows[at(id)];
+    }
+}
+
 }  // namespace
 
 double row_speed(const View& v, std::int32_t id) noexcept {
@@ -60,7 +72,7 @@ double row_speed(const View& v, std::int32_t id) noexcept {
 }
 
 void push_event(StepContext& ctx, EventKind kind, std::int32_t id, double value) noexcept {
-    ctx.events.push({ctx.time, kind, InteractionId{id}, value});
+    ctx.events.push({ctx.time, kind, ctx.interactions.id(id), value});
     ++ctx.stats.event_count[static_cast<std::size_t>(kind)];
 }
 
@@ -104,7 +116,10 @@ void prepare(StepContext& ctx) {
         ctx.collider.surfaces(ctx.def.step, ctx.contacts);
         prepare_contacts(ctx);
     }
-    wake_all(ctx);
+    if (ctx.edits.any)
+        check_asleep(ctx);
+    else
+        wake_all(ctx);
     make_wires(ctx);
     analyse(ctx);
     reserve_sleep(ctx);
@@ -121,10 +136,7 @@ void prepare(StepContext& ctx) {
     // A millionth of the impulse of one gravity over a step: far below any real load.
     ctx.residual_floor = 1e-6 * ctx.def.step * 9.81 * std::sqrt(mass) + 1e-300;
     ctx.contact_floor = 1e-6 * ctx.def.step * 9.81 * least;
-    StepStats& s = ctx.stats;
-    s.bodies = static_cast<std::int32_t>(ctx.bodies.moving.size());
-    s.interactions = interaction_count(ctx);
-    s.equations = ctx.bodies.dofs + user_rows(ctx);
+    count_model(ctx);
     ctx.topology_changed = false;
 }
 

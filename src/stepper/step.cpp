@@ -236,6 +236,7 @@ Status take_step(StepContext& ctx) noexcept {
         ctx.imposed = {};
         if (shapes) ctx.collider.keep();
         ctx.undo.drop();
+        ctx.edits.clear();
         fall_asleep(ctx);
     }
     ctx.stats.step_seconds = std::chrono::duration<double>(Clock::now() - begin).count();

@@ -265,7 +265,10 @@ Transaction::~Transaction() {
 }
 
 void Transaction::done() noexcept {
-    if (!done_) ctx_.undo.drop();
+    if (!done_) {
+        ctx_.undo.drop();
+        ctx_.edits.clear();
+    }
     done_ = true;
 }
 

@@ -27,6 +27,7 @@ constexpr double kAlertSteps = 20.0, kAlertSeconds = 1.0;
 bool is_element(const StepContext& ctx, std::int32_t id) {
     const model::Interactions& in = ctx.interactions;
     const KindInfo& kind = kind_info(in.def[at(id)].kind);
+    if (in.gone(id)) return false;
     if (!kind.is(kAlongLine) || kind.is(kWoundUp)) return false;
     // A rod is none, but a spring between two points.
     if (!kind.is(kWireElement) &&
@@ -176,6 +177,44 @@ void release_wires(StepContext& ctx) noexcept {
     w.replacing = false;
 }
 
+namespace {
+
+/// What wires remember, where they are others than before: of what an element's wire had, each
+/// element keeps its share. @param elements  Of each wire that is made now.
+void recall_wires(const StepContext& ctx, const std::vector<std::vector<std::int32_t>>& elements,
+                  Wires& made) {
+    const Wires& w = ctx.wires;
+    if (w.wire_of == made.wire_of && ctx.edits.interactions.empty()) {
+        made.credit = w.credit;
+        made.alert = w.alert;
+        return;
+    }
+    if (!ctx.edits.any) return;
+    std::vector<std::int32_t> had(w.count(), 0);
+    for (const std::int32_t wire : w.wire_of)
+        if (wire >= 0) ++had[at(wire)];
+    const std::vector<std::int32_t>& added = ctx.edits.interactions;
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        std::int32_t first = -1, kept = 0;
+        bool one = true;
+        for (const std::int32_t id : elements[k]) {
+            const bool is_new = at(id) >= w.wire_of.size() ||
+                                std::find(added.begin(), added.end(), id) != added.end();
+            const std::int32_t wire = is_new ? -1 : w.wire_of[at(id)];
+            if (wire < 0) continue;
+            one = one && (first < 0 || wire == first);
+            if (first < 0) first = wire;
+            ++kept;
+            made.credit[k] += w.credit[at(wire)] / had[at(wire)];
+            made.alert[k] = std::max(made.alert[k], w.alert[at(wire)]);
+        }
+        // To the last bit where it is the same wire still.
+        if (kept > 0 && one && kept == had[at(first)]) made.credit[k] = w.credit[at(first)];
+    }
+}
+
+}  // namespace
+
 void make_wires(StepContext& ctx) {
     const std::int32_t count = interaction_count(ctx);
     const std::vector<std::int32_t> joined = join_elements(ctx, count);
@@ -195,10 +234,7 @@ void make_wires(StepContext& ctx) {
     }
     made.credit.assign(elements.size(), 0.0);
     made.alert.assign(elements.size(), 0);
-    if (ctx.wires.wire_of == made.wire_of) {
-        made.credit = ctx.wires.credit;
-        made.alert = ctx.wires.alert;
-    }
+    recall_wires(ctx, elements, made);
     made.fast.assign(elements.size(), 0);
     made.level.assign(elements.size(), 0);
     made.gain.resize(elements.size());

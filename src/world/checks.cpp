@@ -137,7 +137,7 @@ void check(const BodyDef& def) {
 }
 
 void check(const InteractionDef& def, const model::Bodies& bodies, int count,
-           std::span<const InteractionDef> before) {
+           std::span<const InteractionDef> before, const base::Places& places) {
     const std::string where = label("interaction", def.name);
     if (static_cast<int>(def.kind) >= kInteractionKindCount) refuse(where, "unknown kind");
     const KindInfo& info = kind_info(def.kind);
@@ -149,6 +149,7 @@ void check(const InteractionDef& def, const model::Bodies& bodies, int count,
         if (index < 0 || index >= count)
             refuse(where, which + " does not exist; a " + info.name + " couples " +
                               std::to_string(info.bodies) + " bodies");
+        if (!bodies.places.names(def.body[slot])) refuse(where, which + " has been removed");
         for (int c = 0; c < b; ++c)
             if (def.body[static_cast<std::size_t>(c)] == def.body[slot])
                 refuse(where, "couples a body with itself");
@@ -176,6 +177,7 @@ void check(const InteractionDef& def, const model::Bodies& bodies, int count,
             refuse(where, std::string("a ") + info.name + " takes no loads");
         if (load.interaction.index >= static_cast<int>(before.size()))
             refuse(where, "its load does not exist; interactions that load it are added before");
+        if (!places.names(load.interaction)) refuse(where, "its load has been removed");
         const InteractionDef& other = before[static_cast<std::size_t>(load.interaction.index)];
         if (kind_info(other.kind).row_units[0] != 'm')
             refuse(where, std::string("a ") + kind_info(other.kind).name +

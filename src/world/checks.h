@@ -20,9 +20,9 @@ void check(const WorldDef& def);
 /// @throws DefError
 void check(const BodyDef& def);
 /// Checks bodies, points, frames and row constants. @param count  Bodies of the user.
-/// @param before  Interactions of the user. @throws DefError
+/// @param before  Interactions of the user. @param places  Theirs. @throws DefError
 void check(const InteractionDef& def, const model::Bodies& bodies, int count,
-           std::span<const InteractionDef> before);
+           std::span<const InteractionDef> before, const base::Places& places);
 /// Checks parameters once defaults have been filled in. @throws DefError
 void check_params(const InteractionDef& def);
 /// @param method  Not all of them have every resistance. @throws DefError

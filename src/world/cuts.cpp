@@ -18,10 +18,8 @@
 
 namespace hawser {
 
-using world::index_of;
-
 void World::set_group(BodyId id, const std::string& group) {
-    const std::size_t b = index_of(id.index, body_count(), "body");
+    const std::size_t b = impl_->place(id);
     Impl& m = *impl_;
     if (m.body_defs[b].group == group) return;
     std::string name = group;
@@ -85,16 +83,16 @@ void World::set_groups(int parts) {
 
 void World::regroup_all(int parts) {
     follow_groups(0, impl_->ctx.def.regroup_every);
-    for (std::int32_t b = 0; b < body_count(); ++b) set_group(BodyId{b}, "");
+    for (const BodyId b : bodies()) set_group(b, "");
     if (parts == 1) return;
     const PartitionView view = partition({.use = PartitionUse::cuts, .parts = parts});
-    for (std::int32_t b = 0; b < body_count(); ++b)
-        if (view.part_of_body[at(b)] >= 0)
-            set_group(BodyId{b}, "part " + std::to_string(view.part_of_body[at(b)]));
+    for (const BodyId b : bodies())
+        if (view.part_of_body[at(b.index)] >= 0)
+            set_group(b, "part " + std::to_string(view.part_of_body[at(b.index)]));
 }
 
 void World::set_coupling(InteractionId id, Coupling coupling) {
-    const std::size_t i = index_of(id.index, interaction_count(), "interaction");
+    const std::size_t i = impl_->place(id);
     stepper::StepContext& c = impl_->ctx;
     if (coupling > Coupling::deadline) throw DefError("unknown coupling");
     if (coupling != Coupling::exact && c.def.sleep_after > 0.0)
@@ -111,7 +109,7 @@ void World::set_coupling(InteractionId id, Coupling coupling) {
 }
 
 Coupling World::coupling(InteractionId id) const {
-    const std::size_t i = index_of(id.index, interaction_count(), "interaction");
+    const std::size_t i = impl_->place(id);
     const stepper::Cuts& cuts = impl_->ctx.cuts;
     return i < cuts.coupling.size() ? cuts.coupling[i] : impl_->ctx.def.coupling;
 }
@@ -121,30 +119,8 @@ std::vector<CutView> World::cuts() const {
     stepper::ready(m.ctx);
     std::vector<CutView> out;
     for (const stepper::Cut& c : m.ctx.cuts.list)
-        out.push_back(
-            {InteractionId{c.id}, m.ctx.cuts.coupling[at(c.id)], c.open, c.defect, c.residual});
-    return out;
-}
-
-World World::twin(std::optional<Coupling> coupling) const {
-    const Impl& m = *impl_;
-    WorldDef def = m.ctx.def;
-    def.coupling = coupling.value_or(def.coupling);
-    World out(def);
-    for (const BodyDef& b : m.body_defs) out.add_body(b);
-    const collide::Materials& materials = m.ctx.collider.materials;
-    for (int i = 1; i < materials.count(); ++i) out.add_material(materials.def(i));
-    for (const MaterialPairDef& pair : materials.pairs()) out.add_material_pair(pair);
-    for (const ShapeDef& s : m.shape_defs) out.add_shape(s);
-    for (std::int32_t i = 0; i < interaction_count(); ++i) {
-        InteractionDef d = m.ctx.interactions.def[at(i)];
-        // Then it follows the length, as it does here.
-        if (m.ctx.interactions.flags[at(i)] & model::kFromLength) d.compliance[0] = kDefault;
-        out.add_interaction(d);
-    }
-    for (const InputDef& input : m.inputs) out.add_input(input);
-    if (!coupling) out.impl_->ctx.cuts.coupling = m.ctx.cuts.coupling;
-    out.copy_state(*this);
+        out.push_back({m.ctx.interactions.id(c.id), m.ctx.cuts.coupling[at(c.id)], c.open, c.defect,
+                       c.residual});
     return out;
 }
 

@@ -63,6 +63,15 @@ std::uint64_t layout_of(const stepper::StepContext& ctx, std::size_t inputs) {
         h = base::fnv1a(&s.geometry.kind, sizeof s.geometry.kind, h);
         h = base::fnv1a(s.body, sizeof s.body, h);
     }
+    for (const base::Places* places :
+         {&ctx.bodies.places, &ctx.interactions.places, &ctx.collider.places}) {
+        const auto n = std::min(places->generations().size(), places == &ctx.bodies.places ? bodies
+                                                              : places == &ctx.interactions.places
+                                                                  ? count
+                                                                  : ctx.collider.shapes().size());
+        add(places->generations(), n);
+        add(places->vacant(), places->vacant().size());
+    }
     h = base::fnv1a(&ctx.def.step, sizeof ctx.def.step, h);
     return base::fnv1a(&inputs, sizeof inputs, h);
 }

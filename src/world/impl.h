@@ -3,6 +3,7 @@
 /// @file impl.h
 /// What a World owns.
 
+#include <hawser/edits.h>
 #include <hawser/world.h>
 
 #include "stepper/sleep.h"
@@ -23,9 +24,43 @@ struct World::Impl {
     world::Names groups;
     [[nodiscard]] std::int32_t number_of_group(const std::string& name);
     std::vector<ShapeDef> shape_defs;
-    std::vector<InputDef> inputs;
+    std::vector<InputDef> inputs;  ///< Without a name where one was removed.
     std::vector<double> input_values;
+    base::Places input_places;
     world::Names body_names, interaction_names, input_names, material_names, shape_names;
+
+    /// Places that ids name. @throws DefError for an id of nothing, or of what has been removed.
+    [[nodiscard]] std::size_t place(BodyId id) const {
+        return world::place_of(id, ctx.bodies.places, stepper::body_count(ctx), "body");
+    }
+    [[nodiscard]] std::size_t place(InteractionId id) const {
+        return world::place_of(id, ctx.interactions.places, stepper::interaction_count(ctx),
+                               "interaction");
+    }
+    [[nodiscard]] std::size_t place(ShapeId id) const {
+        return world::place_of(id, ctx.collider.places, ctx.collider.count(), "shape");
+    }
+    [[nodiscard]] std::size_t place(InputId id) const {
+        return world::place_of(id, input_places, input_places.count(), "input");
+    }
+
+    // Of what there is, ascending.
+    std::vector<BodyId> body_ids;
+    std::vector<InteractionId> interaction_ids;
+    std::vector<ShapeId> shape_ids;
+    // Of twin().
+    void copy_bodies(World& out) const;
+    void copy_shapes(World& out) const;
+    void copy_interactions(World& out) const;
+    void copy_inputs(World& out) const;
+
+    Removed removed;  ///< By the last removal.
+    void reserve_removal();
+    [[nodiscard]] const Removed& sorted_removal() noexcept;
+    void remove(BodyId id) noexcept;
+    void remove(InteractionId id) noexcept;
+    void remove(ShapeId id) noexcept;
+    void remove(InputId id) noexcept;
 
     void apply_input(std::size_t index, double value);
     /// What acts at present where an input does: its value, unless something else set it since.

@@ -14,7 +14,6 @@
 namespace hawser {
 
 using world::claim;
-using world::index_of;
 using world::lookup;
 
 InputId World::add_input(const InputDef& def) {
@@ -42,7 +41,7 @@ InputId World::add_input(const InputDef& def) {
                                "', " + world::number(p.min) + " … " + world::number(p.max));
         }
     } else {
-        const std::size_t b = index_of(def.body.index, body_count(), "body");
+        const std::size_t b = impl_->place(def.body);
         if (def.component < 0 || def.component > 5)
             throw DefError(where + ": component must be 0 to 5");
         value = m.ctx.bodies.force[6 * b + at(def.component)];
@@ -50,26 +49,32 @@ InputId World::add_input(const InputDef& def) {
     base::make_room(m.inputs, 1);
     base::make_room(m.input_values, 1);
     base::make_room(m.ctx.interactions.working, 1);
-    claim(m.input_names, def.name, input_count(), "input");
+    m.input_places.make_room();
+    std::int32_t place = m.input_places.find_vacant([](std::int32_t) { return true; });
+    claim(m.input_names, def.name, place < 0 ? input_count() : place, "input");
+    // From here on nothing throws.
     if (def.interaction.valid()) m.ctx.interactions.mark_driven(def.interaction.index);
-    m.inputs.push_back(std::move(allowed));
-    m.input_values.push_back(value);
-    return InputId{input_count() - 1};
+    if (place < 0) {
+        place = m.input_places.append();
+        m.inputs.emplace_back();
+        m.input_values.emplace_back();
+    } else {
+        m.input_places.take(place);
+    }
+    m.inputs[at(place)] = std::move(allowed);
+    m.input_values[at(place)] = value;
+    return m.input_places.id<InputId>(place);
 }
 
 int World::input_count() const noexcept { return static_cast<int>(impl_->inputs.size()); }
-const InputDef& World::input_def(InputId id) const {
-    return impl_->inputs[index_of(id.index, input_count(), "input")];
-}
+const InputDef& World::input_def(InputId id) const { return impl_->inputs[impl_->place(id)]; }
 InputId World::find_input(std::string_view name) const noexcept {
-    return InputId{lookup(impl_->input_names, name)};
+    return impl_->input_places.id<InputId>(lookup(impl_->input_names, name));
 }
-double World::input(InputId id) const {
-    return impl_->input_values[index_of(id.index, input_count(), "input")];
-}
+double World::input(InputId id) const { return impl_->input_values[impl_->place(id)]; }
 
 void World::set_input(InputId id, double value) {
-    const std::size_t i = index_of(id.index, input_count(), "input");
+    const std::size_t i = impl_->place(id);
     const InputDef& def = impl_->inputs[i];
     if (!std::isfinite(value))
         throw DefError(world::label("input", def.name) + ": value = " + world::number(value) +

@@ -4,6 +4,7 @@
 /// Ids and names that a caller gives.
 
 #include "base/index.h"
+#include "base/places.h"
 
 #include <hawser/def.h>
 
@@ -15,11 +16,16 @@
 
 namespace hawser::world {
 
-/// Look up an index and refuse one that names nothing.
-inline std::size_t index_of(std::int32_t index, int count, const char* what) {
-    if (index < 0 || index >= count)
-        throw DefError(std::string("there is no ") + what + " with id " + std::to_string(index));
-    return at(index);
+/// The place that an id names; refuses one of nothing, and one of what has been removed.
+template <class Id>
+std::size_t place_of(const Id& id, const base::Places& places, int count, const char* what) {
+    if (id.index >= 0 && id.index < count && places.names(id)) return at(id.index);
+    const std::string number = std::to_string(id.index);
+    if (id.index < 0 || id.index >= count)
+        throw DefError(std::string("there is no ") + what + " with id " + number);
+    throw DefError(std::string("the ") + what + " with id " + number + " of generation " +
+                   std::to_string(id.generation) + " has been removed" +
+                   (places.holds(id.index) ? "; another one has its place" : ""));
 }
 
 /// To be looked up without a copy of the name, which would need memory.
@@ -47,6 +53,11 @@ void claim_for(Names& names, const std::string& name, std::int32_t index, const 
         if (!name.empty()) names.erase(name);
         throw;
     }
+}
+
+/// What had the name is gone.
+inline void release(Names& names, const std::string& name) noexcept {
+    if (!name.empty()) names.erase(name);
 }
 
 inline std::int32_t lookup(const Names& names, std::string_view name) noexcept {

@@ -35,7 +35,7 @@ void list_cuts(const assembly::PartGraph& g, const model::Interactions& in,
         // Pairs that touch stay whole, so that cuts are interactions.
         const auto i = static_cast<std::size_t>(e);
         CutInteraction cut;
-        cut.interaction = InteractionId{e};
+        cut.interaction = in.id(e);
         for (int r = 0; r < in.rows[i]; ++r)
             cut.force =
                 std::max(cut.force, std::abs(in.force[static_cast<std::size_t>(in.row_begin[i]) +
@@ -179,7 +179,7 @@ PartitionView World::partition(const PartitionRequest& request) const {
     view.separator_cost = static_cast<double>(p.separator_cost);
     view.imbalance = p.imbalance();
     for (const std::int32_t b : p.separator) {
-        view.separator.push_back(BodyId{b});
+        view.separator.push_back(c.bodies.id(b));
         view.separator_scalars += g.size[static_cast<std::size_t>(b)];
     }
     list_cuts(g, c.interactions, p, view);

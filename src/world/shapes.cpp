@@ -6,6 +6,7 @@
 #include "world/impl.h"
 #include "world/lookup.h"
 
+#include <string>
 #include <utility>
 
 namespace hawser {
@@ -17,7 +18,6 @@ const char* to_string(ShapeKind kind) noexcept {
 }
 
 using world::claim_for;
-using world::index_of;
 using world::lookup;
 
 namespace {
@@ -63,22 +63,10 @@ void World::add_material_pair(const MaterialPairDef& def) {
     impl_->ctx.topology_changed = true;
 }
 
-ShapeId World::add_shape(const ShapeDef& def) {
-    Impl& m = *impl_;
-    world::check(def, m.ctx.bodies, body_count(), material_count());
-    ShapeDef kept = def;
-    base::make_room(m.shape_defs, 1);
-    const int index = shape_count();
-    claim_for(m.shape_names, def.name, index, "shape",
-              [&] { m.ctx.collider.add(def, m.ctx.bodies); });
-    m.shape_defs.push_back(std::move(kept));
-    m.ctx.topology_changed = true;
-    return ShapeId{index};
-}
-
 int World::material_count() const noexcept { return impl_->ctx.collider.materials.count(); }
 const MaterialDef& World::material_def(MaterialId id) const {
-    (void)index_of(id.index, material_count(), "material");
+    if (id.index < 0 || id.index >= material_count())
+        throw DefError("there is no material with id " + std::to_string(id.index));
     return impl_->ctx.collider.materials.def(id.index);
 }
 MaterialId World::find_material(std::string_view name) const noexcept {
@@ -88,11 +76,9 @@ std::span<const MaterialPairDef> World::material_pairs() const noexcept {
     return impl_->ctx.collider.materials.pairs();
 }
 int World::shape_count() const noexcept { return impl_->ctx.collider.count(); }
-const ShapeDef& World::shape_def(ShapeId id) const {
-    return impl_->shape_defs[index_of(id.index, shape_count(), "shape")];
-}
+const ShapeDef& World::shape_def(ShapeId id) const { return impl_->shape_defs[impl_->place(id)]; }
 ShapeId World::find_shape(std::string_view name) const noexcept {
-    return ShapeId{lookup(impl_->shape_names, name)};
+    return impl_->ctx.collider.places.id<ShapeId>(lookup(impl_->shape_names, name));
 }
 
 std::vector<ContactView> World::contacts() const {
@@ -101,8 +87,7 @@ std::vector<ContactView> World::contacts() const {
     for (std::size_t i = 0; i < ctx.contacts.contacts.size(); ++i) {
         const collide::Contact& c = ctx.contacts.contacts[i];
         ContactView v;
-        v.shape[0] = ShapeId{c.shape[0]};
-        v.shape[1] = ShapeId{c.shape[1]};
+        for (int k = 0; k < 2; ++k) v.shape[k] = ctx.collider.places.id<ShapeId>(c.shape[k]);
         v.force.setZero();
         for (int k = 0; k < 3; ++k) {
             v.point[k] = 0.5 * (c.on[0][k] + c.on[1][k]);

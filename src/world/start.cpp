@@ -4,14 +4,13 @@
 #include <hawser/world.h>
 
 #include "world/impl.h"
-#include "world/lookup.h"
 
 #include <new>
 
 namespace hawser {
 
 RowsView World::rows(InteractionId id) const {
-    const std::size_t i = world::index_of(id.index, interaction_count(), "interaction");
+    const std::size_t i = impl_->place(id);
     const stepper::StepContext& ctx = impl_->ctx;
     const model::Interactions& in = ctx.interactions;
     const model::RowState state = in.row_state(id.index, ctx.bodies);
@@ -58,7 +57,7 @@ std::vector<ContactView> World::overlaps() const {
             v.normal[k] = c.normal[k];
         }
         v.force = -c.gap / found.surfaces[at(c.surface)].compliance * v.normal;
-        for (int s = 0; s < 2; ++s) v.shape[s] = ShapeId{c.shape[s]};
+        for (int s = 0; s < 2; ++s) v.shape[s] = ctx.collider.places.id<ShapeId>(c.shape[s]);
     }
     return out;
 }

@@ -14,9 +14,6 @@
 
 namespace hawser {
 
-using world::claim;
-using world::claim_for;
-using world::index_of;
 using world::lookup;
 
 World::World(const WorldDef& def) {
@@ -27,56 +24,6 @@ World::World(const WorldDef& def) {
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
-
-BodyId World::add_body(const BodyDef& def) {
-    world::check(def);
-    Impl& m = *impl_;
-    const int index = body_count();
-    if (index >= m.ctx.def.max_bodies)
-        throw DefError("too many bodies; raise max_bodies = " +
-                       std::to_string(m.ctx.def.max_bodies));
-    BodyDef kept = def;
-    base::make_room(m.body_defs, 1);
-    base::make_room(m.ctx.regroup.by_hand, 1);
-    base::make_room(m.ctx.cuts.group, 1);
-    m.ctx.bodies.make_room();
-    std::int32_t group = -1;
-    claim_for(m.body_names, def.name, index, "body", [&] { group = m.number_of_group(def.group); });
-    // From here on nothing throws.
-    stepper::drop_cuts(m.ctx);
-    m.body_defs.push_back(std::move(kept));
-    m.ctx.regroup.by_hand.push_back(group);
-    m.ctx.cuts.group.push_back(group);
-    m.ctx.topology_changed = true;
-    return BodyId{m.ctx.bodies.add(def)};
-}
-
-InteractionId World::add_interaction(const InteractionDef& def) {
-    Impl& m = *impl_;
-    model::Interactions& all = m.ctx.interactions;
-    const int index = interaction_count();
-    world::check(def, m.ctx.bodies, body_count(), std::span(all.def).first(at(index)));
-    if (index >= m.ctx.def.max_interactions)
-        throw DefError("too many interactions; raise max_interactions = " +
-                       std::to_string(m.ctx.def.max_interactions));
-    InteractionDef d = def;
-    const KindInfo& info = kind_info(d.kind);
-    Vec3 position[kMaxInteractionBodies], point[kMaxInteractionBodies];
-    for (int b = 0; b < info.bodies; ++b) {
-        const BodyId id = d.body[static_cast<std::size_t>(b)];
-        position[b] = pose(id).position;
-        point[b] = world_point(id, d.point[static_cast<std::size_t>(b)]);
-    }
-    const double distance = info.bodies > 1 ? (point[1] - point[0]).norm() : 0.0;
-    model::complete(d, position, distance);
-    world::check_params(d);
-    all.make_room(d.kind);
-    claim(m.interaction_names, d.name, index, "interaction");
-    // From here on nothing throws.
-    stepper::drop_cuts(m.ctx);
-    m.ctx.topology_changed = true;
-    return InteractionId{all.add(std::move(d), m.ctx.bodies, m.ctx.def.step)};
-}
 
 void World::prepare() { stepper::ready(impl_->ctx); }
 
@@ -118,7 +65,7 @@ std::uint64_t World::state_hash() const noexcept {
 }
 
 void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
-    const std::size_t b = index_of(body.index, body_count(), "body");
+    const std::size_t b = impl_->place(body);
     world::check_force(world::label("body", impl_->body_defs[b].name), force, torque);
     for (int i = 0; i < 3; ++i) {
         double* now = &impl_->ctx.bodies.force[6 * b + at(i)];
@@ -129,22 +76,20 @@ void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
 }
 
 int World::body_count() const noexcept { return stepper::body_count(impl_->ctx); }
-const BodyDef& World::body_def(BodyId id) const {
-    return impl_->body_defs[index_of(id.index, body_count(), "body")];
-}
+const BodyDef& World::body_def(BodyId id) const { return impl_->body_defs[impl_->place(id)]; }
 BodyId World::find_body(std::string_view name) const noexcept {
-    return BodyId{lookup(impl_->body_names, name)};
+    return impl_->ctx.bodies.id(lookup(impl_->body_names, name));
 }
 
 Pose World::pose(BodyId id) const {
-    const std::size_t b = index_of(id.index, body_count(), "body");
+    const std::size_t b = impl_->place(id);
     const model::Bodies& s = impl_->ctx.bodies;
     const double* q = &s.q[4 * b];
     return {Vec3(s.x[3 * b], s.x[3 * b + 1], s.x[3 * b + 2]), Quat(q[0], q[1], q[2], q[3])};
 }
 
 Twist World::velocity(BodyId id) const {
-    const std::size_t b = index_of(id.index, body_count(), "body");
+    const std::size_t b = impl_->place(id);
     const model::Bodies& s = impl_->ctx.bodies;
     Twist t;
     const int dof = s.dof(id.index);
@@ -155,7 +100,7 @@ Twist World::velocity(BodyId id) const {
 }
 
 void World::set_pose(BodyId id, const Pose& pose) {
-    const std::size_t b = index_of(id.index, body_count(), "body");
+    const std::size_t b = impl_->place(id);
     world::check_pose(world::label("body", impl_->body_defs[b].name), pose.position,
                       pose.orientation);
     model::Bodies& s = impl_->ctx.bodies;
@@ -175,7 +120,7 @@ void World::set_pose(BodyId id, const Pose& pose) {
 }
 
 void World::set_velocity(BodyId id, const Twist& twist) {
-    const std::size_t b = index_of(id.index, body_count(), "body");
+    const std::size_t b = impl_->place(id);
     const std::string where = world::label("body", impl_->body_defs[b].name);
     world::check_velocity(where, twist.linear, twist.angular);
     model::Bodies& s = impl_->ctx.bodies;
@@ -194,12 +139,10 @@ void World::set_velocity(BodyId id, const Twist& twist) {
     if (dof > 0) std::copy_n(v, dof, &s.v_start[at(s.dof_begin[b])]);
 }
 
-bool World::asleep(BodyId id) const {
-    return impl_->ctx.bodies.asleep[index_of(id.index, body_count(), "body")] != 0;
-}
+bool World::asleep(BodyId id) const { return impl_->ctx.bodies.asleep[impl_->place(id)] != 0; }
 
 void World::wake(BodyId id) {
-    (void)index_of(id.index, body_count(), "body");
+    (void)impl_->place(id);
     if (impl_->ctx.bodies.dof(id.index) == 0) stepper::disturb_all(impl_->ctx);
     stepper::disturb(impl_->ctx, id.index);
 }
@@ -211,20 +154,20 @@ Vec3 World::world_point(BodyId id, const Vec3& local) const {
 
 int World::interaction_count() const noexcept { return stepper::interaction_count(impl_->ctx); }
 const InteractionDef& World::interaction_def(InteractionId id) const {
-    return impl_->ctx.interactions.def[index_of(id.index, interaction_count(), "interaction")];
+    return impl_->ctx.interactions.def[impl_->place(id)];
 }
 InteractionId World::find_interaction(std::string_view name) const noexcept {
-    return InteractionId{lookup(impl_->interaction_names, name)};
+    return impl_->ctx.interactions.id(lookup(impl_->interaction_names, name));
 }
 
 std::span<const double> World::force(InteractionId id) const {
-    const std::size_t i = index_of(id.index, interaction_count(), "interaction");
+    const std::size_t i = impl_->place(id);
     const model::Interactions& in = impl_->ctx.interactions;
     return {in.force.data() + in.row_begin[i], in.rows[i]};
 }
 
 std::array<double, kMaxInteractionRows> World::violation(InteractionId id) const {
-    const std::size_t i = index_of(id.index, interaction_count(), "interaction");
+    const std::size_t i = impl_->place(id);
     const model::Interactions& in = impl_->ctx.interactions;
     const model::RowState s = in.row_state(id.index, impl_->ctx.bodies);
     std::array<double, kMaxInteractionRows> g{};
@@ -234,12 +177,11 @@ std::array<double, kMaxInteractionRows> World::violation(InteractionId id) const
 }
 
 bool World::completed(InteractionId id) const {
-    return impl_->ctx.interactions
-               .completed[index_of(id.index, interaction_count(), "interaction")] != 0;
+    return impl_->ctx.interactions.completed[impl_->place(id)] != 0;
 }
 
 std::array<double, kMaxInteractionRows> World::stiffness_force(InteractionId id) const {
-    const std::size_t i = index_of(id.index, interaction_count(), "interaction");
+    const std::size_t i = impl_->place(id);
     const model::Interactions& in = impl_->ctx.interactions;
     const std::vector<double>& with = impl_->ctx.completion.lambda_with;
     std::array<double, kMaxInteractionRows> f{};
@@ -251,14 +193,13 @@ std::array<double, kMaxInteractionRows> World::stiffness_force(InteractionId id)
 
 int World::wire_alert(InteractionId id) const {
     const stepper::Wires& wires = impl_->ctx.wires;
-    const std::size_t i = index_of(id.index, interaction_count(), "interaction");
+    const std::size_t i = impl_->place(id);
     if (i >= wires.wire_of.size() || wires.wire_of[i] < 0) return 0;
     return wires.alert[static_cast<std::size_t>(wires.wire_of[i])];
 }
 
 bool World::intact(InteractionId id) const {
-    return impl_->ctx.interactions.parted[index_of(id.index, interaction_count(), "interaction")] ==
-           0;
+    return impl_->ctx.interactions.parted[impl_->place(id)] == 0;
 }
 
 SystemView World::inspect() const {
@@ -270,12 +211,13 @@ SystemView World::inspect() const {
     for (std::size_t n = 0; n < v.nodes.size(); ++n)
         v.nodes[n] = {{}, {}, s.pattern.size[n], s.symbolic.node_front[n]};
     for (int b = 0; b < body_count(); ++b)
-        if (s.node_of_body[at(b)] >= 0) v.nodes[at(s.node_of_body[at(b)])].body = BodyId{b};
+        if (s.node_of_body[at(b)] >= 0)
+            v.nodes[at(s.node_of_body[at(b)])].body = m.ctx.bodies.id(b);
     // Copies of a cut interaction show as what they stand for.
     for (int i = 0; i < m.ctx.interactions.count(); ++i)
         if (s.node_of_interaction[at(i)] >= 0)
             v.nodes[at(s.node_of_interaction[at(i)])].interaction =
-                InteractionId{stepper::original(m.ctx, i)};
+                m.ctx.interactions.id(stepper::original(m.ctx, i));
     v.edge_start = s.pattern.start;
     v.edges = s.pattern.adjacent;
     v.order = s.symbolic.order;

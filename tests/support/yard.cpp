@@ -102,9 +102,10 @@ ShapeDef shape_of(ShapeKind kind, double size) {
 }
 
 std::string not_finite(const World& w) {
-    for (std::int32_t i = 0; i < w.body_count(); ++i) {
-        const Pose p = w.pose(BodyId{i});
-        const Twist v = w.velocity(BodyId{i});
+    for (const BodyId id : w.bodies()) {
+        const std::int32_t i = id.index;
+        const Pose p = w.pose(id);
+        const Twist v = w.velocity(id);
         if (!p.position.allFinite()) return "position of body " + std::to_string(i);
         if (!(std::abs(p.orientation.norm() - 1.0) < 1e-9))
             return "orientation of body " + std::to_string(i);
@@ -128,8 +129,7 @@ std::string not_finite(const World& w) {
 
 double fastest(const World& w) {
     double most = 0.0;
-    for (std::int32_t i = 0; i < w.body_count(); ++i)
-        most = std::max(most, w.velocity(BodyId{i}).linear.norm());
+    for (const BodyId id : w.bodies()) most = std::max(most, w.velocity(id).linear.norm());
     return most;
 }
 

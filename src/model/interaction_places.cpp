@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Adding and removing: what a definition makes of the arrays.
+#define HAWSER_KIND_SETUP
+#include "base/index.h"
+#include "base/sorted.h"
+#include "model/interactions.h"
+#include "model/kinds/all.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hawser::model {
+namespace {
+
+std::uint8_t flags_of(const InteractionDef& d, const generic::RowSpec& first,
+                      const Bodies& bodies) {
+    int flag = 0;
+    if (first.one_sided) flag |= kOneSided;
+    if (first.range) flag |= kRange;
+    if (first.friction) flag |= kFriction;
+    if (kind_info(d.kind).is(kMotorKind)) flag |= kMotor;
+    if (kind_info(d.kind).is(kWireElement)) {
+        if (d.get("breaking_load") < 1e30) flag |= kBreakable;
+        if (std::isnan(d.compliance[0])) flag |= kFromLength;
+    }
+    for (int b = 0; b < kind_info(d.kind).bodies; ++b)
+        if (bodies.kind[at(d.body[at(b)].index)] == BodyKind::kinematic) flag |= kCarried;
+    return static_cast<std::uint8_t>(flag);
+}
+
+/// How easily the lighter end of a line moves across it [1/kg]: arms at their longest, or, between
+/// two rigid bodies, by the mean inertia across the arm.
+double lightest_end(const InteractionDef& d, const Bodies& b) {
+    double most = 0.0;
+    const bool rigid = b.dof(d.body[0].index) == 6 && b.dof(d.body[1].index) == 6;
+    for (std::size_t slot = 0; slot < 2; ++slot) {
+        const auto body = at(d.body[slot].index);
+        const int dof = b.dof(d.body[slot].index);
+        if (dof < 3) continue;
+        double end = 1.0 / b.mass[body];
+        const Vec3& arm = d.point[slot];
+        const double square = arm.squaredNorm();
+        if (rigid && square > 0.0) {
+            const Eigen::Map<const Mat3> inertia(&b.inertia[9 * body]);
+            end += 2.0 * square / (inertia.trace() - arm.dot(inertia * arm) / square);
+        }
+        for (std::size_t i = 0; i < 3 && dof == 6 && !rigid; ++i)
+            end += square * b.inv_inertia[9 * body + 4 * i];
+        most = std::max(most, end);
+    }
+    return most;
+}
+
+}  // namespace
+
+void Interactions::make_room(InteractionKind kind) {
+    places.make_room();
+    base::make_room(def, 1);
+    Pool& p = pool[static_cast<std::size_t>(kind)];
+    base::make_room(p.ids, 1);
+    generic::with_kind(kind, [&]<class K>() { base::make_room(p.data, sizeof(typename K::Data)); });
+    for (std::vector<std::int32_t>* a :
+         {&pool_index, &geo, &load_begin, &working, &motors, &frictions, &winches})
+        base::make_room(*a, 1);
+    base::make_room(saturated, 1);
+    base::make_room(loads, kMaxFrictionLoads);
+    for (base::Array<std::int32_t>* a : {&body, &row_begin, &jac_begin})
+        base::make_room(*a, kMaxInteractionBodies);
+    for (base::Array<std::uint8_t>* a :
+         {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
+        base::make_room(*a, 1);
+    for (base::Array<double>* a :
+         {&active, &held, &low, &high, &anchor, &rest_length, &lightness, &alert, &swing})
+        base::make_room(*a, 1);
+    for (base::Array<double>* a :
+         {&epsilon, &tau, &mobility, &upsilon, &recall, &sigma, &least_sigma, &inv_sigma, &g, &c,
+          &residual, &lambda, &multiplier, &force})
+        base::make_room(*a, kMaxInteractionRows);
+    base::make_room(row_flags, kMaxInteractionRows);
+}
+
+int Interactions::add(InteractionDef filled, const Bodies& bodies_in, double h) {
+    const InteractionKind kind = filled.kind;
+    const int place = places.find_vacant([&](std::int32_t p) { return def[at(p)].kind == kind; });
+    if (place < 0) return append(std::move(filled), bodies_in, h);
+    places.take(place);
+    write(place, std::move(filled), bodies_in, h);
+    return place;
+}
+
+int Interactions::append(InteractionDef filled, const Bodies& bodies_in, double h) {
+    const int id = places.append();
+    grow(filled.kind);
+    write(id, std::move(filled), bodies_in, h);
+    return id;
+}
+
+void Interactions::append_empty(InteractionKind kind) {
+    const auto i = at(places.append());
+    grow(kind);
+    def[i].kind = kind;
+    std::fill_n(&body[kMaxInteractionBodies * i], kMaxInteractionBodies, -1);
+}
+
+void Interactions::set_loads(int id, const std::array<FrictionLoad, kMaxFrictionLoads>& loads_in) {
+    def[at(id)].load = loads_in;
+    write_loads(id);
+}
+
+/// Room for one more of a kind, without a value.
+void Interactions::grow(InteractionKind kind) {
+    const auto id = static_cast<std::int32_t>(def.size());
+    const auto n = at(id) + 1;
+    def.emplace_back();
+    Pool& p = pool[static_cast<std::size_t>(kind)];
+    pool_index.push_back(static_cast<std::int32_t>(p.ids.size()));
+    p.ids.push_back(id);
+    bool geometric = false;
+    generic::with_kind(kind, [&]<class K>() {
+        static_assert(sizeof(typename K::Data) % sizeof(double) == 0);
+        p.stride = sizeof(typename K::Data);
+        geometric = K::kGeometry != generic::Geometry::none;
+    });
+    p.data.resize(p.ids.size() * p.stride);
+    geo.push_back(geometric ? geo_count++ : -1);
+    load_begin.push_back(-1);
+    row_begin.push_back(row_count);
+    jac_begin.push_back(0);
+    row_count += kind_info(kind).rows;
+    body.resize(kMaxInteractionBodies * n);
+    for (base::Array<std::uint8_t>* a :
+         {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
+        a->resize(n);
+    for (base::Array<double>* a :
+         {&active, &held, &low, &high, &anchor, &rest_length, &lightness, &alert, &swing})
+        a->resize(n);
+    for (base::Array<double>* a :
+         {&epsilon, &tau, &mobility, &upsilon, &recall, &sigma, &least_sigma, &inv_sigma, &g, &c,
+          &residual, &lambda, &multiplier, &force})
+        a->resize(at(row_count));
+    row_flags.resize(at(row_count));
+}
+
+void Interactions::write(int id, InteractionDef filled, const Bodies& bodies_in, double h) {
+    const auto i = at(id);
+    const KindInfo& info = kind_info(filled.kind);
+    def[i] = std::move(filled);
+    const InteractionDef& d = def[i];
+    for (std::size_t b = 0; b < kMaxInteractionBodies; ++b)
+        body[kMaxInteractionBodies * i + b] = b < at(info.bodies) ? d.body[b].index : -1;
+    bodies[i] = static_cast<std::uint8_t>(info.bodies);
+    rows[i] = static_cast<std::uint8_t>(info.rows);
+    active[i] = 1.0;
+    for (base::Array<std::uint8_t>* a : {&arms, &parted, &coarse, &repeats, &completed})
+        (*a)[i] = 0;
+    for (base::Array<double>* a : {&held, &anchor, &rest_length, &alert, &swing}) (*a)[i] = 0.0;
+    write_rows(id, bodies_in, h);
+    enlist(id, bodies_in);
+}
+
+/// What the definition says of its rows.
+void Interactions::write_rows(int id, const Bodies& bodies_in, double h) {
+    InteractionDef& d = def[at(id)];
+    generic::RowSpec spec[kMaxInteractionRows];
+    bool line = false;
+    generic::with_kind(d.kind, [&]<class K>() {
+        K::defaults(d, h, spec);
+        line = K::kGeometry == generic::Geometry::line;
+    });
+    flags[at(id)] = flags_of(d, spec[0], bodies_in);
+    lightness[at(id)] = line ? lightest_end(d, bodies_in) : 0.0;
+    set_range(id);
+    write_data(id);
+    write_loads(id);
+    const bool wire = kind_info(d.kind).is(kWireElement);
+    for (std::size_t r = 0; r < rows[at(id)]; ++r) {
+        const std::size_t row = at(row_begin[at(id)]) + r;
+        d.compliance[r] = spec[r].compliance;
+        // One that is the scheme's own stays unsaid: a copy is to know that no damper stands for
+        // it.
+        if (!spec[r].calmed) d.damping_time[r] = spec[r].damping_time;
+        epsilon[row] = spec[r].compliance;
+        tau[row] = spec[r].damping_time;
+        const bool damper = !spec[r].velocity && !spec[r].calmed;
+        row_flags[row] =
+            static_cast<std::uint8_t>((spec[r].velocity ? kRowVelocity : 0) |
+                                      (spec[r].gap ? kRowGap : 0) | (damper ? kRowDamper : 0));
+        for (base::Array<double>* a : {&mobility, &upsilon, &recall, &inv_sigma, &least_sigma, &g,
+                                       &c, &residual, &lambda, &multiplier, &force})
+            (*a)[row] = 0.0;
+        share_damping(row, wire, h);
+        sigma[row] = spec[r].velocity ? spec[r].compliance / h
+                                      : 4.0 * spec[r].compliance * upsilon[row] / (h * h);
+    }
+    if (wire) follow_length(id, bodies_in, h);
+}
+
+/// Lists of those that something is to be done for in each step.
+void Interactions::enlist(int id, const Bodies& bodies_in) {
+    const int flag = flags[at(id)];
+    if (kind_info(def[at(id)].kind).is(kWoundUp) && (flag & kFromLength))
+        base::insert_sorted(winches, id);
+    if (flag & kMotor) {
+        const auto before = std::lower_bound(motors.begin(), motors.end(), id) - motors.begin();
+        saturated.insert(saturated.begin() + before, 0);
+        motors.insert(motors.begin() + before, id);
+    }
+    if (flag & kFriction) {
+        base::insert_sorted(frictions, id);
+        set_anchor(id, row_state(id, bodies_in).g[0]);
+    }
+    if (flag & (kMotor | kFriction | kCarried)) base::insert_sorted(working, id);
+}
+
+void Interactions::remove(int id) noexcept {
+    const auto i = at(id);
+    if (flags[i] & kMotor) {
+        const auto place = std::lower_bound(motors.begin(), motors.end(), id) - motors.begin();
+        saturated.erase(saturated.begin() + place);
+    }
+    for (std::vector<std::int32_t>* list : {&winches, &motors, &frictions, &working})
+        base::erase_sorted(*list, id);
+    for (Load& load : loads)
+        if (load.rows > 0 && load.row_begin == row_begin[i]) load.rows = 0;
+    for (InteractionDef& d : def)
+        for (FrictionLoad& load : d.load)
+            if (load.interaction.index == id) load = {};
+    if (load_begin[i] >= 0)
+        for (std::size_t k = 0; k < kMaxFrictionLoads; ++k) loads[at(load_begin[i]) + k] = {};
+    for (std::size_t row = at(row_begin[i]); row < at(row_begin[i]) + rows[i]; ++row) {
+        for (base::Array<double>* a : {&g, &c, &residual, &lambda, &multiplier, &force, &epsilon})
+            (*a)[row] = 0.0;
+        row_flags[row] = 0;
+    }
+    const InteractionKind kind = def[i].kind;
+    def[i] = {};
+    def[i].kind = kind;
+    std::fill_n(&body[kMaxInteractionBodies * i], kMaxInteractionBodies, -1);
+    for (base::Array<std::uint8_t>* a :
+         {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
+        (*a)[i] = 0;
+    for (base::Array<double>* a :
+         {&active, &held, &low, &high, &anchor, &rest_length, &lightness, &alert, &swing})
+        (*a)[i] = 0.0;
+    places.vacate(id);
+}
+
+void Interactions::write_loads(int id) {
+    const InteractionDef& d = def[at(id)];
+    if (!d.load[0].interaction.valid() && !d.load[1].interaction.valid()) return;
+    if (load_begin[at(id)] < 0) {
+        load_begin[at(id)] = static_cast<std::int32_t>(loads.size());
+        loads.resize(loads.size() + kMaxFrictionLoads);
+    }
+    for (std::size_t k = 0; k < kMaxFrictionLoads; ++k) {
+        Load& l = loads[at(load_begin[at(id)]) + k];
+        const FrictionLoad& load = d.load[k];
+        l = {};
+        if (!load.interaction.valid()) continue;
+        const auto of = at(load.interaction.index);
+        const std::string_view units = kind_info(def[of].kind).row_units;
+        l.row_begin = row_begin[of];
+        l.rows = static_cast<std::int32_t>(std::min(units.find_first_not_of('m'), units.size()));
+        l.factor = load.factor;
+    }
+}
+
+void Interactions::truncate(int kept) {
+    const auto n = at(kept);
+    if (kept >= count()) return;
+    places.truncate(kept);
+    row_count = row_begin[n];
+    for (Pool& p : pool) {
+        while (!p.ids.empty() && p.ids.back() >= kept) p.ids.pop_back();
+        p.data.resize(p.ids.size() * p.stride);
+    }
+    geo_count -= static_cast<std::int32_t>(
+        std::count_if(geo.begin() + kept, geo.end(), [](std::int32_t i) { return i >= 0; }));
+    def.resize(n);
+    pool_index.resize(n);
+    body.resize(kMaxInteractionBodies * n);
+    for (base::Array<std::uint8_t>* a :
+         {&bodies, &rows, &flags, &parted, &coarse, &repeats, &completed, &arms})
+        a->resize(n);
+    row_begin.resize(n);
+    jac_begin.resize(n);
+    geo.resize(n);
+    for (base::Array<double>* a :
+         {&active, &held, &low, &high, &anchor, &rest_length, &lightness, &alert, &swing})
+        a->resize(n);
+    load_begin.resize(n);
+    const auto m = at(row_count);
+    for (base::Array<double>* a :
+         {&epsilon, &tau, &mobility, &upsilon, &recall, &sigma, &least_sigma, &inv_sigma, &g, &c,
+          &residual, &lambda, &multiplier, &force})
+        a->resize(m);
+    row_flags.resize(m);
+}
+
+}  // namespace hawser::model

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What comes into a world and leaves it.
+#include <hawser/world.h>
+
+#include "world/checks.h"
+#include "world/impl.h"
+#include "world/lookup.h"
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace hawser {
+
+using world::claim;
+using world::claim_for;
+
+namespace {
+
+/// The place that a thing will have: an empty one, or behind all others.
+std::int32_t next_place(std::int32_t vacant, int count) noexcept {
+    return vacant < 0 ? count : vacant;
+}
+
+/// A definition at a place, behind all others or not. Room has been made.
+template <class T>
+void put(std::vector<T>& list, std::int32_t place, T&& value) noexcept {
+    if (at(place) == list.size())
+        list.push_back(std::move(value));
+    else
+        list[at(place)] = std::move(value);
+}
+
+template <class Id>
+void insert_id(std::vector<Id>& ids, Id id) noexcept {
+    ids.insert(std::lower_bound(ids.begin(), ids.end(), id), id);
+}
+
+template <class Id>
+void erase_id(std::vector<Id>& ids, Id id) noexcept {
+    ids.erase(std::lower_bound(ids.begin(), ids.end(), id));
+}
+
+void refuse_beyond(std::size_t living, std::int32_t most, const char* what) {
+    if (living >= at(most))
+        throw DefError(std::string("too many ") + what + "; raise max_" + what + " = " +
+                       std::to_string(most));
+}
+
+}  // namespace
+
+BodyId World::add_body(const BodyDef& def) {
+    world::check(def);
+    Impl& m = *impl_;
+    stepper::StepContext& c = m.ctx;
+    refuse_beyond(m.body_ids.size(), c.def.max_bodies, "bodies");
+    BodyDef kept = def;
+    base::make_room(m.body_defs, 1);
+    base::make_room(m.body_ids, 1);
+    base::make_room(c.regroup.by_hand, 1);
+    base::make_room(c.cuts.group, 1);
+    c.bodies.make_room();
+    const std::int32_t place = next_place(c.bodies.place_for(def.kind), body_count());
+    std::int32_t group = -1;
+    claim_for(m.body_names, def.name, place, "body", [&] { group = m.number_of_group(def.group); });
+    // From here on nothing throws.
+    stepper::begin_edit(c);
+    (void)c.bodies.add(def);
+    put(m.body_defs, place, std::move(kept));
+    put(c.regroup.by_hand, place, std::int32_t{group});
+    put(c.cuts.group, place, std::int32_t{group});
+    stepper::settle_body(c, place);
+    const BodyId id = c.bodies.id(place);
+    insert_id(m.body_ids, id);
+    return id;
+}
+
+InteractionId World::add_interaction(const InteractionDef& def) {
+    Impl& m = *impl_;
+    stepper::StepContext& c = m.ctx;
+    model::Interactions& all = c.interactions;
+    world::check(def, c.bodies, body_count(), std::span(all.def).first(at(interaction_count())),
+                 all.places);
+    refuse_beyond(m.interaction_ids.size(), c.def.max_interactions, "interactions");
+    InteractionDef d = def;
+    const KindInfo& info = kind_info(d.kind);
+    Vec3 position[kMaxInteractionBodies], point[kMaxInteractionBodies];
+    for (int b = 0; b < info.bodies; ++b) {
+        const BodyId id = d.body[static_cast<std::size_t>(b)];
+        position[b] = pose(id).position;
+        point[b] = world_point(id, d.point[static_cast<std::size_t>(b)]);
+    }
+    const double distance = info.bodies > 1 ? (point[1] - point[0]).norm() : 0.0;
+    model::complete(d, position, distance);
+    world::check_params(d);
+    all.make_room(d.kind);
+    base::make_room(m.interaction_ids, 1);
+    stepper::reserve_edit(c);
+    const std::int32_t place = next_place(all.place_for(d.kind), interaction_count());
+    claim(m.interaction_names, d.name, place, "interaction");
+    // From here on nothing throws.
+    stepper::begin_edit(c);
+    (void)all.add(std::move(d), c.bodies, c.def.step);
+    if (at(place) < c.cuts.coupling.size()) c.cuts.coupling[at(place)] = c.def.coupling;
+    stepper::settle_interaction(c, place);
+    const InteractionId id = all.id(place);
+    insert_id(m.interaction_ids, id);
+    return id;
+}
+
+ShapeId World::add_shape(const ShapeDef& def) {
+    Impl& m = *impl_;
+    world::check(def, m.ctx.bodies, body_count(), material_count());
+    ShapeDef kept = def;
+    base::make_room(m.shape_defs, 1);
+    stepper::reserve_edit(m.ctx);
+    base::make_room(m.shape_ids, 1);
+    const std::int32_t place = next_place(
+        m.ctx.collider.places.find_vacant([](std::int32_t) { return true; }), shape_count());
+    claim_for(m.shape_names, def.name, place, "shape",
+              [&] { m.ctx.collider.add(def, m.ctx.bodies); });
+    // From here on nothing throws.
+    put(m.shape_defs, place, std::move(kept));
+    stepper::begin_edit(m.ctx);
+    stepper::settle_shape(m.ctx, place);
+    const auto id = m.ctx.collider.places.id<ShapeId>(place);
+    insert_id(m.shape_ids, id);
+    return id;
+}
+
+std::span<const BodyId> World::bodies() const noexcept { return impl_->body_ids; }
+std::span<const InteractionId> World::interactions() const noexcept {
+    return impl_->interaction_ids;
+}
+std::span<const ShapeId> World::shapes() const noexcept { return impl_->shape_ids; }
+bool World::alive(BodyId id) const noexcept {
+    return id.index < body_count() && impl_->ctx.bodies.places.names(id);
+}
+bool World::alive(InteractionId id) const noexcept {
+    return id.index < interaction_count() && impl_->ctx.interactions.places.names(id);
+}
+bool World::alive(ShapeId id) const noexcept { return impl_->ctx.collider.places.names(id); }
+bool World::alive(InputId id) const noexcept { return impl_->input_places.names(id); }
+
+const Removed& World::remove_body(BodyId id) {
+    (void)impl_->place(id);
+    impl_->reserve_removal();
+    impl_->remove(id);
+    return impl_->sorted_removal();
+}
+
+const Removed& World::remove_interaction(InteractionId id) {
+    (void)impl_->place(id);
+    impl_->reserve_removal();
+    impl_->remove(id);
+    return impl_->sorted_removal();
+}
+
+const Removed& World::remove_shape(ShapeId id) {
+    (void)impl_->place(id);
+    impl_->reserve_removal();
+    impl_->remove(id);
+    return impl_->sorted_removal();
+}
+
+const Removed& World::remove_input(InputId id) {
+    (void)impl_->place(id);
+    impl_->reserve_removal();
+    impl_->remove(id);
+    return impl_->sorted_removal();
+}
+
+/// Room for all that there is: a hull may take anything with it.
+void World::Impl::reserve_removal() {
+    stepper::reserve_edit(ctx);
+    ctx.bodies.make_room();
+    ctx.interactions.places.make_room();
+    input_places.make_room();
+    removed.bodies.reserve(body_ids.size());
+    removed.interactions.reserve(interaction_ids.size());
+    removed.shapes.reserve(shape_ids.size());
+    removed.inputs.reserve(inputs.size());
+    removed.bodies.clear();
+    removed.interactions.clear();
+    removed.shapes.clear();
+    removed.inputs.clear();
+}
+
+const Removed& World::Impl::sorted_removal() noexcept {
+    std::sort(removed.interactions.begin(), removed.interactions.end());
+    std::sort(removed.shapes.begin(), removed.shapes.end());
+    std::sort(removed.inputs.begin(), removed.inputs.end());
+    return removed;
+}
+
+/// What hangs on it goes first.
+void World::Impl::remove(BodyId id) noexcept {
+    const model::Interactions& in = ctx.interactions;
+    for (std::int32_t i = stepper::interaction_count(ctx); i-- > 0;) {
+        const std::int32_t* body = &in.body[kMaxInteractionBodies * at(i)];
+        if (std::find(body, body + in.bodies[at(i)], id.index) != body + in.bodies[at(i)])
+            remove(in.id(i));
+    }
+    for (std::int32_t s = ctx.collider.count(); s-- > 0;) {
+        const std::int32_t* body = ctx.collider.shapes()[at(s)].body;
+        if (body[0] == id.index || body[1] == id.index) remove(ctx.collider.places.id<ShapeId>(s));
+    }
+    for (std::int32_t k = input_places.count(); k-- > 0;)
+        if (inputs[at(k)].body == id) remove(input_places.id<InputId>(k));
+    stepper::begin_edit(ctx);
+    world::release(body_names, body_defs[at(id.index)].name);
+    body_defs[at(id.index)] = {.kind = BodyKind::fixed, .gravity = false};
+    ctx.regroup.by_hand[at(id.index)] = ctx.cuts.group[at(id.index)] = -1;
+    stepper::remove_body(ctx, id.index);
+    erase_id(body_ids, id);
+    removed.bodies.push_back(id);
+}
+
+void World::Impl::remove(InteractionId id) noexcept {
+    for (std::int32_t k = input_places.count(); k-- > 0;)
+        if (inputs[at(k)].interaction == id) remove(input_places.id<InputId>(k));
+    stepper::begin_edit(ctx);
+    world::release(interaction_names, ctx.interactions.def[at(id.index)].name);
+    stepper::remove_interaction(ctx, id.index);
+    erase_id(interaction_ids, id);
+    removed.interactions.push_back(id);
+}
+
+void World::Impl::remove(ShapeId id) noexcept {
+    stepper::begin_edit(ctx);
+    world::release(shape_names, shape_defs[at(id.index)].name);
+    shape_defs[at(id.index)] = {};
+    stepper::remove_shape(ctx, id.index);
+    erase_id(shape_ids, id);
+    removed.shapes.push_back(id);
+}
+
+/// What it set stays as it is.
+void World::Impl::remove(InputId id) noexcept {
+    InputDef& def = inputs[at(id.index)];
+    const InteractionId driven = def.interaction;
+    world::release(input_names, def.name);
+    def = {};
+    input_values[at(id.index)] = 0.0;
+    input_places.vacate(id.index);
+    removed.inputs.push_back(id);
+    const auto same = [&](const InputDef& other) { return other.interaction == driven; };
+    if (!driven.valid() || std::any_of(inputs.begin(), inputs.end(), same)) return;
+    stepper::begin_edit(ctx);  // it may be completed now
+    ctx.interactions.unmark_driven(driven.index);
+}
+
+}  // namespace hawser
