@@ -121,13 +121,28 @@ class Replay {
         return kUsageError;
     }
 
+    /// All that was done before the step that comes next, in its order.
+    void repeat_changes() {
+        const auto& inputs = recording_.inputs;
+        const auto& changes = recording_.changes;
+        const std::int64_t now = world_.step_count();
+        for (;;) {
+            const bool change = next_change_ < changes.size() && changes[next_change_].step <= now;
+            if (change && changes[next_change_].inputs_before <= next_) {
+                record::apply_changes(changes[next_change_++].bytes, world_);
+            } else if (next_ < inputs.size() && inputs[next_].step <= now) {
+                world_.set_input({inputs[next_].input}, inputs[next_].value);
+                ++next_;
+            } else {
+                return;
+            }
+        }
+    }
+
     int advance(std::int64_t to, Progress& progress) {
         while (world_.step_count() < to) {
             if (stop_requested()) return kInterrupted;
-            for (; next_ < recording_.inputs.size() &&
-                   recording_.inputs[next_].step <= world_.step_count();
-                 ++next_)
-                world_.set_input({recording_.inputs[next_].input}, recording_.inputs[next_].value);
+            repeat_changes();
             const auto& cuts = recording_.cuts;
             while (next_cut_ < cuts.size() && cuts[next_cut_].step < world_.step_count())
                 ++next_cut_;
@@ -147,7 +162,7 @@ class Replay {
 
     const record::Recording& recording_;
     World& world_;
-    std::size_t next_ = 0, next_cut_ = 0;
+    std::size_t next_ = 0, next_change_ = 0, next_cut_ = 0;
 };
 
 int replay(const ReplayOptions& options) {
@@ -161,7 +176,7 @@ int replay(const ReplayOptions& options) {
     const auto bad_input = [&](const record::RecordedInput& input) {
         return input.input < 0 || input.input >= world.input_count();
     };
-    if (world.body_count() != static_cast<std::int32_t>(recording.bodies.size()) ||
+    if (world.body_count() != static_cast<std::int32_t>(recording.start_bodies) ||
         world.settings().step != recording.settings.step ||
         std::any_of(recording.inputs.begin(), recording.inputs.end(), bad_input))
         throw record::RecordingError(options.file +

@@ -3,6 +3,7 @@
 /// @file hawser.h
 /// Everything public in one include.
 
+#include <hawser/changes.h>
 #include <hawser/def.h>
 #include <hawser/edits.h>
 #include <hawser/factor.h>

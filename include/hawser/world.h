@@ -47,6 +47,7 @@ struct PartitionRequest;  // partition.h
 struct TraceView;         // trace.h
 struct CutView;           // inspect.h
 struct RowsView;          // inspect.h
+class ChangeListener;     // changes.h
 
 class World {
   public:
@@ -84,6 +85,9 @@ class World {
     const Removed& remove_interaction(InteractionId id);
     const Removed& remove_shape(ShapeId id);  ///< … a shape …
     const Removed& remove_input(InputId id);  ///< … and an input: what it set stays as it is.
+    /// Whoever is told of all that is done from now on, see changes.h; null: nobody. It has to
+    /// outlive the world, or be taken away. A twin() has none.
+    void set_change_listener(ChangeListener* listener) noexcept;
     /// Analyse now instead of in the first step. @throws std::bad_alloc, LimitError.
     void prepare();
 

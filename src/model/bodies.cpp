@@ -41,6 +41,7 @@ int Bodies::add(const BodyDef& def) {
 }
 
 int Bodies::append(const BodyDef& def) {
+    for (std::vector<std::int32_t>* list : {&moving, &rigid, &driven}) base::make_room(*list, 1);
     const int id = places.append();
     const auto n = at(id) + 1;
     const int d = dof_of(def.kind);

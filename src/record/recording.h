@@ -7,6 +7,7 @@
 /// the simulation runs. After a crash everything up to the last complete chunk can be read.
 
 #include "record/bytes.h"
+#include "record/changes.h"
 #include "record/scene_info.h"
 
 #include <hawser/hawser.h>
@@ -79,6 +80,13 @@ struct RecordedInput {
     double value = 0.0;
 };
 
+/// What else was done to the world between two steps: added, removed, moved … (changes.h).
+struct RecordedChanges {
+    std::int64_t step = 0;             ///< Done when this many steps had been taken, …
+    std::size_t inputs_before = 0;     ///< … after so many of Recording::inputs.
+    std::span<const std::byte> bytes;  ///< For apply_changes().
+};
+
 /// A step that left something out to keep to its budget.
 struct RecordedCut {
     std::int64_t step = 0;  ///< Taken when this many steps had been taken.
@@ -102,7 +110,8 @@ struct Frame {
     double violation_max = 0.0;      ///< [m]
     double momentum_residual = 0.0;  ///< Relative.
     double energy = 0.0;             ///< Mechanical [J].
-    std::vector<Pose> poses;         ///< Of every body.
+    std::vector<Pose> poses;         ///< Of every body; that of the start where it is not there.
+    std::vector<bool> there;         ///< By body: it had come, and had not gone.
     std::vector<float> tensions;     ///< Of every element of every cable [N].
 };
 
@@ -116,6 +125,8 @@ class RecordingWriter {
                     const RecordingSettings& settings);
     void add_frame(const World& world);
     void add_inputs(std::span<const RecordedInput> changes);
+    /// What a world told since the last call (changes.h); before the step that comes next.
+    void add_changes(const World& world, const ChangeBytes& changes);
     void add_cut(const RecordedCut& cut);
     void add_event(const World& world, const Event& event);
     void finish(const World& world, Ending ending);
@@ -130,8 +141,16 @@ class RecordingWriter {
     std::filesystem::path file_;
     std::unique_ptr<std::FILE, CloseFile> out_;
     ByteWriter payload_;
+    struct FramedBody {
+        BodyId id;
+        BodyKind kind;
+        Pose start;
+    };
+    void follow_bodies(const World& world);
+
     std::vector<InteractionId> elements_;
-    std::vector<Pose> start_;
+    std::vector<FramedBody> bodies_;  ///< Of a frame, in its order.
+    bool other_bodies_ = false;       ///< Than bodies_: they are written before the next frame.
 };
 
 /// A recording in memory. Frames are decoded when asked for.
@@ -150,7 +169,8 @@ class Recording {
     std::string scene_name, scene_path, scene_text;
     std::uint64_t scene_hash = 0;
     RecordingSettings settings;
-    std::vector<RecordedBody> bodies;
+    std::vector<RecordedBody> bodies;  ///< Of the scene, then those that came.
+    std::size_t start_bodies = 0;      ///< Of the scene.
     std::vector<RecordedCable> cables;
     std::vector<std::int32_t> plot_cables, plot_bodies;
     std::vector<RecordedJoint> joints;
@@ -161,6 +181,7 @@ class Recording {
     std::vector<std::string> input_names;   ///< By index of RecordedInput::input; may be missing.
     std::vector<RecordedOutline> outlines;  ///< May be missing.
     std::vector<RecordedInput> inputs;
+    std::vector<RecordedChanges> changes;
     std::vector<RecordedCut> cuts;
     std::vector<RecordedEvent> events;
     Ending ending = Ending::unknown;
@@ -180,15 +201,25 @@ class Recording {
     void read_settings(ByteReader in);
     void read_layout(ByteReader in);
     void read_inputs(ByteReader in);
+    void read_changes(ByteReader in);
+    void read_bodies(ByteReader in);
     void read_cut(ByteReader in);
     void read_event(ByteReader in);
     void read_end(ByteReader in);
     void check_floats(ByteReader in) const;
     void add_frame(std::span<const std::byte> payload);
 
+    /// Bodies that frames have from one of them on: indices in `bodies`, in the order of a frame.
+    struct Layout {
+        std::size_t first_frame = 0, floats = 0;
+        std::vector<std::int32_t> bodies;
+    };
+    [[nodiscard]] const Layout& layout_of(std::size_t frame) const;
+    [[nodiscard]] std::size_t frame_size() const noexcept;
+
     std::vector<std::byte> bytes_;
     std::vector<std::span<const std::byte>> frames_;
-    std::size_t frame_size_ = 0;
+    std::vector<Layout> layouts_;
 };
 
 /// Floats of a body's pose in a frame: 7, 3, 1 or 0.

@@ -22,20 +22,55 @@ void Recording::read_settings(ByteReader in) {
     if (settings.threads < 1) throw BadBytes("the number of threads is not positive");
 }
 
+namespace {
+
+RecordedBody get_body(ByteReader& in) {
+    RecordedBody body;
+    body.name = in.get_text();
+    body.kind = get_enum<BodyKind>(in, 5);
+    body.half_size = get_vector(in);
+    body.start.position = get_vector(in);
+    body.start.orientation = get_quaternion<double>(in);
+    check_unit(body.start.orientation, 1e-6);
+    return body;
+}
+
+}  // namespace
+
+void Recording::read_bodies(ByteReader in) {
+    Layout next;
+    next.first_frame = frames_.size();
+    const std::vector<std::int32_t> before = layouts_.back().bodies;
+    next.bodies.resize(in.get_count(4));
+    std::int32_t last = -1;
+    for (std::int32_t& index : next.bodies) {
+        const auto stays = in.get<std::int32_t>();
+        if (stays < -1 || (stays >= 0 && stays <= last) ||
+            (stays >= 0 && static_cast<std::size_t>(stays) >= before.size()))
+            throw BadBytes("an index is out of range");
+        if (stays >= 0) last = stays;
+        index = stays >= 0 ? before[static_cast<std::size_t>(stays)]
+                           : static_cast<std::int32_t>(bodies.size());
+        if (stays < 0) bodies.push_back(get_body(in));
+        next.floats +=
+            static_cast<std::size_t>(pose_floats(bodies[static_cast<std::size_t>(index)].kind));
+    }
+    in.expect_end();
+    layouts_.push_back(std::move(next));
+}
+
 void Recording::read_layout(ByteReader in) {
     // Smallest entries: a body has a name length, a kind and 10 numbers; a cable two name
     // lengths, 3 numbers, 2 points and 2 counts.
     bodies.resize(in.get_count(4 + 1 + 80));
-    std::size_t floats = 0;
+    Layout layout;
     for (RecordedBody& body : bodies) {
-        body.name = in.get_text();
-        body.kind = get_enum<BodyKind>(in, 5);
-        body.half_size = get_vector(in);
-        body.start.position = get_vector(in);
-        body.start.orientation = get_quaternion<double>(in);
-        check_unit(body.start.orientation, 1e-6);
-        floats += static_cast<std::size_t>(pose_floats(body.kind));
+        layout.bodies.push_back(static_cast<std::int32_t>(layout.bodies.size()));
+        body = get_body(in);
+        layout.floats += static_cast<std::size_t>(pose_floats(body.kind));
     }
+    layouts_.push_back(std::move(layout));
+    start_bodies = bodies.size();
     cables.resize(in.get_count(8 + 24 + 4 + 48 + 4));
     std::uint64_t elements = 0;
     for (RecordedCable& cable : cables) {
@@ -66,7 +101,6 @@ void Recording::read_layout(ByteReader in) {
     }
     in.expect_end();
     element_count = static_cast<std::int32_t>(elements);
-    frame_size_ = kFrameHeadBytes + 4 * (floats + static_cast<std::size_t>(elements));
 }
 
 }  // namespace hawser::record

@@ -127,6 +127,10 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
     } else if (kind == kOutlineChunk) {
         outlines = get_outlines(in, bodies.size());
         in.expect_end();
+    } else if (kind == kChangesChunk) {
+        read_changes(in);
+    } else if (kind == kBodiesChunk) {
+        read_bodies(in);
     } else if (kind == kCutChunk) {
         read_cut(in);
     } else if (kind == kEventChunk) {
@@ -143,6 +147,26 @@ void Recording::read_scene(ByteReader in) {
     scene_path = in.get_text();
     scene_text = in.get_text();
     in.expect_end();
+}
+
+/// What the bytes say is for the world to judge that they are done to.
+void Recording::read_changes(ByteReader in) {
+    RecordedChanges out;
+    out.step = get_step(in, changes.empty() ? start_step : changes.back().step);
+    out.inputs_before = inputs.size();
+    out.bytes = in.take(in.left());
+    changes.push_back(out);
+}
+
+std::size_t Recording::frame_size() const noexcept {
+    return kFrameHeadBytes + 4 * (layouts_.back().floats + static_cast<std::size_t>(element_count));
+}
+
+const Recording::Layout& Recording::layout_of(std::size_t frame) const {
+    const auto behind =
+        std::upper_bound(layouts_.begin(), layouts_.end(), frame,
+                         [](std::size_t f, const Layout& l) { return f < l.first_frame; });
+    return *std::prev(behind);
 }
 
 void Recording::read_cut(ByteReader in) {
@@ -185,8 +209,8 @@ void Recording::read_end(ByteReader in) {
 }
 
 void Recording::read_inputs(ByteReader in) {
-    std::vector<RecordedInput> changes(in.get_count(20));
-    for (RecordedInput& change : changes) {
+    std::vector<RecordedInput> given(in.get_count(20));
+    for (RecordedInput& change : given) {
         change.step = get_step(in, inputs.empty() ? start_step : inputs.back().step);
         change.input = in.get<std::int32_t>();
         change.value = get_finite(in);
@@ -199,7 +223,7 @@ void Recording::read_inputs(ByteReader in) {
 }
 
 void Recording::add_frame(std::span<const std::byte> payload) {
-    if (payload.size() != frame_size_)
+    if (payload.size() != frame_size())
         throw BadBytes("a frame does not have the size of the scene");
     ByteReader in(payload);
     const Frame head = get_frame_head(in);
@@ -217,8 +241,8 @@ void Recording::add_frame(std::span<const std::byte> payload) {
 
 /// Poses and tensions of a frame, as add_frame() has to find them.
 void Recording::check_floats(ByteReader in) const {
-    for (const RecordedBody& body : bodies) {
-        const int floats = pose_floats(body.kind);
+    for (const std::int32_t index : layouts_.back().bodies) {
+        const int floats = pose_floats(bodies[static_cast<std::size_t>(index)].kind);
         for (int k = 0; k < std::min(3, floats); ++k) (void)get_finite<float>(in);
         if (floats == 7) check_unit(get_quaternion<float>(in), 1e-3);
     }
@@ -233,15 +257,18 @@ Frame Recording::frame_head(std::size_t index) const {
 Frame Recording::frame(std::size_t index) const {
     ByteReader in(frames_.at(index));
     Frame frame = get_frame_head(in);
-    frame.poses.reserve(bodies.size());
-    for (const RecordedBody& body : bodies) {
-        Pose pose = body.start;
+    for (const RecordedBody& body : bodies) frame.poses.push_back(body.start);
+    frame.there.resize(bodies.size());
+    for (const std::int32_t body_index : layout_of(index).bodies) {
+        const auto b = static_cast<std::size_t>(body_index);
+        const RecordedBody& body = bodies[b];
+        Pose& pose = frame.poses[b];
+        frame.there[b] = true;
         const int floats = pose_floats(body.kind);
         for (int k = 0; k < std::min(3, floats); ++k) pose.position[k] += in.get<float>();
         if (floats == 7) {
             pose.orientation = get_quaternion<float>(in);
         }
-        frame.poses.push_back(pose);
     }
     frame.tensions.resize(static_cast<std::size_t>(element_count));
     for (float& tension : frame.tensions) tension = in.get<float>();

@@ -16,8 +16,8 @@ namespace hawser::record {
 
 std::size_t frame_bytes(const World& world, const SceneInfo& scene) {
     std::size_t floats = 0;
-    for (std::int32_t i = 0; i < world.body_count(); ++i)
-        floats += static_cast<std::size_t>(pose_floats(world.body_def({i}).kind));
+    for (const BodyId id : world.bodies())
+        floats += static_cast<std::size_t>(pose_floats(world.body_def(id).kind));
     for (const CableInfo& cable : scene.cables) floats += cable.elements.size();
     return kChunkOverhead + kFrameHeadBytes + 4 * floats;
 }
@@ -53,10 +53,10 @@ std::vector<InteractionId> joints_of(const SceneInfo& scene, const World& world)
         for (const InteractionId element : cable.elements)
             in_cable[static_cast<std::size_t>(element.index)] = true;
     std::vector<InteractionId> joints;
-    for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
-        const KindInfo& kind = kind_info(world.interaction_def({i}).kind);
-        if (kind.bodies == 2 && kind.uses_points && !in_cable[static_cast<std::size_t>(i)])
-            joints.push_back({i});
+    for (const InteractionId id : world.interactions()) {
+        const KindInfo& kind = kind_info(world.interaction_def(id).kind);
+        if (kind.bodies == 2 && kind.uses_points && !in_cable[static_cast<std::size_t>(id.index)])
+            joints.push_back(id);
     }
     return joints;
 }
@@ -84,19 +84,20 @@ Vec3 end_point(const CableInfo& cable, const World& world, bool last) {
     return Vec3::Zero();
 }
 
+void put_body(ByteWriter& out, const BodyDef& def, const Pose& pose) {
+    out.put_text(def.name);
+    out.put(static_cast<std::uint8_t>(def.kind));
+    for (int k = 0; k < 3; ++k) out.put(def.half_size[k]);
+    for (int k = 0; k < 3; ++k) out.put(pose.position[k]);
+    for (const double q :
+         {pose.orientation.w(), pose.orientation.x(), pose.orientation.y(), pose.orientation.z()})
+        out.put(q);
+}
+
 void put_layout(ByteWriter& out, const SceneInfo& scene, const World& world) {
     out.put(static_cast<std::uint32_t>(world.body_count()));
-    for (std::int32_t i = 0; i < world.body_count(); ++i) {
-        const BodyDef& def = world.body_def({i});
-        const Pose pose = world.pose({i});
-        out.put_text(def.name);
-        out.put(static_cast<std::uint8_t>(def.kind));
-        for (int k = 0; k < 3; ++k) out.put(def.half_size[k]);
-        for (int k = 0; k < 3; ++k) out.put(pose.position[k]);
-        for (const double q : {pose.orientation.w(), pose.orientation.x(), pose.orientation.y(),
-                               pose.orientation.z()})
-            out.put(q);
-    }
+    for (std::int32_t i = 0; i < world.body_count(); ++i)
+        put_body(out, world.body_def({i}), world.pose({i}));
     out.put(static_cast<std::uint32_t>(scene.cables.size()));
     for (const CableInfo& cable : scene.cables) {
         out.put_text(cable.name);
@@ -131,7 +132,13 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& file, const SceneI
     for (const CableInfo& cable : scene.cables)
         elements_.insert(elements_.end(), cable.elements.begin(), cable.elements.end());
 
-    for (std::int32_t i = 0; i < world.body_count(); ++i) start_.push_back(world.pose({i}));
+    // Indices of bodies in the layout are their places.
+    if (world.bodies().size() != static_cast<std::size_t>(world.body_count()))
+        throw RecordingError(file.string() +
+                             ": bodies were removed before the recording began; begin it with a "
+                             "world from which none has gone, such as a scene's");
+    for (const BodyId id : world.bodies())
+        bodies_.push_back({id, world.body_def(id).kind, world.pose(id)});
 
     if (std::fwrite(kMagic, 1, sizeof kMagic, out_.get()) != sizeof kMagic ||
         std::fwrite(&kFormatVersion, 1, sizeof kFormatVersion, out_.get()) != sizeof kFormatVersion)
@@ -194,7 +201,41 @@ void RecordingWriter::write_chunk(const char* kind) {
     payload_.clear();
 }
 
+void RecordingWriter::add_changes(const World& world, const ChangeBytes& changes) {
+    if (changes.failed())
+        throw RecordingError(file_.string() +
+                             ": a change of the world did not fit into memory; the recording ends "
+                             "before it");
+    if (changes.bytes().empty()) return;
+    payload_.put(world.step_count());
+    payload_.put_bytes(changes.bytes());
+    write_chunk(kChangesChunk);
+    other_bodies_ = other_bodies_ || changes.other_bodies();
+}
+
+/// Which bodies frames have from now on: those that stay by their numbers in the file.
+void RecordingWriter::follow_bodies(const World& world) {
+    other_bodies_ = false;
+    std::vector<FramedBody> now;
+    payload_.put(static_cast<std::uint32_t>(world.bodies().size()));
+    auto before = bodies_.begin();
+    for (const BodyId id : world.bodies()) {
+        while (before != bodies_.end() && before->id < id) ++before;
+        if (before != bodies_.end() && before->id == id) {
+            payload_.put(static_cast<std::int32_t>(before - bodies_.begin()));
+            now.push_back(*before);
+            continue;
+        }
+        payload_.put(std::int32_t{-1});
+        put_body(payload_, world.body_def(id), world.pose(id));
+        now.push_back({id, world.body_def(id).kind, world.pose(id)});
+    }
+    write_chunk(kBodiesChunk);
+    bodies_ = std::move(now);
+}
+
 void RecordingWriter::add_frame(const World& world) {
+    if (other_bodies_) follow_bodies(world);
     const StepStats& stats = world.stats();
     payload_.put(world.step_count());
     payload_.put(world.time());
@@ -202,11 +243,10 @@ void RecordingWriter::add_frame(const World& world) {
     for (const double figure :
          {stats.violation_max, stats.momentum_residual, world.energy().mechanical()})
         payload_.put(in_range(figure));
-    for (std::int32_t i = 0; i < world.body_count(); ++i)
-        put_pose(payload_, world.pose({i}), start_[static_cast<std::size_t>(i)],
-                 world.body_def({i}).kind);
+    for (const FramedBody& body : bodies_)
+        put_pose(payload_, world.pose(body.id), body.start, body.kind);
     for (const InteractionId element : elements_)
-        payload_.put(to_float(element_tension(world, element)));
+        payload_.put(to_float(world.alive(element) ? element_tension(world, element) : 0.0));
     write_chunk(kFrameChunk);
 }
 

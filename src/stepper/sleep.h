@@ -23,7 +23,7 @@
 /// - an input changes what acts on one of its interactions or bodies, another applied force or a
 ///   velocity is set, or World::wake() asks for it.
 /// A pose that is set, of a body that sleeps or is fixed or kinematic, wakes all, since contacts do
-/// not tell any more what leant on it; so does what is added to the world, in the next step.
+/// not tell any more what leant on it. What is added or removed wakes what it touches (edits.h).
 ///
 /// Limits: what is slower than sleep_speed for sleep_after is at rest by definition, be it the
 /// turning point of a very slow swing. Shapes of sleeping bodies still take part in collision

@@ -28,6 +28,7 @@ void World::set_group(BodyId id, const std::string& group) {
     m.ctx.regroup.stale = true;
     if (!stepper::makes_groups(m.ctx)) m.ctx.cuts.group[b] = m.ctx.regroup.by_hand[b];
     m.ctx.topology_changed = true;
+    if (m.listener != nullptr) m.listener->set_group(id, group);
 }
 
 std::int32_t World::Impl::number_of_group(const std::string& name) {
@@ -49,6 +50,7 @@ void World::follow_groups(int parts, int every) {
         if (parts == 0) c.cuts.group.swap(by_hand);
     }
     c.def = def;
+    if (impl_->listener != nullptr) impl_->listener->follow_groups(parts, every);
 }
 
 std::vector<std::int32_t> World::groups() const {
@@ -71,6 +73,7 @@ void World::set_groups(int parts) {
     stepper::Transaction all(m.ctx);
     m.ctx.undo.keep(m.ctx, stepper::Undo::Depth::model);
     try {
+        const Impl::Untold untold(m);
         regroup_all(parts);
     } catch (...) {
         m.ctx.def = before;
@@ -79,6 +82,7 @@ void World::set_groups(int parts) {
         throw;
     }
     all.done();
+    if (m.listener != nullptr) m.listener->set_groups(parts);
 }
 
 void World::regroup_all(int parts) {
@@ -106,6 +110,7 @@ void World::set_coupling(InteractionId id, Coupling coupling) {
     c.cuts.coupling[i] = coupling;
     c.regroup.stale = true;
     c.topology_changed = true;
+    if (impl_->listener != nullptr) impl_->listener->set_coupling(id, coupling);
 }
 
 Coupling World::coupling(InteractionId id) const {
@@ -209,13 +214,16 @@ void World::copy_state(const World& other) {
     std::vector<double> inputs = impl_->input_values;
     stepper::Transaction all(to);
     to.undo.keep(to, stepper::Undo::Depth::all);
+    std::vector<std::byte> copied;
     try {
         copy_from(other);
+        if (impl_->listener != nullptr) copied = save();
     } catch (...) {
         impl_->input_values.swap(inputs);
         throw;
     }
     all.done();
+    if (impl_->listener != nullptr) impl_->listener->restored(copied);
 }
 
 void World::copy_from(const World& other) {

@@ -73,6 +73,7 @@ BodyId World::add_body(const BodyDef& def) {
     stepper::settle_body(c, place);
     const BodyId id = c.bodies.id(place);
     insert_id(m.body_ids, id);
+    if (m.listener != nullptr) m.listener->added(def);
     return id;
 }
 
@@ -106,6 +107,7 @@ InteractionId World::add_interaction(const InteractionDef& def) {
     stepper::settle_interaction(c, place);
     const InteractionId id = all.id(place);
     insert_id(m.interaction_ids, id);
+    if (m.listener != nullptr) m.listener->added(def);
     return id;
 }
 
@@ -126,6 +128,7 @@ ShapeId World::add_shape(const ShapeDef& def) {
     stepper::settle_shape(m.ctx, place);
     const auto id = m.ctx.collider.places.id<ShapeId>(place);
     insert_id(m.shape_ids, id);
+    if (m.listener != nullptr) m.listener->added(def);
     return id;
 }
 
@@ -143,10 +146,13 @@ bool World::alive(InteractionId id) const noexcept {
 bool World::alive(ShapeId id) const noexcept { return impl_->ctx.collider.places.names(id); }
 bool World::alive(InputId id) const noexcept { return impl_->input_places.names(id); }
 
+void World::set_change_listener(ChangeListener* listener) noexcept { impl_->listener = listener; }
+
 const Removed& World::remove_body(BodyId id) {
     (void)impl_->place(id);
     impl_->reserve_removal();
     impl_->remove(id);
+    if (impl_->listener != nullptr) impl_->listener->removed(id);
     return impl_->sorted_removal();
 }
 
@@ -154,6 +160,7 @@ const Removed& World::remove_interaction(InteractionId id) {
     (void)impl_->place(id);
     impl_->reserve_removal();
     impl_->remove(id);
+    if (impl_->listener != nullptr) impl_->listener->removed(id);
     return impl_->sorted_removal();
 }
 
@@ -161,6 +168,7 @@ const Removed& World::remove_shape(ShapeId id) {
     (void)impl_->place(id);
     impl_->reserve_removal();
     impl_->remove(id);
+    if (impl_->listener != nullptr) impl_->listener->removed(id);
     return impl_->sorted_removal();
 }
 
@@ -168,6 +176,7 @@ const Removed& World::remove_input(InputId id) {
     (void)impl_->place(id);
     impl_->reserve_removal();
     impl_->remove(id);
+    if (impl_->listener != nullptr) impl_->listener->removed(id);
     return impl_->sorted_removal();
 }
 

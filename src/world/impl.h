@@ -3,6 +3,7 @@
 /// @file impl.h
 /// What a World owns.
 
+#include <hawser/changes.h>
 #include <hawser/edits.h>
 #include <hawser/world.h>
 
@@ -61,6 +62,22 @@ struct World::Impl {
     void remove(InteractionId id) noexcept;
     void remove(ShapeId id) noexcept;
     void remove(InputId id) noexcept;
+
+    ChangeListener* listener = nullptr;
+    /// Nobody is told what a function does within one that is told itself.
+    class Untold {
+      public:
+        explicit Untold(Impl& impl) noexcept : impl_(impl), listener_(impl.listener) {
+            impl.listener = nullptr;
+        }
+        ~Untold() { impl_.listener = listener_; }
+        Untold(const Untold&) = delete;
+        Untold& operator=(const Untold&) = delete;
+
+      private:
+        Impl& impl_;
+        ChangeListener* listener_;
+    };
 
     void apply_input(std::size_t index, double value);
     /// What acts at present where an input does: its value, unless something else set it since.

@@ -63,6 +63,7 @@ InputId World::add_input(const InputDef& def) {
     }
     m.inputs[at(place)] = std::move(allowed);
     m.input_values[at(place)] = value;
+    if (m.listener != nullptr) m.listener->added(def);
     return m.input_places.id<InputId>(place);
 }
 
@@ -95,6 +96,7 @@ void World::set_input(InputId id, double value) {
     if (clamped != impl_->applied(def) || clamped != impl_->input_values[i]) impl_->disturb(def);
     impl_->apply_input(i, clamped);
     c.drive += elastic() - before;
+    if (impl_->listener != nullptr) impl_->listener->set(id, value);
 }
 
 double World::Impl::applied(const InputDef& input) const {

@@ -18,6 +18,7 @@ void World::restore(std::span<const std::byte> bytes) {
         throw;
     }
     all.done();
+    if (impl_->listener != nullptr) impl_->listener->restored(bytes);
 }
 
 }  // namespace hawser

@@ -54,6 +54,7 @@ MaterialId World::add_material(const MaterialDef& def) {
     claim_for(m.material_names, def.name, index, "material",
               [&] { m.ctx.collider.materials.add(def); });
     m.ctx.topology_changed = true;
+    if (m.listener != nullptr) m.listener->added(def);
     return MaterialId{index};
 }
 
@@ -61,6 +62,7 @@ void World::add_material_pair(const MaterialPairDef& def) {
     world::check(def, material_count(), impl_->ctx.def.nonsmooth);
     impl_->ctx.collider.materials.add_pair(def);
     impl_->ctx.topology_changed = true;
+    if (impl_->listener != nullptr) impl_->listener->added(def);
 }
 
 int World::material_count() const noexcept { return impl_->ctx.collider.materials.count(); }

@@ -35,6 +35,7 @@ void World::degrade_next_step(const Degradation& degradation) noexcept {
     impl_->ctx.imposed = degradation;
     // As 0, where it came from bytes that no step wrote.
     impl_->ctx.imposed.iterations = std::max(0, degradation.iterations);
+    if (impl_->listener != nullptr) impl_->listener->degraded(degradation);
 }
 
 double World::time() const noexcept { return impl_->ctx.time; }
@@ -73,6 +74,7 @@ void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
         now[0] = force[i];
         now[3] = torque[i];
     }
+    if (impl_->listener != nullptr) impl_->listener->set_force(body, force, torque);
 }
 
 int World::body_count() const noexcept { return stepper::body_count(impl_->ctx); }
@@ -112,6 +114,7 @@ void World::set_pose(BodyId id, const Pose& pose) {
     if (s.kind[b] == BodyKind::scalar)
         for (const std::int32_t w : impl_->ctx.interactions.winches)
             impl_->ctx.interactions.follow_length(w, s, impl_->ctx.def.step);
+    if (impl_->listener != nullptr) impl_->listener->set_pose(id, pose);
     if (s.kind[b] == BodyKind::lump || s.kind[b] == BodyKind::scalar) return;
     const Quat q = pose.orientation.normalized();
     const double values[4] = {q.w(), q.x(), q.y(), q.z()};
@@ -137,6 +140,7 @@ void World::set_velocity(BodyId id, const Twist& twist) {
     for (int i = 0; i < count; ++i) v[i] = i < 3 ? twist.linear[i] : twist.angular[i - 3];
     // Nothing else is known of where that leads to.
     if (dof > 0) std::copy_n(v, dof, &s.v_start[at(s.dof_begin[b])]);
+    if (impl_->listener != nullptr) impl_->listener->set_velocity(id, twist);
 }
 
 bool World::asleep(BodyId id) const { return impl_->ctx.bodies.asleep[impl_->place(id)] != 0; }
@@ -145,6 +149,7 @@ void World::wake(BodyId id) {
     (void)impl_->place(id);
     if (impl_->ctx.bodies.dof(id.index) == 0) stepper::disturb_all(impl_->ctx);
     stepper::disturb(impl_->ctx, id.index);
+    if (impl_->listener != nullptr) impl_->listener->woken(id);
 }
 
 Vec3 World::world_point(BodyId id, const Vec3& local) const {

@@ -310,13 +310,16 @@ TEST(Sleep, LosesNoEvent) {
     EXPECT_GT(slept, 10);
 }
 
-TEST(Sleep, AddingABodyWakesAll) {
+TEST(Sleep, ABodyThatIsAddedWakesWhatItFallsOn) {
     SleepYard y(sleepy());
     y.run(kSettled);
     ASSERT_EQ(y.asleep(), kAll);
     const BodyId more = y.add_box({0.0, 0.0, 4.0});
     y.run(1);
-    EXPECT_EQ(y.w.stats().asleep, 0);
+    EXPECT_EQ(y.asleep(), kAll) << "it is in the air";
+    EXPECT_FALSE(y.w.asleep(more));
+    y.run(30);
+    EXPECT_EQ(y.w.stats().asleep, 9 - 3) << "the stack that it fell on is awake";
     y.run(kSettled);
     EXPECT_TRUE(y.w.asleep(more));
     EXPECT_EQ(y.w.stats().asleep, 10);

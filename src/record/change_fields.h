@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file change_fields.h
+/// The fields of definitions in the order in which a recording has them: said once, for writing
+/// and for reading. A field is added at the end of its list, with another ChangeKind.
+
+#include <hawser/hawser.h>
+
+#include <concepts>
+#include <cstdint>
+#include <type_traits>
+
+namespace hawser::record {
+
+/// Kinds of a change, as the format has them.
+enum class ChangeKind : std::uint8_t {
+    add_body,
+    add_interaction,
+    add_shape,
+    add_input,
+    add_material,
+    add_material_pair,
+    remove_body,
+    remove_interaction,
+    remove_shape,
+    remove_input,
+    set_input,
+    set_force,
+    set_pose,
+    set_velocity,
+    wake,
+    set_group,
+    set_groups,
+    follow_groups,
+    set_coupling,
+    degrade,
+    restore,
+};
+inline constexpr int kChangeKindCount = 21;
+
+template <class D, class T>
+concept FieldsOf = std::same_as<std::remove_const_t<D>, T>;
+
+template <class F, FieldsOf<BodyDef> D>
+void visit_fields(D& d, F&& f) {
+    f(d.name);
+    f.word(d.kind, 5);
+    f(d.position);
+    f(d.orientation);
+    f(d.velocity);
+    f(d.angular_velocity);
+    f(d.mass);
+    f(d.inertia);
+    f(d.force);
+    f(d.torque);
+    f(d.linear_damping);
+    f(d.angular_damping);
+    f(d.gravity);
+    f(d.half_size);
+    f(d.group);
+}
+
+template <class F, FieldsOf<InteractionDef> D>
+void visit_fields(D& d, F&& f) {
+    f(d.name);
+    f.word(d.kind, kInteractionKindCount);
+    for (auto& id : d.body) f(id);
+    for (auto& point : d.point) f(point);
+    for (auto& frame : d.frame) f(frame);
+    for (auto& value : d.compliance) f(value);
+    for (auto& value : d.damping_time) f(value);
+    for (auto& value : d.params) f(value);
+    for (auto& load : d.load) {
+        f(load.interaction);
+        f(load.factor);
+    }
+}
+
+template <class F, FieldsOf<ShapeDef> D>
+void visit_fields(D& d, F&& f) {
+    f(d.name);
+    f.word(d.kind, 8);
+    f(d.body);
+    f(d.body_b);
+    f(d.position);
+    f(d.orientation);
+    f(d.radius);
+    f(d.half_length);
+    f(d.half_size);
+    f(d.rows);
+    f(d.columns);
+    for (auto& value : d.cell) f(value);
+    f.list(d.heights);
+    f.list(d.vertices);
+    f.list(d.triangles);
+    f(d.material);
+    f(d.group);
+    f(d.touches);
+}
+
+template <class F, FieldsOf<InputDef> D>
+void visit_fields(D& d, F&& f) {
+    f(d.name);
+    f(d.interaction);
+    f(d.param);
+    f(d.body);
+    f(d.component);
+    f(d.min);
+    f(d.max);
+}
+
+template <class F, FieldsOf<MaterialDef> D>
+void visit_fields(D& d, F&& f) {
+    f(d.name);
+    f(d.friction);
+    f(d.restitution);
+    f(d.stiffness);
+    f(d.tangential);
+    f(d.damping_time);
+    f(d.rolling);
+    f(d.torsional);
+}
+
+template <class F, FieldsOf<MaterialPairDef> D>
+void visit_fields(D& d, F&& f) {
+    f(d.a);
+    f(d.b);
+    visit_fields(d.values, f);
+}
+
+}  // namespace hawser::record

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/change_fields.h"
+#include "record/changes.h"
+
+#include <vector>
+
+namespace hawser::record {
+
+namespace {
+
+/// Gets them. What a value may be is for the world to say.
+struct GetFields {
+    ByteReader& in;
+
+    template <class T>
+        requires std::is_arithmetic_v<T>
+    void operator()(T& value) {
+        if constexpr (std::is_same_v<T, bool>)
+            value = in.get<std::uint8_t>() != 0;
+        else
+            value = in.get<T>();
+    }
+    void operator()(std::string& text) { text = in.get_text(); }
+    void operator()(Vec3& v) {
+        for (int i = 0; i < 3; ++i) v[i] = in.get<double>();
+    }
+    void operator()(Quat& q) {
+        const double w = in.get<double>(), x = in.get<double>(), y = in.get<double>();
+        q = Quat(w, x, y, in.get<double>());
+    }
+    void operator()(Mat3& m) {
+        for (int i = 0; i < 9; ++i) m(i / 3, i % 3) = in.get<double>();
+    }
+    template <class Tag>
+    void operator()(Id<Tag>& id) {
+        id.index = in.get<std::int32_t>();
+        id.generation = in.get<std::int32_t>();
+    }
+    void operator()(std::array<std::int32_t, 3>& corners) {
+        for (std::int32_t& i : corners) i = in.get<std::int32_t>();
+    }
+    template <class E>
+    void word(E& value, int count) {
+        const auto number = in.get<std::uint8_t>();
+        if (number >= count) throw BadBytes("an enumerated value is out of range");
+        value = static_cast<E>(number);
+    }
+    template <class T>
+    void list(std::vector<T>& all) {
+        constexpr std::size_t kLeast = 8;
+        all.resize(in.get_count(kLeast));
+        for (T& each : all) (*this)(each);
+    }
+
+    template <class T>
+    [[nodiscard]] T value() {
+        T out{};
+        (*this)(out);
+        return out;
+    }
+    template <class D>
+    [[nodiscard]] D definition() {
+        D out;
+        visit_fields(out, *this);
+        return out;
+    }
+};
+
+void apply_removal(ChangeKind kind, GetFields& get, World& world) {
+    if (kind == ChangeKind::remove_body)
+        (void)world.remove_body(get.value<BodyId>());
+    else if (kind == ChangeKind::remove_interaction)
+        (void)world.remove_interaction(get.value<InteractionId>());
+    else if (kind == ChangeKind::remove_shape)
+        (void)world.remove_shape(get.value<ShapeId>());
+    else
+        (void)world.remove_input(get.value<InputId>());
+}
+
+void apply_addition(ChangeKind kind, GetFields& get, World& world) {
+    if (kind == ChangeKind::add_body)
+        (void)world.add_body(get.definition<BodyDef>());
+    else if (kind == ChangeKind::add_interaction)
+        (void)world.add_interaction(get.definition<InteractionDef>());
+    else if (kind == ChangeKind::add_shape)
+        (void)world.add_shape(get.definition<ShapeDef>());
+    else if (kind == ChangeKind::add_input)
+        (void)world.add_input(get.definition<InputDef>());
+    else if (kind == ChangeKind::add_material)
+        (void)world.add_material(get.definition<MaterialDef>());
+    else
+        world.add_material_pair(get.definition<MaterialPairDef>());
+}
+
+void apply_motion(ChangeKind kind, GetFields& get, World& world) {
+    const auto body = get.value<BodyId>();
+    if (kind == ChangeKind::set_force) {
+        const auto force = get.value<Vec3>();
+        world.set_force(body, force, get.value<Vec3>());
+    } else if (kind == ChangeKind::set_pose) {
+        Pose pose;
+        get(pose.position);
+        get(pose.orientation);
+        world.set_pose(body, pose);
+    } else if (kind == ChangeKind::set_velocity) {
+        Twist twist;
+        get(twist.linear);
+        get(twist.angular);
+        world.set_velocity(body, twist);
+    } else {
+        world.wake(body);
+    }
+}
+
+void apply_grouping(ChangeKind kind, GetFields& get, World& world) {
+    if (kind == ChangeKind::set_group) {
+        const auto body = get.value<BodyId>();
+        world.set_group(body, get.value<std::string>());
+    } else if (kind == ChangeKind::set_groups) {
+        world.set_groups(get.value<std::int32_t>());
+    } else if (kind == ChangeKind::follow_groups) {
+        const auto parts = get.value<std::int32_t>();
+        world.follow_groups(parts, get.value<std::int32_t>());
+    } else {
+        const auto id = get.value<InteractionId>();
+        Coupling coupling{};
+        get.word(coupling, 4);
+        world.set_coupling(id, coupling);
+    }
+}
+
+void apply_one(ChangeKind kind, ByteReader& in, World& world) {
+    GetFields get{in};
+    if (kind <= ChangeKind::add_material_pair) return apply_addition(kind, get, world);
+    if (kind <= ChangeKind::remove_input) return apply_removal(kind, get, world);
+    if (kind >= ChangeKind::set_force && kind <= ChangeKind::wake)
+        return apply_motion(kind, get, world);
+    if (kind >= ChangeKind::set_group && kind <= ChangeKind::set_coupling)
+        return apply_grouping(kind, get, world);
+    if (kind == ChangeKind::set_input) {
+        const auto id = get.value<InputId>();
+        world.set_input(id, get.value<double>());
+    } else if (kind == ChangeKind::degrade) {
+        Degradation d;
+        get(d.iterations);
+        get(d.hasty);
+        get(d.cuts);
+        world.degrade_next_step(d);
+    } else {
+        world.restore(in.take(in.get<std::uint32_t>()));
+    }
+}
+
+}  // namespace
+
+void apply_changes(std::span<const std::byte> bytes, World& world) {
+    ByteReader in(bytes);
+    while (in.left() > 0) {
+        const auto kind = in.get<std::uint8_t>();
+        if (kind >= kChangeKindCount) throw BadBytes("a change of an unknown kind");
+        apply_one(static_cast<ChangeKind>(kind), in, world);
+    }
+}
+
+}  // namespace hawser::record

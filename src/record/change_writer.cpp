@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/changes.h"
+
+#include "record/change_fields.h"
+
+#include <utility>
+#include <vector>
+
+namespace hawser::record {
+
+namespace {
+
+/// Puts fields of a change.
+struct PutFields {
+    ByteWriter& out;
+
+    template <class T>
+        requires std::is_arithmetic_v<T>
+    void operator()(T value) {
+        if constexpr (std::is_same_v<T, bool>)
+            out.put(static_cast<std::uint8_t>(value ? 1 : 0));
+        else
+            out.put(value);
+    }
+    void operator()(const std::string& text) { out.put_text(text); }
+    void operator()(const Vec3& v) {
+        for (int i = 0; i < 3; ++i) out.put(v[i]);
+    }
+    void operator()(const Quat& q) {
+        for (const double x : {q.w(), q.x(), q.y(), q.z()}) out.put(x);
+    }
+    void operator()(const Mat3& m) {
+        for (int i = 0; i < 9; ++i) out.put(m(i / 3, i % 3));
+    }
+    template <class Tag>
+    void operator()(const Id<Tag>& id) {
+        out.put(id.index);
+        out.put(id.generation);
+    }
+    void operator()(const std::array<std::int32_t, 3>& corners) {
+        for (const std::int32_t i : corners) out.put(i);
+    }
+    template <class E>
+    void word(const E& value, int) {
+        out.put(static_cast<std::uint8_t>(value));
+    }
+    template <class T>
+    void list(const std::vector<T>& all) {
+        out.put(static_cast<std::uint32_t>(all.size()));
+        for (const T& each : all) (*this)(each);
+    }
+};
+
+}  // namespace
+
+/// Nothing is left of a change that does not fit into memory.
+template <class F>
+void ChangeBytes::write(F&& fields) noexcept {
+    try {
+        ByteWriter one;
+        PutFields put{one};
+        fields(put);
+        out_.put_bytes(one.bytes());
+    } catch (const std::exception&) {
+        failed_ = true;
+    }
+}
+
+namespace {
+
+void begin(PutFields& put, ChangeKind kind) { put.out.put(static_cast<std::uint8_t>(kind)); }
+
+}  // namespace
+
+void ChangeBytes::added(const BodyDef& def) noexcept {
+    other_bodies_ = true;
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::add_body);
+        visit_fields(def, put);
+    });
+}
+void ChangeBytes::added(const InteractionDef& def) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::add_interaction);
+        visit_fields(def, put);
+    });
+}
+void ChangeBytes::added(const ShapeDef& def) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::add_shape);
+        visit_fields(def, put);
+    });
+}
+void ChangeBytes::added(const InputDef& def) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::add_input);
+        visit_fields(def, put);
+    });
+}
+void ChangeBytes::added(const MaterialDef& def) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::add_material);
+        visit_fields(def, put);
+    });
+}
+void ChangeBytes::added(const MaterialPairDef& def) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::add_material_pair);
+        visit_fields(def, put);
+    });
+}
+void ChangeBytes::removed(BodyId id) noexcept {
+    other_bodies_ = true;
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::remove_body);
+        put(id);
+    });
+}
+void ChangeBytes::removed(InteractionId id) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::remove_interaction);
+        put(id);
+    });
+}
+void ChangeBytes::removed(ShapeId id) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::remove_shape);
+        put(id);
+    });
+}
+void ChangeBytes::removed(InputId id) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::remove_input);
+        put(id);
+    });
+}
+void ChangeBytes::set(InputId id, double value) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::set_input);
+        put(id);
+        put(value);
+    });
+}
+void ChangeBytes::set_force(BodyId id, const Vec3& force, const Vec3& torque) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::set_force);
+        put(id);
+        put(force);
+        put(torque);
+    });
+}
+void ChangeBytes::set_pose(BodyId id, const Pose& pose) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::set_pose);
+        put(id);
+        put(pose.position);
+        put(pose.orientation);
+    });
+}
+void ChangeBytes::set_velocity(BodyId id, const Twist& twist) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::set_velocity);
+        put(id);
+        put(twist.linear);
+        put(twist.angular);
+    });
+}
+void ChangeBytes::woken(BodyId id) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::wake);
+        put(id);
+    });
+}
+void ChangeBytes::set_group(BodyId id, const std::string& group) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::set_group);
+        put(id);
+        put(group);
+    });
+}
+void ChangeBytes::set_groups(int parts) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::set_groups);
+        put(std::int32_t{parts});
+    });
+}
+void ChangeBytes::follow_groups(int parts, int every) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::follow_groups);
+        put(std::int32_t{parts});
+        put(std::int32_t{every});
+    });
+}
+void ChangeBytes::set_coupling(InteractionId id, Coupling coupling) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::set_coupling);
+        put(id);
+        put.word(coupling, 4);
+    });
+}
+void ChangeBytes::degraded(const Degradation& d) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::degrade);
+        put(d.iterations);
+        put(d.hasty);
+        put(d.cuts);
+    });
+}
+void ChangeBytes::restored(std::span<const std::byte> bytes) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::restore);
+        put(static_cast<std::uint32_t>(bytes.size()));
+        put.out.put_bytes(bytes);
+    });
+}
+
+void ChangeBytes::clear() noexcept {
+    out_.clear();
+    other_bodies_ = false;
+}
+
+}  // namespace hawser::record

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file changes.h
+/// What is done to a world, as bytes of a recording, and done again from them.
+
+#include "record/bytes.h"
+
+#include <hawser/hawser.h>
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace hawser::record {
+
+/// Writes down what a world tells of its changes (hawser/changes.h). One that does not fit into
+/// memory is lost, and failed() says so from then on.
+class ChangeBytes : public ChangeListener {
+  public:
+    void added(const BodyDef& def) noexcept override;
+    void added(const InteractionDef& def) noexcept override;
+    void added(const ShapeDef& def) noexcept override;
+    void added(const InputDef& def) noexcept override;
+    void added(const MaterialDef& def) noexcept override;
+    void added(const MaterialPairDef& def) noexcept override;
+    void removed(BodyId id) noexcept override;
+    void removed(InteractionId id) noexcept override;
+    void removed(ShapeId id) noexcept override;
+    void removed(InputId id) noexcept override;
+    void set(InputId id, double value) noexcept override;
+    void set_force(BodyId id, const Vec3& force, const Vec3& torque) noexcept override;
+    void set_pose(BodyId id, const Pose& pose) noexcept override;
+    void set_velocity(BodyId id, const Twist& twist) noexcept override;
+    void woken(BodyId id) noexcept override;
+    void set_group(BodyId id, const std::string& group) noexcept override;
+    void set_groups(int parts) noexcept override;
+    void follow_groups(int parts, int every) noexcept override;
+    void set_coupling(InteractionId id, Coupling coupling) noexcept override;
+    void degraded(const Degradation& degradation) noexcept override;
+    void restored(std::span<const std::byte> bytes) noexcept override;
+
+    /// All since the last clear(), in order.
+    [[nodiscard]] std::span<const std::byte> bytes() const noexcept { return out_.bytes(); }
+    /// Bodies came, went or were restored: frames have another layout from now on.
+    [[nodiscard]] bool other_bodies() const noexcept { return other_bodies_; }
+    [[nodiscard]] bool failed() const noexcept { return failed_; }
+    void clear() noexcept;
+
+  private:
+    template <class F>
+    void write(F&& fields) noexcept;
+
+    ByteWriter out_;
+    bool other_bodies_ = false, failed_ = false;
+};
+
+/// Do to a world what bytes say was done to one in the same state. @throws BadBytes where they are
+/// none of ChangeBytes, DefError where the world refuses a change.
+void apply_changes(std::span<const std::byte> bytes, World& world);
+
+}  // namespace hawser::record

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/recording_listener.h"
+
+#include <span>
+
+namespace hawser::record {
+
+RecordingListener::RecordingListener(RecordingWriter& writer, World& world) noexcept
+    : writer_(writer), world_(world), inputs_(world.input_count()) {
+    world.set_change_listener(this);
+}
+
+RecordingListener::~RecordingListener() { world_.set_change_listener(nullptr); }
+
+void RecordingListener::set(InputId id, double value) noexcept {
+    // One that came later has no name in the recording, or a place that another one had.
+    if (id.generation != 0 || id.index >= inputs_) return ChangeBytes::set(id, value);
+    try {
+        flush();
+        const RecordedInput input{world_.step_count(), id.index, value};
+        writer_.add_inputs(std::span(&input, 1));
+    } catch (const std::exception&) {
+        fault_ = std::current_exception();
+    }
+}
+
+void RecordingListener::flush() {
+    if (fault_) std::rethrow_exception(fault_);
+    writer_.add_changes(world_, *this);
+    clear();
+}
+
+}  // namespace hawser::record

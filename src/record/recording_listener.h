@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file recording_listener.h
+/// Records all that is done to a world, whoever does it, in the order in which it is done.
+
+#include "record/changes.h"
+#include "record/recording.h"
+
+#include <exception>
+
+namespace hawser::record {
+
+class RecordingListener final : public ChangeBytes {
+  public:
+    /// Listens to `world` until it ends; both have to outlive it.
+    RecordingListener(RecordingWriter& writer, World& world) noexcept;
+    ~RecordingListener() override;
+    RecordingListener(const RecordingListener&) = delete;
+    RecordingListener& operator=(const RecordingListener&) = delete;
+
+    /// Inputs of a scene are commands, which a recording has apart.
+    void set(InputId id, double value) noexcept override;
+    /// Before each step. @throws RecordingError, also for what failed since the last call.
+    void flush();
+
+  private:
+    RecordingWriter& writer_;
+    World& world_;
+    std::int32_t inputs_;  ///< Of the scene: the recording has their names.
+    std::exception_ptr fault_;
+};
+
+}  // namespace hawser::record
