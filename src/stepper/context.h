@@ -22,7 +22,7 @@
 #include "stepper/cut_levels.h"
 #include "stepper/cuts.h"
 #include "stepper/deadline.h"
-#include "stepper/edits.h"
+#include "stepper/edit_list.h"
 #include "stepper/events.h"
 #include "stepper/judge.h"
 #include "stepper/regroup.h"

@@ -20,21 +20,10 @@
 /// repaired (factor/repair.h).
 
 #include <cstdint>
-#include <vector>
 
 namespace hawser::stepper {
 
 struct StepContext;
-
-/// What has come since the last analysis that a step was taken with.
-struct Edits {
-    bool any = false;                        ///< The world had started by then.
-    std::vector<std::int32_t> interactions;  ///< Added.
-    void clear() noexcept {
-        any = false;
-        interactions.clear();
-    }
-};
 
 /// Before the set of bodies, interactions or shapes changes; with room to note one more.
 /// @throws std::bad_alloc.

@@ -7,6 +7,7 @@
 #include <hawser/edits.h>
 #include <hawser/world.h>
 
+#include "stepper/edits.h"
 #include "stepper/sleep.h"
 #include "stepper/step.h"
 #include "world/lookup.h"
