@@ -18,4 +18,5 @@
 #include <hawser/shapes.h>
 #include <hawser/stats.h>
 #include <hawser/trace.h>
+#include <hawser/wire.h>
 #include <hawser/world.h>

@@ -29,6 +29,7 @@
 #include <hawser/math.h>
 #include <hawser/shapes.h>
 #include <hawser/stats.h>
+#include <hawser/wire.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -185,6 +186,32 @@ class World {
     /// Steps to come in which the swings of an element's wire are damped more, since it would have
     /// gained energy (StepStats::wire_repeats); 0: none, or no element of a wire.
     [[nodiscard]] int wire_alert(InteractionId id) const;
+
+    // --- Wires (wire.h) ---------------------------------------------------------------------
+    /// Lumps, elements, bends and segments of a wire; all or nothing. @throws DefError on a name
+    /// that is taken, unknown bodies, a value out of range.
+    WireId add_wire(const WireDef& def);
+    /// Elements that there are, end to end, become a wire that does not own them.
+    /// @throws DefError where one is no element of a wire or does not begin where the last ended.
+    WireId adopt_wire(const std::string& name, std::span<const InteractionId> elements);
+    /// What add_wire() made goes with it. @return as remove_body().
+    const Removed& remove_wire(WireId id);
+    [[nodiscard]] std::span<const WireId> wires() const noexcept;  ///< As bodies().
+    [[nodiscard]] bool alive(WireId id) const noexcept;
+    [[nodiscard]] WireId find_wire(std::string_view name) const noexcept;
+    [[nodiscard]] const std::string& wire_name(WireId id) const;
+    /// Nodes from end to end, the bodies that hold it included, and its elements. What has been
+    /// removed by itself is still named here; alive() tells.
+    [[nodiscard]] std::span<const BodyId> nodes(WireId id) const;
+    [[nodiscard]] std::span<const InteractionId> elements(WireId id) const;
+    [[nodiscard]] double length(WireId id) const;  ///< Unstretched, as drums have it now [m].
+    /// In the last step, of the element at a material coordinate [N]; 0: slack or parted.
+    /// @param s  From the first end, 0 to length() [m]. @throws DefError beyond.
+    [[nodiscard]] double tension(WireId id, double s) const;
+    /// The element there parts, with an event; what it held counts as damped (Energy).
+    void part(WireId id, double s);
+    /// The same of an element. @throws DefError where it is none. Nothing where it has parted.
+    void part(InteractionId id);
 
     // --- Cuts (docs/methods.md, 10) ---------------------------------------------------------
     /// Group of a body from the next step on (BodyDef::group).

@@ -35,8 +35,9 @@ enum class ChangeKind : std::uint8_t {
     set_coupling,
     degrade,
     restore,
+    part,
 };
-inline constexpr int kChangeKindCount = 21;
+inline constexpr int kChangeKindCount = 22;
 
 template <class D, class T>
 concept FieldsOf = std::same_as<std::remove_const_t<D>, T>;

@@ -146,6 +146,8 @@ void apply_one(ChangeKind kind, ByteReader& in, World& world) {
         get(d.hasty);
         get(d.cuts);
         world.degrade_next_step(d);
+    } else if (kind == ChangeKind::part) {
+        world.part(get.value<InteractionId>());
     } else {
         world.restore(in.take(in.get<std::uint32_t>()));
     }

@@ -206,6 +206,12 @@ void ChangeBytes::degraded(const Degradation& d) noexcept {
         put(d.cuts);
     });
 }
+void ChangeBytes::parted(InteractionId id) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::part);
+        put(id);
+    });
+}
 void ChangeBytes::restored(std::span<const std::byte> bytes) noexcept {
     write([&](PutFields& put) {
         begin(put, ChangeKind::restore);

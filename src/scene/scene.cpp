@@ -219,6 +219,8 @@ std::optional<Scene> make_scene(Json root, const std::filesystem::path& file,
                 .plot_view_box = {}};
     read_plot(scene, description, document);
     scene.cables = std::move(description.cables);
+    for (const Cable& cable : scene.cables)
+        if (!cable.links) scene.world.adopt_wire(cable.name, cable.stretch);
     if (mistakes != nullptr && !mistakes->none()) {
         return std::nullopt;
     }

@@ -190,11 +190,25 @@ void World::Impl::reserve_removal() {
     removed.interactions.reserve(interaction_ids.size());
     removed.shapes.reserve(shape_ids.size());
     removed.inputs.reserve(inputs.size());
+    forget_removal();
+}
+
+void World::Impl::forget_removal() noexcept {
     removed.bodies.clear();
     removed.interactions.clear();
     removed.shapes.clear();
     removed.inputs.clear();
 }
+
+namespace {
+
+/// What a call that takes back its own additions removes is named as far as there is room.
+template <class Id>
+void note(std::vector<Id>& list, Id id) noexcept {
+    if (list.size() < list.capacity()) list.push_back(id);
+}
+
+}  // namespace
 
 const Removed& World::Impl::sorted_removal() noexcept {
     std::sort(removed.interactions.begin(), removed.interactions.end());
@@ -223,7 +237,7 @@ void World::Impl::remove(BodyId id) noexcept {
     ctx.regroup.by_hand[at(id.index)] = ctx.cuts.group[at(id.index)] = -1;
     stepper::remove_body(ctx, id.index);
     erase_id(body_ids, id);
-    removed.bodies.push_back(id);
+    note(removed.bodies, id);
 }
 
 void World::Impl::remove(InteractionId id) noexcept {
@@ -233,7 +247,7 @@ void World::Impl::remove(InteractionId id) noexcept {
     world::release(interaction_names, ctx.interactions.def[at(id.index)].name);
     stepper::remove_interaction(ctx, id.index);
     erase_id(interaction_ids, id);
-    removed.interactions.push_back(id);
+    note(removed.interactions, id);
 }
 
 void World::Impl::remove(ShapeId id) noexcept {
@@ -242,7 +256,7 @@ void World::Impl::remove(ShapeId id) noexcept {
     shape_defs[at(id.index)] = {};
     stepper::remove_shape(ctx, id.index);
     erase_id(shape_ids, id);
-    removed.shapes.push_back(id);
+    note(removed.shapes, id);
 }
 
 /// What it set stays as it is.
@@ -253,7 +267,7 @@ void World::Impl::remove(InputId id) noexcept {
     def = {};
     input_values[at(id.index)] = 0.0;
     input_places.vacate(id.index);
-    removed.inputs.push_back(id);
+    note(removed.inputs, id);
     const auto same = [&](const InputDef& other) { return other.interaction == driven; };
     if (!driven.valid() || std::any_of(inputs.begin(), inputs.end(), same)) return;
     stepper::begin_edit(ctx);  // it may be completed now

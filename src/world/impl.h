@@ -11,6 +11,7 @@
 #include "stepper/sleep.h"
 #include "stepper/step.h"
 #include "world/lookup.h"
+#include "world/wire_list.h"
 
 #include <string>
 #include <vector>
@@ -56,7 +57,12 @@ struct World::Impl {
     void copy_interactions(World& out) const;
     void copy_inputs(World& out) const;
 
+    world::WireList wires;
+    [[nodiscard]] WireId keep_wire(world::Wire&& wire);
+    [[nodiscard]] const world::Wire& wire(WireId id) const;
+
     Removed removed;  ///< By the last removal.
+    void forget_removal() noexcept;
     void reserve_removal();
     [[nodiscard]] const Removed& sorted_removal() noexcept;
     void remove(BodyId id) noexcept;

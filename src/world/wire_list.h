@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file wire_list.h
+/// What a world keeps of its wires: which bodies and interactions they are made of.
+
+#include <hawser/wire.h>
+
+#include "base/places.h"
+#include "world/lookup.h"
+
+#include <string>
+#include <vector>
+
+namespace hawser::world {
+
+struct Wire {
+    std::string name;
+    std::vector<BodyId> nodes;            ///< One more than elements.
+    std::vector<InteractionId> elements;  ///< In order.
+    std::vector<InteractionId> bends;     ///< Made by add_wire().
+    bool owns = false;                    ///< It was made by add_wire().
+};
+
+struct WireList {
+    std::vector<Wire> wires;  ///< By place; without elements where one was removed.
+    base::Places places;
+    Names names;
+    std::vector<WireId> ids;  ///< Of what there is, ascending.
+};
+
+}  // namespace hawser::world

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Wires as things of a world (hawser/wire.h).
+#include <hawser/world.h>
+
+#include "stepper/stages.h"
+#include "world/checks.h"
+#include "world/impl.h"
+#include "world/lookup.h"
+#include "world/wire_maker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace hawser {
+namespace {
+
+[[noreturn]] void refuse(const std::string& where, const std::string& what) {
+    throw DefError(where + ": " + what);
+}
+
+}  // namespace
+
+WireId World::add_wire(const WireDef& def) {
+    const std::string where = world::label("wire", def.name);
+    world::check(def);
+    Impl& m = *impl_;
+    if (!alive(def.from)) refuse(where, "there is no body that holds its first end");
+    if (def.to.valid() && !alive(def.to)) refuse(where, "there is no body that holds its last end");
+    if (m.wires.names.contains(def.name)) refuse(where, "the name is taken; names are unique");
+    world::Wire made;
+    made.name = def.name;
+    made.owns = true;
+    try {
+        world::make_wire(*this, def, made);
+        return m.keep_wire(std::move(made));
+    } catch (...) {
+        // Lumps take their elements and segments with them.
+        m.forget_removal();
+        for (const InteractionId id : made.elements)
+            if (alive(id)) m.remove(id);
+        for (const BodyId id : made.nodes)
+            if (id != def.from && id != def.to && alive(id)) m.remove(id);
+        throw;
+    }
+}
+
+WireId World::adopt_wire(const std::string& name, std::span<const InteractionId> elements) {
+    const std::string where = world::label("wire", name);
+    if (name.empty()) throw DefError("a wire needs a name");
+    if (elements.empty()) refuse(where, "it has no elements");
+    Impl& m = *impl_;
+    world::Wire made;
+    made.name = name;
+    for (const InteractionId id : elements) {
+        const InteractionDef& d = interaction_def(id);
+        if (!kind_info(d.kind).is(kWireElement))
+            refuse(where, world::label("interaction", d.name) + " is no element of a wire");
+        if (made.nodes.empty()) made.nodes.push_back(d.body[0]);
+        if (made.nodes.back() != d.body[0])
+            refuse(where, world::label("interaction", d.name) +
+                              " does not begin where the element before it ends");
+        made.nodes.push_back(d.body[1]);
+        made.elements.push_back(id);
+    }
+    if (m.wires.names.contains(name)) refuse(where, "the name is taken; names are unique");
+    return m.keep_wire(std::move(made));
+}
+
+WireId World::Impl::keep_wire(world::Wire&& wire) {
+    wires.places.make_room();
+    base::make_room(wires.wires, 1);
+    base::make_room(wires.ids, 1);
+    const std::int32_t vacant = wires.places.find_vacant([](std::int32_t) { return true; });
+    const std::int32_t place = vacant < 0 ? wires.places.count() : vacant;
+    world::claim(wires.names, wire.name, place, "wire");
+    if (vacant < 0) {
+        (void)wires.places.append();
+        wires.wires.push_back(std::move(wire));
+    } else {
+        wires.places.take(place);
+        wires.wires[at(place)] = std::move(wire);
+    }
+    const auto id = wires.places.id<WireId>(place);
+    wires.ids.insert(std::lower_bound(wires.ids.begin(), wires.ids.end(), id), id);
+    return id;
+}
+
+const world::Wire& World::Impl::wire(WireId id) const {
+    return wires.wires[world::place_of(id, wires.places, wires.places.count(), "wire")];
+}
+
+const Removed& World::remove_wire(WireId id) {
+    Impl& m = *impl_;
+    const world::Wire& wire = m.wire(id);
+    m.reserve_removal();
+    if (wire.owns) {
+        for (const InteractionId element : wire.elements)
+            if (alive(element)) m.remove(element);
+        for (const InteractionId bend : wire.bends)
+            if (alive(bend)) m.remove(bend);
+        for (std::size_t i = 1; i < wire.nodes.size(); ++i) {
+            const BodyId node = wire.nodes[i];
+            if (alive(node) && body_def(node).name == wire.name + "/" + std::to_string(i))
+                m.remove(node);
+        }
+    }
+    if (m.listener != nullptr) {
+        for (const InteractionId gone : m.removed.interactions) m.listener->removed(gone);
+        for (const BodyId gone : m.removed.bodies) m.listener->removed(gone);
+    }
+    world::release(m.wires.names, wire.name);
+    m.wires.ids.erase(std::lower_bound(m.wires.ids.begin(), m.wires.ids.end(), id));
+    m.wires.wires[at(id.index)] = {};
+    m.wires.places.vacate(id.index);
+    return m.sorted_removal();
+}
+
+std::span<const WireId> World::wires() const noexcept { return impl_->wires.ids; }
+bool World::alive(WireId id) const noexcept { return impl_->wires.places.names(id); }
+WireId World::find_wire(std::string_view name) const noexcept {
+    return impl_->wires.places.id<WireId>(world::lookup(impl_->wires.names, name));
+}
+const std::string& World::wire_name(WireId id) const { return impl_->wire(id).name; }
+std::span<const BodyId> World::nodes(WireId id) const { return impl_->wire(id).nodes; }
+std::span<const InteractionId> World::elements(WireId id) const { return impl_->wire(id).elements; }
+
+double World::length(WireId id) const {
+    double sum = 0.0;
+    for (const InteractionId element : impl_->wire(id).elements)
+        if (alive(element)) sum += impl_->ctx.interactions.rest_length[at(element.index)];
+    return sum;
+}
+
+namespace {
+
+/// Element at a material coordinate; what was removed has no length.
+InteractionId element_at(const World& w, const model::Interactions& in, const world::Wire& wire,
+                         double s) {
+    double end = 0.0;
+    InteractionId last{};
+    for (const InteractionId element : wire.elements) {
+        if (!w.alive(element)) continue;
+        end += in.rest_length[at(element.index)];
+        last = element;
+        if (s < end) break;
+    }
+    if (!(s >= 0.0) || !(s <= end) || !last.valid())
+        throw DefError(world::label("wire", wire.name) + ": s = " + world::number(s) +
+                       " m is not on it; give 0 to " + world::number(end) + " m");
+    return last;
+}
+
+}  // namespace
+
+double World::tension(WireId id, double s) const {
+    const world::Wire& wire = impl_->wire(id);
+    const InteractionId element = element_at(*this, impl_->ctx.interactions, wire, s);
+    return intact(element) ? std::max(0.0, -force(element)[0]) : 0.0;
+}
+
+void World::part(WireId id, double s) {
+    part(element_at(*this, impl_->ctx.interactions, impl_->wire(id), s));
+}
+
+void World::part(InteractionId id) {
+    const std::size_t i = impl_->place(id);
+    stepper::StepContext& c = impl_->ctx;
+    if (!kind_info(c.interactions.def[i].kind).is(kWireElement))
+        throw DefError(world::label("interaction", c.interactions.def[i].name) +
+                       ": only elements of wires part; remove_interaction() takes others away");
+    if (c.interactions.parted[i] != 0) return;
+    const double tension = std::max(0.0, -c.interactions.force[at(c.interactions.row_begin[i])]);
+    c.damped += stepper::energy_of_interaction(c, id.index);
+    for (std::size_t b = 0; b < c.interactions.bodies[i]; ++b)
+        stepper::disturb(c, c.interactions.body[kMaxInteractionBodies * i + b]);
+    stepper::part_all(c, id.index);
+    stepper::push_event(c, EventKind::line_break, id.index, tension);
+    if (impl_->listener != nullptr) impl_->listener->parted(id);
+}
+
+}  // namespace hawser
