@@ -46,6 +46,8 @@ class ChangeListener {
     virtual void follow_groups(int parts, int every) noexcept = 0;
     virtual void set_coupling(InteractionId id, Coupling coupling) noexcept = 0;
     virtual void degraded(const Degradation& degradation) noexcept = 0;
+    /// A change could not be told for want of memory: what was told is not complete.
+    virtual void lost() noexcept = 0;
     virtual void parted(InteractionId id) noexcept = 0;  ///< By part(), not by its load.
     /// By restore(), or by copy_state() from a world whose save() this is.
     virtual void restored(std::span<const std::byte> bytes) noexcept = 0;

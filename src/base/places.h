@@ -64,6 +64,8 @@ class Places {
         vacant_.insert(std::lower_bound(vacant_.begin(), vacant_.end(), place), place);
         ++generation_[at(place)];
     }
+    /// A vacate() is taken back as far as generations go: nothing was there in the end.
+    void step_back(std::int32_t place) noexcept { --generation_[at(place)]; }
     /// Generations as elsewhere, of as many places.
     void set_generations(const std::vector<std::int32_t>& from) noexcept {
         std::copy_n(from.begin(), std::min(from.size(), generation_.size()), generation_.begin());

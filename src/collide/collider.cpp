@@ -181,6 +181,12 @@ void Collider::remove(std::int32_t shape) noexcept {
     places.vacate(shape);
 }
 
+void Collider::truncate(std::int32_t kept) noexcept {
+    places.truncate(kept);
+    shapes_.erase(shapes_.begin() + kept, shapes_.end());
+    data_.erase(data_.begin() + kept, data_.end());
+}
+
 void Collider::forget(const std::vector<std::uint8_t>& stays) noexcept {
     std::size_t n = 0, awake = 0;
     for (std::size_t i = 0; i < kept_.size(); ++i) {

@@ -55,6 +55,8 @@ class Collider {
     /// Nothing touches it any more. What was remembered of its contacts is for the caller to
     /// forget: kept().
     void remove(std::int32_t shape) noexcept;
+    /// Take away the places from `kept` on, whose shapes have touched nothing yet.
+    void truncate(std::int32_t kept) noexcept;
     /// Whether the box of a shape, at the present poses and with the margin, meets that of another
     /// one in the last collide(). @param f  Called with the other one.
     template <class F>

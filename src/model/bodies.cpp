@@ -132,7 +132,13 @@ void Bodies::share_drag(double h) {
 
 void Bodies::truncate(int kept) {
     const auto n = static_cast<std::size_t>(kept);
+    v_before.clear();
+    if (kept >= count()) return;
     places.truncate(kept);
+    dofs = dof_begin[n];
+    for (base::Array<double>* a : {&v, &v_start}) a->resize(at(dofs));
+    for (std::vector<std::int32_t>* list : {&moving, &rigid, &driven})
+        list->erase(std::lower_bound(list->begin(), list->end(), kept), list->end());
     kind.resize(n);
     dof_begin.resize(n);
     room.resize(n);
@@ -144,7 +150,6 @@ void Bodies::truncate(int kept) {
     weight.resize(n);
     asleep.resize(n);
     quiet.resize(n);
-    v_before.clear();
 }
 
 void Bodies::drift(int body, const double* velocity, const double* omega, double t) noexcept {

@@ -93,7 +93,7 @@ struct Bodies {
     void remove(int body) noexcept;
     /// Sets drag_after and drag_before for the step h [s].
     void share_drag(double h);
-    /// Take away those from `kept` on, which are fixed.
+    /// Take away the places from `kept` on, with what is there.
     void truncate(int kept);
     /// Move by time t at constant velocity [m/s]; with ω [rad/s, world frame] also turn, by the
     /// Cayley map of t ω. Scalars: not for them.

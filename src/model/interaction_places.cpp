@@ -223,8 +223,8 @@ void Interactions::remove(int id) noexcept {
         base::erase_sorted(*list, id);
     for (Load& load : loads)
         if (load.rows > 0 && load.row_begin == row_begin[i]) load.rows = 0;
-    for (InteractionDef& d : def)
-        for (FrictionLoad& load : d.load)
+    for (const std::int32_t friction : frictions)
+        for (FrictionLoad& load : def[at(friction)].load)
             if (load.interaction.index == id) load = {};
     if (load_begin[i] >= 0)
         for (std::size_t k = 0; k < kMaxFrictionLoads; ++k) loads[at(load_begin[i]) + k] = {};

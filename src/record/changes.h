@@ -37,6 +37,7 @@ class ChangeBytes : public ChangeListener {
     void follow_groups(int parts, int every) noexcept override;
     void set_coupling(InteractionId id, Coupling coupling) noexcept override;
     void degraded(const Degradation& degradation) noexcept override;
+    void lost() noexcept override { failed_ = true; }
     void parted(InteractionId id) noexcept override;
     void restored(std::span<const std::byte> bytes) noexcept override;
 

@@ -17,7 +17,9 @@ struct Wire {
     std::string name;
     std::vector<BodyId> nodes;            ///< One more than elements.
     std::vector<InteractionId> elements;  ///< In order.
+    std::vector<BodyId> lumps;            ///< Made by add_wire().
     std::vector<InteractionId> bends;     ///< Made by add_wire().
+    std::vector<ShapeId> shapes;          ///< Made by add_wire().
     bool owns = false;                    ///< It was made by add_wire().
 };
 

@@ -51,6 +51,12 @@ class WireMaker {
     }
 
     void make() {
+        // What is noted must not throw, or it would not be taken away.
+        const auto n = static_cast<std::size_t>(def_.elements);
+        out_.nodes.reserve(n + 1);
+        out_.lumps.reserve(n);
+        for (auto* list : {&out_.elements, &out_.bends}) list->reserve(n);
+        out_.shapes.reserve(n);
         out_.nodes.push_back(def_.from);
         for (std::size_t i = 0; i < lumps_.size(); ++i) add_lump(i);
         if (def_.to.valid()) out_.nodes.push_back(def_.to);
@@ -77,7 +83,8 @@ class WireMaker {
         body.velocity = def_.velocity;
         body.mass = def_.mass_per_length * share;
         body.linear_damping = Vec3::Constant(def_.drag * share);
-        out_.nodes.push_back(world_.add_body(body));
+        out_.lumps.push_back(world_.add_body(body));
+        out_.nodes.push_back(out_.lumps.back());
     }
     void add_element(std::size_t i) {
         InteractionDef d;
@@ -111,7 +118,7 @@ class WireMaker {
         s.material = def_.material;
         s.group = def_.group;
         s.touches = def_.touches;
-        (void)world_.add_shape(s);
+        out_.shapes.push_back(world_.add_shape(s));
     }
 
     World& world_;

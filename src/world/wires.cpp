@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -32,18 +33,84 @@ WireId World::add_wire(const WireDef& def) {
     world::Wire made;
     made.name = def.name;
     made.owns = true;
+    const Impl::Mark before = m.mark(def.from, def.to);
+    WireId id;
     try {
+        const Impl::Untold untold(m);
         world::make_wire(*this, def, made);
-        return m.keep_wire(std::move(made));
+        id = m.keep_wire(std::move(made));
     } catch (...) {
-        // Lumps take their elements and segments with them.
-        m.forget_removal();
-        for (const InteractionId id : made.elements)
-            if (alive(id)) m.remove(id);
-        for (const BodyId id : made.nodes)
-            if (id != def.from && id != def.to && alive(id)) m.remove(id);
+        m.take_back(before, made);
         throw;
     }
+    m.tell_of(m.wire(id));
+    return id;
+}
+
+/// Piece by piece, in the order in which they came.
+void World::Impl::tell_of(const world::Wire& made) const noexcept {
+    if (listener == nullptr) return;
+    try {
+        for (const BodyId id : made.lumps) listener->added(body_defs[at(id.index)]);
+        for (const auto* list : {&made.elements, &made.bends})
+            for (const InteractionId id : *list) {
+                InteractionDef d = ctx.interactions.def[at(id.index)];
+                // As it was given: then it follows the length.
+                if (ctx.interactions.flags[at(id.index)] & model::kFromLength)
+                    d.compliance[0] = kDefault;
+                listener->added(d);
+            }
+        for (const ShapeId id : made.shapes) listener->added(shape_defs[at(id.index)]);
+    } catch (const std::bad_alloc&) {
+        listener->lost();
+    }
+}
+
+World::Impl::Mark World::Impl::mark(BodyId from, BodyId to) const noexcept {
+    const auto quiet = [&](BodyId id) { return id.valid() ? ctx.bodies.quiet[at(id.index)] : 0; };
+    return {stepper::body_count(ctx),
+            stepper::interaction_count(ctx),
+            ctx.collider.count(),
+            ctx.edits.interactions.size(),
+            ctx.drive,
+            ctx.topology_changed || ctx.cuts.bodies >= 0,
+            ctx.edits.any,
+            ctx.regroup.stale,
+            {from, to},
+            {quiet(from), quiet(to)}};
+}
+
+/// As if what was added since had not been: places behind all others go, others are empty again
+/// with the generation that they had.
+void World::Impl::take_back(const Mark& before, const world::Wire& made) noexcept {
+    forget_removal();
+    for (const ShapeId id : made.shapes) {
+        remove(id);
+        ctx.collider.places.step_back(id.index);
+    }
+    for (const auto* list : {&made.bends, &made.elements})
+        for (const InteractionId id : *list) {
+            remove(id);
+            ctx.interactions.places.step_back(id.index);
+        }
+    for (const BodyId id : made.lumps) {
+        remove(id);
+        ctx.bodies.places.step_back(id.index);
+    }
+    ctx.collider.truncate(before.shapes);
+    ctx.interactions.truncate(before.interactions);
+    ctx.bodies.truncate(before.bodies);
+    shape_defs.resize(at(before.shapes));
+    body_defs.resize(at(before.bodies));
+    ctx.regroup.by_hand.resize(at(before.bodies));
+    ctx.cuts.group.resize(at(before.bodies));
+    ctx.edits.interactions.resize(before.noted);
+    ctx.drive = before.drive;
+    ctx.topology_changed = before.topology_changed;
+    ctx.edits.any = before.edited;
+    ctx.regroup.stale = before.stale;
+    for (std::size_t k = 0; k < 2; ++k)
+        if (before.end[k].valid()) ctx.bodies.quiet[at(before.end[k].index)] = before.quiet[k];
 }
 
 WireId World::adopt_wire(const std::string& name, std::span<const InteractionId> elements) {
@@ -100,11 +167,8 @@ const Removed& World::remove_wire(WireId id) {
             if (alive(element)) m.remove(element);
         for (const InteractionId bend : wire.bends)
             if (alive(bend)) m.remove(bend);
-        for (std::size_t i = 1; i < wire.nodes.size(); ++i) {
-            const BodyId node = wire.nodes[i];
-            if (alive(node) && body_def(node).name == wire.name + "/" + std::to_string(i))
-                m.remove(node);
-        }
+        for (const BodyId lump : wire.lumps)
+            if (alive(lump)) m.remove(lump);
     }
     if (m.listener != nullptr) {
         for (const InteractionId gone : m.removed.interactions) m.listener->removed(gone);

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Memory that ends while things come and go between steps: the world stays as it was, and the call
+/// made again gives the same bits.
+#include "machine/retry.h"
+#include "support/yard.h"
+
+namespace hawser::test {
+namespace {
+
+constexpr const char* kLongName = "a wire with a name that is longer than a short string";
+
+void expect_steps(Retry& retry, World& w, int count) {
+    for (int i = 0; i < count; ++i) retry.call(w, "step", step_once, i > 0);
+}
+
+TEST(MemoryEnds, WhereThingsComeAndGo) {
+    expect_same_bits("edits", [](Retry& retry) {
+        WorldDef def;
+        def.sleep_after = 0.5;
+        Yard yard(def);
+        const BodyId ground = yard.fixed();
+        yard.plane(ground);
+        std::vector<BodyId> boxes;
+        for (int i = 0; i < 4; ++i)
+            boxes.push_back(yard.box({1.5 * i, 0, 0.52}, 10.0, {.5, .5, .5}));
+        World& w = yard.world;
+        expect_steps(retry, w, 6);
+        retry.call(w, "remove_body", throwing([&](World& to) { (void)to.remove_body(boxes[1]); }));
+        WireDef wire{.name = kLongName, .from = boxes[0], .to = boxes[2]};
+        wire.from_point = wire.to_point = {0, 0, 0.5};
+        wire.elements = 5;
+        wire.EA = 1e5;
+        wire.mass_per_length = 1.0;
+        wire.EI = 1.0;
+        wire.radius = 0.02;
+        retry.call(w, "add_wire", throwing([&](World& to) { (void)to.add_wire(wire); }));
+        expect_steps(retry, w, 4);
+        retry.call(w, "part", throwing([](World& to) { to.part(to.find_wire(kLongName), 1.0); }));
+        const InputDef input{.name = "an input with a name that is longer than a short string",
+                             .body = boxes[3]};
+        retry.call(w, "add_input", throwing([&](World& to) { (void)to.add_input(input); }));
+        const ShapeId shape = w.shapes().back();
+        retry.call(w, "remove_shape", throwing([&](World& to) { (void)to.remove_shape(shape); }));
+        expect_steps(retry, w, 3);
+        retry.call(w, "remove_wire",
+                   throwing([](World& to) { (void)to.remove_wire(to.find_wire(kLongName)); }));
+        retry.call(w, "remove_input",
+                   throwing([&](World& to) { (void)to.remove_input(to.find_input(input.name)); }));
+        expect_steps(retry, w, 3);
+        EXPECT_EQ(w.bodies().size(), 4U);
+        EXPECT_TRUE(w.wires().empty());
+    });
+}
+
+}  // namespace
+}  // namespace hawser::test
