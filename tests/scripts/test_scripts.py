@@ -30,7 +30,7 @@ class Layers(unittest.TestCase):
 
     def test_table_is_complete(self):
         rooms = "base runtime graph factor model nonsmooth collide assembly wire marine stepper " \
-                "world scene record verify report draw apps examples tests bench"
+                "world scene record verify report draw validate apps examples tests bench"
         self.assertEqual(set(rooms.split()), set(self.table))
         self.assertEqual(self.table["base"], set())
         self.assertEqual(self.table["nonsmooth"], {"base", "factor"})

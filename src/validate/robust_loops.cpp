@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Overconstrained loops, and the flyball governor.
-#include "validate_reference.h"
-#include "validate_robust.h"
-#include "validate_robust_tools.h"
-#include "validate_tools.h"
+#include "validate/reference.h"
+#include "validate/robust.h"
+#include "validate/robust_tools.h"
+#include "validate/tools.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include <random>
 #include <vector>
 
-namespace hawser::cli {
+namespace hawser::validate {
 namespace {
 
 // ---- Bennett's linkage
@@ -236,4 +236,4 @@ void case_overconstrained(Report& report) {
     bennett.report(report, "Bennett");
 }
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

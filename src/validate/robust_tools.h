@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// @file validate_robust_tools.h
+/// @file robust_tools.h
 /// What the robust cases of rigid joints share.
 
-#include "validate_tools.h"
+#include "validate/tools.h"
 
 #include <string>
 
-namespace hawser::cli {
+namespace hawser::validate {
 
 inline constexpr double kRobustStep = 1.0 / 60.0;  ///< The user's step [s].
 
@@ -78,4 +78,4 @@ inline Vec3 angular_momentum(const World& w) {
     return sum;
 }
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The simple pendulum against elliptic functions.
-#include "validate_cases.h"
-#include "validate_reference.h"
-#include "validate_tools.h"
+#include "validate/cases.h"
+#include "validate/reference.h"
+#include "validate/tools.h"
 
 #include <cmath>
 
-namespace hawser::cli {
+namespace hawser::validate {
 namespace {
 
 constexpr double kNatural = 3.1320919526731650;  // √(9.81/1) [rad/s]
@@ -78,4 +78,4 @@ void case_pendulum_a01(Report& report) {
     }
 }
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

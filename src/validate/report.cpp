@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "validate_report.h"
+#include "validate/report.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace hawser::cli {
+namespace hawser::validate {
 namespace {
 
 double length(const std::vector<double>& v) {
@@ -129,4 +129,4 @@ std::string Report::json() const {
     return nlohmann::json{{"passed", passed()}, {"checks", std::move(list)}}.dump(2) + "\n";
 }
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

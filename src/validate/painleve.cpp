@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Painlevé's rod: friction that turns what slides into the ground.
-#include "validate_cases.h"
-#include "validate_tools.h"
+#include "validate/cases.h"
+#include "validate/tools.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::cli {
+namespace hawser::validate {
 namespace {
 
 /// How far the force of a contact is from Coulomb's cone and the ground's side, over the largest
@@ -105,4 +105,4 @@ void case_painleve(Report& report) {
     }
 }
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

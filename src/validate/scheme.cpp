@@ -2,9 +2,9 @@
 // Properties of the time stepper. With a compliance e and a damping time n h a row g obeys
 // e f = −(mean of g + n h r), r = t G v₊ + (1 − t) G v the rate that its damper sees and t = 1
 // where n is the scheme's own; see docs/methods.md.
-#include "validate_cases.h"
-#include "validate_reference.h"
-#include "validate_tools.h"
+#include "validate/cases.h"
+#include "validate/reference.h"
+#include "validate/tools.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include <cmath>
 #include <complex>
 
-namespace hawser::cli {
+namespace hawser::validate {
 namespace {
 
 std::string set_value(const std::string& path, double value) {
@@ -242,4 +242,4 @@ void case_energy_loss(Report& report) {
     }
 }
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

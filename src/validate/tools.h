@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// @file validate_tools.h
+/// @file tools.h
 /// What the validation cases share: opening scenes, stepping, and reading motions.
 
 #include <hawser/hawser.h>
 
 #include "scene/scene.h"
-#include "validate_report.h"
+#include "validate/report.h"
 
 #include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
-namespace hawser::cli {
+namespace hawser::validate {
 
 inline constexpr double kGravity = 9.81;  ///< [m/s²].
 inline constexpr double kPi = 3.14159265358979323846;
@@ -61,4 +61,4 @@ class AngleCounter {
 /// Jacobi's sn(u, k) by descending Landen transformations.
 [[nodiscard]] double jacobi_sn(double u, double k);
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

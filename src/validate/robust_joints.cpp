@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rigid joints at the user's step: repeated joints, heavy ships on chains, motions that keep their
 // energy and momentum.
-#include "validate_robust.h"
-#include "validate_robust_tools.h"
-#include "validate_tools.h"
+#include "validate/robust.h"
+#include "validate/robust_tools.h"
+#include "validate/tools.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include <random>
 #include <vector>
 
-namespace hawser::cli {
+namespace hawser::validate {
 namespace {
 
 // ---- a boom on a slewing platform
@@ -208,4 +208,4 @@ void case_ships_on_chain(Report& report) {
           std::abs(first[0] / first[1] - 1.0), 5e-3, "relative");
 }
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

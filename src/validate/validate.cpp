@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "validate.h"
+#include "validate/validate.h"
 
 #include "record/files.h"
-#include "validate_cases.h"
-#include "validate_robust.h"
+#include "validate/cases.h"
+#include "validate/robust.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 #include <iterator>
 #include <span>
 
-namespace hawser::cli {
+namespace hawser::validate {
 namespace {
 
 constexpr Case kCases[] = {
@@ -86,7 +86,7 @@ void run_case(const Case& c, Report& report, bool quiet) {
 
 }  // namespace
 
-int run_validate(const std::vector<std::string>& cases, const std::string& json_file, bool list) {
+int run_cases(const std::vector<std::string>& cases, const std::string& json_file, bool list) {
     if (list) {
         for (const Case& c : kCases) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
         fmt::print("robust: beyond what a step resolves, not among those that run unasked\n");
@@ -128,4 +128,4 @@ int run_validate(const std::vector<std::string>& cases, const std::string& json_
     return report.passed() && written ? 0 : 3;
 }
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

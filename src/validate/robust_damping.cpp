@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Orders of dampers where steps resolve them: a body on a spring and a damper, one with drag, a
 // hull that heaves. All have closed forms.
-#include "validate_robust.h"
-#include "validate_tools.h"
+#include "validate/robust.h"
+#include "validate/tools.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::cli {
+namespace hawser::validate {
 namespace {
 
 /// x'' + 2 d x' + w² x = 0 from x(0) = 1, x'(0) = 0, d < w.
@@ -117,4 +117,4 @@ void case_damping_orders(Report& report) {
           heave_error);
 }
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// @file validate_report.h
+/// @file report.h
 /// What a validation case writes its results into.
 
 #include <functional>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace hawser::cli {
+namespace hawser::validate {
 
 /// One number or one vector compared with its reference.
 struct Check {
@@ -82,4 +82,4 @@ class Report {
     std::vector<Check> checks_;
 };
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

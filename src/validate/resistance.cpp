@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Resistance to rolling and spinning against closed forms.
-#include "validate_cases.h"
-#include "validate_tools.h"
+#include "validate/cases.h"
+#include "validate/tools.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace hawser::cli {
+namespace hawser::validate {
 namespace {
 
 // Of the scene.
@@ -104,4 +104,4 @@ void case_rolling_resistance(Report& report) {
                    "relative; v^2/(2 a)");
 }
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

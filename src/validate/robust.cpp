@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "validate_robust.h"
+#include "validate/robust.h"
 
-namespace hawser::cli {
+namespace hawser::validate {
 namespace {
 
 constexpr Case kRobust[] = {
@@ -25,4 +25,4 @@ constexpr Case kRobust[] = {
 
 std::span<const Case> robust_cases() { return kRobust; }
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

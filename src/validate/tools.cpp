@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "validate_tools.h"
+#include "validate/tools.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-namespace hawser::cli {
+namespace hawser::validate {
 namespace {
 
 std::filesystem::path scene_file(const std::string& name) {
@@ -132,4 +132,4 @@ double jacobi_sn(double u, double k) {
     return std::sin(phi);
 }
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

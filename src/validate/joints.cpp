@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dry friction in joints, ends of travel and motors of limited force against closed forms.
-#include "validate_cases.h"
-#include "validate_tools.h"
+#include "validate/cases.h"
+#include "validate/tools.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::cli {
+namespace hawser::validate {
 namespace {
 
 double speed(const World& world, const char* name) {
@@ -140,4 +140,4 @@ void case_motor_limits(Report& report) {
                    "absolute: a motor is a speed of 0 with a compliance of 1e-12 m/s/N", 1.0);
 }
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

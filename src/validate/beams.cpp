@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bending: sag under own weight, buckling.
-#include "validate_cases.h"
-#include "validate_tools.h"
+#include "validate/cases.h"
+#include "validate/tools.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace hawser::cli {
+namespace hawser::validate {
 namespace {
 
 /// Sag [m] at a node after settling; the mean of two steps removes what is left of waves that
@@ -86,4 +86,4 @@ void case_euler_column(Report& report) {
     }
 }
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

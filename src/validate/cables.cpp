@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cables of lumps: a catenary, frequencies, momentum.
-#include "validate_cases.h"
-#include "validate_tools.h"
+#include "validate/cases.h"
+#include "validate/tools.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace hawser::cli {
+namespace hawser::validate {
 namespace {
 
 /// Small transverse motion of a line of lumps: frequencies and shapes of K u = ω² M u with the
@@ -193,4 +193,4 @@ void case_taut_string(Report& report) {
     }
 }
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

@@ -2,8 +2,8 @@
 // Wires of lumps at steps that resolve neither their swing across nor the one along. `Ratio` is
 // h √(T/ρ)/l: so many elements a wave across runs along in a step; one is the limit of a step
 // without geometric stiffness.
-#include "validate_robust.h"
-#include "validate_tools.h"
+#include "validate/robust.h"
+#include "validate/tools.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace hawser::cli {
+namespace hawser::validate {
 namespace {
 
 constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
@@ -238,7 +238,7 @@ void settle(Report& report, const std::string& scene, double step, const std::st
     long count = 0;
     for (long k = 0; k < steps; ++k) {
         advance(s.world, 1);
-        const double now = hawser::cli::tension(s.world, elements.back());
+        const double now = hawser::validate::tension(s.world, elements.back());
         most = std::max(most, now);
         if (k * step < 0.7 * s.duration) continue;
         sum += now;
@@ -291,4 +291,4 @@ void case_wire_sway(Report& report) {
     }
 }
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

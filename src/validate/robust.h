@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// @file validate_robust.h
+/// @file robust.h
 /// Cases of `hawser validate robust`: motions at steps that do not resolve all of them.
 
-#include "validate_report.h"
+#include "validate/report.h"
 
 #include <span>
 
-namespace hawser::cli {
+namespace hawser::validate {
 
 /// A case of `hawser validate`.
 struct Case {
@@ -20,18 +20,18 @@ struct Case {
 /// Those that "robust" stands for.
 [[nodiscard]] std::span<const Case> robust_cases();
 
-// validate_robust_wires.cpp
+// robust_wires.cpp
 void case_zigzag_wires(Report& report);
 void case_long_wire(Report& report);
 void case_wire_sway(Report& report);
 void case_wires_come_taut(Report& report);
-// validate_robust_damping.cpp
+// robust_damping.cpp
 void case_damping_orders(Report& report);
-// validate_robust_joints.cpp, validate_robust_loops.cpp
+// robust_joints.cpp, robust_loops.cpp
 void case_repeated_joints(Report& report);
 void case_overconstrained(Report& report);
 void case_ships_on_chain(Report& report);
 void case_long_motions(Report& report);
 void case_governor(Report& report);
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

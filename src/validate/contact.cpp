@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contact and friction of rigid bodies and wires against closed forms.
-#include "validate_cases.h"
-#include "validate_tools.h"
+#include "validate/cases.h"
+#include "validate/tools.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace hawser::cli {
+namespace hawser::validate {
 namespace {
 
 constexpr int kHeadings = 8;
@@ -286,4 +286,4 @@ void case_bouncing_ball(Report& report) {
                    "absolute; it has come to rest", 1.0);
 }
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Spinning bodies: the gyroscopic update.
-#include "validate_cases.h"
-#include "validate_reference.h"
-#include "validate_tools.h"
+#include "validate/cases.h"
+#include "validate/reference.h"
+#include "validate/tools.h"
 
 #include <cmath>
 
-namespace hawser::cli {
+namespace hawser::validate {
 
 void case_dzhanibekov(Report& report) {
     // Velocities are known half a step before positions. The mean of two neighbours, seen from
@@ -66,4 +66,4 @@ void case_heavy_top(Report& report) {
                     simulate);
 }
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

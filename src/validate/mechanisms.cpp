@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Closed loops of rigid bodies: N-four-bar, Andrews, Bricard, slider-crank.
-#include "validate_cases.h"
-#include "validate_reference.h"
-#include "validate_tools.h"
+#include "validate/cases.h"
+#include "validate/reference.h"
+#include "validate/tools.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace hawser::cli {
+namespace hawser::validate {
 namespace {
 
 constexpr double kFourBarRate = 3.5 / 3.0 * kGravity;  // θ̈ = rate sin θ, N = 2 [1/s²]
@@ -164,4 +164,4 @@ void case_slider_crank(Report& report) {
                     worst, {kAbout960.steps, 3});
 }
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Momentum of scenes on which nothing outside acts.
-#include "validate_cases.h"
-#include "validate_tools.h"
+#include "validate/cases.h"
+#include "validate/tools.h"
 
-namespace hawser::cli {
+namespace hawser::validate {
 namespace {
 
 constexpr long kSteps = 10'000;
@@ -51,4 +51,4 @@ void case_momentum(Report& report) {
                   "geometric stiffness keeps momentum, and angular momentum to second order");
 }
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate

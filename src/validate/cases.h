@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// @file validate_cases.h
+/// @file cases.h
 /// The validation cases. Each opens its scenes, runs them and writes into the report.
 
-#include "validate_report.h"
+#include "validate/report.h"
 
-namespace hawser::cli {
+namespace hawser::validate {
 
-// validate_pendulum.cpp
+// pendulum.cpp
 void case_pendulum_period(Report& report);
 void case_pendulum_a01(Report& report);
-// validate_mechanisms.cpp
+// mechanisms.cpp
 void case_n_four_bar(Report& report);
 void case_andrews(Report& report);
 void case_bricard(Report& report);
 void case_slider_crank(Report& report);
-// validate_spin.cpp
+// spin.cpp
 void case_dzhanibekov(Report& report);
 void case_heavy_top(Report& report);
-// validate_cables.cpp
+// cables.cpp
 void case_catenary(Report& report);
 void case_hanging_chain(Report& report);
 void case_taut_string(Report& report);
-// validate_momentum.cpp
+// momentum.cpp
 void case_momentum(Report& report);
-// validate_beams.cpp
+// beams.cpp
 void case_beams(Report& report);
 void case_euler_column(Report& report);
-// validate_contact.cpp
+// contact.cpp
 void case_capstan(Report& report);
 void case_incline(Report& report);
 void case_belt(Report& report);
@@ -41,9 +41,9 @@ void case_joint_friction(Report& report);
 void case_bollard(Report& report);
 void case_joint_limits(Report& report);
 void case_motor_limits(Report& report);
-// validate_resistance.cpp
+// resistance.cpp
 void case_rolling_resistance(Report& report);
-// validate_scheme.cpp
+// scheme.cpp
 void case_static_violation(Report& report);
 void case_violation_decay(Report& report);
 void case_linear_invariant(Report& report);
@@ -52,4 +52,4 @@ void case_curvature_violation(Report& report);
 void case_order(Report& report);
 void case_energy_loss(Report& report);
 
-}  // namespace hawser::cli
+}  // namespace hawser::validate
