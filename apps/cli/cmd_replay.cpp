@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <hawser/scene.h>
+
 #include "commands.h"
 #include "failure.h"
 #include "progress.h"
 #include "record/recording.h"
-#include "scene/scene.h"
 #include "signals.h"
 
 #include <fmt/format.h>

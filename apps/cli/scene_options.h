@@ -3,8 +3,9 @@
 /// @file scene_options.h
 /// Options that change a scene while it is read, common to several commands.
 
+#include <hawser/scene.h>
+
 #include "record/scene_info.h"
-#include "scene/scene.h"
 
 #include <CLI/CLI.hpp>
 

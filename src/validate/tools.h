@@ -4,8 +4,8 @@
 /// What the validation cases share: opening scenes, stepping, and reading motions.
 
 #include <hawser/hawser.h>
+#include <hawser/scene.h>
 
-#include "scene/scene.h"
 #include "validate/report.h"
 
 #include <functional>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file scene.h
-/// Reads a scene file into a world.
+/// Reads a scene file into a world. Part of hawser::scene.
 ///
-/// A scene is a JSON document (docs/scenes.md, schema/scene-1.json). Reading has four steps,
-/// each in its own files: the document is parsed and its shape checked against the format;
+/// A scene is a JSON document (docs/scenes.md, schema/scene-1.json). Reading has four steps, in
+/// src/scene: the document is parsed and its shape checked against the format;
 /// includes are merged, options applied and templates expanded into one flat document;
 /// cables are laid out; the bodies, interactions and inputs are added to a new World through
 /// its public interface. A mistake anywhere throws SceneError and leaves nothing behind; there is a
