@@ -42,9 +42,4 @@ struct SceneOptions {
     [[nodiscard]] scene::Options options() const;
 };
 
-[[nodiscard]] record::SceneInfo info_of(const scene::Scene& scene);
-
-/// Names of a world's inputs in their order.
-[[nodiscard]] std::vector<std::string> input_names(const World& world);
-
 }  // namespace hawser::cli

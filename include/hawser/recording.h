@@ -4,23 +4,29 @@
 /// Recordings: a scene, where it started, what was commanded and where everything went.
 ///
 /// The format is described in docs/recording.md. A recording is written chunk by chunk while
-/// the simulation runs. After a crash everything up to the last complete chunk can be read.
+/// the simulation runs. After a crash everything up to the last complete chunk can be read. Part of
+/// hawser::session, which writes them (session.h).
 
-#include "record/bytes.h"
-#include "record/changes.h"
-#include "record/scene_info.h"
+#include <hawser/def.h>
+#include <hawser/math.h>
+#include <hawser/stats.h>
 
-#include <hawser/hawser.h>
-
-#include <cstdio>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
+namespace hawser {
+class World;
+}
+
 namespace hawser::record {
+
+class ByteReader;  // src/record/bytes.h
 
 /// A recording that cannot be written or read; what() begins with the file.
 struct RecordingError : std::runtime_error {
@@ -117,42 +123,6 @@ struct Frame {
 
 enum class Ending : std::uint8_t { finished, interrupted, failed, unknown };
 
-/// Writes a recording. Functions throw RecordingError when the disk is full.
-class RecordingWriter {
-  public:
-    /// Starts the file with the scene, the settings, the layout and the state of the world.
-    RecordingWriter(const std::filesystem::path& file, const SceneInfo& scene, const World& world,
-                    const RecordingSettings& settings);
-    void add_frame(const World& world);
-    void add_inputs(std::span<const RecordedInput> changes);
-    /// What a world told since the last call (changes.h); before the step that comes next.
-    void add_changes(const World& world, const ChangeBytes& changes);
-    void add_cut(const RecordedCut& cut);
-    void add_event(const World& world, const Event& event);
-    void finish(const World& world, Ending ending);
-
-  private:
-    struct CloseFile {
-        void operator()(std::FILE* f) const { std::fclose(f); }
-    };
-    void write_chunk(const char* kind);
-    [[noreturn]] void fail() const;
-
-    std::filesystem::path file_;
-    std::unique_ptr<std::FILE, CloseFile> out_;
-    ByteWriter payload_;
-    struct FramedBody {
-        BodyId id;
-        BodyKind kind;
-        Pose start;
-    };
-    void follow_bodies(const World& world);
-
-    std::vector<InteractionId> elements_;
-    std::vector<FramedBody> bodies_;  ///< Of a frame, in its order.
-    bool other_bodies_ = false;       ///< Than bodies_: they are written before the next frame.
-};
-
 /// A recording in memory. Frames are decoded when asked for.
 class Recording {
   public:
@@ -222,13 +192,26 @@ class Recording {
     std::vector<Layout> layouts_;
 };
 
+/// Does to a world again what was done to the recorded one, and lets its steps leave out what those
+/// of the recording left out. The world is that of the scene in the recording, in the state of its
+/// snapshot.
+class Repeater {
+  public:
+    /// @param recording  Has to outlive it.
+    explicit Repeater(const Recording& recording) : recording_(recording) {}
+    /// Before each step. @throws std::runtime_error where the recording says what makes no sense,
+    ///                            DefError where the world refuses a change.
+    void before_step(World& world);
+
+  private:
+    const Recording& recording_;
+    std::size_t input_ = 0, change_ = 0, cut_ = 0;  ///< The next ones.
+};
+
 /// Floats of a body's pose in a frame: 7, 3, 1 or 0.
 [[nodiscard]] int pose_floats(BodyKind kind) noexcept;
 
 /// True for bodies between the ends of a cable: nodes and links, too many to name.
 [[nodiscard]] std::vector<bool> cable_interior(const Recording& recording);
-
-/// Bytes of one frame in the file.
-[[nodiscard]] std::size_t frame_bytes(const World& world, const SceneInfo& scene);
 
 }  // namespace hawser::record

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "report/host.h"
+#include "record/host.h"
 
 #include <sched.h>
 #include <sys/resource.h>
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 
-namespace hawser::report {
+namespace hawser::record {
 
 std::string processor_model() {
     std::ifstream in("/proc/cpuinfo");
@@ -37,4 +37,4 @@ std::int64_t peak_memory() {
     return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB.
 }
 
-}  // namespace hawser::report
+}  // namespace hawser::record

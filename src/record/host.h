@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-namespace hawser::report {
+namespace hawser::record {
 
 /// As the processor names itself; "unknown" where that cannot be read.
 [[nodiscard]] std::string processor_model();
@@ -18,4 +18,4 @@ namespace hawser::report {
 /// Largest resident size of this process so far [bytes].
 [[nodiscard]] std::int64_t peak_memory();
 
-}  // namespace hawser::report
+}  // namespace hawser::record
