@@ -3,7 +3,8 @@
 /// @file coupling_measure.h
 /// Ways to couple that hawser-bench coupling compares, and runs of scenes under them.
 
-#include "scene/scene.h"
+#include <hawser/scene.h>
+
 #include "verify/coupling.h"
 
 #include <array>

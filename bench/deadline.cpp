@@ -3,7 +3,7 @@
 #include "commands.h"
 #include "deadline_load.h"
 #include "deadline_run.h"
-#include "report/host.h"
+#include "record/host.h"
 #include "verdict.h"
 
 #include <fmt/core.h>
@@ -118,7 +118,7 @@ int compare_deadline(const DeadlineOptions& o) {
     const DeadlineRun again = run_deadline(o, 0.0, &kept);
     fmt::print("{}, {} boxes on a moving deck for {} of {} steps, {} thread(s), {}, {}\n\n",
                o.scene, DeckCargo::kHigh * o.stacks, o.steps, kDeadlinePhases * o.steps, o.threads,
-               instruction_set(), report::processor_model());
+               instruction_set(), record::processor_model());
     fmt::print("{:<16} {:>8} {:>31} {:>24} {:>9} {:>19}\n", "", "contact", "solver_cpu_ms",
                "step_ms (wall)", "degraded", "natural map");
     fmt::print("{:<16} {:>8} {:>7} {:>7} {:>7} {:>7} {:>8} {:>7} {:>7} {:>9} {:>9} {:>9}\n",

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <hawser/scene.h>
+
 #include "deadline_run.h"
 
 #include "deadline_load.h"
 #include "record/control.h"
 #include "report/summary.h"
-#include "scene/scene.h"
 
 #include <fmt/core.h>
 

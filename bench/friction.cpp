@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // hawser-bench friction: the methods for contacts with friction beside each other.
+#include <hawser/scene.h>
+
 #include "commands.h"
 #include "friction_loads.h"
-#include "scene/scene.h"
 
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>

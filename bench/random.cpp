@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // hawser-bench random: mechanisms that no one has tuned, and whether runs that end ok are right.
+#include <hawser/scene.h>
+
 #include "commands.h"
 #include "random_cases.h"
 #include "random_judge.h"
-#include "scene/scene.h"
 
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // hawser-bench step: median time of a whole step, memory, and how both grow with the scene.
+#include <hawser/scene.h>
+
 #include "commands.h"
-#include "scene/scene.h"
 
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>

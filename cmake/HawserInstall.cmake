@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
-# `cmake --install`: library, public headers, program, scenes, schema, and a package that
-# another project uses by find_package(hawser) and hawser::hawser. Components: library, program.
+# `cmake --install`: libraries, public headers, program, scenes, schema, and a package that another
+# project uses by find_package(hawser [COMPONENTS scene session]) with hawser::hawser, hawser::scene
+# and hawser::session. Components of the installation: library, program.
 
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/hawser)
@@ -10,6 +11,14 @@ install(TARGETS hawser EXPORT hawserTargets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library)
 install(EXPORT hawserTargets NAMESPACE hawser:: DESTINATION ${package_dir} COMPONENT library)
+foreach(name IN ITEMS scene session)
+    if(TARGET hawser_${name})
+        install(TARGETS hawser_${name} EXPORT hawser_${name}Targets
+            ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library)
+        install(EXPORT hawser_${name}Targets NAMESPACE hawser:: DESTINATION ${package_dir}
+            COMPONENT library)
+    endif()
+endforeach()
 install(DIRECTORY include/hawser "${PROJECT_BINARY_DIR}/include/hawser"
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT library FILES_MATCHING PATTERN "*.h")
 

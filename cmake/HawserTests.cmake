@@ -24,9 +24,9 @@ set(HAWSER_PROGRAM_TESTS bench cli)
 set(HAWSER_THREAD_TESTS runtime threads)
 set(HAWSER_UNSANITIZED_TESTS assembly draw record report verify)
 # Tests that need more than the library.
-set(HAWSER_REPORT_TESTS cli draw files record report verify)
-set(HAWSER_SCENE_TESTS bench cli draw files record report scene scenes slow stepper threads
-                       validate verify world)
+set(HAWSER_REPORT_TESTS cli draw files record report session verify)
+set(HAWSER_SCENE_TESTS bench cli draw files record report scene scenes session slow stepper
+                       threads validate verify world)
 add_custom_target(hawser_fast_tests)
 add_custom_target(hawser_thread_tests)
 
@@ -168,6 +168,7 @@ if(NOT HAWSER_SANITIZE)
         COMMAND ${CMAKE_COMMAND}
             -DHAWSER_BINARY_DIR=${PROJECT_BINARY_DIR}
             -DCONSUMER_SOURCE_DIR=${PROJECT_SOURCE_DIR}/tests/consumer
+            -DSCENES_DIR=${PROJECT_SOURCE_DIR}/scenes
             -DCXX_COMPILER=${CMAKE_CXX_COMPILER}
             -P "${PROJECT_SOURCE_DIR}/tests/consumer/run.cmake")
     set_tests_properties(consumer PROPERTIES LABELS build TIMEOUT 600)

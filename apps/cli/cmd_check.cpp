@@ -47,7 +47,8 @@ Checked examine(const CheckOptions& options, const std::string& file) {
     one.file = file;
     Checked out;
     out.scene = one.load(out.mistakes);
-    if (out.scene) out.start = report::start::check_start(info_of(*out.scene), out.scene->world);
+    if (out.scene)
+        out.start = report::start::check_start(record::info_of(*out.scene), out.scene->world);
     return out;
 }
 

@@ -6,7 +6,7 @@
 #include "figure_panels.h"
 #include "figure_timelines.h"
 #include "outputs.h"
-#include "report/host.h"
+#include "record/host.h"
 #include "scene_options.h"
 
 #include <fmt/format.h>
@@ -70,8 +70,8 @@ nlohmann::ordered_json origin_of(const scene::Scene& scene, const FiguresOptions
             {"state_hash", fmt::format("{:016x}", scene.world.state_hash())},
             {"command", command_line()},
             {"instruction_set", instruction_set()},
-            {"processor", report::processor_model()},
-            {"processors", report::processor_count()},
+            {"processor", record::processor_model()},
+            {"processors", record::processor_count()},
             {"threads", options.scene.threads},
             {"version", version()}};
 }
@@ -253,7 +253,7 @@ void add_figures(CLI::App& app, Command& chosen) {
     CLI::App* command =
         app.add_subcommand("figures", "Draw the figures of the paper from a run of a scene");
     command->footer(kFiguresFooter);
-    options->scene.threads = std::clamp(report::processor_count(), 1, 4);
+    options->scene.threads = std::clamp(record::processor_count(), 1, 4);
     options->scene.add_to(*command, false);
     command->add_option("-o,--output", options->folder, "Folder for the figures")
         ->capture_default_str();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <hawser/recording.h>
 #include "commands.h"
 #include "draw/plots.h"
 #include "draw/png.h"
-#include "record/recording.h"
 #include "record/series.h"
 
 #include <fmt/format.h>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <hawser/scene.h>
+
+#include <hawser/recording.h>
 #include "commands.h"
 #include "failure.h"
 #include "progress.h"
-#include "record/recording.h"
-#include "scene/scene.h"
 #include "signals.h"
 
 #include <fmt/format.h>
@@ -70,7 +71,7 @@ void describe_difference(const record::Recording& recording, const record::Frame
 class Replay {
   public:
     Replay(const record::Recording& recording, World& world)
-        : recording_(recording), world_(world) {}
+        : recording_(recording), world_(world), repeater_(recording) {}
 
     int run(bool quiet) {
         const auto frames = recording_.frame_count();
@@ -121,33 +122,10 @@ class Replay {
         return kUsageError;
     }
 
-    /// All that was done before the step that comes next, in its order.
-    void repeat_changes() {
-        const auto& inputs = recording_.inputs;
-        const auto& changes = recording_.changes;
-        const std::int64_t now = world_.step_count();
-        for (;;) {
-            const bool change = next_change_ < changes.size() && changes[next_change_].step <= now;
-            if (change && changes[next_change_].inputs_before <= next_) {
-                record::apply_changes(changes[next_change_++].bytes, world_);
-            } else if (next_ < inputs.size() && inputs[next_].step <= now) {
-                world_.set_input({inputs[next_].input}, inputs[next_].value);
-                ++next_;
-            } else {
-                return;
-            }
-        }
-    }
-
     int advance(std::int64_t to, Progress& progress) {
         while (world_.step_count() < to) {
             if (stop_requested()) return kInterrupted;
-            repeat_changes();
-            const auto& cuts = recording_.cuts;
-            while (next_cut_ < cuts.size() && cuts[next_cut_].step < world_.step_count())
-                ++next_cut_;
-            if (next_cut_ < cuts.size() && cuts[next_cut_].step == world_.step_count())
-                world_.degrade_next_step(cuts[next_cut_].left_out);
+            repeater_.before_step(world_);
             if (const Status status = world_.step(); status != Status::ok) {
                 if (status == Status::cancelled) return kInterrupted;
                 progress.close();
@@ -162,12 +140,17 @@ class Replay {
 
     const record::Recording& recording_;
     World& world_;
-    std::size_t next_ = 0, next_change_ = 0, next_cut_ = 0;
+    record::Repeater repeater_;
 };
 
 int replay(const ReplayOptions& options) {
     const record::Recording recording = record::Recording::open(options.file);
     if (!same_instruction_set(recording)) return kMismatch;
+    if (recording.scene_text.empty())
+        throw record::RecordingError(
+            options.file +
+            ": a recording without a scene, of a world that a program built; it can be "
+            "drawn, not repeated");
     scene::Options scene_options;
     scene_options.threads = options.threads;
     scene::Scene scene =

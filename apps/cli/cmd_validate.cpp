@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
-#include "validate.h"
+#include "validate/validate.h"
 
 #include <memory>
 
@@ -34,7 +34,9 @@ void add_validate(CLI::App& app, Command& chosen) {
     command->add_option("--json", options->json, "Write the results as JSON");
     command->add_flag("--list", options->list, "Print the names of the cases");
     command->callback([&chosen, options] {
-        chosen = [options] { return run_validate(options->cases, options->json, options->list); };
+        chosen = [options] {
+            return validate::run_cases(options->cases, options->json, options->list);
+        };
     });
 }
 

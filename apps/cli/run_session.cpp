@@ -5,8 +5,7 @@
 #include "failure.h"
 #include "outputs.h"
 #include "progress.h"
-#include "record/snapshot_file.h"
-#include "report/host.h"
+#include "record/recording_writer.h"
 #include "report/start/check.h"
 #include "signals.h"
 
@@ -17,6 +16,7 @@
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
+#include <utility>
 
 namespace hawser::cli {
 
@@ -34,59 +34,25 @@ constexpr double kMostRunSteps = 0x1p53;
 }  // namespace
 
 RunSession::RunSession(const RunOptions& options)
-    : options_(options), scene_(options.scene.load()), info_(info_of(scene_)) {
-    World& world = scene_.world;
-    check_files();
-    world.prepare();
-    // A restored state is no start: what touches presses, and lines carry what they carry.
-    if (options.restore.empty())
-        check_start();
-    else
-        record::restore_snapshot(options.restore, info_, world);
+    : options_(options), session_(open()), info_(record::info_of(session_.scene())) {
     choose_times();
-    framed_ = world.step_count();
-    if (!options.control.empty())
-        control_ = record::read_control(options.control, input_names(world));
-    choose_stride();
-    if (!options.record.empty()) {
-        const WorldDef& settings = world.settings();
-        recording_ = std::make_unique<record::RecordingWriter>(
-            options.record, info_, world,
-            record::RecordingSettings{.step = settings.step,
-                                      .form = settings.form,
-                                      .threads = settings.threads,
-                                      .stride = stride_,
-                                      .instruction_set = instruction_set(),
-                                      .version = version(),
-                                      .processor = report::processor_model()});
-        written_.push_back(options.record);
-    }
-    if (!options.csv.empty()) {
-        csv_ = std::make_unique<record::CsvWriter>(options.csv, info_, world);
-        if (world.step_count() > 0)  // Before the first step no tension is known.
-            csv_->add_row(world);
-        written_.push_back(options.csv);
-    }
-    options.trace.start(world);
-    collector_ = std::make_unique<report::SummaryCollector>(info_, world);
-    const std::vector<CutView> cuts = world.cuts();
-    const bool may_split = !cuts.empty() && (world.settings().budget > 0.0 ||
-                                             world.settings().coupling != Coupling::deadline);
-    if (may_split && options.verify)
-        throw std::runtime_error(
-            "--verify checks momentum, which a split does not keep; use "
-            "--coupling exact");
-    if (std::any_of(cuts.begin(), cuts.end(),
-                    [](const CutView& c) { return c.coupling != Coupling::deadline; })) {
-        coupling_ = std::make_unique<verify::CouplingObserver>(world);
-    }
-    if (options.verify) verifier_ = std::make_unique<verify::Verifier>(world);
+    open_outputs();
+    add_observers();
 }
 
-void RunSession::check_files() const {
+Session RunSession::open() {
+    scene::Scene scene = options_.scene.load();
+    check_files(scene);
+    scene.world.prepare();
+    // A restored state is no start: what touches presses, and lines carry what they carry.
+    if (options_.restore.empty()) check_start(scene);
+    return Session(std::move(scene), {.restore = options_.restore, .control = options_.control});
+}
+
+void RunSession::check_files(const scene::Scene& scene) const {
     std::vector<NamedFile> inputs{{"the control file", options_.control},
                                   {"the saved state", options_.restore}};
-    for (const std::filesystem::path& file : scene_.files)
+    for (const std::filesystem::path& file : scene.files)
         inputs.push_back({"a file of the scene", file.string()});
     std::vector<NamedFile> outputs{{"--record", options_.record},
                                    {"--csv", options_.csv},
@@ -96,10 +62,21 @@ void RunSession::check_files() const {
     check_outputs(inputs, outputs);
 }
 
+void RunSession::check_start(const scene::Scene& scene) {
+    if (options_.unchecked) return;
+    const auto findings = report::start::check_start(record::info_of(scene), scene.world);
+    if (!options_.quiet || findings.errors() > 0)
+        fmt::print(stderr, "{}", report::start::to_text(findings, scene.path + ": "));
+    if (findings.errors() > 0)
+        throw std::runtime_error(fmt::format(
+            "{}: this start is impossible; --unchecked runs it nevertheless", scene.path));
+    for (const report::start::Finding& finding : findings.list) warnings_.push_back(finding.text);
+}
+
 void RunSession::choose_times() {
-    const World& world = scene_.world;
+    const World& world = session_.world();
     const double h = world.settings().step;
-    end_time_ = options_.duration.value_or(scene_.duration);
+    end_time_ = options_.duration.value_or(session_.scene().duration);
     const double count = std::ceil((end_time_ - world.time()) / h - kTimeSlack);
     if (!(end_time_ / h <= kMostRunSteps))
         throw std::runtime_error(fmt::format(
@@ -120,122 +97,91 @@ void RunSession::choose_times() {
                         *options_.save_time, world.time(), end_time_));
 }
 
-void RunSession::check_start() {
-    if (options_.unchecked) return;
-    const auto findings = report::start::check_start(info_, scene_.world);
-    if (!options_.quiet || findings.errors() > 0)
-        fmt::print(stderr, "{}", report::start::to_text(findings, scene_.path + ": "));
-    if (findings.errors() > 0)
-        throw std::runtime_error(fmt::format(
-            "{}: this start is impossible; --unchecked runs it nevertheless", scene_.path));
-    for (const report::start::Finding& finding : findings.list) warnings_.push_back(finding.text);
+std::int32_t RunSession::stride() const {
+    if (options_.stride > 0) return options_.stride;
+    const double all = static_cast<double>(record::frame_bytes(session_.world(), info_)) *
+                       static_cast<double>(steps_ + 1);
+    return static_cast<std::int32_t>(std::clamp(std::ceil(all / kRecordingBytes), 1.0, 1e6));
 }
 
-void RunSession::choose_stride() {
-    stride_ = options_.stride;
-    if (stride_ > 0) return;
-    const double all = static_cast<double>(record::frame_bytes(scene_.world, info_)) *
-                       static_cast<double>(steps_ + 1);
-    stride_ = static_cast<std::int32_t>(std::clamp(std::ceil(all / kRecordingBytes), 1.0, 1e6));
+void RunSession::open_outputs() {
+    if (!options_.record.empty()) {
+        session_.record(options_.record, stride());
+        written_.push_back(options_.record);
+    }
+    if (!options_.csv.empty()) {
+        session_.write_csv(options_.csv, stride());
+        written_.push_back(options_.csv);
+    }
+    options_.trace.start(session_.world());
+}
+
+void RunSession::add_observers() {
+    const World& world = session_.world();
+    collector_ = std::make_unique<report::SummaryCollector>(info_, world);
+    session_.observe(*collector_);
+    const std::vector<CutView> cuts = world.cuts();
+    const bool may_split = !cuts.empty() && (world.settings().budget > 0.0 ||
+                                             world.settings().coupling != Coupling::deadline);
+    if (may_split && options_.verify)
+        throw std::runtime_error(
+            "--verify checks momentum, which a split does not keep; use "
+            "--coupling exact");
+    if (std::any_of(cuts.begin(), cuts.end(),
+                    [](const CutView& c) { return c.coupling != Coupling::deadline; })) {
+        coupling_ = std::make_unique<verify::CouplingObserver>(world);
+        session_.observe(*coupling_);
+    }
+    if (options_.verify) {
+        verifier_ = std::make_unique<verify::Verifier>(world);
+        session_.observe(*verifier_);
+    }
 }
 
 int RunSession::run() {
-    World& world = scene_.world;
+    const World& world = session_.world();
     catch_signals();
-    const CancelledBySignal cancelled(world);
+    const CancelledBySignal cancelled(session_.world());
     if (!options_.quiet)
         fmt::print(stderr, "{}: {} bodies, {} interactions, {} steps of {:.6g} ms\n", info_.name,
                    world.body_count(), world.interaction_count(), steps_,
                    1e3 * world.settings().step);
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
+    const std::int64_t first = world.step_count();
     Progress progress(steps_, world.settings().step, !options_.quiet);
     if (options_.realtime) pacer_ = std::make_unique<Pacer>(world.settings().step);
-    record::Ending ending = record::Ending::finished;
+    bool interrupted = false;
     save_if_due();
-    while (done_ < steps_) {
-        if (stop_requested()) {
-            ending = record::Ending::interrupted;
-            break;
-        }
-        apply_inputs();
-        if (verifier_) verifier_->before_step(world);
-        if (coupling_) coupling_->before_step(world);
-        const Status status = world.step();
-        if (status == Status::cancelled) {
-            ending = record::Ending::interrupted;
-            break;
-        }
-        ++done_;
-        if (status != Status::ok) {
-            ending = record::Ending::failed;
-            break;
-        }
-        after_step();
-        if (coupling_) coupling_->after_step(world);
-        if (verifier_) wrong_ = verifier_->after_step(world);
-        if (!wrong_.empty()) {
-            ending = record::Ending::failed;
-            break;
-        }
-        progress.at(done_);
+    while (world.step_count() - first < steps_) {
+        interrupted = stop_requested();
+        if (interrupted) break;
+        const Status status = session_.step();
+        save_if_due();
+        if (status != Status::ok) break;
+        progress.at(world.step_count() - first);
         if (pacer_) pacer_->wait();
     }
     progress.close();
-    return finish(ending, std::chrono::duration<double>(Clock::now() - start).count());
-}
-
-void RunSession::apply_inputs() {
-    World& world = scene_.world;
-    const double now = world.time() + kTimeSlack * world.settings().step;
-    std::vector<record::RecordedInput> changes;
-    for (; next_control_ < control_.size() && control_[next_control_].time <= now;
-         ++next_control_) {
-        const record::ControlChange& change = control_[next_control_];
-        world.set_input({change.input}, change.value);
-        changes.push_back({world.step_count(), change.input, change.value});
-    }
-    if (recording_) recording_->add_inputs(changes);
-}
-
-void RunSession::after_step() {
-    World& world = scene_.world;
-    const std::vector<Event> events = world.take_events();
-    collector_->after_step(world, events);
-    if (recording_) {
-        if (const StepStats& stats = world.stats(); stats.degradation.any())
-            recording_->add_cut(
-                {stats.step - 1, stats.degradation, stats.degraded_by, stats.foreseen_seconds});
-        for (const Event& event : events) recording_->add_event(world, event);
-    }
-    if (done_ % stride_ == 0 || done_ == steps_) add_frame();
-    save_if_due();
-}
-
-void RunSession::add_frame() {
-    const World& world = scene_.world;
-    if (recording_) recording_->add_frame(world);
-    if (csv_) csv_->add_row(world);
-    framed_ = world.step_count();
+    return finish(interrupted, std::chrono::duration<double>(Clock::now() - start).count());
 }
 
 void RunSession::save_if_due() {
-    const World& world = scene_.world;
+    const World& world = session_.world();
     if (!options_.save_time || saved_ ||
         world.time() < *options_.save_time - kTimeSlack * world.settings().step)
         return;
-    record::save_snapshot(options_.save_file, info_, world);
+    session_.save(options_.save_file);
     saved_ = true;
     written_.push_back(options_.save_file);
 }
 
-int RunSession::finish(record::Ending ending, double wall_seconds) {
-    const World& world = scene_.world;
+int RunSession::finish(bool interrupted, double wall_seconds) {
+    const World& world = session_.world();
     report::Summary summary = collector_->result(world);
     // The last state is judged here: no step after it does.
     const bool wrong = summary.verdict.verdict.grade == Grade::wrong &&
                        world.settings().on_diverged == OnDiverged::stop;
-    if (wrong && ending == record::Ending::finished) ending = record::Ending::failed;
     summary.wall_seconds = wall_seconds;
     summary.warnings = warnings_;
     if (pacer_) {
@@ -244,12 +190,9 @@ int RunSession::finish(record::Ending ending, double wall_seconds) {
     }
     if (coupling_) summary.coupling = coupling_->result(world);
     if (verifier_) summary.verified = verifier_->result();
+    const record::Ending ending = session_.finish(interrupted);
     if (ending == record::Ending::interrupted) summary.outcome = "interrupted";
     if (ending == record::Ending::failed) summary.outcome = "failed";
-    // Where it ended early the last step need not be one of a frame.
-    if (world.step_count() > framed_) add_frame();
-    if (recording_) recording_->finish(world, ending);
-    if (csv_) csv_->finish();
     if (!options_.summary.empty()) {
         write_output(options_.summary, report::to_json(summary), "the summary");
         written_.push_back(options_.summary);
@@ -261,9 +204,9 @@ int RunSession::finish(record::Ending ending, double wall_seconds) {
         if (!written_.empty()) fmt::print("  wrote        {}\n", fmt::join(written_, ", "));
         std::fflush(stdout);
     }
-    if (!wrong_.empty()) {
+    if (!session_.objection().empty()) {
         fmt::print(stderr, "hawser: --verify: the step to {:.6g} s is wrong: {}\n", world.time(),
-                   wrong_);
+                   session_.objection());
         return kFailed;
     }
     if (wrong) {

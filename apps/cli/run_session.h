@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file run_session.h
-/// One run of a scene: commands in, steps, recordings and figures out.
+/// `hawser run`: a session with signals, progress, pace and a report.
+
+#include <hawser/session.h>
 
 #include "realtime.h"
-#include "record/control.h"
-#include "record/csv.h"
-#include "record/recording.h"
 #include "report/summary.h"
 #include "scene_options.h"
 #include "trace_output.h"
+#include "verify/certificate.h"
 #include "verify/coupling.h"
 
 #include <memory>
@@ -30,6 +30,7 @@ struct RunOptions {
     TraceOptions trace;
 };
 
+/// Steps a Session and prints what there is to say.
 class RunSession {
   public:
     /// Reads the scene, restores the state, opens the outputs. @throws std::exception.
@@ -38,32 +39,25 @@ class RunSession {
     int run();
 
   private:
-    void check_files() const;
+    [[nodiscard]] Session open();
+    void check_files(const scene::Scene& scene) const;
+    void check_start(const scene::Scene& scene);
     void choose_times();
-    void check_start();
-    void choose_stride();
-    void apply_inputs();
-    void after_step();
-    void add_frame();
+    [[nodiscard]] std::int32_t stride() const;
+    void open_outputs();
+    void add_observers();
     void save_if_due();
-    int finish(record::Ending ending, double wall_seconds);
+    int finish(bool interrupted, double wall_seconds);
 
     const RunOptions& options_;
-    scene::Scene scene_;
+    std::vector<std::string> warnings_;  ///< Of the start.
+    Session session_;
     record::SceneInfo info_;
     double end_time_ = 0.0;
-    std::int64_t steps_ = 0, done_ = 0;
-    std::int64_t framed_ = 0;  ///< Steps taken at the last frame.
-    std::int32_t stride_ = 1;
-    std::vector<record::ControlChange> control_;
-    std::size_t next_control_ = 0;
-    std::unique_ptr<record::RecordingWriter> recording_;
-    std::unique_ptr<record::CsvWriter> csv_;
+    std::int64_t steps_ = 0;
     std::unique_ptr<report::SummaryCollector> collector_;
     std::unique_ptr<verify::Verifier> verifier_;
     std::unique_ptr<verify::CouplingObserver> coupling_;  ///< Where something is cut.
-    std::string wrong_;                                   ///< What the verifier found.
-    std::vector<std::string> warnings_;                   ///< Of the start.
     std::unique_ptr<Pacer> pacer_;
     bool saved_ = false;
     std::vector<std::string> written_;

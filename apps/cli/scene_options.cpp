@@ -95,32 +95,4 @@ scene::Options SceneOptions::options() const {
     return options;
 }
 
-record::SceneInfo info_of(const scene::Scene& scene) {
-    record::SceneInfo info{.name = scene.name,
-                           .path = scene.path,
-                           .text = scene.text,
-                           .hash = scene.hash,
-                           .cables = {},
-                           .plot_cables = {},
-                           .plot_bodies = {}};
-    for (const scene::Cable& cable : scene.cables)
-        info.cables.push_back({cable.name, cable.line_type, cable.nodes, cable.stretch, cable.EA,
-                               cable.breaking_load, cable.length, cable.diameter});
-    for (const std::string& name : scene.plot_tensions)
-        for (std::size_t i = 0; i < scene.cables.size(); ++i)
-            if (scene.cables[i].name == name)
-                info.plot_cables.push_back(static_cast<std::int32_t>(i));
-    for (const std::string& name : scene.plot_motions)
-        if (const BodyId body = scene.world.find_body(name); body.valid())
-            info.plot_bodies.push_back(body);
-    return info;
-}
-
-std::vector<std::string> input_names(const World& world) {
-    std::vector<std::string> names;
-    for (std::int32_t i = 0; i < world.input_count(); ++i)
-        names.push_back(world.input_def({i}).name);
-    return names;
-}
-
 }  // namespace hawser::cli

@@ -3,8 +3,9 @@
 /// @file scene_options.h
 /// Options that change a scene while it is read, common to several commands.
 
+#include <hawser/scene.h>
+
 #include "record/scene_info.h"
-#include "scene/scene.h"
 
 #include <CLI/CLI.hpp>
 
@@ -40,10 +41,5 @@ struct SceneOptions {
   private:
     [[nodiscard]] scene::Options options() const;
 };
-
-[[nodiscard]] record::SceneInfo info_of(const scene::Scene& scene);
-
-/// Names of a world's inputs in their order.
-[[nodiscard]] std::vector<std::string> input_names(const World& world);
 
 }  // namespace hawser::cli

@@ -4,7 +4,7 @@
 #include "draw/svg.h"
 #include "draw/timeline.h"
 #include "outputs.h"
-#include "report/host.h"
+#include "record/host.h"
 
 #include <fmt/format.h>
 
@@ -80,7 +80,7 @@ std::string TraceOptions::finish(const World& world, const std::string& scene) c
             continue;
         }
         const std::string parameters =
-            fmt::format("{}, {}, {}, step {:.6g} ms", scene, report::processor_model(),
+            fmt::format("{}, {}, {}, step {:.6g} ms", scene, record::processor_model(),
                         instruction_set(), 1e3 * world.settings().step);
         write_output(
             file,

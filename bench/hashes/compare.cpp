@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hashes/compare.h"
+#include <hawser/scene.h>
 
-#include "scene/scene.h"
+#include "hashes/compare.h"
 
 #include <algorithm>
 #include <filesystem>

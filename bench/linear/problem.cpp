@@ -4,12 +4,12 @@
 #include "index.h"
 
 #include <hawser/inspect.h>
+#include <hawser/scene.h>
 #include <hawser/world.h>
 
 #include "paper_matrix/dice.h"
 #include "paper_matrix/matrix_market.h"
 #include "paper_matrix/structures.h"
-#include "scene/scene.h"
 
 #include <filesystem>
 

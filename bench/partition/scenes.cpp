@@ -4,9 +4,9 @@
 #include "index.h"
 #include "linear/timing.h"
 #include "partition/foreign.h"
-#include "scene/scene.h"
 
 #include <hawser/partition.h>
+#include <hawser/scene.h>
 
 #include <fmt/core.h>
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <hawser/scene.h>
+
 #include "partition/steps.h"
 
 #include "coupling_simulated.h"
@@ -9,7 +11,6 @@
 #include "partition/factors.h"
 #include "partition/foreign.h"
 #include "partition/scenes.h"
-#include "scene/scene.h"
 #include "verify/coupling.h"
 
 #include <fmt/core.h>

@@ -3,8 +3,8 @@
 /// @file commands_note.h
 /// What was commanded in a run, in pictures over time.
 
+#include <hawser/recording.h>
 #include "draw/axes.h"
-#include "record/recording.h"
 
 #include <string>
 #include <vector>

@@ -3,8 +3,8 @@
 /// @file plots.h
 /// Pictures of a recording.
 
+#include <hawser/recording.h>
 #include "draw/drawing.h"
-#include "record/recording.h"
 #include "record/series.h"
 
 #include <optional>

@@ -3,8 +3,8 @@
 /// @file projection.h
 /// Parallel projection of boxes, cables and joints of a recorded frame into a panel.
 
+#include <hawser/recording.h>
 #include "draw/axes.h"
-#include "record/recording.h"
 
 #include <string>
 #include <vector>

@@ -3,8 +3,9 @@
 /// @file outlines.h
 /// What pictures show of shapes that touch: solids, planes, ground.
 
+#include <hawser/recording.h>
 #include "record/bytes.h"
-#include "record/recording.h"
+#include "record/scene_info.h"
 
 namespace hawser::record {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What a recording says of settings, bodies and cables before its first frame.
-#include "record/recording.h"
+#include <hawser/recording.h>
 #include "record/recording_bytes.h"
 #include "record/recording_format.h"
 

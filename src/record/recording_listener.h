@@ -3,8 +3,9 @@
 /// @file recording_listener.h
 /// Records all that is done to a world, whoever does it, in the order in which it is done.
 
+#include <hawser/recording.h>
 #include "record/changes.h"
-#include "record/recording.h"
+#include "record/recording_writer.h"
 
 #include <exception>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <hawser/recording.h>
 #include "record/files.h"
 #include "record/outlines.h"
-#include "record/recording.h"
 #include "record/recording_bytes.h"
 #include "record/recording_format.h"
 

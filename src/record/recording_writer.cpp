@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "record/recording_writer.h"
+
 #include "record/files.h"
 #include "record/outlines.h"
-#include "record/recording.h"
 #include "record/recording_format.h"
 
 #include <fmt/format.h>

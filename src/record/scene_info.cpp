@@ -8,6 +8,27 @@
 
 namespace hawser::record {
 
+SceneInfo info_of(const scene::Scene& scene) {
+    SceneInfo info{.name = scene.name,
+                   .path = scene.path,
+                   .text = scene.text,
+                   .hash = scene.hash,
+                   .cables = {},
+                   .plot_cables = {},
+                   .plot_bodies = {}};
+    for (const scene::Cable& cable : scene.cables)
+        info.cables.push_back({cable.name, cable.line_type, cable.nodes, cable.stretch, cable.EA,
+                               cable.breaking_load, cable.length, cable.diameter});
+    for (const std::string& name : scene.plot_tensions)
+        for (std::size_t i = 0; i < scene.cables.size(); ++i)
+            if (scene.cables[i].name == name)
+                info.plot_cables.push_back(static_cast<std::int32_t>(i));
+    for (const std::string& name : scene.plot_motions)
+        if (const BodyId body = scene.world.find_body(name); body.valid())
+            info.plot_bodies.push_back(body);
+    return info;
+}
+
 double element_tension(const World& world, InteractionId element) {
     const std::span<const double> force = world.force(element);
     if (force.empty()) return 0.0;

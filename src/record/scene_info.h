@@ -4,6 +4,7 @@
 /// What reports and pictures need to know about a scene beyond its World.
 
 #include <hawser/hawser.h>
+#include <hawser/scene.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +34,9 @@ struct SceneInfo {
     std::vector<std::int32_t> plot_cables;  ///< Cables whose tension deserves a curve.
     std::vector<BodyId> plot_bodies;        ///< Bodies whose motion deserves a curve.
 };
+
+/// Of a scene that was read; it may be moved afterwards.
+[[nodiscard]] SceneInfo info_of(const scene::Scene& scene);
 
 /// Tension in one element after the last step [N]: minus the force of a stretch, winch or
 /// distance row, and the magnitude of the force of a joint between links.

@@ -3,7 +3,7 @@
 /// @file series.h
 /// Curves over time taken from a recording.
 
-#include "record/recording.h"
+#include <hawser/recording.h>
 
 #include <array>
 #include <numbers>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "record/host.h"
 #include "record/units.h"
-#include "report/host.h"
 #include "report/summary.h"
 
 #include <fmt/format.h>
@@ -235,8 +235,8 @@ std::string to_text(const Summary& s) {
                    s.state_hash, s.scene_hash, instruction_set(), s.threads,
                    s.threads == 1 ? "" : "s", version());
     fmt::format_to(out, "  machine      {}, {} usable, load {:.2f} -> {:.2f}, peak memory {} MB\n",
-                   processor_model(), processor_count(), s.load_start[0], s.load_end[0],
-                   peak_memory() / 1000000);
+                   record::processor_model(), record::processor_count(), s.load_start[0],
+                   s.load_end[0], record::peak_memory() / 1000000);
     return text;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/summary.h"
 
+#include "record/host.h"
 #include "record/series.h"
-#include "report/host.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ SummaryCollector::SummaryCollector(const record::SceneInfo& scene, const World& 
     summary_.threads = world.settings().threads;
     summary_.budget_ms = kMilliseconds * world.settings().budget;
     summary_.budget_mflop = 1e-6 * world.settings().budget_work;
-    summary_.load_start = load_average();
+    summary_.load_start = record::load_average();
     for (const record::CableInfo& cable : scene.cables)
         summary_.cables.push_back({cable.name, HUGE_VAL, 0.0, -HUGE_VAL, cable.breaking_load});
     tension_sum_.assign(scene.cables.size(), 0.0);
@@ -199,7 +199,7 @@ Summary SummaryCollector::result(const World& world) const {
             out.cables[c].min = out.cables[c].max = 0.0;
     }
     out.state_hash = world.state_hash();
-    out.load_end = load_average();
+    out.load_end = record::load_average();
     out.world_memory = world.memory_bytes();
     return out;
 }

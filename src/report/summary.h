@@ -11,6 +11,7 @@
 #include "verify/coupling.h"
 
 #include <hawser/hawser.h>
+#include <hawser/observer.h>
 
 #include <array>
 #include <span>
@@ -123,11 +124,11 @@ struct Summary {
 [[nodiscard]] double energy_drift(const Energy& from, const Energy& to) noexcept;
 
 /// Watches a run. Costs O(elements) a step.
-class SummaryCollector {
+class SummaryCollector : public Observer {
   public:
     SummaryCollector(const record::SceneInfo& scene, const World& world);
     /// Call after each step with the events of that step.
-    void after_step(const World& world, std::span<const Event> events);
+    void after_step(const World& world, std::span<const Event> events) override;
     /// The figures so far.
     [[nodiscard]] Summary result(const World& world) const;
 

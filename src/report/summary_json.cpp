@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "report/host.h"
+#include "record/host.h"
 #include "report/summary.h"
 
 #include <fmt/format.h>
@@ -213,11 +213,11 @@ Json times(const Summary& s) {
 Json machine(const Summary& s) {
     return {{"threads", s.threads},
             {"instruction_set", instruction_set()},
-            {"processor", processor_model()},
-            {"processors", processor_count()},
+            {"processor", record::processor_model()},
+            {"processors", record::processor_count()},
             {"load_average", {{"start", s.load_start}, {"end", s.load_end}}},
             {"version", version()},
-            {"peak_memory_bytes", peak_memory()},
+            {"peak_memory_bytes", record::peak_memory()},
             {"world_memory_bytes", s.world_memory}};
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/document.h"
 
+#include "scene/checks.h"
+
 #include <algorithm>
 #include <set>
 

@@ -3,7 +3,7 @@
 /// @file error.h
 /// Where a value stands in a file, how a mistake is reported, and the nearest valid name.
 
-#include "scene/scene.h"
+#include <hawser/scene.h>
 
 #include <cstddef>
 #include <span>

@@ -17,6 +17,11 @@ inline constexpr int kMaxCopies = 1000;
 inline constexpr std::size_t kMaxGroups = 32;  ///< Collision groups, "default" included.
 inline constexpr int kMaxIncludeDepth = 8;
 inline constexpr int kMaxInstanceDepth = 8;
+// Limits that catch a wrong unit or a damaged digit; far beyond anything marine.
+inline constexpr double kMostMass = 1e15;
+inline constexpr double kMostLength = 1e6;
+inline constexpr double kMostForce = 1e15;
+inline constexpr double kMostDamping = 1e18;
 
 struct Format {
     ShapePtr scene;  ///< A whole scene file.
@@ -37,6 +42,10 @@ struct Format {
 [[nodiscard]] ShapePtr settings_shape();
 /// Largest value of a setting in a scene, where that is less than what a world may have.
 [[nodiscard]] double most_of(const SettingInfo& setting);
+
+/// What a line is made of, and a cable. See format_cables.cpp.
+[[nodiscard]] ShapePtr line_type_shape();
+[[nodiscard]] ShapePtr cable_shape();
 
 /// Shape of one interaction, by kind. See format_kinds.cpp.
 [[nodiscard]] ShapePtr interaction_shape();
@@ -69,6 +78,11 @@ namespace make {
 [[nodiscard]] ShapePtr object(std::string id, std::string what, std::string doc,
                               std::vector<Field> fields,
                               std::vector<std::vector<std::string>> alternatives = {});
+/// A list of anything up to kMaxElements.
+[[nodiscard]] ShapePtr list_of(std::string what, ShapePtr item);
+[[nodiscard]] ShapePtr body_ref();
+/// A group of bodies, for settings.coupling.
+[[nodiscard]] ShapePtr group();
 [[nodiscard]] ShapePtr literal(const ShapePtr& shape);
 }  // namespace make
 

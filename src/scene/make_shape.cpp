@@ -90,6 +90,16 @@ ShapePtr object(std::string id, std::string what, std::string doc, std::vector<F
     return shared(std::move(shape));
 }
 
+ShapePtr list_of(std::string what, ShapePtr item) {
+    return list(std::move(what), std::move(item), 0, kMaxElements);
+}
+
+ShapePtr body_ref() { return text("a body name"); }
+
+ShapePtr group() {
+    return choice("a group: a name or a number", {text("a name"), integer("a number", 0, 1e6)});
+}
+
 ShapePtr literal(const ShapePtr& shape) {
     Shape copy = *shape;
     copy.literal = true;

@@ -7,7 +7,6 @@
 /// that is there, as far as the writer is concerned.
 
 #include "scene/error.h"
-#include "scene/shape.h"
 
 #include <cstddef>
 #include <set>
@@ -72,13 +71,5 @@ bool attempt(Mistakes* mistakes, const Work& work) {
 /// What is named is not there. @throws Consequence where it was left out, else SceneError.
 [[noreturn]] void refuse_missing(const Mistakes* mistakes, Lost what, const std::string& name,
                                  const Place& place, const std::string& message);
-
-/// As check_shape(). Where there is a list, all mistakes go to it, and what holds one leaves the
-/// document: an entry of a list becomes null, of a map goes, as does a key of the settings.
-void check_document(Json& root, const Shape& shape, const Place& place, Mistakes* mistakes);
-
-/// check_document() of one list, content[key], whose entries have names that begin with `prefix`.
-void check_list(Json& content, const char* key, const Shape& shape, const Place& place,
-                const std::string& prefix, Mistakes* mistakes);
 
 }  // namespace hawser::scene

@@ -178,39 +178,13 @@ void Finder::map(const Json& value, const Shape& shape, bool placeholders) {
     }
 }
 
-bool same_json_type(const Json& value, const Shape& shape) {
-    switch (shape.type) {
-        case Type::any:
-            return true;
-        case Type::number:
-        case Type::integer:
-            return value.is_number();
-        case Type::boolean:
-            return value.is_boolean();
-        case Type::text:
-        case Type::name:
-        case Type::word:
-            return value.is_string();
-        case Type::list:
-            return value.is_array();
-        case Type::object:
-        case Type::map:
-        case Type::switched:
-            return value.is_object();
-        case Type::choice:
-            break;
-    }
-    return std::any_of(shape.options.begin(), shape.options.end(),
-                       [&](const ShapePtr& option) { return same_json_type(value, *option); });
-}
-
 /// Report the mistakes in the option that the writer most likely meant: the one that fits
 /// furthest into the value.
 void Finder::choice(const Json& value, const Shape& shape, bool placeholders) {
     const Shape* best = nullptr;
     std::ptrdiff_t best_depth = -1;
     for (const ShapePtr& option : shape.options) {
-        if (!same_json_type(value, *option)) {
+        if (!is_of_type(value, *option)) {
             continue;
         }
         const auto problem = find_problem(value, *option, placeholders);
@@ -219,7 +193,7 @@ void Finder::choice(const Json& value, const Shape& shape, bool placeholders) {
         }
         auto depth = 2 * std::count(problem->path.begin(), problem->path.end(), '/');
         if (value.is_array() && !value.empty() && option->item &&
-            same_json_type(value[0], *option->item)) {
+            is_of_type(value[0], *option->item)) {
             ++depth;  // A list of the right sort of entries.
         }
         if (depth > best_depth) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <vector>
 
 namespace hawser::scene {
 namespace {
@@ -84,68 +85,89 @@ class Copier {
   private:
     void add_copy(int copy) {
         const std::string prefix = copy_prefix(copy);
-        std::vector<BodyId> bodies(base_.bodies);
+        const Vec3 shift = copy * offset_;
+        first_ = static_cast<std::int32_t>(out_.interactions.size());
+        add_bodies(prefix, shift);
+        add_interactions(prefix, shift);
+        add_inputs(prefix);
+        add_cables(prefix, shift);
+        add_shapes(prefix);
+    }
+
+    /// What of this copy stands for what of copy 0.
+    [[nodiscard]] BodyId mapped(BodyId id) const {
+        return id.valid() ? bodies_[static_cast<std::size_t>(id.index)] : id;
+    }
+    [[nodiscard]] InteractionId mapped(InteractionId id) const {
+        return id.valid() ? InteractionId{first_ + id.index} : id;
+    }
+    [[nodiscard]] bool is_world(BodyId id) const {
+        return id.valid() && id == out_.world_body_if_any();
+    }
+
+    void add_bodies(const std::string& prefix, const Vec3& shift) {
+        bodies_.assign(base_.bodies, BodyId{});
         for (std::size_t i = 0; i < base_.bodies; ++i) {
             const BodyId old{static_cast<std::int32_t>(i)};
-            if (old == out_.world_body_if_any()) {
-                bodies[i] = old;
+            if (is_world(old)) {
+                bodies_[i] = old;
                 continue;
             }
             BodyDef def = out_.bodies[i];
             rename(def.name, prefix);
             if (def.kind != BodyKind::scalar) {
-                def.position += copy * offset_;
+                def.position += shift;
             }
             apply_own_state(def, document_);
-            bodies[i] = out_.add_body(std::move(def), number_);
+            bodies_[i] = out_.add_body(std::move(def), number_);
         }
-        const auto mapped = [&](BodyId id) {
-            return id.valid() ? bodies[static_cast<std::size_t>(id.index)] : id;
-        };
-        const auto first = static_cast<std::int32_t>(out_.interactions.size());
-        const auto shifted = [&](InteractionId id) {
-            return id.valid() ? InteractionId{first + id.index} : id;
-        };
+    }
+
+    void add_interactions(const std::string& prefix, const Vec3& shift) {
         for (std::size_t i = 0; i < base_.interactions; ++i) {
             InteractionDef def = out_.interactions[i];
             rename(def.name, prefix);
             for (std::size_t b = 0; b < def.body.size(); ++b) {
                 // The world does not move along: shift the point on it instead.
-                if (def.body[b].valid() && def.body[b] == out_.world_body_if_any()) {
-                    def.point[b] += copy * offset_;
+                if (is_world(def.body[b])) {
+                    def.point[b] += shift;
                 }
                 def.body[b] = mapped(def.body[b]);
             }
             for (FrictionLoad& load : def.load) {
-                load.interaction = shifted(load.interaction);
+                load.interaction = mapped(load.interaction);
             }
             out_.add_interaction(std::move(def), number_);
         }
+    }
+
+    void add_inputs(const std::string& prefix) {
         for (std::size_t i = 0; i < base_.inputs; ++i) {
             InputDef def = out_.inputs[i];
             rename(def.name, prefix);
-            def.interaction = shifted(def.interaction);
+            def.interaction = mapped(def.interaction);
             def.body = mapped(def.body);
             out_.add_input(std::move(def), number_);
         }
+    }
+
+    void add_cables(const std::string& prefix, const Vec3& shift) {
         for (std::size_t i = 0; i < base_.cables; ++i) {
             Cable cable = out_.cables[i];
             rename(cable.name, prefix);
-            const auto shift_end = [&](BodyId end, Vec3& point) {
-                if (end.valid() && end == out_.world_body_if_any()) {
-                    point += copy * offset_;
-                }
-            };
-            shift_end(cable.nodes.front(), cable.from_point);
-            shift_end(cable.nodes.back(), cable.to_point);
+            if (is_world(cable.nodes.front())) cable.from_point += shift;
+            if (is_world(cable.nodes.back())) cable.to_point += shift;
             for (BodyId& node : cable.nodes) {
                 node = mapped(node);
             }
             for (InteractionId& element : cable.stretch) {
-                element = shifted(element);
+                element = mapped(element);
             }
             out_.add_cable(std::move(cable), place_);
         }
+    }
+
+    void add_shapes(const std::string& prefix) {
         for (std::size_t i = 0; i < base_.shapes; ++i) {
             if (is_its_own_copy(out_.shapes[i])) {
                 continue;
@@ -197,6 +219,9 @@ class Copier {
     Vec3 offset_;
     Extent base_;
     int number_ = 0;
+    // Of the copy that is being added:
+    std::vector<BodyId> bodies_{};  ///< By index in copy 0.
+    std::int32_t first_ = 0;        ///< Its first interaction.
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/scene.h"
+
+#include <hawser/scene.h>
 
 #include "scene/description.h"
 

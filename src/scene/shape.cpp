@@ -22,6 +22,32 @@ bool is_valid_name(const std::string& name) {
                        [&](char c) { return letter(c) || c == '.' || c == '+' || c == '-'; });
 }
 
+bool is_of_type(const Json& value, const Shape& shape) {
+    switch (shape.type) {
+        case Shape::Type::any:
+            return true;
+        case Shape::Type::number:
+        case Shape::Type::integer:
+            return value.is_number();
+        case Shape::Type::boolean:
+            return value.is_boolean();
+        case Shape::Type::text:
+        case Shape::Type::name:
+        case Shape::Type::word:
+            return value.is_string();
+        case Shape::Type::list:
+            return value.is_array();
+        case Shape::Type::object:
+        case Shape::Type::map:
+        case Shape::Type::switched:
+            return value.is_object();
+        case Shape::Type::choice:
+            break;
+    }
+    return std::any_of(shape.options.begin(), shape.options.end(),
+                       [&](const ShapePtr& option) { return is_of_type(value, *option); });
+}
+
 bool is_placeholder(const Json& value) {
     return value.is_string() && value.get_ref<const std::string&>().find("${") != std::string::npos;
 }

@@ -97,6 +97,9 @@ void check_shape(const Json& value, const Shape& shape, const Place& place);
 [[nodiscard]] bool is_valid_name(const std::string& name);
 inline constexpr const char* kNamePattern = "^[A-Za-z0-9_][A-Za-z0-9_.+-]{0,99}$";
 
+/// Whether a value is of the sort that a shape asks for, whatever it holds.
+[[nodiscard]] bool is_of_type(const Json& value, const Shape& shape);
+
 /// True for a string that holds "${".
 [[nodiscard]] bool is_placeholder(const Json& value);
 

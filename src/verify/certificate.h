@@ -23,6 +23,7 @@
 #include "verify/interaction_forces.h"
 
 #include <hawser/hawser.h>
+#include <hawser/observer.h>
 
 #include <cstdint>
 #include <string>
@@ -45,13 +46,17 @@ struct Verification {
     std::int32_t covered_bodies = 0;
 };
 
-class Verifier {
+class Verifier : public Observer {
   public:
     /// Bodies and interactions stay as they are from now on.
     explicit Verifier(const World& world);
-    void before_step(const World& world);
+    void before_step(const World& world) override;
     /// @return what is wrong with the step; empty: nothing.
     [[nodiscard]] std::string after_step(const World& world);
+    void after_step(const World& world, std::span<const Event>) override {
+        objection_ = after_step(world);
+    }
+    [[nodiscard]] std::string objection() const override { return objection_; }
     [[nodiscard]] const Verification& result() const noexcept { return result_; }
 
   private:
@@ -95,6 +100,7 @@ class Verifier {
     int seen_ = 0;                        ///< Steps whose momentum was computed.
     double step_ = 0.0, floor_ = 0.0, momentum_floor_ = 0.0;
     StateVerifier states_;
+    std::string objection_;  ///< To the last step.
     Verification result_;
 };
 

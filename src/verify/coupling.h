@@ -5,6 +5,7 @@
 /// (docs/methods.md, 10).
 
 #include <hawser/hawser.h>
+#include <hawser/observer.h>
 
 #include <cstdint>
 #include <vector>
@@ -31,11 +32,12 @@ struct CouplingFigures {
 };
 
 /// Watches a run. Each step costs an exact one more.
-class CouplingObserver {
+class CouplingObserver : public Observer {
   public:
     explicit CouplingObserver(const World& world);
-    void before_step(const World& world);
+    void before_step(const World& world) override;
     void after_step(const World& world);
+    void after_step(const World& world, std::span<const Event>) override { after_step(world); }
     /// @param radius  Find the spectral radius as well, which takes some 160 steps.
     [[nodiscard]] CouplingFigures result(const World& world, bool radius = true) const;
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Files and streams that are not what a program hopes for: pipes, holes, the same file twice,
 /// closed and full outputs, times beyond all clocks, an end in the middle.
+#include <hawser/recording.h>
 #include "cli/program.h"
 #include "record/bytes.h"
-#include "record/recording.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
-# Install Hawser to a fresh prefix, build the consumer against it, run it.
+# Install Hawser to a fresh prefix, build the consumers against it, run them, and repeat what they
+# recorded with the program.
 set(work "${HAWSER_BINARY_DIR}/consumer")
 file(REMOVE_RECURSE "${work}")
 
@@ -15,3 +16,7 @@ run(${CMAKE_COMMAND} -S "${CONSUMER_SOURCE_DIR}" -B "${work}/build"
     "-DCMAKE_PREFIX_PATH=${work}/prefix")
 run(${CMAKE_COMMAND} --build "${work}/build")
 run("${work}/build/consumer")
+run("${work}/build/session" "${SCENES_DIR}/anchor_lines.json" "${work}/run.hwr")
+foreach(threads IN ITEMS 1 2)
+    run("${HAWSER_BINARY_DIR}/bin/hawser" replay "${work}/run.hwr" --threads ${threads})
+endforeach()

@@ -4,7 +4,8 @@
 /// A box that hangs on a short cable, pushed by an input: small enough to cut its recording
 /// at every byte.
 
-#include "record/recording.h"
+#include <hawser/recording.h>
+#include "record/recording_writer.h"
 #include "record/scene_info.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What is done to a world between steps is in its recording, and is done again from it.
+#include <hawser/recording.h>
 #include "record/changes.h"
-#include "record/recording.h"
 #include "record/recording_listener.h"
+#include "record/recording_writer.h"
 #include "record/small_scene.h"
 #include "support/editor.h"
 
@@ -17,23 +18,11 @@ namespace {
 /// Steps a world as its recording says. @return frames whose hash is another.
 int differences(const Recording& r, World& world) {
     int wrong = 0;
-    std::size_t input = 0, change = 0;
+    record::Repeater repeater(r);
     for (std::size_t i = 0; i < r.frame_count(); ++i) {
         const record::Frame head = r.frame_head(i);
         while (world.step_count() < head.step) {
-            for (bool more = true; more;) {
-                more = false;
-                const bool due =
-                    change < r.changes.size() && r.changes[change].step <= world.step_count();
-                if (due && r.changes[change].inputs_before <= input) {
-                    record::apply_changes(r.changes[change++].bytes, world);
-                    more = true;
-                } else if (input < r.inputs.size() && r.inputs[input].step <= world.step_count()) {
-                    world.set_input({r.inputs[input].input}, r.inputs[input].value);
-                    ++input;
-                    more = true;
-                }
-            }
+            repeater.before_step(world);
             if (world.step() != Status::ok) return -1;
         }
         wrong += world.state_hash() != head.hash ? 1 : 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "record/recording.h"
+#include <hawser/recording.h>
 #include "record/small_scene.h"
 #include "record/snapshot_file.h"
 

@@ -3,8 +3,9 @@
 /// @file start_scene.h
 /// What a check of the start of a scene finds.
 
+#include <hawser/scene.h>
+
 #include "report/start/check.h"
-#include "scene/scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sizes and first seconds of the frozen scene anchor_contact.
 
+#include <hawser/scene.h>
+
 #include "support/sanitizer.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
-#include "scene/scene.h"
 
 namespace hawser {
 namespace {

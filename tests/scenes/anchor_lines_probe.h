@@ -4,6 +4,7 @@
 /// Watches a run of scenes/anchor_lines.json: what the scene promises, measured every step.
 
 #include <hawser/hawser.h>
+#include <hawser/scene.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "scene/scene.h"
 
 namespace hawser::test {
 

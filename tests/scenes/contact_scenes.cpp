@@ -2,14 +2,14 @@
 // Scenes of contact whose outcome is known: what stands, holds, drags. Those with closed forms of a
 // motion are cases of `hawser validate`.
 
+#include <hawser/scene.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
-
-#include "scene/scene.h"
 
 namespace hawser {
 namespace {

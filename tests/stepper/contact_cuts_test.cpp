@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Splits of a scene with contacts and friction: what is not cut holds as exactly as in any step,
 /// whatever the cuts do.
-#include "scene/scene.h"
+#include <hawser/scene.h>
+
 #include "support/sanitizer.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 /// @file scenes.h
 /// The committed scenes, for properties that every scene must have.
 
-#include "scene/scene.h"
+#include <hawser/scene.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Separate code agrees with the solver, finds what is wrong, and the energy of contacts adds up.
+#include <hawser/scene.h>
+
 #include "report/summary.h"
-#include "scene/scene.h"
 #include "verify/certificate.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Momentum of bodies in joints, wires and chains, and bounds of rows, by the separate code.
-#include "scene/scene.h"
+#include <hawser/scene.h>
+
 #include "verify/certificate.h"
 
 #include <gtest/gtest.h>

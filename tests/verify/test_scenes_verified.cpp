@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Separate code verifies the first seconds of every scene in which something touches: laws of
 // contacts, momentum of bodies, bounds of rows.
-#include "scene/scene.h"
+#include <hawser/scene.h>
+
 #include "verify/certificate.h"
 
 #include <gtest/gtest.h>

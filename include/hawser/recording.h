@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file recording.h
+/// Recordings: a scene, where it started, what was commanded and where everything went.
+///
+/// The format is described in docs/recording.md. A recording is written chunk by chunk while
+/// the simulation runs. After a crash everything up to the last complete chunk can be read. Part of
+/// hawser::session, which writes them (session.h).
+
+#include <hawser/def.h>
+#include <hawser/math.h>
+#include <hawser/stats.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hawser {
+class World;
+}
+
+namespace hawser::record {
+
+class ByteReader;  // src/record/bytes.h
+
+/// A recording that cannot be written or read; what() begins with the file.
+struct RecordingError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// How and on what a recording was made.
+struct RecordingSettings {
+    double step = 0.0;  ///< Time step [s].
+    Form form = Form::automatic;
+    std::int32_t threads = 1;
+    std::int32_t stride = 1;  ///< Steps from one frame to the next.
+    std::string instruction_set, version, processor;
+};
+
+struct RecordedBody {
+    std::string name;
+    BodyKind kind = BodyKind::rigid;
+    Vec3 half_size{0.0, 0.0, 0.0};  ///< [m]
+    Pose start;                     ///< At the first frame.
+};
+
+struct RecordedCable {
+    std::string name, line_type;
+    double EA = 0.0, breaking_load = 0.0, length = 0.0;  ///< [N], [N], [m]
+    std::vector<std::int32_t> nodes;                     ///< Indices of bodies.
+    /// Where the cable holds its first and its last body, in their frames [m].
+    Vec3 end[2] = {Vec3::Zero(), Vec3::Zero()};
+    std::int32_t elements = 0;
+    std::int32_t first_element = 0;  ///< In Frame::tensions.
+};
+
+/// A joint or rod, for pictures: it joins a point of one body to a point of another.
+struct RecordedJoint {
+    std::int32_t body[2] = {-1, -1};
+    Vec3 point[2] = {Vec3::Zero(), Vec3::Zero()};  ///< In the bodies' frames [m].
+};
+
+enum class OutlineKind : std::uint8_t {
+    solid,  ///< The convex hull of the points, each with a ball of the radius around it.
+    plane,  ///< Through the first point; the second one is the direction out of the solid.
+    lines,  ///< Lines through `row` points each.
+};
+
+/// A shape that touches, for pictures.
+struct RecordedOutline {
+    std::int32_t body = -1;
+    OutlineKind kind = OutlineKind::solid;
+    double radius = 0.0;       ///< [m]
+    std::int32_t row = 0;      ///< Points of one line.
+    std::vector<Vec3> points;  ///< In the body's frame [m].
+};
+
+struct RecordedInput {
+    std::int64_t step = 0;  ///< Set when this many steps had been taken.
+    std::int32_t input = 0;
+    double value = 0.0;
+};
+
+/// What else was done to the world between two steps: added, removed, moved … (changes.h).
+struct RecordedChanges {
+    std::int64_t step = 0;             ///< Done when this many steps had been taken, …
+    std::size_t inputs_before = 0;     ///< … after so many of Recording::inputs.
+    std::span<const std::byte> bytes;  ///< For apply_changes().
+};
+
+/// A step that left something out to keep to its budget.
+struct RecordedCut {
+    std::int64_t step = 0;  ///< Taken when this many steps had been taken.
+    Degradation left_out;
+    DegradedBy cause = DegradedBy::nothing;
+    double foreseen = 0.0;  ///< StepStats::foreseen_seconds [s].
+};
+
+struct RecordedEvent {
+    double time = 0.0;  ///< [s]
+    EventKind kind = EventKind::warning;
+    double value = 0.0;
+    std::string where;  ///< Name of the interaction.
+};
+
+/// State of the scene at one time, in the precision of pictures.
+struct Frame {
+    std::int64_t step = 0;
+    double time = 0.0;               ///< [s]
+    std::uint64_t hash = 0;          ///< World::state_hash().
+    double violation_max = 0.0;      ///< [m]
+    double momentum_residual = 0.0;  ///< Relative.
+    double energy = 0.0;             ///< Mechanical [J].
+    std::vector<Pose> poses;         ///< Of every body; that of the start where it is not there.
+    std::vector<bool> there;         ///< By body: it had come, and had not gone.
+    std::vector<float> tensions;     ///< Of every element of every cable [N].
+};
+
+enum class Ending : std::uint8_t { finished, interrupted, failed, unknown };
+
+/// A recording in memory. Frames are decoded when asked for.
+class Recording {
+  public:
+    Recording(Recording&&) noexcept = default;
+    Recording& operator=(Recording&&) noexcept = default;
+    Recording(const Recording&) = delete;  // Spans point into the bytes.
+    Recording& operator=(const Recording&) = delete;
+
+    /// @throws RecordingError when the file is no recording or holds no complete start.
+    [[nodiscard]] static Recording open(const std::filesystem::path& file);
+    [[nodiscard]] static Recording read(std::vector<std::byte> bytes, const std::string& name);
+
+    std::string file;
+    std::string scene_name, scene_path, scene_text;
+    std::uint64_t scene_hash = 0;
+    RecordingSettings settings;
+    std::vector<RecordedBody> bodies;  ///< Of the scene, then those that came.
+    std::size_t start_bodies = 0;      ///< Of the scene.
+    std::vector<RecordedCable> cables;
+    std::vector<std::int32_t> plot_cables, plot_bodies;
+    std::vector<RecordedJoint> joints;
+    std::int32_t element_count = 0;
+    std::int64_t start_step = 0;
+    std::uint64_t start_hash = 0;
+    std::span<const std::byte> snapshot;    ///< For World::restore.
+    std::vector<std::string> input_names;   ///< By index of RecordedInput::input; may be missing.
+    std::vector<RecordedOutline> outlines;  ///< May be missing.
+    std::vector<RecordedInput> inputs;
+    std::vector<RecordedChanges> changes;
+    std::vector<RecordedCut> cuts;
+    std::vector<RecordedEvent> events;
+    Ending ending = Ending::unknown;
+    std::int64_t end_step = 0;   ///< With an ending only.
+    std::uint64_t end_hash = 0;  ///< With an ending only.
+    std::string damage;          ///< Why reading stopped before the end; empty if it did not.
+
+    [[nodiscard]] std::size_t frame_count() const noexcept { return frames_.size(); }
+    [[nodiscard]] Frame frame(std::size_t index) const;
+    /// Without poses and tensions: cheap.
+    [[nodiscard]] Frame frame_head(std::size_t index) const;
+
+  private:
+    Recording() = default;
+    void read_chunk(std::string_view kind, std::span<const std::byte> payload, int& stage);
+    void read_scene(ByteReader in);
+    void read_settings(ByteReader in);
+    void read_layout(ByteReader in);
+    void read_inputs(ByteReader in);
+    void read_changes(ByteReader in);
+    void read_bodies(ByteReader in);
+    void read_cut(ByteReader in);
+    void read_event(ByteReader in);
+    void read_end(ByteReader in);
+    void check_floats(ByteReader in) const;
+    void add_frame(std::span<const std::byte> payload);
+
+    /// Bodies that frames have from one of them on: indices in `bodies`, in the order of a frame.
+    struct Layout {
+        std::size_t first_frame = 0, floats = 0;
+        std::vector<std::int32_t> bodies;
+    };
+    [[nodiscard]] const Layout& layout_of(std::size_t frame) const;
+    [[nodiscard]] std::size_t frame_size() const noexcept;
+
+    std::vector<std::byte> bytes_;
+    std::vector<std::span<const std::byte>> frames_;
+    std::vector<Layout> layouts_;
+};
+
+/// Does to a world again what was done to the recorded one, and lets its steps leave out what those
+/// of the recording left out. The world is that of the scene in the recording, in the state of its
+/// snapshot.
+class Repeater {
+  public:
+    /// @param recording  Has to outlive it.
+    explicit Repeater(const Recording& recording) : recording_(recording) {}
+    /// Before each step. @throws std::runtime_error where the recording says what makes no sense,
+    ///                            DefError where the world refuses a change.
+    void before_step(World& world);
+
+  private:
+    const Recording& recording_;
+    std::size_t input_ = 0, change_ = 0, cut_ = 0;  ///< The next ones.
+};
+
+/// Floats of a body's pose in a frame: 7, 3, 1 or 0.
+[[nodiscard]] int pose_floats(BodyKind kind) noexcept;
+
+/// True for bodies between the ends of a cable: nodes and links, too many to name.
+[[nodiscard]] std::vector<bool> cable_interior(const Recording& recording);
+
+}  // namespace hawser::record

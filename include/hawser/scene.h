@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file scene.h
+/// Reads a scene file into a world. Part of hawser::scene.
+///
+/// A scene is a JSON document (docs/scenes.md, schema/scene-1.json). Reading has four steps, in
+/// src/scene: the document is parsed and its shape checked against the format;
+/// includes are merged, options applied and templates expanded into one flat document;
+/// cables are laid out; the bodies, interactions and inputs are added to a new World through
+/// its public interface. A mistake anywhere throws SceneError and leaves nothing behind; there is a
+/// second pair of functions that lists all of them.
+
+#include <hawser/hawser.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hawser::scene {
+
+/// A scene that was refused. what() reads "file: path: message", followed by the nearest valid
+/// name or another remedy where there is one.
+struct SceneError : std::runtime_error {
+    SceneError(std::string file_, std::string path_, std::string message_);
+
+    std::string file;     ///< File (or name for messages) in which the mistake is.
+    std::string path;     ///< JSON pointer into that file, such as "/bodies/3/mass"; "" for the
+                          ///< document as a whole.
+    std::string message;  ///< What is wrong and what would be right.
+};
+
+/// Changes to a scene that the caller asks for. They are part of the resolved text.
+struct Options {
+    int scale = 1;  ///< Copies of the scene along `repeat.offset`, 1 to 1000.
+    /// "path=value", for instance "settings.step=0.01", "bodies.rig.mass=2e7" or
+    /// "interactions.j1.length=3": keys joined by dots, a list entry by its name or index.
+    std::vector<std::string> set;
+    std::optional<double> step;  ///< Instead of settings.step [s].
+    std::optional<Form> form;    ///< Instead of settings.form.
+    int threads = 1;             ///< Worker threads of the world; not part of the text.
+    double budget = 0.0;         ///< WorldDef::budget [s]; not part of the text.
+    double budget_work = 0.0;    ///< WorldDef::budget_work [flop]; not part of the text.
+};
+
+/// What a cable of the scene became.
+struct Cable {
+    std::string name;
+    std::string line_type;      ///< Name of its line type; "" if given in place.
+    std::vector<BodyId> nodes;  ///< In order, the bodies at both ends included ("world" for an
+                                ///< end fixed there); for links: the first end, every link, the
+                                ///< last end. A free end has no body of its own with links.
+    std::vector<InteractionId> stretch;  ///< In order; for links the ball joints.
+    bool links = false;                  ///< Rigid links instead of lumps.
+    Vec3 from_point{0.0, 0.0, 0.0};      ///< Attachment in the frame of nodes.front() [m].
+    Vec3 to_point{0.0, 0.0, 0.0};        ///< Attachment in the frame of nodes.back() [m].
+    double EA = 0.0;                     ///< Axial stiffness [N]; 0 for links without one.
+    double breaking_load = 0.0;          ///< [N]; 0 = not given.
+    double length = 0.0;                 ///< Unstretched length [m].
+    double diameter = 0.0;               ///< For pictures [m]; 0 = not given.
+    std::string color;                   ///< For pictures; "" = not given.
+};
+
+/// A scene, ready to run.
+struct Scene {
+    std::string name;
+    std::string description;
+    std::string path;  ///< File it was read from, or the name for messages.
+    /// All files that were read: the scene, its includes and its state.
+    std::vector<std::filesystem::path> files;
+    std::filesystem::path state_file;  ///< Of these, the one under "state"; empty: none.
+    /// Self-contained document in JSON with includes, options, templates and copies worked in:
+    /// reading it alone gives the same world.
+    std::string text;
+    std::uint64_t hash = 0;  ///< FNV-1a 64 of `text`.
+    double duration = 10.0;  ///< [s].
+    World world;
+    std::vector<Cable> cables;
+    std::vector<std::string> plot_tensions;  ///< Cables whose tension is worth a curve.
+    std::vector<std::string> plot_motions;   ///< Bodies whose motion is worth a curve.
+    /// Lower and upper corner of what pictures show [m]; empty: everything.
+    std::vector<Vec3> plot_view_box;
+};
+
+/// Read a scene file. @throws SceneError.
+[[nodiscard]] Scene load_file(const std::filesystem::path& file, const Options& options = {});
+
+/// Read a scene from memory. Its includes and state files, if any, are looked up beside
+/// `name_for_messages` taken as a path. @throws SceneError.
+[[nodiscard]] Scene load_text(std::string_view text, const std::string& name_for_messages,
+                              const Options& options = {});
+
+/// Read a scene and take down all its mistakes in the order in which reading meets them, as far as
+/// it can go on: what holds a mistake is left out, and what only names something left out is no
+/// mistake. @return nothing where there are any.
+[[nodiscard]] std::optional<Scene> load_file(const std::filesystem::path& file,
+                                             const Options& options,
+                                             std::vector<SceneError>& mistakes);
+[[nodiscard]] std::optional<Scene> load_text(std::string_view text,
+                                             const std::string& name_for_messages,
+                                             const Options& options,
+                                             std::vector<SceneError>& mistakes);
+
+/// The present pose and velocity of every moving body, as a state file (docs/scenes.md) that
+/// a scene names under "state".
+[[nodiscard]] std::string state_text(const Scene& scene);
+
+}  // namespace hawser::scene

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file recording_writer.h
+/// Writes recordings (docs/recording.md).
+
+#include <hawser/hawser.h>
+#include <hawser/recording.h>
+
+#include "record/bytes.h"
+#include "record/changes.h"
+#include "record/scene_info.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace hawser::record {
+
+/// Writes a recording. Functions throw RecordingError when the disk is full.
+class RecordingWriter {
+  public:
+    /// Starts the file with the scene, the settings, the layout and the state of the world.
+    RecordingWriter(const std::filesystem::path& file, const SceneInfo& scene, const World& world,
+                    const RecordingSettings& settings);
+    void add_frame(const World& world);
+    void add_inputs(std::span<const RecordedInput> changes);
+    /// What a world told since the last call (changes.h); before the step that comes next.
+    void add_changes(const World& world, const ChangeBytes& changes);
+    void add_cut(const RecordedCut& cut);
+    void add_event(const World& world, const Event& event);
+    void finish(const World& world, Ending ending);
+
+  private:
+    struct CloseFile {
+        void operator()(std::FILE* f) const { std::fclose(f); }
+    };
+    void write_chunk(const char* kind);
+    [[noreturn]] void fail() const;
+
+    std::filesystem::path file_;
+    std::unique_ptr<std::FILE, CloseFile> out_;
+    ByteWriter payload_;
+    struct FramedBody {
+        BodyId id;
+        BodyKind kind;
+        Pose start;
+    };
+    void follow_bodies(const World& world);
+
+    std::vector<InteractionId> elements_;
+    std::vector<FramedBody> bodies_;  ///< Of a frame, in its order.
+    bool other_bodies_ = false;       ///< Than bodies_: they are written before the next frame.
+};
+
+/// Bytes of one frame in the file.
+[[nodiscard]] std::size_t frame_bytes(const World& world, const SceneInfo& scene);
+
+}  // namespace hawser::record

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/checks.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace hawser::scene {
+namespace {
+
+/// Lists of things with a name, by key.
+struct NamedList {
+    const char* key;
+    std::vector<Lost> holds;
+};
+const std::vector<NamedList>& named_lists() {
+    static const std::vector<NamedList> lists{
+        {"bodies", {Lost::body}},
+        {"interactions", {Lost::interaction}},
+        {"cables", {Lost::body, Lost::interaction, Lost::cable}},
+        {"instances", {Lost::body, Lost::interaction, Lost::cable}},
+        {"line_types", {Lost::line_type}},
+        {"templates", {Lost::instance_template}},
+        {"materials", {Lost::material}}};
+    return lists;
+}
+
+const std::vector<Lost>& kinds_in(const std::string& key) {
+    static const std::vector<Lost> none;
+    for (const NamedList& list : named_lists()) {
+        if (key == list.key) {
+            return list.holds;
+        }
+    }
+    return none;
+}
+
+std::vector<std::string> tokens_of(const std::string& path) {
+    std::vector<std::string> tokens;
+    for (std::size_t begin = 0; begin < path.size();) {
+        const std::size_t end = std::min(path.find('/', begin + 1), path.size());
+        std::string token = path.substr(begin + 1, end - begin - 1);
+        // RFC 6901, section 4: "~1" before "~0".
+        for (const auto& [code, letter] : {std::pair("~1", "/"), std::pair("~0", "~")}) {
+            for (std::size_t at = 0; (at = token.find(code, at)) != std::string::npos; ++at) {
+                token.replace(at, 2, letter);
+            }
+        }
+        tokens.push_back(std::move(token));
+        begin = end;
+    }
+    return tokens;
+}
+
+/// Take an entry out of a list and remember that it was there.
+void drop_entry(Json& list, const std::string& index, const std::vector<Lost>& kinds,
+                const std::string& prefix, Mistakes& mistakes) {
+    std::size_t i = 0;
+    std::from_chars(index.data(), index.data() + index.size(), i);
+    if (i >= list.size() || list[i].is_null()) {
+        return;
+    }
+    const bool named =
+        list[i].is_object() && list[i].contains("name") && list[i]["name"].is_string();
+    for (const Lost what : kinds) {
+        named ? mistakes.lose(what, prefix + list[i]["name"].get<std::string>())
+              : mistakes.lose_any(what);
+    }
+    list[i] = nullptr;
+}
+
+void drop(Json& root, const std::string& path, const std::string& prefix, Mistakes& mistakes) {
+    const std::vector<std::string> tokens = tokens_of(path);
+    if (tokens.empty() || !root.is_object() || !root.contains(tokens[0])) {
+        return;
+    }
+    Json& top = root[tokens[0]];
+    const std::vector<Lost>& kinds = kinds_in(tokens[0]);
+    if (tokens.size() == 1) {
+        for (const Lost what : kinds) {
+            mistakes.lose_any(what);
+        }
+        root.erase(tokens[0]);
+    } else if (top.is_array()) {
+        drop_entry(top, tokens[1], kinds, prefix, mistakes);
+    } else if (top.is_object()) {
+        for (const Lost what : kinds) {
+            mistakes.lose(what, tokens[1]);
+        }
+        top.erase(tokens[1]);
+    }
+}
+
+/// @param above  Path from `root` to `value`.
+void check_part(Json& root, const Json& value, const Shape& shape, const Place& place,
+                const std::string& above, const std::string& prefix, Mistakes& mistakes) {
+    const std::vector<Problem> problems = find_problems(value, shape, Mistakes::kMost);
+    for (const Problem& problem : problems) {
+        mistakes.take(SceneError(place.file, place.path + problem.path, problem.message));
+    }
+    for (const Problem& problem : problems) {
+        drop(root, above + problem.path, prefix, mistakes);
+    }
+}
+
+}  // namespace
+
+void check_document(Json& root, const Shape& shape, const Place& place, Mistakes* mistakes) {
+    if (mistakes == nullptr) {
+        check_shape(root, shape, place);
+    } else {
+        check_part(root, root, shape, place, "", "", *mistakes);
+    }
+}
+
+void check_list(Json& content, const char* key, const Shape& shape, const Place& place,
+                const std::string& prefix, Mistakes* mistakes) {
+    if (mistakes == nullptr) {
+        check_shape(content[key], shape, place);
+    } else {
+        check_part(content, content[key], shape, place, pointer_token(key), prefix, *mistakes);
+    }
+}
+
+}  // namespace hawser::scene

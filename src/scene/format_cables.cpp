@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/format.h"
+
+namespace hawser::scene {
+namespace {
+
+using namespace make;
+
+ShapePtr cable_end() {
+    return object(
+        "cable_end", "a cable end", "Where a cable ends: on a body, in the world, or free.",
+        {{"body", body_ref(), false, "", "", "Body to which the end is attached …"},
+         {"point", vector3("a point"), false, "[0, 0, 0]", "m", "… at this point of its frame."},
+         {"at", vector3("a point"), false, "", "m", "World point to which it is fixed."},
+         {"free", vector3("a point"), false, "", "m", "World point at which a free end starts."}},
+        {{"body", "at", "free"}, {"point", "at", "free"}});
+}
+
+}  // namespace
+
+ShapePtr line_type_shape() {
+    return object(
+        "line_type", "a line type", "Properties of a chain, wire or rope.",
+        {{"mass_per_length", positive("a mass per length", 1e9), true, "", "kg/m", "In air."},
+         {"EA", positive("a stiffness", kMostForce), false, "", "N",
+          "Axial stiffness; needed by cables of lumps."},
+         {"EI", number("a stiffness", 0.0, kMostForce), false, "0", "N m^2",
+          "Bending stiffness; 0: perfectly flexible. Cables of links bend freely."},
+         {"diameter", positive("a length", 1e3), false, "", "m", "For pictures."},
+         {"breaking_load", positive("a force", kMostForce), false, "never", "N",
+          "An element parts above this tension."},
+         {"axial_damping", number("a fraction", 0.0, 10.0), false, "two steps of damping time", "1",
+          "Fraction of critical of the highest axial mode of an element."},
+         {"drag", number("a damping per length", 0.0, kMostDamping), false, "0", "N s/m^2",
+          "Linear drag per length."},
+         {"submerged_factor", number("a factor", -1.0, 1.0), false, "1", "1",
+          "Weight in water divided by weight in air."},
+         {"color", text("a colour"), false, "", "", "For pictures, such as \"#445566\"."},
+         {"description", text("a text"), false, "", "", "Source and remarks."}});
+}
+
+ShapePtr cable_shape() {
+    const ShapePtr winch =
+        object("winch", "a winch", "A drum at the \"from\" end that pays the cable out.",
+               {{"drum", body_ref(), true, "", "", "Scalar body."},
+                {"radius", number("a radius", -1e3, 1e3), true, "", "m",
+                 "Cable paid out per unit of drum coordinate."},
+                {"fairlead", cable_end(), false, "\"from\"", "",
+                 "Where the cable leaves, if \"from\" names the drum or is not given."}});
+    return object(
+        "cable", "a cable", "A chain, wire or rope between two ends, cut into equal elements.",
+        {{"name", name("a name"), true, "", "", "Unique among cables."},
+         {"line_type",
+          choice("a line type by name or in place", {text("a name"), line_type_shape()}), true, "",
+          "", "What it is made of."},
+         {"from", cable_end(), false, "", "", "First end; needed unless a fairlead is given."},
+         {"to", cable_end(), true, "", "", "Last end."},
+         {"length", positive("a length", kMostLength), false, "along its shape", "m",
+          "Unstretched length."},
+         {"elements", integer("a number of elements", 1, static_cast<double>(kMaxElements)), false,
+          "one more than the points", "", "Number of elements."},
+         {"as", word("a way to model a cable", {"lumps", "links"}), false, "lumps", "",
+          "lumps: point masses, stretch and bend; links: rigid cylinders and ball joints."},
+         {"radius", positive("a length", 1e3), false, "half the diameter", "m", "Of links."},
+         {"shape",
+          choice("\"straight\", \"catenary\" or a list of points",
+                 {word("a shape", {"straight", "catenary"}),
+                  list("a list of points", vector3("a point"), 1, kMaxElements)}),
+          false, "straight", "m",
+          "Initial shape: straight, catenary (hanging at rest without stretch), or the positions "
+          "of the interior nodes, one fewer than the elements."},
+         {"offsets", list("a list of offsets", vector3("an offset"), 0, kMaxElements), false, "",
+          "m", "Added to the interior nodes."},
+         {"tension_only", boolean("true or false"), false, "true", "", "False: it also pushes."},
+         {"groups", list("a list of groups", group(), 1, 100), false, "[\"\"]", "",
+          "Groups of its nodes or links, which are shared out evenly from the first end on."},
+         {"winch", winch, false, "", "", "Drum that pays it out."},
+         {"contact", cable_contact(), false, "it touches nothing", "",
+          "Its elements touch what they meet; an element that ends on a body does not."},
+         {"compliance", number("a compliance", 0.0, 1e12), false, "of a ball joint", "m/N",
+          "Of the ball joints of links."},
+         {"damping_time", number("a time", 0.0, 1e12), false, "of a ball joint", "s",
+          "Of the ball joints of links."},
+         {"description", text("a text"), false, "", "", "Remarks."}});
+}
+
+}  // namespace hawser::scene

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <hawser/hawser.h>
+#include <hawser/session.h>
+
+#include "record/control.h"
+#include "record/csv.h"
+#include "record/host.h"
+#include "record/names.h"
+#include "record/recording_listener.h"
+#include "record/recording_writer.h"
+#include "record/scene_info.h"
+#include "record/snapshot_file.h"
+#include "verify/certificate.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace hawser {
+
+struct Session::Impl {
+    /// A file that gets the state every so many steps.
+    template <class Writer>
+    struct Output {
+        std::unique_ptr<Writer> to;
+        std::int64_t every = 1, begun = 0, written = 0;  ///< Steps taken.
+        [[nodiscard]] bool due(const World& world) const {
+            return to && (world.step_count() - begun) % every == 0;
+        }
+        [[nodiscard]] bool behind(const World& world) const {
+            return to && world.step_count() > written;
+        }
+    };
+
+    scene::Scene scene;
+    record::SceneInfo info;
+    std::vector<record::ControlChange> control;
+    std::size_t next_control = 0;  ///< The first one that is not in force yet.
+    Output<record::RecordingWriter> recording;
+    std::unique_ptr<record::RecordingListener> listener;  ///< Of the recording.
+    Output<record::CsvWriter> table;
+    std::unique_ptr<verify::Verifier> verifier;
+    std::vector<Observer*> observers;
+    std::vector<Event> events;
+    std::string objection;
+    Status last = Status::ok;
+
+    explicit Impl(scene::Scene given) : scene(std::move(given)), info(record::info_of(scene)) {}
+    [[nodiscard]] World& world() noexcept { return scene.world; }
+
+    /// Set what the control file has until now.
+    void take_controls() {
+        constexpr double kSlack = 1e-6;  // Times are multiples of the step up to rounding.
+        World& w = world();
+        const double now = w.time() + kSlack * w.settings().step;
+        for (; next_control < control.size() && control[next_control].time <= now; ++next_control)
+            w.set_input({control[next_control].input}, control[next_control].value);
+    }
+
+    void add_frame() {
+        recording.to->add_frame(world());
+        recording.written = world().step_count();
+    }
+
+    void add_row() {
+        table.to->add_row(world());
+        table.written = world().step_count();
+    }
+
+    /// What the last step left out, what happened in it, and a frame where one is due.
+    void write_step() {
+        if (recording.to) {
+            if (const StepStats& stats = world().stats(); stats.degradation.any())
+                recording.to->add_cut(
+                    {stats.step - 1, stats.degradation, stats.degraded_by, stats.foreseen_seconds});
+            for (const Event& event : events) recording.to->add_event(world(), event);
+        }
+        if (recording.due(world())) add_frame();
+        if (table.due(world())) add_row();
+    }
+};
+
+namespace {
+
+scene::Scene scene_of(const SessionDef& def) {
+    if (!def.scene.empty() && !def.scene_text.empty())
+        throw DefError("a session has one scene: give a file or a text, not both");
+    if (def.scene.empty() && def.scene_text.empty())
+        throw DefError("a session needs a scene: a file, a text, or a world");
+    return def.scene.empty() ? scene::load_text(def.scene_text, "scene", def.options)
+                             : scene::load_file(def.scene, def.options);
+}
+
+scene::Scene scene_around(World world) {
+    scene::Scene scene;
+    scene.world = std::move(world);
+    return scene;
+}
+
+std::vector<std::string> input_names(const World& world) {
+    std::vector<std::string> names;
+    for (std::int32_t i = 0; i < world.input_count(); ++i)
+        names.push_back(world.input_def({i}).name);
+    return names;
+}
+
+void check_every(std::int32_t every) {
+    if (every < 1 || every > 1'000'000)
+        throw DefError(
+            fmt::format("a session writes every 1 to 1,000,000 steps, not every {}", every));
+}
+
+}  // namespace
+
+Session::Session(const SessionDef& def) : Session(scene_of(def), def) {}
+
+Session::Session(World world, const SessionDef& def)
+    : Session(scene_around(std::move(world)), def) {}
+
+Session::Session(scene::Scene scene, const SessionDef& def)
+    : impl_(std::make_unique<Impl>(std::move(scene))) {
+    World& world = impl_->world();
+    check_every(def.every);
+    world.prepare();
+    if (!def.restore.empty()) record::restore_snapshot(def.restore, impl_->info, world);
+    if (!def.state.empty()) world.restore(def.state);
+    if (!def.control.empty())
+        impl_->control = record::read_control(def.control, input_names(world));
+    if (!def.record.empty()) record(def.record, def.every);
+    if (!def.csv.empty()) write_csv(def.csv, def.every);
+    if (def.verify) {
+        impl_->verifier = std::make_unique<verify::Verifier>(world);
+        observe(*impl_->verifier);
+    }
+}
+
+Session::~Session() = default;
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+
+const scene::Scene& Session::scene() const noexcept { return impl_->scene; }
+const World& Session::world() const noexcept { return impl_->scene.world; }
+World& Session::world() noexcept { return impl_->scene.world; }
+double Session::time() const noexcept { return impl_->scene.world.time(); }
+std::span<const Event> Session::events() const noexcept { return impl_->events; }
+const std::string& Session::objection() const noexcept { return impl_->objection; }
+void Session::cancel() noexcept { impl_->world().cancel(); }
+
+void Session::set_input(std::string_view name, double value) {
+    const InputId id = world().find_input(name);
+    if (id.valid()) return impl_->world().set_input(id, value);
+    const std::vector<std::string> names = input_names(world());
+    throw DefError(names.empty() ? fmt::format("there is no input \"{}\": the scene has none", name)
+                                 : fmt::format("there is no input \"{}\"; nearest: \"{}\"", name,
+                                               record::nearest_name(name, names)));
+}
+
+void Session::record(const std::filesystem::path& file, std::int32_t every) {
+    check_every(every);
+    impl_->listener.reset();
+    World& world = impl_->world();
+    const WorldDef& settings = world.settings();
+    impl_->recording = {std::make_unique<record::RecordingWriter>(
+                            file, impl_->info, world,
+                            record::RecordingSettings{.step = settings.step,
+                                                      .form = settings.form,
+                                                      .threads = settings.threads,
+                                                      .stride = every,
+                                                      .instruction_set = instruction_set(),
+                                                      .version = version(),
+                                                      .processor = record::processor_model()}),
+                        every, world.step_count(), world.step_count()};
+    impl_->listener = std::make_unique<record::RecordingListener>(*impl_->recording.to, world);
+}
+
+void Session::write_csv(const std::filesystem::path& file, std::int32_t every) {
+    check_every(every);
+    const World& world = impl_->world();
+    impl_->table = {std::make_unique<record::CsvWriter>(file, impl_->info, world), every,
+                    world.step_count(), world.step_count()};
+    if (world.step_count() > 0) impl_->add_row();  // Before the first step no tension is known.
+}
+
+void Session::observe(Observer& observer) { impl_->observers.push_back(&observer); }
+
+void Session::save(const std::filesystem::path& file) const {
+    record::save_snapshot(file, impl_->info, world());
+}
+
+Status Session::step() {
+    World& world = impl_->world();
+    impl_->take_controls();
+    if (impl_->listener) impl_->listener->flush();
+    for (Observer* observer : impl_->observers) observer->before_step(world);
+    impl_->last = world.step();
+    if (impl_->last != Status::ok) return impl_->last;
+    impl_->events = world.take_events();
+    impl_->write_step();
+    for (Observer* observer : impl_->observers) {
+        observer->after_step(world, impl_->events);
+        if (impl_->objection.empty()) impl_->objection = observer->objection();
+    }
+    return impl_->objection.empty() ? Status::ok : Status::diverged;
+}
+
+record::Ending Session::finish(bool interrupted) {
+    const World& world = impl_->world();
+    record::Ending ending = record::Ending::finished;
+    if (interrupted || impl_->last == Status::cancelled)
+        ending = record::Ending::interrupted;
+    else if (impl_->last != Status::ok || !impl_->objection.empty() ||
+             (world.settings().on_diverged == OnDiverged::stop &&
+              world.verdict().grade == Grade::wrong))
+        ending = record::Ending::failed;
+    if (impl_->listener) impl_->listener->flush();
+    if (impl_->recording.behind(world)) impl_->add_frame();
+    if (impl_->table.behind(world)) impl_->add_row();
+    if (impl_->recording.to) impl_->recording.to->finish(world, ending);
+    if (impl_->table.to) impl_->table.to->finish();
+    impl_->listener.reset();
+    impl_->recording.to.reset();
+    impl_->table.to.reset();
+    return ending;
+}
+
+}  // namespace hawser

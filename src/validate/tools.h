@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file tools.h
+/// What the validation cases share: opening scenes, stepping, and reading motions.
+
+#include <hawser/hawser.h>
+#include <hawser/scene.h>
+
+#include "validate/report.h"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace hawser::validate {
+
+inline constexpr double kGravity = 9.81;  ///< [m/s²].
+inline constexpr double kPi = 3.14159265358979323846;
+
+/// Open scenes/NAME.json: in the folder that the environment variable HAWSER_SCENES names, in
+/// ./scenes, beside the program in ../share/hawser/scenes, or in the source tree it was
+/// built from.
+[[nodiscard]] scene::Scene open_scene(const std::string& name, double step,
+                                      const std::vector<std::string>& set = {});
+
+/// Take `steps` steps. @throws std::runtime_error when one fails.
+void advance(World& world, long steps);
+/// Number of steps to `time`. @throws std::runtime_error when `time` is not a whole number.
+[[nodiscard]] long steps_to(const World& world, double time);
+
+/// @throws std::runtime_error when there is none.
+[[nodiscard]] BodyId body(const World& world, const std::string& name);
+[[nodiscard]] InteractionId interaction(const World& world, const std::string& name);
+
+[[nodiscard]] std::vector<double> list(const Vec3& v);
+/// Tension of a line element [N].
+[[nodiscard]] double tension(const World& world, InteractionId id);
+
+/// Times at which a signal sampled every `step` from time 0 crosses zero upwards [s]; cubic
+/// interpolation, so that the error is of fourth order in the step.
+[[nodiscard]] std::vector<double> upward_zeros(std::span<const double> signal, double step);
+/// Interpolate the same way. @param at In steps.
+[[nodiscard]] double interpolate(std::span<const double> signal, double at);
+
+/// Rotation about a fixed axis followed beyond ±π.
+class AngleCounter {
+  public:
+    AngleCounter(Vec3 axis, const Quat& start);
+    double update(const Quat& now);  ///< Call each step. @return Angle since the start [rad].
+    [[nodiscard]] double angle() const noexcept { return angle_; }
+
+  private:
+    Vec3 axis_;
+    Quat last_;
+    double angle_ = 0.0;
+};
+
+/// Complete elliptic integral K(k) by the arithmetic-geometric mean.
+[[nodiscard]] double elliptic_k(double k);
+/// Jacobi's sn(u, k) by descending Landen transformations.
+[[nodiscard]] double jacobi_sn(double u, double k);
+
+}  // namespace hawser::validate
