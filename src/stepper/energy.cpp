@@ -83,7 +83,7 @@ Energy energy(StepContext& ctx) noexcept {
             e.gravity -= b.mass[i] * ctx.def.gravity[k] * (b.x[3 * i + at(k)] - half * v[k]);
     }
     const assembly::View v = view(ctx);
-    const KeptRanges kept(ctx);
+    const KeptRanges kept(ctx.active_before, ctx.interactions.active.data(), ctx.system.bounded);
     // The rows' own bodies go back by −(h/2) G v below.
     carriers_back(ctx);
     evaluate_rows(ctx);

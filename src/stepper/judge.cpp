@@ -199,7 +199,7 @@ void tell(StepContext& ctx, const Findings& now, JudgeState& state) noexcept {
 void begin_judge(StepContext& ctx) noexcept {
     JudgeState& state = ctx.judge.state;
     if (state.begun != 0) return;
-    const KeptRanges kept(ctx);
+    const KeptRanges kept(ctx.active_before, ctx.interactions.active.data(), ctx.system.bounded);
     evaluate_rows(ctx);
     const JudgePart p = look(ctx, At::pose);
     state = {};
@@ -227,7 +227,7 @@ Status judge(StepContext& ctx) noexcept {
 Verdict verdict(StepContext& ctx) noexcept {
     Verdict out = ctx.judge.verdict;
     if (ctx.topology_changed || ctx.mend != Mend::nothing || ctx.step == 0) return out;
-    const KeptRanges kept(ctx);
+    const KeptRanges kept(ctx.active_before, ctx.interactions.active.data(), ctx.system.bounded);
     evaluate_rows(ctx);
     JudgeState next = ctx.judge.state;
     (void)add(judged(ctx, next), out);

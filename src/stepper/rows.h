@@ -3,12 +3,12 @@
 /// @file rows.h
 /// Rows read outside of the solver: their speeds, and a look at them that leaves the state alone.
 
+#include "assembly/view.h"
 #include "base/index.h"
-#include "stepper/context.h"
-#include "stepper/step.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace hawser::stepper {
 
@@ -27,22 +27,26 @@ namespace hawser::stepper {
 }
 
 /// Which ranges are active: evaluate_rows() decides that afresh, and the state has back what it had
-/// when this ends. One at a time, since they share ctx.active_before.
+/// when this ends.
 class KeptRanges {
   public:
-    explicit KeptRanges(StepContext& ctx) noexcept : ctx_(ctx) {
-        for (std::size_t i = 0; i < ctx_.active_before.size(); ++i)
-            ctx_.active_before[i] = ctx_.interactions.active[at(ctx_.system.bounded[i])];
+    /// @param room  For a number of each of the interactions that may be inactive. One of these at
+    ///              a time has it.
+    KeptRanges(std::span<double> room, double* active,
+               std::span<const std::int32_t> bounded) noexcept
+        : room_(room), active_(active), bounded_(bounded) {
+        for (std::size_t i = 0; i < room_.size(); ++i) room_[i] = active_[at(bounded_[i])];
     }
     ~KeptRanges() {
-        for (std::size_t i = 0; i < ctx_.active_before.size(); ++i)
-            ctx_.interactions.active[at(ctx_.system.bounded[i])] = ctx_.active_before[i];
+        for (std::size_t i = 0; i < room_.size(); ++i) active_[at(bounded_[i])] = room_[i];
     }
     KeptRanges(const KeptRanges&) = delete;
     KeptRanges& operator=(const KeptRanges&) = delete;
 
   private:
-    StepContext& ctx_;
+    std::span<double> room_;
+    double* active_;
+    std::span<const std::int32_t> bounded_;
 };
 
 }  // namespace hawser::stepper

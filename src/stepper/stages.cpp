@@ -147,7 +147,7 @@ void evaluate_rows(StepContext& ctx) noexcept {
 }
 
 void evaluate_keeping_ranges(StepContext& ctx) noexcept {
-    const KeptRanges kept(ctx);
+    const KeptRanges kept(ctx.active_before, ctx.interactions.active.data(), ctx.system.bounded);
     evaluate_rows(ctx);
 }
 
