@@ -122,12 +122,13 @@ double move_some(StepContext& ctx, const View& v, double gap) noexcept {
     double share = turn > kFarTurn ? kFarTurn / turn : 1.0;
     if (!std::isfinite(turn)) return gap;
     // write_gaps() overwrites the solution that a way back needs.
-    std::copy_n(v.solution, ctx.system.symbolic.scalars, ctx.closing.begin());
+    double* const kept = ctx.closing.data() + ctx.interactions.g.size();
+    std::copy_n(v.solution, ctx.system.symbolic.scalars, kept);
     for (int half = 0; half <= kMostHalvings; ++half, share *= 0.5) {
         move(ctx, v, share * v.h);
         const double now = write_gaps(ctx, v);
         if (now <= gap) return now;
-        std::copy_n(ctx.closing.begin(), ctx.system.symbolic.scalars, v.solution);
+        std::copy_n(kept, ctx.system.symbolic.scalars, v.solution);
         move(ctx, v, -share * v.h);
     }
     return gap;
@@ -159,18 +160,21 @@ void close_anew(StepContext& ctx, const View& v) noexcept {
 }  // namespace
 
 void close_joints(StepContext& ctx) noexcept {
-    double& closed = ctx.judge.state.closed;
-    closed = 0.0;
+    JudgeState& judged = ctx.judge.state;
+    judged.closed = judged.closed_elastic = 0.0;
     if (!ctx.cuts.list.empty() || ctx.def.nonsmooth != Nonsmooth::newton || !may_be_open(ctx))
         return;
     const View v = view(ctx);
     const double gap = write_gaps(ctx, v);
     if (!(gap > kOpen)) return;
     const double before = height(ctx);
+    double* const gaps = ctx.closing.data();
+    read_spring_gaps(ctx, gaps);
     ctx.pool.shield(true);  // poses have begun to move
     if (!(close_with_factor(ctx, v, gap) <= kOpen)) close_anew(ctx, v);
     ctx.pool.shield(false);
-    closed = height(ctx) - before;
+    judged.closed = height(ctx) - before;
+    judged.closed_elastic = held_by_closing(ctx, gaps);
 }
 
 }  // namespace hawser::stepper

@@ -6,6 +6,7 @@
 #include "stepper/bounds.h"
 #include "stepper/contact.h"
 #include "stepper/newton.h"
+#include "stepper/rows.h"
 #include "stepper/stages.h"
 #include "stepper/step.h"
 #include "stepper/sweeps.h"
@@ -212,12 +213,7 @@ void read_filtered(const View& v, std::int32_t id, double* out) noexcept {
     double room[model::kArmRoom];
     const double* jac = packed_rows(v, id, room);
     for (int r = 0; r < v.rows[id]; ++r) {
-        double speed = 0.0;
-        for (int b = 0; b < v.bodies[id]; ++b) {
-            const std::int32_t body = v.body[kMaxInteractionBodies * id + b];
-            for (int j = 0; j < v.dof[body]; ++j)
-                speed += *jac++ * v.solution[v.body_offset[body] + j];
-        }
+        const double speed = along_row(v, id, jac, v.solution, v.body_offset);
         out[r] = v.interaction_offset[id] >= 0 ? v.solution[v.interaction_offset[id] + r]
                                                : speed * v.inv_sigma[v.row_begin[id] + r];
     }

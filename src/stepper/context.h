@@ -97,7 +97,7 @@ struct StepContext {
     std::unique_ptr<runtime::Trace> trace;            ///< What threads do; none: not written down.
     Completion completion;
     std::vector<assembly::Turning> turnings;  ///< Scratch of completion: one a strip or group.
-    std::vector<double> closing;              ///< Scratch of closing: a solution.
+    std::vector<double> closing;              ///< Scratch of closing: gaps of rows, a solution.
     Cuts cuts;
     Regroup regroup;
     Budget budget;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/index.h"
 #include "stepper/cuts.h"
+#include "stepper/rows.h"
 #include "stepper/stages.h"
 #include "stepper/step.h"
 
@@ -82,9 +83,7 @@ Energy energy(StepContext& ctx) noexcept {
             e.gravity -= b.mass[i] * ctx.def.gravity[k] * (b.x[3 * i + at(k)] - half * v[k]);
     }
     const assembly::View v = view(ctx);
-    // evaluate_rows() decides afresh which ranges are active; the state keeps what it had.
-    for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
-        ctx.active_before[i] = v.active[ctx.system.bounded[i]];
+    const KeptRanges kept(ctx.active_before, ctx.interactions.active.data(), ctx.system.bounded);
     // The rows' own bodies go back by −(h/2) G v below.
     carriers_back(ctx);
     evaluate_rows(ctx);
@@ -107,10 +106,7 @@ Energy energy(StepContext& ctx) noexcept {
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
             double speed = rests ? s.rate[r] + s.carried[r] : 0.0;
-            for (int k = 0; k < v.bodies[id] && !rests; ++k) {
-                const std::int32_t body = v.body[kMaxInteractionBodies * id + k];
-                for (int j = 0; j < v.dof[body]; ++j) speed += *jac++ * v.v[v.dof_begin[body] + j];
-            }
+            if (!rests) speed = along_row(v, id, jac, v.v, v.dof_begin, speed);
             if ((v.row_flags[row] & model::kRowVelocity) ||
                 !model::holds_energy(v.epsilon[row], v.rest_length[id]))
                 continue;
@@ -118,8 +114,6 @@ Energy energy(StepContext& ctx) noexcept {
             if (!line || g > 0.0) e.elastic += 0.5 * g * g / v.epsilon[row];
         }
     }
-    for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
-        v.active[ctx.system.bounded[i]] = ctx.active_before[i];
     e.applied = ctx.work;
     e.driven = ctx.drive;
     e.dissipated = ctx.drag;

@@ -3,6 +3,7 @@
 
 #include "base/index.h"
 #include "stepper/regroup.h"
+#include "stepper/rows.h"
 #include "stepper/stages.h"
 #include "stepper/step.h"
 #include "stepper/sweeps.h"
@@ -12,8 +13,6 @@
 
 namespace hawser::stepper {
 namespace {
-
-using assembly::View;
 
 constexpr std::size_t place(Judge judge) noexcept { return static_cast<std::size_t>(judge); }
 
@@ -55,9 +54,11 @@ Finding energy_finding(const StepContext& ctx, const JudgePart& p, JudgeState& s
     };
     const double exchanged = p.kinetic + state.exchanged, counted = p.kinetic + state.counted;
     const ByAccount<Swing>&now = u.now, &mean = u.mean;
-    // By each account energy comes and goes by different amounts.
-    const double created =
-        std::min({now[kBetween].rise, now[kByForce].rise, std::max(now[kAtPoses].rise, u.posed)});
+    // By each account energy comes and goes by different amounts: half-way between two poses, and
+    // at the one before, which is half a step away where the last look was a step ago.
+    const bool close = time < 1.5 * ctx.def.step;
+    const double posed = close ? u.posed : std::max(now[kAtPoses].rise, u.posed);
+    const double created = std::min({now[kBetween].rise, now[kByForce].rise, posed});
     const double stays = std::min({created, state.risen[0], state.risen[1]});
     state.risen = {created, state.risen[0]};
     const double lasting =
@@ -195,28 +196,16 @@ void tell(StepContext& ctx, const Findings& now, JudgeState& state) noexcept {
 
 }  // namespace
 
-/// evaluate_rows() decides afresh which ranges are active; the state keeps what it had.
-template <class F>
-void evaluated(StepContext& ctx, F&& f) noexcept {
-    const View v = view(ctx);
-    for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
-        ctx.active_before[i] = v.active[ctx.system.bounded[i]];
-    evaluate_rows(ctx);
-    f();
-    for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
-        v.active[ctx.system.bounded[i]] = ctx.active_before[i];
-}
-
 void begin_judge(StepContext& ctx) noexcept {
     JudgeState& state = ctx.judge.state;
     if (state.begun != 0) return;
-    evaluated(ctx, [&] {
-        const JudgePart p = look(ctx, At::pose);
-        state = {};
-        state.step = ctx.step;
-        state.open_start = p.open > 1.0 ? p.open : 0.0;
-        begin_energy(p, works(ctx), state);
-    });
+    const KeptRanges kept(ctx.active_before, ctx.interactions.active.data(), ctx.system.bounded);
+    evaluate_rows(ctx);
+    const JudgePart p = look(ctx, At::pose);
+    state = {};
+    state.step = ctx.step;
+    state.open_start = p.open > 1.0 ? p.open : 0.0;
+    begin_energy(p, works(ctx), state);
 }
 
 Status judge(StepContext& ctx) noexcept {
@@ -238,10 +227,10 @@ Status judge(StepContext& ctx) noexcept {
 Verdict verdict(StepContext& ctx) noexcept {
     Verdict out = ctx.judge.verdict;
     if (ctx.topology_changed || ctx.mend != Mend::nothing || ctx.step == 0) return out;
-    evaluated(ctx, [&] {
-        JudgeState next = ctx.judge.state;
-        (void)add(judged(ctx, next), out);
-    });
+    const KeptRanges kept(ctx.active_before, ctx.interactions.active.data(), ctx.system.bounded);
+    evaluate_rows(ctx);
+    JudgeState next = ctx.judge.state;
+    (void)add(judged(ctx, next), out);
     return out;
 }
 

@@ -59,9 +59,10 @@ using Works = std::array<double, kWorks>;
 
 /// Part of the state of a world.
 struct JudgeState {
-    double kinetic = 0.0, potential = 0.0, elastic = 0.0, by_force = 0.0;  ///< See JudgePart [J].
-    Works work{};                                                          ///< At the last look.
-    ByAccount<double> mean{};                                              ///< Over kMean [J].
+    /// See JudgePart, at the last look [J].
+    double kinetic = 0.0, potential = 0.0, elastic = 0.0, by_length = 0.0, by_force = 0.0;
+    Works work{};              ///< At the last look.
+    ByAccount<double> mean{};  ///< Over kMean [J].
     ByAccount<Tide> now_tide{}, mean_tide{};
     double posed = 0.0;                  ///< Rise of kAtPoses, at the last look [J].
     double held = 0.0, given = 0.0;      ///< By rows: what they may give back, and gave beyond [J].
@@ -69,6 +70,7 @@ struct JudgeState {
     double counted = 0.0;                ///< The same with what rows took and gave [J].
     double age = 0.0;                    ///< Since the sums began [s].
     double closed = 0.0;                 ///< Higher by closing poses, in the last step [J].
+    double closed_elastic = 0.0;         ///< held_by_closing() in the last step [J].
     double unsolved = 0.0;               ///< For so long [s].
     std::array<double, 2> risen{};       ///< Created energy at the last two looks [J].
     std::array<double, 2> stretched{};   ///< Off the cable law at the last two looks, newest first.
@@ -120,6 +122,13 @@ void begin_energy(const JudgePart& p, const Works& works, JudgeState& state) noe
 /// `state` goes on to this look. @param time  Since the last one [s].
 [[nodiscard]] Unexplained follow_energy(const JudgePart& p, const Works& works, double time,
                                         JudgeState& state) noexcept;
+
+/// Violations of the rows of springs at the poses as they are, into `gaps`, by row.
+void read_spring_gaps(StepContext& ctx, double* gaps) noexcept;
+/// How much more springs hold half a step before the poses, reckoned back by the velocities, since
+/// poses have moved by all of what they were closed by instead of half [J].
+/// @param before  Of read_spring_gaps() before the poses were closed.
+[[nodiscard]] double held_by_closing(StepContext& ctx, const double* before) noexcept;
 
 /// Arrays for the interactions there are. @throws std::bad_alloc.
 void prepare_judge(StepContext& ctx);

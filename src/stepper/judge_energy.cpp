@@ -44,6 +44,7 @@ void keep(const JudgePart& p, const Works& w, JudgeState& state) noexcept {
     state.kinetic = p.kinetic;
     state.potential = p.potential;
     state.elastic = p.elastic;
+    state.by_length = p.by_length;
     state.by_force = p.by_force;
     state.work = w;
 }
@@ -66,15 +67,16 @@ Unexplained follow_energy(const JudgePart& p, const Works& w, double time,
     for (std::size_t i = 0; i < kRows; ++i) moved += std::fabs(w[i] - state.work[i]);
     // A spring that the step does not resolve holds by its length what it never exerts, and rows
     // take and give that: where it comes from is counted.
-    const double by_length = std::fabs(p.elastic - state.elastic);
-    const double sprung = std::min(by_length, std::fabs(p.by_force - state.by_force));
+    const double by_rows = std::fabs(p.elastic - state.elastic);
+    const double sprung = std::min({by_rows, std::fabs(p.by_length - state.by_length),
+                                    std::fabs(p.by_force - state.by_force)});
     const double taken = std::fabs(w[kRows] - state.work[kRows]);
     // Nothing is forgotten before the memory is full.
     state.age += time;
     const double forgotten =
         state.age <= limit::kMemory ? 0.0 : std::min(1.0, time / limit::kMemory);
     state.exchanged += 0.5 * (moved + sprung) - forgotten * state.exchanged;
-    state.counted += 0.5 * (moved + by_length + taken) - forgotten * state.counted;
+    state.counted += 0.5 * (moved + by_rows + taken) - forgotten * state.counted;
     const ByAccount<double> now = unexplained(p, w, state.given);
     // Works are those from half a step before the start on: half of them is not of this motion.
     const bool first = state.begun++ == 1;

@@ -3,6 +3,7 @@
 #include "base/index.h"
 #include "stepper/judge.h"
 #include "stepper/regroup.h"
+#include "stepper/rows.h"
 #include "stepper/stages.h"
 #include "stepper/step.h"
 #include "stepper/sweeps.h"
@@ -90,10 +91,7 @@ void look_at_elastic(StepContext& ctx, const View& v, std::int32_t id, bool betw
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
         double speed = state ? s.carried[r] + (rests ? s.rate[r] : 0.0) : 0.0;
-        for (int k = 0; k < v.bodies[id] && !rests; ++k) {
-            const std::int32_t body = v.body[kMaxInteractionBodies * id + k];
-            for (int j = 0; j < v.dof[body]; ++j) speed += *jac++ * v.v[v.dof_begin[body] + j];
-        }
+        if (!rests) speed = along_row(v, id, jac, v.v, v.dof_begin, speed);
         if ((v.row_flags[row] & model::kRowVelocity) ||
             !model::holds_energy(v.epsilon[row], v.rest_length[id]))
             continue;
@@ -129,12 +127,9 @@ void look_at_line(const StepContext& ctx, const View& v, std::int32_t id, JudgeP
     // Slack where the step began: it comes taut within it, and pulls for its end alone.
     if ((v.flags[id] & model::kOneSided) && v.g[row] < 0.0) return;
     // What its damper adds at this speed, and half a step's way, is part of the law.
-    double room[model::kArmRoom], speed = 0.0;
+    double room[model::kArmRoom];
     const double* jac = packed_rows(v, id, room);
-    for (int b = 0; b < v.bodies[id]; ++b) {
-        const std::int32_t end = v.body[kMaxInteractionBodies * id + b];
-        for (int j = 0; j < v.dof[end]; ++j) speed += *jac++ * v.v[v.dof_begin[end] + j];
-    }
+    const double speed = along_row(v, id, jac, v.v, v.dof_begin);
     const double late = 0.25 * v.h * (1.0 / v.upsilon[row] - 1.0) + 0.5 * v.h;
     const double off = std::fabs(v.g[row] + v.epsilon[row] * v.lambda[row] / v.h);
     const double stretch = std::max(0.0, off - late * std::fabs(speed)) / length;
@@ -189,7 +184,46 @@ JudgePart look(StepContext& ctx, At when) noexcept {
     }
     if (when == At::pose) sum.by_force = sum.elastic;  // no step has been taken
     // Poses that were closed have moved by more than the velocity says: half-way, by half of it.
-    if (when == At::half_step) sum.potential -= 0.5 * data.state.closed;
+    if (when == At::half_step) {
+        sum.potential -= 0.5 * data.state.closed;
+        sum.by_length -= data.state.closed_elastic;
+    }
+    return sum;
+}
+
+namespace {
+
+/// f(row, whether of a line, violation, its rate) of the rows of springs that are in force.
+template <class F>
+void each_spring(StepContext& ctx, const View& v, F&& f) noexcept {
+    for (const std::int32_t id : ctx.judge.elastic) {
+        const bool line = (v.flags[id] & model::kOneSided) != 0;
+        if (line ? v.parted[id] != 0 : v.active[id] == 0.0) continue;
+        const model::RowState now = ctx.interactions.row_state(id, ctx.bodies);
+        for (int r = 0; r < v.rows[id]; ++r) {
+            const std::int32_t row = v.row_begin[id] + r;
+            if ((v.row_flags[row] & model::kRowVelocity) ||
+                !model::holds_energy(v.epsilon[row], v.rest_length[id]))
+                continue;
+            f(row, line, now.g[r], now.rate[r] + now.carried[r]);
+        }
+    }
+}
+
+}  // namespace
+
+void read_spring_gaps(StepContext& ctx, double* gaps) noexcept {
+    each_spring(ctx, view(ctx), [&](std::int32_t row, bool, double g, double) { gaps[row] = g; });
+}
+
+double held_by_closing(StepContext& ctx, const double* before) noexcept {
+    const View v = view(ctx);
+    double sum = 0.0;
+    each_spring(ctx, v, [&](std::int32_t row, bool line, double now, double rate) {
+        const auto held = [&](double g) { return !line || g > 0.0 ? g * g : 0.0; };
+        const double g = now - 0.5 * v.h * rate;
+        sum += 0.5 * (held(g) - held(g - 0.5 * (now - before[row]))) / v.epsilon[row];
+    });
     return sum;
 }
 

@@ -9,6 +9,7 @@
 #include "stepper/contact.h"
 #include "stepper/drives.h"
 #include "stepper/regroup.h"
+#include "stepper/rows.h"
 #include "stepper/sleep.h"
 #include "stepper/step.h"
 #include "stepper/sweeps.h"
@@ -63,12 +64,7 @@ void count_model(StepContext& ctx) noexcept {
 double row_speed(const View& v, std::int32_t id) noexcept {
     double room[model::kArmRoom];
     const double* jac = packed_rows(v, id, room);
-    double sum = 0.0;
-    for (int b = 0; b < v.bodies[id]; ++b) {
-        const std::int32_t body = v.body[kMaxInteractionBodies * id + b];
-        for (int j = 0; j < v.dof[body]; ++j) sum += *jac++ * v.v_new[v.dof_begin[body] + j];
-    }
-    return sum;
+    return along_row(v, id, jac, v.v_new, v.dof_begin);
 }
 
 void push_event(StepContext& ctx, EventKind kind, std::int32_t id, double value) noexcept {
@@ -95,7 +91,8 @@ void analyse(StepContext& ctx, const factor::AnalysisState* state) {
     find_joints(ctx);
     reserve_bounds(ctx);
     ctx.active_before.resize(ctx.system.bounded.size());
-    if (!ctx.completion.rigid.empty()) ctx.closing.resize(at(ctx.system.symbolic.scalars));
+    if (!ctx.completion.rigid.empty())
+        ctx.closing.resize(ctx.interactions.g.size() + at(ctx.system.symbolic.scalars));
     count_analysis(ctx);
 }
 
@@ -150,12 +147,8 @@ void evaluate_rows(StepContext& ctx) noexcept {
 }
 
 void evaluate_keeping_ranges(StepContext& ctx) noexcept {
-    const View v = view(ctx);
-    for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
-        ctx.active_before[i] = v.active[ctx.system.bounded[i]];
+    const KeptRanges kept(ctx.active_before, ctx.interactions.active.data(), ctx.system.bounded);
     evaluate_rows(ctx);
-    for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
-        v.active[ctx.system.bounded[i]] = ctx.active_before[i];
 }
 
 void assemble_rows(StepContext& ctx) noexcept {

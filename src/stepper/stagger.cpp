@@ -3,6 +3,7 @@
 #include "base/index.h"
 #include "stepper/cuts.h"
 #include "stepper/guarded.h"
+#include "stepper/rows.h"
 #include "stepper/stages.h"
 #include "stepper/step.h"
 
@@ -94,11 +95,7 @@ bool slow_springs(StepContext& ctx, bool add) noexcept {
         double room[model::kArmRoom];
         const double* jac = packed_rows(v, id, room);
         for (int r = 0; r < v.rows[id]; ++r) {
-            double speed = 0.0;
-            for (int b = 0; b < v.bodies[id]; ++b) {
-                const std::int32_t body = v.body[kMaxInteractionBodies * id + b];
-                for (int j = 0; j < v.dof[body]; ++j) speed += *jac++ * v.v[v.dof_begin[body] + j];
-            }
+            const double speed = along_row(v, id, jac, v.v, v.dof_begin);
             const double z = speed == 0.0 ? 0.0 : swing_of(ctx, id, r);
             if (!(z > kResolved)) continue;
             any = true;

@@ -198,8 +198,9 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
     for (const std::int64_t n : s.stats.event_count)
         if (n < 0) refuse("a count of events is negative");
     const stepper::JudgeState& j = s.judge.state;
-    numbers(std::array{j.kinetic, j.potential, j.elastic, j.by_force, j.posed, j.held, j.given,
-                       j.exchanged, j.counted, j.age, j.closed, j.unsolved, j.open_start},
+    numbers(std::array{j.kinetic, j.potential, j.elastic, j.by_length, j.by_force, j.posed, j.held,
+                       j.given, j.exchanged, j.counted, j.age, j.closed, j.closed_elastic,
+                       j.unsolved, j.open_start},
             "a figure of the judge", 1e300);
     numbers(j.mean, "a figure of the judge", 1e300);
     numbers(j.work, "a figure of the judge", 1e300);

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -27,7 +28,8 @@ class RandomProgram : public testing::Test {
                     .string();
     }
     void TearDown() override {
-        for (const char* end : {".json", ".scene", ".txt"}) std::filesystem::remove(stem_ + end);
+        for (const char* end : {".csv", ".json", ".scene", ".txt"})
+            std::filesystem::remove(stem_ + end);
     }
     /// @return its exit code; what it says is in stem_ + ".txt".
     [[nodiscard]] int run(const std::string& arguments) const {
@@ -61,6 +63,38 @@ TEST_F(RandomProgram, CountsWhatItMade) {
     const bool met = all.at("wrong") == 0 && all.at("consistent_ok").get<double>() >=
                                                  0.9 * all.at("consistent").get<double>();
     EXPECT_EQ(code, met ? 0 : 1);
+}
+
+TEST_F(RandomProgram, SaysWhyCasesDidNotEndOk) {
+    (void)run("--count 200 --seed 3 --json " + stem_ + ".json --list " + stem_ + ".csv");
+    const auto out = nlohmann::json::parse(text(".json"));
+    const auto& all = out.at("categories").at("all");
+    int told = 0;
+    for (const auto& reason : out.at("reasons")) {
+        const int cases = reason.at("all");
+        EXPECT_GT(cases, 0);
+        EXPECT_LE(reason.at("unseen").get<int>(), cases);
+        EXPECT_EQ(reason.at("contradictory joints"), 0);
+        told += cases;
+    }
+    int lines = 0, not_ok = 0, all_not_ok = 0;
+    std::istringstream list(text(".csv"));
+    std::string line;
+    ASSERT_TRUE(std::getline(list, line));
+    EXPECT_TRUE(line.starts_with("case,kinds,outcome,reason,")) << line;
+    const auto commas = std::count(line.begin(), line.end(), ',');
+    for (; std::getline(list, line); ++lines) {
+        EXPECT_EQ(std::count(line.begin(), line.end(), ','), commas) << line;
+        EXPECT_TRUE(line.starts_with(std::to_string(lines) + ",")) << line;
+        const std::string kinds = line.substr(line.find(',') + 1, 5);
+        const bool ok = line.find(",ok,,") != std::string::npos;
+        not_ok += !ok && kinds[2] != 'C';
+        all_not_ok += !ok;
+    }
+    EXPECT_EQ(lines, 200);
+    EXPECT_EQ(not_ok, told);
+    EXPECT_EQ(all_not_ok, 200 - all.at("ok").get<int>());
+    EXPECT_EQ(run("--count 1 --list /nowhere/at/all.csv"), 1);
 }
 
 TEST_F(RandomProgram, OneCaseComesOutTheSameAndIsAScene) {

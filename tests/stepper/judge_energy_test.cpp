@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The ledger that judges energy: what counts as exchanged.
+#include "stepper/judge.h"
+
+#include <gtest/gtest.h>
+
+namespace hawser::stepper {
+namespace {
+
+/// What a body of 50 J beside a spring shows at a look, the spring by three accounts.
+JudgePart shown(double by_rows, double by_length, double by_force) {
+    JudgePart p;
+    p.kinetic = 50.0;
+    p.elastic = by_rows;
+    p.by_length = by_length;
+    p.by_force = by_force;
+    p.at_pose = 50.0 + by_rows;
+    return p;
+}
+
+/// Exchanged after ten steps in which the spring holds by turns what is given first and nothing.
+double exchanged(const JudgePart& most) {
+    constexpr double kStep = 0.01;  // [s]
+    JudgeState state;
+    begin_energy(shown(0.0, 0.0, 0.0), {}, state);
+    for (int i = 1; i <= 10; ++i)
+        (void)follow_energy(i % 2 == 1 ? most : shown(0.0, 0.0, 0.0), {}, kStep, state);
+    return state.exchanged;
+}
+
+/// A spring that swings by all accounts: half the change of 8 J in each of ten steps.
+TEST(JudgeEnergy, CountsWhatSpringsExchange) {
+    EXPECT_NEAR(exchanged(shown(8.0, 8.0, 8.0)), 40.0, 1e-12);
+}
+
+/// A stiff spring that the step does not resolve shows by one account what it never exchanges:
+/// would that count, an error of a hundred joules would be small beside it.
+TEST(JudgeEnergy, TakesTheAccountByWhichSpringsExchangeLeast) {
+    EXPECT_EQ(exchanged(shown(1e6, 0.0, 1e6)), 0.0);
+    EXPECT_EQ(exchanged(shown(1e6, 1e6, 0.0)), 0.0);
+    EXPECT_EQ(exchanged(shown(0.0, 1e6, 1e6)), 0.0);
+    EXPECT_NEAR(exchanged(shown(1e6, 2.0, 1e3)), 10.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace hawser::stepper
