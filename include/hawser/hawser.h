@@ -17,6 +17,7 @@
 #include <hawser/settings.h>
 #include <hawser/shapes.h>
 #include <hawser/stats.h>
+#include <hawser/system.h>
 #include <hawser/trace.h>
 #include <hawser/wire.h>
 #include <hawser/world.h>

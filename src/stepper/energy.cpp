@@ -120,6 +120,8 @@ Energy energy(StepContext& ctx) noexcept {
     }
     for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
         v.active[ctx.system.bounded[i]] = ctx.active_before[i];
+    e.added = ctx.loads.added;
+    e.system = ctx.loads.work;
     e.applied = ctx.work;
     e.driven = ctx.drive;
     e.dissipated = ctx.drag;
