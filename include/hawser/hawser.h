@@ -17,6 +17,8 @@
 #include <hawser/settings.h>
 #include <hawser/shapes.h>
 #include <hawser/stats.h>
+#include <hawser/system.h>
+#include <hawser/systems/pid.h>
 #include <hawser/trace.h>
 #include <hawser/wire.h>
 #include <hawser/world.h>

@@ -23,6 +23,9 @@ enum class Status : std::uint8_t {
     /// The state that the last steps came to is nothing that the model can do: World::verdict()
     /// says what. Where WorldDef::on_diverged is stop.
     diverged,
+    /// A system set what is not finite, or a load that is not positive semi-definite:
+    /// World::bad_load() names system and body.
+    bad_load,
 };
 [[nodiscard]] const char* to_string(Status status) noexcept;
 
@@ -123,14 +126,20 @@ struct Energy {
     /// that inputs change, by winches, and by bodies with a prescribed velocity; less what friction
     /// in joints took.
     double driven = 0.0;
-    double dissipated = 0.0;  ///< Energy taken since the start by body damping (drag).
+    double dissipated =
+        0.0;  ///< Energy taken since the start by body damping (drag), and by damping of systems.
     /// Energy taken since the start by contacts: by tangential impulses, and by normal ones
     /// (impact, damping). What their springs hold at the moment is part of it.
     double friction = 0.0, contact = 0.0;
     /// Energy taken since the start by rows: by their damping, where lines come taut or part, where
     /// limits are met, and by corrections of rigid rows.
     double damped = 0.0;
-    [[nodiscard]] double mechanical() const noexcept { return kinetic + gravity + elastic; }
+    /// ½ vᵀA v of the added mass that systems load bodies with (hawser/system.h), at the last step.
+    double added = 0.0;
+    /// Work done since the start by loads of systems but for their damping, which counts as
+    /// dissipated; changes of their added mass included.
+    double system = 0.0;
+    [[nodiscard]] double mechanical() const noexcept { return kinetic + added + gravity + elastic; }
 };
 
 /// What a step left out to keep to a limit of its cost; by default nothing. Enough to repeat the

@@ -29,6 +29,7 @@
 #include <hawser/math.h>
 #include <hawser/shapes.h>
 #include <hawser/stats.h>
+#include <hawser/system.h>
 #include <hawser/wire.h>
 
 #include <cstddef>
@@ -91,6 +92,30 @@ class World {
     void set_change_listener(ChangeListener* listener) noexcept;
     /// Analyse now instead of in the first step. @throws std::bad_alloc, LimitError.
     void prepare();
+
+    // --- Systems (system.h) ---------------------------------------------------------------
+    /// It acts from the next step on, after those there are. @return the same, which the world owns
+    /// now. @throws DefError on a name that is empty or taken, on signals without names or with the
+    /// same ones, and in a world whose method is `pgs` or `split`, which take no blocks of systems.
+    System& add_system(std::unique_ptr<System> system);
+    /// It acts no more. @return the system, with its state. @throws DefError where it is none of
+    /// this world's.
+    std::unique_ptr<System> remove_system(const System& system);
+    [[nodiscard]] int system_count() const noexcept;
+    [[nodiscard]] System& system(int index);  ///< In the order in which they act. @throws DefError.
+    [[nodiscard]] System* find_system(std::string_view name) noexcept;  ///< Null: there is none.
+    /// Inputs and outputs of all systems.
+    [[nodiscard]] std::span<const SystemSignal> system_signals() const noexcept;
+    /// By "system.name". @throws DefError where there is none, with the nearest name.
+    [[nodiscard]] double system_signal(std::string_view name) const;
+    /// Clamped to its range. @throws DefError where there is no such input, or the value is not
+    /// finite.
+    void set_system_signal(std::string_view name, double value);
+    /// What systems loaded bodies with in the last step, or in the one that failed, by body. Good
+    /// until the next step.
+    [[nodiscard]] std::vector<LoadView> loads() const;
+    /// Of the last step that ended with Status::bad_load.
+    [[nodiscard]] const BadLoad& bad_load() const noexcept;
 
     // --- Stepping -----------------------------------------------------------------------
     /// Advance by WorldDef::step. On a status other than ok the state is that of the last

@@ -190,6 +190,11 @@ struct View {
     const std::uint8_t* contact_block_used;
     const double* contact_impulse;  ///< Packed like v: Jᵀλ of all contacts.
 
+    /// By body, place in `coupling` of the lower triangle of a 6×6 block that loads of systems put
+    /// on it and that couples translations and rotations; −1: none. Null: no body has one.
+    const std::int32_t* coupled;
+    const double* coupling;
+
     // The permuted vector of the solver.
     const std::int32_t* body_offset;         ///< By body; −1 without freedom.
     const std::int32_t* interaction_offset;  ///< By interaction; −1 when condensed.

@@ -119,6 +119,17 @@ void copy_bodies(Clique& c, const StepContext& world) noexcept {
     }
 }
 
+/// Loads of systems on its members.
+void copy_loads(Clique& c, const StepContext& world) noexcept {
+    c.ctx.loads.clear();
+    if (!world.loads.any()) return;
+    c.ctx.loads.begin_system(0);
+    for (std::size_t i = 0; i < c.body.size(); ++i)
+        if (c.member[i])
+            c.ctx.loads.copy_entry(world.loads, c.body[i], static_cast<std::int32_t>(i));
+    c.ctx.loads.finish(c.ctx.bodies, c.ctx.def.step, c.ctx.pool);
+}
+
 }  // namespace
 
 void make_clique(StepContext& ctx) {
@@ -172,6 +183,8 @@ bool solve_clique(StepContext& ctx) noexcept {
     Clique& c = *ctx.cuts.clique;
     copy_bodies(c, ctx);
     copy_interactions(c, ctx);
+    copy_loads(c, ctx);
+    if (c.ctx.loads.out_of_memory()) return false;
     assemble_rows(c.ctx);
     c.ctx.refine_unasked = 1;  // its own count would have to be saved with the state
     Status status = factor_and_solve(c.ctx);

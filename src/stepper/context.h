@@ -17,6 +17,7 @@
 #include "runtime/stopwatch.h"
 #include "runtime/tasks.h"
 #include "runtime/trace.h"
+#include "stepper/actors.h"
 #include "stepper/budget.h"
 #include "stepper/completion.h"
 #include "stepper/cut_levels.h"
@@ -25,6 +26,7 @@
 #include "stepper/edit_list.h"
 #include "stepper/events.h"
 #include "stepper/judge.h"
+#include "stepper/loads.h"
 #include "stepper/regroup.h"
 #include "stepper/undo.h"
 #include "stepper/wires.h"
@@ -106,6 +108,8 @@ struct StepContext {
     JudgeData judge;
     Edits edits;
     std::vector<std::uint8_t> edits_stay;  ///< Scratch: by contact of the last step.
+    LoadStore loads;
+    Actors* actors = nullptr;  ///< Systems of the world, if it has some.
     Undo undo;
     Mend mend = Mend::nothing;  ///< Before the system may be used.
     Laps laps;                  ///< Of the step being taken, where a budget asks for time.

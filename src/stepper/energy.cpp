@@ -114,6 +114,8 @@ Energy energy(StepContext& ctx) noexcept {
             if (!line || g > 0.0) e.elastic += 0.5 * g * g / v.epsilon[row];
         }
     }
+    e.added = ctx.loads.added;
+    e.system = ctx.loads.work;
     e.applied = ctx.work;
     e.driven = ctx.drive;
     e.dissipated = ctx.drag;

@@ -119,13 +119,16 @@ Status impact(StepContext& ctx, bool& found) noexcept {
     ++ctx.stats.impacts;
     ctx.undo.keep_motion(ctx);
     const View v = view(ctx);
-    const double before = kinetic_energy(ctx.bodies, v.v);
+    const auto moving = [&](const double* of) {
+        return kinetic_energy(ctx.bodies, of) + added_energy(ctx, of);
+    };
+    const double before = moving(v.v);
     Status status = Status::ok;
     for (const double scale : {1.0, 0.0}) {
         if (scale == 0.0) ++ctx.stats.impact_retries;
         status = attempt(ctx, scale);
         if (ends_step(status)) return status;
-        const double after = status == Status::ok ? kinetic_energy(ctx.bodies, v.v_new) : 0.0;
+        const double after = status == Status::ok ? moving(v.v_new) : 0.0;
         const bool good = status == Status::ok && after <= before * (1.0 + 1e-9) &&
                           ctx.stats.flips_left == 0 &&
                           ctx.stats.natural_map <= std::max(kSolved, ctx.def.contact_tolerance);

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t place(Judge judge) noexcept { return static_cast<std::size_t>(judge); }
 
 Works works(const StepContext& ctx) noexcept {
-    return {ctx.work, ctx.drive, ctx.drag, ctx.friction, ctx.contact, ctx.damped};
+    return {ctx.work + ctx.loads.work, ctx.drive, ctx.drag, ctx.friction, ctx.contact, ctx.damped};
 }
 
 /// Interaction of a row.

@@ -182,6 +182,10 @@ JudgePart look(StepContext& ctx, At when) noexcept {
         take_worse(p.turn, p.turn_body, sum.turn, sum.turn_body);
         take_worse(p.twist, p.twist_id, sum.twist, sum.twist_id);
     }
+    // What added mass holds; what it has become since the last step counts as work of this one.
+    const double added = ctx.loads.added;
+    sum.kinetic += added;
+    sum.at_pose += when == At::pose ? added : 0.5 * (added + ctx.loads.added_after());
     if (when == At::pose) sum.by_force = sum.elastic;  // no step has been taken
     // Poses that were closed have moved by more than the velocity says: half-way, by half of it.
     if (when == At::half_step) {

@@ -30,10 +30,18 @@ void push_rigid(const StepContext& ctx, std::int32_t body, const double* p, doub
     const Eigen::Map<const Vec3> d(&b.damping[6 * i]), dt(&b.damping[6 * i + 3]);
     const Vec3 drag = r * d.cwiseProduct(r.transpose() * lin);
     const Vec3 weight = b.weight[i] ? Vec3(b.mass[i] * ctx.def.gravity) : Vec3(Vec3::Zero());
-    lin += (Eigen::Map<const Vec3>(p) + h * (f - drag + weight)) / b.mass[i];
+    const Vec3 push = Eigen::Map<const Vec3>(p) + h * (f - drag + weight);
     const Vec3 w = r.transpose() * ang;
     const Vec3 torque = r.transpose() * (Eigen::Map<const Vec3>(p + 3) + h * t) -
                         h * dt.cwiseProduct(w) - h * w.cross(inertia * w);
+    if (ctx.loads.loaded(body)) {
+        double all[6];
+        Eigen::Map<Vec3>(all, 3) = push;
+        Eigen::Map<Vec3>(all + 3, 3) = r * torque;
+        ctx.loads.push(b, body, h, all, v);
+        return;
+    }
+    lin += push / b.mass[i];
     ang += r * (inverse * torque);
 }
 
@@ -44,11 +52,13 @@ void push_point(const StepContext& ctx, std::int32_t body, const double* p, doub
     const auto i = at(body);
     const double h = ctx.def.step;
     const int dof = b.dof(body);
+    double all[3] = {};
     for (int k = 0; k < dof; ++k) {
         const double weight = b.weight[i] && dof == 3 ? b.mass[i] * ctx.def.gravity[k] : 0.0;
-        v[k] += (p[k] + h * (b.force[6 * i + at(k)] - b.damping[6 * i + at(k)] * v[k] + weight)) /
-                b.mass[i];
+        all[k] = p[k] + h * (b.force[6 * i + at(k)] - b.damping[6 * i + at(k)] * v[k] + weight);
     }
+    if (ctx.loads.loaded(body)) return ctx.loads.push(b, body, h, all, v);
+    for (int k = 0; k < dof; ++k) v[k] += all[k] / b.mass[i];
 }
 
 /// The paper's words: from current velocities and forces.

@@ -218,7 +218,8 @@ void fall_asleep(StepContext& ctx) noexcept {
         const double limit = ctx.def.sleep_speed * ctx.def.sleep_speed;
         const double square = 2.0 * kinetic_energy_of(b, body, b.v.data()) / b.mass[at(body)];
         std::int32_t& quiet = b.quiet[at(body)];
-        quiet = certified && square < limit ? std::min(quiet + 1, most) : 0;
+        const bool rests = certified && square < limit && !ctx.loads.loaded(body);
+        quiet = rests ? std::min(quiet + 1, most) : 0;
         any = any || quiet == most;
     }
     if (!any || ctx.step % kEvery != 0) return;

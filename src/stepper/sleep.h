@@ -22,6 +22,7 @@
 /// - a kinematic body of one of its interactions moves;
 /// - an input changes what acts on one of its interactions or bodies, another applied force or a
 ///   velocity is set, or World::wake() asks for it.
+/// A body that a system loads is never at rest.
 /// A pose that is set, of a body that sleeps or is fixed or kinematic, wakes all, since contacts do
 /// not tell any more what leant on it. What is added or removed wakes what it touches (edits.h).
 ///

@@ -73,7 +73,9 @@ void push_event(StepContext& ctx, EventKind kind, std::int32_t id, double value)
 }
 
 View view(StepContext& ctx) noexcept {
-    return ctx.system.view(ctx.bodies, ctx.interactions, ctx.def);
+    View v = ctx.system.view(ctx.bodies, ctx.interactions, ctx.def);
+    ctx.loads.show(v);
+    return v;
 }
 
 void analyse(StepContext& ctx, const factor::AnalysisState* state) {
@@ -121,6 +123,7 @@ void prepare(StepContext& ctx) {
     analyse(ctx);
     reserve_sleep(ctx);
     prepare_judge(ctx);
+    ctx.loads.prepare(ctx.bodies);
     ctx.lambda_before.resize(ctx.interactions.lambda.size());
     ctx.repeats_before.resize(ctx.interactions.repeats.size());
     ctx.carriers_before.resize(16 * ctx.bodies.driven.size());
@@ -137,7 +140,28 @@ void prepare(StepContext& ctx) {
     ctx.topology_changed = false;
 }
 
-void prestep(StepContext&) noexcept {}
+Status prestep(StepContext& ctx) noexcept {
+    ctx.loads.clear();
+    if (ctx.actors == nullptr) return Status::ok;
+    const Status status = ctx.actors->act(ctx);
+    if (status == Status::ok && ctx.loads.any())
+        ctx.loads.finish(ctx.bodies, ctx.def.step, ctx.pool);
+    return status;
+}
+
+void accept_systems(StepContext& ctx) noexcept {
+    ctx.loads.accept();
+    if (ctx.actors != nullptr) ctx.actors->accept(ctx);
+}
+
+void take_back_systems(StepContext& ctx) noexcept {
+    ctx.loads.take_back(ctx.bodies);
+    if (ctx.actors != nullptr) ctx.actors->go_back(ctx);
+}
+
+double added_energy(StepContext& ctx, const double* v) noexcept {
+    return ctx.loads.added_energy(ctx.bodies, v, ctx.pool);
+}
 
 void evaluate_rows(StepContext& ctx) noexcept {
     View v = view(ctx);
@@ -178,6 +202,7 @@ void assemble_rows(StepContext& ctx) noexcept {
         },
         [&](std::int32_t a, std::int32_t b, int) {
             k.body_terms(v, a, b);
+            ctx.loads.add_terms(v, a, b);
             if (completes) (void)k.complete_spins(v, a, b, v.v_start, true);
             k.first_body_rhs(v, a, b, moving);
         });
@@ -192,6 +217,7 @@ void integrate(StepContext& ctx) noexcept {
     settle_wires(ctx);
     count_contact_work(ctx);
     if (ctx.collider.count() > 0) remember_contacts(ctx);
+    ctx.drag += ctx.loads.count();
     over(ctx, v.body_count,
          [&](std::int32_t a, std::int32_t b) { assembly::kernels().integrate(v, a, b); });
     move_carriers(ctx);

@@ -19,8 +19,14 @@ void relink(StepContext& ctx);
 
 void push_event(StepContext& ctx, EventKind kind, std::int32_t id, double value) noexcept;
 
-/// Stage 1. Applies what inputs changed; nothing else acts before a step yet.
-void prestep(StepContext& ctx) noexcept;
+/// Stage 1. Systems act: loads, inputs. Without systems it does nothing.
+[[nodiscard]] Status prestep(StepContext& ctx) noexcept;
+/// After a good step: what they did stays.
+void accept_systems(StepContext& ctx) noexcept;
+/// After a step that failed, wherever it did: what they did is taken back.
+void take_back_systems(StepContext& ctx) noexcept;
+/// ½ vᵀA v of the added mass that systems load bodies with in this step [J].
+[[nodiscard]] double added_energy(StepContext& ctx, const double* v) noexcept;
 /// Stage 5. Rows: violation, Jacobian; body terms; right-hand sides. Blocks of the matrix are
 /// written in stage 6, each piece just before it is factored.
 void assemble_rows(StepContext& ctx) noexcept;

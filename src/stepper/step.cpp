@@ -170,12 +170,15 @@ namespace {
 /// From time 0 to −h/2, in the first step.
 Status start_world(StepContext& ctx) noexcept {
     ctx.undo.keep_motion(ctx);
+    ctx.loads.added = added_energy(ctx, ctx.bodies.v.data());
     begin_judge(ctx);
     Status status = Status::ok;
     if (ctx.collider.count() > 0) status = find_contacts(ctx);
     if (status == Status::ok && ctx.collider.count() > 0)
         status = start_contacts(ctx, Phase::stagger);
-    return status == Status::ok ? stagger(ctx) : status;
+    if (status == Status::ok) status = stagger(ctx);
+    ctx.loads.added = added_energy(ctx, ctx.bodies.v.data());
+    return status;
 }
 
 void clear_figures(StepContext& ctx) noexcept {
@@ -199,15 +202,22 @@ void clear_figures(StepContext& ctx) noexcept {
 
 /// All stages. Where it fails, the state may be that of a step half done.
 Status take_step(StepContext& ctx) noexcept {
-    if (!ctx.started)
-        if (const Status status = start_world(ctx); status != Status::ok) return status;
+    const bool starts = !ctx.started;
+    if (starts) {
+        // Its trial steps need the loads of systems.
+        Status status = prestep(ctx);
+        if (status == Status::ok) status = start_world(ctx);
+        if (status != Status::ok) return status;
+    }
     const StepTimer timer(ctx);
     const Clock::time_point begin = Clock::now();
     clear_figures(ctx);
 
-    timed(ctx, Stage::prestep, prestep);
+    Status status = starts ? Status::ok : timed(ctx, Stage::prestep, prestep);
+    if (status != Status::ok) return status;
+    ctx.loads.count_change(ctx.bodies, ctx.pool);
     const bool shapes = ctx.collider.count() > 0;
-    Status status = shapes ? timed(ctx, Stage::collide, find_contacts) : Status::ok;
+    if (shapes) status = timed(ctx, Stage::collide, find_contacts);
     if (status == Status::ok) status = wake_disturbed(ctx);
     if (status != Status::ok) return status;
     const Clock::time_point solver_begin = Clock::now();
@@ -230,13 +240,17 @@ Status take_step(StepContext& ctx) noexcept {
     // What was left out because of it is not to be used.
     if (status == Status::ok && ctx.pool.stopping()) status = Status::cancelled;
     if (status == Status::ok)
-        status = timed(ctx, Stage::integrate, [](StepContext& c) { return judge(c); });
+        status = timed(ctx, Stage::integrate, [](StepContext& c) {
+            c.loads.measure(c.bodies, c.def.step, c.bodies.v.data(), view(c).v_new, c.pool);
+            return judge(c);
+        });
     if (status == Status::ok) {
         timed(ctx, Stage::integrate, integrate);
         ctx.imposed = {};
         if (shapes) ctx.collider.keep();
         ctx.undo.drop();
         ctx.edits.clear();
+        accept_systems(ctx);
         fall_asleep(ctx);
     }
     ctx.stats.step_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
@@ -247,6 +261,7 @@ Status take_step(StepContext& ctx) noexcept {
 void go_back(StepContext& ctx) noexcept {
     if (ctx.remembered && !ctx.undo.moved()) recall(ctx);
     ctx.undo.go_back(ctx);
+    take_back_systems(ctx);
 }
 
 }  // namespace

@@ -40,6 +40,8 @@ Undo::Scalars Undo::read(const StepContext& c) noexcept {
             c.friction,
             c.contact,
             c.damped,
+            c.loads.work,
+            c.loads.added,
             c.refine_unasked,
             c.started,
             c.stats.event_count,
@@ -55,6 +57,8 @@ void Undo::write(const Scalars& from, StepContext& c) noexcept {
     c.friction = from.friction;
     c.contact = from.contact;
     c.damped = from.damped;
+    c.loads.work = from.system_work;
+    c.loads.added = from.added;
     c.refine_unasked = from.refine_unasked;
     c.started = from.started;
     c.stats.event_count = from.event_count;

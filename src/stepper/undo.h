@@ -70,7 +70,7 @@ class Undo {
   private:
     struct Scalars {
         std::int64_t step;
-        double time, work, drag, drive, friction, contact, damped;
+        double time, work, drag, drive, friction, contact, damped, system_work, added;
         int refine_unasked;
         bool started;
         std::array<std::int64_t, kEventKindCount> event_count;

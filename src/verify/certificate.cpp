@@ -99,6 +99,7 @@ std::string Verifier::after_step(const World& world) {
     const double difference = std::max(map - stats.natural_map, stats.natural_map - map - better);
     const double excess = bound_excess(world);
     add_interactions(world);
+    add_loads(world);
     const double momentum = momentum_residual(world);
     const std::string state = states_.after_step(world);
     result_.states = states_.result();

@@ -76,6 +76,8 @@ class Verifier : public Observer {
     /// Rows outside their bounds. @return by how much at most, 0: within what counts as nothing.
     [[nodiscard]] double bound_excess(const World& world);
     void add_interactions(const World& world);
+    /// What systems did.
+    void add_loads(const World& world);
     /// All through the step.
     [[nodiscard]] bool sleeps(const World& world, std::int32_t body) const;
     [[nodiscard]] double momentum_residual(const World& world);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Momentum of the bodies over a step.
 #include "verify/certificate.h"
+#include "verify/load_impulses.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,6 +91,16 @@ void Verifier::add_interactions(const World& world) {
                         square_over(mobility_[index_of(b)],
                                     pose_[index_of(b)].orientation.conjugate() * turn);
         }
+    }
+}
+
+void Verifier::add_loads(const World& world) {
+    for (const LoadImpulse& load : load_impulses(world, pose_, twist_)) {
+        const std::size_t b = index_of(load.body.index);
+        linear_[b] += load.linear;
+        angular_[b] += load.angular;
+        impulse_ += load.linear.squaredNorm() / world.body_def(load.body).mass +
+                    square_over(mobility_[b], pose_[b].orientation.conjugate() * load.angular);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "record/units.h"
 #include "verify/interaction_forces.h"
 #include "verify/joint_gap.h"
+#include "verify/load_impulses.h"
 
 #include <fmt/format.h>
 
@@ -52,6 +53,7 @@ StateVerifier::StateVerifier(const World& world) {
         role_.push_back(role_of(world, {i}));
     const std::size_t bodies = number(world.body_count());
     pose_.resize(bodies);
+    twist_.resize(bodies);
     for (std::vector<Vec3>* v : {&force_, &torque_, &force_before_, &torque_before_})
         v->assign(bodies, Vec3::Zero());
 }
@@ -113,7 +115,10 @@ double StateVerifier::potential(const World& world) const {
 
 void StateVerifier::before_step(const World& world) {
     pose_before_ = pose_;
-    for (std::int32_t b = 0; b < world.body_count(); ++b) pose_[number(b)] = world.pose({b});
+    for (std::int32_t b = 0; b < world.body_count(); ++b) {
+        pose_[number(b)] = world.pose({b});
+        twist_[number(b)] = world.velocity({b});
+    }
     potential_ = potential(world);
     if (steps_ == 0) kinetic_ = kinetic(world);
 }
@@ -140,6 +145,10 @@ void StateVerifier::add_sources(const World& world) {
             force_[number(def.body[number(k)].index)] += w.on[number(k)].force;
             torque_[number(def.body[number(k)].index)] += w.on[number(k)].torque;
         }
+    }
+    for (const LoadImpulse& load : load_impulses(world, pose_, twist_)) {
+        force_[number(load.body.index)] += load.linear / world.settings().step;
+        torque_[number(load.body.index)] += load.angular / world.settings().step;
     }
     for (const ContactView& c : world.contacts())
         for (int k = 0; k < 2; ++k) {

@@ -46,6 +46,7 @@ class StateVerifier {
     std::vector<Role> role_;
     std::vector<bool> driven_;              ///< By interaction: an input changes it.
     std::vector<Pose> pose_, pose_before_;  ///< Where the step began, and the one before.
+    std::vector<Twist> twist_;              ///< Before the step.
     std::vector<Vec3> force_, torque_;      ///< Of sources in the step, by body.
     std::vector<Vec3> force_before_, torque_before_;
     double potential_ = 0.0, kinetic_ = 0.0;  ///< Where the step began; before.

@@ -211,15 +211,23 @@ void World::copy_state(const World& other) {
         other.input_count() != input_count() || from.bodies.v.size() != to.bodies.v.size() ||
         from.def.step != to.def.step)
         throw DefError("copy_state: the worlds have other bodies, interactions, inputs or steps");
+    if (other.impl_->systems.layout() != impl_->systems.layout())
+        throw DefError("copy_state: the worlds have other systems, or systems of other sizes");
+    std::vector<std::byte> systems(impl_->systems.state_bytes());
+    std::vector<std::byte> systems_before(systems.size());
+    other.impl_->systems.save(systems.data());
+    impl_->systems.save(systems_before.data());
     std::vector<double> inputs = impl_->input_values;
     stepper::Transaction all(to);
     to.undo.keep(to, stepper::Undo::Depth::all);
     std::vector<std::byte> copied;
     try {
         copy_from(other);
+        impl_->systems.restore(systems.data());
         if (impl_->listener != nullptr) copied = save();
     } catch (...) {
         impl_->input_values.swap(inputs);
+        impl_->systems.restore(systems_before.data());
         throw;
     }
     all.done();

@@ -11,6 +11,7 @@
 #include "stepper/sleep.h"
 #include "stepper/step.h"
 #include "world/lookup.h"
+#include "world/systems.h"
 #include "world/wire_list.h"
 
 #include <string>
@@ -18,8 +19,10 @@
 
 namespace hawser {
 
-struct World::Impl {
+struct World::Impl final : private world::InputDoor {
     explicit Impl(const WorldDef& def) : ctx(def), material_names{{"default", 0}} {}
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
 
     stepper::StepContext ctx;
     std::vector<BodyDef> body_defs;
@@ -97,12 +100,20 @@ struct World::Impl {
         Impl& impl_;
         ChangeListener* listener_;
     };
+    world::Systems systems{*this};
 
     void apply_input(std::size_t index, double value);
     /// What acts at present where an input does: its value, unless something else set it since.
     [[nodiscard]] double applied(const InputDef& input) const;
     /// What an input acts on wakes.
     void disturb(const InputDef& input) noexcept;
+
+  private:
+    // For systems within a step (world/systems.h).
+    bool set(InputId id, double value, Before& before) noexcept override;
+    void take_back(const Before& before) noexcept override;
+    void tell(const Before& before) noexcept override;
+    [[nodiscard]] std::size_t count() const noexcept override { return inputs.size(); }
 };
 
 }  // namespace hawser

@@ -15,7 +15,7 @@ namespace hawser::world {
 
 /// Identifies the world's layout and says how much follows.
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '1', '9'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '2', '0'};
     std::uint64_t layout = 0;       ///< See layout_of().
     std::uint64_t parameters = 0;   ///< See parameters_of().
     std::uint64_t contacts = 0;     ///< Remembered from the last step.
@@ -25,6 +25,8 @@ struct Header {
     std::uint64_t chained = 0, units = 0, chains = 0;  ///< Nodes in chains, and so on.
     std::uint64_t grouped = 0;  ///< Bodies whose groups follow the state: all or none.
     std::uint64_t bytes = 0;    ///< Of the arrays that follow.
+    std::uint64_t systems = 0;  ///< Names and sizes of systems, whose states come last.
+    std::uint64_t system_bytes = 0;
 };
 
 /// Groups that follow the state, which come first: how many images and copies there are depends
@@ -77,6 +79,8 @@ void visit_values(Context& ctx, F&& f) {
     f(ctx.friction);
     f(ctx.contact);
     f(ctx.damped);
+    f(ctx.loads.work);
+    f(ctx.loads.added);
     f(ctx.judge.state);
     f(ctx.stats.event_count);
 }
@@ -168,6 +172,9 @@ struct SavedState {
         } parts;
         std::int64_t made = 0, seen = 0;
     } regroup;
+    struct {
+        double work = 0.0, added = 0.0;
+    } loads;
     struct {
         stepper::JudgeState state;
     } judge;

@@ -134,7 +134,10 @@ std::vector<std::byte> World::save() const {
     header.chains = chains.begin.size() - 1;
     visit_state(m.ctx, m.input_values, order,
                 [&](const void*, std::size_t n) { header.bytes += n; });
-    std::vector<std::byte> out(sizeof header + header.bytes + sizeof(std::uint64_t));
+    header.systems = m.systems.layout();
+    header.system_bytes = m.systems.state_bytes();
+    std::vector<std::byte> out(sizeof header + header.bytes + header.system_bytes +
+                               sizeof(std::uint64_t));
     std::byte* to = out.data();
     auto put = [&](const void* from, std::size_t n) {
         if (n > 0) std::memcpy(to, from, n);
@@ -142,6 +145,8 @@ std::vector<std::byte> World::save() const {
     };
     put(&header, sizeof header);
     visit_state(m.ctx, m.input_values, order, put);
+    m.systems.save(to);
+    to += header.system_bytes;
     const std::uint64_t sum = base::fnv1a(out.data(), out.size() - sizeof sum);
     put(&sum, sizeof sum);
     return out;
@@ -165,6 +170,10 @@ void World::take_saved(std::span<const std::byte> bytes) {
         throw DefError(
             "snapshot: it belongs to a world with other parameters (masses, inertias, points, "
             "lengths, stiffnesses, damping, gravity, ranges of inputs, method, coupling, sleep)");
+    if (header.systems != m.systems.layout())
+        throw DefError(
+            "snapshot: it belongs to a world with other systems; add those that it had, in the "
+            "same order and with states of the same size");
     stepper::ready(m.ctx);
     const auto damaged = [] { return DefError("snapshot: the bytes are damaged (checksum)"); };
     if (sum != base::fnv1a(bytes.data(), bytes.size() - sizeof sum)) throw damaged();
@@ -178,7 +187,10 @@ void World::take_saved(std::span<const std::byte> bytes) {
     const bool regrouped = take_groups(m.ctx, groups);
     world::SavedState state(m.ctx, m.input_values, header);
     size = state.size();
-    if (header.bytes != size || bytes.size() != sizeof header + size + sizeof sum) throw damaged();
+    const std::size_t systems = m.systems.state_bytes();
+    if (header.bytes != size || header.system_bytes != systems ||
+        bytes.size() != sizeof header + size + systems + sizeof sum)
+        throw damaged();
     state.read(bytes.subspan(sizeof header, size));
     world::check_state(m.ctx, m.inputs, state);
     take_state(m.ctx, m.input_values, header, bytes.data() + sizeof header, regrouped);
@@ -193,6 +205,7 @@ void World::take_saved(std::span<const std::byte> bytes) {
         m.ctx.interactions.set_anchor(id, m.ctx.interactions.anchor[static_cast<std::size_t>(id)]);
     for (const std::int32_t id : m.ctx.interactions.winches)
         m.ctx.interactions.follow_length(id, m.ctx.bodies, m.ctx.def.step);
+    m.systems.restore(bytes.data() + sizeof header + size);
 }
 
 }  // namespace hawser

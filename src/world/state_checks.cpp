@@ -211,7 +211,8 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
     flags(j.told, "a word of the judge");
     if (j.step < 0 || j.step > s.step || j.begun < 0 || j.begun > s.step + 1)
         refuse("the judge looked at no step");
-    const double energies[] = {s.work, s.drag, s.drive, s.friction, s.contact, s.damped};
+    const double energies[] = {s.work,    s.drag,   s.drive,      s.friction,
+                               s.contact, s.damped, s.loads.work, s.loads.added};
     numbers(energies, "an energy", 1e300);
     const auto& r = s.regroup;
     if (r.made < 0 || r.made > s.step || r.seen < -1 || r.seen > s.step || r.parts.worse_for < 0 ||

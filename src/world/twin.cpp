@@ -112,6 +112,13 @@ World World::twin(std::optional<Coupling> coupling) const {
     m.copy_interactions(out);
     m.copy_inputs(out);
     out.impl_->wires = m.wires;
+    for (std::size_t i = 0; i < m.systems.count(); ++i) {
+        std::unique_ptr<System> copy = m.systems.at(i).clone();
+        if (!copy)
+            throw DefError("twin: system '" + std::string(m.systems.at(i).name()) +
+                           "' cannot be copied; let its clone() make another one");
+        out.add_system(std::move(copy));
+    }
     if (!coupling) out.impl_->ctx.cuts.coupling = m.ctx.cuts.coupling;
     out.copy_state(*this);
     return out;

@@ -27,7 +27,10 @@ World& World::operator=(World&&) noexcept = default;
 
 void World::prepare() { stepper::ready(impl_->ctx); }
 
-Status World::step() noexcept { return stepper::step(impl_->ctx); }
+Status World::step() noexcept {
+    impl_->systems.use(*this);
+    return stepper::step(impl_->ctx);
+}
 
 void World::cancel() noexcept { impl_->ctx.pool.stop(); }
 
@@ -61,8 +64,8 @@ Verdict World::verdict() const noexcept { return stepper::verdict(impl_->ctx); }
 
 std::uint64_t World::state_hash() const noexcept {
     const std::vector<double>& inputs = impl_->input_values;
-    return base::fnv1a(inputs.data(), inputs.size() * sizeof(double),
-                       stepper::state_hash(impl_->ctx));
+    return impl_->systems.hash(base::fnv1a(inputs.data(), inputs.size() * sizeof(double),
+                                           stepper::state_hash(impl_->ctx)));
 }
 
 void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
@@ -243,7 +246,7 @@ SystemView World::inspect() const {
 std::size_t World::memory_bytes() const noexcept {
     const stepper::StepContext& c = impl_->ctx;
     return c.bodies.bytes() + c.interactions.bytes() + c.system.bytes() + c.collider.bytes() +
-           impl_->body_defs.capacity() * sizeof(BodyDef);
+           c.loads.bytes() + impl_->body_defs.capacity() * sizeof(BodyDef);
 }
 
 }  // namespace hawser

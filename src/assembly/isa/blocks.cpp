@@ -6,6 +6,7 @@
 /// summed in a fixed order. Sizes are dispatched to unrolled code.
 #include "assembly/contact_rows.h"
 #include "assembly/geo.h"
+#include "assembly/isa/coupled.h"
 #include "assembly/isa/rows.h"
 #include "base/simd.h"
 
@@ -150,6 +151,9 @@ void body_block(const View& view, const Op& op, Place out) {
     }
     add_matrix(out, full6(block), 1.0);
     if (dof == 6) add_matrix(out.at(3, 3), full6(block + 6), 1.0);
+    if (const double* b = coupled_block(view, op.id))
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) out(3 + i, j) += coupled_entry(b, i, j);
 }
 
 void kept(const View& view, const Op& op, Place out) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Loops over bodies: right-hand sides of the solver, residuals, norms, and the motion.
 #include "assembly/geo.h"
+#include "assembly/isa/coupled.h"
 #include "assembly/isa/links.h"
 #include "assembly/isa/rows.h"
 #include "base/simd.h"
@@ -47,6 +48,8 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
     store(sum8, acc);
     // Entry by entry: reading mv as a vector would wait for its scalar stores.
     for (int j = 0; j < dof; ++j) out[j] = sum8[j] - mv[j];
+    if (kAtRest || view.coupled == nullptr) return;
+    if (const double* b = coupled_block(view, body)) subtract_coupled(b, v, out);
 }
 
 /// Right-hand sides of eight links, into the solver's vector.
@@ -57,6 +60,11 @@ void links_rhs(const View& view, std::int32_t body, const double* y) {
     transpose(out);
     for (int l = 0; l < kLanes; ++l)
         store_lanes(view.solution + view.body_offset[body + l], out[l], 0, 6);
+    if (kAtRest || !any_coupled(view, body, kLanes)) return;
+    for (std::int32_t k = body; k < body + kLanes; ++k)
+        if (const double* b = coupled_block(view, k))
+            subtract_coupled(b, view.v_new + view.dof_begin[k],
+                             view.solution + view.body_offset[k]);
 }
 
 }  // namespace

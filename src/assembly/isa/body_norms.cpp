@@ -2,6 +2,7 @@
 /// Norms over bodies: residual of momentum, what forces and drag do. Rigid bodies that stand in a
 /// row go eight at a time.
 #include "assembly/geo.h"
+#include "assembly/isa/coupled.h"
 #include "assembly/isa/links.h"
 #include "assembly/isa/rows.h"
 #include "assembly/isa/spin.h"
@@ -65,6 +66,7 @@ void one_body(const View& view, std::int32_t body, const double* residual, Norms
     n.drag += drag_work(view, body, v, u, mean);
     block_times(view.body_block + assembly::block_place(view.dof_begin[body]), dof, v, mv);
     for (int j = 0; j < dof; ++j) diff[j] = view.a[begin + j] - mv[j];
+    if (const double* b = coupled_block(view, body)) subtract_coupled(b, v, diff);
     n.momentum += inverse_mass_norm(view, body, residual);
     n.impulse += inverse_mass_norm(view, body, diff);
 }
@@ -148,7 +150,8 @@ void eight_bodies(const View& view, std::int32_t body, Norms& n) {
 void body_norms(const View& view, std::int32_t begin, std::int32_t end, Norms* norms) noexcept {
     Norms n = *norms;
     for (std::int32_t body = begin; body < end; ++body) {
-        if (body + kLanes <= end && eight_rigid(view, body) && !before_links(view, body, end)) {
+        if (body + kLanes <= end && eight_rigid(view, body) && !before_links(view, body, end) &&
+            !any_coupled(view, body, kLanes)) {
             eight_bodies(view, body, n);
             body += kLanes - 1;
         } else if (view.dof[body] > 0) {

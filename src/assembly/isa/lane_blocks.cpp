@@ -3,6 +3,7 @@
 /// blocks.cpp.
 #include "assembly/geo.h"
 #include "assembly/isa/arms.h"
+#include "assembly/isa/coupled.h"
 #include "assembly/isa/rows.h"
 #include "base/transpose.h"
 
@@ -220,6 +221,14 @@ void body_block(const View& view, const LaneOp& op, LanePlace out) {
     // The last eight of twelve: a vector must not end behind the array.
     load_lanes(view.body_block + 4, op.from, block);
     for (int k = 0; k < 6; ++k) out.add(3 + kLower[k][0], 3 + kLower[k][1], used * block[2 + k]);
+    if (view.coupled == nullptr) return;
+    for (int l = 0; l < kLanes; ++l) {
+        const double* b = (op.used >> l & 1) != 0 ? coupled_block(view, op.id[l]) : nullptr;
+        if (b == nullptr) continue;
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                out.first[(3 + i) * out.step + 8 * j + l] += coupled_entry(b, i, j);
+    }
 }
 
 void kept(const View& view, const LaneOp& op, LanePlace out) {

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file pid.h
+/// A PID controller as a system: it reads the force of an interaction and drives an input.
+///
+/// With the error e = target − measured it sets the input to
+/// ```
+///     u = bias + gain (e + (1/reset) ∫ e dt − rate d(measured)/dt)        clamped to [low, high]
+/// ```
+/// The derivative is that of the measured value, so that a new target makes no jump of it, and of a
+/// value that follows the measured one with the time constant `filter`. While u is clamped the
+/// integral stands still where it would go further beyond ("conditional integration": K. J. Åström,
+/// T. Hägglund, *PID Controllers: Theory, Design, and Tuning*, 1995, 3.5).
+///
+/// Limits: it reads the force of the last step, so that it is a step late; gains that are stable
+/// for a continuous controller may not be where a step is a large part of the loop's time.
+
+#include <hawser/interactions.h>
+#include <hawser/system.h>
+#include <hawser/world.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace hawser {
+
+/// A definition: Pid copies it whole.
+struct PidDef {
+    std::string name = "pid";  ///< Unique among the systems of a world.
+    InteractionId measured{};  ///< Whose force it reads. Required.
+    int row = 0;               ///< Which of its rows.
+    double sign = -1.0;        ///< Of the force; −1: the tension of a line is positive.
+    InputId driven{};          ///< What it sets. Required.
+    double target = 0.0;       ///< [N or N m].
+    double bias = 0.0;         ///< In the unit of the input, as gain × error is.
+    double gain = 0.0;         ///< [input/N].
+    double reset = 1e30;       ///< Integral time [s]; large: none.
+    double rate = 0.0;         ///< Derivative time [s].
+    double filter = 0.0;       ///< Of the derivative [s]; 0: none.
+    double low = -1e30;        ///< Of u.
+    double high = 1e30;
+};
+
+class Pid final : public System {
+  public:
+    explicit Pid(PidDef def) : def_(std::move(def)), target_(def_.target) {}
+
+    [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
+    void prestep(Prestep& now, Loads&) noexcept override {
+        if (!read(now.world)) return now.set_input(def_.driven, std::nan(""));  // ends the step
+        if (started_ == 0) smooth_ = measured_;
+        const double share = now.step / (now.step + def_.filter);
+        const double change = share * (measured_ - smooth_) / now.step;
+        smooth_ += share * (measured_ - smooth_);
+        const double error = target_ - measured_, more = error * now.step / def_.reset;
+        const double wanted =
+            def_.bias + def_.gain * (error + integral_ + more - def_.rate * change);
+        output_ = std::clamp(wanted, def_.low, def_.high);
+        const bool further = (wanted - output_) * def_.gain * error > 0.0;
+        if (!further) integral_ += more;
+        started_ = 1;
+        now.set_input(def_.driven, output_);
+    }
+    void visit_state(StateVisitor& v) override {
+        for (double* x : {&target_, &measured_, &smooth_, &integral_, &output_}) v.visit(*x);
+        v.visit(started_);
+    }
+    void signals(SignalTable& table) override {
+        table.input("target", "N", target_, -1e30, 1e30);
+        table.output("measured", "N", measured_);
+        table.output("output", "", output_);
+    }
+    [[nodiscard]] std::unique_ptr<System> clone() const override {
+        return std::make_unique<Pid>(def_);
+    }
+
+  private:
+    /// @return false: there is no such interaction or row.
+    bool read(const World& world) noexcept {
+        try {
+            const std::span<const double> force = world.force(def_.measured);
+            const auto row = static_cast<std::size_t>(def_.row);
+            if (row >= force.size()) return false;
+            measured_ = def_.sign * force[row];
+        } catch (const DefError&) {
+            return false;
+        }
+        return true;
+    }
+
+    PidDef def_;
+    double target_, measured_ = 0.0, smooth_ = 0.0;  ///< Smooth: what the derivative is of.
+    double integral_ = 0.0;                          ///< (1/reset) ∫ e dt.
+    double output_ = 0.0;
+    std::int32_t started_ = 0;
+};
+
+}  // namespace hawser

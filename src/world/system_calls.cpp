@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a world's users say to its systems, and what systems do to its inputs within a step.
+#include <hawser/world.h>
+
+#include "stepper/context.h"
+#include "world/checks.h"
+#include "world/impl.h"
+#include "world/lookup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace hawser {
+
+System& World::add_system(std::unique_ptr<System> system) {
+    Impl& m = *impl_;
+    const Nonsmooth method = m.ctx.def.nonsmooth;
+    if (method == Nonsmooth::pgs || method == Nonsmooth::split)
+        throw DefError(
+            "add_system: nonsmooth = pgs and split sweep over bodies one by one and take no loads "
+            "of systems; choose newton");
+    System& out = m.systems.add(std::move(system));
+    m.ctx.actors = &m.systems;
+    return out;
+}
+
+std::unique_ptr<System> World::remove_system(const System& system) {
+    Impl& m = *impl_;
+    std::unique_ptr<System> out = m.systems.remove(system);
+    if (m.systems.count() == 0) m.ctx.actors = nullptr;
+    return out;
+}
+
+int World::system_count() const noexcept { return static_cast<int>(impl_->systems.count()); }
+System& World::system(int index) {
+    if (index < 0 || index >= system_count())
+        throw DefError("there is no system " + std::to_string(index));
+    return impl_->systems.at(at(index));
+}
+System* World::find_system(std::string_view name) noexcept { return impl_->systems.find(name); }
+std::span<const SystemSignal> World::system_signals() const noexcept {
+    return impl_->systems.signals();
+}
+double World::system_signal(std::string_view name) const {
+    return *impl_->systems.signal(name).value;
+}
+void World::set_system_signal(std::string_view name, double value) {
+    const SystemSignal& s = impl_->systems.signal(name);
+    if (!s.input)
+        throw DefError("signal '" + std::string(name) + "' is an output, which is only read");
+    if (!std::isfinite(value))
+        throw DefError("signal '" + std::string(name) + "': value = " + world::number(value) +
+                       " is not a finite number; give one within its range");
+    *s.value = std::clamp(value, s.min, s.max);
+}
+std::vector<LoadView> World::loads() const { return impl_->ctx.loads.view(); }
+const BadLoad& World::bad_load() const noexcept { return impl_->systems.bad; }
+
+bool World::Impl::set(InputId id, double value, Before& before) noexcept {
+    if (!input_places.names(id) || !std::isfinite(value)) return false;
+    const InputDef& def = inputs[at(id.index)];
+    before.input = id.index;
+    before.value = input_values[at(id.index)];
+    before.applied = applied(def);
+    before.asked = value;
+    const double within = std::min(std::max(value, def.min), def.max);
+    before.clamped = within != value;
+    if (def.interaction.valid()) {
+        const std::size_t first = kMaxInteractionBodies * at(def.interaction.index);
+        for (std::size_t b = 0; b < ctx.interactions.bodies[at(def.interaction.index)]; ++b)
+            before.body[b] = ctx.interactions.body[first + b];
+    } else {
+        before.body[0] = def.body.index;
+    }
+    for (std::size_t b = 0; b < 3; ++b)
+        if (before.body[b] >= 0) before.quiet[b] = ctx.bodies.quiet[at(before.body[b])];
+    const auto elastic = [&] {
+        return def.interaction.valid() && ctx.started
+                   ? ctx.interactions.elastic(def.interaction.index, ctx.bodies, ctx.def.step)
+                   : 0.0;
+    };
+    const double held = elastic();
+    if (within != before.applied || within != before.value) disturb(def);
+    apply_input(at(id.index), within);
+    ctx.drive += elastic() - held;
+    return true;
+}
+
+void World::Impl::take_back(const Before& before) noexcept {
+    apply_input(at(before.input), before.applied);
+    input_values[at(before.input)] = before.value;
+    for (std::size_t b = 0; b < 3; ++b)
+        if (before.body[b] >= 0) ctx.bodies.quiet[at(before.body[b])] = before.quiet[b];
+}
+
+void World::Impl::tell(const Before& before) noexcept {
+    ctx.events.push({ctx.time, EventKind::input_clamped, inputs[at(before.input)].interaction,
+                     before.asked, input_places.id<InputId>(before.input)});
+    ++ctx.stats.event_count[static_cast<std::size_t>(EventKind::input_clamped)];
+}
+
+std::string to_string(const BadLoad& load, const World& world) {
+    if (load.reason[0] == '\0') return "";
+    const std::string who = "system '" + std::string(load.system) + "'";
+    if (load.of_input) {
+        const bool there = world.alive(load.input);
+        const std::string which = there ? "input '" + world.input_def(load.input).name + "'"
+                                        : "input " + std::to_string(load.input.index);
+        return who + ": " + which + ": " + load.reason +
+               "; give a finite value and an id of the world";
+    }
+    const bool there = world.alive(load.body);
+    return who + ": its load" +
+           (there ? " on " + world::label("body", world.body_def(load.body).name) : std::string()) +
+           ": " + load.reason;
+}
+
+}  // namespace hawser

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/systems.h"
+
+#include <hawser/world.h>
+
+#include "base/hash.h"
+#include "stepper/guarded.h"
+#include "world/checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace hawser::world {
+namespace {
+
+/// A visitor that does something with each array.
+template <class F>
+class Visitor final : public StateVisitor {
+  public:
+    Visitor(bool around_step, F f) : around_(around_step), f_(std::move(f)) {}
+    [[nodiscard]] bool around_step() const noexcept override { return around_; }
+
+  private:
+    void bytes(void* data, std::size_t size) override { f_(data, size); }
+    bool around_;
+    F f_;
+};
+
+/// f(data, bytes) of the arrays of a system's state.
+template <class F>
+void visit(System& system, bool around_step, F&& f) {
+    Visitor visitor(around_step, [&f](void* data, std::size_t size) { f(data, size); });
+    system.visit_state(visitor);
+}
+
+/// Letters to change, add or leave out from one word to the other.
+std::size_t distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t before = row[0]++;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t changed = before + (a[i] != b[j] ? 1 : 0);
+            before = row[j + 1];
+            row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+std::string full_name(const SystemSignal& s) { return s.system + "." + s.name; }
+
+}  // namespace
+
+/// What a system reaches through its Prestep.
+class Systems::Hands final : public Prestep::Hands {
+  public:
+    Hands(Systems& of, stepper::StepContext& ctx) : of_(of), ctx_(ctx) {}
+    void set_input(InputId id, double value) noexcept override {
+        InputDoor::Before before;
+        if (!of_.door_.set(id, value, before)) {
+            if (of_.bad.reason[0] != '\0') return;
+            of_.bad.of_input = true;
+            of_.bad.input = id;
+            of_.bad.reason = std::isfinite(value) ? "there is no such input" : "it is not finite";
+            return;
+        }
+        for (InputDoor::Before& earlier : of_.set_) {
+            if (earlier.input != before.input) continue;
+            earlier.asked = before.asked;
+            earlier.clamped = before.clamped;
+            return;
+        }
+        of_.set_.push_back(before);  // act() has made room for one of each
+    }
+    void run(int count, void (*task)(void*, int) noexcept, void* context) noexcept override {
+        ctx_.loads.share(true);
+        auto one = [&](int i, int) noexcept { task(context, i); };
+        ctx_.pool.for_each(count, one);
+        ctx_.loads.share(false);
+    }
+
+  private:
+    Systems& of_;
+    stepper::StepContext& ctx_;
+};
+
+System& Systems::add(std::unique_ptr<System> system) {
+    if (!system) throw DefError("add_system: there is no system; give one");
+    const std::string name(system->name());
+    if (name.empty()) throw DefError("a system needs a name");
+    if (find(name) != nullptr)
+        throw DefError("system '" + name + "': the name is taken; names are unique");
+    std::vector<SystemSignal> all = signals_;
+    SignalTable table(name, all);
+    system->signals(table);
+    for (std::size_t i = signals_.size(); i < all.size(); ++i) {
+        if (all[i].name.empty()) throw DefError("system '" + name + "': a signal has no name");
+        for (std::size_t j = signals_.size(); j < i; ++j)
+            if (all[i].name == all[j].name)
+                throw DefError("system '" + name + "': signal '" + all[i].name +
+                               "' is listed twice; names are unique in a system");
+    }
+    list_.push_back(std::move(system));
+    // From here on nothing throws.
+    signals_.swap(all);
+    return *list_.back();
+}
+
+std::unique_ptr<System> Systems::remove(const System& system) {
+    const auto found =
+        std::find_if(list_.begin(), list_.end(), [&](const auto& s) { return s.get() == &system; });
+    if (found == list_.end()) throw DefError("remove_system: it is none of this world's systems");
+    std::unique_ptr<System> out = std::move(*found);
+    list_.erase(found);
+    std::erase_if(signals_, [&](const SystemSignal& s) { return s.system == out->name(); });
+    if (bad.system == out->name()) bad = {};
+    return out;
+}
+
+System* Systems::find(std::string_view name) const noexcept {
+    for (const auto& s : list_)
+        if (s->name() == name) return s.get();
+    return nullptr;
+}
+
+const SystemSignal& Systems::signal(std::string_view name) const {
+    const SystemSignal* nearest = nullptr;
+    std::size_t least = 0;
+    for (const SystemSignal& s : signals_) {
+        const std::string full = full_name(s);
+        if (full == name) return s;
+        const std::size_t off = distance(full, name);
+        if (nearest != nullptr && off >= least) continue;
+        nearest = &s;
+        least = off;
+    }
+    throw DefError("there is no signal '" + std::string(name) + "'" +
+                   (nearest ? "; the nearest is '" + full_name(*nearest) + "'"
+                            : std::string(": no system has one")));
+}
+
+Status Systems::act_all(stepper::StepContext& ctx) {
+    std::size_t size = 0;
+    for (const auto& s : list_) visit(*s, true, [&](void*, std::size_t n) { size += n; });
+    if (kept_.size() < size) kept_.resize(size);
+    if (set_.capacity() < door_.count()) set_.reserve(door_.count());
+    std::byte* to = kept_.data();
+    for (const auto& s : list_)
+        visit(*s, true, [&](const void* from, std::size_t n) {
+            if (n > 0) std::memcpy(to, from, n);
+            to += n;
+        });
+    drive_ = ctx.drive;
+    acted_ = true;
+    Hands hands(*this, ctx);
+    Prestep now(*world_, ctx.time, ctx.def.step, ctx.step, hands);
+    Loads loads(ctx.loads);
+    for (std::size_t i = 0; i < list_.size(); ++i) {
+        ctx.loads.begin_system(static_cast<int>(i));
+        list_[i]->prestep(now, loads);
+        if (ctx.loads.out_of_memory()) return Status::out_of_memory;
+        if (bad.reason[0] == '\0' && ctx.loads.touched()) bad = ctx.loads.fault(ctx.pool);
+        if (bad.reason[0] == '\0') continue;
+        bad.system = list_[i]->name();
+        return Status::bad_load;
+    }
+    return Status::ok;
+}
+
+Status Systems::act(stepper::StepContext& ctx) noexcept {
+    bad = {};
+    Status status = Status::ok;
+    const Status room = stepper::guarded(ctx, [&] { status = act_all(ctx); });
+    return room == Status::ok ? status : room;
+}
+
+void Systems::accept(stepper::StepContext&) noexcept {
+    for (const InputDoor::Before& before : set_)
+        if (before.clamped) door_.tell(before);
+    set_.clear();
+    acted_ = false;
+}
+
+void Systems::go_back(stepper::StepContext& ctx) noexcept {
+    if (!acted_) return;
+    for (auto before = set_.rbegin(); before != set_.rend(); ++before) door_.take_back(*before);
+    set_.clear();
+    ctx.drive = drive_;
+    const std::byte* from = kept_.data();
+    for (const auto& s : list_)
+        visit(*s, true, [&](void* to, std::size_t n) {
+            if (n > 0) std::memcpy(to, from, n);
+            from += n;
+        });
+    acted_ = false;
+}
+
+std::uint64_t Systems::layout() const {
+    std::uint64_t h = base::kFnvStart;
+    for (const auto& s : list_) {
+        const std::string_view name = s->name();
+        h = base::fnv1a(name.data(), name.size(), h);
+        std::uint64_t size = 0, arrays = 0;
+        visit(*s, false, [&](void*, std::size_t n) {
+            size += n;
+            ++arrays;
+        });
+        h = base::fnv1a(&size, sizeof size, h);
+        h = base::fnv1a(&arrays, sizeof arrays, h);
+    }
+    return h;
+}
+
+std::size_t Systems::state_bytes() const {
+    std::size_t sum = 0;
+    for (const auto& s : list_) visit(*s, false, [&](void*, std::size_t n) { sum += n; });
+    return sum;
+}
+
+void Systems::save(std::byte* to) const {
+    for (const auto& s : list_)
+        visit(*s, false, [&](const void* from, std::size_t n) {
+            if (n > 0) std::memcpy(to, from, n);
+            to += n;
+        });
+}
+
+void Systems::restore(const std::byte* from) {
+    for (const auto& s : list_)
+        visit(*s, false, [&](void* to, std::size_t n) {
+            if (n > 0) std::memcpy(to, from, n);
+            from += n;
+        });
+}
+
+std::uint64_t Systems::hash(std::uint64_t h) const {
+    for (const auto& s : list_)
+        visit(*s, false, [&](const void* data, std::size_t n) { h = base::fnv1a(data, n, h); });
+    return h;
+}
+
+}  // namespace hawser::world

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file systems.h
+/// The systems of a world: in order, with their signals, and with what a step that fails takes
+/// back.
+
+#include <hawser/system.h>
+
+#include "stepper/actors.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace hawser::world {
+
+/// What a world lets its systems do between the beginning of a step and its end.
+class InputDoor {
+  public:
+    /// How the input was, so that set() can be taken back.
+    struct Before {
+        std::int32_t input = -1;
+        double value = 0.0, applied = 0.0;    ///< Asked for, and in force.
+        std::int32_t body[3] = {-1, -1, -1};  ///< What it disturbs …
+        std::int32_t quiet[3] = {0, 0, 0};    ///< … and how long that had been at rest.
+        double asked = 0.0;
+        bool clamped = false;
+    };
+    /// @return false: there is no such input, or the value is not finite.
+    virtual bool set(InputId id, double value, Before& before) noexcept = 0;
+    virtual void take_back(const Before& before) noexcept = 0;
+    /// Tell that it asked for a value beyond its range.
+    virtual void tell(const Before& before) noexcept = 0;
+    /// So many inputs.
+    [[nodiscard]] virtual std::size_t count() const noexcept = 0;
+
+  protected:
+    ~InputDoor() = default;
+};
+
+class Systems final : public stepper::Actors {
+  public:
+    explicit Systems(InputDoor& door) : door_(door) {}
+    virtual ~Systems() = default;
+    Systems(const Systems&) = delete;
+    Systems& operator=(const Systems&) = delete;
+
+    /// @throws DefError, std::bad_alloc; nothing has changed then.
+    System& add(std::unique_ptr<System> system);
+    /// @throws DefError.
+    std::unique_ptr<System> remove(const System& system);
+    [[nodiscard]] std::size_t count() const noexcept { return list_.size(); }
+    [[nodiscard]] System& at(std::size_t i) const { return *list_[i]; }
+    [[nodiscard]] System* find(std::string_view name) const noexcept;
+    [[nodiscard]] const std::vector<SystemSignal>& signals() const noexcept { return signals_; }
+    /// @throws DefError with the nearest name.
+    [[nodiscard]] const SystemSignal& signal(std::string_view name) const;
+
+    /// Whose step it is.
+    void use(const World& world) noexcept { world_ = &world; }
+    Status act(stepper::StepContext& ctx) noexcept override;
+    void accept(stepper::StepContext& ctx) noexcept override;
+    void go_back(stepper::StepContext& ctx) noexcept override;
+
+    /// Names and sizes of states.
+    [[nodiscard]] std::uint64_t layout() const;
+    [[nodiscard]] std::size_t state_bytes() const;
+    void save(std::byte* to) const;
+    void restore(const std::byte* from);
+    /// Continues a hash with all states.
+    [[nodiscard]] std::uint64_t hash(std::uint64_t h) const;
+
+    BadLoad bad;
+
+  private:
+    class Hands;
+    Status act_all(stepper::StepContext& ctx);
+
+    InputDoor& door_;
+    const World* world_ = nullptr;
+    std::vector<std::unique_ptr<System>> list_;
+    std::vector<SystemSignal> signals_;
+    bool acted_ = false;                  ///< In the step being taken.
+    std::vector<std::byte> kept_;         ///< States before it.
+    std::vector<InputDoor::Before> set_;  ///< Inputs that it set, in that order.
+    double drive_ = 0.0;                  ///< StepContext::drive before it.
+};
+
+}  // namespace hawser::world

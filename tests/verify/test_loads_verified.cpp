@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Loads of systems by separate code: momentum and energy of scenes in which systems act.
+#include "scene/scene.h"
+#include "systems/acting.h"
+#include "verify/certificate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace hawser {
+namespace {
+
+/// Water on every third body that moves: added mass that couples, damping, and a spring to where
+/// the body is now; what it pushes with swings.
+void add_water(World& w, double scale) {
+    test::act(w, "water", [scale](test::Acting&, Prestep& now, Loads& loads) {
+        for (int b = 0; b < now.world.body_count(); b += 3) {
+            const BodyDef& def = now.world.body_def(BodyId{b});
+            const double m = scale * def.mass;
+            const auto seed = static_cast<unsigned>(b);
+            loads.add_mass(BodyId{b}, test::coupled(seed, m));
+            loads.add_damping(BodyId{b}, test::coupled(seed + 1, 0.5 * m));
+            loads.add_stiffness(BodyId{b}, test::coupled(seed + 2, 2.0 * m));
+            loads.add_force(BodyId{b}, {m * std::sin(now.time), 0.5 * m, 0}, {0, 0.01 * m, 0});
+        }
+    });
+}
+
+TEST(LoadsVerified, ScenesWithWaterHoldByIndependentCode) {
+    for (const char* name : {"belt", "heavy_hook", "mooring_seabed", "tow_zigzag"}) {
+        scene::Scene scene = scene::load_file(std::string("scenes/") + name + ".json");
+        add_water(scene.world, 0.3);
+        verify::Verifier verifier(scene.world);
+        for (int i = 0; i < 60; ++i) {
+            verifier.before_step(scene.world);
+            ASSERT_EQ(scene.world.step(), Status::ok) << name;
+            ASSERT_EQ(verifier.after_step(scene.world), "") << name << ", step " << i;
+        }
+        // They are no trifle beside what the residual is relative to: 1e-9 of gravity's impulse.
+        double pushed = 0.0, weight = 0.0;
+        for (const LoadView& load : scene.world.loads()) {
+            pushed += std::abs(load.force[0]);
+            weight += 9.81 * scene.world.body_def(load.body).mass;
+        }
+        EXPECT_GT(pushed, 1e-3 * weight) << name;
+        EXPECT_LT(verifier.result().momentum, 1e-9) << name;
+        EXPECT_GT(verifier.result().covered_bodies, verifier.result().moving_bodies / 2) << name;
+        std::printf("%-16s momentum %.2g\n", name, verifier.result().momentum);
+    }
+}
+
+}  // namespace
+}  // namespace hawser
