@@ -170,6 +170,13 @@ class World {
     /// of ball, hinge, universal and lock are the force on body 1 in the world's axes. A line in
     /// tension has f < 0: tension = −force(id)[0].
     [[nodiscard]] std::span<const double> force(InteractionId id) const;
+    /// Of a kind that has one (KindInfo::coordinate): angle of frame 1 against frame 0 about z, −π
+    /// to π [rad], from where their x axes agree; way of point 1 along z of frame 0 [m]; position
+    /// of a scalar body. Joints agree with what limits, drives or rubs them. @throws DefError.
+    [[nodiscard]] double coordinate(InteractionId id) const;
+    [[nodiscard]] double speed(InteractionId id) const;  ///< Its rate, at time() − h/2.
+    /// Of a motor in the last step, positive where it pushes the coordinate up [N or N m].
+    [[nodiscard]] double motor_force(InteractionId id) const;
     /// Violation g of each row at the current poses [m or rad]; 0 for velocity rows.
     [[nodiscard]] std::array<double, kMaxInteractionRows> violation(InteractionId id) const;
     /// Its rows at the present poses and velocities, see inspect.h.

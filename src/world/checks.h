@@ -37,6 +37,10 @@ void check_pose(const std::string& where, const Vec3& position, const Quat& orie
 void check_velocity(const std::string& where, const Vec3& linear, const Vec3& angular);
 void check_force(const std::string& where, const Vec3& force, const Vec3& torque);
 
+/// Why a kind has none, and which have.
+[[nodiscard]] std::string no_coordinate(const KindInfo& kind);
+[[nodiscard]] std::string no_motor(const KindInfo& kind);
+
 /// For messages: as short as it may be, 1e+300 has 301 digits else.
 [[nodiscard]] std::string number(double value);
 /// "body 'bob'" or "body 7 (unnamed)" for messages.
