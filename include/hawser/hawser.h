@@ -10,7 +10,9 @@
 #include <hawser/id.h>
 #include <hawser/inspect.h>
 #include <hawser/interactions.h>
+#include <hawser/joints.h>
 #include <hawser/limits.h>
+#include <hawser/lines.h>
 #include <hawser/math.h>
 #include <hawser/partition.h>
 #include <hawser/schedule.h>

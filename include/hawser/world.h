@@ -8,8 +8,7 @@
 /// auto ground = world.add_body({.name = "ground", .kind = hawser::BodyKind::fixed});
 /// auto bob = world.add_body({.name = "bob", .kind = hawser::BodyKind::lump,
 ///                            .position = {1, 0, 0}, .mass = 1.0});
-/// hawser::InteractionDef rod{.kind = hawser::InteractionKind::Distance, .body = {ground, bob}};
-/// world.add_interaction(rod.set("length", 1.0));
+/// world.add(hawser::DistanceDef{.a = ground, .b = bob});
 /// while (world.time() < 10.0)
 ///     if (world.step() != hawser::Status::ok) break;
 /// ```
@@ -67,6 +66,14 @@ class World {
     BodyId add_body(const BodyDef& def);
     /// @throws DefError on unknown bodies, no moving body, a parameter missing or out of range.
     InteractionId add_interaction(const InteractionDef& def);
+    /// Several, all or none. A load with a factor but no interaction is of the first of them.
+    /// @param ids  As many as there are definitions. @throws DefError.
+    void add_interactions(std::span<const InteractionDef> defs, std::span<InteractionId> ids);
+    /// A typed definition of joints.h or lines.h; what it returns stands there.
+    template <class Def>
+    auto add(const Def& def) {
+        return define(*this, def);
+    }
     /// @throws DefError when the parameter cannot be driven or the name is taken.
     InputId add_input(const InputDef& def);
     /// @throws DefError on a name that is taken, a value out of range.
@@ -159,6 +166,8 @@ class World {
     void wake(BodyId id);
     /// World position of a point given in the body's frame, from its centre of mass [m].
     [[nodiscard]] Vec3 world_point(BodyId id, const Vec3& local) const;
+    /// The other way: a point of the world in the frame of a body [m].
+    [[nodiscard]] Vec3 local_point(BodyId id, const Vec3& point) const;
 
     // --- Interactions -----------------------------------------------------------------------
     [[nodiscard]] int interaction_count() const noexcept;  ///< Places, as body_count().

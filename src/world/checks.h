@@ -23,6 +23,8 @@ void check(const BodyDef& def);
 /// @param before  Interactions of the user. @param places  Theirs. @throws DefError
 void check(const InteractionDef& def, const model::Bodies& bodies, int count,
            std::span<const InteractionDef> before, const base::Places& places);
+/// Checks a load of `def` by what it is the force of. @throws DefError
+void check_load(const InteractionDef& def, const FrictionLoad& load, const InteractionDef& other);
 /// Checks parameters once defaults have been filled in. @throws DefError
 void check_params(const InteractionDef& def);
 /// @param method  Not all of them have every resistance. @throws DefError

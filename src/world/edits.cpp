@@ -5,6 +5,7 @@
 #include "world/checks.h"
 #include "world/impl.h"
 #include "world/lookup.h"
+#include "world/parts.h"
 
 #include <algorithm>
 #include <span>
@@ -85,16 +86,7 @@ InteractionId World::add_interaction(const InteractionDef& def) {
                  all.places);
     refuse_beyond(m.interaction_ids.size(), c.def.max_interactions, "interactions");
     InteractionDef d = def;
-    const KindInfo& info = kind_info(d.kind);
-    Vec3 position[kMaxInteractionBodies], point[kMaxInteractionBodies];
-    for (int b = 0; b < info.bodies; ++b) {
-        const BodyId id = d.body[static_cast<std::size_t>(b)];
-        position[b] = pose(id).position;
-        point[b] = world_point(id, d.point[static_cast<std::size_t>(b)]);
-    }
-    const double distance = info.bodies > 1 ? (point[1] - point[0]).norm() : 0.0;
-    model::complete(d, position, distance);
-    world::check_params(d);
+    world::fill_in(d, c);
     all.make_room(d.kind);
     base::make_room(m.interaction_ids, 1);
     stepper::reserve_edit(c);
