@@ -46,6 +46,13 @@ class EnvironmentError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// A world is changed while it is in use: by a second thread, or from within its own step. What
+/// was asked for has not been done; let one thread at a time use a world.
+class UseError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
 /// The system does not give a world its worker threads; what() says how many started and the
 /// remedy. None is left running.
 class ThreadError : public std::runtime_error {

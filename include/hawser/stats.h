@@ -23,6 +23,7 @@ enum class Status : std::uint8_t {
     /// The state that the last steps came to is nothing that the model can do: World::verdict()
     /// says what. Where WorldDef::on_diverged is stop.
     diverged,
+    in_use,  ///< Another thread uses the world, or the step called itself: see UseError.
 };
 [[nodiscard]] const char* to_string(Status status) noexcept;
 

@@ -16,7 +16,8 @@
 /// does not throw. A function that throws, std::bad_alloc or anything else, leaves the world as it
 /// was; so does a step that fails, and what is tried again gives the same bits as if nothing had
 /// failed. A name that is not found gives an invalid id. A world is used by one thread at
-/// a time; different worlds are independent. Bodies, interactions, shapes and inputs may be added
+/// a time: a second one that changes it or steps is refused (UseError, Status::in_use). Different
+/// worlds are independent. Bodies, interactions, shapes and inputs may be added
 /// and removed between steps; the next step repairs its analysis, and what an edit touches wakes.
 /// Velocities given to what is added once the world has started are used as they are, like those
 /// of set_velocity(); the energy that comes and goes counts as driven (Energy).

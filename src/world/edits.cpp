@@ -52,6 +52,7 @@ void refuse_beyond(std::size_t living, std::int32_t most, const char* what) {
 }  // namespace
 
 BodyId World::add_body(const BodyDef& def) {
+    const world::Using use(impl_->use, "add_body");
     world::check(def);
     Impl& m = *impl_;
     stepper::StepContext& c = m.ctx;
@@ -79,6 +80,7 @@ BodyId World::add_body(const BodyDef& def) {
 }
 
 InteractionId World::add_interaction(const InteractionDef& def) {
+    const world::Using use(impl_->use, "add_interaction");
     Impl& m = *impl_;
     stepper::StepContext& c = m.ctx;
     model::Interactions& all = c.interactions;
@@ -104,6 +106,7 @@ InteractionId World::add_interaction(const InteractionDef& def) {
 }
 
 ShapeId World::add_shape(const ShapeDef& def) {
+    const world::Using use(impl_->use, "add_shape");
     Impl& m = *impl_;
     world::check(def, m.ctx.bodies, body_count(), material_count());
     ShapeDef kept = def;
@@ -141,6 +144,7 @@ bool World::alive(InputId id) const noexcept { return impl_->input_places.names(
 void World::set_change_listener(ChangeListener* listener) noexcept { impl_->listener = listener; }
 
 const Removed& World::remove_body(BodyId id) {
+    const world::Using use(impl_->use, "remove_body");
     (void)impl_->place(id);
     impl_->reserve_removal();
     impl_->remove(id);
@@ -149,6 +153,7 @@ const Removed& World::remove_body(BodyId id) {
 }
 
 const Removed& World::remove_interaction(InteractionId id) {
+    const world::Using use(impl_->use, "remove_interaction");
     (void)impl_->place(id);
     impl_->reserve_removal();
     impl_->remove(id);
@@ -157,6 +162,7 @@ const Removed& World::remove_interaction(InteractionId id) {
 }
 
 const Removed& World::remove_shape(ShapeId id) {
+    const world::Using use(impl_->use, "remove_shape");
     (void)impl_->place(id);
     impl_->reserve_removal();
     impl_->remove(id);
@@ -165,6 +171,7 @@ const Removed& World::remove_shape(ShapeId id) {
 }
 
 const Removed& World::remove_input(InputId id) {
+    const world::Using use(impl_->use, "remove_input");
     (void)impl_->place(id);
     impl_->reserve_removal();
     impl_->remove(id);

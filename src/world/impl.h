@@ -11,6 +11,7 @@
 #include "stepper/sleep.h"
 #include "stepper/step.h"
 #include "world/lookup.h"
+#include "world/use.h"
 #include "world/wire_list.h"
 
 #include <string>
@@ -85,6 +86,8 @@ struct World::Impl {
         Impl& impl_;
         ChangeListener* listener_;
     };
+
+    world::Use use;
 
     void apply_input(std::size_t index, double value);
     /// What acts at present where an input does: its value, unless something else set it since.

@@ -17,6 +17,7 @@ using world::claim;
 using world::lookup;
 
 InputId World::add_input(const InputDef& def) {
+    const world::Using use(impl_->use, "add_input");
     Impl& m = *impl_;
     const std::string where = world::label("input", def.name);
     if (def.name.empty()) throw DefError("an input needs a name");
@@ -75,6 +76,7 @@ InputId World::find_input(std::string_view name) const noexcept {
 double World::input(InputId id) const { return impl_->input_values[impl_->place(id)]; }
 
 void World::set_input(InputId id, double value) {
+    const world::Using use(impl_->use, "set_input");
     const std::size_t i = impl_->place(id);
     const InputDef& def = impl_->inputs[i];
     if (!std::isfinite(value))

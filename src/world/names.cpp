@@ -25,6 +25,8 @@ const char* to_string(Status status) noexcept {
             return "over_bound";
         case Status::diverged:
             return "diverged";
+        case Status::in_use:
+            return "in_use";
     }
     return "?";
 }

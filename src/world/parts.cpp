@@ -32,6 +32,7 @@ void fill_in(InteractionDef& def, const stepper::StepContext& ctx) {
 }  // namespace world
 
 void World::add_interactions(std::span<const InteractionDef> defs, std::span<InteractionId> ids) {
+    const world::Using use(impl_->use, "add_interactions");
     Impl& m = *impl_;
     const model::Interactions& all = m.ctx.interactions;
     if (ids.size() != defs.size())

@@ -48,6 +48,7 @@ void add_resistance(const stepper::StepContext& ctx, std::size_t i, ContactView&
 }  // namespace
 
 MaterialId World::add_material(const MaterialDef& def) {
+    const world::Using use(impl_->use, "add_material");
     Impl& m = *impl_;
     world::check(def, m.ctx.def.nonsmooth);
     const int index = material_count();
@@ -59,6 +60,7 @@ MaterialId World::add_material(const MaterialDef& def) {
 }
 
 void World::add_material_pair(const MaterialPairDef& def) {
+    const world::Using use(impl_->use, "add_material_pair");
     world::check(def, material_count(), impl_->ctx.def.nonsmooth);
     impl_->ctx.collider.materials.add_pair(def);
     impl_->ctx.topology_changed = true;

@@ -103,6 +103,7 @@ void World::Impl::copy_inputs(World& out) const {
 }
 
 World World::twin(std::optional<Coupling> coupling) const {
+    const world::Using use(impl_->use, "twin");
     const Impl& m = *impl_;
     WorldDef def = m.ctx.def;
     def.coupling = coupling.value_or(def.coupling);

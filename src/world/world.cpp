@@ -25,9 +25,20 @@ World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
-void World::prepare() { stepper::ready(impl_->ctx); }
+void World::prepare() {
+    const world::Using use(impl_->use, "prepare");
+    stepper::ready(impl_->ctx);
+}
 
-Status World::step() noexcept { return stepper::step(impl_->ctx); }
+Status World::step() noexcept {
+    Impl& m = *impl_;
+    const world::MaybeUsing use(m.use);
+    if (!use.alone()) return Status::in_use;
+    m.use.stepping(true);
+    const Status status = stepper::step(m.ctx);
+    m.use.stepping(false);
+    return status;
+}
 
 void World::cancel() noexcept { impl_->ctx.pool.stop(); }
 
@@ -48,7 +59,8 @@ EventExtremes World::event_extremes(EventKind kind) const noexcept {
 const WorldDef& World::settings() const noexcept { return impl_->ctx.def; }
 
 Energy World::energy() const noexcept {
-    if (impl_->ctx.topology_changed) return {};
+    const world::MaybeUsing use(impl_->use);
+    if (!use.granted() || impl_->ctx.topology_changed) return {};
     try {
         stepper::ready(impl_->ctx);
     } catch (const std::exception&) {
@@ -66,6 +78,7 @@ std::uint64_t World::state_hash() const noexcept {
 }
 
 void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
+    const world::Using use(impl_->use, "set_force");
     const std::size_t b = impl_->place(body);
     world::check_force(world::label("body", impl_->body_defs[b].name), force, torque);
     for (int i = 0; i < 3; ++i) {
@@ -102,6 +115,7 @@ Twist World::velocity(BodyId id) const {
 }
 
 void World::set_pose(BodyId id, const Pose& pose) {
+    const world::Using use(impl_->use, "set_pose");
     const std::size_t b = impl_->place(id);
     world::check_pose(world::label("body", impl_->body_defs[b].name), pose.position,
                       pose.orientation);
@@ -123,6 +137,7 @@ void World::set_pose(BodyId id, const Pose& pose) {
 }
 
 void World::set_velocity(BodyId id, const Twist& twist) {
+    const world::Using use(impl_->use, "set_velocity");
     const std::size_t b = impl_->place(id);
     const std::string where = world::label("body", impl_->body_defs[b].name);
     world::check_velocity(where, twist.linear, twist.angular);
@@ -146,6 +161,7 @@ void World::set_velocity(BodyId id, const Twist& twist) {
 bool World::asleep(BodyId id) const { return impl_->ctx.bodies.asleep[impl_->place(id)] != 0; }
 
 void World::wake(BodyId id) {
+    const world::Using use(impl_->use, "wake");
     (void)impl_->place(id);
     if (impl_->ctx.bodies.dof(id.index) == 0) stepper::disturb_all(impl_->ctx);
     stepper::disturb(impl_->ctx, id.index);
@@ -208,6 +224,7 @@ bool World::intact(InteractionId id) const {
 }
 
 SystemView World::inspect() const {
+    const world::Using use(impl_->use, "inspect");
     Impl& m = *impl_;
     stepper::ready(m.ctx);
     const assembly::System& s = m.ctx.system;
