@@ -18,6 +18,7 @@
 #include <hawser/schedule.h>
 #include <hawser/settings.h>
 #include <hawser/shapes.h>
+#include <hawser/state.h>
 #include <hawser/stats.h>
 #include <hawser/trace.h>
 #include <hawser/wire.h>

@@ -28,6 +28,7 @@
 #include <hawser/interactions.h>
 #include <hawser/math.h>
 #include <hawser/shapes.h>
+#include <hawser/state.h>
 #include <hawser/stats.h>
 #include <hawser/wire.h>
 
@@ -127,6 +128,12 @@ class World {
     /// Events since the last call, oldest first; keeps the newest 16,384 of slack and of taut each,
     /// and 4,096 of any other kind.
     [[nodiscard]] std::vector<Event> take_events();
+    /// Events from a reader's cursor on, oldest first; it moves behind them. For several readers,
+    /// and beside take_events(). 0 begins with the oldest kept. @param out  What it held goes.
+    /// @return how many were forgotten since the cursor.
+    std::uint64_t events_since(std::uint64_t& cursor, std::vector<Event>& out) const;
+    /// Events so far: where a reader begins that wants none of them.
+    [[nodiscard]] std::uint64_t event_cursor() const noexcept;
     /// How many of a kind there were, the first and the worst; taking events changes nothing of it.
     [[nodiscard]] EventExtremes event_extremes(EventKind kind) const noexcept;
 
@@ -142,6 +149,7 @@ class World {
     void set_force(BodyId body, const Vec3& force, const Vec3& torque);
 
     // --- Bodies ---------------------------------------------------------------------------
+    [[nodiscard]] StateView state() const noexcept;  ///< All bodies without a copy: state.h.
     /// Places of bodies: ids have an index below it. Where a body was removed one is empty.
     [[nodiscard]] int body_count() const noexcept;
     /// Of all bodies there are, ascending; valid until one is added or removed.
@@ -277,12 +285,16 @@ class World {
     /// Contact points of the last step, ascending by their shapes, those that sleep last; those
     /// that are near without touching included. Empty before the first step and after restore().
     [[nodiscard]] std::vector<ContactView> contacts() const;
+    /// In the caller's memory instead; what it held goes.
+    void contacts(std::vector<ContactView>& out) const;
 
     // --- Save and restore -------------------------------------------------------------------
     /// The whole dynamic state, warm start included. Restoring it in a world built from the
     /// same definitions continues bit for bit. Parameters are not part of it, apart from those
     /// that inputs drive.
     [[nodiscard]] std::vector<std::byte> save() const;
+    /// In the caller's memory instead; what it held goes.
+    void save(std::vector<std::byte>& out) const;
     /// @throws std::bad_alloc, LimitError; DefError when the bytes are damaged or belong to another
     /// world: other bodies,
     ///         interactions, inputs, step or parameters (any mass, length, stiffness, …; names,

@@ -87,6 +87,7 @@ struct World::Impl {
         ChangeListener* listener_;
     };
 
+    factor::KeptAnalysis saved_analysis;  ///< Scratch of save(), so that it needs no memory twice.
     world::Use use;
 
     void apply_input(std::size_t index, double value);

@@ -86,8 +86,15 @@ ShapeId World::find_shape(std::string_view name) const noexcept {
 }
 
 std::vector<ContactView> World::contacts() const {
-    const stepper::StepContext& ctx = impl_->ctx;
     std::vector<ContactView> out;
+    contacts(out);
+    return out;
+}
+
+void World::contacts(std::vector<ContactView>& out) const {
+    const stepper::StepContext& ctx = impl_->ctx;
+    out.clear();
+    out.reserve(ctx.contacts.contacts.size());
     for (std::size_t i = 0; i < ctx.contacts.contacts.size(); ++i) {
         const collide::Contact& c = ctx.contacts.contacts[i];
         ContactView v;
@@ -115,7 +122,6 @@ std::vector<ContactView> World::contacts() const {
         v.sliding = i < ctx.contact_sliding.size() && ctx.contact_sliding[i] != 0;
         out.push_back(v);
     }
-    return out;
 }
 
 }  // namespace hawser

@@ -117,6 +117,13 @@ void take_state(stepper::StepContext& ctx, std::vector<double>& inputs, const He
 }  // namespace
 
 std::vector<std::byte> World::save() const {
+    std::vector<std::byte> out;
+    save(out);
+    return out;
+}
+
+void World::save(std::vector<std::byte>& out) const {
+    const world::Using use(impl_->use, "save");
     Impl& m = *impl_;
     stepper::ready(m.ctx);
     Header header;
@@ -125,7 +132,8 @@ std::vector<std::byte> World::save() const {
     header.contacts = m.ctx.collider.kept().size();
     header.resistances = m.ctx.system.contacts.resistances.memory.size();
     header.links = m.ctx.system.contacts.links.size();
-    const factor::AnalysisState order = m.ctx.system.analysis.state();
+    m.ctx.system.analysis.keep(m.saved_analysis);
+    const factor::AnalysisState& order = m.saved_analysis.state;
     const factor::Chains& chains = order.elimination.chains;
     header.grouped = m.ctx.regroup.parts.part.size();
     header.nodes = order.elimination.order.size();
@@ -134,7 +142,7 @@ std::vector<std::byte> World::save() const {
     header.chains = chains.begin.size() - 1;
     visit_state(m.ctx, m.input_values, order,
                 [&](const void*, std::size_t n) { header.bytes += n; });
-    std::vector<std::byte> out(sizeof header + header.bytes + sizeof(std::uint64_t));
+    out.resize(sizeof header + header.bytes + sizeof(std::uint64_t));
     std::byte* to = out.data();
     auto put = [&](const void* from, std::size_t n) {
         if (n > 0) std::memcpy(to, from, n);
@@ -144,7 +152,6 @@ std::vector<std::byte> World::save() const {
     visit_state(m.ctx, m.input_values, order, put);
     const std::uint64_t sum = base::fnv1a(out.data(), out.size() - sizeof sum);
     put(&sum, sizeof sum);
-    return out;
 }
 
 void World::take_saved(std::span<const std::byte> bytes) {

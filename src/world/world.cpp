@@ -52,7 +52,6 @@ void World::degrade_next_step(const Degradation& degradation) noexcept {
 double World::time() const noexcept { return impl_->ctx.time; }
 std::int64_t World::step_count() const noexcept { return impl_->ctx.step; }
 const StepStats& World::stats() const noexcept { return impl_->ctx.stats; }
-std::vector<Event> World::take_events() { return impl_->ctx.events.take(); }
 EventExtremes World::event_extremes(EventKind kind) const noexcept {
     return impl_->ctx.events.extremes(kind);
 }
