@@ -150,7 +150,7 @@ void World::save(std::vector<std::byte>& out) const {
     };
     put(&header, sizeof header);
     visit_state(m.ctx, m.input_values, order, put);
-    const std::uint64_t sum = base::fnv1a(out.data(), out.size() - sizeof sum);
+    const std::uint64_t sum = base::checksum(out.data(), out.size() - sizeof sum);
     put(&sum, sizeof sum);
 }
 
@@ -174,7 +174,7 @@ void World::take_saved(std::span<const std::byte> bytes) {
             "lengths, stiffnesses, damping, gravity, ranges of inputs, method, coupling, sleep)");
     stepper::ready(m.ctx);
     const auto damaged = [] { return DefError("snapshot: the bytes are damaged (checksum)"); };
-    if (sum != base::fnv1a(bytes.data(), bytes.size() - sizeof sum)) throw damaged();
+    if (sum != base::checksum(bytes.data(), bytes.size() - sizeof sum)) throw damaged();
     // What bytes alone tell is told before anything changes, the rest by going back.
     visit_groups(m.ctx.regroup, [&](const void*, std::size_t n) { size += n; });
     stepper::Regroup groups;
