@@ -263,6 +263,7 @@ void World::Impl::remove(InputId id) noexcept {
     InputDef& def = inputs[at(id.index)];
     const InteractionId driven = def.interaction;
     world::release(input_names, def.name);
+    std::erase(local_inputs, id.index);
     def = {};
     input_values[at(id.index)] = 0.0;
     input_places.vacate(id.index);

@@ -139,6 +139,7 @@ std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<I
         to.value(input.interaction.index);
         to.value(input.body.index);
         to.value(input.component);
+        to.value(input.local);
         to.value(input.min);
         to.value(input.max);
     }

@@ -87,6 +87,13 @@ struct World::Impl {
         ChangeListener* listener_;
     };
 
+    /// Inputs with forces in the frame of their body, in the order added, and the six forces of
+    /// each one's body while a step is taken that has them turned into the world.
+    std::vector<std::int32_t> local_inputs;
+    std::vector<double> forces_before;
+    void turn_local_forces() noexcept;
+    void restore_forces() noexcept;
+
     factor::KeptAnalysis saved_analysis;  ///< Scratch of save(), so that it needs no memory twice.
     world::Use use;
 

@@ -35,7 +35,9 @@ Status World::step() noexcept {
     const world::MaybeUsing use(m.use);
     if (!use.alone()) return Status::in_use;
     m.use.stepping(true);
+    m.turn_local_forces();
     const Status status = stepper::step(m.ctx);
+    m.restore_forces();
     m.use.stepping(false);
     return status;
 }
