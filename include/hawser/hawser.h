@@ -14,6 +14,7 @@
 #include <hawser/limits.h>
 #include <hawser/lines.h>
 #include <hawser/math.h>
+#include <hawser/outputs.h>
 #include <hawser/partition.h>
 #include <hawser/schedule.h>
 #include <hawser/settings.h>

@@ -27,6 +27,7 @@
 #include <hawser/id.h>
 #include <hawser/interactions.h>
 #include <hawser/math.h>
+#include <hawser/outputs.h>
 #include <hawser/shapes.h>
 #include <hawser/state.h>
 #include <hawser/stats.h>
@@ -147,6 +148,17 @@ class World {
     /// Replace the applied force [N] and torque [N m], world frame. @throws DefError when not
     /// finite or above 1e300, as add_body() does.
     void set_force(BodyId body, const Vec3& force, const Vec3& torque);
+
+    // --- Outputs (outputs.h) ----------------------------------------------------------------
+    /// @throws DefError on a name that is taken, a target that is not there or has no such number.
+    OutputId add_output(const OutputDef& def);
+    [[nodiscard]] int output_count() const noexcept;
+    [[nodiscard]] const OutputDef& output_def(OutputId id) const;  ///< With component and unit.
+    [[nodiscard]] OutputId find_output(std::string_view name) const noexcept;
+    [[nodiscard]] double output(OutputId id) const;  ///< Its value now, in SI units.
+    /// All, by id, of the last good step or of what was set since; valid until one is added. NaN of
+    /// what has been removed.
+    [[nodiscard]] std::span<const double> outputs() const noexcept;
 
     // --- Bodies ---------------------------------------------------------------------------
     [[nodiscard]] StateView state() const noexcept;  ///< All bodies without a copy: state.h.
@@ -322,6 +334,7 @@ class World {
     void take_saved(std::span<const std::byte> bytes);
     void copy_from(const World& other);
     void regroup_all(int parts);
+    void evaluate_outputs() const noexcept;
 
     struct Impl;
     std::unique_ptr<Impl> impl_;

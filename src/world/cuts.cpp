@@ -230,6 +230,7 @@ void World::copy_state(const World& other) {
         throw;
     }
     all.done();
+    impl_->outputs.forget_figures();
     if (impl_->listener != nullptr) impl_->listener->restored(copied);
 }
 

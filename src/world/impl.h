@@ -11,6 +11,7 @@
 #include "stepper/sleep.h"
 #include "stepper/step.h"
 #include "world/lookup.h"
+#include "world/outputs.h"
 #include "world/use.h"
 #include "world/wire_list.h"
 
@@ -95,6 +96,7 @@ struct World::Impl {
     void restore_forces() noexcept;
 
     factor::KeptAnalysis saved_analysis;  ///< Scratch of save(), so that it needs no memory twice.
+    world::Outputs outputs;
     world::Use use;
 
     void apply_input(std::size_t index, double value);

@@ -112,6 +112,7 @@ World World::twin(std::optional<Coupling> coupling) const {
     m.copy_shapes(out);
     m.copy_interactions(out);
     m.copy_inputs(out);
+    out.impl_->outputs = m.outputs;
     out.impl_->wires = m.wires;
     if (!coupling) out.impl_->ctx.cuts.coupling = m.ctx.cuts.coupling;
     out.copy_state(*this);

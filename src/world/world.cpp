@@ -39,6 +39,9 @@ Status World::step() noexcept {
     const Status status = stepper::step(m.ctx);
     m.restore_forces();
     m.use.stepping(false);
+    if (status != Status::ok) return status;
+    m.outputs.keep_figures(m.ctx.stats);
+    evaluate_outputs();
     return status;
 }
 
