@@ -4,13 +4,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 namespace hawser::scene {
 namespace {
 
 /// What of the description is copy 0.
 struct Extent {
-    std::size_t bodies, interactions, inputs, cables, shapes;
+    std::size_t bodies, interactions, inputs, outputs, cables, shapes;
 };
 
 std::string copy_prefix(int copy) { return std::to_string(copy) + ":"; }
@@ -54,8 +55,8 @@ class Copier {
           place_(document.place / "repeat"),
           repeat_(repeat),
           offset_(vector_of(repeat["offset"])),
-          base_{out.bodies.size(), out.interactions.size(), out.inputs.size(), out.cables.size(),
-                out.shapes.size()} {}
+          base_{out.bodies.size(),  out.interactions.size(), out.inputs.size(),
+                out.outputs.size(), out.cables.size(),       out.shapes.size()} {}
 
     void run(int copies) {
         const auto check = [&](std::size_t each, std::int64_t most, const char* what) {
@@ -121,13 +122,7 @@ class Copier {
             }
             out_.add_interaction(std::move(def), number_);
         }
-        for (std::size_t i = 0; i < base_.inputs; ++i) {
-            InputDef def = out_.inputs[i];
-            rename(def.name, prefix);
-            def.interaction = shifted(def.interaction);
-            def.body = mapped(def.body);
-            out_.add_input(std::move(def), number_);
-        }
+        add_signals(copy, mapped, shifted);
         for (std::size_t i = 0; i < base_.cables; ++i) {
             Cable cable = out_.cables[i];
             rename(cable.name, prefix);
@@ -155,6 +150,38 @@ class Copier {
             def.body = mapped(def.body);
             def.body_b = mapped(def.body_b);
             out_.add_shape(std::move(def), number_);
+        }
+    }
+
+    /// Inputs and outputs of a copy: of what its bodies and interactions are.
+    template <class Mapped, class Shifted>
+    void add_signals(int copy, const Mapped& mapped, const Shifted& shifted) {
+        const std::string prefix = copy_prefix(copy);
+        for (std::size_t i = 0; i < base_.inputs; ++i) {
+            InputDef def = out_.inputs[i];
+            rename(def.name, prefix);
+            def.interaction = shifted(def.interaction);
+            def.body = mapped(def.body);
+            out_.add_input(std::move(def), number_);
+        }
+        for (std::size_t i = 0; i < base_.outputs; ++i) {
+            OutputDef def = out_.outputs[i];
+            if (output_kind_info(def.kind).target == OutputTarget::world) {
+                continue;  // Of all copies together.
+            }
+            rename(def.name, prefix);
+            for (const auto& [body, point] :
+                 {std::pair(&def.body, &def.point), std::pair(&def.body_b, &def.point_b)}) {
+                if (body->valid() && *body == out_.world_body_if_any()) {
+                    *point += copy * offset_;
+                }
+                *body = mapped(*body);
+            }
+            def.interaction = shifted(def.interaction);
+            for (InteractionId& element : def.line) {
+                element = shifted(element);
+            }
+            out_.add_output(std::move(def), number_);
         }
     }
 
