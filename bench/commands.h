@@ -34,6 +34,9 @@ int hashes_command(int argc, char** argv);
 /// Run random mechanisms, and judge those that end ok.
 int random_command(int argc, char** argv);
 
+/// What it costs a client to read a world.
+int interface_command(int argc, char** argv);
+
 /// Compare engines on the scenes of peers/scenes.h.
 int peers_command(int argc, char** argv);
 

@@ -33,6 +33,8 @@ constexpr Command kCommands[] = {
      hawser::bench::hashes_command},
     {"random", "mechanisms that no one has tuned: is what ends ok right?",
      hawser::bench::random_command},
+    {"interface", "what it costs to read a world: state, outputs, save, restore",
+     hawser::bench::interface_command},
     {"peers", "our steps against other engines, on six scenes", hawser::bench::peers_command},
 };
 

@@ -36,8 +36,8 @@ ok.)";
 
 /// Run a case to its end.
 Ended run_case(std::uint64_t seed, std::uint64_t number, int divide) {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point begin = Clock::now();
+    using CaseClock = std::chrono::steady_clock;
+    const CaseClock::time_point begin = CaseClock::now();
     Ended out;
     out.of = make_random_case(seed, number);
     out.number = number;
@@ -72,7 +72,7 @@ Ended run_case(std::uint64_t seed, std::uint64_t number, int divide) {
         out.outcome = Outcome::refused;
         out.why = e.what();
     }
-    out.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    out.seconds = std::chrono::duration<double>(CaseClock::now() - begin).count();
     return out;
 }
 

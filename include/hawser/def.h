@@ -7,6 +7,7 @@
 #include <hawser/math.h>
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -42,6 +43,13 @@ class LimitError : public std::runtime_error {
 
 /// A variable of the environment that makes no sense; what() says which, its value and the remedy.
 class EnvironmentError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A world is changed while it is in use: by a second thread, or from within its own step. What
+/// was asked for has not been done; let one thread at a time use a world.
+class UseError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
@@ -205,6 +213,15 @@ struct InputDef {
     int component = 0;            ///< 0-2 force x, y, z [N]; 3-5 torque [N m]; with `body` only.
     double min = -1e30;           ///< Values are clamped to the range, with an event …
     double max = 1e30;            ///< … in the unit of what is driven.
+    /// With `body`: force or torque in the frame of the body, a rigid one, with which it turns from
+    /// step to step; it adds to what acts on the body beside it, and is 0 at first.
+    bool local = false;
+    std::string unit{};    ///< "": that of what is driven. A label; values are in SI units.
+    std::string group{};   ///< Free text: under which heading a client shows it.
+    double nominal = 0.0;  ///< Usual size, for scales and levers, in the unit; 0: not known.
+    /// Value that a lever goes home to when it is let go; none: it stays where it is. The world
+    /// only keeps it: a client acts on it.
+    std::optional<double> spring{};
 };
 
 }  // namespace hawser

@@ -10,12 +10,16 @@
 #include <hawser/id.h>
 #include <hawser/inspect.h>
 #include <hawser/interactions.h>
+#include <hawser/joints.h>
 #include <hawser/limits.h>
+#include <hawser/lines.h>
 #include <hawser/math.h>
+#include <hawser/outputs.h>
 #include <hawser/partition.h>
 #include <hawser/schedule.h>
 #include <hawser/settings.h>
 #include <hawser/shapes.h>
+#include <hawser/state.h>
 #include <hawser/stats.h>
 #include <hawser/system.h>
 #include <hawser/systems/pid.h>

@@ -26,6 +26,7 @@ enum class Status : std::uint8_t {
     /// A system set what is not finite, or a load that is not positive semi-definite:
     /// World::bad_load() names system and body.
     bad_load,
+    in_use,  ///< Another thread uses the world, or the step called itself: see UseError.
 };
 [[nodiscard]] const char* to_string(Status status) noexcept;
 

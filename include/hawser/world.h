@@ -8,8 +8,7 @@
 /// auto ground = world.add_body({.name = "ground", .kind = hawser::BodyKind::fixed});
 /// auto bob = world.add_body({.name = "bob", .kind = hawser::BodyKind::lump,
 ///                            .position = {1, 0, 0}, .mass = 1.0});
-/// hawser::InteractionDef rod{.kind = hawser::InteractionKind::Distance, .body = {ground, bob}};
-/// world.add_interaction(rod.set("length", 1.0));
+/// world.add(hawser::DistanceDef{.a = ground, .b = bob});
 /// while (world.time() < 10.0)
 ///     if (world.step() != hawser::Status::ok) break;
 /// ```
@@ -17,7 +16,8 @@
 /// does not throw. A function that throws, std::bad_alloc or anything else, leaves the world as it
 /// was; so does a step that fails, and what is tried again gives the same bits as if nothing had
 /// failed. A name that is not found gives an invalid id. A world is used by one thread at
-/// a time; different worlds are independent. Bodies, interactions, shapes and inputs may be added
+/// a time: a second one that changes it or steps is refused (UseError, Status::in_use). Different
+/// worlds are independent. Bodies, interactions, shapes and inputs may be added
 /// and removed between steps; the next step repairs its analysis, and what an edit touches wakes.
 /// Velocities given to what is added once the world has started are used as they are, like those
 /// of set_velocity(); the energy that comes and goes counts as driven (Energy).
@@ -27,7 +27,9 @@
 #include <hawser/id.h>
 #include <hawser/interactions.h>
 #include <hawser/math.h>
+#include <hawser/outputs.h>
 #include <hawser/shapes.h>
+#include <hawser/state.h>
 #include <hawser/stats.h>
 #include <hawser/system.h>
 #include <hawser/wire.h>
@@ -68,6 +70,14 @@ class World {
     BodyId add_body(const BodyDef& def);
     /// @throws DefError on unknown bodies, no moving body, a parameter missing or out of range.
     InteractionId add_interaction(const InteractionDef& def);
+    /// Several, all or none. A load with a factor but no interaction is of the first of them.
+    /// @param ids  As many as there are definitions. @throws DefError.
+    void add_interactions(std::span<const InteractionDef> defs, std::span<InteractionId> ids);
+    /// A typed definition of joints.h or lines.h; what it returns stands there.
+    template <class Def>
+    auto add(const Def& def) {
+        return define(*this, def);
+    }
     /// @throws DefError when the parameter cannot be driven or the name is taken.
     InputId add_input(const InputDef& def);
     /// @throws DefError on a name that is taken, a value out of range.
@@ -144,6 +154,12 @@ class World {
     /// Events since the last call, oldest first; keeps the newest 16,384 of slack and of taut each,
     /// and 4,096 of any other kind.
     [[nodiscard]] std::vector<Event> take_events();
+    /// Events from a reader's cursor on, oldest first; it moves behind them. For several readers,
+    /// and beside take_events(). 0 begins with the oldest kept. @param out  What it held goes.
+    /// @return how many were forgotten since the cursor.
+    std::uint64_t events_since(std::uint64_t& cursor, std::vector<Event>& out) const;
+    /// Events so far: where a reader begins that wants none of them.
+    [[nodiscard]] std::uint64_t event_cursor() const noexcept;
     /// How many of a kind there were, the first and the worst; taking events changes nothing of it.
     [[nodiscard]] EventExtremes event_extremes(EventKind kind) const noexcept;
 
@@ -158,7 +174,19 @@ class World {
     /// finite or above 1e300, as add_body() does.
     void set_force(BodyId body, const Vec3& force, const Vec3& torque);
 
+    // --- Outputs (outputs.h) ----------------------------------------------------------------
+    /// @throws DefError on a name that is taken, a target that is not there or has no such number.
+    OutputId add_output(const OutputDef& def);
+    [[nodiscard]] int output_count() const noexcept;
+    [[nodiscard]] const OutputDef& output_def(OutputId id) const;  ///< With component and unit.
+    [[nodiscard]] OutputId find_output(std::string_view name) const noexcept;
+    [[nodiscard]] double output(OutputId id) const;  ///< Its value now, in SI units.
+    /// All, by id, of the last good step or of what was set since; valid until one is added. NaN of
+    /// what has been removed.
+    [[nodiscard]] std::span<const double> outputs() const noexcept;
+
     // --- Bodies ---------------------------------------------------------------------------
+    [[nodiscard]] StateView state() const noexcept;  ///< All bodies without a copy: state.h.
     /// Places of bodies: ids have an index below it. Where a body was removed one is empty.
     [[nodiscard]] int body_count() const noexcept;
     /// Of all bodies there are, ascending; valid until one is added or removed.
@@ -184,6 +212,8 @@ class World {
     void wake(BodyId id);
     /// World position of a point given in the body's frame, from its centre of mass [m].
     [[nodiscard]] Vec3 world_point(BodyId id, const Vec3& local) const;
+    /// The other way: a point of the world in the frame of a body [m].
+    [[nodiscard]] Vec3 local_point(BodyId id, const Vec3& point) const;
 
     // --- Interactions -----------------------------------------------------------------------
     [[nodiscard]] int interaction_count() const noexcept;  ///< Places, as body_count().
@@ -195,6 +225,13 @@ class World {
     /// of ball, hinge, universal and lock are the force on body 1 in the world's axes. A line in
     /// tension has f < 0: tension = −force(id)[0].
     [[nodiscard]] std::span<const double> force(InteractionId id) const;
+    /// Of a kind that has one (KindInfo::coordinate): angle of frame 1 against frame 0 about z, −π
+    /// to π [rad], from where their x axes agree; way of point 1 along z of frame 0 [m]; position
+    /// of a scalar body. Joints agree with what limits, drives or rubs them. @throws DefError.
+    [[nodiscard]] double coordinate(InteractionId id) const;
+    [[nodiscard]] double speed(InteractionId id) const;  ///< Its rate, at time() − h/2.
+    /// Of a motor in the last step, positive where it pushes the coordinate up [N or N m].
+    [[nodiscard]] double motor_force(InteractionId id) const;
     /// Violation g of each row at the current poses [m or rad]; 0 for velocity rows.
     [[nodiscard]] std::array<double, kMaxInteractionRows> violation(InteractionId id) const;
     /// Its rows at the present poses and velocities, see inspect.h.
@@ -285,12 +322,16 @@ class World {
     /// Contact points of the last step, ascending by their shapes, those that sleep last; those
     /// that are near without touching included. Empty before the first step and after restore().
     [[nodiscard]] std::vector<ContactView> contacts() const;
+    /// In the caller's memory instead; what it held goes.
+    void contacts(std::vector<ContactView>& out) const;
 
     // --- Save and restore -------------------------------------------------------------------
     /// The whole dynamic state, warm start included. Restoring it in a world built from the
     /// same definitions continues bit for bit. Parameters are not part of it, apart from those
     /// that inputs drive.
     [[nodiscard]] std::vector<std::byte> save() const;
+    /// In the caller's memory instead; what it held goes.
+    void save(std::vector<std::byte>& out) const;
     /// @throws std::bad_alloc, LimitError; DefError when the bytes are damaged or belong to another
     /// world: other bodies,
     ///         interactions, inputs, step or parameters (any mass, length, stiffness, …; names,
@@ -318,6 +359,7 @@ class World {
     void take_saved(std::span<const std::byte> bytes);
     void copy_from(const World& other);
     void regroup_all(int parts);
+    void evaluate_outputs() const noexcept;
 
     struct Impl;
     std::unique_ptr<Impl> impl_;

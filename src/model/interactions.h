@@ -71,6 +71,12 @@ struct RowState {
     double carried[kMaxInteractionRows];  ///< ġ from prescribed velocities.
 };
 
+/// Coordinate of a kind that has one (KindInfo::coordinate).
+struct Coordinate {
+    double value = 0.0;  ///< [m or rad].
+    double rate = 0.0;   ///< By the velocities of the bodies [m/s or rad/s].
+};
+
 struct Interactions {
     /// Where one was removed, one of its kind without bodies and rows is left.
     base::Places places;
@@ -173,6 +179,9 @@ struct Interactions {
     /// @param v  Packed velocities, null: the bodies' own.
     [[nodiscard]] RowState row_state(int id, const Bodies& bodies_in,
                                      const double* v = nullptr) const noexcept;
+    /// That of the hinge, way or scalar body that it holds, limits, drives or rubs; zeros of a kind
+    /// that has none.
+    [[nodiscard]] Coordinate coordinate(int id, const Bodies& bodies_in) const noexcept;
     /// Gᵀλ on the body of one slot, force then torque, added to `out` (6 entries).
     void add_impulse(int id, int slot, const Bodies& bodies_in, const double* impulse,
                      double* out) const noexcept;

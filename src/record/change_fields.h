@@ -8,6 +8,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 
 namespace hawser::record {
@@ -108,6 +109,15 @@ void visit_fields(D& d, F&& f) {
     f(d.component);
     f(d.min);
     f(d.max);
+    f(d.local);
+    f(d.unit);
+    f(d.group);
+    f(d.nominal);
+    bool springs = d.spring.has_value();
+    double home = d.spring.value_or(0.0);
+    f(springs);
+    f(home);
+    if constexpr (!std::is_const_v<D>) d.spring = springs ? std::optional(home) : std::nullopt;
 }
 
 template <class F, FieldsOf<MaterialDef> D>

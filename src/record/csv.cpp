@@ -45,6 +45,10 @@ CsvWriter::CsvWriter(const std::filesystem::path& file, const SceneInfo& scene, 
         for (const char* what :
              {"x [m]", "y [m]", "z [m]", "roll [deg]", "pitch [deg]", "yaw [deg]"})
             line_ += "," + quoted(body_label(world, body) + " " + what);
+    for (std::int32_t i = 0; i < world.output_count(); ++i) {
+        const OutputDef& output = world.output_def({i});
+        line_ += "," + quoted(output.name + " [" + output.unit + "]");
+    }
     write();
 }
 
@@ -60,6 +64,7 @@ void CsvWriter::add_row(const World& world) {
         for (const Vec3& v : {pose.position, angles})
             fmt::format_to(out, ",{:.9g},{:.9g},{:.9g}", v.x(), v.y(), v.z());
     }
+    for (const double value : world.outputs()) fmt::format_to(out, ",{:.9g}", value);
     write();
 }
 

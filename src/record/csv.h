@@ -2,7 +2,7 @@
 #pragma once
 /// @file csv.h
 /// Results over time as comma-separated values: tensions at both ends of every cable,
-/// position and Euler angles of the plotted bodies.
+/// position and Euler angles of the plotted bodies, then the outputs that the world has.
 
 #include "record/scene_info.h"
 

@@ -80,6 +80,17 @@ void Description::add_input(InputDef def, int place) {
     input_at_.push_back(static_cast<std::size_t>(place));
 }
 
+void Description::add_output(OutputDef def, int place) {
+    const auto index = static_cast<std::int32_t>(outputs.size());
+    const auto [entry, added] = output_names_.emplace(def.name, index);
+    if (!added) {
+        refuse_taken("the output", def.name, places_[static_cast<std::size_t>(place)],
+                     output_place(static_cast<std::size_t>(entry->second)));
+    }
+    outputs.push_back(std::move(def));
+    output_at_.push_back(static_cast<std::size_t>(place));
+}
+
 void Description::add_cable(Cable cable, const Place& place) {
     const auto index = static_cast<std::int32_t>(cables.size());
     if (!cable_names_.emplace(cable.name, index).second) {
@@ -108,6 +119,11 @@ BodyId Description::world_body() {
         world_ = add_body(std::move(def), keep({}));
     }
     return world_;
+}
+
+const Cable* Description::find_cable(const std::string& name) const {
+    const auto entry = cable_names_.find(name);
+    return entry == cable_names_.end() ? nullptr : &cables[static_cast<std::size_t>(entry->second)];
 }
 
 Vec3 Description::world_point(BodyId id, const Vec3& local) const {

@@ -45,6 +45,7 @@ class Description {
     std::vector<BodyDef> bodies;
     std::vector<InteractionDef> interactions;
     std::vector<InputDef> inputs;
+    std::vector<OutputDef> outputs;
     std::vector<Cable> cables;
     std::vector<MaterialDef> materials;  ///< Material i of the list is i + 1 of the world.
     std::vector<MaterialPairDef> material_pairs;
@@ -57,7 +58,7 @@ class Description {
         return places_[interaction_at_[i]];
     }
     [[nodiscard]] const Place& input_place(std::size_t i) const { return places_[input_at_[i]]; }
-
+    [[nodiscard]] const Place& output_place(std::size_t i) const { return places_[output_at_[i]]; }
     [[nodiscard]] const Place& shape_place(std::size_t i) const { return places_[shape_at_[i]]; }
 
     void add_shape(ShapeDef def, int place);
@@ -71,11 +72,14 @@ class Description {
     BodyId add_body(BodyDef def, int place);
     InteractionId add_interaction(InteractionDef def, int place);
     void add_input(InputDef def, int place);
+    void add_output(OutputDef def, int place);
     void add_cable(Cable cable, const Place& place);
 
     [[nodiscard]] BodyId find_body(const std::string& name) const;
     [[nodiscard]] InteractionId find_interaction(const std::string& name) const;
     [[nodiscard]] bool has_cable(const std::string& name) const;
+    /// Null where there is none.
+    [[nodiscard]] const Cable* find_cable(const std::string& name) const;
     /// The fixed body "world", added when first asked for.
     BodyId world_body();
     [[nodiscard]] BodyId world_body_if_any() const { return world_; }
@@ -89,12 +93,12 @@ class Description {
 
   private:
     std::vector<Place> places_;
-    std::vector<std::size_t> body_at_, interaction_at_, input_at_, shape_at_;
+    std::vector<std::size_t> body_at_, interaction_at_, input_at_, output_at_, shape_at_;
     std::vector<std::string> group_names_{"default"};
     std::uint32_t named_groups_ = 0;                           ///< Those that some shape is in.
     std::vector<std::pair<std::uint32_t, Place>> touched_at_;  ///< Where each group is named.
     std::unordered_map<std::string, std::int32_t> body_names_, interaction_names_, input_names_,
-        cable_names_;
+        output_names_, cable_names_;
     BodyId world_;
 };
 
@@ -139,6 +143,8 @@ void expand_shapes(Description& out, BodyId body, const Json& list, const Place&
 void expand_segments(Description& out, const Scope& scope);
 /// Inputs of one scope (inputs.cpp).
 void expand_inputs(Description& out, const Scope& scope);
+/// Outputs of one scope, when all interactions are there (outputs.cpp).
+void expand_outputs(Description& out, const Scope& scope);
 /// Start from the stored state (state.cpp): bodies of copy 0, or the cables that join copies.
 void apply_state(Description& out, const Document& document);
 /// Copies of everything so far, and the cables that join them (repeat.cpp).
@@ -152,6 +158,13 @@ void expand_copies(Description& out, const Document& document);
 [[nodiscard]] Vec3 vector_or(const Json& object, const char* key, const Vec3& fallback);
 [[nodiscard]] double number_or(const Json& object, const char* key, double fallback);
 [[nodiscard]] std::string text_or(const Json& object, const char* key, const char* fallback);
+/// What a client shows of an input or output: "unit", "group", "nominal".
+template <class Def>
+void read_display(Def& def, const Json& json) {
+    def.unit = text_or(json, "unit", "");
+    def.group = text_or(json, "group", "");
+    def.nominal = number_or(json, "nominal", 0.0);
+}
 /// Name of a group: a text, or a number as one.
 [[nodiscard]] std::string group_of(const Json& value);
 /// "orientation" or "euler_deg" of an object. @throws SceneError for a zero quaternion.

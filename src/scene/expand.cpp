@@ -51,6 +51,10 @@ class Expander {
                 expand_inputs(out_, item.scope);
             });
         }
+        // Of the scene itself, outputs may name what is in its instances.
+        for (const InstanceScope& item : scopes_) {
+            (void)with_note(out_.mistakes, item.note, [&] { expand_outputs(out_, item.scope); });
+        }
     }
 
   private:
@@ -188,11 +192,9 @@ class Expander {
         Json content = Json::object();
         const Format& f = format();
         const std::pair<const char*, const Shape*> lists[] = {
-            {"bodies", f.bodies.get()},
-            {"instances", f.instances.get()},
-            {"cables", f.cables.get()},
-            {"interactions", f.interactions.get()},
-            {"inputs", f.inputs.get()}};
+            {"bodies", f.bodies.get()}, {"instances", f.instances.get()},
+            {"cables", f.cables.get()}, {"interactions", f.interactions.get()},
+            {"inputs", f.inputs.get()}, {"outputs", f.outputs.get()}};
         const bool filled = with_note(out_.mistakes, inner.note, [&] {
             for (const auto& [key, shape] : lists) {
                 if (definition.contains(key)) {

@@ -83,27 +83,6 @@ ShapePtr body() {
         {{"orientation", "euler_deg"}, {"inertia", "box", "cylinder", "sphere"}});
 }
 
-ShapePtr input() {
-    const ShapePtr bound = number("a number", -1e30, 1e30);
-    return object("input", "an input", "A number that may be changed while the scene runs.",
-                  {{"name", name("a name"), true, "", "", "Unique among inputs."},
-                   {"interaction", text("an interaction name"), false, "", "",
-                    "Interaction whose parameter it sets …"},
-                   {"param", text("a parameter"), false, "", "", "… and the parameter; or …"},
-                   {"body", body_ref(), false, "", "", "… body whose applied force it sets …"},
-                   {"component",
-                    word("a component",
-                         {"force_x", "force_y", "force_z", "torque_x", "torque_y", "torque_z"}),
-                    false, "", "", "… and which component of it, world frame."},
-                   {"min", bound, false, "-1e30", "", "Smallest value."},
-                   {"max", bound, false, "1e30", "", "Largest value."},
-                   {"description", text("a text"), false, "", "", "Remarks."}},
-                  {{"interaction", "body"},
-                   {"interaction", "component"},
-                   {"param", "body"},
-                   {"param", "component"}});
-}
-
 /// Value of a template's parameter.
 ShapePtr parameter() {
     const ShapePtr any_number = number("a number", -1e30, 1e30);
@@ -140,6 +119,7 @@ ShapePtr scene_template(const Format& format) {
          {"interactions", with_placeholders(format.interactions), false, "", "", "Interactions."},
          {"cables", with_placeholders(format.cables), false, "", "", "Cables."},
          {"inputs", with_placeholders(format.inputs), false, "", "", "Inputs."},
+         {"outputs", with_placeholders(format.outputs), false, "", "", "Outputs."},
          {"instances", with_placeholders(format.instances), false, "", "",
           "Templates used inside."}});
 }
@@ -188,6 +168,7 @@ ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
         {"cables", f.cables, false, "", "", "Cables."},
         {"instances", f.instances, false, "", "", "Uses of templates."},
         {"inputs", f.inputs, false, "", "", "Inputs."},
+        {"outputs", f.outputs, false, "", "", "Outputs: columns of --csv."},
         {"repeat",
          object("repeat", "a repetition", "How copies of the scene stand side by side.",
                 {{"offset", vector3("an offset"), true, "", "m", "From one copy to the next."},
@@ -227,7 +208,8 @@ Format make_format() {
     f.interactions = list_of("a list of interactions", interaction_shape());
     f.cables = list_of("a list of cables", cable_shape());
     f.instances = list_of("a list of instances", instance());
-    f.inputs = list_of("a list of inputs", input());
+    f.inputs = list_of("a list of inputs", input_shape());
+    f.outputs = list_of("a list of outputs", output_shape());
     const auto common = common_fields(f.line_type, scene_template(f));
     f.scene = scene_file(f, common);
     auto part = common;

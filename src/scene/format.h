@@ -34,6 +34,7 @@ struct Format {
     ShapePtr cables;
     ShapePtr instances;
     ShapePtr inputs;
+    ShapePtr outputs;
 };
 
 [[nodiscard]] const Format& format();
@@ -49,6 +50,10 @@ struct Format {
 
 /// Shape of one interaction, by kind. See format_kinds.cpp.
 [[nodiscard]] ShapePtr interaction_shape();
+
+/// Shapes of one input, and of one output by kind. See format_signals.cpp.
+[[nodiscard]] ShapePtr input_shape();
+[[nodiscard]] ShapePtr output_shape();
 
 /// Shapes of a body, and what a material, a pair of them, a cable's contact is. See
 /// format_shapes.cpp.

@@ -51,6 +51,14 @@ InputDef read_input(Description& out, const Scope& scope, const Json& json, cons
     if (def.min > def.max) {
         refuse(place / "min", "must not be greater than \"max\"");
     }
+    read_display(def, json);
+    def.local = json.value("local", false);
+    if (const auto spring = json.find("spring"); spring != json.end()) {
+        def.spring = spring->get<double>();
+        if (!(*def.spring >= def.min && *def.spring <= def.max)) {
+            refuse(place / "spring", "must lie between \"min\" and \"max\"");
+        }
+    }
     if (json.contains("interaction")) {
         def.interaction = resolve_interaction(out, scope, json["interaction"].get<std::string>(),
                                               place / "interaction");
@@ -74,6 +82,9 @@ InputDef read_input(Description& out, const Scope& scope, const Json& json, cons
                        (kind == BodyKind::scalar && def.component == 0);
     if (!takes) {
         refuse(place / "component", "this component does not act on a body of its kind");
+    }
+    if (def.local && kind != BodyKind::rigid) {
+        refuse(place / "local", "a body of its kind does not turn");
     }
     return def;
 }

@@ -108,9 +108,9 @@ class Page {
             title.front() = static_cast<char>(std::toupper(title.front()));
             object(shape, title, "##");
         }
-        if (shape.type == Type::switched && shape.id == "shape") {
+        if (shape.type == Type::switched && (shape.id == "shape" || shape.id == "output")) {
             for (const auto& [kind, option] : shape.cases) {
-                object(*option, "Shape: " + kind, "##");
+                object(*option, (shape.id == "shape" ? "Shape: " : "Output: ") + kind, "##");
             }
         }
         if (shape.item) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace hawser::scene {
@@ -11,7 +12,7 @@ namespace {
 
 /// What of the description is copy 0.
 struct Extent {
-    std::size_t bodies, interactions, inputs, cables, shapes;
+    std::size_t bodies, interactions, inputs, outputs, cables, shapes;
 };
 
 std::string copy_prefix(int copy) { return std::to_string(copy) + ":"; }
@@ -55,8 +56,8 @@ class Copier {
           place_(document.place / "repeat"),
           repeat_(repeat),
           offset_(vector_of(repeat["offset"])),
-          base_{out.bodies.size(), out.interactions.size(), out.inputs.size(), out.cables.size(),
-                out.shapes.size()} {}
+          base_{out.bodies.size(),  out.interactions.size(), out.inputs.size(),
+                out.outputs.size(), out.cables.size(),       out.shapes.size()} {}
 
     void run(int copies) {
         const auto check = [&](std::size_t each, std::int64_t most, const char* what) {
@@ -90,6 +91,7 @@ class Copier {
         add_bodies(prefix, shift);
         add_interactions(prefix, shift);
         add_inputs(prefix);
+        add_outputs(prefix, shift);
         add_cables(prefix, shift);
         add_shapes(prefix);
     }
@@ -141,16 +143,6 @@ class Copier {
         }
     }
 
-    void add_inputs(const std::string& prefix) {
-        for (std::size_t i = 0; i < base_.inputs; ++i) {
-            InputDef def = out_.inputs[i];
-            rename(def.name, prefix);
-            def.interaction = mapped(def.interaction);
-            def.body = mapped(def.body);
-            out_.add_input(std::move(def), number_);
-        }
-    }
-
     void add_cables(const std::string& prefix, const Vec3& shift) {
         for (std::size_t i = 0; i < base_.cables; ++i) {
             Cable cable = out_.cables[i];
@@ -177,6 +169,38 @@ class Copier {
             def.body = mapped(def.body);
             def.body_b = mapped(def.body_b);
             out_.add_shape(std::move(def), number_);
+        }
+    }
+
+    void add_inputs(const std::string& prefix) {
+        for (std::size_t i = 0; i < base_.inputs; ++i) {
+            InputDef def = out_.inputs[i];
+            rename(def.name, prefix);
+            def.interaction = mapped(def.interaction);
+            def.body = mapped(def.body);
+            out_.add_input(std::move(def), number_);
+        }
+    }
+
+    void add_outputs(const std::string& prefix, const Vec3& shift) {
+        for (std::size_t i = 0; i < base_.outputs; ++i) {
+            OutputDef def = out_.outputs[i];
+            if (output_kind_info(def.kind).target == OutputTarget::world) {
+                continue;  // Of all copies together.
+            }
+            rename(def.name, prefix);
+            for (const auto& [body, point] :
+                 {std::pair(&def.body, &def.point), std::pair(&def.body_b, &def.point_b)}) {
+                if (is_world(*body)) {
+                    *point += shift;
+                }
+                *body = mapped(*body);
+            }
+            def.interaction = mapped(def.interaction);
+            for (InteractionId& element : def.line) {
+                element = mapped(element);
+            }
+            out_.add_output(std::move(def), number_);
         }
     }
 

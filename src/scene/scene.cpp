@@ -41,6 +41,10 @@ class Builder {
             (void)take(description_.input_place(i),
                        [&] { world->add_input(description_.inputs[i]); });
         }
+        for (std::size_t i = 0; i < description_.outputs.size() && numbered_; ++i) {
+            (void)take(description_.output_place(i),
+                       [&] { world->add_output(description_.outputs[i]); });
+        }
         return std::move(*world);
     }
 

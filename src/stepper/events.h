@@ -58,6 +58,48 @@ class EventLog {
         return out;
     }
 
+    /// Events from number `cursor` on, oldest first; it moves behind them. @return those that are
+    /// no longer kept. @throws std::bad_alloc, and nothing has changed then but `out`.
+    std::uint64_t since(std::uint64_t& cursor, std::vector<Event>& out) const {
+        out.clear();
+        const auto total = static_cast<std::uint64_t>(total_);
+        const auto from = static_cast<std::int64_t>(std::min(cursor, total));
+        // Each kind's ring is ascending: the least of their next ones comes next.
+        std::array<std::int64_t, kEventKindCount> next{};
+        std::size_t found = 0;
+        for (std::size_t k = 0; k < rings_.size(); ++k) {
+            const Ring& ring = rings_[k];
+            const auto size = static_cast<std::int64_t>(ring.events.size());
+            const std::int64_t end = ring.extremes.count,
+                               begin = std::max<std::int64_t>(0, end - size);
+            std::int64_t low = begin, high = end;
+            while (low < high) {
+                const std::int64_t middle = low + (high - low) / 2;
+                (ring.at(middle).number < from ? low : high) =
+                    ring.at(middle).number < from ? middle + 1 : middle;
+            }
+            next[k] = low;
+            found += static_cast<std::size_t>(end - low);
+        }
+        out.reserve(found);
+        while (out.size() < found) {
+            std::size_t least = rings_.size();
+            for (std::size_t k = 0; k < rings_.size(); ++k)
+                if (next[k] < rings_[k].extremes.count &&
+                    (least == rings_.size() ||
+                     rings_[k].at(next[k]).number < rings_[least].at(next[least]).number))
+                    least = k;
+            out.push_back(rings_[least].at(next[least]++).event);
+        }
+        const std::uint64_t lost = total - static_cast<std::uint64_t>(from) - found;
+        cursor = total;
+        return lost;
+    }
+    /// Events so far.
+    [[nodiscard]] std::uint64_t count() const noexcept {
+        return static_cast<std::uint64_t>(total_);
+    }
+
     [[nodiscard]] const EventExtremes& extremes(EventKind kind) const noexcept {
         return rings_[static_cast<std::size_t>(kind)].extremes;
     }
@@ -71,6 +113,10 @@ class EventLog {
         std::vector<Numbered> events;
         EventExtremes extremes;
         std::int64_t taken = 0;
+        /// The i-th of its kind, which is still kept.
+        [[nodiscard]] const Numbered& at(std::int64_t i) const noexcept {
+            return events[static_cast<std::size_t>(i) % events.size()];
+        }
     };
     std::array<Ring, kEventKindCount> rings_;
     std::int64_t total_ = 0;

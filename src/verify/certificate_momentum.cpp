@@ -42,17 +42,24 @@ double late_share(double z) {
     return -1.0 / std::expm1(-z) - 1.0 / z;
 }
 
-// Applied force and torque, inputs included.
-Twist applied(const World& world, std::int32_t body) {
+// Applied force and torque, inputs included. @param turn  Of the body where the step began, with
+// which forces in its own frame turn.
+Twist applied(const World& world, std::int32_t body, const Quat& turn) {
     const BodyDef& def = world.body_def({body});
     Twist f;
     f.linear = def.force;
     f.angular = def.torque;
     for (std::int32_t i = 0; i < world.input_count(); ++i) {
         const InputDef& input = world.input_def({i});
-        if (input.interaction.valid() || input.body.index != body) continue;
+        if (input.interaction.valid() || input.body.index != body || input.local) continue;
         (input.component < 3 ? f.linear[input.component] : f.angular[input.component - 3]) =
             world.input({i});
+    }
+    for (std::int32_t i = 0; i < world.input_count(); ++i) {
+        const InputDef& input = world.input_def({i});
+        if (input.body.index != body || !input.local) continue;
+        const Vec3 force = turn * (world.input({i}) * Vec3::Unit(input.component % 3));
+        (input.component < 3 ? f.linear : f.angular) += force;
     }
     return f;
 }
@@ -131,9 +138,9 @@ double Verifier::momentum_residual(const World& world) {
             continue;
         }
         const BodyDef& def = world.body_def({b});
-        const Twist now = world.velocity({b}), force = applied(world, b);
         const bool turns = def.kind == BodyKind::rigid, scalar = def.kind == BodyKind::scalar;
         const Quat turn = turns ? pose_[index_of(b)].orientation : Quat::Identity();
+        const Twist now = world.velocity({b}), force = applied(world, b, turn);
         // Of drag d on velocities before and after, each axis of the body with its own mobility.
         const auto drag = [&](const Vec3& d, const Vec3& mobility, const Vec3& old,
                               const Vec3& v) -> Vec3 {

@@ -132,10 +132,17 @@ void StateVerifier::add_sources(const World& world) {
     }
     for (std::int32_t i = 0; i < world.input_count(); ++i) {
         const InputDef& input = world.input_def({i});
-        if (!input.body.valid()) continue;
+        if (!input.body.valid() || input.local) continue;
         const std::size_t b = number(input.body.index);
         (input.component < 3 ? force_[b][input.component] : torque_[b][input.component - 3]) =
             world.input({i});
+    }
+    for (std::int32_t i = 0; i < world.input_count(); ++i) {
+        const InputDef& input = world.input_def({i});
+        if (!input.local) continue;
+        const std::size_t b = number(input.body.index);
+        (input.component < 3 ? force_ : torque_)[b] +=
+            pose_[b].orientation * (world.input({i}) * Vec3::Unit(input.component % 3));
     }
     for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
         if (role_[number(i)] != Role::source) continue;

@@ -173,17 +173,10 @@ void check(const InteractionDef& def, const model::Bodies& bodies, int count,
     if (!moves) refuse(where, "couples no body that moves");
     for (const FrictionLoad& load : def.load) {
         if (!load.interaction.valid()) continue;
-        if (!kind_info(def.kind).takes_loads)
-            refuse(where, std::string("a ") + info.name + " takes no loads");
         if (load.interaction.index >= static_cast<int>(before.size()))
             refuse(where, "its load does not exist; interactions that load it are added before");
         if (!places.names(load.interaction)) refuse(where, "its load has been removed");
-        const InteractionDef& other = before[static_cast<std::size_t>(load.interaction.index)];
-        if (kind_info(other.kind).row_units[0] != 'm')
-            refuse(where, std::string("a ") + kind_info(other.kind).name +
-                              " carries no force that could load it");
-        if (!(load.factor >= 0.0 && load.factor <= 1e6))
-            refuse(where, "factor of a load must be 0 to 1e6");
+        check_load(def, load, before[static_cast<std::size_t>(load.interaction.index)]);
     }
     for (int r = 0; r < info.rows; ++r) {
         const double e = def.compliance[static_cast<std::size_t>(r)];
@@ -193,6 +186,17 @@ void check(const InteractionDef& def, const model::Bodies& bodies, int count,
         if (!std::isnan(t) && !(t >= 0.0 && t <= 1e9))
             refuse(where, "damping_time must be 0 to 1e9 s");
     }
+}
+
+void check_load(const InteractionDef& def, const FrictionLoad& load, const InteractionDef& other) {
+    const std::string where = label("interaction", def.name);
+    if (!kind_info(def.kind).takes_loads)
+        refuse(where, std::string("a ") + kind_info(def.kind).name + " takes no loads");
+    if (kind_info(other.kind).row_units[0] != 'm')
+        refuse(where, std::string("a ") + kind_info(other.kind).name +
+                          " carries no force that could load it");
+    if (!(load.factor >= 0.0 && load.factor <= 1e6))
+        refuse(where, "factor of a load must be 0 to 1e6");
 }
 
 void check_params(const InteractionDef& def) {

@@ -23,6 +23,8 @@ void check(const BodyDef& def);
 /// @param before  Interactions of the user. @param places  Theirs. @throws DefError
 void check(const InteractionDef& def, const model::Bodies& bodies, int count,
            std::span<const InteractionDef> before, const base::Places& places);
+/// Checks a load of `def` by what it is the force of. @throws DefError
+void check_load(const InteractionDef& def, const FrictionLoad& load, const InteractionDef& other);
 /// Checks parameters once defaults have been filled in. @throws DefError
 void check_params(const InteractionDef& def);
 /// @param method  Not all of them have every resistance. @throws DefError
@@ -36,6 +38,10 @@ void check(const ShapeDef& def, const model::Bodies& bodies, int count, int mate
 void check_pose(const std::string& where, const Vec3& position, const Quat& orientation);
 void check_velocity(const std::string& where, const Vec3& linear, const Vec3& angular);
 void check_force(const std::string& where, const Vec3& force, const Vec3& torque);
+
+/// Why a kind has none, and which have.
+[[nodiscard]] std::string no_coordinate(const KindInfo& kind);
+[[nodiscard]] std::string no_motor(const KindInfo& kind);
 
 /// For messages: as short as it may be, 1e+300 has 301 digits else.
 [[nodiscard]] std::string number(double value);

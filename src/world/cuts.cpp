@@ -19,6 +19,7 @@
 namespace hawser {
 
 void World::set_group(BodyId id, const std::string& group) {
+    const world::Using use(impl_->use, "set_group");
     const std::size_t b = impl_->place(id);
     Impl& m = *impl_;
     if (m.body_defs[b].group == group) return;
@@ -37,6 +38,7 @@ std::int32_t World::Impl::number_of_group(const std::string& name) {
 }
 
 void World::follow_groups(int parts, int every) {
+    const world::Using use(impl_->use, "follow_groups");
     stepper::StepContext& c = impl_->ctx;
     WorldDef def = c.def;
     def.parts = parts;
@@ -54,6 +56,7 @@ void World::follow_groups(int parts, int every) {
 }
 
 std::vector<std::int32_t> World::groups() const {
+    const world::Using use(impl_->use, "groups");
     stepper::StepContext& c = impl_->ctx;
     stepper::ready(c);
     std::vector<std::int32_t> out = c.cuts.group;
@@ -63,6 +66,7 @@ std::vector<std::int32_t> World::groups() const {
 }
 
 void World::set_groups(int parts) {
+    const world::Using use(impl_->use, "set_groups");
     if (parts < 1 || parts > 4096)
         throw DefError("groups: parts = " + std::to_string(parts) + "; give 1 to 4096");
     Impl& m = *impl_;
@@ -96,6 +100,7 @@ void World::regroup_all(int parts) {
 }
 
 void World::set_coupling(InteractionId id, Coupling coupling) {
+    const world::Using use(impl_->use, "set_coupling");
     const std::size_t i = impl_->place(id);
     stepper::StepContext& c = impl_->ctx;
     if (coupling > Coupling::deadline) throw DefError("unknown coupling");
@@ -120,6 +125,7 @@ Coupling World::coupling(InteractionId id) const {
 }
 
 std::vector<CutView> World::cuts() const {
+    const world::Using use(impl_->use, "cuts");
     Impl& m = *impl_;
     stepper::ready(m.ctx);
     std::vector<CutView> out;
@@ -203,6 +209,7 @@ void copy_groups(const stepper::StepContext& from, stepper::StepContext& to) {
 }  // namespace
 
 void World::copy_state(const World& other) {
+    const world::Using use(impl_->use, "copy_state"), reading(other.impl_->use, "copy_state");
     const stepper::StepContext& from = other.impl_->ctx;
     stepper::StepContext& to = impl_->ctx;
     stepper::ready(other.impl_->ctx);
@@ -231,6 +238,7 @@ void World::copy_state(const World& other) {
         throw;
     }
     all.done();
+    impl_->outputs.forget_figures();
     if (impl_->listener != nullptr) impl_->listener->restored(copied);
 }
 

@@ -5,6 +5,7 @@
 #include "world/checks.h"
 #include "world/impl.h"
 #include "world/lookup.h"
+#include "world/parts.h"
 
 #include <algorithm>
 #include <span>
@@ -51,6 +52,7 @@ void refuse_beyond(std::size_t living, std::int32_t most, const char* what) {
 }  // namespace
 
 BodyId World::add_body(const BodyDef& def) {
+    const world::Using use(impl_->use, "add_body");
     world::check(def);
     Impl& m = *impl_;
     stepper::StepContext& c = m.ctx;
@@ -78,6 +80,7 @@ BodyId World::add_body(const BodyDef& def) {
 }
 
 InteractionId World::add_interaction(const InteractionDef& def) {
+    const world::Using use(impl_->use, "add_interaction");
     Impl& m = *impl_;
     stepper::StepContext& c = m.ctx;
     model::Interactions& all = c.interactions;
@@ -85,16 +88,7 @@ InteractionId World::add_interaction(const InteractionDef& def) {
                  all.places);
     refuse_beyond(m.interaction_ids.size(), c.def.max_interactions, "interactions");
     InteractionDef d = def;
-    const KindInfo& info = kind_info(d.kind);
-    Vec3 position[kMaxInteractionBodies], point[kMaxInteractionBodies];
-    for (int b = 0; b < info.bodies; ++b) {
-        const BodyId id = d.body[static_cast<std::size_t>(b)];
-        position[b] = pose(id).position;
-        point[b] = world_point(id, d.point[static_cast<std::size_t>(b)]);
-    }
-    const double distance = info.bodies > 1 ? (point[1] - point[0]).norm() : 0.0;
-    model::complete(d, position, distance);
-    world::check_params(d);
+    world::fill_in(d, c);
     all.make_room(d.kind);
     base::make_room(m.interaction_ids, 1);
     stepper::reserve_edit(c);
@@ -112,6 +106,7 @@ InteractionId World::add_interaction(const InteractionDef& def) {
 }
 
 ShapeId World::add_shape(const ShapeDef& def) {
+    const world::Using use(impl_->use, "add_shape");
     Impl& m = *impl_;
     world::check(def, m.ctx.bodies, body_count(), material_count());
     ShapeDef kept = def;
@@ -149,6 +144,7 @@ bool World::alive(InputId id) const noexcept { return impl_->input_places.names(
 void World::set_change_listener(ChangeListener* listener) noexcept { impl_->listener = listener; }
 
 const Removed& World::remove_body(BodyId id) {
+    const world::Using use(impl_->use, "remove_body");
     (void)impl_->place(id);
     impl_->reserve_removal();
     impl_->remove(id);
@@ -157,6 +153,7 @@ const Removed& World::remove_body(BodyId id) {
 }
 
 const Removed& World::remove_interaction(InteractionId id) {
+    const world::Using use(impl_->use, "remove_interaction");
     (void)impl_->place(id);
     impl_->reserve_removal();
     impl_->remove(id);
@@ -165,6 +162,7 @@ const Removed& World::remove_interaction(InteractionId id) {
 }
 
 const Removed& World::remove_shape(ShapeId id) {
+    const world::Using use(impl_->use, "remove_shape");
     (void)impl_->place(id);
     impl_->reserve_removal();
     impl_->remove(id);
@@ -173,6 +171,7 @@ const Removed& World::remove_shape(ShapeId id) {
 }
 
 const Removed& World::remove_input(InputId id) {
+    const world::Using use(impl_->use, "remove_input");
     (void)impl_->place(id);
     impl_->reserve_removal();
     impl_->remove(id);
@@ -264,6 +263,7 @@ void World::Impl::remove(InputId id) noexcept {
     InputDef& def = inputs[at(id.index)];
     const InteractionId driven = def.interaction;
     world::release(input_names, def.name);
+    std::erase(local_inputs, id.index);
     def = {};
     input_values[at(id.index)] = 0.0;
     input_places.vacate(id.index);

@@ -5,63 +5,100 @@
 
 #include "base/hash.h"
 
+#include <algorithm>
+#include <cstring>
+
 namespace hawser::world {
 namespace {
 
-std::uint64_t hash_of(const MaterialDef& m, std::uint64_t h) {
+/// Takes many small values, and hashes them some kilobytes at a time.
+class Digest {
+  public:
+    void bytes(const void* data, std::size_t size) {
+        if (size > kRoom - used_) flush();
+        if (size > kRoom) {
+            hash_ = base::checksum(data, size, hash_);
+        } else if (size > 0) {
+            std::memcpy(room_ + used_, data, size);
+            used_ += size;
+        }
+    }
+    template <class V>
+    void value(const V& v) {
+        bytes(&v, sizeof v);
+    }
+    template <class A>
+    void array(const A& a) {
+        bytes(a.data(), a.size() * sizeof(a[0]));
+    }
+    /// The front of an array.
+    template <class A>
+    void front(const A& a, std::size_t count) {
+        bytes(a.data(), count * sizeof(a[0]));
+    }
+    [[nodiscard]] std::uint64_t result() {
+        flush();
+        return hash_;
+    }
+
+  private:
+    static constexpr std::size_t kRoom = 4096;
+    void flush() {
+        hash_ = base::checksum(room_, used_, hash_);
+        used_ = 0;
+    }
+    std::uint64_t hash_ = base::kFnvStart;
+    std::size_t used_ = 0;
+    unsigned char room_[kRoom];
+};
+
+void add(const MaterialDef& m, Digest& to) {
     const double values[] = {m.friction,     m.restitution, m.stiffness, m.tangential,
                              m.damping_time, m.rolling,     m.torsional};
-    return base::fnv1a(values, sizeof values, h);
+    to.value(values);
 }
 
-/// Of all that shapes and materials are, names apart.
-std::uint64_t hash_of(const std::vector<ShapeDef>& shapes, const collide::Collider& collider,
-                      std::uint64_t h) {
-    auto array = [&](const auto& a) { h = base::fnv1a(a.data(), a.size() * sizeof(a[0]), h); };
-    auto value = [&](const auto& v) { h = base::fnv1a(&v, sizeof v, h); };
-    for (int i = 0; i < collider.materials.count(); ++i) h = hash_of(collider.materials.def(i), h);
+/// All that shapes and materials are, names apart.
+void add(const std::vector<ShapeDef>& shapes, const collide::Collider& collider, Digest& to) {
+    for (int i = 0; i < collider.materials.count(); ++i) add(collider.materials.def(i), to);
     for (const MaterialPairDef& pair : collider.materials.pairs()) {
-        value(pair.a.index);
-        value(pair.b.index);
-        h = hash_of(pair.values, h);
+        to.value(pair.a.index);
+        to.value(pair.b.index);
+        add(pair.values, to);
     }
     for (const ShapeDef& s : shapes) {
-        h = base::fnv1a(s.position.data(), sizeof(Vec3), h);
-        h = base::fnv1a(s.orientation.coeffs().data(), 4 * sizeof(double), h);
-        value(s.radius);
-        value(s.half_length);
-        h = base::fnv1a(s.half_size.data(), sizeof(Vec3), h);
-        value(s.rows);
-        value(s.columns);
-        array(s.cell);
-        array(s.heights);
-        array(s.vertices);
-        array(s.triangles);
-        value(s.material.index);
-        value(s.group);
-        value(s.touches);
+        to.bytes(s.position.data(), sizeof(Vec3));
+        to.bytes(s.orientation.coeffs().data(), 4 * sizeof(double));
+        to.value(s.radius);
+        to.value(s.half_length);
+        to.bytes(s.half_size.data(), sizeof(Vec3));
+        to.value(s.rows);
+        to.value(s.columns);
+        to.array(s.cell);
+        to.array(s.heights);
+        to.array(s.vertices);
+        to.array(s.triangles);
+        to.value(s.material.index);
+        to.value(s.group);
+        to.value(s.touches);
     }
-    return h;
 }
 
 }  // namespace
 
 std::uint64_t layout_of(const stepper::StepContext& ctx, std::size_t inputs) {
-    std::uint64_t h = base::kFnvStart;
+    Digest to;
     // Of what the user added: images and copies of cuts follow from it.
-    auto add = [&](const auto& a, std::size_t n) {
-        h = base::fnv1a(a.data(), n * sizeof(a[0]), h);
-    };
     const auto bodies = static_cast<std::size_t>(stepper::body_count(ctx)),
                count = static_cast<std::size_t>(stepper::interaction_count(ctx));
-    add(ctx.bodies.kind, bodies);
-    add(ctx.regroup.by_hand, bodies);
-    add(ctx.interactions.body, kMaxInteractionBodies * count);
-    add(ctx.interactions.rows, count);
-    for (std::size_t i = 0; i < count; ++i) h = base::fnv1a(&ctx.interactions.def[i].kind, 1, h);
+    to.front(ctx.bodies.kind, bodies);
+    to.front(ctx.regroup.by_hand, bodies);
+    to.front(ctx.interactions.body, kMaxInteractionBodies * count);
+    to.front(ctx.interactions.rows, count);
+    for (std::size_t i = 0; i < count; ++i) to.value(ctx.interactions.def[i].kind);
     for (const collide::Shape& s : ctx.collider.shapes()) {
-        h = base::fnv1a(&s.geometry.kind, sizeof s.geometry.kind, h);
-        h = base::fnv1a(s.body, sizeof s.body, h);
+        to.value(s.geometry.kind);
+        to.value(s.body);
     }
     for (const base::Places* places :
          {&ctx.bodies.places, &ctx.interactions.places, &ctx.collider.places}) {
@@ -69,61 +106,64 @@ std::uint64_t layout_of(const stepper::StepContext& ctx, std::size_t inputs) {
                                                               : places == &ctx.interactions.places
                                                                   ? count
                                                                   : ctx.collider.shapes().size());
-        add(places->generations(), n);
-        add(places->vacant(), places->vacant().size());
+        to.front(places->generations(), n);
+        to.array(places->vacant());
     }
-    h = base::fnv1a(&ctx.def.step, sizeof ctx.def.step, h);
-    return base::fnv1a(&inputs, sizeof inputs, h);
+    to.value(ctx.def.step);
+    to.value(inputs);
+    return to.result();
 }
 
 std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<InputDef>& inputs,
                             const std::vector<ShapeDef>& shapes) {
-    std::uint64_t h = hash_of(shapes, ctx.collider, base::kFnvStart);
-    auto add = [&](const void* data, std::size_t bytes) { h = base::fnv1a(data, bytes, h); };
-    auto array = [&](const auto& a) { add(a.data(), a.size() * sizeof(a[0])); };
-    auto value = [&](const auto& v) { add(&v, sizeof v); };
-    const auto bodies = static_cast<std::size_t>(stepper::body_count(ctx));
-    add(ctx.bodies.mass.data(), bodies * sizeof(double));
-    add(ctx.bodies.inertia.data(), 9 * bodies * sizeof(double));
-    add(ctx.bodies.damping.data(), 6 * bodies * sizeof(double));
-    add(ctx.bodies.weight.data(), bodies);
+    Digest to;
+    add(shapes, ctx.collider, to);
+    const auto bodies = static_cast<std::size_t>(stepper::body_count(ctx)),
+               count = static_cast<std::size_t>(stepper::interaction_count(ctx));
+    to.front(ctx.bodies.mass, bodies);
+    to.front(ctx.bodies.inertia, 9 * bodies);
+    to.front(ctx.bodies.damping, 6 * bodies);
+    to.front(ctx.bodies.weight, bodies);
     for (const SettingInfo& s : setting_infos())
         for (int c = 0; s.identity && c < (s.type == SettingType::vector ? 3 : 1); ++c)
-            value(s.get(ctx.def, c));
+            to.value(s.get(ctx.def, c));
     if (stepper::makes_groups(ctx)) {
-        value(ctx.def.parts);
-        value(ctx.def.regroup_every);
+        to.value(ctx.def.parts);
+        to.value(ctx.def.regroup_every);
     }
-    for (std::size_t i = 0; i < static_cast<std::size_t>(stepper::interaction_count(ctx)); ++i)
-        value(i < ctx.cuts.coupling.size() ? ctx.cuts.coupling[i] : ctx.def.coupling);
+    for (std::size_t i = 0; i < count; ++i)
+        to.value(i < ctx.cuts.coupling.size() ? ctx.cuts.coupling[i] : ctx.def.coupling);
     for (const InputDef& input : inputs) {
-        array(input.name);
-        array(input.param);
-        value(input.interaction.index);
-        value(input.body.index);
-        value(input.component);
-        value(input.min);
-        value(input.max);
+        to.array(input.name);
+        to.array(input.param);
+        to.value(input.interaction.index);
+        to.value(input.body.index);
+        to.value(input.component);
+        to.value(input.local);
+        to.value(input.min);
+        to.value(input.max);
     }
-    for (std::size_t i = 0; i < static_cast<std::size_t>(stepper::interaction_count(ctx)); ++i) {
-        InteractionDef d = ctx.interactions.def[i];
-        for (std::size_t b = 0; b < kMaxInteractionBodies; ++b) {
-            add(d.point[b].data(), sizeof(Vec3));
-            add(d.frame[b].coeffs().data(), 4 * sizeof(double));
-        }
-        array(d.compliance);
-        array(d.damping_time);
+    for (std::size_t i = 0; i < count; ++i) {
+        const InteractionDef& d = ctx.interactions.def[i];
+        to.bytes(d.point.data(), sizeof d.point);
+        to.bytes(d.frame.data(), sizeof d.frame);
+        to.array(d.compliance);
+        to.array(d.damping_time);
         for (const FrictionLoad& load : d.load) {
-            value(load.interaction.index);
-            value(load.factor);
+            to.value(load.interaction.index);
+            to.value(load.factor);
         }
-        if ((ctx.interactions.flags[i] & model::kByInput) != 0)
-            for (const InputDef& input : inputs)
-                if (input.interaction.index == static_cast<std::int32_t>(i))
-                    d.set(input.param, 0.0);
-        array(d.params);
+        if ((ctx.interactions.flags[i] & model::kByInput) == 0) {
+            to.array(d.params);
+            continue;
+        }
+        InteractionDef given = d;
+        for (const InputDef& input : inputs)
+            if (input.interaction.index == static_cast<std::int32_t>(i))
+                given.set(input.param, 0.0);
+        to.array(given.params);
     }
-    return h;
+    return to.result();
 }
 
 }  // namespace hawser::world

@@ -11,7 +11,9 @@
 #include "stepper/sleep.h"
 #include "stepper/step.h"
 #include "world/lookup.h"
+#include "world/outputs.h"
 #include "world/systems.h"
+#include "world/use.h"
 #include "world/wire_list.h"
 
 #include <string>
@@ -101,6 +103,17 @@ struct World::Impl final : private world::InputDoor {
         ChangeListener* listener_;
     };
     world::Systems systems{*this};
+
+    /// Inputs with forces in the frame of their body, in the order added, and the six forces of
+    /// each one's body while a step is taken that has them turned into the world.
+    std::vector<std::int32_t> local_inputs;
+    std::vector<double> forces_before;
+    void turn_local_forces() noexcept;
+    void restore_forces() noexcept;
+
+    factor::KeptAnalysis saved_analysis;  ///< Scratch of save(), so that it needs no memory twice.
+    world::Outputs outputs;
+    world::Use use;
 
     void apply_input(std::size_t index, double value);
     /// What acts at present where an input does: its value, unless something else set it since.

@@ -16,13 +16,28 @@ namespace hawser {
 using world::claim;
 using world::lookup;
 
+namespace {
+
+/// What a client shows.
+void check_display(const InputDef& def, const std::string& where) {
+    if (!(def.nominal >= 0.0) || !std::isfinite(def.nominal))
+        throw DefError(where + ": nominal = " + world::number(def.nominal) +
+                       ": give a size above 0, or 0 where none is known");
+    if (def.spring && !std::isfinite(*def.spring))
+        throw DefError(where + ": spring is not a finite number; leave it out for none");
+}
+
+}  // namespace
+
 InputId World::add_input(const InputDef& def) {
+    const world::Using use(impl_->use, "add_input");
     Impl& m = *impl_;
     const std::string where = world::label("input", def.name);
     if (def.name.empty()) throw DefError("an input needs a name");
     if (!std::isfinite(def.min) || !std::isfinite(def.max) || def.min > def.max)
         throw DefError(where + ": min = " + world::number(def.min) +
                        ", max = " + world::number(def.max) + ": the range is empty or not finite");
+    check_display(def, where);
     double value = 0.0;
     InputDef allowed = def;
     if (def.interaction.valid()) {
@@ -44,12 +59,24 @@ InputId World::add_input(const InputDef& def) {
         const std::size_t b = impl_->place(def.body);
         if (def.component < 0 || def.component > 5)
             throw DefError(where + ": component must be 0 to 5");
-        value = m.ctx.bodies.force[6 * b + at(def.component)];
+        if (def.local && m.ctx.bodies.kind[b] != BodyKind::rigid)
+            throw DefError(where + ": local: its body does not turn; leave it false");
+        if (!def.local) value = m.ctx.bodies.force[6 * b + at(def.component)];
     }
+    if (def.local && def.interaction.valid())
+        throw DefError(where + ": local: only a force or torque on a body has a frame to turn in");
+    if (def.spring && !(*def.spring >= allowed.min && *def.spring <= allowed.max))
+        throw DefError(where + ": spring = " + world::number(*def.spring) +
+                       " is outside of its range, " + world::number(allowed.min) + " … " +
+                       world::number(allowed.max));
     base::make_room(m.inputs, 1);
     base::make_room(m.input_values, 1);
     base::make_room(m.ctx.interactions.working, 1);
     m.input_places.make_room();
+    if (def.local) {
+        base::make_room(m.local_inputs, 1);
+        m.forces_before.resize(6 * (m.local_inputs.size() + 1));
+    }
     std::int32_t place = m.input_places.find_vacant([](std::int32_t) { return true; });
     claim(m.input_names, def.name, place < 0 ? input_count() : place, "input");
     // From here on nothing throws.
@@ -61,6 +88,7 @@ InputId World::add_input(const InputDef& def) {
     } else {
         m.input_places.take(place);
     }
+    if (def.local) m.local_inputs.push_back(place);
     m.inputs[at(place)] = std::move(allowed);
     m.input_values[at(place)] = value;
     if (m.listener != nullptr) m.listener->added(def);
@@ -75,6 +103,7 @@ InputId World::find_input(std::string_view name) const noexcept {
 double World::input(InputId id) const { return impl_->input_values[impl_->place(id)]; }
 
 void World::set_input(InputId id, double value) {
+    const world::Using use(impl_->use, "set_input");
     const std::size_t i = impl_->place(id);
     const InputDef& def = impl_->inputs[i];
     if (!std::isfinite(value))
@@ -93,7 +122,8 @@ void World::set_input(InputId id, double value) {
                    : 0.0;
     };
     const double before = elastic();
-    if (clamped != impl_->applied(def) || clamped != impl_->input_values[i]) impl_->disturb(def);
+    const bool elsewhere = !def.local && clamped != impl_->applied(def);
+    if (elsewhere || clamped != impl_->input_values[i]) impl_->disturb(def);
     impl_->apply_input(i, clamped);
     c.drive += elastic() - before;
     if (impl_->listener != nullptr) impl_->listener->set(id, value);
@@ -122,8 +152,28 @@ void World::Impl::apply_input(std::size_t index, double value) {
     if (def.interaction.valid()) {
         ctx.interactions.def[at(def.interaction.index)].set(def.param, value);
         ctx.interactions.refresh(def.interaction.index, ctx.bodies, ctx.def.step);
-    } else {
+    } else if (!def.local) {
         ctx.bodies.force[6 * at(def.body.index) + at(def.component)] = value;
+    }
+}
+
+void World::Impl::turn_local_forces() noexcept {
+    double* before = forces_before.data();
+    for (const std::int32_t i : local_inputs) {
+        const InputDef& def = inputs[at(i)];
+        double* force = &ctx.bodies.force[6 * at(def.body.index)];
+        before = std::copy_n(force, 6, before);
+        const double* r = &ctx.bodies.r[9 * at(def.body.index)];
+        const int axis = def.component % 3, first = def.component - axis;
+        for (int k = 0; k < 3; ++k) force[first + k] += r[3 * k + axis] * input_values[at(i)];
+    }
+}
+
+void World::Impl::restore_forces() noexcept {
+    // The last one first: several may be of one body.
+    for (std::size_t k = local_inputs.size(); k-- > 0;) {
+        const InputDef& def = inputs[at(local_inputs[k])];
+        std::copy_n(&forces_before[6 * k], 6, &ctx.bodies.force[6 * at(def.body.index)]);
     }
 }
 

@@ -115,6 +115,7 @@ bool follow_separators(const assembly::PartGraph& g, std::span<const std::int64_
 }  // namespace
 
 PartitionView World::partition(const PartitionRequest& request) const {
+    const world::Using use(impl_->use, "partition");
     if (request.parts < 1 || request.parts > 4096)
         throw DefError("a partition has 1 to 4096 parts");
     if (!request.group.empty() && request.group.size() != static_cast<std::size_t>(body_count()))

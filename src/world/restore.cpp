@@ -7,6 +7,7 @@
 namespace hawser {
 
 void World::restore(std::span<const std::byte> bytes) {
+    const world::Using use(impl_->use, "restore");
     stepper::StepContext& ctx = impl_->ctx;
     std::vector<double> inputs = impl_->input_values;
     stepper::Transaction all(ctx);
@@ -18,6 +19,7 @@ void World::restore(std::span<const std::byte> bytes) {
         throw;
     }
     all.done();
+    impl_->outputs.forget_figures();
     if (impl_->listener != nullptr) impl_->listener->restored(bytes);
 }
 

@@ -48,6 +48,7 @@ void add_resistance(const stepper::StepContext& ctx, std::size_t i, ContactView&
 }  // namespace
 
 MaterialId World::add_material(const MaterialDef& def) {
+    const world::Using use(impl_->use, "add_material");
     Impl& m = *impl_;
     world::check(def, m.ctx.def.nonsmooth);
     const int index = material_count();
@@ -59,6 +60,7 @@ MaterialId World::add_material(const MaterialDef& def) {
 }
 
 void World::add_material_pair(const MaterialPairDef& def) {
+    const world::Using use(impl_->use, "add_material_pair");
     world::check(def, material_count(), impl_->ctx.def.nonsmooth);
     impl_->ctx.collider.materials.add_pair(def);
     impl_->ctx.topology_changed = true;
@@ -84,8 +86,15 @@ ShapeId World::find_shape(std::string_view name) const noexcept {
 }
 
 std::vector<ContactView> World::contacts() const {
-    const stepper::StepContext& ctx = impl_->ctx;
     std::vector<ContactView> out;
+    contacts(out);
+    return out;
+}
+
+void World::contacts(std::vector<ContactView>& out) const {
+    const stepper::StepContext& ctx = impl_->ctx;
+    out.clear();
+    out.reserve(ctx.contacts.contacts.size());
     for (std::size_t i = 0; i < ctx.contacts.contacts.size(); ++i) {
         const collide::Contact& c = ctx.contacts.contacts[i];
         ContactView v;
@@ -113,7 +122,6 @@ std::vector<ContactView> World::contacts() const {
         v.sliding = i < ctx.contact_sliding.size() && ctx.contact_sliding[i] != 0;
         out.push_back(v);
     }
-    return out;
 }
 
 }  // namespace hawser

@@ -117,6 +117,13 @@ void take_state(stepper::StepContext& ctx, std::vector<double>& inputs, const He
 }  // namespace
 
 std::vector<std::byte> World::save() const {
+    std::vector<std::byte> out;
+    save(out);
+    return out;
+}
+
+void World::save(std::vector<std::byte>& out) const {
+    const world::Using use(impl_->use, "save");
     Impl& m = *impl_;
     stepper::ready(m.ctx);
     Header header;
@@ -125,7 +132,8 @@ std::vector<std::byte> World::save() const {
     header.contacts = m.ctx.collider.kept().size();
     header.resistances = m.ctx.system.contacts.resistances.memory.size();
     header.links = m.ctx.system.contacts.links.size();
-    const factor::AnalysisState order = m.ctx.system.analysis.state();
+    m.ctx.system.analysis.keep(m.saved_analysis);
+    const factor::AnalysisState& order = m.saved_analysis.state;
     const factor::Chains& chains = order.elimination.chains;
     header.grouped = m.ctx.regroup.parts.part.size();
     header.nodes = order.elimination.order.size();
@@ -136,8 +144,7 @@ std::vector<std::byte> World::save() const {
                 [&](const void*, std::size_t n) { header.bytes += n; });
     header.systems = m.systems.layout();
     header.system_bytes = m.systems.state_bytes();
-    std::vector<std::byte> out(sizeof header + header.bytes + header.system_bytes +
-                               sizeof(std::uint64_t));
+    out.resize(sizeof header + header.bytes + header.system_bytes + sizeof(std::uint64_t));
     std::byte* to = out.data();
     auto put = [&](const void* from, std::size_t n) {
         if (n > 0) std::memcpy(to, from, n);
@@ -147,9 +154,8 @@ std::vector<std::byte> World::save() const {
     visit_state(m.ctx, m.input_values, order, put);
     m.systems.save(to);
     to += header.system_bytes;
-    const std::uint64_t sum = base::fnv1a(out.data(), out.size() - sizeof sum);
+    const std::uint64_t sum = base::checksum(out.data(), out.size() - sizeof sum);
     put(&sum, sizeof sum);
-    return out;
 }
 
 void World::take_saved(std::span<const std::byte> bytes) {
@@ -176,7 +182,7 @@ void World::take_saved(std::span<const std::byte> bytes) {
             "same order and with states of the same size");
     stepper::ready(m.ctx);
     const auto damaged = [] { return DefError("snapshot: the bytes are damaged (checksum)"); };
-    if (sum != base::fnv1a(bytes.data(), bytes.size() - sizeof sum)) throw damaged();
+    if (sum != base::checksum(bytes.data(), bytes.size() - sizeof sum)) throw damaged();
     // What bytes alone tell is told before anything changes, the rest by going back.
     visit_groups(m.ctx.regroup, [&](const void*, std::size_t n) { size += n; });
     stepper::Regroup groups;

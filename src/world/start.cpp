@@ -34,6 +34,7 @@ RowsView World::rows(InteractionId id) const {
 }
 
 std::vector<ContactView> World::overlaps() const {
+    const world::Using use(impl_->use, "overlaps");
     stepper::StepContext& ctx = impl_->ctx;
     std::vector<ContactView> out;
     if (ctx.collider.count() == 0) return out;

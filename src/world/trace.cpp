@@ -11,6 +11,7 @@
 namespace hawser {
 
 void World::start_trace(std::size_t spans) {
+    const world::Using use(impl_->use, "start_trace");
     constexpr std::size_t kMost = std::size_t{1} << 28;
     if (spans > kMost)
         throw DefError("start_trace: spans = " + std::to_string(spans) + "; give at most " +

@@ -103,6 +103,7 @@ void World::Impl::copy_inputs(World& out) const {
 }
 
 World World::twin(std::optional<Coupling> coupling) const {
+    const world::Using use(impl_->use, "twin");
     const Impl& m = *impl_;
     WorldDef def = m.ctx.def;
     def.coupling = coupling.value_or(def.coupling);
@@ -111,6 +112,7 @@ World World::twin(std::optional<Coupling> coupling) const {
     m.copy_shapes(out);
     m.copy_interactions(out);
     m.copy_inputs(out);
+    out.impl_->outputs = m.outputs;
     out.impl_->wires = m.wires;
     for (std::size_t i = 0; i < m.systems.count(); ++i) {
         std::unique_ptr<System> copy = m.systems.at(i).clone();

@@ -24,6 +24,7 @@ namespace {
 }  // namespace
 
 WireId World::add_wire(const WireDef& def) {
+    const world::Using use(impl_->use, "add_wire");
     const std::string where = world::label("wire", def.name);
     world::check(def);
     Impl& m = *impl_;
@@ -114,6 +115,7 @@ void World::Impl::take_back(const Mark& before, const world::Wire& made) noexcep
 }
 
 WireId World::adopt_wire(const std::string& name, std::span<const InteractionId> elements) {
+    const world::Using use(impl_->use, "adopt_wire");
     const std::string where = world::label("wire", name);
     if (name.empty()) throw DefError("a wire needs a name");
     if (elements.empty()) refuse(where, "it has no elements");
@@ -159,6 +161,7 @@ const world::Wire& World::Impl::wire(WireId id) const {
 }
 
 const Removed& World::remove_wire(WireId id) {
+    const world::Using use(impl_->use, "remove_wire");
     Impl& m = *impl_;
     const world::Wire& wire = m.wire(id);
     m.reserve_removal();
@@ -225,10 +228,12 @@ double World::tension(WireId id, double s) const {
 }
 
 void World::part(WireId id, double s) {
+    const world::Using use(impl_->use, "part");
     part(element_at(*this, impl_->ctx.interactions, impl_->wire(id), s));
 }
 
 void World::part(InteractionId id) {
+    const world::Using use(impl_->use, "part");
     const std::size_t i = impl_->place(id);
     stepper::StepContext& c = impl_->ctx;
     if (!kind_info(c.interactions.def[i].kind).is(kWireElement))

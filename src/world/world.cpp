@@ -25,11 +25,25 @@ World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
-void World::prepare() { stepper::ready(impl_->ctx); }
+void World::prepare() {
+    const world::Using use(impl_->use, "prepare");
+    stepper::ready(impl_->ctx);
+}
 
 Status World::step() noexcept {
-    impl_->systems.use(*this);
-    return stepper::step(impl_->ctx);
+    Impl& m = *impl_;
+    const world::MaybeUsing use(m.use);
+    if (!use.alone()) return Status::in_use;
+    m.use.stepping(true);
+    m.systems.use(*this);
+    m.turn_local_forces();
+    const Status status = stepper::step(m.ctx);
+    m.restore_forces();
+    m.use.stepping(false);
+    if (status != Status::ok) return status;
+    m.outputs.keep_figures(m.ctx.stats);
+    evaluate_outputs();
+    return status;
 }
 
 void World::cancel() noexcept { impl_->ctx.pool.stop(); }
@@ -44,14 +58,14 @@ void World::degrade_next_step(const Degradation& degradation) noexcept {
 double World::time() const noexcept { return impl_->ctx.time; }
 std::int64_t World::step_count() const noexcept { return impl_->ctx.step; }
 const StepStats& World::stats() const noexcept { return impl_->ctx.stats; }
-std::vector<Event> World::take_events() { return impl_->ctx.events.take(); }
 EventExtremes World::event_extremes(EventKind kind) const noexcept {
     return impl_->ctx.events.extremes(kind);
 }
 const WorldDef& World::settings() const noexcept { return impl_->ctx.def; }
 
 Energy World::energy() const noexcept {
-    if (impl_->ctx.topology_changed) return {};
+    const world::MaybeUsing use(impl_->use);
+    if (!use.granted() || impl_->ctx.topology_changed) return {};
     try {
         stepper::ready(impl_->ctx);
     } catch (const std::exception&) {
@@ -69,6 +83,7 @@ std::uint64_t World::state_hash() const noexcept {
 }
 
 void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
+    const world::Using use(impl_->use, "set_force");
     const std::size_t b = impl_->place(body);
     world::check_force(world::label("body", impl_->body_defs[b].name), force, torque);
     for (int i = 0; i < 3; ++i) {
@@ -105,6 +120,7 @@ Twist World::velocity(BodyId id) const {
 }
 
 void World::set_pose(BodyId id, const Pose& pose) {
+    const world::Using use(impl_->use, "set_pose");
     const std::size_t b = impl_->place(id);
     world::check_pose(world::label("body", impl_->body_defs[b].name), pose.position,
                       pose.orientation);
@@ -126,6 +142,7 @@ void World::set_pose(BodyId id, const Pose& pose) {
 }
 
 void World::set_velocity(BodyId id, const Twist& twist) {
+    const world::Using use(impl_->use, "set_velocity");
     const std::size_t b = impl_->place(id);
     const std::string where = world::label("body", impl_->body_defs[b].name);
     world::check_velocity(where, twist.linear, twist.angular);
@@ -149,6 +166,7 @@ void World::set_velocity(BodyId id, const Twist& twist) {
 bool World::asleep(BodyId id) const { return impl_->ctx.bodies.asleep[impl_->place(id)] != 0; }
 
 void World::wake(BodyId id) {
+    const world::Using use(impl_->use, "wake");
     (void)impl_->place(id);
     if (impl_->ctx.bodies.dof(id.index) == 0) stepper::disturb_all(impl_->ctx);
     stepper::disturb(impl_->ctx, id.index);
@@ -211,6 +229,7 @@ bool World::intact(InteractionId id) const {
 }
 
 SystemView World::inspect() const {
+    const world::Using use(impl_->use, "inspect");
     Impl& m = *impl_;
     stepper::ready(m.ctx);
     const assembly::System& s = m.ctx.system;

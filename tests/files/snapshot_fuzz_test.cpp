@@ -20,7 +20,7 @@ constexpr std::size_t kCounts = 24;    ///< Where the counts begin; the last is 
 
 void sign(std::vector<std::byte>& bytes) {
     const std::span<std::byte> all(bytes);
-    write_at(all, bytes.size() - 8, base::fnv1a(bytes.data(), bytes.size() - 8));
+    write_at(all, bytes.size() - 8, base::checksum(bytes.data(), bytes.size() - 8));
 }
 
 /// One more or less of what a header counts, and bytes put in or taken out somewhere.

@@ -95,8 +95,8 @@ TEST(Changes, AnInputOfALaterThingIsNoCommandOfTheScene) {
                                      .processor = "test"});
         record::RecordingListener listener(out, scene.world);
         scene.world.set_input({0}, 20.0);
-        const InputId lift =
-            scene.world.add_input({.name = "lift", .body = BodyId{2}, .component = 2});
+        const InputId lift = scene.world.add_input(
+            {.name = "lift", .body = BodyId{2}, .component = 2, .unit = "N", .spring = 0.0});
         scene.world.set_input(lift, 700.0);
         for (int i = 0; i < 5; ++i) {
             listener.flush();
@@ -112,6 +112,9 @@ TEST(Changes, AnInputOfALaterThingIsNoCommandOfTheScene) {
     again.world.restore(r.snapshot);
     EXPECT_EQ(differences(r, again.world), 0);
     EXPECT_GT(again.world.velocity(BodyId{2}).linear.z(), 0.0) << "it was lifted";
+    const InputDef& lift = again.world.input_def(again.world.find_input("lift"));
+    EXPECT_EQ(lift.unit, "N");
+    EXPECT_EQ(lift.spring, 0.0);
 }
 
 TEST(Changes, BytesThatAreNoneAreRefused) {

@@ -86,7 +86,8 @@ inline constexpr std::string_view kSite = R"({
       ],
       "instances": [{"template": "weight", "name": "w", "on": "tip", "bind": {"above": "tip"},
                      "parameters": {"kilos": "${boom_mass}"}}],
-      "inputs": [{"name": "gust", "body": "tip", "component": "force_x"}]
+      "inputs": [{"name": "gust", "body": "tip", "component": "force_x"}],
+      "outputs": [{"name": "load", "kind": "tension", "cable": "hoist", "component": "last"}]
     },
     "weight": {
       "parameters": {"kilos": 100},
@@ -101,8 +102,29 @@ inline constexpr std::string_view kSite = R"({
   "inputs": [
     {"name": "roller.speed", "interaction": "turn", "param": "speed", "min": -1, "max": 1},
     {"name": "thrust", "body": "ship", "component": "force_y", "min": -5e5, "max": 5e5,
-     "description": "bow thruster"},
+     "description": "bow thruster", "local": true, "unit": "N", "group": "ship", "nominal": 5e5,
+     "spring": 0},
     {"name": "let_out", "interaction": "brake", "param": "target"}
+  ],
+  "outputs": [
+    {"name": "heading", "kind": "pose", "body": "ship", "component": "yaw", "unit": "rad",
+     "group": "ship", "nominal": 3, "description": "of the ship"},
+    {"name": "surge", "kind": "velocity", "body": "ship", "point": [40, 0, 0], "component": "x",
+     "local": true},
+    {"name": "roller", "kind": "coordinate", "interaction": "bearing"},
+    {"name": "roller_speed", "kind": "speed", "interaction": "turn", "component": "value"},
+    {"name": "roller_torque", "kind": "motor_force", "interaction": "turn"},
+    {"name": "bearing_load", "kind": "force", "interaction": "bearing", "component": "row_2"},
+    {"name": "tow", "kind": "tension", "cable": "tow", "component": "largest"},
+    {"name": "fall", "kind": "tension", "interactions": ["fall"], "component": "first"},
+    {"name": "paid_out", "kind": "drum", "cable": "tow", "component": "paid_out"},
+    {"name": "wire_left", "kind": "drum", "interaction": "tow/s0", "component": "length"},
+    {"name": "gap", "kind": "distance", "bodies": ["rig", "ship"],
+     "points": [[35, 0, 0], [-40, 0, 0]]},
+    {"name": "way", "kind": "distance", "bodies": ["world", "rig"],
+     "points": [[0, 10, 0], [0, 0, 0]]},
+    {"name": "slew", "kind": "coordinate", "interaction": "port/pivot"},
+    {"name": "residual", "kind": "statistic", "component": "residual"}
   ],
   "repeat": {"offset": [0, 1500, 0], "copies": 2,
              "joins": [{"name": "neighbour", "line_type": "wire", "elements": 5,

@@ -114,6 +114,47 @@ TEST(Allocation, NoneInAWarmStepOfTwoThreads) {
     expect_none(mixed(4, 30), 2);
 }
 
+/// Nor what a client reads after each step, once its own memory is large enough.
+TEST(Allocation, NoneInWhatAClientReads) {
+    if (!HAWSER_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
+    World w = mixed(3, 10).make();
+    for (std::int32_t b = 0; b < w.body_count(); ++b)
+        w.add_output({.name = "x" + std::to_string(b),
+                      .kind = OutputKind::pose,
+                      .body = {b},
+                      .component = "x"});
+    for (std::int32_t i = 0; i < w.interaction_count(); ++i)
+        w.add_output({.name = "f" + std::to_string(i),
+                      .kind = OutputKind::force,
+                      .interaction = {i},
+                      .component = "row_0"});
+    w.add_output({.name = "e", .kind = OutputKind::statistic, .component = "mechanical"});
+    std::vector<std::byte> saved;
+    std::vector<ContactView> contacts;
+    std::vector<Event> events;
+    std::uint64_t cursor = 0;
+    events.reserve(100'000);
+    for (int i = 0; i < 3; ++i) ASSERT_EQ(w.step(), Status::ok);
+    w.save(saved);
+    long seen = 0;
+    double sum = 0.0;
+    bool ok = true;
+    {
+        const Guard guard;
+        for (int i = 0; i < 50; ++i) {
+            ok = ok && w.step() == Status::ok;
+            for (const double value : w.outputs()) sum += value;
+            sum += w.state().positions[0];
+            w.contacts(contacts);
+            w.save(saved);
+            (void)w.events_since(cursor, events);
+        }
+        seen = Guard::seen();
+    }
+    EXPECT_TRUE(ok && sum == sum);
+    EXPECT_EQ(seen, 0);
+}
+
 /// A wire in two parts that the world chooses; drag brings it to rest.
 Recipe parted_wire(int every) {
     Recipe r = wire(40);

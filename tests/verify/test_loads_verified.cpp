@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Loads of systems by separate code: momentum and energy of scenes in which systems act.
-#include "scene/scene.h"
+#include <hawser/scene.h>
+
 #include "systems/acting.h"
 #include "verify/certificate.h"
 

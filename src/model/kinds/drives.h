@@ -82,6 +82,7 @@ struct Hold {
                                     .row_units = "m",
                                     .scalar_slot = 0,
                                     .from_pose = "target",
+                                    .coordinate = KindCoordinate::scalar,
                                     .params = kHoldParams,
                                     .doc = "Holds a scalar body (drum, spool) at a coordinate."};
     using Data = TargetData;

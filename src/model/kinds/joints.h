@@ -67,6 +67,7 @@ struct Hinge : JointKind {
         .uses_points = true,
         .uses_frames = true,
         .row_units = "mmmrr",
+        .coordinate = KindCoordinate::about,
         .traits = kHoldsBodies,
         .doc = "Hinge: the bodies share a point and turn about the frames' z axis."};
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
@@ -94,6 +95,7 @@ struct Prismatic : JointKind {
         .uses_points = true,
         .uses_frames = true,
         .row_units = "mmrrr",
+        .coordinate = KindCoordinate::along,
         .traits = kHoldsBodies | kSlides,
         .doc = "Slider: body 1 moves along z of frame 0 and does not turn against body 0."};
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
@@ -124,6 +126,7 @@ struct Cylindrical : JointKind {
                                     .uses_points = true,
                                     .uses_frames = true,
                                     .row_units = "mmrr",
+                                    .coordinate = KindCoordinate::along,
                                     .traits = kHoldsBodies | kSlides,
                                     .doc = "Body 1 slides along and turns about z of frame 0."};
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {

@@ -248,6 +248,7 @@ struct Twist {
         .uses_points = false,
         .uses_frames = true,
         .row_units = "r",
+        .coordinate = KindCoordinate::about,
         .traits = kElastic | kOfWires,
         .params = kTwistParams,
         .doc = "Torsional stiffness GJ/length about the common z axis of the two frames."};

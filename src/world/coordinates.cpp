@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Coordinates of joints, and of what limits, drives or rubs them.
+#include <hawser/world.h>
+
+#include "world/checks.h"
+#include "world/impl.h"
+
+#include <string>
+
+namespace hawser {
+namespace world {
+
+std::string no_coordinate(const KindInfo& kind) {
+    std::string those;
+    for (const KindInfo& k : interaction_kinds())
+        if (k.coordinate != KindCoordinate::none)
+            those += (those.empty() ? "" : ", ") + std::string(k.name);
+    return std::string("a ") + kind.name + " has no coordinate; those that have one are " + those;
+}
+
+std::string no_motor(const KindInfo& kind) {
+    for (const KindInfo& k : interaction_kinds())
+        if (k.is(kMotorKind) && k.coordinate == kind.coordinate)
+            return std::string("a ") + kind.name + " is no motor; the " + k.name +
+                   " that drives its coordinate is";
+    return std::string("a ") + kind.name + " is no motor; its forces are World::force()";
+}
+
+}  // namespace world
+
+namespace {
+
+/// @throws DefError for a kind without a coordinate.
+model::Coordinate coordinate_of(const stepper::StepContext& ctx, std::size_t i) {
+    const InteractionDef& def = ctx.interactions.def[i];
+    const KindInfo& kind = kind_info(def.kind);
+    if (kind.coordinate == KindCoordinate::none)
+        throw DefError(world::label("interaction", def.name) + ": " + world::no_coordinate(kind));
+    return ctx.interactions.coordinate(static_cast<int>(i), ctx.bodies);
+}
+
+}  // namespace
+
+double World::coordinate(InteractionId id) const {
+    return coordinate_of(impl_->ctx, impl_->place(id)).value;
+}
+
+double World::speed(InteractionId id) const {
+    return coordinate_of(impl_->ctx, impl_->place(id)).rate;
+}
+
+double World::motor_force(InteractionId id) const {
+    const InteractionDef& def = interaction_def(id);
+    const KindInfo& kind = kind_info(def.kind);
+    if (!kind.is(kMotorKind))
+        throw DefError(world::label("interaction", def.name) + ": " + world::no_motor(kind));
+    return force(id)[0];
+}
+
+}  // namespace hawser

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <hawser/lines.h>
+#include <hawser/world.h>
+
+#include "world/checks.h"
+#include "world/define.h"
+
+#include <cmath>
+#include <utility>
+
+namespace hawser {
+namespace {
+
+using world::set_given;
+
+/// A point on a body, which a lump has none of.
+void attach(InteractionDef& def, const World& in, std::size_t slot, BodyId body,
+            const Vec3& point) {
+    def.body[slot] = body;
+    def.point[slot] = point;
+    if (!point.isZero(0.0) && in.body_def(body).kind == BodyKind::lump)
+        throw DefError(std::string(kind_info(def.kind).name) + " " +
+                       (def.name.empty() ? "(unnamed)" : "'" + def.name + "'") +
+                       ": a lump is a point; leave its attachment at 0");
+}
+
+template <class Def>
+InteractionDef line(const World& in, InteractionKind kind, const Def& def) {
+    InteractionDef out;
+    out.kind = kind;
+    out.name = def.name;
+    attach(out, in, 0, def.a, def.point_a);
+    attach(out, in, 1, def.b, def.point_b);
+    set_given(out, "length", def.length);
+    out.damping_time[0] = def.damping_time;
+    return out;
+}
+
+template <class Def>
+void set_stretch(InteractionDef& out, const Def& def) {
+    set_given(out, "EA", def.EA);
+    set_given(out, "breaking_load", def.breaking_load);
+    if (def.tension_only) out.set("tension_only", *def.tension_only ? 1.0 : 0.0);
+}
+
+}  // namespace
+
+InteractionId define(World& world, const DistanceDef& def) {
+    InteractionDef out = line(world, InteractionKind::Distance, def);
+    out.compliance[0] = def.compliance;
+    return world.add_interaction(out);
+}
+
+InteractionId define(World& world, const StretchDef& def) {
+    InteractionDef out = line(world, InteractionKind::Stretch, def);
+    set_stretch(out, def);
+    return world.add_interaction(out);
+}
+
+InteractionId define(World& world, const WinchStretchDef& def) {
+    InteractionDef out = line(world, InteractionKind::WinchStretch, def);
+    out.body[2] = def.drum;
+    set_stretch(out, def);
+    set_given(out, "radius", def.radius);
+    return world.add_interaction(out);
+}
+
+InteractionId define(World& world, const BendDef& def) {
+    InteractionDef out;
+    out.kind = InteractionKind::Bend;
+    out.name = def.name;
+    attach(out, world, 0, def.first, def.point_first);
+    attach(out, world, 1, def.middle, def.point_middle);
+    attach(out, world, 2, def.last, def.point_last);
+    set_given(out, "EI", def.EI);
+    set_given(out, "length", def.length);
+    out.damping_time.fill(def.damping_time);
+    return world.add_interaction(out);
+}
+
+DrumIds define(World& world, const DrumDef& def) {
+    world::Parts parts;
+    DrumIds ids;
+    const auto part = [&](InteractionKind kind, const char* what) {
+        InteractionDef out;
+        out.kind = kind;
+        out.name = world::part_name(def.name, what);
+        out.body[0] = def.drum;
+        return out;
+    };
+    if (def.motor) {
+        InteractionDef out = part(InteractionKind::ScalarMotor, "motor");
+        world::set_motor(out, *def.motor);
+        parts.add(std::move(out), ids.motor);
+    }
+    if (def.friction) {
+        InteractionDef out = part(InteractionKind::ScalarFriction, "friction");
+        if (def.friction->own_load != 0.0)
+            throw DefError(world::label("drum", def.name) +
+                           ": own_load: a drum has no joint that could press; use load");
+        world::set_friction(out, *def.friction);
+        parts.add(std::move(out), ids.friction);
+    }
+    if (def.hold) {
+        InteractionDef out = part(InteractionKind::Hold, "hold");
+        out.set("target", *def.hold);
+        parts.add(std::move(out), ids.hold);
+    }
+    if (parts.defs.empty())
+        throw DefError(world::label("drum", def.name) + ": give a motor, friction or hold");
+    parts.add_to(world);
+    return ids;
+}
+
+}  // namespace hawser

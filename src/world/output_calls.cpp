@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Outputs of a world.
+#include <hawser/world.h>
+
+#include "world/impl.h"
+#include "world/lookup.h"
+#include "world/outputs.h"
+
+#include <utility>
+
+namespace hawser {
+
+using world::lookup;
+
+OutputId World::add_output(const OutputDef& def) {
+    const world::Using use(impl_->use, "add_output");
+    OutputDef kept = def;
+    const int component = world::check_output(kept, impl_->ctx, body_count(), interaction_count());
+    return impl_->outputs.add(std::move(kept), component);
+}
+
+int World::output_count() const noexcept { return static_cast<int>(impl_->outputs.defs().size()); }
+const OutputDef& World::output_def(OutputId id) const {
+    return impl_->outputs.defs()[impl_->outputs.place(id)];
+}
+OutputId World::find_output(std::string_view name) const noexcept {
+    return OutputId{lookup(impl_->outputs.names(), name)};
+}
+double World::output(OutputId id) const { return outputs()[impl_->outputs.place(id)]; }
+
+std::span<const double> World::outputs() const noexcept {
+    Impl& m = *impl_;
+    if (m.use.changed()) {
+        const world::MaybeUsing use(m.use);
+        if (use.granted()) evaluate_outputs();
+    }
+    return m.outputs.values();
+}
+
+void World::evaluate_outputs() const noexcept {
+    Impl& m = *impl_;
+    if (!m.outputs.values().empty())
+        m.outputs.evaluate(m.ctx, m.outputs.wants_energy() ? energy() : Energy{});
+    m.use.unchanged();
+}
+
+}  // namespace hawser

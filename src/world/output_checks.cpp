@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What is refused as an output, with the remedy.
+#include "world/checks.h"
+#include "world/nearest.h"
+#include "world/outputs.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace hawser::world {
+namespace {
+
+[[noreturn]] void refuse(const std::string& where, const std::string& what) {
+    throw DefError(where + ": " + what);
+}
+
+int component_of(const OutputDef& def, const OutputKindInfo& kind, const std::string& where) {
+    if (def.component.empty() && kind.components.size() == 1) return 0;
+    std::vector<const char*> known;
+    for (std::size_t i = 0; i < kind.components.size(); ++i) {
+        if (def.component == kind.components[i].name) return static_cast<int>(i);
+        known.push_back(kind.components[i].name);
+    }
+    refuse(where, (def.component.empty() ? std::string("a ") + kind.name + " needs a component"
+                                         : std::string("a ") + kind.name + " has no component '" +
+                                               def.component + "'") +
+                      remedy_of(def.component, known));
+}
+
+void check_body(const std::string& where, const char* field, BodyId body, const Vec3& point,
+                const model::Bodies& bodies, int count, bool is_place) {
+    if (body.index < 0 || body.index >= count)
+        refuse(where, std::string(field) + " does not exist; give the id of a body");
+    if (!bodies.places.names(body)) refuse(where, std::string(field) + " has been removed");
+    if (!point.allFinite()) refuse(where, "a point is not finite");
+    const int dof = bodies.dof(body.index);
+    if (dof == 1 && is_place)
+        refuse(where,
+               std::string(field) + " is a scalar body, which has a coordinate, not a place");
+    if ((dof == 1 || dof == 3) && !point.isZero(0.0))
+        refuse(where, std::string(field) +
+                          " has no orientation: leave the point at 0, it is the body itself");
+}
+
+/// Lumps do not turn, a drum has one coordinate.
+void check_body_component(const std::string& where, const OutputDef& def, int component,
+                          const model::Bodies& bodies) {
+    const int dof = bodies.dof(def.body.index);
+    const bool turning = component >= (def.kind == OutputKind::pose ? int{kRoll} : int{kTurning});
+    if (dof == 3 && (turning || def.local))
+        refuse(where, "a lump does not turn; give x, y or z, in the world's axes");
+    if (dof == 1 && (component != 0 || def.local))
+        refuse(where, "a scalar body has one coordinate; give the component x");
+}
+
+const char* unit_by(KindCoordinate coordinate, const char* about, const char* along,
+                    const char* open) {
+    return coordinate == KindCoordinate::about   ? about
+           : coordinate == KindCoordinate::along ? along
+                                                 : open;
+}
+
+/// Of coordinate, speed, motor_force, force, drum. @return the unit.
+std::string check_interaction(const std::string& where, const OutputDef& def, int component,
+                              const model::Interactions& in, int count) {
+    if (def.interaction.index < 0 || def.interaction.index >= count)
+        refuse(where, "its interaction does not exist; give the id of one");
+    if (!in.places.names(def.interaction)) refuse(where, "its interaction has been removed");
+    const KindInfo& kind = kind_info(in.def[at(def.interaction.index)].kind);
+    const KindCoordinate c = kind.coordinate;
+    switch (def.kind) {
+        case OutputKind::coordinate:
+        case OutputKind::speed:
+            if (c == KindCoordinate::none) refuse(where, no_coordinate(kind));
+            return def.kind == OutputKind::coordinate ? unit_by(c, "rad", "m", "m or rad")
+                                                      : unit_by(c, "rad/s", "m/s", "m/s or rad/s");
+        case OutputKind::motor_force:
+            if (!kind.is(kMotorKind)) refuse(where, no_motor(kind));
+            return unit_by(c, "N m", "N", "N or N m");
+        case OutputKind::drum:
+            if (!kind.is(kWoundUp))
+                refuse(where, std::string("a ") + kind.name +
+                                  " is wound on no drum; give a winch_stretch, or the pose of the "
+                                  "drum itself");
+            return "m";
+        default:
+            break;
+    }
+    if (component >= kind.rows)
+        refuse(where, std::string("a ") + kind.name + " has " + std::to_string(kind.rows) +
+                          " rows; give row_0 to row_" + std::to_string(kind.rows - 1));
+    const char letter = kind.row_units[component];
+    if (letter == 'v') return unit_by(c, "N m", "N", "N or N m");
+    return letter == 'r' ? "N m" : "N";
+}
+
+void check_line(const std::string& where, const OutputDef& def, const model::Interactions& in,
+                int count) {
+    if (def.line.empty()) refuse(where, "a tension needs a line; give its elements in order");
+    for (const InteractionId id : def.line) {
+        if (id.index < 0 || id.index >= count)
+            refuse(where, "an element of its line does not exist");
+        if (!in.places.names(id)) refuse(where, "an element of its line has been removed");
+        const KindInfo& kind = kind_info(in.def[at(id.index)].kind);
+        if (!kind.is(kAlongLine) && !(kind.is(kHoldsBodies) && kind.row_units[0] == 'm'))
+            refuse(where, std::string("a ") + kind.name +
+                              " carries no tension; give stretches, rods, or the joints of links");
+    }
+}
+
+}  // namespace
+
+int check_output(OutputDef& def, const stepper::StepContext& ctx, int bodies, int interactions) {
+    if (def.name.empty()) throw DefError("an output needs a name");
+    const std::string where = label("output", def.name);
+    if (static_cast<int>(def.kind) >= kOutputKindCount) refuse(where, "unknown kind");
+    if (!(def.nominal >= 0.0) || !std::isfinite(def.nominal))
+        refuse(where, "nominal = " + number(def.nominal) +
+                          ": give a size above 0, or 0 where none is known");
+    const OutputKindInfo& kind = output_kind_info(def.kind);
+    const int component = component_of(def, kind, where);
+    const OutputComponent& chosen = kind.components[at(component)];
+    std::string unit = chosen.unit;
+    if (def.local && def.kind != OutputKind::velocity)
+        refuse(where, "only a velocity may be local, along the body's own axes");
+    switch (kind.target) {
+        case OutputTarget::two_bodies:
+            check_body(where, "body_b", def.body_b, def.point_b, ctx.bodies, bodies, true);
+            [[fallthrough]];
+        case OutputTarget::body:
+            check_body(where, "body", def.body, def.point, ctx.bodies, bodies,
+                       kind.target == OutputTarget::two_bodies);
+            if (kind.target == OutputTarget::body) {
+                check_body_component(where, def, component, ctx.bodies);
+                if (ctx.bodies.dof(def.body.index) == 1)
+                    unit = def.kind == OutputKind::pose ? "m or rad" : "m/s or rad/s";
+            }
+            break;
+        case OutputTarget::interaction:
+            unit = check_interaction(where, def, component, ctx.interactions, interactions);
+            break;
+        case OutputTarget::line:
+            check_line(where, def, ctx.interactions, interactions);
+            break;
+        case OutputTarget::world:
+            break;
+    }
+    def.component = chosen.name;
+    if (def.unit.empty()) def.unit = unit;
+    return component;
+}
+
+}  // namespace hawser::world

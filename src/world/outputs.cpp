@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/outputs.h"
+
+#include <hawser/world.h>
+
+#include "stepper/step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace hawser {
+namespace world {
+namespace {
+
+bool turns(const model::Bodies& b, std::int32_t body) noexcept {
+    return b.dof(body) == 6 || b.dof(body) == 0;
+}
+
+/// A vector of the body's frame in the world's.
+Vec3 turned(const model::Bodies& b, std::int32_t body, const Vec3& local) noexcept {
+    if (!turns(b, body)) return Vec3::Zero();
+    const double* r = &b.r[9 * at(body)];
+    Vec3 out;
+    for (int i = 0; i < 3; ++i)
+        out[i] = r[3 * i] * local[0] + r[3 * i + 1] * local[1] + r[3 * i + 2] * local[2];
+    return out;
+}
+
+Vec3 place_in_world(const model::Bodies& b, std::int32_t body, const Vec3& point) noexcept {
+    const double* x = &b.x[3 * at(body)];
+    return Vec3(x[0], x[1], x[2]) + turned(b, body, point);
+}
+
+double pose_component(const model::Bodies& b, std::int32_t body, const Vec3& point,
+                      int component) noexcept {
+    if (component < kRoll) return place_in_world(b, body, point)[component];
+    const double* q = &b.q[4 * at(body)];
+    const double w = q[0], x = q[1], y = q[2], z = q[3];
+    switch (component) {
+        case kRoll:
+            return std::atan2(2.0 * (w * x + y * z), 1.0 - 2.0 * (x * x + y * y));
+        case kPitch:
+            return std::asin(std::clamp(2.0 * (w * y - z * x), -1.0, 1.0));
+        case kYaw:
+            return std::atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z));
+        default:
+            return q[component - kQuaternion];
+    }
+}
+
+double velocity_component(const model::Bodies& b, const OutputDef& def, int component) noexcept {
+    const std::int32_t body = def.body.index;
+    const int dof = b.dof(body);
+    const double* from = dof == 0 ? &b.v_fixed[6 * at(body)] : &b.v[at(b.dof_begin[at(body)])];
+    double v[6] = {};
+    std::copy_n(from, dof == 0 ? 6 : dof, v);
+    const Vec3 omega(v[3], v[4], v[5]);
+    Vec3 out = omega;
+    if (component < kTurning)
+        out = Vec3(v[0], v[1], v[2]) + omega.cross(turned(b, body, def.point));
+    const int axis = component % kTurning;
+    if (!def.local) return out[axis];
+    const double* r = &b.r[9 * at(body)];
+    return r[axis] * out[0] + r[3 + axis] * out[1] + r[6 + axis] * out[2];
+}
+
+double tension(const model::Interactions& in, InteractionId id) noexcept {
+    const std::size_t i = at(id.index);
+    const double* f = &in.force[at(in.row_begin[i])];
+    const KindInfo& kind = kind_info(in.def[i].kind);
+    if (kind.is(kAlongLine)) return -f[0];
+    double sum = 0.0;
+    for (int r = 0; r < kind.rows && r < 3 && kind.row_units[r] == 'm'; ++r) sum += f[r] * f[r];
+    return std::sqrt(sum);
+}
+
+/// Whether all that it is taken from is there.
+bool alive(const stepper::StepContext& ctx, const OutputDef& def) noexcept {
+    const auto body = [&](BodyId id) { return !id.valid() || ctx.bodies.places.names(id); };
+    const auto one = [&](InteractionId id) {
+        return !id.valid() || ctx.interactions.places.names(id);
+    };
+    return body(def.body) && body(def.body_b) && one(def.interaction) &&
+           std::all_of(def.line.begin(), def.line.end(), one);
+}
+
+double line_tension(const model::Interactions& in, const std::vector<InteractionId>& line,
+                    int component) noexcept {
+    if (component == kFirst) return tension(in, line.front());
+    if (component == kLast) return tension(in, line.back());
+    double most = tension(in, line.front());
+    for (const InteractionId id : line) most = std::max(most, tension(in, id));
+    return most;
+}
+
+double drum(const stepper::StepContext& ctx, InteractionId id, int component) noexcept {
+    const model::Interactions& in = ctx.interactions;
+    if (component == kLength) return in.rest_length[at(id.index)];
+    const InteractionDef& def = in.def[at(id.index)];
+    const auto slot = at(kind_info(def.kind).scalar_slot);
+    return def.get("radius") * ctx.bodies.x[3 * at(def.body[slot].index)];
+}
+
+double energy_of(const stepper::StepContext& ctx, const Energy& energy, int component) noexcept {
+    switch (component) {
+        case kAsleep:
+            return ctx.stats.asleep;
+        case kKinetic:
+            return stepper::kinetic_energy(ctx.bodies, ctx.bodies.v.data());
+        case kApplied:
+            return ctx.work;
+        case kDriven:
+            return ctx.drive;
+        case kDissipated:
+            return ctx.drag;
+        case kFriction:
+            return ctx.friction;
+        case kContactLoss:
+            return ctx.contact;
+        case kDamped:
+            return ctx.damped;
+        case kGravity:
+            return energy.gravity;
+        case kElastic:
+            return energy.elastic;
+        default:
+            return energy.mechanical();
+    }
+}
+
+}  // namespace
+
+OutputId Outputs::add(OutputDef def, int component) {
+    const auto index = static_cast<std::int32_t>(defs_.size());
+    base::make_room(defs_, 1);
+    base::make_room(component_, 1);
+    base::make_room(values_, 1);
+    claim(names_, def.name, index, "output");
+    wants_energy_ = wants_energy_ || (def.kind == OutputKind::statistic && component >= kGravity);
+    defs_.push_back(std::move(def));
+    component_.push_back(static_cast<std::uint8_t>(component));
+    values_.push_back(0.0);
+    return OutputId{index};
+}
+
+std::size_t Outputs::place(OutputId id) const {
+    if (id.index < 0 || at(id.index) >= defs_.size())
+        throw DefError("there is no output with id " + std::to_string(id.index));
+    return at(id.index);
+}
+
+void Outputs::keep_figures(const StepStats& s) noexcept {
+    figures_[kResidual] = s.momentum_residual;
+    figures_[kRowResidual] = s.constraint_residual;
+    figures_[kViolation] = s.violation_max;
+    figures_[kStretchError] = s.stretch_error_max;
+    figures_[kNaturalMap] = s.natural_map;
+    figures_[kContacts] = s.contacts;
+    figures_[kStepTime] = s.step_seconds;
+    figures_[kSolverTime] = s.solver_cpu_seconds;
+}
+
+void Outputs::evaluate(const stepper::StepContext& ctx, const Energy& energy) noexcept {
+    const model::Bodies& b = ctx.bodies;
+    const model::Interactions& in = ctx.interactions;
+    for (std::size_t i = 0; i < defs_.size(); ++i) {
+        const OutputDef& def = defs_[i];
+        const int c = component_[i];
+        if (!alive(ctx, def)) {
+            values_[i] = std::numeric_limits<double>::quiet_NaN();
+            continue;
+        }
+        switch (def.kind) {
+            case OutputKind::pose:
+                values_[i] = pose_component(b, def.body.index, def.point, c);
+                break;
+            case OutputKind::velocity:
+                values_[i] = velocity_component(b, def, c);
+                break;
+            case OutputKind::coordinate:
+                values_[i] = in.coordinate(def.interaction.index, b).value;
+                break;
+            case OutputKind::speed:
+                values_[i] = in.coordinate(def.interaction.index, b).rate;
+                break;
+            case OutputKind::motor_force:
+            case OutputKind::force:
+                values_[i] = in.force[at(in.row_begin[at(def.interaction.index)] + c)];
+                break;
+            case OutputKind::tension:
+                values_[i] = line_tension(in, def.line, c);
+                break;
+            case OutputKind::drum:
+                values_[i] = drum(ctx, def.interaction, c);
+                break;
+            case OutputKind::distance:
+                values_[i] = (place_in_world(b, def.body_b.index, def.point_b) -
+                              place_in_world(b, def.body.index, def.point))
+                                 .norm();
+                break;
+            case OutputKind::statistic:
+                values_[i] = c < kStepFigures ? figures_[at(c)] : energy_of(ctx, energy, c);
+                break;
+        }
+    }
+}
+
+}  // namespace world
+
+}  // namespace hawser

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a client reads of a world without a copy, or into memory of its own.
+#include <hawser/world.h>
+
+#include "world/impl.h"
+#include "world/lookup.h"
+
+namespace hawser {
+
+StateView World::state() const noexcept {
+    const stepper::StepContext& ctx = impl_->ctx;
+    const model::Bodies& b = ctx.bodies;
+    // Images of bodies (stepper/cuts.h) stand behind those of the user.
+    const auto n = at(body_count());
+    const auto first = [](const auto& array, std::size_t count) {
+        return std::span(array).first(count);
+    };
+    return {.time = ctx.time,
+            .kinds = first(b.kind, n),
+            .positions = first(b.x, 3 * n),
+            .orientations = first(b.q, 4 * n),
+            .velocities = std::span(b.v),
+            .velocity_begin = first(b.dof_begin, n),
+            .prescribed = first(b.v_fixed, 6 * n)};
+}
+
+Vec3 World::local_point(BodyId id, const Vec3& point) const {
+    const Pose p = pose(id);
+    return p.orientation.conjugate() * (point - p.position);
+}
+
+std::vector<Event> World::take_events() {
+    const world::Using use(impl_->use, "take_events");
+    return impl_->ctx.events.take();
+}
+
+std::uint64_t World::events_since(std::uint64_t& cursor, std::vector<Event>& out) const {
+    const world::Using use(impl_->use, "events_since");
+    return impl_->ctx.events.since(cursor, out);
+}
+
+std::uint64_t World::event_cursor() const noexcept { return impl_->ctx.events.count(); }
+
+}  // namespace hawser

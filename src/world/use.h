@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file use.h
+/// One thread at a time uses a world. Whoever steps or changes it marks it as in use; a second
+/// thread that tries, or a change that a step calls back, is refused before it reads or writes
+/// anything. The mark is one atomic exchange, some ten nanoseconds.
+
+#include <hawser/def.h>
+
+#include <atomic>
+#include <string>
+
+namespace hawser::world {
+
+class Use {
+  public:
+    /// @return 0 refused, 1 granted, 2 granted within a call of the same thread.
+    int take() noexcept {
+        const void* const me = this_thread();
+        const void* user = nullptr;
+        if (user_.compare_exchange_strong(user, me, std::memory_order_acquire)) {
+            changed_ = true;
+            return 1;
+        }
+        return user == me && !stepping_ ? 2 : 0;
+    }
+    void leave() noexcept { user_.store(nullptr, std::memory_order_release); }
+    /// Of the thread that has it: a step begins, or ends.
+    void stepping(bool on) noexcept { stepping_ = on; }
+    [[nodiscard]] bool is_mine() const noexcept {
+        return user_.load(std::memory_order_relaxed) == this_thread();
+    }
+
+    /// Something may have changed since this was last taken back: what follows from the state is
+    /// computed anew when it is asked for.
+    [[nodiscard]] bool changed() const noexcept { return changed_; }
+    void unchanged() noexcept { changed_ = false; }
+
+  private:
+    static const void* this_thread() noexcept {
+        thread_local const char mark = 0;
+        return &mark;
+    }
+    std::atomic<const void*> user_{nullptr};
+    bool stepping_ = false;  ///< Read and written by the thread that has it alone.
+    bool changed_ = true;
+};
+
+/// A call that changes a world, or computes in it. @throws UseError where it is in use.
+class Using {
+  public:
+    Using(Use& use, const char* call) : use_(use), granted_(use.take()) {
+        if (granted_ == 0) refuse(call);
+    }
+    ~Using() {
+        if (granted_ == 1) use_.leave();
+    }
+    Using(const Using&) = delete;
+    Using& operator=(const Using&) = delete;
+
+  private:
+    [[noreturn]] void refuse(const char* call) const {
+        throw UseError(std::string(call) +
+                       (use_.is_mine() ? ": called from within World::step(); do it between steps"
+                                       : ": the world is in use by another thread; let one thread "
+                                         "at a time use a world"));
+    }
+    Use& use_;
+    int granted_;
+};
+
+/// The same where nothing may be thrown.
+class MaybeUsing {
+  public:
+    explicit MaybeUsing(Use& use) noexcept : use_(use), granted_(use.take()) {}
+    ~MaybeUsing() {
+        if (granted_ == 1) use_.leave();
+    }
+    MaybeUsing(const MaybeUsing&) = delete;
+    MaybeUsing& operator=(const MaybeUsing&) = delete;
+    [[nodiscard]] bool granted() const noexcept { return granted_ != 0; }
+    /// Not within another call either.
+    [[nodiscard]] bool alone() const noexcept { return granted_ == 1; }
+
+  private:
+    Use& use_;
+    int granted_;
+};
+
+}  // namespace hawser::world
