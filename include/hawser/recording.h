@@ -93,6 +93,12 @@ struct RecordedChanges {
     std::span<const std::byte> bytes;  ///< For apply_changes().
 };
 
+/// What systems loaded bodies with in one step (system.h).
+struct RecordedLoads {
+    std::int64_t step = 0;             ///< Taken when this many steps had been taken.
+    std::span<const std::byte> bytes;  ///< For Repeater.
+};
+
 /// A step that left something out to keep to its budget.
 struct RecordedCut {
     std::int64_t step = 0;  ///< Taken when this many steps had been taken.
@@ -112,7 +118,7 @@ struct RecordedEvent {
 struct Frame {
     std::int64_t step = 0;
     double time = 0.0;               ///< [s]
-    std::uint64_t hash = 0;          ///< World::state_hash().
+    std::uint64_t hash = 0;          ///< World::motion_hash().
     double violation_max = 0.0;      ///< [m]
     double momentum_residual = 0.0;  ///< Relative.
     double energy = 0.0;             ///< Mechanical [J].
@@ -152,6 +158,7 @@ class Recording {
     std::vector<RecordedOutline> outlines;  ///< May be missing.
     std::vector<RecordedInput> inputs;
     std::vector<RecordedChanges> changes;
+    std::vector<RecordedLoads> loads;
     std::vector<RecordedCut> cuts;
     std::vector<RecordedEvent> events;
     Ending ending = Ending::unknown;
@@ -173,6 +180,7 @@ class Recording {
     void read_inputs(ByteReader in);
     void read_changes(ByteReader in);
     void read_bodies(ByteReader in);
+    void read_loads(ByteReader in);
     void read_cut(ByteReader in);
     void read_event(ByteReader in);
     void read_end(ByteReader in);
@@ -194,7 +202,8 @@ class Recording {
 
 /// Does to a world again what was done to the recorded one, and lets its steps leave out what those
 /// of the recording left out. The world is that of the scene in the recording, in the state of its
-/// snapshot.
+/// snapshot, without systems: what those of the recorded world did is in the recording. Adds a
+/// system of its own where there are loads.
 class Repeater {
   public:
     /// @param recording  Has to outlive it.
@@ -204,8 +213,12 @@ class Repeater {
     void before_step(World& world);
 
   private:
+    class Loader;
+    void repeat_loads(World& world);
+
     const Recording& recording_;
-    std::size_t input_ = 0, change_ = 0, cut_ = 0;  ///< The next ones.
+    std::size_t input_ = 0, change_ = 0, cut_ = 0, load_ = 0;  ///< The next ones.
+    Loader* loader_ = nullptr;                                 ///< A system of the world.
 };
 
 /// Floats of a body's pose in a frame: 7, 3, 1 or 0.

@@ -151,6 +151,9 @@ class World {
     /// FNV-1a 64 over poses, velocities, multipliers, time, inputs, and the name of the
     /// instruction set in use. Equal for any number of threads and after save/restore.
     [[nodiscard]] std::uint64_t state_hash() const noexcept;
+    /// The same without the states of systems: equal in a world that repeats what systems did
+    /// without having them, as a replay does.
+    [[nodiscard]] std::uint64_t motion_hash() const noexcept;
     /// Events since the last call, oldest first; keeps the newest 16,384 of slack and of taut each,
     /// and 4,096 of any other kind.
     [[nodiscard]] std::vector<Event> take_events();
@@ -332,6 +335,8 @@ class World {
     [[nodiscard]] std::vector<std::byte> save() const;
     /// In the caller's memory instead; what it held goes.
     void save(std::vector<std::byte>& out) const;
+    /// The same without the states of systems, for a world without these systems.
+    [[nodiscard]] std::vector<std::byte> save_motion() const;
     /// @throws std::bad_alloc, LimitError; DefError when the bytes are damaged or belong to another
     /// world: other bodies,
     ///         interactions, inputs, step or parameters (any mass, length, stiffness, …; names,
@@ -358,6 +363,7 @@ class World {
     // All or nothing by those who call them.
     void take_saved(std::span<const std::byte> bytes);
     void copy_from(const World& other);
+    void write_saved(std::vector<std::byte>& out, bool systems) const;
     void regroup_all(int parts);
     void evaluate_outputs() const noexcept;
 

@@ -21,6 +21,7 @@ inline constexpr char kOutlineChunk[] = "SHAP";
 inline constexpr char kFrameChunk[] = "FRAM";
 inline constexpr char kChangesChunk[] = "CHNG";
 inline constexpr char kBodiesChunk[] = "BODS";
+inline constexpr char kLoadsChunk[] = "LOAD";
 inline constexpr char kInputsChunk[] = "INPT";
 inline constexpr char kCutChunk[] = "CUTS";
 inline constexpr char kEventChunk[] = "EVNT";

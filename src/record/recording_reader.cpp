@@ -129,6 +129,8 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
         in.expect_end();
     } else if (kind == kChangesChunk) {
         read_changes(in);
+    } else if (kind == kLoadsChunk) {
+        read_loads(in);
     } else if (kind == kBodiesChunk) {
         read_bodies(in);
     } else if (kind == kCutChunk) {
@@ -156,6 +158,13 @@ void Recording::read_changes(ByteReader in) {
     out.inputs_before = inputs.size();
     out.bytes = in.take(in.left());
     changes.push_back(out);
+}
+
+void Recording::read_loads(ByteReader in) {
+    RecordedLoads out;
+    out.step = get_step(in, loads.empty() ? start_step : loads.back().step + 1);
+    out.bytes = in.take(in.left());
+    loads.push_back(out);
 }
 
 std::size_t Recording::frame_size() const noexcept {

@@ -161,8 +161,8 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& file, const SceneI
     write_chunk(kLayoutChunk);
 
     payload_.put(world.step_count());
-    payload_.put(world.state_hash());
-    payload_.put_bytes(world.save());
+    payload_.put(world.motion_hash());
+    payload_.put_bytes(world.save_motion());
     write_chunk(kSnapshotChunk);
 
     payload_.put(static_cast<std::uint32_t>(world.input_count()));
@@ -240,7 +240,7 @@ void RecordingWriter::add_frame(const World& world) {
     const StepStats& stats = world.stats();
     payload_.put(world.step_count());
     payload_.put(world.time());
-    payload_.put(world.state_hash());
+    payload_.put(world.motion_hash());
     for (const double figure :
          {stats.violation_max, stats.momentum_residual, world.energy().mechanical()})
         payload_.put(in_range(figure));
@@ -260,6 +260,21 @@ void RecordingWriter::add_inputs(std::span<const RecordedInput> changes) {
         payload_.put(change.value);
     }
     write_chunk(kInputsChunk);
+}
+
+void RecordingWriter::add_loads(const World& world) {
+    const std::vector<LoadView> loads = world.loads();
+    if (loads.empty()) return;
+    payload_.put(world.step_count() - 1);
+    payload_.put(static_cast<std::uint32_t>(loads.size()));
+    for (const LoadView& load : loads) {
+        payload_.put(load.body.index);
+        payload_.put(load.body.generation);
+        payload_.put(static_cast<std::uint8_t>(load.force.size()));
+        for (const auto& numbers : {load.force, load.mass, load.damping, load.stiffness})
+            payload_.put_bytes(std::as_bytes(numbers));
+    }
+    write_chunk(kLoadsChunk);
 }
 
 void RecordingWriter::add_cut(const RecordedCut& cut) {
@@ -283,7 +298,7 @@ void RecordingWriter::add_event(const World& world, const Event& event) {
 void RecordingWriter::finish(const World& world, Ending ending) {
     payload_.put(static_cast<std::uint8_t>(ending));
     payload_.put(world.step_count());
-    payload_.put(world.state_hash());
+    payload_.put(world.motion_hash());
     write_chunk(kEndChunk);
     if (std::fflush(out_.get()) != 0) fail();
 }

@@ -28,6 +28,8 @@ class RecordingWriter {
     void add_inputs(std::span<const RecordedInput> changes);
     /// What a world told since the last call (changes.h); before the step that comes next.
     void add_changes(const World& world, const ChangeBytes& changes);
+    /// What systems loaded bodies with in the last step; nothing where they did not.
+    void add_loads(const World& world);
     void add_cut(const RecordedCut& cut);
     void add_event(const World& world, const Event& event);
     void finish(const World& world, Ending ending);

@@ -2,9 +2,85 @@
 #include <hawser/hawser.h>
 #include <hawser/recording.h>
 
+#include "record/bytes.h"
 #include "record/changes.h"
 
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string_view>
+#include <vector>
+
 namespace hawser::record {
+
+/// Puts the loads of a recorded step on the same bodies.
+class Repeater::Loader final : public System {
+  public:
+    static constexpr int kMost = 21;  ///< Entries of a matrix of a rigid body.
+    struct Load {
+        BodyId body;
+        std::size_t freedom = 0;
+        std::array<double, 6> force{};
+        std::array<std::array<double, kMost>, 3> matrix{};  ///< A, D, K.
+    };
+    std::vector<Load> next;  ///< Of the step that comes next.
+
+    [[nodiscard]] std::string_view name() const noexcept override { return "recorded loads"; }
+    void prestep(Prestep&, Loads& loads) noexcept override {
+        for (const Load& load : next) {
+            const BodyLoad to = loads.of(load.body);
+            if (to.freedom != static_cast<int>(load.freedom)) continue;  // out of memory
+            const std::size_t entries = load.freedom * (load.freedom + 1) / 2;
+            double* const matrices[] = {to.mass, to.damping, to.stiffness};
+            for (std::size_t i = 0; i < load.freedom; ++i) to.force[i] += load.force[i];
+            for (std::size_t m = 0; m < 3; ++m)
+                for (std::size_t i = 0; i < entries; ++i) matrices[m][i] += load.matrix[m][i];
+        }
+    }
+};
+
+namespace {
+
+std::size_t freedom_of(BodyKind kind) {
+    switch (kind) {
+        case BodyKind::rigid:
+            return 6;
+        case BodyKind::lump:
+            return 3;
+        case BodyKind::scalar:
+            return 1;
+        default:
+            return 0;
+    }
+}
+
+}  // namespace
+
+/// What a load may be is for the step to judge (Status::bad_load).
+void Repeater::repeat_loads(World& world) {
+    const auto& loads = recording_.loads;
+    if (loads.empty()) return;
+    if (loader_ == nullptr)
+        loader_ = &static_cast<Loader&>(world.add_system(std::make_unique<Loader>()));
+    loader_->next.clear();
+    while (load_ < loads.size() && loads[load_].step < world.step_count()) ++load_;
+    if (load_ == loads.size() || loads[load_].step != world.step_count()) return;
+    ByteReader in(loads[load_].bytes);
+    constexpr std::size_t kLeast = 4 + 4 + 1 + 4 * 8;
+    loader_->next.resize(in.get_count(kLeast));
+    for (Loader::Load& load : loader_->next) {
+        load.body.index = in.get<std::int32_t>();
+        load.body.generation = in.get<std::int32_t>();
+        load.freedom = in.get<std::uint8_t>();
+        if (!world.alive(load.body) || load.freedom != freedom_of(world.body_def(load.body).kind))
+            throw BadBytes("a load is on no body that has it");
+        const std::size_t entries = load.freedom * (load.freedom + 1) / 2;
+        for (std::size_t i = 0; i < load.freedom; ++i) load.force[i] = in.get<double>();
+        for (auto& matrix : load.matrix)
+            for (std::size_t i = 0; i < entries; ++i) matrix[i] = in.get<double>();
+    }
+    in.expect_end();
+}
 
 void Repeater::before_step(World& world) {
     const auto& inputs = recording_.inputs;
@@ -22,6 +98,7 @@ void Repeater::before_step(World& world) {
             break;
         }
     }
+    repeat_loads(world);
     while (cut_ < cuts.size() && cuts[cut_].step < now) ++cut_;
     if (cut_ < cuts.size() && cuts[cut_].step == now) world.degrade_next_step(cuts[cut_].left_out);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "scene/checks.h"
 #include "scene/description.h"
 
 #include <fmt/format.h>

@@ -73,6 +73,7 @@ struct Session::Impl {
             if (const StepStats& stats = world().stats(); stats.degradation.any())
                 recording.to->add_cut(
                     {stats.step - 1, stats.degradation, stats.degraded_by, stats.foreseen_seconds});
+            recording.to->add_loads(world());
             for (const Event& event : events) recording.to->add_event(world(), event);
         }
         if (recording.due(world())) add_frame();

@@ -108,8 +108,8 @@ struct World::Impl final : private world::InputDoor {
     /// each one's body while a step is taken that has them turned into the world.
     std::vector<std::int32_t> local_inputs;
     std::vector<double> forces_before;
-    void turn_local_forces() noexcept;
-    void restore_forces() noexcept;
+    void turn_forces() noexcept override;
+    void unturn_forces() noexcept override;
 
     factor::KeptAnalysis saved_analysis;  ///< Scratch of save(), so that it needs no memory twice.
     world::Outputs outputs;

@@ -157,7 +157,7 @@ void World::Impl::apply_input(std::size_t index, double value) {
     }
 }
 
-void World::Impl::turn_local_forces() noexcept {
+void World::Impl::turn_forces() noexcept {
     double* before = forces_before.data();
     for (const std::int32_t i : local_inputs) {
         const InputDef& def = inputs[at(i)];
@@ -169,7 +169,7 @@ void World::Impl::turn_local_forces() noexcept {
     }
 }
 
-void World::Impl::restore_forces() noexcept {
+void World::Impl::unturn_forces() noexcept {
     // The last one first: several may be of one body.
     for (std::size_t k = local_inputs.size(); k-- > 0;) {
         const InputDef& def = inputs[at(local_inputs[k])];

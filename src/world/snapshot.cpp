@@ -122,8 +122,19 @@ std::vector<std::byte> World::save() const {
     return out;
 }
 
+std::vector<std::byte> World::save_motion() const {
+    const world::Using use(impl_->use, "save_motion");
+    std::vector<std::byte> out;
+    write_saved(out, false);
+    return out;
+}
+
 void World::save(std::vector<std::byte>& out) const {
     const world::Using use(impl_->use, "save");
+    write_saved(out, true);
+}
+
+void World::write_saved(std::vector<std::byte>& out, bool systems) const {
     Impl& m = *impl_;
     stepper::ready(m.ctx);
     Header header;
@@ -142,8 +153,8 @@ void World::save(std::vector<std::byte>& out) const {
     header.chains = chains.begin.size() - 1;
     visit_state(m.ctx, m.input_values, order,
                 [&](const void*, std::size_t n) { header.bytes += n; });
-    header.systems = m.systems.layout();
-    header.system_bytes = m.systems.state_bytes();
+    header.systems = systems ? m.systems.layout() : world::Systems::no_layout();
+    header.system_bytes = systems ? m.systems.state_bytes() : 0;
     out.resize(sizeof header + header.bytes + header.system_bytes + sizeof(std::uint64_t));
     std::byte* to = out.data();
     auto put = [&](const void* from, std::size_t n) {
@@ -152,7 +163,7 @@ void World::save(std::vector<std::byte>& out) const {
     };
     put(&header, sizeof header);
     visit_state(m.ctx, m.input_values, order, put);
-    m.systems.save(to);
+    if (systems) m.systems.save(to);
     to += header.system_bytes;
     const std::uint64_t sum = base::checksum(out.data(), out.size() - sizeof sum);
     put(&sum, sizeof sum);

@@ -85,6 +85,8 @@ bool World::Impl::set(InputId id, double value, Before& before) noexcept {
     if (within != before.applied || within != before.value) disturb(def);
     apply_input(at(id.index), within);
     ctx.drive += elastic() - held;
+    // Told as if it had been set before the step, which is the same: a recording needs no systems.
+    if (listener != nullptr) listener->set(id, value);
     return true;
 }
 

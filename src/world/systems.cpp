@@ -56,6 +56,22 @@ std::string full_name(const SystemSignal& s) { return s.system + "." + s.name; }
 
 }  // namespace
 
+namespace {
+
+/// Applied forces are those that were set, for as long as this lives: inputs may change them.
+class Unturned {
+  public:
+    explicit Unturned(InputDoor& door) noexcept : door_(door) { door.unturn_forces(); }
+    ~Unturned() { door_.turn_forces(); }
+    Unturned(const Unturned&) = delete;
+    Unturned& operator=(const Unturned&) = delete;
+
+  private:
+    InputDoor& door_;
+};
+
+}  // namespace
+
 /// What a system reaches through its Prestep.
 class Systems::Hands final : public Prestep::Hands {
   public:
@@ -157,6 +173,7 @@ Status Systems::act_all(stepper::StepContext& ctx) {
         });
     drive_ = ctx.drive;
     acted_ = true;
+    const Unturned unturned(door_);
     Hands hands(*this, ctx);
     Prestep now(*world_, ctx.time, ctx.def.step, ctx.step, hands);
     Loads loads(ctx.loads);
@@ -188,6 +205,7 @@ void Systems::accept(stepper::StepContext&) noexcept {
 
 void Systems::go_back(stepper::StepContext& ctx) noexcept {
     if (!acted_) return;
+    const Unturned unturned(door_);
     for (auto before = set_.rbegin(); before != set_.rend(); ++before) door_.take_back(*before);
     set_.clear();
     ctx.drive = drive_;
@@ -200,8 +218,10 @@ void Systems::go_back(stepper::StepContext& ctx) noexcept {
     acted_ = false;
 }
 
+std::uint64_t Systems::no_layout() noexcept { return base::kFnvStart; }
+
 std::uint64_t Systems::layout() const {
-    std::uint64_t h = base::kFnvStart;
+    std::uint64_t h = no_layout();
     for (const auto& s : list_) {
         const std::string_view name = s->name();
         h = base::fnv1a(name.data(), name.size(), h);

@@ -33,6 +33,11 @@ class InputDoor {
     virtual void take_back(const Before& before) noexcept = 0;
     /// Tell that it asked for a value beyond its range.
     virtual void tell(const Before& before) noexcept = 0;
+    /// While a step is taken, forces of inputs in the frames of their bodies are turned into the
+    /// world and stand among the applied ones. Without them, and with them again as inputs and
+    /// poses are by then.
+    virtual void unturn_forces() noexcept = 0;
+    virtual void turn_forces() noexcept = 0;
     /// So many inputs.
     [[nodiscard]] virtual std::size_t count() const noexcept = 0;
 
@@ -66,6 +71,7 @@ class Systems final : public stepper::Actors {
 
     /// Names and sizes of states.
     [[nodiscard]] std::uint64_t layout() const;
+    [[nodiscard]] static std::uint64_t no_layout() noexcept;  ///< Of none.
     [[nodiscard]] std::size_t state_bytes() const;
     void save(std::byte* to) const;
     void restore(const std::byte* from);

@@ -36,9 +36,9 @@ Status World::step() noexcept {
     if (!use.alone()) return Status::in_use;
     m.use.stepping(true);
     m.systems.use(*this);
-    m.turn_local_forces();
+    m.turn_forces();
     const Status status = stepper::step(m.ctx);
-    m.restore_forces();
+    m.unturn_forces();
     m.use.stepping(false);
     if (status != Status::ok) return status;
     m.outputs.keep_figures(m.ctx.stats);
@@ -76,10 +76,12 @@ Energy World::energy() const noexcept {
 
 Verdict World::verdict() const noexcept { return stepper::verdict(impl_->ctx); }
 
-std::uint64_t World::state_hash() const noexcept {
+std::uint64_t World::state_hash() const noexcept { return impl_->systems.hash(motion_hash()); }
+
+std::uint64_t World::motion_hash() const noexcept {
     const std::vector<double>& inputs = impl_->input_values;
-    return impl_->systems.hash(base::fnv1a(inputs.data(), inputs.size() * sizeof(double),
-                                           stepper::state_hash(impl_->ctx)));
+    return base::fnv1a(inputs.data(), inputs.size() * sizeof(double),
+                       stepper::state_hash(impl_->ctx));
 }
 
 void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
