@@ -7,6 +7,8 @@
 
 #include <hawser/def.h>
 
+#include <pthread.h>
+
 #include <atomic>
 #include <string>
 
@@ -16,15 +18,15 @@ class Use {
   public:
     /// @return 0 refused, 1 granted, 2 granted within a call of the same thread.
     int take() noexcept {
-        const void* const me = this_thread();
-        const void* user = nullptr;
+        const pthread_t me = this_thread();
+        pthread_t user = kNobody;
         if (user_.compare_exchange_strong(user, me, std::memory_order_acquire)) {
             changed_ = true;
             return 1;
         }
         return user == me && !stepping_ ? 2 : 0;
     }
-    void leave() noexcept { user_.store(nullptr, std::memory_order_release); }
+    void leave() noexcept { user_.store(kNobody, std::memory_order_release); }
     /// Of the thread that has it: a step begins, or ends.
     void stepping(bool on) noexcept { stepping_ = on; }
     [[nodiscard]] bool is_mine() const noexcept {
@@ -37,11 +39,11 @@ class Use {
     void unchanged() noexcept { changed_ = false; }
 
   private:
-    static const void* this_thread() noexcept {
-        thread_local const char mark = 0;
-        return &mark;
-    }
-    std::atomic<const void*> user_{nullptr};
+    /// No thread_local mark: mold places a program's read-only data wrongly behind one of a byte,
+    /// and the program does not start.
+    static pthread_t this_thread() noexcept { return ::pthread_self(); }
+    static constexpr pthread_t kNobody = 0;  ///< glibc's are addresses.
+    std::atomic<pthread_t> user_{kNobody};
     bool stepping_ = false;  ///< Read and written by the thread that has it alone.
     bool changed_ = true;
 };
