@@ -39,7 +39,7 @@ double median_seconds(int times, const Prepare& prepare, const Call& call) {
     return seconds[static_cast<std::size_t>(times / 2)];
 }
 
-/// Add outputs until there are so many: of each kind in turn, of one thing after the other.
+/// Fill a world with outputs up to a count: each kind in turn, over the bodies and lines in order.
 void add_outputs(World& world, const std::vector<scene::Cable>& cables, int wanted) {
     const std::vector<OutputDef> kinds = [&] {
         std::vector<OutputDef> all;

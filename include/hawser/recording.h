@@ -89,7 +89,7 @@ struct RecordedInput {
 /// What else was done to the world between two steps: added, removed, moved … (changes.h).
 struct RecordedChanges {
     std::int64_t step = 0;             ///< Done when this many steps had been taken, …
-    std::size_t inputs_before = 0;     ///< … after so many of Recording::inputs.
+    std::size_t inputs_before = 0;     ///< … behind this many of Recording::inputs.
     std::span<const std::byte> bytes;  ///< For apply_changes().
 };
 

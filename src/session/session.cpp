@@ -19,7 +19,7 @@
 namespace hawser {
 
 struct Session::Impl {
-    /// A file that gets the state every so many steps.
+    /// A file that gets the state at a fixed stride of steps.
     template <class Writer>
     struct Output {
         std::unique_ptr<Writer> to;

@@ -6,11 +6,11 @@
 #include "base/hash.h"
 #include "stepper/guarded.h"
 #include "world/checks.h"
+#include "world/nearest.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -35,21 +35,6 @@ template <class F>
 void visit(System& system, bool around_step, F&& f) {
     Visitor visitor(around_step, [&f](void* data, std::size_t size) { f(data, size); });
     system.visit_state(visitor);
-}
-
-/// Letters to change, add or leave out from one word to the other.
-std::size_t distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t before = row[0]++;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t changed = before + (a[i] != b[j] ? 1 : 0);
-            before = row[j + 1];
-            row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
-        }
-    }
-    return row.back();
 }
 
 std::string full_name(const SystemSignal& s) { return s.system + "." + s.name; }
@@ -150,7 +135,7 @@ const SystemSignal& Systems::signal(std::string_view name) const {
     for (const SystemSignal& s : signals_) {
         const std::string full = full_name(s);
         if (full == name) return s;
-        const std::size_t off = distance(full, name);
+        const std::size_t off = edit_distance(full, name);
         if (nearest != nullptr && off >= least) continue;
         nearest = &s;
         least = off;
