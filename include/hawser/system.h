@@ -177,12 +177,10 @@ class Prestep {
     /// What stands behind it.
     class Hands {
       public:
+        virtual ~Hands() = default;
         virtual void set_input(InputId id, double value) noexcept = 0;
         virtual void run(int count, void (*task)(void* context, int index) noexcept,
                          void* context) noexcept = 0;
-
-      protected:
-        ~Hands() = default;
     };
     Prestep(const World& of, double at, double h, std::int64_t so_far, Hands& by) noexcept
         : world(of), time(at), step(h), count(so_far), hands_(by) {}

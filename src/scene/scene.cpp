@@ -250,14 +250,15 @@ std::optional<Scene> try_scene(const Read& read, const std::filesystem::path& fi
 }  // namespace
 
 Scene load_file(const std::filesystem::path& file, const Options& options) {
-    Scene scene = *make_scene(read_json_file(file), file, options, nullptr);
+    Scene scene = make_scene(read_json_file(file), file, options, nullptr).value();
     scene.files.push_back(file);
     return scene;
 }
 
 Scene load_text(std::string_view text, const std::string& name_for_messages,
                 const Options& options) {
-    return *make_scene(parse_json(text, name_for_messages), name_for_messages, options, nullptr);
+    return make_scene(parse_json(text, name_for_messages), name_for_messages, options, nullptr)
+        .value();
 }
 
 std::optional<Scene> load_file(const std::filesystem::path& file, const Options& options,

@@ -19,6 +19,7 @@ namespace hawser::world {
 /// What a world lets its systems do between the beginning of a step and its end.
 class InputDoor {
   public:
+    virtual ~InputDoor() = default;
     /// How the input was, so that set() can be taken back.
     struct Before {
         std::int32_t input = -1;
@@ -40,9 +41,6 @@ class InputDoor {
     virtual void turn_forces() noexcept = 0;
     /// So many inputs.
     [[nodiscard]] virtual std::size_t count() const noexcept = 0;
-
-  protected:
-    ~InputDoor() = default;
 };
 
 class Systems final : public stepper::Actors {
