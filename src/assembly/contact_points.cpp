@@ -5,6 +5,8 @@
 #include "base/index.h"
 #include "base/small.h"
 
+#include <hawser/row_constants.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -137,8 +139,8 @@ void Contacts::set(std::size_t index, const collide::Contact& in, const collide:
     store3(extra.tangent_gap, gap_t);
     store3(extra.point, p);
 
-    const double upsilon = 1.0 / (1.0 + 4.0 * surface.damping_time / h);
-    const double scale = 4.0 * upsilon / (h * h);
+    const double upsilon = row_upsilon(surface.damping_time, h);
+    const double scale = row_sigma(1.0, upsilon, h);
     const double least = kLeastSigma * cone.mobility;
     cone.sigma_n = std::max(scale * surface.compliance, least);
     cone.sigma_t = std::max(scale * surface.tangential_compliance, least);

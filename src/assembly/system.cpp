@@ -156,13 +156,9 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
         for (int r = 0; r < in.rows[at(i)]; ++r) {
             const auto row = at(in.row_begin[at(i)] + r);
             const double w = mobility(bodies, in, i, r);
-            const bool velocity = in.row_flags[row] & model::kRowVelocity;
-            double sigma =
-                velocity ? in.epsilon[row] / h : 4.0 * in.epsilon[row] * in.upsilon[row] / (h * h);
             // A rigid row may repeat others (closed loops): a floor keeps the pivots' signs.
-            if (in.epsilon[row] == 0.0) sigma = kRigidShare * w;
-            sigma = std::max(sigma, in.least_sigma[row]);
-            if (sigma < 1e-300) sigma = 1e-300;
+            const double needed = in.epsilon[row] == 0.0 ? kRigidShare * w : in.bare_sigma(row, h);
+            const double sigma = std::max({needed, in.least_sigma[row], model::kTinySigma});
             in.sigma[row] = sigma;
             // By the compliance as defined: a world restored with other lengths of its lines must
             // choose as the one that was saved.
