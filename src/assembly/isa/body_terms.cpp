@@ -128,6 +128,22 @@ Spin<W8> eight_spins(const View& view, std::int32_t body, const WM3& r, const W3
                       load_bodies9(view.inv_inertia + 9L * body), r, w, change, h);
 }
 
+/// Own blocks of eight rigid bodies: lower triangles of the linear and of the angular part.
+HAWSER_INLINE void store_blocks(const View& view, std::int32_t body, const WM3& lin,
+                                const WM3& world) {
+    V8 low[kLanes] = {lin.a[0], lin.a[1], lin.a[2],   lin.a[4],
+                      lin.a[5], lin.a[8], world.a[0], world.a[1]};
+    V8 high[kLanes] = {lin.a[5],   lin.a[8],   world.a[0], world.a[1],
+                       world.a[2], world.a[4], world.a[5], world.a[8]};
+    transpose(low);
+    transpose(high);
+    double* block = view.body_block + assembly::block_place(view.dof_begin[body]);
+    for (int l = 0; l < kLanes; ++l) {
+        store(block + kBodyBlock * l, low[l]);
+        store(block + kBodyBlock * l + 4, high[l]);
+    }
+}
+
 /// own_terms() of eight rigid bodies; of eight links also what their joints add.
 template <bool kLinks>
 void rigid_terms(const View& view, std::int32_t body) {
@@ -192,18 +208,7 @@ void rigid_terms(const View& view, std::int32_t body) {
     store_lanes(out + 6 * kLast, last, 0, 6);
     store_threes(view.spin_free + 3L * body, spin.free);
     store_threes(view.spin_momentum + 3L * body, spin.momentum);
-
-    V8 low[kLanes] = {lin.a[0], lin.a[1], lin.a[2],   lin.a[4],
-                      lin.a[5], lin.a[8], world.a[0], world.a[1]};
-    V8 high[kLanes] = {lin.a[5],   lin.a[8],   world.a[0], world.a[1],
-                       world.a[2], world.a[4], world.a[5], world.a[8]};
-    transpose(low);
-    transpose(high);
-    double* block = view.body_block + assembly::block_place(view.dof_begin[body]);
-    for (int l = 0; l < kLanes; ++l) {
-        store(block + kBodyBlock * l, low[l]);
-        store(block + kBodyBlock * l + 4, high[l]);
-    }
+    store_blocks(view, body, lin, world);
 }
 
 }  // namespace

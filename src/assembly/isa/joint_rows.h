@@ -11,7 +11,8 @@
 
 #include "assembly/isa/arms.h"
 #include "assembly/isa/rigid_lanes.h"
-#include "assembly/isa/rows.h"
+#include "assembly/isa/slack.h"
+#include "assembly/view.h"
 
 #include <algorithm>
 #include <cstring>
