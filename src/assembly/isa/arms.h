@@ -5,6 +5,7 @@
 /// terms, and the residuals of eight joints that follow each other.
 
 #include "assembly/geo.h"
+#include "base/lanes.h"
 #include "base/transpose.h"
 
 #include <cstring>

@@ -8,6 +8,7 @@
 #include "assembly/geo.h"
 #include "assembly/isa/coupled.h"
 #include "assembly/isa/rows.h"
+#include "base/lanes.h"
 #include "base/simd.h"
 
 namespace hawser::HAWSER_ISA {

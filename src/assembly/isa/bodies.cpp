@@ -4,6 +4,7 @@
 #include "assembly/isa/coupled.h"
 #include "assembly/isa/links.h"
 #include "assembly/isa/rows.h"
+#include "base/lanes.h"
 #include "base/simd.h"
 
 namespace hawser::HAWSER_ISA {

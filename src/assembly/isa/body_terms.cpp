@@ -5,6 +5,7 @@
 #include "assembly/isa/links.h"
 #include "assembly/isa/rows.h"
 #include "assembly/isa/spin.h"
+#include "base/lanes.h"
 #include "base/simd.h"
 
 namespace hawser::HAWSER_ISA {

@@ -13,6 +13,7 @@
 #include "assembly/isa/rigid_lanes.h"
 #include "assembly/isa/slack.h"
 #include "assembly/view.h"
+#include "base/lanes.h"
 
 #include <algorithm>
 #include <cstring>

@@ -5,6 +5,7 @@
 #include "assembly/isa/arms.h"
 #include "assembly/isa/coupled.h"
 #include "assembly/isa/rows.h"
+#include "base/lanes.h"
 #include "base/transpose.h"
 
 namespace hawser::HAWSER_ISA {

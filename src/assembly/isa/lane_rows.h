@@ -8,6 +8,7 @@
 #include "assembly/geo.h"
 #include "assembly/isa/slack.h"
 #include "assembly/view.h"
+#include "base/lanes.h"
 #include "base/transpose.h"
 #include "model/kinds/all.h"
 

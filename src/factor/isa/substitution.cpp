@@ -8,6 +8,7 @@
 /// first update rows may share one with the last pivots.
 #include "factor/isa/substitution.h"
 
+#include "base/lanes.h"
 #include "base/simd.h"
 #include "factor/isa/with_count.h"
 #include "factor/symbolic.h"
