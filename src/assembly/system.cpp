@@ -168,7 +168,7 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
             if (def.form == Form::automatic && w > kSafeRatio * ratio * sigma) keep = true;
         }
         kept_[at(i)] = keep ? 1 : 0;
-        if (in.arms[at(i)] && !keep) in.arms[at(i)] = model::kInShortCondensed;
+        if (in.arms[at(i)] && !keep) in.arms[at(i)] = model::kCompactCondensed;
         for (int r = 0; r < in.rows[at(i)]; ++r) {
             const auto row = at(in.row_begin[at(i)] + r);
             in.inv_sigma[row] = keep ? 0.0 : 1.0 / in.sigma[row];

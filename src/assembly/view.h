@@ -34,7 +34,7 @@ inline constexpr int kLossChunk = 64;  ///< Interactions of one call of row_loss
 /// Of View::recall; below it c does not tell ġ.
 inline constexpr double kLeastRecall = 1e-2;
 
-/// One contribution to one block of the matrix. Of a Jacobian in short (model/arms.h) `width` is 0,
+/// One contribution to one block of the matrix. Of a compact joint (model/arms.h) `width` is 0,
 /// the offsets are those of its record, and `condensed` has the damping in it.
 struct Op {
     enum Kind : std::uint8_t {
@@ -65,7 +65,7 @@ struct LaneOp {
     std::uint8_t a, b;
     std::uint8_t dof_a, dof_b, width, rows;
     std::uint8_t used;    ///< One bit a lane.
-    std::uint8_t turned;  ///< One bit a lane: slots a and b change places, between joints in short.
+    std::uint8_t turned;  ///< One bit a lane: slots a and b change places, between compact joints.
     std::int32_t to_b;    ///< From slot a's columns to slot b's.
     std::int32_t id[8];
     std::int32_t from[8];  ///< Offsets of what op.kind reads: slot a's columns, record, block.
@@ -77,22 +77,21 @@ struct Incidence {
     std::int32_t row;        ///< First row.
     std::int32_t geo_force;  ///< GeoPlace::slot() of this body, −1: none or not one of its two.
     /// Offset of its arm's stiffness, −1: none (slot 1 has the force of slot 0, sign changed). Of a
-    /// Jacobian in short: the interaction.
+    /// compact joint: the interaction.
     std::int32_t geo_arm;
     std::uint8_t rows;
-    std::uint8_t width;  ///< 0: the Jacobian is in short (model/arms.h); `slot` is this body's.
+    std::uint8_t width;  ///< 0: a compact joint (model/arms.h); `slot` is this body's.
     std::uint8_t slot;
 };
 
 /// Where the geometric terms of one interaction are. A slot has 2 `dof` doubles: its part of M̃ v
 /// for the velocities of the latest loop over rows that had some, and its part of a. Where one
 /// slot's part is the other's with the sign changed, only that of slot 0 is kept: between bodies
-/// without arms, and where the Jacobian is in short (model/arms.h), in which case there are three
-/// torques of each.
+/// without arms, and of compact joints (model/arms.h), which have three torques of each.
 struct GeoPlace {
     std::int32_t record = -1;  ///< Offset of the record, kGeoSize or kGeoLine doubles; −1: none.
     std::int32_t force = 0;    ///< Offset of slot 0; slot 1, if any, follows.
-    std::int32_t dof = 6;  ///< 3 between bodies without arms (lumps, scalars), 0 in short, else 6.
+    std::int32_t dof = 6;  ///< 3 between bodies without arms (lumps, scalars), 0 compact, else 6.
     [[nodiscard]] constexpr std::int32_t slot(int b) const {
         return dof == 6 ? force + 12 * b : force;
     }
@@ -201,7 +200,7 @@ struct View {
     double* solution;
 };
 
-/// The rows of interaction `id`, packed, in `room` if its Jacobian is in short.
+/// The rows of interaction `id`, packed, in `room` if it is a compact joint.
 [[nodiscard, gnu::always_inline]] inline const double* packed_rows(
     const View& view, std::int32_t id, double (&room)[model::kArmRoom]) noexcept {
     return model::packed_rows(view.jacobian + view.jac_begin[id], view.arms[id] != 0, room);

@@ -146,8 +146,8 @@ class Numeric : public SymmetricNumeric {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
-    void cut_pieces(const Symbolic& symbolic);
-    void cut_batch(const Symbolic& symbolic, std::int32_t batch);
+    void make_pieces(const Symbolic& symbolic);
+    void divide_batch(const Symbolic& symbolic, std::int32_t batch);
     void find_stage(const Symbolic& symbolic, int threads);
     [[nodiscard]] int run_batch_piece(const Symbolic& symbolic, int piece, Fill fill, double* x,
                                       int thread) noexcept;

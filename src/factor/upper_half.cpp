@@ -11,7 +11,7 @@ namespace hawser::factor {
 
 void Numeric::reserve(const Symbolic& s, int threads, bool unsymmetric) {
     make_room(s, threads, unsymmetric ? 2 : 1);
-    cut_pieces(s);
+    make_pieces(s);
     find_stage(s, threads);
     use(s, nullptr);
     if (!unsymmetric) return;

@@ -5,7 +5,7 @@
 ///
 /// Indices: `id` counts interactions in the order added. Row r of interaction id is entry
 /// row_begin[id] + r of the row arrays. Its Jacobian begins at jac_begin[id]: dense, row-major,
-/// `width` = Σ dof(body) wide, or in short where arms[id] (arms.h).
+/// `width` = Σ dof(body) wide, or compact where arms[id] (arms.h).
 
 #include <hawser/interactions.h>
 
@@ -92,8 +92,9 @@ struct Interactions {
     base::Array<std::uint8_t> bodies, rows, flags;
     base::Array<std::int32_t> row_begin;
     base::Array<std::int32_t> jac_begin;  ///< Set by the analysis.
-    base::Array<std::uint8_t> arms;       ///< Set by it: 0, kInShort or kInShortCondensed (arms.h).
-    std::vector<std::int32_t> geo;        ///< Index of the geometric-stiffness record, or −1.
+    base::Array<std::uint8_t>
+        arms;  ///< Set by it: 0, kCompactJacobian or kCompactCondensed, arms.h.
+    std::vector<std::int32_t> geo;  ///< Index of the geometric-stiffness record, or −1.
     /// 1; or 0: its rows ask for nothing, and the first has the impulse `held`: slack, inside its
     /// range or parted (0), or a motor or friction at a bound.
     base::Array<double> active;

@@ -33,10 +33,10 @@ void BlockFactor::Impl::place() {
     numeric.reserve(s, pool.threads());
     dirty.reserve(s);
     const std::size_t nodes = pattern.size.size(), blocks = nodes + edges.size();
-    const std::size_t groups = s.fronts.size() + s.batches.size();
+    const std::size_t holders = s.fronts.size() + s.batches.size();
     column_of.resize(blocks);
     std::vector<CopyOp> unsorted(blocks);
-    group_begin.assign(groups + 1, 0);
+    holder_begin.assign(holders + 1, 0);
     for (std::size_t b = 0; b < blocks; ++b) {
         CopyOp& op = unsorted[b];
         const auto node = static_cast<std::int32_t>(b);
@@ -46,8 +46,8 @@ void BlockFactor::Impl::place() {
         const factor::BlockTarget t = s.target(turned ? e.column : e.row, column);
         column_of[b] = column;
         const factor::Front& front = s.fronts[at(s.node_front[at(column)])];
-        op.group = front.batch < 0 ? s.node_front[at(column)]
-                                   : static_cast<std::int32_t>(s.fronts.size()) + front.batch;
+        op.holder = front.batch < 0 ? s.node_front[at(column)]
+                                    : static_cast<std::int32_t>(s.fronts.size()) + front.batch;
         op.from = value_begin[b];
         op.to = t.address;
         op.step = turned ? t.ld : t.step;
@@ -55,12 +55,12 @@ void BlockFactor::Impl::place() {
         op.rows = pattern.size[at(e.row)];
         op.columns = pattern.size[at(e.column)];
         op.diagonal = b < nodes;
-        ++group_begin[at(op.group) + 1];
+        ++holder_begin[at(op.holder) + 1];
     }
-    for (std::size_t g = 0; g < groups; ++g) group_begin[g + 1] += group_begin[g];
+    for (std::size_t g = 0; g < holders; ++g) holder_begin[g + 1] += holder_begin[g];
     ops.resize(blocks);
-    std::vector<std::int32_t> cursor(group_begin.begin(), group_begin.end() - 1);
-    for (const CopyOp& op : unsorted) ops[at(cursor[at(op.group)]++)] = op;
+    std::vector<std::int32_t> cursor(holder_begin.begin(), holder_begin.end() - 1);
+    for (const CopyOp& op : unsorted) ops[at(cursor[at(op.holder)]++)] = op;
     columns.resize(blocks);
     factored = false;
     const std::size_t n = at(s.scalars);
@@ -78,14 +78,15 @@ void BlockFactor::Impl::copy(const CopyOp& op, const double* values) noexcept {
                 from[i * op.columns + j];
 }
 
-/// Blocks of groups `first` + each.
-void BlockFactor::Impl::copy_groups(std::span<const std::int32_t> groups, std::int32_t first,
-                                    const double* values) noexcept {
+/// Blocks that `first` + each of these holds.
+void BlockFactor::Impl::copy_held(std::span<const std::int32_t> holders, std::int32_t first,
+                                  const double* values) noexcept {
     auto one = [&](int i, int) noexcept {
-        const std::size_t g = at(first + groups[at(i)]);
-        for (std::int32_t k = group_begin[g]; k < group_begin[g + 1]; ++k) copy(ops[at(k)], values);
+        const std::size_t g = at(first + holders[at(i)]);
+        for (std::int32_t k = holder_begin[g]; k < holder_begin[g + 1]; ++k)
+            copy(ops[at(k)], values);
     };
-    pool.for_each(static_cast<int>(groups.size()), one);
+    pool.for_each(static_cast<int>(holders.size()), one);
 }
 
 Status BlockFactor::Impl::finish(int wrong_pivots) noexcept {
@@ -190,8 +191,8 @@ Status BlockFactor::refactor(std::span<const double> values,
     m.dirty.find(s, {m.columns.data(), changed_blocks.size()});
     m.part_flops = m.dirty.flops;
     m.numeric.clear(s, m.dirty, m.pool);
-    m.copy_groups(m.dirty.fronts, 0, values.data());
-    m.copy_groups(m.dirty.batches, static_cast<std::int32_t>(s.fronts.size()), values.data());
+    m.copy_held(m.dirty.fronts, 0, values.data());
+    m.copy_held(m.dirty.batches, static_cast<std::int32_t>(s.fronts.size()), values.data());
     return m.finish(m.numeric.refactor(s, m.dirty, m.pool));
 }
 

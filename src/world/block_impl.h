@@ -18,10 +18,11 @@
 namespace hawser {
 
 struct BlockFactor::Impl {
-    /// Copies one block of values to its place; `group` is the front or batch that holds it.
+    /// Copies one block of values to its place; `holder` is the front or batch whose panel holds
+    /// it.
     struct CopyOp {
         std::int64_t from = 0, to = 0;
-        std::int32_t group = 0, step = 1, ld = 0;
+        std::int32_t holder = 0, step = 1, ld = 0;
         std::int8_t rows = 0, columns = 0;  ///< Of the block as it is given.
         bool diagonal = false;
     };
@@ -35,8 +36,8 @@ struct BlockFactor::Impl {
     void take(const BlockPattern& p);
     void place();
     void copy(const CopyOp& op, const double* values) noexcept;
-    void copy_groups(std::span<const std::int32_t> groups, std::int32_t first,
-                     const double* values) noexcept;
+    void copy_held(std::span<const std::int32_t> holders, std::int32_t first,
+                   const double* values) noexcept;
     Status finish(int wrong) noexcept;
 
     /// Threads spin while this lives.
@@ -59,10 +60,10 @@ struct BlockFactor::Impl {
     factor::Pattern pattern;
     std::vector<BlockEdge> edges;
     std::vector<std::int64_t> value_begin, scalar_begin;
-    std::vector<CopyOp> ops;                ///< Grouped: fronts, then batches.
-    std::vector<std::int32_t> group_begin;  ///< Into ops.
-    std::vector<std::int32_t> column_of;    ///< Of each block: the node whose column holds it.
-    std::vector<std::int32_t> columns;      ///< Of changed blocks.
+    std::vector<CopyOp> ops;                 ///< Grouped: fronts, then batches.
+    std::vector<std::int32_t> holder_begin;  ///< Into ops.
+    std::vector<std::int32_t> column_of;     ///< Of each block: the node whose column holds it.
+    std::vector<std::int32_t> columns;       ///< Of changed blocks.
     std::vector<double> permuted, rest, row_sum;
     factor::RepairReport report;
     std::int64_t part_flops = 0;

@@ -75,7 +75,7 @@ void own_terms(const View& view, std::int32_t body) {
     store_sym(block + 6, world);
 }
 
-/// What a joint in short adds to a body's own terms.
+/// What a compact joint adds to a body's own terms.
 void add_arm(const View& view, const assembly::Incidence& in, const double* v, double* block,
              double* a) {
     const ArmsT<double> arms = load_arms(view.jacobian + in.jacobian - 3 * in.slot);
@@ -182,10 +182,10 @@ void rigid_terms(const View& view, std::int32_t body) {
         for (int i = 0; i < 6; ++i) sum[i] = arms.first[i] + arms.second[i];
         constexpr int kPlace[6] = {0, 1, 2, 4, 5, 8};
         for (int i = 0; i < 6; ++i) world.a[kPlace[i]] += sum[i];
-        const double* twists = view.geo_force + joints.place->geo_force;
+        const double* torques = view.geo_force + joints.place->geo_force;
         W3 unused, in;
-        load_twists(twists, unused, in);
-        const W3 next = shift_in(in, twists + 6 * kLanes + 3);
+        load_damping(torques, unused, in);
+        const W3 next = shift_in(in, torques + 6 * kLanes + 3);
         turn = turn + mul6(sum, W3{v[3], v[4], v[5]}) + next - in;
     }
     double weight[kLanes];

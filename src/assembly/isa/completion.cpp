@@ -88,7 +88,7 @@ void keep_rate(const View& view, std::int32_t row) {
         (view.c[row] / view.upsilon[row] + 4.0 / view.h * view.g[row]) / view.recall[row];
 }
 
-/// A ball joint in short. With a = h ω/2 of a body, what its arm r ends at beyond h ω × r is
+/// Rows of a compact joint. With a = h ω/2 of a body, what its arm r ends at beyond h ω × r is
 ///     (2/h) (a × (a × r) − a² a × r)/(1 + a²)    [m/s]
 /// so that c = −(g/h + that of body 1 − that of body 0) needs neither poses nor a difference.
 void complete_arms(const View& view, std::int32_t id, const Asked& asked, Turning& t) {
@@ -115,7 +115,7 @@ void complete_arms(const View& view, std::int32_t id, const Asked& asked, Turnin
     }
 }
 
-/// Do eight completed joints in short stand from `id` on?
+/// Whether the eight interactions from `id` on are completed compact joints.
 bool eight_completed(const View& view, std::int32_t id) {
     std::uint64_t flags;
     std::memcpy(&flags, view.completed + id, sizeof flags);
@@ -174,13 +174,13 @@ template <class K>
 Turning complete_kind(const View& view, const std::int32_t* ids, const typename K::Data* data,
                       std::int32_t begin, std::int32_t end, const Asked& asked) {
     constexpr int B = K::kBodies, R = K::kRows;
-    constexpr bool kMayBeShort = requires { requires K::kInShort; };
+    constexpr bool kCompactKind = requires { requires K::kMayBeCompact; };
     Turning t;
     for (std::int32_t k = begin; k < end; ++k) {
         const std::int32_t id = ids[k];
         if (!view.completed[id]) continue;
         const bool rigid = view.completed[id] == assembly::kRigid;
-        if (kMayBeShort && view.arms[id] && rigid) {
+        if (kCompactKind && view.arms[id] && rigid) {
             const bool run = k + kLanes <= end && ids[k + kLanes - 1] - id == kLanes - 1;
             if (run && eight_completed(view, id)) {
                 complete_eight(view, id, asked, t);

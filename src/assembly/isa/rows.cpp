@@ -22,7 +22,7 @@ constexpr int kSlots = kMaxInteractionBodies;
 /// Whether a joint of the kind may have a record of its arms in the place of its Jacobian
 /// (model/arms.h).
 template <class K>
-constexpr bool kMayBeCompact = requires { requires K::kInShort; };
+constexpr bool kCompactKind = requires { requires K::kMayBeCompact; };
 
 /// Share of the geometric stiffness that an interaction with the force nf has.
 double fade(const View& view, std::int32_t id, double nf) {
@@ -103,7 +103,7 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
     return joint && t.damping > 0.0 ? t.back / t.damping : 1.0;
 }
 
-/// Record and torques of damping of a joint in short.
+/// Record and torques of damping of a compact joint.
 template <class K>
 void evaluate_arms(const View& view, const typename K::Data& data, const BodyRef* refs,
                    std::int32_t id) {
@@ -145,7 +145,7 @@ std::int32_t by_eights(const View& view, const std::int32_t* ids, const Data* da
 template <class K>
 std::int32_t evaluate_lanes(const View& view, const std::int32_t* ids, const typename K::Data* data,
                             std::int32_t count) {
-    if constexpr (requires { requires K::kInShort; }) {
+    if constexpr (requires { requires K::kMayBeCompact; }) {
         return by_eights<JointRows>(view, ids, data, count, [&](std::int32_t k) {
             return view.arms[ids[k]] != 0 && ids[k] - ids[0] == k;
         });
@@ -199,7 +199,7 @@ template <class K>
 HAWSER_INLINE void write_geometry(const View& view, const typename K::Data& data,
                                   const BodyRef* refs, std::int32_t id,
                                   const Rows<K::kBodies, K::kRows>& rows) {
-    if constexpr (kMayBeCompact<K>) {
+    if constexpr (kCompactKind<K>) {
         if (view.arms[id]) {
             evaluate_arms<K>(view, data, refs, id);
             return;
@@ -242,7 +242,7 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         int width = 0;
         for (int b = 0; b < B; ++b) width += view.dof[body[b]];
         double room[model::kArmRoom];
-        double* out = kMayBeCompact<K> && view.arms[id] ? room : view.jacobian + view.jac_begin[id];
+        double* out = kCompactKind<K> && view.arms[id] ? room : view.jacobian + view.jac_begin[id];
         int at = 0;
         for (int b = 0; b < B; ++b) {
             const std::int32_t i = body[b];
