@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What a partial refactorisation saves, and what keeping update matrices for it costs.
+#include "factor/analyse.h"
 #include "factor/numeric.h"
 #include "factor/partial.h"
 #include "index.h"

@@ -2,6 +2,7 @@
 #include "partition/measure.h"
 
 #include "base/executor.h"
+#include "factor/analyse.h"
 #include "factor/columns.h"
 #include "factor/numeric.h"
 #include "factor/symbolic.h"

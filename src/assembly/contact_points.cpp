@@ -5,6 +5,8 @@
 #include "base/index.h"
 #include "base/small.h"
 
+#include <hawser/row_constants.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -84,6 +86,39 @@ double slot_mobility(const model::Bodies& b, const ContactSlot& s) {
     return s.weight * s.weight * sum;
 }
 
+/// Anchors of a contact at the point p: those that it has, or new ones where it has none or has
+/// rolled away from them. @return g_t, the tangential part of anchor 1 minus anchor 0.
+V3 hold(const ContactRow& row, const model::Bodies& bodies, const V3& n, const V3& p,
+        ContactMemory& m) {
+    V3 gap_t{0, 0, 0};
+    bool anew = m.body[0][0] < 0;
+    if (!anew) {
+        const V3 a0 = anchor_point(bodies, m, 0), a1 = anchor_point(bodies, m, 1);
+        anew = norm(tangential(0.5 * (a0 + a1) - p, n)) > kWander;
+        gap_t = tangential(anew ? load3(m.rolled) : a1 - a0, n);
+    }
+    if (anew) {
+        take_sides(row, m);
+        set_anchor(bodies, m, 0, p);
+        set_anchor(bodies, m, 1, p + gap_t);
+    }
+    return gap_t;
+}
+
+/// N v, bodies with a prescribed velocity included: above 0 apart.
+double normal_speed(const ContactRow& row, const model::Bodies& bodies, const V3& n) {
+    double speed = row.carried[0];
+    for (int i = 0; i < row.slots; ++i) {
+        const ContactSlot& s = row.slot[i];
+        if (s.dof == 0) continue;
+        const double* v = &bodies.v[at(s.dof_begin)];
+        V3 u = load3(v);
+        if (s.dof == 6) u = u + cross(load3(v + 3), load3(s.arm));
+        speed += s.weight * dot(n, u);
+    }
+    return speed;
+}
+
 }  // namespace
 
 void Contacts::set(std::size_t index, const collide::Contact& in, const collide::Surface& surface,
@@ -122,23 +157,12 @@ void Contacts::set(std::size_t index, const collide::Contact& in, const collide:
 
     // Memory: what the same contact had, else none.
     m = in.previous >= 0 ? memory[at(in.previous)] : kNoMemory;
-    V3 gap_t{0, 0, 0};
-    bool anew = m.body[0][0] < 0;
-    if (!anew) {
-        const V3 a0 = anchor_point(bodies, m, 0), a1 = anchor_point(bodies, m, 1);
-        anew = norm(tangential(0.5 * (a0 + a1) - p, n)) > kWander;
-        gap_t = tangential(anew ? load3(m.rolled) : a1 - a0, n);
-    }
-    if (anew) {
-        take_sides(row, m);
-        set_anchor(bodies, m, 0, p);
-        set_anchor(bodies, m, 1, p + gap_t);
-    }
+    const V3 gap_t = hold(row, bodies, n, p, m);
     store3(extra.tangent_gap, gap_t);
     store3(extra.point, p);
 
-    const double upsilon = 1.0 / (1.0 + 4.0 * surface.damping_time / h);
-    const double scale = 4.0 * upsilon / (h * h);
+    const double upsilon = row_upsilon(surface.damping_time, h);
+    const double scale = row_sigma(1.0, upsilon, h);
     const double least = kLeastSigma * cone.mobility;
     cone.sigma_n = std::max(scale * surface.compliance, least);
     cone.sigma_t = std::max(scale * surface.tangential_compliance, least);
@@ -148,15 +172,7 @@ void Contacts::set(std::size_t index, const collide::Contact& in, const collide:
     cone.b[1] = -4.0 / h * upsilon * dot(t1, gap_t);
     cone.b[2] = -4.0 / h * upsilon * dot(t2, gap_t);
     // Of a point that moves apart already, the speed is kept in part (SPOOK's Υ N v).
-    double speed = row.carried[0];
-    for (int i = 0; i < row.slots; ++i) {
-        const ContactSlot& s = row.slot[i];
-        if (s.dof == 0) continue;
-        const double* v = &bodies.v[at(s.dof_begin)];
-        V3 u = load3(v);
-        if (s.dof == 6) u = u + cross(load3(v + 3), load3(s.arm));
-        speed += s.weight * dot(n, u);
-    }
+    const double speed = normal_speed(row, bodies, n);
     if (in.gap <= 0.0 && speed > 0.0) cone.b[0] += upsilon * speed;
 }
 

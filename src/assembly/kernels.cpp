@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "assembly/kernels.h"
+
 #include "assembly/contact_rows.h"
-#include "assembly/view.h"
 #include "base/isa.h"
 
 namespace hawser::assembly {

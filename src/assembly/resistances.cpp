@@ -4,6 +4,8 @@
 #include "base/index.h"
 #include "base/small.h"
 
+#include <hawser/row_constants.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -79,8 +81,8 @@ void Resistances::begin(const collide::ContactSet& set, base::Array<ContactRow>&
         row.epsilon = surface.tangential_compliance * a.mobility / inverse_mass;
         a.torsional = surface.torsional;
         a.rolling = surface.rolling;
-        const double upsilon = 1.0 / (1.0 + 4.0 * surface.damping_time / h);
-        const double scale = 4.0 * upsilon / (h * h);
+        const double upsilon = row_upsilon(surface.damping_time, h);
+        const double scale = row_sigma(1.0, upsilon, h);
         a.sigma = std::max(scale * row.epsilon, kLeastSigma * a.mobility);
         row.epsilon = a.sigma / scale;
         rows.push_back(row);

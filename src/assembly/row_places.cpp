@@ -50,13 +50,13 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) 
     constexpr std::size_t kSlack = 8;
     geo_place_.assign(at(in.count()), {});
     std::int32_t record = 0, force = 0, jacobian = 0;
-    // Jacobians in short come first, each in a cache line.
+    // Compact Jacobians come first, each in a cache line.
     for (int i = 0; i < in.count(); ++i) {
         const std::int32_t* body = &in.body[at(kMaxInteractionBodies * i)];
-        const bool in_short = kind_info(in.def[at(i)].kind).is(kCompact) && !rests(i) &&
-                              dof_[at(body[0])] == 6 && dof_[at(body[1])] == 6;
-        in.arms[at(i)] = in_short ? model::kInShort : 0;
-        if (!in_short) continue;
+        const bool compact = kind_info(in.def[at(i)].kind).is(kCompact) && !rests(i) &&
+                             dof_[at(body[0])] == 6 && dof_[at(body[1])] == 6;
+        in.arms[at(i)] = compact ? model::kCompactJacobian : 0;
+        if (!compact) continue;
         in.jac_begin[at(i)] = jacobian;
         jacobian += model::kArms;
         geo_place_[at(i)] = {-1, force, 0};

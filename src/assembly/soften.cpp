@@ -11,6 +11,8 @@
 #include "assembly/system.h"
 #include "base/index.h"
 
+#include <hawser/row_constants.h>
+
 #include <algorithm>
 
 namespace hawser::assembly {
@@ -42,7 +44,7 @@ double least_sigma(const std::vector<double>& w, double sigma, double most) {
 
 void System::soften_sides(const model::Bodies& bodies, model::Interactions& in, double h) const {
     auto sigma_of = [&](std::size_t row) {
-        return 4.0 * in.epsilon[row] * in.upsilon[row] / (h * h) + 1e-300;
+        return row_sigma(in.epsilon[row], in.upsilon[row], h) + model::kTinySigma;
     };
     std::vector<std::int32_t> stiff(at(bodies.count()), 0);
     auto each_body = [&](const Sides& s, auto&& f) {

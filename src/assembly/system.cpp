@@ -156,13 +156,9 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
         for (int r = 0; r < in.rows[at(i)]; ++r) {
             const auto row = at(in.row_begin[at(i)] + r);
             const double w = mobility(bodies, in, i, r);
-            const bool velocity = in.row_flags[row] & model::kRowVelocity;
-            double sigma =
-                velocity ? in.epsilon[row] / h : 4.0 * in.epsilon[row] * in.upsilon[row] / (h * h);
             // A rigid row may repeat others (closed loops): a floor keeps the pivots' signs.
-            if (in.epsilon[row] == 0.0) sigma = kRigidShare * w;
-            sigma = std::max(sigma, in.least_sigma[row]);
-            if (sigma < 1e-300) sigma = 1e-300;
+            const double needed = in.epsilon[row] == 0.0 ? kRigidShare * w : in.bare_sigma(row, h);
+            const double sigma = std::max({needed, in.least_sigma[row], model::kTinySigma});
             in.sigma[row] = sigma;
             // By the compliance as defined: a world restored with other lengths of its lines must
             // choose as the one that was saved.
@@ -172,7 +168,7 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
             if (def.form == Form::automatic && w > kSafeRatio * ratio * sigma) keep = true;
         }
         kept_[at(i)] = keep ? 1 : 0;
-        if (in.arms[at(i)] && !keep) in.arms[at(i)] = model::kInShortCondensed;
+        if (in.arms[at(i)] && !keep) in.arms[at(i)] = model::kCompactCondensed;
         for (int r = 0; r < in.rows[at(i)]; ++r) {
             const auto row = at(in.row_begin[at(i)] + r);
             in.inv_sigma[row] = keep ? 0.0 : 1.0 / in.sigma[row];
@@ -180,18 +176,13 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
     }
 }
 
-View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef& def) noexcept {
-    static_assert(sizeof(BodyKind) == 1);
-    View v{};
-    v.h = def.step;
-    for (int i = 0; i < 3; ++i) v.gravity[i] = def.gravity[i];
-    v.geometric_stiffness = def.geometric_stiffness;
-    v.rotation_damping = def.rotation_damping;
+namespace {
+
+/// What a view shows of bodies.
+void show_bodies(model::Bodies& bodies, View& v) noexcept {
     v.body_count = bodies.count();
-    v.interaction_count = in.count();
     v.dof_count = bodies.dofs;
     v.kind = reinterpret_cast<const std::uint8_t*>(bodies.kind.data());
-    v.dof = dof_.data();
     v.dof_begin = bodies.dof_begin.data();
     v.x = bodies.x.data();
     v.q = bodies.q.data();
@@ -203,9 +194,6 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.v_before = bodies.v_before.empty() ? bodies.v_fixed.data() : bodies.v_before.data();
     v.spin_free = bodies.spin_free.data();
     v.spin_change = bodies.spin_change.data();
-    v.spin_momentum = spin_momentum_.data();
-    v.spin_next = spin_next_.data();
-    v.turning = turning.data();
     v.mass = bodies.mass.data();
     v.inertia = bodies.inertia.data();
     v.inv_inertia = bodies.inv_inertia.data();
@@ -214,10 +202,11 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.drag_after = bodies.drag_after.data();
     v.drag_before = bodies.drag_before.data();
     v.weight = bodies.weight.data();
-    v.body_block = body_block_.data();
-    v.a = a_.data();
-    v.v_new = v_new_.data();
-    v.momentum = keeps_momentum ? momentum_.data() : nullptr;
+}
+
+/// What a view shows of interactions and their rows.
+void show_interactions(model::Interactions& in, View& v) noexcept {
+    v.interaction_count = in.count();
     v.body = in.body.data();
     v.bodies = in.bodies.data();
     v.rows = in.rows.data();
@@ -225,7 +214,6 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.row_begin = in.row_begin.data();
     v.jac_begin = in.jac_begin.data();
     v.arms = in.arms.data();
-    v.geo = geo_place_.data();
     v.active = in.active.data();
     v.held = in.held.data();
     v.parted = in.parted.data();
@@ -242,13 +230,27 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.row_flags = in.row_flags.data();
     v.g = in.g.data();
     v.c = in.c.data();
-    v.c_next = c_next_.data();
-    v.rate = rate_.data();
     v.residual = in.residual.data();
     v.lambda = in.lambda.data();
     v.multiplier = in.multiplier.data();
     v.force_of_row = in.force.data();
     v.jacobian = in.jacobian.data();
+}
+
+}  // namespace
+
+void System::show_own(View& v) noexcept {
+    v.dof = dof_.data();
+    v.spin_momentum = spin_momentum_.data();
+    v.spin_next = spin_next_.data();
+    v.turning = turning.data();
+    v.body_block = body_block_.data();
+    v.a = a_.data();
+    v.v_new = v_new_.data();
+    v.momentum = keeps_momentum ? momentum_.data() : nullptr;
+    v.geo = geo_place_.data();
+    v.c_next = c_next_.data();
+    v.rate = rate_.data();
     v.geo_record = geo_record_.data();
     v.geo_force = geo_force_.data();
     v.contact_block = contacts.block_value.data();
@@ -261,6 +263,18 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
     v.body_offset = body_offset_.data();
     v.interaction_offset = interaction_offset_.data();
     v.solution = solution_.data();
+}
+
+View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef& def) noexcept {
+    static_assert(sizeof(BodyKind) == 1);
+    View v{};
+    v.h = def.step;
+    for (int i = 0; i < 3; ++i) v.gravity[i] = def.gravity[i];
+    v.geometric_stiffness = def.geometric_stiffness;
+    v.rotation_damping = def.rotation_damping;
+    show_bodies(bodies, v);
+    show_interactions(in, v);
+    show_own(v);
     return v;
 }
 

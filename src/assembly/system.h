@@ -15,6 +15,7 @@
 #include <hawser/def.h>
 
 #include "assembly/contacts.h"
+#include "assembly/kernels.h"
 #include "assembly/strips.h"
 #include "assembly/view.h"
 #include "base/executor.h"
@@ -133,6 +134,8 @@ class System {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
+    /// What a view shows of the arrays of the system.
+    void show_own(View& v) noexcept;
     void find_resting(const model::Bodies& bodies, const model::Interactions& interactions);
     void build_incidence(const model::Bodies& bodies, const model::Interactions& interactions);
     /// Links: rigid bodies that only two ball joints touch, of which the first has them as its

@@ -34,7 +34,7 @@ inline constexpr int kLossChunk = 64;  ///< Interactions of one call of row_loss
 /// Of View::recall; below it c does not tell ġ.
 inline constexpr double kLeastRecall = 1e-2;
 
-/// One contribution to one block of the matrix. Of a Jacobian in short (model/arms.h) `width` is 0,
+/// One contribution to one block of the matrix. Of a compact joint (model/arms.h) `width` is 0,
 /// the offsets are those of its record, and `condensed` has the damping in it.
 struct Op {
     enum Kind : std::uint8_t {
@@ -65,7 +65,7 @@ struct LaneOp {
     std::uint8_t a, b;
     std::uint8_t dof_a, dof_b, width, rows;
     std::uint8_t used;    ///< One bit a lane.
-    std::uint8_t turned;  ///< One bit a lane: slots a and b change places, between joints in short.
+    std::uint8_t turned;  ///< One bit a lane: slots a and b change places, between compact joints.
     std::int32_t to_b;    ///< From slot a's columns to slot b's.
     std::int32_t id[8];
     std::int32_t from[8];  ///< Offsets of what op.kind reads: slot a's columns, record, block.
@@ -77,22 +77,21 @@ struct Incidence {
     std::int32_t row;        ///< First row.
     std::int32_t geo_force;  ///< GeoPlace::slot() of this body, −1: none or not one of its two.
     /// Offset of its arm's stiffness, −1: none (slot 1 has the force of slot 0, sign changed). Of a
-    /// Jacobian in short: the interaction.
+    /// compact joint: the interaction.
     std::int32_t geo_arm;
     std::uint8_t rows;
-    std::uint8_t width;  ///< 0: the Jacobian is in short (model/arms.h); `slot` is this body's.
+    std::uint8_t width;  ///< 0: a compact joint (model/arms.h); `slot` is this body's.
     std::uint8_t slot;
 };
 
 /// Where the geometric terms of one interaction are. A slot has 2 `dof` doubles: its part of M̃ v
 /// for the velocities of the latest loop over rows that had some, and its part of a. Where one
 /// slot's part is the other's with the sign changed, only that of slot 0 is kept: between bodies
-/// without arms, and where the Jacobian is in short (model/arms.h), in which case there are three
-/// torques of each.
+/// without arms, and of compact joints (model/arms.h), which have three torques of each.
 struct GeoPlace {
     std::int32_t record = -1;  ///< Offset of the record, kGeoSize or kGeoLine doubles; −1: none.
     std::int32_t force = 0;    ///< Offset of slot 0; slot 1, if any, follows.
-    std::int32_t dof = 6;  ///< 3 between bodies without arms (lumps, scalars), 0 in short, else 6.
+    std::int32_t dof = 6;  ///< 3 between bodies without arms (lumps, scalars), 0 compact, else 6.
     [[nodiscard]] constexpr std::int32_t slot(int b) const {
         return dof == 6 ? force + 12 * b : force;
     }
@@ -201,7 +200,7 @@ struct View {
     double* solution;
 };
 
-/// The rows of interaction `id`, packed, in `room` if its Jacobian is in short.
+/// The rows of interaction `id`, packed, in `room` if it is a compact joint.
 [[nodiscard, gnu::always_inline]] inline const double* packed_rows(
     const View& view, std::int32_t id, double (&room)[model::kArmRoom]) noexcept {
     return model::packed_rows(view.jacobian + view.jac_begin[id], view.arms[id] != 0, room);
@@ -256,73 +255,4 @@ struct Turning {
 /// Interactions whose rows a step solves at its end, beside 0: all others (stepper/completion.h).
 enum Completed : std::uint8_t { kRigid = 1, kStiffDamper = 2 };
 
-/// Hot loops. Ranges are of bodies or of interactions; a range writes only its own entries.
-struct Kernels {
-    /// Violation, Jacobian, c and geometric record of pool entries [begin, end); G v_start, M̃
-    /// v_start.
-    void (*evaluate)(const View&, InteractionKind kind, const std::int32_t* ids, const void* data,
-                     std::int32_t begin, std::int32_t end) noexcept;
-    /// c of the completed ones among pool entries [begin, end), about the packed velocities u: as
-    /// the step's `first` into c, else into c_next.
-    Turning (*complete_rows)(const View&, InteractionKind kind, const std::int32_t* ids,
-                             const void* data, std::int32_t begin, std::int32_t end,
-                             const double* u, bool first) noexcept;
-    /// What spins of turning bodies give, about u: as the first one into a, else into spin_next.
-    Turning (*complete_spins)(const View&, std::int32_t begin, std::int32_t end, const double* u,
-                              bool first) noexcept;
-    /// c becomes c_next, of the completed ones among ids[begin, end).
-    void (*adopt_completed)(const View&, const std::int32_t* ids, std::int32_t begin,
-                            std::int32_t end) noexcept;
-    /// Right-hand sides a of turning bodies take spin_next.
-    void (*adopt_spins)(const View&, std::int32_t begin, std::int32_t end) noexcept;
-    /// Body blocks and a, geometric terms included.
-    void (*body_terms)(const View&, std::int32_t begin, std::int32_t end) noexcept;
-    /// Write blocks of the matrix into the panels.
-    void (*gather_blocks)(const View&, const Op* ops, std::int64_t begin, std::int64_t end,
-                          double* panel) noexcept;
-    /// Write blocks of the matrix into the panels, eight lanes at a time.
-    void (*gather_lane_blocks)(const View&, const LaneOp* ops, std::int64_t begin, std::int64_t end,
-                               double* panel) noexcept;
-    /// First residual, of λ = 0 and v₊ = 0 or, if `moving`, v₊ = v_start, for which evaluate() has
-    /// left G v₊ where residuals go; for kept interactions also in the solver's vector. λ itself,
-    /// that of the last step, stays until the first row_update().
-    void (*first_rhs)(const View&, std::int32_t begin, std::int32_t end, bool moving) noexcept;
-    /// Right-hand side of the solver from the residuals: bodies. The first one writes v₊, of which
-    /// it starts.
-    void (*first_body_rhs)(const View&, std::int32_t begin, std::int32_t end, bool moving) noexcept;
-    void (*body_rhs)(const View&, std::int32_t begin, std::int32_t end) noexcept;
-    /// v₊ += solution.
-    void (*add_solution)(const View&, std::int32_t begin, std::int32_t end) noexcept;
-    /// λ += the solution's part, then the residual of every row, for kept interactions also in the
-    /// solver's vector; then K v₊. `first`: λ is the solution itself.
-    void (*row_update)(const View&, std::int32_t begin, std::int32_t end, bool first) noexcept;
-    /// Norms over bodies, with the momentum residual.
-    void (*body_norms)(const View&, std::int32_t begin, std::int32_t end, Norms*) noexcept;
-    /// Norms over interactions.
-    void (*row_norms)(const View&, std::int32_t begin, std::int32_t end, Norms*) noexcept;
-    /// Energy that rows of at most kLossChunk interactions take in the step [J], see
-    /// stepper/losses.cpp. `left`: those (`left_count`) that are not in the sum, since they need
-    /// more than their rows; room for kLossChunk.
-    double (*row_losses)(const View&, std::int32_t begin, std::int32_t end, std::int32_t* left,
-                         int* left_count) noexcept;
-    /// What lines hold more after the step than before, and than the bodies at their ends gave
-    /// them; and what they hold more or less. Added up.
-    void (*line_gains)(const View&, const std::int32_t* ids, std::int32_t count,
-                       LineGain*) noexcept;
-    /// Move bodies by h v₊ and store v₊.
-    void (*integrate)(const View&, std::int32_t begin, std::int32_t end) noexcept;
-};
-
-[[nodiscard]] const Kernels& kernels() noexcept;
-
 }  // namespace hawser::assembly
-
-namespace hawser::sse2 {
-extern const assembly::Kernels kAssemblyKernels;
-}
-namespace hawser::avx2 {
-extern const assembly::Kernels kAssemblyKernels;
-}
-namespace hawser::avx512 {
-extern const assembly::Kernels kAssemblyKernels;
-}

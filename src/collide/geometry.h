@@ -50,13 +50,4 @@ struct Manifold {
 using Collide = void (*)(const Geometry& a, const Placement& pa, const Geometry& b,
                          const Placement& pb, double margin, Manifold& out);
 
-/// The function for two kinds; the kinds may come in any order.
-[[nodiscard]] Collide collide_function(ShapeKind a, ShapeKind b) noexcept;
-
-/// Axis-aligned box around a placed shape [m]; a plane is unbounded (±1e30).
-struct Bounds {
-    double low[3], high[3];
-};
-[[nodiscard]] Bounds bounds(const Geometry& shape, const Placement& placed) noexcept;
-
 }  // namespace hawser::collide

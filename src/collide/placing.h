@@ -3,6 +3,7 @@
 /// @file placing.h
 /// Shapes of a world: what they are, and where they are in the present step.
 
+#include "collide/bounds.h"
 #include "collide/geometry.h"
 #include "model/bodies.h"
 

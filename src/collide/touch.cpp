@@ -2,6 +2,7 @@
 #include "collide/touch.h"
 
 #include "base/small.h"
+#include "collide/collide_function.h"
 
 #include <algorithm>
 #include <cmath>

@@ -18,31 +18,31 @@ constexpr double kPanelRatio = 6.0;
 constexpr std::size_t kMaxPanels = 3;
 constexpr double kLegendRow = 36.0;  // Height of a legend entry with its note [points].
 
-using Group = std::vector<std::size_t>;  // Indices into Series::cables.
+using Curves = std::vector<std::size_t>;  // Indices into Series::cables.
 
-std::vector<Group> group_by_size(const record::Series& series) {
-    Group order(series.cables.size());
+std::vector<Curves> curves_by_size(const record::Series& series) {
+    Curves order(series.cables.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return series.cables[a].peak > series.cables[b].peak;
     });
-    std::vector<Group> groups;
+    std::vector<Curves> panels;
     double top = 0.0;
     for (const std::size_t i : order) {
         const double peak = series.cables[i].peak;
-        if (groups.empty() || (peak * kPanelRatio < top && groups.size() < kMaxPanels)) {
-            groups.emplace_back();
+        if (panels.empty() || (peak * kPanelRatio < top && panels.size() < kMaxPanels)) {
+            panels.emplace_back();
             top = peak;
         }
-        groups.back().push_back(i);
+        panels.back().push_back(i);
     }
-    for (Group& group : groups) std::sort(group.begin(), group.end());
-    return groups;
+    for (Curves& curves : panels) std::sort(curves.begin(), curves.end());
+    return panels;
 }
 
-Range tension_range(const record::Series& series, const Group& group, double factor) {
+Range tension_range(const record::Series& series, const Curves& curves, double factor) {
     std::vector<double> values;
-    for (const std::size_t i : group) {
+    for (const std::size_t i : curves) {
         const record::CableSeries& s = series.cables[i];
         for (const auto* list : {&s.lowest, &s.highest}) {
             const Range r = range_of(*list);
@@ -69,8 +69,8 @@ std::vector<double> dash_of(std::size_t index) {
 }
 
 void draw_curves(Drawing& drawing, const Axes& axes, const record::Series& series,
-                 const Group& group, double factor) {
-    for (const std::size_t i : group) {
+                 const Curves& curves, double factor) {
+    for (const std::size_t i : curves) {
         const record::CableSeries& s = series.cables[i];
         std::vector<Point> band = thinned(axes, series.time, scaled(s.highest, factor));
         const std::vector<Point> lower = thinned(axes, series.time, scaled(s.lowest, factor));
@@ -80,7 +80,7 @@ void draw_curves(Drawing& drawing, const Axes& axes, const record::Series& serie
                          .fill = curve_color(i).with_alpha(36),
                          .closed = true});
     }
-    for (const std::size_t i : group)
+    for (const std::size_t i : curves)
         drawing.add(
             Path{.points = thinned(axes, series.time, scaled(series.cables[i].first, factor)),
                  .stroke = curve_color(i),
@@ -89,9 +89,9 @@ void draw_curves(Drawing& drawing, const Axes& axes, const record::Series& serie
 }
 
 std::vector<LegendEntry> legend(const record::Recording& recording, const record::Series& series,
-                                const Group& group) {
+                                const Curves& curves) {
     std::vector<LegendEntry> entries;
-    for (const std::size_t i : group) {
+    for (const std::size_t i : curves) {
         const record::CableSeries& s = series.cables[i];
         const record::RecordedCable& cable = recording.cables[static_cast<std::size_t>(s.cable)];
         std::string note = "max " + record::with_unit(s.peak, "N");
@@ -120,22 +120,22 @@ void mark_events(Drawing& drawing, const record::Recording& recording, const Axe
 }
 
 void draw_panel(Drawing& drawing, const record::Recording& recording, const record::Series& series,
-                const Group& group, const std::vector<Command>& commands, Axes axes) {
+                const Curves& curves, const std::vector<Command>& commands, Axes axes) {
     double peak = 0.0;
-    for (const std::size_t i : group) peak = std::max(peak, series.cables[i].peak);
+    for (const std::size_t i : curves) peak = std::max(peak, series.cables[i].peak);
     const record::Unit unit = record::readable_unit(peak, "N");
     axes.x = range_of(series.time);
     axes.x.high = std::max(axes.x.high, axes.x.low + recording.settings.step);
-    axes.y = tension_range(series, group, unit.factor);
+    axes.y = tension_range(series, curves, unit.factor);
     axes.y_label = fmt::format("tension [{}]", unit.name);
     axes.x_ticks = 10;
     axes.y_ticks = std::max(3, static_cast<int>(axes.frame.height / 60));
     axes.draw(drawing);
     mark_commands(drawing, axes, commands);
-    draw_curves(drawing, axes, series, group, unit.factor);
+    draw_curves(drawing, axes, series, curves, unit.factor);
     mark_events(drawing, recording, axes);
     draw_legend(drawing, {axes.frame.right() + 24, axes.frame.y + 14},
-                legend(recording, series, group));
+                legend(recording, series, curves));
 }
 
 }  // namespace
@@ -143,15 +143,15 @@ void draw_panel(Drawing& drawing, const record::Recording& recording, const reco
 std::optional<Drawing> plot_tensions(const record::Recording& recording,
                                      const record::Series& series) {
     if (series.cables.empty() || series.time.empty()) return std::nullopt;
-    const std::vector<Group> groups = group_by_size(series);
+    const std::vector<Curves> panels = curves_by_size(series);
     const std::vector<Command> commands = commands_of(recording);
     const double listed = kCommandLine * static_cast<double>(commands.size());
     const double top = 108, bottom = 96 + listed, gap = 40;
-    const double least = groups.size() == 1 ? 520 : groups.size() == 2 ? 270 : 190;
+    const double least = panels.size() == 1 ? 520 : panels.size() == 2 ? 270 : 190;
     std::vector<double> heights;
     double total = top + bottom - gap;
-    for (const Group& group : groups) {
-        const auto rows = static_cast<double>(group.size());
+    for (const Curves& curves : panels) {
+        const auto rows = static_cast<double>(curves.size());
         heights.push_back(std::max(least, rows * kLegendRow));
         total += heights.back() + gap;
     }
@@ -159,11 +159,11 @@ std::optional<Drawing> plot_tensions(const record::Recording& recording,
     draw_heading(drawing, recording.scene_name + ": tension of the cables over time",
                  record::parameter_line(recording));
     double y = top;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-        draw_panel(drawing, recording, series, groups[g], commands,
+    for (std::size_t g = 0; g < panels.size(); ++g) {
+        draw_panel(drawing, recording, series, panels[g], commands,
                    {.frame = {110, y, 880, heights[g]},
-                    .x_label = g + 1 == groups.size() ? "time [s]" : "",
-                    .x_numbers = g + 1 == groups.size()});
+                    .x_label = g + 1 == panels.size() ? "time [s]" : "",
+                    .x_numbers = g + 1 == panels.size()});
         y += heights[g] + gap;
     }
     list_commands(drawing, {110, drawing.height - 22 - listed + kCommandLine}, commands);

@@ -22,14 +22,9 @@
 /// to threes, so that it moves on by whole tiles. The panel of a step is stored by rows: entry (i,
 /// k) of lane l at 8 (i p + k) + l. A chain's last update matrix goes to an ordinary parent front.
 
-#include "factor/chains.h"
-
 #include <cstdint>
-#include <vector>
 
 namespace hawser::factor {
-
-struct Symbolic;
 
 inline constexpr int kLaneCount = 8;
 inline constexpr int kTile = 3;  ///< Rows and columns of the kernels' register blocks.
@@ -60,10 +55,5 @@ struct Batch {
     return kLaneCount * (tiles * (tiles + 1) * kTile * kTile +
                          static_cast<std::int64_t>(b.most_p + b.most_q) * b.most_p);
 }
-
-/// Group the chains, give every node its step and slot, and lay out the panels behind the
-/// ordinary ones. `s` has its fronts, rows and offsets; `front_of_chain` names the chains' fronts.
-void lay_out_batches(const Pattern& pattern, const Chains& chains,
-                     const std::vector<std::int32_t>& front_of_chain, Symbolic& s);
 
 }  // namespace hawser::factor

@@ -2,6 +2,7 @@
 #include "factor/layout.h"
 
 #include "base/index.h"
+#include "factor/lay_out_batches.h"
 #include "factor/partial.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 /// From the structure of the columns to addresses: fronts, rows, runs, tasks, update matrices.
 
 #include "base/executor.h"
+#include "factor/chains.h"
 #include "factor/columns.h"
 #include "factor/symbolic.h"
 #include "factor/tree.h"

@@ -11,6 +11,7 @@
 #include "base/memory.h"
 #include "factor/kernels.h"
 #include "factor/partial.h"
+#include "factor/piece.h"
 #include "factor/symbolic.h"
 #include "factor/unsymmetric.h"
 
@@ -19,14 +20,6 @@
 #include <vector>
 
 namespace hawser::factor {
-
-/// Panels that are filled, factored and substituted together while they are in the cache: some
-/// steps of a batch of chains, or some fronts in a row.
-struct Piece {
-    std::int64_t panel_begin, panel_end;        ///< Offsets in the panel array; pieces are apart.
-    std::int32_t begin, end;                    ///< Fronts; of a batch: its index, twice.
-    std::int32_t step_begin = 0, step_end = 0;  ///< Of a batch, in the order of its steps.
-};
 
 /// Writes the values of one piece into zeroed panels. Called from any thread.
 struct Fill {
@@ -153,8 +146,8 @@ class Numeric : public SymmetricNumeric {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
-    void cut_pieces(const Symbolic& symbolic);
-    void cut_batch(const Symbolic& symbolic, std::int32_t batch);
+    void make_pieces(const Symbolic& symbolic);
+    void divide_batch(const Symbolic& symbolic, std::int32_t batch);
     void find_stage(const Symbolic& symbolic, int threads);
     [[nodiscard]] int run_batch_piece(const Symbolic& symbolic, int piece, Fill fill, double* x,
                                       int thread) noexcept;

@@ -7,7 +7,7 @@
 
 namespace hawser::factor {
 
-void Numeric::cut_batch(const Symbolic& s, std::int32_t batch) {
+void Numeric::divide_batch(const Symbolic& s, std::int32_t batch) {
     const Batch& b = s.batches[static_cast<std::size_t>(batch)];
     Piece p{0, 0, batch, batch, b.step_begin, b.step_begin};
     for (std::int32_t k = b.step_begin; k < b.step_end; ++k) {
@@ -22,12 +22,12 @@ void Numeric::cut_batch(const Symbolic& s, std::int32_t batch) {
     }
 }
 
-void Numeric::cut_pieces(const Symbolic& s) {
+void Numeric::make_pieces(const Symbolic& s) {
     pieces_.clear();
     task_piece_.clear();
     for (std::size_t i = 0; i < s.batches.size(); ++i) {
         task_piece_.push_back(static_cast<std::int32_t>(pieces_.size()));
-        cut_batch(s, static_cast<std::int32_t>(i));
+        divide_batch(s, static_cast<std::int32_t>(i));
     }
     auto add_fronts = [&](std::int32_t begin, std::int32_t end) {
         Piece p{0, 0, begin, begin};

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "factor/symbolic.h"
 
-#include "factor/columns.h"
-#include "factor/layout.h"
-
 #include <algorithm>
 
 namespace hawser::factor {
@@ -63,22 +60,6 @@ std::size_t Symbolic::bytes() const noexcept {
            base::bytes(batches) + base::bytes(batch_steps) + base::bytes(slot_sign) +
            base::bytes(slot_index) + base::bytes(tail_slot) + base::bytes(node_step) +
            base::bytes(node_slot);
-}
-
-Symbolic analyse(const Pattern& pattern, std::vector<std::int32_t> order) {
-    return analyse(pattern, Elimination{std::move(order), {}});
-}
-
-Symbolic analyse(const Pattern& pattern, Elimination plan) {
-    Symbolic s;
-    s.order = std::move(plan.order);
-    s.position.resize(s.order.size());
-    for (std::size_t k = 0; k < s.order.size(); ++k)
-        s.position[static_cast<std::size_t>(s.order[k])] = static_cast<std::int32_t>(k);
-    Columns columns;
-    columns.build(pattern, s.order, s.position);
-    Layout().run(pattern, columns, plan.chains, s);
-    return s;
 }
 
 }  // namespace hawser::factor

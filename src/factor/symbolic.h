@@ -33,8 +33,6 @@
 
 #include "base/memory.h"
 #include "factor/batches.h"
-#include "factor/ordering.h"
-#include "factor/pattern.h"
 #include "factor/task_graph.h"
 
 #include <cstdint>
@@ -124,10 +122,5 @@ struct Symbolic {
 
 /// Flops of one front, multiply and add counted apart: Σ_k m(m+2), m rows below pivot k.
 [[nodiscard]] std::int64_t front_flops(int p, int q) noexcept;
-
-/// Analyse a pattern for a given elimination order (made a postorder of its own tree).
-[[nodiscard]] Symbolic analyse(const Pattern& pattern, Elimination plan);
-/// Analyse a pattern for an elimination order without chains.
-[[nodiscard]] Symbolic analyse(const Pattern& pattern, std::vector<std::int32_t> order);
 
 }  // namespace hawser::factor

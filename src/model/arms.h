@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file arms.h
-/// Jacobian of a ball joint between two rigid bodies, in short.
+/// The compact form of the Jacobian of a ball joint between two rigid bodies: a *compact joint*.
 ///
 /// With the arms r₀, r₁ from the centres of mass to the joint (world frame) its three rows are
 /// ```
@@ -15,8 +15,8 @@
 namespace hawser::model {
 
 inline constexpr int kArms = 8;  ///< Doubles of an arms record.
-/// What Interactions::arms says: the Jacobian is in short; and the rows are condensed.
-inline constexpr unsigned char kInShort = 1, kInShortCondensed = 3;
+/// What Interactions::arms says: the Jacobian is compact; it is, and the rows are condensed.
+inline constexpr unsigned char kCompactJacobian = 1, kCompactCondensed = 3;
 inline constexpr int kArmsDamping = 6, kArmsSwing = 7;
 /// Doubles of the packed rows, and slack for vector loads.
 inline constexpr int kArmRows = 3, kArmWidth = 12, kArmRoom = kArmRows * kArmWidth + 8;
@@ -41,7 +41,7 @@ inline constexpr int kArmRows = 3, kArmWidth = 12, kArmRoom = kArmRows * kArmWid
     for (int k = kArmRows * kArmWidth; k < kArmRoom; ++k) out[k] = 0.0;
 }
 
-/// Packed rows of an interaction whose Jacobian begins at `jacobian`, in `room` if it is in short.
+/// Packed rows of an interaction whose Jacobian begins at `jacobian`, in `room` if it is compact.
 [[nodiscard, gnu::always_inline]] inline const double* packed_rows(
     const double* jacobian, bool arms, double (&room)[kArmRoom]) noexcept {
     if (!arms) return jacobian;

@@ -190,8 +190,7 @@ void Interactions::write_rows(int id, const Bodies& bodies_in, double h) {
                                        &c, &residual, &lambda, &multiplier, &force})
             (*a)[row] = 0.0;
         share_damping(row, wire, h);
-        sigma[row] = spec[r].velocity ? spec[r].compliance / h
-                                      : 4.0 * spec[r].compliance * upsilon[row] / (h * h);
+        sigma[row] = bare_sigma(row, h);
     }
     if (wire) follow_length(id, bodies_in, h);
 }

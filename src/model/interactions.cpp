@@ -73,9 +73,7 @@ void Interactions::mirror(int copy, int original, const Bodies& bodies_in, doubl
         epsilon[row] = epsilon[of];
         // A rigid row's Σ is that of the analysis.
         if ((row_flags[row] & kRowVelocity) || epsilon[row] == 0.0) continue;
-        share_damping(row, kind_info(d.kind).is(kWireElement), h);
-        sigma[row] = std::max(4.0 * epsilon[row] * upsilon[row] / (h * h), least_sigma[row]);
-        if (inv_sigma[row] != 0.0) inv_sigma[row] = 1.0 / sigma[row];
+        follow_compliance(row, kind_info(d.kind).is(kWireElement), h);
     }
 }
 
@@ -109,9 +107,7 @@ void Interactions::follow_length(int id, const Bodies& bodies_in, double h) noex
     if (!(flags[at(id)] & kFromLength)) return;
     const auto row = at(row_begin[at(id)]);
     epsilon[row] = length / d.params[1];
-    share_damping(row, true, h);
-    sigma[row] = std::max(4.0 * epsilon[row] * upsilon[row] / (h * h), least_sigma[row]);
-    if (inv_sigma[row] != 0.0) inv_sigma[row] = 1.0 / sigma[row];
+    follow_compliance(row, true, h);
 }
 
 template <class F>

@@ -5,7 +5,7 @@
 ///
 /// Indices: `id` counts interactions in the order added. Row r of interaction id is entry
 /// row_begin[id] + r of the row arrays. Its Jacobian begins at jac_begin[id]: dense, row-major,
-/// `width` = Σ dof(body) wide, or in short where arms[id] (arms.h).
+/// `width` = Σ dof(body) wide, or compact where arms[id] (arms.h).
 
 #include <hawser/interactions.h>
 
@@ -46,6 +46,9 @@ enum InteractionFlag : std::uint8_t {
 
 /// No bound: far beyond any force [N].
 inline constexpr double kUnbounded = 1e30;
+
+/// Σ at least, or added to it, where it is divided by: what is not to be 1/0 or 0/0 [1/kg].
+inline constexpr double kTinySigma = 1e-300;
 
 /// Rows softer than this [m/N] store energy worth counting. What a stiffer one is off by is what
 /// steps leave of the turning of its direction.
@@ -89,8 +92,9 @@ struct Interactions {
     base::Array<std::uint8_t> bodies, rows, flags;
     base::Array<std::int32_t> row_begin;
     base::Array<std::int32_t> jac_begin;  ///< Set by the analysis.
-    base::Array<std::uint8_t> arms;       ///< Set by it: 0, kInShort or kInShortCondensed (arms.h).
-    std::vector<std::int32_t> geo;        ///< Index of the geometric-stiffness record, or −1.
+    base::Array<std::uint8_t>
+        arms;  ///< Set by it: 0, kCompactJacobian or kCompactCondensed, arms.h.
+    std::vector<std::int32_t> geo;  ///< Index of the geometric-stiffness record, or −1.
     /// 1; or 0: its rows ask for nothing, and the first has the impulse `held`: slack, inside its
     /// range or parted (0), or a motor or friction at a bound.
     base::Array<double> active;
@@ -119,10 +123,10 @@ struct Interactions {
     // By row.
     base::Array<double> epsilon, tau;    ///< ε, τ (γ, – for velocity rows).
     base::Array<double> mobility;        ///< W = G M⁻¹ Gᵀ of dampers at the last analysis, or 0.
-    base::Array<double> upsilon;         ///< Υ = 1/(1 + 4τθ/h), damping.h; 0 for velocity rows.
+    base::Array<double> upsilon;         ///< Υ, hawser/row_constants.h; 0 for velocity rows.
     base::Array<double> recall;          ///< 1 − 4τ(1 − θ)/h: share of ġ in c/Υ. Scheme's τ: θ = 1.
-    base::Array<double> sigma;           ///< Σ = 4ε Υ/h² (γ/h for velocity rows), or least_sigma.
-    base::Array<double> least_sigma;     ///< Σ is at least this.
+    base::Array<double> sigma;           ///< Σ, at least bare_sigma() and least_sigma.
+    base::Array<double> least_sigma;     ///< What a cut row needs, soften_sides(); else 0.
     base::Array<double> inv_sigma;       ///< 1/Σ where condensed, else 0.
     base::Array<double> g, c, residual;  ///< Violation, right-hand side, c − G v − Σλ.
     base::Array<double> lambda;          ///< Impulse [N s or N m s].
@@ -164,6 +168,12 @@ struct Interactions {
     void truncate(int kept);
     /// Υ and recall of a row, after its compliance or mobility changed; its Σ has to follow.
     void share_damping(std::size_t row, bool wire, double h) noexcept;
+    /// Σ by ε and Υ alone (hawser/row_constants.h), without the floors that an analysis adds.
+    [[nodiscard]] double bare_sigma(std::size_t row, double h) const noexcept;
+    /// Υ, recall, Σ and 1/Σ of a row with a violation whose compliance, not 0, changed after the
+    /// analysis. Σ stays at least `least_sigma`, and a kept row stays kept. @param wire  Whether it
+    /// is of a wire element.
+    void follow_compliance(std::size_t row, bool wire, double h) noexcept;
     /// A copy of an interaction follows its parameters.
     void mirror(int copy, int original, const Bodies& bodies_in, double h) noexcept;
     /// An input is going to drive a parameter.

@@ -2,6 +2,8 @@
 #include "model/damping.h"
 #include "model/interactions.h"
 
+#include <hawser/row_constants.h>
+
 #include <algorithm>
 
 namespace hawser::model {
@@ -19,7 +21,18 @@ void Interactions::share_damping(std::size_t row, bool wire, double h) noexcept 
         late = late_share(h * t * w / e + spring);
         recall[row] = 1.0 - 4.0 * t * (1.0 - late) / h;
     }
-    upsilon[row] = 1.0 / (1.0 + 4.0 * t * late / h);
+    upsilon[row] = row_upsilon(t, h, late);
+}
+
+double Interactions::bare_sigma(std::size_t row, double h) const noexcept {
+    return row_flags[row] & kRowVelocity ? velocity_row_sigma(epsilon[row], h)
+                                         : row_sigma(epsilon[row], upsilon[row], h);
+}
+
+void Interactions::follow_compliance(std::size_t row, bool wire, double h) noexcept {
+    share_damping(row, wire, h);
+    sigma[row] = std::max(row_sigma(epsilon[row], upsilon[row], h), least_sigma[row]);
+    if (inv_sigma[row] != 0.0) inv_sigma[row] = 1.0 / sigma[row];
 }
 
 }  // namespace hawser::model

@@ -2,6 +2,7 @@
 #include "record/recording_writer.h"
 
 #include "record/files.h"
+#include "record/layout_writer.h"
 #include "record/outlines.h"
 #include "record/recording_format.h"
 
@@ -45,78 +46,6 @@ void put_pose(ByteWriter& out, const Pose& pose, const Pose& start, BodyKind kin
         for (const double q : {pose.orientation.w(), pose.orientation.x(), pose.orientation.y(),
                                pose.orientation.z()})
             out.put(static_cast<float>(q));
-}
-
-// Joints and rods between two bodies that are not elements of a cable.
-std::vector<InteractionId> joints_of(const SceneInfo& scene, const World& world) {
-    std::vector<bool> in_cable(static_cast<std::size_t>(world.interaction_count()), false);
-    for (const CableInfo& cable : scene.cables)
-        for (const InteractionId element : cable.elements)
-            in_cable[static_cast<std::size_t>(element.index)] = true;
-    std::vector<InteractionId> joints;
-    for (const InteractionId id : world.interactions()) {
-        const KindInfo& kind = kind_info(world.interaction_def(id).kind);
-        if (kind.bodies == 2 && kind.uses_points && !in_cable[static_cast<std::size_t>(id.index)])
-            joints.push_back(id);
-    }
-    return joints;
-}
-
-void put_joints(ByteWriter& out, const SceneInfo& scene, const World& world) {
-    const std::vector<InteractionId> joints = joints_of(scene, world);
-    out.put(static_cast<std::uint32_t>(joints.size()));
-    for (const InteractionId joint : joints) {
-        const InteractionDef& def = world.interaction_def(joint);
-        for (std::size_t k = 0; k < 2; ++k) {
-            out.put(def.body[k].index);
-            for (int d = 0; d < 3; ++d) out.put(def.point[k][d]);
-        }
-    }
-}
-
-// Point of the first or last body that the cable holds.
-Vec3 end_point(const CableInfo& cable, const World& world, bool last) {
-    if (cable.elements.empty() || cable.nodes.empty()) return Vec3::Zero();
-    const BodyId body = last ? cable.nodes.back() : cable.nodes.front();
-    const InteractionDef& def =
-        world.interaction_def(last ? cable.elements.back() : cable.elements.front());
-    for (std::size_t k = 0; k < def.body.size(); ++k)
-        if (def.body[k] == body) return def.point[k];
-    return Vec3::Zero();
-}
-
-void put_body(ByteWriter& out, const BodyDef& def, const Pose& pose) {
-    out.put_text(def.name);
-    out.put(static_cast<std::uint8_t>(def.kind));
-    for (int k = 0; k < 3; ++k) out.put(def.half_size[k]);
-    for (int k = 0; k < 3; ++k) out.put(pose.position[k]);
-    for (const double q :
-         {pose.orientation.w(), pose.orientation.x(), pose.orientation.y(), pose.orientation.z()})
-        out.put(q);
-}
-
-void put_layout(ByteWriter& out, const SceneInfo& scene, const World& world) {
-    out.put(static_cast<std::uint32_t>(world.body_count()));
-    for (std::int32_t i = 0; i < world.body_count(); ++i)
-        put_body(out, world.body_def({i}), world.pose({i}));
-    out.put(static_cast<std::uint32_t>(scene.cables.size()));
-    for (const CableInfo& cable : scene.cables) {
-        out.put_text(cable.name);
-        out.put_text(cable.line_type);
-        for (const double v : {cable.EA, cable.breaking_load, cable.length}) out.put(v);
-        out.put(static_cast<std::uint32_t>(cable.nodes.size()));
-        for (const BodyId node : cable.nodes) out.put(node.index);
-        for (const bool last : {false, true}) {
-            const Vec3 point = end_point(cable, world, last);
-            for (int k = 0; k < 3; ++k) out.put(point[k]);
-        }
-        out.put(static_cast<std::uint32_t>(cable.elements.size()));
-    }
-    out.put(static_cast<std::uint32_t>(scene.plot_cables.size()));
-    for (const std::int32_t cable : scene.plot_cables) out.put(cable);
-    out.put(static_cast<std::uint32_t>(scene.plot_bodies.size()));
-    for (const BodyId body : scene.plot_bodies) out.put(body.index);
-    put_joints(out, scene, world);
 }
 
 }  // namespace

@@ -80,9 +80,7 @@ void copy_interactions(Clique& c, const StepContext& world) noexcept {
             in.lambda[row] = from.lambda[of];
             if (in.epsilon[row] == from.epsilon[of]) continue;
             in.epsilon[row] = from.epsilon[of];
-            in.share_damping(row, in.rest_length[i] > 0.0, h);
-            in.sigma[row] = 4.0 * in.epsilon[row] * in.upsilon[row] / (h * h);
-            if (in.inv_sigma[row] != 0.0) in.inv_sigma[row] = 1.0 / in.sigma[row];
+            in.follow_compliance(row, in.rest_length[i] > 0.0, h);
         }
     }
 }

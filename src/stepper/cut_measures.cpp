@@ -5,6 +5,8 @@
 #include "stepper/drives.h"
 #include "stepper/stages.h"
 
+#include <hawser/row_constants.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -98,7 +100,7 @@ double residual_of(StepContext& ctx, const Cut& cut) noexcept {
     double most = 0.0;
     for (int r = 0; r < v.rows[cut.id]; ++r) {
         const std::int32_t row = v.row_begin[cut.id] + r;
-        const double ups = v.upsilon[row], sigma = 4.0 * v.epsilon[row] * ups / (h * h);
+        const double ups = v.upsilon[row], sigma = row_sigma(v.epsilon[row], ups, h);
         const double rate = ctx.interactions.recall[at(row)] * (now.rate[r] + now.carried[r]);
         const double c = ups * (rate - 4.0 / h * now.g[r]);
         most =

@@ -191,7 +191,7 @@ void case_governor(Report& report) {
     const double finer = apart(governor_course(1.0 / 960.0), exact);
     below(report, "governor: slider over 10 s against 1/3840 s [m]", coarse, 2e-3, "1/60 s");
     below(report,
-          fmt::format("likewise at 1/240 s; orders {:.2f} and {:.2f} [m]",
+          fmt::format("governor: slider over 10 s at 1/240 s; orders {:.2f} and {:.2f} [m]",
                       std::log(coarse / fine) / std::log(4.0),
                       std::log(fine / finer) / std::log(4.0)),
           fine, 2e-3, "orders are printed");

@@ -180,8 +180,10 @@ void zigzags(Report& report, double ratio, double bend) {
         report.compare(name + "ripple of the tension", {0.0}, {calm.value}, 1e-2,
                        calm.reason("rms of T after 2 s or 10 steps"), 1.0);
         if (bend >= 0.1)
-            report.compare(name + "the same, hardly damped", {0.0}, {lively.value}, 5e-2,
-                           lively.reason("likewise, axial damping below half a step's"), 1.0);
+            report.compare(
+                name + "the same, hardly damped", {0.0}, {lively.value}, 5e-2,
+                lively.reason("rms of T after 2 s or 10 steps, axial damping below half a step's"),
+                1.0);
     }
     report.compare(name + "factorisations a step", {1.0}, {few / runs}, bend < 0.05 ? 0.1 : 2.0,
                    "mean", 1.0);

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The public face of src/factor.
 #include "base/index.h"
-#include "factor/numeric.h"
-#include "factor/partial.h"
-#include "factor/repair.h"
-#include "runtime/tasks.h"
+#include "world/block_impl.h"
 #include "world/block_pattern.h"
 
-#include <hawser/factor.h>
 #include <hawser/world.h>
 
 #include <algorithm>
@@ -17,59 +13,6 @@
 #include <string>
 
 namespace hawser {
-
-struct BlockFactor::Impl {
-    /// Copies one block of values to its place; `group` is the front or batch that holds it.
-    struct CopyOp {
-        std::int64_t from = 0, to = 0;
-        std::int32_t group = 0, step = 1, ld = 0;
-        std::int8_t rows = 0, columns = 0;  ///< Of the block as it is given.
-        bool diagonal = false;
-    };
-
-    explicit Impl(const FactorOptions& o) : options(o), pool(std::max(1, o.threads)) {
-        pool.pause();
-        analysis.keep_updates(o.partial);
-        analysis.use(&pool);
-    }
-
-    void take(const BlockPattern& p);
-    void place();
-    void copy(const CopyOp& op, const double* values) noexcept;
-    void copy_groups(std::span<const std::int32_t> groups, std::int32_t first,
-                     const double* values) noexcept;
-    Status finish(int wrong) noexcept;
-
-    /// Threads spin while this lives.
-    class Awake {
-      public:
-        explicit Awake(runtime::Pool& pool) : pool_(pool) { pool_.resume(); }
-        ~Awake() { pool_.pause(); }
-        Awake(const Awake&) = delete;
-        Awake& operator=(const Awake&) = delete;
-
-      private:
-        runtime::Pool& pool_;
-    };
-
-    FactorOptions options;
-    runtime::Pool pool;
-    factor::Analysis analysis;
-    factor::Numeric numeric;
-    factor::DirtyParts dirty;
-    factor::Pattern pattern;
-    std::vector<BlockEdge> edges;
-    std::vector<std::int64_t> value_begin, scalar_begin;
-    std::vector<CopyOp> ops;                ///< Grouped: fronts, then batches.
-    std::vector<std::int32_t> group_begin;  ///< Into ops.
-    std::vector<std::int32_t> column_of;    ///< Of each block: the node whose column holds it.
-    std::vector<std::int32_t> columns;      ///< Of changed blocks.
-    std::vector<double> permuted, rest, row_sum;
-    factor::RepairReport report;
-    std::int64_t part_flops = 0;
-    int wrong = 0;
-    bool factored = false;  ///< Since the last analysis.
-};
 
 void BlockFactor::Impl::take(const BlockPattern& p) {
     pattern = world::graph_of(p);
@@ -90,10 +33,10 @@ void BlockFactor::Impl::place() {
     numeric.reserve(s, pool.threads());
     dirty.reserve(s);
     const std::size_t nodes = pattern.size.size(), blocks = nodes + edges.size();
-    const std::size_t groups = s.fronts.size() + s.batches.size();
+    const std::size_t holders = s.fronts.size() + s.batches.size();
     column_of.resize(blocks);
     std::vector<CopyOp> unsorted(blocks);
-    group_begin.assign(groups + 1, 0);
+    holder_begin.assign(holders + 1, 0);
     for (std::size_t b = 0; b < blocks; ++b) {
         CopyOp& op = unsorted[b];
         const auto node = static_cast<std::int32_t>(b);
@@ -103,8 +46,8 @@ void BlockFactor::Impl::place() {
         const factor::BlockTarget t = s.target(turned ? e.column : e.row, column);
         column_of[b] = column;
         const factor::Front& front = s.fronts[at(s.node_front[at(column)])];
-        op.group = front.batch < 0 ? s.node_front[at(column)]
-                                   : static_cast<std::int32_t>(s.fronts.size()) + front.batch;
+        op.holder = front.batch < 0 ? s.node_front[at(column)]
+                                    : static_cast<std::int32_t>(s.fronts.size()) + front.batch;
         op.from = value_begin[b];
         op.to = t.address;
         op.step = turned ? t.ld : t.step;
@@ -112,12 +55,12 @@ void BlockFactor::Impl::place() {
         op.rows = pattern.size[at(e.row)];
         op.columns = pattern.size[at(e.column)];
         op.diagonal = b < nodes;
-        ++group_begin[at(op.group) + 1];
+        ++holder_begin[at(op.holder) + 1];
     }
-    for (std::size_t g = 0; g < groups; ++g) group_begin[g + 1] += group_begin[g];
+    for (std::size_t g = 0; g < holders; ++g) holder_begin[g + 1] += holder_begin[g];
     ops.resize(blocks);
-    std::vector<std::int32_t> cursor(group_begin.begin(), group_begin.end() - 1);
-    for (const CopyOp& op : unsorted) ops[at(cursor[at(op.group)]++)] = op;
+    std::vector<std::int32_t> cursor(holder_begin.begin(), holder_begin.end() - 1);
+    for (const CopyOp& op : unsorted) ops[at(cursor[at(op.holder)]++)] = op;
     columns.resize(blocks);
     factored = false;
     const std::size_t n = at(s.scalars);
@@ -135,14 +78,15 @@ void BlockFactor::Impl::copy(const CopyOp& op, const double* values) noexcept {
                 from[i * op.columns + j];
 }
 
-/// Blocks of groups `first` + each.
-void BlockFactor::Impl::copy_groups(std::span<const std::int32_t> groups, std::int32_t first,
-                                    const double* values) noexcept {
+/// Blocks that `first` + each of these holds.
+void BlockFactor::Impl::copy_held(std::span<const std::int32_t> holders, std::int32_t first,
+                                  const double* values) noexcept {
     auto one = [&](int i, int) noexcept {
-        const std::size_t g = at(first + groups[at(i)]);
-        for (std::int32_t k = group_begin[g]; k < group_begin[g + 1]; ++k) copy(ops[at(k)], values);
+        const std::size_t g = at(first + holders[at(i)]);
+        for (std::int32_t k = holder_begin[g]; k < holder_begin[g + 1]; ++k)
+            copy(ops[at(k)], values);
     };
-    pool.for_each(static_cast<int>(groups.size()), one);
+    pool.for_each(static_cast<int>(holders.size()), one);
 }
 
 Status BlockFactor::Impl::finish(int wrong_pivots) noexcept {
@@ -247,8 +191,8 @@ Status BlockFactor::refactor(std::span<const double> values,
     m.dirty.find(s, {m.columns.data(), changed_blocks.size()});
     m.part_flops = m.dirty.flops;
     m.numeric.clear(s, m.dirty, m.pool);
-    m.copy_groups(m.dirty.fronts, 0, values.data());
-    m.copy_groups(m.dirty.batches, static_cast<std::int32_t>(s.fronts.size()), values.data());
+    m.copy_held(m.dirty.fronts, 0, values.data());
+    m.copy_held(m.dirty.batches, static_cast<std::int32_t>(s.fronts.size()), values.data());
     return m.finish(m.numeric.refactor(s, m.dirty, m.pool));
 }
 
@@ -269,71 +213,6 @@ Status BlockFactor::solve(std::span<double> x) noexcept {
             finite &= std::isfinite(value);
         }
     return finite ? Status::ok : Status::not_finite;
-}
-
-void BlockFactor::multiply(std::span<const double> values, std::span<const double> x,
-                           std::span<double> y) const noexcept {
-    const Impl& m = *impl_;
-    std::fill(y.begin(), y.end(), 0.0);
-    const std::size_t nodes = m.pattern.size.size();
-    for (std::size_t v = 0; v < nodes; ++v) {
-        const std::int64_t n = m.pattern.size[v], first = m.scalar_begin[v];
-        const double* block = values.data() + m.value_begin[v];
-        for (std::int64_t i = 0; i < n; ++i)
-            for (std::int64_t j = 0; j < n; ++j)
-                y[at(first + i)] += block[std::max(i, j) * n + std::min(i, j)] * x[at(first + j)];
-    }
-    for (std::size_t e = 0; e < m.edges.size(); ++e) {
-        const std::size_t r = at(m.edges[e].row), c = at(m.edges[e].column);
-        const double* block = values.data() + m.value_begin[nodes + e];
-        for (std::int64_t i = 0; i < m.pattern.size[r]; ++i)
-            for (std::int64_t j = 0; j < m.pattern.size[c]; ++j) {
-                const double k = block[i * m.pattern.size[c] + j];
-                y[at(m.scalar_begin[r] + i)] += k * x[at(m.scalar_begin[c] + j)];
-                y[at(m.scalar_begin[c] + j)] += k * x[at(m.scalar_begin[r] + i)];
-            }
-    }
-}
-
-double BlockFactor::residual(std::span<const double> values, std::span<const double> x,
-                             std::span<const double> b) noexcept {
-    Impl& m = *impl_;
-    auto largest = [](std::span<const double> v) {
-        double most = 0.0, unfit = 0.0;
-        for (const double d : v) {
-            most = std::max(most, std::abs(d));
-            unfit += d - d;  // not a number where d is none
-        }
-        return most + unfit;
-    };
-    multiply(values, x, m.rest);
-    for (std::size_t i = 0; i < b.size(); ++i) m.rest[i] = b[i] - m.rest[i];
-    const std::size_t nodes = m.pattern.size.size();
-    std::fill(m.row_sum.begin(), m.row_sum.end(), 0.0);
-    for (std::size_t k = 0; k < nodes + m.edges.size(); ++k) {
-        const bool diagonal = k < nodes;
-        const std::size_t r = diagonal ? k : at(m.edges[k - nodes].row);
-        const std::size_t c = diagonal ? k : at(m.edges[k - nodes].column);
-        const double* block = values.data() + m.value_begin[k];
-        for (std::int64_t i = 0; i < m.pattern.size[r]; ++i)
-            for (std::int64_t j = 0; j < (diagonal ? i + 1 : m.pattern.size[c]); ++j) {
-                const double size = std::abs(block[i * m.pattern.size[c] + j]);
-                m.row_sum[at(m.scalar_begin[r] + i)] += size;
-                if (!diagonal || j < i) m.row_sum[at(m.scalar_begin[c] + j)] += size;
-            }
-    }
-    const double scale = largest(m.row_sum) * largest(x) + largest(b);
-    return scale > 0.0 ? largest(m.rest) / scale : 0.0;
-}
-
-Status BlockFactor::refine(std::span<const double> values, std::span<const double> b,
-                           std::span<double> x) noexcept {
-    Impl& m = *impl_;
-    multiply(values, x, m.rest);
-    for (std::size_t i = 0; i < b.size(); ++i) m.rest[i] = b[i] - m.rest[i];
-    const Status status = solve(m.rest);
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] += m.rest[i];
-    return status;
 }
 
 FactorInfo BlockFactor::info() const noexcept {

@@ -112,19 +112,63 @@ bool follow_separators(const assembly::PartGraph& g, std::span<const std::int64_
     return makespan(out) <= graph::Follower::kWorn * before.makespan_new;
 }
 
-}  // namespace
-
-PartitionView World::partition(const PartitionRequest& request) const {
-    const world::Using use(impl_->use, "partition");
+/// @throws DefError on a request that cannot be.
+void check(const PartitionRequest& request, std::size_t bodies) {
     if (request.parts < 1 || request.parts > 4096)
         throw DefError("a partition has 1 to 4096 parts");
-    if (!request.group.empty() && request.group.size() != static_cast<std::size_t>(body_count()))
+    if (!request.group.empty() && request.group.size() != bodies)
         throw DefError("groups of a partition: one for each body, or none");
     for (const std::int32_t g : request.group)
         if (g < -1 || g >= request.parts)
             throw DefError("groups of a partition: -1 or below the number of parts");
     if (request.before != nullptr && request.before->use != request.use)
         throw DefError("a partition goes on from one of the same use");
+}
+
+/// Parts between separators. @param partitioner  Has read the graph.
+graph::Partition find_separators(const assembly::PartGraph& g, const PartitionRequest& request,
+                                 graph::Partitioner& partitioner, PartitionView& view) {
+    graph::Partition p;
+    const graph::PartitionOptions options{request.parts};
+    view.followed = request.before != nullptr &&
+                    follow_separators(g, partitioner.cost.node, *request.before, options, p);
+    if (view.followed) {
+        view.makespan_new = request.before->makespan_new;
+    } else {
+        partitioner.separate(options, p);
+        view.makespan_new = makespan(p);
+    }
+    view.largest_cluster = 0.0;
+    for (const std::int64_t cost : partitioner.cost.node)
+        view.largest_cluster = std::max(view.largest_cluster, static_cast<double>(cost));
+    return p;
+}
+
+/// Parts with cuts between them.
+graph::Partition find_split(const assembly::PartGraph& g, const PartitionRequest& request,
+                            PartitionView& view) {
+    graph::Partition p;
+    graph::Splitter splitter;
+    const graph::PartitionOptions options{request.parts};
+    if (request.before != nullptr) {
+        p.parts = request.before->parts;
+        p.part = request.before->part_of_body;
+        p.worse_for = request.before->worse_for;
+        view.followed = splitter.follow(g.view(), options, p);
+    } else {
+        splitter.split(g.view(), options, p);
+    }
+    view.worse_for = p.worse_for;
+    view.largest_cluster = static_cast<double>(splitter.largest_cluster);
+    view.makespan_new = view.followed ? request.before->makespan_new : makespan(p);
+    return p;
+}
+
+}  // namespace
+
+PartitionView World::partition(const PartitionRequest& request) const {
+    const world::Using use(impl_->use, "partition");
+    check(request, static_cast<std::size_t>(body_count()));
     stepper::StepContext& c = impl_->ctx;
     stepper::ready(c);
     PartitionView view;
@@ -141,38 +185,13 @@ PartitionView World::partition(const PartitionRequest& request) const {
         g.cost.resize(at(body_count()));
     }
     (void)seconds_since(clock);
-    graph::Partition p;
+    const bool cuts = request.use == PartitionUse::cuts;
     graph::Partitioner partitioner;
-    const graph::PartitionOptions options{request.parts};
-    if (request.use == PartitionUse::separators) {
-        partitioner.read(g.view());
-        view.followed = request.before != nullptr &&
-                        follow_separators(g, partitioner.cost.node, *request.before, options, p);
-        if (view.followed) {
-            view.makespan_new = request.before->makespan_new;
-        } else {
-            partitioner.separate(options, p);
-            view.makespan_new = makespan(p);
-        }
-        view.largest_cluster = 0.0;
-        for (const std::int64_t cost : partitioner.cost.node)
-            view.largest_cluster = std::max(view.largest_cluster, static_cast<double>(cost));
-    } else {
-        graph::Splitter splitter;
-        if (request.before != nullptr) {
-            p.parts = request.before->parts;
-            p.part = request.before->part_of_body;
-            p.worse_for = request.before->worse_for;
-            view.followed = splitter.follow(g.view(), options, p);
-        } else {
-            splitter.split(g.view(), options, p);
-        }
-        view.worse_for = p.worse_for;
-        view.largest_cluster = static_cast<double>(splitter.largest_cluster);
-        view.makespan_new = view.followed ? request.before->makespan_new : makespan(p);
-    }
+    if (!cuts) partitioner.read(g.view());
+    graph::Partition p =
+        cuts ? find_split(g, request, view) : find_separators(g, request, partitioner, view);
     view.partition_seconds = seconds_since(clock);
-    if (request.use == PartitionUse::cuts) partitioner.read(g.view());
+    if (cuts) partitioner.read(g.view());
     for (const std::int64_t cost : partitioner.cost.paper)
         view.island_cost.push_back(static_cast<double>(cost));
     view.parts = p.parts;

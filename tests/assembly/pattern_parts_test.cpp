@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Parts of block patterns at random: nothing joins two of them.
 #include "assembly/pattern_parts.h"
+#include "factor/analyse.h"
 #include "factor/ordering.h"
 #include "graph/hypergraph.h"
 #include "support/random.h"

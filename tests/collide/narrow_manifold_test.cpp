@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contact points at rest: how many, where, and whether they keep their names.
-#include "collide/geometry.h"
+#include "collide/collide_function.h"
 #include "support/collide/place.h"
 #include "support/collide/random_pairs.h"
 #include "support/random.h"

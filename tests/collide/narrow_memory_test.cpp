@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The narrow phase allocates nothing. malloc is replaced in this executable and counts while it
 /// is told to; operator new ends in it.
-#include "collide/geometry.h"
+#include "collide/collide_function.h"
 #include "support/collide/random_pairs.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What bent meshes must not do to a shape: push it from afar, or leave it without contact.
-#include "collide/geometry.h"
+#include "collide/collide_function.h"
 #include "collide/narrow/shape_data.h"
 #include "support/collide/place.h"
 #include "support/random.h"

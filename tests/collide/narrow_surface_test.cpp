@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Heightfields and meshes: no ghosts at interior edges, points that hold what lies there, depth.
-#include "collide/geometry.h"
+#include "collide/collide_function.h"
 #include "collide/narrow/shape_data.h"
 #include "support/collide/place.h"
 #include "support/collide/random_pairs.h"

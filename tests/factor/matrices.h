@@ -4,6 +4,7 @@
 /// Quasi-definite block matrices for the tests of the solver, and the ways to factor them.
 
 #include "base/executor.h"
+#include "factor/analyse.h"
 #include "factor/kernels.h"
 #include "factor/numeric.h"
 #include "factor/ordering.h"

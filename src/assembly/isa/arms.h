@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file arms.h
-/// Ball joints between rigid bodies whose Jacobian is in short (model/arms.h): their geometric
-/// terms, and the residuals of eight joints that follow each other.
+/// Compact joints (model/arms.h), one or eight that follow each other: their records, their
+/// geometric terms and the speeds of their rows.
 
 #include "assembly/geo.h"
+#include "base/lanes.h"
 #include "base/transpose.h"
 
 #include <cstring>
@@ -51,16 +52,16 @@ inline void arm_rows(const V3T<T>& r, T (&rows)[3][3]) {
     rows[2][1] = -r.x;
 }
 
-/// Do eight joints from `id` on have their Jacobians in short, and their rows condensed?
+/// Whether the eight interactions from `id` on are compact joints with condensed rows.
 inline bool eight_arms(const assembly::View& view, std::int32_t id) {
-    static_assert(model::kInShortCondensed == 3);
+    static_assert(model::kCompactCondensed == 3);
     std::uint64_t flags;
     std::memcpy(&flags, view.arms + id, sizeof flags);
     return flags == 0x0303030303030303;
 }
 
 /// Torques of damping of eight joints that follow each other: of M̃ v, and of a.
-inline void load_twists(const double* force, V3T<W8>& momentum, V3T<W8>& start) {
+inline void load_damping(const double* force, V3T<W8>& momentum, V3T<W8>& start) {
     V8 t[kLanes];
     for (int l = 0; l < kLanes; ++l) t[l] = load_at_least(force + 6 * l, 6);
     transpose(t);

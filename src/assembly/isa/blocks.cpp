@@ -8,6 +8,7 @@
 #include "assembly/geo.h"
 #include "assembly/isa/coupled.h"
 #include "assembly/isa/rows.h"
+#include "base/lanes.h"
 #include "base/simd.h"
 
 namespace hawser::HAWSER_ISA {
@@ -44,13 +45,13 @@ inline void outer(const double* ja, const double* jb, int width, const double* w
     }
 }
 
-/// Damping of a joint in short: what it has for `geometric`.
+/// Damping of a compact joint, which it has in the place of Op::geometric.
 void damp_arms(const View& view, const Op& op, Place out) {
     const double damping = view.jacobian[op.jac_a + model::kArmsDamping];
     for (int i = 3; i < 6; ++i) out(i, i) += op.a == op.b ? damping : -damping;
 }
 
-/// condense() of a joint in short, and its damping.
+/// condense() of a compact joint, and its damping.
 void condense_arms(const View& view, const Op& op, Place out) {
     double room[model::kArmRoom], w[model::kArmRows];
     model::unpack_arms(view.jacobian + op.jac_a, room);

@@ -4,6 +4,7 @@
 #include "assembly/isa/coupled.h"
 #include "assembly/isa/links.h"
 #include "assembly/isa/rows.h"
+#include "base/lanes.h"
 #include "base/simd.h"
 
 namespace hawser::HAWSER_ISA {
@@ -26,7 +27,7 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
         const assembly::Incidence& in = view.incident[k];
         const double* jac = view.jacobian + in.jacobian;
         const double* yr = y + in.row;
-        if (in.width == 0) {  // in short
+        if (in.width == 0) {  // compact joint
             const double sign = in.slot == 0 ? -1.0 : 1.0;
             const V3 p = sign * load3(yr);
             V3 turn = cross(load3(jac), p);

@@ -5,6 +5,7 @@
 #include "assembly/isa/links.h"
 #include "assembly/isa/rows.h"
 #include "assembly/isa/spin.h"
+#include "base/lanes.h"
 #include "base/simd.h"
 
 namespace hawser::HAWSER_ISA {
@@ -74,7 +75,7 @@ void own_terms(const View& view, std::int32_t body) {
     store_sym(block + 6, world);
 }
 
-/// What a joint in short adds to a body's own terms.
+/// What a compact joint adds to a body's own terms.
 void add_arm(const View& view, const assembly::Incidence& in, const double* v, double* block,
              double* a) {
     const ArmsT<double> arms = load_arms(view.jacobian + in.jacobian - 3 * in.slot);
@@ -128,6 +129,22 @@ Spin<W8> eight_spins(const View& view, std::int32_t body, const WM3& r, const W3
                       load_bodies9(view.inv_inertia + 9L * body), r, w, change, h);
 }
 
+/// Own blocks of eight rigid bodies: lower triangles of the linear and of the angular part.
+HAWSER_INLINE void store_blocks(const View& view, std::int32_t body, const WM3& lin,
+                                const WM3& world) {
+    V8 low[kLanes] = {lin.a[0], lin.a[1], lin.a[2],   lin.a[4],
+                      lin.a[5], lin.a[8], world.a[0], world.a[1]};
+    V8 high[kLanes] = {lin.a[5],   lin.a[8],   world.a[0], world.a[1],
+                       world.a[2], world.a[4], world.a[5], world.a[8]};
+    transpose(low);
+    transpose(high);
+    double* block = view.body_block + assembly::block_place(view.dof_begin[body]);
+    for (int l = 0; l < kLanes; ++l) {
+        store(block + kBodyBlock * l, low[l]);
+        store(block + kBodyBlock * l + 4, high[l]);
+    }
+}
+
 /// own_terms() of eight rigid bodies; of eight links also what their joints add.
 template <bool kLinks>
 void rigid_terms(const View& view, std::int32_t body) {
@@ -165,10 +182,10 @@ void rigid_terms(const View& view, std::int32_t body) {
         for (int i = 0; i < 6; ++i) sum[i] = arms.first[i] + arms.second[i];
         constexpr int kPlace[6] = {0, 1, 2, 4, 5, 8};
         for (int i = 0; i < 6; ++i) world.a[kPlace[i]] += sum[i];
-        const double* twists = view.geo_force + joints.place->geo_force;
+        const double* torques = view.geo_force + joints.place->geo_force;
         W3 unused, in;
-        load_twists(twists, unused, in);
-        const W3 next = shift_in(in, twists + 6 * kLanes + 3);
+        load_damping(torques, unused, in);
+        const W3 next = shift_in(in, torques + 6 * kLanes + 3);
         turn = turn + mul6(sum, W3{v[3], v[4], v[5]}) + next - in;
     }
     double weight[kLanes];
@@ -192,18 +209,7 @@ void rigid_terms(const View& view, std::int32_t body) {
     store_lanes(out + 6 * kLast, last, 0, 6);
     store_threes(view.spin_free + 3L * body, spin.free);
     store_threes(view.spin_momentum + 3L * body, spin.momentum);
-
-    V8 low[kLanes] = {lin.a[0], lin.a[1], lin.a[2],   lin.a[4],
-                      lin.a[5], lin.a[8], world.a[0], world.a[1]};
-    V8 high[kLanes] = {lin.a[5],   lin.a[8],   world.a[0], world.a[1],
-                       world.a[2], world.a[4], world.a[5], world.a[8]};
-    transpose(low);
-    transpose(high);
-    double* block = view.body_block + assembly::block_place(view.dof_begin[body]);
-    for (int l = 0; l < kLanes; ++l) {
-        store(block + kBodyBlock * l, low[l]);
-        store(block + kBodyBlock * l + 4, high[l]);
-    }
+    store_blocks(view, body, lin, world);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Right-hand sides with which rows and spins hold at the end of a step (stepper/completion.h).
+/// Right-hand sides with which rows hold at the end of a step (stepper/completion.h).
 #include "assembly/isa/arms.h"
 #include "assembly/isa/rigid_lanes.h"
 #include "assembly/isa/rows.h"
-#include "assembly/isa/spin.h"
+#include "base/lanes.h"
 #include "base/simd.h"
 #include "model/kinds/all.h"
 
@@ -75,11 +75,10 @@ void row_speeds(const View& view, std::int32_t id, const double* u, double (&spe
     }
 }
 
-/// What a step asks of completed rows and spins, and where that goes.
+/// What a step asks of completed rows, and where that goes.
 struct Asked {
     const double* u;  ///< Packed velocities about which.
     double* c;        ///< By row.
-    double* spin;     ///< 3 a body.
     bool first;       ///< The step's first one: ġ at its start is still in c and is to be kept.
 };
 
@@ -89,7 +88,7 @@ void keep_rate(const View& view, std::int32_t row) {
         (view.c[row] / view.upsilon[row] + 4.0 / view.h * view.g[row]) / view.recall[row];
 }
 
-/// A ball joint in short. With a = h ω/2 of a body, what its arm r ends at beyond h ω × r is
+/// Rows of a compact joint. With a = h ω/2 of a body, what its arm r ends at beyond h ω × r is
 ///     (2/h) (a × (a × r) − a² a × r)/(1 + a²)    [m/s]
 /// so that c = −(g/h + that of body 1 − that of body 0) needs neither poses nor a difference.
 void complete_arms(const View& view, std::int32_t id, const Asked& asked, Turning& t) {
@@ -116,7 +115,7 @@ void complete_arms(const View& view, std::int32_t id, const Asked& asked, Turnin
     }
 }
 
-/// Do eight completed joints in short stand from `id` on?
+/// Whether the eight interactions from `id` on are completed compact joints.
 bool eight_completed(const View& view, std::int32_t id) {
     std::uint64_t flags;
     std::memcpy(&flags, view.completed + id, sizeof flags);
@@ -175,13 +174,13 @@ template <class K>
 Turning complete_kind(const View& view, const std::int32_t* ids, const typename K::Data* data,
                       std::int32_t begin, std::int32_t end, const Asked& asked) {
     constexpr int B = K::kBodies, R = K::kRows;
-    constexpr bool kMayBeShort = requires { requires K::kInShort; };
+    constexpr bool kCompactKind = requires { requires K::kMayBeCompact; };
     Turning t;
     for (std::int32_t k = begin; k < end; ++k) {
         const std::int32_t id = ids[k];
         if (!view.completed[id]) continue;
         const bool rigid = view.completed[id] == assembly::kRigid;
-        if (kMayBeShort && view.arms[id] && rigid) {
+        if (kCompactKind && view.arms[id] && rigid) {
             const bool run = k + kLanes <= end && ids[k + kLanes - 1] - id == kLanes - 1;
             if (run && eight_completed(view, id)) {
                 complete_eight(view, id, asked, t);
@@ -214,95 +213,18 @@ Turning complete_kind(const View& view, const std::int32_t* ids, const typename 
     return t;
 }
 
-/// I w with the gyroscopic impulse of half a step before (half < 0) or behind, body frame. The
-/// Cayley map turns one into the other, so that angular momentum is exact; about a fixed axis both
-/// are I w.
-template <class T, class Inertia>
-V3T<T> half_step_momentum(const Inertia& inertia, const V3T<T>& w, const T& half) {
-    const V3T<T> momentum = inertia * w;
-    return momentum + half * cross(w, momentum);
-}
-
-/// What of `a` the spin gives, body frame: momentum before the step less what momentum after it
-/// has beyond the I ω₊ of the matrix.
-template <class T, class Inertia>
-V3T<T> spin_impulse(const Inertia& inertia, const V3T<T>& before, const V3T<T>& now,
-                    const T& half) {
-    return half_step_momentum(inertia, before, T(-half)) - half * cross(now, inertia * now);
-}
-
-Turning complete_spin(const View& view, std::int32_t body, const Asked& asked) {
-    const M3 r = load9(view.r + 9 * body);
-    const std::int32_t at = view.dof_begin[body] + 3;
-    const V3 before = tmul(r, load3(view.v + at)), now = tmul(r, load3(asked.u + at));
-    const V3 world = r * spin_impulse(load9(view.inertia + 9 * body), before, now, 0.5 * view.h);
-    const V3 change = world - load3(view.spin_momentum + 3 * body);
-    store3(asked.spin + 3 * body, world);
-    if (asked.first) add3(view.a + at, change);
-    return {norm(load9(view.inv_inertia + 9 * body) * tmul(r, change)), 0.0, norm(now)};
-}
-
-/// complete_spin() of eight rigid bodies in a row.
-Turning complete_eight_spins(const View& view, std::int32_t body, const Asked& asked) {
-    const std::int32_t begin = view.dof_begin[body];
-    const WM3 r = load_bodies9(view.r + 9L * body);
-    V8 v[kLanes], u[kLanes], own[kLanes];
-    load_bodies(view.v + begin, 6, v);
-    load_bodies(asked.u + begin, 6, u);
-    load_bodies(view.principal + 6L * body, 6, own);
-    const W3 before = tmul(r, W3{v[3], v[4], v[5]}), now = tmul(r, W3{u[3], u[4], u[5]});
-    const W3 last = load_threes(view.spin_momentum + 3L * body);
-    const W8 half = W8{} + 0.5 * view.h;
-    W3 world, rate;
-    auto solve = [&](const auto& inertia, const auto& inverse) {
-        world = r * spin_impulse(inertia, before, now, half);
-        rate = inverse * tmul(r, world - last);
-    };
-    if (all_principal(own[0]))
-        solve(Principal<W8>{{own[0], own[1], own[2]}}, Principal<W8>{{own[3], own[4], own[5]}});
-    else
-        solve(load_bodies9(view.inertia + 9L * body), load_bodies9(view.inv_inertia + 9L * body));
-    if (asked.first) {
-        const W3 change = world - last;
-        for (int l = 0; l < kLanes; ++l)
-            add3(view.a + begin + 6 * l + 3,
-                 {lane(change.x, l), lane(change.y, l), lane(change.z, l)});
-    }
-    store_threes(asked.spin + 3L * body, world);
-    const W8 square = dot(rate, rate);
-    return {root(largest(square)) + sum(square - square), 0.0, root(largest(dot(now, now)))};
-}
-
 }  // namespace
 
 Turning complete_rows(const View& view, InteractionKind kind, const std::int32_t* ids,
                       const void* data, std::int32_t begin, std::int32_t end, const double* u,
                       bool first) noexcept {
     Turning t;
-    const Asked asked{u, first ? view.c : view.c_next, nullptr, first};
+    const Asked asked{u, first ? view.c : view.c_next, first};
     with_kind(kind, [&]<class K>() {
         if constexpr (requires { requires K::kCompletes; })
             t = complete_kind<K>(view, ids, static_cast<const typename K::Data*>(data), begin, end,
                                  asked);
     });
-    return t;
-}
-
-Turning complete_spins(const View& view, std::int32_t begin, std::int32_t end, const double* u,
-                       bool first) noexcept {
-    Turning t;
-    const Asked asked{u, nullptr, first ? view.spin_momentum : view.spin_next, first};
-    for (std::int32_t body = begin; body < end; ++body) {
-        if (!view.turning[body]) continue;
-        std::uint64_t turning = 0;
-        if (body + kLanes <= end) std::memcpy(&turning, view.turning + body, sizeof turning);
-        if (turning == 0x0101010101010101 && eight_rigid(view, body)) {
-            t.add(complete_eight_spins(view, body, asked));
-            body += kLanes - 1;
-        } else if (view.dof[body] == 6) {
-            t.add(complete_spin(view, body, asked));
-        }
-    }
     return t;
 }
 
@@ -313,15 +235,6 @@ void adopt_completed(const View& view, const std::int32_t* ids, std::int32_t beg
         if (!view.completed[id]) continue;
         for (std::int32_t r = view.row_begin[id]; r < view.row_begin[id] + view.rows[id]; ++r)
             view.c[r] = view.c_next[r];
-    }
-}
-
-void adopt_spins(const View& view, std::int32_t begin, std::int32_t end) noexcept {
-    for (std::int32_t body = begin; body < end; ++body) {
-        if (!view.turning[body] || view.dof[body] != 6) continue;
-        const V3 next = load3(view.spin_next + 3 * body);
-        add3(view.a + view.dof_begin[body] + 3, next - load3(view.spin_momentum + 3 * body));
-        store3(view.spin_momentum + 3 * body, next);
     }
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file joint_rows.h
-/// evaluate() for eight ball joints in short (model/arms.h) whose numbers follow each other, lane
-/// by lane another one. All that is by joint then stands in a row. What is by body does, too, where
-/// the joints join bodies that follow each other, as those of a chain do:
+/// evaluate() for eight compact joints (model/arms.h) whose indices are consecutive, one in each
+/// lane. Arrays by joint are then read without gathers. Those by body are, too, where the joints
+/// join consecutive bodies, as those of a chain do:
 /// ```
 ///   joint l:   body b + l ──●── body b + l + 1
 /// ```
@@ -11,7 +11,9 @@
 
 #include "assembly/isa/arms.h"
 #include "assembly/isa/rigid_lanes.h"
-#include "assembly/isa/rows.h"
+#include "assembly/isa/slack.h"
+#include "assembly/view.h"
+#include "base/lanes.h"
 
 #include <algorithm>
 #include <cstring>
@@ -22,7 +24,7 @@ class JointRows {
   public:
     explicit JointRows(const assembly::View& view) : view_(view) {}
 
-    /// Eight joints in short from ids[0] on, whose numbers follow each other. @return false where
+    /// Eight compact joints from ids[0] on, with consecutive indices. @return false where
     /// they are so near the end of the arrays that vector loads would leave them.
     bool take(const std::int32_t* ids) {
         id_ = ids[0];

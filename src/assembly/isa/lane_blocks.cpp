@@ -5,6 +5,7 @@
 #include "assembly/isa/arms.h"
 #include "assembly/isa/coupled.h"
 #include "assembly/isa/rows.h"
+#include "base/lanes.h"
 #include "base/transpose.h"
 
 namespace hawser::HAWSER_ISA {
@@ -82,7 +83,7 @@ inline void outer(const View& view, const LaneOp& op, LanePlace out) {
     outer_side<false, DA, DB>(view, op, out);
 }
 
-/// condense() of joints in short, with their damping: most of G is known.
+/// condense() of compact joints, with their damping: most of G is known.
 void condense_arms(const View& view, const LaneOp& op, LanePlace out) {
     const ArmsT<W8> arms = lane_arms(view.jacobian, op.from);
     const V8 used = used_lanes(op), on = used * pick(view.active, op.id);

@@ -6,7 +6,9 @@
 /// over the number type.
 
 #include "assembly/geo.h"
-#include "assembly/isa/rows.h"
+#include "assembly/isa/slack.h"
+#include "assembly/view.h"
+#include "base/lanes.h"
 #include "base/transpose.h"
 #include "model/kinds/all.h"
 

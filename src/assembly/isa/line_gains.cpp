@@ -2,6 +2,7 @@
 /// Energy that lines hold more than the bodies at their ends gave them, see stepper/wires.h.
 #include "assembly/isa/geo_force.h"
 #include "assembly/isa/rows.h"
+#include "base/lanes.h"
 #include "base/transpose.h"
 
 namespace hawser::HAWSER_ISA {

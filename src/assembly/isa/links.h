@@ -93,10 +93,10 @@ inline void eight_rhs(const assembly::View& view, std::int32_t body, const doubl
     load_bodies(view.a + begin, 6, a);
     W3 linear = W3{a[0], a[1], a[2]} + push.linear, turn = W3{a[3], a[4], a[5]} + push.turn;
     if constexpr (!kAtRest) {
-        const double* twists = view.geo_force + joints.place->geo_force;
+        const double* torques = view.geo_force + joints.place->geo_force;
         W3 in, unused;
-        load_twists(twists, in, unused);
-        const W3 next = shift_in(in, twists + 6 * kLanes);
+        load_damping(torques, in, unused);
+        const W3 next = shift_in(in, torques + 6 * kLanes);
         V8 v[kLanes], low[kLanes], high[kLanes];  // block: entries 0-7 and 4-11
         load_bodies(view.v_new + begin, 6, v);
         const double* block = view.body_block + assembly::block_place(view.dof_begin[body]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Energy that rows take in a step, eight rows at a time; formulas in stepper/losses.cpp.
 #include "assembly/isa/rows.h"
+#include "base/lanes.h"
 #include "base/simd.h"
 
 namespace hawser::HAWSER_ISA {

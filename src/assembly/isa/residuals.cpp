@@ -3,6 +3,7 @@
 #include "assembly/isa/arms.h"
 #include "assembly/isa/geo_force.h"
 #include "assembly/isa/rows.h"
+#include "base/lanes.h"
 #include "base/simd.h"
 
 namespace hawser::HAWSER_ISA {

@@ -4,6 +4,7 @@
 /// Eight rigid bodies that stand in a row, a body a lane.
 
 #include "assembly/view.h"
+#include "base/lanes.h"
 #include "base/transpose.h"
 
 #include <cstring>

@@ -6,6 +6,7 @@
 #include "assembly/isa/geo_force.h"
 #include "assembly/isa/joint_rows.h"
 #include "assembly/isa/lane_rows.h"
+#include "assembly/isa/slack.h"
 #include "base/simd.h"
 #include "model/kinds/all.h"
 
@@ -17,6 +18,11 @@ namespace {
 using assembly::View;
 
 constexpr int kSlots = kMaxInteractionBodies;
+
+/// Whether a joint of the kind may have a record of its arms in the place of its Jacobian
+/// (model/arms.h).
+template <class K>
+constexpr bool kCompactKind = requires { requires K::kMayBeCompact; };
 
 /// Share of the geometric stiffness that an interaction with the force nf has.
 double fade(const View& view, std::int32_t id, double nf) {
@@ -97,7 +103,7 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
     return joint && t.damping > 0.0 ? t.back / t.damping : 1.0;
 }
 
-/// Record and torques of damping of a joint in short.
+/// Record and torques of damping of a compact joint.
 template <class K>
 void evaluate_arms(const View& view, const typename K::Data& data, const BodyRef* refs,
                    std::int32_t id) {
@@ -139,7 +145,7 @@ std::int32_t by_eights(const View& view, const std::int32_t* ids, const Data* da
 template <class K>
 std::int32_t evaluate_lanes(const View& view, const std::int32_t* ids, const typename K::Data* data,
                             std::int32_t count) {
-    if constexpr (requires { requires K::kInShort; }) {
+    if constexpr (requires { requires K::kMayBeCompact; }) {
         return by_eights<JointRows>(view, ids, data, count, [&](std::int32_t k) {
             return view.arms[ids[k]] != 0 && ids[k] - ids[0] == k;
         });
@@ -152,13 +158,70 @@ std::int32_t evaluate_lanes(const View& view, const std::int32_t* ids, const typ
     }
 }
 
+/// Speeds of the rows of one interaction: G v of the bodies that move, at the velocity before the
+/// step and at the one that the solve starts from; G v of those that are moved, in this step and in
+/// the one before.
+template <int R>
+struct Speeds {
+    double now[R] = {}, start[R] = {}, prescribed[R] = {}, before[R] = {};
+};
+
+/// Violations and right-hand sides, and whether the interaction acts.
+template <class K>
+HAWSER_INLINE void write_rows(const View& view, std::int32_t id,
+                              const Rows<K::kBodies, K::kRows>& rows, const Speeds<K::kRows>& s) {
+    const double inv_h4 = 4.0 / view.h;
+    const std::int32_t row = view.row_begin[id];
+    for (int r = 0; r < K::kRows; ++r) {
+        const double ups = view.upsilon[row + r], recalled = ups * view.recall[row + r];
+        view.residual[row + r] = s.start[r];
+        if (view.row_flags[row + r] & 1) {  // velocity row
+            view.g[row + r] = 0.0;
+            view.c[row + r] = rows.g[r] - s.prescribed[r];
+        } else {
+            view.g[row + r] = rows.g[r];
+            view.c[row + r] =
+                recalled * (s.now[r] + s.before[r]) - ups * inv_h4 * rows.g[r] - s.prescribed[r];
+            // What slid has no memory of its speed: it is to stop.
+            if (view.flags[id] & 128)
+                view.c[row + r] -= (1.0 - view.active[id]) * recalled * s.now[r];
+            if (view.flags[id] & 1) {
+                view.c[row + r] += when_slack(rows.g[r], s.now[r] + s.before[r], recalled, view.h);
+            }
+        }
+    }
+    if (view.flags[id] & 2) view.active[id] = rows.g[0] != 0.0 ? 1.0 : 0.0;  // range
+    if (view.parted[id]) view.active[id] = 0.0;
+}
+
+/// Records of geometric stiffness and damping, and their forces at the velocities there are.
+template <class K>
+HAWSER_INLINE void write_geometry(const View& view, const typename K::Data& data,
+                                  const BodyRef* refs, std::int32_t id,
+                                  const Rows<K::kBodies, K::kRows>& rows) {
+    if constexpr (kCompactKind<K>) {
+        if (view.arms[id]) {
+            evaluate_arms<K>(view, data, refs, id);
+            return;
+        }
+    }
+    if constexpr (K::kGeometry != Geometry::none) {
+        const double back = geometry<K>(view, data, refs, id, rows);
+        if (view.geo[id].record >= 0) {
+            if constexpr (K::kGeometry == Geometry::line)
+                line_past(view, id, back);
+            else
+                geo_force(view, id, view.v, -back, view.geo[id].dof);
+            if (view.v_start) geo_force(view, id, view.v_start);
+        }
+    }
+}
+
 template <class K>
 void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_in,
                    std::int32_t begin, std::int32_t end) {
     constexpr int B = K::kBodies, R = K::kRows;
-    constexpr bool kMayBeShort = requires { requires K::kInShort; };
     const auto* data = static_cast<const typename K::Data*>(data_in);
-    const double inv_h4 = 4.0 / view.h;
     for (std::int32_t k = begin; k < end; ++k) {
         if (const std::int32_t done = evaluate_lanes<K>(view, ids + k, data + k, end - k)) {
             k += done - 1;
@@ -175,11 +238,11 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         K::evaluate(data[k], refs, rows);
 
         // Speeds of the rows, and the packed Jacobian.
-        double speed[R] = {}, start[R] = {}, prescribed[R] = {}, before[R] = {};
+        Speeds<R> speed;
         int width = 0;
         for (int b = 0; b < B; ++b) width += view.dof[body[b]];
         double room[model::kArmRoom];
-        double* out = kMayBeShort && view.arms[id] ? room : view.jacobian + view.jac_begin[id];
+        double* out = kCompactKind<K> && view.arms[id] ? room : view.jacobian + view.jac_begin[id];
         int at = 0;
         for (int b = 0; b < B; ++b) {
             const std::int32_t i = body[b];
@@ -189,8 +252,8 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
                 const double* u_before = view.v_before + 6 * i;
                 for (int r = 0; r < R; ++r)
                     for (int j = 0; j < 6; ++j) {
-                        prescribed[r] += rows.J[b][r][j] * u[j];
-                        before[r] += rows.J[b][r][j] * u_before[j];
+                        speed.prescribed[r] += rows.J[b][r][j] * u[j];
+                        speed.before[r] += rows.J[b][r][j] * u_before[j];
                     }
                 continue;
             }
@@ -201,8 +264,8 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
                     for (int j = 0; j < N; ++j) {
                         const double value = rows.J[b][r][j];
                         out[r * width + at + j] = value;
-                        speed[r] += value * v[j];
-                        start[r] += value * v_start[j];
+                        speed.now[r] += value * v[j];
+                        speed.start[r] += value * v_start[j];
                     }
             };
             if (dof == 6)
@@ -213,44 +276,8 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
                 pack.template operator()<1>();
             at += dof;
         }
-        const std::int32_t row = view.row_begin[id];
-        for (int r = 0; r < R; ++r) {
-            const double ups = view.upsilon[row + r], recalled = ups * view.recall[row + r];
-            view.residual[row + r] = start[r];
-            if (view.row_flags[row + r] & 1) {  // velocity row
-                view.g[row + r] = 0.0;
-                view.c[row + r] = rows.g[r] - prescribed[r];
-            } else {
-                view.g[row + r] = rows.g[r];
-                view.c[row + r] =
-                    recalled * (speed[r] + before[r]) - ups * inv_h4 * rows.g[r] - prescribed[r];
-                // What slid has no memory of its speed: it is to stop.
-                if (view.flags[id] & 128)
-                    view.c[row + r] -= (1.0 - view.active[id]) * recalled * speed[r];
-                if (view.flags[id] & 1) {
-                    view.c[row + r] +=
-                        when_slack(rows.g[r], speed[r] + before[r], recalled, view.h);
-                }
-            }
-        }
-        if (view.flags[id] & 2) view.active[id] = rows.g[0] != 0.0 ? 1.0 : 0.0;  // range
-        if (view.parted[id]) view.active[id] = 0.0;
-        if constexpr (kMayBeShort) {
-            if (view.arms[id]) {
-                evaluate_arms<K>(view, data[k], refs, id);
-                continue;
-            }
-        }
-        if constexpr (K::kGeometry != Geometry::none) {
-            const double back = geometry<K>(view, data[k], refs, id, rows);
-            if (view.geo[id].record >= 0) {
-                if constexpr (K::kGeometry == Geometry::line)
-                    line_past(view, id, back);
-                else
-                    geo_force(view, id, view.v, -back, view.geo[id].dof);
-                if (view.v_start) geo_force(view, id, view.v_start);
-            }
-        }
+        write_rows<K>(view, id, rows, speed);
+        write_geometry<K>(view, data[k], refs, id, rows);
     }
 }
 

@@ -7,6 +7,7 @@
 // shape across a sharp ridge may have its deepest point of each triangle over another one. What
 // then no triangle claims goes along the normal of one that is above its middle, or that it cuts:
 // the nearest.
+#include "collide/bounds.h"
 #include "collide/narrow/pairs.h"
 #include "collide/narrow/separate.h"
 #include "collide/narrow/shape_data.h"

@@ -16,32 +16,12 @@
 /// not flicker between equal choices. Of points in a row the ends are kept.
 
 #include "collide/narrow/convex.h"
+#include "collide/narrow/points.h"
 
 namespace hawser::collide::narrow {
 
 /// Faces and edges tilted by up to 11.5 degrees take part in a manifold.
 inline constexpr double kTilt = 0.2;
-
-struct Point {
-    V3 on0, on1, normal;
-    double gap;
-    std::uint32_t feature;
-};
-
-inline constexpr int kMaxPoints = 64;
-struct Points {
-    int count = 0;
-    Point p[kMaxPoints];
-    void add(const Point& point) {
-        if (count < kMaxPoints) p[count++] = point;
-    }
-};
-
-/// Name of a contact of feature i of one side with j of the other. Kinds: 0 vertex of shape 0,
-/// 1 vertex of shape 1, 2 edge and edge, 3 the deepest point.
-inline std::uint32_t feature(unsigned kind, unsigned i, unsigned j) {
-    return (kind & 3U) << 30 | (i & 0x7fffU) << 15 | (j & 0x7fffU);
-}
 
 /// Contact points of two cores whose largest s(n) is `separation`, at the unit normal `n`; those
 /// with a gap (roundings taken off) below `margin`.

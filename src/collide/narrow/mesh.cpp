@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangle meshes: checks, neighbours over edges, a tree of boxes, and the contact of a convex
 // shape with the triangles near it. Both sides of a triangle touch.
+#include "collide/bounds.h"
 #include "collide/narrow/pairs.h"
 #include "collide/narrow/shape_data.h"
 #include "collide/narrow/triangle_contact.h"

@@ -3,7 +3,7 @@
 /// @file overlap.h
 /// Corners of the overlap of two facing parts, seen along a normal.
 
-#include "collide/narrow/manifold.h"
+#include "collide/narrow/points.h"
 
 namespace hawser::collide::narrow {
 

@@ -3,7 +3,7 @@
 /// @file segment.h
 /// Cores of capsules against each other, cylinders and triangles, in closed form or nearly so.
 
-#include "collide/narrow/separate.h"
+#include "collide/narrow/polish.h"
 
 namespace hawser::collide::narrow {
 

@@ -4,21 +4,9 @@
 /// Signed distance of any two convex cores, and its normal.
 
 #include "collide/narrow/convex.h"
+#include "collide/narrow/polish.h"
 
 namespace hawser::collide::narrow {
-
-struct Separation {
-    V3 n;      ///< Unit, from a to b.
-    double s;  ///< Signed distance of the cores [m].
-};
-
-/// s(n) of two cores.
-double separation_along(const Convex& a, const Convex& b, const V3& n);
-
-/// The largest s(n) near a good guess: over the normals of faces near it, normals perpendicular
-/// to edges near it, and, on curved cores, Newton's method on the sphere. It never gets worse,
-/// and stops at `most`, a known upper bound [m].
-Separation polish(const Convex& a, const Convex& b, const V3& guess, double most);
 
 /// The largest s(n). Cores further apart than `enough` [m]: some n with s(n) > enough.
 Separation separate(const Convex& a, const Convex& b, double enough);

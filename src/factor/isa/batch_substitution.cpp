@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Substitution with batches (see factor/batches.h for the picture).
+#include "base/lanes.h"
 #include "base/transpose.h"
 #include "factor/isa/batch.h"
 #include "factor/isa/batch_parts.h"

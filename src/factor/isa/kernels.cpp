@@ -13,6 +13,7 @@
 /// columns of the other. A symmetric front has one side, which is its own other.
 #include "factor/kernels.h"
 
+#include "base/lanes.h"
 #include "base/simd.h"
 #include "factor/isa/batch.h"
 #include "factor/isa/bits.h"

@@ -8,6 +8,7 @@
 /// first update rows may share one with the last pivots.
 #include "factor/isa/substitution.h"
 
+#include "base/lanes.h"
 #include "base/simd.h"
 #include "factor/isa/with_count.h"
 #include "factor/symbolic.h"
@@ -22,13 +23,14 @@ using factor::Front;
 using factor::Run;
 
 constexpr int kBlock = 8;
-// What is asked for ahead: of panels [bytes], of tables [fronts].
+// Distances of prefetches: in panels [bytes], in tables [fronts].
 constexpr long kAhead = 8192;
 constexpr std::int32_t kFrontsAhead = 6;
 
-/// Panels larger than a core's own cache come from further away than the processor looks ahead, as
-/// columns are short and going down their addresses fall. It takes a dozen requests at once and
-/// forgets what goes beyond, so each vector of a panel asks for another, `kBytes` away: 0 for none.
+/// Load a vector of a panel and prefetch the one `kBytes` further on; 0: none. Panels larger than a
+/// core's own cache need it: columns are short, and backward substitution goes down in addresses,
+/// so that the hardware's prefetcher does not follow. A core has a dozen requests under way at most
+/// and drops further prefetches, hence one a vector.
 template <long kBytes>
 HAWSER_INLINE V8 load_ahead(const double* p) {
     // As a number: it may lie outside the array.

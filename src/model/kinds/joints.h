@@ -23,7 +23,7 @@ struct Ball {
         .row_units = "mmm",
         .traits = kHoldsBodies | kOfWires | kCompact,
         .doc = "Ball joint: a point of one body stays on a point of the other."};
-    static constexpr bool kInShort = true;  ///< Between two rigid bodies, see model/arms.h.
+    static constexpr bool kMayBeCompact = true;  ///< Between two rigid bodies, see model/arms.h.
     template <class T>
     struct DataT {
         T point[2][3];

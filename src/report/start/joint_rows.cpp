@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/start/joint_rows.h"
 
+#include <hawser/row_constants.h>
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -67,8 +69,8 @@ JointRows::JointRows(const World& world) {
         Joint joint{.id = {i}, .row_begin = static_cast<std::int32_t>(rows_)};
         for (std::size_t r = 0; r < index(view.rows); ++r) {
             const double felt = kFelt * mobility(world, def, view, r);
-            const double soft =
-                view.velocity[r] ? view.compliance[r] / h : 4.0 * view.compliance[r] / (h * h);
+            const double soft = view.velocity[r] ? velocity_row_sigma(view.compliance[r], h)
+                                                 : row_sigma(view.compliance[r], 1.0, h);
             if (!(felt > 0.0) || soft > felt) continue;
             joint.row[index(joint.rows++)] = static_cast<std::int8_t>(r);
             joint.motor |= view.velocity[r];

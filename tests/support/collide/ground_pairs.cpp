@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/collide/ground_pairs.h"
 
+#include "collide/collide_function.h"
 #include "support/collide/ground_claims.h"
 
 #include <algorithm>

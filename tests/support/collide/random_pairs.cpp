@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/collide/random_pairs.h"
 
+#include "collide/collide_function.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

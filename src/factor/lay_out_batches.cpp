@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "factor/batches.h"
+#include "factor/lay_out_batches.h"
 
 #include "base/index.h"
-#include "factor/symbolic.h"
 
 #include <algorithm>
 #include <array>

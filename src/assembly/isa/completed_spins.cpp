@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Right-hand sides with which spins hold at the end of a step (stepper/completion.h).
+#include "assembly/isa/rigid_lanes.h"
+#include "assembly/isa/rows.h"
+#include "assembly/isa/spin.h"
+#include "base/simd.h"
+
+#include <cstring>
+
+namespace hawser::HAWSER_ISA {
+namespace {
+
+using assembly::Turning;
+using assembly::View;
+
+/// What a step asks of completed spins, and where that goes.
+struct Asked {
+    const double* u;  ///< Packed velocities about which.
+    double* spin;     ///< 3 a body.
+    bool first;       ///< The step's first one: it goes into `a` too.
+};
+
+/// I w with the gyroscopic impulse of half a step before (half < 0) or behind, body frame. The
+/// Cayley map turns one into the other, so that angular momentum is exact; about a fixed axis both
+/// are I w.
+template <class T, class Inertia>
+V3T<T> half_step_momentum(const Inertia& inertia, const V3T<T>& w, const T& half) {
+    const V3T<T> momentum = inertia * w;
+    return momentum + half * cross(w, momentum);
+}
+
+/// What of `a` the spin gives, body frame: momentum before the step less what momentum after it
+/// has beyond the I ω₊ of the matrix.
+template <class T, class Inertia>
+V3T<T> spin_impulse(const Inertia& inertia, const V3T<T>& before, const V3T<T>& now,
+                    const T& half) {
+    return half_step_momentum(inertia, before, T(-half)) - half * cross(now, inertia * now);
+}
+
+Turning complete_spin(const View& view, std::int32_t body, const Asked& asked) {
+    const M3 r = load9(view.r + 9 * body);
+    const std::int32_t at = view.dof_begin[body] + 3;
+    const V3 before = tmul(r, load3(view.v + at)), now = tmul(r, load3(asked.u + at));
+    const V3 world = r * spin_impulse(load9(view.inertia + 9 * body), before, now, 0.5 * view.h);
+    const V3 change = world - load3(view.spin_momentum + 3 * body);
+    store3(asked.spin + 3 * body, world);
+    if (asked.first) add3(view.a + at, change);
+    return {norm(load9(view.inv_inertia + 9 * body) * tmul(r, change)), 0.0, norm(now)};
+}
+
+/// complete_spin() of eight rigid bodies in a row.
+Turning complete_eight_spins(const View& view, std::int32_t body, const Asked& asked) {
+    const std::int32_t begin = view.dof_begin[body];
+    const WM3 r = load_bodies9(view.r + 9L * body);
+    V8 v[kLanes], u[kLanes], own[kLanes];
+    load_bodies(view.v + begin, 6, v);
+    load_bodies(asked.u + begin, 6, u);
+    load_bodies(view.principal + 6L * body, 6, own);
+    const W3 before = tmul(r, W3{v[3], v[4], v[5]}), now = tmul(r, W3{u[3], u[4], u[5]});
+    const W3 last = load_threes(view.spin_momentum + 3L * body);
+    const W8 half = W8{} + 0.5 * view.h;
+    W3 world, rate;
+    auto solve = [&](const auto& inertia, const auto& inverse) {
+        world = r * spin_impulse(inertia, before, now, half);
+        rate = inverse * tmul(r, world - last);
+    };
+    if (all_principal(own[0]))
+        solve(Principal<W8>{{own[0], own[1], own[2]}}, Principal<W8>{{own[3], own[4], own[5]}});
+    else
+        solve(load_bodies9(view.inertia + 9L * body), load_bodies9(view.inv_inertia + 9L * body));
+    if (asked.first) {
+        const W3 change = world - last;
+        for (int l = 0; l < kLanes; ++l)
+            add3(view.a + begin + 6 * l + 3,
+                 {lane(change.x, l), lane(change.y, l), lane(change.z, l)});
+    }
+    store_threes(asked.spin + 3L * body, world);
+    const W8 square = dot(rate, rate);
+    return {root(largest(square)) + sum(square - square), 0.0, root(largest(dot(now, now)))};
+}
+
+}  // namespace
+
+Turning complete_spins(const View& view, std::int32_t begin, std::int32_t end, const double* u,
+                       bool first) noexcept {
+    Turning t;
+    const Asked asked{u, first ? view.spin_momentum : view.spin_next, first};
+    for (std::int32_t body = begin; body < end; ++body) {
+        if (!view.turning[body]) continue;
+        std::uint64_t turning = 0;
+        if (body + kLanes <= end) std::memcpy(&turning, view.turning + body, sizeof turning);
+        if (turning == 0x0101010101010101 && eight_rigid(view, body)) {
+            t.add(complete_eight_spins(view, body, asked));
+            body += kLanes - 1;
+        } else if (view.dof[body] == 6) {
+            t.add(complete_spin(view, body, asked));
+        }
+    }
+    return t;
+}
+
+void adopt_spins(const View& view, std::int32_t begin, std::int32_t end) noexcept {
+    for (std::int32_t body = begin; body < end; ++body) {
+        if (!view.turning[body] || view.dof[body] != 6) continue;
+        const V3 next = load3(view.spin_next + 3 * body);
+        add3(view.a + view.dof_begin[body] + 3, next - load3(view.spin_momentum + 3 * body));
+        store3(view.spin_momentum + 3 * body, next);
+    }
+}
+
+}  // namespace hawser::HAWSER_ISA

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file layout_writer.h
+/// What a recording says of a scene before its first frame: bodies, cables, joints
+/// (docs/recording.md).
+
+#include "record/bytes.h"
+#include "record/scene_info.h"
+
+#include <hawser/hawser.h>
+
+namespace hawser::record {
+
+void put_body(ByteWriter& out, const BodyDef& def, const Pose& pose);
+void put_layout(ByteWriter& out, const SceneInfo& scene, const World& world);
+
+}  // namespace hawser::record
