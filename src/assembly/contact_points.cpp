@@ -19,7 +19,6 @@ using namespace hawser::generic;
 constexpr double kWander = 1e-3;
 
 V3 body_position(const model::Bodies& b, std::int32_t body) { return load3(&b.x[3 * at(body)]); }
-bool turns(const model::Bodies& b, std::int32_t body) { return b.kind[at(body)] != BodyKind::lump; }
 
 /// Two unit vectors that make a right-handed frame with n.
 void tangents(const V3& n, V3& t1, V3& t2) {
@@ -37,7 +36,7 @@ V3 anchor_point(const model::Bodies& b, const ContactMemory& m, int side) {
     if (second >= 0)
         return m.share[side] * body_position(b, first) +
                (1.0 - m.share[side]) * body_position(b, second) + local;
-    const V3 offset = turns(b, first) ? load9(&b.r[9 * at(first)]) * local : local;
+    const V3 offset = b.turns(first) ? load9(&b.r[9 * at(first)]) * local : local;
     return body_position(b, first) + offset;
 }
 
@@ -50,7 +49,7 @@ void set_anchor(const model::Bodies& b, ContactMemory& m, int side, const V3& p)
         return;
     }
     const V3 offset = p - body_position(b, first);
-    store3(m.anchor[side], turns(b, first) ? tmul(load9(&b.r[9 * at(first)]), offset) : offset);
+    store3(m.anchor[side], b.turns(first) ? tmul(load9(&b.r[9 * at(first)]), offset) : offset);
 }
 
 /// Each side's bodies and shares, as they are now.

@@ -14,7 +14,7 @@ namespace {
 constexpr std::int32_t kMostOfLink = 8;
 constexpr double kSpeed = 0.1;       // v₀ [m/s]
 constexpr double kViolation = 0.01;  // g₀ [m]
-constexpr double kShare = 0.01;      // of the mean row force in F
+constexpr double kMeanShare = 0.01;  // of the mean row force in F
 
 }  // namespace
 
@@ -131,7 +131,7 @@ void PartGraph::weigh(const model::Bodies& bodies, const model::Interactions& in
         if (size[b] == 0) continue;
         const double* p = &net_[3 * b];
         net_force[b] = per_h * std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-        const double usual = bodies.mass[b] * gravity + kShare * mean + 1e-300;
+        const double usual = bodies.mass[b] * gravity + kMeanShare * mean + 1e-300;
         node_weight[b] = thousandths(net_force[b] / usual);
     }
 }

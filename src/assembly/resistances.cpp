@@ -35,11 +35,6 @@ Q turn_by(const V3& g) {
     return {s, (0.5 * s) * g};
 }
 
-bool turns(const model::Bodies& b, std::int32_t body) {
-    const BodyKind kind = b.kind[at(body)];
-    return kind != BodyKind::lump && kind != BodyKind::scalar;
-}
-
 bool resists(const collide::Surface& s) { return s.rolling > 0.0 || s.torsional > 0.0; }
 
 /// Mean inverse inertia about the axes.
@@ -61,7 +56,7 @@ void Resistances::begin(const collide::ContactSet& set, base::Array<ContactRow>&
         const collide::Surface& surface = set.surfaces[at(in.surface)];
         ContactRow& contact = contacts[k];
         if (!resists(surface) || in.slots != 2 || in.side_0 != 1) continue;
-        if (!turns(bodies, in.body[0]) || !turns(bodies, in.body[1])) continue;
+        if (!bodies.turns(in.body[0]) || !bodies.turns(in.body[1])) continue;
         contact.resistance = static_cast<std::int32_t>(laws.size());
         ResistanceRow row{};
         Resistance a{};

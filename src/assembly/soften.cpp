@@ -18,8 +18,8 @@
 namespace hawser::assembly {
 namespace {
 
-constexpr double kShare = 0.9;   ///< Of the boundary.
-constexpr double kStiff = 0.05;  ///< W/(W + Σ) from which a row counts.
+constexpr double kBoundaryShare = 0.9;  ///< Of the boundary.
+constexpr double kStiff = 0.05;         ///< W/(W + Σ) from which a row counts.
 
 double amplification(const std::vector<double>& w, double sigma) {
     double sum = 0.0;
@@ -72,7 +72,8 @@ void System::soften_sides(const model::Bodies& bodies, model::Interactions& in, 
             for (std::int32_t id = s.first; id < s.first + s.count; ++id)
                 w.push_back(together * mobility(bodies, in, id, r));
             const auto first = at(in.row_begin[at(s.first)] + r);
-            const double most = kShare * 2.0 / (1.0 + in.upsilon[first] * (2.0 - in.recall[first]));
+            const double most =
+                kBoundaryShare * 2.0 / (1.0 + in.upsilon[first] * (2.0 - in.recall[first]));
             const double least = s.soften ? least_sigma(w, sigma_of(first), most) : 0.0;
             for (std::int32_t id = s.first; id < s.first + s.count; ++id)
                 in.least_sigma[at(in.row_begin[at(id)] + r)] = least;

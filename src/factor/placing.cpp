@@ -13,7 +13,7 @@ constexpr std::uint8_t kMoved = 1, kFresh = 2;  // of placing_
 constexpr std::int32_t kUnknown = -2;           // of anchor_; −1: behind all trees
 
 /// A hull with more neighbours stays where it is: most of the tree hangs below it.
-constexpr std::size_t kHub = 16;
+constexpr std::size_t kFewNeighbours = 16;
 
 }  // namespace
 
@@ -72,7 +72,7 @@ void Analysis::choose_moves(const Pattern& next) {
             placing_[at(v)] = kFresh;
         else if (chain_of_[at(v)] < 0 &&
                  (next.sign[at(v)] < 0 ||
-                  (between_[at(old)] != 0 && next.neighbours(v).size() <= kHub)))
+                  (between_[at(old)] != 0 && next.neighbours(v).size() <= kFewNeighbours)))
             placing_[at(v)] = kFresh;
     }
     for (const std::int32_t v : changes_) {

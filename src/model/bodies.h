@@ -76,6 +76,11 @@ struct Bodies {
     [[nodiscard]] int dof(int body) const noexcept {
         return dof_of(kind[static_cast<std::size_t>(body)]);
     }
+    /// It has an orientation.
+    [[nodiscard]] bool turns(int body) const noexcept {
+        const BodyKind k = kind[static_cast<std::size_t>(body)];
+        return k != BodyKind::lump && k != BodyKind::scalar;
+    }
     [[nodiscard]] BodyId id(int body) const noexcept { return places.id<BodyId>(body); }
     /// So that add(), append() and remove() do not throw. @throws std::bad_alloc.
     void make_room();

@@ -17,10 +17,6 @@ namespace {
 // Beyond these, products of entries overflow or lose all digits.
 constexpr double kMaxLength = 1e7, kMaxSpeed = 1e5, kMaxMass = 1e15;
 
-[[noreturn]] void refuse(const std::string& where, const std::string& what) {
-    throw DefError(where + ": " + what);
-}
-
 void finite(const std::string& where, const char* field, double value, double limit = 1e300) {
     if (!std::isfinite(value))
         refuse(where, std::string(field) + " = " + number(value) +
@@ -65,6 +61,10 @@ void check_inertia(const std::string& where, const Mat3& inertia) {
 }
 
 }  // namespace
+
+void refuse(const std::string& where, const std::string& what) {
+    throw DefError(where + ": " + what);
+}
 
 std::string number(double value) {
     std::array<char, 32> text{};

@@ -15,6 +15,9 @@
 
 namespace hawser::world {
 
+/// Refuses `where` with a reason. @throws DefError
+[[noreturn]] void refuse(const std::string& where, const std::string& what);
+
 /// @throws DefError
 void check(const WorldDef& def);
 /// @throws DefError

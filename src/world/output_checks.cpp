@@ -11,10 +11,6 @@
 namespace hawser::world {
 namespace {
 
-[[noreturn]] void refuse(const std::string& where, const std::string& what) {
-    throw DefError(where + ": " + what);
-}
-
 int component_of(const OutputDef& def, const OutputKindInfo& kind, const std::string& where) {
     if (def.component.empty() && kind.components.size() == 1) return 0;
     std::vector<const char*> known;

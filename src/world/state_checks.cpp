@@ -22,7 +22,7 @@ constexpr std::int64_t kMostSteps = std::int64_t{1} << 53;
 constexpr double kUnit = 1e-6;  ///< Of lengths of quaternions and entries of rotations.
 constexpr std::int32_t kMostQuiet = 1'000'000'000;  ///< Steps, see stepper/sleep.cpp.
 
-[[noreturn]] void refuse(const std::string& what) {
+[[noreturn]] void refuse_state(const std::string& what) {
     throw DefError("snapshot: not a state that a world can have: " + what);
 }
 
@@ -31,9 +31,10 @@ std::string entry(std::size_t i) { return " (entry " + std::to_string(i) + ")"; 
 void numbers(std::span<const double> array, const char* what, double most) {
     for (std::size_t i = 0; i < array.size(); ++i)
         if (!(std::abs(array[i]) <= most))
-            refuse(std::string(what) +
-                   (std::isfinite(array[i]) ? " is out of range" : " is not a finite number") +
-                   entry(i));
+            refuse_state(
+                std::string(what) +
+                (std::isfinite(array[i]) ? " is out of range" : " is not a finite number") +
+                entry(i));
 }
 
 void number(double value, const char* what, double most = kHuge) {
@@ -43,7 +44,8 @@ void number(double value, const char* what, double most = kHuge) {
 template <class A>
 void flags(const A& array, const char* what) {
     for (std::size_t i = 0; i < array.size(); ++i)
-        if (array[i] != 0 && array[i] != 1) refuse(std::string(what) + " is no flag" + entry(i));
+        if (array[i] != 0 && array[i] != 1)
+            refuse_state(std::string(what) + " is no flag" + entry(i));
 }
 
 /// Of a quaternion's length.
@@ -72,14 +74,14 @@ void check_bodies(const stepper::StepContext& ctx, const SavedState& s) {
     for (std::size_t b = 0; b < at(ctx.bodies.count()); ++b) {
         const BodyKind kind = ctx.bodies.kind[b];
         const double* q = &s.bodies.q[4 * b];
-        if (!unit(q, kUnit)) refuse("an orientation is no rotation" + entry(b));
+        if (!unit(q, kUnit)) refuse_state("an orientation is no rotation" + entry(b));
         const bool turns = kind != BodyKind::lump && kind != BodyKind::scalar;
         if (turns && !is_rotation_of(&s.bodies.r[9 * b], q))
-            refuse("a rotation is not that of the orientation" + entry(b));
+            refuse_state("a rotation is not that of the orientation" + entry(b));
         if (s.bodies.asleep[b] != 0 && ctx.bodies.dof(static_cast<int>(b)) == 0)
-            refuse("what cannot move is asleep" + entry(b));
+            refuse_state("what cannot move is asleep" + entry(b));
         if (s.bodies.quiet[b] < 0 || s.bodies.quiet[b] > kMostQuiet)
-            refuse("a time at rest is out of range" + entry(b));
+            refuse_state("a time at rest is out of range" + entry(b));
     }
     numbers(s.bodies.r, "a rotation", 2.0);
 }
@@ -92,14 +94,14 @@ void check_interactions(const stepper::StepContext& ctx, const SavedState& s) {
     for (std::size_t k = 0; k < s.wires.credit.size(); ++k)
         if (s.wires.credit[k] < 0.0 || s.wires.alert[k] < 0 ||
             s.wires.alert[k] > stepper::most_alert(ctx.def.step))
-            refuse("a wire's guard is out of range" + entry(k));
+            refuse_state("a wire's guard is out of range" + entry(k));
     flags(s.interactions.active, "which rows act");
     flags(s.interactions.parted, "which lines have parted");
     flags(s.interactions.saturated, "which motors are at a limit");
     flags(s.interactions.repeats, "which joints repeat each other");
     for (std::size_t i = 0; i < s.interactions.parted.size(); ++i)
         if (s.interactions.parted[i] != 0 && (ctx.interactions.flags[i] & model::kBreakable) == 0)
-            refuse("what cannot part has parted" + entry(i));
+            refuse_state("what cannot part has parted" + entry(i));
 }
 
 /// Whether a side of a contact remembers bodies that the side's shape has.
@@ -117,14 +119,14 @@ void check_contacts(const stepper::StepContext& ctx, const SavedState& s) {
     const auto& kept = s.collider.contacts;
     const auto& memory = s.system.contacts.memory;
     const std::vector<collide::Shape>& shapes = ctx.collider.shapes();
-    if (s.collider.awake > kept.size()) refuse("more contacts take part than there are");
+    if (s.collider.awake > kept.size()) refuse_state("more contacts take part than there are");
     for (std::size_t i = 0; i < kept.size(); ++i) {
         const collide::KeptContact& k = kept[i];
         const auto count = static_cast<std::int32_t>(shapes.size());
         if (k.shape[0] < 0 || k.shape[0] >= k.shape[1] || k.shape[1] >= count || k.zero != 0)
-            refuse("a contact is of shapes that there are not" + entry(i));
+            refuse_state("a contact is of shapes that there are not" + entry(i));
         if (i > 0 && i != s.collider.awake && behind(kept[i - 1], k))
-            refuse("contacts are not in their order" + entry(i));
+            refuse_state("contacts are not in their order" + entry(i));
         numbers(k.at, "the place of a contact", kFar);
         const assembly::ContactMemory& m = memory[i];
         numbers(m.share, "the share of a contact", 2.0);
@@ -136,7 +138,8 @@ void check_contacts(const stepper::StepContext& ctx, const SavedState& s) {
             std::equal(&m.body[0][0], &m.body[0][0] + 4, &assembly::kNoMemory.body[0][0]);
         const bool known =
             fits(m.body[0], shapes[at(k.shape[0])]) && fits(m.body[1], shapes[at(k.shape[1])]);
-        if (!nothing && !known) refuse("a contact remembers bodies that it has not" + entry(i));
+        if (!nothing && !known)
+            refuse_state("a contact remembers bodies that it has not" + entry(i));
     }
 }
 
@@ -145,12 +148,12 @@ void check_resistances(const SavedState& s) {
     std::size_t i = 0;
     for (const assembly::ResistanceMemory& m : s.system.contacts.resistances.memory) {
         if (m.contact <= before || at(m.contact) >= s.collider.contacts.size())
-            refuse("a resistance is of a contact that there is not" + entry(i));
+            refuse_state("a resistance is of a contact that there is not" + entry(i));
         before = m.contact;
-        if (m.anew != 0 && m.anew != 1) refuse("a resistance has no such flag" + entry(i));
+        if (m.anew != 0 && m.anew != 1) refuse_state("a resistance has no such flag" + entry(i));
         numbers(m.reference, "the reference of a resistance", 2.0);
         if (m.anew == 0 && !unit(m.reference, kUnit))
-            refuse("the reference of a resistance is no rotation" + entry(i));
+            refuse_state("the reference of a resistance is no rotation" + entry(i));
         numbers(m.turned, "the turn of a resistance", kFar);
         numbers(m.lambda, "the impulse of a resistance", kHuge);
         ++i;
@@ -167,10 +170,11 @@ void check_links(const stepper::StepContext& ctx, const SavedState& s) {
         const auto [first, second] = links[i];
         if (first < 0 || first >= second || at(second) >= touches.size() ||
             touches[at(first)] == 0 || touches[at(second)] == 0)
-            refuse("bodies are linked that cannot touch" + entry(i));
-        if (i > 0 && !(links[i - 1] < links[i])) refuse("links are not in their order" + entry(i));
+            refuse_state("bodies are linked that cannot touch" + entry(i));
+        if (i > 0 && !(links[i - 1] < links[i]))
+            refuse_state("links are not in their order" + entry(i));
         const std::int64_t used = s.system.contacts.link_used[i];
-        if (used < 0 || used > s.step) refuse("a link was used at no step" + entry(i));
+        if (used < 0 || used > s.step) refuse_state("a link was used at no step" + entry(i));
     }
 }
 
@@ -180,23 +184,23 @@ void check_order(const factor::AnalysisState& order) {
     std::vector<std::uint8_t> seen(order.elimination.order.size(), 0);
     for (const std::int32_t node : order.elimination.order) {
         if (node < 0 || at(node) >= seen.size() || seen[at(node)] != 0)
-            refuse("the order of elimination is none");
+            refuse_state("the order of elimination is none");
         seen[at(node)] = 1;
     }
-    if (order.planned_flops < 0) refuse("work is negative");
+    if (order.planned_flops < 0) refuse_state("work is negative");
 }
 
 void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
-    if (s.step < 0 || s.step > kMostSteps) refuse("the step is out of range");
-    if (s.started > 1) refuse("the start is no flag");
+    if (s.step < 0 || s.step > kMostSteps) refuse_state("the step is out of range");
+    if (s.started > 1) refuse_state("the start is no flag");
     const auto sleeps = [](std::uint8_t flag) { return flag != 0; };
     if (s.started == 0 && (s.step != 0 || !s.collider.contacts.empty() ||
                            std::any_of(s.bodies.asleep.begin(), s.bodies.asleep.end(), sleeps)))
-        refuse("something has happened before the start");
+        refuse_state("something has happened before the start");
     if (s.refine_unasked < 0 || s.refine_unasked > 1'000'000)
-        refuse("refinements are out of range");
+        refuse_state("refinements are out of range");
     for (const std::int64_t n : s.stats.event_count)
-        if (n < 0) refuse("a count of events is negative");
+        if (n < 0) refuse_state("a count of events is negative");
     const stepper::JudgeState& j = s.judge.state;
     numbers(std::array{j.kinetic, j.potential, j.elastic, j.by_length, j.by_force, j.posed, j.held,
                        j.given, j.exchanged, j.counted, j.age, j.closed, j.closed_elastic,
@@ -210,14 +214,14 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
             numbers(std::array{tide.least, tide.most}, "a figure of the judge", 1e300);
     flags(j.told, "a word of the judge");
     if (j.step < 0 || j.step > s.step || j.begun < 0 || j.begun > s.step + 1)
-        refuse("the judge looked at no step");
+        refuse_state("the judge looked at no step");
     const double energies[] = {s.work,    s.drag,   s.drive,      s.friction,
                                s.contact, s.damped, s.loads.work, s.loads.added};
     numbers(energies, "an energy", 1e300);
     const auto& r = s.regroup;
     if (r.made < 0 || r.made > s.step || r.seen < -1 || r.seen > s.step || r.parts.worse_for < 0 ||
         r.parts.worse_for > kMostQuiet || r.parts.parts != ctx.regroup.parts.parts)
-        refuse("groups were made at no step");
+        refuse_state("groups were made at no step");
 }
 
 }  // namespace
@@ -241,7 +245,8 @@ void check_state(const stepper::StepContext& ctx, const std::vector<InputDef>& i
         for (const ParamInfo& p : kind_info(d->kind).params)
             if (inputs[i].param == p.name &&
                 !(state.inputs[i] >= p.min && state.inputs[i] <= p.max))
-                refuse("input '" + inputs[i].name + "' is outside the range of its parameter");
+                refuse_state("input '" + inputs[i].name +
+                             "' is outside the range of its parameter");
     }
 }
 

@@ -13,10 +13,6 @@ namespace {
 
 constexpr int kMostElements = 100'000;
 
-[[noreturn]] void refuse(const std::string& where, const std::string& what) {
-    throw DefError(where + ": " + what);
-}
-
 /// Where the lumps are: the path, or evenly between the ends.
 std::vector<Vec3> places_of(const World& w, const WireDef& def) {
     if (!def.path.empty()) return def.path;

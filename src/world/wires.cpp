@@ -15,22 +15,16 @@
 #include <utility>
 
 namespace hawser {
-namespace {
-
-[[noreturn]] void refuse(const std::string& where, const std::string& what) {
-    throw DefError(where + ": " + what);
-}
-
-}  // namespace
-
 WireId World::add_wire(const WireDef& def) {
     const world::Using use(impl_->use, "add_wire");
     const std::string where = world::label("wire", def.name);
     world::check(def);
     Impl& m = *impl_;
-    if (!alive(def.from)) refuse(where, "there is no body that holds its first end");
-    if (def.to.valid() && !alive(def.to)) refuse(where, "there is no body that holds its last end");
-    if (m.wires.names.contains(def.name)) refuse(where, "the name is taken; names are unique");
+    if (!alive(def.from)) world::refuse(where, "there is no body that holds its first end");
+    if (def.to.valid() && !alive(def.to))
+        world::refuse(where, "there is no body that holds its last end");
+    if (m.wires.names.contains(def.name))
+        world::refuse(where, "the name is taken; names are unique");
     world::Wire made;
     made.name = def.name;
     made.owns = true;
@@ -118,22 +112,22 @@ WireId World::adopt_wire(const std::string& name, std::span<const InteractionId>
     const world::Using use(impl_->use, "adopt_wire");
     const std::string where = world::label("wire", name);
     if (name.empty()) throw DefError("a wire needs a name");
-    if (elements.empty()) refuse(where, "it has no elements");
+    if (elements.empty()) world::refuse(where, "it has no elements");
     Impl& m = *impl_;
     world::Wire made;
     made.name = name;
     for (const InteractionId id : elements) {
         const InteractionDef& d = interaction_def(id);
         if (!kind_info(d.kind).is(kWireElement))
-            refuse(where, world::label("interaction", d.name) + " is no element of a wire");
+            world::refuse(where, world::label("interaction", d.name) + " is no element of a wire");
         if (made.nodes.empty()) made.nodes.push_back(d.body[0]);
         if (made.nodes.back() != d.body[0])
-            refuse(where, world::label("interaction", d.name) +
-                              " does not begin where the element before it ends");
+            world::refuse(where, world::label("interaction", d.name) +
+                                     " does not begin where the element before it ends");
         made.nodes.push_back(d.body[1]);
         made.elements.push_back(id);
     }
-    if (m.wires.names.contains(name)) refuse(where, "the name is taken; names are unique");
+    if (m.wires.names.contains(name)) world::refuse(where, "the name is taken; names are unique");
     return m.keep_wire(std::move(made));
 }
 
