@@ -70,8 +70,7 @@ endif()
 
 option(HAWSER_WERROR "Treat warnings as errors" ${PROJECT_IS_TOP_LEVEL})
 
-# hawser_unity(TARGET BATCH): compile up to BATCH sources together, where HAWSER_UNITY is on. Not
-# for the library `hawser`: its sources are many-sided and few.
+# hawser_unity(TARGET BATCH): compile up to BATCH sources together, where HAWSER_UNITY is on.
 function(hawser_unity target batch)
     if(HAWSER_UNITY)
         set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${batch})

@@ -153,7 +153,7 @@ inline void expect_same_bits(const char* name, const std::function<void(Retry&)>
     run(-1, 0);
     const std::vector<long>& seen = right.rights().requests;
     // A sanitizer sees the same code in a few of them.
-    if (kSanitized) every *= 11;
+    if (kSanitized) every *= 37;
     long number = 0;
     for (std::size_t k = 0; k < seen.size(); ++k)
         for (long n = 0; n < seen[k] && !testing::Test::HasFailure(); ++n) {
