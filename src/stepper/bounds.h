@@ -63,17 +63,8 @@ std::int32_t switch_bounds(StepContext& ctx, double floor, std::int32_t most) no
 /// that does not count [N s].
 [[nodiscard]] std::int32_t asking_rows(StepContext& ctx, double floor) noexcept;
 
-/// switch_bounds() for a solution λ, v₊ as it stands. @return whether to solve again.
-[[nodiscard]] bool update_active_set(StepContext& ctx, int pass) noexcept;
-
-/// Of a solution with contacts that has been refined: solve again while bounds are off the loads
-/// that they follow. The iterations that led there were not refined, and a bound that is a small
-/// share of its load may be off by what they left.
-[[nodiscard]] Status follow_loads(StepContext& ctx) noexcept;
-
-/// Solve again until the rows of a world without contacts agree with their bounds. Statuses that
-/// still change in the end are counted in stats.flips_left.
-[[nodiscard]] Status settle_bounds(StepContext& ctx) noexcept;
+/// asking_rows() > 0 with no floor, without a trace.
+[[nodiscard]] bool any_asks(const StepContext& ctx, const assembly::View& v) noexcept;
 
 /// After the step: anchors of friction that slid follow.
 void move_anchors(StepContext& ctx) noexcept;

@@ -2,9 +2,13 @@
 #include "stepper/clique.h"
 
 #include "base/index.h"
-#include "stepper/bounds.h"
-#include "stepper/stages.h"
-#include "stepper/step.h"
+#include "stepper/active_set.h"
+#include "stepper/analysis.h"
+#include "stepper/assemble.h"
+#include "stepper/cuts_data.h"
+#include "stepper/solve.h"
+#include "stepper/view.h"
+#include "stepper/wires.h"
 
 #include <algorithm>
 
@@ -175,8 +179,7 @@ void analyse_clique(StepContext& ctx) {
     for (std::size_t i = 0; i < c.body.size(); ++i)
         copy_pose(c.ctx.bodies, static_cast<std::int32_t>(i), ctx.bodies, c.body[i]);
     copy_interactions(c, ctx);
-    c.ctx.topology_changed = true;
-    ready(c.ctx);
+    prepare_alone(c.ctx);
 }
 
 bool solve_clique(StepContext& ctx) noexcept {
@@ -185,7 +188,8 @@ bool solve_clique(StepContext& ctx) noexcept {
     copy_interactions(c, ctx);
     copy_loads(c, ctx);
     if (c.ctx.loads.out_of_memory()) return false;
-    assemble_rows(c.ctx);
+    release_wires(c.ctx);
+    assemble_system(c.ctx);
     c.ctx.refine_unasked = 1;  // its own count would have to be saved with the state
     Status status = factor_and_solve(c.ctx);
     if (status == Status::ok) status = settle_bounds(c.ctx);

@@ -10,6 +10,7 @@
 /// Contacts and friction in joints act in it with their impulses of the last step.
 
 #include "stepper/context.h"
+#include "stepper/cuts_data.h"
 
 #include <vector>
 

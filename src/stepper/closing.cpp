@@ -2,9 +2,12 @@
 #include "stepper/closing.h"
 
 #include "base/index.h"
-#include "stepper/stages.h"
-#include "stepper/step.h"
-#include "stepper/sweeps.h"
+#include "stepper/context.h"
+#include "stepper/evaluate.h"
+#include "stepper/factor.h"
+#include "stepper/judge_data.h"
+#include "stepper/judge_look.h"
+#include "stepper/view.h"
 
 #include <algorithm>
 #include <cmath>

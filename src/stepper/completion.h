@@ -50,46 +50,19 @@
 #include <hawser/stats.h>
 
 #include "assembly/view.h"
+#include "stepper/context.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace hawser::stepper {
 
-struct StepContext;
-
-/// What the analysis knows of joints, and what the step being taken chose.
-struct Completion {
-    std::vector<std::int32_t> joints;  ///< Interactions that may be completed, ascending.
-    std::vector<std::int32_t> rigid;   ///< Of these, those that give by nothing, ascending.
-    std::vector<std::int32_t> looped;  ///< Of the rigid ones, those in closed loops of them.
-    std::vector<std::uint8_t>
-        coarse_next;                    ///< model::Interactions::coarse after the step, a joint.
-    std::vector<std::uint8_t> refused;  ///< 1 a joint: the step being taken does without it.
-    std::vector<double> lambda_with;  ///< By row: of whose forces the joints have their stiffness.
-    bool any = false;                 ///< The step completes some.
-    bool banned = false;              ///< The step is being solved again without.
-};
-
-/// Find the joints of a system that has just been analysed. @throws std::bad_alloc.
-void find_joints(StepContext& ctx);
-
-/// A step begins: nothing is refused yet.
-void begin_completion(StepContext& ctx) noexcept;
-
-/// Which joints this step completes, by their forces in the last one; marks their records.
-void choose_completed(StepContext& ctx) noexcept;
-
-/// c of completed rows of a strip about packed velocities u, see Kernels::complete_rows.
-/// @return how much changed.
-assembly::Turning complete_strip(StepContext& ctx, const assembly::View& v, int strip,
-                                 const double* u, bool first) noexcept;
-
 /// Rounds until the equations hold at the step's end; then the filter. v₊ and λ solve the linear
 /// ones. Changes nothing where nothing is to be completed.
 [[nodiscard]] Status complete(StepContext& ctx) noexcept;
 
-/// A step has been taken: counters go on.
-void finish_completion(StepContext& ctx) noexcept;
+/// Stages factor and nonsmooth for rows already assembled, repeated while the set of
+/// active rows changes; then rigid joints at the step's end (completion.h).
+Status solve_assembled(StepContext& ctx) noexcept;
 
 }  // namespace hawser::stepper

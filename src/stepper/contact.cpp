@@ -2,13 +2,17 @@
 #include "stepper/contact.h"
 
 #include "base/index.h"
+#include "stepper/analyse.h"
+#include "stepper/contact_rows.h"
 #include "stepper/gauss_seidel.h"
 #include "stepper/guarded.h"
 #include "stepper/newton.h"
 #include "stepper/nonsmooth.h"
-#include "stepper/stages.h"
+#include "stepper/predict.h"
 #include "stepper/sweeps.h"
 #include "stepper/timer.h"
+#include "stepper/undo.h"
+#include "stepper/undo_data.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,15 +66,6 @@ void ask_for_acceleration(nonsmooth::Resistance& a) noexcept {
     a.b[2] = rolls ? 0.0 : a.u[2];
 }
 
-/// u, λ and the impulses on slots.
-void update_rows(StepContext& ctx, const double* v) noexcept {
-    Contacts& c = ctx.system.contacts;
-    over(ctx, static_cast<std::int32_t>(c.count()),
-         [&](std::int32_t a, std::int32_t b) { c.update(v, a, b); });
-    over(ctx, static_cast<std::int32_t>(c.resistances.count()),
-         [&](std::int32_t a, std::int32_t b) { c.update_resistances(v, a, b); });
-}
-
 }  // namespace
 
 void prepare_contacts(StepContext& ctx) {
@@ -88,7 +83,7 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
     Contacts& c = ctx.system.contacts;
     const collide::ContactSet& set = ctx.contacts;
     Status status = guarded(ctx, [&] {
-        ctx.undo.keep_links(ctx);
+        keep_links(ctx);
         make_room(ctx);
         over(ctx, static_cast<std::int32_t>(set.awake), [&](std::int32_t a, std::int32_t b) {
             for (std::size_t k = at(a); k < at(b); ++k)
@@ -100,7 +95,7 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
         make_resistances(ctx);
         if (!c.connect(ctx.step)) {
             const StageTimer again(ctx, Stage::analyse);
-            ctx.undo.keep(ctx, Undo::Depth::system);
+            keep_state(ctx, Undo::Depth::system);
             c.relink(ctx.step);
             relink(ctx);
             if (!c.connect(ctx.step)) throw std::bad_alloc();
@@ -110,7 +105,7 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
     if (status == Status::ok && ctx.pool.stopping()) status = Status::cancelled;
     if (status != Status::ok) return status;
     // u of the last step's velocities; λ is that of the last step.
-    update_rows(ctx, ctx.bodies.v.data());
+    update_slots(ctx, ctx.bodies.v.data());
     c.resistances.recall(c.rows);
     over(ctx, static_cast<std::int32_t>(c.count()), [&](std::int32_t a, std::int32_t b) {
         for (std::size_t k = at(a); k < at(b); ++k) {
@@ -129,13 +124,6 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
     if (c.count() > 0) begin_contacts(ctx);
     update_contacts(ctx, nullptr);
     return Status::ok;
-}
-
-void update_contacts(StepContext& ctx, const double* v) noexcept {
-    update_rows(ctx, v);
-    Contacts& c = ctx.system.contacts;
-    over(ctx, static_cast<std::int32_t>(c.touched()),
-         [&](std::int32_t a, std::int32_t b) { c.gather(a, b); });
 }
 
 // λ·J(v + v₊)/2 is exactly what a contact does to the kinetic energy of the bodies that move: all

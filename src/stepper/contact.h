@@ -21,9 +21,6 @@ enum class Phase : std::uint8_t {
 /// Analyses the system where two bodies touch that did not before.
 [[nodiscard]] Status start_contacts(StepContext& ctx, Phase phase) noexcept;
 
-/// Impulses of contacts at velocities v (null: at rest), and their sums by body.
-void update_contacts(StepContext& ctx, const double* v) noexcept;
-
 /// What contacts took from the bodies' energy in this step, before bodies move.
 void count_contact_work(StepContext& ctx) noexcept;
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file context.h
-/// Everything that a step reads and writes.
+/// Everything that a step reads and writes. What its parts are is told by the headers of data that
+/// it includes; what is done with them by those of functions, which include this one.
 
 #include <hawser/def.h>
 #include <hawser/stats.h>
@@ -19,17 +20,19 @@
 #include "runtime/trace.h"
 #include "stepper/actors.h"
 #include "stepper/budget.h"
-#include "stepper/completion.h"
+#include "stepper/completion_data.h"
 #include "stepper/cut_levels.h"
-#include "stepper/cuts.h"
+#include "stepper/cuts_data.h"
 #include "stepper/deadline.h"
 #include "stepper/edit_list.h"
 #include "stepper/events.h"
-#include "stepper/judge.h"
+#include "stepper/judge_data.h"
 #include "stepper/loads.h"
-#include "stepper/regroup.h"
-#include "stepper/undo.h"
-#include "stepper/wires.h"
+#include "stepper/newton_data.h"
+#include "stepper/regroup_data.h"
+#include "stepper/sleep_data.h"
+#include "stepper/undo_data.h"
+#include "stepper/wires_data.h"
 
 #include <algorithm>
 #include <chrono>
@@ -38,42 +41,6 @@
 #include <vector>
 
 namespace hawser::stepper {
-
-/// First row of an interaction with a bounded force, see bounds.h.
-struct BoundedRow {
-    double lambda = 0.0, r = 0.0;
-};
-
-/// Scratch of the solve for contacts and bounded rows, see newton.h.
-struct Newton {
-    std::vector<double> v, lambda;         ///< v₊, λ where an iteration began.
-    std::vector<double> contact;           ///< u and λ there, six a contact, then six a resistance.
-    std::vector<BoundedRow> row, row_end;  ///< Where an iteration begins, and ends.
-    double bound_time = 0.0;               ///< That bounds of forces act for, see bounds.h [s].
-    std::vector<std::int32_t> loaded;  ///< Friction whose bound moves with a load, see bounds.h.
-    nonsmooth::Anderson follow;        ///< Acceleration of the impulses of `loaded`.
-    std::vector<nonsmooth::Law> laws;  ///< Of each contact, about the iterate.
-    std::vector<nonsmooth::ResistanceLaw> turns;  ///< Of each resistance, about the iterate.
-    nonsmooth::Gmres gmres;
-    std::vector<double> x, u;              ///< Three a contact, then three a resistance.
-    std::vector<nonsmooth::Bound> bounds;  ///< Three a contact, of method pivoting.
-    std::vector<nonsmooth::Touch> touch;   ///< One a contact, of method split.
-    std::vector<double> limit;  ///< Of friction, one a contact, of method pivoting [N s].
-    /// See gauss_seidel.h: of bodies; G M⁻¹ Gᵀ of rows, J M⁻¹ Jᵀ of contacts [1/kg].
-    std::vector<double> inverse_mass, row_mobility, mobility;
-    /// The best iterate so far with the lines as they are, where a later one was worse: v₊, λ, and
-    /// u and λ of contacts; its merit, see newton.cpp [J].
-    std::vector<double> best_v, best_lambda, best_contact;
-    double best = 0.0;
-    std::int32_t iterations = 0;
-    bool switch_late = false;  ///< Rows that ask to switch do so after the step.
-};
-
-/// Scratch of sleep.h, by body.
-struct Sleep {
-    std::vector<std::int32_t> island;  ///< Union-find: of what it holds to.
-    std::vector<std::uint8_t> mark;    ///< Of the first body of an island.
-};
 
 struct StepContext {
     explicit StepContext(const WorldDef& d) : def(d), pool(d.threads) {

@@ -3,11 +3,11 @@
 /// allow (nonsmooth/associated.h). The matrix stays symmetric; an exact line search on this convex
 /// function needs contacts alone, since momentum and joints hold at every point of a step.
 #include "nonsmooth/associated.h"
-#include "stepper/bounds.h"
+#include "stepper/active_set.h"
+#include "stepper/context.h"
 #include "stepper/iterate.h"
 #include "stepper/krylov.h"
-#include "stepper/nonsmooth.h"
-#include "stepper/stages.h"
+#include "stepper/solve.h"
 
 #include <algorithm>
 #include <cmath>

@@ -22,8 +22,6 @@
 
 namespace hawser::stepper {
 
-struct StepContext;
-
 class CutLevels {
   public:
     static constexpr int kStay = 20;         ///< Steps.
@@ -55,9 +53,5 @@ class CutLevels {
     bool fresh_ = true;  ///< The level in force has not been seen in a step yet.
     int since_ = 0;      ///< Steps at this level in which a lower one would have done, in a row.
 };
-
-/// Levels of the present state, with their matrices analysed beside the world, which stays as it
-/// is. Within a step, which goes back where this throws. @throws std::bad_alloc, LimitError.
-[[nodiscard]] std::vector<CutLevels::Level> find_cut_levels(StepContext& ctx);
 
 }  // namespace hawser::stepper

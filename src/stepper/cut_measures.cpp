@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What cuts left open in a step, and the one multiplier that readers see.
+#include "stepper/cut_measures.h"
+
 #include "base/index.h"
-#include "stepper/cuts.h"
-#include "stepper/drives.h"
-#include "stepper/stages.h"
+#include "stepper/cuts_data.h"
+#include "stepper/losses.h"
+#include "stepper/view.h"
 
 #include <algorithm>
 #include <cmath>

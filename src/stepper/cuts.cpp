@@ -4,9 +4,8 @@
 #include "base/index.h"
 #include "stepper/clique.h"
 #include "stepper/context.h"
-#include "stepper/guarded.h"
-#include "stepper/stages.h"
-#include "stepper/timer.h"
+#include "stepper/copies.h"
+#include "stepper/cuts_data.h"
 
 #include <algorithm>
 #include <array>
@@ -18,14 +17,10 @@
 namespace hawser::stepper {
 namespace {
 
-std::span<const std::int32_t> members(const model::Interactions& in, std::int32_t id) {
-    return {&in.body[kMaxInteractionBodies * at(id)], in.bodies[at(id)]};
-}
-
 /// Groups of the bodies that move, in the order of the slots, each once.
 std::vector<std::int32_t> sides_of(const StepContext& ctx, std::int32_t id) {
     std::vector<std::int32_t> sides;
-    for (const std::int32_t b : members(ctx.interactions, id)) {
+    for (const std::int32_t b : bodies_of(ctx.interactions, id)) {
         if (ctx.bodies.dof(b) == 0) continue;
         const std::int32_t g = ctx.cuts.group[at(b)];
         if (std::find(sides.begin(), sides.end(), g) == sides.end()) sides.push_back(g);
@@ -93,7 +88,7 @@ void list_pulls(StepContext& ctx) {
         index[at(images[k].of)] = static_cast<std::int32_t>(k);
     for (std::int32_t id = 0; id < ctx.interactions.count(); ++id) {
         std::int32_t slot = 0;
-        for (const std::int32_t b : members(ctx.interactions, id)) {
+        for (const std::int32_t b : bodies_of(ctx.interactions, id)) {
             if (b < ctx.cuts.bodies && index[at(b)] >= 0)
                 ctx.cuts.pulls.push_back({index[at(b)], id, slot});
             ++slot;
@@ -105,32 +100,6 @@ void list_pulls(StepContext& ctx) {
 
 }  // namespace
 
-std::int32_t body_count(const StepContext& ctx) noexcept {
-    return ctx.cuts.bodies >= 0 ? ctx.cuts.bodies : ctx.bodies.count();
-}
-
-std::int32_t interaction_count(const StepContext& ctx) noexcept {
-    return ctx.cuts.interactions >= 0 ? ctx.cuts.interactions : ctx.interactions.count();
-}
-
-std::int32_t original(const StepContext& ctx, std::int32_t id) noexcept {
-    const std::int32_t n = interaction_count(ctx);
-    return id < n ? id : ctx.cuts.of[at(id - n)];
-}
-
-std::int32_t user_rows(const StepContext& ctx) noexcept {
-    const model::Interactions& in = ctx.interactions;
-    const std::int32_t count = interaction_count(ctx);
-    return count < in.count() ? in.row_begin[at(count)] : in.row_count;
-}
-
-std::int32_t speaker(const StepContext& ctx, std::int32_t id) noexcept {
-    const std::int32_t copy = id - interaction_count(ctx);
-    if (copy < 0) return id;
-    const std::int32_t of = ctx.cuts.of[at(copy)];
-    return copy == 0 || ctx.cuts.of[at(copy - 1)] != of ? of : -1;
-}
-
 bool can_cut(const StepContext& ctx, std::int32_t id) noexcept {
     const model::Interactions& in = ctx.interactions;
     if (in.flags[at(id)] & (model::kMotor | model::kFriction | model::kRange)) return false;
@@ -138,6 +107,13 @@ bool can_cut(const StepContext& ctx, std::int32_t id) noexcept {
     const std::int32_t row = in.row_begin[at(id)];
     return std::none_of(in.loads.begin(), in.loads.end(),
                         [row](const model::Load& l) { return l.rows > 0 && l.row_begin == row; });
+}
+
+bool makes_groups(const StepContext& ctx) noexcept {
+    const auto split = [](Coupling c) { return c != Coupling::exact; };
+    return ctx.def.parts > 0 &&
+           (split(ctx.def.coupling) ||
+            std::any_of(ctx.cuts.coupling.begin(), ctx.cuts.coupling.end(), split));
 }
 
 bool may_have_cuts(const StepContext& ctx) noexcept {
@@ -199,108 +175,6 @@ void drop_cuts(StepContext& ctx) {
     cuts.clique.reset();
     ctx.system.left_out.clear();
     ctx.system.sides.clear();
-}
-
-namespace {
-
-std::int32_t root(std::vector<std::int32_t>& part, std::int32_t b) {
-    while (part[at(b)] != b) b = part[at(b)] = part[at(part[at(b)])];
-    return b;
-}
-
-/// Bodies hold together.
-void join(StepContext& ctx, std::span<const std::int32_t> bodies) {
-    std::int32_t first = -1;
-    for (const std::int32_t b : bodies) {
-        if (ctx.bodies.dof(b) == 0) continue;
-        const std::int32_t r = root(ctx.cuts.part, b);
-        if (first >= 0) ctx.cuts.part[at(std::max(r, first))] = std::min(r, first);
-        first = first < 0 ? r : std::min(r, first);
-    }
-}
-
-/// Whether two bodies of different groups hold to each other without this cut.
-bool holds_otherwise(StepContext& ctx, const Cut& cut) {
-    const auto bodies = members(ctx.interactions, cut.id);
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) {
-            const std::int32_t a = bodies[i], b = bodies[j];
-            if (ctx.bodies.dof(a) == 0 || ctx.bodies.dof(b) == 0) continue;
-            if (ctx.cuts.group[at(a)] != ctx.cuts.group[at(b)] &&
-                root(ctx.cuts.part, a) == root(ctx.cuts.part, b))
-                return true;
-        }
-    return false;
-}
-
-}  // namespace
-
-bool open_cuts(StepContext& ctx) {
-    Cuts& cuts = ctx.cuts;
-    assembly::System& system = ctx.system;
-    if (cuts.list.empty()) return false;
-    const std::vector<std::int32_t> before = std::move(system.left_out);
-    system.left_out.clear();
-    system.sides.clear();
-    std::iota(cuts.part.begin(), cuts.part.end(), 0);
-    // Bodies of one group are one part where anything joins them; copies see to that.
-    auto cut = cuts.list.begin();
-    for (std::int32_t id = 0; id < cuts.interactions; ++id) {
-        if (cut != cuts.list.end() && cut->id == id)
-            ++cut;
-        else
-            join(ctx, members(ctx.interactions, id));
-    }
-    for (std::size_t k = 0; k < cuts.of.size(); ++k) {
-        std::vector<std::int32_t> own;
-        for (const std::int32_t b :
-             members(ctx.interactions, cuts.interactions + static_cast<std::int32_t>(k)))
-            if (b < cuts.bodies) own.push_back(b);
-        join(ctx, own);
-    }
-    for (const assembly::Contacts::Link& l : system.contacts.links)
-        join(ctx, std::array<std::int32_t, 2>{l.first, l.second});
-    for (Cut& c : cuts.list) {
-        c.open = cuts.coupling[at(c.id)] != Coupling::deadline || (cuts.asked >> c.interface & 1U);
-        if (!c.open) join(ctx, members(ctx.interactions, c.id));
-    }
-    for (bool again = true; again;) {
-        again = false;
-        for (Cut& c : cuts.list) {
-            if (!c.open || !holds_otherwise(ctx, c)) continue;
-            c.open = false;
-            join(ctx, members(ctx.interactions, c.id));
-            again = true;
-        }
-    }
-    for (const Cut& c : cuts.list) {
-        if (c.open) {
-            system.left_out.push_back(c.id);
-            const bool soften = cuts.coupling[at(c.id)] != Coupling::kinematic;
-            system.sides.push_back({c.first, c.sides, soften});
-        } else {
-            for (std::int32_t i = 0; i < c.sides; ++i) system.left_out.push_back(c.first + i);
-        }
-    }
-    return before != system.left_out;
-}
-
-std::uint64_t open_interfaces(const StepContext& ctx) noexcept {
-    std::uint64_t interfaces = 0;
-    for (const Cut& c : ctx.cuts.list)
-        if (c.open && ctx.cuts.coupling[at(c.id)] == Coupling::deadline)
-            interfaces |= std::uint64_t{1} << c.interface;
-    return interfaces;
-}
-
-Status ask_for_cuts(StepContext& ctx, std::uint64_t interfaces) noexcept {
-    if (interfaces == ctx.cuts.asked) return Status::ok;
-    const StageTimer timer(ctx, Stage::analyse);
-    return guarded(ctx, [&] {
-        ctx.undo.keep(ctx, Undo::Depth::system);
-        ctx.cuts.asked = interfaces;
-        if (!ctx.cuts.list.empty() && open_cuts(ctx)) analyse(ctx);
-    });
 }
 
 }  // namespace hawser::stepper

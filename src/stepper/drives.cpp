@@ -4,7 +4,8 @@
 #include "stepper/drives.h"
 
 #include "base/index.h"
-#include "stepper/stages.h"
+#include "stepper/push_event.h"
+#include "stepper/view.h"
 
 #include <cmath>
 

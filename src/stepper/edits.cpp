@@ -3,9 +3,10 @@
 
 #include "base/index.h"
 #include "base/small.h"
+#include "stepper/asleep.h"
 #include "stepper/context.h"
-#include "stepper/sleep.h"
-#include "stepper/step.h"
+#include "stepper/cuts.h"
+#include "stepper/kinetic.h"
 
 #include <algorithm>
 #include <cmath>

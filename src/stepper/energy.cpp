@@ -1,25 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "base/index.h"
-#include "stepper/cuts.h"
-#include "stepper/rows.h"
-#include "stepper/stages.h"
-#include "stepper/step.h"
+#include "stepper/energy.h"
 
 #include <hawser/world.h>
 
 #include "base/hash.h"
+#include "base/index.h"
+#include "stepper/copies.h"
+#include "stepper/evaluate.h"
+#include "stepper/kinetic.h"
+#include "stepper/rows.h"
+#include "stepper/view.h"
+#include "stepper/wire_plan.h"
 
 #include <algorithm>
 #include <cstring>
 
 namespace hawser::stepper {
 namespace {
-
-double quadratic(const double* s, const double* v) {
-    return v[0] * (s[0] * v[0] + s[1] * v[1] + s[2] * v[2]) +
-           v[1] * (s[3] * v[0] + s[4] * v[1] + s[5] * v[2]) +
-           v[2] * (s[6] * v[0] + s[7] * v[1] + s[8] * v[2]);
-}
 
 /// Take carriers with a prescribed velocity back by half a step; what they were goes to scratch.
 void carriers_back(StepContext& ctx) noexcept {
@@ -49,26 +46,6 @@ void carriers_forth(StepContext& ctx) noexcept {
 }
 
 }  // namespace
-
-double kinetic_energy_of(const model::Bodies& b, std::int32_t body,
-                         const double* velocity) noexcept {
-    const auto i = at(body);
-    const double* v = velocity + b.dof_begin[i];
-    const int dof = b.dof(body);
-    double sum = 0.0;
-    for (int k = 0; k < std::min(dof, 3); ++k) sum += 0.5 * b.mass[i] * v[k] * v[k];
-    if (dof < 6) return sum;
-    const double* r = &b.r[9 * i];
-    double w[3];
-    for (int k = 0; k < 3; ++k) w[k] = r[k] * v[3] + r[3 + k] * v[4] + r[6 + k] * v[5];
-    return sum + 0.5 * quadratic(&b.inertia[9 * i], w);
-}
-
-double kinetic_energy(const model::Bodies& b, const double* velocity) noexcept {
-    double sum = 0.0;
-    for (std::int32_t body : b.moving) sum += kinetic_energy_of(b, body, velocity);
-    return sum;
-}
 
 Energy energy(StepContext& ctx) noexcept {
     Energy e;
@@ -123,42 +100,6 @@ Energy energy(StepContext& ctx) noexcept {
     e.contact = ctx.contact;
     e.damped = ctx.damped;
     return e;
-}
-
-std::uint64_t state_hash(const StepContext& ctx) noexcept {
-    const char* isa = instruction_set();
-    std::uint64_t hash = base::fnv1a(isa, std::strlen(isa));
-    auto add = [&](const auto& array) {
-        hash = base::fnv1a(array.data(), array.size() * sizeof(array[0]), hash);
-    };
-    // Images of bodies (cuts.h) follow from them.
-    const auto bodies = at(body_count(ctx));
-    auto front = [&](const base::Array<double>& array, std::size_t each) {
-        hash = base::fnv1a(array.data(), each * bodies * sizeof(double), hash);
-    };
-    front(ctx.bodies.x, 3);
-    front(ctx.bodies.q, 4);
-    add(ctx.bodies.v);
-    front(ctx.bodies.spin_change, 3);
-    front(ctx.bodies.v_fixed, 6);
-    front(ctx.bodies.force, 6);
-    add(ctx.interactions.lambda);
-    add(ctx.interactions.active);
-    add(ctx.interactions.parted);
-    add(ctx.interactions.coarse);
-    add(ctx.interactions.repeats);
-    add(ctx.interactions.anchor);
-    // Not where there is nothing: there is no room for it before the first step is prepared.
-    for (std::size_t k = 0; k < ctx.wires.count(); ++k) {
-        if (ctx.wires.credit[k] == 0.0 && ctx.wires.alert[k] == 0) continue;
-        hash = base::fnv1a(&k, sizeof k, hash);
-        hash = base::fnv1a(&ctx.wires.credit[k], sizeof(double), hash);
-        hash = base::fnv1a(&ctx.wires.alert[k], sizeof(std::int32_t), hash);
-    }
-    add(ctx.collider.kept());
-    add(ctx.bodies.asleep);
-    add(ctx.bodies.quiet);
-    return base::fnv1a(&ctx.step, sizeof ctx.step, hash);
 }
 
 }  // namespace hawser::stepper

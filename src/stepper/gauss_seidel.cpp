@@ -4,7 +4,6 @@
 #include "base/index.h"
 #include "base/small.h"
 #include "nonsmooth/relax.h"
-#include "stepper/stages.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,12 +2,17 @@
 #include "stepper/impact.h"
 
 #include "base/index.h"
+#include "stepper/assemble_rows.h"
 #include "stepper/bounds.h"
 #include "stepper/contact.h"
+#include "stepper/contact_rows.h"
+#include "stepper/kinetic.h"
 #include "stepper/newton.h"
-#include "stepper/stages.h"
-#include "stepper/step.h"
+#include "stepper/prestep.h"
+#include "stepper/remember.h"
 #include "stepper/sweeps.h"
+#include "stepper/undo.h"
+#include "stepper/view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -117,7 +122,7 @@ Status impact(StepContext& ctx, bool& found) noexcept {
         return Status::ok;
     }
     ++ctx.stats.impacts;
-    ctx.undo.keep_motion(ctx);
+    keep_motion(ctx);
     const View v = view(ctx);
     const auto moving = [&](const double* of) {
         return kinetic_energy(ctx.bodies, of) + added_energy(ctx, of);

@@ -3,8 +3,8 @@
 
 #include "base/index.h"
 #include "nonsmooth/cone.h"
-#include "stepper/stages.h"
 #include "stepper/sweeps.h"
+#include "stepper/view.h"
 
 #include <algorithm>
 

@@ -2,11 +2,14 @@
 #include "stepper/judge.h"
 
 #include "base/index.h"
-#include "stepper/regroup.h"
+#include "stepper/context.h"
+#include "stepper/copies.h"
+#include "stepper/evaluate.h"
+#include "stepper/judge_data.h"
+#include "stepper/judge_energy.h"
+#include "stepper/judge_look.h"
 #include "stepper/rows.h"
-#include "stepper/stages.h"
-#include "stepper/step.h"
-#include "stepper/sweeps.h"
+#include "stepper/undo_data.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The ledger of judges: sums, their extremes, what was exchanged.
-#include "stepper/judge.h"
+#include "stepper/judge_energy.h"
+
+#include "stepper/judge_data.h"
 
 #include <algorithm>
 #include <cmath>

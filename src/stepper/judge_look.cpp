@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What judges look at.
+#include "stepper/judge_look.h"
+
 #include "base/index.h"
-#include "stepper/judge.h"
-#include "stepper/regroup.h"
+#include "stepper/copies.h"
+#include "stepper/judge_data.h"
+#include "stepper/kinetic.h"
 #include "stepper/rows.h"
-#include "stepper/stages.h"
-#include "stepper/step.h"
 #include "stepper/sweeps.h"
+#include "stepper/view.h"
+#include "stepper/wire_plan.h"
 
 #include <algorithm>
 #include <cmath>

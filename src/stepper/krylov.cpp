@@ -2,8 +2,8 @@
 #include "stepper/krylov.h"
 
 #include "base/index.h"
-#include "stepper/stages.h"
 #include "stepper/timer.h"
+#include "stepper/view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 /// impulse · v̄, is h f·v̄ − (h²/4)(v₊ − v)ᵀK v̄, its work, less h (θ v₊ + (1 − θ) v)ᵀD v̄, which is
 /// lost, less ½ v₊ᵀA v₊ − ½ vᵀA v, which added mass holds: sums that close to rounding.
 #include "base/index.h"
+#include "stepper/judge_data.h"
 #include "stepper/load_matrix.h"
 #include "stepper/loads.h"
 

@@ -20,6 +20,7 @@
 #include "base/executor.h"
 #include "base/memory.h"
 #include "model/bodies.h"
+#include "stepper/judge_data.h"
 
 #include <algorithm>
 #include <atomic>

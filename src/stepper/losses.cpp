@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Energy that rows take. An elastic row with violation g and rate ġ, at half-step positions
-/// g⁻ = g − hġ/2 and g⁺ = g + hġ₊/2, has the impulse λ = −(h/ε)((g⁻ + g⁺)/2 + τr), r = θġ₊ + (1 −
-/// θ)ġ (model/damping.h), so that −λ(ġ + ġ₊)/2, taken from the motion, is exactly (g⁺² − g⁻²)/2ε,
-/// held, plus τr(g⁺ − g⁻)/ε, lost.
-#include "stepper/drives.h"
-#include "stepper/stages.h"
+#include "stepper/losses.h"
+
+#include "stepper/copies.h"
 #include "stepper/sweeps.h"
+#include "stepper/view.h"
 
 #include <algorithm>
 #include <cmath>

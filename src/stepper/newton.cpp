@@ -2,12 +2,15 @@
 #include "stepper/newton.h"
 
 #include "base/index.h"
+#include "stepper/active_set.h"
 #include "stepper/bounds.h"
-#include "stepper/contact.h"
+#include "stepper/contact_rows.h"
 #include "stepper/iterate.h"
 #include "stepper/krylov.h"
-#include "stepper/stages.h"
-#include "stepper/sweeps.h"
+#include "stepper/newton_data.h"
+#include "stepper/newton_end.h"
+#include "stepper/newton_laws.h"
+#include "stepper/solve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +20,6 @@
 namespace hawser::stepper {
 namespace {
 
-using assembly::Contacts;
 using nonsmooth::Cone;
 using nonsmooth::Coupling;
 
@@ -26,37 +28,6 @@ constexpr int kPatience = 8;    ///< Iterations before slow ones ask for a facto
 constexpr double kSlow = 0.25;  ///< Merit left after an iteration that asks for a factorisation.
 constexpr int kKrylovFrom = 2;  ///< First iteration that may do without a factorisation.
 constexpr int kTogether = 24;   ///< Iterations in which any number of rows may switch.
-
-/// Linear laws of all contacts about the iterate. @return contacts whose status changed.
-std::int32_t linearise(StepContext& ctx) noexcept {
-    Contacts& contacts = ctx.system.contacts;
-    auto some = [&](std::int32_t begin, std::int32_t end) {
-        std::int32_t changed = 0;
-        for (std::size_t k = at(begin); k < at(end); ++k) {
-            Cone& c = contacts.cones[k];
-            const nonsmooth::Touch before = c.touch;
-            ctx.newton.laws[k] = nonsmooth::linearise(c, c.touch);
-            changed += c.touch != before ? 1 : 0;
-        }
-        return static_cast<double>(changed);
-    };
-    auto flips = static_cast<std::int32_t>(
-        merged_over(ctx, static_cast<std::int32_t>(contacts.count()), some, std::plus<double>()));
-    assembly::Resistances& resistances = contacts.resistances;
-    for (std::size_t k = 0; k < resistances.count(); ++k) {
-        nonsmooth::Resistance& a = resistances.laws[k];
-        const nonsmooth::Touch spun = a.spins, rolled = a.rolls;
-        ctx.newton.turns[k] = nonsmooth::linearise(
-            a, contacts.cones[at(resistances.rows[k].contact)], a.spins, a.rolls);
-        flips += a.spins != spun || a.rolls != rolled ? 1 : 0;
-    }
-    return flips;
-}
-
-/// Σ (W + Σ) ‖λ − P‖² over all, a share t of the way: an energy [J].
-double merit(const StepContext& ctx, double t) noexcept {
-    return bounds_merit(ctx, t) + contacts_merit(ctx, t);
-}
 
 /// How far to go from an iterate, and what its merit is there.
 struct Way {
@@ -89,93 +60,6 @@ void note_lap(StepContext& ctx) noexcept {
 bool affordable(StepContext& ctx) noexcept {
     return ctx.budget.another({ctx.laps.last, static_cast<double>(ctx.step_flops)},
                               ctx.newton.iterations);
-}
-
-/// Impulses onto their cones.
-void project_all(StepContext& ctx) noexcept {
-    for (Cone& c : ctx.system.contacts.cones) {
-        nonsmooth::project(c.friction, c.lambda);
-        for (int i = 0; i < 3; ++i)  // the law in the matrix goes through it
-            c.p[i] = c.lambda[i] + c.s[3 * i] * c.u[0] + c.s[3 * i + 1] * c.u[1] +
-                     c.s[3 * i + 2] * c.u[2];
-    }
-    assembly::Resistances& resistances = ctx.system.contacts.resistances;
-    for (std::size_t k = 0; k < resistances.count(); ++k) {
-        const Cone& c = ctx.system.contacts.cones[at(resistances.rows[k].contact)];
-        nonsmooth::limit(resistances.laws[k], c.lambda[0], resistances.laws[k].lambda);
-        nonsmooth::take_impulse(resistances.laws[k], c.u[0]);
-    }
-}
-
-/// From where the last step ended, see newton.h.
-void go_back(StepContext& ctx) noexcept {
-    Contacts& contacts = ctx.system.contacts;
-    const double* speed = ctx.contact_speed.data();
-    for (std::size_t k = 0; k < contacts.count(); ++k, speed += 3) {
-        std::copy_n(speed, 3, contacts.cones[k].u);
-        contacts.recall_lambda(k);
-    }
-    for (nonsmooth::Resistance& a : contacts.resistances.laws) {
-        std::copy_n(speed, 3, a.u);
-        speed += 3;
-    }
-    contacts.resistances.recall(contacts.rows);
-}
-
-void forget_best(StepContext& ctx) noexcept {
-    ctx.newton.best = std::numeric_limits<double>::infinity();
-}
-
-/// The iterate kept is the best so far, and the one at hand is worse: set it aside.
-void set_best_aside(Newton& n, double merit) noexcept {
-    n.best = merit;
-    n.best_v.swap(n.v);
-    n.best_lambda.swap(n.lambda);
-    n.best_contact.swap(n.contact);
-}
-
-/// Back to the iterate set aside. Its rows hold as those at hand do: to round-off.
-void take_best(StepContext& ctx) noexcept {
-    const assembly::View v = view(ctx);
-    const Newton& n = ctx.newton;
-    std::copy_n(n.best_v.begin(), v.dof_count, v.v_new);
-    std::copy_n(n.best_lambda.begin(), ctx.interactions.row_count, v.lambda);
-    for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
-        Cone& c = ctx.system.contacts.cones[k];
-        std::copy_n(&n.best_contact[6 * k], 3, c.u);
-        std::copy_n(&n.best_contact[6 * k + 3], 3, c.lambda);
-    }
-    const double* from = n.best_contact.data() + 6 * ctx.system.contacts.count();
-    for (nonsmooth::Resistance& a : ctx.system.contacts.resistances.laws) {
-        std::copy_n(from, 3, a.u);
-        std::copy_n(from + 3, 3, a.lambda);
-        from += 6;
-    }
-    ctx.stats.natural_map = worst(ctx);
-}
-
-/// Iterations ended before the step was solved, see newton.h.
-Status end_early(StepContext& ctx) noexcept {
-    Contacts& contacts = ctx.system.contacts;
-    if (ctx.newton.best < merit(ctx, 0.0)) take_best(ctx);
-    constexpr double kPoor = 0.1;  // Worse tells less than how the last step ended.
-    for (Cone& c : contacts.cones) c.coupling = Coupling::lagged;
-    if (ctx.stats.natural_map > kPoor) go_back(ctx);
-    ctx.stats.flips_left = linearise(ctx);
-    adopt_laws(ctx, false);
-    if (const Status s = newton_solve(ctx, false, true); s != Status::ok) return s;
-    project_all(ctx);
-    update_contacts(ctx, view(ctx).v_new);
-    return Status::ok;
-}
-
-/// Iterations ended before the step was solved, without time for another factorisation: the law in
-/// the matrix is moved through the projected impulse.
-void end_hastily(StepContext& ctx) noexcept {
-    // After one iteration there is no other: that is when time is short.
-    if (std::isfinite(ctx.newton.best) && ctx.newton.best < merit(ctx, 0.0)) take_best(ctx);
-    project_all(ctx);
-    update_contacts(ctx, view(ctx).v_new);
 }
 
 /// How Newton iterations go on.
@@ -321,11 +205,11 @@ Status solve_newton(StepContext& ctx) noexcept {
         cold ? from_soft(ctx) : iterate(ctx, Coupling::exact, tolerance, {.hasty = hasty});
     hasty = hasty && ctx.stats.cut;
     if (!cold && !solved(ctx, status) && !ctx.stats.cut) {
-        go_back(ctx);
+        go_back_to_last(ctx);
         status = from_soft(ctx);
     }
     if (!solved(ctx, status) && !ctx.stats.cut) {
-        go_back(ctx);
+        go_back_to_last(ctx);
         for (Cone& c : ctx.system.contacts.cones) {
             c.coupling = Coupling::lagged;
             std::fill_n(c.u, 3, 0.0);

@@ -3,12 +3,13 @@
 /// through the rows of all interactions in their order, then through the contacts: normal, then
 /// both tangents on the disk. It starts from the impulses of the last step.
 #include "stepper/bounds.h"
-#include "stepper/contact.h"
+#include "stepper/contact_rows.h"
+#include "stepper/context.h"
 #include "stepper/gauss_seidel.h"
 #include "stepper/guarded.h"
 #include "stepper/iterate.h"
-#include "stepper/nonsmooth.h"
-#include "stepper/stages.h"
+#include "stepper/solve.h"
+#include "stepper/view.h"
 
 #include <algorithm>
 #include <cmath>

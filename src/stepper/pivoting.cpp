@@ -6,10 +6,10 @@
 /// symmetric factorisation, of what changed. Passes go on until the bounds stand still.
 #include "nonsmooth/box.h"
 #include "nonsmooth/pivot.h"
-#include "stepper/bounds.h"
+#include "stepper/active_set.h"
+#include "stepper/context.h"
 #include "stepper/iterate.h"
-#include "stepper/nonsmooth.h"
-#include "stepper/stages.h"
+#include "stepper/solve.h"
 
 #include <algorithm>
 #include <cmath>

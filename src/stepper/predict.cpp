@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What the sides of a cut assume of each other.
+#include "stepper/predict.h"
+
 #include "base/index.h"
 #include "stepper/clique.h"
-#include "stepper/cuts.h"
-#include "stepper/stages.h"
+#include "stepper/cuts_data.h"
 
 #include <algorithm>
 

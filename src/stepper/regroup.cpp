@@ -2,11 +2,18 @@
 #include "stepper/regroup.h"
 
 #include "base/index.h"
+#include "stepper/analyse.h"
+#include "stepper/asleep.h"
 #include "stepper/context.h"
+#include "stepper/copies.h"
+#include "stepper/cuts.h"
+#include "stepper/cuts_data.h"
 #include "stepper/guarded.h"
-#include "stepper/sleep.h"
-#include "stepper/stages.h"
+#include "stepper/regroup_data.h"
 #include "stepper/timer.h"
+#include "stepper/undo.h"
+#include "stepper/undo_data.h"
+#include "stepper/view.h"
 
 #include <algorithm>
 #include <utility>
@@ -96,17 +103,10 @@ void cut_anew(StepContext& ctx) {
     reserve_sleep(ctx);
     ctx.lambda_before.resize(ctx.interactions.lambda.size());
     ctx.repeats_before.resize(ctx.interactions.repeats.size());
-    ctx.undo.reserve(ctx);
+    reserve_undo(ctx);
 }
 
 }  // namespace
-
-bool makes_groups(const StepContext& ctx) noexcept {
-    const auto split = [](Coupling c) { return c != Coupling::exact; };
-    return ctx.def.parts > 0 &&
-           (split(ctx.def.coupling) ||
-            std::any_of(ctx.cuts.coupling.begin(), ctx.cuts.coupling.end(), split));
-}
 
 void read_graph(StepContext& ctx, assembly::PartGraph& graph) {
     graph.build(ctx.bodies, body_count(ctx), ctx.interactions, interaction_count(ctx),
@@ -165,7 +165,7 @@ Status regroup(StepContext& ctx) noexcept {
     Regroup& r = ctx.regroup;
     const StageTimer timer(ctx, Stage::graph);
     return guarded(ctx, [&] {
-        ctx.undo.keep(ctx, Undo::Depth::system);
+        keep_state(ctx, Undo::Depth::system);
         read_own_graph(ctx, true);
         r.next = r.parts;
         const graph::PartitionOptions options{ctx.def.parts};
@@ -177,7 +177,7 @@ Status regroup(StepContext& ctx) noexcept {
         std::swap(r.parts, r.next);
         const std::int64_t moved = assign_groups(ctx);
         if (moved == 0) return;
-        ctx.undo.keep(ctx, Undo::Depth::model);
+        keep_state(ctx, Undo::Depth::model);
         cut_anew(ctx);
         ++ctx.stats.regroupings;
         ctx.stats.regrouped_bodies += moved;

@@ -26,6 +26,9 @@ namespace hawser::stepper {
     return sum;
 }
 
+/// G v₊ of a one-row interaction.
+[[nodiscard]] double row_speed(const assembly::View& v, std::int32_t id) noexcept;
+
 /// Which ranges are active: evaluate_rows() decides that afresh, and the state has back what it had
 /// when this ends.
 class KeptRanges {

@@ -2,10 +2,15 @@
 #include "stepper/sleep.h"
 
 #include "base/index.h"
+#include "stepper/analyse.h"
+#include "stepper/asleep.h"
 #include "stepper/guarded.h"
-#include "stepper/stages.h"
-#include "stepper/step.h"
+#include "stepper/kinetic.h"
+#include "stepper/ready.h"
+#include "stepper/sleep_data.h"
 #include "stepper/timer.h"
+#include "stepper/undo.h"
+#include "stepper/undo_data.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +21,6 @@ namespace {
 
 /// Islands are looked for every so many steps.
 constexpr std::int64_t kEvery = 8;
-constexpr std::int32_t kMostQuiet = 1'000'000'000;  ///< Steps.
-
-bool moves(const model::Bodies& b, std::int32_t body) noexcept { return b.dof(body) > 0; }
 
 /// A kinematic body that is under way.
 bool carries(const model::Bodies& b, std::int32_t body) noexcept {
@@ -159,41 +161,11 @@ void analyse_after_step(StepContext& ctx) noexcept {
 
 }  // namespace
 
-void reserve_sleep(StepContext& ctx) {
-    ctx.sleep.island.resize(at(ctx.bodies.count()));
-    ctx.sleep.mark.resize(at(ctx.bodies.count()));
-}
-
-void wake_all(StepContext& ctx) noexcept {
-    std::fill(ctx.bodies.asleep.begin(), ctx.bodies.asleep.end(), std::uint8_t{0});
-    std::fill(ctx.bodies.quiet.begin(), ctx.bodies.quiet.end(), 0);
-    ctx.stats.asleep = 0;
-}
-
-void check_asleep(StepContext& ctx) noexcept {
-    for (std::int32_t b = 0; b < ctx.bodies.count(); ++b) {
-        std::uint8_t& flag = ctx.bodies.asleep[at(b)];
-        flag = flag != 0 && moves(ctx.bodies, b) ? 1 : 0;
-        std::int32_t& quiet = ctx.bodies.quiet[at(b)];
-        quiet = std::clamp(quiet, 0, kMostQuiet);
-    }
-    ctx.stats.asleep = static_cast<std::int32_t>(
-        std::count(ctx.bodies.asleep.begin(), ctx.bodies.asleep.end(), std::uint8_t{1}));
-}
-
-void disturb_all(StepContext& ctx) noexcept {
-    std::fill(ctx.bodies.quiet.begin(), ctx.bodies.quiet.end(), 0);
-}
-
-void disturb(StepContext& ctx, std::int32_t body) noexcept {
-    if (moves(ctx.bodies, body)) ctx.bodies.quiet[at(body)] = 0;
-}
-
 Status wake_disturbed(StepContext& ctx) noexcept {
     if (ctx.stats.asleep == 0) return Status::ok;
     if (disturbed(ctx)) {
         const Status status = guarded(ctx, [&] {
-            ctx.undo.keep(ctx, Undo::Depth::system);
+            keep_state(ctx, Undo::Depth::system);
             if (wake_islands(ctx)) analyse_anew(ctx);
         });
         if (status != Status::ok) return status;

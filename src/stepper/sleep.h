@@ -34,19 +34,6 @@
 
 namespace hawser::stepper {
 
-/// Part of prepare(). @throws std::bad_alloc.
-void reserve_sleep(StepContext& ctx);
-/// Without analysing: part of prepare().
-void wake_all(StepContext& ctx) noexcept;
-
-/// Of flags that were restored, whatever they were: what cannot move is awake; StepStats::asleep.
-void check_asleep(StepContext& ctx) noexcept;
-
-/// A body that moves is changed from outside the step: its island wakes.
-void disturb(StepContext& ctx, std::int32_t body) noexcept;
-/// Something is no longer where it was, so that contacts do not tell what leant on it: all wake.
-void disturb_all(StepContext& ctx) noexcept;
-
 /// Before the step is solved: islands that are disturbed wake; contacts of the others are set
 /// aside.
 [[nodiscard]] Status wake_disturbed(StepContext& ctx) noexcept;

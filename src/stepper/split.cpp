@@ -8,12 +8,12 @@
 /// exactly, and what joints and normals answer to friction is known a step later: long chains are
 /// viscous and stiff stacks creep.
 #include "nonsmooth/relax.h"
-#include "stepper/bounds.h"
-#include "stepper/contact.h"
+#include "stepper/active_set.h"
+#include "stepper/context.h"
 #include "stepper/gauss_seidel.h"
 #include "stepper/iterate.h"
-#include "stepper/nonsmooth.h"
-#include "stepper/stages.h"
+#include "stepper/solve.h"
+#include "stepper/view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "stepper/stagger.h"
+
 #include "assembly/mobility.h"
 #include "base/index.h"
-#include "stepper/cuts.h"
+#include "stepper/assemble_rows.h"
+#include "stepper/completion.h"
+#include "stepper/copies.h"
+#include "stepper/evaluate.h"
+#include "stepper/guard.h"
 #include "stepper/guarded.h"
+#include "stepper/predict.h"
+#include "stepper/remember.h"
 #include "stepper/rows.h"
-#include "stepper/stages.h"
-#include "stepper/step.h"
+#include "stepper/undo.h"
+#include "stepper/view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -157,7 +165,7 @@ Status stagger(StepContext& ctx) noexcept {
         ctx.started = true;
         return Status::ok;
     }
-    ctx.undo.keep_motion(ctx);
+    keep_motion(ctx);
     remember(ctx);
     const Status status = try_stagger(ctx);
     ctx.started = status == Status::ok;

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stepper/undo.h"
 
-#include "stepper/sleep.h"
-#include "stepper/stages.h"
-#include "stepper/step.h"
-#include "stepper/wires.h"
+#include "stepper/undo_data.h"
+#include "stepper/wire_alerts.h"
 
 #include <algorithm>
 #include <utility>
@@ -18,20 +16,7 @@ void put(const A& from, A& to) noexcept {
     to.assign(from.begin(), from.end());
 }
 
-}  // namespace
-
-void Undo::reserve(const StepContext& ctx) {
-    v_.reserve(ctx.bodies.v.size());
-    spin_change_.reserve(ctx.bodies.spin_change.size());
-    lambda_.reserve(ctx.interactions.lambda.size());
-    active_.reserve(ctx.interactions.active.size());
-    repeats_.reserve(ctx.interactions.repeats.size());
-    coarse_.reserve(ctx.interactions.coarse.size());
-    credit_.reserve(ctx.wires.credit.size());
-    alert_.reserve(ctx.wires.alert.size());
-}
-
-Undo::Scalars Undo::read(const StepContext& c) noexcept {
+Undo::Scalars read(const StepContext& c) noexcept {
     return {c.step,
             c.time,
             c.work,
@@ -48,7 +33,7 @@ Undo::Scalars Undo::read(const StepContext& c) noexcept {
             c.judge.state};
 }
 
-void Undo::write(const Scalars& from, StepContext& c) noexcept {
+void write(const Undo::Scalars& from, StepContext& c) noexcept {
     c.step = c.stats.step = from.step;
     c.time = c.stats.time = from.time;
     c.work = from.work;
@@ -65,222 +50,168 @@ void Undo::write(const Scalars& from, StepContext& c) noexcept {
     c.judge.state = from.judge;
 }
 
-void Undo::keep_motion(const StepContext& ctx) noexcept {
-    if (moved_) return;
-    put(ctx.bodies.v, v_);
-    put(ctx.bodies.spin_change, spin_change_);
-    put(ctx.interactions.lambda, lambda_);
-    put(ctx.interactions.active, active_);
-    put(ctx.interactions.repeats, repeats_);
-    put(ctx.interactions.coarse, coarse_);
-    put(ctx.wires.credit, credit_);
-    put(ctx.wires.alert, alert_);
-    scalars_ = read(ctx);
-    moved_ = true;
-}
-
-void Undo::keep_links(const StepContext& ctx) {
-    if (linked_) return;
-    link_used_ = ctx.system.contacts.link_used;
-    linked_ = true;
-}
-
-void Undo::keep_system(const StepContext& ctx) {
-    reserve(ctx);
-    ctx.system.keep(system_);
-    analysed_x_ = ctx.analysed_x;
-    analysed_r_ = ctx.analysed_r;
-    asleep_ = ctx.bodies.asleep;
-    quiet_ = ctx.bodies.quiet;
-    links_ = ctx.system.contacts.links;
-    cuts_ = ctx.cuts.list;
-    group_ = ctx.cuts.group;
-    coupling_ = ctx.cuts.coupling;
-    parts_ = ctx.regroup.parts;
-    if (ctx.topology_changed) wires_ = ctx.wires;
+void keep_system(StepContext& ctx) {
+    Undo& u = ctx.undo;
+    reserve_undo(ctx);
+    ctx.system.keep(u.system);
+    u.analysed_x = ctx.analysed_x;
+    u.analysed_r = ctx.analysed_r;
+    u.asleep = ctx.bodies.asleep;
+    u.quiet = ctx.bodies.quiet;
+    u.links = ctx.system.contacts.links;
+    u.cuts = ctx.cuts.list;
+    u.group = ctx.cuts.group;
+    u.coupling = ctx.cuts.coupling;
+    u.parts = ctx.regroup.parts;
+    if (ctx.topology_changed) u.wires = ctx.wires;
     keep_links(ctx);
     keep_motion(ctx);
-    mend_ = ctx.mend;
-    topology_changed_ = ctx.topology_changed;
-    asleep_count_ = ctx.stats.asleep;
-    asked_ = ctx.cuts.asked;
-    interfaces_ = ctx.cuts.interfaces;
-    grouped_ = ctx.cuts.grouped;
-    made_ = ctx.regroup.made;
-    seen_ = ctx.regroup.seen;
-    stale_ = ctx.regroup.stale;
-    grouped_interactions_ = ctx.regroup.interactions;
+    u.mend = ctx.mend;
+    u.topology_changed = ctx.topology_changed;
+    u.asleep_count = ctx.stats.asleep;
+    u.asked = ctx.cuts.asked;
+    u.interfaces = ctx.cuts.interfaces;
+    u.grouped = ctx.cuts.grouped;
+    u.made = ctx.regroup.made;
+    u.seen = ctx.regroup.seen;
+    u.stale = ctx.regroup.stale;
+    u.grouped_interactions = ctx.regroup.interactions;
 }
 
-void Undo::keep(const StepContext& ctx, Depth depth) {
-    if (depth_ < 0) {
-        keep_system(ctx);
-        depth_ = 0;
-    }
-    if (static_cast<int>(depth) <= depth_) return;
-    bodies_ = ctx.bodies;
-    interactions_ = ctx.interactions;
-    all_cuts_ = ctx.cuts;
-    if (depth == Depth::all) {
-        kept_ = ctx.collider.kept();
-        memory_ = ctx.system.contacts.memory;
-        resistances_ = ctx.system.contacts.resistances.memory;
-        contacts_ = ctx.contacts;
-        contact_impulse_ = ctx.contact_impulse;
-        contact_sliding_ = ctx.contact_sliding;
-        kept_awake_ = ctx.collider.kept_awake();
-        contact_count_ = ctx.stats.contacts;
-    }
-    depth_ = static_cast<int>(depth);
-}
-
-void Undo::go_back_system(StepContext& ctx) noexcept {
-    ctx.system.go_back(system_);
-    ctx.analysed_x.swap(analysed_x_);
-    ctx.analysed_r.swap(analysed_r_);
-    ctx.cuts.list.swap(cuts_);
-    ctx.cuts.group.swap(group_);
-    ctx.cuts.coupling.swap(coupling_);
-    std::swap(ctx.regroup.parts, parts_);
-    ctx.system.contacts.links.swap(links_);
+void go_back_system(StepContext& ctx) noexcept {
+    Undo& u = ctx.undo;
+    ctx.system.go_back(u.system);
+    ctx.analysed_x.swap(u.analysed_x);
+    ctx.analysed_r.swap(u.analysed_r);
+    ctx.cuts.list.swap(u.cuts);
+    ctx.cuts.group.swap(u.group);
+    ctx.cuts.coupling.swap(u.coupling);
+    std::swap(ctx.regroup.parts, u.parts);
+    ctx.system.contacts.links.swap(u.links);
     ctx.system.contacts.forget_missing();
-    ctx.stats.asleep = asleep_count_;
-    ctx.cuts.asked = asked_;
-    ctx.cuts.interfaces = interfaces_;
-    ctx.cuts.grouped = grouped_;
-    ctx.regroup.made = made_;
-    ctx.regroup.seen = seen_;
-    ctx.regroup.stale = stale_;
-    ctx.regroup.interactions = grouped_interactions_;
-    if (topology_changed_) std::swap(ctx.wires, wires_);
-    ctx.topology_changed = topology_changed_;
-    ctx.mend = mend_ == Mend::nothing ? Mend::rebuild : mend_;
+    ctx.stats.asleep = u.asleep_count;
+    ctx.cuts.asked = u.asked;
+    ctx.cuts.interfaces = u.interfaces;
+    ctx.cuts.grouped = u.grouped;
+    ctx.regroup.made = u.made;
+    ctx.regroup.seen = u.seen;
+    ctx.regroup.stale = u.stale;
+    ctx.regroup.interactions = u.grouped_interactions;
+    if (u.topology_changed) std::swap(ctx.wires, u.wires);
+    ctx.topology_changed = u.topology_changed;
+    ctx.mend = u.mend == Mend::nothing ? Mend::rebuild : u.mend;
 }
 
-void Undo::go_back_all(StepContext& ctx) noexcept {
-    ctx.collider.kept().swap(kept_);
-    ctx.collider.kept_awake() = kept_awake_;
-    ctx.system.contacts.memory.swap(memory_);
-    ctx.system.contacts.resistances.memory.swap(resistances_);
-    std::swap(ctx.contacts, contacts_);
-    ctx.contact_impulse.swap(contact_impulse_);
-    ctx.contact_sliding.swap(contact_sliding_);
-    ctx.stats.contacts = contact_count_;
+void go_back_all(StepContext& ctx) noexcept {
+    Undo& u = ctx.undo;
+    ctx.collider.kept().swap(u.kept);
+    ctx.collider.kept_awake() = u.kept_awake;
+    ctx.system.contacts.memory.swap(u.memory);
+    ctx.system.contacts.resistances.memory.swap(u.resistances);
+    std::swap(ctx.contacts, u.contacts);
+    ctx.contact_impulse.swap(u.contact_impulse);
+    ctx.contact_sliding.swap(u.contact_sliding);
+    ctx.stats.contacts = u.contact_count;
 }
-
-void Undo::go_back(StepContext& ctx) noexcept {
-    if (depth_ >= static_cast<int>(Depth::model)) {
-        std::swap(ctx.bodies, bodies_);
-        std::swap(ctx.interactions, interactions_);
-        std::swap(ctx.cuts, all_cuts_);
-    }
-    if (depth_ >= 0) {
-        go_back_system(ctx);
-        ctx.bodies.asleep.swap(asleep_);
-        ctx.bodies.quiet.swap(quiet_);
-    }
-    if (depth_ >= static_cast<int>(Depth::all)) go_back_all(ctx);
-    if (linked_) ctx.system.contacts.link_used.swap(link_used_);
-    if (moved_) {
-        put(v_, ctx.bodies.v);
-        put(spin_change_, ctx.bodies.spin_change);
-        put(lambda_, ctx.interactions.lambda);
-        put(active_, ctx.interactions.active);
-        put(repeats_, ctx.interactions.repeats);
-        put(coarse_, ctx.interactions.coarse);
-        put(credit_, ctx.wires.credit);
-        put(alert_, ctx.wires.alert);
-        follow_alerts(ctx);
-        write(scalars_, ctx);
-    }
-    drop();
-}
-
-void Undo::drop() noexcept {
-    moved_ = linked_ = false;
-    // Copies of the whole model are rare and large.
-    if (depth_ >= static_cast<int>(Depth::model)) {
-        bodies_ = {};
-        interactions_ = {};
-        all_cuts_ = {};
-    }
-    depth_ = -1;
-}
-
-namespace {
-
-/// Poses and which rows are active are those of an analysis for as long as this lives.
-class AnalysedPoses {
-  public:
-    explicit AnalysedPoses(StepContext& ctx)
-        : ctx_(ctx), x_(ctx.bodies.x), r_(ctx.bodies.r), active_(ctx.interactions.active) {
-        ctx.bodies.x = ctx.analysed_x;
-        ctx.bodies.r = ctx.analysed_r;
-    }
-    ~AnalysedPoses() {
-        ctx_.bodies.x.swap(x_);
-        ctx_.bodies.r.swap(r_);
-        ctx_.interactions.active.swap(active_);
-    }
-    AnalysedPoses(const AnalysedPoses&) = delete;
-    AnalysedPoses& operator=(const AnalysedPoses&) = delete;
-
-  private:
-    StepContext& ctx_;
-    base::Array<double> x_, r_, active_;
-};
 
 }  // namespace
 
-void mend(StepContext& ctx) {
-    if (ctx.mend == Mend::nothing) return;
-    assembly::System::Kept before;
-    ctx.system.keep(before);
-    try {
-        const factor::AnalysisState order = before.analysis.state;
-        ctx.system.contacts.make_blocks();
-        const AnalysedPoses poses(ctx);
-        analyse(ctx, ctx.mend == Mend::rebuild ? &order : nullptr);
-    } catch (...) {
-        ctx.system.go_back(before);
-        throw;
+void reserve_undo(StepContext& ctx) {
+    Undo& u = ctx.undo;
+    u.v.reserve(ctx.bodies.v.size());
+    u.spin_change.reserve(ctx.bodies.spin_change.size());
+    u.lambda.reserve(ctx.interactions.lambda.size());
+    u.active.reserve(ctx.interactions.active.size());
+    u.repeats.reserve(ctx.interactions.repeats.size());
+    u.coarse.reserve(ctx.interactions.coarse.size());
+    u.credit.reserve(ctx.wires.credit.size());
+    u.alert.reserve(ctx.wires.alert.size());
+}
+
+void keep_motion(StepContext& ctx) noexcept {
+    Undo& u = ctx.undo;
+    if (u.moved) return;
+    put(ctx.bodies.v, u.v);
+    put(ctx.bodies.spin_change, u.spin_change);
+    put(ctx.interactions.lambda, u.lambda);
+    put(ctx.interactions.active, u.active);
+    put(ctx.interactions.repeats, u.repeats);
+    put(ctx.interactions.coarse, u.coarse);
+    put(ctx.wires.credit, u.credit);
+    put(ctx.wires.alert, u.alert);
+    u.scalars = read(ctx);
+    u.moved = true;
+}
+
+void keep_links(StepContext& ctx) {
+    Undo& u = ctx.undo;
+    if (u.linked) return;
+    u.link_used = ctx.system.contacts.link_used;
+    u.linked = true;
+}
+
+void keep_state(StepContext& ctx, Undo::Depth depth) {
+    Undo& u = ctx.undo;
+    if (u.depth < 0) {
+        keep_system(ctx);
+        u.depth = 0;
     }
-    reserve_sleep(ctx);
-    ctx.lambda_before.resize(ctx.interactions.lambda.size());
-    ctx.repeats_before.resize(ctx.interactions.repeats.size());
-    ctx.undo.reserve(ctx);
-    ctx.mend = Mend::nothing;
-}
-
-void make_ready(StepContext& ctx) {
-    if (ctx.topology_changed) {
-        ctx.undo.keep(ctx, may_have_cuts(ctx) ? Undo::Depth::model : Undo::Depth::system);
-        prepare(ctx);
-        ctx.mend = Mend::nothing;
-    } else {
-        mend(ctx);
+    if (static_cast<int>(depth) <= u.depth) return;
+    u.bodies = ctx.bodies;
+    u.interactions = ctx.interactions;
+    u.all_cuts = ctx.cuts;
+    if (depth == Undo::Depth::all) {
+        u.kept = ctx.collider.kept();
+        u.memory = ctx.system.contacts.memory;
+        u.resistances = ctx.system.contacts.resistances.memory;
+        u.contacts = ctx.contacts;
+        u.contact_impulse = ctx.contact_impulse;
+        u.contact_sliding = ctx.contact_sliding;
+        u.kept_awake = ctx.collider.kept_awake();
+        u.contact_count = ctx.stats.contacts;
     }
+    u.depth = static_cast<int>(depth);
 }
 
-Transaction::Transaction(StepContext& ctx) noexcept : ctx_(ctx), done_(ctx.undo.holds()) {}
-
-Transaction::~Transaction() {
-    if (!done_) ctx_.undo.go_back(ctx_);
-}
-
-void Transaction::done() noexcept {
-    if (!done_) {
-        ctx_.undo.drop();
-        ctx_.edits.clear();
+void restore_kept(StepContext& ctx) noexcept {
+    Undo& u = ctx.undo;
+    if (u.depth >= static_cast<int>(Undo::Depth::model)) {
+        std::swap(ctx.bodies, u.bodies);
+        std::swap(ctx.interactions, u.interactions);
+        std::swap(ctx.cuts, u.all_cuts);
     }
-    done_ = true;
+    if (u.depth >= 0) {
+        go_back_system(ctx);
+        ctx.bodies.asleep.swap(u.asleep);
+        ctx.bodies.quiet.swap(u.quiet);
+    }
+    if (u.depth >= static_cast<int>(Undo::Depth::all)) go_back_all(ctx);
+    if (u.linked) ctx.system.contacts.link_used.swap(u.link_used);
+    if (u.moved) {
+        put(u.v, ctx.bodies.v);
+        put(u.spin_change, ctx.bodies.spin_change);
+        put(u.lambda, ctx.interactions.lambda);
+        put(u.active, ctx.interactions.active);
+        put(u.repeats, ctx.interactions.repeats);
+        put(u.coarse, ctx.interactions.coarse);
+        put(u.credit, ctx.wires.credit);
+        put(u.alert, ctx.wires.alert);
+        follow_alerts(ctx);
+        write(u.scalars, ctx);
+    }
+    drop_kept(ctx);
 }
 
-void ready(StepContext& ctx) {
-    if (!ctx.topology_changed && ctx.mend == Mend::nothing) return;
-    Transaction all(ctx);
-    make_ready(ctx);
-    all.done();
+void drop_kept(StepContext& ctx) noexcept {
+    Undo& u = ctx.undo;
+    u.moved = u.linked = false;
+    // Copies of the whole model are rare and large.
+    if (u.depth >= static_cast<int>(Undo::Depth::model)) {
+        u.bodies = {};
+        u.interactions = {};
+        u.all_cuts = {};
+    }
+    u.depth = -1;
 }
 
 }  // namespace hawser::stepper

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What wires gained in a step. At a half step, where velocities live, an element holds
-/// V(d) = k/2 (|d| − l₀)², none of it where it is slack and only pulls; in the step it gives the
-/// bodies at its ends p·w̄, its impulse times their mean relative velocity. What it holds more
-/// afterwards and what it gave are together energy out of nothing, whatever else acts on the
-/// bodies.
+#include "stepper/wire_energy.h"
+
 #include "base/index.h"
-#include "stepper/stages.h"
-#include "stepper/sweeps.h"
+#include "stepper/view.h"
+#include "stepper/wires_data.h"
 
 #include <algorithm>
 #include <cmath>

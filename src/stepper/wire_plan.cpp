@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What refused wires are stepped with. Let d be the vector between an element's ends at the half
-/// step before, d₊ that at the one after, l₀ its length at rest.
-///
-/// *Stiffness.* The tension T behind K = (T/l)(E − nnᵀ) becomes what the refused step has brought
-/// about, and then K acts with h² in full on the velocity after the step, with no share before it.
-///
-/// *Bound.* At last the element pulls with k (d₊ − l₀ d/|d|): the gradient of k/2 |d₊ − l₀ d/|d||²,
-/// which is V at d and nowhere below it. It is quadratic and convex, and its force is that at the
-/// end of the step, so the wire cannot gain (docs/methods.md, 12); a slack one, which may end taut,
-/// pulls with k (d₊ − d). The row itself gives way.
+#include "stepper/wire_plan.h"
+
 #include "assembly/geo.h"
 #include "base/index.h"
-#include "stepper/drives.h"
-#include "stepper/stages.h"
+#include "stepper/copies.h"
 #include "stepper/sweeps.h"
+#include "stepper/view.h"
+#include "stepper/wires.h"
+#include "stepper/wires_data.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,18 @@
 #include <hawser/inspect.h>
 #include <hawser/partition.h>
 
-#include "stepper/stages.h"
+#include "stepper/analyse.h"
+#include "stepper/asleep.h"
+#include "stepper/context.h"
+#include "stepper/cut_measures.h"
+#include "stepper/cuts.h"
+#include "stepper/cuts_data.h"
+#include "stepper/prepare.h"
+#include "stepper/ready.h"
+#include "stepper/regroup.h"
+#include "stepper/undo.h"
+#include "stepper/undo_data.h"
+#include "stepper/wire_alerts.h"
 #include "world/checks.h"
 #include "world/impl.h"
 #include "world/lookup.h"
@@ -75,7 +86,7 @@ void World::set_groups(int parts) {
     std::vector<std::int32_t> by_hand = m.ctx.regroup.by_hand;
     const WorldDef before = m.ctx.def;
     stepper::Transaction all(m.ctx);
-    m.ctx.undo.keep(m.ctx, stepper::Undo::Depth::model);
+    stepper::keep_state(m.ctx, stepper::Undo::Depth::model);
     try {
         const Impl::Untold untold(m);
         regroup_all(parts);
@@ -226,7 +237,7 @@ void World::copy_state(const World& other) {
     impl_->systems.save(systems_before.data());
     std::vector<double> inputs = impl_->input_values;
     stepper::Transaction all(to);
-    to.undo.keep(to, stepper::Undo::Depth::all);
+    stepper::keep_state(to, stepper::Undo::Depth::all);
     std::vector<std::byte> copied;
     try {
         copy_from(other);

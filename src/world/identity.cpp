@@ -4,6 +4,8 @@
 #include <hawser/settings.h>
 
 #include "base/hash.h"
+#include "stepper/copies.h"
+#include "stepper/cuts.h"
 
 #include <algorithm>
 #include <cstring>

@@ -7,6 +7,7 @@
 #include <hawser/edits.h>
 #include <hawser/world.h>
 
+#include "stepper/copies.h"
 #include "stepper/edits.h"
 #include "stepper/sleep.h"
 #include "stepper/step.h"

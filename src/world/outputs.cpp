@@ -3,6 +3,7 @@
 
 #include <hawser/world.h>
 
+#include "stepper/kinetic.h"
 #include "stepper/step.h"
 
 #include <algorithm>

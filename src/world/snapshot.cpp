@@ -5,7 +5,14 @@
 #include <hawser/world.h>
 
 #include "base/hash.h"
-#include "stepper/stages.h"
+#include "stepper/analyse.h"
+#include "stepper/asleep.h"
+#include "stepper/context.h"
+#include "stepper/prepare.h"
+#include "stepper/ready.h"
+#include "stepper/regroup.h"
+#include "stepper/regroup_data.h"
+#include "stepper/wire_alerts.h"
 #include "world/identity.h"
 #include "world/impl.h"
 #include "world/saved_state.h"

@@ -2,6 +2,7 @@
 /// What a state read from bytes must be like. A right checksum says who wrote it at most, not that
 /// it makes sense: an index from a file is used as an address a step later.
 #include "base/index.h"
+#include "stepper/wire_alerts.h"
 #include "stepper/wires.h"
 #include "world/saved_state.h"
 

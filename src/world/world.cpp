@@ -3,6 +3,11 @@
 #include <hawser/world.h>
 
 #include "base/hash.h"
+#include "stepper/asleep.h"
+#include "stepper/energy.h"
+#include "stepper/judge.h"
+#include "stepper/ready.h"
+#include "stepper/state_hash.h"
 #include "world/checks.h"
 #include "world/impl.h"
 #include "world/lookup.h"

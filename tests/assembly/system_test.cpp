@@ -2,8 +2,13 @@
 /// The assembled blocks, right-hand sides and solution against the dense equations.
 #include "assembly/dense.h"
 #include "assembly/geo.h"
+#include "stepper/assemble_rows.h"
+#include "stepper/context.h"
 #include "stepper/drives.h"
-#include "stepper/stages.h"
+#include "stepper/losses.h"
+#include "stepper/solve.h"
+#include "stepper/step.h"
+#include "stepper/view.h"
 
 #include <gtest/gtest.h>
 

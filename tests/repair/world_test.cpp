@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Worlds whose bodies come to touch: the order of elimination is repaired, and what comes of it
 /// depends on nothing but the state.
-#include "stepper/stages.h"
+#include "stepper/analyse.h"
+#include "stepper/context.h"
+#include "stepper/state_hash.h"
 #include "stepper/step.h"
 #include "support/random.h"
 #include "support/recipe.h"

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "stepper/state_hash.h"
 #include "stepper/step.h"
 
 namespace hawser {

@@ -6,6 +6,7 @@
 #include <hawser/world.h>
 
 #include "model/interactions.h"
+#include "stepper/prepare.h"
 #include "stepper/step.h"
 #include "support/random.h"
 
