@@ -7,8 +7,8 @@
 #include "graph/follow.h"
 #include "graph/partition.h"
 #include "graph/split.h"
-#include "stepper/ready.h"
-#include "stepper/regroup.h"
+#include "split/regroup.h"
+#include "step/ready.h"
 #include "world/impl.h"
 #include "world/lookup.h"
 

@@ -2,8 +2,8 @@
 /// Restore, all or nothing.
 #include <hawser/world.h>
 
-#include "stepper/ready.h"
-#include "stepper/undo.h"
+#include "access/undo.h"
+#include "step/ready.h"
 #include "world/impl.h"
 
 namespace hawser {

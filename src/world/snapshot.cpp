@@ -4,15 +4,15 @@
 /// geometric stiffness and the active set start from them.
 #include <hawser/world.h>
 
+#include "access/asleep.h"
+#include "access/wire_alerts.h"
 #include "base/hash.h"
-#include "stepper/analyse.h"
-#include "stepper/asleep.h"
-#include "stepper/context.h"
-#include "stepper/prepare.h"
-#include "stepper/ready.h"
-#include "stepper/regroup.h"
-#include "stepper/regroup_data.h"
-#include "stepper/wire_alerts.h"
+#include "context/context.h"
+#include "context/regroup_data.h"
+#include "split/analyse.h"
+#include "split/regroup.h"
+#include "step/prepare.h"
+#include "step/ready.h"
 #include "world/identity.h"
 #include "world/impl.h"
 #include "world/saved_state.h"

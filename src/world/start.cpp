@@ -3,7 +3,7 @@
 #include <hawser/inspect.h>
 #include <hawser/world.h>
 
-#include "stepper/ready.h"
+#include "step/ready.h"
 #include "world/impl.h"
 
 #include <new>
