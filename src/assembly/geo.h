@@ -9,7 +9,7 @@
 /// the lighter end, p = (s − ¼)/(s + ¼) for s > ¼ and 0 below, v̂ = 2 v − v₋ the velocity of the
 /// step before carried on,
 ///   M̃ += (a + d) h² K,  a += h² K (a v + d v̂),   a = ¼ + p (A − ¼),  d = p D
-/// with A = ½, D = −0.1, or 1 and −0.2 for a wire that has gained energy lately (stepper/wires.h):
+/// with A = ½, D = −0.1, or 1 and −0.2 for a wire that has gained energy lately (solve/wires.h):
 /// up to s = ¼ the trapezoidal rule; beyond, where it keeps swings for ever that the step does not
 /// resolve, d < 0 damps the second difference of the velocity, by about |d| (hω)³/2 of a swing ω.
 ///

@@ -54,7 +54,7 @@ struct Kernels {
     /// Norms over interactions.
     void (*row_norms)(const View&, std::int32_t begin, std::int32_t end, Norms*) noexcept;
     /// Energy that rows of at most kLossChunk interactions take in the step [J], see
-    /// stepper/losses.cpp. `left`: those (`left_count`) that are not in the sum, since they need
+    /// solve/losses.cpp. `left`: those (`left_count`) that are not in the sum, since they need
     /// more than their rows; room for kLossChunk.
     double (*row_losses)(const View&, std::int32_t begin, std::int32_t end, std::int32_t* left,
                          int* left_count) noexcept;

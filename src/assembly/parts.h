@@ -36,7 +36,7 @@ inline constexpr std::int32_t kTouchWeight = 1'000'000;
 class PartGraph {
   public:
     /// Nodes and edges. @param body_count, interaction_count  Those of the user, who knows nothing
-    /// of the images and copies behind them (stepper/cuts.h).
+    /// of the images and copies behind them (split/cuts.h).
     void build(const model::Bodies& bodies, std::int32_t body_count,
                const model::Interactions& interactions, std::int32_t interaction_count,
                std::span<const Contacts::Link> links);

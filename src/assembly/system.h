@@ -101,7 +101,7 @@ class System {
     base::Array<Op> ops;           ///< By column of the matrix.
     base::Array<LaneOp> lane_ops;  ///< By place in the panels.
     /// Interactions that no step looks at, and those that stand for them, each for the bodies of
-    /// one side (stepper/cuts.h). To be set before analyse().
+    /// one side (split/cuts.h). To be set before analyse().
     std::vector<std::int32_t> left_out;
     std::vector<Sides> sides;
     bool keeps_momentum = false;           ///< View::momentum is not null. Before analyse().

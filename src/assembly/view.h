@@ -123,7 +123,7 @@ struct View {
     double* spin_momentum;   ///< 3 a body: what of `a` comes of the body's spin, world frame.
     double* spin_next;       ///< 3 a body: the same about a later solution.
     /// By body, 1: its spin's equation is solved as it is, not about the last step
-    /// (stepper/completion.h).
+    /// (step/completion.h).
     const std::uint8_t* turning;
     const double* mass;
     const double* inertia;
@@ -233,13 +233,13 @@ struct Norms {
     double finite = 0.0;   ///< Sum of everything: not finite if anything is not.
 };
 
-/// See stepper/wires.h [J].
+/// See solve/wires.h [J].
 struct LineGain {
     double gain = 0.0, exchanged = 0.0, noise = 0.0;
     double unbooked = 0.0;  ///< Lost beyond what row_losses() counts.
 };
 
-/// How far a solution is from the equations at the step's end, see stepper/completion.h.
+/// How far a solution is from the equations at the step's end, see step/completion.h.
 struct Turning {
     double change = 0.0;  ///< Largest change of a right-hand side [m/s or rad/s].
     double gap = 0.0;     ///< Largest violation at the end of the step [m or rad].
@@ -252,7 +252,7 @@ struct Turning {
     }
 };
 
-/// Interactions whose rows a step solves at its end, beside 0: all others (stepper/completion.h).
+/// Interactions whose rows a step solves at its end, beside 0: all others (step/completion.h).
 enum Completed : std::uint8_t { kRigid = 1, kStiffDamper = 2 };
 
 }  // namespace hawser::assembly

@@ -48,7 +48,7 @@ struct Bodies {
     base::Array<double> v_start;
     base::Array<double> v_fixed;  ///< 6 a body: prescribed velocity of kinematic bodies.
     /// 6 a body: prescribed velocity at the last half step, where it is another one than v_fixed
-    /// (images, stepper/cuts.h); else empty.
+    /// (images, split/cuts.h); else empty.
     base::Array<double> v_before;
     base::Array<double> spin_free;    ///< 3 a body: ω after the step being taken without torque.
     base::Array<double> spin_change;  ///< 3 a body: what torques changed ω by in the last step,
@@ -67,7 +67,7 @@ struct Bodies {
     base::Array<double> drag_after, drag_before;
     base::Array<std::uint8_t> weight;  ///< 1: gravity acts.
 
-    base::Array<std::uint8_t> asleep;  ///< 1: asleep, see stepper/sleep.h. Part of the state.
+    base::Array<std::uint8_t> asleep;  ///< 1: asleep, see step/sleep.h. Part of the state.
     base::Array<std::int32_t> quiet;   ///< Steps for which it has been at rest. Part of the state.
 
     std::int32_t dofs = 0;  ///< Entries of v, those of empty places included.

@@ -105,9 +105,9 @@ struct Interactions {
     std::vector<Load> loads;
     base::Array<std::uint8_t> parted;  ///< 1 once a line has parted.
     /// Of lines between points: 1/m of the lighter end [1/kg]; 1 while their wire is stepped more
-    /// calmly (stepper/wires.h), follows the state.
+    /// calmly (solve/wires.h), follows the state.
     base::Array<double> lightness, alert;
-    // Of rigid joints, see stepper/completion.h; 0 of all else.
+    // Of rigid joints, see step/completion.h; 0 of all else.
     base::Array<std::uint8_t> coarse;     ///< Steps to come in which its rows are linearised once.
     base::Array<std::uint8_t> repeats;    ///< 1: in a loop in which rows repeat each other.
     base::Array<std::uint8_t> completed;  ///< By this step, see assembly::Completed.
@@ -213,7 +213,7 @@ struct Interactions {
     void set_range(int id) noexcept;
 };
 
-/// Whether a step may solve the rows of an interaction at the step's end (stepper/completion.h):
+/// Whether a step may solve the rows of an interaction at the step's end (step/completion.h):
 /// it is a joint or rod that no input moves, rigid and damped by default, or a spring with a damper
 /// that the step does not resolve at the poses of the last analysis.
 [[nodiscard]] bool may_complete(const Interactions& in, int id, double h) noexcept;

@@ -3,7 +3,18 @@
 #include <hawser/inspect.h>
 #include <hawser/partition.h>
 
-#include "stepper/stages.h"
+#include "access/asleep.h"
+#include "access/undo.h"
+#include "access/wire_alerts.h"
+#include "context/context.h"
+#include "context/cuts_data.h"
+#include "context/undo_data.h"
+#include "split/analyse.h"
+#include "split/cut_measures.h"
+#include "split/cuts.h"
+#include "split/regroup.h"
+#include "step/prepare.h"
+#include "step/ready.h"
 #include "world/checks.h"
 #include "world/impl.h"
 #include "world/lookup.h"
@@ -75,7 +86,7 @@ void World::set_groups(int parts) {
     std::vector<std::int32_t> by_hand = m.ctx.regroup.by_hand;
     const WorldDef before = m.ctx.def;
     stepper::Transaction all(m.ctx);
-    m.ctx.undo.keep(m.ctx, stepper::Undo::Depth::model);
+    stepper::keep_state(m.ctx, stepper::Undo::Depth::model);
     try {
         const Impl::Untold untold(m);
         regroup_all(parts);
@@ -226,7 +237,7 @@ void World::copy_state(const World& other) {
     impl_->systems.save(systems_before.data());
     std::vector<double> inputs = impl_->input_values;
     stepper::Transaction all(to);
-    to.undo.keep(to, stepper::Undo::Depth::all);
+    stepper::keep_state(to, stepper::Undo::Depth::all);
     std::vector<std::byte> copied;
     try {
         copy_from(other);

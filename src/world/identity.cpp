@@ -3,7 +3,9 @@
 
 #include <hawser/settings.h>
 
+#include "access/copies.h"
 #include "base/hash.h"
+#include "split/cuts.h"
 
 #include <algorithm>
 #include <cstring>

@@ -6,7 +6,7 @@
 #include <hawser/def.h>
 #include <hawser/shapes.h>
 
-#include "stepper/context.h"
+#include "context/context.h"
 
 #include <cstdint>
 #include <vector>

@@ -7,9 +7,10 @@
 #include <hawser/edits.h>
 #include <hawser/world.h>
 
-#include "stepper/edits.h"
-#include "stepper/sleep.h"
-#include "stepper/step.h"
+#include "access/copies.h"
+#include "step/edits.h"
+#include "step/sleep.h"
+#include "step/step.h"
 #include "world/lookup.h"
 #include "world/outputs.h"
 #include "world/systems.h"

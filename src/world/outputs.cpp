@@ -3,7 +3,8 @@
 
 #include <hawser/world.h>
 
-#include "stepper/step.h"
+#include "access/kinetic.h"
+#include "step/step.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include <hawser/outputs.h>
 
-#include "stepper/context.h"
+#include "context/context.h"
 #include "world/lookup.h"
 
 #include <array>

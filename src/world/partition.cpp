@@ -7,6 +7,8 @@
 #include "graph/follow.h"
 #include "graph/partition.h"
 #include "graph/split.h"
+#include "split/regroup.h"
+#include "step/ready.h"
 #include "world/impl.h"
 #include "world/lookup.h"
 

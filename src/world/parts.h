@@ -5,7 +5,7 @@
 
 #include <hawser/interactions.h>
 
-#include "stepper/context.h"
+#include "context/context.h"
 
 namespace hawser::world {
 

@@ -10,7 +10,7 @@ namespace hawser {
 StateView World::state() const noexcept {
     const stepper::StepContext& ctx = impl_->ctx;
     const model::Bodies& b = ctx.bodies;
-    // Images of bodies (stepper/cuts.h) stand behind those of the user.
+    // Images of bodies (split/cuts.h) stand behind those of the user.
     const auto n = at(body_count());
     const auto first = [](const auto& array, std::size_t count) {
         return std::span(array).first(count);

@@ -2,6 +2,8 @@
 /// Restore, all or nothing.
 #include <hawser/world.h>
 
+#include "access/undo.h"
+#include "step/ready.h"
 #include "world/impl.h"
 
 namespace hawser {
@@ -11,7 +13,7 @@ void World::restore(std::span<const std::byte> bytes) {
     stepper::StepContext& ctx = impl_->ctx;
     std::vector<double> inputs = impl_->input_values;
     stepper::Transaction all(ctx);
-    ctx.undo.keep(ctx, stepper::Undo::Depth::all);
+    stepper::keep_state(ctx, stepper::Undo::Depth::all);
     try {
         take_saved(bytes);
     } catch (...) {

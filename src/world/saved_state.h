@@ -3,7 +3,7 @@
 /// @file saved_state.h
 /// The arrays of a snapshot in their order, and a place to read them to before a world takes them.
 
-#include "stepper/context.h"
+#include "context/context.h"
 #include "world/impl.h"
 
 #include <cstddef>

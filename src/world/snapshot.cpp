@@ -4,8 +4,15 @@
 /// geometric stiffness and the active set start from them.
 #include <hawser/world.h>
 
+#include "access/asleep.h"
+#include "access/wire_alerts.h"
 #include "base/hash.h"
-#include "stepper/stages.h"
+#include "context/context.h"
+#include "context/regroup_data.h"
+#include "split/analyse.h"
+#include "split/regroup.h"
+#include "step/prepare.h"
+#include "step/ready.h"
 #include "world/identity.h"
 #include "world/impl.h"
 #include "world/saved_state.h"

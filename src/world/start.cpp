@@ -3,6 +3,7 @@
 #include <hawser/inspect.h>
 #include <hawser/world.h>
 
+#include "step/ready.h"
 #include "world/impl.h"
 
 #include <new>

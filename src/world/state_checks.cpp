@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What a state read from bytes must be like. A right checksum says who wrote it at most, not that
 /// it makes sense: an index from a file is used as an address a step later.
+#include "access/wire_alerts.h"
 #include "base/index.h"
-#include "stepper/wires.h"
+#include "solve/wires.h"
 #include "world/saved_state.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ constexpr double kHuge = 1e40;
 /// A product is a double up to this many steps.
 constexpr std::int64_t kMostSteps = std::int64_t{1} << 53;
 constexpr double kUnit = 1e-6;  ///< Of lengths of quaternions and entries of rotations.
-constexpr std::int32_t kMostQuiet = 1'000'000'000;  ///< Steps, see stepper/sleep.cpp.
+constexpr std::int32_t kMostQuiet = 1'000'000'000;  ///< Steps, see step/sleep.cpp.
 
 [[noreturn]] void refuse_state(const std::string& what) {
     throw DefError("snapshot: not a state that a world can have: " + what);

@@ -2,7 +2,7 @@
 /// What a world's users say to its systems, and what systems do to its inputs within a step.
 #include <hawser/world.h>
 
-#include "stepper/context.h"
+#include "context/context.h"
 #include "world/checks.h"
 #include "world/impl.h"
 #include "world/lookup.h"

@@ -6,7 +6,7 @@
 
 #include <hawser/system.h>
 
-#include "stepper/actors.h"
+#include "context/actors.h"
 
 #include <cstddef>
 #include <cstdint>

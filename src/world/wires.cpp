@@ -2,7 +2,10 @@
 /// Wires as things of a world (hawser/wire.h).
 #include <hawser/world.h>
 
-#include "stepper/stages.h"
+#include "access/asleep.h"
+#include "access/push_event.h"
+#include "context/context.h"
+#include "split/cut_measures.h"
 #include "world/checks.h"
 #include "world/impl.h"
 #include "world/lookup.h"

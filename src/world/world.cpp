@@ -2,7 +2,12 @@
 #include <hawser/inspect.h>
 #include <hawser/world.h>
 
+#include "access/asleep.h"
 #include "base/hash.h"
+#include "step/energy.h"
+#include "step/judge.h"
+#include "step/ready.h"
+#include "step/state_hash.h"
 #include "world/checks.h"
 #include "world/impl.h"
 #include "world/lookup.h"
@@ -154,7 +159,7 @@ void World::set_velocity(BodyId id, const Twist& twist) {
         throw DefError(where + ": velocity: a fixed body has none; a kinematic one has");
     double* v = dof == 0 ? &s.v_fixed[6 * b] : &s.v[at(s.dof_begin[b])];
     const int count = dof == 0 ? 6 : dof;
-    // What a prescribed velocity carries wakes in the step (stepper/sleep.h).
+    // What a prescribed velocity carries wakes in the step (step/sleep.h).
     if (dof > 0) {
         stepper::disturb(impl_->ctx, id.index);
         impl_->ctx.judge.state.begun = 0;  // no work did that

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The assembled blocks, right-hand sides and solution against the dense equations.
+#include "access/view.h"
 #include "assembly/dense.h"
 #include "assembly/geo.h"
-#include "stepper/drives.h"
-#include "stepper/stages.h"
+#include "context/context.h"
+#include "solve/drives.h"
+#include "solve/losses.h"
+#include "solve/solve.h"
+#include "step/assemble_rows.h"
+#include "step/step.h"
 
 #include <gtest/gtest.h>
 
@@ -131,7 +136,7 @@ TEST_P(ChainSeeds, GoEightAtATime) {
 
 TEST_P(Seeds, BlocksEqualTheDenseMatrix) {
     auto ctx = context();
-    // Completed joints have right-hand sides of their own (tests of stepper/completion.h).
+    // Completed joints have right-hand sides of their own (tests of step/completion.h).
     ctx->completion.banned = true;
     stepper::assemble_rows(*ctx);
     const DenseStep d = dense_step(*ctx);
@@ -150,7 +155,7 @@ TEST_P(Seeds, BlocksEqualTheDenseMatrix) {
 
 TEST_P(Seeds, RightHandSidesEqualTheDenseOnes) {
     auto ctx = context();
-    // Completed joints have right-hand sides of their own (tests of stepper/completion.h).
+    // Completed joints have right-hand sides of their own (tests of step/completion.h).
     ctx->completion.banned = true;
     stepper::assemble_rows(*ctx);
     const DenseStep d = dense_step(*ctx);
@@ -172,7 +177,7 @@ TEST_P(Seeds, RightHandSidesEqualTheDenseOnes) {
 /// Solved densely in long double with the stepper's own a: v₊ and λ.
 TEST_P(Seeds, SolutionSolvesTheDenseEquations) {
     auto ctx = context();
-    // Completed joints have right-hand sides of their own (tests of stepper/completion.h).
+    // Completed joints have right-hand sides of their own (tests of step/completion.h).
     ctx->completion.banned = true;
     stepper::assemble_rows(*ctx);
     const DenseStep d = dense_step(*ctx);
@@ -217,7 +222,7 @@ TEST_P(Seeds, SolutionSolvesTheDenseEquations) {
 /// Taken while the solution was measured, they are those of its rows.
 TEST_P(Seeds, LossesAreThoseOfTheSolution) {
     auto ctx = context();
-    // Completed joints have right-hand sides of their own (tests of stepper/completion.h).
+    // Completed joints have right-hand sides of their own (tests of step/completion.h).
     ctx->completion.banned = true;
     stepper::assemble_rows(*ctx);
     EXPECT_FALSE(ctx->losses_known);
@@ -230,7 +235,7 @@ TEST_P(Seeds, LossesAreThoseOfTheSolution) {
 
 TEST_P(Seeds, GeometricStiffnessIsSymmetricAndPositive) {
     auto ctx = context();
-    // Completed joints have right-hand sides of their own (tests of stepper/completion.h).
+    // Completed joints have right-hand sides of their own (tests of step/completion.h).
     ctx->completion.banned = true;
     stepper::assemble_rows(*ctx);
     const DenseStep d = dense_step(*ctx);

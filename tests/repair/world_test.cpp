@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Worlds whose bodies come to touch: the order of elimination is repaired, and what comes of it
 /// depends on nothing but the state.
-#include "stepper/stages.h"
-#include "stepper/step.h"
+#include "context/context.h"
+#include "split/analyse.h"
+#include "step/state_hash.h"
+#include "step/step.h"
 #include "support/random.h"
 #include "support/recipe.h"
 #include "support/sanitizer.h"

@@ -6,7 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "stepper/step.h"
+#include "step/state_hash.h"
+#include "step/step.h"
 
 namespace hawser {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Joints that swing too fast for a step to complete them are closed by moving poses
-/// (stepper/closing.h).
+/// (step/closing.h).
 #include <gtest/gtest.h>
 
 #include <hawser/hawser.h>

@@ -2,7 +2,9 @@
 // Cuts that a deadline asks for: chosen by a clock that the test turns, repeated without one.
 #include <hawser/inspect.h>
 
-#include "stepper/step.h"
+#include "context/deadline.h"
+#include "step/state_hash.h"
+#include "step/step.h"
 #include "support/small_recipes.h"
 
 #include <gtest/gtest.h>

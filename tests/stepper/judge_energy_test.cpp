@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The ledger that judges energy: what counts as exchanged.
-#include "stepper/judge.h"
+#include "step/judge.h"
 
 #include <gtest/gtest.h>
 

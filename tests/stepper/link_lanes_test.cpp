@@ -49,7 +49,7 @@ TEST_P(LinkLanes, MoveAsOneByOne) {
         }
         // One step of rounding grows with every joint that swings: 1e-9 in a dozen. What touches
         // throws links about so fast that joints are closed by moving poses, with solutions that
-        // are not refined (stepper/closing.h): of ways of a centimetre some 1e-6 along what is
+        // are not refined (step/closing.h): of ways of a centimetre some 1e-6 along what is
         // free.
         const double close = touching ? 1e-6 : 1e-9;
         int contacts = 0;

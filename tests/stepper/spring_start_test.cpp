@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Springs far too stiff for the step begin with the energy that bodies bring
-/// (stepper/stagger.cpp).
+/// (step/stagger.cpp).
 #include <gtest/gtest.h>
 
 #include <hawser/hawser.h>

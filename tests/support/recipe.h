@@ -6,7 +6,8 @@
 #include <hawser/world.h>
 
 #include "model/interactions.h"
-#include "stepper/step.h"
+#include "step/prepare.h"
+#include "step/step.h"
 #include "support/random.h"
 
 #include <memory>

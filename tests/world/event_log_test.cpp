@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What lines do by the thousand pushes nothing else out of the log of events.
-#include "stepper/events.h"
+#include "context/events.h"
 
 #include "support/recipe.h"
 

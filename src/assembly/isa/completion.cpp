@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Right-hand sides with which rows hold at the end of a step (stepper/completion.h).
+/// Right-hand sides with which rows hold at the end of a step (step/completion.h).
 #include "assembly/isa/arms.h"
 #include "assembly/isa/rigid_lanes.h"
 #include "assembly/isa/rows.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Energy that lines hold more than the bodies at their ends gave them, see stepper/wires.h.
+/// Energy that lines hold more than the bodies at their ends gave them, see solve/wires.h.
 #include "assembly/isa/geo_force.h"
 #include "assembly/isa/rows.h"
 #include "base/lanes.h"

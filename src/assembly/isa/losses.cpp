@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Energy that rows take in a step, eight rows at a time; formulas in stepper/losses.cpp.
+/// Energy that rows take in a step, eight rows at a time; formulas in solve/losses.cpp.
 #include "assembly/isa/rows.h"
 #include "base/lanes.h"
 #include "base/simd.h"

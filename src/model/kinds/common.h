@@ -15,7 +15,7 @@
 ///     static void defaults(const InteractionDef&, double h, RowSpec*);   // ε, τ of each row
 ///     static void evaluate(const Data&, const BodyRef*, Rows<kBodies, kRows>&);
 ///     static constexpr bool kCompletes;           // optional: a rigid joint whose rows a step
-///                                                 // solves at its end (stepper/completion.h)
+///                                                 // solves at its end (step/completion.h)
 /// };
 /// ```
 /// evaluate() gives the violation g and the Jacobian G of each row for the poses handed in:

@@ -9,7 +9,7 @@
 /// ```
 /// A coordinate q hangs on an anchor by a stiff spring: g = q − anchor. While |force| ≤ F the
 /// anchor stays, so that nothing creeps: at rest g = −ε f. At ±F the row has that force, and the
-/// anchor follows at the distance ε F (stepper/bounds.h). F is a parameter plus a share of what
+/// anchor follows at the distance ε F (solve/bounds.h). F is a parameter plus a share of what
 /// other interactions carry: of a bearing's own force, or of the two ends of a line round a
 /// bollard.
 

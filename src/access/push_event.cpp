@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "access/push_event.h"
+
+namespace hawser::stepper {
+
+void push_event(StepContext& ctx, EventKind kind, std::int32_t id, double value) noexcept {
+    ctx.events.push({ctx.time, kind, ctx.interactions.id(id), value});
+    ++ctx.stats.event_count[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file timer.h
+/// Wall time by stage. Stages nest where iterations factor: time counts for the innermost one. A
+/// trace has the same looks at the clock.
+
+#include "context/context.h"
+
+#include <chrono>
+
+namespace hawser::stepper {
+
+/// Time from here to the end of the scope is of this stage, but for what inner timers take.
+class StageTimer {
+  public:
+    StageTimer(StepContext& ctx, Stage stage) noexcept : ctx_(ctx), outer_(ctx.stage_now) {
+        change_to(static_cast<int>(stage));
+        begin_ = ctx.stage_since;
+    }
+    ~StageTimer() {
+        const int stage = ctx_.stage_now;
+        change_to(outer_);
+        if (ctx_.trace != nullptr) write_down(stage);
+    }
+    StageTimer(const StageTimer&) = delete;
+    StageTimer& operator=(const StageTimer&) = delete;
+
+  private:
+    void change_to(int stage) noexcept {
+        const auto now = std::chrono::steady_clock::now();
+        if (ctx_.stage_now >= 0)
+            ctx_.stats.stage_seconds[static_cast<std::size_t>(ctx_.stage_now)] +=
+                std::chrono::duration<double>(now - ctx_.stage_since).count();
+        ctx_.stage_now = stage;
+        ctx_.stage_since = now;
+        if (ctx_.trace != nullptr) ctx_.trace->stage = static_cast<std::int8_t>(stage);
+    }
+    void write_down(int stage) noexcept {
+        TraceSpan span;
+        span.kind = SpanKind::stage;
+        span.stage = static_cast<std::int8_t>(stage);
+        span.step = ctx_.trace->step;
+        span.begin = ctx_.trace->seconds(begin_);
+        span.end = ctx_.trace->seconds(ctx_.stage_since);
+        ctx_.trace->push(span);
+    }
+
+    StepContext& ctx_;
+    int outer_;
+    std::chrono::steady_clock::time_point begin_;
+};
+
+/// From here to the end of the scope is a step of the trace, where there is one.
+class StepTimer {
+  public:
+    explicit StepTimer(StepContext& ctx) noexcept : trace_(ctx.trace.get()) {
+        if (trace_ == nullptr) return;
+        trace_->step = span_.step = ctx.step + 1;
+        ++trace_->steps;
+        span_.kind = SpanKind::step;
+        span_.begin = trace_->now();
+    }
+    ~StepTimer() {
+        if (trace_ == nullptr) return;
+        span_.end = trace_->now();
+        trace_->push(span_);
+    }
+    StepTimer(const StepTimer&) = delete;
+    StepTimer& operator=(const StepTimer&) = delete;
+
+  private:
+    runtime::Trace* trace_;
+    TraceSpan span_;
+};
+
+template <class F>
+auto timed(StepContext& ctx, Stage stage, F&& f) noexcept {
+    const StageTimer timer(ctx, stage);
+    return f(ctx);
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "budget/level_search.h"
+
+#include "access/undo.h"
+#include "assembly/parts.h"
+#include "base/index.h"
+#include "context/cut_levels.h"
+#include "context/cuts_data.h"
+#include "context/deadline.h"
+#include "context/undo_data.h"
+#include "split/open_cuts.h"
+#include "split/regroup.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace hawser::stepper {
+namespace {
+
+/// What cutting each interface costs by the last step's forces, velocities and violations.
+std::vector<double> interface_weights(StepContext& ctx) {
+    assembly::PartGraph g;
+    read_graph(ctx, g);
+    weigh_graph(ctx, g);
+    std::vector<double> weight(at(ctx.cuts.interfaces), 0.0);
+    for (const Cut& c : ctx.cuts.list) {
+        if (ctx.cuts.coupling[at(c.id)] != Coupling::deadline) continue;
+        double sum = g.edge_weight[at(c.id)];
+        for (std::int32_t k = g.begin[at(c.id)]; k < g.begin[at(c.id) + 1]; ++k)
+            sum += g.node_weight[at(g.members[at(k)])];
+        weight[at(c.interface)] += sum;
+    }
+    return weight;
+}
+
+/// The work of the matrix with these interfaces cut.
+double analysed_work(StepContext& ctx, std::uint64_t interfaces) {
+    keep_state(ctx, Undo::Depth::system);
+    const std::uint64_t asked = std::exchange(ctx.cuts.asked, interfaces);
+    assembly::System beside;
+    beside.most_bytes = ctx.def.max_memory;
+    (void)open_cuts(ctx);
+    beside.left_out = ctx.system.left_out;
+    beside.sides = ctx.system.sides;
+    ctx.cuts.asked = asked;
+    (void)open_cuts(ctx);
+    beside.contacts = ctx.system.contacts;
+    model::Interactions rows = ctx.interactions;  // an analysis chooses forms
+    beside.analyse(ctx.bodies, rows, ctx.def, ctx.pool.threads());
+    return matrix_work(static_cast<double>(beside.symbolic.flops),
+                       static_cast<double>(beside.symbolic.factor_nnz));
+}
+
+}  // namespace
+
+std::vector<CutLevels::Level> find_cut_levels(StepContext& ctx) {
+    const std::vector<double> weight = interface_weights(ctx);
+    std::vector<int> order(weight.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int a, int b) { return weight[at(a)] < weight[at(b)]; });
+    std::vector<CutLevels::Level> levels{{0, analysed_work(ctx, 0)}};
+    for (const int i : order) {
+        const std::uint64_t interfaces = levels.back().interfaces | std::uint64_t{1} << i;
+        levels.push_back({interfaces, analysed_work(ctx, interfaces)});
+    }
+    return levels;
+}
+
+}  // namespace hawser::stepper

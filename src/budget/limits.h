@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file limits.h
+/// What a step leaves out to end in time (WorldDef::budget): its interface to the step. Which
+/// interfaces between groups are coupled compliantly is decided before the step is solved
+/// (cut_levels.h), how many iterations friction gets while it is (budget.h). A step without a
+/// budget, and without orders to repeat one that had it (Degradation), is solved whole.
+
+#include "context/context.h"
+
+namespace hawser::stepper {
+
+/// What levels of cuts there are, in the first step in which forces are known.
+[[nodiscard]] Status prepare_levels(StepContext& ctx) noexcept;
+/// Cuts of this step. Only those who ask by themselves have some without a budget.
+[[nodiscard]] Status choose_cuts(StepContext& ctx) noexcept;
+/// Limits of the solve that begins now.
+void begin_budget(StepContext& ctx) noexcept;
+/// What the step's times teach, and what it left out.
+void end_budget(StepContext& ctx) noexcept;
+
+}  // namespace hawser::stepper

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact/iterate.h"
+
+#include "access/sweeps.h"
+#include "access/view.h"
+#include "base/index.h"
+#include "nonsmooth/cone.h"
+
+#include <algorithm>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::Contacts;
+using nonsmooth::Cone;
+using nonsmooth::Resistance;
+
+}  // namespace
+
+void adopt_laws(StepContext& ctx, bool first) noexcept {
+    Contacts& contacts = ctx.system.contacts;
+    for (std::size_t k = 0; k < contacts.count(); ++k) {
+        Cone& c = contacts.cones[k];
+        const nonsmooth::Law& law = ctx.newton.laws[k];
+        contacts.changed[k] = first || !std::equal(law.s, law.s + 9, c.s) ? 1 : 0;
+        std::copy_n(law.s, 9, c.s);
+        std::copy_n(law.p, 3, c.p);
+    }
+    assembly::Resistances& resistances = contacts.resistances;
+    for (std::size_t k = 0; k < resistances.count(); ++k) {
+        nonsmooth::Resistance& a = resistances.laws[k];
+        const nonsmooth::ResistanceLaw& law = ctx.newton.turns[k];
+        const bool same =
+            std::equal(law.s, law.s + 9, a.s) && std::equal(law.column, law.column + 3, a.column);
+        if (!same) contacts.changed[at(resistances.rows[k].contact)] = 1;
+        std::copy_n(law.s, 9, a.s);
+        std::copy_n(law.column, 3, a.column);
+        std::copy_n(law.p, 3, a.p);
+    }
+    contacts.mark_blocks();
+    over(ctx, static_cast<std::int32_t>(contacts.blocks.size()),
+         [&](std::int32_t a, std::int32_t b) { contacts.write_blocks(a, b); });
+}
+
+void keep_iterate(StepContext& ctx) noexcept {
+    const assembly::View v = view(ctx);
+    std::copy_n(v.v_new, v.dof_count, ctx.newton.v.begin());
+    std::copy_n(v.lambda, ctx.interactions.row_count, ctx.newton.lambda.begin());
+    const base::Array<Cone>& cones = ctx.system.contacts.cones;
+    for (std::size_t k = 0; k < cones.size(); ++k) {
+        std::copy_n(cones[k].u, 3, &ctx.newton.contact[6 * k]);
+        std::copy_n(cones[k].lambda, 3, &ctx.newton.contact[6 * k + 3]);
+    }
+    const base::Array<Resistance>& turns = ctx.system.contacts.resistances.laws;
+    for (std::size_t k = 0; k < turns.size(); ++k) {
+        double* to = &ctx.newton.contact[6 * (cones.size() + k)];
+        std::copy_n(turns[k].lambda, 3, std::copy_n(turns[k].u, 3, to));
+    }
+}
+
+void shorten(StepContext& ctx, double t) noexcept {
+    const assembly::View v = view(ctx);
+    auto between = [&](const std::vector<double>& from, double* to, std::int32_t n) {
+        for (std::int32_t i = 0; i < n; ++i) to[i] = from[at(i)] + t * (to[i] - from[at(i)]);
+    };
+    between(ctx.newton.v, v.v_new, v.dof_count);
+    between(ctx.newton.lambda, v.lambda, ctx.interactions.row_count);
+    base::Array<Cone>& cones = ctx.system.contacts.cones;
+    for (std::size_t k = 0; k < cones.size(); ++k) {
+        Cone& c = cones[k];
+        const double* from = &ctx.newton.contact[6 * k];
+        for (int i = 0; i < 3; ++i) {
+            c.u[i] = from[i] + t * (c.u[i] - from[i]);
+            c.lambda[i] = from[3 + i] + t * (c.lambda[i] - from[3 + i]);
+        }
+        for (int i = 0; i < 3; ++i)
+            c.p[i] = c.lambda[i] + c.s[3 * i] * c.u[0] + c.s[3 * i + 1] * c.u[1] +
+                     c.s[3 * i + 2] * c.u[2];
+    }
+    assembly::Resistances& resistances = ctx.system.contacts.resistances;
+    for (std::size_t k = 0; k < resistances.count(); ++k) {
+        Resistance& a = resistances.laws[k];
+        const double* from = &ctx.newton.contact[6 * (cones.size() + k)];
+        for (int i = 0; i < 3; ++i) {
+            a.u[i] = from[i] + t * (a.u[i] - from[i]);
+            a.lambda[i] = from[3 + i] + t * (a.lambda[i] - from[3 + i]);
+        }
+        nonsmooth::take_impulse(a, cones[at(resistances.rows[k].contact)].u[0]);
+    }
+}
+
+namespace {
+
+/// The part of resistances in contacts_merit().
+double resistance_merit(const StepContext& ctx, double t) noexcept {
+    const Contacts& contacts = ctx.system.contacts;
+    const assembly::Resistances& resistances = contacts.resistances;
+    double sum = 0.0;
+    for (std::size_t k = 0; k < resistances.count(); ++k) {
+        const Resistance& a = resistances.laws[k];
+        const std::size_t contact = at(resistances.rows[k].contact);
+        const Cone& c = contacts.cones[contact];
+        const double* normal = &ctx.newton.contact[6 * contact];
+        const double* before = &ctx.newton.contact[6 * (contacts.count() + k)];
+        double u[3], lambda[3], e[3];
+        for (int i = 0; i < 3; ++i) {
+            u[i] = before[i] + t * (a.u[i] - before[i]);
+            lambda[i] = before[3 + i] + t * (a.lambda[i] - before[3 + i]);
+        }
+        nonsmooth::residual(a, c, normal[0] + t * (c.u[0] - normal[0]),
+                            normal[3] + t * (c.lambda[0] - normal[3]), u, lambda, e);
+        sum += (a.mobility + a.sigma) * (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
+    }
+    return sum;
+}
+
+}  // namespace
+
+double contacts_merit(const StepContext& ctx, double t) noexcept {
+    double sum = resistance_merit(ctx, t);
+    const base::Array<Cone>& cones = ctx.system.contacts.cones;
+    for (std::size_t k = 0; k < cones.size(); ++k) {
+        const Cone& c = cones[k];
+        const double* before = &ctx.newton.contact[6 * k];
+        double u[3], lambda[3], e[3];
+        for (int i = 0; i < 3; ++i) {
+            u[i] = before[i] + t * (c.u[i] - before[i]);
+            lambda[i] = before[3 + i] + t * (c.lambda[i] - before[3 + i]);
+        }
+        nonsmooth::residual(c, u, lambda, e);
+        sum += (c.mobility + c.sigma_n) * e[0] * e[0] +
+               (c.mobility + c.sigma_t) * (e[1] * e[1] + e[2] * e[2]);
+    }
+    return sum;
+}
+
+namespace {
+
+/// The larger, or what is not a number.
+double nan_or_more(double a, double b) noexcept { return b <= a || a != a ? a : b; }
+
+}  // namespace
+
+double worst(StepContext& ctx) noexcept {
+    const Contacts& contacts = ctx.system.contacts;
+    auto some = [&](std::int32_t begin, std::int32_t end) {
+        double largest = 0.0;
+        for (std::size_t k = at(begin); k < at(end); ++k)
+            largest =
+                nan_or_more(largest, nonsmooth::natural_map(contacts.cones[k], ctx.contact_floor));
+        return largest;
+    };
+    double largest =
+        merged_over(ctx, static_cast<std::int32_t>(contacts.count()), some, nan_or_more);
+    const assembly::Resistances& resistances = contacts.resistances;
+    for (std::size_t k = 0; k < resistances.count(); ++k)
+        largest = nan_or_more(
+            largest, nonsmooth::natural_map(resistances.laws[k],
+                                            contacts.cones[at(resistances.rows[k].contact)],
+                                            ctx.contact_floor));
+    return largest;
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file newton.h
+/// The semismooth Newton method that finds which contacts are open, stick or slide.
+///
+/// Each iteration linearises every contact about the iterate (nonsmooth/cone.h) and solves all
+/// joints, elements and contacts at once. Where the impulses of the linear system and the law
+/// λ = P(y) agree, the step is solved. The first iterate is the velocity of the last step with
+/// its impulses.
+///
+/// **Along a step** velocities and impulses move together, so that the momentum balance and the
+/// joints hold at every point of it; how far to go is decided by the law's residual there, at the
+/// cost of a sweep over contacts.
+///
+/// **Matrix.** The first two iterations factor with JᵀS J in the matrix, in part where little of it
+/// changed (factor/partial.h), with L D U where contacts slide (factor/unsymmetric.h). Later ones
+/// change few contacts, or all by little: they use the factorisation at hand and find by GMRES the
+/// impulses w that make up for the difference, a handful of substitutions. When those do not
+/// suffice, the matrix is factored again.
+///
+/// **When iterations end** before that (WorldDef::budget, budget_work, contact_iterations), the
+/// contacts are linearised once more about the iterate of the least merit with lagged coupling,
+/// which is symmetric and never singular; the impulses of that solve are projected onto their
+/// cones, and the refinement balances momentum with each contact's law through the projected
+/// impulse. Where even the best iterate is poor, the end of the last step takes its place. Limits
+/// of cost are looked at where no tension-only line or range has just switched.
+///
+/// **Cold start.** With nothing to start from, stiff tangents send the iterates anywhere. The first
+/// step therefore solves with tangents 1024 and 32 times as soft first, roughly; each solution is
+/// the start of the next. On walls of 648 and 976 contacts that halves the work of the first step;
+/// with contacts 1000 times as stiff it ends where it otherwise does not.
+///
+/// **Safety.** When the iterations do not end, the step is done again from soft tangents. A sliding
+/// contact's S is unsymmetric and its matrix may be singular where friction is so strong that it
+/// jams (Painlevé): what then still does not end is done again with lagged coupling, symmetric and
+/// positive, for all contacts. The certificate says what is left.
+
+#include "context/context.h"
+
+namespace hawser::stepper {
+
+/// Scratch for the contacts of this step. @throws std::bad_alloc.
+void reserve_newton(StepContext& ctx);
+
+/// Linearise about the last step's solution.
+void begin_newton(StepContext& ctx) noexcept;
+
+/// Stages 6 and 7; the right-hand side is that of assemble_rows().
+[[nodiscard]] Status solve_newton(StepContext& ctx) noexcept;
+/// Refine v₊ and λ after right-hand sides of rows changed, and iterate again where contacts no
+/// longer obey their law.
+[[nodiscard]] Status settle_newton(StepContext& ctx) noexcept;
+
+}  // namespace hawser::stepper

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file newton_end.h
+/// Ends of Newton's iterations that come before the step is solved, see newton.h: the best iterate
+/// is taken, impulses are projected onto their cones, and momentum is balanced with them.
+
+#include "context/context.h"
+#include "context/newton_data.h"
+
+namespace hawser::stepper {
+
+/// Ended with time for one more factorisation.
+[[nodiscard]] Status end_early(StepContext& ctx) noexcept;
+/// Ended without: the law in the matrix is moved through the projected impulse.
+void end_hastily(StepContext& ctx) noexcept;
+
+/// Velocities and impulses of contacts from where the last step ended.
+void go_back_to_last(StepContext& ctx) noexcept;
+
+/// No iterate is set aside.
+void forget_best(StepContext& ctx) noexcept;
+/// The iterate kept is the best so far, and the one at hand is worse: set it aside.
+void set_best_aside(Newton& n, double merit) noexcept;
+
+}  // namespace hawser::stepper

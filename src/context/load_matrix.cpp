@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "context/load_matrix.h"
+
+#include <hawser/system.h>
+
+#include "base/index.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::stepper {
+
+double product(const double* s, int n, const double* u, const double* v) noexcept {
+    double sum = 0.0;
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < i; ++j, ++s) sum += *s * (u[i] * v[j] + u[j] * v[i]);
+        sum += *s++ * u[i] * v[i];
+    }
+    return sum;
+}
+
+void add_product(const double* s, int n, double factor, const double* v, double* out) noexcept {
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < i; ++j, ++s) {
+            out[i] += factor * *s * v[j];
+            out[j] += factor * *s * v[i];
+        }
+        out[i] += factor * *s++ * v[i];
+    }
+}
+
+bool semidefinite(const double* m, int n) noexcept {
+    constexpr double kMost = 1e300, kRounding = 1e-14, kAside = 2e-7;  // kAside ≥ √kRounding
+    double scale[6], d[6], low[21];
+    for (int i = 0; i < n; ++i) {
+        const double own = m[triangle(i, i)];
+        if (!(own >= 0.0 && own <= kMost)) return false;
+        scale[i] = own > 0.0 ? 1.0 / std::sqrt(own) : 0.0;
+    }
+    for (int j = 0; j < n; ++j) {
+        double pivot = scale[j] > 0.0 ? 1.0 : 0.0;
+        for (int k = 0; k < j; ++k) pivot -= low[triangle(j, k)] * low[triangle(j, k)] * d[k];
+        if (!(pivot >= -kRounding)) return false;
+        d[j] = pivot > kRounding ? pivot : 0.0;
+        for (int i = j + 1; i < n; ++i) {
+            const double entry = m[triangle(i, j)];
+            if ((scale[i] == 0.0 || scale[j] == 0.0) && !(entry == 0.0)) return false;
+            double c = entry * scale[i] * scale[j];
+            for (int k = 0; k < j; ++k) c -= low[triangle(i, k)] * low[triangle(j, k)] * d[k];
+            if (d[j] == 0.0 && !(std::fabs(c) <= kAside)) return false;
+            low[triangle(i, j)] = d[j] > 0.0 ? c / d[j] : 0.0;
+        }
+    }
+    return true;
+}
+
+void mass_matrix(const model::Bodies& b, std::int32_t body, int n, double* out) noexcept {
+    std::fill_n(out, entries_of(n), 0.0);
+    for (int i = 0; i < std::min(n, 3); ++i) out[triangle(i, i)] = b.mass[at(body)];
+    if (n < 6) return;
+    const double *r = &b.r[9 * at(body)], *inertia = &b.inertia[9 * at(body)];
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j <= i; ++j) {
+            double sum = 0.0;
+            for (int k = 0; k < 3; ++k)
+                for (int l = 0; l < 3; ++l) sum += r[3 * i + k] * inertia[3 * k + l] * r[3 * j + l];
+            out[triangle(3 + i, 3 + j)] = sum;
+        }
+}
+
+void factor_triangle(double* m, int n) noexcept {
+    for (int j = 0; j < n; ++j) {
+        double pivot = m[triangle(j, j)];
+        for (int k = 0; k < j; ++k) pivot -= m[triangle(j, k)] * m[triangle(j, k)];
+        m[triangle(j, j)] = std::sqrt(pivot);
+        for (int i = j + 1; i < n; ++i) {
+            double c = m[triangle(i, j)];
+            for (int k = 0; k < j; ++k) c -= m[triangle(i, k)] * m[triangle(j, k)];
+            m[triangle(i, j)] = c / m[triangle(j, j)];
+        }
+    }
+}
+
+void solve_triangle(const double* low, int n, double* x) noexcept {
+    for (int i = 0; i < n; ++i) {
+        for (int k = 0; k < i; ++k) x[i] -= low[triangle(i, k)] * x[k];
+        x[i] /= low[triangle(i, i)];
+    }
+    for (int i = n - 1; i >= 0; --i) {
+        for (int k = i + 1; k < n; ++k) x[i] -= low[triangle(k, i)] * x[k];
+        x[i] /= low[triangle(i, i)];
+    }
+}
+
+double trace_over(double* m, const double* s, int n) noexcept {
+    factor_triangle(m, n);
+    double sum = 0.0;
+    for (int c = 0; c < n; ++c) {
+        double x[6] = {};
+        x[c] = 1.0;
+        solve_triangle(m, n, x);
+        for (int i = 0; i < n; ++i) sum += x[i] * s[i >= c ? triangle(i, c) : triangle(c, i)];
+    }
+    return sum;
+}
+
+}  // namespace hawser::stepper

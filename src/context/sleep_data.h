@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file sleep_data.h
+/// Scratch of the search for islands (sleep.h).
+
+#include <cstdint>
+#include <vector>
+
+namespace hawser::stepper {
+
+/// Scratch of sleep.h, by body.
+struct Sleep {
+    std::vector<std::int32_t> island;  ///< Union-find: of what it holds to.
+    std::vector<std::uint8_t> mark;    ///< Of the first body of an island.
+};
+
+}  // namespace hawser::stepper

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file undo_data.h
+/// Copies of the last good state (undo.h).
+
+#include "assembly/system.h"
+#include "base/memory.h"
+#include "collide/contacts.h"
+#include "collide/match.h"
+#include "context/cuts_data.h"
+#include "context/judge_data.h"
+#include "context/wires_data.h"
+#include "model/bodies.h"
+#include "model/interactions.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace hawser::stepper {
+
+/// What has to be done before the system may be used.
+enum class Mend : std::uint8_t {
+    nothing,
+    rebuild,  ///< Analyse as it was, at the poses of that analysis.
+    follow,   ///< Analyse for what is awake now, at the poses of the last analysis.
+};
+
+/// Copies of the last good state, of what has changed or is about to.
+struct Undo {
+    /// How much may change beside velocities and impulses.
+    enum class Depth : std::uint8_t {
+        system,  ///< Links, cuts in force, groups, what sleeps: what stages graph to analyse do.
+        model,   ///< Also images and copies of cuts.
+        all,     ///< Also what a step leaves behind: for another state.
+    };
+
+    /// What a step counts.
+    struct Scalars {
+        std::int64_t step;
+        double time, work, drag, drive, friction, contact, damped, system_work, added;
+        int refine_unasked;
+        bool started;
+        std::array<std::int64_t, kEventKindCount> event_count;
+        JudgeState judge;
+    };
+    /// The system was kept since.
+    [[nodiscard]] bool holds() const noexcept { return depth >= 0; }
+
+    bool moved = false;   ///< Velocities and impulses are among what was kept.
+    bool linked = false;  ///< So are the steps in which links were used last.
+    int depth = -1;       ///< −1: the system is as it was.
+
+    // Motion.
+    base::Array<double> v, spin_change, lambda, active;
+    base::Array<std::uint8_t> repeats, coarse;
+    std::vector<double> credit;
+    std::vector<std::int32_t> alert;
+    Scalars scalars{};
+    std::vector<std::int64_t> link_used;
+
+    // System.
+    Mend mend = Mend::nothing;
+    bool topology_changed = false;
+    assembly::System::Kept system;
+    base::Array<double> analysed_x, analysed_r;
+    base::Array<std::uint8_t> asleep;
+    base::Array<std::int32_t> quiet;
+    std::int32_t asleep_count = 0;
+    std::vector<assembly::Contacts::Link> links;
+    std::vector<Cut> cuts;
+    std::uint64_t asked = 0;
+    int interfaces = 0;
+    std::vector<std::int32_t> group;
+    std::vector<Coupling> coupling;
+    graph::Partition parts;
+    Wires wires;  ///< Where they are about to be found anew.
+    std::int64_t made = 0, seen = -1;
+    bool stale = true, grouped = false;
+    std::int32_t grouped_interactions = 0;
+
+    // Model.
+    model::Bodies bodies;
+    model::Interactions interactions;
+    Cuts all_cuts;
+
+    // All.
+    base::Array<collide::KeptContact> kept;
+    std::size_t kept_awake = 0;
+    base::Array<assembly::ContactMemory> memory;
+    base::Array<assembly::ResistanceMemory> resistances;
+    collide::ContactSet contacts;
+    base::Array<double> contact_impulse;
+    base::Array<std::uint8_t> contact_sliding;
+    std::int32_t contact_count = 0;
+};
+
+}  // namespace hawser::stepper

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Method convex: Newton's method on ½‖v − v*‖² + ½ Σ ‖P_K(y)‖² over the velocities that joints
+/// allow (nonsmooth/associated.h). The matrix stays symmetric; an exact line search on this convex
+/// function needs contacts alone, since momentum and joints hold at every point of a step.
+#include "contact/iterate.h"
+#include "contact/krylov.h"
+#include "context/context.h"
+#include "nonsmooth/associated.h"
+#include "solve/active_set.h"
+#include "solve/solve.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::stepper {
+namespace {
+
+using nonsmooth::Cone;
+
+std::int32_t linearise(StepContext& ctx) noexcept {
+    std::int32_t flips = 0;
+    for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
+        Cone& c = ctx.system.contacts.cones[k];
+        const nonsmooth::Touch before = c.touch;
+        ctx.newton.laws[k] = nonsmooth::linearise_associated(c, c.touch);
+        flips += c.touch != before ? 1 : 0;
+    }
+    return flips;
+}
+
+/// Derivative of the function along the step from the iterate kept, a share t of the way [J]. The
+/// momentum balance there has the linear law's impulses, the gradient wants those of the law.
+double slope(const StepContext& ctx, double t) noexcept {
+    double sum = 0.0;
+    const base::Array<Cone>& cones = ctx.system.contacts.cones;
+    for (std::size_t k = 0; k < cones.size(); ++k) {
+        const Cone& c = cones[k];
+        const double* from = &ctx.newton.contact[6 * k];
+        double u[3], law[3];
+        for (int i = 0; i < 3; ++i) u[i] = from[i] + t * (c.u[i] - from[i]);
+        nonsmooth::associated_impulse(c, u, law);
+        for (int i = 0; i < 3; ++i) {
+            const double linear = from[3 + i] + t * (c.lambda[i] - from[3 + i]);
+            sum += (linear - law[i]) * (c.u[i] - from[i]);
+        }
+    }
+    return sum;
+}
+
+/// Where the slope vanishes, or the whole step while it still descends there.
+void search(StepContext& ctx) noexcept {
+    const double start = slope(ctx, 0.0), end = slope(ctx, 1.0);
+    // Of a step that is nearly right the end is close enough.
+    if (!(end > 0.1 * std::fabs(start))) return;
+    double low = 0.0, high = 1.0;
+    for (int i = 0; i < 20 && high - low > 0.01 * high; ++i) {
+        const double middle = 0.5 * (low + high);
+        (slope(ctx, middle) > 0.0 ? high : low) = middle;
+    }
+    shorten(ctx, 0.5 * (low + high));
+}
+
+double worst_of_model(const StepContext& ctx) noexcept {
+    double largest = 0.0;
+    for (const Cone& c : ctx.system.contacts.cones)
+        largest = std::max(largest, nonsmooth::associated_map(c, ctx.contact_floor));
+    return largest;
+}
+
+}  // namespace
+
+void begin_convex(StepContext& ctx) noexcept {
+    (void)linearise(ctx);
+    adopt_laws(ctx, true);
+}
+
+Status solve_convex(StepContext& ctx) noexcept {
+    ctx.newton.iterations = 0;
+    constexpr int kKrylovFrom = 2;  // as in newton.cpp
+    bool again = false;
+    for (int it = 0;; ++it) {
+        ++ctx.newton.iterations;
+        if (it == 0 || again || it < kKrylovFrom || !find_impulses(ctx)) {
+            if (it > 0) adopt_laws(ctx, false);
+            if (const Status s = newton_solve(ctx, it == 0, it == 0 || again); s != Status::ok)
+                return s;
+        } else {
+            continue_with_factor(ctx);
+        }
+        if (it > 0) search(ctx);
+        again = update_active_set(ctx, it);
+        const double left = worst_of_model(ctx);
+        if (!std::isfinite(left)) return Status::not_finite;
+        if ((left <= ctx.def.contact_tolerance && !again) || it + 1 >= ctx.def.contact_iterations)
+            break;
+        keep_iterate(ctx);
+        ctx.stats.flips_left += linearise(ctx);  // to those of rows
+    }
+    ctx.stats.natural_map = worst(ctx);
+    return refine(ctx);
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Method pgs: projected Gauss-Seidel for every row, as most engines do it. No matrix. A sweep goes
+/// through the rows of all interactions in their order, then through the contacts: normal, then
+/// both tangents on the disk. It starts from the impulses of the last step.
+#include "access/guarded.h"
+#include "access/view.h"
+#include "contact/iterate.h"
+#include "context/context.h"
+#include "methods/gauss_seidel.h"
+#include "solve/bounds.h"
+#include "solve/contact_rows.h"
+#include "solve/solve.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::View;
+
+/// Call f(body, dof, its columns of row r) for each body with freedom of an interaction.
+template <class F>
+void each_body(const View& v, std::int32_t id, int r, F&& f) noexcept {
+    int width = 0;
+    for (int b = 0; b < v.bodies[id]; ++b) width += v.dof[v.body[kMaxInteractionBodies * id + b]];
+    const double* jac = v.jacobian + v.jac_begin[id] + static_cast<std::ptrdiff_t>(r) * width;
+    double row[model::kArmWidth];
+    if (v.arms[id]) {
+        model::unpack_arm_row(v.jacobian + v.jac_begin[id], r, row);
+        jac = row;
+    }
+    for (int b = 0; b < v.bodies[id]; ++b) {
+        const std::int32_t body = v.body[kMaxInteractionBodies * id + b];
+        if (v.dof[body] == 0) continue;
+        f(body, v.dof[body], jac);
+        jac += v.dof[body];
+    }
+}
+
+/// v₊ += M⁻¹ gᵀ x for one row g.
+void push_row(const StepContext& ctx, const View& v, std::int32_t id, int r, double x) noexcept {
+    each_body(v, id, r, [&](std::int32_t body, int dof, const double* g) {
+        double p[6], answered[6];
+        for (int j = 0; j < dof; ++j) p[j] = x * g[j];
+        answer(ctx, body, dof, p, answered);
+        for (int j = 0; j < dof; ++j) v.v_new[v.dof_begin[body] + j] += answered[j];
+    });
+}
+
+double row_speed(const View& v, std::int32_t id, int r) noexcept {
+    double sum = 0.0;
+    each_body(v, id, r, [&](std::int32_t body, int dof, const double* g) {
+        for (int j = 0; j < dof; ++j) sum += g[j] * v.v_new[v.dof_begin[body] + j];
+    });
+    return sum;
+}
+
+double row_mobility(const StepContext& ctx, const View& v, std::int32_t id, int r) noexcept {
+    double sum = 0.0;
+    each_body(v, id, r, [&](std::int32_t body, int dof, const double* g) {
+        double answered[6];
+        answer(ctx, body, dof, g, answered);
+        for (int j = 0; j < dof; ++j) sum += g[j] * answered[j];
+    });
+    return sum;
+}
+
+/// Velocities without rows, then with the impulses of the last step.
+void start(StepContext& ctx, const View& v) noexcept {
+    for (std::int32_t b = 0; b < v.body_count; ++b)
+        if (v.dof[b] > 0) answer(ctx, b, v.dof[b], v.a + v.dof_begin[b], v.v_new + v.dof_begin[b]);
+    for (std::int32_t id = 0; id < v.interaction_count; ++id) {
+        if (ctx.system.rests(id)) continue;
+        const ImpulseRange range = impulse_range(ctx, id);
+        for (int r = 0; r < v.rows[id]; ++r) {
+            const std::int32_t row = v.row_begin[id] + r;
+            v.lambda[row] = std::clamp(v.lambda[row], range.low, range.high);
+            ctx.newton.row_mobility[static_cast<std::size_t>(row)] = row_mobility(ctx, v, id, r);
+            push_row(ctx, v, id, r, v.lambda[row]);
+        }
+    }
+    for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
+        nonsmooth::Cone& c = ctx.system.contacts.cones[k];
+        nonsmooth::project(c.friction, c.lambda);
+        push_contact(ctx, v, k, c.lambda);
+    }
+}
+
+void sweep_rows(StepContext& ctx, const View& v) noexcept {
+    for (std::int32_t id = 0; id < v.interaction_count; ++id) {
+        if (ctx.system.rests(id)) continue;
+        const ImpulseRange range = impulse_range(ctx, id);
+        if (range.low == range.high) continue;
+        for (int r = 0; r < v.rows[id]; ++r) {
+            const std::int32_t row = v.row_begin[id] + r;
+            const double whole =
+                ctx.newton.row_mobility[static_cast<std::size_t>(row)] + v.sigma[row];
+            if (!(whole > 0.0)) continue;
+            const double wrong = v.c[row] - row_speed(v, id, r) - v.sigma[row] * v.lambda[row];
+            const double now = std::clamp(v.lambda[row] + wrong / whole, range.low, range.high);
+            const double change = now - v.lambda[row];
+            v.lambda[row] = now;
+            if (change != 0.0) push_row(ctx, v, id, r, change);
+        }
+    }
+}
+
+/// What is left in the rows, for the certificate.
+void take_residuals(StepContext& ctx, const View& v) noexcept {
+    for (std::int32_t id = 0; id < v.interaction_count; ++id) {
+        if (ctx.system.rests(id)) continue;
+        const ImpulseRange range = impulse_range(ctx, id);
+        const double first = v.lambda[v.row_begin[id]];
+        if ((v.flags[id] & model::kBounded) || v.parted[id])
+            v.active[id] = range.low < first && first < range.high ? 1.0 : 0.0;
+        ctx.interactions.held[static_cast<std::size_t>(id)] = v.active[id] == 0.0 ? first : 0.0;
+        for (int r = 0; r < v.rows[id]; ++r) {
+            const std::int32_t row = v.row_begin[id] + r;
+            const double idle = r == 0 ? (1.0 - v.active[id]) * v.held[id] : 0.0;
+            v.residual[row] = v.active[id] * (v.c[row] - row_speed(v, id, r)) -
+                              v.sigma[row] * (v.lambda[row] - idle);
+        }
+    }
+}
+
+}  // namespace
+
+void begin_pgs(StepContext& ctx) noexcept { freeze_impulses(ctx); }
+
+Status solve_pgs(StepContext& ctx) noexcept {
+    const Status room =
+        guarded(ctx, [&] { reserve_gauss_seidel(ctx, ctx.system.contacts.count()); });
+    if (room != Status::ok) return room;
+    const View v = view(ctx);
+    ctx.rhs_ready = false;
+    if (!invert_masses(ctx, v)) return Status::wrong_pivot;
+    start(ctx, v);
+    for (int i = 0; i < ctx.def.nonsmooth_sweeps && !ctx.pool.stopping(); ++i) {
+        sweep_rows(ctx, v);
+        for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
+            relax_normal(ctx, v, k);
+            relax_tangents(ctx, v, k);
+        }
+    }
+    ctx.newton.iterations = ctx.def.nonsmooth_sweeps;
+    freeze_impulses(ctx);
+    if (ctx.system.contacts.count() > 0) update_contacts(ctx, v.v_new);
+    take_residuals(ctx, v);
+    if (ctx.system.contacts.count() > 0) ctx.stats.natural_map = worst(ctx);
+    if (!std::isfinite(ctx.stats.natural_map)) return Status::not_finite;
+    return measure(ctx);
+}
+
+}  // namespace hawser::stepper

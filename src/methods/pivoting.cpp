@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Method pivoting: box friction with the bounds of an earlier pass (nonsmooth/box.h).
+///
+/// Within a pass the bounds are numbers and the problem is a linear complementarity problem with a
+/// P-matrix; nonsmooth/pivot.h says which rows change from round to round. Each round is one
+/// symmetric factorisation, of what changed. Passes go on until the bounds stand still.
+#include "contact/iterate.h"
+#include "context/context.h"
+#include "nonsmooth/box.h"
+#include "nonsmooth/pivot.h"
+#include "solve/active_set.h"
+#include "solve/solve.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::stepper {
+namespace {
+
+using nonsmooth::Bound;
+using nonsmooth::Cone;
+
+constexpr int kPasses = 8;
+
+void make_laws(StepContext& ctx) noexcept {
+    for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
+        Cone& c = ctx.system.contacts.cones[k];
+        const Bound* rows = &ctx.newton.bounds[3 * k];
+        ctx.newton.laws[k] = nonsmooth::box_law(c, rows, ctx.newton.limit[k]);
+        c.touch = nonsmooth::touch_of(rows, ctx.newton.limit[k]);
+    }
+}
+
+/// One pass. @param rounds  Factorisations, of all passes.
+Status pass(StepContext& ctx, int& rounds) noexcept {
+    nonsmooth::PivotProgress progress;
+    for (bool again = false;;) {
+        if (const Status s = newton_solve(ctx, rounds == 0, rounds == 0 || again); s != Status::ok)
+            return s;
+        ++rounds;
+        again = update_active_set(ctx, rounds - 1);
+        const int count = nonsmooth::pivot(ctx.system.contacts.cones, ctx.newton.bounds,
+                                           ctx.newton.limit, ctx.contact_floor, progress);
+        ctx.stats.flips_left += count;  // to those of rows
+        if (count == 0 && !again) return Status::ok;
+        if (rounds >= ctx.def.contact_iterations) return Status::ok;
+        make_laws(ctx);
+        adopt_laws(ctx, false);
+    }
+}
+
+/// Bounds of the next pass. @return largest change, relative.
+double renew_limits(StepContext& ctx) noexcept {
+    double change = 0.0;
+    for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
+        const Cone& c = ctx.system.contacts.cones[k];
+        double& limit = ctx.newton.limit[k];
+        const double now = c.friction * std::max(0.0, c.lambda[0]);
+        // A bound that nothing leans on may change without another pass.
+        const bool held = ctx.newton.bounds[3 * k + 1] == Bound::free &&
+                          ctx.newton.bounds[3 * k + 2] == Bound::free &&
+                          std::max(std::fabs(c.lambda[1]), std::fabs(c.lambda[2])) <= now;
+        if (!held)
+            change = std::max(change,
+                              std::fabs(now - limit) / std::max({now, limit, ctx.contact_floor}));
+        limit = now;
+    }
+    return change;
+}
+
+}  // namespace
+
+void begin_pivoting(StepContext& ctx) noexcept {
+    for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
+        const Cone& c = ctx.system.contacts.cones[k];
+        ctx.newton.limit[k] = c.friction * std::max(0.0, c.lambda[0]);
+        // Where the last step left them, by the law of the rows at its velocities.
+        Bound* rows = &ctx.newton.bounds[3 * k];
+        rows[0] = c.u[0] - c.b[0] < 0.0 ? Bound::free : Bound::low;
+        for (int i = 1; i < 3; ++i) {
+            const double y = (c.b[i] - c.u[i]) / c.sigma_t;
+            rows[i] = y > ctx.newton.limit[k]    ? Bound::high
+                      : y < -ctx.newton.limit[k] ? Bound::low
+                                                 : Bound::free;
+        }
+    }
+    make_laws(ctx);
+    adopt_laws(ctx, true);
+}
+
+Status solve_pivoting(StepContext& ctx) noexcept {
+    int rounds = 0;
+    for (int i = 0; i < kPasses; ++i) {
+        if (const Status s = pass(ctx, rounds); s != Status::ok) return s;
+        // Bounds to a tenth of a percent: with the box itself up to 41 % off there is no point
+        // in more.
+        constexpr double kStill = 1e-3;
+        if (rounds >= ctx.def.contact_iterations || i + 1 == kPasses) break;
+        if (renew_limits(ctx) <= kStill) break;
+        make_laws(ctx);
+        adopt_laws(ctx, false);
+    }
+    ctx.newton.iterations = rounds;
+    ctx.stats.natural_map = worst(ctx);
+    if (!std::isfinite(ctx.stats.natural_map)) return Status::not_finite;
+    return refine(ctx);
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solve/active_set.h"
+
+#include "access/view.h"
+#include "solve/bounds.h"
+#include "solve/solve.h"
+
+#include <cstdint>
+
+namespace hawser::stepper {
+namespace {
+
+constexpr int kMostPasses = 20;
+
+/// λ and v₊ as they stand. All that ask for it are switched at first; then, since two may go on
+/// switching each other for ever, the first one only (K. G. Murty's least index rule, which ends).
+/// @return how many ask for it; none are switched from kMostPasses on.
+std::int32_t switch_solved(StepContext& ctx, int pass) noexcept {
+    constexpr int kTogether = 6;
+    take_bounds(ctx);
+    keep_bounds(ctx, 1.0);
+    const std::int32_t rows =
+        switch_bounds(ctx, 0.0, pass < kTogether ? kAnyRows : pass < kMostPasses);
+    ctx.stats.flips_left = pass < kMostPasses ? 0 : rows;
+    if (rows > 0) ctx.rhs_ready = false;
+    return rows;
+}
+
+}  // namespace
+
+Status settle_bounds(StepContext& ctx) noexcept {
+    constexpr int kMostSolves = 100;  // of bounds that move
+    const double tolerance = ctx.def.contact_tolerance;
+    for (int pass = 0, solves = 0; pass <= kMostPasses; ++solves) {
+        ctx.stats.natural_map = bounds_map(ctx);
+        // In the end nothing is moved, so that λ is what has been solved for.
+        if (solves >= kMostSolves) pass = kMostPasses;
+        Status status = Status::ok;
+        const bool moved = ctx.stats.natural_map > tolerance;
+        if (!moved && pass < kMostPasses && !any_asks(ctx, view(ctx))) {
+            ctx.stats.flips_left = 0;
+            break;
+        }
+        const std::int32_t rows = switch_solved(ctx, pass);
+        if (pass == kMostPasses || (rows == 0 && !moved)) break;
+        if (rows > 0) {
+            ++pass;
+            status = factor_and_solve(ctx);
+        } else {
+            continue_with_factor(ctx);
+            status = refine(ctx);
+        }
+        if (status != Status::ok) return status;
+    }
+    return Status::ok;
+}
+
+Status follow_loads(StepContext& ctx) noexcept {
+    constexpr int kMost = 8;
+    Status status = Status::ok;
+    ctx.newton.follow.restart();
+    for (int i = 0; i < kMost && status == Status::ok; ++i) {
+        if (!(bounds_map(ctx) > ctx.def.contact_tolerance)) break;
+        if (asking_rows(ctx, ctx.contact_floor) > 0) break;
+        (void)switch_bounds(ctx, ctx.contact_floor, kAnyRows);
+        continue_with_factor(ctx);
+        status = refine(ctx);
+    }
+    return status;
+}
+
+bool update_active_set(StepContext& ctx, int pass) noexcept {
+    const bool moved = bounds_map(ctx) > ctx.def.contact_tolerance;
+    const std::int32_t rows = switch_solved(ctx, pass);
+    return pass < kMostPasses && (rows > 0 || moved);
+}
+
+}  // namespace hawser::stepper

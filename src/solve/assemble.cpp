@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solve/assemble.h"
+
+#include "access/sweeps.h"
+#include "access/view.h"
+#include "solve/bounds.h"
+#include "solve/evaluate.h"
+#include "solve/joints.h"
+#include "solve/wire_plan.h"
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::View;
+
+/// Whether the solution starts at v_start: with contacts Newton's method has a start of its own.
+bool starts_moving(const StepContext& ctx) noexcept {
+    return ctx.system.contacts.count() == 0 && ctx.def.nonsmooth != Nonsmooth::pgs;
+}
+
+}  // namespace
+
+void assemble_system(StepContext& ctx) noexcept {
+    ctx.losses_known = false;
+    const View v = view(ctx);
+    const assembly::Kernels& k = assembly::kernels();
+    hold_bounds(ctx, ctx.def.step);
+    choose_completed(ctx);
+    const bool completes = ctx.completion.any;
+    const bool moving = starts_moving(ctx);
+    View rows = v;
+    // PGS measures its solution without renewing what v₊ does.
+    if (!moving && ctx.def.nonsmooth != Nonsmooth::pgs) rows.v_start = nullptr;
+    sweep(
+        ctx,
+        [&](int strip) {
+            evaluate_strip(ctx, rows, strip);
+            replan_wires(ctx, rows, strip);
+            if (completes) (void)complete_strip(ctx, v, strip, v.v_start, true);
+            each(ctx.system.strips.interactions(strip),
+                 [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b, moving); });
+        },
+        [&](std::int32_t a, std::int32_t b, int) {
+            k.body_terms(v, a, b);
+            ctx.loads.add_terms(v, a, b);
+            if (completes) (void)k.complete_spins(v, a, b, v.v_start, true);
+            k.first_body_rhs(v, a, b, moving);
+        });
+    ctx.rhs_ready = true;
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solve/bounds.h"
+
+#include "access/rows.h"
+#include "access/view.h"
+#include "base/index.h"
+#include "context/newton_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::View;
+
+/// What others add to the bound of friction, by their impulses at hand [N s].
+double load_of(const StepContext& ctx, std::int32_t id) noexcept {
+    const model::Interactions& in = ctx.interactions;
+    if (in.load_begin[at(id)] < 0) return 0.0;
+    double sum = 0.0;
+    for (int i = 0; i < kMaxFrictionLoads; ++i) {
+        const model::Load& load = in.loads[at(in.load_begin[at(id)] + i)];
+        double square = 0.0;
+        for (std::int32_t r = load.row_begin; r < load.row_begin + load.rows; ++r)
+            square += in.lambda[at(r)] * in.lambda[at(r)];
+        sum += load.factor * std::sqrt(square);
+    }
+    return sum;
+}
+
+double stiffness_scale(const StepContext& ctx, std::size_t i) noexcept {
+    const model::Interactions& in = ctx.interactions;
+    return ctx.system.bounded_mobility[i] + in.sigma[at(in.row_begin[at(ctx.system.bounded[i])])];
+}
+
+/// λ, and r = c − G v − Σλ, which is 0 of an active row: it has been solved for.
+BoundedRow row_now(const View& v, std::int32_t id) noexcept {
+    const std::int32_t row = v.row_begin[id];
+    const double lambda = v.lambda[row];
+    const double r =
+        v.active[id] != 0.0 ? 0.0 : v.c[row] - row_speed(v, id) - v.sigma[row] * lambda;
+    return {lambda, r};
+}
+
+/// The end of the range that an impulse was at when the ends were elsewhere.
+double moved_with(const ImpulseRange& range, double held) noexcept {
+    if (held == 0.0) return std::clamp(0.0, range.low, range.high);
+    return held < 0.0 ? range.low : range.high;
+}
+
+BoundedRow along(const Newton& n, std::size_t i, double t) noexcept {
+    const BoundedRow &a = n.row[i], &b = n.row_end[i];
+    return {a.lambda + t * (b.lambda - a.lambda), a.r + t * (b.r - a.r)};
+}
+
+/// A line that is taut and pulls, of which nothing but that has to be known.
+bool pulls_on(const View& v, std::int32_t id) noexcept {
+    constexpr int kOther = model::kRange | model::kMotor | model::kFriction;
+    const double lambda = v.lambda[v.row_begin[id]];
+    return (v.flags[id] & (model::kOneSided | kOther)) == model::kOneSided && v.active[id] != 0.0 &&
+           v.parted[id] == 0 && lambda < 0.0 && lambda > -model::kUnbounded;
+}
+
+/// Where a row is, and where it asks to be.
+struct Wish {
+    bool was_active, active;
+    double projected;  ///< Its impulse, within the range [N s].
+};
+Wish wish_of(const StepContext& ctx, const View& v, std::size_t i, const BoundedRow& p,
+             const ImpulseRange& range) noexcept {
+    const std::int32_t id = ctx.system.bounded[i];
+    const bool was_active = v.active[id] != 0.0;
+    // An idle row goes where its bound has gone; only then it is asked whether it stays.
+    const double lambda = was_active ? p.lambda : moved_with(range, v.held[id]);
+    const double y = lambda + p.r / stiffness_scale(ctx, i);
+    return {was_active, range.low < y && y < range.high, std::clamp(y, range.low, range.high)};
+}
+/// Rows that never switch: what parted or gives way to another force, and what is in the middle of
+/// its range.
+bool stays(const StepContext& ctx, const View& v, std::int32_t id,
+           const ImpulseRange& range) noexcept {
+    return v.parted[id] || ctx.wires.gives_way(id) ||
+           ((v.flags[id] & model::kRange) && range.low == range.high);
+}
+
+}  // namespace
+
+ImpulseRange impulse_range(const StepContext& ctx, std::int32_t id) noexcept {
+    const model::Interactions& in = ctx.interactions;
+    const int flags = in.flags[at(id)];
+    if (in.parted[at(id)] || ctx.wires.gives_way(id)) return {0.0, 0.0};
+    if (flags & model::kRange) {
+        constexpr double kAll = model::kUnbounded;
+        const double g = in.g[at(in.row_begin[at(id)])];
+        return {g > 0.0 ? -kAll : 0.0, g < 0.0 ? kAll : 0.0};
+    }
+    // A line's force has no bound in an impact either.
+    const double time = flags & (model::kMotor | model::kFriction) ? ctx.newton.bound_time : 1.0;
+    ImpulseRange range{time * in.low[at(id)], time * in.high[at(id)]};
+    if (flags & model::kFriction) {
+        const double load = load_of(ctx, id);
+        range.low -= load;
+        range.high += load;
+    }
+    range.low = std::min(range.low, range.high);
+    return range;
+}
+
+void reserve_bounds(StepContext& ctx) {
+    ctx.newton.row.resize(ctx.system.bounded.size());
+    ctx.newton.row_end.resize(ctx.system.bounded.size());
+    const model::Interactions& in = ctx.interactions;
+    ctx.newton.loaded.clear();
+    for (const std::int32_t id : ctx.system.bounded)
+        if ((in.flags[at(id)] & model::kFriction) && in.load_begin[at(id)] >= 0)
+            ctx.newton.loaded.push_back(id);
+    ctx.newton.follow.reserve(ctx.newton.loaded.size());
+}
+
+void hold_bounds(StepContext& ctx, double time) noexcept {
+    model::Interactions& in = ctx.interactions;
+    ctx.newton.bound_time = time;
+    ctx.newton.follow.restart();
+    for (const std::int32_t id : ctx.system.bounded) {
+        double& held = in.held[at(id)];
+        if (held != 0.0) held = 0.0;
+        if (in.active[at(id)] != 0.0 || !(in.flags[at(id)] & (model::kMotor | model::kFriction)))
+            continue;
+        const ImpulseRange range = impulse_range(ctx, id);
+        held = moved_with(range, in.lambda[at(in.row_begin[at(id)])]);
+    }
+}
+
+void take_bounds(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    for (std::size_t i = 0; i < ctx.system.bounded.size(); ++i)
+        ctx.newton.row_end[i] = row_now(v, ctx.system.bounded[i]);
+}
+
+void keep_bounds(StepContext& ctx, double t) noexcept {
+    Newton& n = ctx.newton;
+    if (t == 1.0) return n.row.swap(n.row_end);
+    for (std::size_t i = 0; i < n.row.size(); ++i) n.row[i] = along(n, i, t);
+}
+
+double bounds_merit(const StepContext& ctx, double t) noexcept {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < ctx.system.bounded.size(); ++i) {
+        const ImpulseRange range = impulse_range(ctx, ctx.system.bounded[i]);
+        const double scale = stiffness_scale(ctx, i);
+        const BoundedRow p = along(ctx.newton, i, t);
+        const double e = p.lambda - std::clamp(p.lambda + p.r / scale, range.low, range.high);
+        sum += scale * e * e;
+    }
+    return sum;
+}
+
+double bounds_map(const StepContext& ctx) noexcept {
+    const model::Interactions& in = ctx.interactions;
+    double largest = 0.0;
+    for (const std::int32_t id : in.frictions) {
+        if (in.active[at(id)] != 0.0 || ctx.system.rests(id)) continue;
+        const double held = in.held[at(id)], bound = moved_with(impulse_range(ctx, id), held);
+        if (bound == held) continue;
+        largest = std::max(largest,
+                           std::fabs(bound - held) / std::max(std::fabs(bound), ctx.contact_floor));
+    }
+    return largest;
+}
+
+namespace {
+
+/// Impulses at bounds that follow their loads, where they are idle. Others are not part of it.
+void read_held(const StepContext& ctx, double* out) noexcept {
+    for (const std::int32_t id : ctx.newton.loaded)
+        *out++ = ctx.interactions.active[at(id)] == 0.0 ? ctx.interactions.held[at(id)] : 0.0;
+}
+
+/// Bounds moved with their loads: farther, by what that did the last times.
+void extrapolate_bounds(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    nonsmooth::Anderson& follow = ctx.newton.follow;
+    read_held(ctx, follow.image());
+    const double* x = follow.next(ctx.contact_floor);
+    for (const std::int32_t id : ctx.newton.loaded) {
+        double& held = ctx.interactions.held[at(id)];
+        const double there = *x++;
+        // Friction does not turn round, whatever its load.
+        if (v.active[id] != 0.0 || !(there * held > 0.0)) continue;
+        held = v.lambda[v.row_begin[id]] = there;
+        ctx.losses_known = false;
+    }
+}
+
+}  // namespace
+
+std::int32_t switch_bounds(StepContext& ctx, double floor, std::int32_t most) noexcept {
+    const View v = view(ctx);
+    std::int32_t asking = 0;
+    const bool follows = most > 0 && !ctx.newton.loaded.empty();
+    if (follows) read_held(ctx, ctx.newton.follow.x());
+    for (std::size_t i = 0; i < ctx.system.bounded.size(); ++i) {
+        const std::int32_t id = ctx.system.bounded[i], row = v.row_begin[id];
+        const ImpulseRange range = impulse_range(ctx, id);
+        if (stays(ctx, v, id, range)) continue;
+        const BoundedRow p = ctx.newton.row[i];
+        double& held = ctx.interactions.held[at(id)];
+        const auto [was_active, active, projected] = wish_of(ctx, v, i, p, range);
+        if (active && was_active) continue;
+        if (active != was_active) {
+            // Lines that lie about are slack and taut by rounding: that decides nothing.
+            if (std::fabs(projected - p.lambda) <= floor) continue;
+            if (asking++ >= most) continue;
+        }
+        if (most == 0) continue;
+        ctx.losses_known = false;
+        v.active[id] = active ? 1.0 : 0.0;
+        if (active) continue;
+        held = projected;
+        v.lambda[row] = projected;
+    }
+    if (follows && asking == 0) extrapolate_bounds(ctx);
+    if (asking > 0) ctx.newton.follow.restart();
+    return asking;
+}
+
+bool any_asks(const StepContext& ctx, const View& v) noexcept {
+    for (std::size_t i = 0; i < ctx.system.bounded.size(); ++i) {
+        const std::int32_t id = ctx.system.bounded[i];
+        if (pulls_on(v, id)) continue;
+        const ImpulseRange range = impulse_range(ctx, id);
+        if (stays(ctx, v, id, range)) continue;
+        const BoundedRow p = row_now(v, id);
+        const Wish wish = wish_of(ctx, v, i, p, range);
+        if (wish.active != wish.was_active && std::fabs(wish.projected - p.lambda) > 0.0)
+            return true;
+    }
+    return false;
+}
+
+std::int32_t asking_rows(StepContext& ctx, double floor) noexcept {
+    take_bounds(ctx);
+    keep_bounds(ctx, 1.0);
+    return switch_bounds(ctx, floor, 0);
+}
+
+void move_anchors(StepContext& ctx) noexcept {
+    model::Interactions& in = ctx.interactions;
+    for (const std::int32_t id : in.frictions) {
+        if (in.active[at(id)] != 0.0 || ctx.system.rests(id)) continue;
+        const auto row = at(in.row_begin[at(id)]);
+        const double g = in.row_state(id, ctx.bodies).g[0];
+        in.set_anchor(id, in.anchor[at(id)] + g + in.epsilon[row] * in.force[row]);
+    }
+}
+
+}  // namespace hawser::stepper

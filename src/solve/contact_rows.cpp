@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solve/contact_rows.h"
+
+#include "access/sweeps.h"
+
+namespace hawser::stepper {
+
+void update_slots(StepContext& ctx, const double* v) noexcept {
+    assembly::Contacts& c = ctx.system.contacts;
+    over(ctx, static_cast<std::int32_t>(c.count()),
+         [&](std::int32_t a, std::int32_t b) { c.update(v, a, b); });
+    over(ctx, static_cast<std::int32_t>(c.resistances.count()),
+         [&](std::int32_t a, std::int32_t b) { c.update_resistances(v, a, b); });
+}
+
+void update_contacts(StepContext& ctx, const double* v) noexcept {
+    update_slots(ctx, v);
+    assembly::Contacts& c = ctx.system.contacts;
+    over(ctx, static_cast<std::int32_t>(c.touched()),
+         [&](std::int32_t a, std::int32_t b) { c.gather(a, b); });
+}
+
+}  // namespace hawser::stepper

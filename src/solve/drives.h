@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file drives.h
+/// Parts of stage 8 that concern motors, driven lengths and winches.
+
+#include "context/context.h"
+
+namespace hawser::stepper {
+
+/// Work done in the step by motors, by rigid rows that an input drives and by bodies with a
+/// prescribed velocity [J], see Energy::driven. Before the velocities are overwritten.
+[[nodiscard]] double drive_work(StepContext& ctx) noexcept;
+
+/// Bodies with a prescribed velocity: exactly, a turn by h|ω| about ω.
+void move_carriers(StepContext& ctx) noexcept;
+
+/// The stiffness of a line on a drum is EA over the length that is paid out: take it anew from the
+/// drums' coordinates. The strain energy that goes onto or comes off the drum is counted as driven.
+void follow_winches(StepContext& ctx) noexcept;
+
+/// Log motors whose force has come to an end of its range.
+void report_saturation(StepContext& ctx) noexcept;
+
+}  // namespace hawser::stepper

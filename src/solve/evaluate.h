@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file evaluate.h
+/// Violations and Jacobians of rows at the poses at hand.
+
+#include "context/context.h"
+
+namespace hawser::stepper {
+
+/// Of one strip.
+void evaluate_strip(StepContext& ctx, const assembly::View& v, int strip) noexcept;
+
+/// Evaluate every interaction at the current poses (g, Jacobian), as stage 5 does.
+void evaluate_rows(StepContext& ctx) noexcept;
+
+/// evaluate_rows(), which decides afresh which ranges are active, with those kept that were.
+void evaluate_keeping_ranges(StepContext& ctx) noexcept;
+
+}  // namespace hawser::stepper

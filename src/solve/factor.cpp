@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solve/factor.h"
+
+#include "access/view.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::View;
+
+/// What a factorisation writes: piece by piece, or the dirty part.
+struct Writer {
+    const assembly::System& system;
+    const View& view;
+    static void write(void* self, int piece, double* panel) noexcept {
+        const Writer& w = *static_cast<Writer*>(self);
+        w.system.write_blocks(w.view, piece, panel);
+    }
+    static void skew(void* self, int piece, double*, double* upper) noexcept {
+        const Writer& w = *static_cast<Writer*>(self);
+        w.system.write_skew(w.view, piece, upper);
+    }
+};
+
+/// Nodes of the columns of blocks that are marked.
+void collect_columns(const assembly::System& s, const std::vector<std::uint8_t>& marks,
+                     std::vector<std::int32_t>& columns) noexcept {
+    columns.clear();  // capacity: one a block
+    for (std::size_t k = 0; k < marks.size(); ++k)
+        if (marks[k]) columns.push_back(s.column_of(s.contacts.blocks[k]));
+}
+
+/// Wrong pivots fail a factorisation, but for those that sliding contacts may bring about
+/// (factor/unsymmetric.h).
+bool fails(const factor::Numeric& numeric, int wrong) noexcept {
+    return wrong > 0 && numeric.wrong_nodes().empty();
+}
+
+}  // namespace
+
+Status factor(StepContext& ctx, bool whole) noexcept {
+    if (ctx.pool.stopping()) return Status::cancelled;
+    const View v = view(ctx);
+    assembly::System& s = ctx.system;
+    ++ctx.stats.factorisations;
+    ctx.rhs_ready = false;
+    const factor::Unsymmetric* set = nullptr;
+    if (s.contacts.count() > 0) {
+        collect_columns(s, s.contacts.block_skew, ctx.columns);
+        s.unsymmetric.find(s.symbolic, ctx.columns);
+        set = &s.unsymmetric;
+    }
+    const std::int64_t all = set ? set->flops : s.symbolic.flops;
+    if (!whole && !ctx.factor_whole && set) {
+        collect_columns(s, s.contacts.block_changed, ctx.columns);
+        s.dirty.find(s.symbolic, ctx.columns, set);
+        // Beyond this share, one pass through memory beats fewer flops.
+        constexpr double kPartial = 0.7;
+        if (static_cast<double>(s.dirty.flops) < kPartial * static_cast<double>(all)) {
+            ctx.step_flops += s.dirty.flops;
+            ++ctx.stats.substitutions;
+            ++ctx.stats.partial_factorisations;
+            s.numeric.clear(s.symbolic, s.dirty, ctx.pool);
+            s.write_blocks(v, s.dirty, s.numeric.values(), ctx.pool);
+            s.numeric.copy_to_upper(s.symbolic, s.dirty, *set, ctx.pool);
+            s.write_skew(v, s.dirty, s.numeric.upper(), ctx.pool);
+            if (fails(s.numeric, s.numeric.refactor(s.symbolic, s.dirty, ctx.pool, set)))
+                return Status::wrong_pivot;
+            s.numeric.solve(s.symbolic, v.solution, ctx.pool);
+            return Status::ok;
+        }
+    }
+    ctx.step_flops += all;
+    ++ctx.stats.substitutions;
+    Writer writer{s, v};
+    const factor::Fill fill{Writer::write, &writer, Writer::skew};
+    if (fails(s.numeric, s.numeric.factor_forward(s.symbolic, fill, v.solution, ctx.pool, set)))
+        return Status::wrong_pivot;
+    s.numeric.backward(s.symbolic, v.solution, ctx.pool);
+    return Status::ok;
+}
+
+}  // namespace hawser::stepper

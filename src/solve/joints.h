@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file joints.h
+/// Which joints hold at the end of a step, and their equations: see completion.h for what is made
+/// of them.
+
+#include "context/context.h"
+
+namespace hawser::stepper {
+
+/// Swing number up to which joints are completed.
+inline constexpr double kResolvedSwing = 1.5;
+/// s of a joint under its impulse, h² f max(r/I). @param lambdas  By row.
+[[nodiscard]] double swing_number(const StepContext& ctx, std::int32_t id,
+                                  const double* lambdas) noexcept;
+
+/// Find the joints of a system that has just been analysed. @throws std::bad_alloc.
+void find_joints(StepContext& ctx);
+
+/// A step begins: nothing is refused yet.
+void begin_completion(StepContext& ctx) noexcept;
+
+/// Which joints this step completes, by their forces in the last one; marks their records.
+void choose_completed(StepContext& ctx) noexcept;
+
+/// c of completed rows of a strip about packed velocities u, see Kernels::complete_rows.
+/// @return how much changed.
+assembly::Turning complete_strip(StepContext& ctx, const assembly::View& v, int strip,
+                                 const double* u, bool first) noexcept;
+
+/// A step has been taken: counters go on.
+void finish_completion(StepContext& ctx) noexcept;
+
+}  // namespace hawser::stepper

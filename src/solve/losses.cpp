@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solve/losses.h"
+
+#include "access/copies.h"
+#include "access/sweeps.h"
+#include "access/view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::View;
+
+/// ġ at v and at v₊, of every row.
+struct Rates {
+    double before[kMaxInteractionRows], after[kMaxInteractionRows];
+};
+
+/// From the Jacobian. With what bodies with a prescribed velocity add.
+void rates_by_jacobian(StepContext& ctx, const View& v, std::int32_t id, Rates& out) noexcept {
+    double room[model::kArmRoom];
+    const double* jac = packed_rows(v, id, room);
+    const bool carried = (v.flags[id] & model::kCarried) != 0;
+    const model::RowState s =
+        carried ? ctx.interactions.row_state(id, ctx.bodies) : model::RowState{};
+    for (int r = 0; r < v.rows[id]; ++r) {
+        out.before[r] = out.after[r] = carried ? s.carried[r] : 0.0;
+        for (int b = 0; b < v.bodies[id]; ++b) {
+            const std::int32_t body = v.body[kMaxInteractionBodies * id + b];
+            for (int j = 0; j < v.dof[body]; ++j, ++jac) {
+                out.before[r] += *jac * v.v[v.dof_begin[body] + j];
+                out.after[r] += *jac * v.v_new[v.dof_begin[body] + j];
+            }
+        }
+    }
+}
+
+/// From c = Υ(Rġ − 4g/h), R what is recalled of ġ, and the row's equation, which spares a pass over
+/// the Jacobian.
+void rates_by_rows(const View& v, std::int32_t id, Rates& out) noexcept {
+    for (int r = 0; r < v.rows[id]; ++r) {
+        const std::int32_t row = v.row_begin[id] + r;
+        out.before[r] = v.completed[id]
+                            ? v.rate[row]
+                            : (v.c[row] / v.upsilon[row] + 4.0 / v.h * v.g[row]) / v.recall[row];
+        out.after[r] = v.c[row] - v.sigma[row] * v.lambda[row] - v.residual[row];
+    }
+}
+
+/// ½ g²/ε where the row pulls or pushes. @param now  Violation at the poses of the step.
+double held(const View& v, std::int32_t id, std::int32_t row, double now, double g) noexcept {
+    if (!model::holds_energy(v.epsilon[row], v.rest_length[id])) return 0.0;
+    if ((v.flags[id] & model::kOneSided) && g < 0.0) return 0.0;
+    if ((v.flags[id] & model::kRange) && g * now < 0.0) return 0.0;
+    return 0.5 * g * g / v.epsilon[row];
+}
+
+/// Whether a line was taut at the last half-step position, so that assembly left its c as it is
+/// (when_slack() in assembly/isa/rows.h). @param before  ġ by c; of a line that was slack it gives
+/// 0.
+bool was_taut(const View& v, std::int32_t row, double before) noexcept {
+    return v.g[row] - 0.5 * v.h * before > 1e-9 * std::fabs(v.g[row]);
+}
+
+double losses_of(StepContext& ctx, const View& v, std::int32_t id) noexcept {
+    const int flags = v.flags[id];
+    Rates rate;
+    rates_by_rows(v, id, rate);
+    bool faded = false;
+    for (int r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r)
+        faded |= std::fabs(v.recall[r]) < assembly::kLeastRecall;
+    const bool line = (flags & model::kOneSided) != 0;
+    if ((flags & model::kCarried) || faded ||
+        (line && (v.active[id] == 0.0 || !was_taut(v, v.row_begin[id], rate.before[0]))))
+        rates_by_jacobian(ctx, v, id, rate);
+    double taken = 0.0;
+    for (int r = 0; r < v.rows[id]; ++r) {
+        const std::int32_t row = v.row_begin[id] + r;
+        if (v.row_flags[row] & model::kRowVelocity) continue;  // its work counts as driven
+        const bool rigid = !model::holds_energy(v.epsilon[row], v.rest_length[id]);
+        if (rigid && (flags & model::kByInput)) continue;  // its work counts as driven
+        const double g = v.g[row], half = 0.5 * v.h;
+        taken += held(v, id, row, g, g - half * rate.before[r]) -
+                 held(v, id, row, g, g + half * rate.after[r]) -
+                 0.5 * v.lambda[row] * (rate.before[r] + rate.after[r]);
+    }
+    return taken;
+}
+
+}  // namespace
+
+double losses_between(StepContext& ctx, const View& v, std::int32_t begin,
+                      std::int32_t end) noexcept {
+    double taken = 0.0;
+    end = std::min(end, interaction_count(ctx));  // images count with what they stand for
+    for (; begin < end; begin += assembly::kLossChunk) {
+        const std::int32_t to = std::min(end, begin + assembly::kLossChunk);
+        std::int32_t left[assembly::kLossChunk];
+        int count = 0;
+        taken += assembly::kernels().row_losses(v, begin, to, left, &count);
+        for (int k = 0; k < count; ++k) taken += losses_of(ctx, v, left[k]);
+    }
+    return taken;
+}
+
+double row_losses(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    auto strip = [&](int i, int) noexcept {
+        double& taken = ctx.losses[static_cast<std::size_t>(i)];
+        taken = 0.0;
+        each(ctx.system.strips.interactions(i), [&](std::int32_t begin, std::int32_t end) {
+            taken += losses_between(ctx, v, begin, end);
+        });
+    };
+    if (!ctx.losses_known) ctx.pool.for_each(ctx.system.strips.count(), strip);
+    return std::accumulate(ctx.losses.begin(), ctx.losses.end(), 0.0);
+}
+
+double cut_losses(StepContext& ctx, std::int32_t id) noexcept {
+    const View v = view(ctx);
+    if (v.parted[id]) return 0.0;
+    const model::RowState before = ctx.interactions.row_state(id, ctx.bodies);
+    const model::RowState after = ctx.interactions.row_state(id, ctx.bodies, v.v_new);
+    double taken = 0.0;
+    for (int r = 0; r < v.rows[id]; ++r) {
+        const std::int32_t row = v.row_begin[id] + r;
+        const double g = before.g[r], half = 0.5 * v.h;
+        const double rate = before.rate[r] + before.carried[r];
+        const double rate_after = after.rate[r] + after.carried[r];
+        taken += held(v, id, row, g, g - half * rate) - held(v, id, row, g, g + half * rate_after) -
+                 0.5 * v.lambda[row] * (rate + rate_after);
+    }
+    return taken;
+}
+
+double held_by_line(StepContext& ctx, std::int32_t id) noexcept {
+    const View v = view(ctx);
+    const std::int32_t row = v.row_begin[id];
+    if (ctx.system.rests(id)) {  // cut: no step has evaluated it; bodies have moved
+        const model::RowState now = ctx.interactions.row_state(id, ctx.bodies);
+        return held(v, id, row, now.g[0], now.g[0] - 0.5 * v.h * (now.rate[0] + now.carried[0]));
+    }
+    Rates rate;
+    rates_by_jacobian(ctx, v, id, rate);
+    return held(v, id, row, v.g[row], v.g[row] + 0.5 * v.h * rate.after[0]);
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solve/self_stress.h"
+
+#include "access/rows.h"
+#include "access/timer.h"
+#include "access/view.h"
+#include "base/index.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::View;
+
+/// A number in [−½, ½) that belongs to a row: without a pattern, and the same on every machine.
+double drawn(std::int32_t row) noexcept {
+    std::uint64_t x = static_cast<std::uint64_t>(row) + 1;
+    x *= 0x9e3779b97f4a7c15;  // J. S. Steele et al., SplitMix (2014)
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+    return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53 - 0.5;
+}
+
+/// u of K [u; −λ'] = [Gᵀλ; 0], into the solver's vector, for the impulses λ(row) of some joints.
+template <class Lambda>
+void push_joints(StepContext& ctx, const View& v, Lambda lambda) noexcept {
+    const StageTimer timer(ctx, Stage::factor);
+    std::fill_n(v.solution, ctx.system.symbolic.scalars, 0.0);
+    for (const std::int32_t id : ctx.completion.looped) {
+        double room[model::kArmRoom];
+        const double* jac = packed_rows(v, id, room);
+        for (int r = 0; r < v.rows[id]; ++r) {
+            const double push = lambda(id, v.row_begin[id] + r);
+            for (int b = 0; b < v.bodies[id]; ++b) {
+                const std::int32_t body = v.body[kMaxInteractionBodies * id + b];
+                for (int j = 0; j < v.dof[body]; ++j)
+                    v.solution[v.body_offset[body] + j] += push * *jac++;
+            }
+        }
+    }
+    ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
+    ++ctx.stats.substitutions;
+    ctx.rhs_ready = false;
+}
+
+/// λ' of one joint then.
+void read_filtered(const View& v, std::int32_t id, double* out) noexcept {
+    double room[model::kArmRoom];
+    const double* jac = packed_rows(v, id, room);
+    for (int r = 0; r < v.rows[id]; ++r) {
+        const double speed = along_row(v, id, jac, v.solution, v.body_offset);
+        out[r] = v.interaction_offset[id] >= 0 ? v.solution[v.interaction_offset[id] + r]
+                                               : speed * v.inv_sigma[v.row_begin[id] + r];
+    }
+}
+
+/// Whether the filter changes the impulse λ(row) of a joint by more than a hundredth; `kept`: it
+/// filtered.
+template <class Lambda>
+bool is_changed(const View& v, std::int32_t id, Lambda lambda, double* kept) noexcept {
+    constexpr double kShare = 0.01;
+    double all = 0.0, less = 0.0;
+    read_filtered(v, id, kept);
+    for (int r = 0; r < v.rows[id]; ++r) {
+        const double whole = lambda(id, v.row_begin[id] + r), d = whole - kept[r];
+        all += whole * whole;
+        less += d * d;
+    }
+    return less > kShare * kShare * all;
+}
+
+/// Which joints in loops repeat others now: those of which impulses drawn at random lose something
+/// in the filter.
+void probe_loops(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    const auto random = [](std::int32_t, std::int32_t row) noexcept { return drawn(row); };
+    push_joints(ctx, v, random);
+    for (const std::int32_t id : ctx.completion.looped) {
+        double kept[kMaxInteractionRows];
+        ctx.interactions.repeats[at(id)] = is_changed(v, id, random, kept) ? 1 : 0;
+    }
+}
+
+}  // namespace
+
+void take_self_stress(StepContext& ctx) noexcept {
+    constexpr std::int64_t kEvery = 16;  // steps: loops that become singular do so gradually
+    const std::vector<std::int32_t>& looped = ctx.completion.looped;
+    if (looped.empty()) return;
+    if (!ctx.started || ctx.step % kEvery == 0) probe_loops(ctx);
+    std::uint8_t* repeats = ctx.interactions.repeats.data();
+    if (std::none_of(looped.begin(), looped.end(), [&](std::int32_t id) { return repeats[id]; }))
+        return;
+    const View v = view(ctx);
+    const auto impulse = [&](std::int32_t id, std::int32_t row) noexcept {
+        return repeats[id] ? v.lambda[row] : 0.0;
+    };
+    push_joints(ctx, v, impulse);
+    for (const std::int32_t id : looped) {
+        double kept[kMaxInteractionRows];
+        if (!repeats[id] || !is_changed(v, id, impulse, kept)) continue;
+        ++ctx.stats.undetermined;
+        for (int r = 0; r < v.rows[id]; ++r) {
+            const std::int32_t row = v.row_begin[id] + r;
+            // What the row's equation lacks by that is not a residual: the impulse moves nothing.
+            v.residual[row] += v.sigma[row] * (v.lambda[row] - kept[r]);
+            v.lambda[row] = kept[r];
+        }
+    }
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solve/solve.h"
+
+#include "access/copies.h"
+#include "access/sweeps.h"
+#include "access/timer.h"
+#include "access/view.h"
+#include "base/index.h"
+#include "solve/contact_rows.h"
+#include "solve/factor.h"
+#include "solve/losses.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::Norms;
+using assembly::View;
+
+/// Merge in order, so that sums do not depend on threads.
+Norms merged(const std::vector<Norms>& parts) noexcept {
+    Norms n;
+    for (const Norms& p : parts) {
+        n.momentum += p.momentum;
+        n.impulse += p.impulse;
+        n.work += p.work;
+        n.drag += p.drag;
+        n.finite += p.finite;
+        if (!(p.constraint <= n.constraint)) n.constraint = p.constraint;
+        if (!(p.stretch <= n.stretch)) n.stretch = p.stretch;
+        if (p.gap > n.gap) {
+            n.gap = p.gap;
+            n.gap_id = p.gap_id;
+        }
+    }
+    return n;
+}
+
+/// Right-hand side of the first solve, from rows and body terms.
+void start_solve(StepContext& ctx, const View& v) noexcept {
+    const assembly::Kernels& k = assembly::kernels();
+    sweep(
+        ctx,
+        [&](int strip) {
+            each(ctx.system.strips.interactions(strip),
+                 [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b, false); });
+        },
+        [&](std::int32_t a, std::int32_t b, int) { k.first_body_rhs(v, a, b, false); });
+    ctx.rhs_ready = true;
+}
+
+/// Right-hand side that corrects v₊ and λ as they stand, after contacts or ranges changed.
+void continue_solve(StepContext& ctx, const View& v) noexcept {
+    const assembly::Kernels& k = assembly::kernels();
+    std::fill_n(v.solution, ctx.system.symbolic.scalars, 0.0);
+    update_contacts(ctx, v.v_new);
+    sweep(
+        ctx,
+        [&](int strip) {
+            each(ctx.system.strips.interactions(strip),
+                 [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
+        },
+        [&](std::int32_t a, std::int32_t b, int) { k.body_rhs(v, a, b); });
+    ctx.rhs_ready = true;
+}
+
+/// v₊ += solution, for all bodies.
+void add_everywhere(StepContext& ctx, const View& v) noexcept {
+    over(ctx, v.body_count,
+         [&](std::int32_t a, std::int32_t b) { assembly::kernels().add_solution(v, a, b); });
+}
+
+/// What follows a correction of v₊ and λ: the right-hand side of another one, or the norms of the
+/// solution as it stands.
+enum class Next { solve, measure };
+
+/// v₊, λ corrected by the solver's vector, residuals renewed. `first`: they are the solution.
+Norms correct(StepContext& ctx, const View& v, bool first, Next next) noexcept {
+    const assembly::Kernels& k = assembly::kernels();
+    const assembly::Strips& strips = ctx.system.strips;
+    const bool touching = ctx.system.contacts.count() > 0;
+    auto add = [&](std::int32_t a, std::int32_t b) { k.add_solution(v, a, b); };
+    if (touching) {
+        add_everywhere(ctx, v);
+        update_contacts(ctx, v.v_new);
+    } else {
+        auto add_shared = [&](int i, int) noexcept { each(strips.shared(i), add); };
+        ctx.pool.for_each(strips.groups(), add_shared);
+    }
+    if (next == Next::measure) std::fill(ctx.norms.begin(), ctx.norms.end(), Norms{});
+    // With contacts, the last solution that is measured need not be the step's.
+    ctx.losses_known = next == Next::measure && !touching;
+    sweep(
+        ctx,
+        [&](int strip) {
+            if (!touching) each(strips.bodies(strip), add);
+            double taken = 0.0;
+            each(strips.interactions(strip), [&](std::int32_t a, std::int32_t b) {
+                k.row_update(v, a, b, first);
+                if (next == Next::measure) k.row_norms(v, a, b, &ctx.norms[at(strip)]);
+                if (ctx.losses_known) taken += losses_between(ctx, v, a, b);
+            });
+            ctx.losses[at(strip)] = taken;
+        },
+        [&](std::int32_t a, std::int32_t b, int norm) {
+            if (next == Next::measure)
+                k.body_norms(v, a, b, &ctx.norms[at(norm)]);
+            else
+                k.body_rhs(v, a, b);
+        });
+    return next == Next::measure ? merged(ctx.norms) : Norms{};
+}
+
+double momentum_residual(const StepContext& ctx, const Norms& n) noexcept {
+    return std::sqrt(n.momentum) / std::max(std::sqrt(n.impulse), ctx.residual_floor);
+}
+
+Status report(StepContext& ctx, const Norms& n) noexcept {
+    if (!std::isfinite(n.finite) || !std::isfinite(n.momentum)) return Status::not_finite;
+    ctx.stats.momentum_residual = momentum_residual(ctx, n);
+    ctx.stats.constraint_residual = n.constraint;
+    ctx.stats.violation_max = n.gap;
+    ctx.stats.violation_worst = ctx.interactions.id(original(ctx, n.gap_id));
+    ctx.stats.stretch_error_max = n.stretch;
+    ctx.step_work = n.work;
+    ctx.step_drag = n.drag;
+    return Status::ok;
+}
+
+/// Of a solution that has been corrected. Of a million links rounding leaves 1e-12 to 3e-12, and
+/// another one, a third of the step's time, leaves the same.
+constexpr double kCorrected = 1e-11;
+
+/// Does a residual ask for a correction? Relative for momentum; rows in their units [m/s, rad/s].
+bool wants_refinement(const StepContext& ctx, const Norms& n) noexcept {
+    const double good = ctx.stats.refinements > 0 ? kCorrected : ctx.def.solution_tolerance;
+    return momentum_residual(ctx, n) > good || n.constraint > good;
+}
+
+/// Two more than are asked for: stiff rows on very light bodies need them.
+int most_refinements(const StepContext& ctx) noexcept {
+    return ctx.def.refinements > 0 ? ctx.def.refinements + 2 : 0;
+}
+
+/// More corrections while the residual asks for them, then what it is.
+Status finish_solve(StepContext& ctx, const View& v, Norms n, int most) noexcept {
+    for (int extra = 0; extra < most; ++extra) {
+        if (!wants_refinement(ctx, n)) break;
+        const Norms before = n;
+        over(ctx, v.body_count,
+             [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
+        ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
+        ++ctx.stats.refinements;
+        ++ctx.stats.substitutions;
+        n = correct(ctx, v, false, Next::measure);
+        if (!(n.momentum < 0.25 * before.momentum)) break;
+    }
+    return report(ctx, n);
+}
+
+}  // namespace
+
+Status factor_and_solve(StepContext& ctx) noexcept {
+    const StageTimer timer(ctx, Stage::factor);
+    const View v = view(ctx);
+    if (!ctx.rhs_ready) start_solve(ctx, v);
+    if (const Status status = factor(ctx, true); status != Status::ok) return status;
+    // To measure a solution and refine it then takes a pass over all rows and bodies more than to
+    // refine at once; where the residual asked for it lately, it is not asked again for a while.
+    constexpr int kAWhile = 8;
+    const bool measured_first = ctx.refine_unasked == 0 || ctx.completion.any;
+    const int refinements = measured_first ? 0 : ctx.def.refinements;
+    if (!measured_first) --ctx.refine_unasked;
+    Norms n;
+    for (int i = 0; i <= refinements; ++i) {
+        if (i > 0) ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
+        ctx.stats.substitutions += i > 0 ? 1 : 0;
+        n = correct(ctx, v, i == 0, i < refinements ? Next::solve : Next::measure);
+    }
+    ctx.stats.refinements = refinements;
+    if (ctx.completion.any) return report(ctx, n);  // its rounds refine, too
+    if (measured_first && ctx.def.refinements > 0 && wants_refinement(ctx, n))
+        ctx.refine_unasked = kAWhile;
+    return finish_solve(ctx, v, n, most_refinements(ctx) - refinements);
+}
+
+Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept {
+    const StageTimer timer(ctx, Stage::factor);
+    const View v = view(ctx);
+    if (first) {
+        if (!ctx.rhs_ready) {
+            update_contacts(ctx, nullptr);
+            start_solve(ctx, v);
+        }
+    } else {
+        continue_solve(ctx, v);
+    }
+    if (const Status status = factor(ctx, whole); status != Status::ok) return status;
+    const assembly::Kernels& k = assembly::kernels();
+    add_everywhere(ctx, v);
+    update_contacts(ctx, v.v_new);
+    over_interactions(ctx, [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, first); });
+    return Status::ok;
+}
+
+void continue_with_factor(StepContext& ctx) noexcept {
+    const StageTimer timer(ctx, Stage::factor);
+    const View v = view(ctx);
+    continue_solve(ctx, v);
+    ctx.rhs_ready = false;
+    ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
+    ++ctx.stats.substitutions;
+    add_everywhere(ctx, v);
+    update_contacts(ctx, v.v_new);
+    const assembly::Kernels& k = assembly::kernels();
+    over_interactions(ctx, [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
+}
+
+Status refine(StepContext& ctx) noexcept {
+    const StageTimer timer(ctx, Stage::factor);
+    const View v = view(ctx);
+    over(ctx, v.body_count,
+         [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
+    ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
+    ctx.stats.refinements = 1;
+    ++ctx.stats.substitutions;
+    return finish_solve(ctx, v, correct(ctx, v, false, Next::measure), most_refinements(ctx) - 1);
+}
+
+Status settle_rounds(StepContext& ctx, bool measured) noexcept {
+    if (!measured)
+        if (const Status status = measure(ctx); status != Status::ok) return status;
+    const double good = ctx.def.solution_tolerance;
+    const bool wanted = ctx.stats.momentum_residual > good || ctx.stats.constraint_residual > good;
+    return wanted && ctx.def.refinements > 0 ? refine(ctx) : Status::ok;
+}
+
+Status measure(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    const assembly::Kernels& k = assembly::kernels();
+    std::fill(ctx.norms.begin(), ctx.norms.end(), Norms{});
+    sweep(
+        ctx,
+        [&](int strip) {
+            each(ctx.system.strips.interactions(strip), [&](std::int32_t a, std::int32_t b) {
+                k.row_norms(v, a, b, &ctx.norms[at(strip)]);
+            });
+        },
+        [&](std::int32_t a, std::int32_t b, int norm) {
+            k.body_norms(v, a, b, &ctx.norms[at(norm)]);
+        });
+    return report(ctx, merged(ctx.norms));
+}
+
+}  // namespace hawser::stepper

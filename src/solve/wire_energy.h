@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file wire_energy.h
+/// What wires gained in a step. At a half step, where velocities live, an element holds
+/// V(d) = k/2 (|d| − l₀)², none of it where it is slack and only pulls; in the step it gives the
+/// bodies at its ends p·w̄, its impulse times their mean relative velocity. What it holds more
+/// afterwards and what it gave are together energy out of nothing, whatever else acts on the
+/// bodies.
+
+#include "context/context.h"
+
+namespace hawser::stepper {
+
+/// Mark wires that are not resolved. @return whether there are any.
+[[nodiscard]] bool find_fast_wires(StepContext& ctx) noexcept;
+
+/// Wires::gain of the fast ones.
+void measure_wires(StepContext& ctx) noexcept;
+
+}  // namespace hawser::stepper

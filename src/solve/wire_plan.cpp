@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solve/wire_plan.h"
+
+#include "access/copies.h"
+#include "access/sweeps.h"
+#include "access/view.h"
+#include "assembly/geo.h"
+#include "base/index.h"
+#include "context/wires_data.h"
+#include "solve/wires.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::View;
+using generic::V3;
+
+constexpr int kNoReturn = 2;   ///< Level from which the stiffness gives nothing back.
+constexpr int kLastStiff = 3;  ///< The last one with stiffness alone.
+constexpr int kHoldsAll = 7;   ///< Level at which all slack elements count as taut.
+
+/// An element between its ends: at present, half a step ago and half a step ahead [m], and the
+/// relative velocities of slot 0 against 1 that K goes by.
+struct Line {
+    V3 arm[2], back, ahead, apart;
+    V3 before, started;  ///< Velocity of point 1 less that of point 0: now, and as expected next.
+    double rest, stiffness;
+};
+
+/// Velocity of the body in a slot, as a kernel sees it.
+void velocity_of(const View& v, const double* packed, std::int32_t body, V3& lin, V3& ang) {
+    const double* given = packed == v.v ? v.v_before : v.v_fixed;
+    const double* p = v.dof[body] == 0 ? given + 6 * body : packed + v.dof_begin[body];
+    lin = generic::load3(p);
+    ang = v.dof[body] == 6 || v.dof[body] == 0 ? generic::load3(p + 3) : V3{0, 0, 0};
+}
+
+V3 turned(const V3& r, const V3& b) {
+    const V3 c = cross(b, r);
+    return r + (2.0 / (1.0 + dot(b, b))) * (c + cross(b, c));
+}
+
+Line line_of(const View& v, std::int32_t id) noexcept {
+    Line o{};
+    const double* record = v.geo_record + v.geo[id].record;
+    V3 point[2], back[2], ahead[2], speed[2], start[2];
+    for (int b = 0; b < 2; ++b) {
+        const std::int32_t body = v.body[kMaxInteractionBodies * id + b];
+        V3 lin, ang, to, turn, first, spin;
+        velocity_of(v, v.v, body, lin, ang);
+        velocity_of(v, v.v_new, body, to, turn);
+        velocity_of(v, v.v_ahead, body, first, spin);
+        o.arm[b] = v.geo[id].dof == 3 ? V3{0, 0, 0} : generic::load3(record + 4 + 3 * b);
+        const V3 x = generic::load3(v.x + 3 * body);
+        point[b] = x + o.arm[b];
+        back[b] = x - (0.5 * v.h) * lin + turned(o.arm[b], (-0.25 * v.h) * ang);
+        ahead[b] = x + (0.5 * v.h) * to + turned(o.arm[b], (0.25 * v.h) * turn);
+        speed[b] = lin + cross(ang, o.arm[b]);
+        start[b] = first + cross(spin, o.arm[b]);
+    }
+    o.apart = point[1] - point[0];
+    o.back = back[1] - back[0];
+    o.ahead = ahead[1] - ahead[0];
+    o.before = speed[1] - speed[0];
+    o.started = start[1] - start[0];
+    const std::int32_t row = v.row_begin[id];
+    o.rest = norm(o.apart) - v.g[row];
+    o.stiffness = 1.0 / v.epsilon[row];
+    return o;
+}
+
+/// The tension by the law at the half step after the solution at hand [N].
+double tension_after(const Line& l) noexcept { return l.stiffness * (norm(l.ahead) - l.rest); }
+
+/// K of the element is w (E − uuᵀ), and its bodies get the impulse `past` on slot 0 beside.
+void write_line(const View& v, std::int32_t id, double w, const V3& u, const Line& l,
+                const V3& past) noexcept {
+    const assembly::GeoPlace& place = v.geo[id];
+    double* record = v.geo_record + place.record;
+    record[0] = w;
+    generic::store3(record + 1, u);
+    double* slot[2] = {v.geo_force + place.slot(0), v.geo_force + place.slot(1)};
+    // What K does to the velocities that the solution starts from, then what it gives back.
+    const V3 now = v.v_start ? (-w) * (l.started - dot(u, l.started) * u) : V3{0, 0, 0};
+    if (place.dof == 3) {
+        generic::store3(slot[0], now);
+        generic::store3(slot[0] + 3, past);
+        return;
+    }
+    for (int b = 0; b < 2; ++b) {
+        const double sign = b == 0 ? 1.0 : -1.0;
+        generic::store3(slot[b], sign * now);
+        generic::store3(slot[b] + 3, cross(l.arm[b], sign * now));
+        generic::store3(slot[b] + 6, sign * past);
+        generic::store3(slot[b] + 9, cross(l.arm[b], sign * past));
+    }
+}
+
+/// @param pull  Tension to reckon with [N].
+void write_stiff(const View& v, std::int32_t id, const Line& l, double pull, bool back) noexcept {
+    const double length = std::max(norm(l.apart), 1e-9);
+    const V3 u = generic::load3(v.geo_record + v.geo[id].record + 1);
+    const double full = v.h * v.h * v.geometric_stiffness * std::max(pull, 0.0) / length;
+    if (!back) return write_line(v, id, full, u, l, {0, 0, 0});
+    const auto [late, ahead] = generic::across_shares(full * v.lightness[id], 1.0);
+    const V3 mix = late * l.before + ahead * l.started;
+    write_line(v, id, (late + ahead) * full, u, l, (-full) * (mix - dot(u, mix) * u));
+}
+
+void write_bound(const View& v, std::int32_t id, const Line& l, bool holds) noexcept {
+    v.active[id] = 0.0;
+    const double length = norm(l.back), k = l.stiffness;
+    const bool taut = (v.flags[id] & model::kOneSided) == 0 || length >= l.rest;
+    const V3 none{0, 0, 0};
+    if (!taut && !holds) return write_line(v, id, 0.0, none, l, none);
+    V3 past = (0.5 * v.h * v.h * k) * l.before;
+    if (taut) past = past + (v.h * k * (1.0 - l.rest / std::max(length, 1e-12))) * l.back;
+    write_line(v, id, 0.5 * v.h * v.h * k, none, l, past);
+}
+
+}  // namespace
+
+void plan_wires(StepContext& ctx, std::int32_t wire) noexcept {
+    Wires& w = ctx.wires;
+    const View v = view(ctx);
+    const int refused = w.level[at(wire)]++;
+    for (const WirePart& p : w.parts) {
+        if (p.wire != wire) continue;
+        for (std::int32_t i = p.element_begin; i < p.element_end; ++i) {
+            const std::int32_t id = w.element[at(i)], row = v.row_begin[id];
+            if (v.parted[id] || ctx.system.rests(id)) continue;
+            const Line l = line_of(v, id);
+            const double after = tension_after(l);
+            double& pull = w.pull[at(i)];
+            if (refused == 0) {
+                pull = std::max(0.0, -ctx.lambda_before[at(row)] / v.h);
+                w.holds[at(i)] = 0;
+            }
+            if (refused <= kNoReturn)
+                pull = std::max({pull, v.active[id] * -v.lambda[row] / v.h, after});
+            if (refused == kNoReturn)
+                pull = std::max(4.0 * pull, 0.01 * l.stiffness * norm(l.apart));
+            if (refused > kLastStiff && (after > 0.0 || refused + 1 >= kHoldsAll))
+                w.holds[at(i)] = 1;
+        }
+    }
+}
+
+void replan_wires(StepContext& ctx, const View& v, int strip) noexcept {
+    Wires& w = ctx.wires;
+    if (!w.again) return;
+    each(ctx.system.strips.interactions(strip), [&](std::int32_t begin, std::int32_t end) {
+        for (std::int32_t id = begin; id < std::min(end, interaction_count(ctx)); ++id) {
+            const std::int32_t wire = w.wire_of[at(id)];
+            if (wire < 0 || w.level[at(wire)] == 0 || v.parted[id]) continue;
+            const auto i = at(w.place[at(id)]);
+            const Line l = line_of(v, id);
+            if (w.level[at(wire)] > kLastStiff)
+                write_bound(v, id, l, w.holds[i] != 0);
+            else
+                write_stiff(v, id, l, w.pull[i], w.level[at(wire)] < kNoReturn);
+        }
+    });
+}
+
+void settle_wires(StepContext& ctx) noexcept {
+    Wires& w = ctx.wires;
+    remember_gains(ctx);
+    // What a guarded wire lost is known exactly, and counts instead of what its rows tell.
+    if (w.measured)
+        for (std::size_t k = 0; k < w.count(); ++k)
+            if (w.fast[k]) ctx.damped += w.gain[k].unbooked;
+    if (!w.replacing) return;
+    const View v = view(ctx);
+    for (const std::int32_t id : w.element) {
+        const std::int32_t row = v.row_begin[id];
+        if (!w.replaced[at(id)]) continue;
+        w.replaced[at(id)] = 0;
+        const Line l = line_of(v, id);
+        const bool pulls = (v.flags[id] & model::kOneSided) != 0;
+        const double tension = tension_after(l);
+        const bool taut = !pulls || tension > 0.0;
+        v.active[id] = taut ? 1.0 : 0.0;
+        v.lambda[row] = taut ? -v.h * tension : 0.0;
+    }
+    w.replacing = false;
+    ctx.losses_known = false;
+}
+
+double held_by_element(const View& v, std::int32_t id) noexcept {
+    const Line l = line_of(v, id);
+    const double* record = v.geo_record + v.geo[id].record;
+    V3 end[2];
+    for (int b = 0; b < 2; ++b) {
+        const std::int32_t body = v.body[kMaxInteractionBodies * id + b];
+        V3 lin, ang;
+        velocity_of(v, v.v, body, lin, ang);
+        // Half of the turn by 2 atan(h|ω|/2): a stiff spring feels the third order that Line::back
+        // leaves out.
+        const double whole = 0.25 * v.h * v.h * dot(ang, ang);
+        const double half = -0.5 * v.h / (1.0 + std::sqrt(1.0 + whole));
+        end[b] = generic::load3(v.x + 3 * body) - (0.5 * v.h) * lin;
+        if (v.geo[id].dof != 3)
+            end[b] = end[b] + turned(generic::load3(record + 4 + 3 * b), half * ang);
+    }
+    const double longer = norm(end[1] - end[0]) - l.rest;
+    if ((v.flags[id] & model::kOneSided) && longer < 0.0) return 0.0;
+    return 0.5 * l.stiffness * longer * longer;
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solve/wires.h"
+
+#include "access/copies.h"
+#include "access/wire_alerts.h"
+#include "base/index.h"
+#include "context/wires_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace hawser::stepper {
+namespace {
+
+constexpr std::int32_t kPart = 64;  ///< Elements, or lumps, of one part.
+/// Steps after which a loss no longer comes back, all but a third: what the stiffness takes of a
+/// swing of few steps a period, and returns in a quarter of it, is above what the guard allows.
+constexpr double kCreditSteps = 240.0;
+
+bool is_element(const StepContext& ctx, std::int32_t id) {
+    const model::Interactions& in = ctx.interactions;
+    const KindInfo& kind = kind_info(in.def[at(id)].kind);
+    if (in.gone(id)) return false;
+    if (!kind.is(kAlongLine) || kind.is(kWoundUp)) return false;
+    // A rod is none, but a spring between two points.
+    if (!kind.is(kWireElement) &&
+        !(in.epsilon[at(in.row_begin[at(id)])] > model::kElasticCompliance))
+        return false;
+    const std::int32_t* body = &in.body[at(kMaxInteractionBodies * id)];
+    return ctx.bodies.dof(body[0]) == 3 || ctx.bodies.dof(body[1]) == 3;
+}
+
+/// Smallest of the numbers joined with i.
+std::int32_t root_of(std::vector<std::int32_t>& joined, std::int32_t i) {
+    while (joined[at(i)] != i) {
+        joined[at(i)] = joined[at(joined[at(i)])];
+        i = joined[at(i)];
+    }
+    return i;
+}
+
+/// Elements joined by lumps: by interaction, the first one of its wire.
+std::vector<std::int32_t> join_elements(const StepContext& ctx, std::int32_t count) {
+    const model::Interactions& in = ctx.interactions;
+    std::vector<std::int32_t> joined(at(count)), of_body(at(ctx.bodies.count()), -1);
+    std::iota(joined.begin(), joined.end(), 0);
+    for (std::int32_t id = 0; id < count; ++id) {
+        if (!is_element(ctx, id)) continue;
+        for (int b = 0; b < 2; ++b) {
+            const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
+            if (ctx.bodies.dof(body) != 3) continue;
+            std::int32_t& first = of_body[at(body)];
+            if (first < 0) first = id;
+            const std::int32_t p = root_of(joined, first), q = root_of(joined, id);
+            joined[at(std::max(p, q))] = std::min(p, q);
+        }
+    }
+    for (std::int32_t id = 0; id < count; ++id) joined[at(id)] = root_of(joined, id);
+    return joined;
+}
+
+/// Lumps by wire, and parts of elements and lumps.
+void make_parts(StepContext& ctx, const std::vector<std::vector<std::int32_t>>& elements) {
+    Wires& w = ctx.wires;
+    const model::Interactions& in = ctx.interactions;
+    std::vector<std::uint8_t> seen(at(ctx.bodies.count()), 0);
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        const auto element = static_cast<std::int32_t>(w.element.size());
+        const auto lump = static_cast<std::int32_t>(w.lump.size());
+        for (const std::int32_t id : elements[k]) {
+            w.place[at(id)] = static_cast<std::int32_t>(w.element.size());
+            w.element.push_back(id);
+            for (int b = 0; b < 2; ++b) {
+                const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
+                if (ctx.bodies.dof(body) != 3 || seen[at(body)]) continue;
+                seen[at(body)] = 1;
+                w.lump.push_back(body);
+            }
+        }
+        const auto end = static_cast<std::int32_t>(w.element.size());
+        const auto lump_end = static_cast<std::int32_t>(w.lump.size());
+        for (std::int32_t e = element, l = lump; e < end || l < lump_end; e += kPart, l += kPart)
+            w.parts.push_back({static_cast<std::int32_t>(k), std::min(e, end),
+                               std::min(e + kPart, end), std::min(l, lump_end),
+                               std::min(l + kPart, lump_end)});
+    }
+}
+
+}  // namespace
+
+bool on_guard(const StepContext& ctx) noexcept {
+    return ctx.wires.count() > 0 && ctx.cuts.list.empty() && ctx.def.geometric_stiffness > 0.0;
+}
+
+void release_wires(StepContext& ctx) noexcept {
+    Wires& w = ctx.wires;
+    if (!w.replacing) return;
+    for (const std::int32_t id : w.element) {
+        if (!w.replaced[at(id)]) continue;
+        w.replaced[at(id)] = 0;
+        if (!(ctx.interactions.flags[at(id)] & model::kOneSided))
+            ctx.interactions.active[at(id)] = 1.0;
+    }
+    w.replacing = false;
+}
+
+namespace {
+
+/// What wires remember, where they are others than before: of what an element's wire had, each
+/// element keeps its share. @param elements  Of each wire that is made now.
+void recall_wires(const StepContext& ctx, const std::vector<std::vector<std::int32_t>>& elements,
+                  Wires& made) {
+    const Wires& w = ctx.wires;
+    if (w.wire_of == made.wire_of && ctx.edits.interactions.empty()) {
+        made.credit = w.credit;
+        made.alert = w.alert;
+        return;
+    }
+    if (!ctx.edits.any) return;
+    std::vector<std::int32_t> had(w.count(), 0);
+    for (const std::int32_t wire : w.wire_of)
+        if (wire >= 0) ++had[at(wire)];
+    const std::vector<std::int32_t>& added = ctx.edits.interactions;
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        std::int32_t first = -1, kept = 0;
+        bool one = true;
+        for (const std::int32_t id : elements[k]) {
+            const bool is_new = at(id) >= w.wire_of.size() ||
+                                std::find(added.begin(), added.end(), id) != added.end();
+            const std::int32_t wire = is_new ? -1 : w.wire_of[at(id)];
+            if (wire < 0) continue;
+            one = one && (first < 0 || wire == first);
+            if (first < 0) first = wire;
+            ++kept;
+            made.credit[k] += w.credit[at(wire)] / had[at(wire)];
+            made.alert[k] = std::max(made.alert[k], w.alert[at(wire)]);
+        }
+        // To the last bit where it is the same wire still.
+        if (kept > 0 && one && kept == had[at(first)]) made.credit[k] = w.credit[at(first)];
+    }
+}
+
+}  // namespace
+
+void make_wires(StepContext& ctx) {
+    const std::int32_t count = interaction_count(ctx);
+    const std::vector<std::int32_t> joined = join_elements(ctx, count);
+    std::vector<std::vector<std::int32_t>> elements;
+    Wires made;
+    made.wire_of.assign(at(count), -1);
+    made.place.assign(at(count), -1);
+    for (std::int32_t id = 0; id < count; ++id) {
+        if (!is_element(ctx, id)) continue;
+        std::int32_t& wire = made.wire_of[at(id)];
+        wire = made.wire_of[at(joined[at(id)])];  // that of the first, which comes first
+        if (wire < 0) {
+            wire = static_cast<std::int32_t>(elements.size());
+            elements.emplace_back();
+        }
+        elements[at(wire)].push_back(id);
+    }
+    made.credit.assign(elements.size(), 0.0);
+    made.alert.assign(elements.size(), 0);
+    recall_wires(ctx, elements, made);
+    made.fast.assign(elements.size(), 0);
+    made.level.assign(elements.size(), 0);
+    made.gain.resize(elements.size());
+    std::swap(ctx.wires, made);
+    make_parts(ctx, elements);
+    Wires& w = ctx.wires;
+    w.part_gain.resize(w.parts.size());
+    w.pull.assign(w.element.size(), 0.0);
+    w.holds.assign(w.element.size(), 0);
+    w.replaced.assign(at(ctx.interactions.count()), 0);
+    follow_alerts(ctx);
+}
+
+void remember_gains(StepContext& ctx) noexcept {
+    Wires& w = ctx.wires;
+    if (!on_guard(ctx)) return;
+    const bool any_fast = w.measured;
+    constexpr double kept = 1.0 - 1.0 / kCreditSteps;
+    const std::int32_t alert = most_alert(ctx.def.step);
+    for (std::size_t k = 0; k < w.count(); ++k) {
+        const double lost = any_fast && w.fast[k] ? -w.gain[k].gain : 0.0;
+        w.credit[k] = std::isfinite(lost) ? kept * std::max(0.0, w.credit[k] + lost) : 0.0;
+        const std::int32_t before = w.alert[k];
+        w.alert[k] = any_fast && w.level[k] > 0 ? alert : std::max(0, before - 1);
+        if ((before > 0) != (w.alert[k] > 0)) w.stale = true;
+    }
+    if (w.stale) follow_alerts(ctx);
+}
+
+}  // namespace hawser::stepper

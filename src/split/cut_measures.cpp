@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What cuts left open in a step, and the one multiplier that readers see.
+#include "split/cut_measures.h"
+
+#include "access/view.h"
+#include "base/index.h"
+#include "context/cuts_data.h"
+#include "solve/losses.h"
+
+#include <hawser/row_constants.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace hawser::stepper {
+namespace {
+
+/// Impulses of the sides into their mean, of the original.
+void take_mean(model::Interactions& in, const Cut& cut) noexcept {
+    double active = 0.0;
+    for (int r = 0; r < in.rows[at(cut.id)]; ++r) {
+        double sum = 0.0;
+        for (std::int32_t i = cut.first; i < cut.first + cut.sides; ++i)
+            sum += in.lambda[at(in.row_begin[at(i)] + r)];
+        in.lambda[at(in.row_begin[at(cut.id)] + r)] = sum / cut.sides;
+    }
+    for (std::int32_t i = cut.first; i < cut.first + cut.sides; ++i)
+        active = std::max(active, in.active[at(i)]);
+    in.active[at(cut.id)] = active;
+}
+
+/// A cut that is not in force: its copies follow, should it come into force.
+void follow(model::Interactions& in, const Cut& cut) noexcept {
+    for (std::int32_t i = cut.first; i < cut.first + cut.sides; ++i) {
+        in.active[at(i)] = in.active[at(cut.id)];
+        std::copy_n(&in.lambda[at(in.row_begin[at(cut.id)])], in.rows[at(cut.id)],
+                    &in.lambda[at(in.row_begin[at(i)])]);
+    }
+}
+
+/// Velocity of a line's end at velocities v of the bodies, `given` of those without freedom.
+Vec3 end_velocity(const assembly::View& v, std::int32_t body, const double* velocity,
+                  const double* given, const double* arm) noexcept {
+    const int dof = v.dof[body];
+    const double* u = dof == 0 ? given + 6 * body : velocity + v.dof_begin[body];
+    if (dof == 1) return Vec3::Zero();
+    Vec3 lin(u[0], u[1], u[2]);
+    if (dof == 3) return lin;
+    return lin + Vec3(u[3], u[4], u[5]).cross(Vec3(arm[0], arm[1], arm[2]));
+}
+
+/// What the geometric stiffness of a copy of a line puts on its own bodies: K (v − v₊), linear.
+void add_geometric(const assembly::View& v, std::int32_t id, double* sum) noexcept {
+    const assembly::GeoPlace& place = v.geo[id];
+    if (place.record < 0) return;
+    const double* record = v.geo_record + place.record;
+    if (record[0] == 0.0) return;
+    const std::int32_t* body = v.body + kMaxInteractionBodies * id;
+    const double none[3] = {};
+    Vec3 change = Vec3::Zero();
+    for (int b = 0; b < 2; ++b) {
+        const double* arm = place.dof == 6 ? record + 4 + 3 * b : none;
+        const Vec3 before = end_velocity(v, body[b], v.v, v.v_before, arm);
+        const Vec3 after = end_velocity(v, body[b], v.v_new, v.v_fixed, arm);
+        change += (b == 0 ? 1.0 : -1.0) * (before - after);
+    }
+    const Vec3 u(record[1], record[2], record[3]);
+    const Vec3 push = record[0] * (change - u.dot(change) * u);
+    for (int b = 0; b < 2; ++b)
+        if (v.dof[body[b]] >= 3)
+            for (int j = 0; j < 3; ++j) sum[j] += (b == 0 ? 1.0 : -1.0) * push[j];
+}
+
+/// ‖Σ over the bodies of what the sides do to them‖, linear parts: Gᵀ(λ of the side − mean) and
+/// geometric stiffness.
+double defect_of(StepContext& ctx, const Cut& cut) noexcept {
+    const assembly::View v = view(ctx);
+    const model::Interactions& in = ctx.interactions;
+    const double* mean = &in.lambda[at(in.row_begin[at(cut.id)])];
+    double sum[6] = {};
+    for (std::int32_t i = cut.first; i < cut.first + cut.sides; ++i) {
+        double more[kMaxInteractionRows];
+        for (int r = 0; r < in.rows[at(i)]; ++r)
+            more[r] = in.lambda[at(in.row_begin[at(i)] + r)] - mean[r];
+        add_geometric(v, i, sum);
+        for (std::int32_t b = 0; b < in.bodies[at(i)]; ++b) {
+            const std::int32_t body = in.body[at(kMaxInteractionBodies * i + b)];
+            if (ctx.bodies.dof(body) >= 3) in.add_impulse(i, b, ctx.bodies, more, sum);
+        }
+    }
+    return std::hypot(sum[0], sum[1], sum[2]);
+}
+
+/// max |G v₊ + Σλ − c|, with the Σ that the interaction has when it is not cut.
+double residual_of(StepContext& ctx, const Cut& cut) noexcept {
+    const assembly::View v = view(ctx);
+    if (v.active[cut.id] == 0.0 || v.parted[cut.id]) return 0.0;
+    const double h = v.h;
+    const model::RowState now = ctx.interactions.row_state(cut.id, ctx.bodies);
+    const model::RowState next = ctx.interactions.row_state(cut.id, ctx.bodies, v.v_new);
+    double most = 0.0;
+    for (int r = 0; r < v.rows[cut.id]; ++r) {
+        const std::int32_t row = v.row_begin[cut.id] + r;
+        const double ups = v.upsilon[row], sigma = row_sigma(v.epsilon[row], ups, h);
+        const double rate = ctx.interactions.recall[at(row)] * (now.rate[r] + now.carried[r]);
+        const double c = ups * (rate - 4.0 / h * now.g[r]);
+        most =
+            std::max(most, std::fabs(next.rate[r] + next.carried[r] + sigma * v.lambda[row] - c));
+    }
+    return most;
+}
+
+/// Of the residuals of all bodies, linear parts: what no row took and no body got.
+double residual_momentum(const StepContext& ctx, const assembly::View& v) noexcept {
+    double sum[3] = {};
+    for (const std::int32_t body : ctx.bodies.moving)
+        if (v.dof[body] >= 3)
+            for (int j = 0; j < 3; ++j) sum[j] += v.momentum[v.dof_begin[body] + j];
+    return std::hypot(sum[0], sum[1], sum[2]);
+}
+
+double mass(const StepContext& ctx) noexcept {
+    double sum = 0.0;
+    for (const std::int32_t body : ctx.bodies.moving)
+        if (ctx.bodies.dof(body) >= 3) sum += ctx.bodies.mass[at(body)];
+    return sum;
+}
+
+}  // namespace
+
+void finish_cuts(StepContext& ctx) noexcept {
+    ctx.stats.cuts = 0;
+    ctx.stats.cut_residual = ctx.stats.cut_defect = ctx.stats.momentum_defect = 0.0;
+    if (!ctx.cuts.grouped) return;
+    const assembly::View v = view(ctx);
+    double defect = residual_momentum(ctx, v);
+    for (Cut& cut : ctx.cuts.list) {
+        if (!cut.open) {
+            follow(ctx.interactions, cut);
+            cut.defect = cut.residual = 0.0;
+            continue;
+        }
+        take_mean(ctx.interactions, cut);
+        cut.defect = defect_of(ctx, cut);
+        cut.residual = residual_of(ctx, cut);
+        ctx.damped += cut_losses(ctx, cut.id);
+        defect += cut.defect;
+        ctx.stats.cut_residual = std::max(ctx.stats.cut_residual, cut.residual);
+        ctx.stats.cut_defect = std::max(ctx.stats.cut_defect, cut.defect);
+        ++ctx.stats.cuts;
+    }
+    const double g = ctx.def.gravity.norm() > 0.0 ? ctx.def.gravity.norm() : 9.81;
+    ctx.stats.momentum_defect = defect / (ctx.def.step * g * std::max(mass(ctx), 1e-300));
+}
+
+void follow_cuts(StepContext& ctx) noexcept {
+    for (const Cut& cut : ctx.cuts.list) follow(ctx.interactions, cut);
+}
+
+void part_all(StepContext& ctx, std::int32_t id) noexcept {
+    model::Interactions& in = ctx.interactions;
+    auto part = [&](std::int32_t i) {
+        in.parted[at(i)] = 1;
+        in.active[at(i)] = 0.0;
+    };
+    part(id);
+    for (const Cut& cut : ctx.cuts.list)
+        if (cut.id == id)
+            for (std::int32_t i = cut.first; i < cut.first + cut.sides; ++i) part(i);
+}
+
+}  // namespace hawser::stepper

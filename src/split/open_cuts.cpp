@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "split/open_cuts.h"
+
+#include "access/copies.h"
+#include "base/index.h"
+#include "context/cuts_data.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <span>
+
+namespace hawser::stepper {
+namespace {
+
+std::int32_t root(std::vector<std::int32_t>& part, std::int32_t b) {
+    while (part[at(b)] != b) b = part[at(b)] = part[at(part[at(b)])];
+    return b;
+}
+
+/// Bodies hold together.
+void join(StepContext& ctx, std::span<const std::int32_t> bodies) {
+    std::int32_t first = -1;
+    for (const std::int32_t b : bodies) {
+        if (ctx.bodies.dof(b) == 0) continue;
+        const std::int32_t r = root(ctx.cuts.part, b);
+        if (first >= 0) ctx.cuts.part[at(std::max(r, first))] = std::min(r, first);
+        first = first < 0 ? r : std::min(r, first);
+    }
+}
+
+/// Whether two bodies of different groups hold to each other without this cut.
+bool holds_otherwise(StepContext& ctx, const Cut& cut) {
+    const auto bodies = bodies_of(ctx.interactions, cut.id);
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const std::int32_t a = bodies[i], b = bodies[j];
+            if (ctx.bodies.dof(a) == 0 || ctx.bodies.dof(b) == 0) continue;
+            if (ctx.cuts.group[at(a)] != ctx.cuts.group[at(b)] &&
+                root(ctx.cuts.part, a) == root(ctx.cuts.part, b))
+                return true;
+        }
+    return false;
+}
+
+}  // namespace
+
+bool open_cuts(StepContext& ctx) {
+    Cuts& cuts = ctx.cuts;
+    assembly::System& system = ctx.system;
+    if (cuts.list.empty()) return false;
+    const std::vector<std::int32_t> before = std::move(system.left_out);
+    system.left_out.clear();
+    system.sides.clear();
+    std::iota(cuts.part.begin(), cuts.part.end(), 0);
+    // Bodies of one group are one part where anything joins them; copies see to that.
+    auto cut = cuts.list.begin();
+    for (std::int32_t id = 0; id < cuts.interactions; ++id) {
+        if (cut != cuts.list.end() && cut->id == id)
+            ++cut;
+        else
+            join(ctx, bodies_of(ctx.interactions, id));
+    }
+    for (std::size_t k = 0; k < cuts.of.size(); ++k) {
+        std::vector<std::int32_t> own;
+        for (const std::int32_t b :
+             bodies_of(ctx.interactions, cuts.interactions + static_cast<std::int32_t>(k)))
+            if (b < cuts.bodies) own.push_back(b);
+        join(ctx, own);
+    }
+    for (const assembly::Contacts::Link& l : system.contacts.links)
+        join(ctx, std::array<std::int32_t, 2>{l.first, l.second});
+    for (Cut& c : cuts.list) {
+        c.open = cuts.coupling[at(c.id)] != Coupling::deadline || (cuts.asked >> c.interface & 1U);
+        if (!c.open) join(ctx, bodies_of(ctx.interactions, c.id));
+    }
+    for (bool again = true; again;) {
+        again = false;
+        for (Cut& c : cuts.list) {
+            if (!c.open || !holds_otherwise(ctx, c)) continue;
+            c.open = false;
+            join(ctx, bodies_of(ctx.interactions, c.id));
+            again = true;
+        }
+    }
+    for (const Cut& c : cuts.list) {
+        if (c.open) {
+            system.left_out.push_back(c.id);
+            const bool soften = cuts.coupling[at(c.id)] != Coupling::kinematic;
+            system.sides.push_back({c.first, c.sides, soften});
+        } else {
+            for (std::int32_t i = 0; i < c.sides; ++i) system.left_out.push_back(c.first + i);
+        }
+    }
+    return before != system.left_out;
+}
+
+std::uint64_t open_interfaces(const StepContext& ctx) noexcept {
+    std::uint64_t interfaces = 0;
+    for (const Cut& c : ctx.cuts.list)
+        if (c.open && ctx.cuts.coupling[at(c.id)] == Coupling::deadline)
+            interfaces |= std::uint64_t{1} << c.interface;
+    return interfaces;
+}
+
+}  // namespace hawser::stepper

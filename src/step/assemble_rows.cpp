@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/assemble_rows.h"
+
+#include "access/timer.h"
+#include "solve/assemble.h"
+#include "solve/wires.h"
+#include "split/predict.h"
+
+namespace hawser::stepper {
+
+void assemble_rows(StepContext& ctx) noexcept {
+    const StageTimer timer(ctx, Stage::assemble);
+    if (!ctx.wires.again) {
+        release_wires(ctx);
+        predict(ctx);
+    }
+    assemble_system(ctx);
+}
+
+}  // namespace hawser::stepper

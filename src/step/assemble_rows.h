@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file assemble_rows.h
+/// Stage assemble: a system with its splits.
+
+#include "context/context.h"
+
+namespace hawser::stepper {
+
+/// Stage 5. Rows: violation, Jacobian; body terms; right-hand sides. Blocks of the matrix are
+/// written in stage 6, each piece just before it is factored.
+void assemble_rows(StepContext& ctx) noexcept;
+
+}  // namespace hawser::stepper

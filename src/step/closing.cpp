@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/closing.h"
+
+#include "access/view.h"
+#include "base/index.h"
+#include "context/context.h"
+#include "context/judge_data.h"
+#include "solve/evaluate.h"
+#include "solve/factor.h"
+#include "step/judge_look.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::View;
+
+constexpr double kOpen = 1e-3;    ///< Gap that is closed [m or rad].
+constexpr double kClosed = 1e-5;  ///< Where rounds end [m or rad].
+constexpr double kTurned = 0.03;  ///< Turn of a body in a step that may open one by kOpen [rad].
+constexpr double kFarTurn = 0.7;  ///< Beyond it directions have changed too far [rad].
+constexpr int kMostRounds = 12;
+
+/// Whether a joint that the step has linearised may stand open now.
+bool may_be_open(const StepContext& ctx) noexcept {
+    const model::Interactions& in = ctx.interactions;
+    const std::vector<std::int32_t>& joints = ctx.completion.rigid;
+    if (std::all_of(joints.begin(), joints.end(),
+                    [&](std::int32_t id) { return in.completed[at(id)] == assembly::kRigid; }))
+        return false;
+    if (ctx.stats.violation_max > kOpen) return true;
+    const model::Bodies& b = ctx.bodies;
+    double most = 0.0;
+    for (const std::int32_t body : b.moving) {
+        if (b.dof(body) < 6) continue;
+        const double* w = &b.v[at(b.dof_begin[at(body)] + 3)];
+        most = std::max(most, w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+    }
+    return ctx.def.step * std::sqrt(most) > kTurned;
+}
+
+/// −g/h of rigid joints at the poses at hand, as right-hand side. @return largest |g|.
+double write_gaps(StepContext& ctx, const View& v) noexcept {
+    std::fill_n(v.solution, ctx.system.symbolic.scalars, 0.0);
+    const double per_h = 1.0 / v.h;
+    double most = 0.0;
+    for (const std::int32_t id : ctx.completion.rigid) {
+        if (ctx.interactions.parted[at(id)] != 0) continue;
+        const model::RowState now = ctx.interactions.row_state(id, ctx.bodies);
+        double room[model::kArmRoom];
+        const double* jac = packed_rows(v, id, room);
+        for (int r = 0; r < v.rows[id]; ++r) {
+            if (!(std::fabs(now.g[r]) <= most)) most = std::fabs(now.g[r]);
+            jac = assembly::ask_of_row(v, id, r, jac, -per_h * now.g[r]);
+        }
+    }
+    return most;
+}
+
+/// Bodies go on by the solver's vector; their angular velocities turn with them, so that kinetic
+/// energy stays.
+void move(StepContext& ctx, const View& v, double time) noexcept {
+    for (const std::int32_t body : ctx.bodies.moving) {
+        const int dof = v.dof[body];
+        const double* d = v.solution + v.body_offset[body];
+        if (dof == 1) {
+            v.x[3 * body] += time * d[0];
+        } else if (dof > 1) {
+            ctx.bodies.drift(body, d, dof == 6 ? d + 3 : nullptr, time);
+        }
+        if (dof < 6) continue;
+        const double half = 0.5 * time;
+        Eigen::Map<Vec3> spin(v.v + v.dof_begin[body] + 3);
+        spin = (Quat(1.0, half * d[3], half * d[4], half * d[5]).normalized() * spin).eval();
+    }
+}
+
+/// Potential energy of gravity [J].
+double height(const StepContext& ctx) noexcept {
+    const model::Bodies& b = ctx.bodies;
+    double sum = 0.0;
+    for (const std::int32_t body : b.moving) {
+        if (b.dof(body) == 1 || b.weight[at(body)] == 0) continue;
+        for (int k = 0; k < 3; ++k)
+            sum -= b.mass[at(body)] * ctx.def.gravity[k] * b.x[3 * at(body) + at(k)];
+    }
+    return sum;
+}
+
+/// Largest turn of a body under the solver's vector [rad/s].
+double fastest_turn(const StepContext& ctx, const View& v) noexcept {
+    double most = 0.0;
+    for (const std::int32_t body : ctx.bodies.moving) {
+        if (v.dof[body] < 6) continue;
+        const double* w = v.solution + v.body_offset[body] + 3;
+        most = std::max(most, w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+    }
+    return std::sqrt(most);
+}
+
+/// With the factorisation of the step. @return the gap left.
+double close_with_factor(StepContext& ctx, const View& v, double gap) noexcept {
+    constexpr double kConverges = 0.5;
+    for (int round = 0; round < kMostRounds && gap > kClosed; ++round) {
+        ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
+        ++ctx.stats.substitutions;
+        ctx.rhs_ready = false;
+        // Far beyond what the step's directions say.
+        if (!(v.h * fastest_turn(ctx, v) <= kFarTurn)) break;
+        move(ctx, v, v.h);
+        const double before = gap;
+        gap = write_gaps(ctx, v);
+        if (!(gap <= kConverges * before)) break;
+    }
+    return gap;
+}
+
+/// Poses go on by the solver's vector, by less of it while that opens what it is to close.
+/// @return the gap then; or that of before, where nothing closes it.
+double move_some(StepContext& ctx, const View& v, double gap) noexcept {
+    constexpr int kMostHalvings = 4;
+    const double turn = v.h * fastest_turn(ctx, v);
+    double share = turn > kFarTurn ? kFarTurn / turn : 1.0;
+    if (!std::isfinite(turn)) return gap;
+    // write_gaps() overwrites the solution that a way back needs.
+    double* const kept = ctx.closing.data() + ctx.interactions.g.size();
+    std::copy_n(v.solution, ctx.system.symbolic.scalars, kept);
+    for (int half = 0; half <= kMostHalvings; ++half, share *= 0.5) {
+        move(ctx, v, share * v.h);
+        const double now = write_gaps(ctx, v);
+        if (now <= gap) return now;
+        std::copy_n(kept, ctx.system.symbolic.scalars, v.solution);
+        move(ctx, v, -share * v.h);
+    }
+    return gap;
+}
+
+/// With Jacobians and factors of the poses that have been reached: Newton's method, and more rounds
+/// with each factorisation while they close more than a tenth, since what light bodies between
+/// heavy ones add to Σ slows a round down.
+void close_anew(StepContext& ctx, const View& v) noexcept {
+    constexpr int kMostFactors = 8, kMostRoundsEach = 8;
+    constexpr double kGoesOn = 0.9;
+    for (int i = 0; i < kMostFactors; ++i) {
+        evaluate_keeping_ranges(ctx);
+        double gap = write_gaps(ctx, v);
+        const double first = gap;
+        if (gap <= kClosed || factor(ctx, true) != Status::ok) return;
+        for (int round = 0; round < kMostRoundsEach; ++round) {
+            const double before = gap;
+            gap = move_some(ctx, v, gap);
+            if (gap <= kClosed) return;
+            if (gap > kGoesOn * before) break;
+            ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
+            ++ctx.stats.substitutions;
+        }
+        if (gap >= first) return;
+    }
+}
+
+}  // namespace
+
+void close_joints(StepContext& ctx) noexcept {
+    JudgeState& judged = ctx.judge.state;
+    judged.closed = judged.closed_elastic = 0.0;
+    if (!ctx.cuts.list.empty() || ctx.def.nonsmooth != Nonsmooth::newton || !may_be_open(ctx))
+        return;
+    const View v = view(ctx);
+    const double gap = write_gaps(ctx, v);
+    if (!(gap > kOpen)) return;
+    const double before = height(ctx);
+    double* const gaps = ctx.closing.data();
+    read_spring_gaps(ctx, gaps);
+    ctx.pool.shield(true);  // poses have begun to move
+    if (!(close_with_factor(ctx, v, gap) <= kOpen)) close_anew(ctx, v);
+    ctx.pool.shield(false);
+    judged.closed = height(ctx) - before;
+    judged.closed_elastic = held_by_closing(ctx, gaps);
+}
+
+}  // namespace hawser::stepper

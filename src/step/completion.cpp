@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/completion.h"
+
+#include "access/remember.h"
+#include "access/sweeps.h"
+#include "access/view.h"
+#include "base/index.h"
+#include "contact/newton.h"
+#include "context/completion_data.h"
+#include "context/context.h"
+#include "graph/bridges.h"
+#include "solve/active_set.h"
+#include "solve/joints.h"
+#include "solve/self_stress.h"
+#include "solve/solve.h"
+#include "step/assemble_rows.h"
+#include "step/contact.h"
+#include "step/solve_linear.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::Turning;
+using assembly::View;
+
+/// A round's change below which the step has ended [m/s or rad/s], of bodies that turn by up to
+/// kSlowTurn [rad/s]; of faster ones with the cube of that. Near singular poses of closed loops
+/// less would only add rounding, but who asks for solutions below kSolution gets it.
+constexpr double kTurning = 1e-7, kSlowTurn = 5.0, kSolution = 1e-10;
+constexpr int kMostRounds = 12;
+constexpr double kGap = 1e-4;  ///< Largest gap that a step may leave [m or rad].
+constexpr double kTooFast = 2.0 * kResolvedSwing;  ///< s by the step's own force that ends a trial.
+
+/// The equations take what they are about v₊.
+void adopt(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    const std::vector<std::int32_t>& joints = ctx.completion.joints;
+    over(ctx, static_cast<std::int32_t>(joints.size()), [&](std::int32_t a, std::int32_t b) {
+        assembly::kernels().adopt_completed(v, joints.data(), a, b);
+    });
+    over(ctx, v.body_count,
+         [&](std::int32_t a, std::int32_t b) { assembly::kernels().adopt_spins(v, a, b); });
+}
+
+/// What the equations are about v₊ as it stands. @return how much their right-hand sides changed.
+Turning renew(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    const assembly::Strips& strips = ctx.system.strips;
+    auto& parts = ctx.turnings;  // one a strip or group
+    sweep(
+        ctx, [&](int strip) { parts[at(strip)] = complete_strip(ctx, v, strip, v.v_new, false); },
+        [&](std::int32_t a, std::int32_t b, int i) {
+            const Turning t = assembly::kernels().complete_spins(v, a, b, v.v_new, false);
+            parts[at(i)].add(t);
+        });
+    Turning all;
+    for (int i = 0; i < strips.count() + strips.groups(); ++i) {
+        all.add(parts[at(i)]);
+        parts[at(i)] = {};
+    }
+    return all;
+}
+
+/// Rounds with the factorisation at hand. @return how the last one ended; not finite or too large:
+/// they did not converge.
+Turning make_rounds(StepContext& ctx) noexcept {
+    double first = 0.0;
+    const double enough = kTurning * std::min(1.0, ctx.def.solution_tolerance / kSolution);
+    const auto ended = [enough](const Turning& turning) {
+        const double fast = std::max(1.0, turning.spin / kSlowTurn);
+        return turning.change <= enough * fast * fast * fast;
+    };
+    Turning t = renew(ctx);
+    for (int round = 0; round < kMostRounds && !ended(t); ++round) {
+        adopt(ctx);
+        continue_with_factor(ctx);
+        ctx.losses_known = false;
+        ++ctx.stats.completion_rounds;
+        t = renew(ctx);
+        if (round == 0) first = t.change;
+        constexpr double kGrowth = 4.0;
+        if (!std::isfinite(t.change) || (round > 1 && t.change > kGrowth * first)) {
+            t.gap = 1e300;
+            break;
+        }
+    }
+    ctx.stats.completion_change = t.change;
+    return t;
+}
+
+/// Solve the step again, with the joints that choose_completed() now chooses.
+Status assemble_and_solve(StepContext& ctx) noexcept {
+    if (ctx.collider.count() > 0)
+        if (const Status s = start_contacts(ctx, Phase::regular); s != Status::ok) return s;
+    assemble_rows(ctx);
+    return solve_linear(ctx);
+}
+
+/// The same with all joints linearised once.
+Status solve_linearised(StepContext& ctx) noexcept {
+    ctx.completion.banned = true;
+    ++ctx.stats.completion_failures;
+    recall(ctx);
+    return assemble_and_solve(ctx);
+}
+
+/// Joints whose force has grown within the step beyond what it was solved with: completed ones that
+/// swing too fast now, and others whose stiffness was that of a much smaller force.
+/// @return whether there are.
+bool outgrown(StepContext& ctx) noexcept {
+    Completion& c = ctx.completion;
+    bool found = false;
+    for (std::size_t k = 0; k < c.joints.size(); ++k) {
+        const std::int32_t id = c.joints[k];
+        // The force of what repeats others is not known before the filter.
+        if (ctx.interactions.repeats[at(id)]) continue;
+        const double now = swing_number(ctx, id, ctx.interactions.lambda.data());
+        if (ctx.interactions.completed[at(id)]) {
+            if (now <= kTooFast) continue;
+            c.refused[k] = 1;
+        } else {
+            constexpr double kGrown = 1.5;
+            const double with = swing_number(ctx, id, c.lambda_with.data());
+            if (now <= kResolvedSwing || now <= kGrown * with) continue;
+        }
+        found = true;
+    }
+    return found;
+}
+
+/// Solve the step again with the stiffness of the forces that have been found, where they are
+/// larger.
+Status solve_with_new_forces(StepContext& ctx) noexcept {
+    model::Interactions& in = ctx.interactions;
+    Completion& c = ctx.completion;
+    for (const std::int32_t id : c.joints) {
+        const bool larger =
+            swing_number(ctx, id, in.lambda.data()) > swing_number(ctx, id, c.lambda_with.data());
+        const auto row = in.row_begin[at(id)];
+        if (larger) std::copy_n(&in.lambda[at(row)], in.rows[at(id)], &c.lambda_with[at(row)]);
+    }
+    recall(ctx);
+    ++ctx.stats.restiffened;
+    for (const std::int32_t id : c.joints)
+        std::copy_n(&c.lambda_with[at(in.row_begin[at(id)])], in.rows[at(id)],
+                    &in.lambda[at(in.row_begin[at(id)])]);
+    return assemble_and_solve(ctx);
+}
+
+/// Refinement, and rows at their bounds that rounds have moved across.
+Status settle_free(StepContext& ctx) noexcept {
+    constexpr int kMost = 4;
+    Status status = Status::ok;
+    for (int i = 0; i < kMost && status == Status::ok; ++i) {
+        status = settle_rounds(ctx, ctx.stats.completion_rounds == 0);
+        const std::int32_t before = ctx.stats.factorisations;
+        if (status == Status::ok) status = settle_bounds(ctx);
+        if (ctx.stats.factorisations == before || status != Status::ok) break;
+        (void)make_rounds(ctx);
+    }
+    return status;
+}
+
+/// The same of contacts: their laws where rounds have moved them.
+Status settle_touching(StepContext& ctx) noexcept {
+    if (ctx.stats.completion_rounds == 0) return Status::ok;
+    return settle_newton(ctx);
+}
+
+}  // namespace
+
+Status complete(StepContext& ctx) noexcept {
+    Status status = Status::ok;
+    constexpr int kMostGrowths = 2;  // times that a step is solved again for them
+    if (ctx.started)
+        for (int i = 0; i < kMostGrowths && status == Status::ok && outgrown(ctx); ++i)
+            status = solve_with_new_forces(ctx);
+    if (ctx.completion.any && status == Status::ok) {
+        const Turning t = make_rounds(ctx);
+        if (!(t.gap <= kGap))
+            status = solve_linearised(ctx);
+        else if (ctx.system.contacts.count() > 0)
+            status = settle_touching(ctx);
+        else
+            status = settle_free(ctx);
+    }
+    if (status == Status::ok) take_self_stress(ctx);
+    return status;
+}
+
+Status solve_assembled(StepContext& ctx) noexcept {
+    const Status status = solve_linear(ctx);
+    return status == Status::ok ? complete(ctx) : status;
+}
+
+}  // namespace hawser::stepper

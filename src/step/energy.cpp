@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/energy.h"
+
+#include <hawser/world.h>
+
+#include "access/copies.h"
+#include "access/kinetic.h"
+#include "access/rows.h"
+#include "access/view.h"
+#include "base/hash.h"
+#include "base/index.h"
+#include "solve/evaluate.h"
+#include "solve/wire_plan.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace hawser::stepper {
+namespace {
+
+/// Take carriers with a prescribed velocity back by half a step; what they were goes to scratch.
+void carriers_back(StepContext& ctx) noexcept {
+    model::Bodies& b = ctx.bodies;
+    const double t = -0.5 * ctx.def.step;
+    double* kept = ctx.carriers_before.data();
+    for (std::int32_t body : b.driven) {
+        const auto i = at(body);
+        const double* v = &b.v_fixed[6 * i];
+        kept = std::copy_n(&b.x[3 * i], 3, kept);
+        kept = std::copy_n(&b.q[4 * i], 4, kept);
+        kept = std::copy_n(&b.r[9 * i], 9, kept);
+        b.drift(body, v, v + 3, t);
+    }
+}
+
+void carriers_forth(StepContext& ctx) noexcept {
+    model::Bodies& b = ctx.bodies;
+    const double* kept = ctx.carriers_before.data();
+    for (std::int32_t body : b.driven) {
+        const auto i = at(body);
+        std::copy_n(kept, 3, &b.x[3 * i]);
+        std::copy_n(kept + 3, 4, &b.q[4 * i]);
+        std::copy_n(kept + 7, 9, &b.r[9 * i]);
+        kept += 16;
+    }
+}
+
+}  // namespace
+
+Energy energy(StepContext& ctx) noexcept {
+    Energy e;
+    const model::Bodies& b = ctx.bodies;
+    const double half = 0.5 * ctx.def.step;
+    e.kinetic = kinetic_energy(b, b.v.data());
+    for (std::int32_t body : b.moving) {
+        const auto i = at(body);
+        if (!b.weight[i] || b.dof(body) == 1) continue;
+        const double* v = &b.v[at(b.dof_begin[i])];
+        for (int k = 0; k < 3; ++k)
+            e.gravity -= b.mass[i] * ctx.def.gravity[k] * (b.x[3 * i + at(k)] - half * v[k]);
+    }
+    const assembly::View v = view(ctx);
+    const KeptRanges kept(ctx.active_before, ctx.interactions.active.data(), ctx.system.bounded);
+    // The rows' own bodies go back by −(h/2) G v below.
+    carriers_back(ctx);
+    evaluate_rows(ctx);
+    carriers_forth(ctx);
+    for (std::int32_t id = 0; id < interaction_count(ctx); ++id) {
+        // What a line holds follows from its length, not from whether the last step found it taut.
+        const bool line = (v.flags[id] & model::kOneSided) != 0;
+        if (v.flags[id] & model::kFriction) continue;  // counted as driven
+        if (line ? v.parted[id] != 0 : v.active[id] == 0.0) continue;
+        if (ctx.wires.wire_of[at(id)] >= 0 && !ctx.system.rests(id) &&
+            (v.flags[id] & model::kCarried) == 0) {
+            if (model::holds_energy(v.epsilon[v.row_begin[id]], v.rest_length[id]))
+                e.elastic += held_by_element(v, id);
+            continue;
+        }
+        double room[model::kArmRoom];
+        const double* jac = packed_rows(v, id, room);
+        const bool rests = ctx.system.rests(id);  // and has not been evaluated
+        const model::RowState s = rests ? ctx.interactions.row_state(id, b) : model::RowState{};
+        for (int r = 0; r < v.rows[id]; ++r) {
+            const std::int32_t row = v.row_begin[id] + r;
+            double speed = rests ? s.rate[r] + s.carried[r] : 0.0;
+            if (!rests) speed = along_row(v, id, jac, v.v, v.dof_begin, speed);
+            if ((v.row_flags[row] & model::kRowVelocity) ||
+                !model::holds_energy(v.epsilon[row], v.rest_length[id]))
+                continue;
+            const double g = (rests ? s.g[r] : v.g[row]) - half * speed;
+            if (!line || g > 0.0) e.elastic += 0.5 * g * g / v.epsilon[row];
+        }
+    }
+    e.added = ctx.loads.added;
+    e.system = ctx.loads.work;
+    e.applied = ctx.work;
+    e.driven = ctx.drive;
+    e.dissipated = ctx.drag;
+    e.friction = ctx.friction;
+    e.contact = ctx.contact;
+    e.damped = ctx.damped;
+    return e;
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/guard.h"
+
+#include "access/copies.h"
+#include "access/view.h"
+#include "base/index.h"
+#include "context/wires_data.h"
+#include "solve/wire_energy.h"
+#include "solve/wire_plan.h"
+#include "solve/wires.h"
+#include "step/assemble_rows.h"
+#include "step/completion.h"
+#include "step/contact.h"
+
+#include <algorithm>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::View;
+
+constexpr int kMostRepeats = 7;    ///< See guard.h.
+constexpr double kMayGain = 1e-3;  ///< Of what was exchanged.
+
+bool accepted(const Wires& w, std::size_t wire) noexcept {
+    const WireGain& g = w.gain[wire];
+    return !w.fast[wire] || g.gain <= kMayGain * g.exchanged + g.noise + w.credit[wire];
+}
+
+/// Multipliers as the step began with, which geometric stiffness goes by, and the state of lines
+/// but in refused wires, where it is as last found.
+void go_back(StepContext& ctx) noexcept {
+    model::Interactions& in = ctx.interactions;
+    Wires& w = ctx.wires;
+    std::copy(ctx.lambda_before.begin(), ctx.lambda_before.end(), in.lambda.begin());
+    // Joints whose force has grown within the step go on with the stiffness of that.
+    for (const std::int32_t id : ctx.completion.joints)
+        std::copy_n(&ctx.completion.lambda_with[at(in.row_begin[at(id)])], in.rows[at(id)],
+                    &in.lambda[at(in.row_begin[at(id)])]);
+    for (std::size_t i = 0; i < ctx.active_before.size(); ++i) {
+        const std::int32_t id = ctx.system.bounded[i];
+        const std::int32_t wire = id < interaction_count(ctx) ? w.wire_of[at(id)] : -1;
+        if (wire < 0 || w.level[at(wire)] == 0) in.active[at(id)] = ctx.active_before[i];
+    }
+}
+
+/// Rows of wires that are to be bounded.
+void replace(StepContext& ctx) noexcept {
+    Wires& w = ctx.wires;
+    constexpr int kFirstBound = 4;
+    for (const std::int32_t id : w.element) {
+        if (w.level[at(w.wire_of[at(id)])] < kFirstBound || ctx.interactions.parted[at(id)] ||
+            ctx.system.rests(id))
+            continue;
+        w.replaced[at(id)] = 1;
+        w.replacing = true;
+    }
+}
+
+Status solve_again(StepContext& ctx) noexcept {
+    ++ctx.stats.wire_repeats;
+    release_wires(ctx);
+    go_back(ctx);
+    replace(ctx);
+    ctx.wires.again = true;
+    Status status = Status::ok;
+    if (ctx.collider.count() > 0) status = start_contacts(ctx, Phase::regular);
+    if (status == Status::ok) {
+        assemble_rows(ctx);
+        status = solve_assembled(ctx);
+    }
+    ctx.wires.again = false;
+    if (status != Status::ok) release_wires(ctx);
+    return status;
+}
+
+/// Refused wires get their next plan. @return whether there are any.
+bool refuse(StepContext& ctx) noexcept {
+    Wires& w = ctx.wires;
+    bool any = false;
+    for (std::size_t k = 0; k < w.count(); ++k) {
+        if (accepted(w, k) || w.level[k] >= kMostRepeats) continue;
+        plan_wires(ctx, static_cast<std::int32_t>(k));
+        any = true;
+    }
+    return any;
+}
+
+}  // namespace
+
+void calm_start(StepContext& ctx) noexcept {
+    if (!on_guard(ctx)) return;
+    Wires& w = ctx.wires;
+    const View v = view(ctx);
+    std::fill(w.fast.begin(), w.fast.end(), 0);
+    if (!find_fast_wires(ctx)) return;
+    for (const WirePart& p : w.parts) {
+        if (!w.fast[at(p.wire)]) continue;
+        for (std::int32_t i = p.lump_begin; i < p.lump_end; ++i) {
+            const std::int32_t begin = v.dof_begin[w.lump[at(i)]];
+            if (v.dof[w.lump[at(i)]] == 3) std::copy_n(v.v_ahead + begin, 3, v.v + begin);
+        }
+    }
+}
+
+Status guard_wires(StepContext& ctx) noexcept {
+    ctx.wires.measured = false;
+    if (!on_guard(ctx)) return Status::ok;
+    Wires& w = ctx.wires;
+    std::fill(w.fast.begin(), w.fast.end(), 0);
+    std::fill(w.level.begin(), w.level.end(), 0);
+    const bool any_fast = find_fast_wires(ctx);
+    if (any_fast) {
+        measure_wires(ctx);
+        while (refuse(ctx)) {
+            const Status status = solve_again(ctx);
+            if (status != Status::ok) return status;
+            (void)find_fast_wires(ctx);
+            measure_wires(ctx);
+        }
+    }
+    ctx.wires.measured = any_fast;
+    return Status::ok;
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/integrate.h"
+
+#include "access/copies.h"
+#include "access/push_event.h"
+#include "access/sweeps.h"
+#include "access/view.h"
+#include "solve/bounds.h"
+#include "solve/drives.h"
+#include "solve/joints.h"
+#include "solve/losses.h"
+#include "solve/wire_plan.h"
+#include "split/cut_measures.h"
+#include "step/closing.h"
+#include "step/contact.h"
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::View;
+
+/// Lines that pull with more than they bear part.
+void break_lines(StepContext& ctx, const View& v) noexcept {
+    for (std::size_t i = 0; i < ctx.system.breakable.size(); ++i) {
+        const std::int32_t id = ctx.system.breakable[i];
+        const double tension = -v.force_of_row[v.row_begin[id]];
+        if (v.parted[id] || tension <= ctx.system.breaking_load[i]) continue;
+        ctx.damped += held_by_line(ctx, original(ctx, id));
+        part_all(ctx, original(ctx, id));
+        push_event(ctx, EventKind::line_break, original(ctx, id), tension);
+    }
+}
+
+/// Lines that came taut or went slack, and ranges at an end.
+void report_switches(StepContext& ctx, const View& v) noexcept {
+    for (std::size_t i = 0; i < ctx.active_before.size(); ++i) {
+        std::int32_t id = ctx.system.bounded[i];
+        const double now = v.active[id];
+        if (now == ctx.active_before[i] || v.parted[id]) continue;
+        if (v.flags[id] & (model::kMotor | model::kFriction)) continue;
+        const std::int32_t row = v.row_begin[id];
+        id = speaker(ctx, id);  // of the sides of a cut one
+        if (id < 0) continue;
+        if (v.flags[id] & model::kRange) {
+            if (now != 0.0) push_event(ctx, EventKind::range, id, v.g[row]);
+        } else {
+            push_event(ctx, now != 0.0 ? EventKind::taut : EventKind::slack, id,
+                       now != 0.0 ? -v.force_of_row[row] : 0.0);
+        }
+    }
+}
+
+}  // namespace
+
+void integrate(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    finish_cuts(ctx);
+    ctx.drive += drive_work(ctx);
+    ctx.damped += row_losses(ctx);
+    settle_wires(ctx);
+    count_contact_work(ctx);
+    if (ctx.collider.count() > 0) remember_contacts(ctx);
+    ctx.drag += ctx.loads.count();
+    over(ctx, v.body_count,
+         [&](std::int32_t a, std::int32_t b) { assembly::kernels().integrate(v, a, b); });
+    move_carriers(ctx);
+    ctx.work += ctx.step_work;
+    ctx.drag += ctx.step_drag;
+    ++ctx.step;
+    ctx.time = static_cast<double>(ctx.step) * ctx.def.step;
+    ctx.stats.step = ctx.step;
+    ctx.stats.time = ctx.time;
+    const double per_h = 1.0 / ctx.def.step;
+    over(ctx, ctx.interactions.row_count, [&](std::int32_t a, std::int32_t b) {
+        for (std::int32_t r = a; r < b; ++r) v.force_of_row[r] = per_h * v.lambda[r];
+    });
+    if (ctx.newton.switch_late) (void)switch_bounds(ctx, ctx.contact_floor, kAnyRows);
+    ctx.newton.switch_late = false;
+    break_lines(ctx, v);
+    report_switches(ctx, v);
+    // Renews rows, so that events come first; anchors and winches go by the poses then.
+    close_joints(ctx);
+    finish_completion(ctx);
+    move_anchors(ctx);
+    report_saturation(ctx);
+    follow_winches(ctx);
+    // Above this the solution no longer satisfies its own equations to engineering accuracy.
+    constexpr double kResidualWarning = 1e-8;
+    if (ctx.stats.momentum_residual > kResidualWarning)
+        push_event(ctx, EventKind::warning, -1, ctx.stats.momentum_residual);
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file integrate.h
+/// Stage integrate: the solution becomes the state. Poses, velocities, forces, line breaks, energy,
+/// time.
+
+#include "context/context.h"
+
+namespace hawser::stepper {
+
+/// After the step has been solved and judged; it cannot fail.
+void integrate(StepContext& ctx) noexcept;
+
+}  // namespace hawser::stepper

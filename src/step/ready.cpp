@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/ready.h"
+
+#include "access/asleep.h"
+#include "access/undo.h"
+#include "context/undo_data.h"
+#include "split/analyse.h"
+#include "split/cuts.h"
+#include "step/prepare.h"
+
+#include <utility>
+
+namespace hawser::stepper {
+namespace {
+
+/// Poses and which rows are active are those of an analysis for as long as this lives.
+class AnalysedPoses {
+  public:
+    explicit AnalysedPoses(StepContext& ctx)
+        : ctx_(ctx), x_(ctx.bodies.x), r_(ctx.bodies.r), active_(ctx.interactions.active) {
+        ctx.bodies.x = ctx.analysed_x;
+        ctx.bodies.r = ctx.analysed_r;
+    }
+    ~AnalysedPoses() {
+        ctx_.bodies.x.swap(x_);
+        ctx_.bodies.r.swap(r_);
+        ctx_.interactions.active.swap(active_);
+    }
+    AnalysedPoses(const AnalysedPoses&) = delete;
+    AnalysedPoses& operator=(const AnalysedPoses&) = delete;
+
+  private:
+    StepContext& ctx_;
+    base::Array<double> x_, r_, active_;
+};
+
+}  // namespace
+
+void mend(StepContext& ctx) {
+    if (ctx.mend == Mend::nothing) return;
+    assembly::System::Kept before;
+    ctx.system.keep(before);
+    try {
+        const factor::AnalysisState order = before.analysis.state;
+        ctx.system.contacts.make_blocks();
+        const AnalysedPoses poses(ctx);
+        analyse(ctx, ctx.mend == Mend::rebuild ? &order : nullptr);
+    } catch (...) {
+        ctx.system.go_back(before);
+        throw;
+    }
+    reserve_sleep(ctx);
+    ctx.lambda_before.resize(ctx.interactions.lambda.size());
+    ctx.repeats_before.resize(ctx.interactions.repeats.size());
+    reserve_undo(ctx);
+    ctx.mend = Mend::nothing;
+}
+
+void make_ready(StepContext& ctx) {
+    if (ctx.topology_changed) {
+        keep_state(ctx, may_have_cuts(ctx) ? Undo::Depth::model : Undo::Depth::system);
+        prepare(ctx);
+        ctx.mend = Mend::nothing;
+    } else {
+        mend(ctx);
+    }
+}
+
+Transaction::Transaction(StepContext& ctx) noexcept : ctx_(ctx), done_(ctx.undo.holds()) {}
+
+Transaction::~Transaction() {
+    if (!done_) restore_kept(ctx_);
+}
+
+void Transaction::done() noexcept {
+    if (!done_) {
+        drop_kept(ctx_);
+        ctx_.edits.clear();
+    }
+    done_ = true;
+}
+
+void ready(StepContext& ctx) {
+    if (!ctx.topology_changed && ctx.mend == Mend::nothing) return;
+    Transaction all(ctx);
+    make_ready(ctx);
+    all.done();
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/sleep.h"
+
+#include "access/asleep.h"
+#include "access/guarded.h"
+#include "access/kinetic.h"
+#include "access/timer.h"
+#include "access/undo.h"
+#include "base/index.h"
+#include "context/sleep_data.h"
+#include "context/undo_data.h"
+#include "split/analyse.h"
+#include "step/ready.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace hawser::stepper {
+namespace {
+
+/// Islands are looked for every so many steps.
+constexpr std::int64_t kEvery = 8;
+
+/// A kinematic body that is under way.
+bool carries(const model::Bodies& b, std::int32_t body) noexcept {
+    const double* v = &b.v_fixed[6 * at(body)];
+    return b.kind[at(body)] == BodyKind::kinematic &&
+           std::any_of(v, v + 6, [](double x) { return x != 0.0; });
+}
+
+/// First body of the island of a body that moves, by path halving.
+std::int32_t root(std::vector<std::int32_t>& island, std::int32_t body) noexcept {
+    while (island[at(body)] != body) body = island[at(body)] = island[at(island[at(body)])];
+    return body;
+}
+
+/// Bodies of an interaction and of what loads it.
+struct Members {
+    std::int32_t body[kMaxInteractionBodies * (1 + kMaxFrictionLoads)];
+    std::size_t count = 0;
+    void add(const model::Interactions& in, std::int32_t id) noexcept {
+        for (int b = 0; b < in.bodies[at(id)]; ++b)
+            body[count++] = in.body[at(kMaxInteractionBodies * id + b)];
+    }
+};
+
+/// Call f with the bodies of each interaction, contact and segment: what holds together. Friction
+/// belongs to its loads, whether they share a body or not.
+template <class F>
+void each_bond(const StepContext& ctx, F&& f) noexcept {
+    const model::Interactions& in = ctx.interactions;
+    for (std::int32_t i = 0; i < in.count(); ++i) {
+        Members m;
+        m.add(in, i);
+        if (in.load_begin[at(i)] >= 0)
+            for (const FrictionLoad& load : in.def[at(i)].load)
+                if (load.interaction.valid()) m.add(in, load.interaction.index);
+        f(std::span<const std::int32_t>(m.body, m.count));
+    }
+    for (const collide::Contact& c : ctx.contacts.contacts)
+        f(std::span<const std::int32_t>(c.body, c.slots));
+    for (const collide::Shape& s : ctx.collider.shapes())
+        if (s.segment()) f(std::span<const std::int32_t>(s.body));
+}
+
+void find_islands(StepContext& ctx) noexcept {
+    std::vector<std::int32_t>& island = ctx.sleep.island;
+    std::iota(island.begin(), island.end(), 0);
+    each_bond(ctx, [&](std::span<const std::int32_t> bodies) {
+        std::int32_t first = -1;
+        for (const std::int32_t b : bodies) {
+            if (!moves(ctx.bodies, b)) continue;
+            const std::int32_t r = root(island, b);
+            // The smallest index is the root, so that numbering does not matter.
+            if (first >= 0 && r != first) island[at(std::max(r, first))] = std::min(r, first);
+            first = first < 0 ? r : std::min(r, first);
+        }
+    });
+}
+
+/// Mark the islands of bodies for which `wanted` holds, and those that a body under way touches.
+template <class F>
+void mark_islands(StepContext& ctx, F&& wanted) noexcept {
+    Sleep& s = ctx.sleep;
+    std::fill(s.mark.begin(), s.mark.end(), std::uint8_t{0});
+    for (const std::int32_t b : ctx.bodies.moving)
+        if (wanted(b)) s.mark[at(root(s.island, b))] = 1;
+    if (std::none_of(ctx.bodies.driven.begin(), ctx.bodies.driven.end(),
+                     [&](std::int32_t b) { return carries(ctx.bodies, b); }))
+        return;
+    each_bond(ctx, [&](std::span<const std::int32_t> bodies) {
+        if (std::none_of(bodies.begin(), bodies.end(),
+                         [&](std::int32_t b) { return carries(ctx.bodies, b); }))
+            return;
+        for (const std::int32_t b : bodies)
+            if (moves(ctx.bodies, b)) s.mark[at(root(s.island, b))] = 1;
+    });
+}
+
+/// A body sleeps from now on, or wakes. @return whether that is new.
+bool set_asleep(StepContext& ctx, std::int32_t body, bool asleep) noexcept {
+    std::uint8_t& now = ctx.bodies.asleep[at(body)];
+    if ((now != 0) == asleep) return false;
+    now = asleep ? 1 : 0;
+    ctx.stats.asleep += asleep ? 1 : -1;
+    return true;
+}
+
+/// Whether an island has to wake.
+bool disturbed(const StepContext& ctx) noexcept {
+    const model::Bodies& b = ctx.bodies;
+    for (const std::int32_t body : b.moving)
+        if (b.asleep[at(body)] != 0 && b.quiet[at(body)] == 0) return true;
+    bool found = false;
+    each_bond(ctx, [&](std::span<const std::int32_t> bodies) {
+        bool asleep = false, moving = false;
+        for (const std::int32_t body : bodies) {
+            asleep = asleep || b.asleep[at(body)] != 0;
+            moving = moving || carries(b, body) || (moves(b, body) && b.asleep[at(body)] == 0);
+        }
+        found = found || (asleep && moving);
+    });
+    return found;
+}
+
+/// Islands with a body that is awake or disturbed wake whole: where one that sleeps and one that is
+/// awake have come close, they are one by now. @return whether any woke.
+bool wake_islands(StepContext& ctx) noexcept {
+    model::Bodies& b = ctx.bodies;
+    find_islands(ctx);
+    mark_islands(
+        ctx, [&](std::int32_t body) { return b.asleep[at(body)] == 0 || b.quiet[at(body)] == 0; });
+    bool woken = false;
+    for (const std::int32_t body : b.moving) {
+        if (ctx.sleep.mark[at(root(ctx.sleep.island, body))] == 0) continue;
+        if (!set_asleep(ctx, body, false)) continue;
+        b.quiet[at(body)] = 0;
+        woken = true;
+    }
+    return woken;
+}
+
+/// The system without what sleeps. @throws std::bad_alloc, LimitError.
+void analyse_anew(StepContext& ctx) {
+    const StageTimer timer(ctx, Stage::analyse);
+    // An analysis looks at which limits are met, which is for the step to find and to report.
+    const base::Array<double> active = ctx.interactions.active;
+    analyse(ctx);
+    ctx.interactions.active = active;
+}
+
+/// The same after a step, which is done: where it fails it is left to the next one.
+void analyse_after_step(StepContext& ctx) noexcept {
+    ctx.analysed_x = ctx.bodies.x;
+    ctx.analysed_r = ctx.bodies.r;
+    ctx.mend = Mend::follow;
+    const StageTimer timer(ctx, Stage::analyse);
+    (void)guarded(ctx, [&] { mend(ctx); });
+}
+
+}  // namespace
+
+Status wake_disturbed(StepContext& ctx) noexcept {
+    if (ctx.stats.asleep == 0) return Status::ok;
+    if (disturbed(ctx)) {
+        const Status status = guarded(ctx, [&] {
+            keep_state(ctx, Undo::Depth::system);
+            if (wake_islands(ctx)) analyse_anew(ctx);
+        });
+        if (status != Status::ok) return status;
+    }
+    const bool room =
+        ctx.stats.asleep == 0 || ctx.collider.set_aside(ctx.contacts, ctx.bodies.asleep);
+    return room ? Status::ok : Status::out_of_memory;
+}
+
+void fall_asleep(StepContext& ctx) noexcept {
+    if (!(ctx.def.sleep_after > 0.0)) return;
+    model::Bodies& b = ctx.bodies;
+    // The other methods end where they end.
+    const bool certified = ctx.def.nonsmooth != Nonsmooth::newton ||
+                           (!ctx.stats.cut && ctx.stats.flips_left == 0 &&
+                            ctx.stats.natural_map <= ctx.def.contact_tolerance);
+    const auto most = static_cast<std::int32_t>(
+        std::min<double>(std::ceil(ctx.def.sleep_after / ctx.def.step), kMostQuiet));
+    bool any = false;
+    for (const std::int32_t body : b.moving) {
+        if (b.asleep[at(body)] != 0) continue;
+        const double limit = ctx.def.sleep_speed * ctx.def.sleep_speed;
+        const double square = 2.0 * kinetic_energy_of(b, body, b.v.data()) / b.mass[at(body)];
+        std::int32_t& quiet = b.quiet[at(body)];
+        const bool rests = certified && square < limit && !ctx.loads.loaded(body);
+        quiet = rests ? std::min(quiet + 1, most) : 0;
+        any = any || quiet == most;
+    }
+    if (!any || ctx.step % kEvery != 0) return;
+    find_islands(ctx);
+    mark_islands(ctx, [&](std::int32_t body) { return b.quiet[at(body)] < most; });
+    bool fallen = false;
+    for (const std::int32_t body : b.moving)
+        if (ctx.sleep.mark[at(root(ctx.sleep.island, body))] == 0)
+            fallen = set_asleep(ctx, body, true) || fallen;
+    if (fallen) analyse_after_step(ctx);
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/stagger.h"
+
+#include "access/copies.h"
+#include "access/guarded.h"
+#include "access/remember.h"
+#include "access/rows.h"
+#include "access/undo.h"
+#include "access/view.h"
+#include "assembly/mobility.h"
+#include "base/index.h"
+#include "solve/evaluate.h"
+#include "split/predict.h"
+#include "step/assemble_rows.h"
+#include "step/completion.h"
+#include "step/guard.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace hawser::stepper {
+namespace {
+
+/// What the trial step says about the torques on a body, for its gyroscopic impulse.
+void keep_spin_change(model::Bodies& bodies, const assembly::View& v, std::int32_t body) noexcept {
+    const double* w = v.v_new + v.dof_begin[body] + 3;
+    const double* r = &bodies.r[9 * at(body)];
+    double change[3];
+    for (std::size_t i = 0; i < 3; ++i) change[i] = w[i] - bodies.spin_free[3 * at(body) + i];
+    for (std::size_t i = 0; i < 3; ++i)
+        bodies.spin_change[3 * at(body) + i] =
+            r[i] * change[0] + r[3 + i] * change[1] + r[6 + i] * change[2];
+}
+
+/// Violations of all rows with every body moved by time t at its velocity.
+void violations_at(StepContext& ctx, double t, std::vector<double>& g) {
+    model::Bodies& b = ctx.bodies;
+    g.resize(ctx.interactions.g.size());
+    const auto x = b.x;
+    const auto q = b.q;
+    const auto r = b.r;
+    for (std::int32_t body : b.moving) {
+        const double* v = &b.v[at(b.dof_begin[at(body)])];
+        const int dof = b.dof(body);
+        if (dof == 1)
+            b.x[3 * at(body)] += t * v[0];
+        else
+            b.drift(body, v, dof == 6 ? v + 3 : nullptr, t);
+    }
+    for (std::int32_t body : b.driven) {
+        const double* v = &b.v_fixed[6 * at(body)];
+        b.drift(body, v, v + 3, t);
+    }
+    place_images(ctx);
+    evaluate_rows(ctx);
+    std::copy(ctx.interactions.g.begin(), ctx.interactions.g.end(), g.begin());
+    b.x = x;
+    b.q = q;
+    b.r = r;
+}
+
+/// Ġ v of every row [m/s² or rad/s²]: the second difference of g along the motion. Zero for
+/// velocity rows.
+std::vector<double> row_curvature(StepContext& ctx) {
+    std::vector<double> before, now, after;
+    const double h = ctx.def.step;
+    violations_at(ctx, -h, before);
+    violations_at(ctx, h, after);
+    violations_at(ctx, 0.0, now);
+    for (std::size_t i = 0; i < now.size(); ++i)
+        now[i] = (before[i] + after[i] - 2.0 * now[i]) / (h * h);
+    return now;
+}
+
+/// h²W/4ε of a row that holds energy, (hω)²/4 of the swing that it makes with its bodies.
+double swing_of(const StepContext& ctx, std::int32_t id, int r) {
+    const model::Interactions& in = ctx.interactions;
+    const auto row = at(in.row_begin[at(id)] + r);
+    if ((in.row_flags[row] & model::kRowVelocity) ||
+        !model::holds_energy(in.epsilon[row], in.rest_length[at(id)]))
+        return 0.0;
+    const double h = ctx.def.step;
+    return 0.25 * h * h * assembly::mobility(ctx.bodies, in, id, r) / in.epsilon[row];
+}
+
+/// Springs that the step does not resolve begin with the energy that they have.
+///
+/// With z = h²W/4ε, a spring that stands right and is stretched at the speed w is half a step
+/// earlier by hw/2 off in the scheme: energy (1 + z) w²/2W, of which all but w²/2W comes from
+/// nothing. At the speed w/√(1 + z) it has what it should. Up to z = ¼ that is left to the
+/// staggered start, which is of second order.
+///
+/// `add`: to the right-hand side of a trial, so that half of what it changes brings v₋ there.
+/// @return whether there is such a spring.
+bool slow_springs(StepContext& ctx, bool add) noexcept {
+    const assembly::View v = view(ctx);
+    constexpr double kResolved = 0.25;
+    bool any = false;
+    for (std::int32_t id = 0; id < interaction_count(ctx); ++id) {
+        // Of wires see calm_start().
+        if (ctx.system.rests(id) || v.active[id] == 0.0 || ctx.wires.wire_of[at(id)] >= 0) continue;
+        double room[model::kArmRoom];
+        const double* jac = packed_rows(v, id, room);
+        for (int r = 0; r < v.rows[id]; ++r) {
+            const double speed = along_row(v, id, jac, v.v, v.dof_begin);
+            const double z = speed == 0.0 ? 0.0 : swing_of(ctx, id, r);
+            if (!(z > kResolved)) continue;
+            any = true;
+            const double less = (1.0 - 1.0 / std::sqrt(1.0 + z)) * (1.0 + z) / z;
+            if (add) v.c[v.row_begin[id] + r] += 2.0 * less * speed;
+        }
+    }
+    return any;
+}
+
+/// v₊ and λ of a start at time 0.
+Status try_step(StepContext& ctx, const std::vector<double>& curvature, bool slower) noexcept {
+    assemble_rows(ctx);
+    for (std::size_t i = 0; i < curvature.size(); ++i)
+        ctx.interactions.c[i] -= ctx.def.step * curvature[i];
+    if (slower) (void)slow_springs(ctx, true);
+    ctx.rhs_ready = false;
+    return solve_assembled(ctx);
+}
+
+/// The trial steps; on success v₋ has replaced v₀.
+Status try_stagger(StepContext& ctx) noexcept {
+    std::vector<double> curvature;
+    base::Array<double> active, lambda;
+    const Status room = guarded(ctx, [&] {
+        curvature = row_curvature(ctx);
+        active = ctx.interactions.active;
+        lambda = ctx.interactions.lambda;
+    });
+    if (room != Status::ok) return room;
+    const assembly::View v = view(ctx);
+    // The first trial finds λ without geometric stiffness, the second uses it.
+    for (int trial = 0; trial < 2; ++trial) {
+        if (const Status s = try_step(ctx, curvature, false); s != Status::ok) return s;
+        for (std::int32_t body : ctx.bodies.rigid) keep_spin_change(ctx.bodies, v, body);
+    }
+    if (slow_springs(ctx, false)) {
+        std::copy(ctx.interactions.lambda.begin(), ctx.interactions.lambda.end(), lambda.begin());
+        if (const Status s = try_step(ctx, curvature, true); s != Status::ok) return s;
+        std::copy(lambda.begin(), lambda.end(), ctx.interactions.lambda.begin());
+    }
+    for (std::int32_t i = 0; i < ctx.bodies.dofs; ++i) v.v[i] -= 0.5 * (v.v_new[i] - v.v[i]);
+    calm_start(ctx);
+    // Which lines are slack is for the first step to find, and to report.
+    std::copy(active.begin(), active.end(), ctx.interactions.active.begin());
+    return Status::ok;
+}
+
+}  // namespace
+
+/// The acceleration at time 0 obeys g̈ = G a + Ġ v = 0 on a rigid row. A trial step at the
+/// velocity v₀ asks for G v₊ = G v₀ there, so h Ġ v is taken off its right-hand side; on a soft
+/// row that changes v₋ by O(h²) only.
+///
+/// When it fails the world has not started: nothing of a trial remains, and the next step tries
+/// again.
+Status stagger(StepContext& ctx) noexcept {
+    if (!ctx.def.staggered_start) {
+        ctx.started = true;
+        return Status::ok;
+    }
+    keep_motion(ctx);
+    remember(ctx);
+    const Status status = try_stagger(ctx);
+    ctx.started = status == Status::ok;
+    return status;
+}
+
+}  // namespace hawser::stepper

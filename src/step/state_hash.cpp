@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/state_hash.h"
+
+#include <hawser/world.h>
+
+#include "access/copies.h"
+#include "base/hash.h"
+
+#include <cstring>
+
+namespace hawser::stepper {
+
+std::uint64_t state_hash(const StepContext& ctx) noexcept {
+    const char* isa = instruction_set();
+    std::uint64_t hash = base::fnv1a(isa, std::strlen(isa));
+    auto add = [&](const auto& array) {
+        hash = base::fnv1a(array.data(), array.size() * sizeof(array[0]), hash);
+    };
+    // Images of bodies (cuts.h) follow from them.
+    const auto bodies = at(body_count(ctx));
+    auto front = [&](const base::Array<double>& array, std::size_t each) {
+        hash = base::fnv1a(array.data(), each * bodies * sizeof(double), hash);
+    };
+    front(ctx.bodies.x, 3);
+    front(ctx.bodies.q, 4);
+    add(ctx.bodies.v);
+    front(ctx.bodies.spin_change, 3);
+    front(ctx.bodies.v_fixed, 6);
+    front(ctx.bodies.force, 6);
+    add(ctx.interactions.lambda);
+    add(ctx.interactions.active);
+    add(ctx.interactions.parted);
+    add(ctx.interactions.coarse);
+    add(ctx.interactions.repeats);
+    add(ctx.interactions.anchor);
+    // Not where there is nothing: there is no room for it before the first step is prepared.
+    for (std::size_t k = 0; k < ctx.wires.count(); ++k) {
+        if (ctx.wires.credit[k] == 0.0 && ctx.wires.alert[k] == 0) continue;
+        hash = base::fnv1a(&k, sizeof k, hash);
+        hash = base::fnv1a(&ctx.wires.credit[k], sizeof(double), hash);
+        hash = base::fnv1a(&ctx.wires.alert[k], sizeof(std::int32_t), hash);
+    }
+    add(ctx.collider.kept());
+    add(ctx.bodies.asleep);
+    add(ctx.bodies.quiet);
+    return base::fnv1a(&ctx.step, sizeof ctx.step, hash);
+}
+
+}  // namespace hawser::stepper

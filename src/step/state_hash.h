@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file state_hash.h
+/// One number for the bits of a state.
+
+#include "context/context.h"
+
+namespace hawser::stepper {
+
+/// Hash of the state: see World::state_hash.
+[[nodiscard]] std::uint64_t state_hash(const StepContext& ctx) noexcept;
+
+}  // namespace hawser::stepper

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/step.h"
+
+#include "access/guarded.h"
+#include "access/remember.h"
+#include "access/timer.h"
+#include "access/undo.h"
+#include "access/view.h"
+#include "budget/limits.h"
+#include "solve/joints.h"
+#include "split/regroup.h"
+#include "step/assemble_rows.h"
+#include "step/completion.h"
+#include "step/contact.h"
+#include "step/guard.h"
+#include "step/impact.h"
+#include "step/integrate.h"
+#include "step/judge.h"
+#include "step/prestep.h"
+#include "step/ready.h"
+#include "step/sleep.h"
+#include "step/stagger.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace hawser::stepper {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Stage 2. Contacts at the present poses.
+Status find_contacts(StepContext& ctx) noexcept {
+    const std::int64_t growths = ctx.collider.growths();
+    const bool found = ctx.collider.collide(ctx.bodies, ctx.def.step, ctx.contacts, ctx.pool);
+    ctx.stats.growths += ctx.collider.growths() - growths;
+    ctx.stats.contacts = static_cast<std::int32_t>(ctx.contacts.contacts.size());
+    if (ctx.pool.stopping()) return Status::cancelled;
+    if (found) return Status::ok;
+    if (!ctx.collider.finite()) return Status::not_finite;
+    ctx.stats.bound_met = ctx.collider.over();
+    return ctx.stats.bound_met.bound == Bound::none ? Status::out_of_memory : Status::over_bound;
+}
+
+/// Contacts of the step, after impacts.
+Status start_moving(StepContext& ctx) noexcept {
+    bool found = false;
+    Status status = start_contacts(ctx, Phase::regular);
+    if (status == Status::ok)
+        status = timed(ctx, Stage::nonsmooth, [&](StepContext& c) { return impact(c, found); });
+    return status == Status::ok && found ? start_contacts(ctx, Phase::regular) : status;
+}
+
+/// From time 0 to −h/2, in the first step.
+Status start_world(StepContext& ctx) noexcept {
+    // Its trial steps need the loads of systems.
+    if (const Status acted = prestep(ctx); acted != Status::ok) return acted;
+    keep_motion(ctx);
+    ctx.loads.added = added_energy(ctx, ctx.bodies.v.data());
+    begin_judge(ctx);
+    Status status = Status::ok;
+    if (ctx.collider.count() > 0) status = find_contacts(ctx);
+    if (status == Status::ok && ctx.collider.count() > 0)
+        status = start_contacts(ctx, Phase::stagger);
+    if (status == Status::ok) status = stagger(ctx);
+    ctx.loads.added = added_energy(ctx, ctx.bodies.v.data());
+    return status;
+}
+
+void clear_figures(StepContext& ctx) noexcept {
+    ctx.stats.stage_seconds.fill(0.0);
+    ctx.stats.factorisations = 0;
+    ctx.stats.substitutions = ctx.stats.completion_rounds = ctx.stats.undetermined = 0;
+    ctx.stats.restiffened = 0;
+    ctx.stats.completion_change = 0.0;
+    begin_completion(ctx);
+    ctx.stats.partial_factorisations = 0;
+    ctx.stats.flips_left = 0;
+    ctx.stats.wire_repeats = 0;
+    ctx.step_flops = 0;
+    ctx.newton.iterations = 0;
+    ctx.stats.natural_map = 0.0;
+    ctx.stats.cut = false;
+    ctx.stats.degradation = {};
+    ctx.stats.degraded_by = DegradedBy::nothing;
+    ctx.stats.foreseen_seconds = 0.0;
+}
+
+/// When the solver began, and what it knew then.
+struct SolverStart {
+    Clock::time_point time = Clock::now();
+    std::int64_t analyses = 0;
+    bool knew_levels = false;
+};
+
+SolverStart start_solver(StepContext& ctx) noexcept {
+    SolverStart start;
+    ctx.stopwatch->start();
+    ctx.laps = {};
+    start.analyses = ctx.stats.plans + ctx.stats.repairs;
+    start.knew_levels = ctx.cut_levels.known();
+    return start;
+}
+
+void end_solver(StepContext& ctx, const SolverStart& start) noexcept {
+    StepStats& s = ctx.stats;
+    s.solver_seconds = std::chrono::duration<double>(Clock::now() - start.time).count();
+    s.solver_cpu_seconds = ctx.stopwatch->seconds();
+    ctx.laps.analysed =
+        s.plans + s.repairs > start.analyses || (ctx.cut_levels.known() && !start.knew_levels);
+    end_budget(ctx);
+    s.newton_iterations = ctx.newton.iterations;
+    s.factor_work = static_cast<double>(ctx.step_flops) /
+                    static_cast<double>(std::max<std::int64_t>(1, s.factor_flops));
+}
+
+/// Stage collide: contacts at the present poses, and who wakes of them.
+Status collide(StepContext& ctx) noexcept {
+    ctx.loads.count_change(ctx.bodies, ctx.pool);
+    Status status = Status::ok;
+    if (ctx.collider.count() > 0) status = timed(ctx, Stage::collide, find_contacts);
+    return status == Status::ok ? wake_disturbed(ctx) : status;
+}
+
+/// Stage graph: groups that follow the state, and what a deadline may cut between them.
+Status graph(StepContext& ctx) noexcept {
+    const Status status = regroup(ctx);
+    return status == Status::ok ? prepare_levels(ctx) : status;
+}
+
+/// Stage analyse, where the system of this step is another one than that of the last: by other
+/// cuts, or bodies that touch for the first time. Contacts are rows then, and impacts have been.
+Status analyse_step(StepContext& ctx) noexcept {
+    if (const Status status = choose_cuts(ctx); status != Status::ok) return status;
+    remember(ctx);
+    return ctx.collider.count() > 0 ? start_moving(ctx) : Status::ok;
+}
+
+/// Stages factor and nonsmooth, which take turns.
+Status solve_velocities(StepContext& ctx) noexcept {
+    begin_budget(ctx);
+    const Status status = solve_assembled(ctx);
+    return status == Status::ok ? guard_wires(ctx) : status;
+}
+
+/// Whether the solution is one that may become the state.
+Status accept(StepContext& ctx) noexcept {
+    // What was left out because of it is not to be used.
+    if (ctx.pool.stopping()) return Status::cancelled;
+    return timed(ctx, Stage::integrate, [](StepContext& c) {
+        c.loads.measure(c.bodies, c.def.step, c.bodies.v.data(), view(c).v_new, c.pool);
+        return judge(c);
+    });
+}
+
+/// Stage integrate: there is no way back from here.
+void finish(StepContext& ctx) noexcept {
+    timed(ctx, Stage::integrate, integrate);
+    ctx.imposed = {};
+    if (ctx.collider.count() > 0) ctx.collider.keep();
+    drop_kept(ctx);
+    ctx.edits.clear();
+    accept_systems(ctx);
+    fall_asleep(ctx);
+}
+
+/// All stages. Where it fails, the state may be that of a step half done.
+Status take_step(StepContext& ctx) noexcept {
+    const bool starts = !ctx.started;
+    Status status = starts ? start_world(ctx) : Status::ok;
+    if (status != Status::ok) return status;
+    const StepTimer timer(ctx);
+    const Clock::time_point begin = Clock::now();
+    clear_figures(ctx);
+
+    if (!starts) status = timed(ctx, Stage::prestep, prestep);
+    if (status == Status::ok) status = collide(ctx);
+    if (status != Status::ok) return status;
+    const SolverStart solver = start_solver(ctx);
+    status = graph(ctx);
+    if (status != Status::ok) return status;
+    status = analyse_step(ctx);
+    if (status == Status::ok) {
+        assemble_rows(ctx);
+        status = solve_velocities(ctx);
+    }
+    end_solver(ctx, solver);
+    if (status == Status::ok) status = accept(ctx);
+    if (status == Status::ok) finish(ctx);
+    ctx.stats.step_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    return status;
+}
+
+/// After a step that failed: the state of the last good one.
+void go_back(StepContext& ctx) noexcept {
+    if (ctx.remembered && !ctx.undo.moved) recall(ctx);
+    restore_kept(ctx);
+    take_back_systems(ctx);
+}
+
+}  // namespace
+
+Status step(StepContext& ctx) noexcept {
+    ctx.stats.bound_met = {};
+    ctx.remembered = false;
+    Status status = ctx.pool.stopping() ? Status::cancelled : Status::ok;
+    if (status == Status::ok) status = guarded(ctx, [&] { make_ready(ctx); });
+    if (status == Status::ok) {
+        ctx.pool.resume();
+        status = take_step(ctx);
+        ctx.pool.pause();
+    }
+    if (status != Status::ok) {
+        go_back(ctx);
+        // Whatever the step ended with then came of what was left out.
+        if (ctx.pool.stopping()) status = Status::cancelled;
+    }
+    if (status == Status::cancelled) ctx.pool.go_on();
+    return ctx.stats.status = status;
+}
+
+}  // namespace hawser::stepper
