@@ -21,7 +21,7 @@ constexpr double kOpen = 1e-3;    ///< Gap that is closed [m or rad].
 constexpr double kClosed = 1e-5;  ///< Where rounds end [m or rad].
 constexpr double kTurned = 0.03;  ///< Turn of a body in a step that may open one by kOpen [rad].
 constexpr double kFarTurn = 0.7;  ///< Beyond it directions have changed too far [rad].
-constexpr int kMostRounds = 12;
+constexpr int kMostClosings = 12;
 
 /// Whether a joint that the step has linearised may stand open now.
 bool may_be_open(const StepContext& ctx) noexcept {
@@ -103,7 +103,7 @@ double fastest_turn(const StepContext& ctx, const View& v) noexcept {
 /// With the factorisation of the step. @return the gap left.
 double close_with_factor(StepContext& ctx, const View& v, double gap) noexcept {
     constexpr double kConverges = 0.5;
-    for (int round = 0; round < kMostRounds && gap > kClosed; ++round) {
+    for (int round = 0; round < kMostClosings && gap > kClosed; ++round) {
         ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
         ++ctx.stats.substitutions;
         ctx.rhs_ready = false;

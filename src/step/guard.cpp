@@ -29,7 +29,7 @@ bool accepted(const Wires& w, std::size_t wire) noexcept {
 
 /// Multipliers as the step began with, which geometric stiffness goes by, and the state of lines
 /// but in refused wires, where it is as last found.
-void go_back(StepContext& ctx) noexcept {
+void restore_start(StepContext& ctx) noexcept {
     model::Interactions& in = ctx.interactions;
     Wires& w = ctx.wires;
     std::copy(ctx.lambda_before.begin(), ctx.lambda_before.end(), in.lambda.begin());
@@ -60,7 +60,7 @@ void replace(StepContext& ctx) noexcept {
 Status solve_again(StepContext& ctx) noexcept {
     ++ctx.stats.wire_repeats;
     release_wires(ctx);
-    go_back(ctx);
+    restore_start(ctx);
     replace(ctx);
     ctx.wires.again = true;
     Status status = Status::ok;
