@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/recording_writer.h"
 
+#include "base/index.h"
 #include "record/files.h"
 #include "record/outlines.h"
 #include "record/recording_format.h"
@@ -78,8 +79,9 @@ void put_joints(ByteWriter& out, const SceneInfo& scene, const World& world) {
 Vec3 end_point(const CableInfo& cable, const World& world, bool last) {
     if (cable.elements.empty() || cable.nodes.empty()) return Vec3::Zero();
     const BodyId body = last ? cable.nodes.back() : cable.nodes.front();
-    const InteractionDef& def =
-        world.interaction_def(last ? cable.elements.back() : cable.elements.front());
+    const InteractionId element = last ? cable.elements.back() : cable.elements.front();
+    if (!world.alive(element)) return Vec3::Zero();
+    const InteractionDef& def = world.interaction_def(element);
     for (std::size_t k = 0; k < def.body.size(); ++k)
         if (def.body[k] == body) return def.point[k];
     return Vec3::Zero();
@@ -97,8 +99,7 @@ void put_body(ByteWriter& out, const BodyDef& def, const Pose& pose) {
 
 void put_layout(ByteWriter& out, const SceneInfo& scene, const World& world) {
     out.put(static_cast<std::uint32_t>(world.body_count()));
-    for (std::int32_t i = 0; i < world.body_count(); ++i)
-        put_body(out, world.body_def({i}), world.pose({i}));
+    for (const BodyId id : world.bodies()) put_body(out, world.body_def(id), world.pose(id));
     out.put(static_cast<std::uint32_t>(scene.cables.size()));
     for (const CableInfo& cable : scene.cables) {
         out.put_text(cable.name);
@@ -166,8 +167,12 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& file, const SceneI
     write_chunk(kSnapshotChunk);
 
     payload_.put(static_cast<std::uint32_t>(world.input_count()));
-    for (std::int32_t i = 0; i < world.input_count(); ++i)
-        payload_.put_text(world.input_def({i}).name);
+    for (std::int32_t i = 0, next = 0; i < world.input_count(); ++i) {
+        // By place; "" where one was removed.
+        const auto inputs = world.inputs();
+        const bool there = at(next) < inputs.size() && inputs[at(next)].index == i;
+        payload_.put_text(there ? world.input_def(inputs[at(next++)]).name : std::string());
+    }
     write_chunk(kInputNamesChunk);
     if (const auto outlines = outlines_of(scene, world); !outlines.empty()) {
         put_outlines(payload_, outlines);
@@ -202,13 +207,13 @@ void RecordingWriter::write_chunk(const char* kind) {
     payload_.clear();
 }
 
-void RecordingWriter::add_changes(const World& world, const ChangeBytes& changes) {
+void RecordingWriter::add_changes(std::int64_t step, const ChangeBytes& changes) {
     if (changes.failed())
         throw RecordingError(file_.string() +
                              ": a change of the world did not fit into memory; the recording ends "
                              "before it");
     if (changes.bytes().empty()) return;
-    payload_.put(world.step_count());
+    payload_.put(step);
     payload_.put_bytes(changes.bytes());
     write_chunk(kChangesChunk);
     other_bodies_ = other_bodies_ || changes.other_bodies();

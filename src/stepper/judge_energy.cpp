@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The ledger of judges: sums, their extremes, what was exchanged.
 #include "stepper/judge.h"
+#include "stepper/judge_start.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +58,11 @@ void begin_energy(const JudgePart& p, const Works& w, JudgeState& state) noexcep
     state.exchanged = state.counted = state.age = 0.0;
     state.begun = 1;
     keep(p, w, state);
+}
+
+void excuse_start(double gained, JudgeState& state) noexcept {
+    for (std::size_t i = 0; i < state.mean.size(); ++i)
+        set(state, i, state.mean[i] + std::max(0.0, gained));
 }
 
 Unexplained follow_energy(const JudgePart& p, const Works& w, double time,

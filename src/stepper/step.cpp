@@ -6,6 +6,7 @@
 #include "stepper/contact.h"
 #include "stepper/guarded.h"
 #include "stepper/impact.h"
+#include "stepper/judge_start.h"
 #include "stepper/nonsmooth.h"
 #include "stepper/regroup.h"
 #include "stepper/sleep.h"
@@ -176,7 +177,9 @@ Status start_world(StepContext& ctx) noexcept {
     if (ctx.collider.count() > 0) status = find_contacts(ctx);
     if (status == Status::ok && ctx.collider.count() > 0)
         status = start_contacts(ctx, Phase::stagger);
+    const double before = kinetic_energy(ctx.bodies, ctx.bodies.v.data());
     if (status == Status::ok) status = stagger(ctx);
+    excuse_start(kinetic_energy(ctx.bodies, ctx.bodies.v.data()) - before, ctx.judge.state);
     ctx.loads.added = added_energy(ctx, ctx.bodies.v.data());
     return status;
 }

@@ -43,6 +43,7 @@ class Forces : public Attached {
         const Vec3 a = axis(0, 2), b = axis(1, 2);
         turn(f / (1.0 + a.dot(b)) * (a + b));
     }
+    void scalar(int slot, double f) { result.on[place(slot)].force.x() += f; }
     void line(double f) {
         const Vec3 from = point(0), to = point(1), d = to - from;
         const double length = d.norm();
@@ -117,9 +118,9 @@ Quat Attached::frame(int slot) const {
 }
 
 double parameter(const World& world, InteractionId id, std::string_view name) {
-    for (std::int32_t i = 0; i < world.input_count(); ++i) {
-        const InputDef& input = world.input_def({i});
-        if (input.interaction.index == id.index && input.param == name) return world.input({i});
+    for (const InputId i : world.inputs()) {
+        const InputDef& input = world.input_def(i);
+        if (input.interaction == id && input.param == name) return world.input(i);
     }
     return world.interaction_def(id).get(name);
 }
@@ -127,23 +128,14 @@ double parameter(const World& world, InteractionId id, std::string_view name) {
 Wrenches row_wrenches(const World& world, InteractionId id, std::span<const Pose> pose,
                       std::span<const double> f) {
     Forces on(world, id, pose);
-    const auto scalar = [&](int slot, double force) {
-        on.result.on[place(slot)].force.x() += force;
-    };
     switch (on.def().kind) {
         case InteractionKind::Ball:
             on.joined(f);
-            break;
-        case InteractionKind::Hinge:
-            on.joined(f);
-            on.square(0, 2, f[3]);
-            on.square(1, 2, f[4]);
             break;
         case InteractionKind::Lock:
             on.joined(f);
             on.square(0, 2, f[3]);
             on.square(1, 2, f[4]);
-            on.square(0, 1, f[5]);
             break;
         case InteractionKind::Universal:
             on.joined(f);
@@ -152,6 +144,9 @@ Wrenches row_wrenches(const World& world, InteractionId id, std::span<const Pose
         case InteractionKind::Prismatic:
             on.square(0, 1, f[4]);
             [[fallthrough]];
+            on.square(0, 1, f[5]);
+            [[fallthrough]];
+        case InteractionKind::Hinge:
         case InteractionKind::Cylindrical:
             on.slide(0, f[0]);
             on.slide(1, f[1]);
@@ -159,7 +154,7 @@ Wrenches row_wrenches(const World& world, InteractionId id, std::span<const Pose
             on.square(1, 2, f[3]);
             break;
         case InteractionKind::WinchStretch:
-            scalar(2, -f[0] * on.def().get("radius"));
+            on.scalar(2, -f[0] * on.def().get("radius"));
             [[fallthrough]];
         case InteractionKind::Distance:
         case InteractionKind::Stretch:
@@ -184,7 +179,7 @@ Wrenches row_wrenches(const World& world, InteractionId id, std::span<const Pose
         case InteractionKind::Hold:
         case InteractionKind::ScalarMotor:
         case InteractionKind::ScalarFriction:
-            scalar(0, f[0]);
+            on.scalar(0, f[0]);
             break;
         case InteractionKind::Hydrostatic:
             on.hydrostatic(f);

@@ -30,6 +30,20 @@ void set_rows(InteractionDef& def, double compliance, double damping_time) {
     def.damping_time.fill(damping_time);
 }
 
+void set_frames(InteractionDef& def, const World& world, std::size_t count, const Vec3& axis,
+                JointFrame in) {
+    const double length = axis.norm();
+    if (!std::isfinite(length) || !(length > 1e-9))
+        throw DefError(label(kind_info(def.kind).name, def.name) +
+                       ": its axis has no direction; give one of any length but 0");
+    const Vec3 given = axis / length;
+    const Vec3 z =
+        in == JointFrame::body_a ? Vec3(world.pose(def.body[0]).orientation * given) : given;
+    const Quat frame = turn_between(Vec3::UnitZ(), z);
+    for (std::size_t b = 0; b < count; ++b)
+        def.frame[b] = (world.pose(def.body[b]).orientation.conjugate() * frame).normalized();
+}
+
 void set_motor(InteractionDef& def, const AxisMotor& motor) {
     set_given(def, "speed", motor.speed);
     set_given(def, "force_min", motor.force_min);
