@@ -43,6 +43,17 @@ class Forces : public Attached {
         const Vec3 a = axis(0, 2), b = axis(1, 2);
         turn(f / (1.0 + a.dot(b)) * (a + b));
     }
+    /// Wheels on a carrier, slot 0: in the ratio of their teeth, each about its own axis.
+    void gear(double f) {
+        const Vec3 a = axis(0, 2);
+        for (int k = 1; k <= 2; ++k) {
+            const Vec3 b = axis(k, 2);
+            const double ratio = k == 1 ? 1.0 : def().get("teeth_2") / def().get("teeth_1");
+            const Vec3 torque = f * ratio / (1.0 + a.dot(b)) * (a + b);
+            result.on[0].torque -= torque;
+            result.on[place(k)].torque += torque;
+        }
+    }
     void scalar(int slot, double f) { result.on[place(slot)].force.x() += f; }
     void line(double f) {
         const Vec3 from = point(0), to = point(1), d = to - from;
@@ -133,6 +144,9 @@ Wrenches row_wrenches(const World& world, InteractionId id, std::span<const Pose
             on.joined(f);
             break;
         case InteractionKind::Lock:
+            on.square(0, 1, f[5]);
+            [[fallthrough]];
+        case InteractionKind::Hinge:
             on.joined(f);
             on.square(0, 2, f[3]);
             on.square(1, 2, f[4]);
@@ -144,9 +158,6 @@ Wrenches row_wrenches(const World& world, InteractionId id, std::span<const Pose
         case InteractionKind::Prismatic:
             on.square(0, 1, f[4]);
             [[fallthrough]];
-            on.square(0, 1, f[5]);
-            [[fallthrough]];
-        case InteractionKind::Hinge:
         case InteractionKind::Cylindrical:
             on.slide(0, f[0]);
             on.slide(1, f[1]);
@@ -180,6 +191,9 @@ Wrenches row_wrenches(const World& world, InteractionId id, std::span<const Pose
         case InteractionKind::ScalarMotor:
         case InteractionKind::ScalarFriction:
             on.scalar(0, f[0]);
+            break;
+        case InteractionKind::Gear:
+            on.gear(f[0]);
             break;
         case InteractionKind::Hydrostatic:
             on.hydrostatic(f);

@@ -242,6 +242,18 @@ InteractionId define(World& world, const BallDef& def) {
     return world::add_one(world, world::Joint(world, InteractionKind::Ball, def).out);
 }
 
+InteractionId define(World& world, const GearDef& def) {
+    InteractionDef out;
+    out.kind = InteractionKind::Gear;
+    out.name = def.name;
+    out.body = {def.carrier, def.first, def.second};
+    world::set_frames(out, world, 3, def.axis, def.frame);
+    out.set("teeth_1", def.teeth_first);
+    out.set("teeth_2", def.teeth_second);
+    world::set_rows(out, def.compliance, def.damping_time);
+    return world.add_interaction(out);
+}
+
 InteractionId define(World& world, const LockDef& def) {
     world::Joint joint(world, InteractionKind::Lock, def);
     for (std::size_t b = 0; b < 2; ++b) joint.set_frame(b, Quat::Identity());
