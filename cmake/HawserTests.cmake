@@ -168,6 +168,7 @@ if(NOT HAWSER_SANITIZE)
         COMMAND ${CMAKE_COMMAND}
             -DHAWSER_BINARY_DIR=${PROJECT_BINARY_DIR}
             -DCONSUMER_SOURCE_DIR=${PROJECT_SOURCE_DIR}/tests/consumer
+            -DEXAMPLES_SOURCE_DIR=${PROJECT_SOURCE_DIR}/examples/library
             -DSCENES_DIR=${PROJECT_SOURCE_DIR}/scenes
             -DCXX_COMPILER=${CMAKE_CXX_COMPILER}
             -P "${PROJECT_SOURCE_DIR}/tests/consumer/run.cmake")

@@ -2,6 +2,7 @@
 #include "commands.h"
 #include "report/start/check.h"
 #include "scene_options.h"
+#include "signal_list.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -31,7 +32,7 @@ warnings or without, 1 at least one is not.)";
 struct CheckOptions {
     SceneOptions scene;
     std::vector<std::string> files;
-    bool json = false;
+    bool json = false, signals = false;
 };
 
 struct Checked {
@@ -56,7 +57,7 @@ std::string counted(std::size_t count, const char* what) {
     return count == 0 ? "" : fmt::format(", {} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-void print_lines(const std::string& file, const Checked& checked) {
+void print_lines(const std::string& file, const Checked& checked, bool signals) {
     for (const scene::SceneError& mistake : checked.mistakes)
         fmt::print(stderr, "{}\n", mistake.what());
     if (!checked.scene) {
@@ -66,11 +67,13 @@ void print_lines(const std::string& file, const Checked& checked) {
     }
     const scene::Scene& scene = *checked.scene;
     fmt::print(stderr, "{}", report::start::to_text(checked.start, file + ": "));
-    fmt::print("{}: {}{}{}: {} bodies, {} interactions, {} cables, {} inputs, hash {:016x}\n", file,
-               checked.good() ? "ok" : "impossible", counted(checked.start.errors(), "error"),
-               counted(checked.start.warnings(), "warning"), scene.world.body_count(),
-               scene.world.interaction_count(), scene.cables.size(), scene.world.input_count(),
-               scene.hash);
+    fmt::print(
+        "{}: {}{}{}: {} bodies, {} interactions, {} cables, {} inputs, {} outputs, hash {:016x}\n",
+        file, checked.good() ? "ok" : "impossible", counted(checked.start.errors(), "error"),
+        counted(checked.start.warnings(), "warning"), scene.world.bodies().size(),
+        scene.world.interactions().size(), scene.cables.size(), scene.world.inputs().size(),
+        scene.world.output_ids().size(), scene.hash);
+    if (signals) fmt::print("{}", signal_lines(scene.world));
 }
 
 Report report_of(const std::string& file, const Checked& checked) {
@@ -88,6 +91,7 @@ Report report_of(const std::string& file, const Checked& checked) {
         report["errors"] = checked.start.errors();
         report["warnings"] = checked.start.warnings();
         report["findings"] = std::move(findings);
+        report.update(signal_report(checked.scene->world));
         report["hash"] = fmt::format("{:016x}", checked.scene->hash);
     }
     return report;
@@ -109,7 +113,7 @@ int check(const CheckOptions& options) {
         if (options.json)
             reports.push_back(report_of(file, checked));
         else
-            print_lines(file, checked);
+            print_lines(file, checked, options.signals);
     }
     if (options.json)
         fmt::print("{}\n", reports.dump(2, ' ', false, Report::error_handler_t::replace));
@@ -124,6 +128,7 @@ void add_check(CLI::App& app, Command& chosen) {
     command->footer(kCheckFooter);
     command->add_option("SCENE", options->files, "Scene files (JSON)")->required();
     options->scene.add_changes_to(*command);
+    command->add_flag("--signals", options->signals, "List inputs and outputs with their units");
     command->add_flag("--json", options->json, "Write what was found as JSON to standard output");
     command->callback([&chosen, options] { chosen = [options] { return check(*options); }; });
 }

@@ -4,6 +4,7 @@
 #include "draw/spy.h"
 #include "inspect_parts.h"
 #include "scene_options.h"
+#include "signal_list.h"
 
 #include <fmt/format.h>
 
@@ -110,6 +111,7 @@ int inspect(const InspectOptions& options) {
         }
     const SystemView view = world.inspect();
     fmt::print("{} (hash {:016x})\n", scene.name, scene.hash);
+    fmt::print("{}", signal_lines(world));
     print_system(world, view);
     print_orders(view);
     print_groups(world);

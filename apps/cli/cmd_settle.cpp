@@ -47,17 +47,17 @@ struct Motion {
 
 Motion motion_of(const World& world) {
     Motion out;
-    for (std::int32_t i = 0; i < world.body_count(); ++i) {
-        if (!moves(world, {i})) continue;
-        const BodyDef& def = world.body_def({i});
-        const Twist v = world.velocity({i});
+    for (const BodyId id : world.bodies()) {
+        if (!moves(world, id)) continue;
+        const BodyDef& def = world.body_def(id);
+        const Twist v = world.velocity(id);
         double speed = v.linear.norm();
         if (def.kind == BodyKind::rigid) {
-            const Vec3 local = world.pose({i}).orientation.conjugate() * v.angular;
+            const Vec3 local = world.pose(id).orientation.conjugate() * v.angular;
             speed = std::max(speed,
                              std::sqrt(std::max(0.0, local.dot(def.inertia * local)) / def.mass));
         }
-        if (speed > out.fastest) out = {speed, {i}};
+        if (speed > out.fastest) out = {speed, id};
     }
     return out;
 }
@@ -66,15 +66,16 @@ Motion motion_of(const World& world) {
 /// `stop_time`. Drag is implicit in the step and takes nothing from the equilibrium, which has
 /// no motion. (Scaling or zeroing velocities between steps instead makes stiff rows unstable:
 /// the scheme keeps half of their force in the velocity of the step before.) Contacts forget what
-/// friction held, so that a scene settles to where little friction is needed.
+/// friction held, so that a scene settles to where little friction is needed. Nothing has been
+/// removed from the world of a scene file: ids are the same in both.
 World with_drag(const World& from, double stop_time) {
     World world(from.settings());
-    for (std::int32_t i = 0; i < from.body_count(); ++i) {
-        BodyDef def = from.body_def({i});
-        const Pose pose = from.pose({i});
+    for (const BodyId id : from.bodies()) {
+        BodyDef def = from.body_def(id);
+        const Pose pose = from.pose(id);
         def.position = pose.position;
         def.orientation = pose.orientation;
-        if (moves(from, {i})) {
+        if (moves(from, id)) {
             def.velocity.setZero();
             def.angular_velocity.setZero();
             def.linear_damping.array() += def.mass / stop_time;
@@ -84,8 +85,8 @@ World with_drag(const World& from, double stop_time) {
         }
         world.add_body(def);
     }
-    for (std::int32_t i = 0; i < from.interaction_count(); ++i) {
-        InteractionDef def = from.interaction_def({i});
+    for (const InteractionId id : from.interactions()) {
+        InteractionDef def = from.interaction_def(id);
         if (kind_info(def.kind).is(kWireElement)) {
             def.set("breaking_load", 1e30);  // Nothing parts on the way to rest.
             // A compliance from EA goes on following the length that a drum pays out.
@@ -97,7 +98,7 @@ World with_drag(const World& from, double stop_time) {
     for (std::int32_t i = 1; i < from.material_count(); ++i)
         world.add_material(from.material_def({i}));  // 0, the default, is there
     for (const MaterialPairDef& pair : from.material_pairs()) world.add_material_pair(pair);
-    for (std::int32_t i = 0; i < from.shape_count(); ++i) world.add_shape(from.shape_def({i}));
+    for (const ShapeId id : from.shapes()) world.add_shape(from.shape_def(id));
     return world;
 }
 
@@ -118,9 +119,8 @@ class Settler {
             World world = with_drag(scene_.world, stop_time);
             const int code =
                 run_stage(world, last ? HUGE_VAL : 20.0 + 4.0 * stop_time, last, steps, progress);
-            for (std::int32_t i = 0; i < world.body_count(); ++i) {
-                if (moves(world, {i})) scene_.world.set_pose({i}, world.pose({i}));
-            }
+            for (const BodyId id : world.bodies())
+                if (moves(world, id)) scene_.world.set_pose(id, world.pose(id));
             if (code != kOk || settled_) {
                 progress.close();
                 return code;
@@ -192,20 +192,19 @@ int settle(const SettleOptions& options) {
         if (file != scene.state_file) inputs.push_back({"a file of the scene", file.string()});
     check_outputs(inputs, {{"--output", output.string()}});
     std::vector<Pose> start;
-    for (std::int32_t i = 0; i < world.body_count(); ++i) start.push_back(world.pose({i}));
+    for (const BodyId id : world.bodies()) start.push_back(world.pose(id));
     Settler settler(scene, options);
     const int code = settler.run();
-    for (std::int32_t i = 0; i < world.body_count(); ++i) {
-        if (moves(world, {i})) world.set_velocity({i}, {});
-    }
+    for (const BodyId id : world.bodies())
+        if (moves(world, id)) world.set_velocity(id, {});
     double moved = 0.0;
     BodyId where{};
-    for (std::int32_t i = 0; i < world.body_count(); ++i) {
-        const double d =
-            (world.pose({i}).position - start[static_cast<std::size_t>(i)].position).norm();
+    std::size_t next = 0;
+    for (const BodyId id : world.bodies()) {
+        const double d = (world.pose(id).position - start[next++].position).norm();
         if (d > moved) {
             moved = d;
-            where = {i};
+            where = id;
         }
     }
     write_output(output.string(), scene::state_text(scene), "the state");

@@ -110,9 +110,9 @@ CraneEnd lift() {
         worst = std::max(worst, std::abs(world.output(height) - wanted));
     }
 
-    for (int i = 0; i < world.output_count(); ++i) {
-        const hawser::OutputDef& output = world.output_def({i});
-        std::printf("%-14s %10.3f %s\n", output.name.c_str(), world.outputs()[std::size_t(i)],
+    for (const hawser::OutputId id : world.output_ids()) {
+        const hawser::OutputDef& output = world.output_def(id);
+        std::printf("%-14s %10.3f %s\n", output.name.c_str(), world.output(id),
                     output.unit.c_str());
     }
     std::printf("motor of the boom: %.0f N m\n", world.motor_force(luff.motor));

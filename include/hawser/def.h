@@ -209,12 +209,13 @@ struct InputDef {
     std::string name{};           ///< Unique among inputs. Required.
     InteractionId interaction{};  ///< Interaction whose parameter is driven, or …
     std::string param{};          ///< … name of a parameter with ParamInfo::input set.
-    BodyId body{};                ///< … body whose applied force (0-2) or torque (3-5) is driven.
+    BodyId body{};                ///< … body with a force (0-2) or torque (3-5) of this input.
     int component = 0;            ///< 0-2 force x, y, z [N]; 3-5 torque [N m]; with `body` only.
     double min = -1e30;           ///< Values are clamped to the range, with an event …
     double max = 1e30;            ///< … in the unit of what is driven.
-    /// With `body`: force or torque in the frame of the body, a rigid one, with which it turns from
-    /// step to step; it adds to what acts on the body beside it, and is 0 at first.
+    /// With `body`, whose forces of all inputs, of World::set_force() and of systems add up, and
+    /// are 0 at first: the force or torque is in the frame of the body, a rigid one, with which it
+    /// turns from step to step, instead of in the world's.
     bool local = false;
     std::string unit{};    ///< "": that of what is driven. A label; values are in SI units.
     std::string group{};   ///< Free text: under which heading a client shows it.

@@ -32,5 +32,6 @@ using InteractionId = Id<struct InteractionTag>;
 using InputId = Id<struct InputTag>;
 using ShapeId = Id<struct ShapeTag>;
 using MaterialId = Id<struct MaterialTag>;
+using WireId = Id<struct WireTag>;
 
 }  // namespace hawser

@@ -51,7 +51,8 @@ namespace hawser {
     X(SlideRange,     "slide_range")      \
     X(HingeFriction,  "hinge_friction")   \
     X(SlideFriction,  "slide_friction")   \
-    X(ScalarFriction, "scalar_friction")
+    X(ScalarFriction, "scalar_friction")  \
+    X(Gear,           "gear")
 // clang-format on
 
 enum class InteractionKind : std::uint8_t {

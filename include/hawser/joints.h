@@ -164,6 +164,19 @@ struct LockDef {
     double damping_time = kDefault;  ///< Of each row [s].
 };
 
+/// Two wheels that mesh on a carrier. Their hinges, with parallel axes, are definitions of their
+/// own.
+struct GearDef {
+    std::string name{};                    ///< Unique in the world, or empty.
+    BodyId carrier{}, first{}, second{};   ///< Required; not lumps or scalar bodies.
+    Vec3 axis{0.0, 0.0, 1.0};              ///< Of both wheels, of any length but 0.
+    JointFrame frame = JointFrame::world;  ///< body_a: in the frame of the carrier.
+    int teeth_first = 0;                   ///< 1 to 10,000. Required.
+    int teeth_second = 0;            ///< Below 0: the first one turns within a ring. Required.
+    double compliance = kDefault;    ///< Of the mesh, in turns of the first wheel [rad/(N m)].
+    double damping_time = kDefault;  ///< [s].
+};
+
 /// What World::add() of these calls. All or nothing. @throws DefError as add_interaction() does.
 JointIds define(World& world, const HingeDef& def);
 JointIds define(World& world, const PrismaticDef& def);
@@ -171,5 +184,6 @@ CylindricalIds define(World& world, const CylindricalDef& def);
 InteractionId define(World& world, const UniversalDef& def);
 InteractionId define(World& world, const BallDef& def);
 InteractionId define(World& world, const LockDef& def);
+InteractionId define(World& world, const GearDef& def);
 
 }  // namespace hawser

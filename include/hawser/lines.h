@@ -70,6 +70,30 @@ struct BendDef {
     double damping_time = kDefault;    ///< [s].
 };
 
+/// Torsional stiffness of a line between two rigid bodies about an axis, free of torque as they
+/// stand now.
+struct TwistDef {
+    std::string name{};              ///< Unique in the world, or empty.
+    BodyId a{}, b{};                 ///< Required; not lumps or scalar bodies.
+    Vec3 axis{0.0, 0.0, 1.0};        ///< World frame, of any length but 0.
+    double GJ = kDefault;            ///< Torsional stiffness [N m²]. Required.
+    double length = kDefault;        ///< Over which the twist acts [m]. Required.
+    double damping_time = kDefault;  ///< [s].
+};
+
+/// Linear restoring of a floating body in heave, roll and pitch.
+struct HydrostaticDef {
+    std::string name{};                 ///< Unique in the world, or empty.
+    BodyId body{};                      ///< A rigid one. Required.
+    double heave_stiffness = kDefault;  ///< ρ g times the waterplane area [N/m]. Required.
+    double roll_stiffness = kDefault;   ///< About the body's x axis [N m/rad]. Required.
+    double pitch_stiffness = kDefault;  ///< About the body's y axis [N m/rad]. Required.
+    double heave_damping = kDefault;    ///< [N s/m]; 0.
+    double roll_damping = kDefault;     ///< [N m s/rad]; 0.
+    double pitch_damping = kDefault;    ///< [N m s/rad]; 0.
+    double rest_height = kDefault;      ///< Of the centre of mass, world frame [m]; as it is now.
+};
+
 /// What drives, brakes or holds a drum or another scalar body. Parts are called "name/motor",
 /// "name/friction", "name/hold".
 struct DrumDef {
@@ -89,6 +113,8 @@ InteractionId define(World& world, const DistanceDef& def);
 InteractionId define(World& world, const StretchDef& def);
 InteractionId define(World& world, const WinchStretchDef& def);
 InteractionId define(World& world, const BendDef& def);
+InteractionId define(World& world, const TwistDef& def);
+InteractionId define(World& world, const HydrostaticDef& def);
 DrumIds define(World& world, const DrumDef& def);
 
 }  // namespace hawser

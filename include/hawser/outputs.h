@@ -34,12 +34,13 @@ enum class OutputKind : std::uint8_t {
     speed,        ///< World::speed() of an interaction.
     motor_force,  ///< World::motor_force() of an interaction.
     force,        ///< World::force() of an interaction.
-    tension,      ///< Of a line: of its first element, its last, or the largest of all.
+    tension,      ///< Of a wire or line: of its first element, its last, or the largest of all.
     drum,         ///< Line that a drum has paid out.
     distance,     ///< Between a point of one body and a point of another.
     statistic,    ///< Of the whole world: residuals, energies, counts, times.
+    signal,       ///< Of a system: World::add_system() adds one for each signal (system.h).
 };
-inline constexpr int kOutputKindCount = 10;
+inline constexpr int kOutputKindCount = 11;
 
 /// One number that a kind of output can give.
 struct OutputComponent {
@@ -54,8 +55,9 @@ enum class OutputTarget : std::uint8_t {
     body,         ///< OutputDef::body and point.
     two_bodies,   ///< Also body_b and point_b.
     interaction,  ///< OutputDef::interaction.
-    line,         ///< OutputDef::line.
+    line,         ///< OutputDef::wire or line.
     world,        ///< Nothing.
+    system,       ///< A system's signal, which no scene file can name.
 };
 
 /// What a kind gives and needs: the table row from which readers and documents are made.
@@ -82,7 +84,8 @@ struct OutputDef {
     BodyId body_b{};                    ///< Other end of distance.
     Vec3 point_b{0.0, 0.0, 0.0};        ///< In the frame of body_b [m].
     InteractionId interaction{};        ///< Of coordinate, speed, motor_force, force, drum.
-    std::vector<InteractionId> line{};  ///< Of tension: the elements of a line, in order.
+    WireId wire{};                      ///< Of tension: of a wire …
+    std::vector<InteractionId> line{};  ///< … or of a line, by its elements in order.
     /// Name of one of the kind's components; "" where it has but one.
     std::string component{};
     /// Of velocity: along and about the body's own axes instead of the world's.

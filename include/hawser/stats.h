@@ -27,6 +27,9 @@ enum class Status : std::uint8_t {
     /// World::bad_load() names system and body.
     bad_load,
     in_use,  ///< Another thread uses the world, or the step called itself: see UseError.
+    /// A system asked for an addition or removal that the world refuses (Edits): World::bad_load()
+    /// names the system and the reason.
+    bad_edit,
 };
 [[nodiscard]] const char* to_string(Status status) noexcept;
 

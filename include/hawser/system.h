@@ -24,8 +24,12 @@
 /// back with that of the world, and the next call repeats it. Results do not depend on threads as
 /// long as a system's own numbers do not.
 
+#include <hawser/def.h>
 #include <hawser/id.h>
+#include <hawser/interactions.h>
 #include <hawser/math.h>
+#include <hawser/shapes.h>
+#include <hawser/wire.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -171,6 +175,64 @@ class SignalTable {
     std::vector<SystemSignal>& out_;
 };
 
+/// Additions and removals that systems ask for in one step. They are done in the order in which
+/// they were asked for, once all systems have acted: the step that begins has them, the systems see
+/// them in the next one. A recording keeps them as those that are made between steps.
+///
+/// What add_…() returns stands for what will be there: later edits of the same step may name it,
+/// nothing else may. Ids of things that are there already mean themselves.
+///
+/// All or none: where the world refuses one, the step ends with Status::bad_edit and everything is
+/// as it was before. Edits that have been made stay where the step fails for another reason, such
+/// as cancel(); the next call goes on with what the systems did, and asks them no second time.
+/// Memory: each edit takes some, and several in one step are first tried in a copy of the
+/// definitions.
+class Edits {
+  public:
+    /// What stands behind it.
+    class Hands {
+      public:
+        virtual BodyId add(const BodyDef& def) noexcept = 0;
+        virtual InteractionId add(const InteractionDef& def) noexcept = 0;
+        virtual ShapeId add(const ShapeDef& def) noexcept = 0;
+        virtual WireId add(const WireDef& def) noexcept = 0;
+        virtual void remove(BodyId id) noexcept = 0;
+        virtual void remove(InteractionId id) noexcept = 0;
+        virtual void remove(ShapeId id) noexcept = 0;
+        virtual void remove(WireId id) noexcept = 0;
+
+      protected:
+        ~Hands() = default;
+    };
+    explicit Edits(Hands& by) noexcept : hands_(by) {}
+
+    BodyId add_body(const BodyDef& def) noexcept { return hands_.add(def); }
+    InteractionId add_interaction(const InteractionDef& def) noexcept { return hands_.add(def); }
+    ShapeId add_shape(const ShapeDef& def) noexcept { return hands_.add(def); }
+    WireId add_wire(const WireDef& def) noexcept { return hands_.add(def); }
+    void remove_body(BodyId id) noexcept { hands_.remove(id); }
+    void remove_interaction(InteractionId id) noexcept { hands_.remove(id); }
+    void remove_shape(ShapeId id) noexcept { hands_.remove(id); }
+    void remove_wire(WireId id) noexcept { hands_.remove(id); }
+
+  private:
+    Hands& hands_;
+};
+
+/// Takes what a system cannot do without (System::holds()).
+class HoldTable {
+  public:
+    void hold(BodyId id) { bodies.push_back(id); }
+    void hold(InteractionId id) { interactions.push_back(id); }
+    void hold(ShapeId id) { shapes.push_back(id); }
+    void hold(InputId id) { inputs.push_back(id); }
+
+    std::vector<BodyId> bodies;
+    std::vector<InteractionId> interactions;
+    std::vector<ShapeId> shapes;
+    std::vector<InputId> inputs;
+};
+
 /// What a system sees of the step that begins, and may do to it.
 class Prestep {
   public:
@@ -182,8 +244,9 @@ class Prestep {
         virtual void run(int count, void (*task)(void* context, int index) noexcept,
                          void* context) noexcept = 0;
     };
-    Prestep(const World& of, double at, double h, std::int64_t so_far, Hands& by) noexcept
-        : world(of), time(at), step(h), count(so_far), hands_(by) {}
+    Prestep(const World& of, double at, double h, std::int64_t so_far, Hands& by,
+            Edits::Hands& editor) noexcept
+        : world(of), time(at), step(h), count(so_far), edits(editor), hands_(by) {}
 
     /// The world before the step: poses at `time`, velocities half a step earlier, forces of the
     /// last step. Functions that would change it or throw are not for a system.
@@ -191,6 +254,7 @@ class Prestep {
     const double time;         ///< Where the step begins [s].
     const double step;         ///< h [s].
     const std::int64_t count;  ///< Steps taken so far.
+    Edits edits;               ///< What is to come and to go.
 
     /// Set an input of the world, as World::set_input() does between steps: clamped to its range.
     /// Not finite, or an input that is not there: the step ends with Status::bad_load.
@@ -226,18 +290,22 @@ class System {
     virtual void visit_state(StateVisitor& visitor) { static_cast<void>(visitor); }
     /// Numbers with names for others. Asked for once, when it is added.
     virtual void signals(SignalTable& table) { static_cast<void>(table); }
+    /// What must not be removed while it acts: World::remove_body() and its like refuse it,
+    /// whatever else it hangs on included. Asked for at each removal.
+    virtual void holds(HoldTable& table) const { static_cast<void>(table); }
     /// Another one with the same definition, for World::twin(), which then copies the state; null:
     /// a world with this system has no twin.
     [[nodiscard]] virtual std::unique_ptr<System> clone() const { return nullptr; }
 };
 
-/// Why a step ended with Status::bad_load; empty: no reason.
+/// Why a step ended with Status::bad_load or Status::bad_edit; empty: no reason.
 struct BadLoad {
     std::string_view system{};  ///< Its name, while it lives.
     BodyId body{};              ///< On which; invalid: no body of the world.
     InputId input{};            ///< Or what it wanted to set, where that is valid.
     bool of_input = false;      ///< The value or id of an input, not a load.
-    const char* reason = "";    ///< What is wrong, in words.
+    bool of_edit = false;       ///< An addition or removal, which `reason` says all of.
+    const char* reason = "";    ///< What is wrong, in words; good until the next step.
 };
 /// In a sentence with system, body and remedy. @param world  In which it happened.
 [[nodiscard]] std::string to_string(const BadLoad& load, const World& world);

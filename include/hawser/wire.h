@@ -26,8 +26,6 @@
 
 namespace hawser {
 
-using WireId = Id<struct WireTag>;
-
 /// A wire of equal elements. A definition: World::add_wire copies it whole.
 struct WireDef {
     std::string name{};  ///< Unique among wires. Nodes are called name/1, …, elements name/s0, ….

@@ -97,6 +97,7 @@ class World {
     const Removed& remove_interaction(InteractionId id);
     const Removed& remove_shape(ShapeId id);  ///< … a shape …
     const Removed& remove_input(InputId id);  ///< … and an input: what it set stays as it is.
+    // What a system holds (System::holds()) is not removed: @throws DefError that names it.
     /// Whoever is told of all that is done from now on, see changes.h; null: nobody. It has to
     /// outlive the world, or be taken away. A twin() has none.
     void set_change_listener(ChangeListener* listener) noexcept;
@@ -104,9 +105,10 @@ class World {
     void prepare();
 
     // --- Systems (system.h) ---------------------------------------------------------------
-    /// It acts from the next step on, after those there are. @return the same, which the world owns
-    /// now. @throws DefError on a name that is empty or taken, on signals without names or with the
-    /// same ones, and in a world whose method is `pgs` or `split`, which take no blocks of systems.
+    /// It acts from the next step on, after those there are. Each of its signals becomes an output
+    /// "system.signal". @return the same, which the world owns now. @throws DefError on a name that
+    /// is empty or taken, on signals without names or with the same ones, and in a world whose
+    /// method is `pgs` or `split`, which take no blocks of systems.
     System& add_system(std::unique_ptr<System> system);
     /// It acts no more. @return the system, with its state. @throws DefError where it is none of
     /// this world's.
@@ -124,7 +126,7 @@ class World {
     /// What systems loaded bodies with in the last step, or in the one that failed, by body. Good
     /// until the next step.
     [[nodiscard]] std::vector<LoadView> loads() const;
-    /// Of the last step that ended with Status::bad_load.
+    /// Of the last step that ended with Status::bad_load or bad_edit.
     [[nodiscard]] const BadLoad& bad_load() const noexcept;
 
     // --- Stepping -----------------------------------------------------------------------
@@ -167,25 +169,32 @@ class World {
     [[nodiscard]] EventExtremes event_extremes(EventKind kind) const noexcept;
 
     // --- Inputs and applied forces --------------------------------------------------------
-    [[nodiscard]] int input_count() const noexcept;  ///< Places, as body_count().
+    [[nodiscard]] int input_count() const noexcept;                  ///< Places, as body_count().
+    [[nodiscard]] std::span<const InputId> inputs() const noexcept;  ///< As bodies().
     [[nodiscard]] const InputDef& input_def(InputId id) const;
     [[nodiscard]] InputId find_input(std::string_view name) const noexcept;
     [[nodiscard]] double input(InputId id) const;  ///< Value last set, or that of the definition.
     /// Clamped to the range, with an event; @throws DefError when not finite.
     void set_input(InputId id, double value);
-    /// Replace the applied force [N] and torque [N m], world frame. @throws DefError when not
-    /// finite or above 1e300, as add_body() does.
+    /// Replace the applied force [N] and torque [N m], world frame. Forces of inputs and loads of
+    /// systems are accounts of their own: all three add up. @throws DefError when not finite or
+    /// above 1e300, as add_body() does.
     void set_force(BodyId body, const Vec3& force, const Vec3& torque);
 
     // --- Outputs (outputs.h) ----------------------------------------------------------------
     /// @throws DefError on a name that is taken, a target that is not there or has no such number.
     OutputId add_output(const OutputDef& def);
-    [[nodiscard]] int output_count() const noexcept;
+    /// Its value is NaN from now on, and its place goes to the next output that is added.
+    /// @throws DefError on an id of nothing, or on a signal, which goes with its system.
+    void remove_output(OutputId id);
+    [[nodiscard]] bool alive(OutputId id) const noexcept;
+    [[nodiscard]] int output_count() const noexcept;  ///< Places, as body_count().
+    [[nodiscard]] std::span<const OutputId> output_ids() const noexcept;  ///< As bodies().
     [[nodiscard]] const OutputDef& output_def(OutputId id) const;  ///< With component and unit.
     [[nodiscard]] OutputId find_output(std::string_view name) const noexcept;
     [[nodiscard]] double output(OutputId id) const;  ///< Its value now, in SI units.
-    /// All, by id, of the last good step or of what was set since; valid until one is added. NaN of
-    /// what has been removed.
+    /// All, by place, of the last good step or of what was set since; valid until one is added. NaN
+    /// where what it is taken from, or the output itself, has been removed.
     [[nodiscard]] std::span<const double> outputs() const noexcept;
 
     // --- Bodies ---------------------------------------------------------------------------
@@ -199,7 +208,8 @@ class World {
     [[nodiscard]] bool alive(InteractionId id) const noexcept;
     [[nodiscard]] bool alive(ShapeId id) const noexcept;
     [[nodiscard]] bool alive(InputId id) const noexcept;
-    [[nodiscard]] const BodyDef& body_def(BodyId id) const;  ///< As added.
+    /// As added, but for the group and the applied force and torque, which are those of now.
+    [[nodiscard]] const BodyDef& body_def(BodyId id) const;
     [[nodiscard]] BodyId find_body(std::string_view name) const noexcept;
     [[nodiscard]] Pose pose(BodyId id) const;       ///< At time().
     [[nodiscard]] Twist velocity(BodyId id) const;  ///< At time() − h/2 (the scheme is staggered).

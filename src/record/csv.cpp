@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstring>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 
 namespace hawser::record {
@@ -45,8 +46,9 @@ CsvWriter::CsvWriter(const std::filesystem::path& file, const SceneInfo& scene, 
         for (const char* what :
              {"x [m]", "y [m]", "z [m]", "roll [deg]", "pitch [deg]", "yaw [deg]"})
             line_ += "," + quoted(body_label(world, body) + " " + what);
-    for (std::int32_t i = 0; i < world.output_count(); ++i) {
-        const OutputDef& output = world.output_def({i});
+    for (const OutputId id : world.output_ids()) {
+        const OutputDef& output = world.output_def(id);
+        outputs_.push_back(id);
         line_ += "," + quoted(output.name + " [" + output.unit + "]");
     }
     write();
@@ -55,16 +57,24 @@ CsvWriter::CsvWriter(const std::filesystem::path& file, const SceneInfo& scene, 
 void CsvWriter::add_row(const World& world) {
     const auto out = std::back_inserter(line_);
     fmt::format_to(out, "{:.9g}", world.time());
+    constexpr double kGone = std::numeric_limits<double>::quiet_NaN();
+    const auto tension = [&](InteractionId id) {
+        return world.alive(id) ? element_tension(world, id) : kGone;
+    };
     for (const auto& [first, last] : ends_)
-        fmt::format_to(out, ",{:.9g},{:.9g}", element_tension(world, first),
-                       element_tension(world, last));
+        fmt::format_to(out, ",{:.9g},{:.9g}", tension(first), tension(last));
     for (const BodyId body : bodies_) {
+        if (!world.alive(body)) {
+            for (int k = 0; k < 6; ++k) fmt::format_to(out, ",{:.9g}", kGone);
+            continue;
+        }
         const Pose pose = world.pose(body);
         const Vec3 angles = kDegrees * euler_angles(pose.orientation);
         for (const Vec3& v : {pose.position, angles})
             fmt::format_to(out, ",{:.9g},{:.9g},{:.9g}", v.x(), v.y(), v.z());
     }
-    for (const double value : world.outputs()) fmt::format_to(out, ",{:.9g}", value);
+    for (const OutputId id : outputs_)
+        fmt::format_to(out, ",{:.9g}", world.alive(id) ? world.output(id) : kGone);
     write();
 }
 

@@ -2,7 +2,8 @@
 #pragma once
 /// @file csv.h
 /// Results over time as comma-separated values: tensions at both ends of every cable,
-/// position and Euler angles of the plotted bodies, then the outputs that the world has.
+/// position and Euler angles of the plotted bodies, then the outputs that the world has. What is
+/// removed later leaves "nan" in its columns; what is added has none.
 
 #include "record/scene_info.h"
 
@@ -33,6 +34,7 @@ class CsvWriter {
     std::unique_ptr<std::FILE, CloseFile> out_;
     std::vector<std::pair<InteractionId, InteractionId>> ends_;
     std::vector<BodyId> bodies_;
+    std::vector<OutputId> outputs_;
     std::string line_;
 };
 

@@ -38,8 +38,9 @@ void put_joints(ByteWriter& out, const SceneInfo& scene, const World& world) {
 Vec3 end_point(const CableInfo& cable, const World& world, bool last) {
     if (cable.elements.empty() || cable.nodes.empty()) return Vec3::Zero();
     const BodyId body = last ? cable.nodes.back() : cable.nodes.front();
-    const InteractionDef& def =
-        world.interaction_def(last ? cable.elements.back() : cable.elements.front());
+    const InteractionId element = last ? cable.elements.back() : cable.elements.front();
+    if (!world.alive(element)) return Vec3::Zero();
+    const InteractionDef& def = world.interaction_def(element);
     for (std::size_t k = 0; k < def.body.size(); ++k)
         if (def.body[k] == body) return def.point[k];
     return Vec3::Zero();
@@ -59,8 +60,14 @@ void put_body(ByteWriter& out, const BodyDef& def, const Pose& pose) {
 
 void put_layout(ByteWriter& out, const SceneInfo& scene, const World& world) {
     out.put(static_cast<std::uint32_t>(world.body_count()));
-    for (std::int32_t i = 0; i < world.body_count(); ++i)
-        put_body(out, world.body_def({i}), world.pose({i}));
+    // By place: what is empty counts too, since all else names bodies by theirs.
+    std::int32_t place = 0;
+    for (const BodyId id : world.bodies()) {
+        for (; place < id.index; ++place) put_body(out, BodyDef{}, Pose{});
+        put_body(out, world.body_def(id), world.pose(id));
+        ++place;
+    }
+    for (; place < world.body_count(); ++place) put_body(out, BodyDef{}, Pose{});
     out.put(static_cast<std::uint32_t>(scene.cables.size()));
     for (const CableInfo& cable : scene.cables) {
         out.put_text(cable.name);

@@ -96,8 +96,8 @@ std::vector<RecordedOutline> outlines_of(const SceneInfo& scene, const World& wo
         for (std::size_t i = 1; i + 1 < cable.nodes.size(); ++i)
             in_cable[static_cast<std::size_t>(cable.nodes[i].index)] = true;
     std::vector<RecordedOutline> out;
-    for (std::int32_t s = 0; s < world.shape_count(); ++s) {
-        const ShapeDef& def = world.shape_def({s});
+    for (const ShapeId id : world.shapes()) {
+        const ShapeDef& def = world.shape_def(id);
         if (def.body_b.valid() || in_cable[static_cast<std::size_t>(def.body.index)]) continue;
         RecordedOutline outline = in_shape(def);
         const Quat turn = def.orientation.normalized();

@@ -24,9 +24,11 @@ void RecordingListener::set(InputId id, double value) noexcept {
     }
 }
 
-void RecordingListener::flush() {
+void RecordingListener::flush() { flush(world_.step_count()); }
+
+void RecordingListener::flush(std::int64_t step) {
     if (fault_) std::rethrow_exception(fault_);
-    writer_.add_changes(world_, *this);
+    writer_.add_changes(step, *this);
     clear();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/recording_writer.h"
 
+#include "base/index.h"
 #include "record/files.h"
 #include "record/layout_writer.h"
 #include "record/outlines.h"
@@ -95,8 +96,12 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& file, const SceneI
     write_chunk(kSnapshotChunk);
 
     payload_.put(static_cast<std::uint32_t>(world.input_count()));
-    for (std::int32_t i = 0; i < world.input_count(); ++i)
-        payload_.put_text(world.input_def({i}).name);
+    for (std::int32_t i = 0, next = 0; i < world.input_count(); ++i) {
+        // By place; "" where one was removed.
+        const auto inputs = world.inputs();
+        const bool there = at(next) < inputs.size() && inputs[at(next)].index == i;
+        payload_.put_text(there ? world.input_def(inputs[at(next++)]).name : std::string());
+    }
     write_chunk(kInputNamesChunk);
     if (const auto outlines = outlines_of(scene, world); !outlines.empty()) {
         put_outlines(payload_, outlines);
@@ -131,13 +136,13 @@ void RecordingWriter::write_chunk(const char* kind) {
     payload_.clear();
 }
 
-void RecordingWriter::add_changes(const World& world, const ChangeBytes& changes) {
+void RecordingWriter::add_changes(std::int64_t step, const ChangeBytes& changes) {
     if (changes.failed())
         throw RecordingError(file_.string() +
                              ": a change of the world did not fit into memory; the recording ends "
                              "before it");
     if (changes.bytes().empty()) return;
-    payload_.put(world.step_count());
+    payload_.put(step);
     payload_.put_bytes(changes.bytes());
     write_chunk(kChangesChunk);
     other_bodies_ = other_bodies_ || changes.other_bodies();

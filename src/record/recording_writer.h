@@ -27,7 +27,7 @@ class RecordingWriter {
     void add_frame(const World& world);
     void add_inputs(std::span<const RecordedInput> changes);
     /// What a world told since the last call (changes.h); before the step that comes next.
-    void add_changes(const World& world, const ChangeBytes& changes);
+    void add_changes(std::int64_t step, const ChangeBytes& changes);
     /// What systems loaded bodies with in the last step; nothing where they did not.
     void add_loads(const World& world);
     void add_cut(const RecordedCut& cut);

@@ -45,9 +45,10 @@ std::vector<BodyId> watched_bodies(const SceneInfo& scene, const World& world) {
         for (std::size_t i = 1; i + 1 < cable.nodes.size(); ++i)
             inside[static_cast<std::size_t>(cable.nodes[i].index)] = true;
     std::vector<BodyId> out;
-    for (std::int32_t i = 0; i < world.body_count(); ++i)
-        if (world.body_def({i}).kind == BodyKind::rigid && !inside[static_cast<std::size_t>(i)])
-            out.push_back({i});
+    for (const BodyId id : world.bodies())
+        if (world.body_def(id).kind == BodyKind::rigid &&
+            !inside[static_cast<std::size_t>(id.index)])
+            out.push_back(id);
     return out;
 }
 

@@ -162,6 +162,10 @@ void quality(Out out, const Summary& s) {
                    record::with_unit(s.energy_end.dissipated - s.energy_start.dissipated, "J"),
                    record::with_unit(s.energy_end.damped - s.energy_start.damped, "J"),
                    record::with_unit(drift, "J"));
+    if (s.energy_end.added != 0.0 || s.energy_end.system != 0.0)
+        fmt::format_to(out, "; systems did {}, their added mass holds {}",
+                       record::with_unit(s.energy_end.system - s.energy_start.system, "J"),
+                       record::with_unit(s.energy_end.added, "J"));
     // At rest nothing is exchanged, and a part of nothing says nothing.
     if (s.energy_scale > 1e-6 * std::abs(s.energy_start.mechanical()))
         fmt::format_to(out, " ({:.2g} % of what was exchanged)", 100.0 * drift / s.energy_scale);

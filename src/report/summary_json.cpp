@@ -95,6 +95,7 @@ Json coupling(const Summary& s) {
 Json energy(const Energy& e) {
     return {{"mechanical", e.mechanical()},
             {"kinetic", e.kinetic},
+            {"added", e.added},
             {"gravity", e.gravity},
             {"elastic", e.elastic}};
 }
@@ -109,6 +110,7 @@ Json energy_balance(const Summary& s) {
             {"friction", s.energy_end.friction - s.energy_start.friction},
             {"contact", s.energy_end.contact - s.energy_start.contact},
             {"damped", s.energy_end.damped - s.energy_start.damped},
+            {"system", s.energy_end.system - s.energy_start.system},
             {"drift", drift},
             {"step_drift",
              {{"median", s.energy_step_drift.median},

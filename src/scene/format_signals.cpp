@@ -51,6 +51,7 @@ void add_target(std::vector<Field>& fields, std::vector<std::vector<std::string>
                  false, "", "", "Elements of a line, in order; or …"});
             break;
         case OutputTarget::world:
+        case OutputTarget::system:
             break;
     }
     if (drum || kind.target == OutputTarget::line) {
@@ -98,7 +99,8 @@ ShapePtr input_shape() {
         {"interaction", text("an interaction name"), false, "", "",
          "Interaction whose parameter it sets …"},
         {"param", text("a parameter"), false, "", "", "… and the parameter; or …"},
-        {"body", text("a body name"), false, "", "", "… body whose applied force it sets …"},
+        {"body", text("a body name"), false, "", "",
+         "… body that its force acts on, beside other forces …"},
         {"component",
          word("a component", {"force_x", "force_y", "force_z", "torque_x", "torque_y", "torque_z"}),
          false, "", "", "… and which component of it, world frame."},
@@ -127,6 +129,7 @@ ShapePtr output_shape() {
     shape->doc = "A number that may be read while the scene runs; \"kind\" selects which.";
     shape->key = "kind";
     for (const OutputKindInfo& kind : output_kinds()) {
+        if (kind.target == OutputTarget::system) continue;  // No scene has systems.
         shape->cases.emplace_back(kind.name, kind_of_output(kind));
     }
     return shape;

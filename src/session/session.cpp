@@ -54,7 +54,8 @@ struct Session::Impl {
         World& w = world();
         const double now = w.time() + kSlack * w.settings().step;
         for (; next_control < control.size() && control[next_control].time <= now; ++next_control)
-            w.set_input({control[next_control].input}, control[next_control].value);
+            if (const InputId id{control[next_control].input}; w.alive(id))
+                w.set_input(id, control[next_control].value);  // others have been removed
     }
 
     void add_frame() {
@@ -98,10 +99,11 @@ scene::Scene scene_around(World world) {
     return scene;
 }
 
+/// By place; "" where one was removed.
 std::vector<std::string> input_names(const World& world) {
-    std::vector<std::string> names;
-    for (std::int32_t i = 0; i < world.input_count(); ++i)
-        names.push_back(world.input_def({i}).name);
+    std::vector<std::string> names(static_cast<std::size_t>(world.input_count()));
+    for (const InputId id : world.inputs())
+        names[static_cast<std::size_t>(id.index)] = world.input_def(id).name;
     return names;
 }
 
@@ -150,7 +152,8 @@ void Session::cancel() noexcept { impl_->world().cancel(); }
 void Session::set_input(std::string_view name, double value) {
     const InputId id = world().find_input(name);
     if (id.valid()) return impl_->world().set_input(id, value);
-    const std::vector<std::string> names = input_names(world());
+    std::vector<std::string> names = input_names(world());
+    std::erase(names, "");
     throw DefError(names.empty() ? fmt::format("there is no input \"{}\": the scene has none", name)
                                  : fmt::format("there is no input \"{}\"; nearest: \"{}\"", name,
                                                record::nearest_name(name, names)));
@@ -193,7 +196,10 @@ Status Session::step() {
     impl_->take_controls();
     if (impl_->listener) impl_->listener->flush();
     for (Observer* observer : impl_->observers) observer->before_step(world);
+    const std::int64_t step = world.step_count();
     impl_->last = world.step();
+    // What systems did to the world within the step belongs before it.
+    if (impl_->listener) impl_->listener->flush(step);
     if (impl_->last != Status::ok) return impl_->last;
     impl_->events = world.take_events();
     impl_->write_step();

@@ -2,6 +2,7 @@
 #include "step/step.h"
 
 #include "access/guarded.h"
+#include "access/kinetic.h"
 #include "access/remember.h"
 #include "access/timer.h"
 #include "access/undo.h"
@@ -16,6 +17,7 @@
 #include "step/impact.h"
 #include "step/integrate.h"
 #include "step/judge.h"
+#include "step/judge_energy.h"
 #include "step/prestep.h"
 #include "step/ready.h"
 #include "step/sleep.h"
@@ -62,7 +64,9 @@ Status start_world(StepContext& ctx) noexcept {
     if (ctx.collider.count() > 0) status = find_contacts(ctx);
     if (status == Status::ok && ctx.collider.count() > 0)
         status = start_contacts(ctx, Phase::stagger);
+    const double before = kinetic_energy(ctx.bodies, ctx.bodies.v.data());
     if (status == Status::ok) status = stagger(ctx);
+    excuse_start(kinetic_energy(ctx.bodies, ctx.bodies.v.data()) - before, ctx.judge.state);
     ctx.loads.added = added_energy(ctx, ctx.bodies.v.data());
     return status;
 }

@@ -38,50 +38,72 @@ Mat3 cross_matrix(const Vec3& a) {
 }
 
 Verifier::Verifier(const World& world) : step_(world.settings().step), states_(world) {
+    follow(world);
+    result_.covered_bodies = result_.moving_bodies;
+}
+
+bool Verifier::knows(const World& world) const {
+    const auto same = [](const auto& a, const auto& b) {
+        return std::equal(a.begin(), a.end(), b.begin(), b.end());
+    };
+    return same(bodies_, world.bodies()) && same(interactions_, world.interactions());
+}
+
+void Verifier::follow(const World& world) {
+    const std::vector<BodyId> before = bodies_;
+    bodies_.assign(world.bodies().begin(), world.bodies().end());
+    interactions_.assign(world.interactions().begin(), world.interactions().end());
     const auto bodies = slot(world.body_count());
     mobility_.assign(bodies, Mat3::Zero());
-    double least = 1e300, mass = 0.0;
-    for (std::int32_t b = 0; b < world.body_count(); ++b) {
-        const BodyDef& def = world.body_def({b});
-        if (def.kind == BodyKind::fixed || def.kind == BodyKind::kinematic) continue;
-        least = std::min(least, def.mass);
-        mass += def.mass;
-        moving_.push_back(b);
-        if (def.kind == BodyKind::rigid) mobility_[slot(b)] = def.inertia.inverse();
-    }
-    for (std::int32_t i = 0; i < world.interaction_count(); ++i)
-        for (const FrictionLoad& load : world.interaction_def({i}).load)
-            loads_ = loads_ || load.interaction.valid();
-    floor_ = 1e-6 * step_ * 9.81 * least;
-    momentum_floor_ = 1e-6 * step_ * 9.81 * std::sqrt(mass);
+    for (std::vector<Vec3>* v : {&change_, &linear_, &angular_}) v->resize(bodies, Vec3::Zero());
     pose_.resize(bodies);
     twist_.resize(bodies);
     earlier_.resize(bodies);
-    change_.assign(bodies, Vec3::Zero());
-    linear_.resize(bodies);
-    angular_.resize(bodies);
     unsure_.resize(bodies);
     slept_.resize(bodies);
+    moving_.clear();
+    double least = 1e300, mass = 0.0;
+    for (const BodyId id : bodies_) {
+        // What comes had no torque before, and its velocity stays as it is until then.
+        if (!std::binary_search(before.begin(), before.end(), id)) {
+            change_[slot(id.index)].setZero();
+            twist_[slot(id.index)] = world.velocity(id);
+        }
+        const BodyDef& def = world.body_def(id);
+        if (def.kind == BodyKind::fixed || def.kind == BodyKind::kinematic) continue;
+        least = std::min(least, def.mass);
+        mass += def.mass;
+        moving_.push_back(id);
+        if (def.kind == BodyKind::rigid) mobility_[slot(id.index)] = def.inertia.inverse();
+    }
+    loads_ = false;
+    for (const InteractionId id : interactions_)
+        for (const FrictionLoad& load : world.interaction_def(id).load)
+            loads_ = loads_ || load.interaction.valid();
+    floor_ = 1e-6 * step_ * 9.81 * least;
+    momentum_floor_ = 1e-6 * step_ * 9.81 * std::sqrt(mass);
     last_.resize(slot(world.interaction_count()));
     intact_.resize(last_.size());
     alert_.resize(last_.size());
-    result_.moving_bodies = result_.covered_bodies = static_cast<std::int32_t>(moving_.size());
+    result_.moving_bodies = static_cast<std::int32_t>(moving_.size());
 }
 
 void Verifier::before_step(const World& world) {
+    if (!knows(world)) follow(world);
     earlier_ = twist_;
-    for (std::int32_t b = 0; b < world.body_count(); ++b) {
-        pose_[slot(b)] = world.pose({b});
-        twist_[slot(b)] = world.velocity({b});
-        linear_[slot(b)].setZero();
-        angular_[slot(b)].setZero();
-        slept_[slot(b)] = world.asleep({b});
+    for (const BodyId id : bodies_) {
+        const std::size_t b = slot(id.index);
+        pose_[b] = world.pose(id);
+        twist_[b] = world.velocity(id);
+        linear_[b].setZero();
+        angular_[b].setZero();
+        slept_[b] = world.asleep(id);
     }
-    for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
-        const auto force = world.force({i});
-        last_[slot(i)].assign(force.begin(), force.end());
-        intact_[slot(i)] = world.intact({i});
-        alert_[slot(i)] = world.wire_alert({i});
+    for (const InteractionId id : interactions_) {
+        const auto force = world.force(id);
+        last_[slot(id.index)].assign(force.begin(), force.end());
+        intact_[slot(id.index)] = world.intact(id);
+        alert_[slot(id.index)] = world.wire_alert(id);
     }
     unsure_.assign(unsure_.size(), false);
     turning_.assign(unsure_.size(), false);
@@ -91,6 +113,13 @@ void Verifier::before_step(const World& world) {
 }
 
 std::string Verifier::after_step(const World& world) {
+    if (!knows(world)) {
+        follow(world);
+        states_.begin_anew(world);
+        seen_ = 1;  // the change of spin is known from the next step on
+        impacts_ = world.stats().impacts;
+        return {};
+    }
     const StepStats& stats = world.stats();
     const double map = step_map(world);
     // Joints whose friction has loads are part of what the step says, by how far their bounds moved
@@ -136,10 +165,10 @@ double Verifier::step_map(const World& world) {
 
 double Verifier::bound_excess(const World& world) {
     double excess = 0.0;
-    for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
-        const ForceRange range = force_range(world, {i}, pose_);
+    for (const InteractionId id : interactions_) {
+        const ForceRange range = force_range(world, id, pose_);
         if (!range.bounded) continue;
-        const double force = world.force({i})[0];
+        const double force = world.force(id)[0];
         const double bound = std::clamp(force, range.low, range.high);
         // Where there are contacts, less than the floor switches no row.
         const double beyond = step_ * std::abs(force - bound) - floor_;
@@ -151,10 +180,10 @@ double Verifier::bound_excess(const World& world) {
 
 Verifier::Side Verifier::side_of(const World& world, ShapeId shape, const Vec3& on_axis) const {
     const ShapeDef& def = world.shape_def(shape);
-    Side side{.count = 1, .body = {def.body.index, def.body_b.index}};
+    Side side{.count = 1, .body = {def.body, def.body_b}};
     if (!def.body_b.valid()) return side;
-    const Vec3 from = pose_[slot(side.body[0])].position;
-    const Vec3 along = pose_[slot(side.body[1])].position - from;
+    const Vec3 from = pose_[slot(side.body[0].index)].position;
+    const Vec3 along = pose_[slot(side.body[1].index)].position - from;
     const double s = std::clamp((on_axis - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
     side.count = 2;
     side.share[0] = 1.0 - s;
@@ -171,20 +200,21 @@ double Verifier::natural_map(const World& world, const ContactView& contact) {
         const double to_axis = 0.5 * contact.gap + world.shape_def(contact.shape[k]).radius;
         const Side side = side_of(world, contact.shape[k], contact.point + sign * to_axis * n);
         for (int i = 0; i < side.count; ++i) {
-            const std::int32_t b = side.body[i];
-            const BodyDef& def = world.body_def({b});
+            const BodyId id = side.body[i];
+            const std::size_t b = slot(id.index);
+            const BodyDef& def = world.body_def(id);
             const double w = side.share[i];
-            const Twist now = world.velocity({b}), before = twist_[slot(b)];
+            const Twist now = world.velocity(id), before = twist_[b];
             const bool turns = def.kind != BodyKind::lump;
-            const Vec3 arm = turns ? Vec3(contact.point - pose_[slot(b)].position) : Vec3::Zero();
+            const Vec3 arm = turns ? Vec3(contact.point - pose_[b].position) : Vec3::Zero();
             u += sign * w * (now.linear + now.angular.cross(arm));
             speed += sign * w * n.dot(before.linear + before.angular.cross(arm));
-            linear_[slot(b)] += sign * w * lambda;
-            angular_[slot(b)] += sign * w * arm.cross(lambda);
+            linear_[b] += sign * w * lambda;
+            angular_[b] += sign * w * arm.cross(lambda);
             if (!is_free(def.kind)) continue;
             double own = 1.0 / def.mass;
             if (turns) {
-                const Vec3 local = pose_[slot(b)].orientation.conjugate() * arm;
+                const Vec3 local = pose_[b].orientation.conjugate() * arm;
                 const Mat3 cross = cross_matrix(local);
                 own += (cross.transpose() * def.inertia.inverse() * cross).trace() / 3.0;
             }
@@ -210,11 +240,12 @@ double Verifier::turn_map(const World& world, const ContactView& contact) {
     Vec3 u = Vec3::Zero();
     double mobility = 0.0;
     for (int k = 0; k < 2; ++k) {
-        const std::int32_t b = world.shape_def(contact.shape[k]).body.index;
-        const BodyDef& def = world.body_def({b});
+        const BodyId id = world.shape_def(contact.shape[k]).body;
+        const std::size_t b = slot(id.index);
+        const BodyDef& def = world.body_def(id);
         const double sign = k == 0 ? -1.0 : 1.0;
-        u += sign * world.velocity({b}).angular;
-        angular_[slot(b)] += sign * lambda;
+        u += sign * world.velocity(id).angular;
+        angular_[b] += sign * lambda;
         if (is_free(def.kind)) mobility += def.inertia.inverse().trace() / 3.0;
     }
     // Parts that are free have no row.

@@ -48,7 +48,8 @@ struct Verification {
 
 class Verifier : public Observer {
   public:
-    /// Bodies and interactions stay as they are from now on.
+    /// What is added and removed from now on, it follows. A step in which systems do that is not
+    /// judged.
     explicit Verifier(const World& world);
     void before_step(const World& world) override;
     /// @return what is wrong with the step; empty: nothing.
@@ -62,7 +63,7 @@ class Verifier : public Observer {
   private:
     struct Side {
         int count = 0;
-        std::int32_t body[2] = {-1, -1};
+        BodyId body[2];
         double share[2] = {1.0, 0.0};
     };
     [[nodiscard]] Side side_of(const World& world, ShapeId shape, const Vec3& on_axis) const;
@@ -76,17 +77,21 @@ class Verifier : public Observer {
     /// Rows outside their bounds. @return by how much at most, 0: within what counts as nothing.
     [[nodiscard]] double bound_excess(const World& world);
     void add_interactions(const World& world);
+    /// Whether bodies and interactions are those of the tables; and tables of those that are.
+    [[nodiscard]] bool knows(const World& world) const;
+    void follow(const World& world);
     /// What systems did.
     void add_loads(const World& world);
     /// All through the step.
-    [[nodiscard]] bool sleeps(const World& world, std::int32_t body) const;
+    [[nodiscard]] bool sleeps(const World& world, BodyId body) const;
     [[nodiscard]] double momentum_residual(const World& world);
-    [[nodiscard]] Vec3 spin_impulse(std::int32_t body, const Mat3& inertia, const Twist& now);
+    [[nodiscard]] Vec3 spin_impulse(std::size_t body, const Mat3& inertia, const Twist& now);
 
     std::vector<Pose> pose_;
     std::vector<Twist> twist_, earlier_;  ///< Before this step, and before the last one.
     std::vector<int> alert_;              ///< Of wires, before the step, by interaction.
-    std::vector<std::int32_t> moving_;
+    std::vector<BodyId> bodies_, moving_;
+    std::vector<InteractionId> interactions_;
     std::vector<std::vector<double>> last_;  ///< Forces of each interaction's rows before the step.
     std::vector<bool> intact_;               ///< Before the step, by interaction.
     std::vector<bool> slept_;                ///< Likewise, by body.
@@ -100,6 +105,7 @@ class Verifier : public Observer {
     std::string wrong_law_;               ///< The first contact of the step that has one.
     std::int64_t impacts_ = 0;            ///< Until the last step.
     int seen_ = 0;                        ///< Steps whose momentum was computed.
+    std::int32_t left_out_ = 0;           ///< Most moving bodies without, of all steps.
     double step_ = 0.0, floor_ = 0.0, momentum_floor_ = 0.0;
     StateVerifier states_;
     std::string objection_;  ///< To the last step.

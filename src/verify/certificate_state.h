@@ -23,17 +23,32 @@ struct StateFigures {
     double created = 0.0, open = 0.0, cable = 0.0, turn = 0.0;
 };
 
+/// Of a line that stretches.
+[[nodiscard]] constexpr bool is_elastic_line(InteractionKind kind) {
+    return kind == InteractionKind::Stretch || kind == InteractionKind::WinchStretch;
+}
+
 class StateVerifier {
   public:
     explicit StateVerifier(const World& world);
     void before_step(const World& world);
     /// @return what is wrong with the step; empty: nothing.
     [[nodiscard]] std::string after_step(const World& world);
+    /// The step added or removed things itself: it is not judged, and the next one as if it were
+    /// the first.
+    void begin_anew(const World& world);
     [[nodiscard]] const StateFigures& result() const noexcept { return result_; }
 
   private:
     enum class Role : std::uint8_t { joint, spring, source };
     [[nodiscard]] Role role_of(const World& world, InteractionId id) const;
+    /// Tables of what there is.
+    void follow(const World& world);
+    /// What was added, removed and moved since the last step is given, and no energy out of
+    /// nothing.
+    void take_edits(const World& world);
+    /// @param known  Interactions that were there before.
+    void excuse_joints(const World& world, const std::vector<InteractionId>& known);
     [[nodiscard]] double kinetic(const World& world) const;
     [[nodiscard]] double potential(const World& world) const;
     void add_sources(const World& world);
@@ -42,14 +57,18 @@ class StateVerifier {
     [[nodiscard]] std::string check_lines(const World& world);
     [[nodiscard]] std::string check_turns(const World& world);
 
-    std::vector<BodyId> moving_;
-    std::vector<Role> role_;
+    std::vector<BodyId> bodies_, moving_;
+    std::vector<InteractionId> interactions_;
+    std::vector<InputId> inputs_;
+    std::vector<Role> role_;                ///< By interaction.
     std::vector<bool> driven_;              ///< By interaction: an input changes it.
-    std::vector<Pose> pose_, pose_before_;  ///< Where the step began, and the one before.
+    std::vector<Pose> pose_, pose_before_;  ///< Where the step began, and the one before …
+    std::vector<Pose> now_, arrived_;       ///< … and where that one led, before edits.
     std::vector<Twist> twist_;              ///< Before the step.
     std::vector<Vec3> force_, torque_;      ///< Of sources in the step, by body.
     std::vector<Vec3> force_before_, torque_before_;
     double potential_ = 0.0, kinetic_ = 0.0;  ///< Where the step began; before.
+    double potential_after_ = 0.0;            ///< Where the last one ended.
     double energy_ = 0.0, swing_ = 0.0;       ///< Before [J].
     double work_ = 0.0, exchanged_ = 0.0;     ///< [J].
     double mean_ = 0.0, least_ = 0.0;         ///< Of energy less work [J].

@@ -43,6 +43,18 @@ class Forces : public Attached {
         const Vec3 a = axis(0, 2), b = axis(1, 2);
         turn(f / (1.0 + a.dot(b)) * (a + b));
     }
+    /// Wheels on a carrier, slot 0: in the ratio of their teeth, each about its own axis.
+    void gear(double f) {
+        const Vec3 a = axis(0, 2);
+        for (int k = 1; k <= 2; ++k) {
+            const Vec3 b = axis(k, 2);
+            const double ratio = k == 1 ? 1.0 : def().get("teeth_2") / def().get("teeth_1");
+            const Vec3 torque = f * ratio / (1.0 + a.dot(b)) * (a + b);
+            result.on[0].torque -= torque;
+            result.on[place(k)].torque += torque;
+        }
+    }
+    void scalar(int slot, double f) { result.on[place(slot)].force.x() += f; }
     void line(double f) {
         const Vec3 from = point(0), to = point(1), d = to - from;
         const double length = d.norm();
@@ -117,9 +129,9 @@ Quat Attached::frame(int slot) const {
 }
 
 double parameter(const World& world, InteractionId id, std::string_view name) {
-    for (std::int32_t i = 0; i < world.input_count(); ++i) {
-        const InputDef& input = world.input_def({i});
-        if (input.interaction.index == id.index && input.param == name) return world.input({i});
+    for (const InputId i : world.inputs()) {
+        const InputDef& input = world.input_def(i);
+        if (input.interaction == id && input.param == name) return world.input(i);
     }
     return world.interaction_def(id).get(name);
 }
@@ -127,23 +139,17 @@ double parameter(const World& world, InteractionId id, std::string_view name) {
 Wrenches row_wrenches(const World& world, InteractionId id, std::span<const Pose> pose,
                       std::span<const double> f) {
     Forces on(world, id, pose);
-    const auto scalar = [&](int slot, double force) {
-        on.result.on[place(slot)].force.x() += force;
-    };
     switch (on.def().kind) {
         case InteractionKind::Ball:
             on.joined(f);
             break;
+        case InteractionKind::Lock:
+            on.square(0, 1, f[5]);
+            [[fallthrough]];
         case InteractionKind::Hinge:
             on.joined(f);
             on.square(0, 2, f[3]);
             on.square(1, 2, f[4]);
-            break;
-        case InteractionKind::Lock:
-            on.joined(f);
-            on.square(0, 2, f[3]);
-            on.square(1, 2, f[4]);
-            on.square(0, 1, f[5]);
             break;
         case InteractionKind::Universal:
             on.joined(f);
@@ -159,7 +165,7 @@ Wrenches row_wrenches(const World& world, InteractionId id, std::span<const Pose
             on.square(1, 2, f[3]);
             break;
         case InteractionKind::WinchStretch:
-            scalar(2, -f[0] * on.def().get("radius"));
+            on.scalar(2, -f[0] * on.def().get("radius"));
             [[fallthrough]];
         case InteractionKind::Distance:
         case InteractionKind::Stretch:
@@ -184,7 +190,10 @@ Wrenches row_wrenches(const World& world, InteractionId id, std::span<const Pose
         case InteractionKind::Hold:
         case InteractionKind::ScalarMotor:
         case InteractionKind::ScalarFriction:
-            scalar(0, f[0]);
+            on.scalar(0, f[0]);
+            break;
+        case InteractionKind::Gear:
+            on.gear(f[0]);
             break;
         case InteractionKind::Hydrostatic:
             on.hydrostatic(f);

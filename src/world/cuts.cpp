@@ -25,6 +25,8 @@
 #include <cstring>
 #include <span>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace hawser {
@@ -236,19 +238,28 @@ void World::copy_state(const World& other) {
     other.impl_->systems.save(systems.data());
     impl_->systems.save(systems_before.data());
     std::vector<double> inputs = impl_->input_values;
+    std::vector<std::pair<Vec3, Vec3>> forces;
+    for (const BodyDef& def : impl_->body_defs) forces.emplace_back(def.force, def.torque);
     stepper::Transaction all(to);
     stepper::keep_state(to, stepper::Undo::Depth::all);
     std::vector<std::byte> copied;
     try {
         copy_from(other);
+        for (const BodyId id : impl_->body_ids) {
+            impl_->body_defs[at(id.index)].force = other.impl_->body_defs[at(id.index)].force;
+            impl_->body_defs[at(id.index)].torque = other.impl_->body_defs[at(id.index)].torque;
+        }
         impl_->systems.restore(systems.data());
         if (impl_->listener != nullptr) copied = save();
     } catch (...) {
         impl_->input_values.swap(inputs);
+        for (std::size_t b = 0; b < forces.size(); ++b)
+            std::tie(impl_->body_defs[b].force, impl_->body_defs[b].torque) = forces[b];
         impl_->systems.restore(systems_before.data());
         throw;
     }
     all.done();
+    impl_->systems.forget();
     impl_->outputs.forget_figures();
     if (impl_->listener != nullptr) impl_->listener->restored(copied);
 }

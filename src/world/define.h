@@ -42,6 +42,9 @@ void add_axis(Parts& parts, const InteractionDef& frame, const std::string& name
               const AxisKinds& kinds, const std::optional<AxisLimit>& limit,
               const std::optional<AxisMotor>& motor, const std::optional<AxisFriction>& friction,
               AxisIds& ids);
+/// Frames of the first `count` bodies with their z along an axis, which agree as these stand now.
+void set_frames(InteractionDef& def, const World& world, std::size_t count, const Vec3& axis,
+                JointFrame in);
 void set_motor(InteractionDef& def, const AxisMotor& motor);
 void set_friction(InteractionDef& def, const AxisFriction& friction);
 

@@ -30,6 +30,20 @@ void set_rows(InteractionDef& def, double compliance, double damping_time) {
     def.damping_time.fill(damping_time);
 }
 
+void set_frames(InteractionDef& def, const World& world, std::size_t count, const Vec3& axis,
+                JointFrame in) {
+    const double length = axis.norm();
+    if (!std::isfinite(length) || !(length > 1e-9))
+        throw DefError(label(kind_info(def.kind).name, def.name) +
+                       ": its axis has no direction; give one of any length but 0");
+    const Vec3 given = axis / length;
+    const Vec3 z =
+        in == JointFrame::body_a ? Vec3(world.pose(def.body[0]).orientation * given) : given;
+    const Quat frame = turn_between(Vec3::UnitZ(), z);
+    for (std::size_t b = 0; b < count; ++b)
+        def.frame[b] = (world.pose(def.body[b]).orientation.conjugate() * frame).normalized();
+}
+
 void set_motor(InteractionDef& def, const AxisMotor& motor) {
     set_given(def, "speed", motor.speed);
     set_given(def, "force_min", motor.force_min);
@@ -226,6 +240,18 @@ InteractionId define(World& world, const UniversalDef& def) {
 
 InteractionId define(World& world, const BallDef& def) {
     return world::add_one(world, world::Joint(world, InteractionKind::Ball, def).out);
+}
+
+InteractionId define(World& world, const GearDef& def) {
+    InteractionDef out;
+    out.kind = InteractionKind::Gear;
+    out.name = def.name;
+    out.body = {def.carrier, def.first, def.second};
+    world::set_frames(out, world, 3, def.axis, def.frame);
+    out.set("teeth_1", def.teeth_first);
+    out.set("teeth_2", def.teeth_second);
+    world::set_rows(out, def.compliance, def.damping_time);
+    return world.add_interaction(out);
 }
 
 InteractionId define(World& world, const LockDef& def) {

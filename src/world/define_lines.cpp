@@ -78,6 +78,33 @@ InteractionId define(World& world, const BendDef& def) {
     return world.add_interaction(out);
 }
 
+InteractionId define(World& world, const TwistDef& def) {
+    InteractionDef out;
+    out.kind = InteractionKind::Twist;
+    out.name = def.name;
+    out.body = {def.a, def.b};
+    world::set_frames(out, world, 2, def.axis, JointFrame::world);
+    set_given(out, "GJ", def.GJ);
+    set_given(out, "length", def.length);
+    out.damping_time.fill(def.damping_time);
+    return world.add_interaction(out);
+}
+
+InteractionId define(World& world, const HydrostaticDef& def) {
+    InteractionDef out;
+    out.kind = InteractionKind::Hydrostatic;
+    out.name = def.name;
+    out.body[0] = def.body;
+    set_given(out, "heave_stiffness", def.heave_stiffness);
+    set_given(out, "roll_stiffness", def.roll_stiffness);
+    set_given(out, "pitch_stiffness", def.pitch_stiffness);
+    set_given(out, "heave_damping", def.heave_damping);
+    set_given(out, "roll_damping", def.roll_damping);
+    set_given(out, "pitch_damping", def.pitch_damping);
+    set_given(out, "rest_height", def.rest_height);
+    return world.add_interaction(out);
+}
+
 DrumIds define(World& world, const DrumDef& def) {
     world::Parts parts;
     DrumIds ids;

@@ -146,6 +146,7 @@ void World::set_change_listener(ChangeListener* listener) noexcept { impl_->list
 const Removed& World::remove_body(BodyId id) {
     const world::Using use(impl_->use, "remove_body");
     (void)impl_->place(id);
+    impl_->refuse_held(id);
     impl_->reserve_removal();
     impl_->remove(id);
     if (impl_->listener != nullptr) impl_->listener->removed(id);
@@ -155,6 +156,7 @@ const Removed& World::remove_body(BodyId id) {
 const Removed& World::remove_interaction(InteractionId id) {
     const world::Using use(impl_->use, "remove_interaction");
     (void)impl_->place(id);
+    impl_->refuse_held(id);
     impl_->reserve_removal();
     impl_->remove(id);
     if (impl_->listener != nullptr) impl_->listener->removed(id);
@@ -164,6 +166,7 @@ const Removed& World::remove_interaction(InteractionId id) {
 const Removed& World::remove_shape(ShapeId id) {
     const world::Using use(impl_->use, "remove_shape");
     (void)impl_->place(id);
+    impl_->refuse_held(id);
     impl_->reserve_removal();
     impl_->remove(id);
     if (impl_->listener != nullptr) impl_->listener->removed(id);
@@ -173,6 +176,7 @@ const Removed& World::remove_shape(ShapeId id) {
 const Removed& World::remove_input(InputId id) {
     const world::Using use(impl_->use, "remove_input");
     (void)impl_->place(id);
+    impl_->refuse_held(id);
     impl_->reserve_removal();
     impl_->remove(id);
     if (impl_->listener != nullptr) impl_->listener->removed(id);
@@ -264,6 +268,14 @@ void World::Impl::remove(InputId id) noexcept {
     const InteractionId driven = def.interaction;
     world::release(input_names, def.name);
     std::erase(local_inputs, id.index);
+    if (def.body.valid() && !def.local) {
+        const int c = def.component;
+        BodyDef& on = body_defs[at(def.body.index)];
+        (c < 3 ? on.force[c] : on.torque[c - 3]) += input_values[at(id.index)];
+        std::erase(force_inputs, ForceInput{def.body.index, c, id.index});
+        add_up_force(def.body, c);
+    }
+    erase_id(input_ids, id);
     def = {};
     input_values[at(id.index)] = 0.0;
     input_places.vacate(id.index);

@@ -36,6 +36,7 @@ struct World::Impl final : private world::InputDoor {
     std::vector<InputDef> inputs;  ///< Without a name where one was removed.
     std::vector<double> input_values;
     base::Places input_places;
+    std::vector<InputId> input_ids;  ///< Of what there is, ascending.
     world::Names body_names, interaction_names, input_names, material_names, shape_names;
 
     /// Places that ids name. @throws DefError for an id of nothing, or of what has been removed.
@@ -87,6 +88,11 @@ struct World::Impl final : private world::InputDoor {
     void remove(InteractionId id) noexcept;
     void remove(ShapeId id) noexcept;
     void remove(InputId id) noexcept;
+    /// @throws DefError where a system holds one of these, or what would go with it.
+    void refuse_held(BodyId id) const;
+    void refuse_held(InteractionId id) const;
+    void refuse_held(ShapeId id) const;
+    void refuse_held(InputId id) const;
 
     ChangeListener* listener = nullptr;
     /// Nobody is told what a function does within one that is told itself.
@@ -104,6 +110,24 @@ struct World::Impl final : private world::InputDoor {
         ChangeListener* listener_;
     };
     world::Systems systems{*this};
+    /// What systems asked for, in the world that is this. @return ok, bad_edit or out_of_memory.
+    [[nodiscard]] Status make_edits(World& world) noexcept;
+    [[nodiscard]] World definitions() const;
+
+    /// Inputs that are forces along the world's axes, ascending. What acts on a body is what the
+    /// user applied (BodyDef::force and torque), and then what these have, in this order.
+    struct ForceInput {
+        std::int32_t body, component, input;
+        friend constexpr auto operator<=>(const ForceInput&, const ForceInput&) = default;
+    };
+    std::vector<ForceInput> force_inputs;
+    void add_up_force(BodyId body, int component) noexcept;
+    [[nodiscard]] double user_force(std::size_t body, int component) const noexcept;
+    /// Forces on bodies are those that the user applied, for a snapshot; and all again. After
+    /// reading one what acts on bodies is what the user applied.
+    void leave_user_forces() noexcept;
+    void add_up_forces() noexcept;
+    void take_user_forces() noexcept;
 
     /// Inputs with forces in the frame of their body, in the order added, and the six forces of
     /// each one's body while a step is taken that has them turned into the world.
@@ -125,6 +149,13 @@ struct World::Impl final : private world::InputDoor {
   private:
     // For systems within a step (world/systems.h).
     bool set(InputId id, double value, Before& before) noexcept override;
+    bool set_untold(InputId id, double value, Before& before) noexcept override {
+        const Untold untold(*this);
+        return set(id, value, before);
+    }
+    [[nodiscard]] InputId id_of(std::int32_t input) const noexcept override {
+        return input_places.id<InputId>(input);
+    }
     void take_back(const Before& before) noexcept override;
     void tell(const Before& before) noexcept override;
     [[nodiscard]] std::size_t count() const noexcept override { return inputs.size(); }

@@ -62,7 +62,6 @@ InputId World::add_input(const InputDef& def) {
             throw DefError(where + ": component must be 0 to 5");
         if (def.local && m.ctx.bodies.kind[b] != BodyKind::rigid)
             throw DefError(where + ": local: its body does not turn; leave it false");
-        if (!def.local) value = m.ctx.bodies.force[6 * b + at(def.component)];
     }
     if (def.local && def.interaction.valid())
         throw DefError(where + ": local: only a force or torque on a body has a frame to turn in");
@@ -72,6 +71,8 @@ InputId World::add_input(const InputDef& def) {
                        world::number(allowed.max));
     base::make_room(m.inputs, 1);
     base::make_room(m.input_values, 1);
+    base::make_room(m.input_ids, 1);
+    base::make_room(m.force_inputs, 1);
     base::make_room(m.ctx.interactions.working, 1);
     m.input_places.make_room();
     if (def.local) {
@@ -90,13 +91,21 @@ InputId World::add_input(const InputDef& def) {
         m.input_places.take(place);
     }
     if (def.local) m.local_inputs.push_back(place);
+    if (!def.interaction.valid() && !def.local) {
+        const Impl::ForceInput one{def.body.index, def.component, place};
+        m.force_inputs.insert(std::lower_bound(m.force_inputs.begin(), m.force_inputs.end(), one),
+                              one);
+    }
     m.inputs[at(place)] = std::move(allowed);
     m.input_values[at(place)] = value;
+    const auto id = m.input_places.id<InputId>(place);
+    m.input_ids.insert(std::lower_bound(m.input_ids.begin(), m.input_ids.end(), id), id);
     if (m.listener != nullptr) m.listener->added(def);
-    return m.input_places.id<InputId>(place);
+    return id;
 }
 
 int World::input_count() const noexcept { return static_cast<int>(impl_->inputs.size()); }
+std::span<const InputId> World::inputs() const noexcept { return impl_->input_ids; }
 const InputDef& World::input_def(InputId id) const { return impl_->inputs[impl_->place(id)]; }
 InputId World::find_input(std::string_view name) const noexcept {
     return impl_->input_places.id<InputId>(lookup(impl_->input_names, name));
@@ -133,7 +142,7 @@ void World::set_input(InputId id, double value) {
 double World::Impl::applied(const InputDef& input) const {
     if (input.interaction.valid())
         return ctx.interactions.def[at(input.interaction.index)].get(input.param);
-    return ctx.bodies.force[6 * at(input.body.index) + at(input.component)];
+    return input_values[at(&input - inputs.data())];
 }
 
 void World::Impl::disturb(const InputDef& input) noexcept {
@@ -154,8 +163,44 @@ void World::Impl::apply_input(std::size_t index, double value) {
         ctx.interactions.def[at(def.interaction.index)].set(def.param, value);
         ctx.interactions.refresh(def.interaction.index, ctx.bodies, ctx.def.step);
     } else if (!def.local) {
-        ctx.bodies.force[6 * at(def.body.index) + at(def.component)] = value;
+        add_up_force(def.body, def.component);
     }
+}
+
+double World::Impl::user_force(std::size_t body, int component) const noexcept {
+    const BodyDef& def = body_defs[body];
+    return component < 3 ? def.force[component] : def.torque[component - 3];
+}
+
+void World::Impl::add_up_force(BodyId body, int component) noexcept {
+    double sum = user_force(at(body.index), component);
+    auto input = std::lower_bound(force_inputs.begin(), force_inputs.end(),
+                                  ForceInput{body.index, component, 0});
+    for (;
+         input != force_inputs.end() && input->body == body.index && input->component == component;
+         ++input)
+        sum += input_values[at(input->input)];
+    ctx.bodies.force[6 * at(body.index) + at(component)] = sum;
+}
+
+void World::Impl::leave_user_forces() noexcept {
+    for (const ForceInput& input : force_inputs)
+        ctx.bodies.force[6 * at(input.body) + at(input.component)] =
+            user_force(at(input.body), input.component);
+}
+
+void World::Impl::add_up_forces() noexcept {
+    for (const ForceInput& input : force_inputs) add_up_force(BodyId{input.body}, input.component);
+}
+
+void World::Impl::take_user_forces() noexcept {
+    for (const BodyId id : body_ids) {
+        const double* force = &ctx.bodies.force[6 * at(id.index)];
+        BodyDef& def = body_defs[at(id.index)];
+        def.force = Vec3(force[0], force[1], force[2]);
+        def.torque = Vec3(force[3], force[4], force[5]);
+    }
+    add_up_forces();
 }
 
 void World::Impl::turn_forces() noexcept {

@@ -27,6 +27,8 @@ const char* to_string(Status status) noexcept {
             return "diverged";
         case Status::bad_load:
             return "bad_load";
+        case Status::bad_edit:
+            return "bad_edit";
         case Status::in_use:
             return "in_use";
     }

@@ -6,6 +6,7 @@
 #include "world/lookup.h"
 #include "world/outputs.h"
 
+#include <string>
 #include <utility>
 
 namespace hawser {
@@ -15,16 +16,29 @@ using world::lookup;
 OutputId World::add_output(const OutputDef& def) {
     const world::Using use(impl_->use, "add_output");
     OutputDef kept = def;
-    const int component = world::check_output(kept, impl_->ctx, body_count(), interaction_count());
+    const int component =
+        world::check_output(kept, impl_->ctx, impl_->wires, body_count(), interaction_count());
     return impl_->outputs.add(std::move(kept), component);
 }
 
+void World::remove_output(OutputId id) {
+    const world::Using use(impl_->use, "remove_output");
+    const std::size_t place = impl_->outputs.place(id);
+    const OutputDef& def = impl_->outputs.defs()[place];
+    if (def.kind == OutputKind::signal)
+        throw DefError("remove_output: '" + def.name + "' is a signal of system '" + def.group +
+                       "', which goes with it; remove the system");
+    impl_->outputs.remove(place);
+}
+
+bool World::alive(OutputId id) const noexcept { return impl_->outputs.alive(id); }
 int World::output_count() const noexcept { return static_cast<int>(impl_->outputs.defs().size()); }
 const OutputDef& World::output_def(OutputId id) const {
     return impl_->outputs.defs()[impl_->outputs.place(id)];
 }
+std::span<const OutputId> World::output_ids() const noexcept { return impl_->outputs.ids(); }
 OutputId World::find_output(std::string_view name) const noexcept {
-    return OutputId{lookup(impl_->outputs.names(), name)};
+    return impl_->outputs.id(lookup(impl_->outputs.names(), name));
 }
 double World::output(OutputId id) const { return outputs()[impl_->outputs.place(id)]; }
 
@@ -40,7 +54,7 @@ std::span<const double> World::outputs() const noexcept {
 void World::evaluate_outputs() const noexcept {
     Impl& m = *impl_;
     if (!m.outputs.values().empty())
-        m.outputs.evaluate(m.ctx, m.outputs.wants_energy() ? energy() : Energy{});
+        m.outputs.evaluate(m.ctx, m.wires, m.outputs.wants_energy() ? energy() : Energy{});
     m.use.unchanged();
 }
 

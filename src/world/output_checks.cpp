@@ -92,8 +92,15 @@ std::string check_interaction(const std::string& where, const OutputDef& def, in
 }
 
 void check_line(const std::string& where, const OutputDef& def, const model::Interactions& in,
-                int count) {
-    if (def.line.empty()) refuse(where, "a tension needs a line; give its elements in order");
+                const WireList& wires, int count) {
+    if (def.wire.index != -1) {
+        if (!def.line.empty()) refuse(where, "it has a wire and a line; give one of them");
+        if (!wires.places.names(def.wire))
+            refuse(where, "its wire does not exist or has been removed; give the id of one");
+        return;
+    }
+    if (def.line.empty())
+        refuse(where, "a tension needs a wire, or a line: give its elements in order");
     for (const InteractionId id : def.line) {
         if (id.index < 0 || id.index >= count)
             refuse(where, "an element of its line does not exist");
@@ -107,7 +114,8 @@ void check_line(const std::string& where, const OutputDef& def, const model::Int
 
 }  // namespace
 
-int check_output(OutputDef& def, const stepper::StepContext& ctx, int bodies, int interactions) {
+int check_output(OutputDef& def, const stepper::StepContext& ctx, const WireList& wires, int bodies,
+                 int interactions) {
     if (def.name.empty()) throw DefError("an output needs a name");
     const std::string where = label("output", def.name);
     if (static_cast<int>(def.kind) >= kOutputKindCount) refuse(where, "unknown kind");
@@ -137,10 +145,12 @@ int check_output(OutputDef& def, const stepper::StepContext& ctx, int bodies, in
             unit = check_interaction(where, def, component, ctx.interactions, interactions);
             break;
         case OutputTarget::line:
-            check_line(where, def, ctx.interactions, interactions);
+            check_line(where, def, ctx.interactions, wires, interactions);
             break;
         case OutputTarget::world:
             break;
+        case OutputTarget::system:
+            refuse(where, "a signal comes with its system; add that");
     }
     def.component = chosen.name;
     if (def.unit.empty()) def.unit = unit;

@@ -70,6 +70,7 @@ constexpr OutputComponent kStatistic[] = {
     {"gravity", "J", "Potential energy of weights. It takes a pass over the scene."},
     {"elastic", "J", "Energy of springs and lines. It takes a pass over the scene."},
     {"mechanical", "J", "Kinetic, gravity and elastic. It takes a pass over the scene."}};
+constexpr OutputComponent kSignal[] = {{"value", "", "In the unit of the signal."}};
 static_assert(std::size(kStatistic) == world::kMechanical + 1);
 static_assert(std::size(kPose) == world::kQuaternion + 4);
 
@@ -94,7 +95,9 @@ constexpr OutputKindInfo kKinds[] = {
     {OutputKind::distance, "distance", OutputTarget::two_bodies, kDistance,
      "Between a point of one body and a point of another."},
     {OutputKind::statistic, "statistic", OutputTarget::world, kStatistic,
-     "Of the whole world: how well it is solved, its energies, its times."}};
+     "Of the whole world: how well it is solved, its energies, its times."},
+    {OutputKind::signal, "signal", OutputTarget::system, kSignal,
+     "A number of a system that a program adds to a world."}};
 static_assert(std::size(kKinds) == kOutputKindCount);
 
 }  // namespace

@@ -79,13 +79,27 @@ double tension(const model::Interactions& in, InteractionId id) noexcept {
 }
 
 /// Whether all that it is taken from is there.
-bool alive(const stepper::StepContext& ctx, const OutputDef& def) noexcept {
+bool alive(const stepper::StepContext& ctx, const WireList& wires, const OutputDef& def) noexcept {
     const auto body = [&](BodyId id) { return !id.valid() || ctx.bodies.places.names(id); };
     const auto one = [&](InteractionId id) {
         return !id.valid() || ctx.interactions.places.names(id);
     };
     return body(def.body) && body(def.body_b) && one(def.interaction) &&
+           (!def.wire.valid() || wires.places.names(def.wire)) &&
            std::all_of(def.line.begin(), def.line.end(), one);
+}
+
+/// Of the elements that a wire still has; not a number where the one that is meant has gone.
+double wire_tension(const model::Interactions& in, const Wire& wire, int component) noexcept {
+    double most = std::numeric_limits<double>::quiet_NaN();
+    const auto of = [&](InteractionId id) { return in.places.names(id) ? tension(in, id) : most; };
+    if (component == kFirst) return of(wire.elements.front());
+    if (component == kLast) return of(wire.elements.back());
+    for (const InteractionId id : wire.elements) {
+        const double t = of(id);
+        if (!(most >= t)) most = t;
+    }
+    return most;
 }
 
 double line_tension(const model::Interactions& in, const std::vector<InteractionId>& line,
@@ -135,22 +149,73 @@ double energy_of(const stepper::StepContext& ctx, const Energy& energy, int comp
 }  // namespace
 
 OutputId Outputs::add(OutputDef def, int component) {
-    const auto index = static_cast<std::int32_t>(defs_.size());
     base::make_room(defs_, 1);
     base::make_room(component_, 1);
     base::make_room(values_, 1);
-    claim(names_, def.name, index, "output");
+    base::make_room(signal_, 1);
+    base::make_room(ids_, 1);
+    places_.make_room();
+    std::int32_t place = places_.find_vacant([](std::int32_t) { return true; });
+    claim(names_, def.name, place < 0 ? places_.count() : place, "output");
+    // From here on nothing throws.
     wants_energy_ = wants_energy_ || (def.kind == OutputKind::statistic && component >= kGravity);
-    defs_.push_back(std::move(def));
-    component_.push_back(static_cast<std::uint8_t>(component));
-    values_.push_back(0.0);
-    return OutputId{index};
+    if (place < 0) {
+        place = places_.append();
+        defs_.emplace_back();
+        component_.push_back(0);
+        values_.push_back(0.0);
+        signal_.push_back(nullptr);
+    } else {
+        places_.take(place);
+    }
+    defs_[at(place)] = std::move(def);
+    component_[at(place)] = static_cast<std::uint8_t>(component);
+    values_[at(place)] = 0.0;
+    const OutputId id = this->id(place);
+    ids_.insert(std::lower_bound(ids_.begin(), ids_.end(), id), id);
+    return id;
+}
+
+OutputId Outputs::add(const SystemSignal& signal) {
+    const OutputId id = add({.name = signal.system + "." + signal.name,
+                             .kind = OutputKind::signal,
+                             .component = "value",
+                             .unit = signal.unit,
+                             .group = signal.system},
+                            0);
+    signal_[at(id.index)] = signal.value;
+    return id;
+}
+
+void Outputs::remove(std::size_t place) noexcept {
+    release(names_, defs_[place].name);
+    defs_[place] = {};
+    signal_[place] = nullptr;
+    values_[place] = std::numeric_limits<double>::quiet_NaN();
+    std::erase(ids_, id(static_cast<std::int32_t>(place)));
+    places_.vacate(static_cast<std::int32_t>(place));
+    wants_energy_ = false;
+    for (std::size_t i = 0; i < defs_.size(); ++i)
+        wants_energy_ =
+            wants_energy_ || (defs_[i].kind == OutputKind::statistic && component_[i] >= kGravity);
+}
+
+void Outputs::remove_signals(std::string_view system) noexcept {
+    for (std::size_t i = 0; i < defs_.size(); ++i)
+        if (signal_[i] != nullptr && defs_[i].group == system) remove(i);
+}
+
+void Outputs::bind(std::span<const SystemSignal> signals) noexcept {
+    for (std::size_t i = 0; i < defs_.size(); ++i)
+        if (signal_[i] != nullptr)
+            for (const SystemSignal& s : signals)
+                if (defs_[i].group == s.system &&
+                    std::string_view(defs_[i].name).substr(s.system.size() + 1) == s.name)
+                    signal_[i] = s.value;
 }
 
 std::size_t Outputs::place(OutputId id) const {
-    if (id.index < 0 || at(id.index) >= defs_.size())
-        throw DefError("there is no output with id " + std::to_string(id.index));
-    return at(id.index);
+    return place_of(id, places_, places_.count(), "output");
 }
 
 void Outputs::keep_figures(const StepStats& s) noexcept {
@@ -164,13 +229,14 @@ void Outputs::keep_figures(const StepStats& s) noexcept {
     figures_[kSolverTime] = s.solver_cpu_seconds;
 }
 
-void Outputs::evaluate(const stepper::StepContext& ctx, const Energy& energy) noexcept {
+void Outputs::evaluate(const stepper::StepContext& ctx, const WireList& wires,
+                       const Energy& energy) noexcept {
     const model::Bodies& b = ctx.bodies;
     const model::Interactions& in = ctx.interactions;
     for (std::size_t i = 0; i < defs_.size(); ++i) {
         const OutputDef& def = defs_[i];
         const int c = component_[i];
-        if (!alive(ctx, def)) {
+        if (!places_.holds(static_cast<std::int32_t>(i)) || !world::alive(ctx, wires, def)) {
             values_[i] = std::numeric_limits<double>::quiet_NaN();
             continue;
         }
@@ -192,7 +258,8 @@ void Outputs::evaluate(const stepper::StepContext& ctx, const Energy& energy) no
                 values_[i] = in.force[at(in.row_begin[at(def.interaction.index)] + c)];
                 break;
             case OutputKind::tension:
-                values_[i] = line_tension(in, def.line, c);
+                values_[i] = def.wire.valid() ? wire_tension(in, wires.wires[at(def.wire.index)], c)
+                                              : line_tension(in, def.line, c);
                 break;
             case OutputKind::drum:
                 values_[i] = drum(ctx, def.interaction, c);
@@ -204,6 +271,9 @@ void Outputs::evaluate(const stepper::StepContext& ctx, const Energy& energy) no
                 break;
             case OutputKind::statistic:
                 values_[i] = c < kStepFigures ? figures_[at(c)] : energy_of(ctx, energy, c);
+                break;
+            case OutputKind::signal:
+                values_[i] = *signal_[i];
                 break;
         }
     }

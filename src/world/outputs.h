@@ -5,13 +5,18 @@
 /// without asking for memory.
 
 #include <hawser/outputs.h>
+#include <hawser/system.h>
 
+#include "base/places.h"
 #include "context/context.h"
 #include "world/lookup.h"
+#include "world/wire_list.h"
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hawser::world {
@@ -51,6 +56,18 @@ class Outputs {
     /// A definition that has been checked, with its component and unit filled in. @throws
     /// std::bad_alloc, DefError where the name is taken.
     OutputId add(OutputDef def, int component);
+    /// One for a signal of a system, which has to live as long. @throws as add().
+    OutputId add(const SystemSignal& signal);
+    void remove(std::size_t place) noexcept;
+    /// All signals of a system that goes.
+    void remove_signals(std::string_view system) noexcept;
+    /// The signals of other systems of the same definition, after a copy.
+    void bind(std::span<const SystemSignal> signals) noexcept;
+    [[nodiscard]] bool alive(OutputId id) const noexcept { return places_.names(id); }
+    [[nodiscard]] std::span<const OutputId> ids() const noexcept { return ids_; }
+    [[nodiscard]] OutputId id(std::int32_t place) const noexcept {
+        return places_.id<OutputId>(place);
+    }
     [[nodiscard]] const std::vector<OutputDef>& defs() const noexcept { return defs_; }
     /// The place of an id. @throws DefError for one of nothing.
     [[nodiscard]] std::size_t place(OutputId id) const;
@@ -63,19 +80,24 @@ class Outputs {
     /// Whether some output asks for an energy that only a pass over all interactions gives.
     [[nodiscard]] bool wants_energy() const noexcept { return wants_energy_; }
     /// All values. @param energy  Where wants_energy().
-    void evaluate(const stepper::StepContext& ctx, const Energy& energy) noexcept;
+    void evaluate(const stepper::StepContext& ctx, const WireList& wires,
+                  const Energy& energy) noexcept;
 
   private:
     std::vector<OutputDef> defs_;
     std::vector<std::uint8_t> component_;
+    std::vector<const double*> signal_;  ///< Of a system; null: it is none.
     std::vector<double> values_;
     std::array<double, kStepFigures> figures_{};
     Names names_;
+    base::Places places_;
+    std::vector<OutputId> ids_;  ///< Of what there is, ascending.
     bool wants_energy_ = false;
 };
 
 /// Check a definition and fill in its component and unit. @param bodies, interactions  Of the user.
 /// @return the number of its component. @throws DefError with the nearest name or another remedy.
-int check_output(OutputDef& def, const stepper::StepContext& ctx, int bodies, int interactions);
+int check_output(OutputDef& def, const stepper::StepContext& ctx, const WireList& wires, int bodies,
+                 int interactions);
 
 }  // namespace hawser::world

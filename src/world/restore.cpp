@@ -21,6 +21,7 @@ void World::restore(std::span<const std::byte> bytes) {
         throw;
     }
     all.done();
+    impl_->systems.forget();
     impl_->outputs.forget_figures();
     if (impl_->listener != nullptr) impl_->listener->restored(bytes);
 }

@@ -163,6 +163,7 @@ void World::write_saved(std::vector<std::byte>& out, bool systems) const {
     header.systems = systems ? m.systems.layout() : world::Systems::no_layout();
     header.system_bytes = systems ? m.systems.state_bytes() : 0;
     out.resize(sizeof header + header.bytes + header.system_bytes + sizeof(std::uint64_t));
+    m.leave_user_forces();  // what inputs add follows from their values
     std::byte* to = out.data();
     auto put = [&](const void* from, std::size_t n) {
         if (n > 0) std::memcpy(to, from, n);
@@ -170,6 +171,7 @@ void World::write_saved(std::vector<std::byte>& out, bool systems) const {
     };
     put(&header, sizeof header);
     visit_state(m.ctx, m.input_values, order, put);
+    m.add_up_forces();
     if (systems) m.systems.save(to);
     to += header.system_bytes;
     const std::uint64_t sum = base::checksum(out.data(), out.size() - sizeof sum);
@@ -221,8 +223,8 @@ void World::take_saved(std::span<const std::byte> bytes) {
     m.ctx.time = static_cast<double>(m.ctx.step) * m.ctx.def.step;
     m.ctx.stats.step = m.ctx.step;
     m.ctx.stats.time = m.ctx.time;
-    // Parameters follow their inputs, lines their drums; the forces on bodies have just been read
-    // as they were, which is not what an input said last if set_force() came after it.
+    // Parameters and forces follow their inputs, lines their drums.
+    m.take_user_forces();
     for (std::size_t i = 0; i < m.inputs.size(); ++i)
         if (m.inputs[i].interaction.valid()) m.apply_input(i, m.input_values[i]);
     for (const std::int32_t id : m.ctx.interactions.frictions)

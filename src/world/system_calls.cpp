@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -21,7 +22,16 @@ System& World::add_system(std::unique_ptr<System> system) {
         throw DefError(
             "add_system: nonsmooth = pgs and split sweep over bodies one by one and take no loads "
             "of systems; choose newton");
+    const std::size_t before = m.systems.signals().size();
     System& out = m.systems.add(std::move(system));
+    const auto signals = std::span(m.systems.signals()).subspan(before);
+    try {
+        for (const SystemSignal& signal : signals) m.outputs.add(signal);
+    } catch (...) {
+        m.outputs.remove_signals(out.name());
+        (void)m.systems.remove(out);
+        throw;
+    }
     m.ctx.actors = &m.systems;
     return out;
 }
@@ -29,6 +39,7 @@ System& World::add_system(std::unique_ptr<System> system) {
 std::unique_ptr<System> World::remove_system(const System& system) {
     Impl& m = *impl_;
     std::unique_ptr<System> out = m.systems.remove(system);
+    m.outputs.remove_signals(out->name());
     if (m.systems.count() == 0) m.ctx.actors = nullptr;
     return out;
 }
@@ -106,6 +117,7 @@ void World::Impl::tell(const Before& before) noexcept {
 std::string to_string(const BadLoad& load, const World& world) {
     if (load.reason[0] == '\0') return "";
     const std::string who = "system '" + std::string(load.system) + "'";
+    if (load.of_edit) return who + ": " + load.reason;
     if (load.of_input) {
         const bool there = world.alive(load.input);
         const std::string which = there ? "input '" + world.input_def(load.input).name + "'"

@@ -118,6 +118,7 @@ std::unique_ptr<System> Systems::remove(const System& system) {
     if (found == list_.end()) throw DefError("remove_system: it is none of this world's systems");
     std::unique_ptr<System> out = std::move(*found);
     list_.erase(found);
+    forget();
     std::erase_if(signals_, [&](const SystemSignal& s) { return s.system == out->name(); });
     if (bad.system == out->name()) bad = {};
     return out;
@@ -145,37 +146,58 @@ const SystemSignal& Systems::signal(std::string_view name) const {
                             : std::string(": no system has one")));
 }
 
-Status Systems::act_all(stepper::StepContext& ctx) {
+void Systems::keep_states(std::vector<std::byte>& to) const {
     std::size_t size = 0;
     for (const auto& s : list_) visit(*s, true, [&](void*, std::size_t n) { size += n; });
-    if (kept_.size() < size) kept_.resize(size);
-    if (set_.capacity() < door_.count()) set_.reserve(door_.count());
-    std::byte* to = kept_.data();
+    if (to.size() < size) to.resize(size);
+    std::byte* next = to.data();
     for (const auto& s : list_)
         visit(*s, true, [&](const void* from, std::size_t n) {
-            if (n > 0) std::memcpy(to, from, n);
-            to += n;
+            if (n > 0) std::memcpy(next, from, n);
+            next += n;
         });
+}
+
+void Systems::take_states(const std::vector<std::byte>& from) const {
+    const std::byte* next = from.data();
+    for (const auto& s : list_)
+        visit(*s, true, [&](void* to, std::size_t n) {
+            if (n > 0) std::memcpy(to, next, n);
+            next += n;
+        });
+}
+
+Status Systems::act_all(stepper::StepContext& ctx) {
+    keep_states(kept_);
+    if (set_.capacity() < door_.count()) set_.reserve(door_.count());
     drive_ = ctx.drive;
     acted_ = true;
     const Unturned unturned(door_);
+    if (deed_.known) {
+        repeat_deed(ctx);
+        return ctx.loads.out_of_memory() ? Status::out_of_memory : Status::ok;
+    }
     Hands hands(*this, ctx);
-    Prestep now(*world_, ctx.time, ctx.def.step, ctx.step, hands);
+    Prestep now(*world_, ctx.time, ctx.def.step, ctx.step, hands, queue_);
     Loads loads(ctx.loads);
     for (std::size_t i = 0; i < list_.size(); ++i) {
         ctx.loads.begin_system(static_cast<int>(i));
+        queue_.begin_system(list_[i]->name());
         list_[i]->prestep(now, loads);
-        if (ctx.loads.out_of_memory()) return Status::out_of_memory;
+        if (ctx.loads.out_of_memory() || queue_.out_of_memory()) return Status::out_of_memory;
         if (bad.reason[0] == '\0' && ctx.loads.touched()) bad = ctx.loads.fault(ctx.pool);
         if (bad.reason[0] == '\0') continue;
         bad.system = list_[i]->name();
         return Status::bad_load;
     }
-    return Status::ok;
+    if (queue_.size() == 0) return Status::ok;
+    keep_deed(ctx);
+    return Status::bad_edit;
 }
 
 Status Systems::act(stepper::StepContext& ctx) noexcept {
     bad = {};
+    if (!deed_.known) queue_.clear();
     Status status = Status::ok;
     const Status room = stepper::guarded(ctx, [&] { status = act_all(ctx); });
     return room == Status::ok ? status : room;
@@ -185,6 +207,7 @@ void Systems::accept(stepper::StepContext&) noexcept {
     for (const InputDoor::Before& before : set_)
         if (before.clamped) door_.tell(before);
     set_.clear();
+    forget();
     acted_ = false;
 }
 
@@ -194,12 +217,7 @@ void Systems::go_back(stepper::StepContext& ctx) noexcept {
     for (auto before = set_.rbegin(); before != set_.rend(); ++before) door_.take_back(*before);
     set_.clear();
     ctx.drive = drive_;
-    const std::byte* from = kept_.data();
-    for (const auto& s : list_)
-        visit(*s, true, [&](void* to, std::size_t n) {
-            if (n > 0) std::memcpy(to, from, n);
-            from += n;
-        });
+    take_states(kept_);
     acted_ = false;
 }
 

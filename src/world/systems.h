@@ -7,11 +7,14 @@
 #include <hawser/system.h>
 
 #include "context/actors.h"
+#include "world/queued_edits.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace hawser::world {
@@ -31,6 +34,9 @@ class InputDoor {
     };
     /// @return false: there is no such input, or the value is not finite.
     virtual bool set(InputId id, double value, Before& before) noexcept = 0;
+    /// The same of what has been told already.
+    virtual bool set_untold(InputId id, double value, Before& before) noexcept = 0;
+    [[nodiscard]] virtual InputId id_of(std::int32_t input) const noexcept = 0;
     virtual void take_back(const Before& before) noexcept = 0;
     /// Tell that it asked for a value beyond its range.
     virtual void tell(const Before& before) noexcept = 0;
@@ -63,6 +69,24 @@ class Systems final : public stepper::Actors {
 
     /// Whose step it is.
     void use(const World& world) noexcept { world_ = &world; }
+    /// What systems hold, each told with its name. @throws std::bad_alloc, and what f throws.
+    template <class F>
+    void each_held(F&& f) const {
+        for (const auto& s : list_) {
+            HoldTable table;
+            s->holds(table);
+            f(s->name(), table);
+        }
+    }
+    /// The step has ended since systems asked for edits, and has gone back: they are to be made,
+    /// and then the step taken once more, with what the systems did in it.
+    [[nodiscard]] bool wants_edits() const noexcept { return queue_.size() > 0 && deed_.known; }
+    /// Make them. @return what is wrong, in BadLoad too; Status::ok: all are made.
+    /// @param trial  A world of the same definitions to try them in first; null: none.
+    Status make_edits(World& world, World* trial) noexcept;
+    [[nodiscard]] bool needs_trial() const noexcept { return queue_.left() > 1; }
+    /// What systems did for a step that has not been taken is forgotten: the state is another.
+    void forget() noexcept;
     Status act(stepper::StepContext& ctx) noexcept override;
     void accept(stepper::StepContext& ctx) noexcept override;
     void go_back(stepper::StepContext& ctx) noexcept override;
@@ -80,7 +104,22 @@ class Systems final : public stepper::Actors {
 
   private:
     class Hands;
+    /// What systems did in a step that ended for their edits, to be done again.
+    struct Deed {
+        struct Load {
+            BodyId body;
+            std::vector<double> numbers;  ///< f, A, D, K.
+        };
+        std::vector<std::byte> states;  ///< Afterwards.
+        std::vector<std::pair<InputId, double>> inputs;
+        std::vector<Load> loads;
+        bool known = false;
+    };
     Status act_all(stepper::StepContext& ctx);
+    void keep_states(std::vector<std::byte>& to) const;
+    void take_states(const std::vector<std::byte>& from) const;
+    void keep_deed(const stepper::StepContext& ctx);
+    void repeat_deed(stepper::StepContext& ctx);
 
     InputDoor& door_;
     const World* world_ = nullptr;
@@ -90,6 +129,9 @@ class Systems final : public stepper::Actors {
     std::vector<std::byte> kept_;         ///< States before it.
     std::vector<InputDoor::Before> set_;  ///< Inputs that it set, in that order.
     double drive_ = 0.0;                  ///< StepContext::drive before it.
+    QueuedEdits queue_;
+    Deed deed_;
+    std::string edit_fault_;  ///< BadLoad::reason of an edit.
 };
 
 }  // namespace hawser::world

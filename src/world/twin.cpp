@@ -100,6 +100,7 @@ void World::Impl::copy_inputs(World& out) const {
     }
     for (const std::int32_t k : input_places.vacant()) o.input_places.vacate(k);
     o.input_places.set_generations(input_places.generations());
+    name_anew(o.input_ids, o.input_places);
 }
 
 World World::twin(std::optional<Coupling> coupling) const {
@@ -112,7 +113,6 @@ World World::twin(std::optional<Coupling> coupling) const {
     m.copy_shapes(out);
     m.copy_interactions(out);
     m.copy_inputs(out);
-    out.impl_->outputs = m.outputs;
     out.impl_->wires = m.wires;
     for (std::size_t i = 0; i < m.systems.count(); ++i) {
         std::unique_ptr<System> copy = m.systems.at(i).clone();
@@ -121,6 +121,8 @@ World World::twin(std::optional<Coupling> coupling) const {
                            "' cannot be copied; let its clone() make another one");
         out.add_system(std::move(copy));
     }
+    out.impl_->outputs = m.outputs;
+    out.impl_->outputs.bind(out.impl_->systems.signals());
     if (!coupling) out.impl_->ctx.cuts.coupling = m.ctx.cuts.coupling;
     out.copy_state(*this);
     return out;

@@ -39,12 +39,22 @@ Status World::step() noexcept {
     Impl& m = *impl_;
     const world::MaybeUsing use(m.use);
     if (!use.alone()) return Status::in_use;
-    m.use.stepping(true);
     m.systems.use(*this);
-    m.turn_forces();
-    const Status status = stepper::step(m.ctx);
-    m.unturn_forces();
-    m.use.stepping(false);
+    const auto take = [&] {
+        m.use.stepping(true);
+        m.turn_forces();
+        const Status ended = stepper::step(m.ctx);
+        m.unturn_forces();
+        m.use.stepping(false);
+        return ended;
+    };
+    // Edits that a failed step has left.
+    Status status = m.systems.wants_edits() ? Status::bad_edit : take();
+    if (status == Status::bad_edit) {
+        status = m.make_edits(*this);
+        if (status == Status::ok) status = take();
+        m.ctx.stats.status = status;
+    }
     if (status != Status::ok) return status;
     m.outputs.keep_figures(m.ctx.stats);
     evaluate_outputs();
@@ -93,12 +103,11 @@ void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
     const world::Using use(impl_->use, "set_force");
     const std::size_t b = impl_->place(body);
     world::check_force(world::label("body", impl_->body_defs[b].name), force, torque);
-    for (int i = 0; i < 3; ++i) {
-        double* now = &impl_->ctx.bodies.force[6 * b + at(i)];
-        if (now[0] != force[i] || now[3] != torque[i]) stepper::disturb(impl_->ctx, body.index);
-        now[0] = force[i];
-        now[3] = torque[i];
-    }
+    BodyDef& def = impl_->body_defs[b];
+    if (def.force != force || def.torque != torque) stepper::disturb(impl_->ctx, body.index);
+    def.force = force;
+    def.torque = torque;
+    for (int i = 0; i < 6; ++i) impl_->add_up_force(body, i);
     if (impl_->listener != nullptr) impl_->listener->set_force(body, force, torque);
 }
 

@@ -181,7 +181,9 @@ inline constexpr std::string_view kKinds = R"({
      "torque": 5, "loads": [{"interaction": "hinge", "factor": 0.1}]},
     {"name": "slide_friction", "kind": "slide_friction", "bodies": ["a", "b"], "axis": [1, 0, 0],
      "force": 5},
-    {"name": "scalar_friction", "kind": "scalar_friction", "bodies": ["d"], "force": 5}
+    {"name": "scalar_friction", "kind": "scalar_friction", "bodies": ["d"], "force": 5},
+    {"name": "gear", "kind": "gear", "bodies": ["a", "b", "c"], "axis": [0, 0, 1], "teeth_1": 20,
+     "teeth_2": -60}
   ]
 })";
 

@@ -191,7 +191,11 @@ TEST_F(BadInteractions, EveryParameterIsChecked) {
     for (const KindInfo& info : interaction_kinds()) {
         std::vector<BodyId> ids;
         for (int slot = 0; slot < info.bodies; ++slot)
-            ids.push_back(slot == info.scalar_slot ? drum : slot == 0 ? a : slot == 1 ? b : lump);
+            ids.push_back(slot == info.scalar_slot ? drum
+                          : slot == 0              ? a
+                          : slot == 1              ? b
+                          : info.uses_frames       ? far
+                                                   : lump);
         InteractionDef good = between(info.kind, ids);
         for (const ParamInfo& p : info.params)
             good.set(p.name, std::isnan(p.fallback) ? 1.0 : p.fallback);

@@ -216,19 +216,22 @@ TEST(Sleep, WhatLosesItsSupportFalls) {
     EXPECT_NEAR(y.w.pose(y.box[2]).position.z(), 1.5, 1e-3);
 }
 
-/// What acts may be other than what the input said last.
-TEST(Sleep, InputsThatChangeNothingButTheForceWake) {
+/// The force of an input and that of the user are apart: together they may hold a body still.
+TEST(Sleep, ForcesThatHeldEachOtherWakeWhereOneEnds) {
     SleepYard y(sleepy());
     InputDef in;
     in.name = "shove";
     in.body = y.ball;
     const InputId shove = y.w.add_input(in);
     y.w.set_input(shove, 60.0);
-    y.w.set_force(y.ball, Vec3::Zero(), Vec3::Zero());
+    y.w.set_force(y.ball, {-60.0, 0.0, 0.0}, Vec3::Zero());
     y.run(kSettled);
     ASSERT_TRUE(y.w.asleep(y.ball));
     const double x = y.w.pose(y.ball).position.x();
     y.w.set_input(shove, 60.0);
+    y.run(2);
+    ASSERT_TRUE(y.w.asleep(y.ball));
+    y.w.set_force(y.ball, Vec3::Zero(), Vec3::Zero());
     y.run(60);
     EXPECT_GT(y.w.pose(y.ball).position.x(), x + 0.5);
 }

@@ -57,20 +57,18 @@ void add_contacts(const World& world, const std::vector<std::int32_t>& number,
 InteractionGraph interaction_graph(const World& world) {
     InteractionGraph g;
     std::vector<std::int32_t> number(at(world.body_count()), -1);
-    for (std::int32_t b = 0; b < world.body_count(); ++b) {
-        const BodyDef& def = world.body_def({b});
+    for (const BodyId id : world.bodies()) {
+        const BodyDef& def = world.body_def(id);
         if (!moves(def)) continue;
-        number[at(b)] = static_cast<std::int32_t>(g.nodes.size());
-        g.nodes.push_back({.body = {b},
-                           .name = def.name,
-                           .position = world.pose({b}).position,
-                           .kind = def.kind});
+        number[at(id.index)] = static_cast<std::int32_t>(g.nodes.size());
+        g.nodes.push_back(
+            {.body = id, .name = def.name, .position = world.pose(id).position, .kind = def.kind});
     }
-    for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
-        const InteractionDef& def = world.interaction_def({i});
+    for (const InteractionId id : world.interactions()) {
+        const InteractionDef& def = world.interaction_def(id);
         const KindInfo& info = kind_info(def.kind);
         GraphEdge e{
-            .interaction = {i}, .name = def.name, .kind = info.name, .nodes = {}, .fixed = {}};
+            .interaction = id, .name = def.name, .kind = info.name, .nodes = {}, .fixed = {}};
         for (int k = 0; k < info.bodies; ++k) {
             const BodyId b = def.body[at(k)];
             if (!b.valid()) continue;

@@ -96,16 +96,16 @@ void check_spin(const World& world, BodyId id, Findings& out) {
 
 void check_bodies(const World& world, Findings& out) {
     std::vector<double> shapes(static_cast<std::size_t>(world.body_count()), 0.0);
-    for (std::int32_t s = 0; s < world.shape_count(); ++s)
-        shapes[static_cast<std::size_t>(world.shape_def({s}).body.index)] +=
-            volume_of(world.shape_def({s}));
-    for (std::int32_t b = 0; b < world.body_count(); ++b) {
-        const BodyKind kind = world.body_def({b}).kind;
+    for (const ShapeId s : world.shapes())
+        shapes[static_cast<std::size_t>(world.shape_def(s).body.index)] +=
+            volume_of(world.shape_def(s));
+    for (const BodyId b : world.bodies()) {
+        const BodyKind kind = world.body_def(b).kind;
         if (kind == BodyKind::rigid || kind == BodyKind::lump)
-            check_density(world, {b}, shapes[static_cast<std::size_t>(b)], out);
+            check_density(world, b, shapes[static_cast<std::size_t>(b.index)], out);
         if (kind != BodyKind::rigid) continue;
-        check_inertia(world, {b}, out);
-        check_spin(world, {b}, out);
+        check_inertia(world, b, out);
+        check_spin(world, b, out);
     }
 }
 

@@ -60,13 +60,13 @@ int freedoms(BodyKind kind) noexcept {
 
 JointRows::JointRows(const World& world) {
     const double h = world.settings().step;
-    for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
-        const InteractionDef& def = world.interaction_def({i});
+    for (const InteractionId id : world.interactions()) {
+        const InteractionDef& def = world.interaction_def(id);
         if (kind_info(def.kind).is(kElastic) || kind_info(def.kind).is(kFrictionKind) ||
             is_open_range(def))
             continue;
-        const RowsView view = world.rows({i});
-        Joint joint{.id = {i}, .row_begin = static_cast<std::int32_t>(rows_)};
+        const RowsView view = world.rows(id);
+        Joint joint{.id = id, .row_begin = static_cast<std::int32_t>(rows_)};
         for (std::size_t r = 0; r < index(view.rows); ++r) {
             const double felt = kFelt * mobility(world, def, view, r);
             const double soft = view.velocity[r] ? velocity_row_sigma(view.compliance[r], h)

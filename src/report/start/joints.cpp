@@ -71,16 +71,16 @@ void check_gaps(const World& world, const JointRows& rows, Findings& out) {
 }
 
 void check_motor_friction(const World& world, Findings& out) {
-    std::vector<std::int32_t> motors, brakes;
-    for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
-        const KindInfo& kind = kind_info(world.interaction_def({i}).kind);
+    std::vector<InteractionId> motors, brakes;
+    for (const InteractionId i : world.interactions()) {
+        const KindInfo& kind = kind_info(world.interaction_def(i).kind);
         if (kind.is(kMotorKind)) motors.push_back(i);
         if (kind.is(kFrictionKind)) brakes.push_back(i);
     }
-    for (const std::int32_t m : motors)
-        for (const std::int32_t f : brakes) {
-            const InteractionDef& motor = world.interaction_def({m});
-            const InteractionDef& brake = world.interaction_def({f});
+    for (const InteractionId m : motors)
+        for (const InteractionId f : brakes) {
+            const InteractionDef& motor = world.interaction_def(m);
+            const InteractionDef& brake = world.interaction_def(f);
             const KindInfo &driven = kind_info(motor.kind), &held_by = kind_info(brake.kind);
             const auto bodies = [](const InteractionDef& d) {
                 const auto [low, high] = std::minmax(d.body[0].index, d.body[1].index);

@@ -69,13 +69,13 @@ void check_tensions(const record::SceneInfo& scene, const World& world, Findings
             report(world, cable.name, "the cable " + record::name_in_quotes(cable.name), worst,
                    out);
     }
-    for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
-        if (of_cable[static_cast<std::size_t>(i)]) continue;
+    for (const InteractionId id : world.interactions()) {
+        if (of_cable[static_cast<std::size_t>(id.index)]) continue;
         Tightest worst;
-        take(world, {i}, worst);
+        take(world, id, worst);
         if (worst.at.valid())
-            report(world, record::interaction_label(world, {i}),
-                   record::interaction_in_words(world, {i}), worst, out);
+            report(world, record::interaction_label(world, id),
+                   record::interaction_in_words(world, id), worst, out);
     }
 }
 

@@ -73,19 +73,19 @@ class Overlaps {
   public:
     explicit Overlaps(const World& world)
         : world_(world), pull_(static_cast<std::size_t>(world.body_count()), 0.0) {
-        for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
-            const double tension = start_tension(world, {i});
+        for (const InteractionId id : world.interactions()) {
+            const double tension = start_tension(world, id);
             for (std::size_t b = 0; b < 2 && tension > 0.0; ++b) {
-                const BodyId body = world.interaction_def({i}).body[b];
+                const BodyId body = world.interaction_def(id).body[b];
                 double& pull = pull_[static_cast<std::size_t>(body.index)];
                 pull = std::max(pull, tension);
             }
         }
         of_body_.resize(static_cast<std::size_t>(world.body_count()));
-        for (std::int32_t s = 0; s < world.shape_count(); ++s) {
-            const ShapeDef& def = world.shape_def({s});
+        for (const ShapeId id : world.shapes()) {
+            const ShapeDef& def = world.shape_def(id);
             if (!def.body_b.valid())
-                of_body_[static_cast<std::size_t>(def.body.index)].push_back(s);
+                of_body_[static_cast<std::size_t>(def.body.index)].push_back(id);
         }
     }
 
@@ -124,8 +124,8 @@ class Overlaps {
         Reach reach;
         const ShapeDef& def = world_.shape_def(shape);
         if (is_wire(shape)) return 2.0 * def.radius;
-        for (const std::int32_t s : of_body_[static_cast<std::size_t>(def.body.index)])
-            add_reach(world_, world_.shape_def({s}), n, reach);
+        for (const ShapeId s : of_body_[static_cast<std::size_t>(def.body.index)])
+            add_reach(world_, world_.shape_def(s), n, reach);
         return reach.high - reach.low;
     }
 
@@ -189,15 +189,15 @@ class Overlaps {
     }
 
     const World& world_;
-    std::vector<double> pull_;                        ///< Largest tension at each body [N].
-    std::vector<std::vector<std::int32_t>> of_body_;  ///< Shapes of each body, without segments.
+    std::vector<double> pull_;                   ///< Largest tension at each body [N].
+    std::vector<std::vector<ShapeId>> of_body_;  ///< Shapes of each body, without segments.
     std::map<std::pair<Owner, Owner>, Pair> pairs_;
 };
 
 }  // namespace
 
 void check_overlaps(const World& world, Findings& out) {
-    if (world.shape_count() > 0) Overlaps(world).run(out);
+    if (!world.shapes().empty()) Overlaps(world).run(out);
 }
 
 }  // namespace hawser::report::start

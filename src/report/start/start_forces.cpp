@@ -28,16 +28,16 @@ class Statics {
   public:
     explicit Statics(const World& world) : world_(world), h_(world.settings().step) {
         node_of_body_.assign(index_of(world.body_count()), -1);
-        for (std::int32_t b = 0; b < world.body_count(); ++b) {
-            const int size = freedoms(world.body_def({b}).kind);
+        for (const BodyId id : world.bodies()) {
+            const int size = freedoms(world.body_def(id).kind);
             if (size == 0) continue;
-            node_of_body_[index_of(b)] = static_cast<std::int32_t>(pattern_.size.size());
-            bodies_.push_back({b});
+            node_of_body_[index_of(id.index)] = static_cast<std::int32_t>(pattern_.size.size());
+            bodies_.push_back(id);
             pattern_.size.push_back(static_cast<std::int8_t>(size));
             pattern_.sign.push_back(1);
         }
-        for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
-            const KindInfo& kind = kind_info(world.interaction_def({i}).kind);
+        for (std::int32_t i = 0; i < count(); ++i) {
+            const KindInfo& kind = kind_info(world.interaction_def(id_of(i)).kind);
             pattern_.size.push_back(static_cast<std::int8_t>(kind.rows));
             pattern_.sign.push_back(-1);
             for (std::size_t b = 0; b < index_of(kind.bodies); ++b)
@@ -52,7 +52,7 @@ class Statics {
         rhs_.assign(index_of64(factor_.info().scalars), 0.0);
         for (std::size_t n = 0; n < bodies_.size(); ++n) write_body(n);
         std::int32_t edge = 0;
-        for (std::int32_t i = 0; i < world_.interaction_count(); ++i) edge = write_rows(i, edge);
+        for (std::int32_t i = 0; i < count(); ++i) edge = write_rows(i, edge);
         constexpr int kRounds = 4;  // Lines that turn out to push let go.
         for (int round = 0; round < kRounds; ++round) {
             if (factor_.factor(values_) != Status::ok) return false;
@@ -64,7 +64,7 @@ class Statics {
     }
 
     [[nodiscard]] double push(std::int32_t i) const {
-        const std::string_view units = kind_info(world_.interaction_def({i}).kind).row_units;
+        const std::string_view units = kind_info(world_.interaction_def(id_of(i)).kind).row_units;
         const std::size_t begin = row_begin(i);
         double sum = 0.0;
         for (std::size_t r = 0; r < units.size() && units[r] == 'm'; ++r)
@@ -73,6 +73,13 @@ class Statics {
     }
 
   private:
+    // Interactions by their number among those there are.
+    [[nodiscard]] std::int32_t count() const {
+        return static_cast<std::int32_t>(world_.interactions().size());
+    }
+    [[nodiscard]] InteractionId id_of(std::int32_t i) const {
+        return world_.interactions()[index_of(i)];
+    }
     static std::size_t index_of64(std::int64_t i) { return static_cast<std::size_t>(i); }
     [[nodiscard]] std::int32_t row_node(std::int32_t i) const {
         return static_cast<std::int32_t>(bodies_.size()) + i;
@@ -81,7 +88,7 @@ class Statics {
         return index_of64(factor_.scalar_begin(row_node(i)));
     }
     [[nodiscard]] std::int32_t node(std::int32_t i, std::size_t b) const {
-        return node_of_body_[index_of(world_.interaction_def({i}).body[b].index)];
+        return node_of_body_[index_of(world_.interaction_def(id_of(i)).body[b].index)];
     }
 
     void write_body(std::size_t n) {
@@ -114,8 +121,8 @@ class Statics {
 
     /// Diagonal of G M⁻¹ Gᵀ, by the largest mass or moment that a column meets.
     std::int32_t write_rows(std::int32_t i, std::int32_t edge) {
-        const RowsView view = world_.rows({i});
-        const InteractionDef& def = world_.interaction_def({i});
+        const RowsView view = world_.rows(id_of(i));
+        const InteractionDef& def = world_.interaction_def(id_of(i));
         const auto rows = index_of(view.rows);
         double* const own = &values_[index_of64(factor_.value_begin(row_node(i)))];
         double mobile[kMaxInteractionRows] = {};
@@ -158,9 +165,10 @@ class Statics {
 
     bool let_go() {
         bool any = false;
-        for (std::int32_t i = 0; i < world_.interaction_count(); ++i) {
+        for (std::int32_t i = 0; i < count(); ++i) {
             // The pull y is −λ: a line in tension has y > 0.
-            if (!is_one_sided(world_.interaction_def({i})) || x_[row_begin(i)] >= 0.0) continue;
+            if (!is_one_sided(world_.interaction_def(id_of(i))) || x_[row_begin(i)] >= 0.0)
+                continue;
             release(i);
             any = true;
         }
@@ -180,12 +188,13 @@ class Statics {
 
 StartForces::StartForces(const World& world) {
     push_.assign(index_of(world.interaction_count()), 0.0);
-    known_ = world.interaction_count() == 0;
+    known_ = world.interactions().empty();
     if (known_) return;
     Statics statics(world);
     known_ = statics.solve();
-    for (std::int32_t i = 0; known_ && i < world.interaction_count(); ++i)
-        push_[index_of(i)] = statics.push(i);
+    std::int32_t number = 0;
+    for (const InteractionId id : world.interactions())
+        if (known_) push_[index_of(id.index)] = statics.push(number++);
 }
 
 double StartForces::push(InteractionId id) const { return push_[index_of(id.index)]; }

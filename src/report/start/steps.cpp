@@ -190,9 +190,9 @@ void check_steps(const record::SceneInfo& scene, const World& world, Findings& o
                          worst, out);
     }
     std::vector<Fastest> others;
-    for (std::int32_t i = 0; i < world.interaction_count(); ++i) {
-        if (of_cable[static_cast<std::size_t>(i)]) continue;
-        const Fastest here = fastest_at(world, forces, {i});
+    for (const InteractionId id : world.interactions()) {
+        if (of_cable[static_cast<std::size_t>(id.index)]) continue;
+        const Fastest here = fastest_at(world, forces, id);
         if (here.s > kSwing) others.push_back(here);
     }
     check_other_joints(world, others, out);

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file signal_list.h
+/// Inputs and outputs of a scene, as `check` and `inspect` list them.
+
+#include <hawser/world.h>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace hawser::cli {
+
+/// One line each, inputs first: name, unit, what it sets with its range, or what it is taken from.
+[[nodiscard]] std::string signal_lines(const World& world);
+
+/// {"inputs": [{name, unit, min, max, value, sets}], "outputs": [{name, unit, kind, component}]}
+[[nodiscard]] nlohmann::ordered_json signal_report(const World& world);
+
+}  // namespace hawser::cli

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Mechanical energy of states, and the work that explains it.
+#include "verify/certificate_state.h"
+
+#include "record/units.h"
+#include "verify/interaction_forces.h"
+#include "verify/load_impulses.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::verify {
+
+namespace {
+
+std::size_t place_of(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+// ½ g²/ε of the rows at the poses at hand; a line that only pulls holds nothing where it is short.
+double energy_of_spring(const World& world, InteractionId id) {
+    const InteractionDef& def = world.interaction_def(id);
+    if (!world.intact(id)) return 0.0;
+    const auto g = world.violation(id);
+    double sum = 0.0;
+    for (std::size_t r = 0; r < place_of(kind_info(def.kind).rows); ++r) {
+        if (is_elastic_line(def.kind) && g[r] < 0.0 && def.get("tension_only") != 0.0) continue;
+        const double compliance = is_elastic_line(def.kind)
+                                      ? parameter(world, id, "length") / def.get("EA")
+                                      : def.compliance[r];
+        sum += 0.5 * g[r] * g[r] / compliance;
+    }
+    return sum;
+}
+
+/// How a body moved [m] and turned [rad], from one pose to another.
+struct Way {
+    Vec3 moved, turned;
+};
+Way way_between(const Pose& from, const Pose& to) {
+    const Eigen::AngleAxisd turn(to.orientation * from.orientation.conjugate());
+    return {to.position - from.position, turn.angle() * turn.axis()};
+}
+
+}  // namespace
+
+double StateVerifier::kinetic(const World& world) const {
+    double sum = 0.0;
+    for (const BodyId id : moving_) {
+        const BodyDef& def = world.body_def(id);
+        const Twist v = world.velocity(id);
+        sum += 0.5 * def.mass * v.linear.squaredNorm();
+        if (def.kind != BodyKind::rigid) continue;
+        const Vec3 w = world.pose(id).orientation.conjugate() * v.angular;
+        sum += 0.5 * w.dot(def.inertia * w);
+    }
+    return sum;
+}
+
+double StateVerifier::potential(const World& world) const {
+    double sum = 0.0;
+    for (const BodyId id : moving_) {
+        const BodyDef& def = world.body_def(id);
+        if (def.gravity && def.kind != BodyKind::scalar)
+            sum -= def.mass * world.settings().gravity.dot(world.pose(id).position);
+    }
+    for (const InteractionId id : interactions_)
+        if (role_[place_of(id.index)] == Role::spring) sum += energy_of_spring(world, id);
+    return sum;
+}
+
+void StateVerifier::take_edits(const World& world) {
+    const auto same = [](const auto& a, const auto& b) {
+        return std::equal(a.begin(), a.end(), b.begin(), b.end());
+    };
+    if (same(bodies_, world.bodies()) && same(interactions_, world.interactions()) &&
+        same(inputs_, world.inputs()))
+        return;
+    // The force of a step acts half on the way before it, half on that behind it. What has gone has
+    // no way behind it.
+    for (const BodyId id : moving_) {
+        if (world.alive(id)) continue;
+        const std::size_t b = place_of(id.index);
+        const Way way = way_between(pose_[b], arrived_[b]);
+        work_ += 0.5 * (force_[b].dot(way.moved) + torque_[b].dot(way.turned));
+    }
+    const std::vector<BodyId> bodies = bodies_;
+    const std::vector<InteractionId> interactions = interactions_;
+    follow(world);
+    const double h = world.settings().step;
+    for (const BodyId id : bodies_) {
+        if (std::binary_search(bodies.begin(), bodies.end(), id)) continue;
+        // It came as if it had moved at its velocity, under no force.
+        const std::size_t b = place_of(id.index);
+        force_[b].setZero();
+        torque_[b].setZero();
+        pose_[b] = arrived_[b] = world.pose(id);
+        const Twist twist = world.velocity(id);
+        pose_[b].position -= h * twist.linear;
+        if (const double turn = h * twist.angular.norm(); turn > 0.0)
+            pose_[b].orientation =
+                Quat(Eigen::AngleAxisd(-turn, twist.angular.normalized())) * pose_[b].orientation;
+    }
+    excuse_joints(world, interactions);
+}
+
+void StateVerifier::add_sources(const World& world) {
+    force_before_ = force_;
+    torque_before_ = torque_;
+    for (const BodyId id : moving_) {
+        force_[place_of(id.index)] = world.body_def(id).force;
+        torque_[place_of(id.index)] = world.body_def(id).torque;
+    }
+    for (const InputId id : inputs_) {
+        const InputDef& input = world.input_def(id);
+        if (!input.body.valid()) continue;
+        const std::size_t b = place_of(input.body.index);
+        const Vec3 axis = Vec3::Unit(input.component % 3);
+        (input.component < 3 ? force_ : torque_)[b] +=
+            world.input(id) * (input.local ? Vec3(pose_[b].orientation * axis) : axis);
+    }
+    for (const InteractionId id : interactions_) {
+        if (role_[place_of(id.index)] != Role::source) continue;
+        const InteractionDef& def = world.interaction_def(id);
+        const Wrenches w = row_wrenches(world, id, pose_, world.force(id));
+        for (int k = 0; k < kind_info(def.kind).bodies; ++k) {
+            force_[place_of(def.body[place_of(k)].index)] += w.on[place_of(k)].force;
+            torque_[place_of(def.body[place_of(k)].index)] += w.on[place_of(k)].torque;
+        }
+    }
+    for (const LoadImpulse& load : load_impulses(world, pose_, twist_)) {
+        force_[place_of(load.body.index)] += load.linear / world.settings().step;
+        torque_[place_of(load.body.index)] += load.angular / world.settings().step;
+    }
+    for (const ContactView& c : world.contacts())
+        for (int k = 0; k < 2; ++k) {
+            const ShapeDef& shape = world.shape_def(c.shape[k]);
+            const double sign = k == 0 ? -1.0 : 1.0;
+            // A segment hangs between two lumps: by how near each is.
+            const std::size_t a = place_of(shape.body.index);
+            double other = 0.0;
+            if (shape.body_b.valid()) {
+                const std::size_t b = place_of(shape.body_b.index);
+                const Vec3 along = pose_[b].position - pose_[a].position;
+                other = std::clamp((c.point - pose_[a].position).dot(along) / along.squaredNorm(),
+                                   0.0, 1.0);
+                force_[b] += sign * other * c.force;
+            }
+            force_[a] += sign * (1.0 - other) * c.force;
+            torque_[a] += sign * ((c.point - pose_[a].position).cross(c.force) + c.moment);
+        }
+}
+
+std::string StateVerifier::check_energy(const World& world) {
+    const double now = kinetic(world), energy = 0.5 * (kinetic_ + now) + potential_;
+    const double h = world.settings().step;
+    add_sources(world);
+    if (steps_ > 0) {
+        for (const BodyId id : moving_) {
+            const std::size_t b = place_of(id.index);
+            const Way way = way_between(pose_before_[b], arrived_[b]);
+            work_ += 0.5 * (force_[b] + force_before_[b]).dot(way.moved);
+            if (world.body_def(id).kind == BodyKind::rigid)
+                work_ += 0.5 * (torque_[b] + torque_before_[b]).dot(way.turned);
+        }
+    }
+    const double left = energy - work_, forgotten = std::min(1.0, h / limit::kMemory);
+    exchanged_ +=
+        (steps_ > 0 ? 0.5 * (std::abs(energy - energy_) + std::abs(now - kinetic_)) : 0.0) -
+        forgotten * exchanged_;
+    // The mean of the kinetic energies before and after the start is higher than that at it.
+    mean_ = steps_ == 0 ? left : mean_ + (1.0 - std::exp(-h / limit::kMean)) * (left - mean_);
+    least_ = steps_ == 0 || excused_ > 1.0 ? mean_
+                                           : std::min(mean_, least_ + forgotten * (mean_ - least_));
+    energy_ = energy;
+    kinetic_ = now;
+    const double rise = mean_ - least_, scale = now + exchanged_;
+    if (rise <= limit::kNothing * (now + std::abs(potential_))) return {};
+    result_.created = std::max(result_.created, rise / scale / limit::kCreated.wrong);
+    if (rise <= limit::kCreated.wrong * scale) return {};
+    return fmt::format("{} of mechanical energy came out of nothing, where {} were exchanged",
+                       record::with_unit(rise, "J"), record::with_unit(scale, "J"));
+}
+
+}  // namespace hawser::verify

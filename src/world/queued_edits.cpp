@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/queued_edits.h"
+
+#include <hawser/world.h>
+
+#include "base/index.h"
+
+#include <cstdint>
+#include <exception>
+#include <new>
+#include <string>
+
+namespace hawser::world {
+namespace {
+
+/// What a stand-in has become, or the id itself.
+template <class Id>
+Id real(Id id, const std::vector<Id>& made) {
+    if (id.index >= -1) return id;
+    const std::size_t k = at(-2 - id.index);
+    if (k >= made.size())
+        throw DefError(
+            "an id stands for what is added later, or was added in another step; add it "
+            "first, and find it by its name in later steps");
+    return made[k];
+}
+
+}  // namespace
+
+template <class T>
+bool QueuedEdits::put(const T& edit) noexcept {
+    try {
+        list_.push_back({edit, system_});
+        return true;
+    } catch (const std::bad_alloc&) {
+        out_of_memory_ = true;
+        return false;
+    }
+}
+
+BodyId QueuedEdits::add(const BodyDef& def) noexcept {
+    return put(def) ? BodyId{-2 - bodies_++} : BodyId{};
+}
+InteractionId QueuedEdits::add(const InteractionDef& def) noexcept {
+    return put(def) ? InteractionId{-2 - interactions_++} : InteractionId{};
+}
+ShapeId QueuedEdits::add(const ShapeDef& def) noexcept {
+    return put(def) ? ShapeId{-2 - shapes_++} : ShapeId{};
+}
+WireId QueuedEdits::add(const WireDef& def) noexcept {
+    return put(def) ? WireId{-2 - wires_++} : WireId{};
+}
+
+void QueuedEdits::clear() noexcept {
+    list_.clear();
+    made_ = {};
+    done_ = 0;
+    bodies_ = interactions_ = shapes_ = wires_ = 0;
+    out_of_memory_ = false;
+}
+
+namespace {
+
+/// One edit, with a world to make it in and what came before it.
+template <class Made>
+struct Maker {
+    World& world;
+    Made& made;
+
+    void operator()(const BodyDef& def) const {
+        made.bodies.reserve(made.bodies.size() + 1);
+        made.bodies.push_back(world.add_body(def));
+    }
+    void operator()(InteractionDef def) const {
+        for (BodyId& body : def.body) body = real(body, made.bodies);
+        for (FrictionLoad& load : def.load)
+            load.interaction = real(load.interaction, made.interactions);
+        made.interactions.reserve(made.interactions.size() + 1);
+        made.interactions.push_back(world.add_interaction(def));
+    }
+    void operator()(ShapeDef def) const {
+        def.body = real(def.body, made.bodies);
+        def.body_b = real(def.body_b, made.bodies);
+        made.shapes.reserve(made.shapes.size() + 1);
+        made.shapes.push_back(world.add_shape(def));
+    }
+    void operator()(WireDef def) const {
+        def.from = real(def.from, made.bodies);
+        def.to = real(def.to, made.bodies);
+        made.wires.reserve(made.wires.size() + 1);
+        made.wires.push_back(world.add_wire(def));
+    }
+    void operator()(BodyId id) const { (void)world.remove_body(real(id, made.bodies)); }
+    void operator()(InteractionId id) const {
+        (void)world.remove_interaction(real(id, made.interactions));
+    }
+    void operator()(ShapeId id) const { (void)world.remove_shape(real(id, made.shapes)); }
+    void operator()(WireId id) const { (void)world.remove_wire(real(id, made.wires)); }
+};
+
+}  // namespace
+
+void QueuedEdits::make(const Edit& edit, World& world, Made& made) {
+    std::visit(Maker<Made>{world, made}, edit);
+}
+
+void QueuedEdits::make_next(World& world) {
+    make(list_[done_].edit, world, made_);
+    ++done_;
+}
+
+std::string_view QueuedEdits::try_all(World& world, std::string& fault) const {
+    Made made = made_;
+    for (std::size_t i = done_; i < list_.size(); ++i) {
+        try {
+            make(list_[i].edit, world, made);
+        } catch (const DefError& error) {
+            fault = error.what();
+            return list_[i].system;
+        }
+    }
+    return {};
+}
+
+}  // namespace hawser::world
