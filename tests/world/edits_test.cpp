@@ -2,10 +2,8 @@
 /// What comes and goes between steps: ids, what hangs on what, energy, sleep, the same bits.
 #include <hawser/hawser.h>
 
-#include "support/editor.h"
 #include "support/recipe.h"
 #include "support/sleep_yard.h"
-#include "support/yard.h"
 
 #include <gtest/gtest.h>
 
@@ -176,33 +174,6 @@ TEST(Edits, OnlyWhatAnEditTouchesWakes) {
     (void)y.w.remove_body(far);
     ASSERT_EQ(y.w.step(), Status::ok);
     EXPECT_EQ(y.asleep().substr(0, 9), "zzzzzzzzz");
-}
-
-/// The same bits for any number of threads, and of a world that goes on from a snapshot.
-TEST(Edits, AtRandomGiveTheSameBits) {
-    std::vector<World> worlds;
-    for (const int threads : {1, 2, 4}) {
-        WorldDef def{.threads = threads, .on_diverged = OnDiverged::warn};
-        def.sleep_after = 0.3;
-        worlds.emplace_back(def);
-    }
-    Editor editor(7, {&worlds[0], &worlds[1], &worlds[2]});
-    for (int step = 0; step < 120; ++step) {
-        for (int k = 0; k < 3; ++k) editor.edit();
-        for (World& w : worlds) ASSERT_EQ(w.step(), Status::ok) << step;
-        ASSERT_EQ(worlds[1].state_hash(), worlds[0].state_hash()) << "2 threads, step " << step;
-        ASSERT_EQ(worlds[2].state_hash(), worlds[0].state_hash()) << "4 threads, step " << step;
-        if (step % 30 != 17) continue;
-        const auto saved = worlds[0].save();
-        World twin = worlds[0].twin();
-        ASSERT_EQ(twin.state_hash(), worlds[0].state_hash());
-        twin.restore(saved);
-        ASSERT_EQ(twin.state_hash(), worlds[0].state_hash());
-        worlds[2] = std::move(twin);
-    }
-    for (const BodyId id : editor.gone()) EXPECT_THROW((void)worlds[0].pose(id), DefError);
-    EXPECT_GT(editor.gone().size(), 20U);
-    EXPECT_EQ(not_finite(worlds[0]), "");
 }
 
 }  // namespace
