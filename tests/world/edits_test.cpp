@@ -176,5 +176,41 @@ TEST(Edits, OnlyWhatAnEditTouchesWakes) {
     EXPECT_EQ(y.asleep().substr(0, 9), "zzzzzzzzz");
 }
 
+/// What a new shape wakes is what is near it now, not what was near before the last step: a twin
+/// knows nothing of that.
+TEST(Edits, WhatIsNearDoesNotDependOnStepsBefore) {
+    WorldDef def;
+    def.sleep_after = 0.2;
+    World w(def);
+    const BodyId ground = w.add_body({.name = "ground", .kind = BodyKind::fixed});
+    w.add_body({.name = "sleeper",
+                .kind = BodyKind::lump,
+                .position = {0, 50, 0},
+                .mass = 1.0,
+                .gravity = false});
+    for (int i = 0; i < 30; ++i) ASSERT_EQ(w.step(), Status::ok);
+    ASSERT_TRUE(w.asleep(w.find_body("sleeper")));
+    const double slow = 0.5 * def.sleep_speed, radius = 0.1;
+    BodyDef drifting{.name = "drifting", .kind = BodyKind::lump, .mass = 1.0, .gravity = false};
+    drifting.velocity = {slow, 0, 0};
+    const BodyId body = w.add_body(drifting);
+    w.add_shape({.kind = ShapeKind::sphere, .body = body, .radius = radius});
+    for (int i = 0; i < 5; ++i) ASSERT_EQ(w.step(), Status::ok);
+    // Where the boxes meet, some steps' ways before and behind.
+    const double way = slow * def.step,
+                 meets = w.pose(body).position.x() + way + 2.0 * radius + def.contact_margin;
+    for (int k = -10; k <= 10; ++k) {
+        World a = w.twin(), b = w.twin();
+        ASSERT_EQ(a.step(), Status::ok);
+        b.restore(a.save());
+        for (World* world : {&a, &b})
+            world->add_shape({.kind = ShapeKind::sphere,
+                              .body = ground,
+                              .position = {meets + 0.2 * k * way, 0, 0},
+                              .radius = radius});
+        EXPECT_EQ(a.save(), b.save()) << k;
+    }
+}
+
 }  // namespace
 }  // namespace hawser::test
