@@ -212,5 +212,28 @@ TEST(Edits, WhatIsNearDoesNotDependOnStepsBefore) {
     }
 }
 
+/// What comes and goes again and again takes the memory that it had, and the order of elimination
+/// is repaired, not made anew.
+TEST(Edits, GrowNothingOnceWarm) {
+    World w = wire(120).make();
+    for (int i = 0; i < 3; ++i) ASSERT_EQ(w.step(), Status::ok);
+    const BodyId end = w.bodies().back();
+    StepStats before;
+    for (int round = 0; round < 40; ++round) {
+        if (round == 5) before = w.stats();
+        BodyDef def = stone("x", 0);
+        def.position = w.pose(end).position - Vec3(0, 0, 1);
+        const BodyId x = w.add_body(def);
+        (void)w.add_interaction(rod(end, x));
+        (void)w.add_shape({.kind = ShapeKind::sphere, .body = x, .radius = 0.1});
+        ASSERT_EQ(w.step(), Status::ok);
+        (void)w.remove_body(x);
+        ASSERT_EQ(w.step(), Status::ok);
+    }
+    EXPECT_EQ(w.stats().growths, before.growths);
+    EXPECT_EQ(w.stats().plans, before.plans);
+    EXPECT_GE(w.stats().repairs, before.repairs + 70);
+}
+
 }  // namespace
 }  // namespace hawser::test
