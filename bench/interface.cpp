@@ -27,7 +27,7 @@ using ReadClock = std::chrono::steady_clock;
 
 /// Median time of a call [s]; before each one prepare() runs, which is not timed.
 template <class Prepare, class Call>
-double median_seconds(int times, const Prepare& prepare, const Call& call) {
+double median_of_calls(int times, const Prepare& prepare, const Call& call) {
     std::vector<double> seconds;
     for (int i = 0; i < times; ++i) {
         prepare();
@@ -119,18 +119,19 @@ ReadFigures measure(World& world, int rounds) {
     f.no_copy = f.no_copy && view.positions[0] == moved.position.x() && sum == sum;
     world.restore(before);
 
-    f.outputs_us = 1e6 * median_seconds(20 * rounds, touch, [&] { sum += world.outputs().back(); });
-    f.step_ms = 1e3 * median_seconds(rounds, nothing, [&] { (void)world.step(); });
-    f.contacts_us = 1e6 * median_seconds(rounds, nothing, [&] { world.contacts(contacts); });
+    f.outputs_us =
+        1e6 * median_of_calls(20 * rounds, touch, [&] { sum += world.outputs().back(); });
+    f.step_ms = 1e3 * median_of_calls(rounds, nothing, [&] { (void)world.step(); });
+    f.contacts_us = 1e6 * median_of_calls(rounds, nothing, [&] { world.contacts(contacts); });
     f.contacts = contacts.size();
-    f.events_us = 1e6 * median_seconds(20 * rounds, nothing, touch);
-    f.save_ms = 1e3 * median_seconds(rounds, nothing, [&] { world.save(saved); });
+    f.events_us = 1e6 * median_of_calls(20 * rounds, nothing, touch);
+    f.save_ms = 1e3 * median_of_calls(rounds, nothing, [&] { world.save(saved); });
     f.bytes = saved.size();
     // As a client goes back: some steps later.
     f.restore_ms =
-        1e3 * median_seconds(rounds, [&] { (void)world.step(); }, [&] { world.restore(saved); });
+        1e3 * median_of_calls(rounds, [&] { (void)world.step(); }, [&] { world.restore(saved); });
     f.hash_ms =
-        1e3 * median_seconds(rounds, nothing, [&] { sum += double(world.state_hash() & 1); });
+        1e3 * median_of_calls(rounds, nothing, [&] { sum += double(world.state_hash() & 1); });
     return f;
 }
 

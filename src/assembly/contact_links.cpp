@@ -28,23 +28,29 @@ void Contacts::drop_links() noexcept {
 }
 
 void Contacts::relink(std::int64_t step) {
-    std::vector<std::pair<Link, std::int64_t>> all;
-    for (std::size_t i = 0; i < links.size(); ++i)
-        if (step - link_used[i] <= kKeepLinks) all.emplace_back(links[i], link_used[i]);
-    for (const Link& l : missing_) all.emplace_back(l, step);
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end(),
-                          [](const auto& p, const auto& q) { return p.first == q.first; }),
-              all.end());
-    base::make_room(links, all.size());
-    base::make_room(link_used, all.size());
-    missing_.clear();
-    links.clear();
-    link_used.clear();
-    for (const auto& [link, used] : all) {
-        links.push_back(link);
-        link_used.push_back(used);
+    base::make_room(links, missing_.size());
+    base::make_room(link_used, missing_.size());
+    std::sort(missing_.begin(), missing_.end());
+    missing_.erase(std::unique(missing_.begin(), missing_.end()), missing_.end());
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        if (step - link_used[i] > kKeepLinks) continue;
+        links[kept] = links[i];
+        link_used[kept++] = link_used[i];
     }
+    // Those that stay move back from the end, and the missing ones, which are none of them,
+    // between.
+    std::size_t to = kept + missing_.size();
+    links.resize(to);
+    link_used.resize(to);
+    for (std::size_t m = missing_.size(); m > 0;) {
+        const bool old = kept > 0 && missing_[m - 1] < links[kept - 1];
+        --to;
+        links[to] = old ? links[kept - 1] : missing_[m - 1];
+        link_used[to] = old ? link_used[kept - 1] : step;
+        --(old ? kept : m);
+    }
+    missing_.clear();
     make_blocks();
 }
 

@@ -4,7 +4,6 @@
 #include "base/index.h"
 
 #include <algorithm>
-#include <bit>
 #include <numeric>
 
 namespace hawser::assembly {
@@ -103,16 +102,33 @@ Op System::placed(const OpEntry& entry, const model::Bodies& bodies,
     return op;
 }
 
+/// Columns by place in the panels. Those of ordinary fronts stand in the order of elimination; the
+/// steps of batches come behind them, each with the columns of its lanes.
+void System::place_columns() {
+    const auto n = static_cast<std::int32_t>(symbolic.order.size());
+    column_place_.clear();
+    step_begin_.assign(symbolic.batch_steps.size() + 1, 0);
+    const auto step_of = [&](std::int32_t k) {
+        return symbolic.batches.empty() ? -1 : symbolic.node_step[at(symbolic.order[at(k)])];
+    };
+    for (std::int32_t k = 0; k < n; ++k)
+        if (const std::int32_t step = step_of(k); step >= 0)
+            ++step_begin_[at(step) + 1];
+        else
+            column_place_.emplace_back(symbolic.column_address(k), k);
+    step_begin_[0] = static_cast<std::int32_t>(column_place_.size());
+    for (std::size_t i = 1; i < step_begin_.size(); ++i) step_begin_[i] += step_begin_[i - 1];
+    column_place_.resize(at(n));
+    for (std::int32_t k = 0; k < n; ++k)
+        if (const std::int32_t step = step_of(k); step >= 0)
+            column_place_[at(step_begin_[at(step)]++)] = {symbolic.batch_steps[at(step)].panel, k};
+}
+
 /// Sort the entries by place in the panels and by column; within one column they stay in the order
 /// of collection. Columns of one place (lanes of one step) come together.
 void System::sort_ops() {
-    const std::size_t n = symbolic.order.size();
-    column_place_.resize(n);
-    for (std::size_t k = 0; k < n; ++k)
-        column_place_[k] = {symbolic.column_address(static_cast<std::int32_t>(k)),
-                            static_cast<std::int32_t>(k)};
-    std::sort(column_place_.begin(), column_place_.end());
-    op_begin_.assign(n + 1, 0);
+    place_columns();
+    op_begin_.assign(symbolic.order.size() + 1, 0);
     for (const OpEntry& e : op_entries_) ++op_begin_[at(symbolic.position[at(e.column)])];
     std::int32_t sum = 0;
     for (const auto& [place, k] : column_place_) {
@@ -129,27 +145,28 @@ void System::sort_ops() {
 void System::build_ops(const model::Bodies& bodies, const model::Interactions& in) {
     collect_ops(bodies, in);
     sort_ops();
-    std::vector<Op> together;
+    std::vector<Op>& together = together_;
     ops.clear();
     lane_ops.clear();
     op_place_.clear();
     lane_place_.clear();
     const std::vector<factor::Piece>& pieces = numeric.pieces();
     piece_ops_.assign(pieces.size(), {});
-    std::vector<std::size_t> by_place(pieces.size());
-    std::iota(by_place.begin(), by_place.end(), std::size_t{0});
-    std::sort(by_place.begin(), by_place.end(), [&](std::size_t p, std::size_t q) {
-        return pieces[p].panel_begin < pieces[q].panel_begin;
-    });
+    pieces_by_place_.resize(pieces.size());
+    std::iota(pieces_by_place_.begin(), pieces_by_place_.end(), 0);
+    std::sort(pieces_by_place_.begin(), pieces_by_place_.end(),
+              [&](std::int32_t p, std::int32_t q) {
+                  return pieces[at(p)].panel_begin < pieces[at(q)].panel_begin;
+              });
     std::size_t column = 0;
     std::int32_t begin = 0;
-    for (const std::size_t k : by_place) {
-        PieceOps& range = piece_ops_[k];
+    for (const std::int32_t k : pieces_by_place_) {
+        PieceOps& range = piece_ops_[at(k)];
         range.op_begin = static_cast<std::int64_t>(ops.size());
         range.lane_begin = static_cast<std::int64_t>(lane_ops.size());
         while (column < column_place_.size()) {
             const std::int64_t place = column_place_[column].first;
-            if (place >= pieces[k].panel_end) break;
+            if (place >= pieces[at(k)].panel_end) break;
             std::int32_t end = begin;  // sort_ops() left where each column's entries end
             for (; column < column_place_.size() && column_place_[column].first == place; ++column)
                 end = op_begin_[at(column_place_[column].second)];
@@ -170,7 +187,7 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
     skew_ops_.clear();
     for (std::size_t i = 0; i < ops.size(); ++i)
         if (ops[i].kind == Op::contact) skew_ops_.push_back(static_cast<std::int32_t>(i));
-    if (contacts.blocks.empty()) {  // the next time is not soon
+    if (contacts.blocks.empty() && report_.replanned) {  // the next time is not soon
         op_entries_ = {};
         column_place_ = {};
         op_begin_ = op_order_ = {};
@@ -235,69 +252,6 @@ void System::write_skew(const View& view, const factor::DirtyParts& part, double
         const auto [begin, end] = between(op_place_, r.begin, r.end);
         write_skew(view, begin, end, upper);
     });
-}
-
-/// Ops of one batch step: those that do the same in several lanes become one.
-void System::share_lanes(std::span<const Op> together, std::int64_t place,
-                         const model::Interactions& in) {
-    const auto first = static_cast<std::ptrdiff_t>(lane_ops.size());
-    std::vector<Op> single;  // the only op so far of each new lane op
-    for (const Op& op : together) {
-        if (op.kind == Op::contact) {
-            ops.push_back(op);
-            continue;
-        }
-        const auto lane = static_cast<std::size_t>((op.address - place) % factor::kLaneCount);
-        const std::uint8_t rows = op.kind == Op::body_block ? 0 : in.rows[at(op.id)];
-        const std::int64_t base = op.address - static_cast<std::int64_t>(lane);
-        // A chain that is eliminated the other way round has its joints' slots changed.
-        const bool turns = op.kind == Op::condensed && op.width == 0 && op.a != op.b;
-        auto same = [&](const LaneOp& l) {
-            return l.address == base && l.kind == op.kind &&
-                   ((l.a == op.a && l.b == op.b) || (turns && l.a == op.b && l.b == op.a)) &&
-                   l.dof_a == op.dof_a && l.dof_b == op.dof_b && l.width == op.width &&
-                   l.rows == rows && l.to_b == op.jac_b - op.jac_a && (l.used >> lane & 1) == 0;
-        };
-        auto found = std::find_if(lane_ops.begin() + first, lane_ops.end(), same);
-        if (found == lane_ops.end()) {
-            LaneOp l{};
-            l.address = base;
-            l.step = op.step;
-            l.kind = op.kind;
-            l.a = op.a;
-            l.b = op.b;
-            l.dof_a = op.dof_a;
-            l.dof_b = op.dof_b;
-            l.width = op.width;
-            l.rows = rows;
-            l.to_b = op.jac_b - op.jac_a;
-            lane_ops.push_back(l);
-            single.push_back(op);
-            found = lane_ops.end() - 1;
-        }
-        auto put = [&](std::size_t k) {
-            found->id[k] = op.id;
-            found->from[k] = op.jac_a;
-            if (op.kind == Op::geometric && op.width > 0)
-                found->from[k] = geo_place_[at(op.id)].record;
-        };
-        // Until a lane has its own, it repeats the latest.
-        for (std::size_t k = 0; k < factor::kLaneCount; ++k)
-            if ((found->used >> k & 1) == 0) put(k);
-        put(lane);
-        found->used = static_cast<std::uint8_t>(found->used | 1U << lane);
-        if (found->a != op.a) found->turned = static_cast<std::uint8_t>(found->turned | 1U << lane);
-    }
-    // What only one lane does is done alone.
-    std::size_t kept = static_cast<std::size_t>(first);
-    for (std::size_t i = 0; i < single.size(); ++i) {
-        const LaneOp& l = lane_ops[static_cast<std::size_t>(first) + i];
-        if (std::popcount(l.used) > 1)
-            lane_ops[kept++] = l;
-        else
-            ops.push_back(single[i]);
-    }
-    lane_ops.resize(kept);
 }
 
 }  // namespace hawser::assembly

@@ -30,7 +30,7 @@ double swing_rate(const model::Bodies& bodies, const model::Interactions& in, in
 /// How fast a joint or rod swings, see model::Interactions::swing: about its bodies' centres of
 /// mass; a rod between lumps also across itself, 1/(l m).
 double swing_of(const model::Bodies& bodies, const model::Interactions& in, int id) {
-    const KindInfo& kind = kind_info(in.def[at(id)].kind);
+    const KindInfo& kind = kind_info(in.kinds[at(id)]);
     // What slides has no arm of its own along which a force would act.
     if (kind.is(kSlides)) return 0.0;
     double rate = std::max(arm_rate(bodies, in, id, 0), arm_rate(bodies, in, id, 1));
@@ -53,7 +53,7 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) 
     // Compact Jacobians come first, each in a cache line.
     for (int i = 0; i < in.count(); ++i) {
         const std::int32_t* body = &in.body[at(kMaxInteractionBodies * i)];
-        const bool compact = kind_info(in.def[at(i)].kind).is(kCompact) && !rests(i) &&
+        const bool compact = kind_info(in.kinds[at(i)]).is(kCompact) && !rests(i) &&
                              dof_[at(body[0])] == 6 && dof_[at(body[1])] == 6;
         in.arms[at(i)] = compact ? model::kCompactJacobian : 0;
         if (!compact) continue;

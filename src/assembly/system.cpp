@@ -155,7 +155,9 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
         bool keep = def.form == Form::saddle;
         for (int r = 0; r < in.rows[at(i)]; ++r) {
             const auto row = at(in.row_begin[at(i)] + r);
-            const double w = mobility(bodies, in, i, r);
+            // share_damping() has that of dampers; of sides of cuts it is that of all.
+            const bool known = (in.row_flags[row] & model::kRowDamper) != 0 && sides.empty();
+            const double w = known ? in.mobility[row] : mobility(bodies, in, i, r);
             // A rigid row may repeat others (closed loops): a floor keeps the pivots' signs.
             const double needed = in.epsilon[row] == 0.0 ? kRigidShare * w : in.bare_sigma(row, h);
             const double sigma = std::max({needed, in.least_sigma[row], model::kTinySigma});
@@ -281,12 +283,15 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
 std::size_t System::bytes() const noexcept {
     using base::bytes;
     return analysis.bytes() + numeric.bytes() + bytes(ops) + bytes(lane_ops) + bytes(op_entries_) +
-           bytes(op_order_) + bytes(incident_) + bytes(incident_begin_) + bytes(body_offset_) +
-           bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) + bytes(v_new_) +
-           bytes(momentum_) + bytes(spin_momentum_) + bytes(spin_next_) + bytes(c_next_) +
-           bytes(rate_) + bytes(turning) + bytes(geo_record_) + bytes(geo_force_) +
-           bytes(solution_) + bytes(rests_) + bytes(links_) + bytes(among_lumps_) +
-           bytes(node_of_body) + bytes(node_of_interaction) + strips.bytes() + contacts.bytes();
+           bytes(op_order_) + bytes(op_begin_) + bytes(column_place_) + bytes(step_begin_) +
+           bytes(together_) + bytes(lane_keys_) + bytes(piece_ops_) + bytes(op_place_) +
+           bytes(lane_place_) + bytes(skew_ops_) + bytes(geo_place_) + bytes(incident_) +
+           bytes(incident_begin_) + bytes(body_offset_) + bytes(interaction_offset_) +
+           bytes(body_block_) + bytes(a_) + bytes(v_new_) + bytes(momentum_) +
+           bytes(spin_momentum_) + bytes(spin_next_) + bytes(c_next_) + bytes(rate_) +
+           bytes(turning) + bytes(geo_record_) + bytes(geo_force_) + bytes(solution_) +
+           bytes(rests_) + bytes(links_) + bytes(among_lumps_) + bytes(node_of_body) +
+           bytes(node_of_interaction) + strips.bytes() + contacts.bytes();
 }
 
 }  // namespace hawser::assembly

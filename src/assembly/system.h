@@ -28,6 +28,8 @@
 #include "model/bodies.h"
 #include "model/interactions.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -132,6 +134,12 @@ class System {
         return rests_[static_cast<std::size_t>(id)] != 0;
     }
     [[nodiscard]] std::size_t bytes() const noexcept;
+    /// Whether it and what it is made for, of so many bytes, hold more memory than ever before.
+    [[nodiscard]] bool grew(std::size_t model) noexcept {
+        const std::size_t held = bytes() + model, before = held_;
+        held_ = std::max(held, before);
+        return held > before;
+    }
 
   private:
     /// What a view shows of the arrays of the system.
@@ -176,6 +184,7 @@ class System {
     void over_panels(const factor::DirtyParts& part, base::Executor& executor,
                      F&& work) const noexcept;
     void collect_ops(const model::Bodies& bodies, const model::Interactions& interactions);
+    void place_columns();
     void sort_ops();
     [[nodiscard]] Op placed(const OpEntry& entry, const model::Bodies& bodies,
                             const model::Interactions& interactions) const;
@@ -185,13 +194,24 @@ class System {
     void check_memory(const model::Bodies& bodies, const model::Interactions& interactions,
                       int threads) const;
 
+    std::size_t held_ = 0;  ///< See grew().
     factor::RepairReport report_;
     bool ordered_ = false;                                        ///< There is an order to repair.
     std::vector<std::int32_t> old_of_new_;                        ///< Nodes.
     std::vector<std::int32_t> body_before_, interaction_before_;  ///< Their nodes.
     std::vector<OpEntry> op_entries_;
     std::vector<std::pair<std::int64_t, std::int32_t>> column_place_;  ///< Addresses, positions.
-    std::vector<std::int32_t> op_begin_, op_order_;
+    std::vector<std::int32_t> op_begin_, op_order_, step_begin_, pieces_by_place_;
+    std::vector<Op> together_;  ///< Of one place.
+    /// What finds the lane op that an op belongs to.
+    struct LaneKey {
+        std::int64_t address;
+        std::uint64_t what;
+        std::int32_t to_b;
+        std::uint8_t used;
+        std::size_t op;  ///< The first one, in together_.
+    };
+    std::vector<LaneKey> lane_keys_;
     std::vector<PieceOps> piece_ops_;
     std::vector<std::int64_t> op_place_, lane_place_;  ///< Of each op, ascending.
     std::vector<std::int32_t> skew_ops_;               ///< Ops of contacts, ascending.

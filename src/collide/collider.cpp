@@ -31,7 +31,8 @@ constexpr Bounds kNowhere{{4e30, 4e30, 4e30}, {-4e30, -4e30, -4e30}};
 
 /// Owners of lumps, see is_duplicate().
 void Collider::find_owners(int body_count) {
-    std::vector<std::int32_t> owner(at(body_count), -1);
+    std::vector<std::int32_t>& owner = of_body_;
+    owner.assign(at(body_count), -1);
     for (std::int32_t i = 0; i < count(); ++i) {
         Shape& s = shapes_[at(i)];
         if (!s.segment()) continue;
@@ -44,24 +45,28 @@ void Collider::find_owners(int body_count) {
 }
 
 /// The stretch between the two lumps of each segment: the one with the lowest id.
-void Collider::find_lines(const model::Interactions& interactions) {
-    using Line = std::array<std::int32_t, 3>;
-    std::vector<Line> lines;
-    for (std::int32_t i = 0; i < interactions.count(); ++i) {
-        const InteractionDef& d = interactions.def[at(i)];
-        if (!kind_info(d.kind).is(kWireElement) || interactions.gone(i)) continue;
-        const auto ends = std::minmax(d.body[0].index, d.body[1].index);
-        lines.push_back({ends.first, ends.second, i});
+void Collider::find_lines(const model::Interactions& interactions, int body_count) {
+    of_body_.assign(at(body_count), -1);  // last line whose lower end it is
+    lines_.clear();
+    for (int k = 0; k < kInteractionKindCount; ++k) {
+        if (!kind_info(static_cast<InteractionKind>(k)).is(kWireElement)) continue;
+        for (const std::int32_t id : interactions.pool[at(k)].ids) {
+            if (interactions.gone(id)) continue;
+            const std::int32_t* body = &interactions.body[kMaxInteractionBodies * at(id)];
+            std::int32_t& last = of_body_[at(std::min(body[0], body[1]))];
+            lines_.push_back({std::max(body[0], body[1]), id, last});
+            last = static_cast<std::int32_t>(lines_.size()) - 1;
+        }
     }
-    std::sort(lines.begin(), lines.end());
     for (Shape& s : shapes_) {
         s.line = -1;
         if (!s.segment()) continue;
-        const auto ends = std::minmax(s.body[0], s.body[1]);
-        const auto found =
-            std::lower_bound(lines.begin(), lines.end(), Line{ends.first, ends.second, 0});
-        if (found != lines.end() && (*found)[0] == ends.first && (*found)[1] == ends.second)
-            s.line = (*found)[2];
+        const std::int32_t other = std::max(s.body[0], s.body[1]);
+        for (std::int32_t k = of_body_[at(std::min(s.body[0], s.body[1]))]; k >= 0;
+             k = lines_[at(k)].before) {
+            const Line& line = lines_[at(k)];
+            if (line.other == other && (s.line < 0 || line.id < s.line)) s.line = line.id;
+        }
     }
     parted_ = &interactions.parted;
 }
@@ -69,16 +74,25 @@ void Collider::find_lines(const model::Interactions& interactions) {
 void Collider::prepare(const model::Bodies& bodies, const model::Interactions& interactions,
                        double h) {
     find_owners(bodies.count());
-    find_lines(interactions);
+    find_lines(interactions, bodies.count());
     filter_.build(shapes_, bodies.count(), interactions);
-    placed_.assign(shapes_.size(), Placed{});
-    for (std::size_t i = 0; i < shapes_.size(); ++i) {
-        placed_[i].geometry = shapes_[i].geometry;
-        if (shapes_[i].gone())
-            placed_[i].swept = kNowhere;
-        else
-            place(shapes_[i], bodies, h, margin, placed_[i]);
+    // Others stay as they were: collide() places all anew, and what the broad phase makes of their
+    // boxes here changes nothing but its time.
+    if (placed_.size() > shapes_.size()) placed_.resize(shapes_.size());
+    while (placed_.size() < shapes_.size()) {
+        new_.push_back(static_cast<std::int32_t>(placed_.size()));
+        resize_with_room(placed_, placed_.size() + 1);
     }
+    for (const std::int32_t s : new_) {
+        if (at(s) >= shapes_.size()) continue;
+        Placed& placed = placed_[at(s)] = {};
+        placed.geometry = shapes_[at(s)].geometry;
+        if (shapes_[at(s)].gone())
+            placed.swept = kNowhere;
+        else
+            place(shapes_[at(s)], bodies, h, margin, placed);
+    }
+    new_.clear();
     broad_.prepare(placed_);
 }
 
@@ -179,6 +193,7 @@ void Collider::remove(std::int32_t shape) noexcept {
     s.body[0] = s.body[1] = s.owner[0] = s.owner[1] = s.line = -1;
     data_[at(shape)].reset();
     places.vacate(shape);
+    new_.push_back(shape);
 }
 
 void Collider::truncate(std::int32_t kept) noexcept {

@@ -51,14 +51,18 @@ class Collider {
     /// index. @throws DefError for vertices without volume, std::bad_alloc.
     std::int32_t add(const ShapeDef& def, const model::Bodies& bodies);
     /// So that remove() does not throw. @throws std::bad_alloc.
-    void make_room() { places.make_room(); }
+    void make_room() {
+        places.make_room();
+        base::make_room(new_, shapes_.size() + 2);  // all of them may go
+    }
     /// Nothing touches it any more. What was remembered of its contacts is for the caller to
     /// forget: kept().
     void remove(std::int32_t shape) noexcept;
     /// Take away the places from `kept` on, whose shapes have touched nothing yet.
     void truncate(std::int32_t kept) noexcept;
     /// Whether the box of a shape, at the present poses and with the margin, meets that of another
-    /// one in the last collide(). @param f  Called with the other one.
+    /// one there: what is near must not depend on steps before. @param f  Called with the other
+    /// one.
     template <class F>
     void each_near(std::int32_t shape, const model::Bodies& bodies, double h, F&& f) const;
     base::Places places;
@@ -115,7 +119,7 @@ class Collider {
     void make_chunks(int tasks);
     void put_together(ContactSet& out, base::Executor& pool);
     void find_owners(int body_count);
-    void find_lines(const model::Interactions& interactions);
+    void find_lines(const model::Interactions& interactions, int body_count);
 
     std::vector<Shape> shapes_;
     std::vector<std::shared_ptr<const ShapeData>> data_;  ///< Of each shape, or null.
@@ -132,20 +136,32 @@ class Collider {
     BoundMet over_;
     bool finite_ = true;
     base::Array<std::uint8_t> drop_, taken_;
-    std::size_t held_ = 0;  ///< Bytes at the last count of growths.
+    std::vector<std::int32_t> new_;  ///< Shapes that came or went since prepare().
+    /// A piece of a line, listed at its end with the lower index.
+    struct Line {
+        std::int32_t other, id, before;  ///< `before`: in the same list, −1: none.
+    };
+    std::vector<Line> lines_;            ///< Scratch of prepare().
+    std::vector<std::int32_t> of_body_;  ///< Scratch of prepare().
+    std::size_t held_ = 0;               ///< Bytes at the last count of growths.
     std::int64_t growths_ = 0;
 };
 
 template <class F>
 void Collider::each_near(std::int32_t shape, const model::Bodies& bodies, double h, F&& f) const {
-    Placed own{};
-    own.geometry = shapes_[static_cast<std::size_t>(shape)].geometry;
-    place(shapes_[static_cast<std::size_t>(shape)], bodies, h, margin, own);
-    for (std::size_t i = 0; i < placed_.size() && i < shapes_.size(); ++i) {
-        const Bounds& box = placed_[i].swept;
-        bool meets = !shapes_[i].gone() && static_cast<std::int32_t>(i) != shape;
+    const auto now = [&](const Shape& s) {
+        Placed placed{};
+        placed.geometry = s.geometry;
+        place(s, bodies, h, margin, placed);
+        return placed.swept;
+    };
+    const Bounds own = now(shapes_[static_cast<std::size_t>(shape)]);
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+        if (shapes_[i].gone() || static_cast<std::int32_t>(i) == shape) continue;
+        const Bounds box = now(shapes_[i]);
+        bool meets = true;
         for (int k = 0; k < 3 && meets; ++k)
-            meets = box.low[k] <= own.swept.high[k] && own.swept.low[k] <= box.high[k];
+            meets = box.low[k] <= own.high[k] && own.low[k] <= box.high[k];
         if (meets) f(shapes_[i]);
     }
 }

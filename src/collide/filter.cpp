@@ -1,41 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "collide/filter.h"
 
-#include <utility>
+#include "base/index.h"
+
+#include <algorithm>
 
 namespace hawser::collide {
 namespace {
 
-using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
-
-Pairs joined_bodies(const std::vector<Shape>& shapes, const model::Interactions& interactions) {
-    Pairs pairs;
-    auto join = [&](std::int32_t a, std::int32_t b) {
-        pairs.emplace_back(a, b);
-        pairs.emplace_back(b, a);
-    };
+/// f(a, b) of each two bodies that a segment or a joint holds together.
+template <class F>
+void each_joined(const std::vector<Shape>& shapes, const model::Interactions& interactions, F&& f) {
     for (const Shape& s : shapes)
-        if (s.segment()) join(s.body[0], s.body[1]);
-    for (const InteractionDef& d : interactions.def)
-        if (kind_info(d.kind).is(kHoldsBodies) && d.body[0].valid())
-            join(d.body[0].index, d.body[1].index);
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    return pairs;
+        if (s.segment()) f(s.body[0], s.body[1]);
+    for (int k = 0; k < kInteractionKindCount; ++k) {
+        if (!kind_info(static_cast<InteractionKind>(k)).is(kHoldsBodies)) continue;
+        for (const std::int32_t id : interactions.pool[static_cast<std::size_t>(k)].ids) {
+            const std::int32_t* body = &interactions.body[kMaxInteractionBodies * at(id)];
+            if (!interactions.gone(id)) f(body[0], body[1]);
+        }
+    }
 }
 
 }  // namespace
 
 void Filter::build(const std::vector<Shape>& shapes, int body_count,
                    const model::Interactions& interactions) {
-    const Pairs pairs = joined_bodies(shapes, interactions);
-    begin_.assign(static_cast<std::size_t>(body_count) + 1, 0);
-    joined_.clear();
-    for (const auto& [body, other] : pairs) {
-        ++begin_[static_cast<std::size_t>(body) + 1];
-        joined_.push_back(other);
-    }
+    // Dealt out body by body, then sorted there, each once.
+    const auto n = static_cast<std::size_t>(body_count);
+    begin_.assign(n + 1, 0);
+    each_joined(shapes, interactions, [&](std::int32_t a, std::int32_t b) {
+        ++begin_[at(a) + 1];
+        ++begin_[at(b) + 1];
+    });
     for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+    joined_.resize(at(begin_.back()));
+    cursor_.assign(begin_.begin(), begin_.end());
+    each_joined(shapes, interactions, [&](std::int32_t a, std::int32_t b) {
+        joined_[at(cursor_[at(a)]++)] = b;
+        joined_[at(cursor_[at(b)]++)] = a;
+    });
+    auto to = joined_.begin();
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto first = joined_.begin() + begin_[i];
+        std::sort(first, joined_.begin() + cursor_[i]);
+        begin_[i] = static_cast<std::int32_t>(to - joined_.begin());
+        to = std::unique_copy(first, joined_.begin() + cursor_[i], to);
+    }
+    begin_[n] = static_cast<std::int32_t>(to - joined_.begin());
+    joined_.erase(to, joined_.end());
     entries_.clear();
     for (const Shape& s : shapes)
         entries_.push_back({{s.body[0], s.body[1]}, s.group, s.touches, s.moves});

@@ -49,6 +49,7 @@ class Filter {
 
     std::vector<Entry> entries_;
     std::vector<std::int32_t> begin_, joined_;  ///< Bodies joined to each body, ascending.
+    std::vector<std::int32_t> cursor_;          ///< Scratch of build().
 };
 
 }  // namespace hawser::collide

@@ -39,17 +39,19 @@ std::int32_t Collider::add(const ShapeDef& def, const model::Bodies& bodies) {
     s.geometry.data = data.get();
     base::make_room(data_, 1);
     base::make_room(shapes_, 1);
-    places.make_room();
+    make_room();
     const std::int32_t place = places.find_vacant([](std::int32_t) { return true; });
     if (place >= 0) {
         places.take(place);
         data_[at(place)] = std::move(data);
         shapes_[at(place)] = s;
+        new_.push_back(place);
         return place;
     }
     data_.push_back(std::move(data));
     shapes_.push_back(s);
-    return places.append();
+    new_.push_back(places.append());
+    return new_.back();
 }
 
 }  // namespace hawser::collide

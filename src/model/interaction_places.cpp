@@ -78,6 +78,7 @@ void Interactions::make_room(InteractionKind kind) {
           &residual, &lambda, &multiplier, &force})
         base::make_room(*a, kMaxInteractionRows);
     base::make_room(row_flags, kMaxInteractionRows);
+    base::make_room(kinds, 1);
 }
 
 int Interactions::add(InteractionDef filled, const Bodies& bodies_in, double h) {
@@ -109,15 +110,16 @@ void Interactions::set_loads(int id, const std::array<FrictionLoad, kMaxFriction
 }
 
 /// Room for one more of a kind, without a value.
-void Interactions::grow(InteractionKind kind) {
+void Interactions::grow(InteractionKind of) {
     const auto id = static_cast<std::int32_t>(def.size());
     const auto n = at(id) + 1;
     def.emplace_back();
-    Pool& p = pool[static_cast<std::size_t>(kind)];
+    kinds.push_back(of);
+    Pool& p = pool[static_cast<std::size_t>(of)];
     pool_index.push_back(static_cast<std::int32_t>(p.ids.size()));
     p.ids.push_back(id);
     bool geometric = false;
-    generic::with_kind(kind, [&]<class K>() {
+    generic::with_kind(of, [&]<class K>() {
         static_assert(sizeof(typename K::Data) % sizeof(double) == 0);
         p.stride = sizeof(typename K::Data);
         geometric = K::kGeometry != generic::Geometry::none;
@@ -127,7 +129,7 @@ void Interactions::grow(InteractionKind kind) {
     load_begin.push_back(-1);
     row_begin.push_back(row_count);
     jac_begin.push_back(0);
-    row_count += kind_info(kind).rows;
+    row_count += kind_info(of).rows;
     body.resize(kMaxInteractionBodies * n);
     for (base::Array<std::uint8_t>* a :
          {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
@@ -277,6 +279,7 @@ void Interactions::truncate(int kept) {
     geo_count -= static_cast<std::int32_t>(
         std::count_if(geo.begin() + kept, geo.end(), [](std::int32_t i) { return i >= 0; }));
     def.resize(n);
+    kinds.resize(n);
     pool_index.resize(n);
     body.resize(kMaxInteractionBodies * n);
     for (base::Array<std::uint8_t>* a :

@@ -88,7 +88,8 @@ struct Interactions {
     std::vector<std::int32_t> pool_index;  ///< Of each id in its pool.
 
     // By interaction.
-    base::Array<std::int32_t> body;  ///< kMaxInteractionBodies an id; −1 behind the last.
+    base::Array<InteractionKind> kinds;  ///< That of `def`, or of what was there; stays.
+    base::Array<std::int32_t> body;      ///< kMaxInteractionBodies an id; −1 behind the last.
     base::Array<std::uint8_t> bodies, rows, flags;
     base::Array<std::int32_t> row_begin;
     base::Array<std::int32_t> jac_begin;  ///< Set by the analysis.
@@ -218,6 +219,8 @@ struct Interactions {
 /// that the step does not resolve at the poses of the last analysis.
 [[nodiscard]] bool may_complete(const Interactions& in, int id, double h) noexcept;
 
+/// Whether a kind allows that.
+[[nodiscard]] bool kind_completes(InteractionKind kind) noexcept;
 /// Whether its kind and inputs allow that, whatever its rows are.
 [[nodiscard]] bool may_ever_complete(const Interactions& in, int id) noexcept;
 

@@ -21,13 +21,16 @@ bool is_stiff_damper(const Interactions& in, int id, double h) noexcept {
 
 }  // namespace
 
-bool may_ever_complete(const Interactions& in, int id) noexcept {
-    if (in.gone(id)) return false;
-    bool kind = false;
-    generic::with_kind(in.def[at(id)].kind, [&]<class K>() {
-        if constexpr (requires { K::kCompletes; }) kind = K::kCompletes;
+bool kind_completes(InteractionKind kind) noexcept {
+    bool completes = false;
+    generic::with_kind(kind, [&]<class K>() {
+        if constexpr (requires { K::kCompletes; }) completes = K::kCompletes;
     });
-    return kind && (in.flags[at(id)] & kByInput) == 0;
+    return completes;
+}
+
+bool may_ever_complete(const Interactions& in, int id) noexcept {
+    return !in.gone(id) && kind_completes(in.kinds[at(id)]) && (in.flags[at(id)] & kByInput) == 0;
 }
 
 bool may_complete(const Interactions& in, int id, double h) noexcept {

@@ -58,7 +58,7 @@ void count_analysis(StepContext& ctx) noexcept {
     const factor::RepairReport& report = ctx.system.report();
     ++(report.replanned ? s.plans : s.repairs);
     if (!report.replanned) s.columns_repaired += report.columns;
-    ++s.growths;
+    if (ctx.system.grew(ctx.bodies.bytes() + ctx.interactions.bytes())) ++s.growths;
 }
 
 void finish_preparation(StepContext& ctx) {

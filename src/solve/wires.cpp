@@ -20,8 +20,8 @@ constexpr double kCreditSteps = 240.0;
 
 bool is_element(const StepContext& ctx, std::int32_t id) {
     const model::Interactions& in = ctx.interactions;
-    const KindInfo& kind = kind_info(in.def[at(id)].kind);
     if (in.gone(id)) return false;
+    const KindInfo& kind = kind_info(in.kinds[at(id)]);
     if (!kind.is(kAlongLine) || kind.is(kWoundUp)) return false;
     // A rod is none, but a spring between two points.
     if (!kind.is(kWireElement) &&

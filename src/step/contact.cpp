@@ -69,12 +69,15 @@ void ask_for_acceleration(nonsmooth::Resistance& a) noexcept {
 }  // namespace
 
 void prepare_contacts(StepContext& ctx) {
-    std::vector<std::int32_t> touching;
+    std::vector<std::uint8_t>& touches = ctx.sleep.mark;  // scratch here as there
+    touches.assign(at(ctx.bodies.count()), 0);
     for (const collide::Shape& s : ctx.collider.shapes())
         for (const std::int32_t b : s.body)
-            if (b >= 0) touching.push_back(b);
-    std::sort(touching.begin(), touching.end());
-    touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+            if (b >= 0) touches[at(b)] = 1;
+    std::vector<std::int32_t>& touching = ctx.columns;  // scratch, too
+    touching.clear();
+    for (std::int32_t b = 0; b < ctx.bodies.count(); ++b)
+        if (touches[at(b)] != 0) touching.push_back(b);
     ctx.system.contacts.set_bodies(touching, ctx.bodies);
 }
 

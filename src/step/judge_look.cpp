@@ -243,7 +243,7 @@ void prepare_judge(StepContext& ctx) {
     d.line.clear();
     d.lines.clear();
     for (std::int32_t id = 0; id < interaction_count(ctx); ++id) {
-        const KindInfo& kind = kind_info(in.def[at(id)].kind);
+        const KindInfo& kind = kind_info(in.kinds[at(id)]);
         if (in.rest_length[at(id)] > 0.0) d.lines.push_back(id);
         if (in.flags[at(id)] & model::kFriction) continue;  // counted as driven
         double size = std::numeric_limits<double>::infinity();

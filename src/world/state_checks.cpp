@@ -101,7 +101,9 @@ void check_interactions(const stepper::StepContext& ctx, const SavedState& s) {
     flags(s.interactions.saturated, "which motors are at a limit");
     flags(s.interactions.repeats, "which joints repeat each other");
     for (std::size_t i = 0; i < s.interactions.parted.size(); ++i)
-        if (s.interactions.parted[i] != 0 && (ctx.interactions.flags[i] & model::kBreakable) == 0)
+        if (s.interactions.parted[i] != 0 &&
+            (ctx.interactions.gone(static_cast<int>(i)) ||
+             !kind_info(ctx.interactions.def[i].kind).is(kWireElement)))
             refuse_state("what cannot part has parted" + entry(i));
 }
 

@@ -6,13 +6,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 namespace hawser::test {
 namespace {
 
 constexpr std::size_t kMostBodies = 60, kMostInteractions = 80;
+constexpr int kMostSystems = 4;
+constexpr double kFar = 30.0;  ///< What has been thrown so far is joined to nothing [m].
 
 }  // namespace
 
@@ -20,7 +21,7 @@ Editor::Editor(std::uint64_t seed, std::vector<World*> worlds)
     : random_(seed), worlds_(std::move(worlds)) {
     floor_ = add(BodyDef{.name = "floor", .kind = BodyKind::fixed});
     add(ShapeDef{.kind = ShapeKind::plane, .body = floor_});
-    for (int i = 0; i < 8; ++i) add_box();
+    for (int i = 0; i < 8; ++i) (void)add_box();
 }
 
 BodyId Editor::add(const BodyDef& def) {
@@ -39,13 +40,7 @@ void Editor::add(const ShapeDef& def) {
     for (World* w : worlds_) (void)w->add_shape(def);
 }
 
-/// The floor included.
-BodyId Editor::any_body() {
-    const auto ids = first().bodies();
-    return ids[static_cast<std::size_t>(random_.integer(0, static_cast<int>(ids.size()) - 1))];
-}
-
-void Editor::add_box() {
+bool Editor::add_box() {
     const Vec3 half(random_.uniform(0.1, 0.4), random_.uniform(0.1, 0.4),
                     random_.uniform(0.1, 0.4));
     const double mass = random_.uniform(10.0, 200.0);
@@ -58,17 +53,36 @@ void Editor::add_box() {
     if (random_.unit() < 0.5) def.name = "box " + std::to_string(names_++);
     const BodyId id = add(def);
     add(ShapeDef{.kind = ShapeKind::box, .body = id, .half_size = half});
+    return true;
+}
+
+/// Mostly a box.
+bool Editor::add_body() {
+    const double which = random_.unit();
+    if (which < 0.7) return add_box();
+    const Vec3 x(random_.uniform(-4, 4), random_.uniform(-4, 4), random_.uniform(0.5, 3.0));
+    if (which < 0.85) {
+        const BodyId id = add(BodyDef{.kind = BodyKind::lump, .position = x, .mass = 20.0});
+        add(ShapeDef{.kind = ShapeKind::sphere, .body = id, .radius = 0.1});
+    } else if (which < 0.95) {
+        BodyDef def{.kind = BodyKind::kinematic, .position = x};
+        def.angular_velocity = {0, 0, 0.2};
+        add(def);
+    } else {
+        add(BodyDef{.kind = BodyKind::scalar, .mass = 3.0});
+    }
+    return true;
 }
 
 /// A joint half-way between two bodies, or a rod.
-void Editor::add_joint() {
+bool Editor::add_joint() {
     const BodyId a = any_body(), b = any_body();
     const auto rigid = [&](BodyId id) {
         const BodyKind kind = first().body_def(id).kind;
         return kind == BodyKind::rigid || kind == BodyKind::fixed;
     };
     const auto moves = [&](BodyId id) { return first().body_def(id).kind == BodyKind::rigid; };
-    if (a == b || !rigid(a) || !rigid(b) || !(moves(a) || moves(b))) return;
+    if (a == b || !rigid(a) || !rigid(b) || !(moves(a) || moves(b))) return false;
     constexpr InteractionKind kKinds[] = {InteractionKind::Ball, InteractionKind::Hinge,
                                           InteractionKind::Lock, InteractionKind::Distance};
     InteractionDef def;
@@ -83,118 +97,107 @@ void Editor::add_joint() {
         def.frame[k] = p.orientation.conjugate();
     }
     const double apart = (first().pose(a).position - first().pose(b).position).norm();
-    if (def.kind == InteractionKind::Distance && apart < 0.2) return;
+    if (apart > kFar || (def.kind == InteractionKind::Distance && apart < 0.2)) return false;
     add(def);
+    return true;
 }
 
-/// From the sky: lumps, stretches between them, and segments that touch.
-void Editor::add_wire() {
-    const Vec3 top(random_.uniform(-4, 4), random_.uniform(-4, 4), 4.0);
-    BodyId last = add(BodyDef{.kind = BodyKind::fixed, .position = top});
-    for (int i = 1; i <= 3; ++i) {
-        const BodyId next = add(BodyDef{
-            .kind = BodyKind::lump, .position = top - Vec3(0.05 * i, 0.0, 0.6 * i), .mass = 5.0});
-        InteractionDef def;
-        def.kind = InteractionKind::Stretch;
-        def.body = {last, next};
-        add(def.set("EA", 1e6).set("length", 0.602));
-        add(ShapeDef{.kind = ShapeKind::capsule, .body = last, .body_b = next, .radius = 0.03});
-        last = next;
-    }
-}
-
-void Editor::add_shape() {
+bool Editor::add_shape() {
     const BodyId b = any_body();
-    if (first().body_def(b).kind != BodyKind::rigid) return;
+    if (first().body_def(b).kind != BodyKind::rigid) return false;
     add(ShapeDef{.kind = ShapeKind::sphere, .body = b, .radius = random_.uniform(0.1, 0.5)});
+    return true;
 }
 
-void Editor::add_input() {
+/// Of a rod's length, or a force on a body.
+bool Editor::add_input() {
+    InputDef def{.name = "input " + std::to_string(names_++)};
     const auto all = first().interactions();
-    if (all.empty()) return;
-    const InteractionId id =
-        all[static_cast<std::size_t>(random_.integer(0, static_cast<int>(all.size()) - 1))];
-    if (first().interaction_def(id).kind != InteractionKind::Distance) return;
-    const InputDef def{.name = "length " + std::to_string(names_++),
-                       .interaction = id,
-                       .param = "length",
-                       .min = 0.1,
-                       .max = 20.0};
+    if (random_.chance(0.5) && !all.empty()) {
+        def.interaction = any(all);
+        if (first().interaction_def(def.interaction).kind != InteractionKind::Distance)
+            return false;
+        def.param = "length";
+        def.min = 0.1;
+        def.max = 20.0;
+    } else {
+        def.body = any_body();
+        const BodyKind kind = first().body_def(def.body).kind;
+        if (kind != BodyKind::rigid && kind != BodyKind::lump) return false;
+        def.min = -50.0;
+        def.max = 50.0;
+    }
     InputId input;
     for (World* w : worlds_) input = w->add_input(def);
     inputs_.push_back(input);
+    return true;
 }
 
-void Editor::remove_body() {
-    const BodyId b = any_body();
-    if (b == floor_) return;
-    std::size_t went = 0;
-    for (World* w : worlds_) {
-        const Removed& removed = w->remove_body(b);
-        const std::size_t all =
-            removed.interactions.size() + removed.shapes.size() + removed.inputs.size();
-        if (w == worlds_.front()) went = all;
-        EXPECT_EQ(all, went);
-    }
-    gone_.push_back(b);
-}
-
-void Editor::remove_interaction() {
-    const auto all = first().interactions();
-    if (all.empty()) return;
-    const InteractionId id =
-        all[static_cast<std::size_t>(random_.integer(0, static_cast<int>(all.size()) - 1))];
-    for (World* w : worlds_) (void)w->remove_interaction(id);
-}
-
-void Editor::remove_shape() {
-    const auto all = first().shapes();
-    const ShapeId id =
-        all[static_cast<std::size_t>(random_.integer(0, static_cast<int>(all.size()) - 1))];
-    if (first().shape_def(id).body == floor_) return;
-    for (World* w : worlds_) (void)w->remove_shape(id);
-}
-
-/// Changes a length a little, or takes the input away.
-void Editor::set_input() {
+/// Changes a length a little, or pushes.
+bool Editor::set_input() {
     std::erase_if(inputs_, [&](InputId id) { return !first().alive(id); });
-    if (inputs_.empty()) return;
-    const std::size_t k =
-        static_cast<std::size_t>(random_.integer(0, static_cast<int>(inputs_.size()) - 1));
-    const InputId id = inputs_[k];
-    if (random_.unit() < 0.3) {
-        for (World* w : worlds_) (void)w->remove_input(id);
-        return;
-    }
-    const double value = first().input(id) + random_.uniform(-0.01, 0.01);
+    if (inputs_.empty()) return false;
+    const InputId id = any(std::span<const InputId>(inputs_));
+    const double value = first().input_def(id).interaction.valid()
+                             ? first().input(id) + random_.uniform(-0.01, 0.01)
+                             : random_.uniform(-60.0, 60.0);
     for (World* w : worlds_) w->set_input(id, value);
+    return true;
+}
+
+bool Editor::set_any() {
+    if (random_.chance(0.5)) return set_input();
+    const BodyId b = any_body();
+    const BodyKind kind = first().body_def(b).kind;
+    if (kind != BodyKind::rigid && kind != BodyKind::lump) return false;
+    const Vec3 force = random_.vector(200.0);
+    for (World* w : worlds_) w->set_force(b, force, Vec3::Zero());
+    return true;
+}
+
+bool Editor::act(Edit kind) {
+    switch (kind) {
+        case Edit::body:
+            return add_body();
+        case Edit::joint:
+            return add_joint();
+        case Edit::wire:
+            return random_.chance(0.3) ? add_chain() : add_wire();
+        case Edit::shape:
+            return add_shape();
+        case Edit::input:
+            return add_input();
+        case Edit::system:
+            return first().system_count() < kMostSystems ? add_system() : remove_system();
+        case Edit::part:
+            return part_wire();
+        case Edit::remove:
+            return remove_any();
+        default:
+            return set_any();
+    }
 }
 
 void Editor::edit() {
-    ++edits_;
-    const bool full =
-        first().bodies().size() > kMostBodies || first().interactions().size() > kMostInteractions;
-    switch (random_.integer(full ? 5 : 0, 9)) {
-        case 0:
-        case 1:
-            return add_box();
-        case 2:
-            return add_joint();
-        case 3:
-            return add_wire();
-        case 4:
-            return add_shape();
-        case 5:
-            return add_input();
-        case 6:
-            return remove_body();
-        case 7:
-            return remove_interaction();
-        case 8:
-            return remove_shape();
-        default:
-            return set_input();
+    for (;;) {
+        const bool full = first().bodies().size() > kMostBodies ||
+                          first().interactions().size() > kMostInteractions;
+        auto kind = static_cast<Edit>(random_.integer(0, static_cast<int>(Edit::count) + 2));
+        if (kind >= Edit::count || (full && kind < Edit::input)) kind = Edit::remove;
+        if (!act(kind)) continue;  // nothing to do
+        ++edits_;
+        ++done_[static_cast<std::size_t>(kind)];
+        return;
     }
+}
+
+std::string Editor::summary() const {
+    constexpr std::string_view kNames[] = {"bodies",  "joints",   "wires",    "shapes",  "inputs",
+                                           "systems", "partings", "removals", "settings"};
+    std::string out;
+    for (std::size_t k = 0; k < done_.size(); ++k)
+        out += (k == 0 ? "" : ", ") + std::to_string(done_[k]) + " " + std::string(kNames[k]);
+    return out;
 }
 
 }  // namespace hawser::test

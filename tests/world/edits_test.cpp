@@ -2,10 +2,8 @@
 /// What comes and goes between steps: ids, what hangs on what, energy, sleep, the same bits.
 #include <hawser/hawser.h>
 
-#include "support/editor.h"
 #include "support/recipe.h"
 #include "support/sleep_yard.h"
-#include "support/yard.h"
 
 #include <gtest/gtest.h>
 
@@ -178,31 +176,63 @@ TEST(Edits, OnlyWhatAnEditTouchesWakes) {
     EXPECT_EQ(y.asleep().substr(0, 9), "zzzzzzzzz");
 }
 
-/// The same bits for any number of threads, and of a world that goes on from a snapshot.
-TEST(Edits, AtRandomGiveTheSameBits) {
-    std::vector<World> worlds;
-    for (const int threads : {1, 2, 4}) {
-        WorldDef def{.threads = threads, .on_diverged = OnDiverged::warn};
-        def.sleep_after = 0.3;
-        worlds.emplace_back(def);
+/// What a new shape wakes is what is near it now, not what was near before the last step: a twin
+/// knows nothing of that.
+TEST(Edits, WhatIsNearDoesNotDependOnStepsBefore) {
+    WorldDef def;
+    def.sleep_after = 0.2;
+    World w(def);
+    const BodyId ground = w.add_body({.name = "ground", .kind = BodyKind::fixed});
+    w.add_body({.name = "sleeper",
+                .kind = BodyKind::lump,
+                .position = {0, 50, 0},
+                .mass = 1.0,
+                .gravity = false});
+    for (int i = 0; i < 30; ++i) ASSERT_EQ(w.step(), Status::ok);
+    ASSERT_TRUE(w.asleep(w.find_body("sleeper")));
+    const double slow = 0.5 * def.sleep_speed, radius = 0.1;
+    BodyDef drifting{.name = "drifting", .kind = BodyKind::lump, .mass = 1.0, .gravity = false};
+    drifting.velocity = {slow, 0, 0};
+    const BodyId body = w.add_body(drifting);
+    w.add_shape({.kind = ShapeKind::sphere, .body = body, .radius = radius});
+    for (int i = 0; i < 5; ++i) ASSERT_EQ(w.step(), Status::ok);
+    // Where the boxes meet, some steps' ways before and behind.
+    const double way = slow * def.step,
+                 meets = w.pose(body).position.x() + way + 2.0 * radius + def.contact_margin;
+    for (int k = -10; k <= 10; ++k) {
+        World a = w.twin(), b = w.twin();
+        ASSERT_EQ(a.step(), Status::ok);
+        b.restore(a.save());
+        for (World* world : {&a, &b})
+            world->add_shape({.kind = ShapeKind::sphere,
+                              .body = ground,
+                              .position = {meets + 0.2 * k * way, 0, 0},
+                              .radius = radius});
+        EXPECT_EQ(a.save(), b.save()) << k;
     }
-    Editor editor(7, {&worlds[0], &worlds[1], &worlds[2]});
-    for (int step = 0; step < 120; ++step) {
-        for (int k = 0; k < 3; ++k) editor.edit();
-        for (World& w : worlds) ASSERT_EQ(w.step(), Status::ok) << step;
-        ASSERT_EQ(worlds[1].state_hash(), worlds[0].state_hash()) << "2 threads, step " << step;
-        ASSERT_EQ(worlds[2].state_hash(), worlds[0].state_hash()) << "4 threads, step " << step;
-        if (step % 30 != 17) continue;
-        const auto saved = worlds[0].save();
-        World twin = worlds[0].twin();
-        ASSERT_EQ(twin.state_hash(), worlds[0].state_hash());
-        twin.restore(saved);
-        ASSERT_EQ(twin.state_hash(), worlds[0].state_hash());
-        worlds[2] = std::move(twin);
+}
+
+/// What comes and goes again and again takes the memory that it had, and the order of elimination
+/// is repaired, not made anew.
+TEST(Edits, GrowNothingOnceWarm) {
+    World w = wire(120).make();
+    for (int i = 0; i < 3; ++i) ASSERT_EQ(w.step(), Status::ok);
+    const BodyId end = w.bodies().back();
+    StepStats before;
+    for (int round = 0; round < 40; ++round) {
+        if (round == 5) before = w.stats();
+        BodyDef def = stone("x", 0);
+        def.position = w.pose(end).position - Vec3(0, 0, 1);
+        const BodyId x = w.add_body(def);
+        (void)w.add_interaction(rod(end, x));
+        (void)w.add_shape({.kind = ShapeKind::sphere, .body = x, .radius = 0.1});
+        ASSERT_EQ(w.step(), Status::ok);
+        (void)w.remove_body(x);
+        ASSERT_EQ(w.step(), Status::ok);
     }
-    for (const BodyId id : editor.gone()) EXPECT_THROW((void)worlds[0].pose(id), DefError);
-    EXPECT_GT(editor.gone().size(), 20U);
-    EXPECT_EQ(not_finite(worlds[0]), "");
+    EXPECT_EQ(w.stats().growths, before.growths);
+    EXPECT_EQ(w.stats().plans, before.plans);
+    EXPECT_GE(w.stats().repairs, before.repairs + 70);
 }
 
 }  // namespace

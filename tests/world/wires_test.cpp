@@ -71,6 +71,22 @@ TEST(Wires, PartWhereTheyAreTold) {
     EXPECT_THROW(w.part(InteractionId{99}), DefError);
 }
 
+/// Without a breaking load, too: its snapshots are states that a world can have.
+TEST(Wires, PartedOnesAreSavedAndRestored) {
+    Hanging h;
+    for (int i = 0; i < 10; ++i) ASSERT_EQ(h.w.step(), Status::ok);
+    h.w.part(h.wire, 25.0);
+    ASSERT_EQ(h.w.step(), Status::ok);
+    const auto saved = h.w.save();
+    const std::uint64_t hash = h.w.state_hash();
+    ASSERT_EQ(h.w.step(), Status::ok);
+    h.w.restore(saved);
+    EXPECT_EQ(h.w.state_hash(), hash);
+    World twin = h.w.twin();
+    EXPECT_EQ(twin.state_hash(), hash);
+    EXPECT_FALSE(twin.intact(twin.elements(h.wire)[2]));
+}
+
 TEST(Wires, TakeTheirPiecesWithThem) {
     Hanging h;
     World& w = h.w;

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// hawser-bench edits: what it costs to add and remove while a world runs.
+#include <hawser/scene.h>
+#include "commands.h"
+#include "verdict.h"
+
+#include <fmt/core.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <fstream>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace hawser::bench {
+namespace {
+
+constexpr const char* kEditsFooter =
+    R"(Before each second step one edit: a lump on a line, a line between two hulls, a shape, a wire of ten
+elements, each added, and removed two steps later. The time of a step with an edit includes the edit
+itself. Figures count after so many rounds of all edits as warm up. Exit code 1 where a bar is
+missed: the median step with an edit at most 1.3 times that of a step without, no new plan, no
+growth (scenes/anchor_contact.json).)";
+
+/// One thing that comes and goes.
+struct Coming {
+    const char* name;
+    std::function<void()> add, remove;
+    std::vector<double> seconds = {};  ///< Of steps with one of both.
+};
+
+double middle_of(std::vector<double> all) {
+    if (all.empty()) return 0.0;
+    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+    std::nth_element(all.begin(), middle, all.end());
+    return *middle;
+}
+
+/// What edits take part in: two hulls, and what was added last.
+struct Edited {
+    explicit Edited(World& w) : world(w) {
+        for (const BodyId b : w.bodies())
+            if (w.body_def(b).kind == BodyKind::rigid) hulls.push_back(b);
+        if (hulls.size() < 2) throw std::runtime_error("the scene has no two rigid bodies");
+    }
+    [[nodiscard]] InteractionDef line(BodyId a, BodyId b) const {
+        InteractionDef d;
+        d.kind = InteractionKind::Stretch;
+        d.body = {a, b};
+        const double apart = (world.pose(a).position - world.pose(b).position).norm();
+        return d.set("EA", 1e5).set("length", 1.01 * apart);
+    }
+    void add_lump() {
+        const Vec3 below = world.pose(hulls[0]).position - Vec3(0, 0, 15);
+        body = world.add_body({.kind = BodyKind::lump, .position = below, .mass = 100.0});
+        (void)world.add_interaction(line(hulls[0], body));
+    }
+    void add_wire() {
+        WireDef def;
+        def.name = "edited";
+        def.from = hulls[0];
+        def.length = 30.0;
+        def.EA = 1e6;
+        def.mass_per_length = 20.0;
+        wire = world.add_wire(def);
+    }
+
+    World& world;
+    std::vector<BodyId> hulls;
+    BodyId body{};
+    InteractionId joint{};
+    ShapeId shape{};
+    WireId wire{};
+};
+
+struct EditFigures {
+    double plain_ms = 0.0, edit_ms = 0.0;
+    std::int64_t plans = 0, repairs = 0, growths = 0;
+    std::size_t bytes = 0;  ///< How many more the world holds at the end.
+};
+
+double timed_step(World& world, const std::function<void()>& before) {
+    const auto start = std::chrono::steady_clock::now();
+    if (before) before();
+    if (world.step() != Status::ok) throw std::runtime_error("a step failed");
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+EditFigures measure_edits(World& world, std::vector<Coming>& kinds, int warm, int rounds) {
+    std::vector<double> plain, with;
+    StepStats before;
+    std::size_t held = 0;
+    for (int round = 0; round < warm + rounds; ++round) {
+        if (round == warm) {
+            before = world.stats();
+            held = world.memory_bytes();
+        }
+        for (Coming& kind : kinds)
+            for (const auto* edit : {&kind.add, &kind.remove}) {
+                const double seconds = timed_step(world, *edit);
+                const double other = timed_step(world, nullptr);
+                if (round < warm) continue;
+                kind.seconds.push_back(seconds);
+                with.push_back(seconds);
+                plain.push_back(other);
+            }
+    }
+    const StepStats& s = world.stats();
+    return {1e3 * middle_of(plain),     1e3 * middle_of(with),
+            s.plans - before.plans,     s.repairs - before.repairs,
+            s.growths - before.growths, std::max(world.memory_bytes(), held) - held};
+}
+
+}  // namespace
+
+int edits_command(int argc, char** argv) {
+    CLI::App app("What it costs to add and remove while a world runs.", "hawser-bench edits");
+    app.footer(kEditsFooter);
+    std::string file = "scenes/anchor_contact.json", json;
+    int steps = 120, warm = 3, rounds = 25;
+    app.add_option("SCENE", file, "Scene file")->capture_default_str();
+    app.add_option("--steps", steps, "Steps before")->check(CLI::Range(1, 1000000));
+    app.add_option("--warm", warm, "Rounds before it counts")->check(CLI::Range(0, 100000));
+    app.add_option("--rounds", rounds, "Rounds of all edits")->check(CLI::Range(1, 100000));
+    app.add_option("--json", json, "Write the figures to this file");
+    CLI11_PARSE(app, argc, argv);
+
+    scene::Scene scene = scene::load_file(file);
+    World& world = scene.world;
+    for (int i = 0; i < steps; ++i) (void)timed_step(world, nullptr);
+    Edited e(world);
+    std::vector<Coming> kinds{
+        {"lump", [&] { e.add_lump(); }, [&] { (void)world.remove_body(e.body); }},
+        {"line", [&] { e.joint = world.add_interaction(e.line(e.hulls[0], e.hulls[1])); },
+         [&] { (void)world.remove_interaction(e.joint); }},
+        {"shape",
+         [&] {
+             e.shape =
+                 world.add_shape({.kind = ShapeKind::sphere, .body = e.hulls[0], .radius = 0.5});
+         },
+         [&] { (void)world.remove_shape(e.shape); }},
+        {"wire", [&] { e.add_wire(); }, [&] { (void)world.remove_wire(e.wire); }}};
+    const EditFigures f = measure_edits(world, kinds, warm, rounds);
+    fmt::print("{}: {} bodies, {} interactions, {} shapes; a step {:.3g} ms, {}\n", file,
+               world.bodies().size(), world.interactions().size(), world.shapes().size(),
+               f.plain_ms, instruction_set());
+    nlohmann::json each;
+    for (const Coming& kind : kinds) {
+        const double ms = 1e3 * middle_of(kind.seconds);
+        fmt::print("  {:<6} {:.3g} ms, {:.3g} times a step without\n", kind.name, ms,
+                   ms / f.plain_ms);
+        each[kind.name] = ms;
+    }
+    fmt::print("  {} repairs, {} bytes more\n", f.repairs, f.bytes);
+    const double ratio = f.edit_ms / f.plain_ms;
+    Verdict verdict;
+    verdict.ask("edit", "", ratio <= 1.3,
+                fmt::format("a step with an edit {:.3g} ms, {:.3g} times one without, to be 1.3",
+                            f.edit_ms, ratio));
+    verdict.ask("plans", "", f.plans == 0, fmt::format("{} new plans, to be none", f.plans));
+    verdict.ask("growths", "", f.growths == 0, fmt::format("{} growths, to be none", f.growths));
+    if (!json.empty()) {
+        const nlohmann::json figures{
+            {"scene", file},        {"step_ms", f.plain_ms}, {"edit_ms", f.edit_ms},
+            {"kinds_ms", each},     {"plans", f.plans},      {"repairs", f.repairs},
+            {"growths", f.growths}, {"more_bytes", f.bytes}, {"bars", verdict.json()}};
+        std::ofstream(json) << figures.dump(2) << '\n';
+    }
+    return verdict.exit_code();
+}
+
+}  // namespace hawser::bench

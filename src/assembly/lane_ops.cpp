@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Ops of several lanes of one batch step become one.
+#include "assembly/system.h"
+#include "base/index.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace hawser::assembly {
+namespace {
+
+/// What ops of several lanes have in common, in one number; of a joint whose slots may change
+/// places (`turns`) whichever comes first.
+std::uint64_t lane_key(const Op& op, std::uint8_t rows, bool turns) noexcept {
+    const bool swap = turns && op.a > op.b;
+    const std::uint8_t parts[] = {static_cast<std::uint8_t>(op.kind),
+                                  swap ? op.b : op.a,
+                                  swap ? op.a : op.b,
+                                  op.dof_a,
+                                  op.dof_b,
+                                  op.width,
+                                  rows};
+    std::uint64_t key = 0;
+    for (const std::uint8_t part : parts) key = key << 8 | part;
+    return key;
+}
+
+LaneOp lane_op(const Op& op, std::int64_t address, std::uint8_t rows) noexcept {
+    LaneOp l{};
+    l.address = address;
+    l.step = op.step;
+    l.kind = op.kind;
+    l.a = op.a;
+    l.b = op.b;
+    l.dof_a = op.dof_a;
+    l.dof_b = op.dof_b;
+    l.width = op.width;
+    l.rows = rows;
+    l.to_b = op.jac_b - op.jac_a;
+    return l;
+}
+
+}  // namespace
+
+/// Ops of one batch step: those that do the same in several lanes become one.
+void System::share_lanes(std::span<const Op> together, std::int64_t place,
+                         const model::Interactions& in) {
+    const auto first = static_cast<std::ptrdiff_t>(lane_ops.size());
+    lane_keys_.clear();  // of each new lane op
+    for (std::size_t i = 0; i < together.size(); ++i) {
+        const Op& op = together[i];
+        if (op.kind == Op::contact) {
+            ops.push_back(op);
+            continue;
+        }
+        const auto lane = static_cast<std::size_t>((op.address - place) % factor::kLaneCount);
+        const std::uint8_t rows = op.kind == Op::body_block ? 0 : in.rows[at(op.id)];
+        const std::int64_t base = op.address - static_cast<std::int64_t>(lane);
+        // A chain that is eliminated the other way round has its joints' slots changed.
+        const bool turns = op.kind == Op::condensed && op.width == 0 && op.a != op.b;
+        const LaneKey key{base, lane_key(op, rows, turns), op.jac_b - op.jac_a, 0, i};
+        auto same = [&](const LaneKey& k) {
+            return k.address == key.address && k.what == key.what && k.to_b == key.to_b &&
+                   (k.used >> lane & 1) == 0;
+        };
+        auto found = std::find_if(lane_keys_.begin(), lane_keys_.end(), same);
+        if (found == lane_keys_.end()) {
+            lane_keys_.push_back(key);
+            lane_ops.push_back(lane_op(op, base, rows));
+            found = lane_keys_.end() - 1;
+        }
+        LaneOp& l = lane_ops[static_cast<std::size_t>(first + (found - lane_keys_.begin()))];
+        std::int32_t from = op.jac_a;
+        if (op.kind == Op::geometric && op.width > 0) from = geo_place_[at(op.id)].record;
+        // Until a lane has its own, it repeats the latest.
+        for (std::size_t k = 0; k < factor::kLaneCount; ++k) {
+            if ((l.used >> k & 1) != 0) continue;
+            l.id[k] = op.id;
+            l.from[k] = from;
+        }
+        l.used = static_cast<std::uint8_t>(l.used | 1U << lane);
+        found->used = l.used;
+        if (l.a != op.a) l.turned = static_cast<std::uint8_t>(l.turned | 1U << lane);
+    }
+    // What only one lane does is done alone.
+    std::size_t kept = static_cast<std::size_t>(first);
+    for (std::size_t i = 0; i < lane_keys_.size(); ++i) {
+        const LaneOp& l = lane_ops[static_cast<std::size_t>(first) + i];
+        if (std::popcount(l.used) > 1)
+            lane_ops[kept++] = l;
+        else
+            ops.push_back(together[lane_keys_[i].op]);
+    }
+    lane_ops.resize(kept);
+}
+
+}  // namespace hawser::assembly

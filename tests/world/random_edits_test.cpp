@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Worlds that are edited at random while they run: the same bits for any number of threads and
+/// after a restore, and ids of what is gone are refused.
+#include <hawser/hawser.h>
+
+#include "support/editor.h"
+#include "support/sanitizer.h"
+#include "support/yard.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hawser::test {
+namespace {
+
+bool all_seeds() { return std::getenv("HAWSER_LONG") != nullptr; }
+
+/// So many steps, with five edits before each.
+int edited_steps() { return kSanitized && !all_seeds() ? 150 : 2000; }
+
+/// Worlds that differ in threads only.
+struct Fleet {
+    explicit Fleet(const std::vector<int>& threads) {
+        for (const int n : threads) {
+            WorldDef def{.threads = n, .on_diverged = OnDiverged::warn};
+            def.sleep_after = 0.3;
+            worlds.emplace_back(def);
+        }
+    }
+    std::vector<World*> all() {
+        std::vector<World*> out;
+        for (World& w : worlds) out.push_back(&w);
+        return out;
+    }
+    /// A step of each; the first world's status. The others must agree with it in all bits.
+    Status step() {
+        const Status status = worlds[0].step();
+        for (std::size_t k = 1; k < worlds.size(); ++k)
+            EXPECT_EQ(worlds[k].step(), status) << worlds[k].settings().threads << " threads";
+        compare();
+        return status;
+    }
+    void compare() const {
+        for (const World& w : worlds)
+            EXPECT_EQ(w.state_hash(), worlds[0].state_hash()) << w.settings().threads << " threads";
+    }
+    std::vector<World> worlds;
+};
+
+/// One world goes on, comes back, and is replaced by a twin that takes the same state.
+void restore_one(Fleet& fleet, Editor& editor, std::size_t which) {
+    World& w = fleet.worlds[which];
+    const auto saved = w.save();
+    for (int k = 0; k < 3; ++k) (void)w.step();
+    const std::uint64_t later = w.state_hash();
+    w.restore(saved);
+    ASSERT_EQ(w.state_hash(), fleet.worlds[0].state_hash()) << "after restore()";
+    for (int k = 0; k < 3; ++k) (void)w.step();
+    ASSERT_EQ(w.state_hash(), later) << "the same steps again";
+    w.restore(saved);
+    World twin = w.twin();
+    ASSERT_EQ(twin.state_hash(), fleet.worlds[0].state_hash()) << "of a twin";
+    twin.restore(saved);
+    ASSERT_EQ(twin.state_hash(), fleet.worlds[0].state_hash()) << "of a twin after restore()";
+    w = std::move(twin);
+    editor.replace(which, w);
+}
+
+class RandomEdits : public testing::TestWithParam<int> {};
+
+TEST_P(RandomEdits, GiveTheSameBits) {
+    constexpr int kEdits = 5, kRestores = 20;
+    const int steps = edited_steps(), seed = GetParam();
+    if (seed > 1 && !all_seeds()) GTEST_SKIP() << "HAWSER_LONG=1 runs all seeds";
+    Fleet fleet({1, 2, 4, 8});
+    Editor editor(static_cast<std::uint64_t>(seed), fleet.all());
+    Random random(static_cast<std::uint64_t>(1000 + seed));
+    std::vector<int> restores;
+    for (int i = 0; i < kRestores; ++i) restores.push_back(random.integer(0, steps - 1));
+    int failed = 0, contacts = 0, restored = 0;
+    std::int64_t asleep = 0;
+    for (int step = 0; step < steps; ++step) {
+        SCOPED_TRACE("step " + std::to_string(step));
+        for (int k = 0; k < kEdits; ++k) editor.edit();
+        failed += fleet.step() == Status::ok ? 0 : 1;
+        contacts += fleet.worlds[0].stats().contacts;
+        asleep += fleet.worlds[0].stats().asleep;
+        for (auto n = std::count(restores.begin(), restores.end(), step); n > 0; --n) {
+            restore_one(fleet, editor, static_cast<std::size_t>(restored++) % fleet.worlds.size());
+            if (HasFatalFailure()) return;
+        }
+        if (HasFailure()) break;
+    }
+    std::printf(
+        "    seed %d: %d edits (%s) in %d steps, %d failed; %d restores; %d contacts and "
+        "%lld sleepers looked at; hash %016llx on %zu numbers of threads\n",
+        seed, editor.edits(), editor.summary().c_str(), steps, failed, restored, contacts,
+        static_cast<long long>(asleep),
+        static_cast<unsigned long long>(fleet.worlds[0].state_hash()), fleet.worlds.size());
+    for (World& w : fleet.worlds) EXPECT_EQ(editor.not_refused(w), 0U) << "ids of what is gone";
+    std::printf("    %zu ids of what was removed, all refused\n", editor.gone_count());
+    EXPECT_EQ(restored, kRestores);
+    EXPECT_GT(editor.gone().size(), static_cast<std::size_t>(steps) / 4);
+    EXPECT_EQ(failed, 0);
+    EXPECT_EQ(not_finite(fleet.worlds[0]), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Seed, RandomEdits, testing::Range(1, 6));
+
+}  // namespace
+}  // namespace hawser::test
