@@ -17,7 +17,7 @@ Status guarded(StepContext& ctx, F&& f) noexcept {
     } catch (const std::bad_alloc&) {
         return Status::out_of_memory;
     } catch (const LimitError& error) {
-        ctx.stats.bound_met = error.met();
+        ctx.work.stats.bound_met = error.met();
         return Status::over_bound;
     }
     return Status::ok;

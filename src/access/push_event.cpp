@@ -4,8 +4,8 @@
 namespace hawser::stepper {
 
 void push_event(StepContext& ctx, EventKind kind, std::int32_t id, double value) noexcept {
-    ctx.events.push({ctx.time, kind, ctx.interactions.id(id), value});
-    ++ctx.stats.event_count[static_cast<std::size_t>(kind)];
+    ctx.state.events.push({ctx.state.time, kind, ctx.model.interactions.id(id), value});
+    ++ctx.work.stats.event_count[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace hawser::stepper

@@ -6,22 +6,24 @@
 namespace hawser::stepper {
 
 void remember(StepContext& ctx) noexcept {
-    const model::Interactions& in = ctx.interactions;
-    std::copy(in.lambda.begin(), in.lambda.end(), ctx.lambda_before.begin());
-    std::copy(in.repeats.begin(), in.repeats.end(), ctx.repeats_before.begin());
-    ctx.remembered = true;
-    ctx.refine_unasked_before = ctx.refine_unasked;
-    for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
-        ctx.active_before[i] = in.active[static_cast<std::size_t>(ctx.system.bounded[i])];
+    const model::Interactions& in = ctx.model.interactions;
+    std::copy(in.lambda.begin(), in.lambda.end(), ctx.work.before.lambda.begin());
+    std::copy(in.repeats.begin(), in.repeats.end(), ctx.work.before.repeats.begin());
+    ctx.work.before.remembered = true;
+    ctx.work.before.refine_unasked = ctx.state.refine_unasked;
+    for (std::size_t i = 0; i < ctx.work.before.active.size(); ++i)
+        ctx.work.before.active[i] =
+            in.active[static_cast<std::size_t>(ctx.model.system.bounded[i])];
 }
 
 void recall(StepContext& ctx) noexcept {
-    model::Interactions& in = ctx.interactions;
-    std::copy(ctx.lambda_before.begin(), ctx.lambda_before.end(), in.lambda.begin());
-    std::copy(ctx.repeats_before.begin(), ctx.repeats_before.end(), in.repeats.begin());
-    ctx.refine_unasked = ctx.refine_unasked_before;
-    for (std::size_t i = 0; i < ctx.active_before.size(); ++i)
-        in.active[static_cast<std::size_t>(ctx.system.bounded[i])] = ctx.active_before[i];
+    model::Interactions& in = ctx.model.interactions;
+    std::copy(ctx.work.before.lambda.begin(), ctx.work.before.lambda.end(), in.lambda.begin());
+    std::copy(ctx.work.before.repeats.begin(), ctx.work.before.repeats.end(), in.repeats.begin());
+    ctx.state.refine_unasked = ctx.work.before.refine_unasked;
+    for (std::size_t i = 0; i < ctx.work.before.active.size(); ++i)
+        in.active[static_cast<std::size_t>(ctx.model.system.bounded[i])] =
+            ctx.work.before.active[i];
 }
 
 }  // namespace hawser::stepper

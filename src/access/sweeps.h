@@ -24,11 +24,11 @@ template <class F, class Merge>
 [[nodiscard]] double merged_over(StepContext& ctx, std::int32_t count, F&& f,
                                  Merge&& merge) noexcept {
     over(ctx, count, [&](std::int32_t a, std::int32_t b) {
-        ctx.partial[static_cast<std::size_t>(a / StepContext::kChunk)] = f(a, b);
+        ctx.work.solve.partial[static_cast<std::size_t>(a / StepContext::kChunk)] = f(a, b);
     });
     double sum = 0.0;
     for (int i = 0; i < StepContext::chunks(count); ++i)
-        sum = merge(sum, ctx.partial[static_cast<std::size_t>(i)]);
+        sum = merge(sum, ctx.work.solve.partial[static_cast<std::size_t>(i)]);
     return sum;
 }
 
@@ -39,11 +39,11 @@ void each(std::span<const assembly::IndexRange> ranges, F&& f) noexcept {
 }
 
 /// rows(strip), then own(begin, end) for the strip's own bodies, strip by strip; then own() for
-/// the shared bodies. The last argument of own() is a place in ctx.norms; that of the rows is
-/// `strip`.
+/// the shared bodies. The last argument of own() is a place in ctx.work.solve.norms; that of the
+/// rows is `strip`.
 template <class Rows, class Own>
 void sweep(StepContext& ctx, Rows&& rows, Own&& own) noexcept {
-    const assembly::Strips& strips = ctx.system.strips;
+    const assembly::Strips& strips = ctx.model.system.strips;
     auto strip = [&](int i, int) noexcept {
         rows(i);
         each(strips.bodies(i), [&](std::int32_t a, std::int32_t b) { own(a, b, i); });
@@ -59,7 +59,7 @@ void sweep(StepContext& ctx, Rows&& rows, Own&& own) noexcept {
 /// f(begin, end) for ranges that make up all interactions but those that sleep.
 template <class F>
 void over_interactions(StepContext& ctx, F&& f) noexcept {
-    const assembly::Strips& strips = ctx.system.strips;
+    const assembly::Strips& strips = ctx.model.system.strips;
     auto strip = [&](int i, int) noexcept { each(strips.interactions(i), f); };
     ctx.pool.for_each(strips.count(), strip);
 }

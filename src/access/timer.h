@@ -13,12 +13,13 @@ namespace hawser::stepper {
 /// Time from here to the end of the scope is of this stage, but for what inner timers take.
 class StageTimer {
   public:
-    StageTimer(StepContext& ctx, Stage stage) noexcept : ctx_(ctx), outer_(ctx.stage_now) {
+    StageTimer(StepContext& ctx, Stage stage) noexcept
+        : ctx_(ctx), outer_(ctx.work.clock.stage_now) {
         change_to(static_cast<int>(stage));
-        begin_ = ctx.stage_since;
+        begin_ = ctx.work.clock.stage_since;
     }
     ~StageTimer() {
-        const int stage = ctx_.stage_now;
+        const int stage = ctx_.work.clock.stage_now;
         change_to(outer_);
         if (ctx_.trace != nullptr) write_down(stage);
     }
@@ -28,11 +29,11 @@ class StageTimer {
   private:
     void change_to(int stage) noexcept {
         const auto now = std::chrono::steady_clock::now();
-        if (ctx_.stage_now >= 0)
-            ctx_.stats.stage_seconds[static_cast<std::size_t>(ctx_.stage_now)] +=
-                std::chrono::duration<double>(now - ctx_.stage_since).count();
-        ctx_.stage_now = stage;
-        ctx_.stage_since = now;
+        if (ctx_.work.clock.stage_now >= 0)
+            ctx_.work.stats.stage_seconds[static_cast<std::size_t>(ctx_.work.clock.stage_now)] +=
+                std::chrono::duration<double>(now - ctx_.work.clock.stage_since).count();
+        ctx_.work.clock.stage_now = stage;
+        ctx_.work.clock.stage_since = now;
         if (ctx_.trace != nullptr) ctx_.trace->stage = static_cast<std::int8_t>(stage);
     }
     void write_down(int stage) noexcept {
@@ -41,7 +42,7 @@ class StageTimer {
         span.stage = static_cast<std::int8_t>(stage);
         span.step = ctx_.trace->step;
         span.begin = ctx_.trace->seconds(begin_);
-        span.end = ctx_.trace->seconds(ctx_.stage_since);
+        span.end = ctx_.trace->seconds(ctx_.work.clock.stage_since);
         ctx_.trace->push(span);
     }
 
@@ -55,7 +56,7 @@ class StepTimer {
   public:
     explicit StepTimer(StepContext& ctx) noexcept : trace_(ctx.trace.get()) {
         if (trace_ == nullptr) return;
-        trace_->step = span_.step = ctx.step + 1;
+        trace_->step = span_.step = ctx.state.step + 1;
         ++trace_->steps;
         span_.kind = SpanKind::step;
         span_.begin = trace_->now();

@@ -17,185 +17,185 @@ void put(const A& from, A& to) noexcept {
 }
 
 Undo::Scalars read(const StepContext& c) noexcept {
-    return {c.step,
-            c.time,
-            c.work,
-            c.drag,
-            c.drive,
-            c.friction,
-            c.contact,
-            c.damped,
-            c.loads.work,
-            c.loads.added,
-            c.refine_unasked,
-            c.started,
-            c.stats.event_count,
-            c.judge.state};
+    return {c.state.step,
+            c.state.time,
+            c.state.ledger.work,
+            c.state.ledger.drag,
+            c.state.ledger.drive,
+            c.state.ledger.friction,
+            c.state.ledger.contact,
+            c.state.ledger.damped,
+            c.state.loads.work,
+            c.state.loads.added,
+            c.state.refine_unasked,
+            c.state.started,
+            c.work.stats.event_count,
+            c.state.judge.state};
 }
 
 void write(const Undo::Scalars& from, StepContext& c) noexcept {
-    c.step = c.stats.step = from.step;
-    c.time = c.stats.time = from.time;
-    c.work = from.work;
-    c.drag = from.drag;
-    c.drive = from.drive;
-    c.friction = from.friction;
-    c.contact = from.contact;
-    c.damped = from.damped;
-    c.loads.work = from.system_work;
-    c.loads.added = from.added;
-    c.refine_unasked = from.refine_unasked;
-    c.started = from.started;
-    c.stats.event_count = from.event_count;
-    c.judge.state = from.judge;
+    c.state.step = c.work.stats.step = from.step;
+    c.state.time = c.work.stats.time = from.time;
+    c.state.ledger.work = from.work;
+    c.state.ledger.drag = from.drag;
+    c.state.ledger.drive = from.drive;
+    c.state.ledger.friction = from.friction;
+    c.state.ledger.contact = from.contact;
+    c.state.ledger.damped = from.damped;
+    c.state.loads.work = from.system_work;
+    c.state.loads.added = from.added;
+    c.state.refine_unasked = from.refine_unasked;
+    c.state.started = from.started;
+    c.work.stats.event_count = from.event_count;
+    c.state.judge.state = from.judge;
 }
 
 void keep_system(StepContext& ctx) {
-    Undo& u = ctx.undo;
+    Undo& u = ctx.work.undo;
     reserve_undo(ctx);
-    ctx.system.keep(u.system);
-    u.analysed_x = ctx.analysed_x;
-    u.analysed_r = ctx.analysed_r;
-    u.asleep = ctx.bodies.asleep;
-    u.quiet = ctx.bodies.quiet;
-    u.links = ctx.system.contacts.links;
-    u.cuts = ctx.cuts.list;
-    u.group = ctx.cuts.group;
-    u.coupling = ctx.cuts.coupling;
-    u.parts = ctx.regroup.parts;
-    if (ctx.topology_changed) u.wires = ctx.wires;
+    ctx.model.system.keep(u.system);
+    u.analysed_x = ctx.state.analysed_x;
+    u.analysed_r = ctx.state.analysed_r;
+    u.asleep = ctx.model.bodies.asleep;
+    u.quiet = ctx.model.bodies.quiet;
+    u.links = ctx.model.system.contacts.links;
+    u.cuts = ctx.model.cuts.list;
+    u.group = ctx.model.cuts.group;
+    u.coupling = ctx.model.cuts.coupling;
+    u.parts = ctx.model.regroup.parts;
+    if (ctx.state.topology_changed) u.wires = ctx.model.wires;
     keep_links(ctx);
     keep_motion(ctx);
-    u.mend = ctx.mend;
-    u.topology_changed = ctx.topology_changed;
-    u.asleep_count = ctx.stats.asleep;
-    u.asked = ctx.cuts.asked;
-    u.interfaces = ctx.cuts.interfaces;
-    u.grouped = ctx.cuts.grouped;
-    u.made = ctx.regroup.made;
-    u.seen = ctx.regroup.seen;
-    u.stale = ctx.regroup.stale;
-    u.grouped_interactions = ctx.regroup.interactions;
+    u.mend = ctx.state.mend;
+    u.topology_changed = ctx.state.topology_changed;
+    u.asleep_count = ctx.work.stats.asleep;
+    u.asked = ctx.model.cuts.asked;
+    u.interfaces = ctx.model.cuts.interfaces;
+    u.grouped = ctx.model.cuts.grouped;
+    u.made = ctx.model.regroup.made;
+    u.seen = ctx.model.regroup.seen;
+    u.stale = ctx.model.regroup.stale;
+    u.grouped_interactions = ctx.model.regroup.interactions;
 }
 
 void go_back_system(StepContext& ctx) noexcept {
-    Undo& u = ctx.undo;
-    ctx.system.go_back(u.system);
-    ctx.analysed_x.swap(u.analysed_x);
-    ctx.analysed_r.swap(u.analysed_r);
-    ctx.cuts.list.swap(u.cuts);
-    ctx.cuts.group.swap(u.group);
-    ctx.cuts.coupling.swap(u.coupling);
-    std::swap(ctx.regroup.parts, u.parts);
-    ctx.system.contacts.links.swap(u.links);
-    ctx.system.contacts.forget_missing();
-    ctx.stats.asleep = u.asleep_count;
-    ctx.cuts.asked = u.asked;
-    ctx.cuts.interfaces = u.interfaces;
-    ctx.cuts.grouped = u.grouped;
-    ctx.regroup.made = u.made;
-    ctx.regroup.seen = u.seen;
-    ctx.regroup.stale = u.stale;
-    ctx.regroup.interactions = u.grouped_interactions;
-    if (u.topology_changed) std::swap(ctx.wires, u.wires);
-    ctx.topology_changed = u.topology_changed;
-    ctx.mend = u.mend == Mend::nothing ? Mend::rebuild : u.mend;
+    Undo& u = ctx.work.undo;
+    ctx.model.system.go_back(u.system);
+    ctx.state.analysed_x.swap(u.analysed_x);
+    ctx.state.analysed_r.swap(u.analysed_r);
+    ctx.model.cuts.list.swap(u.cuts);
+    ctx.model.cuts.group.swap(u.group);
+    ctx.model.cuts.coupling.swap(u.coupling);
+    std::swap(ctx.model.regroup.parts, u.parts);
+    ctx.model.system.contacts.links.swap(u.links);
+    ctx.model.system.contacts.forget_missing();
+    ctx.work.stats.asleep = u.asleep_count;
+    ctx.model.cuts.asked = u.asked;
+    ctx.model.cuts.interfaces = u.interfaces;
+    ctx.model.cuts.grouped = u.grouped;
+    ctx.model.regroup.made = u.made;
+    ctx.model.regroup.seen = u.seen;
+    ctx.model.regroup.stale = u.stale;
+    ctx.model.regroup.interactions = u.grouped_interactions;
+    if (u.topology_changed) std::swap(ctx.model.wires, u.wires);
+    ctx.state.topology_changed = u.topology_changed;
+    ctx.state.mend = u.mend == Mend::nothing ? Mend::rebuild : u.mend;
 }
 
 void go_back_all(StepContext& ctx) noexcept {
-    Undo& u = ctx.undo;
-    ctx.collider.kept().swap(u.kept);
-    ctx.collider.kept_awake() = u.kept_awake;
-    ctx.system.contacts.memory.swap(u.memory);
-    ctx.system.contacts.resistances.memory.swap(u.resistances);
-    std::swap(ctx.contacts, u.contacts);
-    ctx.contact_impulse.swap(u.contact_impulse);
-    ctx.contact_sliding.swap(u.contact_sliding);
-    ctx.stats.contacts = u.contact_count;
+    Undo& u = ctx.work.undo;
+    ctx.model.collider.kept().swap(u.kept);
+    ctx.model.collider.kept_awake() = u.kept_awake;
+    ctx.model.system.contacts.memory.swap(u.memory);
+    ctx.model.system.contacts.resistances.memory.swap(u.resistances);
+    std::swap(ctx.state.contacts, u.contacts);
+    ctx.state.contact_impulse.swap(u.contact_impulse);
+    ctx.state.contact_sliding.swap(u.contact_sliding);
+    ctx.work.stats.contacts = u.contact_count;
 }
 
 }  // namespace
 
 void reserve_undo(StepContext& ctx) {
-    Undo& u = ctx.undo;
-    u.v.reserve(ctx.bodies.v.size());
-    u.spin_change.reserve(ctx.bodies.spin_change.size());
-    u.lambda.reserve(ctx.interactions.lambda.size());
-    u.active.reserve(ctx.interactions.active.size());
-    u.repeats.reserve(ctx.interactions.repeats.size());
-    u.coarse.reserve(ctx.interactions.coarse.size());
-    u.credit.reserve(ctx.wires.credit.size());
-    u.alert.reserve(ctx.wires.alert.size());
+    Undo& u = ctx.work.undo;
+    u.v.reserve(ctx.model.bodies.v.size());
+    u.spin_change.reserve(ctx.model.bodies.spin_change.size());
+    u.lambda.reserve(ctx.model.interactions.lambda.size());
+    u.active.reserve(ctx.model.interactions.active.size());
+    u.repeats.reserve(ctx.model.interactions.repeats.size());
+    u.coarse.reserve(ctx.model.interactions.coarse.size());
+    u.credit.reserve(ctx.model.wires.credit.size());
+    u.alert.reserve(ctx.model.wires.alert.size());
 }
 
 void keep_motion(StepContext& ctx) noexcept {
-    Undo& u = ctx.undo;
+    Undo& u = ctx.work.undo;
     if (u.moved) return;
-    put(ctx.bodies.v, u.v);
-    put(ctx.bodies.spin_change, u.spin_change);
-    put(ctx.interactions.lambda, u.lambda);
-    put(ctx.interactions.active, u.active);
-    put(ctx.interactions.repeats, u.repeats);
-    put(ctx.interactions.coarse, u.coarse);
-    put(ctx.wires.credit, u.credit);
-    put(ctx.wires.alert, u.alert);
+    put(ctx.model.bodies.v, u.v);
+    put(ctx.model.bodies.spin_change, u.spin_change);
+    put(ctx.model.interactions.lambda, u.lambda);
+    put(ctx.model.interactions.active, u.active);
+    put(ctx.model.interactions.repeats, u.repeats);
+    put(ctx.model.interactions.coarse, u.coarse);
+    put(ctx.model.wires.credit, u.credit);
+    put(ctx.model.wires.alert, u.alert);
     u.scalars = read(ctx);
     u.moved = true;
 }
 
 void keep_links(StepContext& ctx) {
-    Undo& u = ctx.undo;
+    Undo& u = ctx.work.undo;
     if (u.linked) return;
-    u.link_used = ctx.system.contacts.link_used;
+    u.link_used = ctx.model.system.contacts.link_used;
     u.linked = true;
 }
 
 void keep_state(StepContext& ctx, Undo::Depth depth) {
-    Undo& u = ctx.undo;
+    Undo& u = ctx.work.undo;
     if (u.depth < 0) {
         keep_system(ctx);
         u.depth = 0;
     }
     if (static_cast<int>(depth) <= u.depth) return;
-    u.bodies = ctx.bodies;
-    u.interactions = ctx.interactions;
-    u.all_cuts = ctx.cuts;
+    u.bodies = ctx.model.bodies;
+    u.interactions = ctx.model.interactions;
+    u.all_cuts = ctx.model.cuts;
     if (depth == Undo::Depth::all) {
-        u.kept = ctx.collider.kept();
-        u.memory = ctx.system.contacts.memory;
-        u.resistances = ctx.system.contacts.resistances.memory;
-        u.contacts = ctx.contacts;
-        u.contact_impulse = ctx.contact_impulse;
-        u.contact_sliding = ctx.contact_sliding;
-        u.kept_awake = ctx.collider.kept_awake();
-        u.contact_count = ctx.stats.contacts;
+        u.kept = ctx.model.collider.kept();
+        u.memory = ctx.model.system.contacts.memory;
+        u.resistances = ctx.model.system.contacts.resistances.memory;
+        u.contacts = ctx.state.contacts;
+        u.contact_impulse = ctx.state.contact_impulse;
+        u.contact_sliding = ctx.state.contact_sliding;
+        u.kept_awake = ctx.model.collider.kept_awake();
+        u.contact_count = ctx.work.stats.contacts;
     }
     u.depth = static_cast<int>(depth);
 }
 
 void restore_kept(StepContext& ctx) noexcept {
-    Undo& u = ctx.undo;
+    Undo& u = ctx.work.undo;
     if (u.depth >= static_cast<int>(Undo::Depth::model)) {
-        std::swap(ctx.bodies, u.bodies);
-        std::swap(ctx.interactions, u.interactions);
-        std::swap(ctx.cuts, u.all_cuts);
+        std::swap(ctx.model.bodies, u.bodies);
+        std::swap(ctx.model.interactions, u.interactions);
+        std::swap(ctx.model.cuts, u.all_cuts);
     }
     if (u.depth >= 0) {
         go_back_system(ctx);
-        ctx.bodies.asleep.swap(u.asleep);
-        ctx.bodies.quiet.swap(u.quiet);
+        ctx.model.bodies.asleep.swap(u.asleep);
+        ctx.model.bodies.quiet.swap(u.quiet);
     }
     if (u.depth >= static_cast<int>(Undo::Depth::all)) go_back_all(ctx);
-    if (u.linked) ctx.system.contacts.link_used.swap(u.link_used);
+    if (u.linked) ctx.model.system.contacts.link_used.swap(u.link_used);
     if (u.moved) {
-        put(u.v, ctx.bodies.v);
-        put(u.spin_change, ctx.bodies.spin_change);
-        put(u.lambda, ctx.interactions.lambda);
-        put(u.active, ctx.interactions.active);
-        put(u.repeats, ctx.interactions.repeats);
-        put(u.coarse, ctx.interactions.coarse);
-        put(u.credit, ctx.wires.credit);
-        put(u.alert, ctx.wires.alert);
+        put(u.v, ctx.model.bodies.v);
+        put(u.spin_change, ctx.model.bodies.spin_change);
+        put(u.lambda, ctx.model.interactions.lambda);
+        put(u.active, ctx.model.interactions.active);
+        put(u.repeats, ctx.model.interactions.repeats);
+        put(u.coarse, ctx.model.interactions.coarse);
+        put(u.credit, ctx.model.wires.credit);
+        put(u.alert, ctx.model.wires.alert);
         follow_alerts(ctx);
         write(u.scalars, ctx);
     }
@@ -203,7 +203,7 @@ void restore_kept(StepContext& ctx) noexcept {
 }
 
 void drop_kept(StepContext& ctx) noexcept {
-    Undo& u = ctx.undo;
+    Undo& u = ctx.work.undo;
     u.moved = u.linked = false;
     // Copies of the whole model are rare and large.
     if (u.depth >= static_cast<int>(Undo::Depth::model)) {

@@ -4,8 +4,9 @@
 namespace hawser::stepper {
 
 assembly::View view(StepContext& ctx) noexcept {
-    assembly::View v = ctx.system.view(ctx.bodies, ctx.interactions, ctx.def);
-    ctx.loads.show(v);
+    assembly::View v =
+        ctx.model.system.view(ctx.model.bodies, ctx.model.interactions, ctx.model.def);
+    ctx.state.loads.show(v);
     return v;
 }
 

@@ -21,13 +21,13 @@ std::int32_t most_alert(double step) noexcept {
 }
 
 void follow_alerts(StepContext& ctx) noexcept {
-    Wires& w = ctx.wires;
+    Wires& w = ctx.model.wires;
     for (std::size_t k = 0; k < w.count(); ++k) {
         if (!(w.credit[k] >= 0.0) || !std::isfinite(w.credit[k])) w.credit[k] = 0.0;
         w.alert[k] = std::max(0, w.alert[k]);
     }
     for (const std::int32_t id : w.element)
-        ctx.interactions.alert[at(id)] = w.alert[at(w.wire_of[at(id)])] > 0 ? 1.0 : 0.0;
+        ctx.model.interactions.alert[at(id)] = w.alert[at(w.wire_of[at(id)])] > 0 ? 1.0 : 0.0;
     w.stale = false;
 }
 

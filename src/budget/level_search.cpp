@@ -24,9 +24,9 @@ std::vector<double> interface_weights(StepContext& ctx) {
     assembly::PartGraph g;
     read_graph(ctx, g);
     weigh_graph(ctx, g);
-    std::vector<double> weight(at(ctx.cuts.interfaces), 0.0);
-    for (const Cut& c : ctx.cuts.list) {
-        if (ctx.cuts.coupling[at(c.id)] != Coupling::deadline) continue;
+    std::vector<double> weight(at(ctx.model.cuts.interfaces), 0.0);
+    for (const Cut& c : ctx.model.cuts.list) {
+        if (ctx.model.cuts.coupling[at(c.id)] != Coupling::deadline) continue;
         double sum = g.edge_weight[at(c.id)];
         for (std::int32_t k = g.begin[at(c.id)]; k < g.begin[at(c.id) + 1]; ++k)
             sum += g.node_weight[at(g.members[at(k)])];
@@ -38,17 +38,17 @@ std::vector<double> interface_weights(StepContext& ctx) {
 /// The work of the matrix with these interfaces cut.
 double analysed_work(StepContext& ctx, std::uint64_t interfaces) {
     keep_state(ctx, Undo::Depth::system);
-    const std::uint64_t asked = std::exchange(ctx.cuts.asked, interfaces);
+    const std::uint64_t asked = std::exchange(ctx.model.cuts.asked, interfaces);
     assembly::System beside;
-    beside.most_bytes = ctx.def.max_memory;
+    beside.most_bytes = ctx.model.def.max_memory;
     (void)open_cuts(ctx);
-    beside.left_out = ctx.system.left_out;
-    beside.sides = ctx.system.sides;
-    ctx.cuts.asked = asked;
+    beside.left_out = ctx.model.system.left_out;
+    beside.sides = ctx.model.system.sides;
+    ctx.model.cuts.asked = asked;
     (void)open_cuts(ctx);
-    beside.contacts = ctx.system.contacts;
-    model::Interactions rows = ctx.interactions;  // an analysis chooses forms
-    beside.analyse(ctx.bodies, rows, ctx.def, ctx.pool.threads());
+    beside.contacts = ctx.model.system.contacts;
+    model::Interactions rows = ctx.model.interactions;  // an analysis chooses forms
+    beside.analyse(ctx.model.bodies, rows, ctx.model.def, ctx.pool.threads());
     return matrix_work(static_cast<double>(beside.symbolic.flops),
                        static_cast<double>(beside.symbolic.factor_nnz));
 }

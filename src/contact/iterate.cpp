@@ -18,10 +18,10 @@ using nonsmooth::Resistance;
 }  // namespace
 
 void adopt_laws(StepContext& ctx, bool first) noexcept {
-    Contacts& contacts = ctx.system.contacts;
+    Contacts& contacts = ctx.model.system.contacts;
     for (std::size_t k = 0; k < contacts.count(); ++k) {
         Cone& c = contacts.cones[k];
-        const nonsmooth::Law& law = ctx.newton.laws[k];
+        const nonsmooth::Law& law = ctx.work.newton.laws[k];
         contacts.changed[k] = first || !std::equal(law.s, law.s + 9, c.s) ? 1 : 0;
         std::copy_n(law.s, 9, c.s);
         std::copy_n(law.p, 3, c.p);
@@ -29,7 +29,7 @@ void adopt_laws(StepContext& ctx, bool first) noexcept {
     assembly::Resistances& resistances = contacts.resistances;
     for (std::size_t k = 0; k < resistances.count(); ++k) {
         nonsmooth::Resistance& a = resistances.laws[k];
-        const nonsmooth::ResistanceLaw& law = ctx.newton.turns[k];
+        const nonsmooth::ResistanceLaw& law = ctx.work.newton.turns[k];
         const bool same =
             std::equal(law.s, law.s + 9, a.s) && std::equal(law.column, law.column + 3, a.column);
         if (!same) contacts.changed[at(resistances.rows[k].contact)] = 1;
@@ -44,16 +44,16 @@ void adopt_laws(StepContext& ctx, bool first) noexcept {
 
 void keep_iterate(StepContext& ctx) noexcept {
     const assembly::View v = view(ctx);
-    std::copy_n(v.v_new, v.dof_count, ctx.newton.v.begin());
-    std::copy_n(v.lambda, ctx.interactions.row_count, ctx.newton.lambda.begin());
-    const base::Array<Cone>& cones = ctx.system.contacts.cones;
+    std::copy_n(v.v_new, v.dof_count, ctx.work.newton.v.begin());
+    std::copy_n(v.lambda, ctx.model.interactions.row_count, ctx.work.newton.lambda.begin());
+    const base::Array<Cone>& cones = ctx.model.system.contacts.cones;
     for (std::size_t k = 0; k < cones.size(); ++k) {
-        std::copy_n(cones[k].u, 3, &ctx.newton.contact[6 * k]);
-        std::copy_n(cones[k].lambda, 3, &ctx.newton.contact[6 * k + 3]);
+        std::copy_n(cones[k].u, 3, &ctx.work.newton.contact[6 * k]);
+        std::copy_n(cones[k].lambda, 3, &ctx.work.newton.contact[6 * k + 3]);
     }
-    const base::Array<Resistance>& turns = ctx.system.contacts.resistances.laws;
+    const base::Array<Resistance>& turns = ctx.model.system.contacts.resistances.laws;
     for (std::size_t k = 0; k < turns.size(); ++k) {
-        double* to = &ctx.newton.contact[6 * (cones.size() + k)];
+        double* to = &ctx.work.newton.contact[6 * (cones.size() + k)];
         std::copy_n(turns[k].lambda, 3, std::copy_n(turns[k].u, 3, to));
     }
 }
@@ -63,12 +63,12 @@ void shorten(StepContext& ctx, double t) noexcept {
     auto between = [&](const std::vector<double>& from, double* to, std::int32_t n) {
         for (std::int32_t i = 0; i < n; ++i) to[i] = from[at(i)] + t * (to[i] - from[at(i)]);
     };
-    between(ctx.newton.v, v.v_new, v.dof_count);
-    between(ctx.newton.lambda, v.lambda, ctx.interactions.row_count);
-    base::Array<Cone>& cones = ctx.system.contacts.cones;
+    between(ctx.work.newton.v, v.v_new, v.dof_count);
+    between(ctx.work.newton.lambda, v.lambda, ctx.model.interactions.row_count);
+    base::Array<Cone>& cones = ctx.model.system.contacts.cones;
     for (std::size_t k = 0; k < cones.size(); ++k) {
         Cone& c = cones[k];
-        const double* from = &ctx.newton.contact[6 * k];
+        const double* from = &ctx.work.newton.contact[6 * k];
         for (int i = 0; i < 3; ++i) {
             c.u[i] = from[i] + t * (c.u[i] - from[i]);
             c.lambda[i] = from[3 + i] + t * (c.lambda[i] - from[3 + i]);
@@ -77,10 +77,10 @@ void shorten(StepContext& ctx, double t) noexcept {
             c.p[i] = c.lambda[i] + c.s[3 * i] * c.u[0] + c.s[3 * i + 1] * c.u[1] +
                      c.s[3 * i + 2] * c.u[2];
     }
-    assembly::Resistances& resistances = ctx.system.contacts.resistances;
+    assembly::Resistances& resistances = ctx.model.system.contacts.resistances;
     for (std::size_t k = 0; k < resistances.count(); ++k) {
         Resistance& a = resistances.laws[k];
-        const double* from = &ctx.newton.contact[6 * (cones.size() + k)];
+        const double* from = &ctx.work.newton.contact[6 * (cones.size() + k)];
         for (int i = 0; i < 3; ++i) {
             a.u[i] = from[i] + t * (a.u[i] - from[i]);
             a.lambda[i] = from[3 + i] + t * (a.lambda[i] - from[3 + i]);
@@ -93,15 +93,15 @@ namespace {
 
 /// The part of resistances in contacts_merit().
 double resistance_merit(const StepContext& ctx, double t) noexcept {
-    const Contacts& contacts = ctx.system.contacts;
+    const Contacts& contacts = ctx.model.system.contacts;
     const assembly::Resistances& resistances = contacts.resistances;
     double sum = 0.0;
     for (std::size_t k = 0; k < resistances.count(); ++k) {
         const Resistance& a = resistances.laws[k];
         const std::size_t contact = at(resistances.rows[k].contact);
         const Cone& c = contacts.cones[contact];
-        const double* normal = &ctx.newton.contact[6 * contact];
-        const double* before = &ctx.newton.contact[6 * (contacts.count() + k)];
+        const double* normal = &ctx.work.newton.contact[6 * contact];
+        const double* before = &ctx.work.newton.contact[6 * (contacts.count() + k)];
         double u[3], lambda[3], e[3];
         for (int i = 0; i < 3; ++i) {
             u[i] = before[i] + t * (a.u[i] - before[i]);
@@ -118,10 +118,10 @@ double resistance_merit(const StepContext& ctx, double t) noexcept {
 
 double contacts_merit(const StepContext& ctx, double t) noexcept {
     double sum = resistance_merit(ctx, t);
-    const base::Array<Cone>& cones = ctx.system.contacts.cones;
+    const base::Array<Cone>& cones = ctx.model.system.contacts.cones;
     for (std::size_t k = 0; k < cones.size(); ++k) {
         const Cone& c = cones[k];
-        const double* before = &ctx.newton.contact[6 * k];
+        const double* before = &ctx.work.newton.contact[6 * k];
         double u[3], lambda[3], e[3];
         for (int i = 0; i < 3; ++i) {
             u[i] = before[i] + t * (c.u[i] - before[i]);
@@ -142,12 +142,12 @@ double nan_or_more(double a, double b) noexcept { return b <= a || a != a ? a : 
 }  // namespace
 
 double worst(StepContext& ctx) noexcept {
-    const Contacts& contacts = ctx.system.contacts;
+    const Contacts& contacts = ctx.model.system.contacts;
     auto some = [&](std::int32_t begin, std::int32_t end) {
         double largest = 0.0;
         for (std::size_t k = at(begin); k < at(end); ++k)
-            largest =
-                nan_or_more(largest, nonsmooth::natural_map(contacts.cones[k], ctx.contact_floor));
+            largest = nan_or_more(
+                largest, nonsmooth::natural_map(contacts.cones[k], ctx.model.contact_floor));
         return largest;
     };
     double largest =
@@ -157,7 +157,7 @@ double worst(StepContext& ctx) noexcept {
         largest = nan_or_more(
             largest, nonsmooth::natural_map(resistances.laws[k],
                                             contacts.cones[at(resistances.rows[k].contact)],
-                                            ctx.contact_floor));
+                                            ctx.model.contact_floor));
     return largest;
 }
 

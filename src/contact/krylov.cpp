@@ -28,10 +28,10 @@ double scale_of(const Resistance& a) noexcept { return std::sqrt(a.mobility + a.
 
 /// Scaled p' − S' u − λ of all rows.
 void find_defects(const StepContext& ctx, double* w) noexcept {
-    const assembly::Contacts& contacts = ctx.system.contacts;
+    const assembly::Contacts& contacts = ctx.model.system.contacts;
     for (std::size_t k = 0; k < contacts.count(); ++k, w += 3) {
         const Cone& c = contacts.cones[k];
-        const nonsmooth::Law& law = ctx.newton.laws[k];
+        const nonsmooth::Law& law = ctx.work.newton.laws[k];
         double su[3];
         times(law.s, c.u, su);
         for (int i = 0; i < 3; ++i) w[i] = scale_of(c) * (law.p[i] - su[i] - c.lambda[i]);
@@ -39,7 +39,7 @@ void find_defects(const StepContext& ctx, double* w) noexcept {
     const assembly::Resistances& resistances = contacts.resistances;
     for (std::size_t k = 0; k < resistances.count(); ++k, w += 3) {
         const Resistance& a = resistances.laws[k];
-        const nonsmooth::ResistanceLaw& law = ctx.newton.turns[k];
+        const nonsmooth::ResistanceLaw& law = ctx.work.newton.turns[k];
         const double u_n = contacts.cones[at(resistances.rows[k].contact)].u[0];
         double su[3];
         times(law.s, a.u, su);
@@ -59,19 +59,19 @@ void each_scale(const assembly::Contacts& contacts, F&& f) noexcept {
 
 /// y = x + scaled (S' − S) u.
 void add_changes(const StepContext& ctx, const double* u, const double* x, double* y) noexcept {
-    const assembly::Contacts& contacts = ctx.system.contacts;
+    const assembly::Contacts& contacts = ctx.model.system.contacts;
     const double* at_contacts = u;
     for (std::size_t k = 0; k < contacts.count(); ++k, u += 3, x += 3, y += 3) {
         const Cone& c = contacts.cones[k];
         double after[3], before[3];
-        times(ctx.newton.laws[k].s, u, after);
+        times(ctx.work.newton.laws[k].s, u, after);
         times(c.s, u, before);
         for (int i = 0; i < 3; ++i) y[i] = x[i] + scale_of(c) * (after[i] - before[i]);
     }
     const assembly::Resistances& resistances = contacts.resistances;
     for (std::size_t k = 0; k < resistances.count(); ++k, u += 3, x += 3, y += 3) {
         const Resistance& a = resistances.laws[k];
-        const nonsmooth::ResistanceLaw& law = ctx.newton.turns[k];
+        const nonsmooth::ResistanceLaw& law = ctx.work.newton.turns[k];
         const double u_n = at_contacts[3 * at(resistances.rows[k].contact)];
         double after[3], before[3];
         times(law.s, u, after);
@@ -85,12 +85,12 @@ void add_changes(const StepContext& ctx, const double* u, const double* x, doubl
 }  // namespace
 
 bool find_impulses(StepContext& ctx) noexcept {
-    assembly::Contacts& contacts = ctx.system.contacts;
+    assembly::Contacts& contacts = ctx.model.system.contacts;
     const assembly::View v = view(ctx);
-    double* w = ctx.newton.x.data();
-    double* u = ctx.newton.u.data();
+    double* w = ctx.work.newton.x.data();
+    double* u = ctx.work.newton.u.data();
     find_defects(ctx, w);
-    nonsmooth::Gmres& gmres = ctx.newton.gmres;
+    nonsmooth::Gmres& gmres = ctx.work.newton.gmres;
     gmres.start(3 * contacts.triples(), w);
     if (gmres.start_norm() == 0.0) return true;
     for (double left = 1.0; left > kTolerance;) {
@@ -102,16 +102,16 @@ bool find_impulses(StepContext& ctx) noexcept {
             w[i] = inverse * x[i];
             ++i;
         });
-        std::fill_n(v.solution, ctx.system.symbolic.scalars, 0.0);
+        std::fill_n(v.solution, ctx.model.system.symbolic.scalars, 0.0);
         contacts.scatter(w, v.solution, v.body_offset);
         timed(ctx, Stage::factor, [&](StepContext& c) {
-            c.system.numeric.solve(c.system.symbolic, v.solution, c.pool);
+            c.model.system.numeric.solve(c.model.system.symbolic, v.solution, c.pool);
         });
         contacts.collect(v.solution, v.body_offset, u);
         add_changes(ctx, u, x, gmres.image());
         left = gmres.take();
         // Two flops an entry of L, forward and backward.
-        ctx.step_flops += 4 * ctx.system.symbolic.factor_nnz;
+        ctx.work.solve.step_flops += 4 * ctx.model.system.symbolic.factor_nnz;
     }
     gmres.solution(w);
     std::size_t i = 0;

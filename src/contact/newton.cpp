@@ -50,16 +50,18 @@ Way search(StepContext& ctx, double before) noexcept {
 
 /// An iteration is done.
 void note_lap(StepContext& ctx) noexcept {
-    if (!ctx.budget.needs_time()) return;
-    ctx.laps.last = ctx.stopwatch->seconds();
-    ctx.laps.iterations = ctx.newton.iterations;
-    if (ctx.laps.iterations == 1) ctx.laps.first = ctx.laps.last;
+    if (!ctx.work.limits.budget.needs_time()) return;
+    ctx.work.limits.laps.last = ctx.stopwatch->seconds();
+    ctx.work.limits.laps.iterations = ctx.work.newton.iterations;
+    if (ctx.work.limits.laps.iterations == 1)
+        ctx.work.limits.laps.first = ctx.work.limits.laps.last;
 }
 
 /// Whether the budget allows another iteration.
 bool affordable(StepContext& ctx) noexcept {
-    return ctx.budget.another({ctx.laps.last, static_cast<double>(ctx.step_flops)},
-                              ctx.newton.iterations);
+    return ctx.work.limits.budget.another(
+        {ctx.work.limits.laps.last, static_cast<double>(ctx.work.solve.step_flops)},
+        ctx.work.newton.iterations);
 }
 
 /// How Newton iterations go on.
@@ -72,10 +74,10 @@ struct Course {
 /// Newton iterations from the iterate at hand. @param coupling  Of all contacts.
 Status iterate(StepContext& ctx, Coupling coupling, double tolerance, Course course = {}) noexcept {
     const bool hasty = course.hasty;
-    for (Cone& c : ctx.system.contacts.cones) c.coupling = coupling;
+    for (Cone& c : ctx.model.system.contacts.cones) c.coupling = coupling;
     bool again = false, slow = false;
     int switches = 0;  // iterations that ended with some
-    ctx.newton.follow.restart();
+    ctx.work.newton.follow.restart();
     double before = 0.0;
     forget_best(ctx);
     if (course.begun) {
@@ -84,7 +86,7 @@ Status iterate(StepContext& ctx, Coupling coupling, double tolerance, Course cou
         (void)linearise(ctx);
     }
     for (int it = course.begun ? kKrylovFrom : 0;; ++it) {
-        ++ctx.newton.iterations;
+        ++ctx.work.newton.iterations;
         if (it < kKrylovFrom || again || slow || !find_impulses(ctx)) {
             if (it > 0) adopt_laws(ctx, false);
             if (const Status s = newton_solve(ctx, it == 0, it == 0 || again); s != Status::ok)
@@ -96,32 +98,32 @@ Status iterate(StepContext& ctx, Coupling coupling, double tolerance, Course cou
         const Way way = it > 0 ? search(ctx, before) : Way{};
         if (!std::isfinite(way.merit)) return Status::not_finite;
         slow = it > kPatience && way.merit > kSlow * before;
-        if (it > 0 && way.merit > before && before < ctx.newton.best)
-            set_best_aside(ctx.newton, before);
+        if (it > 0 && way.merit > before && before < ctx.work.newton.best)
+            set_best_aside(ctx.work.newton, before);
         keep_iterate(ctx);
         keep_bounds(ctx, way.share);
         note_lap(ctx);
-        const bool last = it + 1 >= ctx.def.contact_iterations;
+        const bool last = it + 1 >= ctx.model.def.contact_iterations;
         const double moved = bounds_map(ctx);
         // In haste rows that ask to switch do so after the step.
         const bool stop = hasty && !affordable(ctx);
         // Rows may go on switching each other: then the first one only, as in bounds.cpp.
         const std::int32_t most = last ? 0 : (switches < kTogether ? kAnyRows : 1);
-        const std::int32_t asking = switch_bounds(ctx, ctx.contact_floor, stop ? 0 : most);
-        if (stop && asking == 0) (void)switch_bounds(ctx, ctx.contact_floor, most);
+        const std::int32_t asking = switch_bounds(ctx, ctx.model.contact_floor, stop ? 0 : most);
+        if (stop && asking == 0) (void)switch_bounds(ctx, ctx.model.contact_floor, most);
         again = asking > 0;
         switches += again ? 1 : 0;
         if (again || moved > 0.0) forget_best(ctx);  // other rows, or impulses
-        ctx.stats.natural_map = std::max(worst(ctx), moved);
-        if (!std::isfinite(ctx.stats.natural_map)) return Status::not_finite;
-        if (ctx.stats.natural_map <= tolerance && !again) {
-            ctx.stats.flips_left = 0;
+        ctx.work.stats.natural_map = std::max(worst(ctx), moved);
+        if (!std::isfinite(ctx.work.stats.natural_map)) return Status::not_finite;
+        if (ctx.work.stats.natural_map <= tolerance && !again) {
+            ctx.work.stats.flips_left = 0;
             return Status::ok;
         }
-        ctx.stats.flips_left = linearise(ctx) + asking;
+        ctx.work.stats.flips_left = linearise(ctx) + asking;
         // Without haste not where lines have just switched: their rows would be left unsolved.
-        ctx.stats.cut = hasty ? stop : !again && !affordable(ctx);
-        if (ctx.stats.cut || last) return Status::ok;
+        ctx.work.stats.cut = hasty ? stop : !again && !affordable(ctx);
+        if (ctx.work.stats.cut || last) return Status::ok;
         before = merit(ctx, 0.0);
     }
 }
@@ -131,17 +133,17 @@ void restart(StepContext& ctx) noexcept {
     (void)linearise(ctx);
     adopt_laws(ctx, true);
     update_contacts(ctx, nullptr);
-    ctx.rhs_ready = false;
+    ctx.work.solve.rhs_ready = false;
 }
 
 bool solved(const StepContext& ctx, Status status) noexcept {
-    return status == Status::ok && ctx.stats.natural_map <= ctx.def.contact_tolerance &&
-           ctx.stats.flips_left == 0;
+    return status == Status::ok && ctx.work.stats.natural_map <= ctx.model.def.contact_tolerance &&
+           ctx.work.stats.flips_left == 0;
 }
 
 void soften_by(StepContext& ctx, double factor) noexcept {
-    for (Cone& c : ctx.system.contacts.cones) c.sigma_t *= factor;
-    for (nonsmooth::Resistance& a : ctx.system.contacts.resistances.laws) a.sigma *= factor;
+    for (Cone& c : ctx.model.system.contacts.cones) c.sigma_t *= factor;
+    for (nonsmooth::Resistance& a : ctx.model.system.contacts.resistances.laws) a.sigma *= factor;
 }
 
 /// Continuation, see newton.h.
@@ -153,68 +155,68 @@ Status from_soft(StepContext& ctx) noexcept {
         const Status status = iterate(ctx, Coupling::exact, kRough);
         soften_by(ctx, 1.0 / soften);
         if (status != Status::ok) return status;
-        if (ctx.stats.cut) break;
+        if (ctx.work.stats.cut) break;
     }
-    ctx.stats.natural_map = worst(ctx);
+    ctx.work.stats.natural_map = worst(ctx);
     forget_best(ctx);  // its merit was that of a softer system
-    if (ctx.stats.cut) return Status::ok;
+    if (ctx.work.stats.cut) return Status::ok;
     restart(ctx);
-    return iterate(ctx, Coupling::exact, ctx.def.contact_tolerance);
+    return iterate(ctx, Coupling::exact, ctx.model.def.contact_tolerance);
 }
 
 /// What the statistics say of contacts that are solved, or not.
 void state_certificate(StepContext& ctx) noexcept {
-    ctx.stats.natural_map = std::max(worst(ctx), bounds_map(ctx));
+    ctx.work.stats.natural_map = std::max(worst(ctx), bounds_map(ctx));
 }
 
 }  // namespace
 
 void reserve_newton(StepContext& ctx) {
-    Newton& n = ctx.newton;
-    const std::size_t contacts = ctx.system.contacts.count(),
-                      triples = ctx.system.contacts.triples();
+    Newton& n = ctx.work.newton;
+    const std::size_t contacts = ctx.model.system.contacts.count(),
+                      triples = ctx.model.system.contacts.triples();
     n.laws.resize(contacts);
     n.turns.resize(triples - contacts);
     n.x.resize(3 * triples);
     n.u.resize(3 * triples);
     n.contact.resize(6 * triples);
     n.gmres.reserve(3 * triples, kKrylovLimit);
-    n.v.resize(at(ctx.bodies.dofs));
-    n.lambda.resize(at(ctx.interactions.row_count));
+    n.v.resize(at(ctx.model.bodies.dofs));
+    n.lambda.resize(at(ctx.model.interactions.row_count));
     n.best_contact.resize(6 * triples);
-    n.best_v.resize(at(ctx.bodies.dofs));
-    n.best_lambda.resize(at(ctx.interactions.row_count));
+    n.best_v.resize(at(ctx.model.bodies.dofs));
+    n.best_lambda.resize(at(ctx.model.interactions.row_count));
     n.bounds.resize(3 * contacts);
     n.limit.resize(contacts);
     n.touch.resize(contacts);
 }
 
 void begin_newton(StepContext& ctx) noexcept {
-    for (Cone& c : ctx.system.contacts.cones) c.coupling = Coupling::exact;
+    for (Cone& c : ctx.model.system.contacts.cones) c.coupling = Coupling::exact;
     (void)linearise(ctx);
     adopt_laws(ctx, true);
 }
 
 Status solve_newton(StepContext& ctx) noexcept {
-    ctx.newton.iterations = 0;
-    ctx.newton.switch_late = false;
-    const bool cold = ctx.step == 0;
-    const double tolerance = ctx.def.contact_tolerance;
-    bool hasty = !cold && ctx.budget.hasty();
+    ctx.work.newton.iterations = 0;
+    ctx.work.newton.switch_late = false;
+    const bool cold = ctx.state.step == 0;
+    const double tolerance = ctx.model.def.contact_tolerance;
+    bool hasty = !cold && ctx.work.limits.budget.hasty();
     Status status =
         cold ? from_soft(ctx) : iterate(ctx, Coupling::exact, tolerance, {.hasty = hasty});
-    hasty = hasty && ctx.stats.cut;
-    if (!cold && !solved(ctx, status) && !ctx.stats.cut) {
+    hasty = hasty && ctx.work.stats.cut;
+    if (!cold && !solved(ctx, status) && !ctx.work.stats.cut) {
         go_back_to_last(ctx);
         status = from_soft(ctx);
     }
-    if (!solved(ctx, status) && !ctx.stats.cut) {
+    if (!solved(ctx, status) && !ctx.work.stats.cut) {
         go_back_to_last(ctx);
-        for (Cone& c : ctx.system.contacts.cones) {
+        for (Cone& c : ctx.model.system.contacts.cones) {
             c.coupling = Coupling::lagged;
             std::fill_n(c.u, 3, 0.0);
         }
-        for (nonsmooth::Resistance& a : ctx.system.contacts.resistances.laws)
+        for (nonsmooth::Resistance& a : ctx.model.system.contacts.resistances.laws)
             std::fill_n(a.u, 3, 0.0);
         restart(ctx);
         status = iterate(ctx, Coupling::lagged, tolerance);
@@ -230,13 +232,13 @@ Status solve_newton(StepContext& ctx) noexcept {
     // Of what the step ends with.
     state_certificate(ctx);
     if (early) {
-        const std::int32_t asking = asking_rows(ctx, ctx.contact_floor);
-        ctx.newton.switch_late = hasty && asking > 0;
-        ctx.stats.flips_left += asking;
+        const std::int32_t asking = asking_rows(ctx, ctx.model.contact_floor);
+        ctx.work.newton.switch_late = hasty && asking > 0;
+        ctx.work.stats.flips_left += asking;
     }
-    if (ctx.stats.cut) {
-        ctx.stats.degradation.iterations = ctx.newton.iterations;
-        ctx.stats.degradation.hasty = hasty;
+    if (ctx.work.stats.cut) {
+        ctx.work.stats.degradation.iterations = ctx.work.newton.iterations;
+        ctx.work.stats.degradation.hasty = hasty;
     }
     return status;
 }
@@ -245,8 +247,9 @@ Status settle_newton(StepContext& ctx) noexcept {
     Status status = refine(ctx);
     if (status != Status::ok) return status;
     state_certificate(ctx);
-    if (ctx.stats.natural_map <= ctx.def.contact_tolerance || ctx.stats.cut) return Status::ok;
-    status = iterate(ctx, Coupling::exact, ctx.def.contact_tolerance, {.begun = true});
+    if (ctx.work.stats.natural_map <= ctx.model.def.contact_tolerance || ctx.work.stats.cut)
+        return Status::ok;
+    status = iterate(ctx, Coupling::exact, ctx.model.def.contact_tolerance, {.begun = true});
     if (status == Status::ok) status = refine(ctx);
     if (status == Status::ok) status = follow_loads(ctx);
     if (status == Status::ok) state_certificate(ctx);

@@ -14,13 +14,13 @@ using assembly::Contacts;
 using nonsmooth::Cone;
 
 std::int32_t linearise(StepContext& ctx) noexcept {
-    Contacts& contacts = ctx.system.contacts;
+    Contacts& contacts = ctx.model.system.contacts;
     auto some = [&](std::int32_t begin, std::int32_t end) {
         std::int32_t changed = 0;
         for (std::size_t k = at(begin); k < at(end); ++k) {
             Cone& c = contacts.cones[k];
             const nonsmooth::Touch before = c.touch;
-            ctx.newton.laws[k] = nonsmooth::linearise(c, c.touch);
+            ctx.work.newton.laws[k] = nonsmooth::linearise(c, c.touch);
             changed += c.touch != before ? 1 : 0;
         }
         return static_cast<double>(changed);
@@ -31,7 +31,7 @@ std::int32_t linearise(StepContext& ctx) noexcept {
     for (std::size_t k = 0; k < resistances.count(); ++k) {
         nonsmooth::Resistance& a = resistances.laws[k];
         const nonsmooth::Touch spun = a.spins, rolled = a.rolls;
-        ctx.newton.turns[k] = nonsmooth::linearise(
+        ctx.work.newton.turns[k] = nonsmooth::linearise(
             a, contacts.cones[at(resistances.rows[k].contact)], a.spins, a.rolls);
         flips += a.spins != spun || a.rolls != rolled ? 1 : 0;
     }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file context.h
-/// Everything that a step reads and writes. What its parts are is told by the headers of data that
-/// it includes; what is done with them by those of functions, which include this one.
+/// Everything that a step reads and writes, in three parts: Model, State and Work. What they are
+/// made of is told by the headers of data that this one includes; what is done with them by those
+/// of functions, which include this one.
 
 #include <hawser/def.h>
 #include <hawser/stats.h>
@@ -42,81 +43,130 @@
 
 namespace hawser::stepper {
 
-struct StepContext {
-    explicit StepContext(const WorldDef& d) : def(d), pool(d.threads) {
-        collider.margin = d.contact_margin;
-        collider.most_contacts = d.max_contacts;
-        collider.most_bytes = system.most_bytes = d.max_memory;
-        // They couple bodies beside the rows, which a sweep over rows does not see.
-        if (d.nonsmooth == Nonsmooth::pgs) def.geometric_stiffness = def.rotation_damping = 0.0;
-    }
-
+/// What a step is taken of: constant from one preparation of the system to the next, but for what
+/// bodies, interactions, wires, cuts and groups carry of the state in arrays of their own.
+struct Model {
     WorldDef def;
     model::Bodies bodies;
     model::Interactions interactions;
-    assembly::System system;
     collide::Collider collider;
+    assembly::System system;
+    Cuts cuts;
+    Regroup regroup;
+    Wires wires;
+    Completion completion;
+    double contact_floor = 0.0;   ///< Impulse of a contact that does not count [N s].
+    double residual_floor = 0.0;  ///< Denominator floor of the momentum residual.
+};
+
+/// Since the start [J], see hawser::Energy.
+struct Ledger {
+    double work = 0.0, drag = 0.0;
+    double drive = 0.0;  ///< See Energy::driven.
+    double friction = 0.0, contact = 0.0;
+    double damped = 0.0;
+};
+
+/// What a step goes on from beside Model: what a snapshot holds, a copy takes and a hash is of
+/// (src/world/saved_state.h), and what the last step left for readers and for the next one.
+struct State {
+    double time = 0.0;
+    std::int64_t step = 0;
+    bool started = false;    ///< The staggered start has been made.
+    int refine_unasked = 0;  ///< So many steps to come refine before they measure, see solve.cpp.
+    Ledger ledger;
+    LoadStore loads;
+    JudgeData judge;
+    EventLog events;
     collide::ContactSet contacts;         ///< Of the step being taken, or of the last one.
     base::Array<double> contact_impulse;  ///< 3 a contact: on side 1, world frame [N s]; or empty.
-    base::Array<double> contact_speed;    ///< u where the step began, as in Newton::x.
     base::Array<std::uint8_t> contact_sliding;  ///< 1 a contact: friction at its limit; or empty.
+    /// Positions and rotations at the last analysis, which chose forms and floors by them.
+    base::Array<double> analysed_x, analysed_r;
+    bool topology_changed = true;  ///< Bodies or interactions were added.
+    Edits edits;
+    Mend mend = Mend::nothing;  ///< Before the system may be used.
+    Degradation imposed;        ///< On the next step.
+};
+
+/// Whose time is counted, see timer.h.
+struct StageClock {
+    int stage_now = -1;  ///< −1: no one's.
+    std::chrono::steady_clock::time_point stage_since{};
+};
+
+/// What a solve overwrites of the state, see remember.h; and poses that come back (energy.cpp).
+struct Before {
+    bool remembered = false;            ///< In this step.
+    std::vector<double> active;         ///< Of bounded interactions, for events as well.
+    std::vector<double> lambda;         ///< Multipliers.
+    std::vector<std::uint8_t> repeats;  ///< Interactions::repeats.
+    int refine_unasked = 0;             ///< State::refine_unasked.
+    std::vector<double> carriers;       ///< Poses of kinematic bodies, for the energy.
+};
+
+/// Stages assemble and factor.
+struct SolveWork {
+    bool rhs_ready = false;  ///< The solver's vector holds the right-hand side of the first solve.
+    bool factor_whole = false;                ///< Never in part: for tests, to compare bits.
+    std::vector<assembly::Norms> norms;       ///< One a strip or group, merged in order.
+    std::vector<double> losses;               ///< One a strip, of row_losses().
+    bool losses_known = false;                ///< They are those of λ and v₊ as they stand.
+    double step_work = 0.0, step_drag = 0.0;  ///< Of the step being taken [J].
+    std::int64_t step_flops = 0;              ///< Of all factorisations of the step.
+    std::vector<std::int32_t> columns;        ///< Nodes, one a block of contacts.
+    std::vector<double> partial;              ///< Of merged_over().
+};
+
+/// Joints completed and closed.
+struct JointWork {
+    std::vector<assembly::Turning> turnings;  ///< One a strip or group.
+    std::vector<double> closing;              ///< Gaps of rows, a solution.
+};
+
+/// What a step leaves out to end in time: src/budget.
+struct LimitWork {
+    Budget budget;
+    Deadline deadline;
+    CutLevels cut_levels;
+    Laps laps;  ///< Of the step being taken, where a budget asks for time.
+};
+
+/// Scratch and statistics, by stage. What is learned of times is no part of the state either.
+struct Work {
+    StepStats stats;
+    StageClock clock;
+    Before before;
+    Undo undo;
+    Sleep sleep;
+    SolveWork solve;
+    Newton newton;                      ///< Of a world in which something may touch.
+    base::Array<double> contact_speed;  ///< u where the step began, as in Newton::x.
+    JointWork joints;
+    LimitWork limits;
+    std::vector<std::uint8_t> edits_stay;  ///< By contact of the last step.
+};
+
+struct StepContext {
+    explicit StepContext(const WorldDef& d) : pool(d.threads) {
+        model.def = d;
+        model.collider.margin = d.contact_margin;
+        model.collider.most_contacts = d.max_contacts;
+        model.collider.most_bytes = model.system.most_bytes = d.max_memory;
+        // They couple bodies beside the rows, which a sweep over rows does not see.
+        if (d.nonsmooth == Nonsmooth::pgs)
+            model.def.geometric_stiffness = model.def.rotation_damping = 0.0;
+    }
+
+    Model model;
+    State state;
+    Work work;
+
     runtime::Pool pool;
     runtime::PoolStopwatch pool_stopwatch{pool};
     runtime::Stopwatch* stopwatch = &pool_stopwatch;  ///< Of the solver; tests put their own.
     std::unique_ptr<runtime::Trace> trace;            ///< What threads do; none: not written down.
-    Completion completion;
-    std::vector<assembly::Turning> turnings;  ///< Scratch of completion: one a strip or group.
-    std::vector<double> closing;              ///< Scratch of closing: gaps of rows, a solution.
-    Cuts cuts;
-    Regroup regroup;
-    Budget budget;
-    Deadline deadline;
-    CutLevels cut_levels;
-    JudgeData judge;
-    Edits edits;
-    std::vector<std::uint8_t> edits_stay;  ///< Scratch: by contact of the last step.
-    LoadStore loads;
-    Actors* actors = nullptr;  ///< Systems of the world, if it has some.
-    Undo undo;
-    Mend mend = Mend::nothing;  ///< Before the system may be used.
-    Laps laps;                  ///< Of the step being taken, where a budget asks for time.
-    Degradation imposed;        ///< On the next step.
-    int refine_unasked = 0;  ///< So many steps to come refine before they measure, see solve.cpp.
-    int refine_unasked_before = 0;  ///< refine_unasked, kept for a step that fails.
-    EventLog events;
-    StepStats stats;
-
-    double time = 0.0;
-    std::int64_t step = 0;
-    int stage_now = -1;  ///< Whose time is counted, see timer.h; −1: no one's.
-    std::chrono::steady_clock::time_point stage_since{};
-    bool factor_whole = false;  ///< Never in part: for tests, to compare bits.
-    bool remembered = false;    ///< In this step, see remember().
-    bool rhs_ready = false;  ///< The solver's vector holds the right-hand side of the first solve.
-    bool topology_changed = true;             ///< Bodies or interactions were added.
-    bool started = false;                     ///< The staggered start has been made.
-    double work = 0.0, drag = 0.0;            ///< Since the start [J].
-    double drive = 0.0;                       ///< Since the start [J], see Energy::driven.
-    double friction = 0.0, contact = 0.0;     ///< Since the start [J], see Energy.
-    double damped = 0.0;                      ///< Since the start [J], see Energy.
-    double step_work = 0.0, step_drag = 0.0;  ///< Of the step being taken [J].
-    std::int64_t step_flops = 0;              ///< Of all factorisations of the step.
-    Newton newton;                            ///< Of a world in which something may touch.
-    std::vector<std::int32_t> columns;        ///< Scratch: nodes, one a block of contacts.
-    std::vector<double> partial;              ///< Scratch of merged_over().
-    Sleep sleep;
-    Wires wires;
-    double contact_floor = 0.0;          ///< Impulse of a contact that does not count [N s].
-    double residual_floor = 0.0;         ///< Denominator floor of the momentum residual.
-    std::vector<assembly::Norms> norms;  ///< One a strip or group, merged in order.
-    std::vector<double> losses;          ///< One a strip, of row_losses().
-    bool losses_known = false;           ///< They are those of λ and v₊ as they stand.
-    std::vector<double> active_before;   ///< Of bounded interactions, for events.
-    /// Positions and rotations at the last analysis, which chose forms and floors by them.
-    base::Array<double> analysed_x, analysed_r;
-    std::vector<double> carriers_before;       ///< Poses of kinematic bodies, for the energy.
-    std::vector<double> lambda_before;         ///< Multipliers, for a step that fails.
-    std::vector<std::uint8_t> repeats_before;  ///< Interactions::repeats, for a step that fails.
+    Actors* actors = nullptr;                         ///< Systems of the world, if it has some.
 
     /// Chunks of bodies or interactions: coarse tasks of fixed size.
     static constexpr std::int32_t kChunk = 128;

@@ -31,7 +31,7 @@ template <class T>
 using ByAccount = std::array<T, kAccounts>;
 
 /// Works since the start [J].
-enum Work : std::uint8_t { kForces, kDrives, kDrag, kFriction, kContacts, kRows, kWorks };
+enum WorkBy : std::uint8_t { kForces, kDrives, kDrag, kFriction, kContacts, kRows, kWorks };
 using Works = std::array<double, kWorks>;
 
 /// Part of the state of a world.

@@ -19,10 +19,10 @@ using nonsmooth::Cone;
 
 std::int32_t linearise(StepContext& ctx) noexcept {
     std::int32_t flips = 0;
-    for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
-        Cone& c = ctx.system.contacts.cones[k];
+    for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
+        Cone& c = ctx.model.system.contacts.cones[k];
         const nonsmooth::Touch before = c.touch;
-        ctx.newton.laws[k] = nonsmooth::linearise_associated(c, c.touch);
+        ctx.work.newton.laws[k] = nonsmooth::linearise_associated(c, c.touch);
         flips += c.touch != before ? 1 : 0;
     }
     return flips;
@@ -32,10 +32,10 @@ std::int32_t linearise(StepContext& ctx) noexcept {
 /// momentum balance there has the linear law's impulses, the gradient wants those of the law.
 double slope(const StepContext& ctx, double t) noexcept {
     double sum = 0.0;
-    const base::Array<Cone>& cones = ctx.system.contacts.cones;
+    const base::Array<Cone>& cones = ctx.model.system.contacts.cones;
     for (std::size_t k = 0; k < cones.size(); ++k) {
         const Cone& c = cones[k];
-        const double* from = &ctx.newton.contact[6 * k];
+        const double* from = &ctx.work.newton.contact[6 * k];
         double u[3], law[3];
         for (int i = 0; i < 3; ++i) u[i] = from[i] + t * (c.u[i] - from[i]);
         nonsmooth::associated_impulse(c, u, law);
@@ -62,8 +62,8 @@ void search(StepContext& ctx) noexcept {
 
 double worst_of_model(const StepContext& ctx) noexcept {
     double largest = 0.0;
-    for (const Cone& c : ctx.system.contacts.cones)
-        largest = std::max(largest, nonsmooth::associated_map(c, ctx.contact_floor));
+    for (const Cone& c : ctx.model.system.contacts.cones)
+        largest = std::max(largest, nonsmooth::associated_map(c, ctx.model.contact_floor));
     return largest;
 }
 
@@ -75,11 +75,11 @@ void begin_convex(StepContext& ctx) noexcept {
 }
 
 Status solve_convex(StepContext& ctx) noexcept {
-    ctx.newton.iterations = 0;
+    ctx.work.newton.iterations = 0;
     constexpr int kKrylovFrom = 2;  // as in newton.cpp
     bool again = false;
     for (int it = 0;; ++it) {
-        ++ctx.newton.iterations;
+        ++ctx.work.newton.iterations;
         if (it == 0 || again || it < kKrylovFrom || !find_impulses(ctx)) {
             if (it > 0) adopt_laws(ctx, false);
             if (const Status s = newton_solve(ctx, it == 0, it == 0 || again); s != Status::ok)
@@ -91,12 +91,13 @@ Status solve_convex(StepContext& ctx) noexcept {
         again = update_active_set(ctx, it);
         const double left = worst_of_model(ctx);
         if (!std::isfinite(left)) return Status::not_finite;
-        if ((left <= ctx.def.contact_tolerance && !again) || it + 1 >= ctx.def.contact_iterations)
+        if ((left <= ctx.model.def.contact_tolerance && !again) ||
+            it + 1 >= ctx.model.def.contact_iterations)
             break;
         keep_iterate(ctx);
-        ctx.stats.flips_left += linearise(ctx);  // to those of rows
+        ctx.work.stats.flips_left += linearise(ctx);  // to those of rows
     }
-    ctx.stats.natural_map = worst(ctx);
+    ctx.work.stats.natural_map = worst(ctx);
     return refine(ctx);
 }
 

@@ -6,7 +6,7 @@
 namespace hawser::stepper {
 
 void begin_contacts(StepContext& ctx) noexcept {
-    switch (ctx.def.nonsmooth) {
+    switch (ctx.model.def.nonsmooth) {
         case Nonsmooth::newton:
             return begin_newton(ctx);
         case Nonsmooth::pivoting:
@@ -21,7 +21,7 @@ void begin_contacts(StepContext& ctx) noexcept {
 }
 
 Status solve_contacts(StepContext& ctx) noexcept {
-    switch (ctx.def.nonsmooth) {
+    switch (ctx.model.def.nonsmooth) {
         case Nonsmooth::pivoting:
             return solve_pivoting(ctx);
         case Nonsmooth::split:

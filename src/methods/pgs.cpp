@@ -71,17 +71,18 @@ void start(StepContext& ctx, const View& v) noexcept {
     for (std::int32_t b = 0; b < v.body_count; ++b)
         if (v.dof[b] > 0) answer(ctx, b, v.dof[b], v.a + v.dof_begin[b], v.v_new + v.dof_begin[b]);
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
-        if (ctx.system.rests(id)) continue;
+        if (ctx.model.system.rests(id)) continue;
         const ImpulseRange range = impulse_range(ctx, id);
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
             v.lambda[row] = std::clamp(v.lambda[row], range.low, range.high);
-            ctx.newton.row_mobility[static_cast<std::size_t>(row)] = row_mobility(ctx, v, id, r);
+            ctx.work.newton.row_mobility[static_cast<std::size_t>(row)] =
+                row_mobility(ctx, v, id, r);
             push_row(ctx, v, id, r, v.lambda[row]);
         }
     }
-    for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
-        nonsmooth::Cone& c = ctx.system.contacts.cones[k];
+    for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
+        nonsmooth::Cone& c = ctx.model.system.contacts.cones[k];
         nonsmooth::project(c.friction, c.lambda);
         push_contact(ctx, v, k, c.lambda);
     }
@@ -89,13 +90,13 @@ void start(StepContext& ctx, const View& v) noexcept {
 
 void sweep_rows(StepContext& ctx, const View& v) noexcept {
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
-        if (ctx.system.rests(id)) continue;
+        if (ctx.model.system.rests(id)) continue;
         const ImpulseRange range = impulse_range(ctx, id);
         if (range.low == range.high) continue;
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
             const double whole =
-                ctx.newton.row_mobility[static_cast<std::size_t>(row)] + v.sigma[row];
+                ctx.work.newton.row_mobility[static_cast<std::size_t>(row)] + v.sigma[row];
             if (!(whole > 0.0)) continue;
             const double wrong = v.c[row] - row_speed(v, id, r) - v.sigma[row] * v.lambda[row];
             const double now = std::clamp(v.lambda[row] + wrong / whole, range.low, range.high);
@@ -109,12 +110,13 @@ void sweep_rows(StepContext& ctx, const View& v) noexcept {
 /// What is left in the rows, for the certificate.
 void take_residuals(StepContext& ctx, const View& v) noexcept {
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
-        if (ctx.system.rests(id)) continue;
+        if (ctx.model.system.rests(id)) continue;
         const ImpulseRange range = impulse_range(ctx, id);
         const double first = v.lambda[v.row_begin[id]];
         if ((v.flags[id] & model::kBounded) || v.parted[id])
             v.active[id] = range.low < first && first < range.high ? 1.0 : 0.0;
-        ctx.interactions.held[static_cast<std::size_t>(id)] = v.active[id] == 0.0 ? first : 0.0;
+        ctx.model.interactions.held[static_cast<std::size_t>(id)] =
+            v.active[id] == 0.0 ? first : 0.0;
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
             const double idle = r == 0 ? (1.0 - v.active[id]) * v.held[id] : 0.0;
@@ -130,25 +132,25 @@ void begin_pgs(StepContext& ctx) noexcept { freeze_impulses(ctx); }
 
 Status solve_pgs(StepContext& ctx) noexcept {
     const Status room =
-        guarded(ctx, [&] { reserve_gauss_seidel(ctx, ctx.system.contacts.count()); });
+        guarded(ctx, [&] { reserve_gauss_seidel(ctx, ctx.model.system.contacts.count()); });
     if (room != Status::ok) return room;
     const View v = view(ctx);
-    ctx.rhs_ready = false;
+    ctx.work.solve.rhs_ready = false;
     if (!invert_masses(ctx, v)) return Status::wrong_pivot;
     start(ctx, v);
-    for (int i = 0; i < ctx.def.nonsmooth_sweeps && !ctx.pool.stopping(); ++i) {
+    for (int i = 0; i < ctx.model.def.nonsmooth_sweeps && !ctx.pool.stopping(); ++i) {
         sweep_rows(ctx, v);
-        for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
+        for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
             relax_normal(ctx, v, k);
             relax_tangents(ctx, v, k);
         }
     }
-    ctx.newton.iterations = ctx.def.nonsmooth_sweeps;
+    ctx.work.newton.iterations = ctx.model.def.nonsmooth_sweeps;
     freeze_impulses(ctx);
-    if (ctx.system.contacts.count() > 0) update_contacts(ctx, v.v_new);
+    if (ctx.model.system.contacts.count() > 0) update_contacts(ctx, v.v_new);
     take_residuals(ctx, v);
-    if (ctx.system.contacts.count() > 0) ctx.stats.natural_map = worst(ctx);
-    if (!std::isfinite(ctx.stats.natural_map)) return Status::not_finite;
+    if (ctx.model.system.contacts.count() > 0) ctx.work.stats.natural_map = worst(ctx);
+    if (!std::isfinite(ctx.work.stats.natural_map)) return Status::not_finite;
     return measure(ctx);
 }
 

@@ -23,11 +23,11 @@ using nonsmooth::Cone;
 constexpr int kPasses = 8;
 
 void make_laws(StepContext& ctx) noexcept {
-    for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
-        Cone& c = ctx.system.contacts.cones[k];
-        const Bound* rows = &ctx.newton.bounds[3 * k];
-        ctx.newton.laws[k] = nonsmooth::box_law(c, rows, ctx.newton.limit[k]);
-        c.touch = nonsmooth::touch_of(rows, ctx.newton.limit[k]);
+    for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
+        Cone& c = ctx.model.system.contacts.cones[k];
+        const Bound* rows = &ctx.work.newton.bounds[3 * k];
+        ctx.work.newton.laws[k] = nonsmooth::box_law(c, rows, ctx.work.newton.limit[k]);
+        c.touch = nonsmooth::touch_of(rows, ctx.work.newton.limit[k]);
     }
 }
 
@@ -39,11 +39,12 @@ Status pass(StepContext& ctx, int& rounds) noexcept {
             return s;
         ++rounds;
         again = update_active_set(ctx, rounds - 1);
-        const int count = nonsmooth::pivot(ctx.system.contacts.cones, ctx.newton.bounds,
-                                           ctx.newton.limit, ctx.contact_floor, progress);
-        ctx.stats.flips_left += count;  // to those of rows
+        const int count =
+            nonsmooth::pivot(ctx.model.system.contacts.cones, ctx.work.newton.bounds,
+                             ctx.work.newton.limit, ctx.model.contact_floor, progress);
+        ctx.work.stats.flips_left += count;  // to those of rows
         if (count == 0 && !again) return Status::ok;
-        if (rounds >= ctx.def.contact_iterations) return Status::ok;
+        if (rounds >= ctx.model.def.contact_iterations) return Status::ok;
         make_laws(ctx);
         adopt_laws(ctx, false);
     }
@@ -52,17 +53,17 @@ Status pass(StepContext& ctx, int& rounds) noexcept {
 /// Bounds of the next pass. @return largest change, relative.
 double renew_limits(StepContext& ctx) noexcept {
     double change = 0.0;
-    for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
-        const Cone& c = ctx.system.contacts.cones[k];
-        double& limit = ctx.newton.limit[k];
+    for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
+        const Cone& c = ctx.model.system.contacts.cones[k];
+        double& limit = ctx.work.newton.limit[k];
         const double now = c.friction * std::max(0.0, c.lambda[0]);
         // A bound that nothing leans on may change without another pass.
-        const bool held = ctx.newton.bounds[3 * k + 1] == Bound::free &&
-                          ctx.newton.bounds[3 * k + 2] == Bound::free &&
+        const bool held = ctx.work.newton.bounds[3 * k + 1] == Bound::free &&
+                          ctx.work.newton.bounds[3 * k + 2] == Bound::free &&
                           std::max(std::fabs(c.lambda[1]), std::fabs(c.lambda[2])) <= now;
         if (!held)
-            change = std::max(change,
-                              std::fabs(now - limit) / std::max({now, limit, ctx.contact_floor}));
+            change = std::max(
+                change, std::fabs(now - limit) / std::max({now, limit, ctx.model.contact_floor}));
         limit = now;
     }
     return change;
@@ -71,17 +72,17 @@ double renew_limits(StepContext& ctx) noexcept {
 }  // namespace
 
 void begin_pivoting(StepContext& ctx) noexcept {
-    for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
-        const Cone& c = ctx.system.contacts.cones[k];
-        ctx.newton.limit[k] = c.friction * std::max(0.0, c.lambda[0]);
+    for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
+        const Cone& c = ctx.model.system.contacts.cones[k];
+        ctx.work.newton.limit[k] = c.friction * std::max(0.0, c.lambda[0]);
         // Where the last step left them, by the law of the rows at its velocities.
-        Bound* rows = &ctx.newton.bounds[3 * k];
+        Bound* rows = &ctx.work.newton.bounds[3 * k];
         rows[0] = c.u[0] - c.b[0] < 0.0 ? Bound::free : Bound::low;
         for (int i = 1; i < 3; ++i) {
             const double y = (c.b[i] - c.u[i]) / c.sigma_t;
-            rows[i] = y > ctx.newton.limit[k]    ? Bound::high
-                      : y < -ctx.newton.limit[k] ? Bound::low
-                                                 : Bound::free;
+            rows[i] = y > ctx.work.newton.limit[k]    ? Bound::high
+                      : y < -ctx.work.newton.limit[k] ? Bound::low
+                                                      : Bound::free;
         }
     }
     make_laws(ctx);
@@ -95,14 +96,14 @@ Status solve_pivoting(StepContext& ctx) noexcept {
         // Bounds to a tenth of a percent: with the box itself up to 41 % off there is no point
         // in more.
         constexpr double kStill = 1e-3;
-        if (rounds >= ctx.def.contact_iterations || i + 1 == kPasses) break;
+        if (rounds >= ctx.model.def.contact_iterations || i + 1 == kPasses) break;
         if (renew_limits(ctx) <= kStill) break;
         make_laws(ctx);
         adopt_laws(ctx, false);
     }
-    ctx.newton.iterations = rounds;
-    ctx.stats.natural_map = worst(ctx);
-    if (!std::isfinite(ctx.stats.natural_map)) return Status::not_finite;
+    ctx.work.newton.iterations = rounds;
+    ctx.work.stats.natural_map = worst(ctx);
+    if (!std::isfinite(ctx.work.stats.natural_map)) return Status::not_finite;
     return refine(ctx);
 }
 

@@ -28,8 +28,8 @@ constexpr int kMostRounds = 20;  ///< Of the active set; it mostly takes one to 
 
 /// Normal row in the matrix or not; the tangents' impulses are numbers.
 void make_law(StepContext& ctx, std::size_t k, bool bears) noexcept {
-    Cone& c = ctx.system.contacts.cones[k];
-    nonsmooth::Law& law = ctx.newton.laws[k];
+    Cone& c = ctx.model.system.contacts.cones[k];
+    nonsmooth::Law& law = ctx.work.newton.laws[k];
     law = {};
     if (bears) {
         law.s[0] = 1.0 / c.sigma_n;
@@ -52,7 +52,7 @@ Status solve_normals(StepContext& ctx, bool first) noexcept {
     bool again = false;
     for (int round = 0;; ++round) {
         bool changed = false;
-        for (const std::uint8_t c : ctx.system.contacts.changed) changed = changed || c != 0;
+        for (const std::uint8_t c : ctx.model.system.contacts.changed) changed = changed || c != 0;
         if (first || changed) {
             if (const Status s = newton_solve(ctx, first, first || again); s != Status::ok)
                 return s;
@@ -60,16 +60,16 @@ Status solve_normals(StepContext& ctx, bool first) noexcept {
             continue_with_factor(ctx);
         }
         first = false;
-        ++ctx.newton.iterations;
+        ++ctx.work.newton.iterations;
         again = update_active_set(ctx, round);
         std::int32_t flips = 0;
-        for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
-            const Cone& c = ctx.system.contacts.cones[k];
+        for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
+            const Cone& c = ctx.model.system.contacts.cones[k];
             const bool now = bears(c);
             flips += now != (c.s[0] != 0.0) ? 1 : 0;
             make_law(ctx, k, now);
         }
-        ctx.stats.flips_left = flips;
+        ctx.work.stats.flips_left = flips;
         if ((flips == 0 && !again) || round + 1 >= kMostRounds) return Status::ok;
         // A row that is switched changes the matrix where no contact does.
         adopt_laws(ctx, again);
@@ -80,39 +80,40 @@ Status solve_normals(StepContext& ctx, bool first) noexcept {
 Status sweep_tangents(StepContext& ctx) noexcept {
     const assembly::View v = view(ctx);
     if (!invert_masses(ctx, v)) return Status::wrong_pivot;
-    for (int i = 0; i < ctx.def.nonsmooth_sweeps && !ctx.pool.stopping(); ++i)
-        for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) relax_tangents(ctx, v, k);
+    for (int i = 0; i < ctx.model.def.nonsmooth_sweeps && !ctx.pool.stopping(); ++i)
+        for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k)
+            relax_tangents(ctx, v, k);
     // The radius changes a little in what follows; what slides is decided here.
-    for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k)
-        ctx.newton.touch[k] = nonsmooth::touch_by_impulse(ctx.system.contacts.cones[k]);
+    for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k)
+        ctx.work.newton.touch[k] = nonsmooth::touch_by_impulse(ctx.model.system.contacts.cones[k]);
     return Status::ok;
 }
 
 }  // namespace
 
 void begin_split(StepContext& ctx) noexcept {
-    for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
-        const Cone& c = ctx.system.contacts.cones[k];
+    for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
+        const Cone& c = ctx.model.system.contacts.cones[k];
         make_law(ctx, k, c.u[0] - c.b[0] < 0.0);
     }
     adopt_laws(ctx, true);
 }
 
 Status solve_split(StepContext& ctx) noexcept {
-    ctx.newton.iterations = 0;
+    ctx.work.newton.iterations = 0;
     if (const Status s = solve_normals(ctx, true); s != Status::ok) return s;
     if (const Status s = sweep_tangents(ctx); s != Status::ok) return s;
     // The sweeps moved v₊ without the normals; the solver takes it up from the momentum balance.
-    for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k)
-        make_law(ctx, k, ctx.system.contacts.cones[k].s[0] != 0.0);
+    for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k)
+        make_law(ctx, k, ctx.model.system.contacts.cones[k].s[0] != 0.0);
     adopt_laws(ctx, false);
     if (const Status s = solve_normals(ctx, false); s != Status::ok) return s;
-    ctx.stats.natural_map = worst(ctx);
-    if (!std::isfinite(ctx.stats.natural_map)) return Status::not_finite;
+    ctx.work.stats.natural_map = worst(ctx);
+    if (!std::isfinite(ctx.work.stats.natural_map)) return Status::not_finite;
     const Status status = refine(ctx);
-    for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
-        Cone& c = ctx.system.contacts.cones[k];
-        c.touch = c.lambda[0] > 0.0 ? ctx.newton.touch[k] : Touch::open;
+    for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
+        Cone& c = ctx.model.system.contacts.cones[k];
+        c.touch = c.lambda[0] > 0.0 ? ctx.work.newton.touch[k] : Touch::open;
     }
     return status;
 }

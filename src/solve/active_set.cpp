@@ -21,8 +21,8 @@ std::int32_t switch_solved(StepContext& ctx, int pass) noexcept {
     keep_bounds(ctx, 1.0);
     const std::int32_t rows =
         switch_bounds(ctx, 0.0, pass < kTogether ? kAnyRows : pass < kMostPasses);
-    ctx.stats.flips_left = pass < kMostPasses ? 0 : rows;
-    if (rows > 0) ctx.rhs_ready = false;
+    ctx.work.stats.flips_left = pass < kMostPasses ? 0 : rows;
+    if (rows > 0) ctx.work.solve.rhs_ready = false;
     return rows;
 }
 
@@ -30,15 +30,15 @@ std::int32_t switch_solved(StepContext& ctx, int pass) noexcept {
 
 Status settle_bounds(StepContext& ctx) noexcept {
     constexpr int kMostSolves = 100;  // of bounds that move
-    const double tolerance = ctx.def.contact_tolerance;
+    const double tolerance = ctx.model.def.contact_tolerance;
     for (int pass = 0, solves = 0; pass <= kMostPasses; ++solves) {
-        ctx.stats.natural_map = bounds_map(ctx);
+        ctx.work.stats.natural_map = bounds_map(ctx);
         // In the end nothing is moved, so that λ is what has been solved for.
         if (solves >= kMostSolves) pass = kMostPasses;
         Status status = Status::ok;
-        const bool moved = ctx.stats.natural_map > tolerance;
+        const bool moved = ctx.work.stats.natural_map > tolerance;
         if (!moved && pass < kMostPasses && !any_asks(ctx, view(ctx))) {
-            ctx.stats.flips_left = 0;
+            ctx.work.stats.flips_left = 0;
             break;
         }
         const std::int32_t rows = switch_solved(ctx, pass);
@@ -58,11 +58,11 @@ Status settle_bounds(StepContext& ctx) noexcept {
 Status follow_loads(StepContext& ctx) noexcept {
     constexpr int kMost = 8;
     Status status = Status::ok;
-    ctx.newton.follow.restart();
+    ctx.work.newton.follow.restart();
     for (int i = 0; i < kMost && status == Status::ok; ++i) {
-        if (!(bounds_map(ctx) > ctx.def.contact_tolerance)) break;
-        if (asking_rows(ctx, ctx.contact_floor) > 0) break;
-        (void)switch_bounds(ctx, ctx.contact_floor, kAnyRows);
+        if (!(bounds_map(ctx) > ctx.model.def.contact_tolerance)) break;
+        if (asking_rows(ctx, ctx.model.contact_floor) > 0) break;
+        (void)switch_bounds(ctx, ctx.model.contact_floor, kAnyRows);
         continue_with_factor(ctx);
         status = refine(ctx);
     }
@@ -70,7 +70,7 @@ Status follow_loads(StepContext& ctx) noexcept {
 }
 
 bool update_active_set(StepContext& ctx, int pass) noexcept {
-    const bool moved = bounds_map(ctx) > ctx.def.contact_tolerance;
+    const bool moved = bounds_map(ctx) > ctx.model.def.contact_tolerance;
     const std::int32_t rows = switch_solved(ctx, pass);
     return pass < kMostPasses && (rows > 0 || moved);
 }

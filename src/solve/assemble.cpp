@@ -15,38 +15,38 @@ using assembly::View;
 
 /// Whether the solution starts at v_start: with contacts Newton's method has a start of its own.
 bool starts_moving(const StepContext& ctx) noexcept {
-    return ctx.system.contacts.count() == 0 && ctx.def.nonsmooth != Nonsmooth::pgs;
+    return ctx.model.system.contacts.count() == 0 && ctx.model.def.nonsmooth != Nonsmooth::pgs;
 }
 
 }  // namespace
 
 void assemble_system(StepContext& ctx) noexcept {
-    ctx.losses_known = false;
+    ctx.work.solve.losses_known = false;
     const View v = view(ctx);
     const assembly::Kernels& k = assembly::kernels();
-    hold_bounds(ctx, ctx.def.step);
+    hold_bounds(ctx, ctx.model.def.step);
     choose_completed(ctx);
-    const bool completes = ctx.completion.any;
+    const bool completes = ctx.model.completion.any;
     const bool moving = starts_moving(ctx);
     View rows = v;
     // PGS measures its solution without renewing what v₊ does.
-    if (!moving && ctx.def.nonsmooth != Nonsmooth::pgs) rows.v_start = nullptr;
+    if (!moving && ctx.model.def.nonsmooth != Nonsmooth::pgs) rows.v_start = nullptr;
     sweep(
         ctx,
         [&](int strip) {
             evaluate_strip(ctx, rows, strip);
             replan_wires(ctx, rows, strip);
             if (completes) (void)complete_strip(ctx, v, strip, v.v_start, true);
-            each(ctx.system.strips.interactions(strip),
+            each(ctx.model.system.strips.interactions(strip),
                  [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b, moving); });
         },
         [&](std::int32_t a, std::int32_t b, int) {
             k.body_terms(v, a, b);
-            ctx.loads.add_terms(v, a, b);
+            ctx.state.loads.add_terms(v, a, b);
             if (completes) (void)k.complete_spins(v, a, b, v.v_start, true);
             k.first_body_rhs(v, a, b, moving);
         });
-    ctx.rhs_ready = true;
+    ctx.work.solve.rhs_ready = true;
 }
 
 }  // namespace hawser::stepper

@@ -16,7 +16,7 @@ using assembly::View;
 
 /// What others add to the bound of friction, by their impulses at hand [N s].
 double load_of(const StepContext& ctx, std::int32_t id) noexcept {
-    const model::Interactions& in = ctx.interactions;
+    const model::Interactions& in = ctx.model.interactions;
     if (in.load_begin[at(id)] < 0) return 0.0;
     double sum = 0.0;
     for (int i = 0; i < kMaxFrictionLoads; ++i) {
@@ -30,8 +30,9 @@ double load_of(const StepContext& ctx, std::int32_t id) noexcept {
 }
 
 double stiffness_scale(const StepContext& ctx, std::size_t i) noexcept {
-    const model::Interactions& in = ctx.interactions;
-    return ctx.system.bounded_mobility[i] + in.sigma[at(in.row_begin[at(ctx.system.bounded[i])])];
+    const model::Interactions& in = ctx.model.interactions;
+    return ctx.model.system.bounded_mobility[i] +
+           in.sigma[at(in.row_begin[at(ctx.model.system.bounded[i])])];
 }
 
 /// λ, and r = c − G v − Σλ, which is 0 of an active row: it has been solved for.
@@ -69,7 +70,7 @@ struct Wish {
 };
 Wish wish_of(const StepContext& ctx, const View& v, std::size_t i, const BoundedRow& p,
              const ImpulseRange& range) noexcept {
-    const std::int32_t id = ctx.system.bounded[i];
+    const std::int32_t id = ctx.model.system.bounded[i];
     const bool was_active = v.active[id] != 0.0;
     // An idle row goes where its bound has gone; only then it is asked whether it stays.
     const double lambda = was_active ? p.lambda : moved_with(range, v.held[id]);
@@ -80,23 +81,24 @@ Wish wish_of(const StepContext& ctx, const View& v, std::size_t i, const Bounded
 /// its range.
 bool stays(const StepContext& ctx, const View& v, std::int32_t id,
            const ImpulseRange& range) noexcept {
-    return v.parted[id] || ctx.wires.gives_way(id) ||
+    return v.parted[id] || ctx.model.wires.gives_way(id) ||
            ((v.flags[id] & model::kRange) && range.low == range.high);
 }
 
 }  // namespace
 
 ImpulseRange impulse_range(const StepContext& ctx, std::int32_t id) noexcept {
-    const model::Interactions& in = ctx.interactions;
+    const model::Interactions& in = ctx.model.interactions;
     const int flags = in.flags[at(id)];
-    if (in.parted[at(id)] || ctx.wires.gives_way(id)) return {0.0, 0.0};
+    if (in.parted[at(id)] || ctx.model.wires.gives_way(id)) return {0.0, 0.0};
     if (flags & model::kRange) {
         constexpr double kAll = model::kUnbounded;
         const double g = in.g[at(in.row_begin[at(id)])];
         return {g > 0.0 ? -kAll : 0.0, g < 0.0 ? kAll : 0.0};
     }
     // A line's force has no bound in an impact either.
-    const double time = flags & (model::kMotor | model::kFriction) ? ctx.newton.bound_time : 1.0;
+    const double time =
+        flags & (model::kMotor | model::kFriction) ? ctx.work.newton.bound_time : 1.0;
     ImpulseRange range{time * in.low[at(id)], time * in.high[at(id)]};
     if (flags & model::kFriction) {
         const double load = load_of(ctx, id);
@@ -108,21 +110,21 @@ ImpulseRange impulse_range(const StepContext& ctx, std::int32_t id) noexcept {
 }
 
 void reserve_bounds(StepContext& ctx) {
-    ctx.newton.row.resize(ctx.system.bounded.size());
-    ctx.newton.row_end.resize(ctx.system.bounded.size());
-    const model::Interactions& in = ctx.interactions;
-    ctx.newton.loaded.clear();
-    for (const std::int32_t id : ctx.system.bounded)
+    ctx.work.newton.row.resize(ctx.model.system.bounded.size());
+    ctx.work.newton.row_end.resize(ctx.model.system.bounded.size());
+    const model::Interactions& in = ctx.model.interactions;
+    ctx.work.newton.loaded.clear();
+    for (const std::int32_t id : ctx.model.system.bounded)
         if ((in.flags[at(id)] & model::kFriction) && in.load_begin[at(id)] >= 0)
-            ctx.newton.loaded.push_back(id);
-    ctx.newton.follow.reserve(ctx.newton.loaded.size());
+            ctx.work.newton.loaded.push_back(id);
+    ctx.work.newton.follow.reserve(ctx.work.newton.loaded.size());
 }
 
 void hold_bounds(StepContext& ctx, double time) noexcept {
-    model::Interactions& in = ctx.interactions;
-    ctx.newton.bound_time = time;
-    ctx.newton.follow.restart();
-    for (const std::int32_t id : ctx.system.bounded) {
+    model::Interactions& in = ctx.model.interactions;
+    ctx.work.newton.bound_time = time;
+    ctx.work.newton.follow.restart();
+    for (const std::int32_t id : ctx.model.system.bounded) {
         double& held = in.held[at(id)];
         if (held != 0.0) held = 0.0;
         if (in.active[at(id)] != 0.0 || !(in.flags[at(id)] & (model::kMotor | model::kFriction)))
@@ -134,22 +136,22 @@ void hold_bounds(StepContext& ctx, double time) noexcept {
 
 void take_bounds(StepContext& ctx) noexcept {
     const View v = view(ctx);
-    for (std::size_t i = 0; i < ctx.system.bounded.size(); ++i)
-        ctx.newton.row_end[i] = row_now(v, ctx.system.bounded[i]);
+    for (std::size_t i = 0; i < ctx.model.system.bounded.size(); ++i)
+        ctx.work.newton.row_end[i] = row_now(v, ctx.model.system.bounded[i]);
 }
 
 void keep_bounds(StepContext& ctx, double t) noexcept {
-    Newton& n = ctx.newton;
+    Newton& n = ctx.work.newton;
     if (t == 1.0) return n.row.swap(n.row_end);
     for (std::size_t i = 0; i < n.row.size(); ++i) n.row[i] = along(n, i, t);
 }
 
 double bounds_merit(const StepContext& ctx, double t) noexcept {
     double sum = 0.0;
-    for (std::size_t i = 0; i < ctx.system.bounded.size(); ++i) {
-        const ImpulseRange range = impulse_range(ctx, ctx.system.bounded[i]);
+    for (std::size_t i = 0; i < ctx.model.system.bounded.size(); ++i) {
+        const ImpulseRange range = impulse_range(ctx, ctx.model.system.bounded[i]);
         const double scale = stiffness_scale(ctx, i);
-        const BoundedRow p = along(ctx.newton, i, t);
+        const BoundedRow p = along(ctx.work.newton, i, t);
         const double e = p.lambda - std::clamp(p.lambda + p.r / scale, range.low, range.high);
         sum += scale * e * e;
     }
@@ -157,14 +159,14 @@ double bounds_merit(const StepContext& ctx, double t) noexcept {
 }
 
 double bounds_map(const StepContext& ctx) noexcept {
-    const model::Interactions& in = ctx.interactions;
+    const model::Interactions& in = ctx.model.interactions;
     double largest = 0.0;
     for (const std::int32_t id : in.frictions) {
-        if (in.active[at(id)] != 0.0 || ctx.system.rests(id)) continue;
+        if (in.active[at(id)] != 0.0 || ctx.model.system.rests(id)) continue;
         const double held = in.held[at(id)], bound = moved_with(impulse_range(ctx, id), held);
         if (bound == held) continue;
-        largest = std::max(largest,
-                           std::fabs(bound - held) / std::max(std::fabs(bound), ctx.contact_floor));
+        largest = std::max(
+            largest, std::fabs(bound - held) / std::max(std::fabs(bound), ctx.model.contact_floor));
     }
     return largest;
 }
@@ -173,23 +175,24 @@ namespace {
 
 /// Impulses at bounds that follow their loads, where they are idle. Others are not part of it.
 void read_held(const StepContext& ctx, double* out) noexcept {
-    for (const std::int32_t id : ctx.newton.loaded)
-        *out++ = ctx.interactions.active[at(id)] == 0.0 ? ctx.interactions.held[at(id)] : 0.0;
+    for (const std::int32_t id : ctx.work.newton.loaded)
+        *out++ = ctx.model.interactions.active[at(id)] == 0.0 ? ctx.model.interactions.held[at(id)]
+                                                              : 0.0;
 }
 
 /// Bounds moved with their loads: farther, by what that did the last times.
 void extrapolate_bounds(StepContext& ctx) noexcept {
     const View v = view(ctx);
-    nonsmooth::Anderson& follow = ctx.newton.follow;
+    nonsmooth::Anderson& follow = ctx.work.newton.follow;
     read_held(ctx, follow.image());
-    const double* x = follow.next(ctx.contact_floor);
-    for (const std::int32_t id : ctx.newton.loaded) {
-        double& held = ctx.interactions.held[at(id)];
+    const double* x = follow.next(ctx.model.contact_floor);
+    for (const std::int32_t id : ctx.work.newton.loaded) {
+        double& held = ctx.model.interactions.held[at(id)];
         const double there = *x++;
         // Friction does not turn round, whatever its load.
         if (v.active[id] != 0.0 || !(there * held > 0.0)) continue;
         held = v.lambda[v.row_begin[id]] = there;
-        ctx.losses_known = false;
+        ctx.work.solve.losses_known = false;
     }
 }
 
@@ -198,14 +201,14 @@ void extrapolate_bounds(StepContext& ctx) noexcept {
 std::int32_t switch_bounds(StepContext& ctx, double floor, std::int32_t most) noexcept {
     const View v = view(ctx);
     std::int32_t asking = 0;
-    const bool follows = most > 0 && !ctx.newton.loaded.empty();
-    if (follows) read_held(ctx, ctx.newton.follow.x());
-    for (std::size_t i = 0; i < ctx.system.bounded.size(); ++i) {
-        const std::int32_t id = ctx.system.bounded[i], row = v.row_begin[id];
+    const bool follows = most > 0 && !ctx.work.newton.loaded.empty();
+    if (follows) read_held(ctx, ctx.work.newton.follow.x());
+    for (std::size_t i = 0; i < ctx.model.system.bounded.size(); ++i) {
+        const std::int32_t id = ctx.model.system.bounded[i], row = v.row_begin[id];
         const ImpulseRange range = impulse_range(ctx, id);
         if (stays(ctx, v, id, range)) continue;
-        const BoundedRow p = ctx.newton.row[i];
-        double& held = ctx.interactions.held[at(id)];
+        const BoundedRow p = ctx.work.newton.row[i];
+        double& held = ctx.model.interactions.held[at(id)];
         const auto [was_active, active, projected] = wish_of(ctx, v, i, p, range);
         if (active && was_active) continue;
         if (active != was_active) {
@@ -214,20 +217,20 @@ std::int32_t switch_bounds(StepContext& ctx, double floor, std::int32_t most) no
             if (asking++ >= most) continue;
         }
         if (most == 0) continue;
-        ctx.losses_known = false;
+        ctx.work.solve.losses_known = false;
         v.active[id] = active ? 1.0 : 0.0;
         if (active) continue;
         held = projected;
         v.lambda[row] = projected;
     }
     if (follows && asking == 0) extrapolate_bounds(ctx);
-    if (asking > 0) ctx.newton.follow.restart();
+    if (asking > 0) ctx.work.newton.follow.restart();
     return asking;
 }
 
 bool any_asks(const StepContext& ctx, const View& v) noexcept {
-    for (std::size_t i = 0; i < ctx.system.bounded.size(); ++i) {
-        const std::int32_t id = ctx.system.bounded[i];
+    for (std::size_t i = 0; i < ctx.model.system.bounded.size(); ++i) {
+        const std::int32_t id = ctx.model.system.bounded[i];
         if (pulls_on(v, id)) continue;
         const ImpulseRange range = impulse_range(ctx, id);
         if (stays(ctx, v, id, range)) continue;
@@ -246,11 +249,11 @@ std::int32_t asking_rows(StepContext& ctx, double floor) noexcept {
 }
 
 void move_anchors(StepContext& ctx) noexcept {
-    model::Interactions& in = ctx.interactions;
+    model::Interactions& in = ctx.model.interactions;
     for (const std::int32_t id : in.frictions) {
-        if (in.active[at(id)] != 0.0 || ctx.system.rests(id)) continue;
+        if (in.active[at(id)] != 0.0 || ctx.model.system.rests(id)) continue;
         const auto row = at(in.row_begin[at(id)]);
-        const double g = in.row_state(id, ctx.bodies).g[0];
+        const double g = in.row_state(id, ctx.model.bodies).g[0];
         in.set_anchor(id, in.anchor[at(id)] + g + in.epsilon[row] * in.force[row]);
     }
 }

@@ -6,7 +6,7 @@
 namespace hawser::stepper {
 
 void update_slots(StepContext& ctx, const double* v) noexcept {
-    assembly::Contacts& c = ctx.system.contacts;
+    assembly::Contacts& c = ctx.model.system.contacts;
     over(ctx, static_cast<std::int32_t>(c.count()),
          [&](std::int32_t a, std::int32_t b) { c.update(v, a, b); });
     over(ctx, static_cast<std::int32_t>(c.resistances.count()),
@@ -15,7 +15,7 @@ void update_slots(StepContext& ctx, const double* v) noexcept {
 
 void update_contacts(StepContext& ctx, const double* v) noexcept {
     update_slots(ctx, v);
-    assembly::Contacts& c = ctx.system.contacts;
+    assembly::Contacts& c = ctx.model.system.contacts;
     over(ctx, static_cast<std::int32_t>(c.touched()),
          [&](std::int32_t a, std::int32_t b) { c.gather(a, b); });
 }

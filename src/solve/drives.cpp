@@ -40,7 +40,7 @@ double work_on_bodies(const assembly::View& v, std::int32_t id, bool rigid_rows_
 /// it on to the bodies or keeps it.
 double work_of_carriers(StepContext& ctx, const assembly::View& v, std::int32_t id,
                         bool elastic_rows_only) noexcept {
-    const model::RowState s = ctx.interactions.row_state(id, ctx.bodies);
+    const model::RowState s = ctx.model.interactions.row_state(id, ctx.model.bodies);
     double work = 0.0;
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
@@ -55,7 +55,7 @@ double work_of_carriers(StepContext& ctx, const assembly::View& v, std::int32_t 
 double drive_work(StepContext& ctx) noexcept {
     const assembly::View v = view(ctx);
     double work = 0.0;
-    for (const std::int32_t id : ctx.interactions.working) {
+    for (const std::int32_t id : ctx.model.interactions.working) {
         if (v.active[id] == 0.0 && v.held[id] == 0.0) continue;
         const int flags = v.flags[id];
         const bool velocity = (v.row_flags[v.row_begin[id]] & model::kRowVelocity) != 0;
@@ -71,34 +71,35 @@ double drive_work(StepContext& ctx) noexcept {
 }
 
 void move_carriers(StepContext& ctx) noexcept {
-    model::Bodies& bodies = ctx.bodies;
+    model::Bodies& bodies = ctx.model.bodies;
     for (const std::int32_t body : bodies.driven) {
         const auto b = at(body);
         for (std::size_t i = 0; i < 3; ++i)
-            bodies.x[3 * b + i] += ctx.def.step * bodies.v_fixed[6 * b + i];
+            bodies.x[3 * b + i] += ctx.model.def.step * bodies.v_fixed[6 * b + i];
         const double* w = &bodies.v_fixed[6 * b + 3];
         const double speed = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
         if (!(speed > 0.0)) continue;
-        const double half = 0.5 * ctx.def.step * speed, s = std::sin(half) / speed;
+        const double half = 0.5 * ctx.model.def.step * speed, s = std::sin(half) / speed;
         bodies.turn(body, Quat(std::cos(half), s * w[0], s * w[1], s * w[2]));
     }
 }
 
 void follow_winches(StepContext& ctx) noexcept {
-    model::Interactions& in = ctx.interactions;
-    const double h = ctx.def.step;
+    model::Interactions& in = ctx.model.interactions;
+    const double h = ctx.model.def.step;
     for (const std::int32_t id : in.winches) {
         const auto row = at(in.row_begin[at(id)]);
         const double before = in.epsilon[row];
-        in.follow_length(id, ctx.bodies, h);
+        in.follow_length(id, ctx.model.bodies, h);
         // With the energy g²/2ε at the new compliance; at the old one it was ε_new/ε_old of it.
         if (in.epsilon[row] != before)
-            ctx.drive += in.elastic(id, ctx.bodies, h) * (1.0 - in.epsilon[row] / before);
+            ctx.state.ledger.drive +=
+                in.elastic(id, ctx.model.bodies, h) * (1.0 - in.epsilon[row] / before);
     }
 }
 
 void report_saturation(StepContext& ctx) noexcept {
-    model::Interactions& in = ctx.interactions;
+    model::Interactions& in = ctx.model.interactions;
     for (std::size_t i = 0; i < in.motors.size(); ++i) {
         const std::int32_t id = in.motors[i];
         const bool at_end = in.active[at(id)] == 0.0;

@@ -44,25 +44,25 @@ bool fails(const factor::Numeric& numeric, int wrong) noexcept {
 Status factor(StepContext& ctx, bool whole) noexcept {
     if (ctx.pool.stopping()) return Status::cancelled;
     const View v = view(ctx);
-    assembly::System& s = ctx.system;
-    ++ctx.stats.factorisations;
-    ctx.rhs_ready = false;
+    assembly::System& s = ctx.model.system;
+    ++ctx.work.stats.factorisations;
+    ctx.work.solve.rhs_ready = false;
     const factor::Unsymmetric* set = nullptr;
     if (s.contacts.count() > 0) {
-        collect_columns(s, s.contacts.block_skew, ctx.columns);
-        s.unsymmetric.find(s.symbolic, ctx.columns);
+        collect_columns(s, s.contacts.block_skew, ctx.work.solve.columns);
+        s.unsymmetric.find(s.symbolic, ctx.work.solve.columns);
         set = &s.unsymmetric;
     }
     const std::int64_t all = set ? set->flops : s.symbolic.flops;
-    if (!whole && !ctx.factor_whole && set) {
-        collect_columns(s, s.contacts.block_changed, ctx.columns);
-        s.dirty.find(s.symbolic, ctx.columns, set);
+    if (!whole && !ctx.work.solve.factor_whole && set) {
+        collect_columns(s, s.contacts.block_changed, ctx.work.solve.columns);
+        s.dirty.find(s.symbolic, ctx.work.solve.columns, set);
         // Beyond this share, one pass through memory beats fewer flops.
         constexpr double kPartial = 0.7;
         if (static_cast<double>(s.dirty.flops) < kPartial * static_cast<double>(all)) {
-            ctx.step_flops += s.dirty.flops;
-            ++ctx.stats.substitutions;
-            ++ctx.stats.partial_factorisations;
+            ctx.work.solve.step_flops += s.dirty.flops;
+            ++ctx.work.stats.substitutions;
+            ++ctx.work.stats.partial_factorisations;
             s.numeric.clear(s.symbolic, s.dirty, ctx.pool);
             s.write_blocks(v, s.dirty, s.numeric.values(), ctx.pool);
             s.numeric.copy_to_upper(s.symbolic, s.dirty, *set, ctx.pool);
@@ -73,8 +73,8 @@ Status factor(StepContext& ctx, bool whole) noexcept {
             return Status::ok;
         }
     }
-    ctx.step_flops += all;
-    ++ctx.stats.substitutions;
+    ctx.work.solve.step_flops += all;
+    ++ctx.work.stats.substitutions;
     Writer writer{s, v};
     const factor::Fill fill{Writer::write, &writer, Writer::skew};
     if (fails(s.numeric, s.numeric.factor_forward(s.symbolic, fill, v.solution, ctx.pool, set)))

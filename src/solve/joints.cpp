@@ -28,39 +28,40 @@ void mark_record(model::Interactions& in, std::int32_t id) noexcept {
 
 /// Spins that belong to completed joints.
 void find_turning(StepContext& ctx) noexcept {
-    const model::Interactions& in = ctx.interactions;
-    std::fill(ctx.system.turning.begin(), ctx.system.turning.end(), std::uint8_t{0});
-    ctx.completion.any = false;
-    for (const std::int32_t id : ctx.completion.joints) {
+    const model::Interactions& in = ctx.model.interactions;
+    std::fill(ctx.model.system.turning.begin(), ctx.model.system.turning.end(), std::uint8_t{0});
+    ctx.model.completion.any = false;
+    for (const std::int32_t id : ctx.model.completion.joints) {
         if (!in.completed[at(id)]) continue;
-        ctx.completion.any = true;
+        ctx.model.completion.any = true;
         for (int b = 0; b < in.bodies[at(id)]; ++b)
-            ctx.system.turning[at(in.body[at(kMaxInteractionBodies * id + b)])] = 1;
+            ctx.model.system.turning[at(in.body[at(kMaxInteractionBodies * id + b)])] = 1;
     }
 }
 
 }  // namespace
 
 double swing_number(const StepContext& ctx, std::int32_t id, const double* lambdas) noexcept {
-    const model::Interactions& in = ctx.interactions;
+    const model::Interactions& in = ctx.model.interactions;
     const double* lambda = lambdas + in.row_begin[at(id)];
     double square = 0.0;
     for (int r = 0; r < std::min<int>(in.rows[at(id)], 3); ++r) square += lambda[r] * lambda[r];
-    return ctx.def.step * std::sqrt(square) * in.swing[at(id)];
+    return ctx.model.def.step * std::sqrt(square) * in.swing[at(id)];
 }
 
 void find_joints(StepContext& ctx) {
-    Completion& c = ctx.completion;
-    const model::Interactions& in = ctx.interactions;
+    Completion& c = ctx.model.completion;
+    const model::Interactions& in = ctx.model.interactions;
     c.joints.clear();
     c.rigid.clear();
     c.looped.clear();
     std::vector<std::pair<std::int32_t, std::int32_t>> edges;
-    const std::int32_t ground = ctx.bodies.count();
-    auto node = [&](std::int32_t body) { return ctx.bodies.dof(body) > 0 ? body : ground; };
+    const std::int32_t ground = ctx.model.bodies.count();
+    auto node = [&](std::int32_t body) { return ctx.model.bodies.dof(body) > 0 ? body : ground; };
     for (std::int32_t id = 0; id < in.count(); ++id) {
-        ctx.interactions.completed[at(id)] = 0;
-        if (ctx.system.rests(id) || !model::may_complete(in, id, ctx.def.step)) continue;
+        ctx.model.interactions.completed[at(id)] = 0;
+        if (ctx.model.system.rests(id) || !model::may_complete(in, id, ctx.model.def.step))
+            continue;
         c.joints.push_back(id);
         if (in.epsilon[at(in.row_begin[at(id)])] > 0.0) continue;  // what gives is determined
         const std::int32_t* body = &in.body[at(kMaxInteractionBodies * id)];
@@ -74,21 +75,23 @@ void find_joints(StepContext& ctx) {
     c.refused.assign(c.joints.size(), 0);
     c.lambda_with.assign(in.lambda.size(), 0.0);
     c.any = false;
-    ctx.turnings.assign(at(ctx.system.strips.count() + ctx.system.strips.groups()), {});
+    ctx.work.joints.turnings.assign(
+        at(ctx.model.system.strips.count() + ctx.model.system.strips.groups()), {});
 }
 
 void begin_completion(StepContext& ctx) noexcept {
-    ctx.completion.banned = false;
-    std::fill(ctx.completion.refused.begin(), ctx.completion.refused.end(), std::uint8_t{0});
-    std::copy(ctx.interactions.lambda.begin(), ctx.interactions.lambda.end(),
-              ctx.completion.lambda_with.begin());
+    ctx.model.completion.banned = false;
+    std::fill(ctx.model.completion.refused.begin(), ctx.model.completion.refused.end(),
+              std::uint8_t{0});
+    std::copy(ctx.model.interactions.lambda.begin(), ctx.model.interactions.lambda.end(),
+              ctx.model.completion.lambda_with.begin());
 }
 
 void choose_completed(StepContext& ctx) noexcept {
-    Completion& c = ctx.completion;
-    model::Interactions& in = ctx.interactions;
-    const bool allowed =
-        ctx.started && !c.banned && ctx.cuts.list.empty() && ctx.def.nonsmooth == Nonsmooth::newton;
+    Completion& c = ctx.model.completion;
+    model::Interactions& in = ctx.model.interactions;
+    const bool allowed = ctx.state.started && !c.banned && ctx.model.cuts.list.empty() &&
+                         ctx.model.def.nonsmooth == Nonsmooth::newton;
     over(ctx, static_cast<std::int32_t>(c.joints.size()), [&](std::int32_t a, std::int32_t b) {
         for (std::int32_t k = a; k < b; ++k) {
             const std::int32_t id = c.joints[at(k)];
@@ -109,8 +112,8 @@ void choose_completed(StepContext& ctx) noexcept {
 Turning complete_strip(StepContext& ctx, const View& v, int strip, const double* u,
                        bool first) noexcept {
     Turning t;
-    for (const assembly::PoolRange& r : ctx.system.strips.pools(strip)) {
-        const model::Pool& pool = ctx.interactions.pool[static_cast<std::size_t>(r.kind)];
+    for (const assembly::PoolRange& r : ctx.model.system.strips.pools(strip)) {
+        const model::Pool& pool = ctx.model.interactions.pool[static_cast<std::size_t>(r.kind)];
         t.add(assembly::kernels().complete_rows(v, r.kind, pool.ids.data(), pool.data.data(),
                                                 r.begin, r.end, u, first));
     }
@@ -118,9 +121,9 @@ Turning complete_strip(StepContext& ctx, const View& v, int strip, const double*
 }
 
 void finish_completion(StepContext& ctx) noexcept {
-    Completion& c = ctx.completion;
+    Completion& c = ctx.model.completion;
     for (std::size_t k = 0; k < c.joints.size(); ++k)
-        ctx.interactions.coarse[at(c.joints[k])] = c.coarse_next[k];
+        ctx.model.interactions.coarse[at(c.joints[k])] = c.coarse_next[k];
 }
 
 }  // namespace hawser::stepper

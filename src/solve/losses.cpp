@@ -25,7 +25,7 @@ void rates_by_jacobian(StepContext& ctx, const View& v, std::int32_t id, Rates& 
     const double* jac = packed_rows(v, id, room);
     const bool carried = (v.flags[id] & model::kCarried) != 0;
     const model::RowState s =
-        carried ? ctx.interactions.row_state(id, ctx.bodies) : model::RowState{};
+        carried ? ctx.model.interactions.row_state(id, ctx.model.bodies) : model::RowState{};
     for (int r = 0; r < v.rows[id]; ++r) {
         out.before[r] = out.after[r] = carried ? s.carried[r] : 0.0;
         for (int b = 0; b < v.bodies[id]; ++b) {
@@ -109,21 +109,21 @@ double losses_between(StepContext& ctx, const View& v, std::int32_t begin,
 double row_losses(StepContext& ctx) noexcept {
     const View v = view(ctx);
     auto strip = [&](int i, int) noexcept {
-        double& taken = ctx.losses[static_cast<std::size_t>(i)];
+        double& taken = ctx.work.solve.losses[static_cast<std::size_t>(i)];
         taken = 0.0;
-        each(ctx.system.strips.interactions(i), [&](std::int32_t begin, std::int32_t end) {
+        each(ctx.model.system.strips.interactions(i), [&](std::int32_t begin, std::int32_t end) {
             taken += losses_between(ctx, v, begin, end);
         });
     };
-    if (!ctx.losses_known) ctx.pool.for_each(ctx.system.strips.count(), strip);
-    return std::accumulate(ctx.losses.begin(), ctx.losses.end(), 0.0);
+    if (!ctx.work.solve.losses_known) ctx.pool.for_each(ctx.model.system.strips.count(), strip);
+    return std::accumulate(ctx.work.solve.losses.begin(), ctx.work.solve.losses.end(), 0.0);
 }
 
 double cut_losses(StepContext& ctx, std::int32_t id) noexcept {
     const View v = view(ctx);
     if (v.parted[id]) return 0.0;
-    const model::RowState before = ctx.interactions.row_state(id, ctx.bodies);
-    const model::RowState after = ctx.interactions.row_state(id, ctx.bodies, v.v_new);
+    const model::RowState before = ctx.model.interactions.row_state(id, ctx.model.bodies);
+    const model::RowState after = ctx.model.interactions.row_state(id, ctx.model.bodies, v.v_new);
     double taken = 0.0;
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
@@ -139,8 +139,8 @@ double cut_losses(StepContext& ctx, std::int32_t id) noexcept {
 double held_by_line(StepContext& ctx, std::int32_t id) noexcept {
     const View v = view(ctx);
     const std::int32_t row = v.row_begin[id];
-    if (ctx.system.rests(id)) {  // cut: no step has evaluated it; bodies have moved
-        const model::RowState now = ctx.interactions.row_state(id, ctx.bodies);
+    if (ctx.model.system.rests(id)) {  // cut: no step has evaluated it; bodies have moved
+        const model::RowState now = ctx.model.interactions.row_state(id, ctx.model.bodies);
         return held(v, id, row, now.g[0], now.g[0] - 0.5 * v.h * (now.rate[0] + now.carried[0]));
     }
     Rates rate;

@@ -15,7 +15,7 @@ namespace hawser::stepper {
 [[nodiscard]] double row_losses(StepContext& ctx) noexcept;
 
 /// Share of interactions [begin, end) of a strip. A solution's norms are taken with it, while rows
-/// are in the cache (StepContext::losses_known).
+/// are in the cache (SolveWork::losses_known).
 [[nodiscard]] double losses_between(StepContext& ctx, const assembly::View& v, std::int32_t begin,
                                     std::int32_t end) noexcept;
 

@@ -28,8 +28,8 @@ double drawn(std::int32_t row) noexcept {
 template <class Lambda>
 void push_joints(StepContext& ctx, const View& v, Lambda lambda) noexcept {
     const StageTimer timer(ctx, Stage::factor);
-    std::fill_n(v.solution, ctx.system.symbolic.scalars, 0.0);
-    for (const std::int32_t id : ctx.completion.looped) {
+    std::fill_n(v.solution, ctx.model.system.symbolic.scalars, 0.0);
+    for (const std::int32_t id : ctx.model.completion.looped) {
         double room[model::kArmRoom];
         const double* jac = packed_rows(v, id, room);
         for (int r = 0; r < v.rows[id]; ++r) {
@@ -41,9 +41,9 @@ void push_joints(StepContext& ctx, const View& v, Lambda lambda) noexcept {
             }
         }
     }
-    ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
-    ++ctx.stats.substitutions;
-    ctx.rhs_ready = false;
+    ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
+    ++ctx.work.stats.substitutions;
+    ctx.work.solve.rhs_ready = false;
 }
 
 /// λ' of one joint then.
@@ -78,9 +78,9 @@ void probe_loops(StepContext& ctx) noexcept {
     const View v = view(ctx);
     const auto random = [](std::int32_t, std::int32_t row) noexcept { return drawn(row); };
     push_joints(ctx, v, random);
-    for (const std::int32_t id : ctx.completion.looped) {
+    for (const std::int32_t id : ctx.model.completion.looped) {
         double kept[kMaxInteractionRows];
-        ctx.interactions.repeats[at(id)] = is_changed(v, id, random, kept) ? 1 : 0;
+        ctx.model.interactions.repeats[at(id)] = is_changed(v, id, random, kept) ? 1 : 0;
     }
 }
 
@@ -88,10 +88,10 @@ void probe_loops(StepContext& ctx) noexcept {
 
 void take_self_stress(StepContext& ctx) noexcept {
     constexpr std::int64_t kEvery = 16;  // steps: loops that become singular do so gradually
-    const std::vector<std::int32_t>& looped = ctx.completion.looped;
+    const std::vector<std::int32_t>& looped = ctx.model.completion.looped;
     if (looped.empty()) return;
-    if (!ctx.started || ctx.step % kEvery == 0) probe_loops(ctx);
-    std::uint8_t* repeats = ctx.interactions.repeats.data();
+    if (!ctx.state.started || ctx.state.step % kEvery == 0) probe_loops(ctx);
+    std::uint8_t* repeats = ctx.model.interactions.repeats.data();
     if (std::none_of(looped.begin(), looped.end(), [&](std::int32_t id) { return repeats[id]; }))
         return;
     const View v = view(ctx);
@@ -102,7 +102,7 @@ void take_self_stress(StepContext& ctx) noexcept {
     for (const std::int32_t id : looped) {
         double kept[kMaxInteractionRows];
         if (!repeats[id] || !is_changed(v, id, impulse, kept)) continue;
-        ++ctx.stats.undetermined;
+        ++ctx.work.stats.undetermined;
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
             // What the row's equation lacks by that is not a residual: the impulse moves nothing.

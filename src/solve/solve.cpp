@@ -44,26 +44,26 @@ void start_solve(StepContext& ctx, const View& v) noexcept {
     sweep(
         ctx,
         [&](int strip) {
-            each(ctx.system.strips.interactions(strip),
+            each(ctx.model.system.strips.interactions(strip),
                  [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b, false); });
         },
         [&](std::int32_t a, std::int32_t b, int) { k.first_body_rhs(v, a, b, false); });
-    ctx.rhs_ready = true;
+    ctx.work.solve.rhs_ready = true;
 }
 
 /// Right-hand side that corrects v₊ and λ as they stand, after contacts or ranges changed.
 void continue_solve(StepContext& ctx, const View& v) noexcept {
     const assembly::Kernels& k = assembly::kernels();
-    std::fill_n(v.solution, ctx.system.symbolic.scalars, 0.0);
+    std::fill_n(v.solution, ctx.model.system.symbolic.scalars, 0.0);
     update_contacts(ctx, v.v_new);
     sweep(
         ctx,
         [&](int strip) {
-            each(ctx.system.strips.interactions(strip),
+            each(ctx.model.system.strips.interactions(strip),
                  [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
         },
         [&](std::int32_t a, std::int32_t b, int) { k.body_rhs(v, a, b); });
-    ctx.rhs_ready = true;
+    ctx.work.solve.rhs_ready = true;
 }
 
 /// v₊ += solution, for all bodies.
@@ -79,8 +79,8 @@ enum class Next { solve, measure };
 /// v₊, λ corrected by the solver's vector, residuals renewed. `first`: they are the solution.
 Norms correct(StepContext& ctx, const View& v, bool first, Next next) noexcept {
     const assembly::Kernels& k = assembly::kernels();
-    const assembly::Strips& strips = ctx.system.strips;
-    const bool touching = ctx.system.contacts.count() > 0;
+    const assembly::Strips& strips = ctx.model.system.strips;
+    const bool touching = ctx.model.system.contacts.count() > 0;
     auto add = [&](std::int32_t a, std::int32_t b) { k.add_solution(v, a, b); };
     if (touching) {
         add_everywhere(ctx, v);
@@ -89,9 +89,10 @@ Norms correct(StepContext& ctx, const View& v, bool first, Next next) noexcept {
         auto add_shared = [&](int i, int) noexcept { each(strips.shared(i), add); };
         ctx.pool.for_each(strips.groups(), add_shared);
     }
-    if (next == Next::measure) std::fill(ctx.norms.begin(), ctx.norms.end(), Norms{});
+    if (next == Next::measure)
+        std::fill(ctx.work.solve.norms.begin(), ctx.work.solve.norms.end(), Norms{});
     // With contacts, the last solution that is measured need not be the step's.
-    ctx.losses_known = next == Next::measure && !touching;
+    ctx.work.solve.losses_known = next == Next::measure && !touching;
     sweep(
         ctx,
         [&](int strip) {
@@ -99,33 +100,33 @@ Norms correct(StepContext& ctx, const View& v, bool first, Next next) noexcept {
             double taken = 0.0;
             each(strips.interactions(strip), [&](std::int32_t a, std::int32_t b) {
                 k.row_update(v, a, b, first);
-                if (next == Next::measure) k.row_norms(v, a, b, &ctx.norms[at(strip)]);
-                if (ctx.losses_known) taken += losses_between(ctx, v, a, b);
+                if (next == Next::measure) k.row_norms(v, a, b, &ctx.work.solve.norms[at(strip)]);
+                if (ctx.work.solve.losses_known) taken += losses_between(ctx, v, a, b);
             });
-            ctx.losses[at(strip)] = taken;
+            ctx.work.solve.losses[at(strip)] = taken;
         },
         [&](std::int32_t a, std::int32_t b, int norm) {
             if (next == Next::measure)
-                k.body_norms(v, a, b, &ctx.norms[at(norm)]);
+                k.body_norms(v, a, b, &ctx.work.solve.norms[at(norm)]);
             else
                 k.body_rhs(v, a, b);
         });
-    return next == Next::measure ? merged(ctx.norms) : Norms{};
+    return next == Next::measure ? merged(ctx.work.solve.norms) : Norms{};
 }
 
 double momentum_residual(const StepContext& ctx, const Norms& n) noexcept {
-    return std::sqrt(n.momentum) / std::max(std::sqrt(n.impulse), ctx.residual_floor);
+    return std::sqrt(n.momentum) / std::max(std::sqrt(n.impulse), ctx.model.residual_floor);
 }
 
 Status report(StepContext& ctx, const Norms& n) noexcept {
     if (!std::isfinite(n.finite) || !std::isfinite(n.momentum)) return Status::not_finite;
-    ctx.stats.momentum_residual = momentum_residual(ctx, n);
-    ctx.stats.constraint_residual = n.constraint;
-    ctx.stats.violation_max = n.gap;
-    ctx.stats.violation_worst = ctx.interactions.id(original(ctx, n.gap_id));
-    ctx.stats.stretch_error_max = n.stretch;
-    ctx.step_work = n.work;
-    ctx.step_drag = n.drag;
+    ctx.work.stats.momentum_residual = momentum_residual(ctx, n);
+    ctx.work.stats.constraint_residual = n.constraint;
+    ctx.work.stats.violation_max = n.gap;
+    ctx.work.stats.violation_worst = ctx.model.interactions.id(original(ctx, n.gap_id));
+    ctx.work.stats.stretch_error_max = n.stretch;
+    ctx.work.solve.step_work = n.work;
+    ctx.work.solve.step_drag = n.drag;
     return Status::ok;
 }
 
@@ -135,13 +136,14 @@ constexpr double kCorrected = 1e-11;
 
 /// Does a residual ask for a correction? Relative for momentum; rows in their units [m/s, rad/s].
 bool wants_refinement(const StepContext& ctx, const Norms& n) noexcept {
-    const double good = ctx.stats.refinements > 0 ? kCorrected : ctx.def.solution_tolerance;
+    const double good =
+        ctx.work.stats.refinements > 0 ? kCorrected : ctx.model.def.solution_tolerance;
     return momentum_residual(ctx, n) > good || n.constraint > good;
 }
 
 /// Two more than are asked for: stiff rows on very light bodies need them.
 int most_refinements(const StepContext& ctx) noexcept {
-    return ctx.def.refinements > 0 ? ctx.def.refinements + 2 : 0;
+    return ctx.model.def.refinements > 0 ? ctx.model.def.refinements + 2 : 0;
 }
 
 /// More corrections while the residual asks for them, then what it is.
@@ -151,9 +153,9 @@ Status finish_solve(StepContext& ctx, const View& v, Norms n, int most) noexcept
         const Norms before = n;
         over(ctx, v.body_count,
              [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
-        ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
-        ++ctx.stats.refinements;
-        ++ctx.stats.substitutions;
+        ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
+        ++ctx.work.stats.refinements;
+        ++ctx.work.stats.substitutions;
         n = correct(ctx, v, false, Next::measure);
         if (!(n.momentum < 0.25 * before.momentum)) break;
     }
@@ -165,24 +167,24 @@ Status finish_solve(StepContext& ctx, const View& v, Norms n, int most) noexcept
 Status factor_and_solve(StepContext& ctx) noexcept {
     const StageTimer timer(ctx, Stage::factor);
     const View v = view(ctx);
-    if (!ctx.rhs_ready) start_solve(ctx, v);
+    if (!ctx.work.solve.rhs_ready) start_solve(ctx, v);
     if (const Status status = factor(ctx, true); status != Status::ok) return status;
     // To measure a solution and refine it then takes a pass over all rows and bodies more than to
     // refine at once; where the residual asked for it lately, it is not asked again for a while.
     constexpr int kAWhile = 8;
-    const bool measured_first = ctx.refine_unasked == 0 || ctx.completion.any;
-    const int refinements = measured_first ? 0 : ctx.def.refinements;
-    if (!measured_first) --ctx.refine_unasked;
+    const bool measured_first = ctx.state.refine_unasked == 0 || ctx.model.completion.any;
+    const int refinements = measured_first ? 0 : ctx.model.def.refinements;
+    if (!measured_first) --ctx.state.refine_unasked;
     Norms n;
     for (int i = 0; i <= refinements; ++i) {
-        if (i > 0) ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
-        ctx.stats.substitutions += i > 0 ? 1 : 0;
+        if (i > 0) ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
+        ctx.work.stats.substitutions += i > 0 ? 1 : 0;
         n = correct(ctx, v, i == 0, i < refinements ? Next::solve : Next::measure);
     }
-    ctx.stats.refinements = refinements;
-    if (ctx.completion.any) return report(ctx, n);  // its rounds refine, too
-    if (measured_first && ctx.def.refinements > 0 && wants_refinement(ctx, n))
-        ctx.refine_unasked = kAWhile;
+    ctx.work.stats.refinements = refinements;
+    if (ctx.model.completion.any) return report(ctx, n);  // its rounds refine, too
+    if (measured_first && ctx.model.def.refinements > 0 && wants_refinement(ctx, n))
+        ctx.state.refine_unasked = kAWhile;
     return finish_solve(ctx, v, n, most_refinements(ctx) - refinements);
 }
 
@@ -190,7 +192,7 @@ Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept {
     const StageTimer timer(ctx, Stage::factor);
     const View v = view(ctx);
     if (first) {
-        if (!ctx.rhs_ready) {
+        if (!ctx.work.solve.rhs_ready) {
             update_contacts(ctx, nullptr);
             start_solve(ctx, v);
         }
@@ -209,9 +211,9 @@ void continue_with_factor(StepContext& ctx) noexcept {
     const StageTimer timer(ctx, Stage::factor);
     const View v = view(ctx);
     continue_solve(ctx, v);
-    ctx.rhs_ready = false;
-    ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
-    ++ctx.stats.substitutions;
+    ctx.work.solve.rhs_ready = false;
+    ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
+    ++ctx.work.stats.substitutions;
     add_everywhere(ctx, v);
     update_contacts(ctx, v.v_new);
     const assembly::Kernels& k = assembly::kernels();
@@ -223,35 +225,36 @@ Status refine(StepContext& ctx) noexcept {
     const View v = view(ctx);
     over(ctx, v.body_count,
          [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
-    ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
-    ctx.stats.refinements = 1;
-    ++ctx.stats.substitutions;
+    ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
+    ctx.work.stats.refinements = 1;
+    ++ctx.work.stats.substitutions;
     return finish_solve(ctx, v, correct(ctx, v, false, Next::measure), most_refinements(ctx) - 1);
 }
 
 Status settle_rounds(StepContext& ctx, bool measured) noexcept {
     if (!measured)
         if (const Status status = measure(ctx); status != Status::ok) return status;
-    const double good = ctx.def.solution_tolerance;
-    const bool wanted = ctx.stats.momentum_residual > good || ctx.stats.constraint_residual > good;
-    return wanted && ctx.def.refinements > 0 ? refine(ctx) : Status::ok;
+    const double good = ctx.model.def.solution_tolerance;
+    const bool wanted =
+        ctx.work.stats.momentum_residual > good || ctx.work.stats.constraint_residual > good;
+    return wanted && ctx.model.def.refinements > 0 ? refine(ctx) : Status::ok;
 }
 
 Status measure(StepContext& ctx) noexcept {
     const View v = view(ctx);
     const assembly::Kernels& k = assembly::kernels();
-    std::fill(ctx.norms.begin(), ctx.norms.end(), Norms{});
+    std::fill(ctx.work.solve.norms.begin(), ctx.work.solve.norms.end(), Norms{});
     sweep(
         ctx,
         [&](int strip) {
-            each(ctx.system.strips.interactions(strip), [&](std::int32_t a, std::int32_t b) {
-                k.row_norms(v, a, b, &ctx.norms[at(strip)]);
+            each(ctx.model.system.strips.interactions(strip), [&](std::int32_t a, std::int32_t b) {
+                k.row_norms(v, a, b, &ctx.work.solve.norms[at(strip)]);
             });
         },
         [&](std::int32_t a, std::int32_t b, int norm) {
-            k.body_norms(v, a, b, &ctx.norms[at(norm)]);
+            k.body_norms(v, a, b, &ctx.work.solve.norms[at(norm)]);
         });
-    return report(ctx, merged(ctx.norms));
+    return report(ctx, merged(ctx.work.solve.norms));
 }
 
 }  // namespace hawser::stepper

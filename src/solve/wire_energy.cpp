@@ -20,9 +20,9 @@ constexpr double kResolved = 0.02;
 
 bool is_fast(const StepContext& ctx, const View& v, std::int32_t id) noexcept {
     const double rest = v.rest_length[id];
-    const double length = rest > 0.0 ? rest : ctx.interactions.def[at(id)].params[0];
+    const double length = rest > 0.0 ? rest : ctx.model.interactions.def[at(id)].params[0];
     const double impulse =
-        std::max(-v.lambda[v.row_begin[id]], -ctx.lambda_before[at(v.row_begin[id])]);
+        std::max(-v.lambda[v.row_begin[id]], -ctx.work.before.lambda[at(v.row_begin[id])]);
     return v.h * impulse * v.lightness[id] > kResolved * length;
 }
 
@@ -31,7 +31,7 @@ double kinetic_exchange(const StepContext& ctx, const View& v, std::int32_t begi
                         std::int32_t end) noexcept {
     double sum = 0.0;
     for (std::int32_t i = begin; i < end; ++i) {
-        const std::int32_t body = ctx.wires.lump[at(i)];
+        const std::int32_t body = ctx.model.wires.lump[at(i)];
         const double *a = v.v + v.dof_begin[body], *b = v.v_new + v.dof_begin[body];
         double change = 0.0;
         for (int k = 0; k < 3; ++k) change += (b[k] - a[k]) * (b[k] + a[k]);
@@ -43,7 +43,7 @@ double kinetic_exchange(const StepContext& ctx, const View& v, std::int32_t begi
 }  // namespace
 
 bool find_fast_wires(StepContext& ctx) noexcept {
-    Wires& w = ctx.wires;
+    Wires& w = ctx.model.wires;
     const View v = view(ctx);
     bool any = false;
     for (const WirePart& p : w.parts) {
@@ -56,7 +56,7 @@ bool find_fast_wires(StepContext& ctx) noexcept {
 }
 
 void measure_wires(StepContext& ctx) noexcept {
-    Wires& w = ctx.wires;
+    Wires& w = ctx.model.wires;
     const View v = view(ctx);
     auto part = [&](int i, int) noexcept {
         const WirePart& p = w.parts[at(i)];

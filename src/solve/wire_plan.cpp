@@ -124,19 +124,19 @@ void write_bound(const View& v, std::int32_t id, const Line& l, bool holds) noex
 }  // namespace
 
 void plan_wires(StepContext& ctx, std::int32_t wire) noexcept {
-    Wires& w = ctx.wires;
+    Wires& w = ctx.model.wires;
     const View v = view(ctx);
     const int refused = w.level[at(wire)]++;
     for (const WirePart& p : w.parts) {
         if (p.wire != wire) continue;
         for (std::int32_t i = p.element_begin; i < p.element_end; ++i) {
             const std::int32_t id = w.element[at(i)], row = v.row_begin[id];
-            if (v.parted[id] || ctx.system.rests(id)) continue;
+            if (v.parted[id] || ctx.model.system.rests(id)) continue;
             const Line l = line_of(v, id);
             const double after = tension_after(l);
             double& pull = w.pull[at(i)];
             if (refused == 0) {
-                pull = std::max(0.0, -ctx.lambda_before[at(row)] / v.h);
+                pull = std::max(0.0, -ctx.work.before.lambda[at(row)] / v.h);
                 w.holds[at(i)] = 0;
             }
             if (refused <= kNoReturn)
@@ -150,9 +150,9 @@ void plan_wires(StepContext& ctx, std::int32_t wire) noexcept {
 }
 
 void replan_wires(StepContext& ctx, const View& v, int strip) noexcept {
-    Wires& w = ctx.wires;
+    Wires& w = ctx.model.wires;
     if (!w.again) return;
-    each(ctx.system.strips.interactions(strip), [&](std::int32_t begin, std::int32_t end) {
+    each(ctx.model.system.strips.interactions(strip), [&](std::int32_t begin, std::int32_t end) {
         for (std::int32_t id = begin; id < std::min(end, interaction_count(ctx)); ++id) {
             const std::int32_t wire = w.wire_of[at(id)];
             if (wire < 0 || w.level[at(wire)] == 0 || v.parted[id]) continue;
@@ -167,12 +167,12 @@ void replan_wires(StepContext& ctx, const View& v, int strip) noexcept {
 }
 
 void settle_wires(StepContext& ctx) noexcept {
-    Wires& w = ctx.wires;
+    Wires& w = ctx.model.wires;
     remember_gains(ctx);
     // What a guarded wire lost is known exactly, and counts instead of what its rows tell.
     if (w.measured)
         for (std::size_t k = 0; k < w.count(); ++k)
-            if (w.fast[k]) ctx.damped += w.gain[k].unbooked;
+            if (w.fast[k]) ctx.state.ledger.damped += w.gain[k].unbooked;
     if (!w.replacing) return;
     const View v = view(ctx);
     for (const std::int32_t id : w.element) {
@@ -187,7 +187,7 @@ void settle_wires(StepContext& ctx) noexcept {
         v.lambda[row] = taut ? -v.h * tension : 0.0;
     }
     w.replacing = false;
-    ctx.losses_known = false;
+    ctx.work.solve.losses_known = false;
 }
 
 double held_by_element(const View& v, std::int32_t id) noexcept {

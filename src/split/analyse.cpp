@@ -23,18 +23,18 @@ void analyse(StepContext& ctx, const factor::AnalysisState* state) {
 void relink(StepContext& ctx) {
     // What touches is one part: other cuts may be in force now.
     if (open_cuts(ctx)) return analyse(ctx);
-    ctx.system.analysis.use(&ctx.pool);
-    ctx.system.relink(ctx.bodies, ctx.interactions, ctx.pool.threads());
+    ctx.model.system.analysis.use(&ctx.pool);
+    ctx.model.system.relink(ctx.model.bodies, ctx.model.interactions, ctx.pool.threads());
     count_analysis(ctx);
 }
 
 Status ask_for_cuts(StepContext& ctx, std::uint64_t interfaces) noexcept {
-    if (interfaces == ctx.cuts.asked) return Status::ok;
+    if (interfaces == ctx.model.cuts.asked) return Status::ok;
     const StageTimer timer(ctx, Stage::analyse);
     return guarded(ctx, [&] {
         keep_state(ctx, Undo::Depth::system);
-        ctx.cuts.asked = interfaces;
-        if (!ctx.cuts.list.empty() && open_cuts(ctx)) analyse(ctx);
+        ctx.model.cuts.asked = interfaces;
+        if (!ctx.model.cuts.list.empty() && open_cuts(ctx)) analyse(ctx);
     });
 }
 

@@ -76,7 +76,7 @@ void add_geometric(const assembly::View& v, std::int32_t id, double* sum) noexce
 /// geometric stiffness.
 double defect_of(StepContext& ctx, const Cut& cut) noexcept {
     const assembly::View v = view(ctx);
-    const model::Interactions& in = ctx.interactions;
+    const model::Interactions& in = ctx.model.interactions;
     const double* mean = &in.lambda[at(in.row_begin[at(cut.id)])];
     double sum[6] = {};
     for (std::int32_t i = cut.first; i < cut.first + cut.sides; ++i) {
@@ -86,7 +86,7 @@ double defect_of(StepContext& ctx, const Cut& cut) noexcept {
         add_geometric(v, i, sum);
         for (std::int32_t b = 0; b < in.bodies[at(i)]; ++b) {
             const std::int32_t body = in.body[at(kMaxInteractionBodies * i + b)];
-            if (ctx.bodies.dof(body) >= 3) in.add_impulse(i, b, ctx.bodies, more, sum);
+            if (ctx.model.bodies.dof(body) >= 3) in.add_impulse(i, b, ctx.model.bodies, more, sum);
         }
     }
     return std::hypot(sum[0], sum[1], sum[2]);
@@ -97,13 +97,14 @@ double residual_of(StepContext& ctx, const Cut& cut) noexcept {
     const assembly::View v = view(ctx);
     if (v.active[cut.id] == 0.0 || v.parted[cut.id]) return 0.0;
     const double h = v.h;
-    const model::RowState now = ctx.interactions.row_state(cut.id, ctx.bodies);
-    const model::RowState next = ctx.interactions.row_state(cut.id, ctx.bodies, v.v_new);
+    const model::RowState now = ctx.model.interactions.row_state(cut.id, ctx.model.bodies);
+    const model::RowState next =
+        ctx.model.interactions.row_state(cut.id, ctx.model.bodies, v.v_new);
     double most = 0.0;
     for (int r = 0; r < v.rows[cut.id]; ++r) {
         const std::int32_t row = v.row_begin[cut.id] + r;
         const double ups = v.upsilon[row], sigma = row_sigma(v.epsilon[row], ups, h);
-        const double rate = ctx.interactions.recall[at(row)] * (now.rate[r] + now.carried[r]);
+        const double rate = ctx.model.interactions.recall[at(row)] * (now.rate[r] + now.carried[r]);
         const double c = ups * (rate - 4.0 / h * now.g[r]);
         most =
             std::max(most, std::fabs(next.rate[r] + next.carried[r] + sigma * v.lambda[row] - c));
@@ -114,7 +115,7 @@ double residual_of(StepContext& ctx, const Cut& cut) noexcept {
 /// Of the residuals of all bodies, linear parts: what no row took and no body got.
 double residual_momentum(const StepContext& ctx, const assembly::View& v) noexcept {
     double sum[3] = {};
-    for (const std::int32_t body : ctx.bodies.moving)
+    for (const std::int32_t body : ctx.model.bodies.moving)
         if (v.dof[body] >= 3)
             for (int j = 0; j < 3; ++j) sum[j] += v.momentum[v.dof_begin[body] + j];
     return std::hypot(sum[0], sum[1], sum[2]);
@@ -122,50 +123,51 @@ double residual_momentum(const StepContext& ctx, const assembly::View& v) noexce
 
 double mass(const StepContext& ctx) noexcept {
     double sum = 0.0;
-    for (const std::int32_t body : ctx.bodies.moving)
-        if (ctx.bodies.dof(body) >= 3) sum += ctx.bodies.mass[at(body)];
+    for (const std::int32_t body : ctx.model.bodies.moving)
+        if (ctx.model.bodies.dof(body) >= 3) sum += ctx.model.bodies.mass[at(body)];
     return sum;
 }
 
 }  // namespace
 
 void finish_cuts(StepContext& ctx) noexcept {
-    ctx.stats.cuts = 0;
-    ctx.stats.cut_residual = ctx.stats.cut_defect = ctx.stats.momentum_defect = 0.0;
-    if (!ctx.cuts.grouped) return;
+    ctx.work.stats.cuts = 0;
+    ctx.work.stats.cut_residual = ctx.work.stats.cut_defect = ctx.work.stats.momentum_defect = 0.0;
+    if (!ctx.model.cuts.grouped) return;
     const assembly::View v = view(ctx);
     double defect = residual_momentum(ctx, v);
-    for (Cut& cut : ctx.cuts.list) {
+    for (Cut& cut : ctx.model.cuts.list) {
         if (!cut.open) {
-            follow(ctx.interactions, cut);
+            follow(ctx.model.interactions, cut);
             cut.defect = cut.residual = 0.0;
             continue;
         }
-        take_mean(ctx.interactions, cut);
+        take_mean(ctx.model.interactions, cut);
         cut.defect = defect_of(ctx, cut);
         cut.residual = residual_of(ctx, cut);
-        ctx.damped += cut_losses(ctx, cut.id);
+        ctx.state.ledger.damped += cut_losses(ctx, cut.id);
         defect += cut.defect;
-        ctx.stats.cut_residual = std::max(ctx.stats.cut_residual, cut.residual);
-        ctx.stats.cut_defect = std::max(ctx.stats.cut_defect, cut.defect);
-        ++ctx.stats.cuts;
+        ctx.work.stats.cut_residual = std::max(ctx.work.stats.cut_residual, cut.residual);
+        ctx.work.stats.cut_defect = std::max(ctx.work.stats.cut_defect, cut.defect);
+        ++ctx.work.stats.cuts;
     }
-    const double g = ctx.def.gravity.norm() > 0.0 ? ctx.def.gravity.norm() : 9.81;
-    ctx.stats.momentum_defect = defect / (ctx.def.step * g * std::max(mass(ctx), 1e-300));
+    const double g = ctx.model.def.gravity.norm() > 0.0 ? ctx.model.def.gravity.norm() : 9.81;
+    ctx.work.stats.momentum_defect =
+        defect / (ctx.model.def.step * g * std::max(mass(ctx), 1e-300));
 }
 
 void follow_cuts(StepContext& ctx) noexcept {
-    for (const Cut& cut : ctx.cuts.list) follow(ctx.interactions, cut);
+    for (const Cut& cut : ctx.model.cuts.list) follow(ctx.model.interactions, cut);
 }
 
 void part_all(StepContext& ctx, std::int32_t id) noexcept {
-    model::Interactions& in = ctx.interactions;
+    model::Interactions& in = ctx.model.interactions;
     auto part = [&](std::int32_t i) {
         in.parted[at(i)] = 1;
         in.active[at(i)] = 0.0;
     };
     part(id);
-    for (const Cut& cut : ctx.cuts.list)
+    for (const Cut& cut : ctx.model.cuts.list)
         if (cut.id == id)
             for (std::int32_t i = cut.first; i < cut.first + cut.sides; ++i) part(i);
 }

@@ -22,22 +22,22 @@ std::int32_t root(std::vector<std::int32_t>& part, std::int32_t b) {
 void join(StepContext& ctx, std::span<const std::int32_t> bodies) {
     std::int32_t first = -1;
     for (const std::int32_t b : bodies) {
-        if (ctx.bodies.dof(b) == 0) continue;
-        const std::int32_t r = root(ctx.cuts.part, b);
-        if (first >= 0) ctx.cuts.part[at(std::max(r, first))] = std::min(r, first);
+        if (ctx.model.bodies.dof(b) == 0) continue;
+        const std::int32_t r = root(ctx.model.cuts.part, b);
+        if (first >= 0) ctx.model.cuts.part[at(std::max(r, first))] = std::min(r, first);
         first = first < 0 ? r : std::min(r, first);
     }
 }
 
 /// Whether two bodies of different groups hold to each other without this cut.
 bool holds_otherwise(StepContext& ctx, const Cut& cut) {
-    const auto bodies = bodies_of(ctx.interactions, cut.id);
+    const auto bodies = bodies_of(ctx.model.interactions, cut.id);
     for (std::size_t i = 0; i < bodies.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
             const std::int32_t a = bodies[i], b = bodies[j];
-            if (ctx.bodies.dof(a) == 0 || ctx.bodies.dof(b) == 0) continue;
-            if (ctx.cuts.group[at(a)] != ctx.cuts.group[at(b)] &&
-                root(ctx.cuts.part, a) == root(ctx.cuts.part, b))
+            if (ctx.model.bodies.dof(a) == 0 || ctx.model.bodies.dof(b) == 0) continue;
+            if (ctx.model.cuts.group[at(a)] != ctx.model.cuts.group[at(b)] &&
+                root(ctx.model.cuts.part, a) == root(ctx.model.cuts.part, b))
                 return true;
         }
     return false;
@@ -46,8 +46,8 @@ bool holds_otherwise(StepContext& ctx, const Cut& cut) {
 }  // namespace
 
 bool open_cuts(StepContext& ctx) {
-    Cuts& cuts = ctx.cuts;
-    assembly::System& system = ctx.system;
+    Cuts& cuts = ctx.model.cuts;
+    assembly::System& system = ctx.model.system;
     if (cuts.list.empty()) return false;
     const std::vector<std::int32_t> before = std::move(system.left_out);
     system.left_out.clear();
@@ -59,12 +59,12 @@ bool open_cuts(StepContext& ctx) {
         if (cut != cuts.list.end() && cut->id == id)
             ++cut;
         else
-            join(ctx, bodies_of(ctx.interactions, id));
+            join(ctx, bodies_of(ctx.model.interactions, id));
     }
     for (std::size_t k = 0; k < cuts.of.size(); ++k) {
         std::vector<std::int32_t> own;
         for (const std::int32_t b :
-             bodies_of(ctx.interactions, cuts.interactions + static_cast<std::int32_t>(k)))
+             bodies_of(ctx.model.interactions, cuts.interactions + static_cast<std::int32_t>(k)))
             if (b < cuts.bodies) own.push_back(b);
         join(ctx, own);
     }
@@ -72,14 +72,14 @@ bool open_cuts(StepContext& ctx) {
         join(ctx, std::array<std::int32_t, 2>{l.first, l.second});
     for (Cut& c : cuts.list) {
         c.open = cuts.coupling[at(c.id)] != Coupling::deadline || (cuts.asked >> c.interface & 1U);
-        if (!c.open) join(ctx, bodies_of(ctx.interactions, c.id));
+        if (!c.open) join(ctx, bodies_of(ctx.model.interactions, c.id));
     }
     for (bool again = true; again;) {
         again = false;
         for (Cut& c : cuts.list) {
             if (!c.open || !holds_otherwise(ctx, c)) continue;
             c.open = false;
-            join(ctx, bodies_of(ctx.interactions, c.id));
+            join(ctx, bodies_of(ctx.model.interactions, c.id));
             again = true;
         }
     }
@@ -97,8 +97,8 @@ bool open_cuts(StepContext& ctx) {
 
 std::uint64_t open_interfaces(const StepContext& ctx) noexcept {
     std::uint64_t interfaces = 0;
-    for (const Cut& c : ctx.cuts.list)
-        if (c.open && ctx.cuts.coupling[at(c.id)] == Coupling::deadline)
+    for (const Cut& c : ctx.model.cuts.list)
+        if (c.open && ctx.model.cuts.coupling[at(c.id)] == Coupling::deadline)
             interfaces |= std::uint64_t{1} << c.interface;
     return interfaces;
 }

@@ -10,7 +10,7 @@ namespace hawser::stepper {
 
 void assemble_rows(StepContext& ctx) noexcept {
     const StageTimer timer(ctx, Stage::assemble);
-    if (!ctx.wires.again) {
+    if (!ctx.model.wires.again) {
         release_wires(ctx);
         predict(ctx);
     }

@@ -25,30 +25,30 @@ constexpr int kMostClosings = 12;
 
 /// Whether a joint that the step has linearised may stand open now.
 bool may_be_open(const StepContext& ctx) noexcept {
-    const model::Interactions& in = ctx.interactions;
-    const std::vector<std::int32_t>& joints = ctx.completion.rigid;
+    const model::Interactions& in = ctx.model.interactions;
+    const std::vector<std::int32_t>& joints = ctx.model.completion.rigid;
     if (std::all_of(joints.begin(), joints.end(),
                     [&](std::int32_t id) { return in.completed[at(id)] == assembly::kRigid; }))
         return false;
-    if (ctx.stats.violation_max > kOpen) return true;
-    const model::Bodies& b = ctx.bodies;
+    if (ctx.work.stats.violation_max > kOpen) return true;
+    const model::Bodies& b = ctx.model.bodies;
     double most = 0.0;
     for (const std::int32_t body : b.moving) {
         if (b.dof(body) < 6) continue;
         const double* w = &b.v[at(b.dof_begin[at(body)] + 3)];
         most = std::max(most, w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
     }
-    return ctx.def.step * std::sqrt(most) > kTurned;
+    return ctx.model.def.step * std::sqrt(most) > kTurned;
 }
 
 /// −g/h of rigid joints at the poses at hand, as right-hand side. @return largest |g|.
 double write_gaps(StepContext& ctx, const View& v) noexcept {
-    std::fill_n(v.solution, ctx.system.symbolic.scalars, 0.0);
+    std::fill_n(v.solution, ctx.model.system.symbolic.scalars, 0.0);
     const double per_h = 1.0 / v.h;
     double most = 0.0;
-    for (const std::int32_t id : ctx.completion.rigid) {
-        if (ctx.interactions.parted[at(id)] != 0) continue;
-        const model::RowState now = ctx.interactions.row_state(id, ctx.bodies);
+    for (const std::int32_t id : ctx.model.completion.rigid) {
+        if (ctx.model.interactions.parted[at(id)] != 0) continue;
+        const model::RowState now = ctx.model.interactions.row_state(id, ctx.model.bodies);
         double room[model::kArmRoom];
         const double* jac = packed_rows(v, id, room);
         for (int r = 0; r < v.rows[id]; ++r) {
@@ -62,13 +62,13 @@ double write_gaps(StepContext& ctx, const View& v) noexcept {
 /// Bodies go on by the solver's vector; their angular velocities turn with them, so that kinetic
 /// energy stays.
 void move(StepContext& ctx, const View& v, double time) noexcept {
-    for (const std::int32_t body : ctx.bodies.moving) {
+    for (const std::int32_t body : ctx.model.bodies.moving) {
         const int dof = v.dof[body];
         const double* d = v.solution + v.body_offset[body];
         if (dof == 1) {
             v.x[3 * body] += time * d[0];
         } else if (dof > 1) {
-            ctx.bodies.drift(body, d, dof == 6 ? d + 3 : nullptr, time);
+            ctx.model.bodies.drift(body, d, dof == 6 ? d + 3 : nullptr, time);
         }
         if (dof < 6) continue;
         const double half = 0.5 * time;
@@ -79,12 +79,12 @@ void move(StepContext& ctx, const View& v, double time) noexcept {
 
 /// Potential energy of gravity [J].
 double height(const StepContext& ctx) noexcept {
-    const model::Bodies& b = ctx.bodies;
+    const model::Bodies& b = ctx.model.bodies;
     double sum = 0.0;
     for (const std::int32_t body : b.moving) {
         if (b.dof(body) == 1 || b.weight[at(body)] == 0) continue;
         for (int k = 0; k < 3; ++k)
-            sum -= b.mass[at(body)] * ctx.def.gravity[k] * b.x[3 * at(body) + at(k)];
+            sum -= b.mass[at(body)] * ctx.model.def.gravity[k] * b.x[3 * at(body) + at(k)];
     }
     return sum;
 }
@@ -92,7 +92,7 @@ double height(const StepContext& ctx) noexcept {
 /// Largest turn of a body under the solver's vector [rad/s].
 double fastest_turn(const StepContext& ctx, const View& v) noexcept {
     double most = 0.0;
-    for (const std::int32_t body : ctx.bodies.moving) {
+    for (const std::int32_t body : ctx.model.bodies.moving) {
         if (v.dof[body] < 6) continue;
         const double* w = v.solution + v.body_offset[body] + 3;
         most = std::max(most, w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
@@ -104,9 +104,9 @@ double fastest_turn(const StepContext& ctx, const View& v) noexcept {
 double close_with_factor(StepContext& ctx, const View& v, double gap) noexcept {
     constexpr double kConverges = 0.5;
     for (int round = 0; round < kMostClosings && gap > kClosed; ++round) {
-        ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
-        ++ctx.stats.substitutions;
-        ctx.rhs_ready = false;
+        ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
+        ++ctx.work.stats.substitutions;
+        ctx.work.solve.rhs_ready = false;
         // Far beyond what the step's directions say.
         if (!(v.h * fastest_turn(ctx, v) <= kFarTurn)) break;
         move(ctx, v, v.h);
@@ -125,13 +125,13 @@ double move_some(StepContext& ctx, const View& v, double gap) noexcept {
     double share = turn > kFarTurn ? kFarTurn / turn : 1.0;
     if (!std::isfinite(turn)) return gap;
     // write_gaps() overwrites the solution that a way back needs.
-    double* const kept = ctx.closing.data() + ctx.interactions.g.size();
-    std::copy_n(v.solution, ctx.system.symbolic.scalars, kept);
+    double* const kept = ctx.work.joints.closing.data() + ctx.model.interactions.g.size();
+    std::copy_n(v.solution, ctx.model.system.symbolic.scalars, kept);
     for (int half = 0; half <= kMostHalvings; ++half, share *= 0.5) {
         move(ctx, v, share * v.h);
         const double now = write_gaps(ctx, v);
         if (now <= gap) return now;
-        std::copy_n(kept, ctx.system.symbolic.scalars, v.solution);
+        std::copy_n(kept, ctx.model.system.symbolic.scalars, v.solution);
         move(ctx, v, -share * v.h);
     }
     return gap;
@@ -153,8 +153,8 @@ void close_anew(StepContext& ctx, const View& v) noexcept {
             gap = move_some(ctx, v, gap);
             if (gap <= kClosed) return;
             if (gap > kGoesOn * before) break;
-            ctx.system.numeric.solve(ctx.system.symbolic, v.solution, ctx.pool);
-            ++ctx.stats.substitutions;
+            ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
+            ++ctx.work.stats.substitutions;
         }
         if (gap >= first) return;
     }
@@ -163,15 +163,16 @@ void close_anew(StepContext& ctx, const View& v) noexcept {
 }  // namespace
 
 void close_joints(StepContext& ctx) noexcept {
-    JudgeState& judged = ctx.judge.state;
+    JudgeState& judged = ctx.state.judge.state;
     judged.closed = judged.closed_elastic = 0.0;
-    if (!ctx.cuts.list.empty() || ctx.def.nonsmooth != Nonsmooth::newton || !may_be_open(ctx))
+    if (!ctx.model.cuts.list.empty() || ctx.model.def.nonsmooth != Nonsmooth::newton ||
+        !may_be_open(ctx))
         return;
     const View v = view(ctx);
     const double gap = write_gaps(ctx, v);
     if (!(gap > kOpen)) return;
     const double before = height(ctx);
-    double* const gaps = ctx.closing.data();
+    double* const gaps = ctx.work.joints.closing.data();
     read_spring_gaps(ctx, gaps);
     ctx.pool.shield(true);  // poses have begun to move
     if (!(close_with_factor(ctx, v, gap) <= kOpen)) close_anew(ctx, v);

@@ -38,7 +38,7 @@ constexpr double kTooFast = 2.0 * kResolvedSwing;  ///< s by the step's own forc
 /// The equations take what they are about v₊.
 void adopt(StepContext& ctx) noexcept {
     const View v = view(ctx);
-    const std::vector<std::int32_t>& joints = ctx.completion.joints;
+    const std::vector<std::int32_t>& joints = ctx.model.completion.joints;
     over(ctx, static_cast<std::int32_t>(joints.size()), [&](std::int32_t a, std::int32_t b) {
         assembly::kernels().adopt_completed(v, joints.data(), a, b);
     });
@@ -49,8 +49,8 @@ void adopt(StepContext& ctx) noexcept {
 /// What the equations are about v₊ as it stands. @return how much their right-hand sides changed.
 Turning renew(StepContext& ctx) noexcept {
     const View v = view(ctx);
-    const assembly::Strips& strips = ctx.system.strips;
-    auto& parts = ctx.turnings;  // one a strip or group
+    const assembly::Strips& strips = ctx.model.system.strips;
+    auto& parts = ctx.work.joints.turnings;  // one a strip or group
     sweep(
         ctx, [&](int strip) { parts[at(strip)] = complete_strip(ctx, v, strip, v.v_new, false); },
         [&](std::int32_t a, std::int32_t b, int i) {
@@ -69,7 +69,7 @@ Turning renew(StepContext& ctx) noexcept {
 /// they did not converge.
 Turning make_rounds(StepContext& ctx) noexcept {
     double first = 0.0;
-    const double enough = kTurning * std::min(1.0, ctx.def.solution_tolerance / kSolution);
+    const double enough = kTurning * std::min(1.0, ctx.model.def.solution_tolerance / kSolution);
     const auto ended = [enough](const Turning& turning) {
         const double fast = std::max(1.0, turning.spin / kSlowTurn);
         return turning.change <= enough * fast * fast * fast;
@@ -78,8 +78,8 @@ Turning make_rounds(StepContext& ctx) noexcept {
     for (int round = 0; round < kMostRounds && !ended(t); ++round) {
         adopt(ctx);
         continue_with_factor(ctx);
-        ctx.losses_known = false;
-        ++ctx.stats.completion_rounds;
+        ctx.work.solve.losses_known = false;
+        ++ctx.work.stats.completion_rounds;
         t = renew(ctx);
         if (round == 0) first = t.change;
         constexpr double kGrowth = 4.0;
@@ -88,13 +88,13 @@ Turning make_rounds(StepContext& ctx) noexcept {
             break;
         }
     }
-    ctx.stats.completion_change = t.change;
+    ctx.work.stats.completion_change = t.change;
     return t;
 }
 
 /// Solve the step again, with the joints that choose_completed() now chooses.
 Status assemble_and_solve(StepContext& ctx) noexcept {
-    if (ctx.collider.count() > 0)
+    if (ctx.model.collider.count() > 0)
         if (const Status s = start_contacts(ctx, Phase::regular); s != Status::ok) return s;
     assemble_rows(ctx);
     return solve_linear(ctx);
@@ -102,8 +102,8 @@ Status assemble_and_solve(StepContext& ctx) noexcept {
 
 /// The same with all joints linearised once.
 Status solve_linearised(StepContext& ctx) noexcept {
-    ctx.completion.banned = true;
-    ++ctx.stats.completion_failures;
+    ctx.model.completion.banned = true;
+    ++ctx.work.stats.completion_failures;
     recall(ctx);
     return assemble_and_solve(ctx);
 }
@@ -112,14 +112,14 @@ Status solve_linearised(StepContext& ctx) noexcept {
 /// swing too fast now, and others whose stiffness was that of a much smaller force.
 /// @return whether there are.
 bool outgrown(StepContext& ctx) noexcept {
-    Completion& c = ctx.completion;
+    Completion& c = ctx.model.completion;
     bool found = false;
     for (std::size_t k = 0; k < c.joints.size(); ++k) {
         const std::int32_t id = c.joints[k];
         // The force of what repeats others is not known before the filter.
-        if (ctx.interactions.repeats[at(id)]) continue;
-        const double now = swing_number(ctx, id, ctx.interactions.lambda.data());
-        if (ctx.interactions.completed[at(id)]) {
+        if (ctx.model.interactions.repeats[at(id)]) continue;
+        const double now = swing_number(ctx, id, ctx.model.interactions.lambda.data());
+        if (ctx.model.interactions.completed[at(id)]) {
             if (now <= kTooFast) continue;
             c.refused[k] = 1;
         } else {
@@ -135,8 +135,8 @@ bool outgrown(StepContext& ctx) noexcept {
 /// Solve the step again with the stiffness of the forces that have been found, where they are
 /// larger.
 Status solve_with_new_forces(StepContext& ctx) noexcept {
-    model::Interactions& in = ctx.interactions;
-    Completion& c = ctx.completion;
+    model::Interactions& in = ctx.model.interactions;
+    Completion& c = ctx.model.completion;
     for (const std::int32_t id : c.joints) {
         const bool larger =
             swing_number(ctx, id, in.lambda.data()) > swing_number(ctx, id, c.lambda_with.data());
@@ -144,7 +144,7 @@ Status solve_with_new_forces(StepContext& ctx) noexcept {
         if (larger) std::copy_n(&in.lambda[at(row)], in.rows[at(id)], &c.lambda_with[at(row)]);
     }
     recall(ctx);
-    ++ctx.stats.restiffened;
+    ++ctx.work.stats.restiffened;
     for (const std::int32_t id : c.joints)
         std::copy_n(&c.lambda_with[at(in.row_begin[at(id)])], in.rows[at(id)],
                     &in.lambda[at(in.row_begin[at(id)])]);
@@ -156,10 +156,10 @@ Status settle_free(StepContext& ctx) noexcept {
     constexpr int kMost = 4;
     Status status = Status::ok;
     for (int i = 0; i < kMost && status == Status::ok; ++i) {
-        status = settle_rounds(ctx, ctx.stats.completion_rounds == 0);
-        const std::int32_t before = ctx.stats.factorisations;
+        status = settle_rounds(ctx, ctx.work.stats.completion_rounds == 0);
+        const std::int32_t before = ctx.work.stats.factorisations;
         if (status == Status::ok) status = settle_bounds(ctx);
-        if (ctx.stats.factorisations == before || status != Status::ok) break;
+        if (ctx.work.stats.factorisations == before || status != Status::ok) break;
         (void)make_rounds(ctx);
     }
     return status;
@@ -167,7 +167,7 @@ Status settle_free(StepContext& ctx) noexcept {
 
 /// The same of contacts: their laws where rounds have moved them.
 Status settle_touching(StepContext& ctx) noexcept {
-    if (ctx.stats.completion_rounds == 0) return Status::ok;
+    if (ctx.work.stats.completion_rounds == 0) return Status::ok;
     return settle_newton(ctx);
 }
 
@@ -176,14 +176,14 @@ Status settle_touching(StepContext& ctx) noexcept {
 Status complete(StepContext& ctx) noexcept {
     Status status = Status::ok;
     constexpr int kMostGrowths = 2;  // times that a step is solved again for them
-    if (ctx.started)
+    if (ctx.state.started)
         for (int i = 0; i < kMostGrowths && status == Status::ok && outgrown(ctx); ++i)
             status = solve_with_new_forces(ctx);
-    if (ctx.completion.any && status == Status::ok) {
+    if (ctx.model.completion.any && status == Status::ok) {
         const Turning t = make_rounds(ctx);
         if (!(t.gap <= kGap))
             status = solve_linearised(ctx);
-        else if (ctx.system.contacts.count() > 0)
+        else if (ctx.model.system.contacts.count() > 0)
             status = settle_touching(ctx);
         else
             status = settle_free(ctx);

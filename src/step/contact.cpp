@@ -26,25 +26,25 @@ using nonsmooth::Cone;
 
 /// Arrays for this step's contacts; growth is counted.
 void make_room(StepContext& ctx) {
-    Contacts& c = ctx.system.contacts;
+    Contacts& c = ctx.model.system.contacts;
     const std::size_t held = c.bytes();
-    const std::size_t all = ctx.contacts.contacts.size(), n = ctx.contacts.awake;
+    const std::size_t all = ctx.state.contacts.contacts.size(), n = ctx.state.contacts.awake;
     c.begin(n, all - n);
-    ctx.partial.resize(at(StepContext::chunks(static_cast<std::int32_t>(n))));
-    if (ctx.def.nonsmooth == Nonsmooth::split) reserve_gauss_seidel(ctx, n);
-    ctx.contact_impulse.resize(3 * all);
-    ctx.contact_sliding.resize(all);
-    if (c.bytes() > held) ++ctx.stats.growths;
+    ctx.work.solve.partial.resize(at(StepContext::chunks(static_cast<std::int32_t>(n))));
+    if (ctx.model.def.nonsmooth == Nonsmooth::split) reserve_gauss_seidel(ctx, n);
+    ctx.state.contact_impulse.resize(3 * all);
+    ctx.state.contact_sliding.resize(all);
+    if (c.bytes() > held) ++ctx.work.stats.growths;
 }
 
 /// Resistances of this step's contacts, and arrays for as many rows.
 void make_resistances(StepContext& ctx) {
-    Contacts& c = ctx.system.contacts;
+    Contacts& c = ctx.model.system.contacts;
     const std::size_t held = c.resistances.bytes();
-    c.resistances.begin(ctx.contacts, c.rows, ctx.bodies, ctx.def.step);
+    c.resistances.begin(ctx.state.contacts, c.rows, ctx.model.bodies, ctx.model.def.step);
     reserve_newton(ctx);
-    ctx.contact_speed.resize(3 * c.triples());
-    if (c.resistances.bytes() > held) ++ctx.stats.growths;
+    ctx.work.contact_speed.resize(3 * c.triples());
+    if (c.resistances.bytes() > held) ++ctx.work.stats.growths;
 }
 
 /// An acceleration is asked for at the start: what approaches goes on, what slides keeps sliding.
@@ -69,60 +69,60 @@ void ask_for_acceleration(nonsmooth::Resistance& a) noexcept {
 }  // namespace
 
 void prepare_contacts(StepContext& ctx) {
-    std::vector<std::uint8_t>& touches = ctx.sleep.mark;  // scratch here as there
-    touches.assign(at(ctx.bodies.count()), 0);
-    for (const collide::Shape& s : ctx.collider.shapes())
+    std::vector<std::uint8_t>& touches = ctx.work.sleep.mark;  // scratch here as there
+    touches.assign(at(ctx.model.bodies.count()), 0);
+    for (const collide::Shape& s : ctx.model.collider.shapes())
         for (const std::int32_t b : s.body)
             if (b >= 0) touches[at(b)] = 1;
-    std::vector<std::int32_t>& touching = ctx.columns;  // scratch, too
+    std::vector<std::int32_t>& touching = ctx.work.solve.columns;  // scratch, too
     touching.clear();
-    for (std::int32_t b = 0; b < ctx.bodies.count(); ++b)
+    for (std::int32_t b = 0; b < ctx.model.bodies.count(); ++b)
         if (touches[at(b)] != 0) touching.push_back(b);
-    ctx.system.contacts.set_bodies(touching, ctx.bodies);
+    ctx.model.system.contacts.set_bodies(touching, ctx.model.bodies);
 }
 
 Status start_contacts(StepContext& ctx, Phase phase) noexcept {
     const StageTimer timer(ctx, Stage::assemble);
-    Contacts& c = ctx.system.contacts;
-    const collide::ContactSet& set = ctx.contacts;
+    Contacts& c = ctx.model.system.contacts;
+    const collide::ContactSet& set = ctx.state.contacts;
     Status status = guarded(ctx, [&] {
         keep_links(ctx);
         make_room(ctx);
         over(ctx, static_cast<std::int32_t>(set.awake), [&](std::int32_t a, std::int32_t b) {
             for (std::size_t k = at(a); k < at(b); ++k)
-                c.set(k, set.contacts[k], set.surfaces[at(set.contacts[k].surface)], ctx.bodies,
-                      ctx.def.step);
+                c.set(k, set.contacts[k], set.surfaces[at(set.contacts[k].surface)],
+                      ctx.model.bodies, ctx.model.def.step);
         });
         for (std::size_t k = set.awake; k < set.contacts.size(); ++k)
             c.set_asleep(k, set.contacts[k].previous);
         make_resistances(ctx);
-        if (!c.connect(ctx.step)) {
+        if (!c.connect(ctx.state.step)) {
             const StageTimer again(ctx, Stage::analyse);
             keep_state(ctx, Undo::Depth::system);
-            c.relink(ctx.step);
+            c.relink(ctx.state.step);
             relink(ctx);
-            if (!c.connect(ctx.step)) throw std::bad_alloc();
+            if (!c.connect(ctx.state.step)) throw std::bad_alloc();
         }
-        ctx.columns.reserve(c.blocks.size());
+        ctx.work.solve.columns.reserve(c.blocks.size());
     });
     if (status == Status::ok && ctx.pool.stopping()) status = Status::cancelled;
     if (status != Status::ok) return status;
     // u of the last step's velocities; λ is that of the last step.
-    update_slots(ctx, ctx.bodies.v.data());
+    update_slots(ctx, ctx.model.bodies.v.data());
     c.resistances.recall(c.rows);
     over(ctx, static_cast<std::int32_t>(c.count()), [&](std::int32_t a, std::int32_t b) {
         for (std::size_t k = at(a); k < at(b); ++k) {
-            std::copy_n(c.cones[k].u, 3, &ctx.contact_speed[3 * k]);
+            std::copy_n(c.cones[k].u, 3, &ctx.work.contact_speed[3 * k]);
             c.recall_lambda(k);
             if (phase == Phase::stagger) ask_for_acceleration(c.cones[k], set.contacts[k].gap);
         }
     });
-    double* speed = ctx.contact_speed.data() + 3 * c.count();
+    double* speed = ctx.work.contact_speed.data() + 3 * c.count();
     for (nonsmooth::Resistance& a : c.resistances.laws) {
         speed = std::copy_n(a.u, 3, speed);
         if (phase == Phase::stagger) ask_for_acceleration(a);
     }
-    if (!ctx.cuts.list.empty()) keep_touch(ctx);
+    if (!ctx.model.cuts.list.empty()) keep_touch(ctx);
     if (phase == Phase::impact) return Status::ok;
     if (c.count() > 0) begin_contacts(ctx);
     update_contacts(ctx, nullptr);
@@ -132,38 +132,39 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
 // λ·J(v + v₊)/2 is exactly what a contact does to the kinetic energy of the bodies that move: all
 // of λ·(u + u₊)/2 but the part of bodies with a prescribed velocity, which is their work.
 void count_contact_work(StepContext& ctx) noexcept {
-    const Contacts& contacts = ctx.system.contacts;
+    const Contacts& contacts = ctx.model.system.contacts;
     for (std::size_t k = 0; k < contacts.count(); ++k) {
         const Cone& c = contacts.cones[k];
-        const double* before = &ctx.contact_speed[3 * k];
+        const double* before = &ctx.work.contact_speed[3 * k];
         double taken[3];
         for (int i = 0; i < 3; ++i) {
             taken[i] = -0.5 * c.lambda[i] * (before[i] + c.u[i]);
-            ctx.drive -= c.lambda[i] * contacts.rows[k].carried[i];
+            ctx.state.ledger.drive -= c.lambda[i] * contacts.rows[k].carried[i];
         }
-        ctx.contact += taken[0];
-        ctx.friction += taken[1] + taken[2];
+        ctx.state.ledger.contact += taken[0];
+        ctx.state.ledger.friction += taken[1] + taken[2];
     }
     const assembly::Resistances& resistances = contacts.resistances;
-    const double* before = ctx.contact_speed.data() + 3 * contacts.count();
+    const double* before = ctx.work.contact_speed.data() + 3 * contacts.count();
     for (std::size_t k = 0; k < resistances.count(); ++k, before += 3) {
         const nonsmooth::Resistance& a = resistances.laws[k];
         for (int i = 0; i < 3; ++i) {
-            ctx.friction -= 0.5 * a.lambda[i] * (before[i] + a.u[i]);
-            ctx.drive -= a.lambda[i] * resistances.rows[k].carried[i];
+            ctx.state.ledger.friction -= 0.5 * a.lambda[i] * (before[i] + a.u[i]);
+            ctx.state.ledger.drive -= a.lambda[i] * resistances.rows[k].carried[i];
         }
     }
 }
 
 void remember_contacts(StepContext& ctx) noexcept {
-    Contacts& c = ctx.system.contacts;
-    over(ctx, static_cast<std::int32_t>(c.count()),
-         [&](std::int32_t a, std::int32_t b) { c.remember(ctx.bodies, ctx.def.step, a, b); });
-    c.keep(ctx.def.step);
-    for (std::size_t k = 0; k < ctx.contacts.contacts.size(); ++k) {
-        std::copy_n(c.memory[k].lambda, 3, &ctx.contact_impulse[3 * k]);
+    Contacts& c = ctx.model.system.contacts;
+    over(ctx, static_cast<std::int32_t>(c.count()), [&](std::int32_t a, std::int32_t b) {
+        c.remember(ctx.model.bodies, ctx.model.def.step, a, b);
+    });
+    c.keep(ctx.model.def.step);
+    for (std::size_t k = 0; k < ctx.state.contacts.contacts.size(); ++k) {
+        std::copy_n(c.memory[k].lambda, 3, &ctx.state.contact_impulse[3 * k]);
         const bool slides = k < c.count() && c.cones[k].touch == nonsmooth::Touch::slip;
-        ctx.contact_sliding[k] = slides ? 1 : 0;
+        ctx.state.contact_sliding[k] = slides ? 1 : 0;
     }
 }
 

@@ -18,18 +18,18 @@ using generic::V3;
 
 /// End of a line at the half step before the poses, as held_by_element() has it.
 V3 end_half_way(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
-    const model::Bodies& b = ctx.bodies;
-    const auto body = at(ctx.interactions.body[kMaxInteractionBodies * at(id) + slot]);
+    const model::Bodies& b = ctx.model.bodies;
+    const auto body = at(ctx.model.interactions.body[kMaxInteractionBodies * at(id) + slot]);
     const int dof = b.dof(static_cast<int>(body));
-    const double half = 0.5 * ctx.def.step;
+    const double half = 0.5 * ctx.model.def.step;
     const double* v = dof > 0 ? &b.v[at(b.dof_begin[body])] : &b.v_fixed[6 * body];
     const V3 x = generic::load3(&b.x[3 * body]) - half * generic::load3(v);
     if (dof == 3) return x;
-    const Vec3& point = ctx.interactions.def[at(id)].point[slot];
+    const Vec3& point = ctx.model.interactions.def[at(id)].point[slot];
     const V3 arm = generic::load9(&b.r[9 * body]) * V3{point[0], point[1], point[2]};
     const V3 w = generic::load3(v + 3);
     // Half of the turn back by 2 atan(h|ω|/2).
-    const double whole = 0.25 * ctx.def.step * ctx.def.step * dot(w, w);
+    const double whole = 0.25 * ctx.model.def.step * ctx.model.def.step * dot(w, w);
     const V3 turn = (-half / (1.0 + std::sqrt(1.0 + whole))) * w;
     const V3 c = cross(turn, arm);
     return x + arm + (2.0 / (1.0 + dot(turn, turn))) * (c + cross(turn, c));
@@ -37,7 +37,7 @@ V3 end_half_way(const StepContext& ctx, std::int32_t id, std::size_t slot) noexc
 
 /// ½ (l − l₀)²/ε of a line by its true length.
 double energy_of_line(const StepContext& ctx, std::int32_t id) noexcept {
-    const model::Interactions& in = ctx.interactions;
+    const model::Interactions& in = ctx.model.interactions;
     const auto row = at(in.row_begin[at(id)]);
     const double rest = in.rest_length[at(id)];
     if (in.parted[at(id)] || !model::holds_energy(in.epsilon[row], rest)) return 0.0;
@@ -48,8 +48,8 @@ double energy_of_line(const StepContext& ctx, std::int32_t id) noexcept {
 }
 
 void disturb_bodies(StepContext& ctx, std::int32_t id) noexcept {
-    for (std::size_t b = 0; b < ctx.interactions.bodies[at(id)]; ++b)
-        disturb(ctx, ctx.interactions.body[kMaxInteractionBodies * at(id) + b]);
+    for (std::size_t b = 0; b < ctx.model.interactions.bodies[at(id)]; ++b)
+        disturb(ctx, ctx.model.interactions.body[kMaxInteractionBodies * at(id) + b]);
 }
 
 /// Where an array has an entry a contact of the last step, keep those that stay.
@@ -66,11 +66,11 @@ void compact(A& array, const std::vector<std::uint8_t>& stays, std::size_t each)
 
 /// Contacts of the last step in which this shape took part.
 void forget_contacts(StepContext& ctx, std::int32_t shape) noexcept {
-    const auto& kept = ctx.collider.kept();
-    std::vector<std::uint8_t>& stays = ctx.edits_stay;
+    const auto& kept = ctx.model.collider.kept();
+    std::vector<std::uint8_t>& stays = ctx.work.edits_stay;
     stays.resize(kept.size());  // room was made by reserve_edit()
     bool any = false;
-    assembly::Contacts& c = ctx.system.contacts;
+    assembly::Contacts& c = ctx.model.system.contacts;
     for (std::size_t i = 0; i < kept.size(); ++i) {
         stays[i] = kept[i].shape[0] != shape && kept[i].shape[1] != shape;
         if (stays[i] != 0) continue;
@@ -81,93 +81,94 @@ void forget_contacts(StepContext& ctx, std::int32_t shape) noexcept {
                 if (b >= 0) disturb(ctx, b);
     }
     if (!any) return;
-    std::vector<collide::Contact>& shown = ctx.contacts.contacts;
+    std::vector<collide::Contact>& shown = ctx.state.contacts.contacts;
     if (shown.size() == kept.size()) {
         std::size_t awake = 0;
-        for (std::size_t i = 0; i < ctx.contacts.awake; ++i) awake += stays[i];
-        ctx.contacts.awake = awake;
+        for (std::size_t i = 0; i < ctx.state.contacts.awake; ++i) awake += stays[i];
+        ctx.state.contacts.awake = awake;
         compact(shown, stays, 1);
-        compact(ctx.contact_impulse, stays, 3);
-        compact(ctx.contact_sliding, stays, 1);
+        compact(ctx.state.contact_impulse, stays, 3);
+        compact(ctx.state.contact_sliding, stays, 1);
     }
     c.forget(stays);
-    ctx.collider.forget(stays);
-    ctx.stats.contacts = static_cast<std::int32_t>(shown.size());
+    ctx.model.collider.forget(stays);
+    ctx.work.stats.contacts = static_cast<std::int32_t>(shown.size());
 }
 
 }  // namespace
 
 void reserve_edit(StepContext& ctx) {
-    base::make_room(ctx.edits.interactions, 1);
-    ctx.edits_stay.reserve(ctx.collider.kept().size());
-    ctx.collider.make_room();
+    base::make_room(ctx.state.edits.interactions, 1);
+    ctx.work.edits_stay.reserve(ctx.model.collider.kept().size());
+    ctx.model.collider.make_room();
 }
 
 void begin_edit(StepContext& ctx) noexcept {
     drop_cuts(ctx);
-    ctx.topology_changed = true;
-    ctx.regroup.stale = true;
-    ctx.edits.any = ctx.edits.any || ctx.started;
+    ctx.state.topology_changed = true;
+    ctx.model.regroup.stale = true;
+    ctx.state.edits.any = ctx.state.edits.any || ctx.state.started;
 }
 
 double energy_of_body(const StepContext& ctx, std::int32_t body) noexcept {
-    const model::Bodies& b = ctx.bodies;
+    const model::Bodies& b = ctx.model.bodies;
     const int dof = b.dof(body);
-    if (!ctx.started || dof == 0) return 0.0;
+    if (!ctx.state.started || dof == 0) return 0.0;
     double energy = kinetic_energy_of(b, body, b.v.data());
     const double* v = &b.v[at(b.dof_begin[at(body)])];
     for (int k = 0; k < 3 && dof != 1 && b.weight[at(body)] != 0; ++k)
-        energy -= b.mass[at(body)] * ctx.def.gravity[k] *
-                  (b.x[3 * at(body) + at(k)] - 0.5 * ctx.def.step * v[k]);
+        energy -= b.mass[at(body)] * ctx.model.def.gravity[k] *
+                  (b.x[3 * at(body) + at(k)] - 0.5 * ctx.model.def.step * v[k]);
     return energy;
 }
 
 double energy_of_interaction(const StepContext& ctx, std::int32_t id) noexcept {
-    const model::Interactions& in = ctx.interactions;
-    if (!ctx.started || (in.flags[at(id)] & model::kFriction)) return 0.0;
+    const model::Interactions& in = ctx.model.interactions;
+    if (!ctx.state.started || (in.flags[at(id)] & model::kFriction)) return 0.0;
     const KindInfo& kind = kind_info(in.def[at(id)].kind);
     if (kind.is(kAlongLine) && !kind.is(kWoundUp)) return energy_of_line(ctx, id);
-    return in.elastic(id, ctx.bodies, ctx.def.step);
+    return in.elastic(id, ctx.model.bodies, ctx.model.def.step);
 }
 
 void settle_body(StepContext& ctx, std::int32_t body) noexcept {
-    ctx.drive += energy_of_body(ctx, body);
+    ctx.state.ledger.drive += energy_of_body(ctx, body);
 }
 
 void settle_interaction(StepContext& ctx, std::int32_t id) noexcept {
-    ctx.drive += energy_of_interaction(ctx, id);
-    if (ctx.started) ctx.edits.interactions.push_back(id);
+    ctx.state.ledger.drive += energy_of_interaction(ctx, id);
+    if (ctx.state.started) ctx.state.edits.interactions.push_back(id);
     disturb_bodies(ctx, id);
 }
 
 void settle_shape(StepContext& ctx, std::int32_t shape) noexcept {
-    if (ctx.stats.asleep == 0) return;
-    ctx.collider.each_near(shape, ctx.bodies, ctx.def.step, [&](const collide::Shape& other) {
-        for (const std::int32_t b : other.body)
-            if (b >= 0) disturb(ctx, b);
-    });
-    for (const std::int32_t b : ctx.collider.shapes()[at(shape)].body)
+    if (ctx.work.stats.asleep == 0) return;
+    ctx.model.collider.each_near(shape, ctx.model.bodies, ctx.model.def.step,
+                                 [&](const collide::Shape& other) {
+                                     for (const std::int32_t b : other.body)
+                                         if (b >= 0) disturb(ctx, b);
+                                 });
+    for (const std::int32_t b : ctx.model.collider.shapes()[at(shape)].body)
         if (b >= 0) disturb(ctx, b);
 }
 
 void remove_body(StepContext& ctx, std::int32_t body) noexcept {
-    ctx.drive -= energy_of_body(ctx, body);
-    if (ctx.bodies.asleep[at(body)] != 0) --ctx.stats.asleep;
-    ctx.bodies.remove(body);
+    ctx.state.ledger.drive -= energy_of_body(ctx, body);
+    if (ctx.model.bodies.asleep[at(body)] != 0) --ctx.work.stats.asleep;
+    ctx.model.bodies.remove(body);
 }
 
 void remove_interaction(StepContext& ctx, std::int32_t id) noexcept {
-    ctx.drive -= energy_of_interaction(ctx, id);
+    ctx.state.ledger.drive -= energy_of_interaction(ctx, id);
     disturb_bodies(ctx, id);
-    std::erase(ctx.edits.interactions, id);
-    ctx.interactions.remove(id);
+    std::erase(ctx.state.edits.interactions, id);
+    ctx.model.interactions.remove(id);
 }
 
 void remove_shape(StepContext& ctx, std::int32_t shape) noexcept {
     forget_contacts(ctx, shape);
-    for (const std::int32_t b : ctx.collider.shapes()[at(shape)].body)
+    for (const std::int32_t b : ctx.model.collider.shapes()[at(shape)].body)
         if (b >= 0) disturb(ctx, b);
-    ctx.collider.remove(shape);
+    ctx.model.collider.remove(shape);
 }
 
 }  // namespace hawser::stepper

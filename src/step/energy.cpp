@@ -20,9 +20,9 @@ namespace {
 
 /// Take carriers with a prescribed velocity back by half a step; what they were goes to scratch.
 void carriers_back(StepContext& ctx) noexcept {
-    model::Bodies& b = ctx.bodies;
-    const double t = -0.5 * ctx.def.step;
-    double* kept = ctx.carriers_before.data();
+    model::Bodies& b = ctx.model.bodies;
+    const double t = -0.5 * ctx.model.def.step;
+    double* kept = ctx.work.before.carriers.data();
     for (std::int32_t body : b.driven) {
         const auto i = at(body);
         const double* v = &b.v_fixed[6 * i];
@@ -34,8 +34,8 @@ void carriers_back(StepContext& ctx) noexcept {
 }
 
 void carriers_forth(StepContext& ctx) noexcept {
-    model::Bodies& b = ctx.bodies;
-    const double* kept = ctx.carriers_before.data();
+    model::Bodies& b = ctx.model.bodies;
+    const double* kept = ctx.work.before.carriers.data();
     for (std::int32_t body : b.driven) {
         const auto i = at(body);
         std::copy_n(kept, 3, &b.x[3 * i]);
@@ -49,18 +49,19 @@ void carriers_forth(StepContext& ctx) noexcept {
 
 Energy energy(StepContext& ctx) noexcept {
     Energy e;
-    const model::Bodies& b = ctx.bodies;
-    const double half = 0.5 * ctx.def.step;
+    const model::Bodies& b = ctx.model.bodies;
+    const double half = 0.5 * ctx.model.def.step;
     e.kinetic = kinetic_energy(b, b.v.data());
     for (std::int32_t body : b.moving) {
         const auto i = at(body);
         if (!b.weight[i] || b.dof(body) == 1) continue;
         const double* v = &b.v[at(b.dof_begin[i])];
         for (int k = 0; k < 3; ++k)
-            e.gravity -= b.mass[i] * ctx.def.gravity[k] * (b.x[3 * i + at(k)] - half * v[k]);
+            e.gravity -= b.mass[i] * ctx.model.def.gravity[k] * (b.x[3 * i + at(k)] - half * v[k]);
     }
     const assembly::View v = view(ctx);
-    const KeptRanges kept(ctx.active_before, ctx.interactions.active.data(), ctx.system.bounded);
+    const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
+                          ctx.model.system.bounded);
     // The rows' own bodies go back by −(h/2) G v below.
     carriers_back(ctx);
     evaluate_rows(ctx);
@@ -70,7 +71,7 @@ Energy energy(StepContext& ctx) noexcept {
         const bool line = (v.flags[id] & model::kOneSided) != 0;
         if (v.flags[id] & model::kFriction) continue;  // counted as driven
         if (line ? v.parted[id] != 0 : v.active[id] == 0.0) continue;
-        if (ctx.wires.wire_of[at(id)] >= 0 && !ctx.system.rests(id) &&
+        if (ctx.model.wires.wire_of[at(id)] >= 0 && !ctx.model.system.rests(id) &&
             (v.flags[id] & model::kCarried) == 0) {
             if (model::holds_energy(v.epsilon[v.row_begin[id]], v.rest_length[id]))
                 e.elastic += held_by_element(v, id);
@@ -78,8 +79,9 @@ Energy energy(StepContext& ctx) noexcept {
         }
         double room[model::kArmRoom];
         const double* jac = packed_rows(v, id, room);
-        const bool rests = ctx.system.rests(id);  // and has not been evaluated
-        const model::RowState s = rests ? ctx.interactions.row_state(id, b) : model::RowState{};
+        const bool rests = ctx.model.system.rests(id);  // and has not been evaluated
+        const model::RowState s =
+            rests ? ctx.model.interactions.row_state(id, b) : model::RowState{};
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
             double speed = rests ? s.rate[r] + s.carried[r] : 0.0;
@@ -91,14 +93,14 @@ Energy energy(StepContext& ctx) noexcept {
             if (!line || g > 0.0) e.elastic += 0.5 * g * g / v.epsilon[row];
         }
     }
-    e.added = ctx.loads.added;
-    e.system = ctx.loads.work;
-    e.applied = ctx.work;
-    e.driven = ctx.drive;
-    e.dissipated = ctx.drag;
-    e.friction = ctx.friction;
-    e.contact = ctx.contact;
-    e.damped = ctx.damped;
+    e.added = ctx.state.loads.added;
+    e.system = ctx.state.loads.work;
+    e.applied = ctx.state.ledger.work;
+    e.driven = ctx.state.ledger.drive;
+    e.dissipated = ctx.state.ledger.drag;
+    e.friction = ctx.state.ledger.friction;
+    e.contact = ctx.state.ledger.contact;
+    e.damped = ctx.state.ledger.damped;
     return e;
 }
 

@@ -30,27 +30,27 @@ bool accepted(const Wires& w, std::size_t wire) noexcept {
 /// Multipliers as the step began with, which geometric stiffness goes by, and the state of lines
 /// but in refused wires, where it is as last found.
 void restore_start(StepContext& ctx) noexcept {
-    model::Interactions& in = ctx.interactions;
-    Wires& w = ctx.wires;
-    std::copy(ctx.lambda_before.begin(), ctx.lambda_before.end(), in.lambda.begin());
+    model::Interactions& in = ctx.model.interactions;
+    Wires& w = ctx.model.wires;
+    std::copy(ctx.work.before.lambda.begin(), ctx.work.before.lambda.end(), in.lambda.begin());
     // Joints whose force has grown within the step go on with the stiffness of that.
-    for (const std::int32_t id : ctx.completion.joints)
-        std::copy_n(&ctx.completion.lambda_with[at(in.row_begin[at(id)])], in.rows[at(id)],
+    for (const std::int32_t id : ctx.model.completion.joints)
+        std::copy_n(&ctx.model.completion.lambda_with[at(in.row_begin[at(id)])], in.rows[at(id)],
                     &in.lambda[at(in.row_begin[at(id)])]);
-    for (std::size_t i = 0; i < ctx.active_before.size(); ++i) {
-        const std::int32_t id = ctx.system.bounded[i];
+    for (std::size_t i = 0; i < ctx.work.before.active.size(); ++i) {
+        const std::int32_t id = ctx.model.system.bounded[i];
         const std::int32_t wire = id < interaction_count(ctx) ? w.wire_of[at(id)] : -1;
-        if (wire < 0 || w.level[at(wire)] == 0) in.active[at(id)] = ctx.active_before[i];
+        if (wire < 0 || w.level[at(wire)] == 0) in.active[at(id)] = ctx.work.before.active[i];
     }
 }
 
 /// Rows of wires that are to be bounded.
 void replace(StepContext& ctx) noexcept {
-    Wires& w = ctx.wires;
+    Wires& w = ctx.model.wires;
     constexpr int kFirstBound = 4;
     for (const std::int32_t id : w.element) {
-        if (w.level[at(w.wire_of[at(id)])] < kFirstBound || ctx.interactions.parted[at(id)] ||
-            ctx.system.rests(id))
+        if (w.level[at(w.wire_of[at(id)])] < kFirstBound || ctx.model.interactions.parted[at(id)] ||
+            ctx.model.system.rests(id))
             continue;
         w.replaced[at(id)] = 1;
         w.replacing = true;
@@ -58,25 +58,25 @@ void replace(StepContext& ctx) noexcept {
 }
 
 Status solve_again(StepContext& ctx) noexcept {
-    ++ctx.stats.wire_repeats;
+    ++ctx.work.stats.wire_repeats;
     release_wires(ctx);
     restore_start(ctx);
     replace(ctx);
-    ctx.wires.again = true;
+    ctx.model.wires.again = true;
     Status status = Status::ok;
-    if (ctx.collider.count() > 0) status = start_contacts(ctx, Phase::regular);
+    if (ctx.model.collider.count() > 0) status = start_contacts(ctx, Phase::regular);
     if (status == Status::ok) {
         assemble_rows(ctx);
         status = solve_assembled(ctx);
     }
-    ctx.wires.again = false;
+    ctx.model.wires.again = false;
     if (status != Status::ok) release_wires(ctx);
     return status;
 }
 
 /// Refused wires get their next plan. @return whether there are any.
 bool refuse(StepContext& ctx) noexcept {
-    Wires& w = ctx.wires;
+    Wires& w = ctx.model.wires;
     bool any = false;
     for (std::size_t k = 0; k < w.count(); ++k) {
         if (accepted(w, k) || w.level[k] >= kMostRepeats) continue;
@@ -90,7 +90,7 @@ bool refuse(StepContext& ctx) noexcept {
 
 void calm_start(StepContext& ctx) noexcept {
     if (!on_guard(ctx)) return;
-    Wires& w = ctx.wires;
+    Wires& w = ctx.model.wires;
     const View v = view(ctx);
     std::fill(w.fast.begin(), w.fast.end(), 0);
     if (!find_fast_wires(ctx)) return;
@@ -104,9 +104,9 @@ void calm_start(StepContext& ctx) noexcept {
 }
 
 Status guard_wires(StepContext& ctx) noexcept {
-    ctx.wires.measured = false;
+    ctx.model.wires.measured = false;
     if (!on_guard(ctx)) return Status::ok;
-    Wires& w = ctx.wires;
+    Wires& w = ctx.model.wires;
     std::fill(w.fast.begin(), w.fast.end(), 0);
     std::fill(w.level.begin(), w.level.end(), 0);
     const bool any_fast = find_fast_wires(ctx);
@@ -119,7 +119,7 @@ Status guard_wires(StepContext& ctx) noexcept {
             measure_wires(ctx);
         }
     }
-    ctx.wires.measured = any_fast;
+    ctx.model.wires.measured = any_fast;
     return Status::ok;
 }
 

@@ -28,25 +28,26 @@ constexpr double kSolved = 1e-8;  ///< Residual that rounding reaches with it.
 
 /// Slower than this things come to rest without a bounce [m/s].
 double threshold(const StepContext& ctx) noexcept {
-    return std::max(1e-3, 2.0 * ctx.def.gravity.norm() * ctx.def.step);
+    return std::max(1e-3, 2.0 * ctx.model.def.gravity.norm() * ctx.model.def.step);
 }
 
 double restitution(const StepContext& ctx, std::size_t k) noexcept {
-    const collide::ContactSet& set = ctx.contacts;
+    const collide::ContactSet& set = ctx.state.contacts;
     return set.surfaces[at(set.contacts[k].surface)].restitution;
 }
 
 bool hits(const StepContext& ctx, std::size_t k) noexcept {
-    const double speed = ctx.system.contacts.cones[k].u[0];
-    return speed < -threshold(ctx) && ctx.contacts.contacts[k].gap + ctx.def.step * speed < 0.0;
+    const double speed = ctx.model.system.contacts.cones[k].u[0];
+    return speed < -threshold(ctx) &&
+           ctx.state.contacts.contacts[k].gap + ctx.model.def.step * speed < 0.0;
 }
 
 /// The stage's law for every contact.
 void set_laws(StepContext& ctx, double scale) noexcept {
-    for (std::size_t k = 0; k < ctx.system.contacts.count(); ++k) {
-        Cone& c = ctx.system.contacts.cones[k];
+    for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
+        Cone& c = ctx.model.system.contacts.cones[k];
         const double e = scale * restitution(ctx, k);
-        const bool touches = ctx.contacts.contacts[k].gap <= 0.0;
+        const bool touches = ctx.state.contacts.contacts[k].gap <= 0.0;
         c.b[0] = e > 0.0 && hits(ctx, k) ? -e * c.u[0] : (touches ? 0.0 : -1e30);
         c.b[1] = c.b[2] = 0.0;
         // An impact has no time to compress anything; enough stays for points that repeat others.
@@ -54,7 +55,7 @@ void set_laws(StepContext& ctx, double scale) noexcept {
         c.sigma_t = std::min(c.sigma_t, kStiff * c.mobility);
         std::fill_n(c.lambda, 3, 0.0);
     }
-    for (nonsmooth::Resistance& a : ctx.system.contacts.resistances.laws) {
+    for (nonsmooth::Resistance& a : ctx.model.system.contacts.resistances.laws) {
         std::fill_n(a.b, 3, 0.0);
         a.sigma = std::min(a.sigma, kStiff * a.mobility);
         std::fill_n(a.lambda, 3, 0.0);
@@ -66,11 +67,12 @@ void hold_motion(StepContext& ctx) noexcept {
     const View v = view(ctx);
     const assembly::Kernels& k = assembly::kernels();
     std::copy_n(v.v, v.dof_count, v.v_new);
-    std::fill_n(v.lambda, ctx.interactions.row_count, 0.0);
+    std::fill_n(v.lambda, ctx.model.interactions.row_count, 0.0);
     std::fill_n(v.a, v.dof_count, 0.0);
-    std::fill(ctx.system.contacts.impulse.begin(), ctx.system.contacts.impulse.end(), 0.0);
+    std::fill(ctx.model.system.contacts.impulse.begin(), ctx.model.system.contacts.impulse.end(),
+              0.0);
     auto update_rows = [&] {
-        std::fill_n(v.solution, ctx.system.symbolic.scalars, 0.0);
+        std::fill_n(v.solution, ctx.model.system.symbolic.scalars, 0.0);
         over_interactions(ctx,
                           [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
     };
@@ -79,11 +81,11 @@ void hold_motion(StepContext& ctx) noexcept {
     for (std::int32_t id = 0; id < v.interaction_count; ++id)
         for (std::int32_t r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r)
             v.c[r] -= v.active[id] != 0.0 ? v.residual[r] + v.sigma[r] * v.lambda[r] : 0.0;
-    std::fill_n(v.lambda, ctx.interactions.row_count, 0.0);
-    std::fill_n(v.residual, ctx.interactions.row_count, 0.0);
+    std::fill_n(v.lambda, ctx.model.interactions.row_count, 0.0);
+    std::fill_n(v.residual, ctx.model.interactions.row_count, 0.0);
     update_rows();  // residuals of zero
     over(ctx, v.body_count, [&](std::int32_t a, std::int32_t b) { k.body_rhs(v, a, b); });
-    for (const std::int32_t body : ctx.bodies.moving)
+    for (const std::int32_t body : ctx.model.bodies.moving)
         for (int j = 0; j < v.dof[body]; ++j)
             v.a[v.dof_begin[body] + j] = -v.solution[v.body_offset[body] + j];
 }
@@ -96,7 +98,7 @@ Status attempt(StepContext& ctx, double scale) noexcept {
     hold_motion(ctx);
     begin_newton(ctx);
     update_contacts(ctx, nullptr);
-    ctx.rhs_ready = false;
+    ctx.work.solve.rhs_ready = false;
     return solve_newton(ctx);
 }
 
@@ -109,44 +111,45 @@ bool ends_step(Status status) noexcept {
 }  // namespace
 
 Status impact(StepContext& ctx, bool& found) noexcept {
-    const std::size_t count = ctx.system.contacts.count();
+    const std::size_t count = ctx.model.system.contacts.count();
     found = false;
     bool bouncy = false;
     for (std::size_t k = 0; k < count && !bouncy; ++k) bouncy = restitution(ctx, k) > 0.0;
     if (!bouncy) return Status::ok;
-    update_contacts(ctx, ctx.bodies.v.data());
+    update_contacts(ctx, ctx.model.bodies.v.data());
     for (std::size_t k = 0; k < count && !found; ++k)
         found = restitution(ctx, k) > 0.0 && hits(ctx, k);
     if (!found) {
         update_contacts(ctx, nullptr);
         return Status::ok;
     }
-    ++ctx.stats.impacts;
+    ++ctx.work.stats.impacts;
     keep_motion(ctx);
     const View v = view(ctx);
     const auto moving = [&](const double* of) {
-        return kinetic_energy(ctx.bodies, of) + added_energy(ctx, of);
+        return kinetic_energy(ctx.model.bodies, of) + added_energy(ctx, of);
     };
     const double before = moving(v.v);
     Status status = Status::ok;
     for (const double scale : {1.0, 0.0}) {
-        if (scale == 0.0) ++ctx.stats.impact_retries;
+        if (scale == 0.0) ++ctx.work.stats.impact_retries;
         status = attempt(ctx, scale);
         if (ends_step(status)) return status;
         const double after = status == Status::ok ? moving(v.v_new) : 0.0;
-        const bool good = status == Status::ok && after <= before * (1.0 + 1e-9) &&
-                          ctx.stats.flips_left == 0 &&
-                          ctx.stats.natural_map <= std::max(kSolved, ctx.def.contact_tolerance);
+        const bool good =
+            status == Status::ok && after <= before * (1.0 + 1e-9) &&
+            ctx.work.stats.flips_left == 0 &&
+            ctx.work.stats.natural_map <= std::max(kSolved, ctx.model.def.contact_tolerance);
         if (good) {
-            ctx.contact += before - after;
+            ctx.state.ledger.contact += before - after;
             std::copy_n(v.v_new, v.dof_count, v.v);
         }
         // Lines and multipliers go on from the last step.
         recall(ctx);
         if (good) break;
     }
-    ctx.stats.flips_left = 0;  // the step's own solve is to come
-    ctx.newton.iterations = 0;
+    ctx.work.stats.flips_left = 0;  // the step's own solve is to come
+    ctx.work.newton.iterations = 0;
     return Status::ok;
 }
 

@@ -21,11 +21,11 @@ using assembly::View;
 
 /// Lines that pull with more than they bear part.
 void break_lines(StepContext& ctx, const View& v) noexcept {
-    for (std::size_t i = 0; i < ctx.system.breakable.size(); ++i) {
-        const std::int32_t id = ctx.system.breakable[i];
+    for (std::size_t i = 0; i < ctx.model.system.breakable.size(); ++i) {
+        const std::int32_t id = ctx.model.system.breakable[i];
         const double tension = -v.force_of_row[v.row_begin[id]];
-        if (v.parted[id] || tension <= ctx.system.breaking_load[i]) continue;
-        ctx.damped += held_by_line(ctx, original(ctx, id));
+        if (v.parted[id] || tension <= ctx.model.system.breaking_load[i]) continue;
+        ctx.state.ledger.damped += held_by_line(ctx, original(ctx, id));
         part_all(ctx, original(ctx, id));
         push_event(ctx, EventKind::line_break, original(ctx, id), tension);
     }
@@ -33,10 +33,10 @@ void break_lines(StepContext& ctx, const View& v) noexcept {
 
 /// Lines that came taut or went slack, and ranges at an end.
 void report_switches(StepContext& ctx, const View& v) noexcept {
-    for (std::size_t i = 0; i < ctx.active_before.size(); ++i) {
-        std::int32_t id = ctx.system.bounded[i];
+    for (std::size_t i = 0; i < ctx.work.before.active.size(); ++i) {
+        std::int32_t id = ctx.model.system.bounded[i];
         const double now = v.active[id];
-        if (now == ctx.active_before[i] || v.parted[id]) continue;
+        if (now == ctx.work.before.active[i] || v.parted[id]) continue;
         if (v.flags[id] & (model::kMotor | model::kFriction)) continue;
         const std::int32_t row = v.row_begin[id];
         id = speaker(ctx, id);  // of the sides of a cut one
@@ -55,27 +55,27 @@ void report_switches(StepContext& ctx, const View& v) noexcept {
 void integrate(StepContext& ctx) noexcept {
     const View v = view(ctx);
     finish_cuts(ctx);
-    ctx.drive += drive_work(ctx);
-    ctx.damped += row_losses(ctx);
+    ctx.state.ledger.drive += drive_work(ctx);
+    ctx.state.ledger.damped += row_losses(ctx);
     settle_wires(ctx);
     count_contact_work(ctx);
-    if (ctx.collider.count() > 0) remember_contacts(ctx);
-    ctx.drag += ctx.loads.count();
+    if (ctx.model.collider.count() > 0) remember_contacts(ctx);
+    ctx.state.ledger.drag += ctx.state.loads.count();
     over(ctx, v.body_count,
          [&](std::int32_t a, std::int32_t b) { assembly::kernels().integrate(v, a, b); });
     move_carriers(ctx);
-    ctx.work += ctx.step_work;
-    ctx.drag += ctx.step_drag;
-    ++ctx.step;
-    ctx.time = static_cast<double>(ctx.step) * ctx.def.step;
-    ctx.stats.step = ctx.step;
-    ctx.stats.time = ctx.time;
-    const double per_h = 1.0 / ctx.def.step;
-    over(ctx, ctx.interactions.row_count, [&](std::int32_t a, std::int32_t b) {
+    ctx.state.ledger.work += ctx.work.solve.step_work;
+    ctx.state.ledger.drag += ctx.work.solve.step_drag;
+    ++ctx.state.step;
+    ctx.state.time = static_cast<double>(ctx.state.step) * ctx.model.def.step;
+    ctx.work.stats.step = ctx.state.step;
+    ctx.work.stats.time = ctx.state.time;
+    const double per_h = 1.0 / ctx.model.def.step;
+    over(ctx, ctx.model.interactions.row_count, [&](std::int32_t a, std::int32_t b) {
         for (std::int32_t r = a; r < b; ++r) v.force_of_row[r] = per_h * v.lambda[r];
     });
-    if (ctx.newton.switch_late) (void)switch_bounds(ctx, ctx.contact_floor, kAnyRows);
-    ctx.newton.switch_late = false;
+    if (ctx.work.newton.switch_late) (void)switch_bounds(ctx, ctx.model.contact_floor, kAnyRows);
+    ctx.work.newton.switch_late = false;
     break_lines(ctx, v);
     report_switches(ctx, v);
     // Renews rows, so that events come first; anchors and winches go by the poses then.
@@ -86,8 +86,8 @@ void integrate(StepContext& ctx) noexcept {
     follow_winches(ctx);
     // Above this the solution no longer satisfies its own equations to engineering accuracy.
     constexpr double kResidualWarning = 1e-8;
-    if (ctx.stats.momentum_residual > kResidualWarning)
-        push_event(ctx, EventKind::warning, -1, ctx.stats.momentum_residual);
+    if (ctx.work.stats.momentum_residual > kResidualWarning)
+        push_event(ctx, EventKind::warning, -1, ctx.work.stats.momentum_residual);
 }
 
 }  // namespace hawser::stepper

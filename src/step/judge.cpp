@@ -20,12 +20,17 @@ namespace {
 constexpr std::size_t place(Judge judge) noexcept { return static_cast<std::size_t>(judge); }
 
 Works works(const StepContext& ctx) noexcept {
-    return {ctx.work + ctx.loads.work, ctx.drive, ctx.drag, ctx.friction, ctx.contact, ctx.damped};
+    return {ctx.state.ledger.work + ctx.state.loads.work,
+            ctx.state.ledger.drive,
+            ctx.state.ledger.drag,
+            ctx.state.ledger.friction,
+            ctx.state.ledger.contact,
+            ctx.state.ledger.damped};
 }
 
 /// Interaction of a row.
 std::int32_t owner_of(const StepContext& ctx, std::int32_t row) noexcept {
-    const auto& begin = ctx.interactions.row_begin;
+    const auto& begin = ctx.model.interactions.row_begin;
     const auto end = begin.begin() + interaction_count(ctx);
     return static_cast<std::int32_t>(std::upper_bound(begin.begin(), end, row) - begin.begin()) - 1;
 }
@@ -33,8 +38,9 @@ std::int32_t owner_of(const StepContext& ctx, std::int32_t row) noexcept {
 /// How far the step's equations and laws are from solved.
 double certificate(const StepContext& ctx) noexcept {
     // The other methods end where they end, as does a step that keeps to a budget.
-    if (ctx.def.nonsmooth != Nonsmooth::newton || ctx.stats.degradation.any()) return 0.0;
-    return std::max(ctx.stats.natural_map, ctx.stats.momentum_residual);
+    if (ctx.model.def.nonsmooth != Nonsmooth::newton || ctx.work.stats.degradation.any())
+        return 0.0;
+    return std::max(ctx.work.stats.natural_map, ctx.work.stats.momentum_residual);
 }
 
 Finding finding(double value, Limit by, double time) noexcept {
@@ -51,7 +57,8 @@ using Findings = std::array<Finding, kJudgeCount>;
 Finding energy_finding(const StepContext& ctx, const JudgePart& p, JudgeState& state,
                        double time) noexcept {
     const Unexplained u = follow_energy(p, works(ctx), time, state);
-    const double nothing = std::max(limit::kNothing * (p.kinetic + p.elastic), ctx.judge.nothing);
+    const double nothing =
+        std::max(limit::kNothing * (p.kinetic + p.elastic), ctx.state.judge.nothing);
     const auto share = [nothing](double energy, double of) {
         return energy <= nothing ? 0.0 : energy / of;
     };
@@ -59,7 +66,7 @@ Finding energy_finding(const StepContext& ctx, const JudgePart& p, JudgeState& s
     const ByAccount<Swing>&now = u.now, &mean = u.mean;
     // By each account energy comes and goes by different amounts: half-way between two poses, and
     // at the one before, which is half a step away where the last look was a step ago.
-    const bool close = time < 1.5 * ctx.def.step;
+    const bool close = time < 1.5 * ctx.model.def.step;
     const double posed = close ? u.posed : std::max(now[kAtPoses].rise, u.posed);
     const double created = std::min({now[kBetween].rise, now[kByForce].rise, posed});
     const double stays = std::min({created, state.risen[0], state.risen[1]});
@@ -79,22 +86,22 @@ Finding energy_finding(const StepContext& ctx, const JudgePart& p, JudgeState& s
                               limit::kHidden.wrong,
                           share(mean[kUnexplained].fall, counted) / limit::kLost.wrong});
     // A split is approximate by choice, and says itself what it does to momentum and forces.
-    if (!ctx.cuts.list.empty()) out.wrong = 0.0;
+    if (!ctx.model.cuts.list.empty()) out.wrong = 0.0;
     if (!std::isfinite(now[kUnexplained].rise)) out.doubtful = out.wrong = HUGE_VAL;
-    out.time = ctx.time;
+    out.time = ctx.state.time;
     return out;
 }
 
 Finding open_finding(const StepContext& ctx, const JudgePart& p, JudgeState& state,
                      double time) noexcept {
-    state.open_start *= std::exp(-time / (limit::kSettled * ctx.def.step));
-    Finding out = finding(p.open * limit::kOpen.doubtful, limit::kOpen, ctx.time);
+    state.open_start *= std::exp(-time / (limit::kSettled * ctx.model.def.step));
+    Finding out = finding(p.open * limit::kOpen.doubtful, limit::kOpen, ctx.state.time);
     // What the scene opened may close without being refused; that it stood open is said.
     const double open = std::max(0.0, p.open - state.open_start);
     out.wrong = open * limit::kOpen.doubtful / limit::kOpen.wrong;
     if (p.open_row < 0) return out;
-    out.value = std::fabs(ctx.interactions.g[at(p.open_row)]);
-    out.interaction = ctx.interactions.id(owner_of(ctx, p.open_row));
+    out.value = std::fabs(ctx.model.interactions.g[at(p.open_row)]);
+    out.interaction = ctx.model.interactions.id(owner_of(ctx, p.open_row));
     return out;
 }
 
@@ -102,32 +109,33 @@ Finding solved_finding(const StepContext& ctx, JudgeState& state, double time) n
     const double residual = certificate(ctx);
     state.unsolved = residual > limit::kCertificate.doubtful ? state.unsolved + time : 0.0;
     const bool counts = state.unsolved >= limit::kSustained;
-    return finding(counts ? residual : 0.0, limit::kCertificate, ctx.time);
+    return finding(counts ? residual : 0.0, limit::kCertificate, ctx.state.time);
 }
 
 /// A line that comes taut is off its law for a moment, one that rings is at every look.
 Finding stretch_finding(const StepContext& ctx, const JudgePart& p, JudgeState& state) noexcept {
     std::array<double, 2>& before = state.stretched;
-    Finding out = finding(std::min({p.stretch, before[0], before[1]}), limit::kCable, ctx.time);
-    out.interaction = ctx.interactions.id(p.stretch_id);
+    Finding out =
+        finding(std::min({p.stretch, before[0], before[1]}), limit::kCable, ctx.state.time);
+    out.interaction = ctx.model.interactions.id(p.stretch_id);
     before = {p.stretch, before[0]};
     return out;
 }
 
 Finding turn_finding(const StepContext& ctx, const JudgePart& p) noexcept {
-    Finding out =
-        finding(ctx.def.step * std::sqrt(std::max(p.turn, p.twist)), limit::kTurn, ctx.time);
+    Finding out = finding(ctx.model.def.step * std::sqrt(std::max(p.turn, p.twist)), limit::kTurn,
+                          ctx.state.time);
     if (p.turn >= p.twist)
-        out.body = ctx.bodies.id(p.turn_body);
+        out.body = ctx.model.bodies.id(p.turn_body);
     else
-        out.interaction = ctx.interactions.id(p.twist_id);
+        out.interaction = ctx.model.interactions.id(p.twist_id);
     return out;
 }
 
 /// What all judges say of a state. `state` goes on to it.
 Findings judged(StepContext& ctx, JudgeState& state) noexcept {
     const JudgePart p = look(ctx, At::half_step);
-    const double time = ctx.def.step * static_cast<double>(ctx.step - state.step);
+    const double time = ctx.model.def.step * static_cast<double>(ctx.state.step - state.step);
     if (state.begun == 0) state.open_start = p.open;  // bodies were put where they are
     Findings out{};
     out[place(Judge::energy)] = energy_finding(ctx, p, state, time);
@@ -135,7 +143,7 @@ Findings judged(StepContext& ctx, JudgeState& state) noexcept {
     out[place(Judge::cable)] = stretch_finding(ctx, p, state);
     out[place(Judge::certificate)] = solved_finding(ctx, state, time);
     out[place(Judge::speed)] = turn_finding(ctx, p);
-    state.step = ctx.step;
+    state.step = ctx.state.step;
     return out;
 }
 
@@ -185,13 +193,13 @@ void tell(StepContext& ctx, const Findings& now, JudgeState& state) noexcept {
         const bool doubtful = !(f.doubtful <= 1.0);
         if (doubtful && state.told[k] == 0) {
             Event event;
-            event.time = ctx.time;
+            event.time = ctx.state.time;
             event.kind = kKinds[k];
             event.interaction = f.interaction;
             event.value = f.value;
             event.body = f.body;
-            ctx.events.push(event);
-            ++ctx.stats.event_count[static_cast<std::size_t>(kKinds[k])];
+            ctx.state.events.push(event);
+            ++ctx.work.stats.event_count[static_cast<std::size_t>(kKinds[k])];
         }
         state.told[k] = doubtful ? 1 : 0;
     }
@@ -200,27 +208,29 @@ void tell(StepContext& ctx, const Findings& now, JudgeState& state) noexcept {
 }  // namespace
 
 void begin_judge(StepContext& ctx) noexcept {
-    JudgeState& state = ctx.judge.state;
+    JudgeState& state = ctx.state.judge.state;
     if (state.begun != 0) return;
-    const KeptRanges kept(ctx.active_before, ctx.interactions.active.data(), ctx.system.bounded);
+    const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
+                          ctx.model.system.bounded);
     evaluate_rows(ctx);
     const JudgePart p = look(ctx, At::pose);
     state = {};
-    state.step = ctx.step;
+    state.step = ctx.state.step;
     state.open_start = p.open > 1.0 ? p.open : 0.0;
     begin_energy(p, works(ctx), state);
 }
 
 Status judge(StepContext& ctx) noexcept {
-    JudgeData& d = ctx.judge;
+    JudgeData& d = ctx.state.judge;
     // Joints are looked at in each step, at no cost: in between they may open and close.
-    const bool open = ctx.stats.violation_max > limit::kOpen.doubtful;
-    if (ctx.step == 0 || (ctx.step > 1 && ctx.step % d.every != 0 && !open)) return Status::ok;
+    const bool open = ctx.work.stats.violation_max > limit::kOpen.doubtful;
+    if (ctx.state.step == 0 || (ctx.state.step > 1 && ctx.state.step % d.every != 0 && !open))
+        return Status::ok;
     JudgeState next = d.state;
     const Findings now = judged(ctx, next);
     const Grade grade = add(now, d.verdict);
-    const bool split = !ctx.cuts.list.empty();
-    if (grade == Grade::wrong && ctx.def.on_diverged == OnDiverged::stop && !split)
+    const bool split = !ctx.model.cuts.list.empty();
+    if (grade == Grade::wrong && ctx.model.def.on_diverged == OnDiverged::stop && !split)
         return Status::diverged;
     d.state = next;
     tell(ctx, now, d.state);
@@ -228,11 +238,13 @@ Status judge(StepContext& ctx) noexcept {
 }
 
 Verdict verdict(StepContext& ctx) noexcept {
-    Verdict out = ctx.judge.verdict;
-    if (ctx.topology_changed || ctx.mend != Mend::nothing || ctx.step == 0) return out;
-    const KeptRanges kept(ctx.active_before, ctx.interactions.active.data(), ctx.system.bounded);
+    Verdict out = ctx.state.judge.verdict;
+    if (ctx.state.topology_changed || ctx.state.mend != Mend::nothing || ctx.state.step == 0)
+        return out;
+    const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
+                          ctx.model.system.bounded);
     evaluate_rows(ctx);
-    JudgeState next = ctx.judge.state;
+    JudgeState next = ctx.state.judge.state;
     (void)add(judged(ctx, next), out);
     return out;
 }

@@ -2,7 +2,6 @@
 /// What judges look at.
 #include "step/judge_look.h"
 
-#include "access/copies.h"
 #include "access/kinetic.h"
 #include "access/rows.h"
 #include "access/sweeps.h"
@@ -13,23 +12,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace hawser::stepper {
 namespace {
 
 using assembly::View;
 
-/// Length of the edges of a cube with the same mass and inertia [m]; none for other bodies.
-double size_of(const model::Bodies& b, std::int32_t body) noexcept {
-    if (b.dof(body) != 6) return std::numeric_limits<double>::infinity();
-    const double* s = &b.inertia[9 * at(body)];
-    return std::sqrt(2.0 * (s[0] + s[4] + s[8]) / b.mass[at(body)]);
-}
-
 void look_at_body(const StepContext& ctx, std::int32_t body, const double* after, double half,
                   JudgePart& p) noexcept {
-    const model::Bodies& b = ctx.bodies;
+    const model::Bodies& b = ctx.model.bodies;
     const auto i = at(body);
     const int dof = b.dof(body);
     const double* v = &b.v[at(b.dof_begin[i])];
@@ -39,7 +30,7 @@ void look_at_body(const StepContext& ctx, std::int32_t body, const double* after
     if (dof == 1) return;
     if (b.weight[i])
         for (int k = 0; k < 3; ++k) {
-            const double weight = b.mass[i] * ctx.def.gravity[k];
+            const double weight = b.mass[i] * ctx.model.def.gravity[k];
             p.potential -= weight * (b.x[3 * i + at(k)] - half * v[k]);
             p.at_pose -= weight * b.x[3 * i + at(k)];
         }
@@ -54,7 +45,7 @@ void look_at_body(const StepContext& ctx, std::int32_t body, const double* after
 void look_at_rows(const StepContext& ctx, const View& v, std::int32_t begin, std::int32_t end,
                   JudgePart& p) noexcept {
     for (std::int32_t r = begin; r < end; ++r) {
-        const double open = std::fabs(v.g[r]) * ctx.judge.allowed[at(r)];
+        const double open = std::fabs(v.g[r]) * ctx.state.judge.allowed[at(r)];
         if (open <= p.open) continue;
         p.open = open;
         p.open_row = r;
@@ -70,8 +61,8 @@ double held_by_force(const View& v, std::int32_t row) noexcept {
 void look_at_elastic(StepContext& ctx, const View& v, std::int32_t id, bool between_points,
                      double half, JudgePart& p) noexcept {
     // Of a wire by its true length, as the guard counts it.
-    if (half > 0.0 && ctx.wires.wire_of[at(id)] >= 0 && !ctx.system.rests(id) && !v.parted[id] &&
-        (v.flags[id] & model::kCarried) == 0) {
+    if (half > 0.0 && ctx.model.wires.wire_of[at(id)] >= 0 && !ctx.model.system.rests(id) &&
+        !v.parted[id] && (v.flags[id] & model::kCarried) == 0) {
         const std::int32_t row = v.row_begin[id];
         if (model::holds_energy(v.epsilon[row], v.rest_length[id])) {
             const double held = held_by_element(v, id);
@@ -85,10 +76,10 @@ void look_at_elastic(StepContext& ctx, const View& v, std::int32_t id, bool betw
     }
     const bool line = (v.flags[id] & model::kOneSided) != 0;
     if (line ? v.parted[id] != 0 : v.active[id] == 0.0) return;
-    const bool rests = ctx.system.rests(id);
+    const bool rests = ctx.model.system.rests(id);
     const bool state = rests || (v.flags[id] & model::kCarried) != 0;
     const model::RowState s =
-        state ? ctx.interactions.row_state(id, ctx.bodies) : model::RowState{};
+        state ? ctx.model.interactions.row_state(id, ctx.model.bodies) : model::RowState{};
     double room[model::kArmRoom];
     const double* jac = rests ? nullptr : packed_rows(v, id, room);
     for (int r = 0; r < v.rows[id]; ++r) {
@@ -109,7 +100,7 @@ void look_at_elastic(StepContext& ctx, const View& v, std::int32_t id, bool betw
 
 /// Cable law, and how far an element turns.
 void look_at_line(const StepContext& ctx, const View& v, std::int32_t id, JudgePart& p) noexcept {
-    if (v.parted[id] || ctx.system.rests(id)) return;
+    if (v.parted[id] || ctx.model.system.rests(id)) return;
     const std::int32_t row = v.row_begin[id];
     const double length = v.rest_length[id];
     const std::int32_t* body = v.body + kMaxInteractionBodies * id;
@@ -153,17 +144,17 @@ void take_worse(double value, std::int32_t which, double& most, std::int32_t& wh
 // Merged in order, so that nothing depends on threads.
 JudgePart look(StepContext& ctx, At when) noexcept {
     const View v = view(ctx);
-    JudgeData& data = ctx.judge;
-    const double half = when == At::pose ? 0.0 : 0.5 * ctx.def.step;
+    JudgeData& data = ctx.state.judge;
+    const double half = when == At::pose ? 0.0 : 0.5 * ctx.model.def.step;
     const double* after = when == At::half_step ? v.v_new : v.v;
     const auto count_of = [](const auto& list) { return static_cast<std::int32_t>(list.size()); };
-    const std::int32_t bodies = count_of(ctx.bodies.moving), rows = count_of(data.allowed),
+    const std::int32_t bodies = count_of(ctx.model.bodies.moving), rows = count_of(data.allowed),
                        elastic = count_of(data.elastic), lines = count_of(data.lines);
     const std::int32_t most = std::max({bodies, rows, elastic, lines});
     over(ctx, most, [&](std::int32_t a, std::int32_t b) {
         JudgePart p;
         for (std::int32_t i = a; i < std::min(b, bodies); ++i)
-            look_at_body(ctx, ctx.bodies.moving[at(i)], after, half, p);
+            look_at_body(ctx, ctx.model.bodies.moving[at(i)], after, half, p);
         look_at_rows(ctx, v, a, std::min(b, rows), p);
         for (std::int32_t i = a; i < std::min(b, elastic); ++i)
             look_at_elastic(ctx, v, data.elastic[at(i)], data.line[at(i)] != 0, half, p);
@@ -186,9 +177,9 @@ JudgePart look(StepContext& ctx, At when) noexcept {
         take_worse(p.twist, p.twist_id, sum.twist, sum.twist_id);
     }
     // What added mass holds; what it has become since the last step counts as work of this one.
-    const double added = ctx.loads.added;
+    const double added = ctx.state.loads.added;
     sum.kinetic += added;
-    sum.at_pose += when == At::pose ? added : 0.5 * (added + ctx.loads.added_after());
+    sum.at_pose += when == At::pose ? added : 0.5 * (added + ctx.state.loads.added_after());
     if (when == At::pose) sum.by_force = sum.elastic;  // no step has been taken
     // Poses that were closed have moved by more than the velocity says: half-way, by half of it.
     if (when == At::half_step) {
@@ -203,10 +194,10 @@ namespace {
 /// f(row, whether of a line, violation, its rate) of the rows of springs that are in force.
 template <class F>
 void each_spring(StepContext& ctx, const View& v, F&& f) noexcept {
-    for (const std::int32_t id : ctx.judge.elastic) {
+    for (const std::int32_t id : ctx.state.judge.elastic) {
         const bool line = (v.flags[id] & model::kOneSided) != 0;
         if (line ? v.parted[id] != 0 : v.active[id] == 0.0) continue;
-        const model::RowState now = ctx.interactions.row_state(id, ctx.bodies);
+        const model::RowState now = ctx.model.interactions.row_state(id, ctx.model.bodies);
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
             if ((v.row_flags[row] & model::kRowVelocity) ||
@@ -232,69 +223,6 @@ double held_by_closing(StepContext& ctx, const double* before) noexcept {
         sum += 0.5 * (held(g) - held(g - 0.5 * (now - before[row]))) / v.epsilon[row];
     });
     return sum;
-}
-
-void prepare_judge(StepContext& ctx) {
-    JudgeData& d = ctx.judge;
-    const model::Interactions& in = ctx.interactions;
-    if (!ctx.edits.any) d.state = {};
-    d.allowed.assign(at(user_rows(ctx)), 0.0);
-    d.elastic.clear();
-    d.line.clear();
-    d.lines.clear();
-    for (std::int32_t id = 0; id < interaction_count(ctx); ++id) {
-        const KindInfo& kind = kind_info(in.kinds[at(id)]);
-        if (in.rest_length[at(id)] > 0.0) d.lines.push_back(id);
-        if (in.flags[at(id)] & model::kFriction) continue;  // counted as driven
-        double size = std::numeric_limits<double>::infinity();
-        for (int b = 0; b < in.bodies[at(id)]; ++b)
-            size = std::min(size, size_of(ctx.bodies, in.body[at(kMaxInteractionBodies * id + b)]));
-        bool soft = false;
-        for (int r = 0; r < in.rows[at(id)]; ++r) {
-            const auto row = at(in.row_begin[at(id)] + r);
-            if (in.row_flags[row] & model::kRowVelocity) continue;
-            const double length = in.rest_length[at(id)];
-            const bool holds = model::holds_energy(in.epsilon[row], length);
-            soft |= holds;
-            const bool stiff =
-                in.epsilon[row] <= limit::kMeantRigid && model::may_ever_complete(in, id);
-            // Of a wire element the cable law is asked.
-            if ((stiff || !holds) && length == 0.0 &&
-                !(in.flags[at(id)] & (model::kRange | model::kMotor))) {
-                const bool turns = kind.row_units[r] == 'r';
-                const double arm = std::isfinite(size) ? 0.5 * size : 0.0;
-                const double open = limit::kOpen.doubtful * std::max(1.0, 2.0 * arm);
-                d.allowed[row] = (turns ? arm : 1.0) / open;
-            }
-        }
-        if (!soft) continue;
-        d.elastic.push_back(id);
-        d.line.push_back(kind.is(kAlongLine) && !kind.is(kWoundUp));
-    }
-    // A joint that comes open is excused as one that a scene opens.
-    for (const std::int32_t id : ctx.edits.interactions) {
-        const model::RowState now = in.row_state(id, ctx.bodies);
-        for (int r = 0; r < in.rows[at(id)]; ++r) {
-            const double open = std::fabs(now.g[r]) * d.allowed[at(in.row_begin[at(id)] + r)];
-            if (open > 1.0) d.state.open_start = std::max(d.state.open_start, open);
-        }
-    }
-    const auto most = static_cast<std::int32_t>(
-        std::max({ctx.bodies.moving.size(), d.allowed.size(), d.elastic.size(), d.lines.size()}));
-    d.part.resize(at(StepContext::chunks(most)));
-    d.nothing = 0.0;
-    constexpr double kAtRest = 1e-5;  // [m/s]: weightless bodies that rest make rounding only
-    for (const std::int32_t b : ctx.bodies.moving) {
-        d.nothing += 0.5 * ctx.bodies.mass[at(b)] * kAtRest * kAtRest;
-        if (ctx.bodies.weight[at(b)])
-            d.nothing += limit::kNothingHigher * ctx.bodies.mass[at(b)] * ctx.def.gravity.norm();
-    }
-    // A look at a small scene costs next to nothing.
-    constexpr std::size_t kSmall = 128;
-    const bool small = ctx.bodies.moving.size() + d.elastic.size() <= kSmall;
-    d.every =
-        small ? 1
-              : static_cast<std::int32_t>(std::max(1.0, std::round(limit::kLook / ctx.def.step)));
 }
 
 }  // namespace hawser::stepper

@@ -23,7 +23,4 @@ void read_spring_gaps(StepContext& ctx, double* gaps) noexcept;
 /// @param before  Of read_spring_gaps() before the poses were closed.
 [[nodiscard]] double held_by_closing(StepContext& ctx, const double* before) noexcept;
 
-/// Arrays for the interactions there are. @throws std::bad_alloc.
-void prepare_judge(StepContext& ctx);
-
 }  // namespace hawser::stepper

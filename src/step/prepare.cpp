@@ -8,20 +8,20 @@
 #include "split/cuts.h"
 #include "split/regroup.h"
 #include "step/contact.h"
-#include "step/judge_look.h"
+#include "step/judge_prepare.h"
 
 namespace hawser::stepper {
 
 void prepare(StepContext& ctx) {
     make_groups(ctx);
     make_cuts(ctx);
-    ctx.cut_levels.set({});
-    if (ctx.collider.count() > 0) {
-        ctx.collider.prepare(ctx.bodies, ctx.interactions, ctx.def.step);
-        ctx.collider.surfaces(ctx.def.step, ctx.contacts);
+    ctx.work.limits.cut_levels.set({});
+    if (ctx.model.collider.count() > 0) {
+        ctx.model.collider.prepare(ctx.model.bodies, ctx.model.interactions, ctx.model.def.step);
+        ctx.model.collider.surfaces(ctx.model.def.step, ctx.state.contacts);
         prepare_contacts(ctx);
     }
-    if (ctx.edits.any)
+    if (ctx.state.edits.any)
         check_asleep(ctx);
     else
         wake_all(ctx);

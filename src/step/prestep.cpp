@@ -4,26 +4,26 @@
 namespace hawser::stepper {
 
 Status prestep(StepContext& ctx) noexcept {
-    ctx.loads.clear();
+    ctx.state.loads.clear();
     if (ctx.actors == nullptr) return Status::ok;
     const Status status = ctx.actors->act(ctx);
-    if (status == Status::ok && ctx.loads.any())
-        ctx.loads.finish(ctx.bodies, ctx.def.step, ctx.pool);
+    if (status == Status::ok && ctx.state.loads.any())
+        ctx.state.loads.finish(ctx.model.bodies, ctx.model.def.step, ctx.pool);
     return status;
 }
 
 void accept_systems(StepContext& ctx) noexcept {
-    ctx.loads.accept();
+    ctx.state.loads.accept();
     if (ctx.actors != nullptr) ctx.actors->accept(ctx);
 }
 
 void take_back_systems(StepContext& ctx) noexcept {
-    ctx.loads.take_back(ctx.bodies);
+    ctx.state.loads.take_back(ctx.model.bodies);
     if (ctx.actors != nullptr) ctx.actors->go_back(ctx);
 }
 
 double added_energy(StepContext& ctx, const double* v) noexcept {
-    return ctx.loads.added_energy(ctx.bodies, v, ctx.pool);
+    return ctx.state.loads.added_energy(ctx.model.bodies, v, ctx.pool);
 }
 
 }  // namespace hawser::stepper

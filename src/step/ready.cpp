@@ -17,14 +17,17 @@ namespace {
 class AnalysedPoses {
   public:
     explicit AnalysedPoses(StepContext& ctx)
-        : ctx_(ctx), x_(ctx.bodies.x), r_(ctx.bodies.r), active_(ctx.interactions.active) {
-        ctx.bodies.x = ctx.analysed_x;
-        ctx.bodies.r = ctx.analysed_r;
+        : ctx_(ctx),
+          x_(ctx.model.bodies.x),
+          r_(ctx.model.bodies.r),
+          active_(ctx.model.interactions.active) {
+        ctx.model.bodies.x = ctx.state.analysed_x;
+        ctx.model.bodies.r = ctx.state.analysed_r;
     }
     ~AnalysedPoses() {
-        ctx_.bodies.x.swap(x_);
-        ctx_.bodies.r.swap(r_);
-        ctx_.interactions.active.swap(active_);
+        ctx_.model.bodies.x.swap(x_);
+        ctx_.model.bodies.r.swap(r_);
+        ctx_.model.interactions.active.swap(active_);
     }
     AnalysedPoses(const AnalysedPoses&) = delete;
     AnalysedPoses& operator=(const AnalysedPoses&) = delete;
@@ -37,36 +40,36 @@ class AnalysedPoses {
 }  // namespace
 
 void mend(StepContext& ctx) {
-    if (ctx.mend == Mend::nothing) return;
+    if (ctx.state.mend == Mend::nothing) return;
     assembly::System::Kept before;
-    ctx.system.keep(before);
+    ctx.model.system.keep(before);
     try {
         const factor::AnalysisState order = before.analysis.state;
-        ctx.system.contacts.make_blocks();
+        ctx.model.system.contacts.make_blocks();
         const AnalysedPoses poses(ctx);
-        analyse(ctx, ctx.mend == Mend::rebuild ? &order : nullptr);
+        analyse(ctx, ctx.state.mend == Mend::rebuild ? &order : nullptr);
     } catch (...) {
-        ctx.system.go_back(before);
+        ctx.model.system.go_back(before);
         throw;
     }
     reserve_sleep(ctx);
-    ctx.lambda_before.resize(ctx.interactions.lambda.size());
-    ctx.repeats_before.resize(ctx.interactions.repeats.size());
+    ctx.work.before.lambda.resize(ctx.model.interactions.lambda.size());
+    ctx.work.before.repeats.resize(ctx.model.interactions.repeats.size());
     reserve_undo(ctx);
-    ctx.mend = Mend::nothing;
+    ctx.state.mend = Mend::nothing;
 }
 
 void make_ready(StepContext& ctx) {
-    if (ctx.topology_changed) {
+    if (ctx.state.topology_changed) {
         keep_state(ctx, may_have_cuts(ctx) ? Undo::Depth::model : Undo::Depth::system);
         prepare(ctx);
-        ctx.mend = Mend::nothing;
+        ctx.state.mend = Mend::nothing;
     } else {
         mend(ctx);
     }
 }
 
-Transaction::Transaction(StepContext& ctx) noexcept : ctx_(ctx), done_(ctx.undo.holds()) {}
+Transaction::Transaction(StepContext& ctx) noexcept : ctx_(ctx), done_(ctx.work.undo.holds()) {}
 
 Transaction::~Transaction() {
     if (!done_) restore_kept(ctx_);
@@ -75,13 +78,13 @@ Transaction::~Transaction() {
 void Transaction::done() noexcept {
     if (!done_) {
         drop_kept(ctx_);
-        ctx_.edits.clear();
+        ctx_.state.edits.clear();
     }
     done_ = true;
 }
 
 void ready(StepContext& ctx) {
-    if (!ctx.topology_changed && ctx.mend == Mend::nothing) return;
+    if (!ctx.state.topology_changed && ctx.state.mend == Mend::nothing) return;
     Transaction all(ctx);
     make_ready(ctx);
     all.done();

@@ -8,8 +8,8 @@
 
 namespace hawser::stepper {
 
-/// Analyse as ctx.mend says. The state stays as it is, whatever happens. @throws std::bad_alloc,
-/// LimitError.
+/// Analyse as ctx.state.mend says. The state stays as it is, whatever happens. @throws
+/// std::bad_alloc, LimitError.
 void mend(StepContext& ctx);
 
 /// Have the system be one for the state: mend what failed, prepare what is new. What changes is

@@ -49,7 +49,7 @@ struct Members {
 /// belongs to its loads, whether they share a body or not.
 template <class F>
 void each_bond(const StepContext& ctx, F&& f) noexcept {
-    const model::Interactions& in = ctx.interactions;
+    const model::Interactions& in = ctx.model.interactions;
     for (std::int32_t i = 0; i < in.count(); ++i) {
         Members m;
         m.add(in, i);
@@ -58,19 +58,19 @@ void each_bond(const StepContext& ctx, F&& f) noexcept {
                 if (load.interaction.valid()) m.add(in, load.interaction.index);
         f(std::span<const std::int32_t>(m.body, m.count));
     }
-    for (const collide::Contact& c : ctx.contacts.contacts)
+    for (const collide::Contact& c : ctx.state.contacts.contacts)
         f(std::span<const std::int32_t>(c.body, c.slots));
-    for (const collide::Shape& s : ctx.collider.shapes())
+    for (const collide::Shape& s : ctx.model.collider.shapes())
         if (s.segment()) f(std::span<const std::int32_t>(s.body));
 }
 
 void find_islands(StepContext& ctx) noexcept {
-    std::vector<std::int32_t>& island = ctx.sleep.island;
+    std::vector<std::int32_t>& island = ctx.work.sleep.island;
     std::iota(island.begin(), island.end(), 0);
     each_bond(ctx, [&](std::span<const std::int32_t> bodies) {
         std::int32_t first = -1;
         for (const std::int32_t b : bodies) {
-            if (!moves(ctx.bodies, b)) continue;
+            if (!moves(ctx.model.bodies, b)) continue;
             const std::int32_t r = root(island, b);
             // The smallest index is the root, so that numbering does not matter.
             if (first >= 0 && r != first) island[at(std::max(r, first))] = std::min(r, first);
@@ -82,34 +82,34 @@ void find_islands(StepContext& ctx) noexcept {
 /// Mark the islands of bodies for which `wanted` holds, and those that a body under way touches.
 template <class F>
 void mark_islands(StepContext& ctx, F&& wanted) noexcept {
-    Sleep& s = ctx.sleep;
+    Sleep& s = ctx.work.sleep;
     std::fill(s.mark.begin(), s.mark.end(), std::uint8_t{0});
-    for (const std::int32_t b : ctx.bodies.moving)
+    for (const std::int32_t b : ctx.model.bodies.moving)
         if (wanted(b)) s.mark[at(root(s.island, b))] = 1;
-    if (std::none_of(ctx.bodies.driven.begin(), ctx.bodies.driven.end(),
-                     [&](std::int32_t b) { return carries(ctx.bodies, b); }))
+    if (std::none_of(ctx.model.bodies.driven.begin(), ctx.model.bodies.driven.end(),
+                     [&](std::int32_t b) { return carries(ctx.model.bodies, b); }))
         return;
     each_bond(ctx, [&](std::span<const std::int32_t> bodies) {
         if (std::none_of(bodies.begin(), bodies.end(),
-                         [&](std::int32_t b) { return carries(ctx.bodies, b); }))
+                         [&](std::int32_t b) { return carries(ctx.model.bodies, b); }))
             return;
         for (const std::int32_t b : bodies)
-            if (moves(ctx.bodies, b)) s.mark[at(root(s.island, b))] = 1;
+            if (moves(ctx.model.bodies, b)) s.mark[at(root(s.island, b))] = 1;
     });
 }
 
 /// A body sleeps from now on, or wakes. @return whether that is new.
 bool set_asleep(StepContext& ctx, std::int32_t body, bool asleep) noexcept {
-    std::uint8_t& now = ctx.bodies.asleep[at(body)];
+    std::uint8_t& now = ctx.model.bodies.asleep[at(body)];
     if ((now != 0) == asleep) return false;
     now = asleep ? 1 : 0;
-    ctx.stats.asleep += asleep ? 1 : -1;
+    ctx.work.stats.asleep += asleep ? 1 : -1;
     return true;
 }
 
 /// Whether an island has to wake.
 bool disturbed(const StepContext& ctx) noexcept {
-    const model::Bodies& b = ctx.bodies;
+    const model::Bodies& b = ctx.model.bodies;
     for (const std::int32_t body : b.moving)
         if (b.asleep[at(body)] != 0 && b.quiet[at(body)] == 0) return true;
     bool found = false;
@@ -127,13 +127,13 @@ bool disturbed(const StepContext& ctx) noexcept {
 /// Islands with a body that is awake or disturbed wake whole: where one that sleeps and one that is
 /// awake have come close, they are one by now. @return whether any woke.
 bool wake_islands(StepContext& ctx) noexcept {
-    model::Bodies& b = ctx.bodies;
+    model::Bodies& b = ctx.model.bodies;
     find_islands(ctx);
     mark_islands(
         ctx, [&](std::int32_t body) { return b.asleep[at(body)] == 0 || b.quiet[at(body)] == 0; });
     bool woken = false;
     for (const std::int32_t body : b.moving) {
-        if (ctx.sleep.mark[at(root(ctx.sleep.island, body))] == 0) continue;
+        if (ctx.work.sleep.mark[at(root(ctx.work.sleep.island, body))] == 0) continue;
         if (!set_asleep(ctx, body, false)) continue;
         b.quiet[at(body)] = 0;
         woken = true;
@@ -145,16 +145,16 @@ bool wake_islands(StepContext& ctx) noexcept {
 void analyse_anew(StepContext& ctx) {
     const StageTimer timer(ctx, Stage::analyse);
     // An analysis looks at which limits are met, which is for the step to find and to report.
-    const base::Array<double> active = ctx.interactions.active;
+    const base::Array<double> active = ctx.model.interactions.active;
     analyse(ctx);
-    ctx.interactions.active = active;
+    ctx.model.interactions.active = active;
 }
 
 /// The same after a step, which is done: where it fails it is left to the next one.
 void analyse_after_step(StepContext& ctx) noexcept {
-    ctx.analysed_x = ctx.bodies.x;
-    ctx.analysed_r = ctx.bodies.r;
-    ctx.mend = Mend::follow;
+    ctx.state.analysed_x = ctx.model.bodies.x;
+    ctx.state.analysed_r = ctx.model.bodies.r;
+    ctx.state.mend = Mend::follow;
     const StageTimer timer(ctx, Stage::analyse);
     (void)guarded(ctx, [&] { mend(ctx); });
 }
@@ -162,7 +162,7 @@ void analyse_after_step(StepContext& ctx) noexcept {
 }  // namespace
 
 Status wake_disturbed(StepContext& ctx) noexcept {
-    if (ctx.stats.asleep == 0) return Status::ok;
+    if (ctx.work.stats.asleep == 0) return Status::ok;
     if (disturbed(ctx)) {
         const Status status = guarded(ctx, [&] {
             keep_state(ctx, Undo::Depth::system);
@@ -170,36 +170,36 @@ Status wake_disturbed(StepContext& ctx) noexcept {
         });
         if (status != Status::ok) return status;
     }
-    const bool room =
-        ctx.stats.asleep == 0 || ctx.collider.set_aside(ctx.contacts, ctx.bodies.asleep);
+    const bool room = ctx.work.stats.asleep == 0 ||
+                      ctx.model.collider.set_aside(ctx.state.contacts, ctx.model.bodies.asleep);
     return room ? Status::ok : Status::out_of_memory;
 }
 
 void fall_asleep(StepContext& ctx) noexcept {
-    if (!(ctx.def.sleep_after > 0.0)) return;
-    model::Bodies& b = ctx.bodies;
+    if (!(ctx.model.def.sleep_after > 0.0)) return;
+    model::Bodies& b = ctx.model.bodies;
     // The other methods end where they end.
-    const bool certified = ctx.def.nonsmooth != Nonsmooth::newton ||
-                           (!ctx.stats.cut && ctx.stats.flips_left == 0 &&
-                            ctx.stats.natural_map <= ctx.def.contact_tolerance);
+    const bool certified = ctx.model.def.nonsmooth != Nonsmooth::newton ||
+                           (!ctx.work.stats.cut && ctx.work.stats.flips_left == 0 &&
+                            ctx.work.stats.natural_map <= ctx.model.def.contact_tolerance);
     const auto most = static_cast<std::int32_t>(
-        std::min<double>(std::ceil(ctx.def.sleep_after / ctx.def.step), kMostQuiet));
+        std::min<double>(std::ceil(ctx.model.def.sleep_after / ctx.model.def.step), kMostQuiet));
     bool any = false;
     for (const std::int32_t body : b.moving) {
         if (b.asleep[at(body)] != 0) continue;
-        const double limit = ctx.def.sleep_speed * ctx.def.sleep_speed;
+        const double limit = ctx.model.def.sleep_speed * ctx.model.def.sleep_speed;
         const double square = 2.0 * kinetic_energy_of(b, body, b.v.data()) / b.mass[at(body)];
         std::int32_t& quiet = b.quiet[at(body)];
-        const bool rests = certified && square < limit && !ctx.loads.loaded(body);
+        const bool rests = certified && square < limit && !ctx.state.loads.loaded(body);
         quiet = rests ? std::min(quiet + 1, most) : 0;
         any = any || quiet == most;
     }
-    if (!any || ctx.step % kEvery != 0) return;
+    if (!any || ctx.state.step % kEvery != 0) return;
     find_islands(ctx);
     mark_islands(ctx, [&](std::int32_t body) { return b.quiet[at(body)] < most; });
     bool fallen = false;
     for (const std::int32_t body : b.moving)
-        if (ctx.sleep.mark[at(root(ctx.sleep.island, body))] == 0)
+        if (ctx.work.sleep.mark[at(root(ctx.work.sleep.island, body))] == 0)
             fallen = set_asleep(ctx, body, true) || fallen;
     if (fallen) analyse_after_step(ctx);
 }

@@ -9,8 +9,8 @@
 namespace hawser::stepper {
 
 Status solve_linear(StepContext& ctx) noexcept {
-    if (ctx.def.nonsmooth == Nonsmooth::pgs) return timed(ctx, Stage::nonsmooth, solve_pgs);
-    if (ctx.system.contacts.count() > 0) return timed(ctx, Stage::nonsmooth, solve_contacts);
+    if (ctx.model.def.nonsmooth == Nonsmooth::pgs) return timed(ctx, Stage::nonsmooth, solve_pgs);
+    if (ctx.model.system.contacts.count() > 0) return timed(ctx, Stage::nonsmooth, solve_contacts);
     const Status status = factor_and_solve(ctx);
     return status == Status::ok ? timed(ctx, Stage::nonsmooth, settle_bounds) : status;
 }

@@ -35,8 +35,8 @@ void keep_spin_change(model::Bodies& bodies, const assembly::View& v, std::int32
 
 /// Violations of all rows with every body moved by time t at its velocity.
 void violations_at(StepContext& ctx, double t, std::vector<double>& g) {
-    model::Bodies& b = ctx.bodies;
-    g.resize(ctx.interactions.g.size());
+    model::Bodies& b = ctx.model.bodies;
+    g.resize(ctx.model.interactions.g.size());
     const auto x = b.x;
     const auto q = b.q;
     const auto r = b.r;
@@ -54,7 +54,7 @@ void violations_at(StepContext& ctx, double t, std::vector<double>& g) {
     }
     place_images(ctx);
     evaluate_rows(ctx);
-    std::copy(ctx.interactions.g.begin(), ctx.interactions.g.end(), g.begin());
+    std::copy(ctx.model.interactions.g.begin(), ctx.model.interactions.g.end(), g.begin());
     b.x = x;
     b.q = q;
     b.r = r;
@@ -64,7 +64,7 @@ void violations_at(StepContext& ctx, double t, std::vector<double>& g) {
 /// velocity rows.
 std::vector<double> row_curvature(StepContext& ctx) {
     std::vector<double> before, now, after;
-    const double h = ctx.def.step;
+    const double h = ctx.model.def.step;
     violations_at(ctx, -h, before);
     violations_at(ctx, h, after);
     violations_at(ctx, 0.0, now);
@@ -75,13 +75,13 @@ std::vector<double> row_curvature(StepContext& ctx) {
 
 /// h²W/4ε of a row that holds energy, (hω)²/4 of the swing that it makes with its bodies.
 double swing_of(const StepContext& ctx, std::int32_t id, int r) {
-    const model::Interactions& in = ctx.interactions;
+    const model::Interactions& in = ctx.model.interactions;
     const auto row = at(in.row_begin[at(id)] + r);
     if ((in.row_flags[row] & model::kRowVelocity) ||
         !model::holds_energy(in.epsilon[row], in.rest_length[at(id)]))
         return 0.0;
-    const double h = ctx.def.step;
-    return 0.25 * h * h * assembly::mobility(ctx.bodies, in, id, r) / in.epsilon[row];
+    const double h = ctx.model.def.step;
+    return 0.25 * h * h * assembly::mobility(ctx.model.bodies, in, id, r) / in.epsilon[row];
 }
 
 /// Springs that the step does not resolve begin with the energy that they have.
@@ -99,7 +99,9 @@ bool slow_springs(StepContext& ctx, bool add) noexcept {
     bool any = false;
     for (std::int32_t id = 0; id < interaction_count(ctx); ++id) {
         // Of wires see calm_start().
-        if (ctx.system.rests(id) || v.active[id] == 0.0 || ctx.wires.wire_of[at(id)] >= 0) continue;
+        if (ctx.model.system.rests(id) || v.active[id] == 0.0 ||
+            ctx.model.wires.wire_of[at(id)] >= 0)
+            continue;
         double room[model::kArmRoom];
         const double* jac = packed_rows(v, id, room);
         for (int r = 0; r < v.rows[id]; ++r) {
@@ -118,9 +120,9 @@ bool slow_springs(StepContext& ctx, bool add) noexcept {
 Status try_step(StepContext& ctx, const std::vector<double>& curvature, bool slower) noexcept {
     assemble_rows(ctx);
     for (std::size_t i = 0; i < curvature.size(); ++i)
-        ctx.interactions.c[i] -= ctx.def.step * curvature[i];
+        ctx.model.interactions.c[i] -= ctx.model.def.step * curvature[i];
     if (slower) (void)slow_springs(ctx, true);
-    ctx.rhs_ready = false;
+    ctx.work.solve.rhs_ready = false;
     return solve_assembled(ctx);
 }
 
@@ -130,25 +132,27 @@ Status try_stagger(StepContext& ctx) noexcept {
     base::Array<double> active, lambda;
     const Status room = guarded(ctx, [&] {
         curvature = row_curvature(ctx);
-        active = ctx.interactions.active;
-        lambda = ctx.interactions.lambda;
+        active = ctx.model.interactions.active;
+        lambda = ctx.model.interactions.lambda;
     });
     if (room != Status::ok) return room;
     const assembly::View v = view(ctx);
     // The first trial finds λ without geometric stiffness, the second uses it.
     for (int trial = 0; trial < 2; ++trial) {
         if (const Status s = try_step(ctx, curvature, false); s != Status::ok) return s;
-        for (std::int32_t body : ctx.bodies.rigid) keep_spin_change(ctx.bodies, v, body);
+        for (std::int32_t body : ctx.model.bodies.rigid)
+            keep_spin_change(ctx.model.bodies, v, body);
     }
     if (slow_springs(ctx, false)) {
-        std::copy(ctx.interactions.lambda.begin(), ctx.interactions.lambda.end(), lambda.begin());
+        std::copy(ctx.model.interactions.lambda.begin(), ctx.model.interactions.lambda.end(),
+                  lambda.begin());
         if (const Status s = try_step(ctx, curvature, true); s != Status::ok) return s;
-        std::copy(lambda.begin(), lambda.end(), ctx.interactions.lambda.begin());
+        std::copy(lambda.begin(), lambda.end(), ctx.model.interactions.lambda.begin());
     }
-    for (std::int32_t i = 0; i < ctx.bodies.dofs; ++i) v.v[i] -= 0.5 * (v.v_new[i] - v.v[i]);
+    for (std::int32_t i = 0; i < ctx.model.bodies.dofs; ++i) v.v[i] -= 0.5 * (v.v_new[i] - v.v[i]);
     calm_start(ctx);
     // Which lines are slack is for the first step to find, and to report.
-    std::copy(active.begin(), active.end(), ctx.interactions.active.begin());
+    std::copy(active.begin(), active.end(), ctx.model.interactions.active.begin());
     return Status::ok;
 }
 
@@ -161,14 +165,14 @@ Status try_stagger(StepContext& ctx) noexcept {
 /// When it fails the world has not started: nothing of a trial remains, and the next step tries
 /// again.
 Status stagger(StepContext& ctx) noexcept {
-    if (!ctx.def.staggered_start) {
-        ctx.started = true;
+    if (!ctx.model.def.staggered_start) {
+        ctx.state.started = true;
         return Status::ok;
     }
     keep_motion(ctx);
     remember(ctx);
     const Status status = try_stagger(ctx);
-    ctx.started = status == Status::ok;
+    ctx.state.started = status == Status::ok;
     return status;
 }
 

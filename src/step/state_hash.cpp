@@ -21,29 +21,29 @@ std::uint64_t state_hash(const StepContext& ctx) noexcept {
     auto front = [&](const base::Array<double>& array, std::size_t each) {
         hash = base::fnv1a(array.data(), each * bodies * sizeof(double), hash);
     };
-    front(ctx.bodies.x, 3);
-    front(ctx.bodies.q, 4);
-    add(ctx.bodies.v);
-    front(ctx.bodies.spin_change, 3);
-    front(ctx.bodies.v_fixed, 6);
-    front(ctx.bodies.force, 6);
-    add(ctx.interactions.lambda);
-    add(ctx.interactions.active);
-    add(ctx.interactions.parted);
-    add(ctx.interactions.coarse);
-    add(ctx.interactions.repeats);
-    add(ctx.interactions.anchor);
+    front(ctx.model.bodies.x, 3);
+    front(ctx.model.bodies.q, 4);
+    add(ctx.model.bodies.v);
+    front(ctx.model.bodies.spin_change, 3);
+    front(ctx.model.bodies.v_fixed, 6);
+    front(ctx.model.bodies.force, 6);
+    add(ctx.model.interactions.lambda);
+    add(ctx.model.interactions.active);
+    add(ctx.model.interactions.parted);
+    add(ctx.model.interactions.coarse);
+    add(ctx.model.interactions.repeats);
+    add(ctx.model.interactions.anchor);
     // Not where there is nothing: there is no room for it before the first step is prepared.
-    for (std::size_t k = 0; k < ctx.wires.count(); ++k) {
-        if (ctx.wires.credit[k] == 0.0 && ctx.wires.alert[k] == 0) continue;
+    for (std::size_t k = 0; k < ctx.model.wires.count(); ++k) {
+        if (ctx.model.wires.credit[k] == 0.0 && ctx.model.wires.alert[k] == 0) continue;
         hash = base::fnv1a(&k, sizeof k, hash);
-        hash = base::fnv1a(&ctx.wires.credit[k], sizeof(double), hash);
-        hash = base::fnv1a(&ctx.wires.alert[k], sizeof(std::int32_t), hash);
+        hash = base::fnv1a(&ctx.model.wires.credit[k], sizeof(double), hash);
+        hash = base::fnv1a(&ctx.model.wires.alert[k], sizeof(std::int32_t), hash);
     }
-    add(ctx.collider.kept());
-    add(ctx.bodies.asleep);
-    add(ctx.bodies.quiet);
-    return base::fnv1a(&ctx.step, sizeof ctx.step, hash);
+    add(ctx.model.collider.kept());
+    add(ctx.model.bodies.asleep);
+    add(ctx.model.bodies.quiet);
+    return base::fnv1a(&ctx.state.step, sizeof ctx.state.step, hash);
 }
 
 }  // namespace hawser::stepper

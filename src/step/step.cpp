@@ -33,15 +33,17 @@ using Clock = std::chrono::steady_clock;
 
 /// Stage 2. Contacts at the present poses.
 Status find_contacts(StepContext& ctx) noexcept {
-    const std::int64_t growths = ctx.collider.growths();
-    const bool found = ctx.collider.collide(ctx.bodies, ctx.def.step, ctx.contacts, ctx.pool);
-    ctx.stats.growths += ctx.collider.growths() - growths;
-    ctx.stats.contacts = static_cast<std::int32_t>(ctx.contacts.contacts.size());
+    const std::int64_t growths = ctx.model.collider.growths();
+    const bool found = ctx.model.collider.collide(ctx.model.bodies, ctx.model.def.step,
+                                                  ctx.state.contacts, ctx.pool);
+    ctx.work.stats.growths += ctx.model.collider.growths() - growths;
+    ctx.work.stats.contacts = static_cast<std::int32_t>(ctx.state.contacts.contacts.size());
     if (ctx.pool.stopping()) return Status::cancelled;
     if (found) return Status::ok;
-    if (!ctx.collider.finite()) return Status::not_finite;
-    ctx.stats.bound_met = ctx.collider.over();
-    return ctx.stats.bound_met.bound == Bound::none ? Status::out_of_memory : Status::over_bound;
+    if (!ctx.model.collider.finite()) return Status::not_finite;
+    ctx.work.stats.bound_met = ctx.model.collider.over();
+    return ctx.work.stats.bound_met.bound == Bound::none ? Status::out_of_memory
+                                                         : Status::over_bound;
 }
 
 /// Contacts of the step, after impacts.
@@ -58,36 +60,38 @@ Status start_world(StepContext& ctx) noexcept {
     // Its trial steps need the loads of systems.
     if (const Status acted = prestep(ctx); acted != Status::ok) return acted;
     keep_motion(ctx);
-    ctx.loads.added = added_energy(ctx, ctx.bodies.v.data());
+    ctx.state.loads.added = added_energy(ctx, ctx.model.bodies.v.data());
     begin_judge(ctx);
     Status status = Status::ok;
-    if (ctx.collider.count() > 0) status = find_contacts(ctx);
-    if (status == Status::ok && ctx.collider.count() > 0)
+    if (ctx.model.collider.count() > 0) status = find_contacts(ctx);
+    if (status == Status::ok && ctx.model.collider.count() > 0)
         status = start_contacts(ctx, Phase::stagger);
-    const double before = kinetic_energy(ctx.bodies, ctx.bodies.v.data());
+    const double before = kinetic_energy(ctx.model.bodies, ctx.model.bodies.v.data());
     if (status == Status::ok) status = stagger(ctx);
-    excuse_start(kinetic_energy(ctx.bodies, ctx.bodies.v.data()) - before, ctx.judge.state);
-    ctx.loads.added = added_energy(ctx, ctx.bodies.v.data());
+    excuse_start(kinetic_energy(ctx.model.bodies, ctx.model.bodies.v.data()) - before,
+                 ctx.state.judge.state);
+    ctx.state.loads.added = added_energy(ctx, ctx.model.bodies.v.data());
     return status;
 }
 
 void clear_figures(StepContext& ctx) noexcept {
-    ctx.stats.stage_seconds.fill(0.0);
-    ctx.stats.factorisations = 0;
-    ctx.stats.substitutions = ctx.stats.completion_rounds = ctx.stats.undetermined = 0;
-    ctx.stats.restiffened = 0;
-    ctx.stats.completion_change = 0.0;
+    ctx.work.stats.stage_seconds.fill(0.0);
+    ctx.work.stats.factorisations = 0;
+    ctx.work.stats.substitutions = ctx.work.stats.completion_rounds = ctx.work.stats.undetermined =
+        0;
+    ctx.work.stats.restiffened = 0;
+    ctx.work.stats.completion_change = 0.0;
     begin_completion(ctx);
-    ctx.stats.partial_factorisations = 0;
-    ctx.stats.flips_left = 0;
-    ctx.stats.wire_repeats = 0;
-    ctx.step_flops = 0;
-    ctx.newton.iterations = 0;
-    ctx.stats.natural_map = 0.0;
-    ctx.stats.cut = false;
-    ctx.stats.degradation = {};
-    ctx.stats.degraded_by = DegradedBy::nothing;
-    ctx.stats.foreseen_seconds = 0.0;
+    ctx.work.stats.partial_factorisations = 0;
+    ctx.work.stats.flips_left = 0;
+    ctx.work.stats.wire_repeats = 0;
+    ctx.work.solve.step_flops = 0;
+    ctx.work.newton.iterations = 0;
+    ctx.work.stats.natural_map = 0.0;
+    ctx.work.stats.cut = false;
+    ctx.work.stats.degradation = {};
+    ctx.work.stats.degraded_by = DegradedBy::nothing;
+    ctx.work.stats.foreseen_seconds = 0.0;
 }
 
 /// When the solver began, and what it knew then.
@@ -100,29 +104,29 @@ struct SolverStart {
 SolverStart start_solver(StepContext& ctx) noexcept {
     SolverStart start;
     ctx.stopwatch->start();
-    ctx.laps = {};
-    start.analyses = ctx.stats.plans + ctx.stats.repairs;
-    start.knew_levels = ctx.cut_levels.known();
+    ctx.work.limits.laps = {};
+    start.analyses = ctx.work.stats.plans + ctx.work.stats.repairs;
+    start.knew_levels = ctx.work.limits.cut_levels.known();
     return start;
 }
 
 void end_solver(StepContext& ctx, const SolverStart& start) noexcept {
-    StepStats& s = ctx.stats;
+    StepStats& s = ctx.work.stats;
     s.solver_seconds = std::chrono::duration<double>(Clock::now() - start.time).count();
     s.solver_cpu_seconds = ctx.stopwatch->seconds();
-    ctx.laps.analysed =
-        s.plans + s.repairs > start.analyses || (ctx.cut_levels.known() && !start.knew_levels);
+    ctx.work.limits.laps.analysed = s.plans + s.repairs > start.analyses ||
+                                    (ctx.work.limits.cut_levels.known() && !start.knew_levels);
     end_budget(ctx);
-    s.newton_iterations = ctx.newton.iterations;
-    s.factor_work = static_cast<double>(ctx.step_flops) /
+    s.newton_iterations = ctx.work.newton.iterations;
+    s.factor_work = static_cast<double>(ctx.work.solve.step_flops) /
                     static_cast<double>(std::max<std::int64_t>(1, s.factor_flops));
 }
 
 /// Stage collide: contacts at the present poses, and who wakes of them.
 Status collide(StepContext& ctx) noexcept {
-    ctx.loads.count_change(ctx.bodies, ctx.pool);
+    ctx.state.loads.count_change(ctx.model.bodies, ctx.pool);
     Status status = Status::ok;
-    if (ctx.collider.count() > 0) status = timed(ctx, Stage::collide, find_contacts);
+    if (ctx.model.collider.count() > 0) status = timed(ctx, Stage::collide, find_contacts);
     return status == Status::ok ? wake_disturbed(ctx) : status;
 }
 
@@ -137,7 +141,7 @@ Status graph(StepContext& ctx) noexcept {
 Status analyse_step(StepContext& ctx) noexcept {
     if (const Status status = choose_cuts(ctx); status != Status::ok) return status;
     remember(ctx);
-    return ctx.collider.count() > 0 ? start_moving(ctx) : Status::ok;
+    return ctx.model.collider.count() > 0 ? start_moving(ctx) : Status::ok;
 }
 
 /// Stages factor and nonsmooth, which take turns.
@@ -152,7 +156,8 @@ Status accept(StepContext& ctx) noexcept {
     // What was left out because of it is not to be used.
     if (ctx.pool.stopping()) return Status::cancelled;
     return timed(ctx, Stage::integrate, [](StepContext& c) {
-        c.loads.measure(c.bodies, c.def.step, c.bodies.v.data(), view(c).v_new, c.pool);
+        c.state.loads.measure(c.model.bodies, c.model.def.step, c.model.bodies.v.data(),
+                              view(c).v_new, c.pool);
         return judge(c);
     });
 }
@@ -160,17 +165,17 @@ Status accept(StepContext& ctx) noexcept {
 /// Stage integrate: there is no way back from here.
 void finish(StepContext& ctx) noexcept {
     timed(ctx, Stage::integrate, integrate);
-    ctx.imposed = {};
-    if (ctx.collider.count() > 0) ctx.collider.keep();
+    ctx.state.imposed = {};
+    if (ctx.model.collider.count() > 0) ctx.model.collider.keep();
     drop_kept(ctx);
-    ctx.edits.clear();
+    ctx.state.edits.clear();
     accept_systems(ctx);
     fall_asleep(ctx);
 }
 
 /// All stages. Where it fails, the state may be that of a step half done.
 Status take_step(StepContext& ctx) noexcept {
-    const bool starts = !ctx.started;
+    const bool starts = !ctx.state.started;
     Status status = starts ? start_world(ctx) : Status::ok;
     if (status != Status::ok) return status;
     const StepTimer timer(ctx);
@@ -191,13 +196,13 @@ Status take_step(StepContext& ctx) noexcept {
     end_solver(ctx, solver);
     if (status == Status::ok) status = accept(ctx);
     if (status == Status::ok) finish(ctx);
-    ctx.stats.step_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    ctx.work.stats.step_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     return status;
 }
 
 /// After a step that failed: the state of the last good one.
 void go_back(StepContext& ctx) noexcept {
-    if (ctx.remembered && !ctx.undo.moved) recall(ctx);
+    if (ctx.work.before.remembered && !ctx.work.undo.moved) recall(ctx);
     restore_kept(ctx);
     take_back_systems(ctx);
 }
@@ -205,8 +210,8 @@ void go_back(StepContext& ctx) noexcept {
 }  // namespace
 
 Status step(StepContext& ctx) noexcept {
-    ctx.stats.bound_met = {};
-    ctx.remembered = false;
+    ctx.work.stats.bound_met = {};
+    ctx.work.before.remembered = false;
     Status status = ctx.pool.stopping() ? Status::cancelled : Status::ok;
     if (status == Status::ok) status = guarded(ctx, [&] { make_ready(ctx); });
     if (status == Status::ok) {
@@ -220,7 +225,7 @@ Status step(StepContext& ctx) noexcept {
         if (ctx.pool.stopping()) status = Status::cancelled;
     }
     if (status == Status::cancelled) ctx.pool.go_on();
-    return ctx.stats.status = status;
+    return ctx.work.stats.status = status;
 }
 
 }  // namespace hawser::stepper

@@ -32,11 +32,11 @@ namespace {
 
 /// @throws DefError for a kind without a coordinate.
 model::Coordinate coordinate_of(const stepper::StepContext& ctx, std::size_t i) {
-    const InteractionDef& def = ctx.interactions.def[i];
+    const InteractionDef& def = ctx.model.interactions.def[i];
     const KindInfo& kind = kind_info(def.kind);
     if (kind.coordinate == KindCoordinate::none)
         throw DefError(world::label("interaction", def.name) + ": " + world::no_coordinate(kind));
-    return ctx.interactions.coordinate(static_cast<int>(i), ctx.bodies);
+    return ctx.model.interactions.coordinate(static_cast<int>(i), ctx.model.bodies);
 }
 
 }  // namespace

@@ -37,11 +37,11 @@ void World::set_group(BodyId id, const std::string& group) {
     Impl& m = *impl_;
     if (m.body_defs[b].group == group) return;
     std::string name = group;
-    m.ctx.regroup.by_hand[b] = m.number_of_group(group);
+    m.ctx.model.regroup.by_hand[b] = m.number_of_group(group);
     m.body_defs[b].group.swap(name);
-    m.ctx.regroup.stale = true;
-    if (!stepper::makes_groups(m.ctx)) m.ctx.cuts.group[b] = m.ctx.regroup.by_hand[b];
-    m.ctx.topology_changed = true;
+    m.ctx.model.regroup.stale = true;
+    if (!stepper::makes_groups(m.ctx)) m.ctx.model.cuts.group[b] = m.ctx.model.regroup.by_hand[b];
+    m.ctx.state.topology_changed = true;
     if (m.listener != nullptr) m.listener->set_group(id, group);
 }
 
@@ -53,18 +53,18 @@ std::int32_t World::Impl::number_of_group(const std::string& name) {
 void World::follow_groups(int parts, int every) {
     const world::Using use(impl_->use, "follow_groups");
     stepper::StepContext& c = impl_->ctx;
-    WorldDef def = c.def;
+    WorldDef def = c.model.def;
     def.parts = parts;
     def.regroup_every = every;
     world::check(def);
-    if (parts != c.def.parts) {
-        std::vector<std::int32_t> by_hand = c.regroup.by_hand;
-        c.regroup.parts = {};
-        c.regroup.stale = true;
-        c.topology_changed = true;
-        if (parts == 0) c.cuts.group.swap(by_hand);
+    if (parts != c.model.def.parts) {
+        std::vector<std::int32_t> by_hand = c.model.regroup.by_hand;
+        c.model.regroup.parts = {};
+        c.model.regroup.stale = true;
+        c.state.topology_changed = true;
+        if (parts == 0) c.model.cuts.group.swap(by_hand);
     }
-    c.def = def;
+    c.model.def = def;
     if (impl_->listener != nullptr) impl_->listener->follow_groups(parts, every);
 }
 
@@ -72,9 +72,9 @@ std::vector<std::int32_t> World::groups() const {
     const world::Using use(impl_->use, "groups");
     stepper::StepContext& c = impl_->ctx;
     stepper::ready(c);
-    std::vector<std::int32_t> out = c.cuts.group;
+    std::vector<std::int32_t> out = c.model.cuts.group;
     for (std::int32_t b = 0; b < body_count(); ++b)
-        if (c.bodies.dof(b) == 0) out[at(b)] = -1;
+        if (c.model.bodies.dof(b) == 0) out[at(b)] = -1;
     return out;
 }
 
@@ -85,16 +85,16 @@ void World::set_groups(int parts) {
     Impl& m = *impl_;
     std::vector<std::string> names;
     for (const BodyDef& b : m.body_defs) names.push_back(b.group);
-    std::vector<std::int32_t> by_hand = m.ctx.regroup.by_hand;
-    const WorldDef before = m.ctx.def;
+    std::vector<std::int32_t> by_hand = m.ctx.model.regroup.by_hand;
+    const WorldDef before = m.ctx.model.def;
     stepper::Transaction all(m.ctx);
     stepper::keep_state(m.ctx, stepper::Undo::Depth::model);
     try {
         const Impl::Untold untold(m);
         regroup_all(parts);
     } catch (...) {
-        m.ctx.def = before;
-        m.ctx.regroup.by_hand.swap(by_hand);
+        m.ctx.model.def = before;
+        m.ctx.model.regroup.by_hand.swap(by_hand);
         for (std::size_t b = 0; b < names.size(); ++b) m.body_defs[b].group.swap(names[b]);
         throw;
     }
@@ -103,7 +103,7 @@ void World::set_groups(int parts) {
 }
 
 void World::regroup_all(int parts) {
-    follow_groups(0, impl_->ctx.def.regroup_every);
+    follow_groups(0, impl_->ctx.model.def.regroup_every);
     for (const BodyId b : bodies()) set_group(b, "");
     if (parts == 1) return;
     const PartitionView view = partition({.use = PartitionUse::cuts, .parts = parts});
@@ -117,24 +117,24 @@ void World::set_coupling(InteractionId id, Coupling coupling) {
     const std::size_t i = impl_->place(id);
     stepper::StepContext& c = impl_->ctx;
     if (coupling > Coupling::deadline) throw DefError("unknown coupling");
-    if (coupling != Coupling::exact && c.def.sleep_after > 0.0)
+    if (coupling != Coupling::exact && c.model.def.sleep_after > 0.0)
         throw DefError("a coupling other than exact needs sleep_after 0");
     if (coupling != Coupling::exact && !stepper::can_cut(c, id.index))
-        throw DefError(world::label("interaction", c.interactions.def[i].name) +
+        throw DefError(world::label("interaction", c.model.interactions.def[i].name) +
                        ": a motor, a range, friction, what loads friction or a winch cannot be "
                        "cut; couple it exactly");
-    c.cuts.coupling.resize(at(interaction_count()), c.def.coupling);
-    if (c.cuts.coupling[i] == coupling) return;
-    c.cuts.coupling[i] = coupling;
-    c.regroup.stale = true;
-    c.topology_changed = true;
+    c.model.cuts.coupling.resize(at(interaction_count()), c.model.def.coupling);
+    if (c.model.cuts.coupling[i] == coupling) return;
+    c.model.cuts.coupling[i] = coupling;
+    c.model.regroup.stale = true;
+    c.state.topology_changed = true;
     if (impl_->listener != nullptr) impl_->listener->set_coupling(id, coupling);
 }
 
 Coupling World::coupling(InteractionId id) const {
     const std::size_t i = impl_->place(id);
-    const stepper::Cuts& cuts = impl_->ctx.cuts;
-    return i < cuts.coupling.size() ? cuts.coupling[i] : impl_->ctx.def.coupling;
+    const stepper::Cuts& cuts = impl_->ctx.model.cuts;
+    return i < cuts.coupling.size() ? cuts.coupling[i] : impl_->ctx.model.def.coupling;
 }
 
 std::vector<CutView> World::cuts() const {
@@ -142,9 +142,9 @@ std::vector<CutView> World::cuts() const {
     Impl& m = *impl_;
     stepper::ready(m.ctx);
     std::vector<CutView> out;
-    for (const stepper::Cut& c : m.ctx.cuts.list)
-        out.push_back({m.ctx.interactions.id(c.id), m.ctx.cuts.coupling[at(c.id)], c.open, c.defect,
-                       c.residual});
+    for (const stepper::Cut& c : m.ctx.model.cuts.list)
+        out.push_back({m.ctx.model.interactions.id(c.id), m.ctx.model.cuts.coupling[at(c.id)],
+                       c.open, c.defect, c.residual});
     return out;
 }
 
@@ -162,13 +162,13 @@ void copy_motion(const stepper::StepContext& from, stepper::StepContext& to) {
         std::copy_n(its.begin(), std::min(its.size(), mine.size()), mine.begin());
     });
     // Their wires are others where other elements are cut.
-    if (from.wires.count() != to.wires.count()) {
-        std::fill(to.wires.credit.begin(), to.wires.credit.end(), 0.0);
-        std::fill(to.wires.alert.begin(), to.wires.alert.end(), 0);
+    if (from.model.wires.count() != to.model.wires.count()) {
+        std::fill(to.model.wires.credit.begin(), to.model.wires.credit.end(), 0.0);
+        std::fill(to.model.wires.alert.begin(), to.model.wires.alert.end(), 0);
     }
-    if (to.def.sleep_after == 0.0) {  // what sleeps there is awake here
-        std::fill(to.bodies.asleep.begin(), to.bodies.asleep.end(), std::uint8_t{0});
-        std::fill(to.bodies.quiet.begin(), to.bodies.quiet.end(), 0);
+    if (to.model.def.sleep_after == 0.0) {  // what sleeps there is awake here
+        std::fill(to.model.bodies.asleep.begin(), to.model.bodies.asleep.end(), std::uint8_t{0});
+        std::fill(to.model.bodies.quiet.begin(), to.model.bodies.quiet.end(), 0);
     }
     stepper::check_asleep(to);
     stepper::follow_alerts(to);
@@ -183,24 +183,24 @@ void copy_values(const stepper::StepContext& from, stepper::StepContext& to) {
         const std::span<const std::byte> its = values[next++];
         std::memcpy(&v, its.data(), its.size());
     });
-    to.time = to.stats.time = from.time;
-    to.stats.step = from.step;
+    to.state.time = to.work.stats.time = from.state.time;
+    to.work.stats.step = from.state.step;
 }
 
 /// Contacts that are remembered. @return whether other bodies touch than did here.
 bool copy_contacts(const stepper::StepContext& from, stepper::StepContext& to) {
-    assembly::Contacts& c = to.system.contacts;
-    const assembly::Contacts& f = from.system.contacts;
-    to.collider.kept() = from.collider.kept();
-    to.collider.kept_awake() = from.collider.kept_awake();
+    assembly::Contacts& c = to.model.system.contacts;
+    const assembly::Contacts& f = from.model.system.contacts;
+    to.model.collider.kept() = from.model.collider.kept();
+    to.model.collider.kept_awake() = from.model.collider.kept_awake();
     c.memory = f.memory;
     c.resistances.memory = f.resistances.memory;
     c.link_used = f.link_used;
-    to.contacts.contacts.clear();
-    to.contacts.awake = 0;
-    to.contact_impulse.clear();
-    to.contact_sliding.clear();
-    to.stats.contacts = 0;
+    to.state.contacts.contacts.clear();
+    to.state.contacts.awake = 0;
+    to.state.contact_impulse.clear();
+    to.state.contact_sliding.clear();
+    to.work.stats.contacts = 0;
     if (c.links == f.links) return false;
     c.links = f.links;
     c.make_blocks();
@@ -210,12 +210,12 @@ bool copy_contacts(const stepper::StepContext& from, stepper::StepContext& to) {
 /// Groups that follow the state, where both worlds have some.
 void copy_groups(const stepper::StepContext& from, stepper::StepContext& to) {
     if (!stepper::makes_groups(from) || !stepper::makes_groups(to)) return;
-    const bool same = to.regroup.parts.part == from.regroup.parts.part;
-    to.regroup.parts = from.regroup.parts;
-    to.regroup.made = from.regroup.made;
-    to.regroup.seen = from.regroup.seen;
+    const bool same = to.model.regroup.parts.part == from.model.regroup.parts.part;
+    to.model.regroup.parts = from.model.regroup.parts;
+    to.model.regroup.made = from.model.regroup.made;
+    to.model.regroup.seen = from.model.regroup.seen;
     if (same || stepper::assign_groups(to) == 0) return;
-    to.topology_changed = true;
+    to.state.topology_changed = true;
     stepper::prepare(to);
 }
 
@@ -228,8 +228,9 @@ void World::copy_state(const World& other) {
     stepper::ready(other.impl_->ctx);
     stepper::ready(to);
     if (other.body_count() != body_count() || other.interaction_count() != interaction_count() ||
-        other.input_count() != input_count() || from.bodies.v.size() != to.bodies.v.size() ||
-        from.def.step != to.def.step)
+        other.input_count() != input_count() ||
+        from.model.bodies.v.size() != to.model.bodies.v.size() ||
+        from.model.def.step != to.model.def.step)
         throw DefError("copy_state: the worlds have other bodies, interactions, inputs or steps");
     if (other.impl_->systems.layout() != impl_->systems.layout())
         throw DefError("copy_state: the worlds have other systems, or systems of other sizes");
@@ -268,22 +269,22 @@ void World::copy_from(const World& other) {
     const stepper::StepContext& from = other.impl_->ctx;
     stepper::StepContext& to = impl_->ctx;
     copy_groups(from, to);
-    const auto asleep = to.bodies.asleep;
+    const auto asleep = to.model.bodies.asleep;
     copy_motion(from, to);
-    if (copy_contacts(from, to) || asleep != to.bodies.asleep) stepper::analyse(to);
+    if (copy_contacts(from, to) || asleep != to.model.bodies.asleep) stepper::analyse(to);
     copy_values(from, to);
     for (std::size_t i = 0; i < impl_->inputs.size(); ++i) {
         impl_->input_values[i] = other.impl_->input_values[i];
         if (impl_->inputs[i].interaction.valid()) impl_->apply_input(i, impl_->input_values[i]);
     }
-    for (const std::int32_t id : to.interactions.frictions)
-        to.interactions.set_anchor(id, to.interactions.anchor[at(id)]);
-    for (const std::int32_t id : to.interactions.winches)
-        to.interactions.follow_length(id, to.bodies, to.def.step);
+    for (const std::int32_t id : to.model.interactions.frictions)
+        to.model.interactions.set_anchor(id, to.model.interactions.anchor[at(id)]);
+    for (const std::int32_t id : to.model.interactions.winches)
+        to.model.interactions.follow_length(id, to.model.bodies, to.model.def.step);
     // Images and copies differ with the coupling.
-    if (from.interactions.count() != to.interactions.count()) stepper::follow_cuts(to);
-    if (from.cuts.interfaces == to.cuts.interfaces &&
-        stepper::ask_for_cuts(to, from.cuts.asked) != Status::ok)
+    if (from.model.interactions.count() != to.model.interactions.count()) stepper::follow_cuts(to);
+    if (from.model.cuts.interfaces == to.model.cuts.interfaces &&
+        stepper::ask_for_cuts(to, from.model.cuts.asked) != Status::ok)
         throw std::bad_alloc();
 }
 

@@ -56,24 +56,24 @@ BodyId World::add_body(const BodyDef& def) {
     world::check(def);
     Impl& m = *impl_;
     stepper::StepContext& c = m.ctx;
-    refuse_beyond(m.body_ids.size(), c.def.max_bodies, "bodies");
+    refuse_beyond(m.body_ids.size(), c.model.def.max_bodies, "bodies");
     BodyDef kept = def;
     base::make_room(m.body_defs, 1);
     base::make_room(m.body_ids, 1);
-    base::make_room(c.regroup.by_hand, 1);
-    base::make_room(c.cuts.group, 1);
-    c.bodies.make_room();
-    const std::int32_t place = next_place(c.bodies.place_for(def.kind), body_count());
+    base::make_room(c.model.regroup.by_hand, 1);
+    base::make_room(c.model.cuts.group, 1);
+    c.model.bodies.make_room();
+    const std::int32_t place = next_place(c.model.bodies.place_for(def.kind), body_count());
     std::int32_t group = -1;
     claim_for(m.body_names, def.name, place, "body", [&] { group = m.number_of_group(def.group); });
     // From here on nothing throws.
     stepper::begin_edit(c);
-    (void)c.bodies.add(def);
+    (void)c.model.bodies.add(def);
     put(m.body_defs, place, std::move(kept));
-    put(c.regroup.by_hand, place, std::int32_t{group});
-    put(c.cuts.group, place, std::int32_t{group});
+    put(c.model.regroup.by_hand, place, std::int32_t{group});
+    put(c.model.cuts.group, place, std::int32_t{group});
     stepper::settle_body(c, place);
-    const BodyId id = c.bodies.id(place);
+    const BodyId id = c.model.bodies.id(place);
     insert_id(m.body_ids, id);
     if (m.listener != nullptr) m.listener->added(def);
     return id;
@@ -83,10 +83,10 @@ InteractionId World::add_interaction(const InteractionDef& def) {
     const world::Using use(impl_->use, "add_interaction");
     Impl& m = *impl_;
     stepper::StepContext& c = m.ctx;
-    model::Interactions& all = c.interactions;
-    world::check(def, c.bodies, body_count(), std::span(all.def).first(at(interaction_count())),
-                 all.places);
-    refuse_beyond(m.interaction_ids.size(), c.def.max_interactions, "interactions");
+    model::Interactions& all = c.model.interactions;
+    world::check(def, c.model.bodies, body_count(),
+                 std::span(all.def).first(at(interaction_count())), all.places);
+    refuse_beyond(m.interaction_ids.size(), c.model.def.max_interactions, "interactions");
     InteractionDef d = def;
     world::fill_in(d, c);
     all.make_room(d.kind);
@@ -96,8 +96,9 @@ InteractionId World::add_interaction(const InteractionDef& def) {
     claim(m.interaction_names, d.name, place, "interaction");
     // From here on nothing throws.
     stepper::begin_edit(c);
-    (void)all.add(std::move(d), c.bodies, c.def.step);
-    if (at(place) < c.cuts.coupling.size()) c.cuts.coupling[at(place)] = c.def.coupling;
+    (void)all.add(std::move(d), c.model.bodies, c.model.def.step);
+    if (at(place) < c.model.cuts.coupling.size())
+        c.model.cuts.coupling[at(place)] = c.model.def.coupling;
     stepper::settle_interaction(c, place);
     const InteractionId id = all.id(place);
     insert_id(m.interaction_ids, id);
@@ -108,20 +109,20 @@ InteractionId World::add_interaction(const InteractionDef& def) {
 ShapeId World::add_shape(const ShapeDef& def) {
     const world::Using use(impl_->use, "add_shape");
     Impl& m = *impl_;
-    world::check(def, m.ctx.bodies, body_count(), material_count());
+    world::check(def, m.ctx.model.bodies, body_count(), material_count());
     ShapeDef kept = def;
     base::make_room(m.shape_defs, 1);
     stepper::reserve_edit(m.ctx);
     base::make_room(m.shape_ids, 1);
     const std::int32_t place = next_place(
-        m.ctx.collider.places.find_vacant([](std::int32_t) { return true; }), shape_count());
+        m.ctx.model.collider.places.find_vacant([](std::int32_t) { return true; }), shape_count());
     claim_for(m.shape_names, def.name, place, "shape",
-              [&] { m.ctx.collider.add(def, m.ctx.bodies); });
+              [&] { m.ctx.model.collider.add(def, m.ctx.model.bodies); });
     // From here on nothing throws.
     put(m.shape_defs, place, std::move(kept));
     stepper::begin_edit(m.ctx);
     stepper::settle_shape(m.ctx, place);
-    const auto id = m.ctx.collider.places.id<ShapeId>(place);
+    const auto id = m.ctx.model.collider.places.id<ShapeId>(place);
     insert_id(m.shape_ids, id);
     if (m.listener != nullptr) m.listener->added(def);
     return id;
@@ -133,12 +134,12 @@ std::span<const InteractionId> World::interactions() const noexcept {
 }
 std::span<const ShapeId> World::shapes() const noexcept { return impl_->shape_ids; }
 bool World::alive(BodyId id) const noexcept {
-    return id.index < body_count() && impl_->ctx.bodies.places.names(id);
+    return id.index < body_count() && impl_->ctx.model.bodies.places.names(id);
 }
 bool World::alive(InteractionId id) const noexcept {
-    return id.index < interaction_count() && impl_->ctx.interactions.places.names(id);
+    return id.index < interaction_count() && impl_->ctx.model.interactions.places.names(id);
 }
-bool World::alive(ShapeId id) const noexcept { return impl_->ctx.collider.places.names(id); }
+bool World::alive(ShapeId id) const noexcept { return impl_->ctx.model.collider.places.names(id); }
 bool World::alive(InputId id) const noexcept { return impl_->input_places.names(id); }
 
 void World::set_change_listener(ChangeListener* listener) noexcept { impl_->listener = listener; }
@@ -186,8 +187,8 @@ const Removed& World::remove_input(InputId id) {
 /// Room for all that there is: a hull may take anything with it.
 void World::Impl::reserve_removal() {
     stepper::reserve_edit(ctx);
-    ctx.bodies.make_room();
-    ctx.interactions.places.make_room();
+    ctx.model.bodies.make_room();
+    ctx.model.interactions.places.make_room();
     input_places.make_room();
     removed.bodies.reserve(body_ids.size());
     removed.interactions.reserve(interaction_ids.size());
@@ -222,22 +223,23 @@ const Removed& World::Impl::sorted_removal() noexcept {
 
 /// What hangs on it goes first.
 void World::Impl::remove(BodyId id) noexcept {
-    const model::Interactions& in = ctx.interactions;
+    const model::Interactions& in = ctx.model.interactions;
     for (std::int32_t i = stepper::interaction_count(ctx); i-- > 0;) {
         const std::int32_t* body = &in.body[kMaxInteractionBodies * at(i)];
         if (std::find(body, body + in.bodies[at(i)], id.index) != body + in.bodies[at(i)])
             remove(in.id(i));
     }
-    for (std::int32_t s = ctx.collider.count(); s-- > 0;) {
-        const std::int32_t* body = ctx.collider.shapes()[at(s)].body;
-        if (body[0] == id.index || body[1] == id.index) remove(ctx.collider.places.id<ShapeId>(s));
+    for (std::int32_t s = ctx.model.collider.count(); s-- > 0;) {
+        const std::int32_t* body = ctx.model.collider.shapes()[at(s)].body;
+        if (body[0] == id.index || body[1] == id.index)
+            remove(ctx.model.collider.places.id<ShapeId>(s));
     }
     for (std::int32_t k = input_places.count(); k-- > 0;)
         if (inputs[at(k)].body == id) remove(input_places.id<InputId>(k));
     stepper::begin_edit(ctx);
     world::release(body_names, body_defs[at(id.index)].name);
     body_defs[at(id.index)] = {.kind = BodyKind::fixed, .gravity = false};
-    ctx.regroup.by_hand[at(id.index)] = ctx.cuts.group[at(id.index)] = -1;
+    ctx.model.regroup.by_hand[at(id.index)] = ctx.model.cuts.group[at(id.index)] = -1;
     stepper::remove_body(ctx, id.index);
     erase_id(body_ids, id);
     note(removed.bodies, id);
@@ -247,7 +249,7 @@ void World::Impl::remove(InteractionId id) noexcept {
     for (std::int32_t k = input_places.count(); k-- > 0;)
         if (inputs[at(k)].interaction == id) remove(input_places.id<InputId>(k));
     stepper::begin_edit(ctx);
-    world::release(interaction_names, ctx.interactions.def[at(id.index)].name);
+    world::release(interaction_names, ctx.model.interactions.def[at(id.index)].name);
     stepper::remove_interaction(ctx, id.index);
     erase_id(interaction_ids, id);
     note(removed.interactions, id);
@@ -283,7 +285,7 @@ void World::Impl::remove(InputId id) noexcept {
     const auto same = [&](const InputDef& other) { return other.interaction == driven; };
     if (!driven.valid() || std::any_of(inputs.begin(), inputs.end(), same)) return;
     stepper::begin_edit(ctx);  // it may be completed now
-    ctx.interactions.unmark_driven(driven.index);
+    ctx.model.interactions.unmark_driven(driven.index);
 }
 
 }  // namespace hawser

@@ -93,25 +93,26 @@ std::uint64_t layout_of(const stepper::StepContext& ctx, std::size_t inputs) {
     // Of what the user added: images and copies of cuts follow from it.
     const auto bodies = static_cast<std::size_t>(stepper::body_count(ctx)),
                count = static_cast<std::size_t>(stepper::interaction_count(ctx));
-    to.front(ctx.bodies.kind, bodies);
-    to.front(ctx.regroup.by_hand, bodies);
-    to.front(ctx.interactions.body, kMaxInteractionBodies * count);
-    to.front(ctx.interactions.rows, count);
-    for (std::size_t i = 0; i < count; ++i) to.value(ctx.interactions.def[i].kind);
-    for (const collide::Shape& s : ctx.collider.shapes()) {
+    to.front(ctx.model.bodies.kind, bodies);
+    to.front(ctx.model.regroup.by_hand, bodies);
+    to.front(ctx.model.interactions.body, kMaxInteractionBodies * count);
+    to.front(ctx.model.interactions.rows, count);
+    for (std::size_t i = 0; i < count; ++i) to.value(ctx.model.interactions.def[i].kind);
+    for (const collide::Shape& s : ctx.model.collider.shapes()) {
         to.value(s.geometry.kind);
         to.value(s.body);
     }
     for (const base::Places* places :
-         {&ctx.bodies.places, &ctx.interactions.places, &ctx.collider.places}) {
-        const auto n = std::min(places->generations().size(), places == &ctx.bodies.places ? bodies
-                                                              : places == &ctx.interactions.places
-                                                                  ? count
-                                                                  : ctx.collider.shapes().size());
+         {&ctx.model.bodies.places, &ctx.model.interactions.places, &ctx.model.collider.places}) {
+        const auto n =
+            std::min(places->generations().size(), places == &ctx.model.bodies.places ? bodies
+                                                   : places == &ctx.model.interactions.places
+                                                       ? count
+                                                       : ctx.model.collider.shapes().size());
         to.front(places->generations(), n);
         to.array(places->vacant());
     }
-    to.value(ctx.def.step);
+    to.value(ctx.model.def.step);
     to.value(inputs);
     return to.result();
 }
@@ -119,22 +120,23 @@ std::uint64_t layout_of(const stepper::StepContext& ctx, std::size_t inputs) {
 std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<InputDef>& inputs,
                             const std::vector<ShapeDef>& shapes) {
     Digest to;
-    add(shapes, ctx.collider, to);
+    add(shapes, ctx.model.collider, to);
     const auto bodies = static_cast<std::size_t>(stepper::body_count(ctx)),
                count = static_cast<std::size_t>(stepper::interaction_count(ctx));
-    to.front(ctx.bodies.mass, bodies);
-    to.front(ctx.bodies.inertia, 9 * bodies);
-    to.front(ctx.bodies.damping, 6 * bodies);
-    to.front(ctx.bodies.weight, bodies);
+    to.front(ctx.model.bodies.mass, bodies);
+    to.front(ctx.model.bodies.inertia, 9 * bodies);
+    to.front(ctx.model.bodies.damping, 6 * bodies);
+    to.front(ctx.model.bodies.weight, bodies);
     for (const SettingInfo& s : setting_infos())
         for (int c = 0; s.identity && c < (s.type == SettingType::vector ? 3 : 1); ++c)
-            to.value(s.get(ctx.def, c));
+            to.value(s.get(ctx.model.def, c));
     if (stepper::makes_groups(ctx)) {
-        to.value(ctx.def.parts);
-        to.value(ctx.def.regroup_every);
+        to.value(ctx.model.def.parts);
+        to.value(ctx.model.def.regroup_every);
     }
     for (std::size_t i = 0; i < count; ++i)
-        to.value(i < ctx.cuts.coupling.size() ? ctx.cuts.coupling[i] : ctx.def.coupling);
+        to.value(i < ctx.model.cuts.coupling.size() ? ctx.model.cuts.coupling[i]
+                                                    : ctx.model.def.coupling);
     for (const InputDef& input : inputs) {
         to.array(input.name);
         to.array(input.param);
@@ -146,7 +148,7 @@ std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<I
         to.value(input.max);
     }
     for (std::size_t i = 0; i < count; ++i) {
-        const InteractionDef& d = ctx.interactions.def[i];
+        const InteractionDef& d = ctx.model.interactions.def[i];
         to.bytes(d.point.data(), sizeof d.point);
         to.bytes(d.frame.data(), sizeof d.frame);
         to.array(d.compliance);
@@ -155,7 +157,7 @@ std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<I
             to.value(load.interaction.index);
             to.value(load.factor);
         }
-        if ((ctx.interactions.flags[i] & model::kByInput) == 0) {
+        if ((ctx.model.interactions.flags[i] & model::kByInput) == 0) {
             to.array(d.params);
             continue;
         }

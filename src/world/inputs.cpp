@@ -60,7 +60,7 @@ InputId World::add_input(const InputDef& def) {
         const std::size_t b = impl_->place(def.body);
         if (def.component < 0 || def.component > 5)
             throw DefError(where + ": component must be 0 to 5");
-        if (def.local && m.ctx.bodies.kind[b] != BodyKind::rigid)
+        if (def.local && m.ctx.model.bodies.kind[b] != BodyKind::rigid)
             throw DefError(where + ": local: its body does not turn; leave it false");
     }
     if (def.local && def.interaction.valid())
@@ -73,7 +73,7 @@ InputId World::add_input(const InputDef& def) {
     base::make_room(m.input_values, 1);
     base::make_room(m.input_ids, 1);
     base::make_room(m.force_inputs, 1);
-    base::make_room(m.ctx.interactions.working, 1);
+    base::make_room(m.ctx.model.interactions.working, 1);
     m.input_places.make_room();
     if (def.local) {
         base::make_room(m.local_inputs, 1);
@@ -82,7 +82,7 @@ InputId World::add_input(const InputDef& def) {
     std::int32_t place = m.input_places.find_vacant([](std::int32_t) { return true; });
     claim(m.input_names, def.name, place < 0 ? input_count() : place, "input");
     // From here on nothing throws.
-    if (def.interaction.valid()) m.ctx.interactions.mark_driven(def.interaction.index);
+    if (def.interaction.valid()) m.ctx.model.interactions.mark_driven(def.interaction.index);
     if (place < 0) {
         place = m.input_places.append();
         m.inputs.emplace_back();
@@ -122,26 +122,27 @@ void World::set_input(InputId id, double value) {
     const double clamped = std::min(std::max(value, def.min), def.max);
     stepper::StepContext& c = impl_->ctx;
     if (clamped != value) {
-        c.events.push({c.time, EventKind::input_clamped, def.interaction, value, id});
-        ++c.stats.event_count[static_cast<std::size_t>(EventKind::input_clamped)];
+        c.state.events.push({c.state.time, EventKind::input_clamped, def.interaction, value, id});
+        ++c.work.stats.event_count[static_cast<std::size_t>(EventKind::input_clamped)];
     }
     // What a changed length or target does to elastic energy is work done by the input.
     const auto elastic = [&] {
-        return def.interaction.valid() && c.started
-                   ? c.interactions.elastic(def.interaction.index, c.bodies, c.def.step)
+        return def.interaction.valid() && c.state.started
+                   ? c.model.interactions.elastic(def.interaction.index, c.model.bodies,
+                                                  c.model.def.step)
                    : 0.0;
     };
     const double before = elastic();
     const bool elsewhere = !def.local && clamped != impl_->applied(def);
     if (elsewhere || clamped != impl_->input_values[i]) impl_->disturb(def);
     impl_->apply_input(i, clamped);
-    c.drive += elastic() - before;
+    c.state.ledger.drive += elastic() - before;
     if (impl_->listener != nullptr) impl_->listener->set(id, value);
 }
 
 double World::Impl::applied(const InputDef& input) const {
     if (input.interaction.valid())
-        return ctx.interactions.def[at(input.interaction.index)].get(input.param);
+        return ctx.model.interactions.def[at(input.interaction.index)].get(input.param);
     return input_values[at(&input - inputs.data())];
 }
 
@@ -151,8 +152,8 @@ void World::Impl::disturb(const InputDef& input) noexcept {
         return;
     }
     const std::size_t first = kMaxInteractionBodies * at(input.interaction.index);
-    for (std::size_t b = 0; b < ctx.interactions.bodies[at(input.interaction.index)]; ++b) {
-        stepper::disturb(ctx, ctx.interactions.body[first + b]);
+    for (std::size_t b = 0; b < ctx.model.interactions.bodies[at(input.interaction.index)]; ++b) {
+        stepper::disturb(ctx, ctx.model.interactions.body[first + b]);
     }
 }
 
@@ -160,8 +161,8 @@ void World::Impl::apply_input(std::size_t index, double value) {
     const InputDef& def = inputs[index];
     input_values[index] = value;
     if (def.interaction.valid()) {
-        ctx.interactions.def[at(def.interaction.index)].set(def.param, value);
-        ctx.interactions.refresh(def.interaction.index, ctx.bodies, ctx.def.step);
+        ctx.model.interactions.def[at(def.interaction.index)].set(def.param, value);
+        ctx.model.interactions.refresh(def.interaction.index, ctx.model.bodies, ctx.model.def.step);
     } else if (!def.local) {
         add_up_force(def.body, def.component);
     }
@@ -180,12 +181,12 @@ void World::Impl::add_up_force(BodyId body, int component) noexcept {
          input != force_inputs.end() && input->body == body.index && input->component == component;
          ++input)
         sum += input_values[at(input->input)];
-    ctx.bodies.force[6 * at(body.index) + at(component)] = sum;
+    ctx.model.bodies.force[6 * at(body.index) + at(component)] = sum;
 }
 
 void World::Impl::leave_user_forces() noexcept {
     for (const ForceInput& input : force_inputs)
-        ctx.bodies.force[6 * at(input.body) + at(input.component)] =
+        ctx.model.bodies.force[6 * at(input.body) + at(input.component)] =
             user_force(at(input.body), input.component);
 }
 
@@ -195,7 +196,7 @@ void World::Impl::add_up_forces() noexcept {
 
 void World::Impl::take_user_forces() noexcept {
     for (const BodyId id : body_ids) {
-        const double* force = &ctx.bodies.force[6 * at(id.index)];
+        const double* force = &ctx.model.bodies.force[6 * at(id.index)];
         BodyDef& def = body_defs[at(id.index)];
         def.force = Vec3(force[0], force[1], force[2]);
         def.torque = Vec3(force[3], force[4], force[5]);
@@ -207,9 +208,9 @@ void World::Impl::turn_forces() noexcept {
     double* before = forces_before.data();
     for (const std::int32_t i : local_inputs) {
         const InputDef& def = inputs[at(i)];
-        double* force = &ctx.bodies.force[6 * at(def.body.index)];
+        double* force = &ctx.model.bodies.force[6 * at(def.body.index)];
         before = std::copy_n(force, 6, before);
-        const double* r = &ctx.bodies.r[9 * at(def.body.index)];
+        const double* r = &ctx.model.bodies.r[9 * at(def.body.index)];
         const int axis = def.component % 3, first = def.component - axis;
         for (int k = 0; k < 3; ++k) force[first + k] += r[3 * k + axis] * input_values[at(i)];
     }
@@ -219,7 +220,7 @@ void World::Impl::unturn_forces() noexcept {
     // The last one first: several may be of one body.
     for (std::size_t k = local_inputs.size(); k-- > 0;) {
         const InputDef& def = inputs[at(local_inputs[k])];
-        std::copy_n(&forces_before[6 * k], 6, &ctx.bodies.force[6 * at(def.body.index)]);
+        std::copy_n(&forces_before[6 * k], 6, &ctx.model.bodies.force[6 * at(def.body.index)]);
     }
 }
 

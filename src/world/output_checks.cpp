@@ -130,22 +130,22 @@ int check_output(OutputDef& def, const stepper::StepContext& ctx, const WireList
         refuse(where, "only a velocity may be local, along the body's own axes");
     switch (kind.target) {
         case OutputTarget::two_bodies:
-            check_body(where, "body_b", def.body_b, def.point_b, ctx.bodies, bodies, true);
+            check_body(where, "body_b", def.body_b, def.point_b, ctx.model.bodies, bodies, true);
             [[fallthrough]];
         case OutputTarget::body:
-            check_body(where, "body", def.body, def.point, ctx.bodies, bodies,
+            check_body(where, "body", def.body, def.point, ctx.model.bodies, bodies,
                        kind.target == OutputTarget::two_bodies);
             if (kind.target == OutputTarget::body) {
-                check_body_component(where, def, component, ctx.bodies);
-                if (ctx.bodies.dof(def.body.index) == 1)
+                check_body_component(where, def, component, ctx.model.bodies);
+                if (ctx.model.bodies.dof(def.body.index) == 1)
                     unit = def.kind == OutputKind::pose ? "m or rad" : "m/s or rad/s";
             }
             break;
         case OutputTarget::interaction:
-            unit = check_interaction(where, def, component, ctx.interactions, interactions);
+            unit = check_interaction(where, def, component, ctx.model.interactions, interactions);
             break;
         case OutputTarget::line:
-            check_line(where, def, ctx.interactions, wires, interactions);
+            check_line(where, def, ctx.model.interactions, wires, interactions);
             break;
         case OutputTarget::world:
             break;

@@ -80,9 +80,9 @@ double tension(const model::Interactions& in, InteractionId id) noexcept {
 
 /// Whether all that it is taken from is there.
 bool alive(const stepper::StepContext& ctx, const WireList& wires, const OutputDef& def) noexcept {
-    const auto body = [&](BodyId id) { return !id.valid() || ctx.bodies.places.names(id); };
+    const auto body = [&](BodyId id) { return !id.valid() || ctx.model.bodies.places.names(id); };
     const auto one = [&](InteractionId id) {
-        return !id.valid() || ctx.interactions.places.names(id);
+        return !id.valid() || ctx.model.interactions.places.names(id);
     };
     return body(def.body) && body(def.body_b) && one(def.interaction) &&
            (!def.wire.valid() || wires.places.names(def.wire)) &&
@@ -112,31 +112,31 @@ double line_tension(const model::Interactions& in, const std::vector<Interaction
 }
 
 double drum(const stepper::StepContext& ctx, InteractionId id, int component) noexcept {
-    const model::Interactions& in = ctx.interactions;
+    const model::Interactions& in = ctx.model.interactions;
     if (component == kLength) return in.rest_length[at(id.index)];
     const InteractionDef& def = in.def[at(id.index)];
     const auto slot = at(kind_info(def.kind).scalar_slot);
-    return def.get("radius") * ctx.bodies.x[3 * at(def.body[slot].index)];
+    return def.get("radius") * ctx.model.bodies.x[3 * at(def.body[slot].index)];
 }
 
 double energy_of(const stepper::StepContext& ctx, const Energy& energy, int component) noexcept {
     switch (component) {
         case kAsleep:
-            return ctx.stats.asleep;
+            return ctx.work.stats.asleep;
         case kKinetic:
-            return stepper::kinetic_energy(ctx.bodies, ctx.bodies.v.data());
+            return stepper::kinetic_energy(ctx.model.bodies, ctx.model.bodies.v.data());
         case kApplied:
-            return ctx.work;
+            return ctx.state.ledger.work;
         case kDriven:
-            return ctx.drive;
+            return ctx.state.ledger.drive;
         case kDissipated:
-            return ctx.drag;
+            return ctx.state.ledger.drag;
         case kFriction:
-            return ctx.friction;
+            return ctx.state.ledger.friction;
         case kContactLoss:
-            return ctx.contact;
+            return ctx.state.ledger.contact;
         case kDamped:
-            return ctx.damped;
+            return ctx.state.ledger.damped;
         case kGravity:
             return energy.gravity;
         case kElastic:
@@ -231,8 +231,8 @@ void Outputs::keep_figures(const StepStats& s) noexcept {
 
 void Outputs::evaluate(const stepper::StepContext& ctx, const WireList& wires,
                        const Energy& energy) noexcept {
-    const model::Bodies& b = ctx.bodies;
-    const model::Interactions& in = ctx.interactions;
+    const model::Bodies& b = ctx.model.bodies;
+    const model::Interactions& in = ctx.model.interactions;
     for (std::size_t i = 0; i < defs_.size(); ++i) {
         const OutputDef& def = defs_[i];
         const int c = component_[i];

@@ -183,7 +183,7 @@ PartitionView World::partition(const PartitionRequest& request) const {
     stepper::weigh_graph(c, g);
     view.weight_seconds = seconds_since(clock);
     if (request.exact_cost) {
-        g.cost = assembly::body_flops(c.system, c.bodies.count());
+        g.cost = assembly::body_flops(c.model.system, c.model.bodies.count());
         g.cost.resize(at(body_count()));
     }
     (void)seconds_since(clock);
@@ -201,10 +201,10 @@ PartitionView World::partition(const PartitionRequest& request) const {
     view.separator_cost = static_cast<double>(p.separator_cost);
     view.imbalance = p.imbalance();
     for (const std::int32_t b : p.separator) {
-        view.separator.push_back(c.bodies.id(b));
+        view.separator.push_back(c.model.bodies.id(b));
         view.separator_scalars += g.size[static_cast<std::size_t>(b)];
     }
-    list_cuts(g, c.interactions, p, view);
+    list_cuts(g, c.model.interactions, p, view);
     view.part_of_body = std::move(p.part);
     return view;
 }

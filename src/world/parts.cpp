@@ -20,7 +20,7 @@ void fill_in(InteractionDef& def, const stepper::StepContext& ctx) {
     Vec3 position[kMaxInteractionBodies], point[kMaxInteractionBodies];
     for (std::size_t b = 0; b < at(info.bodies); ++b) {
         const std::size_t i = at(def.body[b].index);
-        const double *x = &ctx.bodies.x[3 * i], *q = &ctx.bodies.q[4 * i];
+        const double *x = &ctx.model.bodies.x[3 * i], *q = &ctx.model.bodies.q[4 * i];
         position[b] = Vec3(x[0], x[1], x[2]);
         point[b] = position[b] + Quat(q[0], q[1], q[2], q[3]) * def.point[b];
     }
@@ -34,16 +34,16 @@ void fill_in(InteractionDef& def, const stepper::StepContext& ctx) {
 void World::add_interactions(std::span<const InteractionDef> defs, std::span<InteractionId> ids) {
     const world::Using use(impl_->use, "add_interactions");
     Impl& m = *impl_;
-    const model::Interactions& all = m.ctx.interactions;
+    const model::Interactions& all = m.ctx.model.interactions;
     if (ids.size() != defs.size())
         throw DefError("add_interactions: give as many ids as definitions");
-    if (m.interaction_ids.size() + defs.size() > at(m.ctx.def.max_interactions))
+    if (m.interaction_ids.size() + defs.size() > at(m.ctx.model.def.max_interactions))
         throw DefError("too many interactions; raise max_interactions = " +
-                       std::to_string(m.ctx.def.max_interactions));
+                       std::to_string(m.ctx.model.def.max_interactions));
     // What is refused is found before anything is added.
     world::Names names;
     for (const InteractionDef& d : defs) {
-        world::check(d, m.ctx.bodies, body_count(),
+        world::check(d, m.ctx.model.bodies, body_count(),
                      std::span(all.def).first(at(interaction_count())), all.places);
         for (const FrictionLoad& load : d.load)
             if (!load.interaction.valid() && load.factor != 0.0)

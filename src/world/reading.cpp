@@ -9,13 +9,13 @@ namespace hawser {
 
 StateView World::state() const noexcept {
     const stepper::StepContext& ctx = impl_->ctx;
-    const model::Bodies& b = ctx.bodies;
+    const model::Bodies& b = ctx.model.bodies;
     // Images of bodies (split/cuts.h) stand behind those of the user.
     const auto n = at(body_count());
     const auto first = [](const auto& array, std::size_t count) {
         return std::span(array).first(count);
     };
-    return {.time = ctx.time,
+    return {.time = ctx.state.time,
             .kinds = first(b.kind, n),
             .positions = first(b.x, 3 * n),
             .orientations = first(b.q, 4 * n),
@@ -31,14 +31,14 @@ Vec3 World::local_point(BodyId id, const Vec3& point) const {
 
 std::vector<Event> World::take_events() {
     const world::Using use(impl_->use, "take_events");
-    return impl_->ctx.events.take();
+    return impl_->ctx.state.events.take();
 }
 
 std::uint64_t World::events_since(std::uint64_t& cursor, std::vector<Event>& out) const {
     const world::Using use(impl_->use, "events_since");
-    return impl_->ctx.events.since(cursor, out);
+    return impl_->ctx.state.events.since(cursor, out);
 }
 
-std::uint64_t World::event_cursor() const noexcept { return impl_->ctx.events.count(); }
+std::uint64_t World::event_cursor() const noexcept { return impl_->ctx.state.events.count(); }
 
 }  // namespace hawser

@@ -13,15 +13,15 @@ SavedState::SavedState(const stepper::StepContext& ctx, const std::vector<double
     std::size_t next = 0;
     visit_motion(*this, [&](auto& mine) { mine.resize(sizes[next++]); });
     const auto as = [](auto& mine, const auto& its) { mine.resize(its.size()); };
-    as(analysed_x, ctx.analysed_x);
-    as(analysed_r, ctx.analysed_r);
-    as(regroup.parts.part, ctx.regroup.parts.part);
+    as(state.analysed_x, ctx.state.analysed_x);
+    as(state.analysed_r, ctx.state.analysed_r);
+    as(model.regroup.parts.part, ctx.model.regroup.parts.part);
     as(inputs, values);
-    collider.contacts.resize(header.contacts);
-    system.contacts.memory.resize(header.contacts);
-    system.contacts.resistances.memory.resize(header.resistances);
-    system.contacts.links.resize(header.links);
-    system.contacts.link_used.resize(header.links);
+    model.collider.contacts.resize(header.contacts);
+    model.system.contacts.memory.resize(header.contacts);
+    model.system.contacts.resistances.memory.resize(header.resistances);
+    model.system.contacts.links.resize(header.links);
+    model.system.contacts.link_used.resize(header.links);
     order = room_for_order(header);
 }
 

@@ -44,55 +44,55 @@ void visit_groups(Groups& groups, F&& f) {
 /// order. Of two worlds with the same definitions that couple otherwise, the arrays agree in front.
 template <class Context, class F>
 void visit_motion(Context& ctx, F&& f) {
-    f(ctx.bodies.x);
-    f(ctx.bodies.q);
+    f(ctx.model.bodies.x);
+    f(ctx.model.bodies.q);
     // Kept, not computed anew: the integrator's kernel rounds as its instruction set does.
-    f(ctx.bodies.r);
-    f(ctx.bodies.v);
-    f(ctx.bodies.v_start);
-    f(ctx.bodies.v_fixed);
-    f(ctx.bodies.spin_change);
-    f(ctx.bodies.force);
-    f(ctx.bodies.asleep);
-    f(ctx.bodies.quiet);
-    f(ctx.interactions.lambda);
-    f(ctx.interactions.force);
-    f(ctx.interactions.active);
-    f(ctx.interactions.parted);
-    f(ctx.interactions.coarse);
-    f(ctx.interactions.repeats);
-    f(ctx.interactions.saturated);
-    f(ctx.interactions.anchor);
-    f(ctx.wires.credit);
-    f(ctx.wires.alert);
+    f(ctx.model.bodies.r);
+    f(ctx.model.bodies.v);
+    f(ctx.model.bodies.v_start);
+    f(ctx.model.bodies.v_fixed);
+    f(ctx.model.bodies.spin_change);
+    f(ctx.model.bodies.force);
+    f(ctx.model.bodies.asleep);
+    f(ctx.model.bodies.quiet);
+    f(ctx.model.interactions.lambda);
+    f(ctx.model.interactions.force);
+    f(ctx.model.interactions.active);
+    f(ctx.model.interactions.parted);
+    f(ctx.model.interactions.coarse);
+    f(ctx.model.interactions.repeats);
+    f(ctx.model.interactions.saturated);
+    f(ctx.model.interactions.anchor);
+    f(ctx.model.wires.credit);
+    f(ctx.model.wires.alert);
 }
 
 /// Visit the single values of the state: f(value).
 template <class Context, class F>
 void visit_values(Context& ctx, F&& f) {
-    f(ctx.step);
-    f(ctx.started);
-    f(ctx.refine_unasked);
-    f(ctx.work);
-    f(ctx.drag);
-    f(ctx.drive);
-    f(ctx.friction);
-    f(ctx.contact);
-    f(ctx.damped);
-    f(ctx.loads.work);
-    f(ctx.loads.added);
-    f(ctx.judge.state);
-    f(ctx.stats.event_count);
+    f(ctx.state.step);
+    f(ctx.state.started);
+    f(ctx.state.refine_unasked);
+    f(ctx.state.ledger.work);
+    f(ctx.state.ledger.drag);
+    f(ctx.state.ledger.drive);
+    f(ctx.state.ledger.friction);
+    f(ctx.state.ledger.contact);
+    f(ctx.state.ledger.damped);
+    f(ctx.state.loads.work);
+    f(ctx.state.loads.added);
+    f(ctx.state.judge.state);
+    f(ctx.work.stats.event_count);
 }
 
 /// Visit contacts that are remembered: f(array).
 template <class Context, class F>
 void visit_contacts(Context& ctx, F&& f) {
-    f(ctx.collider.kept());
-    f(ctx.system.contacts.memory);
-    f(ctx.system.contacts.resistances.memory);
-    f(ctx.system.contacts.links);
-    f(ctx.system.contacts.link_used);
+    f(ctx.model.collider.kept());
+    f(ctx.model.system.contacts.memory);
+    f(ctx.model.system.contacts.resistances.memory);
+    f(ctx.model.system.contacts.links);
+    f(ctx.model.system.contacts.link_used);
 }
 
 /// Visit every array of the state with f(pointer, bytes).
@@ -100,14 +100,14 @@ template <class Context, class Order, class F>
 void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f) {
     auto array = [&](auto& a) { f(a.data(), a.size() * sizeof(a[0])); };
     auto value = [&](auto& v) { f(&v, sizeof v); };
-    visit_groups(ctx.regroup, f);
+    visit_groups(ctx.model.regroup, f);
     visit_motion(ctx, array);
     // Forms and the floors of rigid rows were chosen at these poses.
-    array(ctx.analysed_x);
-    array(ctx.analysed_r);
+    array(ctx.state.analysed_x);
+    array(ctx.state.analysed_r);
     visit_contacts(ctx, array);
-    value(ctx.collider.kept_awake());
-    value(ctx.cuts.asked);
+    value(ctx.model.collider.kept_awake());
+    value(ctx.model.cuts.asked);
     // Repaired again and again, the order of elimination depends on the past.
     array(order.elimination.order);
     array(order.between);
@@ -133,59 +133,65 @@ struct SavedState {
     void read(std::span<const std::byte> from);
 
     struct {
-        base::Array<double> x, q, r, v, v_start, v_fixed, spin_change, force;
-        base::Array<std::uint8_t> asleep;
-        base::Array<std::int32_t> quiet;
-    } bodies;
-    struct {
-        base::Array<double> lambda, force, active, anchor;
-        base::Array<std::uint8_t> parted, coarse, repeats;
-        std::vector<std::uint8_t> saturated;
-    } interactions;
-    struct {
-        std::vector<double> credit;
-        std::vector<std::int32_t> alert;
-    } wires;
-    struct {
-        base::Array<collide::KeptContact> contacts;
-        std::uint64_t awake = 0;
-        [[nodiscard]] auto& kept() noexcept { return contacts; }
-        [[nodiscard]] auto& kept_awake() noexcept { return awake; }
-    } collider;
-    struct {
         struct {
-            base::Array<assembly::ContactMemory> memory;
+            base::Array<double> x, q, r, v, v_start, v_fixed, spin_change, force;
+            base::Array<std::uint8_t> asleep;
+            base::Array<std::int32_t> quiet;
+        } bodies;
+        struct {
+            base::Array<double> lambda, force, active, anchor;
+            base::Array<std::uint8_t> parted, coarse, repeats;
+            std::vector<std::uint8_t> saturated;
+        } interactions;
+        struct {
+            std::vector<double> credit;
+            std::vector<std::int32_t> alert;
+        } wires;
+        struct {
+            base::Array<collide::KeptContact> contacts;
+            std::uint64_t awake = 0;
+            [[nodiscard]] auto& kept() noexcept { return contacts; }
+            [[nodiscard]] auto& kept_awake() noexcept { return awake; }
+        } collider;
+        struct {
             struct {
-                base::Array<assembly::ResistanceMemory> memory;
-            } resistances;
-            std::vector<assembly::Contacts::Link> links;
-            std::vector<std::int64_t> link_used;
-        } contacts;
-    } system;
-    struct {
-        std::uint64_t asked = 0;
-    } cuts;
+                base::Array<assembly::ContactMemory> memory;
+                struct {
+                    base::Array<assembly::ResistanceMemory> memory;
+                } resistances;
+                std::vector<assembly::Contacts::Link> links;
+                std::vector<std::int64_t> link_used;
+            } contacts;
+        } system;
+        struct {
+            std::uint64_t asked = 0;
+        } cuts;
+        struct {
+            struct {
+                std::vector<std::int32_t> part;
+                std::int32_t parts = 0, worse_for = 0;
+            } parts;
+            std::int64_t made = 0, seen = 0;
+        } regroup;
+    } model;
     struct {
         struct {
-            std::vector<std::int32_t> part;
-            std::int32_t parts = 0, worse_for = 0;
-        } parts;
-        std::int64_t made = 0, seen = 0;
-    } regroup;
+            double work = 0.0, added = 0.0;
+        } loads;
+        struct {
+            stepper::JudgeState state;
+        } judge;
+        base::Array<double> analysed_x, analysed_r;
+        std::int64_t step = 0;
+        std::uint8_t started = 0;  ///< A byte: any other than 0 and 1 is no bool.
+        int refine_unasked = 0;
+        stepper::Ledger ledger;
+    } state;
     struct {
-        double work = 0.0, added = 0.0;
-    } loads;
-    struct {
-        stepper::JudgeState state;
-    } judge;
-    struct {
-        std::array<std::int64_t, kEventKindCount> event_count{};
-    } stats;
-    base::Array<double> analysed_x, analysed_r;
-    std::int64_t step = 0;
-    std::uint8_t started = 0;  ///< A byte: any other than 0 and 1 is no bool.
-    int refine_unasked = 0;
-    double work = 0.0, drag = 0.0, drive = 0.0, friction = 0.0, contact = 0.0, damped = 0.0;
+        struct {
+            std::array<std::int64_t, kEventKindCount> event_count{};
+        } stats;
+    } work;
     factor::AnalysisState order;
     std::vector<double> inputs;
 };

@@ -24,10 +24,10 @@ namespace {
 
 /// What a contact that resists rolling or spinning says of it.
 void add_resistance(const stepper::StepContext& ctx, std::size_t i, ContactView& v) {
-    const assembly::Contacts& contacts = ctx.system.contacts;
+    const assembly::Contacts& contacts = ctx.model.system.contacts;
     if (v.asleep) {
         if (const auto* m = contacts.resistances.find(static_cast<std::int32_t>(i)); m != nullptr)
-            for (int k = 0; k < 3; ++k) v.moment[k] = m->lambda[k] / ctx.def.step;
+            for (int k = 0; k < 3; ++k) v.moment[k] = m->lambda[k] / ctx.model.def.step;
         return;
     }
     if (i >= contacts.count() || contacts.rows[i].resistance < 0) return;
@@ -37,7 +37,7 @@ void add_resistance(const stepper::StepContext& ctx, std::size_t i, ContactView&
         return axis[k] * x[0] + axis[3 + k] * x[1] + axis[6 + k] * x[2];
     };
     for (int k = 0; k < 3; ++k) {
-        v.moment[k] = in_world(law.lambda, k) / ctx.def.step;
+        v.moment[k] = in_world(law.lambda, k) / ctx.model.def.step;
         v.turn_target[k] = in_world(law.b, k);
     }
     v.rolling = law.rolling;
@@ -50,39 +50,39 @@ void add_resistance(const stepper::StepContext& ctx, std::size_t i, ContactView&
 MaterialId World::add_material(const MaterialDef& def) {
     const world::Using use(impl_->use, "add_material");
     Impl& m = *impl_;
-    world::check(def, m.ctx.def.nonsmooth);
+    world::check(def, m.ctx.model.def.nonsmooth);
     const int index = material_count();
     claim_for(m.material_names, def.name, index, "material",
-              [&] { m.ctx.collider.materials.add(def); });
-    m.ctx.topology_changed = true;
+              [&] { m.ctx.model.collider.materials.add(def); });
+    m.ctx.state.topology_changed = true;
     if (m.listener != nullptr) m.listener->added(def);
     return MaterialId{index};
 }
 
 void World::add_material_pair(const MaterialPairDef& def) {
     const world::Using use(impl_->use, "add_material_pair");
-    world::check(def, material_count(), impl_->ctx.def.nonsmooth);
-    impl_->ctx.collider.materials.add_pair(def);
-    impl_->ctx.topology_changed = true;
+    world::check(def, material_count(), impl_->ctx.model.def.nonsmooth);
+    impl_->ctx.model.collider.materials.add_pair(def);
+    impl_->ctx.state.topology_changed = true;
     if (impl_->listener != nullptr) impl_->listener->added(def);
 }
 
-int World::material_count() const noexcept { return impl_->ctx.collider.materials.count(); }
+int World::material_count() const noexcept { return impl_->ctx.model.collider.materials.count(); }
 const MaterialDef& World::material_def(MaterialId id) const {
     if (id.index < 0 || id.index >= material_count())
         throw DefError("there is no material with id " + std::to_string(id.index));
-    return impl_->ctx.collider.materials.def(id.index);
+    return impl_->ctx.model.collider.materials.def(id.index);
 }
 MaterialId World::find_material(std::string_view name) const noexcept {
     return MaterialId{lookup(impl_->material_names, name)};
 }
 std::span<const MaterialPairDef> World::material_pairs() const noexcept {
-    return impl_->ctx.collider.materials.pairs();
+    return impl_->ctx.model.collider.materials.pairs();
 }
-int World::shape_count() const noexcept { return impl_->ctx.collider.count(); }
+int World::shape_count() const noexcept { return impl_->ctx.model.collider.count(); }
 const ShapeDef& World::shape_def(ShapeId id) const { return impl_->shape_defs[impl_->place(id)]; }
 ShapeId World::find_shape(std::string_view name) const noexcept {
-    return impl_->ctx.collider.places.id<ShapeId>(lookup(impl_->shape_names, name));
+    return impl_->ctx.model.collider.places.id<ShapeId>(lookup(impl_->shape_names, name));
 }
 
 std::vector<ContactView> World::contacts() const {
@@ -94,21 +94,22 @@ std::vector<ContactView> World::contacts() const {
 void World::contacts(std::vector<ContactView>& out) const {
     const stepper::StepContext& ctx = impl_->ctx;
     out.clear();
-    out.reserve(ctx.contacts.contacts.size());
-    for (std::size_t i = 0; i < ctx.contacts.contacts.size(); ++i) {
-        const collide::Contact& c = ctx.contacts.contacts[i];
+    out.reserve(ctx.state.contacts.contacts.size());
+    for (std::size_t i = 0; i < ctx.state.contacts.contacts.size(); ++i) {
+        const collide::Contact& c = ctx.state.contacts.contacts[i];
         ContactView v;
-        for (int k = 0; k < 2; ++k) v.shape[k] = ctx.collider.places.id<ShapeId>(c.shape[k]);
+        for (int k = 0; k < 2; ++k) v.shape[k] = ctx.model.collider.places.id<ShapeId>(c.shape[k]);
         v.force.setZero();
         for (int k = 0; k < 3; ++k) {
             v.point[k] = 0.5 * (c.on[0][k] + c.on[1][k]);
             v.normal[k] = c.normal[k];
             const std::size_t j = 3 * i + at(k);
-            if (j < ctx.contact_impulse.size()) v.force[k] = ctx.contact_impulse[j] / ctx.def.step;
+            if (j < ctx.state.contact_impulse.size())
+                v.force[k] = ctx.state.contact_impulse[j] / ctx.model.def.step;
         }
         v.gap = c.gap;
-        v.asleep = i >= ctx.contacts.awake;
-        if (const auto& rows = ctx.system.contacts; i < rows.cones.size()) {
+        v.asleep = i >= ctx.state.contacts.awake;
+        if (const auto& rows = ctx.model.system.contacts; i < rows.cones.size()) {
             const nonsmooth::Cone& cone = rows.cones[i];
             v.friction = cone.friction;
             v.softness[0] = cone.sigma_n;
@@ -119,7 +120,7 @@ void World::contacts(std::vector<ContactView>& out) const {
                     axis[k] * cone.b[0] + axis[3 + k] * cone.b[1] + axis[6 + k] * cone.b[2];
         }
         add_resistance(ctx, i, v);
-        v.sliding = i < ctx.contact_sliding.size() && ctx.contact_sliding[i] != 0;
+        v.sliding = i < ctx.state.contact_sliding.size() && ctx.state.contact_sliding[i] != 0;
         out.push_back(v);
     }
 }

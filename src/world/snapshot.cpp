@@ -42,81 +42,81 @@ bool fits(const Header& h, std::size_t bytes) {
 
 /// Arrays of the state with an entry a contact; what was shown of contacts is gone.
 void resize_contacts(stepper::StepContext& ctx, std::size_t count, std::size_t resistances) {
-    ctx.collider.kept().resize(count);
-    ctx.system.contacts.memory.resize(count);
-    ctx.system.contacts.resistances.memory.resize(resistances);
-    ctx.contacts.contacts.clear();
-    ctx.contacts.awake = 0;
-    ctx.contact_impulse.clear();
-    ctx.contact_sliding.clear();
-    ctx.stats.contacts = 0;
+    ctx.model.collider.kept().resize(count);
+    ctx.model.system.contacts.memory.resize(count);
+    ctx.model.system.contacts.resistances.memory.resize(resistances);
+    ctx.state.contacts.contacts.clear();
+    ctx.state.contacts.awake = 0;
+    ctx.state.contact_impulse.clear();
+    ctx.state.contact_sliding.clear();
+    ctx.work.stats.contacts = 0;
 }
 
 /// What the bytes say of groups. @return false where that cannot be.
 bool read_groups(const stepper::StepContext& ctx, const std::byte* from, stepper::Regroup& out) {
-    out.parts.part.resize(ctx.regroup.parts.part.size());
+    out.parts.part.resize(ctx.model.regroup.parts.part.size());
     visit_groups(out, [&](void* to, std::size_t n) {
         if (n > 0) std::memcpy(to, from, n);
         from += n;
     });
     for (std::size_t b = 0; b < out.parts.part.size(); ++b) {
         const std::int32_t part = out.parts.part[b];
-        const bool moves = ctx.bodies.dof(static_cast<std::int32_t>(b)) > 0;
+        const bool moves = ctx.model.bodies.dof(static_cast<std::int32_t>(b)) > 0;
         if (moves ? part < 0 || part >= out.parts.parts : part != graph::kNoPart) return false;
     }
-    return out.parts.part.empty() || out.parts.parts == ctx.regroup.parts.parts;
+    return out.parts.part.empty() || out.parts.parts == ctx.model.regroup.parts.parts;
 }
 
 /// Groups as saved, and the images and copies that come of them. @return whether others were there.
 bool take_groups(stepper::StepContext& ctx, const stepper::Regroup& saved) {
-    if (ctx.regroup.parts.part == saved.parts.part) return false;
-    ctx.regroup.parts.part = saved.parts.part;
+    if (ctx.model.regroup.parts.part == saved.parts.part) return false;
+    ctx.model.regroup.parts.part = saved.parts.part;
     if (stepper::assign_groups(ctx) == 0) return false;
-    ctx.topology_changed = true;
+    ctx.state.topology_changed = true;
     stepper::prepare(ctx);
     return true;
 }
 
 /// Analyse at the poses at which the saved world was analysed; the state stays as it is.
 void analyse_as_saved(stepper::StepContext& ctx, const factor::AnalysisState& order) {
-    const auto x = ctx.bodies.x;
-    const auto r = ctx.bodies.r;
-    const auto active = ctx.interactions.active;
-    ctx.bodies.x = ctx.analysed_x;
-    ctx.bodies.r = ctx.analysed_r;
+    const auto x = ctx.model.bodies.x;
+    const auto r = ctx.model.bodies.r;
+    const auto active = ctx.model.interactions.active;
+    ctx.model.bodies.x = ctx.state.analysed_x;
+    ctx.model.bodies.r = ctx.state.analysed_r;
     stepper::analyse(ctx, &order);
-    ctx.bodies.x = x;
-    ctx.bodies.r = r;
-    ctx.interactions.active = active;
+    ctx.model.bodies.x = x;
+    ctx.model.bodies.r = r;
+    ctx.model.interactions.active = active;
 }
 
 /// The arrays, which have been checked. @throws DefError for an order of elimination that is none
 /// of this system; the state is then neither the old nor the new one.
 void take_state(stepper::StepContext& ctx, std::vector<double>& inputs, const Header& header,
                 const std::byte* from, bool regrouped) {
-    const auto analysed_x = ctx.analysed_x;
-    const auto analysed_r = ctx.analysed_r;
-    const auto links = ctx.system.contacts.links;
-    const auto asleep = ctx.bodies.asleep;
-    const auto asked = ctx.cuts.asked;
+    const auto analysed_x = ctx.state.analysed_x;
+    const auto analysed_r = ctx.state.analysed_r;
+    const auto links = ctx.model.system.contacts.links;
+    const auto asleep = ctx.model.bodies.asleep;
+    const auto asked = ctx.model.cuts.asked;
     resize_contacts(ctx, header.contacts, header.resistances);
-    ctx.system.contacts.links.resize(header.links);
-    ctx.system.contacts.link_used.resize(header.links);
+    ctx.model.system.contacts.links.resize(header.links);
+    ctx.model.system.contacts.link_used.resize(header.links);
     factor::AnalysisState order = world::room_for_order(header);
     visit_state(ctx, inputs, order, [&](void* to, std::size_t n) {
         if (n > 0) std::memcpy(to, from, n);
         from += n;
     });
-    const bool relinked = links != ctx.system.contacts.links;
-    if (relinked) ctx.system.contacts.make_blocks();
+    const bool relinked = links != ctx.model.system.contacts.links;
+    if (relinked) ctx.model.system.contacts.make_blocks();
     stepper::check_asleep(ctx);
     stepper::follow_alerts(ctx);
-    if (regrouped || relinked || asked != ctx.cuts.asked || asleep != ctx.bodies.asleep ||
-        ctx.analysed_x != analysed_x || ctx.analysed_r != analysed_r ||
-        ctx.system.analysis.state() != order)
+    if (regrouped || relinked || asked != ctx.model.cuts.asked ||
+        asleep != ctx.model.bodies.asleep || ctx.state.analysed_x != analysed_x ||
+        ctx.state.analysed_r != analysed_r || ctx.model.system.analysis.state() != order)
         analyse_as_saved(ctx, order);
     // Of a world with another form of its equations, it is planned anew.
-    const factor::AnalysisState now = ctx.system.analysis.state();
+    const factor::AnalysisState now = ctx.model.system.analysis.state();
     if (now != order && now.elimination.order.size() == order.elimination.order.size())
         throw DefError("snapshot: its order of elimination is none of this world's");
 }
@@ -147,13 +147,13 @@ void World::write_saved(std::vector<std::byte>& out, bool systems) const {
     Header header;
     header.layout = layout_of(m.ctx, m.inputs.size());
     header.parameters = parameters_of(m.ctx, m.inputs, m.shape_defs);
-    header.contacts = m.ctx.collider.kept().size();
-    header.resistances = m.ctx.system.contacts.resistances.memory.size();
-    header.links = m.ctx.system.contacts.links.size();
-    m.ctx.system.analysis.keep(m.saved_analysis);
+    header.contacts = m.ctx.model.collider.kept().size();
+    header.resistances = m.ctx.model.system.contacts.resistances.memory.size();
+    header.links = m.ctx.model.system.contacts.links.size();
+    m.ctx.model.system.analysis.keep(m.saved_analysis);
     const factor::AnalysisState& order = m.saved_analysis.state;
     const factor::Chains& chains = order.elimination.chains;
-    header.grouped = m.ctx.regroup.parts.part.size();
+    header.grouped = m.ctx.model.regroup.parts.part.size();
     header.nodes = order.elimination.order.size();
     header.chained = chains.nodes.size();
     header.units = chains.unit_begin.size() - 1;
@@ -204,9 +204,9 @@ void World::take_saved(std::span<const std::byte> bytes) {
     const auto damaged = [] { return DefError("snapshot: the bytes are damaged (checksum)"); };
     if (sum != base::checksum(bytes.data(), bytes.size() - sizeof sum)) throw damaged();
     // What bytes alone tell is told before anything changes, the rest by going back.
-    visit_groups(m.ctx.regroup, [&](const void*, std::size_t n) { size += n; });
+    visit_groups(m.ctx.model.regroup, [&](const void*, std::size_t n) { size += n; });
     stepper::Regroup groups;
-    if (header.grouped != m.ctx.regroup.parts.part.size() || !fits(header, bytes.size()) ||
+    if (header.grouped != m.ctx.model.regroup.parts.part.size() || !fits(header, bytes.size()) ||
         bytes.size() < sizeof header + size + sizeof sum ||
         !read_groups(m.ctx, bytes.data() + sizeof header, groups))
         throw damaged();
@@ -220,17 +220,18 @@ void World::take_saved(std::span<const std::byte> bytes) {
     state.read(bytes.subspan(sizeof header, size));
     world::check_state(m.ctx, m.inputs, state);
     take_state(m.ctx, m.input_values, header, bytes.data() + sizeof header, regrouped);
-    m.ctx.time = static_cast<double>(m.ctx.step) * m.ctx.def.step;
-    m.ctx.stats.step = m.ctx.step;
-    m.ctx.stats.time = m.ctx.time;
+    m.ctx.state.time = static_cast<double>(m.ctx.state.step) * m.ctx.model.def.step;
+    m.ctx.work.stats.step = m.ctx.state.step;
+    m.ctx.work.stats.time = m.ctx.state.time;
     // Parameters and forces follow their inputs, lines their drums.
     m.take_user_forces();
     for (std::size_t i = 0; i < m.inputs.size(); ++i)
         if (m.inputs[i].interaction.valid()) m.apply_input(i, m.input_values[i]);
-    for (const std::int32_t id : m.ctx.interactions.frictions)
-        m.ctx.interactions.set_anchor(id, m.ctx.interactions.anchor[static_cast<std::size_t>(id)]);
-    for (const std::int32_t id : m.ctx.interactions.winches)
-        m.ctx.interactions.follow_length(id, m.ctx.bodies, m.ctx.def.step);
+    for (const std::int32_t id : m.ctx.model.interactions.frictions)
+        m.ctx.model.interactions.set_anchor(
+            id, m.ctx.model.interactions.anchor[static_cast<std::size_t>(id)]);
+    for (const std::int32_t id : m.ctx.model.interactions.winches)
+        m.ctx.model.interactions.follow_length(id, m.ctx.model.bodies, m.ctx.model.def.step);
     m.systems.restore(bytes.data() + sizeof header + size);
 }
 

@@ -13,8 +13,8 @@ namespace hawser {
 RowsView World::rows(InteractionId id) const {
     const std::size_t i = impl_->place(id);
     const stepper::StepContext& ctx = impl_->ctx;
-    const model::Interactions& in = ctx.interactions;
-    const model::RowState state = in.row_state(id.index, ctx.bodies);
+    const model::Interactions& in = ctx.model.interactions;
+    const model::RowState state = in.row_state(id.index, ctx.model.bodies);
     RowsView out;
     out.rows = in.rows[i];
     out.bodies = in.bodies[i];
@@ -28,7 +28,7 @@ RowsView World::rows(InteractionId id) const {
         double unit[kMaxInteractionRows] = {};
         unit[r] = 1.0;
         for (std::size_t b = 0; b < in.bodies[i]; ++b)
-            in.add_impulse(id.index, static_cast<int>(b), ctx.bodies, unit,
+            in.add_impulse(id.index, static_cast<int>(b), ctx.model.bodies, unit,
                            out.jacobian[b][r].data());
     }
     return out;
@@ -38,15 +38,15 @@ std::vector<ContactView> World::overlaps() const {
     const world::Using use(impl_->use, "overlaps");
     stepper::StepContext& ctx = impl_->ctx;
     std::vector<ContactView> out;
-    if (ctx.collider.count() == 0) return out;
+    if (ctx.model.collider.count() == 0) return out;
     stepper::ready(ctx);
     collide::ContactSet found;
-    ctx.collider.surfaces(ctx.def.step, found);
+    ctx.model.collider.surfaces(ctx.model.def.step, found);
     // Until keep() the collider remembers nothing of it.
-    if (!ctx.collider.collide(ctx.bodies, ctx.def.step, found, ctx.pool)) {
-        const BoundMet met = ctx.collider.over();
+    if (!ctx.model.collider.collide(ctx.model.bodies, ctx.model.def.step, found, ctx.pool)) {
+        const BoundMet met = ctx.model.collider.over();
         if (met.bound != Bound::none) throw LimitError(met);
-        if (!ctx.collider.finite())
+        if (!ctx.model.collider.finite())
             throw DefError("a body with a shape is where numbers tell no lengths apart");
         throw std::bad_alloc();
     }
@@ -59,7 +59,7 @@ std::vector<ContactView> World::overlaps() const {
             v.normal[k] = c.normal[k];
         }
         v.force = -c.gap / found.surfaces[at(c.surface)].compliance * v.normal;
-        for (int s = 0; s < 2; ++s) v.shape[s] = ctx.collider.places.id<ShapeId>(c.shape[s]);
+        for (int s = 0; s < 2; ++s) v.shape[s] = ctx.model.collider.places.id<ShapeId>(c.shape[s]);
     }
     return out;
 }

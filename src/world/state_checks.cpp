@@ -63,47 +63,47 @@ bool is_rotation_of(const double* r, const double* q) {
 }
 
 void check_bodies(const stepper::StepContext& ctx, const SavedState& s) {
-    numbers(s.bodies.x, "a position", kFar);
-    numbers(s.bodies.v, "a velocity", kFar);
-    numbers(s.bodies.v_start, "a predicted velocity", kFar);
-    numbers(s.bodies.v_fixed, "a prescribed velocity", kFar);
-    numbers(s.bodies.spin_change, "a change of spin", kFar);
-    numbers(s.bodies.force, "an applied force", 1e300);  // as setters take it
-    numbers(s.analysed_x, "an analysed position", kFar);
-    numbers(s.analysed_r, "an analysed rotation", 2.0);
-    flags(s.bodies.asleep, "sleep");
-    for (std::size_t b = 0; b < at(ctx.bodies.count()); ++b) {
-        const BodyKind kind = ctx.bodies.kind[b];
-        const double* q = &s.bodies.q[4 * b];
+    numbers(s.model.bodies.x, "a position", kFar);
+    numbers(s.model.bodies.v, "a velocity", kFar);
+    numbers(s.model.bodies.v_start, "a predicted velocity", kFar);
+    numbers(s.model.bodies.v_fixed, "a prescribed velocity", kFar);
+    numbers(s.model.bodies.spin_change, "a change of spin", kFar);
+    numbers(s.model.bodies.force, "an applied force", 1e300);  // as setters take it
+    numbers(s.state.analysed_x, "an analysed position", kFar);
+    numbers(s.state.analysed_r, "an analysed rotation", 2.0);
+    flags(s.model.bodies.asleep, "sleep");
+    for (std::size_t b = 0; b < at(ctx.model.bodies.count()); ++b) {
+        const BodyKind kind = ctx.model.bodies.kind[b];
+        const double* q = &s.model.bodies.q[4 * b];
         if (!unit(q, kUnit)) refuse_state("an orientation is no rotation" + entry(b));
         const bool turns = kind != BodyKind::lump && kind != BodyKind::scalar;
-        if (turns && !is_rotation_of(&s.bodies.r[9 * b], q))
+        if (turns && !is_rotation_of(&s.model.bodies.r[9 * b], q))
             refuse_state("a rotation is not that of the orientation" + entry(b));
-        if (s.bodies.asleep[b] != 0 && ctx.bodies.dof(static_cast<int>(b)) == 0)
+        if (s.model.bodies.asleep[b] != 0 && ctx.model.bodies.dof(static_cast<int>(b)) == 0)
             refuse_state("what cannot move is asleep" + entry(b));
-        if (s.bodies.quiet[b] < 0 || s.bodies.quiet[b] > kMostQuiet)
+        if (s.model.bodies.quiet[b] < 0 || s.model.bodies.quiet[b] > kMostQuiet)
             refuse_state("a time at rest is out of range" + entry(b));
     }
-    numbers(s.bodies.r, "a rotation", 2.0);
+    numbers(s.model.bodies.r, "a rotation", 2.0);
 }
 
 void check_interactions(const stepper::StepContext& ctx, const SavedState& s) {
-    numbers(s.interactions.lambda, "an impulse", kHuge);
-    numbers(s.interactions.force, "a force", kHuge);
-    numbers(s.interactions.anchor, "an anchor of friction", kFar);
-    numbers(s.wires.credit, "what a wire lost lately", kHuge);
-    for (std::size_t k = 0; k < s.wires.credit.size(); ++k)
-        if (s.wires.credit[k] < 0.0 || s.wires.alert[k] < 0 ||
-            s.wires.alert[k] > stepper::most_alert(ctx.def.step))
+    numbers(s.model.interactions.lambda, "an impulse", kHuge);
+    numbers(s.model.interactions.force, "a force", kHuge);
+    numbers(s.model.interactions.anchor, "an anchor of friction", kFar);
+    numbers(s.model.wires.credit, "what a wire lost lately", kHuge);
+    for (std::size_t k = 0; k < s.model.wires.credit.size(); ++k)
+        if (s.model.wires.credit[k] < 0.0 || s.model.wires.alert[k] < 0 ||
+            s.model.wires.alert[k] > stepper::most_alert(ctx.model.def.step))
             refuse_state("a wire's guard is out of range" + entry(k));
-    flags(s.interactions.active, "which rows act");
-    flags(s.interactions.parted, "which lines have parted");
-    flags(s.interactions.saturated, "which motors are at a limit");
-    flags(s.interactions.repeats, "which joints repeat each other");
-    for (std::size_t i = 0; i < s.interactions.parted.size(); ++i)
-        if (s.interactions.parted[i] != 0 &&
-            (ctx.interactions.gone(static_cast<int>(i)) ||
-             !kind_info(ctx.interactions.def[i].kind).is(kWireElement)))
+    flags(s.model.interactions.active, "which rows act");
+    flags(s.model.interactions.parted, "which lines have parted");
+    flags(s.model.interactions.saturated, "which motors are at a limit");
+    flags(s.model.interactions.repeats, "which joints repeat each other");
+    for (std::size_t i = 0; i < s.model.interactions.parted.size(); ++i)
+        if (s.model.interactions.parted[i] != 0 &&
+            (ctx.model.interactions.gone(static_cast<int>(i)) ||
+             !kind_info(ctx.model.interactions.def[i].kind).is(kWireElement)))
             refuse_state("what cannot part has parted" + entry(i));
 }
 
@@ -119,16 +119,17 @@ bool behind(const collide::KeptContact& a, const collide::KeptContact& b) {
 }
 
 void check_contacts(const stepper::StepContext& ctx, const SavedState& s) {
-    const auto& kept = s.collider.contacts;
-    const auto& memory = s.system.contacts.memory;
-    const std::vector<collide::Shape>& shapes = ctx.collider.shapes();
-    if (s.collider.awake > kept.size()) refuse_state("more contacts take part than there are");
+    const auto& kept = s.model.collider.contacts;
+    const auto& memory = s.model.system.contacts.memory;
+    const std::vector<collide::Shape>& shapes = ctx.model.collider.shapes();
+    if (s.model.collider.awake > kept.size())
+        refuse_state("more contacts take part than there are");
     for (std::size_t i = 0; i < kept.size(); ++i) {
         const collide::KeptContact& k = kept[i];
         const auto count = static_cast<std::int32_t>(shapes.size());
         if (k.shape[0] < 0 || k.shape[0] >= k.shape[1] || k.shape[1] >= count || k.zero != 0)
             refuse_state("a contact is of shapes that there are not" + entry(i));
-        if (i > 0 && i != s.collider.awake && behind(kept[i - 1], k))
+        if (i > 0 && i != s.model.collider.awake && behind(kept[i - 1], k))
             refuse_state("contacts are not in their order" + entry(i));
         numbers(k.at, "the place of a contact", kFar);
         const assembly::ContactMemory& m = memory[i];
@@ -149,8 +150,8 @@ void check_contacts(const stepper::StepContext& ctx, const SavedState& s) {
 void check_resistances(const SavedState& s) {
     std::int32_t before = -1;
     std::size_t i = 0;
-    for (const assembly::ResistanceMemory& m : s.system.contacts.resistances.memory) {
-        if (m.contact <= before || at(m.contact) >= s.collider.contacts.size())
+    for (const assembly::ResistanceMemory& m : s.model.system.contacts.resistances.memory) {
+        if (m.contact <= before || at(m.contact) >= s.model.collider.contacts.size())
             refuse_state("a resistance is of a contact that there is not" + entry(i));
         before = m.contact;
         if (m.anew != 0 && m.anew != 1) refuse_state("a resistance has no such flag" + entry(i));
@@ -164,11 +165,11 @@ void check_resistances(const SavedState& s) {
 }
 
 void check_links(const stepper::StepContext& ctx, const SavedState& s) {
-    std::vector<std::uint8_t> touches(at(ctx.bodies.count()), 0);
-    for (const collide::Shape& shape : ctx.collider.shapes())
+    std::vector<std::uint8_t> touches(at(ctx.model.bodies.count()), 0);
+    for (const collide::Shape& shape : ctx.model.collider.shapes())
         for (const std::int32_t b : shape.body)
-            if (b >= 0) touches[at(b)] = ctx.bodies.dof(b) > 0 ? 1 : 0;
-    const auto& links = s.system.contacts.links;
+            if (b >= 0) touches[at(b)] = ctx.model.bodies.dof(b) > 0 ? 1 : 0;
+    const auto& links = s.model.system.contacts.links;
     for (std::size_t i = 0; i < links.size(); ++i) {
         const auto [first, second] = links[i];
         if (first < 0 || first >= second || at(second) >= touches.size() ||
@@ -176,8 +177,8 @@ void check_links(const stepper::StepContext& ctx, const SavedState& s) {
             refuse_state("bodies are linked that cannot touch" + entry(i));
         if (i > 0 && !(links[i - 1] < links[i]))
             refuse_state("links are not in their order" + entry(i));
-        const std::int64_t used = s.system.contacts.link_used[i];
-        if (used < 0 || used > s.step) refuse_state("a link was used at no step" + entry(i));
+        const std::int64_t used = s.model.system.contacts.link_used[i];
+        if (used < 0 || used > s.state.step) refuse_state("a link was used at no step" + entry(i));
     }
 }
 
@@ -194,17 +195,18 @@ void check_order(const factor::AnalysisState& order) {
 }
 
 void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
-    if (s.step < 0 || s.step > kMostSteps) refuse_state("the step is out of range");
-    if (s.started > 1) refuse_state("the start is no flag");
+    if (s.state.step < 0 || s.state.step > kMostSteps) refuse_state("the step is out of range");
+    if (s.state.started > 1) refuse_state("the start is no flag");
     const auto sleeps = [](std::uint8_t flag) { return flag != 0; };
-    if (s.started == 0 && (s.step != 0 || !s.collider.contacts.empty() ||
-                           std::any_of(s.bodies.asleep.begin(), s.bodies.asleep.end(), sleeps)))
+    if (s.state.started == 0 &&
+        (s.state.step != 0 || !s.model.collider.contacts.empty() ||
+         std::any_of(s.model.bodies.asleep.begin(), s.model.bodies.asleep.end(), sleeps)))
         refuse_state("something has happened before the start");
-    if (s.refine_unasked < 0 || s.refine_unasked > 1'000'000)
+    if (s.state.refine_unasked < 0 || s.state.refine_unasked > 1'000'000)
         refuse_state("refinements are out of range");
-    for (const std::int64_t n : s.stats.event_count)
+    for (const std::int64_t n : s.work.stats.event_count)
         if (n < 0) refuse_state("a count of events is negative");
-    const stepper::JudgeState& j = s.judge.state;
+    const stepper::JudgeState& j = s.state.judge.state;
     numbers(std::array{j.kinetic, j.potential, j.elastic, j.by_length, j.by_force, j.posed, j.held,
                        j.given, j.exchanged, j.counted, j.age, j.closed, j.closed_elastic,
                        j.unsolved, j.open_start},
@@ -216,14 +218,17 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
         for (const stepper::Tide& tide : tides)
             numbers(std::array{tide.least, tide.most}, "a figure of the judge", 1e300);
     flags(j.told, "a word of the judge");
-    if (j.step < 0 || j.step > s.step || j.begun < 0 || j.begun > s.step + 1)
+    if (j.step < 0 || j.step > s.state.step || j.begun < 0 || j.begun > s.state.step + 1)
         refuse_state("the judge looked at no step");
-    const double energies[] = {s.work,    s.drag,   s.drive,      s.friction,
-                               s.contact, s.damped, s.loads.work, s.loads.added};
+    const double energies[] = {s.state.ledger.work,    s.state.ledger.drag,
+                               s.state.ledger.drive,   s.state.ledger.friction,
+                               s.state.ledger.contact, s.state.ledger.damped,
+                               s.state.loads.work,     s.state.loads.added};
     numbers(energies, "an energy", 1e300);
-    const auto& r = s.regroup;
-    if (r.made < 0 || r.made > s.step || r.seen < -1 || r.seen > s.step || r.parts.worse_for < 0 ||
-        r.parts.worse_for > kMostQuiet || r.parts.parts != ctx.regroup.parts.parts)
+    const auto& r = s.model.regroup;
+    if (r.made < 0 || r.made > s.state.step || r.seen < -1 || r.seen > s.state.step ||
+        r.parts.worse_for < 0 || r.parts.worse_for > kMostQuiet ||
+        r.parts.parts != ctx.model.regroup.parts.parts)
         refuse_state("groups were made at no step");
 }
 
@@ -242,7 +247,7 @@ void check_state(const stepper::StepContext& ctx, const std::vector<InputDef>& i
         number(state.inputs[i], "an input", 1e300);
         // What acts where no input was ever set may lie outside of its range.
         const InteractionDef* d = inputs[i].interaction.valid()
-                                      ? &ctx.interactions.def[at(inputs[i].interaction.index)]
+                                      ? &ctx.model.interactions.def[at(inputs[i].interaction.index)]
                                       : nullptr;
         if (d == nullptr) continue;
         for (const ParamInfo& p : kind_info(d->kind).params)

@@ -17,7 +17,7 @@ namespace hawser {
 
 System& World::add_system(std::unique_ptr<System> system) {
     Impl& m = *impl_;
-    const Nonsmooth method = m.ctx.def.nonsmooth;
+    const Nonsmooth method = m.ctx.model.def.nonsmooth;
     if (method == Nonsmooth::pgs || method == Nonsmooth::split)
         throw DefError(
             "add_system: nonsmooth = pgs and split sweep over bodies one by one and take no loads "
@@ -66,7 +66,7 @@ void World::set_system_signal(std::string_view name, double value) {
                        " is not a finite number; give one within its range");
     *s.value = std::clamp(value, s.min, s.max);
 }
-std::vector<LoadView> World::loads() const { return impl_->ctx.loads.view(); }
+std::vector<LoadView> World::loads() const { return impl_->ctx.state.loads.view(); }
 const BadLoad& World::bad_load() const noexcept { return impl_->systems.bad; }
 
 bool World::Impl::set(InputId id, double value, Before& before) noexcept {
@@ -80,22 +80,23 @@ bool World::Impl::set(InputId id, double value, Before& before) noexcept {
     before.clamped = within != value;
     if (def.interaction.valid()) {
         const std::size_t first = kMaxInteractionBodies * at(def.interaction.index);
-        for (std::size_t b = 0; b < ctx.interactions.bodies[at(def.interaction.index)]; ++b)
-            before.body[b] = ctx.interactions.body[first + b];
+        for (std::size_t b = 0; b < ctx.model.interactions.bodies[at(def.interaction.index)]; ++b)
+            before.body[b] = ctx.model.interactions.body[first + b];
     } else {
         before.body[0] = def.body.index;
     }
     for (std::size_t b = 0; b < 3; ++b)
-        if (before.body[b] >= 0) before.quiet[b] = ctx.bodies.quiet[at(before.body[b])];
+        if (before.body[b] >= 0) before.quiet[b] = ctx.model.bodies.quiet[at(before.body[b])];
     const auto elastic = [&] {
-        return def.interaction.valid() && ctx.started
-                   ? ctx.interactions.elastic(def.interaction.index, ctx.bodies, ctx.def.step)
+        return def.interaction.valid() && ctx.state.started
+                   ? ctx.model.interactions.elastic(def.interaction.index, ctx.model.bodies,
+                                                    ctx.model.def.step)
                    : 0.0;
     };
     const double held = elastic();
     if (within != before.applied || within != before.value) disturb(def);
     apply_input(at(id.index), within);
-    ctx.drive += elastic() - held;
+    ctx.state.ledger.drive += elastic() - held;
     // Told as if it had been set before the step, which is the same: a recording needs no systems.
     if (listener != nullptr) listener->set(id, value);
     return true;
@@ -105,13 +106,14 @@ void World::Impl::take_back(const Before& before) noexcept {
     apply_input(at(before.input), before.applied);
     input_values[at(before.input)] = before.value;
     for (std::size_t b = 0; b < 3; ++b)
-        if (before.body[b] >= 0) ctx.bodies.quiet[at(before.body[b])] = before.quiet[b];
+        if (before.body[b] >= 0) ctx.model.bodies.quiet[at(before.body[b])] = before.quiet[b];
 }
 
 void World::Impl::tell(const Before& before) noexcept {
-    ctx.events.push({ctx.time, EventKind::input_clamped, inputs[at(before.input)].interaction,
-                     before.asked, input_places.id<InputId>(before.input)});
-    ++ctx.stats.event_count[static_cast<std::size_t>(EventKind::input_clamped)];
+    ctx.state.events.push({ctx.state.time, EventKind::input_clamped,
+                           inputs[at(before.input)].interaction, before.asked,
+                           input_places.id<InputId>(before.input)});
+    ++ctx.work.stats.event_count[static_cast<std::size_t>(EventKind::input_clamped)];
 }
 
 std::string to_string(const BadLoad& load, const World& world) {

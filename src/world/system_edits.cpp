@@ -22,7 +22,7 @@ void Systems::keep_deed(const stepper::StepContext& ctx) {
     for (const InputDoor::Before& before : set_)
         deed_.inputs.emplace_back(door_.id_of(before.input), before.asked);
     deed_.loads.clear();
-    for (const LoadView& load : ctx.loads.view()) {
+    for (const LoadView& load : ctx.state.loads.view()) {
         Deed::Load& one = deed_.loads.emplace_back();
         one.body = load.body;
         for (const auto& part : {load.force, load.mass, load.damping, load.stiffness})
@@ -38,10 +38,10 @@ void Systems::repeat_deed(stepper::StepContext& ctx) {
         InputDoor::Before before;
         if (door_.set_untold(id, value, before)) set_.push_back(before);
     }
-    Loads loads(ctx.loads);
-    ctx.loads.begin_system(0);
+    Loads loads(ctx.state.loads);
+    ctx.state.loads.begin_system(0);
     for (const Deed::Load& load : deed_.loads) {
-        if (!ctx.bodies.places.names(load.body)) continue;
+        if (!ctx.model.bodies.places.names(load.body)) continue;
         const BodyLoad to = loads.of(load.body);
         const auto n = static_cast<std::size_t>(to.freedom), entries = n * (n + 1) / 2;
         if (load.numbers.size() != n + 3 * entries) continue;
@@ -51,7 +51,8 @@ void Systems::repeat_deed(stepper::StepContext& ctx) {
         std::copy_n(from + n + entries, entries, to.damping);
         std::copy_n(from + n + 2 * entries, entries, to.stiffness);
     }
-    if (ctx.loads.touched()) (void)ctx.loads.fault(ctx.pool);  // which found nothing before
+    if (ctx.state.loads.touched())
+        (void)ctx.state.loads.fault(ctx.pool);  // which found nothing before
 }
 
 void Systems::forget() noexcept {
@@ -97,15 +98,15 @@ Status Systems::make_edits(World& world, World* trial) noexcept {
 
 /// The definitions and poses that there are, for trying what may be refused.
 World World::Impl::definitions() const {
-    World out(ctx.def);
+    World out(ctx.model.def);
     copy_bodies(out);
     copy_shapes(out);
     copy_interactions(out);
     copy_inputs(out);
     out.impl_->wires = wires;
     for (const BodyId id : body_ids) {
-        const double* x = &ctx.bodies.x[3 * at(id.index)];
-        const double* q = &ctx.bodies.q[4 * at(id.index)];
+        const double* x = &ctx.model.bodies.x[3 * at(id.index)];
+        const double* q = &ctx.model.bodies.q[4 * at(id.index)];
         out.set_pose(id, {Vec3(x[0], x[1], x[2]), Quat(q[0], q[1], q[2], q[3])});
     }
     return out;
@@ -140,12 +141,12 @@ bool has(const std::vector<Id>& list, Id id) {
 void World::Impl::refuse_held(BodyId id) const {
     systems.each_held([&](std::string_view system, const HoldTable& held) {
         const auto on = [&](InteractionId i) {
-            if (!ctx.interactions.places.names(i)) return false;
-            const InteractionDef& def = ctx.interactions.def[at(i.index)];
+            if (!ctx.model.interactions.places.names(i)) return false;
+            const InteractionDef& def = ctx.model.interactions.def[at(i.index)];
             return std::find(def.body.begin(), def.body.end(), id) != def.body.end();
         };
         const auto of = [&](ShapeId s) {
-            return ctx.collider.places.names(s) &&
+            return ctx.model.collider.places.names(s) &&
                    (shape_defs[at(s.index)].body == id || shape_defs[at(s.index)].body_b == id);
         };
         const auto drives = [&](InputId k) {
@@ -169,7 +170,7 @@ void World::Impl::refuse_held(InteractionId id) const {
         if (has(held.interactions, id) ||
             std::any_of(held.inputs.begin(), held.inputs.end(), drives))
             refuse_held_by(system, "interaction", id.index,
-                           ctx.interactions.def[at(id.index)].name);
+                           ctx.model.interactions.def[at(id.index)].name);
     });
 }
 

@@ -79,10 +79,10 @@ class Systems::Hands final : public Prestep::Hands {
         of_.set_.push_back(before);  // act() has made room for one of each
     }
     void run(int count, void (*task)(void*, int) noexcept, void* context) noexcept override {
-        ctx_.loads.share(true);
+        ctx_.state.loads.share(true);
         auto one = [&](int i, int) noexcept { task(context, i); };
         ctx_.pool.for_each(count, one);
-        ctx_.loads.share(false);
+        ctx_.state.loads.share(false);
     }
 
   private:
@@ -170,22 +170,23 @@ void Systems::take_states(const std::vector<std::byte>& from) const {
 Status Systems::act_all(stepper::StepContext& ctx) {
     keep_states(kept_);
     if (set_.capacity() < door_.count()) set_.reserve(door_.count());
-    drive_ = ctx.drive;
+    drive_ = ctx.state.ledger.drive;
     acted_ = true;
     const Unturned unturned(door_);
     if (deed_.known) {
         repeat_deed(ctx);
-        return ctx.loads.out_of_memory() ? Status::out_of_memory : Status::ok;
+        return ctx.state.loads.out_of_memory() ? Status::out_of_memory : Status::ok;
     }
     Hands hands(*this, ctx);
-    Prestep now(*world_, ctx.time, ctx.def.step, ctx.step, hands, queue_);
-    Loads loads(ctx.loads);
+    Prestep now(*world_, ctx.state.time, ctx.model.def.step, ctx.state.step, hands, queue_);
+    Loads loads(ctx.state.loads);
     for (std::size_t i = 0; i < list_.size(); ++i) {
-        ctx.loads.begin_system(static_cast<int>(i));
+        ctx.state.loads.begin_system(static_cast<int>(i));
         queue_.begin_system(list_[i]->name());
         list_[i]->prestep(now, loads);
-        if (ctx.loads.out_of_memory() || queue_.out_of_memory()) return Status::out_of_memory;
-        if (bad.reason[0] == '\0' && ctx.loads.touched()) bad = ctx.loads.fault(ctx.pool);
+        if (ctx.state.loads.out_of_memory() || queue_.out_of_memory()) return Status::out_of_memory;
+        if (bad.reason[0] == '\0' && ctx.state.loads.touched())
+            bad = ctx.state.loads.fault(ctx.pool);
         if (bad.reason[0] == '\0') continue;
         bad.system = list_[i]->name();
         return Status::bad_load;
@@ -216,7 +217,7 @@ void Systems::go_back(stepper::StepContext& ctx) noexcept {
     const Unturned unturned(door_);
     for (auto before = set_.rbegin(); before != set_.rend(); ++before) door_.take_back(*before);
     set_.clear();
-    ctx.drive = drive_;
+    ctx.state.ledger.drive = drive_;
     take_states(kept_);
     acted_ = false;
 }

@@ -128,7 +128,7 @@ class Systems final : public stepper::Actors {
     bool acted_ = false;                  ///< In the step being taken.
     std::vector<std::byte> kept_;         ///< States before it.
     std::vector<InputDoor::Before> set_;  ///< Inputs that it set, in that order.
-    double drive_ = 0.0;                  ///< StepContext::drive before it.
+    double drive_ = 0.0;                  ///< Ledger::drive before it.
     QueuedEdits queue_;
     Deed deed_;
     std::string edit_fault_;  ///< BadLoad::reason of an edit.

@@ -34,35 +34,35 @@ void name_anew(std::vector<Id>& ids, const base::Places& places) noexcept {
 /// one.
 void World::Impl::copy_bodies(World& out) const {
     Impl& o = *out.impl_;
-    const base::Places& places = ctx.bodies.places;
+    const base::Places& places = ctx.model.bodies.places;
     const auto gone = [&](std::int32_t b) { return !places.holds(b); };
     for (std::int32_t b = 0; b < stepper::body_count(ctx); ++b)
-        out.add_body(gone(b) ? placeholder(ctx.bodies.room[at(b)]) : body_defs[at(b)]);
+        out.add_body(gone(b) ? placeholder(ctx.model.bodies.room[at(b)]) : body_defs[at(b)]);
     for (const std::int32_t b : places.vacant()) (void)out.remove_body(BodyId{b});
-    o.ctx.bodies.places.set_generations(places.generations());
-    name_anew(o.body_ids, o.ctx.bodies.places);
+    o.ctx.model.bodies.places.set_generations(places.generations());
+    name_anew(o.body_ids, o.ctx.model.bodies.places);
 }
 
 void World::Impl::copy_shapes(World& out) const {
     Impl& o = *out.impl_;
-    const collide::Materials& materials = ctx.collider.materials;
+    const collide::Materials& materials = ctx.model.collider.materials;
     for (int i = 1; i < materials.count(); ++i) out.add_material(materials.def(i));
     for (const MaterialPairDef& pair : materials.pairs()) out.add_material_pair(pair);
-    const base::Places& places = ctx.collider.places;
+    const base::Places& places = ctx.model.collider.places;
     // Of any body: a sphere that touches nothing.
     ShapeDef none{.kind = ShapeKind::sphere, .body = {}, .radius = 1.0};
     for (const BodyId b : body_ids)
-        if (ctx.bodies.kind[at(b.index)] != BodyKind::scalar) none.body = b;
-    for (std::int32_t s = 0; s < ctx.collider.count(); ++s)
+        if (ctx.model.bodies.kind[at(b.index)] != BodyKind::scalar) none.body = b;
+    for (std::int32_t s = 0; s < ctx.model.collider.count(); ++s)
         out.add_shape(places.holds(s) ? shape_defs[at(s)] : none);
     for (const std::int32_t s : places.vacant()) (void)out.remove_shape(ShapeId{s});
-    o.ctx.collider.places.set_generations(places.generations());
-    name_anew(o.shape_ids, o.ctx.collider.places);
+    o.ctx.model.collider.places.set_generations(places.generations());
+    name_anew(o.shape_ids, o.ctx.model.collider.places);
 }
 
 void World::Impl::copy_interactions(World& out) const {
-    const model::Interactions& in = ctx.interactions;
-    model::Interactions& to = out.impl_->ctx.interactions;
+    const model::Interactions& in = ctx.model.interactions;
+    model::Interactions& to = out.impl_->ctx.model.interactions;
     for (std::int32_t i = 0; i < stepper::interaction_count(ctx); ++i) {
         if (in.gone(i)) {
             to.make_room(in.def[at(i)].kind);
@@ -106,7 +106,7 @@ void World::Impl::copy_inputs(World& out) const {
 World World::twin(std::optional<Coupling> coupling) const {
     const world::Using use(impl_->use, "twin");
     const Impl& m = *impl_;
-    WorldDef def = m.ctx.def;
+    WorldDef def = m.ctx.model.def;
     def.coupling = coupling.value_or(def.coupling);
     World out(def);
     m.copy_bodies(out);
@@ -123,7 +123,7 @@ World World::twin(std::optional<Coupling> coupling) const {
     }
     out.impl_->outputs = m.outputs;
     out.impl_->outputs.bind(out.impl_->systems.signals());
-    if (!coupling) out.impl_->ctx.cuts.coupling = m.ctx.cuts.coupling;
+    if (!coupling) out.impl_->ctx.model.cuts.coupling = m.ctx.model.cuts.coupling;
     out.copy_state(*this);
     return out;
 }

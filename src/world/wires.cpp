@@ -52,9 +52,9 @@ void World::Impl::tell_of(const world::Wire& made) const noexcept {
         for (const BodyId id : made.lumps) listener->added(body_defs[at(id.index)]);
         for (const auto* list : {&made.elements, &made.bends})
             for (const InteractionId id : *list) {
-                InteractionDef d = ctx.interactions.def[at(id.index)];
+                InteractionDef d = ctx.model.interactions.def[at(id.index)];
                 // As it was given: then it follows the length.
-                if (ctx.interactions.flags[at(id.index)] & model::kFromLength)
+                if (ctx.model.interactions.flags[at(id.index)] & model::kFromLength)
                     d.compliance[0] = kDefault;
                 listener->added(d);
             }
@@ -65,15 +65,17 @@ void World::Impl::tell_of(const world::Wire& made) const noexcept {
 }
 
 World::Impl::Mark World::Impl::mark(BodyId from, BodyId to) const noexcept {
-    const auto quiet = [&](BodyId id) { return id.valid() ? ctx.bodies.quiet[at(id.index)] : 0; };
+    const auto quiet = [&](BodyId id) {
+        return id.valid() ? ctx.model.bodies.quiet[at(id.index)] : 0;
+    };
     return {stepper::body_count(ctx),
             stepper::interaction_count(ctx),
-            ctx.collider.count(),
-            ctx.edits.interactions.size(),
-            ctx.drive,
-            ctx.topology_changed || ctx.cuts.bodies >= 0,
-            ctx.edits.any,
-            ctx.regroup.stale,
+            ctx.model.collider.count(),
+            ctx.state.edits.interactions.size(),
+            ctx.state.ledger.drive,
+            ctx.state.topology_changed || ctx.model.cuts.bodies >= 0,
+            ctx.state.edits.any,
+            ctx.model.regroup.stale,
             {from, to},
             {quiet(from), quiet(to)}};
 }
@@ -84,31 +86,32 @@ void World::Impl::take_back(const Mark& before, const world::Wire& made) noexcep
     forget_removal();
     for (const ShapeId id : made.shapes) {
         remove(id);
-        ctx.collider.places.step_back(id.index);
+        ctx.model.collider.places.step_back(id.index);
     }
     for (const auto* list : {&made.bends, &made.elements})
         for (const InteractionId id : *list) {
             remove(id);
-            ctx.interactions.places.step_back(id.index);
+            ctx.model.interactions.places.step_back(id.index);
         }
     for (const BodyId id : made.lumps) {
         remove(id);
-        ctx.bodies.places.step_back(id.index);
+        ctx.model.bodies.places.step_back(id.index);
     }
-    ctx.collider.truncate(before.shapes);
-    ctx.interactions.truncate(before.interactions);
-    ctx.bodies.truncate(before.bodies);
+    ctx.model.collider.truncate(before.shapes);
+    ctx.model.interactions.truncate(before.interactions);
+    ctx.model.bodies.truncate(before.bodies);
     shape_defs.resize(at(before.shapes));
     body_defs.resize(at(before.bodies));
-    ctx.regroup.by_hand.resize(at(before.bodies));
-    ctx.cuts.group.resize(at(before.bodies));
-    ctx.edits.interactions.resize(before.noted);
-    ctx.drive = before.drive;
-    ctx.topology_changed = before.topology_changed;
-    ctx.edits.any = before.edited;
-    ctx.regroup.stale = before.stale;
+    ctx.model.regroup.by_hand.resize(at(before.bodies));
+    ctx.model.cuts.group.resize(at(before.bodies));
+    ctx.state.edits.interactions.resize(before.noted);
+    ctx.state.ledger.drive = before.drive;
+    ctx.state.topology_changed = before.topology_changed;
+    ctx.state.edits.any = before.edited;
+    ctx.model.regroup.stale = before.stale;
     for (std::size_t k = 0; k < 2; ++k)
-        if (before.end[k].valid()) ctx.bodies.quiet[at(before.end[k].index)] = before.quiet[k];
+        if (before.end[k].valid())
+            ctx.model.bodies.quiet[at(before.end[k].index)] = before.quiet[k];
 }
 
 WireId World::adopt_wire(const std::string& name, std::span<const InteractionId> elements) {
@@ -193,7 +196,7 @@ std::span<const InteractionId> World::elements(WireId id) const { return impl_->
 double World::length(WireId id) const {
     double sum = 0.0;
     for (const InteractionId element : impl_->wire(id).elements)
-        if (alive(element)) sum += impl_->ctx.interactions.rest_length[at(element.index)];
+        if (alive(element)) sum += impl_->ctx.model.interactions.rest_length[at(element.index)];
     return sum;
 }
 
@@ -220,27 +223,28 @@ InteractionId element_at(const World& w, const model::Interactions& in, const wo
 
 double World::tension(WireId id, double s) const {
     const world::Wire& wire = impl_->wire(id);
-    const InteractionId element = element_at(*this, impl_->ctx.interactions, wire, s);
+    const InteractionId element = element_at(*this, impl_->ctx.model.interactions, wire, s);
     return intact(element) ? std::max(0.0, -force(element)[0]) : 0.0;
 }
 
 void World::part(WireId id, double s) {
     const world::Using use(impl_->use, "part");
-    part(element_at(*this, impl_->ctx.interactions, impl_->wire(id), s));
+    part(element_at(*this, impl_->ctx.model.interactions, impl_->wire(id), s));
 }
 
 void World::part(InteractionId id) {
     const world::Using use(impl_->use, "part");
     const std::size_t i = impl_->place(id);
     stepper::StepContext& c = impl_->ctx;
-    if (!kind_info(c.interactions.def[i].kind).is(kWireElement))
-        throw DefError(world::label("interaction", c.interactions.def[i].name) +
+    if (!kind_info(c.model.interactions.def[i].kind).is(kWireElement))
+        throw DefError(world::label("interaction", c.model.interactions.def[i].name) +
                        ": only elements of wires part; remove_interaction() takes others away");
-    if (c.interactions.parted[i] != 0) return;
-    const double tension = std::max(0.0, -c.interactions.force[at(c.interactions.row_begin[i])]);
-    c.damped += stepper::energy_of_interaction(c, id.index);
-    for (std::size_t b = 0; b < c.interactions.bodies[i]; ++b)
-        stepper::disturb(c, c.interactions.body[kMaxInteractionBodies * i + b]);
+    if (c.model.interactions.parted[i] != 0) return;
+    const double tension =
+        std::max(0.0, -c.model.interactions.force[at(c.model.interactions.row_begin[i])]);
+    c.state.ledger.damped += stepper::energy_of_interaction(c, id.index);
+    for (std::size_t b = 0; b < c.model.interactions.bodies[i]; ++b)
+        stepper::disturb(c, c.model.interactions.body[kMaxInteractionBodies * i + b]);
     stepper::part_all(c, id.index);
     stepper::push_event(c, EventKind::line_break, id.index, tension);
     if (impl_->listener != nullptr) impl_->listener->parted(id);

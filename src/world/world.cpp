@@ -53,10 +53,10 @@ Status World::step() noexcept {
     if (status == Status::bad_edit) {
         status = m.make_edits(*this);
         if (status == Status::ok) status = take();
-        m.ctx.stats.status = status;
+        m.ctx.work.stats.status = status;
     }
     if (status != Status::ok) return status;
-    m.outputs.keep_figures(m.ctx.stats);
+    m.outputs.keep_figures(m.ctx.work.stats);
     evaluate_outputs();
     return status;
 }
@@ -64,23 +64,23 @@ Status World::step() noexcept {
 void World::cancel() noexcept { impl_->ctx.pool.stop(); }
 
 void World::degrade_next_step(const Degradation& degradation) noexcept {
-    impl_->ctx.imposed = degradation;
+    impl_->ctx.state.imposed = degradation;
     // As 0, where it came from bytes that no step wrote.
-    impl_->ctx.imposed.iterations = std::max(0, degradation.iterations);
+    impl_->ctx.state.imposed.iterations = std::max(0, degradation.iterations);
     if (impl_->listener != nullptr) impl_->listener->degraded(degradation);
 }
 
-double World::time() const noexcept { return impl_->ctx.time; }
-std::int64_t World::step_count() const noexcept { return impl_->ctx.step; }
-const StepStats& World::stats() const noexcept { return impl_->ctx.stats; }
+double World::time() const noexcept { return impl_->ctx.state.time; }
+std::int64_t World::step_count() const noexcept { return impl_->ctx.state.step; }
+const StepStats& World::stats() const noexcept { return impl_->ctx.work.stats; }
 EventExtremes World::event_extremes(EventKind kind) const noexcept {
-    return impl_->ctx.events.extremes(kind);
+    return impl_->ctx.state.events.extremes(kind);
 }
-const WorldDef& World::settings() const noexcept { return impl_->ctx.def; }
+const WorldDef& World::settings() const noexcept { return impl_->ctx.model.def; }
 
 Energy World::energy() const noexcept {
     const world::MaybeUsing use(impl_->use);
-    if (!use.granted() || impl_->ctx.topology_changed) return {};
+    if (!use.granted() || impl_->ctx.state.topology_changed) return {};
     try {
         stepper::ready(impl_->ctx);
     } catch (const std::exception&) {
@@ -114,19 +114,19 @@ void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
 int World::body_count() const noexcept { return stepper::body_count(impl_->ctx); }
 const BodyDef& World::body_def(BodyId id) const { return impl_->body_defs[impl_->place(id)]; }
 BodyId World::find_body(std::string_view name) const noexcept {
-    return impl_->ctx.bodies.id(lookup(impl_->body_names, name));
+    return impl_->ctx.model.bodies.id(lookup(impl_->body_names, name));
 }
 
 Pose World::pose(BodyId id) const {
     const std::size_t b = impl_->place(id);
-    const model::Bodies& s = impl_->ctx.bodies;
+    const model::Bodies& s = impl_->ctx.model.bodies;
     const double* q = &s.q[4 * b];
     return {Vec3(s.x[3 * b], s.x[3 * b + 1], s.x[3 * b + 2]), Quat(q[0], q[1], q[2], q[3])};
 }
 
 Twist World::velocity(BodyId id) const {
     const std::size_t b = impl_->place(id);
-    const model::Bodies& s = impl_->ctx.bodies;
+    const model::Bodies& s = impl_->ctx.model.bodies;
     Twist t;
     const int dof = s.dof(id.index);
     const double* v = dof == 0 ? &s.v_fixed[6 * b] : &s.v[at(s.dof_begin[b])];
@@ -140,15 +140,15 @@ void World::set_pose(BodyId id, const Pose& pose) {
     const std::size_t b = impl_->place(id);
     world::check_pose(world::label("body", impl_->body_defs[b].name), pose.position,
                       pose.orientation);
-    model::Bodies& s = impl_->ctx.bodies;
-    impl_->ctx.judge.state.begun = 0;  // no work did that
+    model::Bodies& s = impl_->ctx.model.bodies;
+    impl_->ctx.state.judge.state.begun = 0;  // no work did that
     // What leant on it hangs in the air now.
     if (s.dof(id.index) == 0 || s.asleep[b] != 0) stepper::disturb_all(impl_->ctx);
     stepper::disturb(impl_->ctx, id.index);
     for (int i = 0; i < 3; ++i) s.x[3 * b + at(i)] = pose.position[i];
     if (s.kind[b] == BodyKind::scalar)
-        for (const std::int32_t w : impl_->ctx.interactions.winches)
-            impl_->ctx.interactions.follow_length(w, s, impl_->ctx.def.step);
+        for (const std::int32_t w : impl_->ctx.model.interactions.winches)
+            impl_->ctx.model.interactions.follow_length(w, s, impl_->ctx.model.def.step);
     if (impl_->listener != nullptr) impl_->listener->set_pose(id, pose);
     if (s.kind[b] == BodyKind::lump || s.kind[b] == BodyKind::scalar) return;
     const Quat q = pose.orientation.normalized();
@@ -162,7 +162,7 @@ void World::set_velocity(BodyId id, const Twist& twist) {
     const std::size_t b = impl_->place(id);
     const std::string where = world::label("body", impl_->body_defs[b].name);
     world::check_velocity(where, twist.linear, twist.angular);
-    model::Bodies& s = impl_->ctx.bodies;
+    model::Bodies& s = impl_->ctx.model.bodies;
     const int dof = s.dof(id.index);
     if (s.kind[b] == BodyKind::fixed)
         throw DefError(where + ": velocity: a fixed body has none; a kinematic one has");
@@ -171,7 +171,7 @@ void World::set_velocity(BodyId id, const Twist& twist) {
     // What a prescribed velocity carries wakes in the step (step/sleep.h).
     if (dof > 0) {
         stepper::disturb(impl_->ctx, id.index);
-        impl_->ctx.judge.state.begun = 0;  // no work did that
+        impl_->ctx.state.judge.state.begun = 0;  // no work did that
     }
     for (int i = 0; i < count; ++i) v[i] = i < 3 ? twist.linear[i] : twist.angular[i - 3];
     // Nothing else is known of where that leads to.
@@ -179,12 +179,14 @@ void World::set_velocity(BodyId id, const Twist& twist) {
     if (impl_->listener != nullptr) impl_->listener->set_velocity(id, twist);
 }
 
-bool World::asleep(BodyId id) const { return impl_->ctx.bodies.asleep[impl_->place(id)] != 0; }
+bool World::asleep(BodyId id) const {
+    return impl_->ctx.model.bodies.asleep[impl_->place(id)] != 0;
+}
 
 void World::wake(BodyId id) {
     const world::Using use(impl_->use, "wake");
     (void)impl_->place(id);
-    if (impl_->ctx.bodies.dof(id.index) == 0) stepper::disturb_all(impl_->ctx);
+    if (impl_->ctx.model.bodies.dof(id.index) == 0) stepper::disturb_all(impl_->ctx);
     stepper::disturb(impl_->ctx, id.index);
     if (impl_->listener != nullptr) impl_->listener->woken(id);
 }
@@ -196,22 +198,22 @@ Vec3 World::world_point(BodyId id, const Vec3& local) const {
 
 int World::interaction_count() const noexcept { return stepper::interaction_count(impl_->ctx); }
 const InteractionDef& World::interaction_def(InteractionId id) const {
-    return impl_->ctx.interactions.def[impl_->place(id)];
+    return impl_->ctx.model.interactions.def[impl_->place(id)];
 }
 InteractionId World::find_interaction(std::string_view name) const noexcept {
-    return impl_->ctx.interactions.id(lookup(impl_->interaction_names, name));
+    return impl_->ctx.model.interactions.id(lookup(impl_->interaction_names, name));
 }
 
 std::span<const double> World::force(InteractionId id) const {
     const std::size_t i = impl_->place(id);
-    const model::Interactions& in = impl_->ctx.interactions;
+    const model::Interactions& in = impl_->ctx.model.interactions;
     return {in.force.data() + in.row_begin[i], in.rows[i]};
 }
 
 std::array<double, kMaxInteractionRows> World::violation(InteractionId id) const {
     const std::size_t i = impl_->place(id);
-    const model::Interactions& in = impl_->ctx.interactions;
-    const model::RowState s = in.row_state(id.index, impl_->ctx.bodies);
+    const model::Interactions& in = impl_->ctx.model.interactions;
+    const model::RowState s = in.row_state(id.index, impl_->ctx.model.bodies);
     std::array<double, kMaxInteractionRows> g{};
     for (std::size_t r = 0; r < in.rows[i]; ++r)
         if ((in.row_flags[at(in.row_begin[i]) + r] & model::kRowVelocity) == 0) g[r] = s.g[r];
@@ -219,13 +221,13 @@ std::array<double, kMaxInteractionRows> World::violation(InteractionId id) const
 }
 
 bool World::completed(InteractionId id) const {
-    return impl_->ctx.interactions.completed[impl_->place(id)] != 0;
+    return impl_->ctx.model.interactions.completed[impl_->place(id)] != 0;
 }
 
 std::array<double, kMaxInteractionRows> World::stiffness_force(InteractionId id) const {
     const std::size_t i = impl_->place(id);
-    const model::Interactions& in = impl_->ctx.interactions;
-    const std::vector<double>& with = impl_->ctx.completion.lambda_with;
+    const model::Interactions& in = impl_->ctx.model.interactions;
+    const std::vector<double>& with = impl_->ctx.model.completion.lambda_with;
     std::array<double, kMaxInteractionRows> f{};
     const auto row = at(in.row_begin[i]);
     for (std::size_t r = 0; r < in.rows[i] && row + r < with.size(); ++r)
@@ -234,33 +236,33 @@ std::array<double, kMaxInteractionRows> World::stiffness_force(InteractionId id)
 }
 
 int World::wire_alert(InteractionId id) const {
-    const stepper::Wires& wires = impl_->ctx.wires;
+    const stepper::Wires& wires = impl_->ctx.model.wires;
     const std::size_t i = impl_->place(id);
     if (i >= wires.wire_of.size() || wires.wire_of[i] < 0) return 0;
     return wires.alert[static_cast<std::size_t>(wires.wire_of[i])];
 }
 
 bool World::intact(InteractionId id) const {
-    return impl_->ctx.interactions.parted[impl_->place(id)] == 0;
+    return impl_->ctx.model.interactions.parted[impl_->place(id)] == 0;
 }
 
 SystemView World::inspect() const {
     const world::Using use(impl_->use, "inspect");
     Impl& m = *impl_;
     stepper::ready(m.ctx);
-    const assembly::System& s = m.ctx.system;
+    const assembly::System& s = m.ctx.model.system;
     SystemView v;
     v.nodes.resize(static_cast<std::size_t>(s.pattern.nodes()));
     for (std::size_t n = 0; n < v.nodes.size(); ++n)
         v.nodes[n] = {{}, {}, s.pattern.size[n], s.symbolic.node_front[n]};
     for (int b = 0; b < body_count(); ++b)
         if (s.node_of_body[at(b)] >= 0)
-            v.nodes[at(s.node_of_body[at(b)])].body = m.ctx.bodies.id(b);
+            v.nodes[at(s.node_of_body[at(b)])].body = m.ctx.model.bodies.id(b);
     // Copies of a cut interaction show as what they stand for.
-    for (int i = 0; i < m.ctx.interactions.count(); ++i)
+    for (int i = 0; i < m.ctx.model.interactions.count(); ++i)
         if (s.node_of_interaction[at(i)] >= 0)
             v.nodes[at(s.node_of_interaction[at(i)])].interaction =
-                m.ctx.interactions.id(stepper::original(m.ctx, i));
+                m.ctx.model.interactions.id(stepper::original(m.ctx, i));
     v.edge_start = s.pattern.start;
     v.edges = s.pattern.adjacent;
     v.order = s.symbolic.order;
@@ -280,8 +282,9 @@ SystemView World::inspect() const {
 
 std::size_t World::memory_bytes() const noexcept {
     const stepper::StepContext& c = impl_->ctx;
-    return c.bodies.bytes() + c.interactions.bytes() + c.system.bytes() + c.collider.bytes() +
-           c.loads.bytes() + impl_->body_defs.capacity() * sizeof(BodyDef);
+    return c.model.bodies.bytes() + c.model.interactions.bytes() + c.model.system.bytes() +
+           c.model.collider.bytes() + c.state.loads.bytes() +
+           impl_->body_defs.capacity() * sizeof(BodyDef);
 }
 
 }  // namespace hawser

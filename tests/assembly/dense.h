@@ -60,8 +60,8 @@ struct SlotState {
 };
 
 inline SlotState slot_state(const stepper::StepContext& ctx, int id) {
-    const model::Bodies& b = ctx.bodies;
-    const InteractionDef& def = ctx.interactions.def[static_cast<std::size_t>(id)];
+    const model::Bodies& b = ctx.model.bodies;
+    const InteractionDef& def = ctx.model.interactions.def[static_cast<std::size_t>(id)];
     SlotState s{};
     generic::with_kind(def.kind, [&]<class K>() {
         const typename K::Data data = K::make(def);
@@ -112,9 +112,9 @@ inline void scatter(const SlotState& s, const Matrix& k, Matrix& into, Vector& f
 
 /// |r|/I of a body at the arm r [world frame], I the mean of its moments across r.
 inline double swing_of(const stepper::StepContext& ctx, std::size_t body, const Vec3& arm) {
-    const Quat q(ctx.bodies.q[4 * body], ctx.bodies.q[4 * body + 1], ctx.bodies.q[4 * body + 2],
-                 ctx.bodies.q[4 * body + 3]);
-    const Eigen::Map<const Mat3> inertia(&ctx.bodies.inertia[9 * body]);
+    const Quat q(ctx.model.bodies.q[4 * body], ctx.model.bodies.q[4 * body + 1],
+                 ctx.model.bodies.q[4 * body + 2], ctx.model.bodies.q[4 * body + 3]);
+    const Eigen::Map<const Mat3> inertia(&ctx.model.bodies.inertia[9 * body]);
     const Mat3 world = q.toRotationMatrix() * inertia * q.toRotationMatrix().transpose();
     const Vec3 n = arm.normalized(), p = n.unitOrthogonal(), t = n.cross(p);
     return arm.norm() / (0.5 * (p.dot(world * p) + t.dot(world * t)));
@@ -124,7 +124,7 @@ inline double swing_rate(const stepper::StepContext& ctx, int id, const SlotStat
     double most = 0.0;
     for (std::size_t b = 0; b < 2; ++b) {
         const auto body = static_cast<std::size_t>(
-            ctx.interactions.def[static_cast<std::size_t>(id)].body[b].index);
+            ctx.model.interactions.def[static_cast<std::size_t>(id)].body[b].index);
         if (s.arm[b].norm() > 0.0) most = std::max(most, swing_of(ctx, body, s.arm[b]));
     }
     return most;
@@ -133,10 +133,10 @@ inline double swing_rate(const stepper::StepContext& ctx, int id, const SlotStat
 inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotState& s,
                          DenseStep& out) {
     if (s.geometry == generic::Geometry::none) return;
-    const double h = ctx.def.step, quarter = 0.25 * h * h * ctx.def.geometric_stiffness;
+    const double h = ctx.model.def.step, quarter = 0.25 * h * h * ctx.model.def.geometric_stiffness;
     const auto row =
-        static_cast<std::size_t>(ctx.interactions.row_begin[static_cast<std::size_t>(id)]);
-    const double* lambda = &ctx.interactions.lambda[row];
+        static_cast<std::size_t>(ctx.model.interactions.row_begin[static_cast<std::size_t>(id)]);
+    const double* lambda = &ctx.model.interactions.lambda[row];
     Matrix k = Matrix::Zero(12, 12), c = Matrix::Zero(12, 12), line = k;
     double late_share = 0.25, ahead_share = 0.0, resolved = 1.0;
     Vec3 f1;
@@ -153,15 +153,15 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
         double lighter = 0.0;  // 1/m of the lighter end, arms at their longest
         for (std::size_t b = 0; b < 2; ++b) {
             const auto body = static_cast<std::size_t>(
-                ctx.interactions.def[static_cast<std::size_t>(id)].body[b].index);
+                ctx.model.interactions.def[static_cast<std::size_t>(id)].body[b].index);
             if (s.dof[b] < 3) continue;
-            double end = 1.0 / ctx.bodies.mass[body];
+            double end = 1.0 / ctx.model.bodies.mass[body];
             if (rigid && s.arm[b].norm() > 0.0)
                 end += s.arm[b].norm() * swing_of(ctx, body, s.arm[b]);
             else if (s.dof[b] == 6)
-                end +=
-                    s.arm[b].squaredNorm() *
-                    Mat3(Eigen::Map<const Mat3>(&ctx.bodies.inertia[9 * body]).inverse()).trace();
+                end += s.arm[b].squaredNorm() *
+                       Mat3(Eigen::Map<const Mat3>(&ctx.model.bodies.inertia[9 * body]).inverse())
+                           .trace();
             lighter = std::max(lighter, end);
         }
         const double swing = 4.0 * quarter * tension / s.length * lighter;
@@ -179,7 +179,7 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
             const double swing = h * h * f1.norm() * swing_rate(ctx, id, s);
             if (swing > 4.0) u = (swing - 4.0) / (swing + 4.0);
             out.fastest = std::max(out.fastest, u);
-            const double cc = ctx.def.rotation_damping * h * f1.norm() *
+            const double cc = ctx.model.def.rotation_damping * h * f1.norm() *
                               std::min(s.arm[0].norm(), s.arm[1].norm()) *
                               std::min(1.0, 16.0 * swing * swing) * (1.0 + 9.0 * u);
             c.block(3, 3, 3, 3) = c.block(9, 9, 3, 3) = cc * Mat3::Identity();
@@ -208,18 +208,20 @@ inline double late(double z) { return z < 1e-3 ? 0.5 + z / 12.0 : -1.0 / std::ex
 /// G M⁻¹ Gᵀ of a row.
 inline double row_mobility(const stepper::StepContext& ctx, int id, const SlotState& s, int r) {
     double sum = 0.0;
-    for (int b = 0; b < ctx.interactions.bodies[static_cast<std::size_t>(id)]; ++b) {
+    for (int b = 0; b < ctx.model.interactions.bodies[static_cast<std::size_t>(id)]; ++b) {
         const auto body =
-            static_cast<std::size_t>(ctx.interactions.def[static_cast<std::size_t>(id)]
+            static_cast<std::size_t>(ctx.model.interactions.def[static_cast<std::size_t>(id)]
                                          .body[static_cast<std::size_t>(b)]
                                          .index);
         const double* j = s.j[b][r];
-        for (int k = 0; k < s.dof[b] && k < 3; ++k) sum += j[k] * j[k] / ctx.bodies.mass[body];
+        for (int k = 0; k < s.dof[b] && k < 3; ++k)
+            sum += j[k] * j[k] / ctx.model.bodies.mass[body];
         if (s.dof[b] < 6) continue;
-        const Mat3 rotation = Quat(ctx.bodies.q[4 * body], ctx.bodies.q[4 * body + 1],
-                                   ctx.bodies.q[4 * body + 2], ctx.bodies.q[4 * body + 3])
-                                  .toRotationMatrix();
-        const Eigen::Map<const Mat3> inertia(&ctx.bodies.inertia[9 * body]);
+        const Mat3 rotation =
+            Quat(ctx.model.bodies.q[4 * body], ctx.model.bodies.q[4 * body + 1],
+                 ctx.model.bodies.q[4 * body + 2], ctx.model.bodies.q[4 * body + 3])
+                .toRotationMatrix();
+        const Eigen::Map<const Mat3> inertia(&ctx.model.bodies.inertia[9 * body]);
         const Vec3 turn = rotation.transpose() * Vec3(j[3], j[4], j[5]);
         sum += turn.dot(inertia.inverse() * turn);
     }
@@ -227,8 +229,8 @@ inline double row_mobility(const stepper::StepContext& ctx, int id, const SlotSt
 }
 
 inline void add_bodies(const stepper::StepContext& ctx, DenseStep& out) {
-    const model::Bodies& b = ctx.bodies;
-    const double h = ctx.def.step;
+    const model::Bodies& b = ctx.model.bodies;
+    const double h = ctx.model.def.step;
     for (std::int32_t body : b.moving) {
         const auto i = static_cast<std::size_t>(body);
         const int at = b.dof_begin[i], dof = b.dof(body);
@@ -270,7 +272,7 @@ inline void add_bodies(const stepper::StepContext& ctx, DenseStep& out) {
         out.mass.block(at, at, dof, dof) = m + h * d;
         for (int k = 0; k < dof && k < 3; ++k) {
             const auto force = 6 * i + static_cast<std::size_t>(k);
-            const double weight = dof > 1 && b.weight[i] ? ctx.def.gravity[k] : 0.0;
+            const double weight = dof > 1 && b.weight[i] ? ctx.model.def.gravity[k] : 0.0;
             out.a[at + k] =
                 b.mass[i] *
                     (b.v[static_cast<std::size_t>(at) + static_cast<std::size_t>(k)] + h * weight) +
@@ -284,8 +286,8 @@ inline void add_bodies(const stepper::StepContext& ctx, DenseStep& out) {
 
 /// The equations at the present state.
 inline DenseStep dense_step(const stepper::StepContext& ctx) {
-    const int n = ctx.bodies.dofs, rows = ctx.interactions.row_count;
-    const double h = ctx.def.step;
+    const int n = ctx.model.bodies.dofs, rows = ctx.model.interactions.row_count;
+    const double h = ctx.model.def.step;
     const Matrix none = Matrix::Zero(n, n);
     DenseStep out{none,
                   none,
@@ -300,8 +302,8 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
                   Vector::Zero(n),
                   Vector::Zero(n)};
     add_bodies(ctx, out);
-    const model::Interactions& in = ctx.interactions;
-    const Eigen::Map<const Vector> v(ctx.bodies.v.data(), n);
+    const model::Interactions& in = ctx.model.interactions;
+    const Eigen::Map<const Vector> v(ctx.model.bodies.v.data(), n);
     for (int id = 0; id < in.count(); ++id) {
         const auto i = static_cast<std::size_t>(id);
         const SlotState s = slot_state(ctx, id);
@@ -315,7 +317,8 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
             // The recipes give no compliance for it: EA over what the drum has paid out.
             if (in.def[i].kind == InteractionKind::WinchStretch) {
                 const auto drum = static_cast<std::size_t>(in.def[i].body[2].index);
-                e = (in.def[i].get("length") + in.def[i].get("radius") * ctx.bodies.x[3 * drum]) /
+                e = (in.def[i].get("length") +
+                     in.def[i].get("radius") * ctx.model.bodies.x[3 * drum]) /
                     in.def[i].get("EA");
             }
             const double given = in.def[i].damping_time[static_cast<std::size_t>(r)];
@@ -358,7 +361,7 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
         }
         if (!idle) add_geometry(ctx, id, s, out);
     }
-    const Eigen::Map<const Vector> expected(ctx.bodies.v_start.data(), n);
+    const Eigen::Map<const Vector> expected(ctx.model.bodies.v_start.data(), n);
     out.a += out.late * v + out.ahead * expected - out.before * v + out.couple_fixed;
     return out;
 }

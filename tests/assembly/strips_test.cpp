@@ -25,9 +25,9 @@ void mark(const Ranges& ranges, int strip, std::vector<int>& of) {
 
 /// Everything is in exactly one strip, and what a strip calls its own no other one touches.
 void check(const stepper::StepContext& ctx) {
-    const model::Interactions& in = ctx.interactions;
-    const Strips& strips = ctx.system.strips;
-    std::vector<int> body(at(ctx.bodies.count()), -1), own(at(in.count()), -1);
+    const model::Interactions& in = ctx.model.interactions;
+    const Strips& strips = ctx.model.system.strips;
+    std::vector<int> body(at(ctx.model.bodies.count()), -1), own(at(in.count()), -1);
     for (int s = 0; s < strips.count(); ++s) {
         mark(strips.bodies(s), s, body);
         mark(strips.interactions(s), s, own);
@@ -38,7 +38,7 @@ void check(const stepper::StepContext& ctx) {
         ASSERT_GE(own[at(i)], 0);
         for (int b = 0; b < in.bodies[at(i)]; ++b) {
             const std::int32_t k = in.body[at(kMaxInteractionBodies * i + b)];
-            if (ctx.bodies.dof(k) == 0) continue;
+            if (ctx.model.bodies.dof(k) == 0) continue;
             EXPECT_TRUE(body[at(k)] == own[at(i)] || body[at(k)] == strips.count()) << k;
         }
     }
@@ -84,7 +84,7 @@ TEST(Strips, AreEmptyWithoutBodies) {
 TEST(Strips, ShareFewBodiesOfAWire) {
     const auto ctx = link_chain(2000).context();
     check(*ctx);
-    const Strips& strips = ctx->system.strips;
+    const Strips& strips = ctx->model.system.strips;
     EXPECT_GE(strips.count(), 8);
     std::int32_t shared = 0;
     for (int g = 0; g < strips.groups(); ++g)

@@ -42,16 +42,16 @@ Matrix assembled(const assembly::System& s, const double* panel) {
 
 /// The same matrix from the dense equations: condensed rows eliminated, kept rows bordered.
 Matrix expected(const StepContext& ctx, const DenseStep& d) {
-    const assembly::System& s = ctx.system;
-    const model::Interactions& in = ctx.interactions;
-    const int n = ctx.bodies.dofs, size = s.symbolic.scalars;
+    const assembly::System& s = ctx.model.system;
+    const model::Interactions& in = ctx.model.interactions;
+    const int n = ctx.model.bodies.dofs, size = s.symbolic.scalars;
     Matrix body = d.tilde();
     Matrix select = Matrix::Zero(size, n);  // permuted scalar of each velocity
-    for (std::int32_t b : ctx.bodies.moving) {
+    for (std::int32_t b : ctx.model.bodies.moving) {
         const auto i = static_cast<std::size_t>(b);
-        for (int k = 0; k < ctx.bodies.dof(b); ++k)
+        for (int k = 0; k < ctx.model.bodies.dof(b); ++k)
             select(s.symbolic.node_offset[static_cast<std::size_t>(s.node_of_body[i])] + k,
-                   ctx.bodies.dof_begin[i] + k) = 1.0;
+                   ctx.model.bodies.dof_begin[i] + k) = 1.0;
     }
     Matrix kept = Matrix::Zero(size, n), sigma = Matrix::Zero(size, size);
     for (int id = 0; id < in.count(); ++id) {
@@ -74,7 +74,7 @@ Matrix expected(const StepContext& ctx, const DenseStep& d) {
 
 /// The whole matrix as a step writes it, piece by piece.
 void write_blocks(StepContext& ctx) {
-    assembly::System& s = ctx.system;
+    assembly::System& s = ctx.model.system;
     const assembly::View v = stepper::view(ctx);
     s.numeric.clear(s.symbolic, ctx.pool);
     for (int p = 0; p < static_cast<int>(s.numeric.pieces().size()); ++p)
@@ -97,7 +97,7 @@ class Seeds : public testing::TestWithParam<std::tuple<int, Form>> {
         auto ctx = r.context();
         for (int i = 0; i < 4; ++i) EXPECT_EQ(stepper::step(*ctx), Status::ok);
         if (fast())
-            for (double& l : ctx->interactions.lambda) l *= 1000.0;
+            for (double& l : ctx->model.interactions.lambda) l *= 1000.0;
         return ctx;
     }
 };
@@ -120,7 +120,7 @@ TEST_P(ChainSeeds, GoEightAtATime) {
     EXPECT_EQ(std::count_if(v.arms, v.arms + v.interaction_count, [](int a) { return a != 0; }),
               4 * 10 + 4);
     const bool saddle = std::get<1>(GetParam()) == Form::saddle;
-    const auto& ops = ctx->system.lane_ops;
+    const auto& ops = ctx->model.system.lane_ops;
     EXPECT_TRUE(std::any_of(ops.begin(), ops.end(), [&](const assembly::LaneOp& op) {
         return op.width == 0 &&
                op.kind == (saddle ? assembly::Op::kept_rows : assembly::Op::condensed);
@@ -137,11 +137,11 @@ TEST_P(ChainSeeds, GoEightAtATime) {
 TEST_P(Seeds, BlocksEqualTheDenseMatrix) {
     auto ctx = context();
     // Completed joints have right-hand sides of their own (tests of step/completion.h).
-    ctx->completion.banned = true;
+    ctx->model.completion.banned = true;
     stepper::assemble_rows(*ctx);
     const DenseStep d = dense_step(*ctx);
     write_blocks(*ctx);
-    const Matrix got = assembled(ctx->system, ctx->system.numeric.values());
+    const Matrix got = assembled(ctx->model.system, ctx->model.system.numeric.values());
     const Matrix want = expected(*ctx, d);
     ASSERT_EQ(got.rows(), want.rows());
     // The diagonal of a block row bounds what is summed into it; 1e-11 of that is rounding of
@@ -156,20 +156,21 @@ TEST_P(Seeds, BlocksEqualTheDenseMatrix) {
 TEST_P(Seeds, RightHandSidesEqualTheDenseOnes) {
     auto ctx = context();
     // Completed joints have right-hand sides of their own (tests of step/completion.h).
-    ctx->completion.banned = true;
+    ctx->model.completion.banned = true;
     stepper::assemble_rows(*ctx);
     const DenseStep d = dense_step(*ctx);
     const assembly::View v = stepper::view(*ctx);
-    for (int r = 0; r < ctx->interactions.row_count; ++r) {
+    for (int r = 0; r < ctx->model.interactions.row_count; ++r) {
         const auto k = static_cast<std::size_t>(r);
         if (d.g.row(r).isZero(0.0)) continue;  // a range at rest
         EXPECT_NEAR(v.c[r], d.c[r], 1e-11 * (1.0 + std::abs(d.c[r]))) << "row " << r;
-        EXPECT_NEAR(ctx->interactions.sigma[k], d.sigma[r], 1e-12 * d.sigma[r]) << "row " << r;
+        EXPECT_NEAR(ctx->model.interactions.sigma[k], d.sigma[r], 1e-12 * d.sigma[r])
+            << "row " << r;
     }
     const double scale = d.a.cwiseAbs().maxCoeff();
-    for (std::int32_t b : ctx->bodies.moving) {
-        const int at = ctx->bodies.dof_begin[static_cast<std::size_t>(b)];
-        for (int k = 0; k < ctx->bodies.dof(b) && k < 3; ++k)
+    for (std::int32_t b : ctx->model.bodies.moving) {
+        const int at = ctx->model.bodies.dof_begin[static_cast<std::size_t>(b)];
+        for (int k = 0; k < ctx->model.bodies.dof(b) && k < 3; ++k)
             EXPECT_NEAR(v.a[at + k], d.a[at + k], 1e-12 * scale) << "body " << b;
     }
 }
@@ -178,10 +179,10 @@ TEST_P(Seeds, RightHandSidesEqualTheDenseOnes) {
 TEST_P(Seeds, SolutionSolvesTheDenseEquations) {
     auto ctx = context();
     // Completed joints have right-hand sides of their own (tests of step/completion.h).
-    ctx->completion.banned = true;
+    ctx->model.completion.banned = true;
     stepper::assemble_rows(*ctx);
     const DenseStep d = dense_step(*ctx);
-    const int n = ctx->bodies.dofs, rows = ctx->interactions.row_count;
+    const int n = ctx->model.bodies.dofs, rows = ctx->model.interactions.row_count;
     const assembly::View view = stepper::view(*ctx);
     const Vector a = Eigen::Map<const Vector>(view.a, n) - d.couple_fixed;
     ASSERT_EQ(stepper::factor_and_solve(*ctx), Status::ok);
@@ -216,27 +217,27 @@ TEST_P(Seeds, SolutionSolvesTheDenseEquations) {
     assembly::kernels().body_norms(kept, 0, view.body_count, &norms);
     for (int i = 0; i < n; ++i)
         EXPECT_NEAR(momentum[static_cast<std::size_t>(i)], residual[i], 1e-11 * scale);
-    EXPECT_LE(ctx->stats.momentum_residual, 1e-10);
+    EXPECT_LE(ctx->work.stats.momentum_residual, 1e-10);
 }
 
 /// Taken while the solution was measured, they are those of its rows.
 TEST_P(Seeds, LossesAreThoseOfTheSolution) {
     auto ctx = context();
     // Completed joints have right-hand sides of their own (tests of step/completion.h).
-    ctx->completion.banned = true;
+    ctx->model.completion.banned = true;
     stepper::assemble_rows(*ctx);
-    EXPECT_FALSE(ctx->losses_known);
+    EXPECT_FALSE(ctx->work.solve.losses_known);
     ASSERT_EQ(stepper::factor_and_solve(*ctx), Status::ok);
-    ASSERT_TRUE(ctx->losses_known);
+    ASSERT_TRUE(ctx->work.solve.losses_known);
     const double taken = stepper::row_losses(*ctx);
-    ctx->losses_known = false;
+    ctx->work.solve.losses_known = false;
     EXPECT_EQ(taken, stepper::row_losses(*ctx));
 }
 
 TEST_P(Seeds, GeometricStiffnessIsSymmetricAndPositive) {
     auto ctx = context();
     // Completed joints have right-hand sides of their own (tests of step/completion.h).
-    ctx->completion.banned = true;
+    ctx->model.completion.banned = true;
     stepper::assemble_rows(*ctx);
     const DenseStep d = dense_step(*ctx);
     for (const Matrix* k : {&d.geometric, &d.damping}) {

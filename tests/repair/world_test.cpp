@@ -131,8 +131,8 @@ std::unique_ptr<stepper::StepContext> heap(double tolerance = 1e-6) {
     auto ctx = std::make_unique<stepper::StepContext>(def);
     Random random(9);
     const auto add = [&](const BodyDef& body, ShapeDef shape) {
-        shape.body = BodyId{ctx->bodies.add(body)};
-        ctx->collider.add(shape, ctx->bodies);
+        shape.body = BodyId{ctx->model.bodies.add(body)};
+        ctx->model.collider.add(shape, ctx->model.bodies);
     };
     ShapeDef plane;
     plane.kind = ShapeKind::plane;
@@ -142,7 +142,7 @@ std::unique_ptr<stepper::StepContext> heap(double tolerance = 1e-6) {
              .mass = 1.0,
              .inertia = Mat3::Identity() * 0.004},
             shape_of(ShapeKind::sphere, 0.1));
-    ctx->topology_changed = true;
+    ctx->state.topology_changed = true;
     return ctx;
 }
 
@@ -159,11 +159,14 @@ TEST(WorldRepair, EqualsAnAnalysisFromNothing) {
         const factor::AnalysisState none;
         stepper::analyse(*rebuilt, &none);
         ASSERT_EQ(stepper::step(*rebuilt), Status::ok);
-        apart += repaired->system.symbolic.order != rebuilt->system.symbolic.order ? 1.0 : 0.0;
-        for (std::size_t k = 0; k < repaired->bodies.v.size(); ++k)
-            worst = std::max(worst, std::abs(repaired->bodies.v[k] - rebuilt->bodies.v[k]));
+        apart += repaired->model.system.symbolic.order != rebuilt->model.system.symbolic.order
+                     ? 1.0
+                     : 0.0;
+        for (std::size_t k = 0; k < repaired->model.bodies.v.size(); ++k)
+            worst =
+                std::max(worst, std::abs(repaired->model.bodies.v[k] - rebuilt->model.bodies.v[k]));
     }
-    repairs = repaired->stats.repairs;
+    repairs = repaired->work.stats.repairs;
     EXPECT_GT(repairs, 3);
     EXPECT_GT(apart, 3.0) << "steps with different orders";
     // [m/s]: 3e-10 measured. Balls that strike each other multiply a rounding; somewhat later one
@@ -174,13 +177,13 @@ TEST(WorldRepair, EqualsAnAnalysisFromNothing) {
 /// Blocks that contacts change are refactored alone, to the bits of a whole factorisation.
 TEST(WorldRepair, PartialRefactorisationsEqualWholeOnes) {
     auto part = heap(), whole = heap();
-    whole->factor_whole = true;
+    whole->work.solve.factor_whole = true;
     std::int64_t partial = 0;
     for (int i = 0; i < 100; ++i) {
         ASSERT_EQ(stepper::step(*part), Status::ok);
         ASSERT_EQ(stepper::step(*whole), Status::ok);
-        partial += part->stats.partial_factorisations;
-        ASSERT_EQ(whole->stats.partial_factorisations, 0);
+        partial += part->work.stats.partial_factorisations;
+        ASSERT_EQ(whole->work.stats.partial_factorisations, 0);
         ASSERT_EQ(stepper::state_hash(*part), stepper::state_hash(*whole)) << "step " << i;
     }
     EXPECT_GT(partial, 20);

@@ -28,8 +28,8 @@ struct TickingClock final : runtime::Stopwatch {
 std::unique_ptr<stepper::StepContext> pile(const WorldDef& def) {
     auto ctx = std::make_unique<stepper::StepContext>(def);
     const auto add = [&](const BodyDef& body, ShapeDef shape) {
-        shape.body = BodyId{ctx->bodies.add(body)};
-        ctx->collider.add(shape, ctx->bodies);
+        shape.body = BodyId{ctx->model.bodies.add(body)};
+        ctx->model.collider.add(shape, ctx->model.bodies);
     };
     ShapeDef plane, box;
     plane.kind = ShapeKind::plane;
@@ -42,7 +42,7 @@ std::unique_ptr<stepper::StepContext> pile(const WorldDef& def) {
              .mass = 100.0,
              .inertia = Mat3::Identity() * 10.0},
             box);
-    ctx->topology_changed = true;
+    ctx->state.topology_changed = true;
     return ctx;
 }
 
@@ -90,7 +90,7 @@ TEST(Budget, CutsWithTheClockAndRepeatsWithoutIt) {
     int cuts = 0;
     for (int i = 0; i < 40; ++i) {
         ASSERT_EQ(stepper::step(*timed), Status::ok);
-        const StepStats& s = timed->stats;
+        const StepStats& s = timed->work.stats;
         // One look where the solve begins, one an iteration, and one at the end: from the second
         // step on the end is known to take 1 ms, so that a second iteration would end at 3 + 1 ms.
         if (s.cut) {
@@ -104,16 +104,16 @@ TEST(Budget, CutsWithTheClockAndRepeatsWithoutIt) {
             EXPECT_EQ(s.degraded_by, DegradedBy::nothing);
         }
         cuts += s.cut ? 1 : 0;
-        repeated->imposed = s.degradation;
+        repeated->state.imposed = s.degradation;
         ASSERT_EQ(stepper::step(*repeated), Status::ok);
-        EXPECT_EQ(repeated->stats.cut, s.cut);
-        EXPECT_EQ(repeated->stats.degradation, s.degradation);
-        EXPECT_EQ(repeated->imposed, Degradation{});
+        EXPECT_EQ(repeated->work.stats.cut, s.cut);
+        EXPECT_EQ(repeated->work.stats.degradation, s.degradation);
+        EXPECT_EQ(repeated->state.imposed, Degradation{});
         ASSERT_EQ(stepper::state_hash(*repeated), stepper::state_hash(*timed)) << "step " << i;
     }
     EXPECT_GT(cuts, 10);
     EXPECT_GT(clock.looks, 40);
-    for (const double x : timed->bodies.x) EXPECT_TRUE(std::isfinite(x));
+    for (const double x : timed->model.bodies.x) EXPECT_TRUE(std::isfinite(x));
 }
 
 TEST(Budget, IterationsThatRunOutLeaveMomentumBalanced) {
@@ -123,14 +123,14 @@ TEST(Budget, IterationsThatRunOutLeaveMomentumBalanced) {
     int open = 0;
     for (int i = 0; i < 40; ++i) {
         ASSERT_EQ(stepper::step(*ctx), Status::ok);
-        const StepStats& s = ctx->stats;
+        const StepStats& s = ctx->work.stats;
         EXPECT_FALSE(s.cut);
         // That of a solved step is 1e-13; this leaves room for badly conditioned laws.
         EXPECT_LE(s.momentum_residual, 1e-9) << "step " << i;
         open += s.natural_map > def.contact_tolerance ? 1 : 0;
     }
     EXPECT_GT(open, 5);
-    for (const double x : ctx->bodies.x) EXPECT_TRUE(std::isfinite(x));
+    for (const double x : ctx->model.bodies.x) EXPECT_TRUE(std::isfinite(x));
 }
 
 TEST(Budget, OfWorkIsTheSameForAnyNumberOfThreads) {
@@ -143,8 +143,8 @@ TEST(Budget, OfWorkIsTheSameForAnyNumberOfThreads) {
         auto ctx = pile(def);
         for (int i = 0; i < 40; ++i) {
             ASSERT_EQ(stepper::step(*ctx), Status::ok);
-            cuts += ctx->stats.cut ? 1 : 0;
-            EXPECT_LE(ctx->stats.newton_iterations, 2);
+            cuts += ctx->work.stats.cut ? 1 : 0;
+            EXPECT_LE(ctx->work.stats.newton_iterations, 2);
         }
         hashes.push_back(stepper::state_hash(*ctx));
     }

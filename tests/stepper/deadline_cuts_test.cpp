@@ -46,8 +46,8 @@ std::unique_ptr<stepper::StepContext> net_context(double budget) {
     const Recipe r = net(budget);
     auto ctx = r.context();
     for (std::size_t b = 0; b < r.bodies.size(); ++b)
-        ctx->cuts.group[b] = r.bodies[b].group.empty() ? 0 : 1;
-    ctx->topology_changed = true;
+        ctx->model.cuts.group[b] = r.bodies[b].group.empty() ? 0 : 1;
+    ctx->state.topology_changed = true;
     return ctx;
 }
 
@@ -62,8 +62,8 @@ struct MatrixClock final : runtime::Stopwatch {
         // Nothing has passed where the solve begins.
         return looks++ == 0
                    ? 0.0
-                   : slow * stepper::matrix_work(static_cast<double>(ctx.stats.factor_flops),
-                                                 static_cast<double>(ctx.stats.factor_nnz));
+                   : slow * stepper::matrix_work(static_cast<double>(ctx.work.stats.factor_flops),
+                                                 static_cast<double>(ctx.work.stats.factor_nnz));
     }
 };
 
@@ -71,7 +71,7 @@ TEST(DeadlineCuts, OpenWhileTheMachineIsSlowAndAreRepeatedWithoutAClock) {
     auto probe = net_context(1.0);
     ASSERT_EQ(stepper::step(*probe), Status::ok);
     ASSERT_EQ(stepper::step(*probe), Status::ok);
-    const auto& levels = probe->cut_levels.levels();
+    const auto& levels = probe->work.limits.cut_levels.levels();
     ASSERT_EQ(levels.size(), 2U);
     const double exact = levels[0].matrix;
     ASSERT_LT(levels[1].matrix, 0.9 * exact);  // or the rest says nothing
@@ -85,23 +85,23 @@ TEST(DeadlineCuts, OpenWhileTheMachineIsSlowAndAreRepeatedWithoutAClock) {
     for (int i = 0; i < 200; ++i) {
         clock.slow = i >= 60 && i < 120 ? 1.3 : 1.0;
         ASSERT_EQ(stepper::step(*ctx), Status::ok) << "step " << i;
-        const Degradation d = ctx->stats.degradation;
+        const Degradation d = ctx->work.stats.degradation;
         EXPECT_EQ(d.iterations, 0);  // there are no contacts
-        EXPECT_EQ(ctx->stats.cuts > 0, d.cuts != 0);
+        EXPECT_EQ(ctx->work.stats.cuts > 0, d.cuts != 0);
         if (d.any()) {
-            EXPECT_EQ(ctx->stats.degraded_by, DegradedBy::prediction);
+            EXPECT_EQ(ctx->work.stats.degraded_by, DegradedBy::prediction);
             EXPECT_GE(i, 60);
             ++open;
             last_open = i;
         }
-        repeated->imposed = d;
+        repeated->state.imposed = d;
         ASSERT_EQ(stepper::step(*repeated), Status::ok);
-        EXPECT_EQ(repeated->stats.degradation, d);
+        EXPECT_EQ(repeated->work.stats.degradation, d);
         ASSERT_EQ(stepper::state_hash(*repeated), stepper::state_hash(*ctx)) << "step " << i;
     }
     EXPECT_GE(open, 50);
     EXPECT_LT(last_open, 120 + 60);
-    for (const double x : ctx->bodies.x) EXPECT_LT(std::fabs(x), 100.0);
+    for (const double x : ctx->model.bodies.x) EXPECT_LT(std::fabs(x), 100.0);
 }
 
 TEST(DeadlineCuts, GoOnFromASnapshotTakenWhileTheyAreOpen) {
@@ -217,7 +217,7 @@ struct LevelsClock final : runtime::Stopwatch {
     const stepper::StepContext& ctx;
     bool known_at_start = false;
     explicit LevelsClock(const stepper::StepContext& c) : ctx(c) {}
-    void start() noexcept override { known_at_start = ctx.cut_levels.known(); }
+    void start() noexcept override { known_at_start = ctx.work.limits.cut_levels.known(); }
     double seconds() noexcept override { return 0.0; }
 };
 
@@ -226,11 +226,11 @@ TEST(DeadlineCuts, TheAnalysisOfLevelsIsPartOfTheSolversTime) {
     LevelsClock clock(*ctx);
     ctx->stopwatch = &clock;
     ASSERT_EQ(stepper::step(*ctx), Status::ok);
-    ASSERT_FALSE(ctx->cut_levels.known());
+    ASSERT_FALSE(ctx->work.limits.cut_levels.known());
     ASSERT_EQ(stepper::step(*ctx), Status::ok);
-    EXPECT_TRUE(ctx->cut_levels.known());
+    EXPECT_TRUE(ctx->work.limits.cut_levels.known());
     EXPECT_FALSE(clock.known_at_start);
-    EXPECT_TRUE(ctx->laps.analysed) << "or rates would be learned from it";
+    EXPECT_TRUE(ctx->work.limits.laps.analysed) << "or rates would be learned from it";
 }
 
 /// One row across the middle is coupled exactly: it holds the halves together, so that no cut that

@@ -107,8 +107,8 @@ struct ModelClock final : runtime::Stopwatch {
         : ctx(c), per_contact(contact), per_iteration(iteration) {}
     void start() noexcept override {}
     double seconds() noexcept override {
-        const double n = static_cast<double>(ctx.system.contacts.count());
-        return n * (per_contact + per_iteration * ctx.newton.iterations);
+        const double n = static_cast<double>(ctx.model.system.contacts.count());
+        return n * (per_contact + per_iteration * ctx.work.newton.iterations);
     }
 };
 
@@ -121,34 +121,34 @@ std::unique_ptr<stepper::StepContext> floor_with_boxes(const WorldDef& def) {
     plane.kind = ShapeKind::plane;
     box.kind = ShapeKind::box;
     box.half_size = {0.5, 0.5, 0.25};
-    plane.body = BodyId{ctx->bodies.add({.kind = BodyKind::kinematic})};
-    ctx->collider.add(plane, ctx->bodies);
+    plane.body = BodyId{ctx->model.bodies.add({.kind = BodyKind::kinematic})};
+    ctx->model.collider.add(plane, ctx->model.bodies);
     for (int i = 0; i < kBoxes; ++i) {
         const bool parked = i >= kBoxes / 2;
-        box.body = BodyId{ctx->bodies.add({.position = {2.0 * i, 0.0, parked ? 5.0 : 0.2499},
-                                           .mass = 100.0,
-                                           .inertia = Mat3::Identity() * 10.0,
-                                           .gravity = !parked})};
-        ctx->collider.add(box, ctx->bodies);
+        box.body = BodyId{ctx->model.bodies.add({.position = {2.0 * i, 0.0, parked ? 5.0 : 0.2499},
+                                                 .mass = 100.0,
+                                                 .inertia = Mat3::Identity() * 10.0,
+                                                 .gravity = !parked})};
+        ctx->model.collider.add(box, ctx->model.bodies);
     }
-    ctx->topology_changed = true;
+    ctx->state.topology_changed = true;
     return ctx;
 }
 
 /// Set the parked half down, or take it away.
 void put(stepper::StepContext& ctx, bool down) {
     for (std::size_t b = 1 + kBoxes / 2; b <= kBoxes; ++b) {
-        ctx.bodies.x[3 * b + 2] = down ? 0.2499 : 5.0;
-        ctx.bodies.force[6 * b + 2] = down ? -981.0 : 0.0;
+        ctx.model.bodies.x[3 * b + 2] = down ? 0.2499 : 5.0;
+        ctx.model.bodies.force[6 * b + 2] = down ? -981.0 : 0.0;
         for (std::size_t k = 0; k < 6; ++k)
-            ctx.bodies.v[static_cast<std::size_t>(ctx.bodies.dof_begin[b]) + k] = 0.0;
+            ctx.model.bodies.v[static_cast<std::size_t>(ctx.model.bodies.dof_begin[b]) + k] = 0.0;
     }
 }
 
 /// The floor moves: it begins to slide under the boxes, and turns round.
 void shake(stepper::StepContext& ctx) {
-    ctx.bodies.v_fixed[0] = std::sin(0.4 * static_cast<double>(ctx.step));
-    ctx.bodies.v_fixed[1] = std::cos(0.3 * static_cast<double>(ctx.step));
+    ctx.model.bodies.v_fixed[0] = std::sin(0.4 * static_cast<double>(ctx.state.step));
+    ctx.model.bodies.v_fixed[1] = std::cos(0.3 * static_cast<double>(ctx.state.step));
 }
 
 TEST(Deadline, HoldsWhileTheLoadDoublesAndIsExactAgainAfterwards) {
@@ -168,7 +168,7 @@ TEST(Deadline, HoldsWhileTheLoadDoublesAndIsExactAgainAfterwards) {
         shake(*ctx);
         shake(*replayed);
         ASSERT_EQ(stepper::step(*ctx), Status::ok) << "step " << i;
-        const StepStats& s = ctx->stats;
+        const StepStats& s = ctx->work.stats;
         EXPECT_EQ(s.degradation.any(), s.cut);
         if (s.cut) {
             EXPECT_GT(s.foreseen_seconds, 0.95 * def.budget) << "step " << i;
@@ -181,9 +181,9 @@ TEST(Deadline, HoldsWhileTheLoadDoublesAndIsExactAgainAfterwards) {
         }
         late += s.solver_cpu_seconds > def.budget ? 1 : 0;
         EXPECT_LE(s.momentum_residual, 1e-9) << "step " << i;
-        replayed->imposed = s.degradation;
+        replayed->state.imposed = s.degradation;
         ASSERT_EQ(stepper::step(*replayed), Status::ok);
-        EXPECT_EQ(replayed->stats.degradation, s.degradation);
+        EXPECT_EQ(replayed->work.stats.degradation, s.degradation);
         ASSERT_EQ(stepper::state_hash(*replayed), stepper::state_hash(*ctx)) << "step " << i;
     }
     EXPECT_GT(loaded, 40);
@@ -191,8 +191,8 @@ TEST(Deadline, HoldsWhileTheLoadDoublesAndIsExactAgainAfterwards) {
     EXPECT_LT(exact_since, 60);
     // A floor that shakes moves no box through it, nor off it: at most 1 m/s for 4 s.
     for (std::size_t b = 1; b <= kBoxes / 2; ++b) {
-        EXPECT_NEAR(ctx->bodies.x[3 * b + 2], 0.25, 1e-3);
-        EXPECT_LT(std::fabs(ctx->bodies.x[3 * b + 1]), 4.0);
+        EXPECT_NEAR(ctx->model.bodies.x[3 * b + 2], 0.25, 1e-3);
+        EXPECT_LT(std::fabs(ctx->model.bodies.x[3 * b + 1]), 4.0);
     }
 }
 

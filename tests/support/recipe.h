@@ -76,7 +76,7 @@ struct Recipe {
     /// The bodies and interactions without a World around them, prepared.
     [[nodiscard]] std::unique_ptr<stepper::StepContext> context() const {
         auto ctx = std::make_unique<stepper::StepContext>(world);
-        for (const BodyDef& b : bodies) ctx->bodies.add(b);
+        for (const BodyDef& b : bodies) ctx->model.bodies.add(b);
         for (InteractionDef d : interactions) {
             Vec3 position[kMaxInteractionBodies], point[kMaxInteractionBodies];
             const int count = kind_info(d.kind).bodies;
@@ -88,7 +88,7 @@ struct Recipe {
                 if (turns) point[b] += body.orientation.normalized() * d.point[b];
             }
             model::complete(d, position, count > 1 ? (point[1] - point[0]).norm() : 0.0);
-            ctx->interactions.add(d, ctx->bodies, world.step);
+            ctx->model.interactions.add(d, ctx->model.bodies, world.step);
         }
         stepper::prepare(*ctx);
         return ctx;

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/judge_prepare.h"
+
+#include "access/copies.h"
+#include "base/index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace hawser::stepper {
+namespace {
+
+/// Length of the edges of a cube with the same mass and inertia [m]; none for other bodies.
+double size_of(const model::Bodies& b, std::int32_t body) noexcept {
+    if (b.dof(body) != 6) return std::numeric_limits<double>::infinity();
+    const double* s = &b.inertia[9 * at(body)];
+    return std::sqrt(2.0 * (s[0] + s[4] + s[8]) / b.mass[at(body)]);
+}
+
+}  // namespace
+
+void prepare_judge(StepContext& ctx) {
+    JudgeData& d = ctx.state.judge;
+    const model::Interactions& in = ctx.model.interactions;
+    if (!ctx.state.edits.any) d.state = {};
+    d.allowed.assign(at(user_rows(ctx)), 0.0);
+    d.elastic.clear();
+    d.line.clear();
+    d.lines.clear();
+    for (std::int32_t id = 0; id < interaction_count(ctx); ++id) {
+        const KindInfo& kind = kind_info(in.kinds[at(id)]);
+        if (in.rest_length[at(id)] > 0.0) d.lines.push_back(id);
+        if (in.flags[at(id)] & model::kFriction) continue;  // counted as driven
+        double size = std::numeric_limits<double>::infinity();
+        for (int b = 0; b < in.bodies[at(id)]; ++b)
+            size = std::min(size,
+                            size_of(ctx.model.bodies, in.body[at(kMaxInteractionBodies * id + b)]));
+        bool soft = false;
+        for (int r = 0; r < in.rows[at(id)]; ++r) {
+            const auto row = at(in.row_begin[at(id)] + r);
+            if (in.row_flags[row] & model::kRowVelocity) continue;
+            const double length = in.rest_length[at(id)];
+            const bool holds = model::holds_energy(in.epsilon[row], length);
+            soft |= holds;
+            const bool stiff =
+                in.epsilon[row] <= limit::kMeantRigid && model::may_ever_complete(in, id);
+            // Of a wire element the cable law is asked.
+            if ((stiff || !holds) && length == 0.0 &&
+                !(in.flags[at(id)] & (model::kRange | model::kMotor))) {
+                const bool turns = kind.row_units[r] == 'r';
+                const double arm = std::isfinite(size) ? 0.5 * size : 0.0;
+                const double open = limit::kOpen.doubtful * std::max(1.0, 2.0 * arm);
+                d.allowed[row] = (turns ? arm : 1.0) / open;
+            }
+        }
+        if (!soft) continue;
+        d.elastic.push_back(id);
+        d.line.push_back(kind.is(kAlongLine) && !kind.is(kWoundUp));
+    }
+    // A joint that comes open is excused as one that a scene opens.
+    for (const std::int32_t id : ctx.state.edits.interactions) {
+        const model::RowState now = in.row_state(id, ctx.model.bodies);
+        for (int r = 0; r < in.rows[at(id)]; ++r) {
+            const double open = std::fabs(now.g[r]) * d.allowed[at(in.row_begin[at(id)] + r)];
+            if (open > 1.0) d.state.open_start = std::max(d.state.open_start, open);
+        }
+    }
+    const auto most = static_cast<std::int32_t>(std::max(
+        {ctx.model.bodies.moving.size(), d.allowed.size(), d.elastic.size(), d.lines.size()}));
+    d.part.resize(at(StepContext::chunks(most)));
+    d.nothing = 0.0;
+    constexpr double kAtRest = 1e-5;  // [m/s]: weightless bodies that rest make rounding only
+    for (const std::int32_t b : ctx.model.bodies.moving) {
+        d.nothing += 0.5 * ctx.model.bodies.mass[at(b)] * kAtRest * kAtRest;
+        if (ctx.model.bodies.weight[at(b)])
+            d.nothing +=
+                limit::kNothingHigher * ctx.model.bodies.mass[at(b)] * ctx.model.def.gravity.norm();
+    }
+    // A look at a small scene costs next to nothing.
+    constexpr std::size_t kSmall = 128;
+    const bool small = ctx.model.bodies.moving.size() + d.elastic.size() <= kSmall;
+    d.every = small ? 1
+                    : static_cast<std::int32_t>(
+                          std::max(1.0, std::round(limit::kLook / ctx.model.def.step)));
+}
+
+}  // namespace hawser::stepper
