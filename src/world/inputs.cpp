@@ -28,6 +28,22 @@ void check_display(const InputDef& def, const std::string& where) {
         throw DefError(where + ": spring is not a finite number; leave it out for none");
 }
 
+/// Narrows the range of `def` to that of its parameter: an input must not reach what
+/// add_interaction() would have refused.
+void limit_to_param(InputDef& def, const KindInfo& kind, const std::string& where) {
+    for (const ParamInfo& p : kind.params) {
+        if (def.param != p.name) continue;
+        if (!p.input)
+            throw DefError(where + ": parameter '" + def.param + "' of a " + kind.name +
+                           " cannot change between steps");
+        def.min = std::max(def.min, p.min);
+        def.max = std::min(def.max, p.max);
+        if (def.min > def.max)
+            throw DefError(where + ": the range lies outside that of parameter '" + def.param +
+                           "', " + world::number(p.min) + " … " + world::number(p.max));
+    }
+}
+
 }  // namespace
 
 InputId World::add_input(const InputDef& def) {
@@ -44,18 +60,7 @@ InputId World::add_input(const InputDef& def) {
     if (def.interaction.valid()) {
         const InteractionDef& d = interaction_def(def.interaction);
         value = d.get(def.param);
-        for (const ParamInfo& p : kind_info(d.kind).params) {
-            if (def.param != p.name) continue;
-            if (!p.input)
-                throw DefError(where + ": parameter '" + def.param + "' of a " +
-                               kind_info(d.kind).name + " cannot change between steps");
-            // An input must not reach what add_interaction() would have refused.
-            allowed.min = std::max(def.min, p.min);
-            allowed.max = std::min(def.max, p.max);
-            if (allowed.min > allowed.max)
-                throw DefError(where + ": the range lies outside that of parameter '" + def.param +
-                               "', " + world::number(p.min) + " … " + world::number(p.max));
-        }
+        limit_to_param(allowed, kind_info(d.kind), where);
     } else {
         const std::size_t b = impl_->place(def.body);
         if (def.component < 0 || def.component > 5)

@@ -48,6 +48,10 @@ class Pid final : public System {
     explicit Pid(PidDef def) : def_(std::move(def)), target_(def_.target) {}
 
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
+    void holds(HoldTable& table) const override {
+        table.hold(def_.measured);
+        table.hold(def_.driven);
+    }
     void prestep(Prestep& now, Loads&) noexcept override {
         if (!read(now.world)) return now.set_input(def_.driven, std::nan(""));  // ends the step
         if (started_ == 0) smooth_ = measured_;
