@@ -122,6 +122,7 @@ struct SolveWork {
 struct JointWork {
     std::vector<assembly::Turning> turnings;  ///< One a strip or group.
     std::vector<double> closing;              ///< Gaps of rows, a solution.
+    std::vector<double> taken;                ///< By row: self-stress, see solve/self_stress.h.
 };
 
 /// What a step leaves out to end in time: src/budget.

@@ -49,6 +49,8 @@ void analyse_system(StepContext& ctx, const factor::AnalysisState* state) {
     if (!ctx.model.completion.rigid.empty())
         ctx.work.joints.closing.resize(ctx.model.interactions.g.size() +
                                        at(ctx.model.system.symbolic.scalars));
+    if (!ctx.model.completion.looped.empty())
+        ctx.work.joints.taken.resize(ctx.model.interactions.g.size());
     count_analysis(ctx);
 }
 

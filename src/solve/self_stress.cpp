@@ -24,10 +24,15 @@ double drawn(std::int32_t row) noexcept {
     return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53 - 0.5;
 }
 
-/// u of K [u; −λ'] = [Gᵀλ; 0], into the solver's vector, for the impulses λ(row) of some joints.
+/// Sizes of a momentum that joints push with: of the sum over bodies, and of what each joint gives.
+struct Push {
+    double sum = 0.0, parts = 0.0;  ///< Squares.
+};
+
+/// Gᵀλ into the solver's vector, for the impulses λ(row) of some joints.
 template <class Lambda>
-void push_joints(StepContext& ctx, const View& v, Lambda lambda) noexcept {
-    const StageTimer timer(ctx, Stage::factor);
+Push load_joints(StepContext& ctx, const View& v, Lambda lambda) noexcept {
+    Push size;
     std::fill_n(v.solution, ctx.model.system.symbolic.scalars, 0.0);
     for (const std::int32_t id : ctx.model.completion.looped) {
         double room[model::kArmRoom];
@@ -36,14 +41,25 @@ void push_joints(StepContext& ctx, const View& v, Lambda lambda) noexcept {
             const double push = lambda(id, v.row_begin[id] + r);
             for (int b = 0; b < v.bodies[id]; ++b) {
                 const std::int32_t body = v.body[kMaxInteractionBodies * id + b];
-                for (int j = 0; j < v.dof[body]; ++j)
-                    v.solution[v.body_offset[body] + j] += push * *jac++;
+                for (int j = 0; j < v.dof[body]; ++j) {
+                    const double part = push * *jac++;
+                    size.parts += part * part;
+                    v.solution[v.body_offset[body] + j] += part;
+                }
             }
         }
     }
+    ctx.work.solve.rhs_ready = false;
+    for (std::int32_t i = 0; i < ctx.model.system.symbolic.scalars; ++i)
+        size.sum += v.solution[i] * v.solution[i];
+    return size;
+}
+
+/// u of K [u; −λ'] = [Gᵀλ; 0] for what load_joints() has left in the solver's vector, in place.
+void solve_loaded(StepContext& ctx, const View& v) noexcept {
+    const StageTimer timer(ctx, Stage::factor);
     ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
     ++ctx.work.stats.substitutions;
-    ctx.work.solve.rhs_ready = false;
 }
 
 /// λ' of one joint then.
@@ -72,12 +88,33 @@ bool is_changed(const View& v, std::int32_t id, Lambda lambda, double* kept) noe
     return less > kShare * kShare * all;
 }
 
+/// What is taken from joints must move nothing, Gᵀ `taken` = 0. One substitution leaves 1e-8 of it,
+/// which is what bodies would lack of the momentum that they have: the same filter, of what is
+/// taken, says what is to stay.
+void keep_momentum(StepContext& ctx, const View& v) noexcept {
+    constexpr double kMost = 1e-11;  ///< Of the impulses.
+    constexpr int kFilterPasses = 2;
+    double* taken = ctx.work.joints.taken.data();
+    const auto loss = [&](std::int32_t, std::int32_t row) noexcept { return taken[row]; };
+    for (int pass = 0; pass < kFilterPasses; ++pass) {
+        const Push size = load_joints(ctx, v, loss);
+        if (!(size.sum > kMost * kMost * size.parts)) return;
+        solve_loaded(ctx, v);
+        for (const std::int32_t id : ctx.model.completion.looped) {
+            double kept[kMaxInteractionRows];
+            read_filtered(v, id, kept);
+            for (int r = 0; r < v.rows[id]; ++r) taken[v.row_begin[id] + r] -= kept[r];
+        }
+    }
+}
+
 /// Which joints in loops repeat others now: those of which impulses drawn at random lose something
 /// in the filter.
 void probe_loops(StepContext& ctx) noexcept {
     const View v = view(ctx);
     const auto random = [](std::int32_t, std::int32_t row) noexcept { return drawn(row); };
-    push_joints(ctx, v, random);
+    (void)load_joints(ctx, v, random);
+    solve_loaded(ctx, v);
     for (const std::int32_t id : ctx.model.completion.looped) {
         double kept[kMaxInteractionRows];
         ctx.model.interactions.repeats[at(id)] = is_changed(v, id, random, kept) ? 1 : 0;
@@ -98,18 +135,25 @@ void take_self_stress(StepContext& ctx) noexcept {
     const auto impulse = [&](std::int32_t id, std::int32_t row) noexcept {
         return repeats[id] ? v.lambda[row] : 0.0;
     };
-    push_joints(ctx, v, impulse);
+    (void)load_joints(ctx, v, impulse);
+    solve_loaded(ctx, v);
+    double* taken = ctx.work.joints.taken.data();
+    std::fill_n(taken, ctx.work.joints.taken.size(), 0.0);
     for (const std::int32_t id : looped) {
         double kept[kMaxInteractionRows];
         if (!repeats[id] || !is_changed(v, id, impulse, kept)) continue;
         ++ctx.work.stats.undetermined;
+        for (int r = 0; r < v.rows[id]; ++r)
+            taken[v.row_begin[id] + r] = v.lambda[v.row_begin[id] + r] - kept[r];
+    }
+    keep_momentum(ctx, v);
+    for (const std::int32_t id : looped)
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
             // What the row's equation lacks by that is not a residual: the impulse moves nothing.
-            v.residual[row] += v.sigma[row] * (v.lambda[row] - kept[r]);
-            v.lambda[row] = kept[r];
+            v.residual[row] += v.sigma[row] * taken[row];
+            v.lambda[row] -= taken[row];
         }
-    }
 }
 
 }  // namespace hawser::stepper

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// An analysis that follows the contacts of the paper's scene.
+#include "factor/analyse.h"
 #include "factor/repair.h"
 
 #include <gtest/gtest.h>
