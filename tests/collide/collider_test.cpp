@@ -144,7 +144,7 @@ TEST(Collider, LeavesOutOneBodyJointsAndWhatCannotMove) {
     for (const auto body : {fixed, carrier, a, a, b, c}) site.shape(ShapeKind::sphere, body, 1.0);
     InteractionDef hinge{.kind = InteractionKind::Hinge, .body = {BodyId{a}, BodyId{b}}};
     InteractionDef line{.kind = InteractionKind::Distance, .body = {BodyId{b}, BodyId{c}}};
-    site.interactions.def = {hinge, line};
+    for (const InteractionDef& def : {hinge, line}) site.interactions.add(def, site.bodies, site.h);
     // Apart, so that normals exist.
     site.move(carrier, {0.1, 0, 0});
     site.move(a, {0, 0.1, 0});
