@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// An analysis that follows the contacts of the paper's scene.
-#include "factor/analyse.h"
 #include "factor/repair.h"
+#include "factor/analyse.h"
 
 #include <gtest/gtest.h>
 
