@@ -21,11 +21,11 @@ namespace hawser::stepper {
 namespace {
 
 using nonsmooth::Cone;
-using nonsmooth::Coupling;
 
-constexpr int kHalvings = 2;    ///< More make the iterates creep; some steps then never end.
-constexpr int kPatience = 8;    ///< Iterations before slow ones ask for a factorisation.
-constexpr double kSlow = 0.25;  ///< Merit left after an iteration that asks for a factorisation.
+constexpr int kHalvings = 2;  ///< More make the iterates creep; some steps then never end.
+constexpr int kPatience = 8;  ///< Iterations before slow ones ask for a factorisation.
+constexpr double kSlowMerit =
+    0.25;                       ///< Merit left after an iteration that asks for a factorisation.
 constexpr int kKrylovFrom = 2;  ///< First iteration that may do without a factorisation.
 constexpr int kTogether = 24;   ///< Iterations in which any number of rows may switch.
 
@@ -72,7 +72,8 @@ struct Course {
 };
 
 /// Newton iterations from the iterate at hand. @param coupling  Of all contacts.
-Status iterate(StepContext& ctx, Coupling coupling, double tolerance, Course course = {}) noexcept {
+Status iterate(StepContext& ctx, nonsmooth::Coupling coupling, double tolerance,
+               Course course = {}) noexcept {
     const bool hasty = course.hasty;
     for (Cone& c : ctx.model.system.contacts.cones) c.coupling = coupling;
     bool again = false, slow = false;
@@ -97,7 +98,7 @@ Status iterate(StepContext& ctx, Coupling coupling, double tolerance, Course cou
         take_bounds(ctx);
         const Way way = it > 0 ? search(ctx, before) : Way{};
         if (!std::isfinite(way.merit)) return Status::not_finite;
-        slow = it > kPatience && way.merit > kSlow * before;
+        slow = it > kPatience && way.merit > kSlowMerit * before;
         if (it > 0 && way.merit > before && before < ctx.work.newton.best)
             set_best_aside(ctx.work.newton, before);
         keep_iterate(ctx);
@@ -152,7 +153,7 @@ Status from_soft(StepContext& ctx) noexcept {
     for (const double soften : {1024.0, 32.0}) {  // powers of two: exactly undone
         soften_by(ctx, soften);
         restart(ctx);
-        const Status status = iterate(ctx, Coupling::exact, kRough);
+        const Status status = iterate(ctx, nonsmooth::Coupling::exact, kRough);
         soften_by(ctx, 1.0 / soften);
         if (status != Status::ok) return status;
         if (ctx.work.stats.cut) break;
@@ -161,7 +162,7 @@ Status from_soft(StepContext& ctx) noexcept {
     forget_best(ctx);  // its merit was that of a softer system
     if (ctx.work.stats.cut) return Status::ok;
     restart(ctx);
-    return iterate(ctx, Coupling::exact, ctx.model.def.contact_tolerance);
+    return iterate(ctx, nonsmooth::Coupling::exact, ctx.model.def.contact_tolerance);
 }
 
 /// What the statistics say of contacts that are solved, or not.
@@ -192,7 +193,7 @@ void reserve_newton(StepContext& ctx) {
 }
 
 void begin_newton(StepContext& ctx) noexcept {
-    for (Cone& c : ctx.model.system.contacts.cones) c.coupling = Coupling::exact;
+    for (Cone& c : ctx.model.system.contacts.cones) c.coupling = nonsmooth::Coupling::exact;
     (void)linearise(ctx);
     adopt_laws(ctx, true);
 }
@@ -203,8 +204,8 @@ Status solve_newton(StepContext& ctx) noexcept {
     const bool cold = ctx.state.step == 0;
     const double tolerance = ctx.model.def.contact_tolerance;
     bool hasty = !cold && ctx.work.limits.budget.hasty();
-    Status status =
-        cold ? from_soft(ctx) : iterate(ctx, Coupling::exact, tolerance, {.hasty = hasty});
+    Status status = cold ? from_soft(ctx)
+                         : iterate(ctx, nonsmooth::Coupling::exact, tolerance, {.hasty = hasty});
     hasty = hasty && ctx.work.stats.cut;
     if (!cold && !solved(ctx, status) && !ctx.work.stats.cut) {
         go_back_to_last(ctx);
@@ -213,13 +214,13 @@ Status solve_newton(StepContext& ctx) noexcept {
     if (!solved(ctx, status) && !ctx.work.stats.cut) {
         go_back_to_last(ctx);
         for (Cone& c : ctx.model.system.contacts.cones) {
-            c.coupling = Coupling::lagged;
+            c.coupling = nonsmooth::Coupling::lagged;
             std::fill_n(c.u, 3, 0.0);
         }
         for (nonsmooth::Resistance& a : ctx.model.system.contacts.resistances.laws)
             std::fill_n(a.u, 3, 0.0);
         restart(ctx);
-        status = iterate(ctx, Coupling::lagged, tolerance);
+        status = iterate(ctx, nonsmooth::Coupling::lagged, tolerance);
     }
     const bool early = status == Status::ok && !solved(ctx, status);
     if (early && hasty)
@@ -249,7 +250,8 @@ Status settle_newton(StepContext& ctx) noexcept {
     state_certificate(ctx);
     if (ctx.work.stats.natural_map <= ctx.model.def.contact_tolerance || ctx.work.stats.cut)
         return Status::ok;
-    status = iterate(ctx, Coupling::exact, ctx.model.def.contact_tolerance, {.begun = true});
+    status =
+        iterate(ctx, nonsmooth::Coupling::exact, ctx.model.def.contact_tolerance, {.begun = true});
     if (status == Status::ok) status = refine(ctx);
     if (status == Status::ok) status = follow_loads(ctx);
     if (status == Status::ok) state_certificate(ctx);

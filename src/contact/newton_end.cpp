@@ -19,7 +19,6 @@ namespace {
 
 using assembly::Contacts;
 using nonsmooth::Cone;
-using nonsmooth::Coupling;
 
 /// Impulses onto their cones.
 void project_all(StepContext& ctx) noexcept {
@@ -88,7 +87,7 @@ Status end_early(StepContext& ctx) noexcept {
     Contacts& contacts = ctx.model.system.contacts;
     if (ctx.work.newton.best < merit(ctx, 0.0)) take_best(ctx);
     constexpr double kPoor = 0.1;  // Worse tells less than how the last step ended.
-    for (Cone& c : contacts.cones) c.coupling = Coupling::lagged;
+    for (Cone& c : contacts.cones) c.coupling = nonsmooth::Coupling::lagged;
     if (ctx.work.stats.natural_map > kPoor) go_back_to_last(ctx);
     ctx.work.stats.flips_left = linearise(ctx);
     adopt_laws(ctx, false);

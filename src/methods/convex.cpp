@@ -17,7 +17,7 @@ namespace {
 
 using nonsmooth::Cone;
 
-std::int32_t linearise(StepContext& ctx) noexcept {
+std::int32_t linearise_cones(StepContext& ctx) noexcept {
     std::int32_t flips = 0;
     for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
         Cone& c = ctx.model.system.contacts.cones[k];
@@ -70,7 +70,7 @@ double worst_of_model(const StepContext& ctx) noexcept {
 }  // namespace
 
 void begin_convex(StepContext& ctx) noexcept {
-    (void)linearise(ctx);
+    (void)linearise_cones(ctx);
     adopt_laws(ctx, true);
 }
 
@@ -95,7 +95,7 @@ Status solve_convex(StepContext& ctx) noexcept {
             it + 1 >= ctx.model.def.contact_iterations)
             break;
         keep_iterate(ctx);
-        ctx.work.stats.flips_left += linearise(ctx);  // to those of rows
+        ctx.work.stats.flips_left += linearise_cones(ctx);  // to those of rows
     }
     ctx.work.stats.natural_map = worst(ctx);
     return refine(ctx);

@@ -17,7 +17,6 @@
 namespace hawser::stepper {
 namespace {
 
-using nonsmooth::Bound;
 using nonsmooth::Cone;
 
 constexpr int kPasses = 8;
@@ -25,7 +24,7 @@ constexpr int kPasses = 8;
 void make_laws(StepContext& ctx) noexcept {
     for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
         Cone& c = ctx.model.system.contacts.cones[k];
-        const Bound* rows = &ctx.work.newton.bounds[3 * k];
+        const nonsmooth::Bound* rows = &ctx.work.newton.bounds[3 * k];
         ctx.work.newton.laws[k] = nonsmooth::box_law(c, rows, ctx.work.newton.limit[k]);
         c.touch = nonsmooth::touch_of(rows, ctx.work.newton.limit[k]);
     }
@@ -58,8 +57,8 @@ double renew_limits(StepContext& ctx) noexcept {
         double& limit = ctx.work.newton.limit[k];
         const double now = c.friction * std::max(0.0, c.lambda[0]);
         // A bound that nothing leans on may change without another pass.
-        const bool held = ctx.work.newton.bounds[3 * k + 1] == Bound::free &&
-                          ctx.work.newton.bounds[3 * k + 2] == Bound::free &&
+        const bool held = ctx.work.newton.bounds[3 * k + 1] == nonsmooth::Bound::free &&
+                          ctx.work.newton.bounds[3 * k + 2] == nonsmooth::Bound::free &&
                           std::max(std::fabs(c.lambda[1]), std::fabs(c.lambda[2])) <= now;
         if (!held)
             change = std::max(
@@ -76,13 +75,13 @@ void begin_pivoting(StepContext& ctx) noexcept {
         const Cone& c = ctx.model.system.contacts.cones[k];
         ctx.work.newton.limit[k] = c.friction * std::max(0.0, c.lambda[0]);
         // Where the last step left them, by the law of the rows at its velocities.
-        Bound* rows = &ctx.work.newton.bounds[3 * k];
-        rows[0] = c.u[0] - c.b[0] < 0.0 ? Bound::free : Bound::low;
+        nonsmooth::Bound* rows = &ctx.work.newton.bounds[3 * k];
+        rows[0] = c.u[0] - c.b[0] < 0.0 ? nonsmooth::Bound::free : nonsmooth::Bound::low;
         for (int i = 1; i < 3; ++i) {
             const double y = (c.b[i] - c.u[i]) / c.sigma_t;
-            rows[i] = y > ctx.work.newton.limit[k]    ? Bound::high
-                      : y < -ctx.work.newton.limit[k] ? Bound::low
-                                                      : Bound::free;
+            rows[i] = y > ctx.work.newton.limit[k]    ? nonsmooth::Bound::high
+                      : y < -ctx.work.newton.limit[k] ? nonsmooth::Bound::low
+                                                      : nonsmooth::Bound::free;
         }
     }
     make_laws(ctx);

@@ -24,7 +24,7 @@ namespace {
 using nonsmooth::Cone;
 using nonsmooth::Touch;
 
-constexpr int kMostRounds = 20;  ///< Of the active set; it mostly takes one to three.
+constexpr int kMostSplitRounds = 20;  ///< Of the active set; it mostly takes one to three.
 
 /// Normal row in the matrix or not; the tangents' impulses are numbers.
 void make_law(StepContext& ctx, std::size_t k, bool bears) noexcept {
@@ -70,7 +70,7 @@ Status solve_normals(StepContext& ctx, bool first) noexcept {
             make_law(ctx, k, now);
         }
         ctx.work.stats.flips_left = flips;
-        if ((flips == 0 && !again) || round + 1 >= kMostRounds) return Status::ok;
+        if ((flips == 0 && !again) || round + 1 >= kMostSplitRounds) return Status::ok;
         // A row that is switched changes the matrix where no contact does.
         adopt_laws(ctx, again);
     }

@@ -30,7 +30,7 @@ bool carries(const model::Bodies& b, std::int32_t body) noexcept {
 }
 
 /// First body of the island of a body that moves, by path halving.
-std::int32_t root(std::vector<std::int32_t>& island, std::int32_t body) noexcept {
+std::int32_t island_of(std::vector<std::int32_t>& island, std::int32_t body) noexcept {
     while (island[at(body)] != body) body = island[at(body)] = island[at(island[at(body)])];
     return body;
 }
@@ -71,7 +71,7 @@ void find_islands(StepContext& ctx) noexcept {
         std::int32_t first = -1;
         for (const std::int32_t b : bodies) {
             if (!moves(ctx.model.bodies, b)) continue;
-            const std::int32_t r = root(island, b);
+            const std::int32_t r = island_of(island, b);
             // The smallest index is the root, so that numbering does not matter.
             if (first >= 0 && r != first) island[at(std::max(r, first))] = std::min(r, first);
             first = first < 0 ? r : std::min(r, first);
@@ -85,7 +85,7 @@ void mark_islands(StepContext& ctx, F&& wanted) noexcept {
     Sleep& s = ctx.work.sleep;
     std::fill(s.mark.begin(), s.mark.end(), std::uint8_t{0});
     for (const std::int32_t b : ctx.model.bodies.moving)
-        if (wanted(b)) s.mark[at(root(s.island, b))] = 1;
+        if (wanted(b)) s.mark[at(island_of(s.island, b))] = 1;
     if (std::none_of(ctx.model.bodies.driven.begin(), ctx.model.bodies.driven.end(),
                      [&](std::int32_t b) { return carries(ctx.model.bodies, b); }))
         return;
@@ -94,7 +94,7 @@ void mark_islands(StepContext& ctx, F&& wanted) noexcept {
                          [&](std::int32_t b) { return carries(ctx.model.bodies, b); }))
             return;
         for (const std::int32_t b : bodies)
-            if (moves(ctx.model.bodies, b)) s.mark[at(root(s.island, b))] = 1;
+            if (moves(ctx.model.bodies, b)) s.mark[at(island_of(s.island, b))] = 1;
     });
 }
 
@@ -133,7 +133,7 @@ bool wake_islands(StepContext& ctx) noexcept {
         ctx, [&](std::int32_t body) { return b.asleep[at(body)] == 0 || b.quiet[at(body)] == 0; });
     bool woken = false;
     for (const std::int32_t body : b.moving) {
-        if (ctx.work.sleep.mark[at(root(ctx.work.sleep.island, body))] == 0) continue;
+        if (ctx.work.sleep.mark[at(island_of(ctx.work.sleep.island, body))] == 0) continue;
         if (!set_asleep(ctx, body, false)) continue;
         b.quiet[at(body)] = 0;
         woken = true;
@@ -199,7 +199,7 @@ void fall_asleep(StepContext& ctx) noexcept {
     mark_islands(ctx, [&](std::int32_t body) { return b.quiet[at(body)] < most; });
     bool fallen = false;
     for (const std::int32_t body : b.moving)
-        if (ctx.work.sleep.mark[at(root(ctx.work.sleep.island, body))] == 0)
+        if (ctx.work.sleep.mark[at(island_of(ctx.work.sleep.island, body))] == 0)
             fallen = set_asleep(ctx, body, true) || fallen;
     if (fallen) analyse_after_step(ctx);
 }

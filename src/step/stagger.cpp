@@ -95,7 +95,7 @@ double swing_of(const StepContext& ctx, std::int32_t id, int r) {
 /// @return whether there is such a spring.
 bool slow_springs(StepContext& ctx, bool add) noexcept {
     const assembly::View v = view(ctx);
-    constexpr double kResolved = 0.25;
+    constexpr double kResolvedShare = 0.25;
     bool any = false;
     for (std::int32_t id = 0; id < interaction_count(ctx); ++id) {
         // Of wires see calm_start().
@@ -107,7 +107,7 @@ bool slow_springs(StepContext& ctx, bool add) noexcept {
         for (int r = 0; r < v.rows[id]; ++r) {
             const double speed = along_row(v, id, jac, v.v, v.dof_begin);
             const double z = speed == 0.0 ? 0.0 : swing_of(ctx, id, r);
-            if (!(z > kResolved)) continue;
+            if (!(z > kResolvedShare)) continue;
             any = true;
             const double less = (1.0 - 1.0 / std::sqrt(1.0 + z)) * (1.0 + z) / z;
             if (add) v.c[v.row_begin[id] + r] += 2.0 * less * speed;
