@@ -115,7 +115,7 @@ struct Seen {
     V3 centre;
 };
 
-int ring(const SurfaceTriangle& t, int corner, V3* out) {
+int mesh_ring(const SurfaceTriangle& t, int corner, V3* out) {
     const Seen& seen = *static_cast<const Seen*>(t.surface);
     const int v = seen.mesh.triangles[3 * t.index + corner];
     int count = 0;
@@ -138,7 +138,7 @@ SurfaceTriangle triangle_of(const Seen& seen, int t) {
     out.name = static_cast<std::uint32_t>(mesh.names[t]);
     out.surface = &seen;
     out.index = t;
-    out.ring = ring;
+    out.ring = mesh_ring;
     return out;
 }
 

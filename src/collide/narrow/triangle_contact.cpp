@@ -10,10 +10,10 @@
 namespace hawser::collide::narrow {
 namespace {
 
-constexpr double kLean = 1e-6;       ///< A neighbour that rises by less is flat [rad].
-constexpr double kGroup = 0.99;      ///< Cosine between normals of one group.
-constexpr double kSamePlace = 1e-6;  ///< Of the size.
-constexpr double kDeeper = 1e-8;     ///< Of the size: a deeper point is worth adding.
+constexpr double kLean = 1e-6;        ///< A neighbour that rises by less is flat [rad].
+constexpr double kGroup = 0.99;       ///< Cosine between normals of one group.
+constexpr double kSamePlace = 1e-6;   ///< Of the size.
+constexpr double kDeeperFace = 1e-8;  ///< Of the size: a deeper point is worth adding.
 
 /// Whether m (unit, out of the surface) is a normal at the part of the triangle that faces it.
 bool allowed(const SurfaceTriangle& t, const V3& m) {
@@ -73,7 +73,7 @@ void along_normal(const Convex& shape, const SurfaceTriangle& t, const V3& n, do
         const double lowest = dot(n, deep - t.triangle.corner[0]);
         double least = found.p[0].gap;
         for (int i = 1; i < found.count; ++i) least = std::min(least, found.p[i].gap);
-        if (lowest < least - kDeeper * shape.size && over_triangle(t.triangle, deep, snap))
+        if (lowest < least - kDeeperFace * shape.size && over_triangle(t.triangle, deep, snap))
             found.add({deep, deep - lowest * n, -n, lowest, feature(3, below.vertex[0], 0)});
         for (int i = 0; i < found.count; ++i) {
             Point p = found.p[i];
