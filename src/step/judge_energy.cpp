@@ -61,11 +61,6 @@ void begin_energy(const JudgePart& p, const Works& w, JudgeState& state) noexcep
     keep(p, w, state);
 }
 
-void excuse_start(double gained, JudgeState& state) noexcept {
-    for (std::size_t i = 0; i < state.mean.size(); ++i)
-        set(state, i, state.mean[i] + std::max(0.0, gained));
-}
-
 Unexplained follow_energy(const JudgePart& p, const Works& w, double time,
                           JudgeState& state) noexcept {
     if (state.begun == 0) begin_energy(p, w, state);

@@ -22,12 +22,6 @@ struct Unexplained {
 /// The sums begin: energy at the start.
 void begin_energy(const JudgePart& p, const Works& works, JudgeState& state) noexcept;
 
-/// Velocities at the start have been put half a step back: what kinetic energy that gained is work
-/// done by the time of the start, which no account has [J]. Of a body at rest under a force F it is
-/// ½ m (F h/2m)²: the works of the first step, from half a step before the start to half a step
-/// after it, are zero, and the body moves all the same.
-void excuse_start(double gained, JudgeState& state) noexcept;
-
 /// `state` goes on to this look. @param time  Since the last one [s].
 [[nodiscard]] Unexplained follow_energy(const JudgePart& p, const Works& works, double time,
                                         JudgeState& state) noexcept;

@@ -2,7 +2,6 @@
 #include "step/step.h"
 
 #include "access/guarded.h"
-#include "access/kinetic.h"
 #include "access/remember.h"
 #include "access/timer.h"
 #include "access/undo.h"
@@ -17,7 +16,6 @@
 #include "step/impact.h"
 #include "step/integrate.h"
 #include "step/judge.h"
-#include "step/judge_energy.h"
 #include "step/prestep.h"
 #include "step/ready.h"
 #include "step/sleep.h"
@@ -66,10 +64,7 @@ Status start_world(StepContext& ctx) noexcept {
     if (ctx.model.collider.count() > 0) status = find_contacts(ctx);
     if (status == Status::ok && ctx.model.collider.count() > 0)
         status = start_contacts(ctx, Phase::stagger);
-    const double before = kinetic_energy(ctx.model.bodies, ctx.model.bodies.v.data());
     if (status == Status::ok) status = stagger(ctx);
-    excuse_start(kinetic_energy(ctx.model.bodies, ctx.model.bodies.v.data()) - before,
-                 ctx.state.judge.state);
     ctx.state.loads.added = added_energy(ctx, ctx.model.bodies.v.data());
     return status;
 }
