@@ -78,7 +78,6 @@ TEST(Gear, TurnsAsTheTeethSayUnderATorque) {
         // share above grows by 2 (h ω)²/12 while the speed doubles.
         const double teeth = -ratio * ratio * kSecond * torque / inertia;
         EXPECT_NEAR(t.w.force(t.gear)[0], teeth, 3.3 * off / (ratio * ratio) * std::abs(teeth));
-        EXPECT_EQ(t.w.verdict().grade, Grade::good);
     }
 }
 
