@@ -44,6 +44,13 @@ void limit_to_param(InputDef& def, const KindInfo& kind, const std::string& wher
     }
 }
 
+/// Of two inputs of a parameter a restored world could not tell which was set last.
+void refuse_second(const InputDef& other, const InputDef& def, const std::string& where) {
+    if (other.interaction == def.interaction && other.param == def.param)
+        throw DefError(where + ": input '" + other.name + "' drives '" + def.param +
+                       "' of the same interaction; one input a parameter");
+}
+
 }  // namespace
 
 InputId World::add_input(const InputDef& def) {
@@ -61,6 +68,8 @@ InputId World::add_input(const InputDef& def) {
         const InteractionDef& d = interaction_def(def.interaction);
         value = d.get(def.param);
         limit_to_param(allowed, kind_info(d.kind), where);
+        for (const InputId other : m.input_ids)
+            refuse_second(m.inputs[at(other.index)], def, where);
     } else {
         const std::size_t b = impl_->place(def.body);
         if (def.component < 0 || def.component > 5)

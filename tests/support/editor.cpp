@@ -117,6 +117,8 @@ bool Editor::add_input() {
         def.interaction = any(all);
         if (first().interaction_def(def.interaction).kind != InteractionKind::Distance)
             return false;
+        for (const InputId input : first().inputs())
+            if (first().input_def(input).interaction == def.interaction) return false;
         def.param = "length";
         def.min = 0.1;
         def.max = 20.0;

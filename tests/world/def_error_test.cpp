@@ -230,6 +230,9 @@ TEST(DefError, BadInputs) {
     d.param = "length";
     w.add_input(d);
     EXPECT_NE(refused([&] { w.add_input(d); }).find("in"), std::string::npos) << "name taken";
+    d.name = "another";
+    EXPECT_NE(refused([&] { w.add_input(d); }).find("one input a parameter"), std::string::npos);
+    EXPECT_EQ(w.input_count(), 1);
 }
 
 TEST(DefError, BadStates) {
