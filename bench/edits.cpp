@@ -2,6 +2,7 @@
 // hawser-bench edits: what it costs to add and remove while a world runs.
 #include <hawser/scene.h>
 #include "commands.h"
+#include "linear/timing.h"
 #include "verdict.h"
 
 #include <fmt/core.h>
@@ -33,13 +34,6 @@ struct Coming {
     std::function<void()> add, remove;
     std::vector<double> seconds = {};  ///< Of steps with one of both.
 };
-
-double middle_of(std::vector<double> all) {
-    if (all.empty()) return 0.0;
-    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-    std::nth_element(all.begin(), middle, all.end());
-    return *middle;
-}
 
 /// What edits take part in: two hulls, and what was added last.
 struct Edited {
@@ -111,7 +105,7 @@ EditFigures measure_edits(World& world, std::vector<Coming>& kinds, int warm, in
             }
     }
     const StepStats& s = world.stats();
-    return {1e3 * middle_of(plain),     1e3 * middle_of(with),
+    return {1e3 * median(plain),        1e3 * median(with),
             s.plans - before.plans,     s.repairs - before.repairs,
             s.growths - before.growths, std::max(world.memory_bytes(), held) - held};
 }
@@ -151,7 +145,7 @@ int edits_command(int argc, char** argv) {
                f.plain_ms, instruction_set());
     nlohmann::json each;
     for (const Coming& kind : kinds) {
-        const double ms = 1e3 * middle_of(kind.seconds);
+        const double ms = 1e3 * median(kind.seconds);
         fmt::print("  {:<6} {:.3g} ms, {:.3g} times a step without\n", kind.name, ms,
                    ms / f.plain_ms);
         each[kind.name] = ms;

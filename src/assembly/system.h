@@ -134,7 +134,8 @@ class System {
         return rests_[static_cast<std::size_t>(id)] != 0;
     }
     [[nodiscard]] std::size_t bytes() const noexcept;
-    /// Whether it and what it is made for, of so many bytes, hold more memory than ever before.
+    /// Whether the system, with the bodies and interactions of a model of `model` bytes, holds more
+    /// memory than at any call before [B]; counts as one growth.
     [[nodiscard]] bool grew(std::size_t model) noexcept {
         const std::size_t held = bytes() + model, before = held_;
         held_ = std::max(held, before);

@@ -23,7 +23,8 @@ class RecordingListener final : public ChangeBytes {
     void set(InputId id, double value) noexcept override;
     /// Before each step. @throws RecordingError, also for what failed since the last call.
     void flush();
-    /// What was told within a step that began after so many.
+    /// Writes the changes made while a step was taken. @param step  Steps taken before that one; a
+    /// replay makes the changes before it. @throws RecordingError
     void flush(std::int64_t step);
 
   private:

@@ -19,7 +19,8 @@ using assembly::View;
 
 constexpr std::uint8_t kCoarse = 60;  ///< Steps for which a joint beyond is not completed.
 
-/// A joint in short tells its kernels by the sign of its swing.
+/// Writes into the record of a compact joint (model/arms.h) whether it is completed, as the sign of
+/// its swing number's constant, where kernels read it.
 void mark_record(model::Interactions& in, std::int32_t id) noexcept {
     if (in.arms[at(id)] == 0) return;
     double& swing = in.jacobian[at(in.jac_begin[at(id)] + model::kArmsSwing)];

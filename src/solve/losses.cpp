@@ -59,7 +59,7 @@ double held(const View& v, std::int32_t id, std::int32_t row, double now, double
 }
 
 /// Whether a line was taut at the last half-step position, so that assembly left its c as it is
-/// (when_slack() in assembly/isa/rows.h). @param before  ġ by c; of a line that was slack it gives
+/// (when_slack() in assembly/isa/slack.h). @param before  ġ by c; of a line that was slack it gives
 /// 0.
 bool was_taut(const View& v, std::int32_t row, double before) noexcept {
     return v.g[row] - 0.5 * v.h * before > 1e-9 * std::fabs(v.g[row]);

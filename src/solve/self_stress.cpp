@@ -88,9 +88,9 @@ bool is_changed(const View& v, std::int32_t id, Lambda lambda, double* kept) noe
     return less > kShare * kShare * all;
 }
 
-/// What is taken from joints must move nothing, Gᵀ `taken` = 0. One substitution leaves 1e-8 of it,
-/// which is what bodies would lack of the momentum that they have: the same filter, of what is
-/// taken, says what is to stay.
+/// Lets what is taken from joints move nothing, Gᵀ `taken` = 0: what one substitution leaves of it
+/// is momentum that bodies would lack, so the same filter, applied to what is taken, gives back
+/// what is to stay.
 void keep_momentum(StepContext& ctx, const View& v) noexcept {
     constexpr double kMost = 1e-11;  ///< Of the impulses.
     constexpr int kFilterPasses = 2;
