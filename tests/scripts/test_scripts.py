@@ -29,7 +29,7 @@ class Layers(unittest.TestCase):
         return len(layers.check_cxx(path, text, self.table))
 
     def test_table_is_complete(self):
-        rooms = "base runtime graph factor model nonsmooth collide assembly context " \
+        rooms = "base runtime wire graph factor model nonsmooth collide assembly context " \
                 "access solve contact methods split budget step world scene record verify " \
                 "session report draw validate apps examples tests bench"
         self.assertEqual(set(rooms.split()), set(self.table))

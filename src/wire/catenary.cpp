@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <hawser/catenary.h>
+
+#include "wire/chain.h"
+#include "wire/hang.h"
+#include "wire/lie.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hawser {
+namespace wire {
+namespace {
+
+/// Lengths below this part of the wire are rounding.
+constexpr double kNothing = 1e-12;
+
+/// The vertical plane of the ends.
+struct Frame {
+    Vec3 along, side, up;
+    double x = 0.0, z = 0.0;  ///< Of the last end from the first [m].
+    double bottom = 0.0;      ///< From the first end [m].
+
+    Frame(const CatenaryDef& def, double length) : up(-def.down.normalized()) {
+        const Vec3 d = def.to - def.from;
+        z = d.dot(up);
+        const Vec3 flat = d - z * up;
+        x = flat.norm();
+        if (x > kNothing * (length + std::abs(z))) {
+            along = flat / x;
+        } else {
+            x = 0.0;
+            Vec3 axis = Vec3::UnitX();
+            if (std::abs(up.x()) > 0.9) axis = Vec3::UnitY();
+            along = (axis - axis.dot(up) * up).normalized();
+        }
+        side = up.cross(along);
+        if (def.seabed) bottom = def.seabed->height - def.from.dot(up);
+    }
+};
+
+/// Of the inner nodes, and the last one where it is free.
+double lowest(const Plane& shape, bool free) {
+    double z = 0.0, least = std::numeric_limits<double>::infinity();
+    for (std::size_t e = 0; e + (free ? 0 : 1) < shape.chord.size(); ++e) {
+        z += shape.chord[e].z();
+        least = std::min(least, z);
+    }
+    return least;
+}
+
+struct Solved {
+    Plane shape;
+    bool below = false;  ///< An end lies under the seabed.
+    bool dips = false;   ///< Something else lies under it, for want of a better shape.
+};
+
+Solved solve(const CatenaryDef& def, const Chain& chain, const Frame& f) {
+    Solved out;
+    out.shape = def.free ? hang_down(chain) : hang_between(chain, f.x, f.z);
+    if (!def.seabed) return out;
+    const double size = chain.total_length() + std::abs(f.z) + std::abs(f.bottom);
+    const double first = -f.bottom, last = f.z - f.bottom;
+    // Ends that are to lie on the bottom are off it by as much as somebody's digits.
+    constexpr double kDigits = 1e-9;
+    out.below = first < -kDigits * size || (!def.free && last < -kDigits * size);
+    if (out.below || lowest(out.shape, def.free) >= f.bottom - kNothing * size) return out;
+    auto lies = def.free ? lie_free(chain, std::max(0.0, first))
+                         : lie_between(chain, f.x, std::max(0.0, first), std::max(0.0, last),
+                                       def.seabed->friction);
+    if (lies)
+        out.shape = std::move(*lies);
+    else
+        out.dips = lowest(out.shape, def.free) < f.bottom - kDigits * size;
+    return out;
+}
+
+/// Nodes from chords; what the last digits leave open at the last end goes to all alike.
+void place(const CatenaryDef& def, const Chain& chain, const Frame& f, const Plane& shape,
+           Catenary& out) {
+    const std::size_t n = chain.elements();
+    out.nodes.resize(n + 1);
+    out.nodes[0] = def.from;
+    Vec3 at = Vec3::Zero();
+    std::vector<Vec3> sum{at};
+    for (const Vec3& d : shape.chord) sum.push_back(at += d);
+    const Vec3 open = def.free ? Vec3::Zero().eval() : Vec3(Vec3(f.x, 0.0, f.z) - at);
+    for (std::size_t i = 1; i <= n; ++i) {
+        Vec3 p = sum[i] + chain.s[i] / chain.total_length() * open;
+        if (i >= shape.laid_first && i <= shape.laid_last) p.z() = f.bottom;
+        out.nodes[i] = def.from + p.x() * f.along + p.y() * f.side + p.z() * f.up;
+    }
+    if (!def.free) out.nodes[n] = def.to;
+}
+
+/// Tension that an element has by where its ends are.
+Vec3 pull(const Chain& chain, const std::vector<Vec3>& nodes, std::size_t e) {
+    const Vec3 d = nodes[e + 1] - nodes[e];
+    const double length = d.norm(), stretch = length - chain.length[e];
+    return stretch > 0.0 ? Vec3(stretch / chain.compliance[e] / length * d) : Vec3::Zero().eval();
+}
+
+/// Largest force left at a node that moves.
+double residual(const CatenaryDef& def, const Chain& chain, const Frame& f, const Plane& shape,
+                const std::vector<Vec3>& nodes) {
+    const std::size_t n = chain.elements();
+    double most = 0.0;
+    for (std::size_t i = 1; i < n + (def.free ? 1 : 0); ++i) {
+        Vec3 force = -pull(chain, nodes, i - 1);
+        if (i < n) force += pull(chain, nodes, i);
+        const double weight = i < n ? chain.weight[i] : chain.half_last;
+        double up = force.dot(f.up);
+        Vec3 level = force - up * f.up;
+        up -= weight;
+        if (i >= shape.laid_first && i <= shape.laid_last) {
+            const double carried = std::max(0.0, -up), held = def.seabed->friction * carried;
+            up = std::max(0.0, up);
+            level *= std::max(0.0, 1.0 - held / std::max(level.norm(), 1e-300));
+        }
+        most = std::max(most, std::hypot(up, level.norm()));
+    }
+    return most;
+}
+
+/// What is allowed to be left: the tolerance, and what the last digits of positions can say.
+double allowed(const CatenaryDef& def, const Chain& chain, const Catenary& shape) {
+    double weight = std::abs(chain.half_last), stiffest = 0.0, far = 0.0;
+    for (const double w : chain.weight) weight = std::max(weight, std::abs(w));
+    for (const double c : chain.compliance) stiffest = std::max(stiffest, 1.0 / c);
+    for (const Vec3& p : shape.nodes) far = std::max(far, p.cwiseAbs().maxCoeff());
+    far = std::max(far, chain.total_length());
+    if (!(weight > 0.0)) weight = shape.largest();
+    return def.tolerance * weight + 16.0 * std::numeric_limits<double>::epsilon() * far * stiffest;
+}
+
+}  // namespace
+}  // namespace wire
+
+const char* to_string(CatenaryStatus status) noexcept {
+    switch (status) {
+        case CatenaryStatus::balanced:
+            return "balanced";
+        case CatenaryStatus::slack:
+            return "slack";
+        case CatenaryStatus::below_seabed:
+            return "below_seabed";
+        case CatenaryStatus::unbalanced:
+            return "unbalanced";
+    }
+    return "?";
+}
+
+double Catenary::largest() const noexcept {
+    double most = 0.0;
+    for (const double t : tension) most = std::max(most, t);
+    return most;
+}
+
+Catenary catenary(const CatenaryDef& def) {
+    const wire::Chain chain = wire::make_chain(def);
+    const wire::Frame frame(def, chain.total_length());
+    wire::Solved solved = wire::solve(def, chain, frame);
+    const std::size_t n = chain.elements();
+    Catenary out;
+    out.s = chain.s;
+    wire::place(def, chain, frame, solved.shape, out);
+    out.pull_from = wire::pull(chain, out.nodes, 0);
+    out.pull_to = -wire::pull(chain, out.nodes, n - 1);
+    out.weight_from = chain.half_first;
+    out.weight_to = def.free ? 0.0 : chain.half_last;
+    if (solved.shape.laid_first <= solved.shape.laid_last) {
+        out.laid_from = chain.s[solved.shape.laid_first];
+        out.laid_to = chain.s[solved.shape.laid_last];
+    }
+    out.tension = std::move(solved.shape.tension);
+    out.residual = wire::residual(def, chain, frame, solved.shape, out.nodes);
+    out.allowed = wire::allowed(def, chain, out);
+    out.status = !(out.residual <= out.allowed) || solved.dips ? CatenaryStatus::unbalanced
+                 : solved.below                                ? CatenaryStatus::below_seabed
+                 : solved.shape.slack                          ? CatenaryStatus::slack
+                                                               : CatenaryStatus::balanced;
+    return out;
+}
+
+}  // namespace hawser

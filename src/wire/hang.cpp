@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "wire/hang.h"
+
+#include "wire/root.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace hawser::wire {
+namespace {
+
+struct Sums {
+    double x = 0.0, z = 0.0, x_h = 0.0, x_v = 0.0, z_v = 0.0;
+};
+
+/// Solves for the last end of one chain.
+class Hanging {
+  public:
+    Hanging(const Chain& chain, double x, double z)
+        : chain_(chain),
+          x_(x),
+          z_(z),
+          small_(rounding(chain, std::hypot(x, z))),
+          compliance_(std::accumulate(chain.compliance.begin(), chain.compliance.end(), 0.0)) {
+        double v = 0.0;
+        for (std::size_t e = 0; e < chain.elements(); ++e) {
+            rise_.push_back(v += chain.weight[e]);
+            least_ = std::min(least_, v);
+            most_ = std::max(most_, v);
+        }
+        const double stretch = std::hypot(x, z) - chain.total_length();
+        force_ = most_ - least_ + std::max(stretch, 0.0) / compliance_;
+        if (!(force_ > 0.0)) force_ = 1e-9 * chain.total_length() / compliance_;
+    }
+
+    Plane solve() {
+        v_ = -0.5 * (most_ + least_);
+        match_rise(0.0);
+        rebase();
+        const Plane still = without_pull();
+        if (done_) return still;
+        return with_pull();
+    }
+
+  private:
+    Sums add_up(double h, double v) const {
+        Sums out;
+        for (std::size_t e = 0; e < chain_.elements(); ++e) {
+            const Pulled p = pulled(chain_.length[e], chain_.compliance[e], h, v + rise_[e]);
+            out.x += p.x;
+            out.z += p.z;
+            out.x_h += p.x_h;
+            out.x_v += p.x_v;
+            out.z_v += p.z_v;
+        }
+        return out;
+    }
+
+    /// Pulls are told from that of the element next to a fold: there their last digits decide, and
+    /// that of the first element has fewer of them.
+    void rebase() {
+        const auto nearest = std::min_element(rise_.begin(), rise_.end(), [&](double a, double b) {
+            return std::abs(v_ + a) < std::abs(v_ + b);
+        });
+        const double base = *nearest;
+        for (double& r : rise_) r -= base;
+        v_ += base;
+    }
+
+    /// Vertical pull, told so, for which the rise is right: it grows with it.
+    double match_rise(double h) {
+        double step = force_;
+        double low = v_ - step, high = v_ + step;
+        for (; add_up(h, low).z > z_; step *= 4.0) low -= step;
+        for (step = force_; add_up(h, high).z < z_; step *= 4.0) high += step;
+        v_ = growing_root(
+            [&](double v) {
+                const Sums s = add_up(h, v);
+                return Growing{s.z - z_, s.z_v};
+            },
+            low, high, v_, small_, false);
+        return v_;
+    }
+
+    /// Without horizontal pull all elements are vertical, and what does not pull leans as far as it
+    /// reaches: the answer if the last end is no farther than that.
+    Plane without_pull() {
+        Plane out;
+        const double v0 = match_rise(0.0);
+        const double none = 1e-13 * force_;
+        double slack = 0.0, rise = z_;
+        for (std::size_t e = 0; e < chain_.elements(); ++e) {
+            const double v = v0 + rise_[e];
+            Pulled p = pulled(chain_.length[e], chain_.compliance[e], 0.0, v);
+            if (std::abs(v) <= none) {
+                p = {};
+                slack += chain_.length[e];
+            }
+            out.chord.emplace_back(0.0, 0.0, p.z);
+            out.tension.push_back(p.tension);
+            rise -= p.z;
+        }
+        done_ = x_ <= 0.0 || x_ * x_ + rise * rise <= slack * slack;
+        if (!done_ || !(slack > 0.0)) return out;
+        out.slack = true;
+        for (std::size_t e = 0; e < chain_.elements(); ++e)
+            if (out.tension[e] == 0.0)
+                out.chord[e] = chain_.length[e] / slack * Vec3(x_, 0.0, rise);
+        return out;
+    }
+
+    Plane with_pull() {
+        const auto miss = [&](double h) {
+            const Sums s = add_up(h, match_rise(h));
+            return Growing{s.x - x_, s.x_h - s.x_v * s.x_v / s.z_v};
+        };
+        double low = 0.0, high = force_;
+        for (; miss(high).value < 0.0; high *= 4.0) low = high;
+        const double h = growing_root(miss, low, high, high, 4.0 * small_, true);
+        const double v = match_rise(h);
+        Plane out;
+        for (std::size_t e = 0; e < chain_.elements(); ++e) {
+            const Pulled p = pulled(chain_.length[e], chain_.compliance[e], h, v + rise_[e]);
+            out.chord.emplace_back(p.x, 0.0, p.z);
+            out.tension.push_back(p.tension);
+        }
+        return out;
+    }
+
+    const Chain& chain_;
+    double x_, z_, small_, compliance_;
+    std::vector<double> rise_;         ///< Σ w up to the elements, from an element [N].
+    double least_ = 0.0, most_ = 0.0;  ///< Of it, from the first [N].
+    double force_ = 0.0;               ///< Size of its pulls [N].
+    double v_ = 0.0;                   ///< Last vertical pull found, where the next search begins.
+    bool done_ = false;
+};
+
+}  // namespace
+
+Plane hang_between(const Chain& chain, double x, double z) { return Hanging(chain, x, z).solve(); }
+
+Plane hang_down(const Chain& chain) {
+    Plane out;
+    const std::size_t n = chain.elements();
+    out.chord.resize(n);
+    out.tension.resize(n);
+    double v = -chain.half_last;
+    for (std::size_t e = n; e-- > 0;) {
+        const Pulled p = pulled(chain.length[e], chain.compliance[e], 0.0, v);
+        out.slack = out.slack || !(p.tension > 0.0);
+        out.chord[e] = p.tension > 0.0 ? Vec3(0.0, 0.0, p.z) : Vec3(0.0, 0.0, -chain.length[e]);
+        out.tension[e] = p.tension;
+        v -= chain.weight[e];
+    }
+    return out;
+}
+
+}  // namespace hawser::wire

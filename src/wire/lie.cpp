@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "wire/lie.h"
+
+#include "wire/root.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace hawser::wire {
+namespace {
+
+/// The part of a wire between an end and the bottom, elements and nodes counted from that end.
+class Lifted {
+  public:
+    Lifted(const Chain& chain, double height)
+        : chain_(chain), height_(height), small_(rounding(chain, height)) {
+        drop();
+        count_from_below();
+    }
+
+    /// Without horizontal pull: how many elements hang, and what the one below spans.
+    struct Drop {
+        std::size_t hanging = 0;
+        double v = 0.0;           ///< Vertical pull at the end [N].
+        double rise = 0.0;        ///< Height of the lowest hanging node over the bottom [m].
+        std::size_t leaning = 0;  ///< So many elements below are slack and span `rise`.
+        double slack = 0.0;       ///< Their length [m].
+        double lean = 0.0;        ///< How far they reach along the bottom [m].
+    };
+    [[nodiscard]] const Drop& dropped() const { return drop_; }
+    /// Elements that do not lie, without horizontal pull.
+    [[nodiscard]] std::size_t off_bottom() const { return drop_.hanging + drop_.leaning; }
+
+    struct Sums {
+        double z = 0.0, x = 0.0, x_h = 0.0, x_v = 0.0, z_v = 0.0;
+        std::size_t count = 0;
+    };
+    [[nodiscard]] Sums add_up(double h, double v) const {
+        Sums out;
+        for (std::size_t e = 0; e < chain_.elements(); ++e) {
+            const double up = v + fall_[e];
+            if (!(up > 0.0)) break;
+            const Pulled p = pulled(chain_.length[e], chain_.compliance[e], h, up);
+            out.z += p.z;
+            out.x += p.x;
+            out.x_h += p.x_h;
+            out.x_v += p.x_v;
+            out.z_v += p.z_v;
+            ++out.count;
+        }
+        return out;
+    }
+
+    /// Vertical pull at the end, from base(), for which its height is right.
+    double match_height(double h) {
+        if (!(height_ > 0.0)) return v_ = -base_;
+        double low = -base_, high = std::max(v_, drop_.v - base_);
+        for (double step = 1e-3 * (base_ + h); add_up(h, high).z < height_; step *= 4.0) {
+            low = high;
+            high += step;
+        }
+        v_ = growing_root(
+            [&](double v) {
+                const Sums s = add_up(h, v);
+                return Growing{s.z - height_, s.z_v};
+            },
+            low, high, std::clamp(v_, low, high), small_, false);
+        return v_;
+    }
+
+    [[nodiscard]] double base() const { return base_; }
+    /// Vertical pull of element e when that of the end is v [N].
+    [[nodiscard]] double pull_at(std::size_t e, double v) const { return v + fall_[e]; }
+    /// Without horizontal pull: what hangs, and what leans by `lean`.
+    void write_dropped(double lean, std::vector<Vec3>& chord, std::vector<double>& tension) const {
+        double v = drop_.v;
+        for (std::size_t e = 0; e < drop_.hanging; ++e) {
+            v -= chain_.weight[e];
+            const double pull = std::max(0.0, v);
+            chord.emplace_back(0.0, 0.0, -chain_.length[e] - chain_.compliance[e] * pull);
+            tension.push_back(pull);
+        }
+        for (std::size_t e = drop_.hanging; e < off_bottom(); ++e) {
+            chord.emplace_back(chain_.length[e] / drop_.slack * Vec3(lean, 0.0, -drop_.rise));
+            tension.push_back(0.0);
+        }
+    }
+    /// Chords of its elements as seen from the end, downwards, and tensions; v from base().
+    void write(double h, double v, std::vector<Vec3>& chord, std::vector<double>& tension) const {
+        for (std::size_t e = 0; e < chain_.elements(); ++e) {
+            const double up = v + fall_[e];
+            if (!(up > 0.0)) break;
+            const Pulled p = pulled(chain_.length[e], chain_.compliance[e], h, up);
+            chord.emplace_back(p.x, 0.0, -p.z);
+            tension.push_back(p.tension);
+        }
+    }
+
+  private:
+    void drop() {
+        double hanging = 0.0;     // length of the elements that hang, stretched
+        double compliance = 0.0;  // of them
+        if (!(height_ > 0.0)) return;
+        std::size_t m = 0;
+        while (m < chain_.elements()) {
+            // With v = Σ weights down to node m the elements from there to the next weight have no
+            // pull, and those above hang.
+            double slack = 0.0, soft = 0.0;
+            std::size_t next = m;
+            do {
+                slack += chain_.length[next];
+                soft += chain_.compliance[next++];
+            } while (next < chain_.elements() && !(chain_.weight[next] > 0.0));
+            if (height_ <= hanging + slack) {
+                drop_.rise = height_ - hanging;
+                drop_.leaning = next - m;
+                drop_.slack = slack;
+                drop_.lean = std::sqrt(std::max(0.0, (slack - drop_.rise) * (slack + drop_.rise)));
+                break;
+            }
+            // They hang as well, with all or a part of that weight.
+            hanging += slack;
+            compliance += soft;
+            m = next;
+            const double stretched = hanging + chain_.weight[m] * compliance;
+            if (height_ <= stretched || m == chain_.elements()) {
+                drop_.v += (height_ - hanging) / compliance;
+                break;
+            }
+            hanging = stretched;
+            drop_.v += chain_.weight[m];
+        }
+        drop_.hanging = m;
+    }
+
+    /// Pulls are told from that of the lowest element that hangs: near a fold their last digits
+    /// decide, and the sum of all weights has fewer of them.
+    void count_from_below() {
+        double sum = 0.0;
+        for (std::size_t e = 0; e < chain_.elements(); ++e) {
+            fall_.push_back(sum -= chain_.weight[e]);
+            if (e == drop_.hanging && height_ > 0.0) base_ = -sum;
+        }
+        for (double& f : fall_) f += base_;
+        v_ = drop_.v - base_;
+    }
+
+    const Chain& chain_;
+    double height_, small_;
+    Drop drop_;
+    double base_ = 0.0;         ///< Vertical pulls are counted from this one at the end [N].
+    std::vector<double> fall_;  ///< From there to the elements [N].
+    double v_ = 0.0;            ///< Last pull found, from base_.
+};
+
+/// Two lifted parts and what lies between.
+class Laid {
+  public:
+    Laid(const Chain& chain, double x, double first, double last, double friction)
+        : chain_(chain),
+          mirrored_(reversed(chain)),
+          n_(chain.elements()),
+          x_(x),
+          friction_(friction),
+          lifted_first_(first > 0.0),
+          lifted_last_(last > 0.0),
+          a_(chain_, first),
+          b_(mirrored_, last),
+          weight_(chain.total_weight()),
+          small_(4.0 * rounding(chain, x)) {}
+
+    std::optional<Plane> solve() {
+        if (a_.dropped().v + b_.dropped().v > weight_ || a_.off_bottom() + b_.off_bottom() > n_)
+            return {};
+        const double laid = length(a_.off_bottom(), n_ - b_.off_bottom());
+        if (x_ <= laid + a_.dropped().lean + b_.dropped().lean) return without_pull();
+        return with_pull();
+    }
+
+  private:
+    [[nodiscard]] double length(std::size_t first, std::size_t end) const {
+        double sum = 0.0;
+        for (std::size_t e = first; e < end; ++e) sum += chain_.length[e];
+        return sum;
+    }
+
+    /// Both drop straight down; what lies has no tension, and an arc takes up what is too long.
+    Plane without_pull() const {
+        Plane out;
+        out.slack = true;
+        double lean_a = a_.dropped().lean, lean_b = b_.dropped().lean;
+        const std::size_t first = a_.off_bottom(), end = n_ - b_.off_bottom();
+        const double most = first == end ? x_ : std::min(x_, lean_a + lean_b);
+        if (lean_a + lean_b > 0.0) {
+            const double scale = most / (lean_a + lean_b);
+            lean_a *= scale;
+            lean_b *= scale;
+        }
+        a_.write_dropped(lean_a, out.chord, out.tension);
+        const auto lies = arc(std::span(chain_.length).subspan(first, end - first),
+                              std::max(0.0, x_ - lean_a - lean_b));
+        for (const Vec3& d : lies) {
+            out.chord.push_back(d);
+            out.tension.push_back(0.0);
+        }
+        std::vector<Vec3> chord;
+        std::vector<double> tension;
+        b_.write_dropped(lean_b, chord, tension);
+        append_mirrored(out, chord, tension);
+        out.laid_first = first;
+        out.laid_last = end;
+        return out;
+    }
+
+    static void append_mirrored(Plane& out, const std::vector<Vec3>& chord,
+                                const std::vector<double>& tension) {
+        for (std::size_t e = chord.size(); e-- > 0;) {
+            out.chord.emplace_back(chord[e].x(), 0.0, -chord[e].z());
+            out.tension.push_back(tension[e]);
+        }
+    }
+
+    /// Tension of what lies, elements a to n − b, under the pull h where it is lifted.
+    std::vector<double> along_bottom(double h, std::size_t a, std::size_t b, double va,
+                                     double vb) const {
+        const std::size_t count = n_ - a - b;
+        std::vector<double> out(count, h);
+        if (!(friction_ > 0.0) || (!lifted_first_ && !lifted_last_)) return out;
+        // What the bottom carries: the two nodes at the edges are lifted in part.
+        const auto carried = [&](std::size_t node) {
+            double w = chain_.weight[node];
+            if (node == a && a > 0) w -= a_.pull_at(a - 1, va);
+            if (node == n_ - b && b > 0) w -= b_.pull_at(b - 1, vb);
+            return std::max(0.0, w);
+        };
+        std::vector<double> from_first(count, 0.0), from_last(count, 0.0);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < count; ++i) from_first[i] = sum += carried(a + i);
+        sum = 0.0;
+        for (std::size_t i = count; i-- > 0;) from_last[i] = sum += carried(a + i + 1);
+        for (std::size_t i = 0; i < count; ++i) {
+            const double taken = !lifted_first_  ? from_last[i]
+                                 : !lifted_last_ ? from_first[i]
+                                                 : std::min(from_first[i], from_last[i]);
+            out[i] = std::max(0.0, h - friction_ * taken);
+        }
+        return out;
+    }
+
+    /// The lifted parts carry more than there is.
+    [[nodiscard]] bool overlap(double va, double vb) const {
+        return va + a_.base() + vb + b_.base() > weight_;
+    }
+
+    Growing miss(double h) {
+        const double va = a_.match_height(h), vb = b_.match_height(h);
+        if (overlap(va, vb)) return {0.0, 0.0, true};
+        const Lifted::Sums a = a_.add_up(h, va), b = b_.add_up(h, vb);
+        if (a.count + b.count > n_) return {0.0, 0.0, true};
+        double x = a.x + b.x, slope = 0.0;
+        for (const auto& s : {a, b})
+            if (s.z_v > 0.0) slope += s.x_h - s.x_v * s.x_v / s.z_v;
+        const auto tension = along_bottom(h, a.count, b.count, va, vb);
+        for (std::size_t i = 0; i < tension.size(); ++i) {
+            x += chain_.length[a.count + i] + chain_.compliance[a.count + i] * tension[i];
+            if (tension[i] > 0.0) slope += chain_.compliance[a.count + i];
+        }
+        return {x - x_, slope, false};
+    }
+
+    std::optional<Plane> with_pull() {
+        const double c = std::accumulate(chain_.compliance.begin(), chain_.compliance.end(), 0.0);
+        double low = 0.0;
+        double high = std::max(weight_, std::max(0.0, x_ - chain_.total_length()) / c);
+        if (!(high > 0.0)) high = 1e-9 * chain_.total_length() / c;
+        for (int i = 0; i < 600; ++i, high *= 2.0) {
+            const Growing g = miss(high);
+            if (g.above || g.value >= 0.0) break;
+            low = high;
+        }
+        const double h =
+            growing_root([&](double at) { return miss(at); }, low, high, high, small_, true);
+        const double va = a_.match_height(h), vb = b_.match_height(h);
+        Plane out;
+        std::vector<Vec3> chord;
+        std::vector<double> tension;
+        a_.write(h, va, out.chord, out.tension);
+        b_.write(h, vb, chord, tension);
+        if (overlap(va, vb) || out.chord.size() + chord.size() > n_) return {};
+        out.laid_first = out.chord.size();
+        out.laid_last = n_ - chord.size();
+        const auto lies = along_bottom(h, out.laid_first, chord.size(), va, vb);
+        for (std::size_t i = 0; i < lies.size(); ++i) {
+            const std::size_t e = out.laid_first + i;
+            out.chord.emplace_back(chain_.length[e] + chain_.compliance[e] * lies[i], 0.0, 0.0);
+            out.tension.push_back(lies[i]);
+        }
+        append_mirrored(out, chord, tension);
+        return out;
+    }
+
+    const Chain& chain_;
+    Chain mirrored_;
+    std::size_t n_;
+    double x_, friction_;
+    bool lifted_first_, lifted_last_;
+    Lifted a_, b_;
+    double weight_, small_;
+};
+
+bool floats(const Chain& chain) {
+    return std::any_of(chain.weight.begin(), chain.weight.end(), [](double w) { return w < 0.0; });
+}
+
+}  // namespace
+
+std::optional<Plane> lie_between(const Chain& chain, double x, double first, double last,
+                                 double friction) {
+    if (floats(chain)) return {};
+    return Laid(chain, x, first, last, friction).solve();
+}
+
+std::optional<Plane> lie_free(const Chain& chain, double first) {
+    if (floats(chain) || chain.half_last < 0.0) return {};
+    Chain whole = chain;  // the free node lies like any other one
+    whole.weight.back() = chain.half_last;
+    const Lifted side(whole, first);
+    if (side.off_bottom() > chain.elements() || side.dropped().v > whole.total_weight()) return {};
+    Plane out;
+    out.slack = true;
+    side.write_dropped(side.dropped().lean, out.chord, out.tension);
+    for (std::size_t e = out.chord.size(); e < chain.elements(); ++e) {
+        out.chord.emplace_back(chain.length[e], 0.0, 0.0);
+        out.tension.push_back(0.0);
+    }
+    out.laid_first = side.off_bottom();
+    out.laid_last = chain.elements();
+    return out;
+}
+
+}  // namespace hawser::wire
