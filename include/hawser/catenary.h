@@ -28,7 +28,8 @@ struct CatenarySection {
     int elements = 1;     ///< Equal ones; unless CatenaryDef::nodes says where nodes are.
 };
 
-/// A level, rigid bottom.
+/// A level, rigid bottom. An end may lie under it by up to half of the element there: nodes that
+/// touch by a radius lie that much higher than an anchor.
 struct FlatSeabed {
     double height = 0.0;    ///< Of the bottom for nodes, against `down` from the origin [m].
     double friction = 0.0;  ///< Coulomb coefficient along the wire; 0 or more.
@@ -55,7 +56,7 @@ struct CatenaryDef {
 enum class CatenaryStatus : std::uint8_t {
     balanced,      ///< In balance, and the only shape that is, with its friction.
     slack,         ///< In balance with elements without tension, which might lie otherwise.
-    below_seabed,  ///< An end lies under the seabed, which was left out.
+    below_seabed,  ///< An end lies deep under the seabed, which was left out.
     unbalanced,    ///< More than the tolerance is left at a node: the best shape found.
 };
 [[nodiscard]] const char* to_string(CatenaryStatus status) noexcept;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/cable_layout.h"
 
-#include "scene/catenary.h"
+#include "scene/cable_shape.h"
 
 #include <fmt/format.h>
 
@@ -124,20 +124,6 @@ void read_ends(CableLayout& c, Description& out, const Scope& scope, const Scope
     c.to = read_end(out, to_scope, cable["to"], c.links, place / "to");
 }
 
-double along(const std::vector<Vec3>& nodes) {
-    double length = 0.0;
-    for (std::size_t i = 1; i < nodes.size(); ++i) {
-        length += (nodes[i] - nodes[i - 1]).norm();
-    }
-    return length;
-}
-
-/// The interior nodes, where "shape" lists them.
-const Json* listed_points(const Json& cable) {
-    const auto shape = cable.find("shape");
-    return shape != cable.end() && shape->is_array() ? &*shape : nullptr;
-}
-
 void read_elements(CableLayout& c, const Description& out, const Json& cable, const Place& place) {
     const Json* points = listed_points(cable);
     const bool counted = cable.contains("elements");
@@ -156,51 +142,6 @@ void read_elements(CableLayout& c, const Description& out, const Json& cable, co
                fmt::format("the scene would have more than {} bodies (settings.max_bodies), its {} "
                            "copies included",
                            most, out.copies));
-    }
-}
-
-void place_nodes(CableLayout& c, const Description& out, const Scope& scope, const Json& cable,
-                 const Place& place) {
-    const Vec3& a = c.from.world;
-    const Vec3& b = c.to.world;
-    const auto n = static_cast<double>(c.elements);
-    const Json* points = listed_points(cable);
-    c.length = number_or(cable, "length", (b - a).norm());
-    if (cable.contains("shape") && cable["shape"] == "catenary") {
-        if (out.settings.gravity.isZero(0.0)) {
-            refuse(place / "shape", "a catenary needs gravity");
-        }
-        auto hanging = hang(a, b, c.length, static_cast<int>(c.elements), out.settings.gravity);
-        if (!hanging) {
-            refuse(place / "shape",
-                   fmt::format("no catenary of {} m in {} elements joins the ends, {:.6g} m "
-                               "apart; the length must not be less than the distance, and the "
-                               "ends must not be nearly on one vertical",
-                               c.length, c.elements, (b - a).norm()));
-        }
-        c.nodes = std::move(*hanging);
-    } else {
-        c.nodes.resize(c.elements + 1);
-        for (std::size_t i = 0; i <= c.elements; ++i) {
-            c.nodes[i] = a + (b - a) * (static_cast<double>(i) / n);
-        }
-        c.nodes.back() = b;
-        for (std::size_t i = 1; points != nullptr && i < c.elements; ++i) {
-            c.nodes[i] = scope.frame.point(vector_of((*points)[i - 1]));
-        }
-        if (points != nullptr && !cable.contains("length")) {
-            c.length = along(c.nodes);
-        }
-    }
-    if (const auto offsets = cable.find("offsets"); offsets != cable.end()) {
-        if (offsets->size() + 1 != c.elements) {
-            refuse(place / "offsets",
-                   fmt::format("expected {} offsets, one fewer than the elements, found {}",
-                               c.elements - 1, offsets->size()));
-        }
-        for (std::size_t i = 1; i < c.elements; ++i) {
-            c.nodes[i] += scope.frame.direction(vector_of((*offsets)[i - 1]));
-        }
     }
 }
 

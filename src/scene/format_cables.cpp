@@ -47,6 +47,13 @@ ShapePtr cable_shape() {
                  "Cable paid out per unit of drum coordinate."},
                 {"fairlead", cable_end(), false, "\"from\"", "",
                  "Where the cable leaves, if \"from\" names the drum or is not given."}});
+    const ShapePtr seabed =
+        object("cable_seabed", "a seabed of a cable",
+               "Where a cable lies at the start; it touches nothing.",
+               {{"height", number("a height", -kMostLength, kMostLength), true, "", "m",
+                 "Of the bottom; nodes lie the radius of \"contact\" over it."},
+                {"friction", number("a friction coefficient", 0.0, 100.0), false, "0", "1",
+                 "By which the tension falls along what lies on it."}});
     return object(
         "cable", "a cable", "A chain, wire or rope between two ends, cut into equal elements.",
         {{"name", name("a name"), true, "", "", "Unique among cables."},
@@ -63,12 +70,18 @@ ShapePtr cable_shape() {
           "lumps: point masses, stretch and bend; links: rigid cylinders and ball joints."},
          {"radius", positive("a length", 1e3), false, "half the diameter", "m", "Of links."},
          {"shape",
-          choice("\"straight\", \"catenary\" or a list of points",
-                 {word("a shape", {"straight", "catenary"}),
+          choice("the name of a shape or a list of points",
+                 {word("a shape", {"straight", "catenary", "hanging", "laid", "path"}),
                   list("a list of points", vector3("a point"), 1, kMaxElements)}),
           false, "straight", "m",
-          "Initial shape: straight, catenary (hanging at rest without stretch), or the positions "
-          "of the interior nodes, one fewer than the elements."},
+          "Initial shape: straight; catenary, at rest without stretch; hanging, at rest with its "
+          "stretch, between any ends; laid, along the seabed and straight up to its ends; path, "
+          "evenly along \"path\"; or the positions of the interior nodes, one fewer than the "
+          "elements."},
+         {"seabed", seabed, false, "", "",
+          "Level bottom on which a cable lies that starts as catenary, hanging or laid."},
+         {"path", list("a list of points", vector3("a point"), 1, kMaxElements), false, "", "m",
+          "Corners between the ends of a cable of the shape path."},
          {"offsets", list("a list of offsets", vector3("an offset"), 0, kMaxElements), false, "",
           "m", "Added to the interior nodes."},
          {"tension_only", boolean("true or false"), false, "true", "", "False: it also pushes."},

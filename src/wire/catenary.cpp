@@ -4,6 +4,7 @@
 #include "wire/chain.h"
 #include "wire/hang.h"
 #include "wire/lie.h"
+#include "wire/touch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,13 +63,19 @@ Solved solve(const CatenaryDef& def, const Chain& chain, const Frame& f) {
     if (!def.seabed) return out;
     const double size = chain.total_length() + std::abs(f.z) + std::abs(f.bottom);
     const double first = -f.bottom, last = f.z - f.bottom;
-    // Ends that are to lie on the bottom are off it by as much as somebody's digits.
-    constexpr double kDigits = 1e-9;
-    out.below = first < -kDigits * size || (!def.free && last < -kDigits * size);
+    // An end may lie as far under the bottom as its element reaches, not steeply.
+    constexpr double kSunk = 0.5, kDigits = 1e-9;
+    out.below = first < -std::max(kSunk * chain.length.front(), kDigits * size) ||
+                (!def.free && last < -std::max(kSunk * chain.length.back(), kDigits * size));
+    if (def.free && first < -kDigits * size) out.below = true;
     if (out.below || lowest(out.shape, def.free) >= f.bottom - kNothing * size) return out;
     auto lies = def.free ? lie_free(chain, std::max(0.0, first))
-                         : lie_between(chain, f.x, std::max(0.0, first), std::max(0.0, last),
-                                       def.seabed->friction);
+                         : lie_between(chain, f.x, first, last, def.seabed->friction);
+    if (!lies && !def.free && first < 0.0) lies = touch_once(chain, f.x, -first, last);
+    if (!lies && !def.free && last < 0.0) {
+        lies = touch_once(reversed(chain), f.x, -last, first);
+        if (lies) *lies = reversed(*lies);
+    }
     if (lies)
         out.shape = std::move(*lies);
     else

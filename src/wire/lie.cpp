@@ -13,8 +13,12 @@ namespace {
 /// The part of a wire between an end and the bottom, elements and nodes counted from that end.
 class Lifted {
   public:
-    Lifted(const Chain& chain, double height)
-        : chain_(chain), height_(height), small_(rounding(chain, height)) {
+    /// @param kept  Elements at the other end that cannot hang: those that rise from under it.
+    Lifted(const Chain& chain, double height, std::size_t kept)
+        : chain_(chain),
+          most_(chain.elements() - kept),
+          height_(height),
+          small_(rounding(chain, height)) {
         drop();
         count_from_below();
     }
@@ -103,7 +107,7 @@ class Lifted {
         double compliance = 0.0;  // of them
         if (!(height_ > 0.0)) return;
         std::size_t m = 0;
-        while (m < chain_.elements()) {
+        while (m < most_) {
             // With v = Σ weights down to node m the elements from there to the next weight have no
             // pull, and those above hang.
             double slack = 0.0, soft = 0.0;
@@ -111,7 +115,7 @@ class Lifted {
             do {
                 slack += chain_.length[next];
                 soft += chain_.compliance[next++];
-            } while (next < chain_.elements() && !(chain_.weight[next] > 0.0));
+            } while (next < most_ && !(chain_.weight[next] > 0.0));
             if (height_ <= hanging + slack) {
                 drop_.rise = height_ - hanging;
                 drop_.leaning = next - m;
@@ -124,7 +128,7 @@ class Lifted {
             compliance += soft;
             m = next;
             const double stretched = hanging + chain_.weight[m] * compliance;
-            if (height_ <= stretched || m == chain_.elements()) {
+            if (height_ <= stretched || m == most_) {
                 drop_.v += (height_ - hanging) / compliance;
                 break;
             }
@@ -147,11 +151,27 @@ class Lifted {
     }
 
     const Chain& chain_;
+    std::size_t most_;
     double height_, small_;
     Drop drop_;
     double base_ = 0.0;         ///< Vertical pulls are counted from this one at the end [N].
     std::vector<double> fall_;  ///< From there to the elements [N].
     double v_ = 0.0;            ///< Last pull found, from base_.
+};
+
+/// An element that rises by `sunk` and pulls by h along the bottom: how far it reaches, its
+/// tension.
+struct Rising {
+    double x = 0.0, tension = 0.0;
+    Rising(double length, double compliance, double h, double sunk) : tension(h) {
+        double last = -1.0;
+        for (int i = 0; i < 50 && tension != last; ++i) {
+            last = tension;
+            const double stretched = length + compliance * tension;
+            x = std::sqrt(std::max(0.0, (stretched - sunk) * (stretched + sunk)));
+            tension = x > 0.0 ? h * (stretched / x) : h;
+        }
+    }
 };
 
 /// Two lifted parts and what lies between.
@@ -165,24 +185,42 @@ class Laid {
           friction_(friction),
           lifted_first_(first > 0.0),
           lifted_last_(last > 0.0),
-          a_(chain_, first),
-          b_(mirrored_, last),
+          sunk_first_(std::max(0.0, -first)),
+          sunk_last_(std::max(0.0, -last)),
+          a_(chain_, std::max(0.0, first), last < 0.0 ? 1 : 0),
+          b_(mirrored_, std::max(0.0, last), first < 0.0 ? 1 : 0),
           weight_(chain.total_weight()),
           small_(4.0 * rounding(chain, x)) {}
 
     std::optional<Plane> solve() {
         if (a_.dropped().v + b_.dropped().v > weight_ || a_.off_bottom() + b_.off_bottom() > n_)
             return {};
-        const double laid = length(a_.off_bottom(), n_ - b_.off_bottom());
-        if (x_ <= laid + a_.dropped().lean + b_.dropped().lean) return without_pull();
-        return with_pull();
+        double reach = a_.dropped().lean + b_.dropped().lean;
+        for (std::size_t e = a_.off_bottom(); e < n_ - b_.off_bottom(); ++e)
+            reach += lying(e, 0.0).x;
+        return x_ <= reach ? without_pull() : with_pull();
     }
 
   private:
-    [[nodiscard]] double length(std::size_t first, std::size_t end) const {
-        double sum = 0.0;
-        for (std::size_t e = first; e < end; ++e) sum += chain_.length[e];
-        return sum;
+    /// How far an element rises to the bottom or falls from it.
+    [[nodiscard]] double sunk(std::size_t e) const {
+        return e == 0 ? sunk_first_ : e + 1 == n_ ? sunk_last_ : 0.0;
+    }
+    /// Element e on the bottom, pulled by h.
+    [[nodiscard]] Rising lying(std::size_t e, double h) const {
+        return {chain_.length[e], chain_.compliance[e], h, sunk(e)};
+    }
+    /// Its chord.
+    void append_lying(Plane& out, std::size_t e, const Vec3& chord, double tension) const {
+        const double up = e == 0 ? sunk_first_ : e + 1 == n_ ? -sunk_last_ : 0.0;
+        out.chord.emplace_back(chord + up * Vec3::UnitZ());
+        out.tension.push_back(tension);
+    }
+    void note_laid(Plane& out, std::size_t first, std::size_t last) const {
+        // An end that is as good as on the bottom is on it.
+        const double digits = 1e-9 * chain_.total_length();
+        out.laid_first = first == 0 && sunk_first_ > digits ? 1 : first;
+        out.laid_last = last == n_ && sunk_last_ > digits ? n_ - 1 : last;
     }
 
     /// Both drop straight down; what lies has no tension, and an arc takes up what is too long.
@@ -198,18 +236,15 @@ class Laid {
             lean_b *= scale;
         }
         a_.write_dropped(lean_a, out.chord, out.tension);
-        const auto lies = arc(std::span(chain_.length).subspan(first, end - first),
-                              std::max(0.0, x_ - lean_a - lean_b));
-        for (const Vec3& d : lies) {
-            out.chord.push_back(d);
-            out.tension.push_back(0.0);
-        }
+        std::vector<double> reach;
+        for (std::size_t e = first; e < end; ++e) reach.push_back(lying(e, 0.0).x);
+        const auto lies = arc(reach, std::max(0.0, x_ - lean_a - lean_b));
+        for (std::size_t e = first; e < end; ++e) append_lying(out, e, lies[e - first], 0.0);
         std::vector<Vec3> chord;
         std::vector<double> tension;
         b_.write_dropped(lean_b, chord, tension);
         append_mirrored(out, chord, tension);
-        out.laid_first = first;
-        out.laid_last = end;
+        note_laid(out, first, end);
         return out;
     }
 
@@ -263,7 +298,7 @@ class Laid {
             if (s.z_v > 0.0) slope += s.x_h - s.x_v * s.x_v / s.z_v;
         const auto tension = along_bottom(h, a.count, b.count, va, vb);
         for (std::size_t i = 0; i < tension.size(); ++i) {
-            x += chain_.length[a.count + i] + chain_.compliance[a.count + i] * tension[i];
+            x += lying(a.count + i, tension[i]).x;
             if (tension[i] > 0.0) slope += chain_.compliance[a.count + i];
         }
         return {x - x_, slope, false};
@@ -281,20 +316,21 @@ class Laid {
         }
         const double h =
             growing_root([&](double at) { return miss(at); }, low, high, high, small_, true);
+        // Where it lifts before it spans the distance there is no root.
+        if (const Growing g = miss(h); g.above || std::abs(g.value) > 1e-9 * (x_ + chain_.s.back()))
+            return {};
         const double va = a_.match_height(h), vb = b_.match_height(h);
         Plane out;
         std::vector<Vec3> chord;
         std::vector<double> tension;
         a_.write(h, va, out.chord, out.tension);
         b_.write(h, vb, chord, tension);
-        if (overlap(va, vb) || out.chord.size() + chord.size() > n_) return {};
-        out.laid_first = out.chord.size();
-        out.laid_last = n_ - chord.size();
-        const auto lies = along_bottom(h, out.laid_first, chord.size(), va, vb);
-        for (std::size_t i = 0; i < lies.size(); ++i) {
-            const std::size_t e = out.laid_first + i;
-            out.chord.emplace_back(chain_.length[e] + chain_.compliance[e] * lies[i], 0.0, 0.0);
-            out.tension.push_back(lies[i]);
+        const std::size_t first = out.chord.size(), end = n_ - chord.size();
+        note_laid(out, first, end);
+        const auto lies = along_bottom(h, first, chord.size(), va, vb);
+        for (std::size_t e = first; e < end; ++e) {
+            const Rising r = lying(e, lies[e - first]);
+            append_lying(out, e, Vec3(r.x, 0.0, 0.0), r.tension);
         }
         append_mirrored(out, chord, tension);
         return out;
@@ -305,6 +341,7 @@ class Laid {
     std::size_t n_;
     double x_, friction_;
     bool lifted_first_, lifted_last_;
+    double sunk_first_, sunk_last_;  ///< How far the ends lie under the bottom [m].
     Lifted a_, b_;
     double weight_, small_;
 };
@@ -325,7 +362,7 @@ std::optional<Plane> lie_free(const Chain& chain, double first) {
     if (floats(chain) || chain.half_last < 0.0) return {};
     Chain whole = chain;  // the free node lies like any other one
     whole.weight.back() = chain.half_last;
-    const Lifted side(whole, first);
+    const Lifted side(whole, first, 0);
     if (side.off_bottom() > chain.elements() || side.dropped().v > whole.total_weight()) return {};
     Plane out;
     out.slack = true;

@@ -10,6 +10,9 @@
 /// its height grows with V_end. Two lifted parts and what lies between them have to span the
 /// distance of the ends, which grows with H: two nested roots, each of a function that grows.
 ///
+/// An end may lie a little under the bottom, as that of a line on an anchor whose nodes lie the
+/// line's radius higher: its element then rises to the bottom, pulled by H.
+///
 /// Along what lies friction takes μ w of each node from the tension, to no less than 0.
 
 #include "wire/chain.h"
@@ -19,7 +22,8 @@
 namespace hawser::wire {
 
 /// Between an end at height `first` over the bottom and one at height `last`, x apart; none where
-/// the wire does not reach the bottom, or weighs less than nothing somewhere.
+/// the wire does not reach the bottom, or weighs less than nothing somewhere. Negative heights are
+/// smaller than the element at that end.
 /// @param friction  Coefficient.
 [[nodiscard]] std::optional<Plane> lie_between(const Chain& chain, double x, double first,
                                                double last, double friction);

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/cable_shape.h"
+
+#include "scene/catenary.h"
+
+#include <hawser/catenary.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::scene {
+namespace {
+
+double along(const std::vector<Vec3>& nodes) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < nodes.size(); ++i) {
+        length += (nodes[i] - nodes[i - 1]).norm();
+    }
+    return length;
+}
+
+/// The lengths of links must not change: their strain by their own weight is this.
+constexpr double kLinkStrain = 1e-8;
+
+/// How far from where it rests a free end may be said to start, of the length.
+constexpr double kFreeEnd = 1e-3;
+
+/// A cable in balance.
+class AtRest {
+  public:
+    AtRest(CableLayout& c, const Description& out, const Scope& scope, const Json& cable,
+           const Place& place)
+        : c_(c), place_(place) {
+        const Vec3& gravity = out.settings.gravity;
+        if (gravity.isZero(0.0)) {
+            refuse(place / "shape", "a cable at rest needs gravity");
+        }
+        def_.down = gravity;
+        weight_ = c.mass_per_length * c.submerged_factor * gravity.norm();
+        // It is laid out from an end that is held.
+        turned_ = c.from.kind == CableEnd::Kind::free;
+        if (turned_ && c.to.kind == CableEnd::Kind::free) {
+            refuse(place / "shape", "a cable at rest needs an end that is held");
+        }
+        def_.from = turned_ ? c.to.world : c.from.world;
+        def_.to = turned_ ? c.from.world : c.to.world;
+        if (const auto bed = cable.find("seabed"); bed != cable.end()) {
+            const Vec3 point = scope.frame.point({0.0, 0.0, (*bed)["height"].get<double>()});
+            // Its nodes are the middles of what touches.
+            const double radius = c.touches ? c.contact.radius : 0.0;
+            def_.seabed = FlatSeabed{height(point) + radius, number_or(*bed, "friction", 0.0)};
+        }
+    }
+
+    /// Hanging straight down to the bottom from ends over it, and straight along it: the longest
+    /// that is not too long to lie straight.
+    [[nodiscard]] double laid_length() const {
+        const Vec3 d = def_.to - def_.from;
+        const double up = height(def_.to) - height(def_.from);
+        const double span = std::sqrt(std::max(0.0, d.squaredNorm() - up * up));
+        double high = span;
+        for (const Vec3& end : {def_.from, def_.to})
+            high += std::max(0.0, height(end) - def_.seabed->height);
+        double low = std::max(d.norm(), 0.5 * high);
+        for (int i = 0; i < 50 && high - low > 1e-9 * high; ++i) {
+            const double middle = 0.5 * (low + high);
+            (solve(middle, false).status == CatenaryStatus::slack ? high : low) = middle;
+        }
+        return low;
+    }
+
+    void lay_out() {
+        const bool free_end = turned_ || c_.to.kind == CableEnd::Kind::free;
+        Catenary rest = free_end ? free_end_at_rest() : solve(c_.length, false);
+        if (rest.status == CatenaryStatus::below_seabed) {
+            refuse(place_ / "seabed",
+                   fmt::format("an end of the cable lies under it, at {:.6g} m and {:.6g} m where "
+                               "its nodes lie at {:.6g} m",
+                               height(c_.from.world), height(c_.to.world), def_.seabed->height));
+        }
+        if (rest.status == CatenaryStatus::unbalanced) {
+            refuse(place_ / "shape", fmt::format("no shape at rest was found: {:.3g} N are left at "
+                                                 "a node; does it float over a seabed?",
+                                                 rest.residual));
+        }
+        if (turned_) {
+            std::reverse(rest.nodes.begin(), rest.nodes.end());
+        }
+        c_.nodes = std::move(rest.nodes);
+        if (free_end) {
+            (turned_ ? c_.from : c_.to).world = turned_ ? c_.nodes.front() : c_.nodes.back();
+        }
+    }
+
+  private:
+    [[nodiscard]] double height(const Vec3& p) const { return -p.dot(def_.down.normalized()); }
+
+    [[nodiscard]] Catenary solve(double length, bool free) const {
+        CatenaryDef def = def_;
+        def.free = free;
+        const double rigid = std::max(std::abs(weight_), 1.0) * length / kLinkStrain;
+        def.sections = {{length, weight_, c_.links ? rigid : c_.EA, static_cast<int>(c_.elements)}};
+        return catenary(def);
+    }
+
+    /// Held by friction where it lies on the bottom, else hanging from the other end.
+    [[nodiscard]] Catenary free_end_at_rest() const {
+        if (def_.seabed &&
+            std::abs(height(def_.to) - def_.seabed->height) <= kFreeEnd * c_.length) {
+            Catenary rest = solve(c_.length, false);
+            if (rest.status != CatenaryStatus::unbalanced && rest.tension.back() == 0.0) {
+                return rest;
+            }
+        }
+        Catenary rest = solve(c_.length, true);
+        const Vec3& end = rest.nodes.back();
+        if ((end - def_.to).norm() > kFreeEnd * c_.length) {
+            refuse(place_ / (turned_ ? "from" : "to") / "free",
+                   fmt::format("at rest its free end is at [{:.6g}, {:.6g}, {:.6g}]; start it "
+                               "there, or give the cable another shape",
+                               end.x(), end.y(), end.z()));
+        }
+        return rest;
+    }
+
+    CableLayout& c_;
+    Place place_;
+    CatenaryDef def_;
+    double weight_ = 0.0;
+    bool turned_ = false;
+};
+
+/// The chain of equal rigid elements.
+void hang_rigid(CableLayout& c, const Description& out, const Place& place) {
+    if (out.settings.gravity.isZero(0.0)) {
+        refuse(place / "shape", "a catenary needs gravity");
+    }
+    const Vec3& a = c.from.world;
+    const Vec3& b = c.to.world;
+    auto hanging = hang(a, b, c.length, static_cast<int>(c.elements), out.settings.gravity);
+    if (!hanging) {
+        refuse(place / "shape",
+               fmt::format("no catenary of {} m in {} elements joins the ends, {:.6g} m "
+                           "apart; the length must not be less than the distance, and the "
+                           "ends must not be nearly on one vertical: \"hanging\" may be all that",
+                           c.length, c.elements, (b - a).norm()));
+    }
+    c.nodes = std::move(*hanging);
+}
+
+/// Evenly along a line through some points.
+void follow(CableLayout& c, const std::vector<Vec3>& corners, const Place& place) {
+    const double total = along(corners);
+    if (!(total > 0.0)) {
+        refuse(place / "path", "all of its points coincide");
+    }
+    const auto n = static_cast<double>(c.elements);
+    c.nodes = {corners.front()};
+    std::size_t leg = 0;
+    double before = 0.0;  // along the corners up to this leg
+    for (std::size_t i = 1; i < c.elements; ++i) {
+        const double at = total * (static_cast<double>(i) / n);
+        double length = (corners[leg + 1] - corners[leg]).norm();
+        while (at > before + length && leg + 2 < corners.size()) {
+            before += length;
+            ++leg;
+            length = (corners[leg + 1] - corners[leg]).norm();
+        }
+        const double part = length > 0.0 ? (at - before) / length : 0.0;
+        c.nodes.push_back(corners[leg] + part * (corners[leg + 1] - corners[leg]));
+    }
+    c.nodes.push_back(corners.back());
+}
+
+void straight_or_listed(CableLayout& c, const Scope& scope, const Json& cable) {
+    const Vec3& a = c.from.world;
+    const Vec3& b = c.to.world;
+    const auto n = static_cast<double>(c.elements);
+    const Json* points = listed_points(cable);
+    c.nodes.resize(c.elements + 1);
+    for (std::size_t i = 0; i <= c.elements; ++i) {
+        c.nodes[i] = a + (b - a) * (static_cast<double>(i) / n);
+    }
+    c.nodes.back() = b;
+    for (std::size_t i = 1; points != nullptr && i < c.elements; ++i) {
+        c.nodes[i] = scope.frame.point(vector_of((*points)[i - 1]));
+    }
+    if (points != nullptr && !cable.contains("length")) {
+        c.length = along(c.nodes);
+    }
+}
+
+void add_offsets(CableLayout& c, const Scope& scope, const Json& cable, const Place& place) {
+    const auto offsets = cable.find("offsets");
+    if (offsets == cable.end()) {
+        return;
+    }
+    if (offsets->size() + 1 != c.elements) {
+        refuse(place / "offsets",
+               fmt::format("expected {} offsets, one fewer than the elements, found {}",
+                           c.elements - 1, offsets->size()));
+    }
+    for (std::size_t i = 1; i < c.elements; ++i) {
+        c.nodes[i] += scope.frame.direction(vector_of((*offsets)[i - 1]));
+    }
+}
+
+}  // namespace
+
+const Json* listed_points(const Json& cable) {
+    const auto shape = cable.find("shape");
+    return shape != cable.end() && shape->is_array() ? &*shape : nullptr;
+}
+
+void place_nodes(CableLayout& c, const Description& out, const Scope& scope, const Json& cable,
+                 const Place& place) {
+    const auto shape = cable.find("shape");
+    const std::string kind =
+        shape != cable.end() && shape->is_string() ? shape->get<std::string>() : "straight";
+    const bool seabed = cable.contains("seabed");
+    const bool given = cable.contains("length");
+    c.length = number_or(cable, "length", (c.to.world - c.from.world).norm());
+    if (seabed && kind != "catenary" && kind != "hanging" && kind != "laid") {
+        refuse(place / "seabed",
+               "only the shapes \"catenary\", \"hanging\" and \"laid\" lie on it");
+    }
+    if (kind == "laid" && !seabed) {
+        refuse(place / "shape", "a cable that is laid needs \"seabed\"");
+    }
+    if (cable.contains("path") != (kind == "path")) {
+        refuse(place / "path", "the shape \"path\" goes with the key \"path\"");
+    }
+    if (kind == "hanging" || kind == "laid" || (kind == "catenary" && seabed)) {
+        AtRest rest(c, out, scope, cable, place);
+        if (kind == "laid" && !given) {
+            c.length = rest.laid_length();
+        }
+        rest.lay_out();
+    } else if (kind == "catenary") {
+        hang_rigid(c, out, place);
+    } else if (kind == "path") {
+        std::vector<Vec3> corners{c.from.world};
+        for (const Json& point : cable["path"]) {
+            corners.push_back(scope.frame.point(vector_of(point)));
+        }
+        corners.push_back(c.to.world);
+        follow(c, corners, place);
+        if (!given) {
+            c.length = along(c.nodes);
+        }
+    } else {
+        straight_or_listed(c, scope, cable);
+    }
+    add_offsets(c, scope, cable, place);
+}
+
+}  // namespace hawser::scene
