@@ -4,6 +4,7 @@
 #include "record/files.h"
 #include "validate/cases.h"
 #include "validate/robust.h"
+#include "validate/wires.h"
 
 #include <fmt/format.h>
 
@@ -57,7 +58,8 @@ constexpr Case kCases[] = {
 };
 
 const Case* find(const std::string& wanted) {
-    for (const std::span<const Case> cases : {std::span<const Case>(kCases), robust_cases()})
+    for (const std::span<const Case> cases :
+         {std::span<const Case>(kCases), robust_cases(), wire_cases()})
         for (const Case& c : cases)
             if (wanted == c.id || wanted == c.name) return &c;
     return nullptr;
@@ -91,12 +93,18 @@ int run_cases(const std::vector<std::string>& cases, const std::string& json_fil
         for (const Case& c : kCases) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
         fmt::print("robust: beyond what a step resolves, not among those that run unasked\n");
         for (const Case& c : robust_cases()) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
+        fmt::print("wires: against closed forms, not among those that run unasked\n");
+        for (const Case& c : wire_cases()) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
         return 0;
     }
     std::vector<const Case*> chosen;
     for (const std::string& name : cases) {
         if (name == "robust") {
             for (const Case& c : robust_cases()) chosen.push_back(&c);
+            continue;
+        }
+        if (name == "wires") {
+            for (const Case& c : wire_cases()) chosen.push_back(&c);
             continue;
         }
         chosen.push_back(find(name));

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validate/wires.h"
+
+namespace hawser::validate {
+namespace {
+
+constexpr Case kWires[] = {
+    {"W.1", "wire_catenary", "elastic catenaries of 20, 40 and 100 elements", case_wire_catenary},
+    {"W.2", "wire_touchdown", "a chain on the seabed, with friction and without",
+     case_wire_touchdown},
+};
+
+}  // namespace
+
+std::span<const Case> wire_cases() { return kWires; }
+
+}  // namespace hawser::validate

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file wires.h
+/// Cases of `hawser validate wires`: wires against closed forms.
+
+#include "validate/robust.h"
+
+#include <span>
+
+namespace hawser::validate {
+
+/// Those that "wires" stands for.
+[[nodiscard]] std::span<const Case> wire_cases();
+
+// wires_catenary.cpp
+void case_wire_catenary(Report& report);
+void case_wire_touchdown(Report& report);
+
+}  // namespace hawser::validate
