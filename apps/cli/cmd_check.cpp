@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
+#include "report/start/cable_starts.h"
 #include "report/start/check.h"
 #include "scene_options.h"
 #include "signal_list.h"
@@ -26,19 +27,27 @@ Reads each scene completely and lists every mistake in it: file, place in the do
 expected. Then looks at its start: joints that contradict or repeat each other, shapes inside each
 other, gaps, lines beyond their breaking load, masses and inertias that fit no body, motors against
 what holds, wires and joints that the step does not resolve. Contradictions and bodies that lie more
-than half in each other are errors, all else warnings. Exit codes: 0 all scenes are good, with
+than half in each other are errors, all else warnings. Of a single scene, and with --cables, it says with
+what tension each cable starts. Exit codes: 0 all scenes are good, with
 warnings or without, 1 at least one is not.)";
+
+/// Of a scene that are told line by line.
+constexpr std::size_t kMostCables = 40;
 
 struct CheckOptions {
     SceneOptions scene;
     std::vector<std::string> files;
-    bool json = false, signals = false;
+    bool json = false, signals = false, cables = false;
+
+    /// A line for each cable of many scenes would bury what is wrong with one.
+    [[nodiscard]] bool says_cables() const { return json || cables || files.size() == 1; }
 };
 
 struct Checked {
     std::vector<scene::SceneError> mistakes;
     std::optional<scene::Scene> scene;  ///< None where there are mistakes.
     report::start::Findings start;
+    std::vector<report::start::CableStart> cables;
 
     [[nodiscard]] bool good() const { return scene && start.errors() == 0; }
 };
@@ -48,8 +57,10 @@ Checked examine(const CheckOptions& options, const std::string& file) {
     one.file = file;
     Checked out;
     out.scene = one.load(out.mistakes);
-    if (out.scene)
-        out.start = report::start::check_start(record::info_of(*out.scene), out.scene->world);
+    if (!out.scene) return out;
+    const record::SceneInfo info = record::info_of(*out.scene);
+    out.start = report::start::check_start(info, out.scene->world);
+    if (options.says_cables()) out.cables = report::start::cable_starts(info, out.scene->world);
     return out;
 }
 
@@ -73,7 +84,24 @@ void print_lines(const std::string& file, const Checked& checked, bool signals) 
         counted(checked.start.warnings(), "warning"), scene.world.bodies().size(),
         scene.world.interactions().size(), scene.cables.size(), scene.world.inputs().size(),
         scene.world.output_ids().size(), scene.hash);
+    fmt::print("{}", report::start::to_text(checked.cables, kMostCables));
     if (signals) fmt::print("{}", signal_lines(scene.world));
+}
+
+Report cable_report(const std::vector<report::start::CableStart>& cables) {
+    Report out = Report::array();
+    for (const auto& c : cables) {
+        Report one{{"name", c.name}};
+        if (c.known) {
+            one["tension_first"] = c.first;
+            one["tension_last"] = c.last;
+            one["tension_largest"] = c.largest;
+            one["largest_in"] = c.where;
+        }
+        if (c.laid_from == c.laid_from) one["laid"] = {c.laid_from, c.laid_to};
+        out.push_back(std::move(one));
+    }
+    return out;
 }
 
 Report report_of(const std::string& file, const Checked& checked) {
@@ -91,6 +119,7 @@ Report report_of(const std::string& file, const Checked& checked) {
         report["errors"] = checked.start.errors();
         report["warnings"] = checked.start.warnings();
         report["findings"] = std::move(findings);
+        report["cables"] = cable_report(checked.cables);
         report.update(signal_report(checked.scene->world));
         report["hash"] = fmt::format("{:016x}", checked.scene->hash);
     }
@@ -129,6 +158,8 @@ void add_check(CLI::App& app, Command& chosen) {
     command->add_option("SCENE", options->files, "Scene files (JSON)")->required();
     options->scene.add_changes_to(*command);
     command->add_flag("--signals", options->signals, "List inputs and outputs with their units");
+    command->add_flag("--cables", options->cables,
+                      "Say with what tension each cable starts, of more than one scene, too");
     command->add_flag("--json", options->json, "Write what was found as JSON to standard output");
     command->callback([&chosen, options] { chosen = [options] { return check(*options); }; });
 }

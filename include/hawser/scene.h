@@ -62,6 +62,8 @@ struct Cable {
     double length = 0.0;                 ///< Unstretched length [m].
     double diameter = 0.0;               ///< For pictures [m]; 0 = not given.
     std::string color;                   ///< For pictures; "" = not given.
+    /// Material coordinates between which it starts on its key "seabed" [m]; NaN: it does not.
+    double laid_from = kDefault, laid_to = kDefault;
 };
 
 /// A scene, ready to run.

@@ -18,7 +18,8 @@ SceneInfo info_of(const scene::Scene& scene) {
                    .plot_bodies = {}};
     for (const scene::Cable& cable : scene.cables)
         info.cables.push_back({cable.name, cable.line_type, cable.nodes, cable.stretch, cable.EA,
-                               cable.breaking_load, cable.length, cable.diameter});
+                               cable.breaking_load, cable.length, cable.diameter, cable.laid_from,
+                               cable.laid_to});
     for (const std::string& name : scene.plot_tensions)
         for (std::size_t i = 0; i < scene.cables.size(); ++i)
             if (scene.cables[i].name == name)

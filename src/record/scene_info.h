@@ -23,6 +23,8 @@ struct CableInfo {
     double breaking_load = 0.0;           ///< [N]; 0 = not given.
     double length = 0.0;                  ///< Unstretched [m].
     double diameter = 0.0;                ///< [m]; 0 = not given.
+    /// Material coordinates between which it starts on its seabed [m]; NaN: it does not.
+    double laid_from = kDefault, laid_to = kDefault;
 };
 
 struct SceneInfo {

@@ -29,6 +29,8 @@ struct CableLayout {
     double length = 0.0;      ///< Unstretched, in all [m].
     double element = 0.0;     ///< Unstretched length of one element [m].
     std::vector<Vec3> nodes;  ///< elements + 1.
+    /// Material coordinates between which they lie on its seabed [m]; NaN: they do not.
+    double laid_from = kDefault, laid_to = kDefault;
 
     double mass_per_length = 0.0;  ///< [kg/m].
     double EA = 0.0;               ///< [N].

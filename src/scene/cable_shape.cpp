@@ -85,8 +85,12 @@ class AtRest {
                                                  "a node; does it float over a seabed?",
                                                  rest.residual));
         }
+        c_.laid_from = rest.laid_from;
+        c_.laid_to = rest.laid_to;
         if (turned_) {
             std::reverse(rest.nodes.begin(), rest.nodes.end());
+            c_.laid_from = c_.length - rest.laid_to;
+            c_.laid_to = c_.length - rest.laid_from;
         }
         c_.nodes = std::move(rest.nodes);
         if (free_end) {

@@ -21,6 +21,8 @@ class Builder {
         cable_.color = c_.color;
         cable_.from_point = c_.from.local;
         cable_.to_point = c_.to.local;
+        cable_.laid_from = c_.laid_from;
+        cable_.laid_to = c_.laid_to;
     }
 
     void build() {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace hawser::test {
 namespace {
@@ -98,6 +99,41 @@ TEST(Check, WarningsAreSaidBeforeTheFirstStepAndInTheReport) {
     const Outcome quiet =
         run_program({"run", "scenes/heavy_hook.json", "--duration", "0.05", "--quiet"});
     EXPECT_TRUE(quiet.err.empty()) << quiet.err;
+}
+
+/// A line is 20 kg/m, so that 47.5 m of the 100 m hang from the end of the first element.
+constexpr const char* kHangingAndLying = R"({"version": 1, "name": "wires",
+  "line_types": {"wire": {"mass_per_length": 20, "EA": 1e8, "breaking_load": 1e6}},
+  "cables": [
+    {"name": "hung", "line_type": "wire", "elements": 20, "length": 100, "shape": "hanging",
+     "from": {"at": [0, 0, 0]}, "to": {"at": [80, 0, 0]}},
+    {"name": "lies", "line_type": "wire", "elements": 20, "shape": "laid",
+     "seabed": {"height": -20}, "from": {"at": [0, 0, -20]}, "to": {"at": [60, 0, -20]}}]})";
+
+TEST(Check, SaysWithWhatTensionCablesStart) {
+    const auto file = (test_folder() / "wires.json").string();
+    write_text(file, kHangingAndLying);
+    const Outcome one = run_program({"check", file});
+    EXPECT_EQ(one.code, 0) << one.err;
+    EXPECT_NE(one.out.find("cable \"hung\" starts with 11.4"), std::string::npos) << one.out;
+    EXPECT_NE(one.out.find("% of its breaking load"), std::string::npos) << one.out;
+    EXPECT_NE(one.out.find("cable \"lies\" starts slack; it lies on its seabed from 0 m to 60 m"),
+              std::string::npos)
+        << one.out;
+    // Of several scenes only where it is asked for.
+    const Outcome two = run_program({"check", file, "scenes/mooring.json"});
+    EXPECT_EQ(two.out.find("starts with"), std::string::npos) << two.out;
+    const Outcome asked = run_program({"check", "--cables", file, "scenes/mooring.json"});
+    EXPECT_NE(asked.out.find("cable \"tow_east\" starts with"), std::string::npos) << asked.out;
+    const Outcome json = run_program({"check", "--json", file});
+    const auto cables = nlohmann::json::parse(json.out)[0]["cables"];
+    ASSERT_EQ(cables.size(), 2U);
+    // The horizontal pull is 33.82 m of weight, the vertical one 47.5 m.
+    EXPECT_NEAR(cables[0]["tension_largest"].get<double>(), 196.2 * std::hypot(33.82, 47.5), 60.0);
+    EXPECT_NEAR(cables[0]["tension_first"].get<double>(), cables[0]["tension_last"].get<double>(),
+                1e-3);
+    EXPECT_EQ(cables[1]["tension_largest"], 0.0);
+    EXPECT_EQ(cables[1]["laid"], (nlohmann::json{0.0, 60.0}));
 }
 
 TEST(Check, OptionsChangeWhatIsChecked) {
