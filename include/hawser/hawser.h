@@ -3,6 +3,7 @@
 /// @file hawser.h
 /// Everything of hawser::hawser in one include; scene.h and session.h have libraries of their own.
 
+#include <hawser/catenary.h>
 #include <hawser/changes.h>
 #include <hawser/def.h>
 #include <hawser/edits.h>

@@ -64,7 +64,7 @@ class AtRest {
         for (const Vec3& end : {def_.from, def_.to})
             high += std::max(0.0, height(end) - def_.seabed->height);
         double low = std::max(d.norm(), 0.5 * high);
-        for (int i = 0; i < 50 && high - low > 1e-9 * high; ++i) {
+        for (int i = 0; i < 50 && high - low > 1e-7 * high; ++i) {
             const double middle = 0.5 * (low + high);
             (solve(middle, false).status == CatenaryStatus::slack ? high : low) = middle;
         }
@@ -106,7 +106,11 @@ class AtRest {
         def.free = free;
         const double rigid = std::max(std::abs(weight_), 1.0) * length / kLinkStrain;
         def.sections = {{length, weight_, c_.links ? rigid : c_.EA, static_cast<int>(c_.elements)}};
-        return catenary(def);
+        try {
+            return catenary(def);
+        } catch (const DefError& error) {
+            refuse(place_ / "shape", error.what());
+        }
     }
 
     /// Held by friction where it lies on the bottom, else hanging from the other end.

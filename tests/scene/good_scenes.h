@@ -195,7 +195,23 @@ inline constexpr std::string_view kPendulum = R"({
   "plot": {"motions": ["bob"]}
 })";
 
-inline constexpr std::array<std::string_view, 4> kGoodScenes = {kSite, kKinds, kPendulum,
-                                                                kTouching};
+/// Cables that start at rest, on a seabed, and along a path.
+inline constexpr std::string_view kShapes = R"({
+  "version": 1, "name": "shapes",
+  "line_types": {"wire": {"mass_per_length": 20, "EA": 1e8, "diameter": 0.1}},
+  "cables": [
+    {"name": "hung", "line_type": "wire", "from": {"at": [0, 0, 0]}, "to": {"at": [80, 0, 0]},
+     "length": 100, "elements": 5, "shape": "hanging"},
+    {"name": "moored", "line_type": "wire", "from": {"at": [0, 9, -20]}, "to": {"at": [80, 9, 0]},
+     "length": 90, "elements": 6, "shape": "catenary",
+     "seabed": {"height": -20, "friction": 0.6}},
+    {"name": "laid", "line_type": "wire", "from": {"at": [0, 18, -20]}, "to": {"at": [60, 18, 0]},
+     "elements": 6, "shape": "laid", "seabed": {"height": -20}},
+    {"name": "round", "line_type": "wire", "from": {"at": [0, 27, 0]}, "to": {"at": [9, 36, 0]},
+     "elements": 6, "shape": "path", "path": [[9, 27, 0]]}]
+})";
+
+inline constexpr std::array<std::string_view, 5> kGoodScenes = {kSite, kKinds, kPendulum, kTouching,
+                                                                kShapes};
 
 }  // namespace hawser::scene::test
