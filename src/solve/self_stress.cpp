@@ -24,6 +24,8 @@ double drawn(std::int32_t row) noexcept {
     return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53 - 0.5;
 }
 
+constexpr double kDrawnSquare = 1.0 / 12.0;  ///< Mean square of what is drawn.
+
 /// Sizes of a momentum that joints push with: of the sum over bodies, and of what each joint gives.
 struct Push {
     double sum = 0.0, parts = 0.0;  ///< Squares.
@@ -73,10 +75,12 @@ void read_filtered(const View& v, std::int32_t id, double* out) noexcept {
     }
 }
 
-/// Whether the filter changes the impulse λ(row) of a joint by more than a hundredth; `kept`: it
-/// filtered.
+/// Whether the filter changes the impulse λ(row) of a joint by more than a hundredth of it, or of a
+/// `usual` one if that is more; `kept`: it filtered.
+/// @param usual  Square of a row's impulse.
 template <class Lambda>
-bool is_changed(const View& v, std::int32_t id, Lambda lambda, double* kept) noexcept {
+bool is_changed(const View& v, std::int32_t id, Lambda lambda, double usual,
+                double* kept) noexcept {
     constexpr double kShare = 0.01;
     double all = 0.0, less = 0.0;
     read_filtered(v, id, kept);
@@ -85,7 +89,7 @@ bool is_changed(const View& v, std::int32_t id, Lambda lambda, double* kept) noe
         all += whole * whole;
         less += d * d;
     }
-    return less > kShare * kShare * all;
+    return less > kShare * kShare * std::max(all, v.rows[id] * usual);
 }
 
 /// Lets what is taken from joints move nothing, Gᵀ `taken` = 0: what one substitution leaves of it
@@ -109,7 +113,9 @@ void keep_momentum(StepContext& ctx, const View& v) noexcept {
 }
 
 /// Which joints in loops repeat others now: those of which impulses drawn at random lose something
-/// in the filter.
+/// in the filter. Of many joints some draw next to nothing: what such a one loses counts over what
+/// joints draw on average, for else one in thousands would pass for a repeated one wherever the
+/// filter takes a thousandth.
 void probe_loops(StepContext& ctx) noexcept {
     const View v = view(ctx);
     const auto random = [](std::int32_t, std::int32_t row) noexcept { return drawn(row); };
@@ -117,7 +123,8 @@ void probe_loops(StepContext& ctx) noexcept {
     solve_loaded(ctx, v);
     for (const std::int32_t id : ctx.model.completion.looped) {
         double kept[kMaxInteractionRows];
-        ctx.model.interactions.repeats[at(id)] = is_changed(v, id, random, kept) ? 1 : 0;
+        const bool repeats = is_changed(v, id, random, kDrawnSquare, kept);
+        ctx.model.interactions.repeats[at(id)] = repeats ? 1 : 0;
     }
 }
 
@@ -141,7 +148,7 @@ void take_self_stress(StepContext& ctx) noexcept {
     std::fill_n(taken, ctx.work.joints.taken.size(), 0.0);
     for (const std::int32_t id : looped) {
         double kept[kMaxInteractionRows];
-        if (!repeats[id] || !is_changed(v, id, impulse, kept)) continue;
+        if (!repeats[id] || !is_changed(v, id, impulse, 0.0, kept)) continue;
         ++ctx.work.stats.undetermined;
         for (int r = 0; r < v.rows[id]; ++r)
             taken[v.row_begin[id] + r] = v.lambda[v.row_begin[id] + r] - kept[r];

@@ -18,6 +18,7 @@
 #include "step/solve_linear.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -108,28 +109,35 @@ Status solve_linearised(StepContext& ctx) noexcept {
     return assemble_and_solve(ctx);
 }
 
-/// Joints whose force has grown within the step beyond what it was solved with: completed ones that
-/// swing too fast now, and others whose stiffness was that of a much smaller force.
-/// @return whether there are.
-bool outgrown(StepContext& ctx) noexcept {
+/// Whether the force of a joint has grown within the step beyond what it was solved with: that of a
+/// completed one that swings too fast now, which is refused, or of another whose stiffness was that
+/// of a much smaller force. @param k  Its place among the joints.
+bool has_outgrown(StepContext& ctx, std::int32_t k) noexcept {
     Completion& c = ctx.model.completion;
-    bool found = false;
-    for (std::size_t k = 0; k < c.joints.size(); ++k) {
-        const std::int32_t id = c.joints[k];
-        // The force of what repeats others is not known before the filter.
-        if (ctx.model.interactions.repeats[at(id)]) continue;
-        const double now = swing_number(ctx, id, ctx.model.interactions.lambda.data());
-        if (ctx.model.interactions.completed[at(id)]) {
-            if (now <= kTooFast) continue;
-            c.refused[k] = 1;
-        } else {
-            constexpr double kGrown = 1.5;
-            const double with = swing_number(ctx, id, c.lambda_with.data());
-            if (now <= kResolvedSwing || now <= kGrown * with) continue;
-        }
-        found = true;
+    const model::Interactions& in = ctx.model.interactions;
+    const std::int32_t id = c.joints[at(k)];
+    // The force of what repeats others is not known before the filter.
+    if (in.repeats[at(id)]) return false;
+    const double now = swing_number(ctx, id, in.lambda.data());
+    if (in.completed[at(id)]) {
+        if (now <= kTooFast) return false;
+        c.refused[at(k)] = 1;
+        return true;
     }
-    return found;
+    constexpr double kGrown = 1.5;
+    return !(now <= kResolvedSwing || now <= kGrown * swing_number(ctx, id, c.lambda_with.data()));
+}
+
+/// @return whether there are such joints.
+bool outgrown(StepContext& ctx) noexcept {
+    std::atomic<bool> found{false};  // no order: it is only ever set
+    const auto count = static_cast<std::int32_t>(ctx.model.completion.joints.size());
+    over(ctx, count, [&](std::int32_t a, std::int32_t b) {
+        bool any = false;
+        for (std::int32_t k = a; k < b; ++k) any |= has_outgrown(ctx, k);
+        if (any) found.store(true, std::memory_order_relaxed);
+    });
+    return found.load(std::memory_order_relaxed);
 }
 
 /// Solve the step again with the stiffness of the forces that have been found, where they are

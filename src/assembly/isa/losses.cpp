@@ -70,10 +70,10 @@ double row_losses(const View& view, std::int32_t begin, std::int32_t end, std::i
         auto of = [&](const double* array) { return load_first(array + first + i, n); };
         const V8 g = of(view.g), c = of(view.c), epsilon = of(view.epsilon);
         const V8 lambda = of(view.lambda), pulls = load(marks.pulls + i);
+        V8 before = (c * (1.0 / of(view.upsilon)) + per_h4 * g) * (1.0 / of(view.recall));
         // The c of a completed row is not that of its speed before.
-        const V8 before =
-            select_greater(load(marks.completed + i), none, of(view.rate),
-                           (c * (1.0 / of(view.upsilon)) + per_h4 * g) * (1.0 / of(view.recall)));
+        const V8 completed = load(marks.completed + i);
+        if (any(completed)) before = select_greater(completed, none, of(view.rate), before);
         const V8 after = c - of(view.sigma) * lambda - of(view.residual);
         const V8 old = g - half * before, now = g + half * after;
         // A line that was slack at the last half step has another c (when_slack()).
