@@ -3,7 +3,8 @@
 """Check who includes whom, and a few rules that hold for every file.
 
 The table of layers is read from docs/architecture.md, section "Layers": each row names folders
-and the rooms of src/ that they may include besides themselves. Further rules:
+and the rooms of src/ that they may include besides themselves, or of a room the one header that
+they may include of it. Further rules:
   - include/hawser includes the standard library, Eigen and itself only;
   - rooms of the library include no foreign library but Eigen (and AMD in factor);
   - in src/, own headers are spelled "room/file.h";
@@ -41,7 +42,7 @@ MACHINE_PATH = re.compile(r"(?<![\w.)}])/(?:work|home/\w+|root)/")
 
 
 def read_table() -> dict[str, set[str]]:
-    """Folder -> rooms it may include, from the table under "## Layers"."""
+    """Folder -> rooms, and headers of rooms, that it may include, from the table under "## Layers"."""
     section = TABLE.read_text(encoding="utf-8").split("\n## Layers\n", 1)[1].split("\n## ", 1)[0]
     table: dict[str, set[str]] = {}
     for line in section.splitlines():
@@ -50,7 +51,7 @@ def read_table() -> dict[str, set[str]]:
             continue
         if cells[0] == "folder":
             continue
-        names = re.findall(r"[a-z_]+", cells[1])
+        names = re.findall(r"[a-z_]+(?:/[a-z_]+\.h)?", cells[1])
         for folder in re.findall(r"[a-z_]+", cells[0]):
             table[folder] = set(names)
     return table
@@ -72,8 +73,11 @@ def check_include(path: str, kind: str, name: str, allowed: set[str], rooms: set
         return "a public header may include the standard library, Eigen and hawser only"
     if kind == '"':
         if top in rooms and "/" in name:
-            ok = top == layer or top in allowed or "all" in allowed
-            return "" if ok else f"{layer} may not include {top}"
+            if top == layer or top in allowed or name in allowed or "all" in allowed:
+                return ""
+            doors = [a for a in allowed if a.startswith(f"{top}/")]
+            return f"{layer} may include {doors[0]} only" if doors else \
+                f"{layer} may not include {top}"
         if path.startswith("src/"):
             return 'write "room/file.h"'
         return ""

@@ -3,9 +3,12 @@
 
 namespace hawser::stepper {
 
+assembly::View row_view(Model& model) noexcept {
+    return model.system.view(model.bodies, model.interactions, model.def);
+}
+
 assembly::View view(StepContext& ctx) noexcept {
-    assembly::View v =
-        ctx.model.system.view(ctx.model.bodies, ctx.model.interactions, ctx.model.def);
+    assembly::View v = row_view(ctx.model);
     ctx.state.loads.show(v);
     return v;
 }

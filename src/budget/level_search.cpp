@@ -8,12 +8,10 @@
 #include "context/cuts_data.h"
 #include "context/deadline.h"
 #include "context/undo_data.h"
-#include "split/open_cuts.h"
-#include "split/regroup.h"
+#include "split/split.h"
 
 #include <algorithm>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace hawser::stepper {
@@ -22,8 +20,8 @@ namespace {
 /// What cutting each interface costs by the last step's forces, velocities and violations.
 std::vector<double> interface_weights(StepContext& ctx) {
     assembly::PartGraph g;
-    read_graph(ctx, g);
-    weigh_graph(ctx, g);
+    read_graph(ctx.model, g);
+    weigh_graph(ctx.model, g);
     std::vector<double> weight(at(ctx.model.cuts.interfaces), 0.0);
     for (const Cut& c : ctx.model.cuts.list) {
         if (ctx.model.cuts.coupling[at(c.id)] != Coupling::deadline) continue;
@@ -38,14 +36,9 @@ std::vector<double> interface_weights(StepContext& ctx) {
 /// The work of the matrix with these interfaces cut.
 double analysed_work(StepContext& ctx, std::uint64_t interfaces) {
     keep_state(ctx, Undo::Depth::system);
-    const std::uint64_t asked = std::exchange(ctx.model.cuts.asked, interfaces);
     assembly::System beside;
     beside.most_bytes = ctx.model.def.max_memory;
-    (void)open_cuts(ctx);
-    beside.left_out = ctx.model.system.left_out;
-    beside.sides = ctx.model.system.sides;
-    ctx.model.cuts.asked = asked;
-    (void)open_cuts(ctx);
+    leave_out(ctx.model, interfaces, beside);
     beside.contacts = ctx.model.system.contacts;
     model::Interactions rows = ctx.model.interactions;  // an analysis chooses forms
     beside.analyse(ctx.model.bodies, rows, ctx.model.def, ctx.pool.threads());

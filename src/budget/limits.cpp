@@ -6,8 +6,7 @@
 #include "budget/level_search.h"
 #include "context/budget.h"
 #include "context/deadline.h"
-#include "split/analyse.h"
-#include "split/open_cuts.h"
+#include "split/split.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -33,6 +32,13 @@ bool may_cut(const StepContext& ctx) noexcept {
 }
 
 }  // namespace
+
+void begin_laps(Work& work) noexcept {
+    LimitWork& limits = work.limits;
+    limits.laps = {};
+    limits.analyses = work.stats.plans + work.stats.repairs;
+    limits.knew_levels = limits.cut_levels.known();
+}
 
 Status prepare_levels(StepContext& ctx) noexcept {
     if (!may_cut(ctx) || ctx.work.limits.cut_levels.known()) return Status::ok;
@@ -80,7 +86,10 @@ void begin_budget(StepContext& ctx) noexcept {
 
 void end_budget(StepContext& ctx) noexcept {
     StepStats& s = ctx.work.stats;
-    s.compliant = open_interfaces(ctx);
+    ctx.work.limits.laps.analysed =
+        s.plans + s.repairs > ctx.work.limits.analyses ||
+        (ctx.work.limits.cut_levels.known() && !ctx.work.limits.knew_levels);
+    s.compliant = open_interfaces(ctx.model);
     ctx.work.limits.budget.finished(s.solver_cpu_seconds);
     if (ctx.work.limits.budget.needs_time()) {
         ctx.work.limits.laps.end = s.solver_cpu_seconds;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file limits.h
-/// What a step leaves out to end in time (WorldDef::budget): its interface to the step. Which
+/// What a step leaves out to end in time (WorldDef::budget), as the step meets it: nothing else of
+/// this room is included elsewhere. Which
 /// interfaces between groups are coupled compliantly is decided before the step is solved
 /// (cut_levels.h), how many iterations friction gets while it is (budget.h). A step without a
 /// budget, and without orders to repeat one that had it (Degradation), is solved whole.
@@ -10,6 +11,8 @@
 
 namespace hawser::stepper {
 
+/// The solver begins: no lap is done.
+void begin_laps(Work& work) noexcept;
 /// What levels of cuts there are, in the first step in which forces are known.
 [[nodiscard]] Status prepare_levels(StepContext& ctx) noexcept;
 /// Cuts of this step. Only those who ask by themselves have some without a budget.

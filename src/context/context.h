@@ -130,7 +130,9 @@ struct LimitWork {
     Budget budget;
     Deadline deadline;
     CutLevels cut_levels;
-    Laps laps;  ///< Of the step being taken, where a budget asks for time.
+    Laps laps;                  ///< Of the step being taken, where a budget asks for time.
+    std::int64_t analyses = 0;  ///< StepStats::plans and repairs when the solver began.
+    bool knew_levels = false;   ///< Levels of cuts had been looked for by then.
 };
 
 /// Scratch and statistics, by stage. What is learned of times is no part of the state either.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file regroup_data.h
-/// Groups that the world makes itself (regroup.h).
+/// Groups that the world makes itself (split/regroup.cpp).
 
 #include "assembly/parts.h"
 #include "graph/partition.h"

@@ -21,7 +21,7 @@ void count_model(StepContext& ctx) noexcept {
     s.bodies = static_cast<std::int32_t>(ctx.model.bodies.moving.size());
     s.interactions = s.equations = 0;
     for (const std::int32_t b : ctx.model.bodies.moving) s.equations += ctx.model.bodies.dof(b);
-    for (std::int32_t id = 0; id < interaction_count(ctx); ++id) {
+    for (std::int32_t id = 0; id < interaction_count(ctx.model); ++id) {
         s.interactions += in.gone(id) ? 0 : 1;
         s.equations += in.rows[at(id)];
     }
@@ -36,7 +36,6 @@ void begin_analysis(StepContext& ctx) {
 }
 
 void analyse_system(StepContext& ctx, const factor::AnalysisState* state) {
-    ctx.model.system.keeps_momentum = ctx.model.cuts.grouped;  // finish_cuts() adds them up
     ctx.model.system.analysis.use(nullptr);  // mostly between steps, where the pool sleeps
     ctx.model.system.analyse(ctx.model.bodies, ctx.model.interactions, ctx.model.def,
                              ctx.pool.threads(), state);

@@ -2,7 +2,7 @@
 #pragma once
 /// @file analysis.h
 /// The analysis of a system: its symbolic factorisation, and room for what a step writes by row,
-/// strip and body. Splits choose before what belongs to it (analyse.h).
+/// strip and body. Splits choose before what belongs to it (split/split.h).
 
 #include "context/context.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve/joints.h"
 
+#include "access/copies.h"
 #include "access/sweeps.h"
 #include "base/index.h"
 #include "context/completion_data.h"
@@ -91,7 +92,7 @@ void begin_completion(StepContext& ctx) noexcept {
 void choose_completed(StepContext& ctx) noexcept {
     Completion& c = ctx.model.completion;
     model::Interactions& in = ctx.model.interactions;
-    const bool allowed = ctx.state.started && !c.banned && ctx.model.cuts.list.empty() &&
+    const bool allowed = ctx.state.started && !c.banned && !has_cuts(ctx.model) &&
                          ctx.model.def.nonsmooth == Nonsmooth::newton;
     over(ctx, static_cast<std::int32_t>(c.joints.size()), [&](std::int32_t a, std::int32_t b) {
         for (std::int32_t k = a; k < b; ++k) {

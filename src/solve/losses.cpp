@@ -95,7 +95,7 @@ double losses_of(StepContext& ctx, const View& v, std::int32_t id) noexcept {
 double losses_between(StepContext& ctx, const View& v, std::int32_t begin,
                       std::int32_t end) noexcept {
     double taken = 0.0;
-    end = std::min(end, interaction_count(ctx));  // images count with what they stand for
+    end = std::min(end, interaction_count(ctx.model));  // images count with what they stand for
     for (; begin < end; begin += assembly::kLossChunk) {
         const std::int32_t to = std::min(end, begin + assembly::kLossChunk);
         std::int32_t left[assembly::kLossChunk];

@@ -123,7 +123,7 @@ Status report(StepContext& ctx, const Norms& n) noexcept {
     ctx.work.stats.momentum_residual = momentum_residual(ctx, n);
     ctx.work.stats.constraint_residual = n.constraint;
     ctx.work.stats.violation_max = n.gap;
-    ctx.work.stats.violation_worst = ctx.model.interactions.id(original(ctx, n.gap_id));
+    ctx.work.stats.violation_worst = ctx.model.interactions.id(original(ctx.model, n.gap_id));
     ctx.work.stats.stretch_error_max = n.stretch;
     ctx.work.solve.step_work = n.work;
     ctx.work.solve.step_drag = n.drag;

@@ -153,7 +153,7 @@ void replan_wires(StepContext& ctx, const View& v, int strip) noexcept {
     Wires& w = ctx.model.wires;
     if (!w.again) return;
     each(ctx.model.system.strips.interactions(strip), [&](std::int32_t begin, std::int32_t end) {
-        for (std::int32_t id = begin; id < std::min(end, interaction_count(ctx)); ++id) {
+        for (std::int32_t id = begin; id < std::min(end, interaction_count(ctx.model)); ++id) {
             const std::int32_t wire = w.wire_of[at(id)];
             if (wire < 0 || w.level[at(wire)] == 0 || v.parted[id]) continue;
             const auto i = at(w.place[at(id)]);

@@ -90,7 +90,7 @@ void make_parts(StepContext& ctx, const std::vector<std::vector<std::int32_t>>& 
 }  // namespace
 
 bool on_guard(const StepContext& ctx) noexcept {
-    return ctx.model.wires.count() > 0 && ctx.model.cuts.list.empty() &&
+    return ctx.model.wires.count() > 0 && !has_cuts(ctx.model) &&
            ctx.model.def.geometric_stiffness > 0.0;
 }
 
@@ -145,7 +145,7 @@ void recall_wires(const StepContext& ctx, const std::vector<std::vector<std::int
 }  // namespace
 
 void make_wires(StepContext& ctx) {
-    const std::int32_t count = interaction_count(ctx);
+    const std::int32_t count = interaction_count(ctx.model);
     const std::vector<std::int32_t> joined = join_elements(ctx, count);
     std::vector<std::vector<std::int32_t>> elements;
     Wires made;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "split/analyse.h"
+/// Stage analyse, with splits.
+#include "split/split.h"
 
 #include "access/guarded.h"
 #include "access/timer.h"
@@ -7,22 +8,22 @@
 #include "context/undo_data.h"
 #include "solve/analysis.h"
 #include "split/clique.h"
-#include "split/open_cuts.h"
-#include "split/predict.h"
+#include "split/cuts.h"
 
 namespace hawser::stepper {
 
 void analyse(StepContext& ctx, const factor::AnalysisState* state) {
-    place_images(ctx);
+    place_images(ctx.model);
     begin_analysis(ctx);
-    open_cuts(ctx);
-    analyse_clique(ctx);
+    open_cuts(ctx.model);
+    analyse_clique(ctx.model);
+    ctx.model.system.keeps_momentum = ctx.model.cuts.grouped;  // finish_cuts() adds them up
     analyse_system(ctx, state);
 }
 
 void relink(StepContext& ctx) {
     // What touches is one part: other cuts may be in force now.
-    if (open_cuts(ctx)) return analyse(ctx);
+    if (open_cuts(ctx.model)) return analyse(ctx);
     ctx.model.system.analysis.use(&ctx.pool);
     ctx.model.system.relink(ctx.model.bodies, ctx.model.interactions, ctx.pool.threads());
     count_analysis(ctx);
@@ -34,7 +35,7 @@ Status ask_for_cuts(StepContext& ctx, std::uint64_t interfaces) noexcept {
     return guarded(ctx, [&] {
         keep_state(ctx, Undo::Depth::system);
         ctx.model.cuts.asked = interfaces;
-        if (!ctx.model.cuts.list.empty() && open_cuts(ctx)) analyse(ctx);
+        if (!ctx.model.cuts.list.empty() && open_cuts(ctx.model)) analyse(ctx);
     });
 }
 

@@ -42,18 +42,18 @@ BodyDef definition(const model::Bodies& b, std::int32_t body, bool member) {
 }
 
 /// Bodies at cuts, then those that share an interaction with them.
-std::vector<std::uint8_t> choose_members(const StepContext& ctx) {
-    const model::Interactions& in = ctx.model.interactions;
-    std::vector<std::uint8_t> near(at(ctx.model.cuts.bodies), 0), member;
+std::vector<std::uint8_t> choose_members(const Model& model) {
+    const model::Interactions& in = model.interactions;
+    std::vector<std::uint8_t> near(at(model.cuts.bodies), 0), member;
     auto mark = [&](std::int32_t id, std::vector<std::uint8_t>& marks) {
         for (std::size_t b = 0; b < in.bodies[at(id)]; ++b) {
             const std::int32_t body = in.body[kMaxInteractionBodies * at(id) + b];
-            if (ctx.model.bodies.dof(body) > 0) marks[at(body)] = 1;
+            if (model.bodies.dof(body) > 0) marks[at(body)] = 1;
         }
     };
-    for (const Cut& cut : ctx.model.cuts.list) mark(cut.id, near);
+    for (const Cut& cut : model.cuts.list) mark(cut.id, near);
     member = near;
-    for (std::int32_t id = 0; id < ctx.model.cuts.interactions; ++id)
+    for (std::int32_t id = 0; id < model.cuts.interactions; ++id)
         for (std::size_t b = 0; b < in.bodies[at(id)]; ++b)
             if (near[at(in.body[kMaxInteractionBodies * at(id) + b])]) mark(id, member);
     return member;
@@ -66,10 +66,10 @@ void copy_pose(model::Bodies& to, std::int32_t t, const model::Bodies& from, std
 }
 
 /// Parameters and multipliers of the last step.
-void copy_interactions(Clique& c, const StepContext& world) noexcept {
+void copy_interactions(Clique& c, const Model& world) noexcept {
     model::Interactions& in = c.ctx.model.interactions;
-    const model::Interactions& from = world.model.interactions;
-    const double h = world.model.def.step;
+    const model::Interactions& from = world.interactions;
+    const double h = world.def.step;
     for (std::size_t i = 0; i < c.interaction.size(); ++i) {
         const std::int32_t id = c.interaction[i], own = static_cast<std::int32_t>(i);
         if (in.def[i].params != from.def[at(id)].params) {
@@ -90,10 +90,10 @@ void copy_interactions(Clique& c, const StepContext& world) noexcept {
 }
 
 /// Poses, velocities, and forces with what contacts did in the last step.
-void copy_bodies(Clique& c, const StepContext& world) noexcept {
+void copy_bodies(Clique& c, const Model& world) noexcept {
     model::Bodies& b = c.ctx.model.bodies;
-    const model::Bodies& from = world.model.bodies;
-    const double per_h = 1.0 / world.model.def.step;
+    const model::Bodies& from = world.bodies;
+    const double per_h = 1.0 / world.def.step;
     for (std::size_t i = 0; i < c.body.size(); ++i) {
         const std::int32_t body = c.body[i], own = static_cast<std::int32_t>(i);
         const auto f = at(body);
@@ -107,41 +107,40 @@ void copy_bodies(Clique& c, const StepContext& world) noexcept {
         std::copy_n(v, dof, &b.v[at(b.dof_begin[i])]);
         std::copy_n(&from.spin_change[3 * f], 3, &b.spin_change[3 * i]);
         for (int k = 0; k < 6; ++k) {
-            const double touch = k < dof ? world.model.cuts.touch[at(from.dof_begin[f] + k)] : 0.0;
+            const double touch = k < dof ? world.cuts.touch[at(from.dof_begin[f] + k)] : 0.0;
             b.force[6 * i + at(k)] = from.force[6 * f + at(k)] + per_h * touch;
         }
     }
     for (const Clique::Pull& p : c.pulls) {
-        const auto row = at(world.model.interactions.row_begin[at(p.id)]);
+        const auto row = at(world.interactions.row_begin[at(p.id)]);
         double impulse[6] = {};
-        world.model.interactions.add_impulse(p.id, p.slot, from,
-                                             &world.model.interactions.lambda[row], impulse);
+        world.interactions.add_impulse(p.id, p.slot, from, &world.interactions.lambda[row],
+                                       impulse);
         for (int k = 0; k < b.dof(p.body); ++k)
             b.force[6 * at(p.body) + at(k)] += per_h * impulse[k];
     }
 }
 
 /// Loads of systems on its members.
-void copy_loads(Clique& c, const StepContext& world) noexcept {
+void copy_loads(Clique& c, const LoadStore& world) noexcept {
     c.ctx.state.loads.clear();
-    if (!world.state.loads.any()) return;
+    if (!world.any()) return;
     c.ctx.state.loads.begin_system(0);
     for (std::size_t i = 0; i < c.body.size(); ++i)
         if (c.member[i])
-            c.ctx.state.loads.copy_entry(world.state.loads, c.body[i],
-                                         static_cast<std::int32_t>(i));
+            c.ctx.state.loads.copy_entry(world, c.body[i], static_cast<std::int32_t>(i));
     c.ctx.state.loads.finish(c.ctx.model.bodies, c.ctx.model.def.step, c.ctx.pool);
 }
 
 }  // namespace
 
-void make_clique(StepContext& ctx) {
-    auto clique = std::make_shared<Clique>(serial(ctx.model.def));
-    const model::Interactions& in = ctx.model.interactions;
-    const std::vector<std::uint8_t> member = choose_members(ctx);
+void make_clique(Model& model) {
+    auto clique = std::make_shared<Clique>(serial(model.def));
+    const model::Interactions& in = model.interactions;
+    const std::vector<std::uint8_t> member = choose_members(model);
     std::vector<std::int32_t>& local = clique->local;
-    local.assign(at(ctx.model.cuts.bodies), -1);
-    for (std::int32_t id = 0; id < ctx.model.cuts.interactions; ++id) {
+    local.assign(at(model.cuts.bodies), -1);
+    for (std::int32_t id = 0; id < model.cuts.interactions; ++id) {
         bool touches = false;
         for (std::size_t b = 0; b < in.bodies[at(id)]; ++b)
             touches |= member[at(in.body[kMaxInteractionBodies * at(id) + b])] != 0;
@@ -153,40 +152,40 @@ void make_clique(StepContext& ctx) {
             const std::int32_t body = def.body[b].index;
             if (local[at(body)] < 0) {
                 local[at(body)] = clique->ctx.model.bodies.add(
-                    definition(ctx.model.bodies, body, member[at(body)] != 0));
+                    definition(model.bodies, body, member[at(body)] != 0));
                 clique->body.push_back(body);
                 clique->member.push_back(member[at(body)]);
             }
             if (friction && member[at(body)])
                 clique->pulls.push_back({id, static_cast<std::int32_t>(b), local[at(body)]});
-            const int dof = ctx.model.bodies.dof(body);
+            const int dof = model.bodies.dof(body);
             if (!member[at(body)] && dof > 0 && dof < 6) def.point[b] = Vec3::Zero();
             def.body[b] = BodyId{local[at(body)]};
         }
         if (friction) continue;
         clique->interaction.push_back(id);
         const int own =
-            clique->ctx.model.interactions.add(def, clique->ctx.model.bodies, ctx.model.def.step);
+            clique->ctx.model.interactions.add(def, clique->ctx.model.bodies, model.def.step);
         if (in.flags[at(id)] & model::kByInput) clique->ctx.model.interactions.mark_driven(own);
     }
     clique->ctx.state.started = true;
-    ctx.model.cuts.clique = std::move(clique);
+    model.cuts.clique = std::move(clique);
 }
 
-void analyse_clique(StepContext& ctx) {
-    if (!ctx.model.cuts.clique) return;
-    Clique& c = *ctx.model.cuts.clique;
+void analyse_clique(Model& model) {
+    if (!model.cuts.clique) return;
+    Clique& c = *model.cuts.clique;
     for (std::size_t i = 0; i < c.body.size(); ++i)
-        copy_pose(c.ctx.model.bodies, static_cast<std::int32_t>(i), ctx.model.bodies, c.body[i]);
-    copy_interactions(c, ctx);
+        copy_pose(c.ctx.model.bodies, static_cast<std::int32_t>(i), model.bodies, c.body[i]);
+    copy_interactions(c, model);
     prepare_alone(c.ctx);
 }
 
-bool solve_clique(StepContext& ctx) noexcept {
-    Clique& c = *ctx.model.cuts.clique;
-    copy_bodies(c, ctx);
-    copy_interactions(c, ctx);
-    copy_loads(c, ctx);
+bool solve_clique(Model& model, const State& state) noexcept {
+    Clique& c = *model.cuts.clique;
+    copy_bodies(c, model);
+    copy_interactions(c, model);
+    copy_loads(c, state.loads);
     if (c.ctx.state.loads.out_of_memory()) return false;
     release_wires(c.ctx);
     assemble_system(c.ctx);
@@ -195,10 +194,10 @@ bool solve_clique(StepContext& ctx) noexcept {
     if (status == Status::ok) status = settle_bounds(c.ctx);
     if (status != Status::ok) return false;
     const assembly::View v = view(c.ctx);
-    for (const Image& image : ctx.model.cuts.images) {
+    for (const Image& image : model.cuts.images) {
         const std::int32_t own = c.local[at(image.of)];
         const int dof = v.dof[own];
-        std::copy_n(v.v_new + v.dof_begin[own], dof, &ctx.model.bodies.v_fixed[6 * at(image.body)]);
+        std::copy_n(v.v_new + v.dof_begin[own], dof, &model.bodies.v_fixed[6 * at(image.body)]);
     }
     return true;
 }

@@ -32,10 +32,10 @@ struct Clique {
 };
 
 /// For the cuts there are. @throws std::bad_alloc.
-void make_clique(StepContext& ctx);
+void make_clique(Model& model);
 /// Analyse it at the poses of the world. @throws std::bad_alloc.
-void analyse_clique(StepContext& ctx);
+void analyse_clique(Model& model);
 /// Solve it. @return false: failed; the images' velocities are as they were.
-bool solve_clique(StepContext& ctx) noexcept;
+bool solve_clique(Model& model, const State& state) noexcept;
 
 }  // namespace hawser::stepper

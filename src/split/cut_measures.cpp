@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What cuts left open in a step, and the one multiplier that readers see.
-#include "split/cut_measures.h"
+#include "split/split.h"
 
 #include "access/view.h"
 #include "base/index.h"
@@ -74,9 +74,9 @@ void add_geometric(const assembly::View& v, std::int32_t id, double* sum) noexce
 
 /// ‖Σ over the bodies of what the sides do to them‖, linear parts: Gᵀ(λ of the side − mean) and
 /// geometric stiffness.
-double defect_of(StepContext& ctx, const Cut& cut) noexcept {
-    const assembly::View v = view(ctx);
-    const model::Interactions& in = ctx.model.interactions;
+double defect_of(Model& model, const Cut& cut) noexcept {
+    const assembly::View v = row_view(model);
+    const model::Interactions& in = model.interactions;
     const double* mean = &in.lambda[at(in.row_begin[at(cut.id)])];
     double sum[6] = {};
     for (std::int32_t i = cut.first; i < cut.first + cut.sides; ++i) {
@@ -86,25 +86,24 @@ double defect_of(StepContext& ctx, const Cut& cut) noexcept {
         add_geometric(v, i, sum);
         for (std::int32_t b = 0; b < in.bodies[at(i)]; ++b) {
             const std::int32_t body = in.body[at(kMaxInteractionBodies * i + b)];
-            if (ctx.model.bodies.dof(body) >= 3) in.add_impulse(i, b, ctx.model.bodies, more, sum);
+            if (model.bodies.dof(body) >= 3) in.add_impulse(i, b, model.bodies, more, sum);
         }
     }
     return std::hypot(sum[0], sum[1], sum[2]);
 }
 
 /// max |G v₊ + Σλ − c|, with the Σ that the interaction has when it is not cut.
-double residual_of(StepContext& ctx, const Cut& cut) noexcept {
-    const assembly::View v = view(ctx);
+double residual_of(Model& model, const Cut& cut) noexcept {
+    const assembly::View v = row_view(model);
     if (v.active[cut.id] == 0.0 || v.parted[cut.id]) return 0.0;
     const double h = v.h;
-    const model::RowState now = ctx.model.interactions.row_state(cut.id, ctx.model.bodies);
-    const model::RowState next =
-        ctx.model.interactions.row_state(cut.id, ctx.model.bodies, v.v_new);
+    const model::RowState now = model.interactions.row_state(cut.id, model.bodies);
+    const model::RowState next = model.interactions.row_state(cut.id, model.bodies, v.v_new);
     double most = 0.0;
     for (int r = 0; r < v.rows[cut.id]; ++r) {
         const std::int32_t row = v.row_begin[cut.id] + r;
         const double ups = v.upsilon[row], sigma = row_sigma(v.epsilon[row], ups, h);
-        const double rate = ctx.model.interactions.recall[at(row)] * (now.rate[r] + now.carried[r]);
+        const double rate = model.interactions.recall[at(row)] * (now.rate[r] + now.carried[r]);
         const double c = ups * (rate - 4.0 / h * now.g[r]);
         most =
             std::max(most, std::fabs(next.rate[r] + next.carried[r] + sigma * v.lambda[row] - c));
@@ -113,18 +112,18 @@ double residual_of(StepContext& ctx, const Cut& cut) noexcept {
 }
 
 /// Of the residuals of all bodies, linear parts: what no row took and no body got.
-double residual_momentum(const StepContext& ctx, const assembly::View& v) noexcept {
+double residual_momentum(const Model& model, const assembly::View& v) noexcept {
     double sum[3] = {};
-    for (const std::int32_t body : ctx.model.bodies.moving)
+    for (const std::int32_t body : model.bodies.moving)
         if (v.dof[body] >= 3)
             for (int j = 0; j < 3; ++j) sum[j] += v.momentum[v.dof_begin[body] + j];
     return std::hypot(sum[0], sum[1], sum[2]);
 }
 
-double mass(const StepContext& ctx) noexcept {
+double mass(const Model& model) noexcept {
     double sum = 0.0;
-    for (const std::int32_t body : ctx.model.bodies.moving)
-        if (ctx.model.bodies.dof(body) >= 3) sum += ctx.model.bodies.mass[at(body)];
+    for (const std::int32_t body : model.bodies.moving)
+        if (model.bodies.dof(body) >= 3) sum += model.bodies.mass[at(body)];
     return sum;
 }
 
@@ -134,8 +133,8 @@ void finish_cuts(StepContext& ctx) noexcept {
     ctx.work.stats.cuts = 0;
     ctx.work.stats.cut_residual = ctx.work.stats.cut_defect = ctx.work.stats.momentum_defect = 0.0;
     if (!ctx.model.cuts.grouped) return;
-    const assembly::View v = view(ctx);
-    double defect = residual_momentum(ctx, v);
+    const assembly::View v = row_view(ctx.model);
+    double defect = residual_momentum(ctx.model, v);
     for (Cut& cut : ctx.model.cuts.list) {
         if (!cut.open) {
             follow(ctx.model.interactions, cut);
@@ -143,8 +142,8 @@ void finish_cuts(StepContext& ctx) noexcept {
             continue;
         }
         take_mean(ctx.model.interactions, cut);
-        cut.defect = defect_of(ctx, cut);
-        cut.residual = residual_of(ctx, cut);
+        cut.defect = defect_of(ctx.model, cut);
+        cut.residual = residual_of(ctx.model, cut);
         ctx.state.ledger.damped += cut_losses(ctx, cut.id);
         defect += cut.defect;
         ctx.work.stats.cut_residual = std::max(ctx.work.stats.cut_residual, cut.residual);
@@ -153,21 +152,21 @@ void finish_cuts(StepContext& ctx) noexcept {
     }
     const double g = ctx.model.def.gravity.norm() > 0.0 ? ctx.model.def.gravity.norm() : 9.81;
     ctx.work.stats.momentum_defect =
-        defect / (ctx.model.def.step * g * std::max(mass(ctx), 1e-300));
+        defect / (ctx.model.def.step * g * std::max(mass(ctx.model), 1e-300));
 }
 
-void follow_cuts(StepContext& ctx) noexcept {
-    for (const Cut& cut : ctx.model.cuts.list) follow(ctx.model.interactions, cut);
+void follow_cuts(Model& model) noexcept {
+    for (const Cut& cut : model.cuts.list) follow(model.interactions, cut);
 }
 
-void part_all(StepContext& ctx, std::int32_t id) noexcept {
-    model::Interactions& in = ctx.model.interactions;
+void part_all(Model& model, std::int32_t id) noexcept {
+    model::Interactions& in = model.interactions;
     auto part = [&](std::int32_t i) {
         in.parted[at(i)] = 1;
         in.active[at(i)] = 0.0;
     };
     part(id);
-    for (const Cut& cut : ctx.model.cuts.list)
+    for (const Cut& cut : model.cuts.list)
         if (cut.id == id)
             for (std::int32_t i = cut.first; i < cut.first + cut.sides; ++i) part(i);
 }

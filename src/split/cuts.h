@@ -18,28 +18,21 @@
 /// front of the arrays.
 
 #include <hawser/def.h>
-#include <hawser/stats.h>
 
 #include "context/context.h"
 
 #include <cstdint>
-#include <memory>
-#include <vector>
 
 namespace hawser::stepper {
 
-/// Whether an interaction is one that can be cut: no drive, friction, range or winch, nor what
-/// loads friction.
-[[nodiscard]] bool can_cut(const StepContext& ctx, std::int32_t id) noexcept;
-
-/// Whether there are images and copies, or would be after prepare().
-[[nodiscard]] bool may_have_cuts(const StepContext& ctx) noexcept;
-
 /// Images and copies for the groups and couplings there are. @throws std::bad_alloc.
-void make_cuts(StepContext& ctx);
-/// Take them away, as must be done before bodies or interactions are added.
-void drop_cuts(StepContext& ctx);
-/// Whether groups are made here.
-[[nodiscard]] bool makes_groups(const StepContext& ctx) noexcept;
+void make_cuts(Model& model);
+/// Take them away.
+void drop_cuts(Model& model);
+
+/// Which cuts are in force: those whose sides hold to each other in no other way. Contacts and what
+/// cannot be cut make two groups one part. To be called before the system is analysed.
+/// @return whether others are than before.
+bool open_cuts(Model& model);
 
 }  // namespace hawser::stepper

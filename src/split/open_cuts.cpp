@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "split/open_cuts.h"
+/// Which cuts are in force. A split is exact only between parts that nothing else holds together:
+/// so bodies are joined over all that is not cut, and a cut whose sides come to be one part is
+/// closed, until none is left to close.
+#include "split/cuts.h"
 
 #include "access/copies.h"
 #include "base/index.h"
 #include "context/cuts_data.h"
+#include "split/split.h"
 
 #include <algorithm>
 #include <array>
 #include <numeric>
 #include <span>
+#include <utility>
 
 namespace hawser::stepper {
 namespace {
@@ -19,25 +24,25 @@ std::int32_t root(std::vector<std::int32_t>& part, std::int32_t b) {
 }
 
 /// Bodies hold together.
-void join(StepContext& ctx, std::span<const std::int32_t> bodies) {
+void join(Model& model, std::span<const std::int32_t> bodies) {
     std::int32_t first = -1;
     for (const std::int32_t b : bodies) {
-        if (ctx.model.bodies.dof(b) == 0) continue;
-        const std::int32_t r = root(ctx.model.cuts.part, b);
-        if (first >= 0) ctx.model.cuts.part[at(std::max(r, first))] = std::min(r, first);
+        if (model.bodies.dof(b) == 0) continue;
+        const std::int32_t r = root(model.cuts.part, b);
+        if (first >= 0) model.cuts.part[at(std::max(r, first))] = std::min(r, first);
         first = first < 0 ? r : std::min(r, first);
     }
 }
 
 /// Whether two bodies of different groups hold to each other without this cut.
-bool holds_otherwise(StepContext& ctx, const Cut& cut) {
-    const auto bodies = bodies_of(ctx.model.interactions, cut.id);
+bool holds_otherwise(Model& model, const Cut& cut) {
+    const auto bodies = bodies_of(model.interactions, cut.id);
     for (std::size_t i = 0; i < bodies.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
             const std::int32_t a = bodies[i], b = bodies[j];
-            if (ctx.model.bodies.dof(a) == 0 || ctx.model.bodies.dof(b) == 0) continue;
-            if (ctx.model.cuts.group[at(a)] != ctx.model.cuts.group[at(b)] &&
-                root(ctx.model.cuts.part, a) == root(ctx.model.cuts.part, b))
+            if (model.bodies.dof(a) == 0 || model.bodies.dof(b) == 0) continue;
+            if (model.cuts.group[at(a)] != model.cuts.group[at(b)] &&
+                root(model.cuts.part, a) == root(model.cuts.part, b))
                 return true;
         }
     return false;
@@ -45,9 +50,9 @@ bool holds_otherwise(StepContext& ctx, const Cut& cut) {
 
 }  // namespace
 
-bool open_cuts(StepContext& ctx) {
-    Cuts& cuts = ctx.model.cuts;
-    assembly::System& system = ctx.model.system;
+bool open_cuts(Model& model) {
+    Cuts& cuts = model.cuts;
+    assembly::System& system = model.system;
     if (cuts.list.empty()) return false;
     const std::vector<std::int32_t> before = std::move(system.left_out);
     system.left_out.clear();
@@ -59,27 +64,27 @@ bool open_cuts(StepContext& ctx) {
         if (cut != cuts.list.end() && cut->id == id)
             ++cut;
         else
-            join(ctx, bodies_of(ctx.model.interactions, id));
+            join(model, bodies_of(model.interactions, id));
     }
     for (std::size_t k = 0; k < cuts.of.size(); ++k) {
         std::vector<std::int32_t> own;
         for (const std::int32_t b :
-             bodies_of(ctx.model.interactions, cuts.interactions + static_cast<std::int32_t>(k)))
+             bodies_of(model.interactions, cuts.interactions + static_cast<std::int32_t>(k)))
             if (b < cuts.bodies) own.push_back(b);
-        join(ctx, own);
+        join(model, own);
     }
     for (const assembly::Contacts::Link& l : system.contacts.links)
-        join(ctx, std::array<std::int32_t, 2>{l.first, l.second});
+        join(model, std::array<std::int32_t, 2>{l.first, l.second});
     for (Cut& c : cuts.list) {
         c.open = cuts.coupling[at(c.id)] != Coupling::deadline || (cuts.asked >> c.interface & 1U);
-        if (!c.open) join(ctx, bodies_of(ctx.model.interactions, c.id));
+        if (!c.open) join(model, bodies_of(model.interactions, c.id));
     }
     for (bool again = true; again;) {
         again = false;
         for (Cut& c : cuts.list) {
-            if (!c.open || !holds_otherwise(ctx, c)) continue;
+            if (!c.open || !holds_otherwise(model, c)) continue;
             c.open = false;
-            join(ctx, bodies_of(ctx.model.interactions, c.id));
+            join(model, bodies_of(model.interactions, c.id));
             again = true;
         }
     }
@@ -95,12 +100,21 @@ bool open_cuts(StepContext& ctx) {
     return before != system.left_out;
 }
 
-std::uint64_t open_interfaces(const StepContext& ctx) noexcept {
+std::uint64_t open_interfaces(const Model& model) noexcept {
     std::uint64_t interfaces = 0;
-    for (const Cut& c : ctx.model.cuts.list)
-        if (c.open && ctx.model.cuts.coupling[at(c.id)] == Coupling::deadline)
+    for (const Cut& c : model.cuts.list)
+        if (c.open && model.cuts.coupling[at(c.id)] == Coupling::deadline)
             interfaces |= std::uint64_t{1} << c.interface;
     return interfaces;
+}
+
+void leave_out(Model& model, std::uint64_t interfaces, assembly::System& beside) {
+    const std::uint64_t asked = std::exchange(model.cuts.asked, interfaces);
+    (void)open_cuts(model);
+    beside.left_out = model.system.left_out;
+    beside.sides = model.system.sides;
+    model.cuts.asked = asked;
+    (void)open_cuts(model);
 }
 
 }  // namespace hawser::stepper

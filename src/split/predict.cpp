@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the sides of a cut assume of each other.
-#include "split/predict.h"
+/// What the sides of a cut assume of each other: where images are and how they move.
+#include "split/split.h"
 
 #include "base/index.h"
 #include "context/cuts_data.h"
@@ -20,26 +20,27 @@ void velocity_of(const model::Bodies& b, std::int32_t body, double* out) noexcep
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 /// v += M⁻¹ (p + h (f − D v + m g) − h ω × Iω) for an impulse p of rows and contacts. Rigid.
-void push_rigid(const StepContext& ctx, std::int32_t body, const double* p, double* v) noexcept {
-    const model::Bodies& b = ctx.model.bodies;
+void push_rigid(const Model& model, const State& state, std::int32_t body, const double* p,
+                double* v) noexcept {
+    const model::Bodies& b = model.bodies;
     const auto i = at(body);
-    const double h = ctx.model.def.step;
+    const double h = model.def.step;
     const Eigen::Map<const RowMajor> r(&b.r[9 * i]), inertia(&b.inertia[9 * i]),
         inverse(&b.inv_inertia[9 * i]);
     Eigen::Map<Vec3> lin(v), ang(v + 3);
     const Eigen::Map<const Vec3> f(&b.force[6 * i]), t(&b.force[6 * i + 3]);
     const Eigen::Map<const Vec3> d(&b.damping[6 * i]), dt(&b.damping[6 * i + 3]);
     const Vec3 drag = r * d.cwiseProduct(r.transpose() * lin);
-    const Vec3 weight = b.weight[i] ? Vec3(b.mass[i] * ctx.model.def.gravity) : Vec3(Vec3::Zero());
+    const Vec3 weight = b.weight[i] ? Vec3(b.mass[i] * model.def.gravity) : Vec3(Vec3::Zero());
     const Vec3 push = Eigen::Map<const Vec3>(p) + h * (f - drag + weight);
     const Vec3 w = r.transpose() * ang;
     const Vec3 torque = r.transpose() * (Eigen::Map<const Vec3>(p + 3) + h * t) -
                         h * dt.cwiseProduct(w) - h * w.cross(inertia * w);
-    if (ctx.state.loads.loaded(body)) {
+    if (state.loads.loaded(body)) {
         double all[6];
         Eigen::Map<Vec3>(all, 3) = push;
         Eigen::Map<Vec3>(all + 3, 3) = r * torque;
-        ctx.state.loads.push(b, body, h, all, v);
+        state.loads.push(b, body, h, all, v);
         return;
     }
     lin += push / b.mass[i];
@@ -48,49 +49,50 @@ void push_rigid(const StepContext& ctx, std::int32_t body, const double* p, doub
 
 /// v += (p + h (f − D v + m g))/m for an impulse p of rows and contacts. Lump, or scalar,
 /// which has no weight.
-void push_point(const StepContext& ctx, std::int32_t body, const double* p, double* v) noexcept {
-    const model::Bodies& b = ctx.model.bodies;
+void push_point(const Model& model, const State& state, std::int32_t body, const double* p,
+                double* v) noexcept {
+    const model::Bodies& b = model.bodies;
     const auto i = at(body);
-    const double h = ctx.model.def.step;
+    const double h = model.def.step;
     const int dof = b.dof(body);
     double all[3] = {};
     for (int k = 0; k < dof; ++k) {
-        const double weight = b.weight[i] && dof == 3 ? b.mass[i] * ctx.model.def.gravity[k] : 0.0;
+        const double weight = b.weight[i] && dof == 3 ? b.mass[i] * model.def.gravity[k] : 0.0;
         all[k] = p[k] + h * (b.force[6 * i + at(k)] - b.damping[6 * i + at(k)] * v[k] + weight);
     }
-    if (ctx.state.loads.loaded(body)) return ctx.state.loads.push(b, body, h, all, v);
+    if (state.loads.loaded(body)) return state.loads.push(b, body, h, all, v);
     for (int k = 0; k < dof; ++k) v[k] += all[k] / b.mass[i];
 }
 
 /// The paper's words: from current velocities and forces.
-void predict_by_forces(StepContext& ctx) noexcept {
-    const model::Interactions& in = ctx.model.interactions;
-    model::Bodies& b = ctx.model.bodies;
+void predict_by_forces(Model& model, const State& state) noexcept {
+    const model::Interactions& in = model.interactions;
+    model::Bodies& b = model.bodies;
     std::size_t pull = 0;
-    for (std::size_t k = 0; k < ctx.model.cuts.images.size(); ++k) {
-        const Image image = ctx.model.cuts.images[k];
+    for (std::size_t k = 0; k < model.cuts.images.size(); ++k) {
+        const Image image = model.cuts.images[k];
         double impulse[6] = {};
-        std::copy_n(&ctx.model.cuts.touch[at(b.dof_begin[at(image.of)])], b.dof(image.of), impulse);
-        for (; pull < ctx.model.cuts.pulls.size() &&
-               ctx.model.cuts.pulls[pull].image == static_cast<std::int32_t>(k);
+        std::copy_n(&model.cuts.touch[at(b.dof_begin[at(image.of)])], b.dof(image.of), impulse);
+        for (; pull < model.cuts.pulls.size() &&
+               model.cuts.pulls[pull].image == static_cast<std::int32_t>(k);
              ++pull) {
-            const Pull& p = ctx.model.cuts.pulls[pull];
-            if (ctx.model.system.rests(p.id)) continue;
+            const Pull& p = model.cuts.pulls[pull];
+            if (model.system.rests(p.id)) continue;
             in.add_impulse(p.id, p.slot, b, &in.lambda[at(in.row_begin[at(p.id)])], impulse);
         }
         double* v = &b.v_fixed[6 * at(image.body)];
         if (b.dof(image.of) == 6)
-            push_rigid(ctx, image.of, impulse, v);
+            push_rigid(model, state, image.of, impulse, v);
         else
-            push_point(ctx, image.of, impulse, v);
+            push_point(model, state, image.of, impulse, v);
     }
 }
 
 }  // namespace
 
-void place_images(StepContext& ctx) noexcept {
-    model::Bodies& b = ctx.model.bodies;
-    for (const Image& image : ctx.model.cuts.images) {
+void place_images(Model& model) noexcept {
+    model::Bodies& b = model.bodies;
+    for (const Image& image : model.cuts.images) {
         const auto to = at(image.body), from = at(image.of);
         std::copy_n(&b.x[3 * from], 3, &b.x[3 * to]);
         std::copy_n(&b.q[4 * from], 4, &b.q[4 * to]);
@@ -98,32 +100,32 @@ void place_images(StepContext& ctx) noexcept {
     }
 }
 
-void predict(StepContext& ctx) noexcept {
-    if (ctx.model.cuts.list.empty()) return;
-    model::Bodies& b = ctx.model.bodies;
+void predict(Model& model, const State& state) noexcept {
+    if (model.cuts.list.empty()) return;
+    model::Bodies& b = model.bodies;
     for (const std::int32_t body : b.driven)
         std::copy_n(&b.v_fixed[6 * at(body)], 6, &b.v_before[6 * at(body)]);
-    place_images(ctx);
-    for (const Image& image : ctx.model.cuts.images) {
+    place_images(model);
+    for (const Image& image : model.cuts.images) {
         double* v = &b.v_fixed[6 * at(image.body)];
         velocity_of(b, image.of, v);
         std::copy_n(v, 6, &b.v_before[6 * at(image.body)]);
     }
-    for (const Cut& cut : ctx.model.cuts.list)
+    for (const Cut& cut : model.cuts.list)
         for (std::int32_t i = 0; i < cut.sides; ++i)
-            ctx.model.interactions.mirror(cut.first + i, cut.id, b, ctx.model.def.step);
-    if (ctx.model.def.predictor == Predictor::forces) predict_by_forces(ctx);
-    if (ctx.model.def.predictor == Predictor::clique) (void)solve_clique(ctx);
+            model.interactions.mirror(cut.first + i, cut.id, b, model.def.step);
+    if (model.def.predictor == Predictor::forces) predict_by_forces(model, state);
+    if (model.def.predictor == Predictor::clique) (void)solve_clique(model, state);
 }
 
-void keep_touch(StepContext& ctx) noexcept {
-    const assembly::Contacts& c = ctx.model.system.contacts;
-    std::vector<double>& x = ctx.work.newton.x;  // three a triple, reserved for them
-    for (std::size_t k = 0; k < c.count(); ++k) std::copy_n(c.cones[k].lambda, 3, &x[3 * k]);
+void keep_touch(Model& model, std::vector<double>& room) noexcept {
+    if (model.cuts.list.empty()) return;
+    const assembly::Contacts& c = model.system.contacts;
+    for (std::size_t k = 0; k < c.count(); ++k) std::copy_n(c.cones[k].lambda, 3, &room[3 * k]);
     for (std::size_t k = 0; k < c.resistances.count(); ++k)
-        std::copy_n(c.resistances.laws[k].lambda, 3, &x[3 * (c.count() + k)]);
-    std::fill(ctx.model.cuts.touch.begin(), ctx.model.cuts.touch.end(), 0.0);
-    c.scatter(x.data(), ctx.model.cuts.touch.data(), ctx.model.bodies.dof_begin.data());
+        std::copy_n(c.resistances.laws[k].lambda, 3, &room[3 * (c.count() + k)]);
+    std::fill(model.cuts.touch.begin(), model.cuts.touch.end(), 0.0);
+    c.scatter(room.data(), model.cuts.touch.data(), model.bodies.dof_begin.data());
 }
 
 }  // namespace hawser::stepper

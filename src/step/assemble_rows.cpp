@@ -4,7 +4,7 @@
 #include "access/timer.h"
 #include "solve/assemble.h"
 #include "solve/wires.h"
-#include "split/predict.h"
+#include "split/split.h"
 
 namespace hawser::stepper {
 
@@ -12,7 +12,7 @@ void assemble_rows(StepContext& ctx) noexcept {
     const StageTimer timer(ctx, Stage::assemble);
     if (!ctx.model.wires.again) {
         release_wires(ctx);
-        predict(ctx);
+        predict(ctx.model, ctx.state);
     }
     assemble_system(ctx);
 }

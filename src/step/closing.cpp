@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "step/closing.h"
 
+#include "access/copies.h"
 #include "access/view.h"
 #include "base/index.h"
 #include "context/context.h"
@@ -165,8 +166,7 @@ void close_anew(StepContext& ctx, const View& v) noexcept {
 void close_joints(StepContext& ctx) noexcept {
     JudgeState& judged = ctx.state.judge.state;
     judged.closed = judged.closed_elastic = 0.0;
-    if (!ctx.model.cuts.list.empty() || ctx.model.def.nonsmooth != Nonsmooth::newton ||
-        !may_be_open(ctx))
+    if (has_cuts(ctx.model) || ctx.model.def.nonsmooth != Nonsmooth::newton || !may_be_open(ctx))
         return;
     const View v = view(ctx);
     const double gap = write_gaps(ctx, v);

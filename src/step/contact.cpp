@@ -11,8 +11,7 @@
 #include "methods/gauss_seidel.h"
 #include "methods/nonsmooth.h"
 #include "solve/contact_rows.h"
-#include "split/analyse.h"
-#include "split/predict.h"
+#include "split/split.h"
 
 #include <algorithm>
 #include <cmath>
@@ -122,7 +121,7 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
         speed = std::copy_n(a.u, 3, speed);
         if (phase == Phase::stagger) ask_for_acceleration(a);
     }
-    if (!ctx.model.cuts.list.empty()) keep_touch(ctx);
+    keep_touch(ctx.model, ctx.work.newton.x);
     if (phase == Phase::impact) return Status::ok;
     if (c.count() > 0) begin_contacts(ctx);
     update_contacts(ctx, nullptr);

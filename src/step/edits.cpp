@@ -6,7 +6,7 @@
 #include "base/index.h"
 #include "base/small.h"
 #include "context/context.h"
-#include "split/cuts.h"
+#include "split/split.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,9 +104,8 @@ void reserve_edit(StepContext& ctx) {
 }
 
 void begin_edit(StepContext& ctx) noexcept {
-    drop_cuts(ctx);
+    join_model(ctx.model);
     ctx.state.topology_changed = true;
-    ctx.model.regroup.stale = true;
     ctx.state.edits.any = ctx.state.edits.any || ctx.state.started;
 }
 

@@ -66,7 +66,7 @@ Energy energy(StepContext& ctx) noexcept {
     carriers_back(ctx);
     evaluate_rows(ctx);
     carriers_forth(ctx);
-    for (std::int32_t id = 0; id < interaction_count(ctx); ++id) {
+    for (std::int32_t id = 0; id < interaction_count(ctx.model); ++id) {
         // What a line holds follows from its length, not from whether the last step found it taut.
         const bool line = (v.flags[id] & model::kOneSided) != 0;
         if (v.flags[id] & model::kFriction) continue;  // counted as driven

@@ -39,7 +39,7 @@ void restore_start(StepContext& ctx) noexcept {
                     &in.lambda[at(in.row_begin[at(id)])]);
     for (std::size_t i = 0; i < ctx.work.before.active.size(); ++i) {
         const std::int32_t id = ctx.model.system.bounded[i];
-        const std::int32_t wire = id < interaction_count(ctx) ? w.wire_of[at(id)] : -1;
+        const std::int32_t wire = id < interaction_count(ctx.model) ? w.wire_of[at(id)] : -1;
         if (wire < 0 || w.level[at(wire)] == 0) in.active[at(id)] = ctx.work.before.active[i];
     }
 }

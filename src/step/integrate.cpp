@@ -10,7 +10,7 @@
 #include "solve/joints.h"
 #include "solve/losses.h"
 #include "solve/wire_plan.h"
-#include "split/cut_measures.h"
+#include "split/split.h"
 #include "step/closing.h"
 #include "step/contact.h"
 
@@ -25,9 +25,9 @@ void break_lines(StepContext& ctx, const View& v) noexcept {
         const std::int32_t id = ctx.model.system.breakable[i];
         const double tension = -v.force_of_row[v.row_begin[id]];
         if (v.parted[id] || tension <= ctx.model.system.breaking_load[i]) continue;
-        ctx.state.ledger.damped += held_by_line(ctx, original(ctx, id));
-        part_all(ctx, original(ctx, id));
-        push_event(ctx, EventKind::line_break, original(ctx, id), tension);
+        ctx.state.ledger.damped += held_by_line(ctx, original(ctx.model, id));
+        part_all(ctx.model, original(ctx.model, id));
+        push_event(ctx, EventKind::line_break, original(ctx.model, id), tension);
     }
 }
 
@@ -39,7 +39,7 @@ void report_switches(StepContext& ctx, const View& v) noexcept {
         if (now == ctx.work.before.active[i] || v.parted[id]) continue;
         if (v.flags[id] & (model::kMotor | model::kFriction)) continue;
         const std::int32_t row = v.row_begin[id];
-        id = speaker(ctx, id);  // of the sides of a cut one
+        id = speaker(ctx.model, id);  // of the sides of a cut one
         if (id < 0) continue;
         if (v.flags[id] & model::kRange) {
             if (now != 0.0) push_event(ctx, EventKind::range, id, v.g[row]);

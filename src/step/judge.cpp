@@ -31,7 +31,7 @@ Works works(const StepContext& ctx) noexcept {
 /// Interaction of a row.
 std::int32_t owner_of(const StepContext& ctx, std::int32_t row) noexcept {
     const auto& begin = ctx.model.interactions.row_begin;
-    const auto end = begin.begin() + interaction_count(ctx);
+    const auto end = begin.begin() + interaction_count(ctx.model);
     return static_cast<std::int32_t>(std::upper_bound(begin.begin(), end, row) - begin.begin()) - 1;
 }
 
@@ -86,7 +86,7 @@ Finding energy_finding(const StepContext& ctx, const JudgePart& p, JudgeState& s
                               limit::kHidden.wrong,
                           share(mean[kUnexplained].fall, counted) / limit::kLost.wrong});
     // A split is approximate by choice, and says itself what it does to momentum and forces.
-    if (!ctx.model.cuts.list.empty()) out.wrong = 0.0;
+    if (has_cuts(ctx.model)) out.wrong = 0.0;
     if (!std::isfinite(now[kUnexplained].rise)) out.doubtful = out.wrong = HUGE_VAL;
     out.time = ctx.state.time;
     return out;
@@ -229,7 +229,7 @@ Status judge(StepContext& ctx) noexcept {
     JudgeState next = d.state;
     const Findings now = judged(ctx, next);
     const Grade grade = add(now, d.verdict);
-    const bool split = !ctx.model.cuts.list.empty();
+    const bool split = has_cuts(ctx.model);
     if (grade == Grade::wrong && ctx.model.def.on_diverged == OnDiverged::stop && !split)
         return Status::diverged;
     d.state = next;

@@ -25,11 +25,11 @@ void prepare_judge(StepContext& ctx) {
     JudgeData& d = ctx.state.judge;
     const model::Interactions& in = ctx.model.interactions;
     if (!ctx.state.edits.any) d.state = {};
-    d.allowed.assign(at(user_rows(ctx)), 0.0);
+    d.allowed.assign(at(user_rows(ctx.model)), 0.0);
     d.elastic.clear();
     d.line.clear();
     d.lines.clear();
-    for (std::int32_t id = 0; id < interaction_count(ctx); ++id) {
+    for (std::int32_t id = 0; id < interaction_count(ctx.model); ++id) {
         const KindInfo& kind = kind_info(in.kinds[at(id)]);
         if (in.rest_length[at(id)] > 0.0) d.lines.push_back(id);
         if (in.flags[at(id)] & model::kFriction) continue;  // counted as driven

@@ -4,18 +4,14 @@
 #include "access/asleep.h"
 #include "solve/analysis.h"
 #include "solve/wires.h"
-#include "split/analyse.h"
-#include "split/cuts.h"
-#include "split/regroup.h"
+#include "split/split.h"
 #include "step/contact.h"
 #include "step/judge_prepare.h"
 
 namespace hawser::stepper {
 
 void prepare(StepContext& ctx) {
-    make_groups(ctx);
-    make_cuts(ctx);
-    ctx.work.limits.cut_levels.set({});
+    split_model(ctx);
     if (ctx.model.collider.count() > 0) {
         ctx.model.collider.prepare(ctx.model.bodies, ctx.model.interactions, ctx.model.def.step);
         ctx.model.collider.surfaces(ctx.model.def.step, ctx.state.contacts);

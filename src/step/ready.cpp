@@ -4,8 +4,7 @@
 #include "access/asleep.h"
 #include "access/undo.h"
 #include "context/undo_data.h"
-#include "split/analyse.h"
-#include "split/cuts.h"
+#include "split/split.h"
 #include "step/prepare.h"
 
 #include <utility>
@@ -61,7 +60,7 @@ void mend(StepContext& ctx) {
 
 void make_ready(StepContext& ctx) {
     if (ctx.state.topology_changed) {
-        keep_state(ctx, may_have_cuts(ctx) ? Undo::Depth::model : Undo::Depth::system);
+        keep_state(ctx, may_split(ctx.model) ? Undo::Depth::model : Undo::Depth::system);
         prepare(ctx);
         ctx.state.mend = Mend::nothing;
     } else {

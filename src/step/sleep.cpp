@@ -9,7 +9,7 @@
 #include "base/index.h"
 #include "context/sleep_data.h"
 #include "context/undo_data.h"
-#include "split/analyse.h"
+#include "split/split.h"
 #include "step/ready.h"
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 #include "assembly/mobility.h"
 #include "base/index.h"
 #include "solve/evaluate.h"
-#include "split/predict.h"
+#include "split/split.h"
 #include "step/assemble_rows.h"
 #include "step/completion.h"
 #include "step/guard.h"
@@ -52,7 +52,7 @@ void violations_at(StepContext& ctx, double t, std::vector<double>& g) {
         const double* v = &b.v_fixed[6 * at(body)];
         b.drift(body, v, v + 3, t);
     }
-    place_images(ctx);
+    place_images(ctx.model);
     evaluate_rows(ctx);
     std::copy(ctx.model.interactions.g.begin(), ctx.model.interactions.g.end(), g.begin());
     b.x = x;
@@ -97,7 +97,7 @@ bool slow_springs(StepContext& ctx, bool add) noexcept {
     const assembly::View v = view(ctx);
     constexpr double kResolvedShare = 0.25;
     bool any = false;
-    for (std::int32_t id = 0; id < interaction_count(ctx); ++id) {
+    for (std::int32_t id = 0; id < interaction_count(ctx.model); ++id) {
         // Of wires see calm_start().
         if (ctx.model.system.rests(id) || v.active[id] == 0.0 ||
             ctx.model.wires.wire_of[at(id)] >= 0)

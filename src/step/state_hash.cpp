@@ -17,7 +17,7 @@ std::uint64_t state_hash(const StepContext& ctx) noexcept {
         hash = base::fnv1a(array.data(), array.size() * sizeof(array[0]), hash);
     };
     // Images of bodies (cuts.h) follow from them.
-    const auto bodies = at(body_count(ctx));
+    const auto bodies = at(body_count(ctx.model));
     auto front = [&](const base::Array<double>& array, std::size_t each) {
         hash = base::fnv1a(array.data(), each * bodies * sizeof(double), hash);
     };

@@ -8,7 +8,7 @@
 #include "access/view.h"
 #include "budget/limits.h"
 #include "solve/joints.h"
-#include "split/regroup.h"
+#include "split/split.h"
 #include "step/assemble_rows.h"
 #include "step/completion.h"
 #include "step/contact.h"
@@ -89,28 +89,18 @@ void clear_figures(StepContext& ctx) noexcept {
     ctx.work.stats.foreseen_seconds = 0.0;
 }
 
-/// When the solver began, and what it knew then.
-struct SolverStart {
-    Clock::time_point time = Clock::now();
-    std::int64_t analyses = 0;
-    bool knew_levels = false;
-};
-
-SolverStart start_solver(StepContext& ctx) noexcept {
-    SolverStart start;
+/// @return when the solver began.
+Clock::time_point start_solver(StepContext& ctx) noexcept {
+    const Clock::time_point start = Clock::now();
     ctx.stopwatch->start();
-    ctx.work.limits.laps = {};
-    start.analyses = ctx.work.stats.plans + ctx.work.stats.repairs;
-    start.knew_levels = ctx.work.limits.cut_levels.known();
+    begin_laps(ctx.work);
     return start;
 }
 
-void end_solver(StepContext& ctx, const SolverStart& start) noexcept {
+void end_solver(StepContext& ctx, Clock::time_point start) noexcept {
     StepStats& s = ctx.work.stats;
-    s.solver_seconds = std::chrono::duration<double>(Clock::now() - start.time).count();
+    s.solver_seconds = std::chrono::duration<double>(Clock::now() - start).count();
     s.solver_cpu_seconds = ctx.stopwatch->seconds();
-    ctx.work.limits.laps.analysed = s.plans + s.repairs > start.analyses ||
-                                    (ctx.work.limits.cut_levels.known() && !start.knew_levels);
     end_budget(ctx);
     s.newton_iterations = ctx.work.newton.iterations;
     s.factor_work = static_cast<double>(ctx.work.solve.step_flops) /
@@ -180,7 +170,7 @@ Status take_step(StepContext& ctx) noexcept {
     if (!starts) status = timed(ctx, Stage::prestep, prestep);
     if (status == Status::ok) status = collide(ctx);
     if (status != Status::ok) return status;
-    const SolverStart solver = start_solver(ctx);
+    const Clock::time_point solver = start_solver(ctx);
     status = graph(ctx);
     if (status != Status::ok) return status;
     status = analyse_step(ctx);

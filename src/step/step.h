@@ -5,8 +5,8 @@
 /// ```
 ///     prestep     systems act: loads, inputs                         prestep.h
 ///     collide     contacts at the present poses; who wakes           sleep.h
-///     graph       groups that follow the state                       regroup.h
-///     analyse     where the system is another one than before        analyse.h, contact.h
+///     graph       groups that follow the state                       split.h
+///     analyse     where the system is another one than before        split.h, contact.h
 ///     assemble    rows and body terms                                assemble_rows.h
 ///     factor      the matrix, written as it is factored, and solved  factor.h, solve.h
 ///     nonsmooth   contacts and bounds, with factorisations between   nonsmooth.h, completion.h

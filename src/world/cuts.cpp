@@ -9,10 +9,7 @@
 #include "context/context.h"
 #include "context/cuts_data.h"
 #include "context/undo_data.h"
-#include "split/analyse.h"
-#include "split/cut_measures.h"
-#include "split/cuts.h"
-#include "split/regroup.h"
+#include "split/split.h"
 #include "step/prepare.h"
 #include "step/ready.h"
 #include "world/checks.h"
@@ -40,7 +37,8 @@ void World::set_group(BodyId id, const std::string& group) {
     m.ctx.model.regroup.by_hand[b] = m.number_of_group(group);
     m.body_defs[b].group.swap(name);
     m.ctx.model.regroup.stale = true;
-    if (!stepper::makes_groups(m.ctx)) m.ctx.model.cuts.group[b] = m.ctx.model.regroup.by_hand[b];
+    if (!stepper::makes_groups(m.ctx.model))
+        m.ctx.model.cuts.group[b] = m.ctx.model.regroup.by_hand[b];
     m.ctx.state.topology_changed = true;
     if (m.listener != nullptr) m.listener->set_group(id, group);
 }
@@ -119,7 +117,7 @@ void World::set_coupling(InteractionId id, Coupling coupling) {
     if (coupling > Coupling::deadline) throw DefError("unknown coupling");
     if (coupling != Coupling::exact && c.model.def.sleep_after > 0.0)
         throw DefError("a coupling other than exact needs sleep_after 0");
-    if (coupling != Coupling::exact && !stepper::can_cut(c, id.index))
+    if (coupling != Coupling::exact && !stepper::can_cut(c.model, id.index))
         throw DefError(world::label("interaction", c.model.interactions.def[i].name) +
                        ": a motor, a range, friction, what loads friction or a winch cannot be "
                        "cut; couple it exactly");
@@ -209,12 +207,12 @@ bool copy_contacts(const stepper::StepContext& from, stepper::StepContext& to) {
 
 /// Groups that follow the state, where both worlds have some.
 void copy_groups(const stepper::StepContext& from, stepper::StepContext& to) {
-    if (!stepper::makes_groups(from) || !stepper::makes_groups(to)) return;
+    if (!stepper::makes_groups(from.model) || !stepper::makes_groups(to.model)) return;
     const bool same = to.model.regroup.parts.part == from.model.regroup.parts.part;
     to.model.regroup.parts = from.model.regroup.parts;
     to.model.regroup.made = from.model.regroup.made;
     to.model.regroup.seen = from.model.regroup.seen;
-    if (same || stepper::assign_groups(to) == 0) return;
+    if (same || stepper::assign_groups(to.model) == 0) return;
     to.state.topology_changed = true;
     stepper::prepare(to);
 }
@@ -282,7 +280,8 @@ void World::copy_from(const World& other) {
     for (const std::int32_t id : to.model.interactions.winches)
         to.model.interactions.follow_length(id, to.model.bodies, to.model.def.step);
     // Images and copies differ with the coupling.
-    if (from.model.interactions.count() != to.model.interactions.count()) stepper::follow_cuts(to);
+    if (from.model.interactions.count() != to.model.interactions.count())
+        stepper::follow_cuts(to.model);
     if (from.model.cuts.interfaces == to.model.cuts.interfaces &&
         stepper::ask_for_cuts(to, from.model.cuts.asked) != Status::ok)
         throw std::bad_alloc();

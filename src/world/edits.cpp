@@ -224,7 +224,7 @@ const Removed& World::Impl::sorted_removal() noexcept {
 /// What hangs on it goes first.
 void World::Impl::remove(BodyId id) noexcept {
     const model::Interactions& in = ctx.model.interactions;
-    for (std::int32_t i = stepper::interaction_count(ctx); i-- > 0;) {
+    for (std::int32_t i = stepper::interaction_count(ctx.model); i-- > 0;) {
         const std::int32_t* body = &in.body[kMaxInteractionBodies * at(i)];
         if (std::find(body, body + in.bodies[at(i)], id.index) != body + in.bodies[at(i)])
             remove(in.id(i));

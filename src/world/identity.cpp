@@ -5,7 +5,7 @@
 
 #include "access/copies.h"
 #include "base/hash.h"
-#include "split/cuts.h"
+#include "split/split.h"
 
 #include <algorithm>
 #include <cstring>
@@ -91,8 +91,8 @@ void add(const std::vector<ShapeDef>& shapes, const collide::Collider& collider,
 std::uint64_t layout_of(const stepper::StepContext& ctx, std::size_t inputs) {
     Digest to;
     // Of what the user added: images and copies of cuts follow from it.
-    const auto bodies = static_cast<std::size_t>(stepper::body_count(ctx)),
-               count = static_cast<std::size_t>(stepper::interaction_count(ctx));
+    const auto bodies = static_cast<std::size_t>(stepper::body_count(ctx.model)),
+               count = static_cast<std::size_t>(stepper::interaction_count(ctx.model));
     to.front(ctx.model.bodies.kind, bodies);
     to.front(ctx.model.regroup.by_hand, bodies);
     to.front(ctx.model.interactions.body, kMaxInteractionBodies * count);
@@ -121,8 +121,8 @@ std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<I
                             const std::vector<ShapeDef>& shapes) {
     Digest to;
     add(shapes, ctx.model.collider, to);
-    const auto bodies = static_cast<std::size_t>(stepper::body_count(ctx)),
-               count = static_cast<std::size_t>(stepper::interaction_count(ctx));
+    const auto bodies = static_cast<std::size_t>(stepper::body_count(ctx.model)),
+               count = static_cast<std::size_t>(stepper::interaction_count(ctx.model));
     to.front(ctx.model.bodies.mass, bodies);
     to.front(ctx.model.bodies.inertia, 9 * bodies);
     to.front(ctx.model.bodies.damping, 6 * bodies);
@@ -130,7 +130,7 @@ std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<I
     for (const SettingInfo& s : setting_infos())
         for (int c = 0; s.identity && c < (s.type == SettingType::vector ? 3 : 1); ++c)
             to.value(s.get(ctx.model.def, c));
-    if (stepper::makes_groups(ctx)) {
+    if (stepper::makes_groups(ctx.model)) {
         to.value(ctx.model.def.parts);
         to.value(ctx.model.def.regroup_every);
     }

@@ -41,11 +41,11 @@ struct World::Impl final : private world::InputDoor {
 
     /// Places that ids name. @throws DefError for an id of nothing, or of what has been removed.
     [[nodiscard]] std::size_t place(BodyId id) const {
-        return world::place_of(id, ctx.model.bodies.places, stepper::body_count(ctx), "body");
+        return world::place_of(id, ctx.model.bodies.places, stepper::body_count(ctx.model), "body");
     }
     [[nodiscard]] std::size_t place(InteractionId id) const {
-        return world::place_of(id, ctx.model.interactions.places, stepper::interaction_count(ctx),
-                               "interaction");
+        return world::place_of(id, ctx.model.interactions.places,
+                               stepper::interaction_count(ctx.model), "interaction");
     }
     [[nodiscard]] std::size_t place(ShapeId id) const {
         return world::place_of(id, ctx.model.collider.places, ctx.model.collider.count(), "shape");

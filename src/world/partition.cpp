@@ -7,7 +7,7 @@
 #include "graph/follow.h"
 #include "graph/partition.h"
 #include "graph/split.h"
-#include "split/regroup.h"
+#include "split/split.h"
 #include "step/ready.h"
 #include "world/impl.h"
 #include "world/lookup.h"
@@ -177,10 +177,10 @@ PartitionView World::partition(const PartitionRequest& request) const {
     view.use = request.use;
     Clock::time_point clock = Clock::now();
     assembly::PartGraph g;
-    stepper::read_graph(c, g);
+    stepper::read_graph(c.model, g);
     g.group = request.group;
     view.graph_seconds = seconds_since(clock);
-    stepper::weigh_graph(c, g);
+    stepper::weigh_graph(c.model, g);
     view.weight_seconds = seconds_since(clock);
     if (request.exact_cost) {
         g.cost = assembly::body_flops(c.model.system, c.model.bodies.count());

@@ -9,8 +9,7 @@
 #include "base/hash.h"
 #include "context/context.h"
 #include "context/regroup_data.h"
-#include "split/analyse.h"
-#include "split/regroup.h"
+#include "split/split.h"
 #include "step/prepare.h"
 #include "step/ready.h"
 #include "world/identity.h"
@@ -71,7 +70,7 @@ bool read_groups(const stepper::StepContext& ctx, const std::byte* from, stepper
 bool take_groups(stepper::StepContext& ctx, const stepper::Regroup& saved) {
     if (ctx.model.regroup.parts.part == saved.parts.part) return false;
     ctx.model.regroup.parts.part = saved.parts.part;
-    if (stepper::assign_groups(ctx) == 0) return false;
+    if (stepper::assign_groups(ctx.model) == 0) return false;
     ctx.state.topology_changed = true;
     stepper::prepare(ctx);
     return true;

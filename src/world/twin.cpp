@@ -36,7 +36,7 @@ void World::Impl::copy_bodies(World& out) const {
     Impl& o = *out.impl_;
     const base::Places& places = ctx.model.bodies.places;
     const auto gone = [&](std::int32_t b) { return !places.holds(b); };
-    for (std::int32_t b = 0; b < stepper::body_count(ctx); ++b)
+    for (std::int32_t b = 0; b < stepper::body_count(ctx.model); ++b)
         out.add_body(gone(b) ? placeholder(ctx.model.bodies.room[at(b)]) : body_defs[at(b)]);
     for (const std::int32_t b : places.vacant()) (void)out.remove_body(BodyId{b});
     o.ctx.model.bodies.places.set_generations(places.generations());
@@ -63,7 +63,7 @@ void World::Impl::copy_shapes(World& out) const {
 void World::Impl::copy_interactions(World& out) const {
     const model::Interactions& in = ctx.model.interactions;
     model::Interactions& to = out.impl_->ctx.model.interactions;
-    for (std::int32_t i = 0; i < stepper::interaction_count(ctx); ++i) {
+    for (std::int32_t i = 0; i < stepper::interaction_count(ctx.model); ++i) {
         if (in.gone(i)) {
             to.make_room(in.def[at(i)].kind);
             to.append_empty(in.def[at(i)].kind);
@@ -77,7 +77,7 @@ void World::Impl::copy_interactions(World& out) const {
         out.add_interaction(d);
     }
     for (const std::int32_t i : in.places.vacant())
-        if (i < stepper::interaction_count(ctx)) to.places.vacate(i);
+        if (i < stepper::interaction_count(ctx.model)) to.places.vacate(i);
     to.places.set_generations(in.places.generations());
     name_anew(out.impl_->interaction_ids, to.places);
     for (const InteractionId id : interaction_ids)

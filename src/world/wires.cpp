@@ -5,7 +5,7 @@
 #include "access/asleep.h"
 #include "access/push_event.h"
 #include "context/context.h"
-#include "split/cut_measures.h"
+#include "split/split.h"
 #include "world/checks.h"
 #include "world/impl.h"
 #include "world/lookup.h"
@@ -68,8 +68,8 @@ World::Impl::Mark World::Impl::mark(BodyId from, BodyId to) const noexcept {
     const auto quiet = [&](BodyId id) {
         return id.valid() ? ctx.model.bodies.quiet[at(id.index)] : 0;
     };
-    return {stepper::body_count(ctx),
-            stepper::interaction_count(ctx),
+    return {stepper::body_count(ctx.model),
+            stepper::interaction_count(ctx.model),
             ctx.model.collider.count(),
             ctx.state.edits.interactions.size(),
             ctx.state.ledger.drive,
@@ -245,7 +245,7 @@ void World::part(InteractionId id) {
     c.state.ledger.damped += stepper::energy_of_interaction(c, id.index);
     for (std::size_t b = 0; b < c.model.interactions.bodies[i]; ++b)
         stepper::disturb(c, c.model.interactions.body[kMaxInteractionBodies * i + b]);
-    stepper::part_all(c, id.index);
+    stepper::part_all(c.model, id.index);
     stepper::push_event(c, EventKind::line_break, id.index, tension);
     if (impl_->listener != nullptr) impl_->listener->parted(id);
 }

@@ -111,7 +111,7 @@ void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
     if (impl_->listener != nullptr) impl_->listener->set_force(body, force, torque);
 }
 
-int World::body_count() const noexcept { return stepper::body_count(impl_->ctx); }
+int World::body_count() const noexcept { return stepper::body_count(impl_->ctx.model); }
 const BodyDef& World::body_def(BodyId id) const { return impl_->body_defs[impl_->place(id)]; }
 BodyId World::find_body(std::string_view name) const noexcept {
     return impl_->ctx.model.bodies.id(lookup(impl_->body_names, name));
@@ -196,7 +196,9 @@ Vec3 World::world_point(BodyId id, const Vec3& local) const {
     return p.position + p.orientation * local;
 }
 
-int World::interaction_count() const noexcept { return stepper::interaction_count(impl_->ctx); }
+int World::interaction_count() const noexcept {
+    return stepper::interaction_count(impl_->ctx.model);
+}
 const InteractionDef& World::interaction_def(InteractionId id) const {
     return impl_->ctx.model.interactions.def[impl_->place(id)];
 }
@@ -262,7 +264,7 @@ SystemView World::inspect() const {
     for (int i = 0; i < m.ctx.model.interactions.count(); ++i)
         if (s.node_of_interaction[at(i)] >= 0)
             v.nodes[at(s.node_of_interaction[at(i)])].interaction =
-                m.ctx.model.interactions.id(stepper::original(m.ctx, i));
+                m.ctx.model.interactions.id(stepper::original(m.ctx.model, i));
     v.edge_start = s.pattern.start;
     v.edges = s.pattern.adjacent;
     v.order = s.symbolic.order;

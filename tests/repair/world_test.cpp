@@ -2,7 +2,7 @@
 /// Worlds whose bodies come to touch: the order of elimination is repaired, and what comes of it
 /// depends on nothing but the state.
 #include "context/context.h"
-#include "split/analyse.h"
+#include "split/split.h"
 #include "step/state_hash.h"
 #include "step/step.h"
 #include "support/random.h"
