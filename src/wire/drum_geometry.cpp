@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "wire/drum_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hawser::wire {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+/// Of a quotient that is a whole number but for rounding.
+constexpr double kRounding = 1e-9;
+
+}  // namespace
+
+int DrumGeometry::wraps_a_layer() const noexcept {
+    return static_cast<int>(std::floor(width / wire_diameter + kRounding));
+}
+
+int DrumGeometry::layers() const noexcept {
+    const double above = flange_radius - core_radius - wire_diameter;  // of the first layer
+    if (above < -kRounding) return 0;
+    return 1 + static_cast<int>(std::floor(above / layer_pitch + kRounding));
+}
+
+double DrumGeometry::radius(int layer) const noexcept {
+    return core_radius + 0.5 * wire_diameter + (layer - 1) * layer_pitch;
+}
+
+double DrumGeometry::length_of(int layers) const noexcept {
+    const double k = layers;
+    return kTurn * wraps_a_layer() * (k * radius(1) + 0.5 * layer_pitch * k * (k - 1.0));
+}
+
+DrumGeometry::Place DrumGeometry::place(double length) const noexcept {
+    Place out{.radius = radius(1)};
+    const double l = std::max(length, 0.0), n = wraps_a_layer();
+    // The larger root of S(K) = l, and then the whole number that rounding may have missed.
+    const double a = 0.5 * layer_pitch, b = radius(1) - a, c = l / (kTurn * n);
+    const double root = 2.0 * c / (b + std::sqrt(b * b + 4.0 * a * c));
+    out.layer = std::max(1, static_cast<int>(std::ceil(root)));
+    while (out.layer > 1 && length_of(out.layer - 1) >= l) --out.layer;
+    while (length_of(out.layer) < l) ++out.layer;
+    out.radius = radius(out.layer);
+    const double here = (l - length_of(out.layer - 1)) / (kTurn * out.radius);
+    out.wraps = (out.layer - 1) * n + here;
+    // Layers are laid there and back, between the middles of the first and the last wrap.
+    const double way = std::min(here / n, 1.0) * (width - wire_diameter);
+    const double from_flange = out.layer % 2 == 1 ? way : width - wire_diameter - way;
+    out.across = from_flange - 0.5 * (width - wire_diameter);
+    return out;
+}
+
+double DrumGeometry::angle(double length) const noexcept { return kTurn * place(length).wraps; }
+
+double DrumGeometry::length(double angle) const noexcept {
+    const double wraps = std::max(angle, 0.0) / kTurn, n = wraps_a_layer();
+    const double full = std::floor(wraps / n);
+    const int layers = static_cast<int>(full);
+    return length_of(layers) + kTurn * radius(layers + 1) * (wraps - n * full);
+}
+
+double DrumGeometry::inertia(double length, double mass_per_length) const noexcept {
+    const Place last = place(length);
+    const auto ring = [&](double r) { return r * r + 3.0 / 16.0 * wire_diameter * wire_diameter; };
+    double sum = (std::max(length, 0.0) - length_of(last.layer - 1)) * ring(last.radius);
+    for (int k = 1; k < last.layer; ++k)
+        sum += kTurn * wraps_a_layer() * radius(k) * ring(radius(k));
+    return mass_per_length * sum;
+}
+
+}  // namespace hawser::wire

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Wire on a drum against sums written out wrap by wrap.
+#include "wire/drum_geometry.h"
+#include "wire/band_brake.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace hawser::test {
+namespace {
+
+using wire::DrumGeometry;
+
+/// Anchor handler's drum: 31 wraps a layer.
+constexpr DrumGeometry kDrum{.core_radius = 0.6,
+                             .width = 2.4,
+                             .wire_diameter = 0.076,
+                             .layer_pitch = 0.076,
+                             .flange_radius = 1.4};
+
+TEST(DrumGeometry, CountsLayersAsASumWrapByWrap) {
+    // One wrap after another, until the wire ends.
+    const double length = 1500.0;
+    double left = length, inertia = 0.0;
+    int layer = 1, wraps = 0;
+    for (;; ++wraps) {
+        if (wraps == 31 * layer) ++layer;
+        const double r = 0.638 + 0.076 * (layer - 1), turn = 2.0 * M_PI * r;
+        const double here = std::min(left, turn);
+        inertia += 25.0 * here * (r * r + 0.75 * 0.038 * 0.038);
+        left -= here;
+        if (left <= 0.0) break;
+    }
+    const DrumGeometry::Place at = kDrum.place(length);
+    EXPECT_EQ(layer, 9);
+    EXPECT_EQ(at.layer, layer);
+    EXPECT_EQ(kDrum.wraps_a_layer(), 31);
+    EXPECT_EQ(static_cast<int>(at.wraps), wraps);
+    EXPECT_NEAR(at.radius, 0.638 + 8.0 * 0.076, 1e-12);
+    EXPECT_NEAR(kDrum.inertia(length, 25.0) / inertia, 1.0, 1e-12);
+    EXPECT_NEAR(kDrum.length_of(9), 2.0 * M_PI * 31.0 * (9.0 * 0.638 + 0.076 * 36.0), 1e-9);
+    EXPECT_EQ(kDrum.layers(), 10);
+}
+
+TEST(DrumGeometry, AnglesAndLengthsAreEachOthersInverse) {
+    for (double l = 0.0; l < 1800.0; l += 0.37)
+        ASSERT_NEAR(kDrum.length(kDrum.angle(l)), l, 1e-9 * (1.0 + l));
+    // Along the wire the angle grows by 1/r.
+    for (double l = 1.0; l < 1700.0; l += 7.3) {
+        const double d = 1e-6, r = kDrum.place(l).radius;
+        if (kDrum.place(l + d).layer != kDrum.place(l).layer) continue;
+        ASSERT_NEAR((kDrum.angle(l + d) - kDrum.angle(l)) / d * r, 1.0, 1e-5);
+    }
+}
+
+TEST(DrumGeometry, LayersEndWhereTheyAreFull) {
+    for (int k = 1; k <= 10; ++k) {
+        const double full = kDrum.length_of(k);
+        EXPECT_EQ(kDrum.place(full * (1.0 - 1e-12)).layer, k);
+        EXPECT_EQ(kDrum.place(full * (1.0 + 1e-12)).layer, k + 1);
+        // There and back: the first layer ends at one flange, the second at the other.
+        EXPECT_NEAR(kDrum.place(full * (1.0 - 1e-12)).across, k % 2 == 1 ? 1.162 : -1.162, 1e-6);
+    }
+    EXPECT_EQ(kDrum.place(0.0).layer, 1);
+    EXPECT_EQ(kDrum.place(-3.0).wraps, 0.0);
+    EXPECT_EQ(kDrum.inertia(0.0, 25.0), 0.0);
+}
+
+TEST(DrumGeometry, NothingFitsBelowAFlangeThatIsTooLow) {
+    DrumGeometry low = kDrum;
+    low.flange_radius = 0.6 + 0.0759;
+    EXPECT_EQ(low.layers(), 0);
+    low.flange_radius = 0.676;
+    EXPECT_EQ(low.layers(), 1);
+    EXPECT_GT(low.capacity(), 0.0);
+}
+
+/// Tension along a band cut into pieces, each in balance with its friction.
+TEST(BandBrake, RatioIsThatOfTheTensionAlongTheBand) {
+    const double mu = 0.35, angle = 4.7;
+    double tension = 1.0;
+    const int pieces = 100'000;
+    for (int i = 0; i < pieces; ++i) tension *= 1.0 + mu * angle / pieces;
+    const double pulled = tension - 1.0, slackened = 1.0 - 1.0 / tension;
+    EXPECT_NEAR(wire::band_ratio(mu, angle), slackened / pulled, 1e-5);
+    EXPECT_NEAR(wire::behind_wraps(1e6, 0.1, 5.0), 1e6 * std::exp(-M_PI), 1e-6);
+    EXPECT_EQ(wire::behind_wraps(1e6, 0.1, -1.0), 1e6);
+}
+
+}  // namespace
+}  // namespace hawser::test
