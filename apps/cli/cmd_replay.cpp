@@ -156,6 +156,8 @@ int replay(const ReplayOptions& options) {
     scene::Scene scene =
         scene::load_text(recording.scene_text, options.file + " (embedded scene)", scene_options);
     World& world = scene.world;
+    // What systems of the scene did is in the recording.
+    while (world.system_count() > 0) (void)world.remove_system(world.system(0));
     const auto bad_input = [&](const record::RecordedInput& input) {
         return input.input < 0 || input.input >= world.input_count();
     };

@@ -63,8 +63,14 @@ enum class EventKind : std::uint8_t {
     cable_law,       ///< Judge::cable.
     uncertified,     ///< Judge::certificate.
     fast,            ///< Judge::speed.
+    // Of winches (winch.h), of the body that is the drum.
+    layer,       ///< The wire leaves or lies on another layer. value: its number, 1 the innermost.
+    brake_slip,  ///< A brake began to slip; once each time. value: its torque [N m].
+    release,     ///< An emergency release took effect. value: tension then [N].
+    weak_link,   ///< The wire's fastening on the drum parted. value: its force [N].
+    drum_empty,  ///< All wire is off the drum. value: tension then [N].
 };
-inline constexpr int kEventKindCount = 12;
+inline constexpr int kEventKindCount = 17;
 [[nodiscard]] const char* to_string(EventKind kind) noexcept;
 
 struct Event {

@@ -29,6 +29,7 @@
 #include <hawser/interactions.h>
 #include <hawser/math.h>
 #include <hawser/shapes.h>
+#include <hawser/stats.h>
 #include <hawser/wire.h>
 
 #include <cstddef>
@@ -200,6 +201,7 @@ class Edits {
         virtual void remove(InteractionId id) noexcept = 0;
         virtual void remove(ShapeId id) noexcept = 0;
         virtual void remove(WireId id) noexcept = 0;
+        virtual void part(InteractionId id) noexcept = 0;
 
       protected:
         ~Hands() = default;
@@ -214,6 +216,8 @@ class Edits {
     void remove_interaction(InteractionId id) noexcept { hands_.remove(id); }
     void remove_shape(ShapeId id) noexcept { hands_.remove(id); }
     void remove_wire(WireId id) noexcept { hands_.remove(id); }
+    /// An element of a wire parts, as World::part() has it.
+    void part(InteractionId id) noexcept { hands_.part(id); }
 
   private:
     Hands& hands_;
@@ -243,6 +247,7 @@ class Prestep {
         virtual void set_input(InputId id, double value) noexcept = 0;
         virtual void run(int count, void (*task)(void* context, int index) noexcept,
                          void* context) noexcept = 0;
+        virtual void tell(EventKind kind, BodyId body, double value) noexcept = 0;
     };
     Prestep(const World& of, double at, double h, std::int64_t so_far, Hands& by,
             Edits::Hands& editor) noexcept
@@ -259,6 +264,11 @@ class Prestep {
     /// Set an input of the world, as World::set_input() does between steps: clamped to its range.
     /// Not finite, or an input that is not there: the step ends with Status::bad_load.
     void set_input(InputId id, double value) noexcept { hands_.set_input(id, value); }
+    /// Something has happened, which readers of World::events_since() are to know: an event of
+    /// `time`, once the step is good.
+    void tell(EventKind kind, BodyId body, double value) noexcept {
+        hands_.tell(kind, body, value);
+    }
     /// f(i) for i in [0, n), each once, on the threads of the world: for loads on many bodies. Each
     /// i writes what is its own, so that nothing depends on threads. f must not throw.
     template <class F>

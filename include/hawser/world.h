@@ -269,6 +269,11 @@ class World {
     /// Elements that there are, end to end, become a wire that does not own them.
     /// @throws DefError where one is no element of a wire or does not begin where the last ended.
     WireId adopt_wire(const std::string& name, std::span<const InteractionId> elements);
+    /// The first (0) or last (1) element of a wire becomes one that a drum pays out, with the same
+    /// name, ends, length and law: length + radius (coordinate of the drum − that of now). Loads of
+    /// friction by the element end. @return it. @throws DefError where the end is wound up already,
+    /// the element is gone or has parted, or the drum is no scalar body.
+    InteractionId wind_up(WireId id, int end, BodyId drum, double radius);
     /// What add_wire() made goes with it. @return as remove_body().
     const Removed& remove_wire(WireId id);
     [[nodiscard]] std::span<const WireId> wires() const noexcept;  ///< As bodies().

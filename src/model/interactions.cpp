@@ -52,7 +52,8 @@ void Interactions::set_range(int id) noexcept {
         high[at(id)] = d.params[2];
     } else if (flags[at(id)] & kFriction) {
         low[at(id)] = -d.params[0];
-        high[at(id)] = d.params[0];
+        const bool band = d.kind == InteractionKind::ScalarFriction;
+        high[at(id)] = band ? d.params[1] * d.params[0] : d.params[0];
     } else if (flags[at(id)] & kOneSided) {
         high[at(id)] = 0.0;
     }
@@ -99,7 +100,7 @@ void Interactions::follow_length(int id, const Bodies& bodies_in, double h) noex
     const double whole = d.params[0];
     double length = whole;
     if (kind_info(d.kind).is(kWoundUp))
-        length += d.params[4] * bodies_in.x[3 * at(d.body[2].index)];
+        length += d.params[4] * (bodies_in.x[3 * at(d.body[2].index)] - d.params[5]);
     // A drum may wind in more than the element holds; its law then keeps the stiffness of the rest.
     constexpr double kShortest = 0.01;
     length = std::max(length, kShortest * whole);

@@ -16,6 +16,8 @@ namespace {
 int rank_of(EventKind kind) {
     switch (kind) {
         case EventKind::line_break:
+        case EventKind::weak_link:
+        case EventKind::drum_empty:
             return 0;
         case EventKind::energy_created:
         case EventKind::joint_open:
@@ -26,11 +28,15 @@ int rank_of(EventKind kind) {
         case EventKind::fast:
             return 5;
         case EventKind::saturation:
+        case EventKind::brake_slip:
+        case EventKind::release:
             return 2;
         case EventKind::range:
             return 3;
         case EventKind::input_clamped:
             return 4;
+        case EventKind::layer:
+            return 6;
         case EventKind::taut:
         case EventKind::slack:
             break;
@@ -46,7 +52,12 @@ const char* unit_of(const World& world, const Event& event) {
     switch (event.kind) {
         case EventKind::line_break:
         case EventKind::taut:
+        case EventKind::release:
+        case EventKind::weak_link:
+        case EventKind::drum_empty:
             return "N";
+        case EventKind::brake_slip:
+            return "N m";
         case EventKind::saturation:
             return is(InteractionKind::HingeMotor) ? "N m" : "N";
         case EventKind::range:
@@ -62,6 +73,7 @@ const char* unit_of(const World& world, const Event& event) {
         case EventKind::warning:
         case EventKind::cable_law:
         case EventKind::uncertified:
+        case EventKind::layer:
             break;
     }
     return "";
@@ -100,6 +112,16 @@ std::string what_happened(const EventFigures& e) {
             return "contacts were not solved " + plural(e.count, "time", "times");
         case EventKind::fast:
             return "bodies turned further than a step follows " + plural(e.count, "time", "times");
+        case EventKind::layer:
+            return "winches changed layers " + plural(e.count, "time", "times");
+        case EventKind::brake_slip:
+            return "brakes of winches began to slip " + plural(e.count, "time", "times");
+        case EventKind::release:
+            return plural(e.count, "winch released", "winches released") + " in an emergency";
+        case EventKind::weak_link:
+            return plural(e.count, "weak link parted", "weak links parted");
+        case EventKind::drum_empty:
+            return "drums ran empty " + plural(e.count, "time", "times");
     }
     return "";
 }

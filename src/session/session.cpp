@@ -36,6 +36,9 @@ struct Session::Impl {
     record::SceneInfo info;
     std::vector<record::ControlChange> control;
     std::size_t next_control = 0;  ///< The first one that is not in force yet.
+    /// A control file's columns are the inputs by place, and behind them these signals.
+    std::vector<std::string> signals;
+    std::size_t places = 0;
     Output<record::RecordingWriter> recording;
     std::unique_ptr<record::RecordingListener> listener;  ///< Of the recording.
     Output<record::CsvWriter> table;
@@ -53,9 +56,24 @@ struct Session::Impl {
         constexpr double kSlack = 1e-6;  // Times are multiples of the step up to rounding.
         World& w = world();
         const double now = w.time() + kSlack * w.settings().step;
-        for (; next_control < control.size() && control[next_control].time <= now; ++next_control)
-            if (const InputId id{control[next_control].input}; w.alive(id))
-                w.set_input(id, control[next_control].value);  // others have been removed
+        for (; next_control < control.size() && control[next_control].time <= now; ++next_control) {
+            const record::ControlChange& change = control[next_control];
+            const auto signal = static_cast<std::size_t>(change.input) - places;
+            if (static_cast<std::size_t>(change.input) >= places)
+                set_signal(signals[signal], change.value);
+            else if (const InputId id{change.input}; w.alive(id))
+                w.set_input(id, change.value);  // others have been removed
+        }
+    }
+
+    /// @return false: no system has such an input (any more).
+    bool set_signal(const std::string& name, double value) {
+        for (const SystemSignal& s : world().system_signals()) {
+            if (!s.input || s.system + "." + s.name != name) continue;
+            world().set_system_signal(name, value);
+            return true;
+        }
+        return false;
     }
 
     void add_frame() {
@@ -107,6 +125,14 @@ std::vector<std::string> input_names(const World& world) {
     return names;
 }
 
+/// Inputs of systems, as "system.signal".
+std::vector<std::string> signal_names(const World& world) {
+    std::vector<std::string> names;
+    for (const SystemSignal& s : world.system_signals())
+        if (s.input) names.push_back(s.system + "." + s.name);
+    return names;
+}
+
 void check_every(std::int32_t every) {
     if (every < 1 || every > 1'000'000)
         throw DefError(
@@ -127,8 +153,13 @@ Session::Session(scene::Scene scene, const SessionDef& def)
     world.prepare();
     if (!def.restore.empty()) record::restore_snapshot(def.restore, impl_->info, world);
     if (!def.state.empty()) world.restore(def.state);
-    if (!def.control.empty())
-        impl_->control = record::read_control(def.control, input_names(world));
+    if (!def.control.empty()) {
+        std::vector<std::string> names = input_names(world);
+        impl_->places = names.size();
+        impl_->signals = signal_names(world);
+        names.insert(names.end(), impl_->signals.begin(), impl_->signals.end());
+        impl_->control = record::read_control(def.control, names);
+    }
     if (!def.record.empty()) record(def.record, def.every);
     if (!def.csv.empty()) write_csv(def.csv, def.every);
     if (def.verify) {
@@ -152,8 +183,10 @@ void Session::cancel() noexcept { impl_->world().cancel(); }
 void Session::set_input(std::string_view name, double value) {
     const InputId id = world().find_input(name);
     if (id.valid()) return impl_->world().set_input(id, value);
+    if (impl_->set_signal(std::string(name), value)) return;
     std::vector<std::string> names = input_names(world());
     std::erase(names, "");
+    for (std::string& signal : signal_names(world())) names.push_back(std::move(signal));
     throw DefError(names.empty() ? fmt::format("there is no input \"{}\": the scene has none", name)
                                  : fmt::format("there is no input \"{}\"; nearest: \"{}\"", name,
                                                record::nearest_name(name, names)));

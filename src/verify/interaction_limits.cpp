@@ -138,7 +138,11 @@ ForceRange friction_range(const World& world, InteractionId id, const char* boun
     double most = parameter(world, id, bound);
     for (const FrictionLoad& load : world.interaction_def(id).load)
         if (load.interaction.valid()) most += load.factor * load_size(world, load.interaction);
-    return {-most, most, true, true};
+    const double back = world.interaction_def(id).kind == InteractionKind::ScalarFriction
+                            ? parameter(world, id, "back")
+                            : 1.0;
+    const double loads = most - parameter(world, id, bound);
+    return {-most, back * parameter(world, id, bound) + loads, true, true};
 }
 
 ForceRange limit_range(const World& world, InteractionId id, double q) {

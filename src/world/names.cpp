@@ -68,7 +68,8 @@ const char* to_string(DegradedBy cause) noexcept {
 const char* to_string(EventKind kind) noexcept {
     constexpr const char* kNames[kEventKindCount] = {
         "line_break", "slack",          "taut",       "saturation", "range",       "input_clamped",
-        "warning",    "energy_created", "joint_open", "cable_law",  "uncertified", "fast"};
+        "warning",    "energy_created", "joint_open", "cable_law",  "uncertified", "fast",
+        "layer",      "brake_slip",     "release",    "weak_link",  "drum_empty"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -116,7 +116,8 @@ double drum(const stepper::StepContext& ctx, InteractionId id, int component) no
     if (component == kLength) return in.rest_length[at(id.index)];
     const InteractionDef& def = in.def[at(id.index)];
     const auto slot = at(kind_info(def.kind).scalar_slot);
-    return def.get("radius") * ctx.model.bodies.x[3 * at(def.body[slot].index)];
+    return def.get("radius") *
+           (ctx.model.bodies.x[3 * at(def.body[slot].index)] - def.get("drum_zero"));
 }
 
 double energy_of(const stepper::StepContext& ctx, const Energy& energy, int component) noexcept {

@@ -62,7 +62,7 @@ void QueuedEdits::clear() noexcept {
 namespace {
 
 /// One edit, with a world to make it in and what came before it.
-template <class Made>
+template <class Made, class Part>
 struct Maker {
     World& world;
     Made& made;
@@ -96,12 +96,13 @@ struct Maker {
     }
     void operator()(ShapeId id) const { (void)world.remove_shape(real(id, made.shapes)); }
     void operator()(WireId id) const { (void)world.remove_wire(real(id, made.wires)); }
+    void operator()(Part part) const { world.part(real(part.id, made.interactions)); }
 };
 
 }  // namespace
 
 void QueuedEdits::make(const Edit& edit, World& world, Made& made) {
-    std::visit(Maker<Made>{world, made}, edit);
+    std::visit(Maker<Made, Part>{world, made}, edit);
 }
 
 void QueuedEdits::make_next(World& world) {

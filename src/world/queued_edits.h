@@ -24,6 +24,7 @@ class QueuedEdits final : public Edits::Hands {
     void remove(InteractionId id) noexcept override { put(id); }
     void remove(ShapeId id) noexcept override { put(id); }
     void remove(WireId id) noexcept override { put(id); }
+    void part(InteractionId id) noexcept override { put(Part{id}); }
 
     /// Whose edits those to come are.
     void begin_system(std::string_view name) noexcept { system_ = name; }
@@ -40,8 +41,11 @@ class QueuedEdits final : public Edits::Hands {
     [[nodiscard]] std::string_view try_all(World& world, std::string& fault) const;
 
   private:
+    struct Part {
+        InteractionId id;
+    };
     using Edit = std::variant<BodyDef, InteractionDef, ShapeDef, WireDef, BodyId, InteractionId,
-                              ShapeId, WireId>;
+                              ShapeId, WireId, Part>;
     struct Entry {
         Edit edit;
         std::string_view system;

@@ -21,6 +21,7 @@ void Systems::keep_deed(const stepper::StepContext& ctx) {
     deed_.inputs.clear();
     for (const InputDoor::Before& before : set_)
         deed_.inputs.emplace_back(door_.id_of(before.input), before.asked);
+    deed_.told = told_;
     deed_.loads.clear();
     for (const LoadView& load : ctx.state.loads.view()) {
         Deed::Load& one = deed_.loads.emplace_back();
@@ -34,6 +35,7 @@ void Systems::keep_deed(const stepper::StepContext& ctx) {
 /// Inputs and loads of what has gone since go with it.
 void Systems::repeat_deed(stepper::StepContext& ctx) {
     take_states(deed_.states);
+    told_ = deed_.told;
     for (const auto& [id, value] : deed_.inputs) {
         InputDoor::Before before;
         if (door_.set_untold(id, value, before)) set_.push_back(before);

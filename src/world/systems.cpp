@@ -78,6 +78,14 @@ class Systems::Hands final : public Prestep::Hands {
         }
         of_.set_.push_back(before);  // act() has made room for one of each
     }
+    void tell(EventKind kind, BodyId body, double value) noexcept override {
+        if (of_.told_.size() == of_.told_.capacity()) return;  // far more than systems have
+        Event& event = of_.told_.emplace_back();
+        event.time = ctx_.state.time;
+        event.kind = kind;
+        event.body = body;
+        event.value = value;
+    }
     void run(int count, void (*task)(void*, int) noexcept, void* context) noexcept override {
         ctx_.state.loads.share(true);
         auto one = [&](int i, int) noexcept { task(context, i); };
@@ -170,6 +178,8 @@ void Systems::take_states(const std::vector<std::byte>& from) const {
 Status Systems::act_all(stepper::StepContext& ctx) {
     keep_states(kept_);
     if (set_.capacity() < door_.count()) set_.reserve(door_.count());
+    constexpr std::size_t kEventsOfOne = 8;
+    if (told_.capacity() < kEventsOfOne * list_.size()) told_.reserve(kEventsOfOne * list_.size());
     drive_ = ctx.state.ledger.drive;
     acted_ = true;
     const Unturned unturned(door_);
@@ -204,7 +214,12 @@ Status Systems::act(stepper::StepContext& ctx) noexcept {
     return room == Status::ok ? status : room;
 }
 
-void Systems::accept(stepper::StepContext&) noexcept {
+void Systems::accept(stepper::StepContext& ctx) noexcept {
+    for (const Event& event : told_) {
+        ctx.state.events.push(event);
+        ++ctx.work.stats.event_count[static_cast<std::size_t>(event.kind)];
+    }
+    told_.clear();
     for (const InputDoor::Before& before : set_)
         if (before.clamped) door_.tell(before);
     set_.clear();
@@ -217,6 +232,7 @@ void Systems::go_back(stepper::StepContext& ctx) noexcept {
     const Unturned unturned(door_);
     for (auto before = set_.rbegin(); before != set_.rend(); ++before) door_.take_back(*before);
     set_.clear();
+    told_.clear();
     ctx.state.ledger.drive = drive_;
     take_states(kept_);
     acted_ = false;

@@ -113,6 +113,7 @@ class Systems final : public stepper::Actors {
         std::vector<std::byte> states;  ///< Afterwards.
         std::vector<std::pair<InputId, double>> inputs;
         std::vector<Load> loads;
+        std::vector<Event> told;
         bool known = false;
     };
     Status act_all(stepper::StepContext& ctx);
@@ -128,6 +129,7 @@ class Systems final : public stepper::Actors {
     bool acted_ = false;                  ///< In the step being taken.
     std::vector<std::byte> kept_;         ///< States before it.
     std::vector<InputDoor::Before> set_;  ///< Inputs that it set, in that order.
+    std::vector<Event> told_;             ///< Events that they told of.
     double drive_ = 0.0;                  ///< Ledger::drive before it.
     QueuedEdits queue_;
     Deed deed_;

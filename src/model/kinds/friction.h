@@ -9,7 +9,9 @@
 /// ```
 /// A coordinate q hangs on an anchor by a stiff spring: g = q − anchor. While |force| ≤ F the
 /// anchor stays, so that nothing creeps: at rest g = −ε f. At ±F the row has that force, and the
-/// anchor follows at the distance ε F (solve/bounds.h). F is a parameter plus a share of what
+/// anchor follows at the distance ε F (solve/bounds.h). A band brake holds less one way than the
+/// other, its band being pulled tight by the drum or slackened: `back` is the ratio. F is a
+/// parameter plus a share of what
 /// other interactions carry: of a bearing's own force, or of the two ends of a line round a
 /// bollard.
 
@@ -21,6 +23,11 @@ inline constexpr ParamInfo kTorqueParams[] = {
     {"torque", "N m", 0.0, 0.0, 1e30, "Largest torque, loads apart.", true}};
 inline constexpr ParamInfo kForceParams[] = {
     {"force", "N", 0.0, 0.0, 1e30, "Largest force, loads apart.", true}};
+
+inline constexpr ParamInfo kScalarFrictionParams[] = {
+    {"force", "N", 0.0, 0.0, 1e30, "Largest force, loads apart.", true},
+    {"back", "1", 1.0, 0.0, 1e6,
+     "Bound against motion down the coordinate, over that against motion up it.", true}};
 
 inline void friction_rows(const InteractionDef& d, double h, RowSpec* s) {
     constraint_rows(d, h, 0, 1, false, s, kStopCompliance);
@@ -112,7 +119,7 @@ struct ScalarFriction {
         .takes_loads = true,
         .coordinate = KindCoordinate::scalar,
         .traits = kFrictionKind,
-        .params = kForceParams,
+        .params = kScalarFrictionParams,
         .doc = "Dry friction, or a brake, of a scalar body (drum, spool). It takes `loads`."};
     struct Data {
         double anchor;

@@ -18,24 +18,22 @@ template <class T>
 struct PointDataT {
     T point[2][3];
     T length;
-    T radius;  ///< Winch stretch only: metres of line per radian (or metre) of drum.
 };
 using PointData = PointDataT<double>;
 
 #ifdef HAWSER_KIND_SETUP
-inline PointData point_data(const InteractionDef& d, double length, double radius) {
+inline PointData point_data(const InteractionDef& d, double length) {
     PointData o{};
     copy_point(d, 0, o.point[0]);
     copy_point(d, 1, o.point[1]);
     o.length = length;
-    o.radius = radius;
     return o;
 }
 #endif
 
 /// Row 0: distance of the points minus the rest length. A zero distance pushes along x.
-template <int B, class T, class Ref>
-inline void line_row(const PointDataT<T>& d, const Ref* b, const T& length, Rows<B, 1, T>& out) {
+template <int B, class D, class T, class Ref>
+inline void line_row(const D& d, const Ref* b, const T& length, Rows<B, 1, T>& out) {
     const V3T<T> ra = b[0].arm(d.point[0]), rb = b[1].arm(d.point[1]);
     const V3T<T> u = b[1].x + rb - b[0].x - ra;
     const T l = norm(u), o = zero(l);
@@ -81,7 +79,7 @@ struct Distance {
         line_row(d, b, d.length, out);
     }
 #ifdef HAWSER_KIND_SETUP
-    static Data make(const InteractionDef& d) { return point_data(d, d.params[0], 0.0); }
+    static Data make(const InteractionDef& d) { return point_data(d, d.params[0]); }
 #endif
 };
 
@@ -125,7 +123,7 @@ struct Stretch {
         line_row(d, b, d.length, out);
     }
 #ifdef HAWSER_KIND_SETUP
-    static Data make(const InteractionDef& d) { return point_data(d, d.params[0], 0.0); }
+    static Data make(const InteractionDef& d) { return point_data(d, d.params[0]); }
 #endif
 };
 
@@ -135,9 +133,16 @@ inline constexpr ParamInfo kWinchStretchParams[] = {
     {"EA", "N", kDefault, 1e-3, 1e15, "Axial stiffness of the line."},
     {"tension_only", "1", 1.0, 0.0, 1.0, "1: goes slack instead of pushing."},
     {"breaking_load", "N", 1e30, 0.0, 1e30, "The element parts above this tension."},
-    {"radius", "m", kDefault, -1e3, 1e3, "Line paid out per unit of drum coordinate."}};
+    {"radius", "m", kDefault, -1e3, 1e3, "Line paid out per unit of drum coordinate.", true},
+    {"drum_zero", "m or rad", 0.0, -1e9, 1e9, "Drum coordinate that `length` is given at.", true}};
 
-/// A stretch whose rest length a drum pays out: l = length + radius·θ.
+struct WinchData {
+    double point[2][3];
+    double length, radius, zero;
+};
+
+/// A stretch whose rest length a drum pays out: l = length + radius·(θ − drum_zero). Where a layer
+/// of the drum ends, all three change so that l does not.
 struct WinchStretch {
     static constexpr int kBodies = 3, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::line;
@@ -156,14 +161,22 @@ struct WinchStretch {
         .doc =
             "Wire element from a fairlead whose rest length grows with the coordinate of a "
             "scalar drum (third body)."};
-    using Data = PointData;
+    using Data = WinchData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { stretch_rows(d, h, s); }
     static void evaluate(const Data& d, const BodyRef* b, Rows<3, 1>& out) {
-        line_row(d, b, d.length + d.radius * b[2].x.x, out);
+        line_row(d, b, d.length + d.radius * (b[2].x.x - d.zero), out);
         out.set(2, 0, {-d.radius, 0, 0}, {0, 0, 0});
     }
 #ifdef HAWSER_KIND_SETUP
-    static Data make(const InteractionDef& d) { return point_data(d, d.params[0], d.params[4]); }
+    static Data make(const InteractionDef& d) {
+        Data o{};
+        copy_point(d, 0, o.point[0]);
+        copy_point(d, 1, o.point[1]);
+        o.length = d.params[0];
+        o.radius = d.params[4];
+        o.zero = d.params[5];
+        return o;
+    }
 #endif
 };
 
