@@ -26,5 +26,6 @@
 #include <hawser/system.h>
 #include <hawser/systems/pid.h>
 #include <hawser/trace.h>
+#include <hawser/winch.h>
 #include <hawser/wire.h>
 #include <hawser/world.h>

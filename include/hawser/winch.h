@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file winch.h
+/// Winches: a drum with layers of wire, a motor, a band brake, a clutch, and what commands them.
+///
+/// ```cpp
+/// const hawser::WireId tow = world.add_wire({.name = "tow", .from = ship, .to = barge, …});
+/// world.add(hawser::WinchDef{.name = "winch", .wire = tow, .core_radius = 0.6, .width = 2.4,
+///                            .wire_diameter = 0.076, .mass_per_length = 25.0, .stored = 1400.0,
+///                            .inertia = 4e4, .torque_haul = 2e6, .torque_pay = 2e6,
+///                            .brake_static = 4e6, .mode = hawser::WinchMode::brake});
+/// world.set_system_signal("winch.mode", 1.0);      // constant tension from now on
+/// world.set_system_signal("winch.tension", 4e5);   // [N]
+/// ```
+/// A winch is a System (system.h). Its drum is a scalar body with the coordinate θ [rad], which
+/// grows where wire is paid out; the wire's end becomes an element of rest length
+/// l = length + r (θ − drum_zero), r the radius of the layer that the wire comes from. Forces on
+/// the drum are torques, so that the pull of motor and brake falls as layers are wound on.
+/// docs/winches.md derives all of it, with its limits.
+///
+/// Signals, as "name.signal". Inputs: `mode` (WinchMode as a number), `speed` [m/s], `tension` [N],
+/// `brake` 0 to 1, `clutch` 0 or 1. Outputs: `layer`, `wraps`, `wire_left` [m], `radius` [m],
+/// `across` [m], `pull` [N], `pull_limit` [N], `inertia` [kg m²], `slip` [m], `heat` [J], `state`
+/// (WinchState as a number).
+
+#include <hawser/id.h>
+#include <hawser/interactions.h>
+
+#include <cstdint>
+#include <string>
+
+namespace hawser {
+
+class World;
+
+/// What a winch is told to do.
+enum class WinchMode : std::uint8_t {
+    speed,    ///< The motor turns the drum so that wire runs out at `speed`; below 0: in.
+    tension,  ///< The motor pulls with the torque `tension` × radius, whatever moves.
+    render,   ///< It stands between tension − deadband and tension + deadband, gives way above and
+              ///< takes in below.
+    brake,    ///< The band brake holds, by the share `brake` of its torque; the motor is off.
+    free,     ///< Neither motor nor brake act.
+    release,  ///< Emergency: after `release_delay` nothing holds but `release_load`.
+};
+
+/// What a winch does.
+enum class WinchState : std::uint8_t {
+    standing,    ///< The drum stands.
+    paying,      ///< Wire runs out …
+    hauling,     ///< … or in.
+    slipping,    ///< The brake slips.
+    waiting,     ///< An emergency release is on its way.
+    released,    ///< It has taken effect.
+    last_wraps,  ///< The motor does not pay out more: dead wraps are left.
+    full,        ///< The motor does not haul more: the drum is full.
+    empty,       ///< No wire is on the drum; the fastening holds the end.
+    parted,      ///< The wire has parted from it.
+};
+
+/// A winch at an end of a wire. A definition: World::add copies it whole. Lengths in m, forces in N
+/// on the wire, torques in N m on the drum.
+struct WinchDef {
+    std::string name{};  ///< Unique among systems. Parts: name/drum, name/motor, name/friction.
+    WireId wire{};       ///< Whose end lies on the drum. Required.
+    int end = 0;         ///< Which: 0 the first, 1 the last.
+
+    double core_radius = 0.0;         ///< Of the bare drum. Required.
+    double width = 0.0;               ///< Between the flanges. Required.
+    double flange_radius = kDefault;  ///< Wire does not stand above it; as far as `stored` needs.
+    double wire_diameter = 0.0;       ///< Required.
+    double layer_pitch = kDefault;    ///< Of one layer above the last; the wire's diameter.
+    double mass_per_length = 0.0;     ///< Of the wire [kg/m]: what lies on the drum turns with it.
+    double stored = 0.0;              ///< On the drum at the start. Required.
+    double inertia = 0.0;        ///< Of the bare drum and what turns with it [kg m²]. Required.
+    double motor_inertia = 0.0;  ///< Of motor and gear, at the drum [kg m²]: by the clutch.
+
+    double torque_haul = 1e30;  ///< Of the motor.
+    double torque_pay = 1e30;   ///< Of the motor, the other way.
+    double power = 1e30;        ///< Of the motor [W].
+    double max_speed = 2.0;     ///< Of the wire where mode tension or render takes it in [m/s].
+    double speed = 0.0;         ///< Wanted in mode speed [m/s].
+    double tension = 0.0;       ///< Wanted in mode tension and render.
+    double deadband = 0.0;      ///< Of mode render, to each side.
+
+    double brake_static = 0.0;        ///< Torque at which the band begins to slip as wire runs out.
+    double brake_dynamic = kDefault;  ///< And with which it slips; brake_static.
+    double band_friction = 0.0;       ///< μ of the band …
+    double band_angle = 0.0;          ///< … and the angle it covers [rad]: it holds e^(−μ angle) of
+                                      ///< that as wire runs in.
+    double release_delay = 0.0;       ///< Of an emergency release [s].
+    double release_load = 0.0;        ///< Tension that is left after it.
+
+    double dead_wraps = 5.0;     ///< The motor pays out no further.
+    double wrap_friction = 0.1;  ///< μ of wire on the drum, which relieves its fastening.
+    double weak_link = 0.0;      ///< Load of the fastening; 0: it lets go when the drum is empty.
+    WinchMode mode = WinchMode::brake;
+};
+
+/// What a winch is made of.
+struct WinchIds {
+    BodyId drum{};
+    InteractionId line{};  ///< The element that the drum pays out.
+    InteractionId motor{}, brake{};
+};
+
+/// What World::add() of it calls. @throws DefError on what is missing or out of range, a name that
+/// is taken, a wire's end that lies on a drum already, a drum that holds less than `stored`, or
+/// whose radius is below 2.5 wire diameters.
+WinchIds define(World& world, const WinchDef& def);
+
+}  // namespace hawser

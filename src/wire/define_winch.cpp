@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+/// From the definition of a winch to its drum, element, motor, brake and system.
+#include <hawser/lines.h>
+#include <hawser/winch.h>
+#include <hawser/world.h>
+
+#include "wire/drum_geometry.h"
+#include "wire/winch_system.h"
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+namespace hawser {
+namespace {
+
+[[noreturn]] void refuse(const WinchDef& def, const std::string& what) {
+    throw DefError("winch '" + def.name + "': " + what);
+}
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+void check_number(const WinchDef& def, const char* what, double value, double least, bool above) {
+    if (value > least || (!above && value == least)) {
+        if (value <= 1e30) return;
+    }
+    refuse(def, std::string(what) + " = " + number(value) + ": give a number " +
+                    (above ? "above " : "from ") + number(least) + (above ? "" : " on"));
+}
+
+void check_numbers(const WinchDef& def) {
+    struct Row {
+        const char* what;
+        double value;
+        bool above;
+    };
+    for (const Row& row : {Row{"core_radius", def.core_radius, true},
+                           Row{"width", def.width, true},
+                           Row{"wire_diameter", def.wire_diameter, true},
+                           Row{"stored", def.stored, true},
+                           Row{"inertia", def.inertia, true},
+                           Row{"power", def.power, true},
+                           Row{"max_speed", def.max_speed, true},
+                           Row{"mass_per_length", def.mass_per_length, false},
+                           Row{"motor_inertia", def.motor_inertia, false},
+                           Row{"torque_haul", def.torque_haul, false},
+                           Row{"torque_pay", def.torque_pay, false},
+                           Row{"tension", def.tension, false},
+                           Row{"deadband", def.deadband, false},
+                           Row{"brake_static", def.brake_static, false},
+                           Row{"band_friction", def.band_friction, false},
+                           Row{"band_angle", def.band_angle, false},
+                           Row{"release_delay", def.release_delay, false},
+                           Row{"release_load", def.release_load, false},
+                           Row{"dead_wraps", def.dead_wraps, false},
+                           Row{"wrap_friction", def.wrap_friction, false},
+                           Row{"weak_link", def.weak_link, false}})
+        check_number(def, row.what, row.value, 0.0, row.above);
+    if (!(std::abs(def.speed) <= 100.0))
+        refuse(def, "speed = " + number(def.speed) + " m/s; give -100 to 100");
+    if (static_cast<int>(def.mode) > 5) refuse(def, "there is no such mode");
+    if (std::isnan(def.brake_dynamic)) return;
+    check_number(def, "brake_dynamic", def.brake_dynamic, 0.0, false);
+    if (def.brake_dynamic > def.brake_static)
+        refuse(def, "brake_dynamic is above brake_static: a band that slips holds no more");
+}
+
+/// What fits on the drum. @throws DefError where that is less than what is to be there.
+wire::DrumGeometry drum_of(const WinchDef& def) {
+    constexpr double kLeast = 2.5;  // radius over diameter of the wire
+    wire::DrumGeometry drum{.core_radius = def.core_radius,
+                            .width = def.width,
+                            .wire_diameter = def.wire_diameter,
+                            .layer_pitch = def.layer_pitch,
+                            .flange_radius = def.flange_radius};
+    if (def.core_radius < kLeast * def.wire_diameter)
+        refuse(def, "core_radius = " + number(def.core_radius) + " m is below " + number(kLeast) +
+                        " diameters of its wire, which does not bend so far; give a larger drum");
+    if (std::isnan(drum.layer_pitch)) drum.layer_pitch = def.wire_diameter;
+    check_number(def, "layer_pitch", drum.layer_pitch, 0.0, true);
+    if (drum.wraps_a_layer() < 1)
+        refuse(def, "width = " + number(def.width) +
+                        " m: no wrap of its wire fits between the "
+                        "flanges");
+    if (std::isnan(def.flange_radius)) {
+        constexpr int kMost = 1000;
+        const int layer = drum.place(def.stored).layer;
+        if (layer > kMost)
+            refuse(def, "stored = " + number(def.stored) + " m: it takes " + std::to_string(layer) +
+                            " layers");
+        drum.flange_radius = drum.radius(layer) + 0.5 * drum.wire_diameter;
+    }
+    if (drum.layers() < 1)
+        refuse(def, "flange_radius = " + number(def.flange_radius) + " m: no layer fits below it");
+    if (def.stored > drum.capacity())
+        refuse(def, "stored = " + number(def.stored) + " m, but the drum holds " +
+                        number(drum.capacity()) + " m in " + std::to_string(drum.layers()) +
+                        " layers");
+    return drum;
+}
+
+/// What the system drives, of which of its parts, and how that is called.
+struct Driven {
+    InputId wire::WinchInputs::* input;
+    InteractionId WinchIds::* of;
+    const char* param;
+    const char* name;
+};
+constexpr Driven kDriven[] = {
+    {&wire::WinchInputs::speed, &WinchIds::motor, "speed", "/motor/speed"},
+    {&wire::WinchInputs::low, &WinchIds::motor, "force_min", "/motor/force_min"},
+    {&wire::WinchInputs::high, &WinchIds::motor, "force_max", "/motor/force_max"},
+    {&wire::WinchInputs::hold, &WinchIds::brake, "force", "/friction/force"},
+    {&wire::WinchInputs::back, &WinchIds::brake, "back", "/friction/back"},
+    {&wire::WinchInputs::radius, &WinchIds::line, "radius", "/radius"},
+    {&wire::WinchInputs::length, &WinchIds::line, "length", "/length"},
+    {&wire::WinchInputs::drum_zero, &WinchIds::line, "drum_zero", "/drum_zero"}};
+
+wire::WinchInputs add_inputs(World& world, const WinchDef& def, const WinchIds& ids) {
+    wire::WinchInputs in;
+    for (const Driven& d : kDriven)
+        in.*d.input = world.add_input(
+            {.name = def.name + d.name, .interaction = ids.*d.of, .param = d.param});
+    return in;
+}
+
+}  // namespace
+
+WinchIds define(World& world, const WinchDef& def) {
+    if (def.name.empty()) throw DefError("a winch needs a name");
+    if (world.find_system(def.name) != nullptr) refuse(def, "the name is taken; names are unique");
+    check_numbers(def);
+    const wire::DrumGeometry drum = drum_of(def);
+    if (!world.alive(def.wire)) refuse(def, "there is no wire that it could wind; give one");
+    for (const Driven& d : kDriven)
+        if (world.find_input(def.name + d.name).valid())
+            refuse(def, "there is an input '" + def.name + d.name + "' already; rename one");
+    WinchIds ids;
+    ids.drum = world.add_body({.name = def.name + "/drum",
+                               .kind = BodyKind::scalar,
+                               .mass = def.inertia,
+                               .gravity = false});
+    try {
+        const DrumIds parts = world.add(DrumDef{.name = def.name,
+                                                .drum = ids.drum,
+                                                .motor = AxisMotor{},
+                                                .friction = AxisFriction{.bound = 0.0}});
+        ids.motor = parts.motor;
+        ids.brake = parts.friction;
+        ids.line = world.wind_up(def.wire, def.end, ids.drum, drum.place(def.stored).radius);
+        const wire::WinchInputs inputs = add_inputs(world, def, ids);
+        world.add_system(std::make_unique<wire::WinchSystem>(def, drum, ids, inputs));
+    } catch (...) {
+        (void)world.remove_body(ids.drum);
+        throw;
+    }
+    return ids;
+}
+
+}  // namespace hawser

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file winch_system.h
+/// What a winch does at the beginning of each step (hawser/winch.h, docs/winches.md).
+///
+/// **Layers.** The length L on the drum is what turns take from it, L' = L − r Δθ, r the radius
+/// that the last step had. The layer follows from L. Where it changes, the element's radius does,
+/// with its length and drum_zero so that the rest length of now is what it was: tension and energy
+/// do not jump. Within a step r is constant, so that the work of the wire, T r Δθ, is that on the
+/// drum.
+///
+/// **Wound wire.** The drum's body has the bare drum's inertia; that of the wire on it, J(L), is
+/// added mass A of a load. Wire that leaves the drum moves as the drum does, so that it takes its
+/// own momentum dJ ω along and leaves ω as it was: just what a changed A does (Loads). The energy
+/// ½ dJ ω² that goes with it is booked as work of systems.
+///
+/// **Clutch.** Engaged it adds the motor's inertia J_m to A. A motor that stood is taken along in
+/// one step, (J + J_m) ω₊ = J ω: the force −J_m ω/h beside A. What is lost is booked with it.
+
+#include <hawser/system.h>
+#include <hawser/winch.h>
+
+#include "wire/drum_geometry.h"
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+
+namespace hawser::wire {
+
+/// What of a winch's world a system drives.
+struct WinchInputs {
+    InputId speed, low, high;           ///< Of the motor.
+    InputId hold, back;                 ///< Of the brake.
+    InputId radius, length, drum_zero;  ///< Of the element.
+};
+
+class WinchSystem final : public System {
+  public:
+    WinchSystem(WinchDef def, const DrumGeometry& drum, const WinchIds& ids,
+                const WinchInputs& inputs);
+
+    [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
+    void prestep(Prestep& now, Loads& loads) noexcept override;
+    void visit_state(StateVisitor& visitor) override;
+    void signals(SignalTable& table) override;
+    void holds(HoldTable& table) const override;
+    [[nodiscard]] std::unique_ptr<System> clone() const override {
+        return std::make_unique<WinchSystem>(def_, drum_, ids_, inputs_);
+    }
+
+  private:
+    /// What motor and brake may do in the step that begins [rad/s, N m].
+    struct Orders {
+        double speed = 0.0, low = 0.0, high = 0.0;
+        double hold = 0.0, back = 1.0;
+    };
+    /// What an input was last set to, so that it is set where it changes.
+    struct Set {
+        double speed, low, high, hold, back;
+    };
+
+    void look(const Prestep& now) noexcept;
+    void count_slip(Prestep& now) noexcept;
+    void follow_layer(Prestep& now) noexcept;
+    void check_fastening(Prestep& now) noexcept;
+    void count_release(Prestep& now) noexcept;
+    [[nodiscard]] Orders orders() noexcept;
+    void order_motor(Orders& out) noexcept;
+    void give(Prestep& now, const Orders& orders) noexcept;
+    void turn_along(const Prestep& now, Loads& loads) noexcept;
+    [[nodiscard]] WinchMode mode() const noexcept;
+
+    WinchDef def_;
+    DrumGeometry drum_;
+    WinchIds ids_;
+    WinchInputs inputs_;
+
+    // Inputs.
+    double mode_, speed_, tension_, brake_ = 1.0, clutch_ = 1.0;
+    // State.
+    double stored_, angle_ = 0.0, radius_ = 0.0, clock_ = 0.0;
+    double slip_ = 0.0, heat_ = 0.0;
+    Set set_;
+    std::int32_t slipping_ = 0, parted_ = 0, empty_ = 0, released_ = 0, engaged_ = 1;
+    // Outputs.
+    double layer_ = 1.0, wraps_ = 0.0, across_ = 0.0, pull_ = 0.0, pull_limit_ = 0.0;
+    double inertia_ = 0.0, state_ = 0.0;
+    // Of the step that begins.
+    double turned_ = 0.0, omega_ = 0.0;
+};
+
+}  // namespace hawser::wire

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Winches in all modes, at the fairlead of a deck, with an end that moves as it is told.
+#include <hawser/hawser.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace hawser::test {
+namespace {
+
+/// 31 wraps a layer, 9 layers of 1,500 m.
+WinchDef big_winch() {
+    return {.name = "winch",
+            .core_radius = 0.6,
+            .width = 2.4,
+            .flange_radius = 1.4,
+            .wire_diameter = 0.076,
+            .mass_per_length = 25.0,
+            .stored = 1500.0,
+            .inertia = 4e4,
+            .torque_haul = 3e6,
+            .torque_pay = 3e6};
+}
+
+struct Deck {
+    World w;
+    BodyId end{};
+    WireId wire{};
+    WinchIds ids{};
+
+    explicit Deck(WinchDef def, double step = 1.0 / 240.0, double length = 40.0)
+        : w(WorldDef{.step = step, .gravity = Vec3::Zero()}) {
+        const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
+        end = w.add_body({.name = "end", .kind = BodyKind::kinematic, .position = {length, 0, 0}});
+        wire = w.add_wire({.name = "wire",
+                           .from = deck,
+                           .to = end,
+                           .elements = 2,  // of which one node can move
+                           .EA = 3e8,
+                           .mass_per_length = 25.0,
+                           .axial_damping = 5.0});
+        def.wire = wire;
+        ids = w.add(def);
+    }
+    void step(double speed) {
+        Twist t;
+        t.linear.x() = speed;
+        w.set_velocity(end, t);
+        ASSERT_EQ(w.step(), Status::ok) << to_string(w.bad_load(), w);
+    }
+    void run(double seconds, double speed) {
+        for (long i = std::lround(seconds / w.settings().step); i > 0; --i) step(speed);
+    }
+    void set(const char* name, double value) {
+        w.set_system_signal(std::string("winch.") + name, value);
+    }
+    void set(WinchMode mode) { set("mode", static_cast<double>(mode)); }
+    double get(const char* name) { return w.system_signal(std::string("winch.") + name); }
+    WinchState state() { return static_cast<WinchState>(std::lround(get("state"))); }
+    double tension() { return std::max(0.0, -w.force(ids.line)[0]); }
+    std::int64_t count(EventKind kind) { return w.event_extremes(kind).count; }
+};
+
+std::string refusal(WinchDef def) {
+    try {
+        const Deck deck(std::move(def));
+    } catch (const DefError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Winch, PullsAtAConstantTensionButForItsInertia) {
+    WinchDef def = big_winch();
+    def.mode = WinchMode::tension;
+    def.tension = 4e5;
+    def.max_speed = 4.0;
+    Deck d(def);
+    const double h = d.w.settings().step, rate = 2.0 * M_PI / 8.0;
+    double worst = 0.0, most = 0.0, before = 0.0;
+    for (long i = 0; i < std::lround(24.0 / h); ++i) {
+        d.step(2.0 * rate * std::sin(rate * d.w.time()));
+        const double omega = d.w.velocity(d.ids.drum).linear.x();
+        const double a = (omega - before) / h * d.get("radius");
+        before = omega;
+        if (d.w.time() < 8.0) continue;
+        const double r = d.get("radius"), expected = 4e5 + d.get("inertia") / (r * r) * a;
+        worst = std::max(worst, std::abs(d.tension() - expected) / expected);
+        most = std::max(most, std::abs(d.tension() - 4e5));
+    }
+    EXPECT_LT(worst, 1e-3);
+    EXPECT_GT(most, 5e4);  // the inertia is felt
+    EXPECT_EQ(d.count(EventKind::brake_slip), 0);
+}
+
+TEST(Winch, BrakeSlipsAtItsTorqueAndHeatIsItsWork) {
+    WinchDef def = big_winch();
+    def.brake_static = 1.2e6;
+    def.brake_dynamic = 1.0e6;
+    Deck d(def);
+    d.run(0.05, 0.1);
+    EXPECT_EQ(d.state(), WinchState::standing);
+    double work = 0.0, peak = 0.0;
+    const double energy = d.w.energy().driven;
+    for (int i = 0; i < 1200; ++i) {
+        const double angle = d.w.pose(d.ids.drum).position.x();
+        d.step(0.5);
+        peak = std::max(peak, std::abs(d.w.force(d.ids.brake)[0]));
+        work += std::abs(d.w.force(d.ids.brake)[0]) * (d.w.pose(d.ids.drum).position.x() - angle);
+    }
+    d.step(0.5);  // which counts what the last one did
+    EXPECT_NEAR(peak, 1.2e6, 1.0);
+    EXPECT_NEAR(d.tension() * d.get("radius"), 1.0e6, 5e3);
+    EXPECT_NEAR(d.get("heat"), work, 1e-3 * work);
+    EXPECT_NEAR(d.get("slip"), 2.505 - 1.0e6 / d.get("radius") / 7.5e6, 2e-2);
+    EXPECT_EQ(d.count(EventKind::brake_slip), 1);
+    EXPECT_EQ(d.state(), WinchState::slipping);
+    EXPECT_NE(d.w.energy().driven, energy);
+}
+
+TEST(Winch, BandHoldsLessAsWireRunsIn) {
+    WinchDef def = big_winch();
+    def.brake_static = 1e6;
+    def.band_friction = 0.3;
+    def.band_angle = 4.0;
+    Deck d(def);
+    d.run(0.1, 0.0);
+    // A torque on the drum as of an engine that is tested against the brake.
+    const auto moves = [&](double torque) {
+        d.w.set_force(d.ids.drum, {torque, 0, 0}, Vec3::Zero());
+        const double before = d.w.pose(d.ids.drum).position.x();
+        d.run(0.5, -1.0);  // slack: nothing else pulls
+        return std::abs(d.w.pose(d.ids.drum).position.x() - before) > 1e-4;
+    };
+    const double back = 1e6 * std::exp(-1.2);
+    EXPECT_FALSE(moves(-0.999 * back));
+    EXPECT_TRUE(moves(-1.01 * back));
+    d.w.set_velocity(d.ids.drum, {});
+    d.run(0.5, 0.0);
+    EXPECT_FALSE(moves(0.999e6));
+    EXPECT_TRUE(moves(1.01e6));
+    EXPECT_GT(d.get("heat"), 0.0);
+}
+
+TEST(Winch, ReleasesAfterItsDelayDownToTheResidualLoad) {
+    WinchDef def = big_winch();
+    def.brake_static = 5e6;
+    def.release_delay = 2.0;
+    def.release_load = 2e4;
+    Deck d(def);
+    d.run(0.7, 0.1);
+    d.run(0.3, 0.0);
+    const double design = d.tension();
+    EXPECT_GT(design, 5e5);
+    const double asked = d.w.time();
+    d.set(WinchMode::release);
+    d.run(1.9, 0.0);
+    EXPECT_EQ(d.state(), WinchState::waiting);
+    EXPECT_NEAR(d.tension(), design, 0.01 * design);
+    double low = 0.0;
+    while (low == 0.0 && d.w.time() < asked + 5.0) {
+        d.step(0.5);
+        if (d.tension() < 1.5e5) low = d.w.time() - asked;
+    }
+    EXPECT_GT(low, 2.0);
+    EXPECT_LT(low, 3.0);
+    d.run(12.0, 0.5);
+    double mean = 0.0;
+    for (int i = 0; i < 960; ++i) {
+        d.step(0.5);
+        mean += d.tension() / 960.0;
+    }
+    EXPECT_NEAR(mean, 2e4, 0.01 * 2e4);
+    EXPECT_EQ(d.count(EventKind::release), 1);
+    EXPECT_EQ(d.state(), WinchState::released);
+}
+
+TEST(Winch, LetsGoWhenItsDrumIsEmpty) {
+    WinchDef def = big_winch();
+    def.stored = 6.0;
+    def.mode = WinchMode::free;
+    Deck d(def);
+    d.run(80.0, 0.1);
+    EXPECT_EQ(d.state(), WinchState::parted);
+    EXPECT_NEAR(d.get("wire_left"), 0.0, 5e-3);
+    EXPECT_FALSE(d.w.intact(d.ids.line));
+    EXPECT_EQ(d.count(EventKind::drum_empty), 1);
+    EXPECT_EQ(d.count(EventKind::weak_link), 0);
+    // The jerk of the start makes it run ahead, as fast again at most.
+    EXPECT_GT(d.w.event_extremes(EventKind::drum_empty).first.time, 30.0);
+    EXPECT_LT(d.w.event_extremes(EventKind::drum_empty).first.time, 61.0);
+}
+
+TEST(Winch, WeakLinkPartsOnceBehindTheLastWrap) {
+    WinchDef def = big_winch();
+    def.stored = 6.0;
+    def.mode = WinchMode::free;
+    def.weak_link = 3e5;
+    Deck d(def);
+    d.run(80.0, 0.1);
+    EXPECT_EQ(d.count(EventKind::drum_empty), 1);
+    EXPECT_EQ(d.count(EventKind::weak_link), 1);
+    EXPECT_EQ(d.count(EventKind::line_break), 1);
+    EXPECT_FALSE(d.w.intact(d.ids.line));
+    const double value = d.w.event_extremes(EventKind::weak_link).first.value;
+    EXPECT_GT(value, 3e5);
+    EXPECT_LT(value, 4e5);  // found after the step that came to it
+}
+
+TEST(Winch, MotorStopsAtDeadWrapsAndWhenTheDrumIsFull) {
+    WinchDef def = big_winch();
+    def.stored = 40.0;
+    def.mode = WinchMode::speed;
+    def.speed = 1.0;
+    Deck d(def);
+    d.run(40.0, 1.0 * (40.0 - 5.0 * 2.0 * M_PI * 0.638) / 40.0);
+    EXPECT_NEAR(d.get("wraps"), 5.0, 0.05);
+    EXPECT_EQ(d.state(), WinchState::last_wraps);
+    EXPECT_EQ(d.w.system_signal("winch.layer"), 1.0);
+}
+
+TEST(Winch, PullFallsWithTheLayer) {
+    for (const double stored : {100.0, 700.0, 1500.0}) {
+        WinchDef def = big_winch();
+        def.stored = stored;
+        def.mode = WinchMode::speed;
+        def.speed = -0.1;
+        def.torque_haul = 5e5;
+        Deck d(def);
+        d.run(10.0, 0.0);
+        EXPECT_NEAR(d.tension() * d.get("radius"), 5e5, 50.0);
+        EXPECT_NEAR(d.get("pull_limit") * d.get("radius"), 5e5, 1e-6);
+    }
+}
+
+TEST(Winch, LayersChangeWithoutAJumpOfTheRestLength) {
+    WinchDef def = big_winch();
+    def.stored = 1420.0;  // 9th layer begins at 1,408 m
+    def.mode = WinchMode::tension;
+    def.tension = 1e5;
+    def.max_speed = 3.0;
+    Deck d(def);
+    double before = d.w.length(d.wire), began = before, jump = 0.0, radius = d.get("radius");
+    int changes = 0;
+    for (int way : {1, -1})
+        for (int i = 0; i < 6 * 240; ++i) {
+            d.step(way * 2.5);
+            const double speed = d.w.velocity(d.ids.drum).linear.x(), now = d.w.length(d.wire);
+            jump = std::max(jump, std::abs(now - before - d.get("radius") * speed / 240.0));
+            began = std::exchange(before, now);
+            changes += d.get("radius") != radius ? 1 : 0;
+            radius = d.get("radius");
+        }
+    EXPECT_EQ(changes, 2);
+    EXPECT_EQ(d.count(EventKind::layer), 2);
+    EXPECT_LT(jump, 1e-9);
+    EXPECT_NEAR(d.get("wire_left") + began, 1460.0, 1e-9);  // where the last step began
+}
+
+TEST(Winch, ClutchTakesAlongAMotorThatStood) {
+    WinchDef def = big_winch();
+    def.motor_inertia = 6e4;
+    def.mode = WinchMode::free;
+    Deck d(def);
+    d.set("clutch", 0.0);
+    d.step(0.0);
+    d.w.set_velocity(d.ids.drum, {.linear = {1.0, 0, 0}});  // slack runs out, nothing pulls
+    d.step(0.0);
+    EXPECT_NEAR(d.w.velocity(d.ids.drum).linear.x(), 1.0, 1e-4);
+    const double bare = d.get("inertia"), omega = d.w.velocity(d.ids.drum).linear.x();
+    d.set("clutch", 1.0);
+    d.step(0.0);
+    EXPECT_NEAR(d.get("inertia"), bare + 6e4, 1.0);
+    EXPECT_NEAR(d.w.velocity(d.ids.drum).linear.x() * (bare + 6e4) / (bare * omega), 1.0, 1e-5);
+}
+
+TEST(Winch, GoesOnBitForBitAfterARestoreAndInATwin) {
+    WinchDef def = big_winch();
+    def.mode = WinchMode::tension;
+    def.tension = 3e5;
+    Deck a(def), b(def);
+    a.run(2.0, 0.8);
+    b.w.restore(a.w.save());
+    World twin = a.w.twin();
+    for (int i = 0; i < 240; ++i) {
+        a.step(-0.5);
+        b.step(-0.5);
+        Twist t;
+        t.linear.x() = -0.5;
+        twin.set_velocity(a.end, t);
+        ASSERT_EQ(twin.step(), Status::ok);
+    }
+    EXPECT_EQ(a.w.state_hash(), b.w.state_hash());
+    EXPECT_EQ(a.w.state_hash(), twin.state_hash());
+}
+
+TEST(Winch, RefusesWhatIsNoWinch) {
+    EXPECT_EQ(refusal(big_winch()), "");
+    WinchDef def = big_winch();
+    def.core_radius = 0.15;
+    EXPECT_NE(refusal(def).find("larger drum"), std::string::npos) << refusal(def);
+    def = big_winch();
+    def.stored = 5000.0;
+    EXPECT_NE(refusal(def).find("the drum holds"), std::string::npos) << refusal(def);
+    def = big_winch();
+    def.width = 0.07;
+    EXPECT_NE(refusal(def).find("no wrap"), std::string::npos) << refusal(def);
+    def = big_winch();
+    def.brake_static = -1.0;
+    EXPECT_NE(refusal(def).find("brake_static"), std::string::npos) << refusal(def);
+    def = big_winch();
+    def.name = "";
+    EXPECT_NE(refusal(def).find("name"), std::string::npos);
+    // Two on one end.
+    Deck d(big_winch());
+    def = big_winch();
+    def.name = "second";
+    def.wire = d.wire;
+    const int bodies = d.w.body_count();
+    EXPECT_THROW((void)d.w.add(def), DefError);
+    EXPECT_FALSE(d.w.find_body("second/drum").valid());
+    EXPECT_EQ(d.w.system_count(), 1);
+    EXPECT_LE(d.w.body_count(), bodies + 1);
+}
+
+}  // namespace
+}  // namespace hawser::test
