@@ -10,6 +10,7 @@
 #include "solve/active_set.h"
 #include "solve/bounds.h"
 #include "solve/contact_rows.h"
+#include "solve/joints.h"
 #include "solve/solve.h"
 
 #include <algorithm>
@@ -68,8 +69,19 @@ bool affordable(StepContext& ctx) noexcept {
 struct Course {
     bool hasty =
         false;  ///< When the budget ends them, rows that ask to switch do so after the step.
-    bool begun = false;  ///< The matrix holds the laws of an iterate close by, and its factors.
+    bool begun = false;      ///< The matrix holds the laws of an iterate close by, and its factors.
+    bool completes = false;  ///< The second iteration is a round of completion as well.
 };
+
+/// What completed joints ask for about an iterate that is close to the solution: the iteration that
+/// follows is a round of completion, which then needs no substitution of its own.
+void complete_iterate(StepContext& ctx) noexcept {
+    constexpr double kClose = 1e-2;
+    if (!(ctx.work.stats.natural_map <= kClose)) return;
+    (void)renew_completed(ctx);
+    adopt_completed(ctx);
+    ++ctx.work.stats.completion_rounds;
+}
 
 /// Newton iterations from the iterate at hand. @param coupling  Of all contacts.
 Status iterate(StepContext& ctx, nonsmooth::Coupling coupling, double tolerance,
@@ -90,6 +102,7 @@ Status iterate(StepContext& ctx, nonsmooth::Coupling coupling, double tolerance,
         ++ctx.work.newton.iterations;
         if (it < kKrylovFrom || again || slow || !find_impulses(ctx)) {
             if (it > 0) adopt_laws(ctx, false);
+            if (it == 1 && course.completes) complete_iterate(ctx);
             if (const Status s = newton_solve(ctx, it == 0, it == 0 || again); s != Status::ok)
                 return s;
         } else {
@@ -97,6 +110,7 @@ Status iterate(StepContext& ctx, nonsmooth::Coupling coupling, double tolerance,
         }
         take_bounds(ctx);
         const Way way = it > 0 ? search(ctx, before) : Way{};
+        ctx.work.newton.shortened = way.share < 1.0;
         if (!std::isfinite(way.merit)) return Status::not_finite;
         slow = it > kPatience && way.merit > kSlowMerit * before;
         if (it > 0 && way.merit > before && before < ctx.work.newton.best)
@@ -198,14 +212,15 @@ void begin_newton(StepContext& ctx) noexcept {
     adopt_laws(ctx, true);
 }
 
-Status solve_newton(StepContext& ctx) noexcept {
+Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
     ctx.work.newton.iterations = 0;
     ctx.work.newton.switch_late = false;
     const bool cold = ctx.state.step == 0;
     const double tolerance = ctx.model.def.contact_tolerance;
     bool hasty = !cold && ctx.work.limits.budget.hasty();
     Status status = cold ? from_soft(ctx)
-                         : iterate(ctx, nonsmooth::Coupling::exact, tolerance, {.hasty = hasty});
+                         : iterate(ctx, nonsmooth::Coupling::exact, tolerance,
+                                   {.hasty = hasty, .completes = settled_later});
     hasty = hasty && ctx.work.stats.cut;
     if (!cold && !solved(ctx, status) && !ctx.work.stats.cut) {
         go_back_to_last(ctx);
@@ -227,7 +242,10 @@ Status solve_newton(StepContext& ctx) noexcept {
         end_hastily(ctx);
     else if (early)
         status = end_early(ctx);
-    if (status == Status::ok) status = refine(ctx);
+    // Bounds follow loads of refined solutions only, and projected impulses need the refinement.
+    const bool refines = early || !settled_later || !ctx.work.newton.loaded.empty();
+    ctx.work.stats.refinements = 0;
+    if (status == Status::ok && refines) status = refine(ctx);
     if (status == Status::ok && !early) status = follow_loads(ctx);
     if (status != Status::ok) return status;
     // Of what the step ends with.
@@ -245,7 +263,11 @@ Status solve_newton(StepContext& ctx) noexcept {
 }
 
 Status settle_newton(StepContext& ctx) noexcept {
-    Status status = refine(ctx);
+    Status status = Status::ok;
+    if (ctx.work.stats.completion_rounds > 0 && !ctx.work.newton.shortened)
+        status = settle_rounds(ctx, false);
+    else if (ctx.work.stats.refinements == 0)
+        status = refine(ctx);
     if (status != Status::ok) return status;
     state_certificate(ctx);
     if (ctx.work.stats.natural_map <= ctx.model.def.contact_tolerance || ctx.work.stats.cut)

@@ -18,6 +18,10 @@
 /// impulses w that make up for the difference, a handful of substitutions. When those do not
 /// suffice, the matrix is factored again.
 ///
+/// **Completion.** What completed joints ask for changes with the velocity (step/completion.h).
+/// Where a step takes a second iteration, that one is asked for what holds about the first, so that
+/// rounds need not follow.
+///
 /// **When iterations end** before that (WorldDef::budget, budget_work, contact_iterations), the
 /// contacts are linearised once more about the iterate of the least merit with lagged coupling,
 /// which is symmetric and never singular; the impulses of that solve are projected onto their
@@ -46,8 +50,11 @@ void reserve_newton(StepContext& ctx);
 void begin_newton(StepContext& ctx) noexcept;
 
 /// Stages 6 and 7; the right-hand side is that of assemble_rows().
-[[nodiscard]] Status solve_newton(StepContext& ctx) noexcept;
-/// Refine v₊ and λ after right-hand sides of rows changed, and iterate again where contacts no
+/// @param settled_later  settle_newton() is to come, and rounds of completion before it: a solution
+///     that iterations have found is left to them as it is, neither refined nor measured.
+[[nodiscard]] Status solve_newton(StepContext& ctx, bool settled_later = false) noexcept;
+/// Measure v₊ and λ after rounds of completion, refine them where their residual is above
+/// solution_tolerance, or where no round has refined them; and iterate again where contacts no
 /// longer obey their law.
 [[nodiscard]] Status settle_newton(StepContext& ctx) noexcept;
 

@@ -42,6 +42,7 @@ struct Newton {
     double best = 0.0;
     std::int32_t iterations = 0;
     bool switch_late = false;  ///< Rows that ask to switch do so after the step.
+    bool shortened = false;  ///< The last iterate lies within a step: its residuals are not known.
 };
 
 }  // namespace hawser::stepper

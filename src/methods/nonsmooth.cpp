@@ -29,7 +29,7 @@ Status solve_contacts(StepContext& ctx) noexcept {
         case Nonsmooth::convex:
             return solve_convex(ctx);
         default:
-            return solve_newton(ctx);
+            return solve_newton(ctx, ctx.model.completion.any);
     }
 }
 

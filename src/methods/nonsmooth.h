@@ -15,7 +15,7 @@ namespace hawser::stepper {
 void begin_contacts(StepContext& ctx) noexcept;
 
 /// Stages 6 and 7 of a world in which something touches; the right-hand side is that of
-/// assemble_rows().
+/// assemble_rows(). Where joints are completed, completion settles what this leaves (newton.h).
 [[nodiscard]] Status solve_contacts(StepContext& ctx) noexcept;
 
 /// Stages 6 and 7 by sweeps over all rows, whether or not something touches.

@@ -3,6 +3,7 @@
 
 #include "access/copies.h"
 #include "access/sweeps.h"
+#include "access/view.h"
 #include "base/index.h"
 #include "context/completion_data.h"
 #include "graph/bridges.h"
@@ -120,6 +121,34 @@ Turning complete_strip(StepContext& ctx, const View& v, int strip, const double*
                                                 r.begin, r.end, u, first));
     }
     return t;
+}
+
+void adopt_completed(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    const std::vector<std::int32_t>& joints = ctx.model.completion.joints;
+    over(ctx, static_cast<std::int32_t>(joints.size()), [&](std::int32_t a, std::int32_t b) {
+        assembly::kernels().adopt_completed(v, joints.data(), a, b);
+    });
+    over(ctx, v.body_count,
+         [&](std::int32_t a, std::int32_t b) { assembly::kernels().adopt_spins(v, a, b); });
+}
+
+Turning renew_completed(StepContext& ctx) noexcept {
+    const View v = view(ctx);
+    const assembly::Strips& strips = ctx.model.system.strips;
+    auto& parts = ctx.work.joints.turnings;  // one a strip or group
+    sweep(
+        ctx, [&](int strip) { parts[at(strip)] = complete_strip(ctx, v, strip, v.v_new, false); },
+        [&](std::int32_t a, std::int32_t b, int i) {
+            const Turning t = assembly::kernels().complete_spins(v, a, b, v.v_new, false);
+            parts[at(i)].add(t);
+        });
+    Turning all;
+    for (int i = 0; i < strips.count() + strips.groups(); ++i) {
+        all.add(parts[at(i)]);
+        parts[at(i)] = {};
+    }
+    return all;
 }
 
 void finish_completion(StepContext& ctx) noexcept {

@@ -28,6 +28,13 @@ void choose_completed(StepContext& ctx) noexcept;
 assembly::Turning complete_strip(StepContext& ctx, const assembly::View& v, int strip,
                                  const double* u, bool first) noexcept;
 
+/// What the equations of completed joints and spins are about v₊ as it stands, kept apart from
+/// those in force. @return how much right-hand sides would change.
+assembly::Turning renew_completed(StepContext& ctx) noexcept;
+
+/// Their equations are those that renew_completed() has found.
+void adopt_completed(StepContext& ctx) noexcept;
+
 /// A step has been taken: counters go on.
 void finish_completion(StepContext& ctx) noexcept;
 

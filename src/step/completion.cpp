@@ -26,7 +26,6 @@ namespace hawser::stepper {
 namespace {
 
 using assembly::Turning;
-using assembly::View;
 
 /// A round's change below which the step has ended [m/s or rad/s], of bodies that turn by up to
 /// kSlowTurn [rad/s]; of faster ones with the cube of that. Near singular poses of closed loops
@@ -35,36 +34,6 @@ constexpr double kTurning = 1e-7, kSlowTurn = 5.0, kSolution = 1e-10;
 constexpr int kMostRounds = 12;
 constexpr double kGap = 1e-4;  ///< Largest gap that a step may leave [m or rad].
 constexpr double kTooFast = 2.0 * kResolvedSwing;  ///< s by the step's own force that ends a trial.
-
-/// The equations take what they are about v₊.
-void adopt(StepContext& ctx) noexcept {
-    const View v = view(ctx);
-    const std::vector<std::int32_t>& joints = ctx.model.completion.joints;
-    over(ctx, static_cast<std::int32_t>(joints.size()), [&](std::int32_t a, std::int32_t b) {
-        assembly::kernels().adopt_completed(v, joints.data(), a, b);
-    });
-    over(ctx, v.body_count,
-         [&](std::int32_t a, std::int32_t b) { assembly::kernels().adopt_spins(v, a, b); });
-}
-
-/// What the equations are about v₊ as it stands. @return how much their right-hand sides changed.
-Turning renew(StepContext& ctx) noexcept {
-    const View v = view(ctx);
-    const assembly::Strips& strips = ctx.model.system.strips;
-    auto& parts = ctx.work.joints.turnings;  // one a strip or group
-    sweep(
-        ctx, [&](int strip) { parts[at(strip)] = complete_strip(ctx, v, strip, v.v_new, false); },
-        [&](std::int32_t a, std::int32_t b, int i) {
-            const Turning t = assembly::kernels().complete_spins(v, a, b, v.v_new, false);
-            parts[at(i)].add(t);
-        });
-    Turning all;
-    for (int i = 0; i < strips.count() + strips.groups(); ++i) {
-        all.add(parts[at(i)]);
-        parts[at(i)] = {};
-    }
-    return all;
-}
 
 /// Rounds with the factorisation at hand. @return how the last one ended; not finite or too large:
 /// they did not converge.
@@ -75,13 +44,13 @@ Turning make_rounds(StepContext& ctx) noexcept {
         const double fast = std::max(1.0, turning.spin / kSlowTurn);
         return turning.change <= enough * fast * fast * fast;
     };
-    Turning t = renew(ctx);
+    Turning t = renew_completed(ctx);
     for (int round = 0; round < kMostRounds && !ended(t); ++round) {
-        adopt(ctx);
+        adopt_completed(ctx);
         continue_with_factor(ctx);
         ctx.work.solve.losses_known = false;
         ++ctx.work.stats.completion_rounds;
-        t = renew(ctx);
+        t = renew_completed(ctx);
         if (round == 0) first = t.change;
         constexpr double kGrowth = 4.0;
         if (!std::isfinite(t.change) || (round > 1 && t.change > kGrowth * first)) {
@@ -173,12 +142,6 @@ Status settle_free(StepContext& ctx) noexcept {
     return status;
 }
 
-/// The same of contacts: their laws where rounds have moved them.
-Status settle_touching(StepContext& ctx) noexcept {
-    if (ctx.work.stats.completion_rounds == 0) return Status::ok;
-    return settle_newton(ctx);
-}
-
 }  // namespace
 
 Status complete(StepContext& ctx) noexcept {
@@ -192,7 +155,7 @@ Status complete(StepContext& ctx) noexcept {
         if (!(t.gap <= kGap))
             status = solve_linearised(ctx);
         else if (ctx.model.system.contacts.count() > 0)
-            status = settle_touching(ctx);
+            status = settle_newton(ctx);  // laws, too, where rounds have moved contacts
         else
             status = settle_free(ctx);
     }
