@@ -75,13 +75,12 @@ void read_filtered(const View& v, std::int32_t id, double* out) noexcept {
     }
 }
 
-/// Whether the filter changes the impulse λ(row) of a joint by more than a hundredth of it, or of a
-/// `usual` one if that is more; `kept`: it filtered.
-/// @param usual  Square of a row's impulse.
+constexpr double kShare = 0.01;  ///< Of a joint's impulse: less may go or stay.
+
+/// Whether the filter changes the impulse λ(row) of a joint by more than kShare; `kept`: it
+/// filtered.
 template <class Lambda>
-bool is_changed(const View& v, std::int32_t id, Lambda lambda, double usual,
-                double* kept) noexcept {
-    constexpr double kShare = 0.01;
+bool is_changed(const View& v, std::int32_t id, Lambda lambda, double* kept) noexcept {
     double all = 0.0, less = 0.0;
     read_filtered(v, id, kept);
     for (int r = 0; r < v.rows[id]; ++r) {
@@ -89,7 +88,7 @@ bool is_changed(const View& v, std::int32_t id, Lambda lambda, double usual,
         all += whole * whole;
         less += d * d;
     }
-    return less > kShare * kShare * std::max(all, v.rows[id] * usual);
+    return less > kShare * kShare * all;
 }
 
 /// Lets what is taken from joints move nothing, Gᵀ `taken` = 0: what one substitution leaves of it
@@ -112,20 +111,46 @@ void keep_momentum(StepContext& ctx, const View& v) noexcept {
     }
 }
 
+/// One pass of the filter over `lost`, which becomes what the pass takes of it. @return whether
+/// that is more than kShare of what was drawn for any joint that repeats others; others do not
+/// then.
+bool lose_again(StepContext& ctx, const View& v) noexcept {
+    double* lost = ctx.work.joints.taken.data();
+    (void)load_joints(ctx, v, [&](std::int32_t, std::int32_t row) noexcept { return lost[row]; });
+    solve_loaded(ctx, v);
+    bool any = false;
+    for (const std::int32_t id : ctx.model.completion.looped) {
+        double kept[kMaxInteractionRows], all = 0.0, less = 0.0;
+        read_filtered(v, id, kept);
+        for (int r = 0; r < v.rows[id]; ++r) {
+            const std::int32_t row = v.row_begin[id] + r;
+            lost[row] -= kept[r];
+            less += lost[row] * lost[row];
+            all += drawn(row) * drawn(row);
+        }
+        std::uint8_t& repeats = ctx.model.interactions.repeats[at(id)];
+        if (!(less > kShare * kShare * std::max(all, v.rows[id] * kDrawnSquare))) repeats = 0;
+        any |= repeats != 0;
+    }
+    return any;
+}
+
 /// Which joints in loops repeat others now: those of which impulses drawn at random lose something
-/// in the filter. Of many joints some draw next to nothing: what such a one loses counts over what
-/// joints draw on average, for else one in thousands would pass for a repeated one wherever the
-/// filter takes a thousandth.
+/// in the filter, and of that as much again. Impulses that move nothing are lost whole each time;
+/// of soft modes of long chains Σ takes a share, and of the rest a smaller one.
+///
+/// Of many joints some draw next to nothing: what such a one loses counts over what joints draw on
+/// average, for else one in thousands would pass for a repeated one wherever a thousandth is lost.
 void probe_loops(StepContext& ctx) noexcept {
     const View v = view(ctx);
-    const auto random = [](std::int32_t, std::int32_t row) noexcept { return drawn(row); };
-    (void)load_joints(ctx, v, random);
-    solve_loaded(ctx, v);
     for (const std::int32_t id : ctx.model.completion.looped) {
-        double kept[kMaxInteractionRows];
-        const bool repeats = is_changed(v, id, random, kDrawnSquare, kept);
-        ctx.model.interactions.repeats[at(id)] = repeats ? 1 : 0;
+        ctx.model.interactions.repeats[at(id)] = 1;
+        for (int r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r)
+            ctx.work.joints.taken[at(r)] = drawn(r);
     }
+    constexpr int kPasses = 2;
+    for (int pass = 0; pass < kPasses; ++pass)
+        if (!lose_again(ctx, v)) return;
 }
 
 }  // namespace
@@ -148,7 +173,7 @@ void take_self_stress(StepContext& ctx) noexcept {
     std::fill_n(taken, ctx.work.joints.taken.size(), 0.0);
     for (const std::int32_t id : looped) {
         double kept[kMaxInteractionRows];
-        if (!repeats[id] || !is_changed(v, id, impulse, 0.0, kept)) continue;
+        if (!repeats[id] || !is_changed(v, id, impulse, kept)) continue;
         ++ctx.work.stats.undetermined;
         for (int r = 0; r < v.rows[id]; ++r)
             taken[v.row_begin[id] + r] = v.lambda[v.row_begin[id] + r] - kept[r];
