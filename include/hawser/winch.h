@@ -16,7 +16,6 @@
 /// grows where wire is paid out; the wire's end becomes an element of rest length
 /// l = length + r (θ − drum_zero), r the radius of the layer that the wire comes from. Forces on
 /// the drum are torques, so that the pull of motor and brake falls as layers are wound on.
-/// docs/winches.md derives all of it, with its limits.
 ///
 /// Signals, as "name.signal". Inputs: `mode` (WinchMode as a number), `speed` [m/s], `tension` [N],
 /// `brake` 0 to 1, `clutch` 0 or 1. Outputs: `layer`, `wraps`, `wire_left` [m], `radius` [m],

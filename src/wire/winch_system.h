@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file winch_system.h
-/// What a winch does at the beginning of each step (hawser/winch.h, docs/winches.md).
+/// What a winch does at the beginning of each step (hawser/winch.h).
 ///
 /// **Layers.** The length L on the drum is what turns take from it, L' = L − r Δθ, r the radius
 /// that the last step had. The layer follows from L. Where it changes, the element's radius does,
