@@ -83,10 +83,10 @@ struct Catenary {
 };
 
 /// Lay out a wire: over or under its length, level, steep or vertical, taut, slack, partly or
-/// wholly on the seabed. Along what lies there the tension falls from each end that is lifted by
-/// friction times weight, to no less than 0; a wire whose ends both lie on it has the same tension
-/// everywhere. What is too long to lie straight lies in an arc. Sections that float are laid out as
-/// long as they stay clear of the seabed. Takes some hundred sums over all nodes.
+/// wholly on the seabed. From each touchdown point the tension along the laid part of the wire
+/// falls by friction times weight, to no less than 0; a wire with both ends on the seabed has the
+/// same tension everywhere. A wire too long to lie straight lies in an arc. Sections that float are
+/// laid out as long as they stay clear of the seabed. Takes some hundred sums over all nodes.
 /// @throws DefError  for lengths, stiffnesses or numbers that no wire has.
 [[nodiscard]] Catenary catenary(const CatenaryDef& def);
 
