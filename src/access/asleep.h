@@ -15,18 +15,18 @@ inline constexpr std::int32_t kMostQuiet = 1'000'000'000;
 }
 
 /// Part of prepare(). @throws std::bad_alloc.
-void reserve_sleep(StepContext& ctx);
+void reserve_sleep(const Model& model, Sleep& sleep);
 
 /// Without analysing: part of prepare().
-void wake_all(StepContext& ctx) noexcept;
+void wake_all(Model& model, StepStats& stats) noexcept;
 
 /// Of flags that were restored, whatever they were: what cannot move is awake; StepStats::asleep.
-void check_asleep(StepContext& ctx) noexcept;
+void check_asleep(Model& model, StepStats& stats) noexcept;
 
 /// A body that moves is changed from outside the step: its island wakes.
-void disturb(StepContext& ctx, std::int32_t body) noexcept;
+void disturb(Model& model, std::int32_t body) noexcept;
 
 /// Something is no longer where it was, so that contacts do not tell what leant on it: all wake.
-void disturb_all(StepContext& ctx) noexcept;
+void disturb_all(Model& model) noexcept;
 
 }  // namespace hawser::stepper

@@ -16,32 +16,16 @@ void put(const A& from, A& to) noexcept {
     to.assign(from.begin(), from.end());
 }
 
-Undo::Scalars read(const StepContext& c) noexcept {
-    return {c.state.step,
-            c.state.time,
-            c.state.ledger.work,
-            c.state.ledger.drag,
-            c.state.ledger.drive,
-            c.state.ledger.friction,
-            c.state.ledger.contact,
-            c.state.ledger.damped,
-            c.state.loads.work,
-            c.state.loads.added,
-            c.state.refine_unasked,
-            c.state.started,
-            c.work.stats.event_count,
-            c.state.judge.state};
+Undo::Scalars read(const State& state, const StepStats& stats) noexcept {
+    return {state.step,       state.time,        state.ledger,
+            state.loads.work, state.loads.added, state.refine_unasked,
+            state.started,    stats.event_count, state.judge.state};
 }
 
 void write(const Undo::Scalars& from, StepContext& c) noexcept {
     c.state.step = c.work.stats.step = from.step;
     c.state.time = c.work.stats.time = from.time;
-    c.state.ledger.work = from.work;
-    c.state.ledger.drag = from.drag;
-    c.state.ledger.drive = from.drive;
-    c.state.ledger.friction = from.friction;
-    c.state.ledger.contact = from.contact;
-    c.state.ledger.damped = from.damped;
+    c.state.ledger = from.ledger;
     c.state.loads.work = from.system_work;
     c.state.loads.added = from.added;
     c.state.refine_unasked = from.refine_unasked;
@@ -52,7 +36,7 @@ void write(const Undo::Scalars& from, StepContext& c) noexcept {
 
 void keep_system(StepContext& ctx) {
     Undo& u = ctx.work.undo;
-    reserve_undo(ctx);
+    reserve_undo(ctx.model, ctx.work.undo);
     ctx.model.system.keep(u.system);
     u.analysed_x = ctx.state.analysed_x;
     u.analysed_r = ctx.state.analysed_r;
@@ -64,7 +48,7 @@ void keep_system(StepContext& ctx) {
     u.coupling = ctx.model.cuts.coupling;
     u.parts = ctx.model.regroup.parts;
     if (ctx.state.topology_changed) u.wires = ctx.model.wires;
-    keep_links(ctx);
+    keep_links(ctx.model, ctx.work.undo);
     keep_motion(ctx);
     u.mend = ctx.state.mend;
     u.topology_changed = ctx.state.topology_changed;
@@ -116,16 +100,16 @@ void go_back_all(StepContext& ctx) noexcept {
 
 }  // namespace
 
-void reserve_undo(StepContext& ctx) {
-    Undo& u = ctx.work.undo;
-    u.v.reserve(ctx.model.bodies.v.size());
-    u.spin_change.reserve(ctx.model.bodies.spin_change.size());
-    u.lambda.reserve(ctx.model.interactions.lambda.size());
-    u.active.reserve(ctx.model.interactions.active.size());
-    u.repeats.reserve(ctx.model.interactions.repeats.size());
-    u.coarse.reserve(ctx.model.interactions.coarse.size());
-    u.credit.reserve(ctx.model.wires.credit.size());
-    u.alert.reserve(ctx.model.wires.alert.size());
+void reserve_undo(const Model& model, Undo& undo) {
+    Undo& u = undo;
+    u.v.reserve(model.bodies.v.size());
+    u.spin_change.reserve(model.bodies.spin_change.size());
+    u.lambda.reserve(model.interactions.lambda.size());
+    u.active.reserve(model.interactions.active.size());
+    u.repeats.reserve(model.interactions.repeats.size());
+    u.coarse.reserve(model.interactions.coarse.size());
+    u.credit.reserve(model.wires.credit.size());
+    u.alert.reserve(model.wires.alert.size());
 }
 
 void keep_motion(StepContext& ctx) noexcept {
@@ -139,14 +123,14 @@ void keep_motion(StepContext& ctx) noexcept {
     put(ctx.model.interactions.coarse, u.coarse);
     put(ctx.model.wires.credit, u.credit);
     put(ctx.model.wires.alert, u.alert);
-    u.scalars = read(ctx);
+    u.scalars = read(ctx.state, ctx.work.stats);
     u.moved = true;
 }
 
-void keep_links(StepContext& ctx) {
-    Undo& u = ctx.work.undo;
+void keep_links(const Model& model, Undo& undo) {
+    Undo& u = undo;
     if (u.linked) return;
-    u.link_used = ctx.model.system.contacts.link_used;
+    u.link_used = model.system.contacts.link_used;
     u.linked = true;
 }
 
@@ -196,14 +180,14 @@ void restore_kept(StepContext& ctx) noexcept {
         put(u.coarse, ctx.model.interactions.coarse);
         put(u.credit, ctx.model.wires.credit);
         put(u.alert, ctx.model.wires.alert);
-        follow_alerts(ctx);
+        follow_alerts(ctx.model);
         write(u.scalars, ctx);
     }
-    drop_kept(ctx);
+    drop_kept(ctx.work.undo);
 }
 
-void drop_kept(StepContext& ctx) noexcept {
-    Undo& u = ctx.work.undo;
+void drop_kept(Undo& undo) noexcept {
+    Undo& u = undo;
     u.moved = u.linked = false;
     // Copies of the whole model are rare and large.
     if (u.depth >= static_cast<int>(Undo::Depth::model)) {

@@ -20,16 +20,16 @@
 namespace hawser::stepper {
 
 /// Room to keep motions without allocating. @throws std::bad_alloc.
-void reserve_undo(StepContext& ctx);
+void reserve_undo(const Model& model, Undo& undo);
 /// Before v, λ or spin_change change outside stage integrate; later calls keep nothing more.
 void keep_motion(StepContext& ctx) noexcept;
 /// Steps in which links were used last. @throws std::bad_alloc where there are more of them.
-void keep_links(StepContext& ctx);
+void keep_links(const Model& model, Undo& undo);
 /// Before the system changes. @throws std::bad_alloc, and nothing has changed then.
 void keep_state(StepContext& ctx, Undo::Depth depth);
 /// Everything as it was when it was kept first.
 void restore_kept(StepContext& ctx) noexcept;
 /// All is well.
-void drop_kept(StepContext& ctx) noexcept;
+void drop_kept(Undo& undo) noexcept;
 
 }  // namespace hawser::stepper

@@ -20,14 +20,14 @@ std::int32_t most_alert(double step) noexcept {
     return static_cast<std::int32_t>(std::ceil(std::max(kAlertSteps, kAlertSeconds / step)));
 }
 
-void follow_alerts(StepContext& ctx) noexcept {
-    Wires& w = ctx.model.wires;
+void follow_alerts(Model& model) noexcept {
+    Wires& w = model.wires;
     for (std::size_t k = 0; k < w.count(); ++k) {
         if (!(w.credit[k] >= 0.0) || !std::isfinite(w.credit[k])) w.credit[k] = 0.0;
         w.alert[k] = std::max(0, w.alert[k]);
     }
     for (const std::int32_t id : w.element)
-        ctx.model.interactions.alert[at(id)] = w.alert[at(w.wire_of[at(id)])] > 0 ? 1.0 : 0.0;
+        model.interactions.alert[at(id)] = w.alert[at(w.wire_of[at(id)])] > 0 ? 1.0 : 0.0;
     w.stale = false;
 }
 

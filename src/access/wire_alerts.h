@@ -11,6 +11,6 @@ namespace hawser::stepper {
 [[nodiscard]] std::int32_t most_alert(double step) noexcept;
 
 /// What a restored state says of alerts becomes the elements'; what cannot be is mended.
-void follow_alerts(StepContext& ctx) noexcept;
+void follow_alerts(Model& model) noexcept;
 
 }  // namespace hawser::stepper

@@ -18,13 +18,13 @@ namespace hawser::stepper {
 namespace {
 
 /// What cutting each interface costs by the last step's forces, velocities and violations.
-std::vector<double> interface_weights(StepContext& ctx) {
+std::vector<double> interface_weights(Model& model) {
     assembly::PartGraph g;
-    read_graph(ctx.model, g);
-    weigh_graph(ctx.model, g);
-    std::vector<double> weight(at(ctx.model.cuts.interfaces), 0.0);
-    for (const Cut& c : ctx.model.cuts.list) {
-        if (ctx.model.cuts.coupling[at(c.id)] != Coupling::deadline) continue;
+    read_graph(model, g);
+    weigh_graph(model, g);
+    std::vector<double> weight(at(model.cuts.interfaces), 0.0);
+    for (const Cut& c : model.cuts.list) {
+        if (model.cuts.coupling[at(c.id)] != Coupling::deadline) continue;
         double sum = g.edge_weight[at(c.id)];
         for (std::int32_t k = g.begin[at(c.id)]; k < g.begin[at(c.id) + 1]; ++k)
             sum += g.node_weight[at(g.members[at(k)])];
@@ -49,7 +49,7 @@ double analysed_work(StepContext& ctx, std::uint64_t interfaces) {
 }  // namespace
 
 std::vector<CutLevels::Level> find_cut_levels(StepContext& ctx) {
-    const std::vector<double> weight = interface_weights(ctx);
+    const std::vector<double> weight = interface_weights(ctx.model);
     std::vector<int> order(weight.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),

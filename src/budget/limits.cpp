@@ -26,9 +26,9 @@ Load load_of(const StepContext& ctx) noexcept {
 constexpr double kAim = 0.95;  ///< Of the budget; the rest is left to what no one foresees.
 
 /// Whether deadlines may ask for cuts in this step.
-bool may_cut(const StepContext& ctx) noexcept {
-    return ctx.model.def.budget > 0.0 && ctx.model.cuts.interfaces > 0 &&
-           !ctx.state.imposed.any() && ctx.state.step > 0;
+bool may_cut(const Model& model, const State& state) noexcept {
+    return model.def.budget > 0.0 && model.cuts.interfaces > 0 && !state.imposed.any() &&
+           state.step > 0;
 }
 
 }  // namespace
@@ -41,14 +41,14 @@ void begin_laps(Work& work) noexcept {
 }
 
 Status prepare_levels(StepContext& ctx) noexcept {
-    if (!may_cut(ctx) || ctx.work.limits.cut_levels.known()) return Status::ok;
+    if (!may_cut(ctx.model, ctx.state) || ctx.work.limits.cut_levels.known()) return Status::ok;
     const StageTimer timer(ctx, Stage::analyse);
     return guarded(ctx, [&] { ctx.work.limits.cut_levels.set(find_cut_levels(ctx)); });
 }
 
 Status choose_cuts(StepContext& ctx) noexcept {
     std::uint64_t cuts = ctx.state.imposed.cuts;
-    if (may_cut(ctx))
+    if (may_cut(ctx.model, ctx.state))
         cuts = ctx.work.limits.cut_levels.choose(ctx.work.limits.deadline, load_of(ctx),
                                                  kAim * ctx.model.def.budget, ctx.model.cuts.asked);
     const Status status = ask_for_cuts(ctx, cuts);

@@ -17,11 +17,11 @@ using nonsmooth::Resistance;
 
 }  // namespace
 
-void adopt_laws(StepContext& ctx, bool first) noexcept {
-    Contacts& contacts = ctx.model.system.contacts;
+void adopt_laws(Model& model, const Newton& newton, runtime::Pool& pool, bool first) noexcept {
+    Contacts& contacts = model.system.contacts;
     for (std::size_t k = 0; k < contacts.count(); ++k) {
         Cone& c = contacts.cones[k];
-        const nonsmooth::Law& law = ctx.work.newton.laws[k];
+        const nonsmooth::Law& law = newton.laws[k];
         contacts.changed[k] = first || !std::equal(law.s, law.s + 9, c.s) ? 1 : 0;
         std::copy_n(law.s, 9, c.s);
         std::copy_n(law.p, 3, c.p);
@@ -29,7 +29,7 @@ void adopt_laws(StepContext& ctx, bool first) noexcept {
     assembly::Resistances& resistances = contacts.resistances;
     for (std::size_t k = 0; k < resistances.count(); ++k) {
         nonsmooth::Resistance& a = resistances.laws[k];
-        const nonsmooth::ResistanceLaw& law = ctx.work.newton.turns[k];
+        const nonsmooth::ResistanceLaw& law = newton.turns[k];
         const bool same =
             std::equal(law.s, law.s + 9, a.s) && std::equal(law.column, law.column + 3, a.column);
         if (!same) contacts.changed[at(resistances.rows[k].contact)] = 1;
@@ -38,37 +38,37 @@ void adopt_laws(StepContext& ctx, bool first) noexcept {
         std::copy_n(law.p, 3, a.p);
     }
     contacts.mark_blocks();
-    over(ctx, static_cast<std::int32_t>(contacts.blocks.size()),
+    over(pool, static_cast<std::int32_t>(contacts.blocks.size()),
          [&](std::int32_t a, std::int32_t b) { contacts.write_blocks(a, b); });
 }
 
-void keep_iterate(StepContext& ctx) noexcept {
-    const assembly::View v = view(ctx);
-    std::copy_n(v.v_new, v.dof_count, ctx.work.newton.v.begin());
-    std::copy_n(v.lambda, ctx.model.interactions.row_count, ctx.work.newton.lambda.begin());
-    const base::Array<Cone>& cones = ctx.model.system.contacts.cones;
+void keep_iterate(Model& model, Newton& newton) noexcept {
+    const assembly::View v = row_view(model);
+    std::copy_n(v.v_new, v.dof_count, newton.v.begin());
+    std::copy_n(v.lambda, model.interactions.row_count, newton.lambda.begin());
+    const base::Array<Cone>& cones = model.system.contacts.cones;
     for (std::size_t k = 0; k < cones.size(); ++k) {
-        std::copy_n(cones[k].u, 3, &ctx.work.newton.contact[6 * k]);
-        std::copy_n(cones[k].lambda, 3, &ctx.work.newton.contact[6 * k + 3]);
+        std::copy_n(cones[k].u, 3, &newton.contact[6 * k]);
+        std::copy_n(cones[k].lambda, 3, &newton.contact[6 * k + 3]);
     }
-    const base::Array<Resistance>& turns = ctx.model.system.contacts.resistances.laws;
+    const base::Array<Resistance>& turns = model.system.contacts.resistances.laws;
     for (std::size_t k = 0; k < turns.size(); ++k) {
-        double* to = &ctx.work.newton.contact[6 * (cones.size() + k)];
+        double* to = &newton.contact[6 * (cones.size() + k)];
         std::copy_n(turns[k].lambda, 3, std::copy_n(turns[k].u, 3, to));
     }
 }
 
-void shorten(StepContext& ctx, double t) noexcept {
-    const assembly::View v = view(ctx);
+void shorten(Model& model, const Newton& newton, double t) noexcept {
+    const assembly::View v = row_view(model);
     auto between = [&](const std::vector<double>& from, double* to, std::int32_t n) {
         for (std::int32_t i = 0; i < n; ++i) to[i] = from[at(i)] + t * (to[i] - from[at(i)]);
     };
-    between(ctx.work.newton.v, v.v_new, v.dof_count);
-    between(ctx.work.newton.lambda, v.lambda, ctx.model.interactions.row_count);
-    base::Array<Cone>& cones = ctx.model.system.contacts.cones;
+    between(newton.v, v.v_new, v.dof_count);
+    between(newton.lambda, v.lambda, model.interactions.row_count);
+    base::Array<Cone>& cones = model.system.contacts.cones;
     for (std::size_t k = 0; k < cones.size(); ++k) {
         Cone& c = cones[k];
-        const double* from = &ctx.work.newton.contact[6 * k];
+        const double* from = &newton.contact[6 * k];
         for (int i = 0; i < 3; ++i) {
             c.u[i] = from[i] + t * (c.u[i] - from[i]);
             c.lambda[i] = from[3 + i] + t * (c.lambda[i] - from[3 + i]);
@@ -77,10 +77,10 @@ void shorten(StepContext& ctx, double t) noexcept {
             c.p[i] = c.lambda[i] + c.s[3 * i] * c.u[0] + c.s[3 * i + 1] * c.u[1] +
                      c.s[3 * i + 2] * c.u[2];
     }
-    assembly::Resistances& resistances = ctx.model.system.contacts.resistances;
+    assembly::Resistances& resistances = model.system.contacts.resistances;
     for (std::size_t k = 0; k < resistances.count(); ++k) {
         Resistance& a = resistances.laws[k];
-        const double* from = &ctx.work.newton.contact[6 * (cones.size() + k)];
+        const double* from = &newton.contact[6 * (cones.size() + k)];
         for (int i = 0; i < 3; ++i) {
             a.u[i] = from[i] + t * (a.u[i] - from[i]);
             a.lambda[i] = from[3 + i] + t * (a.lambda[i] - from[3 + i]);
@@ -92,16 +92,16 @@ void shorten(StepContext& ctx, double t) noexcept {
 namespace {
 
 /// The part of resistances in contacts_merit().
-double resistance_merit(const StepContext& ctx, double t) noexcept {
-    const Contacts& contacts = ctx.model.system.contacts;
+double resistance_merit(const Model& model, const Newton& newton, double t) noexcept {
+    const Contacts& contacts = model.system.contacts;
     const assembly::Resistances& resistances = contacts.resistances;
     double sum = 0.0;
     for (std::size_t k = 0; k < resistances.count(); ++k) {
         const Resistance& a = resistances.laws[k];
         const std::size_t contact = at(resistances.rows[k].contact);
         const Cone& c = contacts.cones[contact];
-        const double* normal = &ctx.work.newton.contact[6 * contact];
-        const double* before = &ctx.work.newton.contact[6 * (contacts.count() + k)];
+        const double* normal = &newton.contact[6 * contact];
+        const double* before = &newton.contact[6 * (contacts.count() + k)];
         double u[3], lambda[3], e[3];
         for (int i = 0; i < 3; ++i) {
             u[i] = before[i] + t * (a.u[i] - before[i]);
@@ -116,12 +116,12 @@ double resistance_merit(const StepContext& ctx, double t) noexcept {
 
 }  // namespace
 
-double contacts_merit(const StepContext& ctx, double t) noexcept {
-    double sum = resistance_merit(ctx, t);
-    const base::Array<Cone>& cones = ctx.model.system.contacts.cones;
+double contacts_merit(const Model& model, const Newton& newton, double t) noexcept {
+    double sum = resistance_merit(model, newton, t);
+    const base::Array<Cone>& cones = model.system.contacts.cones;
     for (std::size_t k = 0; k < cones.size(); ++k) {
         const Cone& c = cones[k];
-        const double* before = &ctx.work.newton.contact[6 * k];
+        const double* before = &newton.contact[6 * k];
         double u[3], lambda[3], e[3];
         for (int i = 0; i < 3; ++i) {
             u[i] = before[i] + t * (c.u[i] - before[i]);
@@ -141,23 +141,23 @@ double nan_or_more(double a, double b) noexcept { return b <= a || a != a ? a : 
 
 }  // namespace
 
-double worst(StepContext& ctx) noexcept {
-    const Contacts& contacts = ctx.model.system.contacts;
+double worst(const Model& model, SolveWork& solve, runtime::Pool& pool) noexcept {
+    const Contacts& contacts = model.system.contacts;
     auto some = [&](std::int32_t begin, std::int32_t end) {
         double largest = 0.0;
         for (std::size_t k = at(begin); k < at(end); ++k)
-            largest = nan_or_more(
-                largest, nonsmooth::natural_map(contacts.cones[k], ctx.model.contact_floor));
+            largest = nan_or_more(largest,
+                                  nonsmooth::natural_map(contacts.cones[k], model.contact_floor));
         return largest;
     };
     double largest =
-        merged_over(ctx, static_cast<std::int32_t>(contacts.count()), some, nan_or_more);
+        merged_over(solve, pool, static_cast<std::int32_t>(contacts.count()), some, nan_or_more);
     const assembly::Resistances& resistances = contacts.resistances;
     for (std::size_t k = 0; k < resistances.count(); ++k)
         largest = nan_or_more(
             largest, nonsmooth::natural_map(resistances.laws[k],
                                             contacts.cones[at(resistances.rows[k].contact)],
-                                            ctx.model.contact_floor));
+                                            model.contact_floor));
     return largest;
 }
 

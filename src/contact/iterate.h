@@ -10,18 +10,18 @@ namespace hawser::stepper {
 
 /// Newton::laws go into the contacts and into the matrix: blocks that change.
 /// @param first  All of them.
-void adopt_laws(StepContext& ctx, bool first) noexcept;
+void adopt_laws(Model& model, const Newton& newton, runtime::Pool& pool, bool first) noexcept;
 
 /// Keep v₊, λ, and u, λ of the contacts, to come back to.
-void keep_iterate(StepContext& ctx) noexcept;
+void keep_iterate(Model& model, Newton& newton) noexcept;
 
 /// Go back to a share t of the way from the iterate kept. The laws' p follow, so that λ = p − S u.
-void shorten(StepContext& ctx, double t) noexcept;
+void shorten(Model& model, const Newton& newton, double t) noexcept;
 
 /// Σ (W + Σ) ‖λ − P‖² over contacts, a share t of the way: an energy [J].
-[[nodiscard]] double contacts_merit(const StepContext& ctx, double t) noexcept;
+[[nodiscard]] double contacts_merit(const Model& model, const Newton& newton, double t) noexcept;
 
 /// Largest relative residual of Coulomb's law over contacts, see nonsmooth::natural_map().
-[[nodiscard]] double worst(StepContext& ctx) noexcept;
+[[nodiscard]] double worst(const Model& model, SolveWork& solve, runtime::Pool& pool) noexcept;
 
 }  // namespace hawser::stepper

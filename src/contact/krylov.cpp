@@ -27,11 +27,11 @@ double scale_of(const Cone& c) noexcept { return std::sqrt(c.mobility + c.sigma_
 double scale_of(const Resistance& a) noexcept { return std::sqrt(a.mobility + a.sigma); }
 
 /// Scaled p' − S' u − λ of all rows.
-void find_defects(const StepContext& ctx, double* w) noexcept {
-    const assembly::Contacts& contacts = ctx.model.system.contacts;
+void find_defects(const Model& model, const Newton& newton, double* w) noexcept {
+    const assembly::Contacts& contacts = model.system.contacts;
     for (std::size_t k = 0; k < contacts.count(); ++k, w += 3) {
         const Cone& c = contacts.cones[k];
-        const nonsmooth::Law& law = ctx.work.newton.laws[k];
+        const nonsmooth::Law& law = newton.laws[k];
         double su[3];
         times(law.s, c.u, su);
         for (int i = 0; i < 3; ++i) w[i] = scale_of(c) * (law.p[i] - su[i] - c.lambda[i]);
@@ -39,7 +39,7 @@ void find_defects(const StepContext& ctx, double* w) noexcept {
     const assembly::Resistances& resistances = contacts.resistances;
     for (std::size_t k = 0; k < resistances.count(); ++k, w += 3) {
         const Resistance& a = resistances.laws[k];
-        const nonsmooth::ResistanceLaw& law = ctx.work.newton.turns[k];
+        const nonsmooth::ResistanceLaw& law = newton.turns[k];
         const double u_n = contacts.cones[at(resistances.rows[k].contact)].u[0];
         double su[3];
         times(law.s, a.u, su);
@@ -58,20 +58,21 @@ void each_scale(const assembly::Contacts& contacts, F&& f) noexcept {
 }
 
 /// y = x + scaled (S' − S) u.
-void add_changes(const StepContext& ctx, const double* u, const double* x, double* y) noexcept {
-    const assembly::Contacts& contacts = ctx.model.system.contacts;
+void add_changes(const Model& model, const Newton& newton, const double* u, const double* x,
+                 double* y) noexcept {
+    const assembly::Contacts& contacts = model.system.contacts;
     const double* at_contacts = u;
     for (std::size_t k = 0; k < contacts.count(); ++k, u += 3, x += 3, y += 3) {
         const Cone& c = contacts.cones[k];
         double after[3], before[3];
-        times(ctx.work.newton.laws[k].s, u, after);
+        times(newton.laws[k].s, u, after);
         times(c.s, u, before);
         for (int i = 0; i < 3; ++i) y[i] = x[i] + scale_of(c) * (after[i] - before[i]);
     }
     const assembly::Resistances& resistances = contacts.resistances;
     for (std::size_t k = 0; k < resistances.count(); ++k, u += 3, x += 3, y += 3) {
         const Resistance& a = resistances.laws[k];
-        const nonsmooth::ResistanceLaw& law = ctx.work.newton.turns[k];
+        const nonsmooth::ResistanceLaw& law = newton.turns[k];
         const double u_n = at_contacts[3 * at(resistances.rows[k].contact)];
         double after[3], before[3];
         times(law.s, u, after);
@@ -89,7 +90,7 @@ bool find_impulses(StepContext& ctx) noexcept {
     const assembly::View v = view(ctx);
     double* w = ctx.work.newton.x.data();
     double* u = ctx.work.newton.u.data();
-    find_defects(ctx, w);
+    find_defects(ctx.model, ctx.work.newton, w);
     nonsmooth::Gmres& gmres = ctx.work.newton.gmres;
     gmres.start(3 * contacts.triples(), w);
     if (gmres.start_norm() == 0.0) return true;
@@ -108,7 +109,7 @@ bool find_impulses(StepContext& ctx) noexcept {
             c.model.system.numeric.solve(c.model.system.symbolic, v.solution, c.pool);
         });
         contacts.collect(v.solution, v.body_offset, u);
-        add_changes(ctx, u, x, gmres.image());
+        add_changes(ctx.model, ctx.work.newton, u, x, gmres.image());
         left = gmres.take();
         // Two flops an entry of L, forward and backward.
         ctx.work.solve.step_flops += 4 * ctx.model.system.symbolic.factor_nnz;

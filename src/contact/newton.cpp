@@ -36,16 +36,16 @@ struct Way {
 };
 
 /// Choose how far to go from the iterate kept, whose merit was `before`.
-Way search(StepContext& ctx, double before) noexcept {
-    double now = merit(ctx, 1.0), best = now, best_t = 1.0, t = 1.0;
+Way search(Model& model, const Newton& newton, double before) noexcept {
+    double now = merit(model, newton, 1.0), best = now, best_t = 1.0, t = 1.0;
     for (int k = 0; k < kHalvings && !(now <= before * (1.0 - 1e-4 * t)); ++k) {
         t *= 0.5;
-        now = merit(ctx, t);
+        now = merit(model, newton, t);
         if (!(now < best)) continue;
         best = now;
         best_t = t;
     }
-    if (best_t < 1.0) shorten(ctx, best_t);
+    if (best_t < 1.0) shorten(model, newton, best_t);
     return {best_t, best};
 }
 
@@ -59,10 +59,10 @@ void note_lap(StepContext& ctx) noexcept {
 }
 
 /// Whether the budget allows another iteration.
-bool affordable(StepContext& ctx) noexcept {
-    return ctx.work.limits.budget.another(
-        {ctx.work.limits.laps.last, static_cast<double>(ctx.work.solve.step_flops)},
-        ctx.work.newton.iterations);
+bool affordable(Work& work) noexcept {
+    return work.limits.budget.another(
+        {work.limits.laps.last, static_cast<double>(work.solve.step_flops)},
+        work.newton.iterations);
 }
 
 /// How Newton iterations go on.
@@ -92,124 +92,127 @@ Status iterate(StepContext& ctx, nonsmooth::Coupling coupling, double tolerance,
     int switches = 0;  // iterations that ended with some
     ctx.work.newton.follow.restart();
     double before = 0.0;
-    forget_best(ctx);
+    forget_best(ctx.work.newton);
     if (course.begun) {
-        keep_iterate(ctx);
-        before = merit(ctx, 0.0);
-        (void)linearise(ctx);
+        keep_iterate(ctx.model, ctx.work.newton);
+        before = merit(ctx.model, ctx.work.newton, 0.0);
+        (void)linearise(ctx.model, ctx.work, ctx.pool);
     }
     for (int it = course.begun ? kKrylovFrom : 0;; ++it) {
         ++ctx.work.newton.iterations;
         if (it < kKrylovFrom || again || slow || !find_impulses(ctx)) {
-            if (it > 0) adopt_laws(ctx, false);
+            if (it > 0) adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);
             if (it == 1 && course.completes) complete_iterate(ctx);
             if (const Status s = newton_solve(ctx, it == 0, it == 0 || again); s != Status::ok)
                 return s;
         } else {
             continue_with_factor(ctx);
         }
-        take_bounds(ctx);
-        const Way way = it > 0 ? search(ctx, before) : Way{};
+        take_bounds(ctx.model, ctx.work.newton);
+        const Way way = it > 0 ? search(ctx.model, ctx.work.newton, before) : Way{};
         ctx.work.newton.shortened = way.share < 1.0;
         if (!std::isfinite(way.merit)) return Status::not_finite;
         slow = it > kPatience && way.merit > kSlowMerit * before;
         if (it > 0 && way.merit > before && before < ctx.work.newton.best)
             set_best_aside(ctx.work.newton, before);
-        keep_iterate(ctx);
-        keep_bounds(ctx, way.share);
+        keep_iterate(ctx.model, ctx.work.newton);
+        keep_bounds(ctx.work.newton, way.share);
         note_lap(ctx);
         const bool last = it + 1 >= ctx.model.def.contact_iterations;
-        const double moved = bounds_map(ctx);
+        const double moved = bounds_map(ctx.model, ctx.work.newton);
         // In haste rows that ask to switch do so after the step.
-        const bool stop = hasty && !affordable(ctx);
+        const bool stop = hasty && !affordable(ctx.work);
         // Rows may go on switching each other: then the first one only, as in bounds.cpp.
         const std::int32_t most = last ? 0 : (switches < kTogether ? kAnyRows : 1);
-        const std::int32_t asking = switch_bounds(ctx, ctx.model.contact_floor, stop ? 0 : most);
-        if (stop && asking == 0) (void)switch_bounds(ctx, ctx.model.contact_floor, most);
+        const std::int32_t asking =
+            switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, stop ? 0 : most);
+        if (stop && asking == 0)
+            (void)switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, most);
         again = asking > 0;
         switches += again ? 1 : 0;
-        if (again || moved > 0.0) forget_best(ctx);  // other rows, or impulses
-        ctx.work.stats.natural_map = std::max(worst(ctx), moved);
+        if (again || moved > 0.0) forget_best(ctx.work.newton);  // other rows, or impulses
+        ctx.work.stats.natural_map = std::max(worst(ctx.model, ctx.work.solve, ctx.pool), moved);
         if (!std::isfinite(ctx.work.stats.natural_map)) return Status::not_finite;
         if (ctx.work.stats.natural_map <= tolerance && !again) {
             ctx.work.stats.flips_left = 0;
             return Status::ok;
         }
-        ctx.work.stats.flips_left = linearise(ctx) + asking;
+        ctx.work.stats.flips_left = linearise(ctx.model, ctx.work, ctx.pool) + asking;
         // Without haste not where lines have just switched: their rows would be left unsolved.
-        ctx.work.stats.cut = hasty ? stop : !again && !affordable(ctx);
+        ctx.work.stats.cut = hasty ? stop : !again && !affordable(ctx.work);
         if (ctx.work.stats.cut || last) return Status::ok;
-        before = merit(ctx, 0.0);
+        before = merit(ctx.model, ctx.work.newton, 0.0);
     }
 }
 
 /// Begin again at the velocities and impulses that contacts hold.
-void restart(StepContext& ctx) noexcept {
-    (void)linearise(ctx);
-    adopt_laws(ctx, true);
-    update_contacts(ctx, nullptr);
-    ctx.work.solve.rhs_ready = false;
+void restart(Model& model, Work& work, runtime::Pool& pool) noexcept {
+    (void)linearise(model, work, pool);
+    adopt_laws(model, work.newton, pool, true);
+    update_contacts(model, pool, nullptr);
+    work.solve.rhs_ready = false;
 }
 
-bool solved(const StepContext& ctx, Status status) noexcept {
-    return status == Status::ok && ctx.work.stats.natural_map <= ctx.model.def.contact_tolerance &&
-           ctx.work.stats.flips_left == 0;
+bool solved(const Model& model, const StepStats& stats, Status status) noexcept {
+    return status == Status::ok && stats.natural_map <= model.def.contact_tolerance &&
+           stats.flips_left == 0;
 }
 
-void soften_by(StepContext& ctx, double factor) noexcept {
-    for (Cone& c : ctx.model.system.contacts.cones) c.sigma_t *= factor;
-    for (nonsmooth::Resistance& a : ctx.model.system.contacts.resistances.laws) a.sigma *= factor;
+void soften_by(Model& model, double factor) noexcept {
+    for (Cone& c : model.system.contacts.cones) c.sigma_t *= factor;
+    for (nonsmooth::Resistance& a : model.system.contacts.resistances.laws) a.sigma *= factor;
 }
 
 /// Continuation, see newton.h.
 Status from_soft(StepContext& ctx) noexcept {
     constexpr double kRough = 1e-2;  // what a softer system needs to be a start for the next
     for (const double soften : {1024.0, 32.0}) {  // powers of two: exactly undone
-        soften_by(ctx, soften);
-        restart(ctx);
+        soften_by(ctx.model, soften);
+        restart(ctx.model, ctx.work, ctx.pool);
         const Status status = iterate(ctx, nonsmooth::Coupling::exact, kRough);
-        soften_by(ctx, 1.0 / soften);
+        soften_by(ctx.model, 1.0 / soften);
         if (status != Status::ok) return status;
         if (ctx.work.stats.cut) break;
     }
-    ctx.work.stats.natural_map = worst(ctx);
-    forget_best(ctx);  // its merit was that of a softer system
+    ctx.work.stats.natural_map = worst(ctx.model, ctx.work.solve, ctx.pool);
+    forget_best(ctx.work.newton);  // its merit was that of a softer system
     if (ctx.work.stats.cut) return Status::ok;
-    restart(ctx);
+    restart(ctx.model, ctx.work, ctx.pool);
     return iterate(ctx, nonsmooth::Coupling::exact, ctx.model.def.contact_tolerance);
 }
 
 /// What the statistics say of contacts that are solved, or not.
-void state_certificate(StepContext& ctx) noexcept {
-    ctx.work.stats.natural_map = std::max(worst(ctx), bounds_map(ctx));
+void state_certificate(const Model& model, Work& work, runtime::Pool& pool) noexcept {
+    work.stats.natural_map =
+        std::max(worst(model, work.solve, pool), bounds_map(model, work.newton));
 }
 
 }  // namespace
 
-void reserve_newton(StepContext& ctx) {
-    Newton& n = ctx.work.newton;
-    const std::size_t contacts = ctx.model.system.contacts.count(),
-                      triples = ctx.model.system.contacts.triples();
+void reserve_newton(const Model& model, Newton& newton) {
+    Newton& n = newton;
+    const std::size_t contacts = model.system.contacts.count(),
+                      triples = model.system.contacts.triples();
     n.laws.resize(contacts);
     n.turns.resize(triples - contacts);
     n.x.resize(3 * triples);
     n.u.resize(3 * triples);
     n.contact.resize(6 * triples);
     n.gmres.reserve(3 * triples, kKrylovLimit);
-    n.v.resize(at(ctx.model.bodies.dofs));
-    n.lambda.resize(at(ctx.model.interactions.row_count));
+    n.v.resize(at(model.bodies.dofs));
+    n.lambda.resize(at(model.interactions.row_count));
     n.best_contact.resize(6 * triples);
-    n.best_v.resize(at(ctx.model.bodies.dofs));
-    n.best_lambda.resize(at(ctx.model.interactions.row_count));
+    n.best_v.resize(at(model.bodies.dofs));
+    n.best_lambda.resize(at(model.interactions.row_count));
     n.bounds.resize(3 * contacts);
     n.limit.resize(contacts);
     n.touch.resize(contacts);
 }
 
-void begin_newton(StepContext& ctx) noexcept {
-    for (Cone& c : ctx.model.system.contacts.cones) c.coupling = nonsmooth::Coupling::exact;
-    (void)linearise(ctx);
-    adopt_laws(ctx, true);
+void begin_newton(Model& model, Work& work, runtime::Pool& pool) noexcept {
+    for (Cone& c : model.system.contacts.cones) c.coupling = nonsmooth::Coupling::exact;
+    (void)linearise(model, work, pool);
+    adopt_laws(model, work.newton, pool, true);
 }
 
 Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
@@ -222,24 +225,24 @@ Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
                          : iterate(ctx, nonsmooth::Coupling::exact, tolerance,
                                    {.hasty = hasty, .completes = settled_later});
     hasty = hasty && ctx.work.stats.cut;
-    if (!cold && !solved(ctx, status) && !ctx.work.stats.cut) {
-        go_back_to_last(ctx);
+    if (!cold && !solved(ctx.model, ctx.work.stats, status) && !ctx.work.stats.cut) {
+        go_back_to_last(ctx.model, ctx.work.contact_speed);
         status = from_soft(ctx);
     }
-    if (!solved(ctx, status) && !ctx.work.stats.cut) {
-        go_back_to_last(ctx);
+    if (!solved(ctx.model, ctx.work.stats, status) && !ctx.work.stats.cut) {
+        go_back_to_last(ctx.model, ctx.work.contact_speed);
         for (Cone& c : ctx.model.system.contacts.cones) {
             c.coupling = nonsmooth::Coupling::lagged;
             std::fill_n(c.u, 3, 0.0);
         }
         for (nonsmooth::Resistance& a : ctx.model.system.contacts.resistances.laws)
             std::fill_n(a.u, 3, 0.0);
-        restart(ctx);
+        restart(ctx.model, ctx.work, ctx.pool);
         status = iterate(ctx, nonsmooth::Coupling::lagged, tolerance);
     }
-    const bool early = status == Status::ok && !solved(ctx, status);
+    const bool early = status == Status::ok && !solved(ctx.model, ctx.work.stats, status);
     if (early && hasty)
-        end_hastily(ctx);
+        end_hastily(ctx.model, ctx.work, ctx.pool);
     else if (early)
         status = end_early(ctx);
     // Bounds follow loads of refined solutions only, and projected impulses need the refinement.
@@ -249,9 +252,9 @@ Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
     if (status == Status::ok && !early) status = follow_loads(ctx);
     if (status != Status::ok) return status;
     // Of what the step ends with.
-    state_certificate(ctx);
+    state_certificate(ctx.model, ctx.work, ctx.pool);
     if (early) {
-        const std::int32_t asking = asking_rows(ctx, ctx.model.contact_floor);
+        const std::int32_t asking = asking_rows(ctx.model, ctx.work, ctx.model.contact_floor);
         ctx.work.newton.switch_late = hasty && asking > 0;
         ctx.work.stats.flips_left += asking;
     }
@@ -269,14 +272,14 @@ Status settle_newton(StepContext& ctx) noexcept {
     else if (ctx.work.stats.refinements == 0)
         status = refine(ctx);
     if (status != Status::ok) return status;
-    state_certificate(ctx);
+    state_certificate(ctx.model, ctx.work, ctx.pool);
     if (ctx.work.stats.natural_map <= ctx.model.def.contact_tolerance || ctx.work.stats.cut)
         return Status::ok;
     status =
         iterate(ctx, nonsmooth::Coupling::exact, ctx.model.def.contact_tolerance, {.begun = true});
     if (status == Status::ok) status = refine(ctx);
     if (status == Status::ok) status = follow_loads(ctx);
-    if (status == Status::ok) state_certificate(ctx);
+    if (status == Status::ok) state_certificate(ctx.model, ctx.work, ctx.pool);
     return status;
 }
 

@@ -44,10 +44,10 @@
 namespace hawser::stepper {
 
 /// Scratch for the contacts of this step. @throws std::bad_alloc.
-void reserve_newton(StepContext& ctx);
+void reserve_newton(const Model& model, Newton& newton);
 
 /// Linearise about the last step's solution.
-void begin_newton(StepContext& ctx) noexcept;
+void begin_newton(Model& model, Work& work, runtime::Pool& pool) noexcept;
 
 /// Stages 6 and 7; the right-hand side is that of assemble_rows().
 /// @param settled_later  settle_newton() is to come, and rounds of completion before it: a solution

@@ -12,13 +12,13 @@ namespace hawser::stepper {
 /// Ended with time for one more factorisation.
 [[nodiscard]] Status end_early(StepContext& ctx) noexcept;
 /// Ended without: the law in the matrix is moved through the projected impulse.
-void end_hastily(StepContext& ctx) noexcept;
+void end_hastily(Model& model, Work& work, runtime::Pool& pool) noexcept;
 
 /// Velocities and impulses of contacts from where the last step ended.
-void go_back_to_last(StepContext& ctx) noexcept;
+void go_back_to_last(Model& model, base::Array<double>& contact_speed) noexcept;
 
 /// No iterate is set aside.
-void forget_best(StepContext& ctx) noexcept;
+void forget_best(Newton& newton) noexcept;
 /// The iterate kept is the best so far, and the one at hand is worse: set it aside.
 void set_best_aside(Newton& n, double merit) noexcept;
 

@@ -8,8 +8,8 @@
 namespace hawser::stepper {
 
 /// Linear laws of all contacts about the iterate. @return contacts whose status changed.
-std::int32_t linearise(StepContext& ctx) noexcept;
+std::int32_t linearise(Model& model, Work& work, runtime::Pool& pool) noexcept;
 /// Σ (W + Σ) ‖λ − P‖² over all, a share t of the way: an energy [J].
-[[nodiscard]] double merit(const StepContext& ctx, double t) noexcept;
+[[nodiscard]] double merit(const Model& model, const Newton& newton, double t) noexcept;
 
 }  // namespace hawser::stepper

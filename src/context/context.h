@@ -19,6 +19,7 @@
 #include "context/edit_list.h"
 #include "context/events.h"
 #include "context/judge_data.h"
+#include "context/ledger.h"
 #include "context/loads.h"
 #include "context/newton_data.h"
 #include "context/regroup_data.h"
@@ -57,14 +58,6 @@ struct Model {
     Completion completion;
     double contact_floor = 0.0;   ///< Impulse of a contact that does not count [N s].
     double residual_floor = 0.0;  ///< Denominator floor of the momentum residual.
-};
-
-/// Since the start [J], see hawser::Energy.
-struct Ledger {
-    double work = 0.0, drag = 0.0;
-    double drive = 0.0;  ///< See Energy::driven.
-    double friction = 0.0, contact = 0.0;
-    double damped = 0.0;
 };
 
 /// What a step goes on from beside Model: what a snapshot holds, a copy takes and a hash is of

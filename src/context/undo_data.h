@@ -9,6 +9,7 @@
 #include "collide/match.h"
 #include "context/cuts_data.h"
 #include "context/judge_data.h"
+#include "context/ledger.h"
 #include "context/wires_data.h"
 #include "model/bodies.h"
 #include "model/interactions.h"
@@ -38,7 +39,9 @@ struct Undo {
     /// What a step counts.
     struct Scalars {
         std::int64_t step;
-        double time, work, drag, drive, friction, contact, damped, system_work, added;
+        double time;
+        Ledger ledger;
+        double system_work, added;
         int refine_unasked;
         bool started;
         std::array<std::int64_t, kEventKindCount> event_count;

@@ -17,12 +17,12 @@ namespace {
 
 using nonsmooth::Cone;
 
-std::int32_t linearise_cones(StepContext& ctx) noexcept {
+std::int32_t linearise_cones(Model& model, Newton& newton) noexcept {
     std::int32_t flips = 0;
-    for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
-        Cone& c = ctx.model.system.contacts.cones[k];
+    for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
+        Cone& c = model.system.contacts.cones[k];
         const nonsmooth::Touch before = c.touch;
-        ctx.work.newton.laws[k] = nonsmooth::linearise_associated(c, c.touch);
+        newton.laws[k] = nonsmooth::linearise_associated(c, c.touch);
         flips += c.touch != before ? 1 : 0;
     }
     return flips;
@@ -30,12 +30,12 @@ std::int32_t linearise_cones(StepContext& ctx) noexcept {
 
 /// Derivative of the function along the step from the iterate kept, a share t of the way [J]. The
 /// momentum balance there has the linear law's impulses, the gradient wants those of the law.
-double slope(const StepContext& ctx, double t) noexcept {
+double slope(const Model& model, const Newton& newton, double t) noexcept {
     double sum = 0.0;
-    const base::Array<Cone>& cones = ctx.model.system.contacts.cones;
+    const base::Array<Cone>& cones = model.system.contacts.cones;
     for (std::size_t k = 0; k < cones.size(); ++k) {
         const Cone& c = cones[k];
-        const double* from = &ctx.work.newton.contact[6 * k];
+        const double* from = &newton.contact[6 * k];
         double u[3], law[3];
         for (int i = 0; i < 3; ++i) u[i] = from[i] + t * (c.u[i] - from[i]);
         nonsmooth::associated_impulse(c, u, law);
@@ -48,30 +48,30 @@ double slope(const StepContext& ctx, double t) noexcept {
 }
 
 /// Where the slope vanishes, or the whole step while it still descends there.
-void search(StepContext& ctx) noexcept {
-    const double start = slope(ctx, 0.0), end = slope(ctx, 1.0);
+void search(Model& model, const Newton& newton) noexcept {
+    const double start = slope(model, newton, 0.0), end = slope(model, newton, 1.0);
     // Of a step that is nearly right the end is close enough.
     if (!(end > 0.1 * std::fabs(start))) return;
     double low = 0.0, high = 1.0;
     for (int i = 0; i < 20 && high - low > 0.01 * high; ++i) {
         const double middle = 0.5 * (low + high);
-        (slope(ctx, middle) > 0.0 ? high : low) = middle;
+        (slope(model, newton, middle) > 0.0 ? high : low) = middle;
     }
-    shorten(ctx, 0.5 * (low + high));
+    shorten(model, newton, 0.5 * (low + high));
 }
 
-double worst_of_model(const StepContext& ctx) noexcept {
+double worst_of_model(const Model& model) noexcept {
     double largest = 0.0;
-    for (const Cone& c : ctx.model.system.contacts.cones)
-        largest = std::max(largest, nonsmooth::associated_map(c, ctx.model.contact_floor));
+    for (const Cone& c : model.system.contacts.cones)
+        largest = std::max(largest, nonsmooth::associated_map(c, model.contact_floor));
     return largest;
 }
 
 }  // namespace
 
-void begin_convex(StepContext& ctx) noexcept {
-    (void)linearise_cones(ctx);
-    adopt_laws(ctx, true);
+void begin_convex(Model& model, Newton& newton, runtime::Pool& pool) noexcept {
+    (void)linearise_cones(model, newton);
+    adopt_laws(model, newton, pool, true);
 }
 
 Status solve_convex(StepContext& ctx) noexcept {
@@ -81,23 +81,24 @@ Status solve_convex(StepContext& ctx) noexcept {
     for (int it = 0;; ++it) {
         ++ctx.work.newton.iterations;
         if (it == 0 || again || it < kKrylovFrom || !find_impulses(ctx)) {
-            if (it > 0) adopt_laws(ctx, false);
+            if (it > 0) adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);
             if (const Status s = newton_solve(ctx, it == 0, it == 0 || again); s != Status::ok)
                 return s;
         } else {
             continue_with_factor(ctx);
         }
-        if (it > 0) search(ctx);
-        again = update_active_set(ctx, it);
-        const double left = worst_of_model(ctx);
+        if (it > 0) search(ctx.model, ctx.work.newton);
+        again = update_active_set(ctx.model, ctx.work, it);
+        const double left = worst_of_model(ctx.model);
         if (!std::isfinite(left)) return Status::not_finite;
         if ((left <= ctx.model.def.contact_tolerance && !again) ||
             it + 1 >= ctx.model.def.contact_iterations)
             break;
-        keep_iterate(ctx);
-        ctx.work.stats.flips_left += linearise_cones(ctx);  // to those of rows
+        keep_iterate(ctx.model, ctx.work.newton);
+        ctx.work.stats.flips_left +=
+            linearise_cones(ctx.model, ctx.work.newton);  // to those of rows
     }
-    ctx.work.stats.natural_map = worst(ctx);
+    ctx.work.stats.natural_map = worst(ctx.model, ctx.work.solve, ctx.pool);
     return refine(ctx);
 }
 

@@ -39,13 +39,13 @@ bool invert6(const double* m, double* out) noexcept {
     return true;
 }
 
-const double* inverse_of(const StepContext& ctx, std::int32_t body) noexcept {
-    return &ctx.work.newton.inverse_mass[at(body) * assembly::kBodyBlock];
+const double* inverse_of(const Newton& newton, std::int32_t body) noexcept {
+    return &newton.inverse_mass[at(body) * assembly::kBodyBlock];
 }
 
 /// Own 3×3 block of J M⁻¹ Jᵀ of contact k, row-major [1/kg].
-void contact_mobility(const StepContext& ctx, std::size_t k, double out[9]) noexcept {
-    const ContactRow& row = ctx.model.system.contacts.rows[k];
+void contact_mobility(const Model& model, Newton& newton, std::size_t k, double out[9]) noexcept {
+    const ContactRow& row = model.system.contacts.rows[k];
     const M3 e = load9(row.axis);
     for (int j = 0; j < 3; ++j) {
         const V3 axis = load3(row.axis + 3 * j);
@@ -53,7 +53,7 @@ void contact_mobility(const StepContext& ctx, std::size_t k, double out[9]) noex
         for (int i = 0; i < row.slots; ++i) {
             const ContactSlot& s = row.slot[i];
             if (s.dof == 0) continue;
-            const double* inverse = inverse_of(ctx, s.body);
+            const double* inverse = inverse_of(newton, s.body);
             V3 u = mul6(inverse, axis);
             if (s.dof == 6)
                 u = u + cross(mul6(inverse + 6, cross(load3(s.arm), axis)), load3(s.arm));
@@ -68,51 +68,51 @@ void contact_mobility(const StepContext& ctx, std::size_t k, double out[9]) noex
 
 }  // namespace
 
-void reserve_gauss_seidel(StepContext& ctx, std::size_t contacts) {
-    ctx.work.newton.inverse_mass.resize(at(ctx.model.bodies.count()) * assembly::kBodyBlock);
-    ctx.work.newton.row_mobility.resize(at(ctx.model.interactions.row_count));
-    ctx.work.newton.mobility.resize(9 * contacts);
+void reserve_gauss_seidel(const Model& model, Newton& newton, std::size_t contacts) {
+    newton.inverse_mass.resize(at(model.bodies.count()) * assembly::kBodyBlock);
+    newton.row_mobility.resize(at(model.interactions.row_count));
+    newton.mobility.resize(9 * contacts);
 }
 
-bool invert_masses(StepContext& ctx, const assembly::View& v) noexcept {
+bool invert_masses(const Model& model, Newton& newton, const assembly::View& v) noexcept {
     for (std::int32_t b = 0; b < v.body_count; ++b) {
         const double* block = v.body_block + assembly::block_place(v.dof_begin[b]);
-        double* out = &ctx.work.newton.inverse_mass[at(b) * assembly::kBodyBlock];
+        double* out = &newton.inverse_mass[at(b) * assembly::kBodyBlock];
         bool good = true;
         if (v.dof[b] == 1) out[0] = 1.0 / block[0];
         if (v.dof[b] >= 3) good = invert6(block, out);
         if (v.dof[b] == 6) good = good && invert6(block + 6, out + 6);
         if (!good) return false;
     }
-    for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k)
-        contact_mobility(ctx, k, &ctx.work.newton.mobility[9 * k]);
+    for (std::size_t k = 0; k < model.system.contacts.count(); ++k)
+        contact_mobility(model, newton, k, &newton.mobility[9 * k]);
     return true;
 }
 
-void answer(const StepContext& ctx, std::int32_t body, int dof, const double* p,
+void answer(const Newton& newton, std::int32_t body, int dof, const double* p,
             double* out) noexcept {
-    const double* inverse = inverse_of(ctx, body);
+    const double* inverse = inverse_of(newton, body);
     if (dof == 1) out[0] = inverse[0] * p[0];
     if (dof >= 3) store3(out, mul6(inverse, load3(p)));
     if (dof == 6) store3(out + 3, mul6(inverse + 6, load3(p + 3)));
 }
 
-void push_contact(StepContext& ctx, const assembly::View& v, std::size_t k,
+void push_contact(const Model& model, const Newton& newton, const assembly::View& v, std::size_t k,
                   const double x[3]) noexcept {
-    const ContactRow& row = ctx.model.system.contacts.rows[k];
+    const ContactRow& row = model.system.contacts.rows[k];
     const V3 force = tmul(load9(row.axis), load3(x));
     for (int i = 0; i < row.slots; ++i) {
         const ContactSlot& s = row.slot[i];
         if (s.dof == 0) continue;
-        const double* inverse = inverse_of(ctx, s.body);
+        const double* inverse = inverse_of(newton, s.body);
         const V3 f = s.weight * force;
         add3(v.v_new + s.dof_begin, mul6(inverse, f));
         if (s.dof == 6) add3(v.v_new + s.dof_begin + 3, mul6(inverse + 6, cross(load3(s.arm), f)));
     }
 }
 
-void read_contact(StepContext& ctx, const assembly::View& v, std::size_t k) noexcept {
-    const ContactRow& row = ctx.model.system.contacts.rows[k];
+void read_contact(Model& model, const assembly::View& v, std::size_t k) noexcept {
+    const ContactRow& row = model.system.contacts.rows[k];
     V3 sum{0, 0, 0};
     for (int i = 0; i < row.slots; ++i) {
         const ContactSlot& s = row.slot[i];
@@ -121,13 +121,14 @@ void read_contact(StepContext& ctx, const assembly::View& v, std::size_t k) noex
         if (s.dof == 6) u = u + cross(load3(v.v_new + s.dof_begin + 3), load3(s.arm));
         sum = sum + s.weight * u;
     }
-    store3(ctx.model.system.contacts.cones[k].u, load3(row.carried) + load9(row.axis) * sum);
+    store3(model.system.contacts.cones[k].u, load3(row.carried) + load9(row.axis) * sum);
 }
 
-void relax_tangents(StepContext& ctx, const assembly::View& v, std::size_t k) noexcept {
-    const double* block = &ctx.work.newton.mobility[9 * k];
-    read_contact(ctx, v, k);
-    Cone& c = ctx.model.system.contacts.cones[k];
+void relax_tangents(Model& model, const Newton& newton, const assembly::View& v,
+                    std::size_t k) noexcept {
+    const double* block = &newton.mobility[9 * k];
+    read_contact(model, v, k);
+    Cone& c = model.system.contacts.cones[k];
     // Largest eigenvalue of the tangents' 2×2 block.
     const double mean = 0.5 * (block[4] + block[8]), half = 0.5 * (block[4] - block[8]);
     const double largest = mean + std::sqrt(half * half + block[5] * block[5]);
@@ -136,21 +137,22 @@ void relax_tangents(StepContext& ctx, const assembly::View& v, std::size_t k) no
     const double change[3] = {0.0, now[0] - c.lambda[1], now[1] - c.lambda[2]};
     c.lambda[1] = now[0];
     c.lambda[2] = now[1];
-    if (change[1] != 0.0 || change[2] != 0.0) push_contact(ctx, v, k, change);
+    if (change[1] != 0.0 || change[2] != 0.0) push_contact(model, newton, v, k, change);
 }
 
-void relax_normal(StepContext& ctx, const assembly::View& v, std::size_t k) noexcept {
-    const double* block = &ctx.work.newton.mobility[9 * k];
-    read_contact(ctx, v, k);
-    Cone& c = ctx.model.system.contacts.cones[k];
+void relax_normal(Model& model, const Newton& newton, const assembly::View& v,
+                  std::size_t k) noexcept {
+    const double* block = &newton.mobility[9 * k];
+    read_contact(model, v, k);
+    Cone& c = model.system.contacts.cones[k];
     const double now = nonsmooth::relax_normal(c, block[0]);
     const double change[3] = {now - c.lambda[0], 0.0, 0.0};
     c.lambda[0] = now;
-    if (change[0] != 0.0) push_contact(ctx, v, k, change);
+    if (change[0] != 0.0) push_contact(model, newton, v, k, change);
 }
 
-void freeze_impulses(StepContext& ctx) noexcept {
-    for (Cone& c : ctx.model.system.contacts.cones) {
+void freeze_impulses(Model& model) noexcept {
+    for (Cone& c : model.system.contacts.cones) {
         std::fill_n(c.s, 9, 0.0);
         std::copy_n(c.lambda, 3, c.p);
         c.touch = nonsmooth::touch_by_impulse(c);

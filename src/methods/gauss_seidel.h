@@ -10,29 +10,32 @@
 namespace hawser::stepper {
 
 /// Room for it. @throws std::bad_alloc.
-void reserve_gauss_seidel(StepContext& ctx, std::size_t contacts);
+void reserve_gauss_seidel(const Model& model, Newton& newton, std::size_t contacts);
 
 /// Inverses of M + hD of all bodies, own blocks of contacts. @return false: one is singular.
-[[nodiscard]] bool invert_masses(StepContext& ctx, const assembly::View& v) noexcept;
+[[nodiscard]] bool invert_masses(const Model& model, Newton& newton,
+                                 const assembly::View& v) noexcept;
 
 /// M⁻¹ p of a body: its velocity after an impulse p. Both have as many entries as it has freedoms.
-void answer(const StepContext& ctx, std::int32_t body, int dof, const double* p,
+void answer(const Newton& newton, std::int32_t body, int dof, const double* p,
             double* out) noexcept;
 
 /// v₊ += M⁻¹ Jᵀ x for impulses x of contact k.
-void push_contact(StepContext& ctx, const assembly::View& v, std::size_t k,
+void push_contact(const Model& model, const Newton& newton, const assembly::View& v, std::size_t k,
                   const double x[3]) noexcept;
 
 /// u of contact k at v₊, into its cone.
-void read_contact(StepContext& ctx, const assembly::View& v, std::size_t k) noexcept;
+void read_contact(Model& model, const assembly::View& v, std::size_t k) noexcept;
 
 /// Relax the tangents of contact k at v₊; v₊ follows.
-void relax_tangents(StepContext& ctx, const assembly::View& v, std::size_t k) noexcept;
+void relax_tangents(Model& model, const Newton& newton, const assembly::View& v,
+                    std::size_t k) noexcept;
 
 /// Relax the normal of contact k at v₊; v₊ follows.
-void relax_normal(StepContext& ctx, const assembly::View& v, std::size_t k) noexcept;
+void relax_normal(Model& model, const Newton& newton, const assembly::View& v,
+                  std::size_t k) noexcept;
 
 /// Impulses as they are become the laws: S = 0, p = λ, status by λ.
-void freeze_impulses(StepContext& ctx) noexcept;
+void freeze_impulses(Model& model) noexcept;
 
 }  // namespace hawser::stepper

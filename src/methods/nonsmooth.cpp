@@ -5,18 +5,18 @@
 
 namespace hawser::stepper {
 
-void begin_contacts(StepContext& ctx) noexcept {
-    switch (ctx.model.def.nonsmooth) {
+void begin_contacts(Model& model, Work& work, runtime::Pool& pool) noexcept {
+    switch (model.def.nonsmooth) {
         case Nonsmooth::newton:
-            return begin_newton(ctx);
+            return begin_newton(model, work, pool);
         case Nonsmooth::pivoting:
-            return begin_pivoting(ctx);
+            return begin_pivoting(model, work.newton, pool);
         case Nonsmooth::split:
-            return begin_split(ctx);
+            return begin_split(model, work.newton, pool);
         case Nonsmooth::convex:
-            return begin_convex(ctx);
+            return begin_convex(model, work.newton, pool);
         case Nonsmooth::pgs:
-            return begin_pgs(ctx);
+            return begin_pgs(model);
     }
 }
 

@@ -39,11 +39,11 @@ void each_body(const View& v, std::int32_t id, int r, F&& f) noexcept {
 }
 
 /// v₊ += M⁻¹ gᵀ x for one row g.
-void push_row(const StepContext& ctx, const View& v, std::int32_t id, int r, double x) noexcept {
+void push_row(const Newton& newton, const View& v, std::int32_t id, int r, double x) noexcept {
     each_body(v, id, r, [&](std::int32_t body, int dof, const double* g) {
         double p[6], answered[6];
         for (int j = 0; j < dof; ++j) p[j] = x * g[j];
-        answer(ctx, body, dof, p, answered);
+        answer(newton, body, dof, p, answered);
         for (int j = 0; j < dof; ++j) v.v_new[v.dof_begin[body] + j] += answered[j];
     });
 }
@@ -56,67 +56,65 @@ double row_speed(const View& v, std::int32_t id, int r) noexcept {
     return sum;
 }
 
-double row_mobility(const StepContext& ctx, const View& v, std::int32_t id, int r) noexcept {
+double row_mobility(const Newton& newton, const View& v, std::int32_t id, int r) noexcept {
     double sum = 0.0;
     each_body(v, id, r, [&](std::int32_t body, int dof, const double* g) {
         double answered[6];
-        answer(ctx, body, dof, g, answered);
+        answer(newton, body, dof, g, answered);
         for (int j = 0; j < dof; ++j) sum += g[j] * answered[j];
     });
     return sum;
 }
 
 /// Velocities without rows, then with the impulses of the last step.
-void start(StepContext& ctx, const View& v) noexcept {
+void start(Model& model, Newton& newton, const View& v) noexcept {
     for (std::int32_t b = 0; b < v.body_count; ++b)
-        if (v.dof[b] > 0) answer(ctx, b, v.dof[b], v.a + v.dof_begin[b], v.v_new + v.dof_begin[b]);
+        if (v.dof[b] > 0)
+            answer(newton, b, v.dof[b], v.a + v.dof_begin[b], v.v_new + v.dof_begin[b]);
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
-        if (ctx.model.system.rests(id)) continue;
-        const ImpulseRange range = impulse_range(ctx, id);
+        if (model.system.rests(id)) continue;
+        const ImpulseRange range = impulse_range(model, newton, id);
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
             v.lambda[row] = std::clamp(v.lambda[row], range.low, range.high);
-            ctx.work.newton.row_mobility[static_cast<std::size_t>(row)] =
-                row_mobility(ctx, v, id, r);
-            push_row(ctx, v, id, r, v.lambda[row]);
+            newton.row_mobility[static_cast<std::size_t>(row)] = row_mobility(newton, v, id, r);
+            push_row(newton, v, id, r, v.lambda[row]);
         }
     }
-    for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
-        nonsmooth::Cone& c = ctx.model.system.contacts.cones[k];
+    for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
+        nonsmooth::Cone& c = model.system.contacts.cones[k];
         nonsmooth::project(c.friction, c.lambda);
-        push_contact(ctx, v, k, c.lambda);
+        push_contact(model, newton, v, k, c.lambda);
     }
 }
 
-void sweep_rows(StepContext& ctx, const View& v) noexcept {
+void sweep_rows(const Model& model, const Newton& newton, const View& v) noexcept {
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
-        if (ctx.model.system.rests(id)) continue;
-        const ImpulseRange range = impulse_range(ctx, id);
+        if (model.system.rests(id)) continue;
+        const ImpulseRange range = impulse_range(model, newton, id);
         if (range.low == range.high) continue;
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
-            const double whole =
-                ctx.work.newton.row_mobility[static_cast<std::size_t>(row)] + v.sigma[row];
+            const double whole = newton.row_mobility[static_cast<std::size_t>(row)] + v.sigma[row];
             if (!(whole > 0.0)) continue;
             const double wrong = v.c[row] - row_speed(v, id, r) - v.sigma[row] * v.lambda[row];
             const double now = std::clamp(v.lambda[row] + wrong / whole, range.low, range.high);
             const double change = now - v.lambda[row];
             v.lambda[row] = now;
-            if (change != 0.0) push_row(ctx, v, id, r, change);
+            if (change != 0.0) push_row(newton, v, id, r, change);
         }
     }
 }
 
 /// What is left in the rows, for the certificate.
-void take_residuals(StepContext& ctx, const View& v) noexcept {
+void take_residuals(Model& model, const Newton& newton, const View& v) noexcept {
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
-        if (ctx.model.system.rests(id)) continue;
-        const ImpulseRange range = impulse_range(ctx, id);
+        if (model.system.rests(id)) continue;
+        const ImpulseRange range = impulse_range(model, newton, id);
         const double first = v.lambda[v.row_begin[id]];
         if ((v.flags[id] & model::kBounded) || v.parted[id])
             v.active[id] = range.low < first && first < range.high ? 1.0 : 0.0;
-        ctx.model.interactions.held[static_cast<std::size_t>(id)] =
-            v.active[id] == 0.0 ? first : 0.0;
+        model.interactions.held[static_cast<std::size_t>(id)] = v.active[id] == 0.0 ? first : 0.0;
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
             const double idle = r == 0 ? (1.0 - v.active[id]) * v.held[id] : 0.0;
@@ -128,28 +126,30 @@ void take_residuals(StepContext& ctx, const View& v) noexcept {
 
 }  // namespace
 
-void begin_pgs(StepContext& ctx) noexcept { freeze_impulses(ctx); }
+void begin_pgs(Model& model) noexcept { freeze_impulses(model); }
 
 Status solve_pgs(StepContext& ctx) noexcept {
-    const Status room =
-        guarded(ctx, [&] { reserve_gauss_seidel(ctx, ctx.model.system.contacts.count()); });
+    const Status room = guarded(ctx, [&] {
+        reserve_gauss_seidel(ctx.model, ctx.work.newton, ctx.model.system.contacts.count());
+    });
     if (room != Status::ok) return room;
-    const View v = view(ctx);
+    const View v = row_view(ctx.model);
     ctx.work.solve.rhs_ready = false;
-    if (!invert_masses(ctx, v)) return Status::wrong_pivot;
-    start(ctx, v);
+    if (!invert_masses(ctx.model, ctx.work.newton, v)) return Status::wrong_pivot;
+    start(ctx.model, ctx.work.newton, v);
     for (int i = 0; i < ctx.model.def.nonsmooth_sweeps && !ctx.pool.stopping(); ++i) {
-        sweep_rows(ctx, v);
+        sweep_rows(ctx.model, ctx.work.newton, v);
         for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
-            relax_normal(ctx, v, k);
-            relax_tangents(ctx, v, k);
+            relax_normal(ctx.model, ctx.work.newton, v, k);
+            relax_tangents(ctx.model, ctx.work.newton, v, k);
         }
     }
     ctx.work.newton.iterations = ctx.model.def.nonsmooth_sweeps;
-    freeze_impulses(ctx);
-    if (ctx.model.system.contacts.count() > 0) update_contacts(ctx, v.v_new);
-    take_residuals(ctx, v);
-    if (ctx.model.system.contacts.count() > 0) ctx.work.stats.natural_map = worst(ctx);
+    freeze_impulses(ctx.model);
+    if (ctx.model.system.contacts.count() > 0) update_contacts(ctx.model, ctx.pool, v.v_new);
+    take_residuals(ctx.model, ctx.work.newton, v);
+    if (ctx.model.system.contacts.count() > 0)
+        ctx.work.stats.natural_map = worst(ctx.model, ctx.work.solve, ctx.pool);
     if (!std::isfinite(ctx.work.stats.natural_map)) return Status::not_finite;
     return measure(ctx);
 }

@@ -21,12 +21,12 @@ using nonsmooth::Cone;
 
 constexpr int kPasses = 8;
 
-void make_laws(StepContext& ctx) noexcept {
-    for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
-        Cone& c = ctx.model.system.contacts.cones[k];
-        const nonsmooth::Bound* rows = &ctx.work.newton.bounds[3 * k];
-        ctx.work.newton.laws[k] = nonsmooth::box_law(c, rows, ctx.work.newton.limit[k]);
-        c.touch = nonsmooth::touch_of(rows, ctx.work.newton.limit[k]);
+void make_laws(Model& model, Newton& newton) noexcept {
+    for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
+        Cone& c = model.system.contacts.cones[k];
+        const nonsmooth::Bound* rows = &newton.bounds[3 * k];
+        newton.laws[k] = nonsmooth::box_law(c, rows, newton.limit[k]);
+        c.touch = nonsmooth::touch_of(rows, newton.limit[k]);
     }
 }
 
@@ -37,32 +37,32 @@ Status pass(StepContext& ctx, int& rounds) noexcept {
         if (const Status s = newton_solve(ctx, rounds == 0, rounds == 0 || again); s != Status::ok)
             return s;
         ++rounds;
-        again = update_active_set(ctx, rounds - 1);
+        again = update_active_set(ctx.model, ctx.work, rounds - 1);
         const int count =
             nonsmooth::pivot(ctx.model.system.contacts.cones, ctx.work.newton.bounds,
                              ctx.work.newton.limit, ctx.model.contact_floor, progress);
         ctx.work.stats.flips_left += count;  // to those of rows
         if (count == 0 && !again) return Status::ok;
         if (rounds >= ctx.model.def.contact_iterations) return Status::ok;
-        make_laws(ctx);
-        adopt_laws(ctx, false);
+        make_laws(ctx.model, ctx.work.newton);
+        adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);
     }
 }
 
 /// Bounds of the next pass. @return largest change, relative.
-double renew_limits(StepContext& ctx) noexcept {
+double renew_limits(const Model& model, Newton& newton) noexcept {
     double change = 0.0;
-    for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
-        const Cone& c = ctx.model.system.contacts.cones[k];
-        double& limit = ctx.work.newton.limit[k];
+    for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
+        const Cone& c = model.system.contacts.cones[k];
+        double& limit = newton.limit[k];
         const double now = c.friction * std::max(0.0, c.lambda[0]);
         // A bound that nothing leans on may change without another pass.
-        const bool held = ctx.work.newton.bounds[3 * k + 1] == nonsmooth::Bound::free &&
-                          ctx.work.newton.bounds[3 * k + 2] == nonsmooth::Bound::free &&
+        const bool held = newton.bounds[3 * k + 1] == nonsmooth::Bound::free &&
+                          newton.bounds[3 * k + 2] == nonsmooth::Bound::free &&
                           std::max(std::fabs(c.lambda[1]), std::fabs(c.lambda[2])) <= now;
         if (!held)
-            change = std::max(
-                change, std::fabs(now - limit) / std::max({now, limit, ctx.model.contact_floor}));
+            change = std::max(change,
+                              std::fabs(now - limit) / std::max({now, limit, model.contact_floor}));
         limit = now;
     }
     return change;
@@ -70,22 +70,22 @@ double renew_limits(StepContext& ctx) noexcept {
 
 }  // namespace
 
-void begin_pivoting(StepContext& ctx) noexcept {
-    for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
-        const Cone& c = ctx.model.system.contacts.cones[k];
-        ctx.work.newton.limit[k] = c.friction * std::max(0.0, c.lambda[0]);
+void begin_pivoting(Model& model, Newton& newton, runtime::Pool& pool) noexcept {
+    for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
+        const Cone& c = model.system.contacts.cones[k];
+        newton.limit[k] = c.friction * std::max(0.0, c.lambda[0]);
         // Where the last step left them, by the law of the rows at its velocities.
-        nonsmooth::Bound* rows = &ctx.work.newton.bounds[3 * k];
+        nonsmooth::Bound* rows = &newton.bounds[3 * k];
         rows[0] = c.u[0] - c.b[0] < 0.0 ? nonsmooth::Bound::free : nonsmooth::Bound::low;
         for (int i = 1; i < 3; ++i) {
             const double y = (c.b[i] - c.u[i]) / c.sigma_t;
-            rows[i] = y > ctx.work.newton.limit[k]    ? nonsmooth::Bound::high
-                      : y < -ctx.work.newton.limit[k] ? nonsmooth::Bound::low
-                                                      : nonsmooth::Bound::free;
+            rows[i] = y > newton.limit[k]    ? nonsmooth::Bound::high
+                      : y < -newton.limit[k] ? nonsmooth::Bound::low
+                                             : nonsmooth::Bound::free;
         }
     }
-    make_laws(ctx);
-    adopt_laws(ctx, true);
+    make_laws(model, newton);
+    adopt_laws(model, newton, pool, true);
 }
 
 Status solve_pivoting(StepContext& ctx) noexcept {
@@ -96,12 +96,12 @@ Status solve_pivoting(StepContext& ctx) noexcept {
         // in more.
         constexpr double kStill = 1e-3;
         if (rounds >= ctx.model.def.contact_iterations || i + 1 == kPasses) break;
-        if (renew_limits(ctx) <= kStill) break;
-        make_laws(ctx);
-        adopt_laws(ctx, false);
+        if (renew_limits(ctx.model, ctx.work.newton) <= kStill) break;
+        make_laws(ctx.model, ctx.work.newton);
+        adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);
     }
     ctx.work.newton.iterations = rounds;
-    ctx.work.stats.natural_map = worst(ctx);
+    ctx.work.stats.natural_map = worst(ctx.model, ctx.work.solve, ctx.pool);
     if (!std::isfinite(ctx.work.stats.natural_map)) return Status::not_finite;
     return refine(ctx);
 }

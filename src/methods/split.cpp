@@ -27,9 +27,9 @@ using nonsmooth::Touch;
 constexpr int kMostSplitRounds = 20;  ///< Of the active set; it mostly takes one to three.
 
 /// Normal row in the matrix or not; the tangents' impulses are numbers.
-void make_law(StepContext& ctx, std::size_t k, bool bears) noexcept {
-    Cone& c = ctx.model.system.contacts.cones[k];
-    nonsmooth::Law& law = ctx.work.newton.laws[k];
+void make_law(Model& model, Newton& newton, std::size_t k, bool bears) noexcept {
+    Cone& c = model.system.contacts.cones[k];
+    nonsmooth::Law& law = newton.laws[k];
     law = {};
     if (bears) {
         law.s[0] = 1.0 / c.sigma_n;
@@ -61,54 +61,55 @@ Status solve_normals(StepContext& ctx, bool first) noexcept {
         }
         first = false;
         ++ctx.work.newton.iterations;
-        again = update_active_set(ctx, round);
+        again = update_active_set(ctx.model, ctx.work, round);
         std::int32_t flips = 0;
         for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
             const Cone& c = ctx.model.system.contacts.cones[k];
             const bool now = bears(c);
             flips += now != (c.s[0] != 0.0) ? 1 : 0;
-            make_law(ctx, k, now);
+            make_law(ctx.model, ctx.work.newton, k, now);
         }
         ctx.work.stats.flips_left = flips;
         if ((flips == 0 && !again) || round + 1 >= kMostSplitRounds) return Status::ok;
         // A row that is switched changes the matrix where no contact does.
-        adopt_laws(ctx, again);
+        adopt_laws(ctx.model, ctx.work.newton, ctx.pool, again);
     }
 }
 
 /// Tangents at the normal impulses as they are.
-Status sweep_tangents(StepContext& ctx) noexcept {
-    const assembly::View v = view(ctx);
-    if (!invert_masses(ctx, v)) return Status::wrong_pivot;
-    for (int i = 0; i < ctx.model.def.nonsmooth_sweeps && !ctx.pool.stopping(); ++i)
-        for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k)
-            relax_tangents(ctx, v, k);
+Status sweep_tangents(Model& model, Newton& newton, runtime::Pool& pool) noexcept {
+    const assembly::View v = row_view(model);
+    if (!invert_masses(model, newton, v)) return Status::wrong_pivot;
+    for (int i = 0; i < model.def.nonsmooth_sweeps && !pool.stopping(); ++i)
+        for (std::size_t k = 0; k < model.system.contacts.count(); ++k)
+            relax_tangents(model, newton, v, k);
     // The radius changes a little in what follows; what slides is decided here.
-    for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k)
-        ctx.work.newton.touch[k] = nonsmooth::touch_by_impulse(ctx.model.system.contacts.cones[k]);
+    for (std::size_t k = 0; k < model.system.contacts.count(); ++k)
+        newton.touch[k] = nonsmooth::touch_by_impulse(model.system.contacts.cones[k]);
     return Status::ok;
 }
 
 }  // namespace
 
-void begin_split(StepContext& ctx) noexcept {
-    for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
-        const Cone& c = ctx.model.system.contacts.cones[k];
-        make_law(ctx, k, c.u[0] - c.b[0] < 0.0);
+void begin_split(Model& model, Newton& newton, runtime::Pool& pool) noexcept {
+    for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
+        const Cone& c = model.system.contacts.cones[k];
+        make_law(model, newton, k, c.u[0] - c.b[0] < 0.0);
     }
-    adopt_laws(ctx, true);
+    adopt_laws(model, newton, pool, true);
 }
 
 Status solve_split(StepContext& ctx) noexcept {
     ctx.work.newton.iterations = 0;
     if (const Status s = solve_normals(ctx, true); s != Status::ok) return s;
-    if (const Status s = sweep_tangents(ctx); s != Status::ok) return s;
+    if (const Status s = sweep_tangents(ctx.model, ctx.work.newton, ctx.pool); s != Status::ok)
+        return s;
     // The sweeps moved v₊ without the normals; the solver takes it up from the momentum balance.
     for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k)
-        make_law(ctx, k, ctx.model.system.contacts.cones[k].s[0] != 0.0);
-    adopt_laws(ctx, false);
+        make_law(ctx.model, ctx.work.newton, k, ctx.model.system.contacts.cones[k].s[0] != 0.0);
+    adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);
     if (const Status s = solve_normals(ctx, false); s != Status::ok) return s;
-    ctx.work.stats.natural_map = worst(ctx);
+    ctx.work.stats.natural_map = worst(ctx.model, ctx.work.solve, ctx.pool);
     if (!std::isfinite(ctx.work.stats.natural_map)) return Status::not_finite;
     const Status status = refine(ctx);
     for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {

@@ -15,14 +15,14 @@ constexpr int kMostPasses = 20;
 /// λ and v₊ as they stand. All that ask for it are switched at first; then, since two may go on
 /// switching each other for ever, the first one only (K. G. Murty's least index rule, which ends).
 /// @return how many ask for it; none are switched from kMostPasses on.
-std::int32_t switch_solved(StepContext& ctx, int pass) noexcept {
+std::int32_t switch_solved(Model& model, Work& work, int pass) noexcept {
     constexpr int kTogether = 6;
-    take_bounds(ctx);
-    keep_bounds(ctx, 1.0);
+    take_bounds(model, work.newton);
+    keep_bounds(work.newton, 1.0);
     const std::int32_t rows =
-        switch_bounds(ctx, 0.0, pass < kTogether ? kAnyRows : pass < kMostPasses);
-    ctx.work.stats.flips_left = pass < kMostPasses ? 0 : rows;
-    if (rows > 0) ctx.work.solve.rhs_ready = false;
+        switch_bounds(model, work, 0.0, pass < kTogether ? kAnyRows : pass < kMostPasses);
+    work.stats.flips_left = pass < kMostPasses ? 0 : rows;
+    if (rows > 0) work.solve.rhs_ready = false;
     return rows;
 }
 
@@ -32,16 +32,17 @@ Status settle_bounds(StepContext& ctx) noexcept {
     constexpr int kMostSolves = 100;  // of bounds that move
     const double tolerance = ctx.model.def.contact_tolerance;
     for (int pass = 0, solves = 0; pass <= kMostPasses; ++solves) {
-        ctx.work.stats.natural_map = bounds_map(ctx);
+        ctx.work.stats.natural_map = bounds_map(ctx.model, ctx.work.newton);
         // In the end nothing is moved, so that λ is what has been solved for.
         if (solves >= kMostSolves) pass = kMostPasses;
         Status status = Status::ok;
         const bool moved = ctx.work.stats.natural_map > tolerance;
-        if (!moved && pass < kMostPasses && !any_asks(ctx, view(ctx))) {
+        if (!moved && pass < kMostPasses &&
+            !any_asks(ctx.model, ctx.work.newton, row_view(ctx.model))) {
             ctx.work.stats.flips_left = 0;
             break;
         }
-        const std::int32_t rows = switch_solved(ctx, pass);
+        const std::int32_t rows = switch_solved(ctx.model, ctx.work, pass);
         if (pass == kMostPasses || (rows == 0 && !moved)) break;
         if (rows > 0) {
             ++pass;
@@ -60,18 +61,18 @@ Status follow_loads(StepContext& ctx) noexcept {
     Status status = Status::ok;
     ctx.work.newton.follow.restart();
     for (int i = 0; i < kMost && status == Status::ok; ++i) {
-        if (!(bounds_map(ctx) > ctx.model.def.contact_tolerance)) break;
-        if (asking_rows(ctx, ctx.model.contact_floor) > 0) break;
-        (void)switch_bounds(ctx, ctx.model.contact_floor, kAnyRows);
+        if (!(bounds_map(ctx.model, ctx.work.newton) > ctx.model.def.contact_tolerance)) break;
+        if (asking_rows(ctx.model, ctx.work, ctx.model.contact_floor) > 0) break;
+        (void)switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, kAnyRows);
         continue_with_factor(ctx);
         status = refine(ctx);
     }
     return status;
 }
 
-bool update_active_set(StepContext& ctx, int pass) noexcept {
-    const bool moved = bounds_map(ctx) > ctx.model.def.contact_tolerance;
-    const std::int32_t rows = switch_solved(ctx, pass);
+bool update_active_set(Model& model, Work& work, int pass) noexcept {
+    const bool moved = bounds_map(model, work.newton) > model.def.contact_tolerance;
+    const std::int32_t rows = switch_solved(model, work, pass);
     return pass < kMostPasses && (rows > 0 || moved);
 }
 

@@ -10,7 +10,7 @@
 namespace hawser::stepper {
 
 /// switch_bounds() for a solution λ, v₊ as it stands. @return whether to solve again.
-[[nodiscard]] bool update_active_set(StepContext& ctx, int pass) noexcept;
+[[nodiscard]] bool update_active_set(Model& model, Work& work, int pass) noexcept;
 
 /// Of a solution with contacts that has been refined: solve again while bounds are off the loads
 /// that they follow. The iterations that led there were not refined, and a bound that is a small

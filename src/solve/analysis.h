@@ -9,12 +9,13 @@
 namespace hawser::stepper {
 
 /// Keep the poses that an analysis is made at, and what drag does to each body then.
-void begin_analysis(StepContext& ctx);
+void begin_analysis(Model& model, State& state);
 /// Analyse what is not left out, at the poses at hand. @param state  Of the analysis of a saved
 /// world, to go on from. @throws std::bad_alloc, LimitError.
-void analyse_system(StepContext& ctx, const factor::AnalysisState* state);
+void analyse_system(Model& model, Work& work, runtime::Pool& pool,
+                    const factor::AnalysisState* state);
 /// The statistics of an analysis.
-void count_analysis(StepContext& ctx) noexcept;
+void count_analysis(Model& model, StepStats& stats) noexcept;
 /// What has been added or removed is in the system: room for a step of it, and figures of the
 /// model.
 /// @throws std::bad_alloc.

@@ -14,8 +14,8 @@ namespace {
 using assembly::View;
 
 /// Whether the solution starts at v_start: with contacts Newton's method has a start of its own.
-bool starts_moving(const StepContext& ctx) noexcept {
-    return ctx.model.system.contacts.count() == 0 && ctx.model.def.nonsmooth != Nonsmooth::pgs;
+bool starts_moving(const Model& model) noexcept {
+    return model.system.contacts.count() == 0 && model.def.nonsmooth != Nonsmooth::pgs;
 }
 
 }  // namespace
@@ -24,19 +24,19 @@ void assemble_system(StepContext& ctx) noexcept {
     ctx.work.solve.losses_known = false;
     const View v = view(ctx);
     const assembly::Kernels& k = assembly::kernels();
-    hold_bounds(ctx, ctx.model.def.step);
-    choose_completed(ctx);
+    hold_bounds(ctx.model, ctx.work.newton, ctx.model.def.step);
+    choose_completed(ctx.model, ctx.state, ctx.pool);
     const bool completes = ctx.model.completion.any;
-    const bool moving = starts_moving(ctx);
+    const bool moving = starts_moving(ctx.model);
     View rows = v;
     // PGS measures its solution without renewing what v₊ does.
     if (!moving && ctx.model.def.nonsmooth != Nonsmooth::pgs) rows.v_start = nullptr;
     sweep(
-        ctx,
+        ctx.model, ctx.pool,
         [&](int strip) {
-            evaluate_strip(ctx, rows, strip);
-            replan_wires(ctx, rows, strip);
-            if (completes) (void)complete_strip(ctx, v, strip, v.v_start, true);
+            evaluate_strip(ctx.model, rows, strip);
+            replan_wires(ctx.model, rows, strip);
+            if (completes) (void)complete_strip(ctx.model, v, strip, v.v_start, true);
             each(ctx.model.system.strips.interactions(strip),
                  [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b, moving); });
         },

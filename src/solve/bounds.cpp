@@ -15,8 +15,8 @@ namespace {
 using assembly::View;
 
 /// What others add to the bound of friction, by their impulses at hand [N s].
-double load_of(const StepContext& ctx, std::int32_t id) noexcept {
-    const model::Interactions& in = ctx.model.interactions;
+double load_of(const Model& model, std::int32_t id) noexcept {
+    const model::Interactions& in = model.interactions;
     if (in.load_begin[at(id)] < 0) return 0.0;
     double sum = 0.0;
     for (int i = 0; i < kMaxFrictionLoads; ++i) {
@@ -29,10 +29,10 @@ double load_of(const StepContext& ctx, std::int32_t id) noexcept {
     return sum;
 }
 
-double stiffness_scale(const StepContext& ctx, std::size_t i) noexcept {
-    const model::Interactions& in = ctx.model.interactions;
-    return ctx.model.system.bounded_mobility[i] +
-           in.sigma[at(in.row_begin[at(ctx.model.system.bounded[i])])];
+double stiffness_scale(const Model& model, std::size_t i) noexcept {
+    const model::Interactions& in = model.interactions;
+    return model.system.bounded_mobility[i] +
+           in.sigma[at(in.row_begin[at(model.system.bounded[i])])];
 }
 
 /// λ, and r = c − G v − Σλ, which is 0 of an active row: it has been solved for.
@@ -68,40 +68,38 @@ struct Wish {
     bool was_active, active;
     double projected;  ///< Its impulse, within the range [N s].
 };
-Wish wish_of(const StepContext& ctx, const View& v, std::size_t i, const BoundedRow& p,
+Wish wish_of(const Model& model, const View& v, std::size_t i, const BoundedRow& p,
              const ImpulseRange& range) noexcept {
-    const std::int32_t id = ctx.model.system.bounded[i];
+    const std::int32_t id = model.system.bounded[i];
     const bool was_active = v.active[id] != 0.0;
     // An idle row goes where its bound has gone; only then it is asked whether it stays.
     const double lambda = was_active ? p.lambda : moved_with(range, v.held[id]);
-    const double y = lambda + p.r / stiffness_scale(ctx, i);
+    const double y = lambda + p.r / stiffness_scale(model, i);
     return {was_active, range.low < y && y < range.high, std::clamp(y, range.low, range.high)};
 }
 /// Rows that never switch: what parted or gives way to another force, and what is in the middle of
 /// its range.
-bool stays(const StepContext& ctx, const View& v, std::int32_t id,
-           const ImpulseRange& range) noexcept {
-    return v.parted[id] || ctx.model.wires.gives_way(id) ||
+bool stays(const Model& model, const View& v, std::int32_t id, const ImpulseRange& range) noexcept {
+    return v.parted[id] || model.wires.gives_way(id) ||
            ((v.flags[id] & model::kRange) && range.low == range.high);
 }
 
 }  // namespace
 
-ImpulseRange impulse_range(const StepContext& ctx, std::int32_t id) noexcept {
-    const model::Interactions& in = ctx.model.interactions;
+ImpulseRange impulse_range(const Model& model, const Newton& newton, std::int32_t id) noexcept {
+    const model::Interactions& in = model.interactions;
     const int flags = in.flags[at(id)];
-    if (in.parted[at(id)] || ctx.model.wires.gives_way(id)) return {0.0, 0.0};
+    if (in.parted[at(id)] || model.wires.gives_way(id)) return {0.0, 0.0};
     if (flags & model::kRange) {
         constexpr double kAll = model::kUnbounded;
         const double g = in.g[at(in.row_begin[at(id)])];
         return {g > 0.0 ? -kAll : 0.0, g < 0.0 ? kAll : 0.0};
     }
     // A line's force has no bound in an impact either.
-    const double time =
-        flags & (model::kMotor | model::kFriction) ? ctx.work.newton.bound_time : 1.0;
+    const double time = flags & (model::kMotor | model::kFriction) ? newton.bound_time : 1.0;
     ImpulseRange range{time * in.low[at(id)], time * in.high[at(id)]};
     if (flags & model::kFriction) {
-        const double load = load_of(ctx, id);
+        const double load = load_of(model, id);
         range.low -= load;
         range.high += load;
     }
@@ -109,64 +107,65 @@ ImpulseRange impulse_range(const StepContext& ctx, std::int32_t id) noexcept {
     return range;
 }
 
-void reserve_bounds(StepContext& ctx) {
-    ctx.work.newton.row.resize(ctx.model.system.bounded.size());
-    ctx.work.newton.row_end.resize(ctx.model.system.bounded.size());
-    const model::Interactions& in = ctx.model.interactions;
-    ctx.work.newton.loaded.clear();
-    for (const std::int32_t id : ctx.model.system.bounded)
+void reserve_bounds(const Model& model, Newton& newton) {
+    newton.row.resize(model.system.bounded.size());
+    newton.row_end.resize(model.system.bounded.size());
+    const model::Interactions& in = model.interactions;
+    newton.loaded.clear();
+    for (const std::int32_t id : model.system.bounded)
         if ((in.flags[at(id)] & model::kFriction) && in.load_begin[at(id)] >= 0)
-            ctx.work.newton.loaded.push_back(id);
-    ctx.work.newton.follow.reserve(ctx.work.newton.loaded.size());
+            newton.loaded.push_back(id);
+    newton.follow.reserve(newton.loaded.size());
 }
 
-void hold_bounds(StepContext& ctx, double time) noexcept {
-    model::Interactions& in = ctx.model.interactions;
-    ctx.work.newton.bound_time = time;
-    ctx.work.newton.follow.restart();
-    for (const std::int32_t id : ctx.model.system.bounded) {
+void hold_bounds(Model& model, Newton& newton, double time) noexcept {
+    model::Interactions& in = model.interactions;
+    newton.bound_time = time;
+    newton.follow.restart();
+    for (const std::int32_t id : model.system.bounded) {
         double& held = in.held[at(id)];
         if (held != 0.0) held = 0.0;
         if (in.active[at(id)] != 0.0 || !(in.flags[at(id)] & (model::kMotor | model::kFriction)))
             continue;
-        const ImpulseRange range = impulse_range(ctx, id);
+        const ImpulseRange range = impulse_range(model, newton, id);
         held = moved_with(range, in.lambda[at(in.row_begin[at(id)])]);
     }
 }
 
-void take_bounds(StepContext& ctx) noexcept {
-    const View v = view(ctx);
-    for (std::size_t i = 0; i < ctx.model.system.bounded.size(); ++i)
-        ctx.work.newton.row_end[i] = row_now(v, ctx.model.system.bounded[i]);
+void take_bounds(Model& model, Newton& newton) noexcept {
+    const View v = row_view(model);
+    for (std::size_t i = 0; i < model.system.bounded.size(); ++i)
+        newton.row_end[i] = row_now(v, model.system.bounded[i]);
 }
 
-void keep_bounds(StepContext& ctx, double t) noexcept {
-    Newton& n = ctx.work.newton;
+void keep_bounds(Newton& newton, double t) noexcept {
+    Newton& n = newton;
     if (t == 1.0) return n.row.swap(n.row_end);
     for (std::size_t i = 0; i < n.row.size(); ++i) n.row[i] = along(n, i, t);
 }
 
-double bounds_merit(const StepContext& ctx, double t) noexcept {
+double bounds_merit(const Model& model, const Newton& newton, double t) noexcept {
     double sum = 0.0;
-    for (std::size_t i = 0; i < ctx.model.system.bounded.size(); ++i) {
-        const ImpulseRange range = impulse_range(ctx, ctx.model.system.bounded[i]);
-        const double scale = stiffness_scale(ctx, i);
-        const BoundedRow p = along(ctx.work.newton, i, t);
+    for (std::size_t i = 0; i < model.system.bounded.size(); ++i) {
+        const ImpulseRange range = impulse_range(model, newton, model.system.bounded[i]);
+        const double scale = stiffness_scale(model, i);
+        const BoundedRow p = along(newton, i, t);
         const double e = p.lambda - std::clamp(p.lambda + p.r / scale, range.low, range.high);
         sum += scale * e * e;
     }
     return sum;
 }
 
-double bounds_map(const StepContext& ctx) noexcept {
-    const model::Interactions& in = ctx.model.interactions;
+double bounds_map(const Model& model, const Newton& newton) noexcept {
+    const model::Interactions& in = model.interactions;
     double largest = 0.0;
     for (const std::int32_t id : in.frictions) {
-        if (in.active[at(id)] != 0.0 || ctx.model.system.rests(id)) continue;
-        const double held = in.held[at(id)], bound = moved_with(impulse_range(ctx, id), held);
+        if (in.active[at(id)] != 0.0 || model.system.rests(id)) continue;
+        const double held = in.held[at(id)],
+                     bound = moved_with(impulse_range(model, newton, id), held);
         if (bound == held) continue;
         largest = std::max(
-            largest, std::fabs(bound - held) / std::max(std::fabs(bound), ctx.model.contact_floor));
+            largest, std::fabs(bound - held) / std::max(std::fabs(bound), model.contact_floor));
     }
     return largest;
 }
@@ -174,42 +173,41 @@ double bounds_map(const StepContext& ctx) noexcept {
 namespace {
 
 /// Impulses at bounds that follow their loads, where they are idle. Others are not part of it.
-void read_held(const StepContext& ctx, double* out) noexcept {
-    for (const std::int32_t id : ctx.work.newton.loaded)
-        *out++ = ctx.model.interactions.active[at(id)] == 0.0 ? ctx.model.interactions.held[at(id)]
-                                                              : 0.0;
+void read_held(const Model& model, const Newton& newton, double* out) noexcept {
+    for (const std::int32_t id : newton.loaded)
+        *out++ = model.interactions.active[at(id)] == 0.0 ? model.interactions.held[at(id)] : 0.0;
 }
 
 /// Bounds moved with their loads: farther, by what that did the last times.
-void extrapolate_bounds(StepContext& ctx) noexcept {
-    const View v = view(ctx);
-    nonsmooth::Anderson& follow = ctx.work.newton.follow;
-    read_held(ctx, follow.image());
-    const double* x = follow.next(ctx.model.contact_floor);
-    for (const std::int32_t id : ctx.work.newton.loaded) {
-        double& held = ctx.model.interactions.held[at(id)];
+void extrapolate_bounds(Model& model, Work& work) noexcept {
+    const View v = row_view(model);
+    nonsmooth::Anderson& follow = work.newton.follow;
+    read_held(model, work.newton, follow.image());
+    const double* x = follow.next(model.contact_floor);
+    for (const std::int32_t id : work.newton.loaded) {
+        double& held = model.interactions.held[at(id)];
         const double there = *x++;
         // Friction does not turn round, whatever its load.
         if (v.active[id] != 0.0 || !(there * held > 0.0)) continue;
         held = v.lambda[v.row_begin[id]] = there;
-        ctx.work.solve.losses_known = false;
+        work.solve.losses_known = false;
     }
 }
 
 }  // namespace
 
-std::int32_t switch_bounds(StepContext& ctx, double floor, std::int32_t most) noexcept {
-    const View v = view(ctx);
+std::int32_t switch_bounds(Model& model, Work& work, double floor, std::int32_t most) noexcept {
+    const View v = row_view(model);
     std::int32_t asking = 0;
-    const bool follows = most > 0 && !ctx.work.newton.loaded.empty();
-    if (follows) read_held(ctx, ctx.work.newton.follow.x());
-    for (std::size_t i = 0; i < ctx.model.system.bounded.size(); ++i) {
-        const std::int32_t id = ctx.model.system.bounded[i], row = v.row_begin[id];
-        const ImpulseRange range = impulse_range(ctx, id);
-        if (stays(ctx, v, id, range)) continue;
-        const BoundedRow p = ctx.work.newton.row[i];
-        double& held = ctx.model.interactions.held[at(id)];
-        const auto [was_active, active, projected] = wish_of(ctx, v, i, p, range);
+    const bool follows = most > 0 && !work.newton.loaded.empty();
+    if (follows) read_held(model, work.newton, work.newton.follow.x());
+    for (std::size_t i = 0; i < model.system.bounded.size(); ++i) {
+        const std::int32_t id = model.system.bounded[i], row = v.row_begin[id];
+        const ImpulseRange range = impulse_range(model, work.newton, id);
+        if (stays(model, v, id, range)) continue;
+        const BoundedRow p = work.newton.row[i];
+        double& held = model.interactions.held[at(id)];
+        const auto [was_active, active, projected] = wish_of(model, v, i, p, range);
         if (active && was_active) continue;
         if (active != was_active) {
             // Lines that lie about are slack and taut by rounding: that decides nothing.
@@ -217,43 +215,43 @@ std::int32_t switch_bounds(StepContext& ctx, double floor, std::int32_t most) no
             if (asking++ >= most) continue;
         }
         if (most == 0) continue;
-        ctx.work.solve.losses_known = false;
+        work.solve.losses_known = false;
         v.active[id] = active ? 1.0 : 0.0;
         if (active) continue;
         held = projected;
         v.lambda[row] = projected;
     }
-    if (follows && asking == 0) extrapolate_bounds(ctx);
-    if (asking > 0) ctx.work.newton.follow.restart();
+    if (follows && asking == 0) extrapolate_bounds(model, work);
+    if (asking > 0) work.newton.follow.restart();
     return asking;
 }
 
-bool any_asks(const StepContext& ctx, const View& v) noexcept {
-    for (std::size_t i = 0; i < ctx.model.system.bounded.size(); ++i) {
-        const std::int32_t id = ctx.model.system.bounded[i];
+bool any_asks(const Model& model, const Newton& newton, const View& v) noexcept {
+    for (std::size_t i = 0; i < model.system.bounded.size(); ++i) {
+        const std::int32_t id = model.system.bounded[i];
         if (pulls_on(v, id)) continue;
-        const ImpulseRange range = impulse_range(ctx, id);
-        if (stays(ctx, v, id, range)) continue;
+        const ImpulseRange range = impulse_range(model, newton, id);
+        if (stays(model, v, id, range)) continue;
         const BoundedRow p = row_now(v, id);
-        const Wish wish = wish_of(ctx, v, i, p, range);
+        const Wish wish = wish_of(model, v, i, p, range);
         if (wish.active != wish.was_active && std::fabs(wish.projected - p.lambda) > 0.0)
             return true;
     }
     return false;
 }
 
-std::int32_t asking_rows(StepContext& ctx, double floor) noexcept {
-    take_bounds(ctx);
-    keep_bounds(ctx, 1.0);
-    return switch_bounds(ctx, floor, 0);
+std::int32_t asking_rows(Model& model, Work& work, double floor) noexcept {
+    take_bounds(model, work.newton);
+    keep_bounds(work.newton, 1.0);
+    return switch_bounds(model, work, floor, 0);
 }
 
-void move_anchors(StepContext& ctx) noexcept {
-    model::Interactions& in = ctx.model.interactions;
+void move_anchors(Model& model) noexcept {
+    model::Interactions& in = model.interactions;
     for (const std::int32_t id : in.frictions) {
-        if (in.active[at(id)] != 0.0 || ctx.model.system.rests(id)) continue;
+        if (in.active[at(id)] != 0.0 || model.system.rests(id)) continue;
         const auto row = at(in.row_begin[at(id)]);
-        const double g = in.row_state(id, ctx.model.bodies).g[0];
+        const double g = in.row_state(id, model.bodies).g[0];
         in.set_anchor(id, in.anchor[at(id)] + g + in.epsilon[row] * in.force[row]);
     }
 }

@@ -32,41 +32,43 @@ struct ImpulseRange {
 };
 /// Impulses that the first row of an interaction may have, for loads as they are at hand. Ends
 /// that inputs have crossed are both the upper one.
-[[nodiscard]] ImpulseRange impulse_range(const StepContext& ctx, std::int32_t id) noexcept;
+[[nodiscard]] ImpulseRange impulse_range(const Model& model, const Newton& newton,
+                                         std::int32_t id) noexcept;
 
 /// Room for the rows there are. @throws std::bad_alloc.
-void reserve_bounds(StepContext& ctx);
+void reserve_bounds(const Model& model, Newton& newton);
 
 /// Before rows are assembled: impulses of idle rows, which bounds may have moved. @param time  That
 /// the bounds of forces act for [s]: the step, or 0 in an impact.
-void hold_bounds(StepContext& ctx, double time) noexcept;
+void hold_bounds(Model& model, Newton& newton, double time) noexcept;
 
 /// λ and r where an iteration's full step ends.
-void take_bounds(StepContext& ctx) noexcept;
+void take_bounds(Model& model, Newton& newton) noexcept;
 /// A share t of the way is where the next one begins.
-void keep_bounds(StepContext& ctx, double t) noexcept;
+void keep_bounds(Newton& newton, double t) noexcept;
 /// Σ (W + Σ) (λ − P)² a share t of the way [J].
-[[nodiscard]] double bounds_merit(const StepContext& ctx, double t) noexcept;
+[[nodiscard]] double bounds_merit(const Model& model, const Newton& newton, double t) noexcept;
 
 inline constexpr std::int32_t kAnyRows = 0x7fffffff;
 
 /// Largest relative distance of friction at its bound from where its loads have moved that: the
 /// part of joints in the residual of a step.
-[[nodiscard]] double bounds_map(const StepContext& ctx) noexcept;
+[[nodiscard]] double bounds_map(const Model& model, const Newton& newton) noexcept;
 
 /// Switch rows by where the next iteration begins; idle ones go with their bound. @param floor
 /// Impulse that does not count [N s]. @param most  Rows that may switch, the first ones; 0: only
 /// count. @return rows that ask to be active, or idle.
-std::int32_t switch_bounds(StepContext& ctx, double floor, std::int32_t most) noexcept;
+std::int32_t switch_bounds(Model& model, Work& work, double floor, std::int32_t most) noexcept;
 
 /// Rows that ask to switch where λ, v₊ are as they stand. Nothing is moved. @param floor  Impulse
 /// that does not count [N s].
-[[nodiscard]] std::int32_t asking_rows(StepContext& ctx, double floor) noexcept;
+[[nodiscard]] std::int32_t asking_rows(Model& model, Work& work, double floor) noexcept;
 
 /// asking_rows() > 0 with no floor, without a trace.
-[[nodiscard]] bool any_asks(const StepContext& ctx, const assembly::View& v) noexcept;
+[[nodiscard]] bool any_asks(const Model& model, const Newton& newton,
+                            const assembly::View& v) noexcept;
 
 /// After the step: anchors of friction that slid follow.
-void move_anchors(StepContext& ctx) noexcept;
+void move_anchors(Model& model) noexcept;
 
 }  // namespace hawser::stepper

@@ -5,18 +5,18 @@
 
 namespace hawser::stepper {
 
-void update_slots(StepContext& ctx, const double* v) noexcept {
-    assembly::Contacts& c = ctx.model.system.contacts;
-    over(ctx, static_cast<std::int32_t>(c.count()),
+void update_slots(Model& model, runtime::Pool& pool, const double* v) noexcept {
+    assembly::Contacts& c = model.system.contacts;
+    over(pool, static_cast<std::int32_t>(c.count()),
          [&](std::int32_t a, std::int32_t b) { c.update(v, a, b); });
-    over(ctx, static_cast<std::int32_t>(c.resistances.count()),
+    over(pool, static_cast<std::int32_t>(c.resistances.count()),
          [&](std::int32_t a, std::int32_t b) { c.update_resistances(v, a, b); });
 }
 
-void update_contacts(StepContext& ctx, const double* v) noexcept {
-    update_slots(ctx, v);
-    assembly::Contacts& c = ctx.model.system.contacts;
-    over(ctx, static_cast<std::int32_t>(c.touched()),
+void update_contacts(Model& model, runtime::Pool& pool, const double* v) noexcept {
+    update_slots(model, pool, v);
+    assembly::Contacts& c = model.system.contacts;
+    over(pool, static_cast<std::int32_t>(c.touched()),
          [&](std::int32_t a, std::int32_t b) { c.gather(a, b); });
 }
 

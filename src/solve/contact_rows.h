@@ -8,9 +8,9 @@
 namespace hawser::stepper {
 
 /// u, λ and the impulses on slots. @param v  As of update_contacts().
-void update_slots(StepContext& ctx, const double* v) noexcept;
+void update_slots(Model& model, runtime::Pool& pool, const double* v) noexcept;
 
 /// Impulses of contacts at velocities v (null: at rest), and their sums by body.
-void update_contacts(StepContext& ctx, const double* v) noexcept;
+void update_contacts(Model& model, runtime::Pool& pool, const double* v) noexcept;
 
 }  // namespace hawser::stepper

@@ -38,9 +38,9 @@ double work_on_bodies(const assembly::View& v, std::int32_t id, bool rigid_rows_
 
 /// −λ·(G v of prescribed velocities): what carriers put into an elastic or rigid row, which hands
 /// it on to the bodies or keeps it.
-double work_of_carriers(StepContext& ctx, const assembly::View& v, std::int32_t id,
+double work_of_carriers(const Model& model, const assembly::View& v, std::int32_t id,
                         bool elastic_rows_only) noexcept {
-    const model::RowState s = ctx.model.interactions.row_state(id, ctx.model.bodies);
+    const model::RowState s = model.interactions.row_state(id, model.bodies);
     double work = 0.0;
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
@@ -52,10 +52,10 @@ double work_of_carriers(StepContext& ctx, const assembly::View& v, std::int32_t 
 
 }  // namespace
 
-double drive_work(StepContext& ctx) noexcept {
-    const assembly::View v = view(ctx);
+double drive_work(Model& model) noexcept {
+    const assembly::View v = row_view(model);
     double work = 0.0;
-    for (const std::int32_t id : ctx.model.interactions.working) {
+    for (const std::int32_t id : model.interactions.working) {
         if (v.active[id] == 0.0 && v.held[id] == 0.0) continue;
         const int flags = v.flags[id];
         const bool velocity = (v.row_flags[v.row_begin[id]] & model::kRowVelocity) != 0;
@@ -65,36 +65,36 @@ double drive_work(StepContext& ctx) noexcept {
         }
         const bool driven = velocity || (flags & model::kByInput) != 0;
         if (driven) work += work_on_bodies(v, id, true);
-        if (flags & model::kCarried) work += work_of_carriers(ctx, v, id, driven);
+        if (flags & model::kCarried) work += work_of_carriers(model, v, id, driven);
     }
     return work;
 }
 
-void move_carriers(StepContext& ctx) noexcept {
-    model::Bodies& bodies = ctx.model.bodies;
+void move_carriers(Model& model) noexcept {
+    model::Bodies& bodies = model.bodies;
     for (const std::int32_t body : bodies.driven) {
         const auto b = at(body);
         for (std::size_t i = 0; i < 3; ++i)
-            bodies.x[3 * b + i] += ctx.model.def.step * bodies.v_fixed[6 * b + i];
+            bodies.x[3 * b + i] += model.def.step * bodies.v_fixed[6 * b + i];
         const double* w = &bodies.v_fixed[6 * b + 3];
         const double speed = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
         if (!(speed > 0.0)) continue;
-        const double half = 0.5 * ctx.model.def.step * speed, s = std::sin(half) / speed;
+        const double half = 0.5 * model.def.step * speed, s = std::sin(half) / speed;
         bodies.turn(body, Quat(std::cos(half), s * w[0], s * w[1], s * w[2]));
     }
 }
 
-void follow_winches(StepContext& ctx) noexcept {
-    model::Interactions& in = ctx.model.interactions;
-    const double h = ctx.model.def.step;
+void follow_winches(Model& model, State& state) noexcept {
+    model::Interactions& in = model.interactions;
+    const double h = model.def.step;
     for (const std::int32_t id : in.winches) {
         const auto row = at(in.row_begin[at(id)]);
         const double before = in.epsilon[row];
-        in.follow_length(id, ctx.model.bodies, h);
+        in.follow_length(id, model.bodies, h);
         // With the energy g²/2ε at the new compliance; at the old one it was ε_new/ε_old of it.
         if (in.epsilon[row] != before)
-            ctx.state.ledger.drive +=
-                in.elastic(id, ctx.model.bodies, h) * (1.0 - in.epsilon[row] / before);
+            state.ledger.drive +=
+                in.elastic(id, model.bodies, h) * (1.0 - in.epsilon[row] / before);
     }
 }
 

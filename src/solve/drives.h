@@ -9,14 +9,14 @@ namespace hawser::stepper {
 
 /// Work done in the step by motors, by rigid rows that an input drives and by bodies with a
 /// prescribed velocity [J], see Energy::driven. Before the velocities are overwritten.
-[[nodiscard]] double drive_work(StepContext& ctx) noexcept;
+[[nodiscard]] double drive_work(Model& model) noexcept;
 
 /// Bodies with a prescribed velocity: exactly, a turn by h|ω| about ω.
-void move_carriers(StepContext& ctx) noexcept;
+void move_carriers(Model& model) noexcept;
 
 /// The stiffness of a line on a drum is EA over the length that is paid out: take it anew from the
 /// drums' coordinates. The strain energy that goes onto or comes off the drum is counted as driven.
-void follow_winches(StepContext& ctx) noexcept;
+void follow_winches(Model& model, State& state) noexcept;
 
 /// Log motors whose force has come to an end of its range.
 void report_saturation(StepContext& ctx) noexcept;

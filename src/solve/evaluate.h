@@ -8,12 +8,12 @@
 namespace hawser::stepper {
 
 /// Of one strip.
-void evaluate_strip(StepContext& ctx, const assembly::View& v, int strip) noexcept;
+void evaluate_strip(const Model& model, const assembly::View& v, int strip) noexcept;
 
 /// Evaluate every interaction at the current poses (g, Jacobian), as stage 5 does.
-void evaluate_rows(StepContext& ctx) noexcept;
+void evaluate_rows(Model& model, runtime::Pool& pool) noexcept;
 
 /// evaluate_rows(), which decides afresh which ranges are active, with those kept that were.
-void evaluate_keeping_ranges(StepContext& ctx) noexcept;
+void evaluate_keeping_ranges(Model& model, Before& before, runtime::Pool& pool) noexcept;
 
 }  // namespace hawser::stepper

@@ -20,12 +20,12 @@ struct Rates {
 };
 
 /// From the Jacobian. With what bodies with a prescribed velocity add.
-void rates_by_jacobian(StepContext& ctx, const View& v, std::int32_t id, Rates& out) noexcept {
+void rates_by_jacobian(const Model& model, const View& v, std::int32_t id, Rates& out) noexcept {
     double room[model::kArmRoom];
     const double* jac = packed_rows(v, id, room);
     const bool carried = (v.flags[id] & model::kCarried) != 0;
     const model::RowState s =
-        carried ? ctx.model.interactions.row_state(id, ctx.model.bodies) : model::RowState{};
+        carried ? model.interactions.row_state(id, model.bodies) : model::RowState{};
     for (int r = 0; r < v.rows[id]; ++r) {
         out.before[r] = out.after[r] = carried ? s.carried[r] : 0.0;
         for (int b = 0; b < v.bodies[id]; ++b) {
@@ -65,7 +65,7 @@ bool was_taut(const View& v, std::int32_t row, double before) noexcept {
     return v.g[row] - 0.5 * v.h * before > 1e-9 * std::fabs(v.g[row]);
 }
 
-double losses_of(StepContext& ctx, const View& v, std::int32_t id) noexcept {
+double losses_of(const Model& model, const View& v, std::int32_t id) noexcept {
     const int flags = v.flags[id];
     Rates rate;
     rates_by_rows(v, id, rate);
@@ -75,7 +75,7 @@ double losses_of(StepContext& ctx, const View& v, std::int32_t id) noexcept {
     const bool line = (flags & model::kOneSided) != 0;
     if ((flags & model::kCarried) || faded ||
         (line && (v.active[id] == 0.0 || !was_taut(v, v.row_begin[id], rate.before[0]))))
-        rates_by_jacobian(ctx, v, id, rate);
+        rates_by_jacobian(model, v, id, rate);
     double taken = 0.0;
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
@@ -92,38 +92,38 @@ double losses_of(StepContext& ctx, const View& v, std::int32_t id) noexcept {
 
 }  // namespace
 
-double losses_between(StepContext& ctx, const View& v, std::int32_t begin,
+double losses_between(const Model& model, const View& v, std::int32_t begin,
                       std::int32_t end) noexcept {
     double taken = 0.0;
-    end = std::min(end, interaction_count(ctx.model));  // images count with what they stand for
+    end = std::min(end, interaction_count(model));  // images count with what they stand for
     for (; begin < end; begin += assembly::kLossChunk) {
         const std::int32_t to = std::min(end, begin + assembly::kLossChunk);
         std::int32_t left[assembly::kLossChunk];
         int count = 0;
         taken += assembly::kernels().row_losses(v, begin, to, left, &count);
-        for (int k = 0; k < count; ++k) taken += losses_of(ctx, v, left[k]);
+        for (int k = 0; k < count; ++k) taken += losses_of(model, v, left[k]);
     }
     return taken;
 }
 
-double row_losses(StepContext& ctx) noexcept {
-    const View v = view(ctx);
+double row_losses(Model& model, SolveWork& solve, runtime::Pool& pool) noexcept {
+    const View v = row_view(model);
     auto strip = [&](int i, int) noexcept {
-        double& taken = ctx.work.solve.losses[static_cast<std::size_t>(i)];
+        double& taken = solve.losses[static_cast<std::size_t>(i)];
         taken = 0.0;
-        each(ctx.model.system.strips.interactions(i), [&](std::int32_t begin, std::int32_t end) {
-            taken += losses_between(ctx, v, begin, end);
+        each(model.system.strips.interactions(i), [&](std::int32_t begin, std::int32_t end) {
+            taken += losses_between(model, v, begin, end);
         });
     };
-    if (!ctx.work.solve.losses_known) ctx.pool.for_each(ctx.model.system.strips.count(), strip);
-    return std::accumulate(ctx.work.solve.losses.begin(), ctx.work.solve.losses.end(), 0.0);
+    if (!solve.losses_known) pool.for_each(model.system.strips.count(), strip);
+    return std::accumulate(solve.losses.begin(), solve.losses.end(), 0.0);
 }
 
-double cut_losses(StepContext& ctx, std::int32_t id) noexcept {
-    const View v = view(ctx);
+double cut_losses(Model& model, std::int32_t id) noexcept {
+    const View v = row_view(model);
     if (v.parted[id]) return 0.0;
-    const model::RowState before = ctx.model.interactions.row_state(id, ctx.model.bodies);
-    const model::RowState after = ctx.model.interactions.row_state(id, ctx.model.bodies, v.v_new);
+    const model::RowState before = model.interactions.row_state(id, model.bodies);
+    const model::RowState after = model.interactions.row_state(id, model.bodies, v.v_new);
     double taken = 0.0;
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
@@ -136,15 +136,15 @@ double cut_losses(StepContext& ctx, std::int32_t id) noexcept {
     return taken;
 }
 
-double held_by_line(StepContext& ctx, std::int32_t id) noexcept {
-    const View v = view(ctx);
+double held_by_line(Model& model, std::int32_t id) noexcept {
+    const View v = row_view(model);
     const std::int32_t row = v.row_begin[id];
-    if (ctx.model.system.rests(id)) {  // cut: no step has evaluated it; bodies have moved
-        const model::RowState now = ctx.model.interactions.row_state(id, ctx.model.bodies);
+    if (model.system.rests(id)) {  // cut: no step has evaluated it; bodies have moved
+        const model::RowState now = model.interactions.row_state(id, model.bodies);
         return held(v, id, row, now.g[0], now.g[0] - 0.5 * v.h * (now.rate[0] + now.carried[0]));
     }
     Rates rate;
-    rates_by_jacobian(ctx, v, id, rate);
+    rates_by_jacobian(model, v, id, rate);
     return held(v, id, row, v.g[row], v.g[row] + 0.5 * v.h * rate.after[0]);
 }
 

@@ -12,18 +12,18 @@ namespace hawser::stepper {
 
 /// Energy that rows took in the step [J], see Energy::damped: what their impulses took from the
 /// motion less what elastic rows hold more than before. Before velocities are overwritten.
-[[nodiscard]] double row_losses(StepContext& ctx) noexcept;
+[[nodiscard]] double row_losses(Model& model, SolveWork& solve, runtime::Pool& pool) noexcept;
 
 /// Share of interactions [begin, end) of a strip. A solution's norms are taken with it, while rows
 /// are in the cache (SolveWork::losses_known).
-[[nodiscard]] double losses_between(StepContext& ctx, const assembly::View& v, std::int32_t begin,
+[[nodiscard]] double losses_between(const Model& model, const assembly::View& v, std::int32_t begin,
                                     std::int32_t end) noexcept;
 
 /// What the rows of a cut interaction took, with the mean of its sides' impulses (split/cuts.h)
 /// [J].
-[[nodiscard]] double cut_losses(StepContext& ctx, std::int32_t id) noexcept;
+[[nodiscard]] double cut_losses(Model& model, std::int32_t id) noexcept;
 
 /// What a line holds at the half-step position after the step [J]: lost when it parts.
-[[nodiscard]] double held_by_line(StepContext& ctx, std::int32_t id) noexcept;
+[[nodiscard]] double held_by_line(Model& model, std::int32_t id) noexcept;
 
 }  // namespace hawser::stepper

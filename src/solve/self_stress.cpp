@@ -33,10 +33,10 @@ struct Push {
 
 /// Gᵀλ into the solver's vector, for the impulses λ(row) of some joints.
 template <class Lambda>
-Push load_joints(StepContext& ctx, const View& v, Lambda lambda) noexcept {
+Push load_joints(const Model& model, SolveWork& solve, const View& v, Lambda lambda) noexcept {
     Push size;
-    std::fill_n(v.solution, ctx.model.system.symbolic.scalars, 0.0);
-    for (const std::int32_t id : ctx.model.completion.looped) {
+    std::fill_n(v.solution, model.system.symbolic.scalars, 0.0);
+    for (const std::int32_t id : model.completion.looped) {
         double room[model::kArmRoom];
         const double* jac = packed_rows(v, id, room);
         for (int r = 0; r < v.rows[id]; ++r) {
@@ -51,8 +51,8 @@ Push load_joints(StepContext& ctx, const View& v, Lambda lambda) noexcept {
             }
         }
     }
-    ctx.work.solve.rhs_ready = false;
-    for (std::int32_t i = 0; i < ctx.model.system.symbolic.scalars; ++i)
+    solve.rhs_ready = false;
+    for (std::int32_t i = 0; i < model.system.symbolic.scalars; ++i)
         size.sum += v.solution[i] * v.solution[i];
     return size;
 }
@@ -100,7 +100,7 @@ void keep_momentum(StepContext& ctx, const View& v) noexcept {
     double* taken = ctx.work.joints.taken.data();
     const auto loss = [&](std::int32_t, std::int32_t row) noexcept { return taken[row]; };
     for (int pass = 0; pass < kFilterPasses; ++pass) {
-        const Push size = load_joints(ctx, v, loss);
+        const Push size = load_joints(ctx.model, ctx.work.solve, v, loss);
         if (!(size.sum > kMost * kMost * size.parts)) return;
         solve_loaded(ctx, v);
         for (const std::int32_t id : ctx.model.completion.looped) {
@@ -116,7 +116,8 @@ void keep_momentum(StepContext& ctx, const View& v) noexcept {
 /// then.
 bool lose_again(StepContext& ctx, const View& v) noexcept {
     double* lost = ctx.work.joints.taken.data();
-    (void)load_joints(ctx, v, [&](std::int32_t, std::int32_t row) noexcept { return lost[row]; });
+    (void)load_joints(ctx.model, ctx.work.solve, v,
+                      [&](std::int32_t, std::int32_t row) noexcept { return lost[row]; });
     solve_loaded(ctx, v);
     bool any = false;
     for (const std::int32_t id : ctx.model.completion.looped) {
@@ -167,7 +168,7 @@ void take_self_stress(StepContext& ctx) noexcept {
     const auto impulse = [&](std::int32_t id, std::int32_t row) noexcept {
         return repeats[id] ? v.lambda[row] : 0.0;
     };
-    (void)load_joints(ctx, v, impulse);
+    (void)load_joints(ctx.model, ctx.work.solve, v, impulse);
     solve_loaded(ctx, v);
     double* taken = ctx.work.joints.taken.data();
     std::fill_n(taken, ctx.work.joints.taken.size(), 0.0);

@@ -39,36 +39,37 @@ Norms merged(const std::vector<Norms>& parts) noexcept {
 }
 
 /// Right-hand side of the first solve, from rows and body terms.
-void start_solve(StepContext& ctx, const View& v) noexcept {
+void start_solve(const Model& model, SolveWork& solve, runtime::Pool& pool,
+                 const View& v) noexcept {
     const assembly::Kernels& k = assembly::kernels();
     sweep(
-        ctx,
+        model, pool,
         [&](int strip) {
-            each(ctx.model.system.strips.interactions(strip),
+            each(model.system.strips.interactions(strip),
                  [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b, false); });
         },
         [&](std::int32_t a, std::int32_t b, int) { k.first_body_rhs(v, a, b, false); });
-    ctx.work.solve.rhs_ready = true;
+    solve.rhs_ready = true;
 }
 
 /// Right-hand side that corrects v₊ and λ as they stand, after contacts or ranges changed.
-void continue_solve(StepContext& ctx, const View& v) noexcept {
+void continue_solve(Model& model, SolveWork& solve, runtime::Pool& pool, const View& v) noexcept {
     const assembly::Kernels& k = assembly::kernels();
-    std::fill_n(v.solution, ctx.model.system.symbolic.scalars, 0.0);
-    update_contacts(ctx, v.v_new);
+    std::fill_n(v.solution, model.system.symbolic.scalars, 0.0);
+    update_contacts(model, pool, v.v_new);
     sweep(
-        ctx,
+        model, pool,
         [&](int strip) {
-            each(ctx.model.system.strips.interactions(strip),
+            each(model.system.strips.interactions(strip),
                  [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
         },
         [&](std::int32_t a, std::int32_t b, int) { k.body_rhs(v, a, b); });
-    ctx.work.solve.rhs_ready = true;
+    solve.rhs_ready = true;
 }
 
 /// v₊ += solution, for all bodies.
-void add_everywhere(StepContext& ctx, const View& v) noexcept {
-    over(ctx, v.body_count,
+void add_everywhere(runtime::Pool& pool, const View& v) noexcept {
+    over(pool, v.body_count,
          [&](std::int32_t a, std::int32_t b) { assembly::kernels().add_solution(v, a, b); });
 }
 
@@ -77,56 +78,56 @@ void add_everywhere(StepContext& ctx, const View& v) noexcept {
 enum class Next { solve, measure };
 
 /// v₊, λ corrected by the solver's vector, residuals renewed. `first`: they are the solution.
-Norms correct(StepContext& ctx, const View& v, bool first, Next next) noexcept {
+Norms correct(Model& model, SolveWork& solve, runtime::Pool& pool, const View& v, bool first,
+              Next next) noexcept {
     const assembly::Kernels& k = assembly::kernels();
-    const assembly::Strips& strips = ctx.model.system.strips;
-    const bool touching = ctx.model.system.contacts.count() > 0;
+    const assembly::Strips& strips = model.system.strips;
+    const bool touching = model.system.contacts.count() > 0;
     auto add = [&](std::int32_t a, std::int32_t b) { k.add_solution(v, a, b); };
     if (touching) {
-        add_everywhere(ctx, v);
-        update_contacts(ctx, v.v_new);
+        add_everywhere(pool, v);
+        update_contacts(model, pool, v.v_new);
     } else {
         auto add_shared = [&](int i, int) noexcept { each(strips.shared(i), add); };
-        ctx.pool.for_each(strips.groups(), add_shared);
+        pool.for_each(strips.groups(), add_shared);
     }
-    if (next == Next::measure)
-        std::fill(ctx.work.solve.norms.begin(), ctx.work.solve.norms.end(), Norms{});
+    if (next == Next::measure) std::fill(solve.norms.begin(), solve.norms.end(), Norms{});
     // With contacts, the last solution that is measured need not be the step's.
-    ctx.work.solve.losses_known = next == Next::measure && !touching;
+    solve.losses_known = next == Next::measure && !touching;
     sweep(
-        ctx,
+        model, pool,
         [&](int strip) {
             if (!touching) each(strips.bodies(strip), add);
             double taken = 0.0;
             each(strips.interactions(strip), [&](std::int32_t a, std::int32_t b) {
                 k.row_update(v, a, b, first);
-                if (next == Next::measure) k.row_norms(v, a, b, &ctx.work.solve.norms[at(strip)]);
-                if (ctx.work.solve.losses_known) taken += losses_between(ctx, v, a, b);
+                if (next == Next::measure) k.row_norms(v, a, b, &solve.norms[at(strip)]);
+                if (solve.losses_known) taken += losses_between(model, v, a, b);
             });
-            ctx.work.solve.losses[at(strip)] = taken;
+            solve.losses[at(strip)] = taken;
         },
         [&](std::int32_t a, std::int32_t b, int norm) {
             if (next == Next::measure)
-                k.body_norms(v, a, b, &ctx.work.solve.norms[at(norm)]);
+                k.body_norms(v, a, b, &solve.norms[at(norm)]);
             else
                 k.body_rhs(v, a, b);
         });
-    return next == Next::measure ? merged(ctx.work.solve.norms) : Norms{};
+    return next == Next::measure ? merged(solve.norms) : Norms{};
 }
 
-double momentum_residual(const StepContext& ctx, const Norms& n) noexcept {
-    return std::sqrt(n.momentum) / std::max(std::sqrt(n.impulse), ctx.model.residual_floor);
+double momentum_residual(const Model& model, const Norms& n) noexcept {
+    return std::sqrt(n.momentum) / std::max(std::sqrt(n.impulse), model.residual_floor);
 }
 
-Status report(StepContext& ctx, const Norms& n) noexcept {
+Status report(const Model& model, Work& work, const Norms& n) noexcept {
     if (!std::isfinite(n.finite) || !std::isfinite(n.momentum)) return Status::not_finite;
-    ctx.work.stats.momentum_residual = momentum_residual(ctx, n);
-    ctx.work.stats.constraint_residual = n.constraint;
-    ctx.work.stats.violation_max = n.gap;
-    ctx.work.stats.violation_worst = ctx.model.interactions.id(original(ctx.model, n.gap_id));
-    ctx.work.stats.stretch_error_max = n.stretch;
-    ctx.work.solve.step_work = n.work;
-    ctx.work.solve.step_drag = n.drag;
+    work.stats.momentum_residual = momentum_residual(model, n);
+    work.stats.constraint_residual = n.constraint;
+    work.stats.violation_max = n.gap;
+    work.stats.violation_worst = model.interactions.id(original(model, n.gap_id));
+    work.stats.stretch_error_max = n.stretch;
+    work.solve.step_work = n.work;
+    work.solve.step_drag = n.drag;
     return Status::ok;
 }
 
@@ -135,31 +136,31 @@ Status report(StepContext& ctx, const Norms& n) noexcept {
 constexpr double kCorrected = 1e-11;
 
 /// Does a residual ask for a correction? Relative for momentum; rows in their units [m/s, rad/s].
-bool wants_refinement(const StepContext& ctx, const Norms& n) noexcept {
-    const double good =
-        ctx.work.stats.refinements > 0 ? kCorrected : ctx.model.def.solution_tolerance;
-    return momentum_residual(ctx, n) > good || n.constraint > good;
+bool wants_refinement(const Model& model, const StepStats& stats, const Norms& n) noexcept {
+    const double good = stats.refinements > 0 ? kCorrected : model.def.solution_tolerance;
+    return momentum_residual(model, n) > good || n.constraint > good;
 }
 
 /// Two more than are asked for: stiff rows on very light bodies need them.
-int most_refinements(const StepContext& ctx) noexcept {
-    return ctx.model.def.refinements > 0 ? ctx.model.def.refinements + 2 : 0;
+int most_refinements(const Model& model) noexcept {
+    return model.def.refinements > 0 ? model.def.refinements + 2 : 0;
 }
 
 /// More corrections while the residual asks for them, then what it is.
-Status finish_solve(StepContext& ctx, const View& v, Norms n, int most) noexcept {
+Status finish_solve(Model& model, Work& work, runtime::Pool& pool, const View& v, Norms n,
+                    int most) noexcept {
     for (int extra = 0; extra < most; ++extra) {
-        if (!wants_refinement(ctx, n)) break;
+        if (!wants_refinement(model, work.stats, n)) break;
         const Norms before = n;
-        over(ctx, v.body_count,
+        over(pool, v.body_count,
              [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
-        ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
-        ++ctx.work.stats.refinements;
-        ++ctx.work.stats.substitutions;
-        n = correct(ctx, v, false, Next::measure);
+        model.system.numeric.solve(model.system.symbolic, v.solution, pool);
+        ++work.stats.refinements;
+        ++work.stats.substitutions;
+        n = correct(model, work.solve, pool, v, false, Next::measure);
         if (!(n.momentum < 0.25 * before.momentum)) break;
     }
-    return report(ctx, n);
+    return report(model, work, n);
 }
 
 }  // namespace
@@ -167,7 +168,7 @@ Status finish_solve(StepContext& ctx, const View& v, Norms n, int most) noexcept
 Status factor_and_solve(StepContext& ctx) noexcept {
     const StageTimer timer(ctx, Stage::factor);
     const View v = view(ctx);
-    if (!ctx.work.solve.rhs_ready) start_solve(ctx, v);
+    if (!ctx.work.solve.rhs_ready) start_solve(ctx.model, ctx.work.solve, ctx.pool, v);
     if (const Status status = factor(ctx, true); status != Status::ok) return status;
     // To measure a solution and refine it then takes a pass over all rows and bodies more than to
     // refine at once; where the residual asked for it lately, it is not asked again for a while.
@@ -179,13 +180,16 @@ Status factor_and_solve(StepContext& ctx) noexcept {
     for (int i = 0; i <= refinements; ++i) {
         if (i > 0) ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
         ctx.work.stats.substitutions += i > 0 ? 1 : 0;
-        n = correct(ctx, v, i == 0, i < refinements ? Next::solve : Next::measure);
+        n = correct(ctx.model, ctx.work.solve, ctx.pool, v, i == 0,
+                    i < refinements ? Next::solve : Next::measure);
     }
     ctx.work.stats.refinements = refinements;
-    if (ctx.model.completion.any) return report(ctx, n);  // its rounds refine, too
-    if (measured_first && ctx.model.def.refinements > 0 && wants_refinement(ctx, n))
+    if (ctx.model.completion.any) return report(ctx.model, ctx.work, n);  // its rounds refine, too
+    if (measured_first && ctx.model.def.refinements > 0 &&
+        wants_refinement(ctx.model, ctx.work.stats, n))
         ctx.state.refine_unasked = kAWhile;
-    return finish_solve(ctx, v, n, most_refinements(ctx) - refinements);
+    return finish_solve(ctx.model, ctx.work, ctx.pool, v, n,
+                        most_refinements(ctx.model) - refinements);
 }
 
 Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept {
@@ -193,42 +197,46 @@ Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept {
     const View v = view(ctx);
     if (first) {
         if (!ctx.work.solve.rhs_ready) {
-            update_contacts(ctx, nullptr);
-            start_solve(ctx, v);
+            update_contacts(ctx.model, ctx.pool, nullptr);
+            start_solve(ctx.model, ctx.work.solve, ctx.pool, v);
         }
     } else {
-        continue_solve(ctx, v);
+        continue_solve(ctx.model, ctx.work.solve, ctx.pool, v);
     }
     if (const Status status = factor(ctx, whole); status != Status::ok) return status;
     const assembly::Kernels& k = assembly::kernels();
-    add_everywhere(ctx, v);
-    update_contacts(ctx, v.v_new);
-    over_interactions(ctx, [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, first); });
+    add_everywhere(ctx.pool, v);
+    update_contacts(ctx.model, ctx.pool, v.v_new);
+    over_interactions(ctx.model, ctx.pool,
+                      [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, first); });
     return Status::ok;
 }
 
 void continue_with_factor(StepContext& ctx) noexcept {
     const StageTimer timer(ctx, Stage::factor);
     const View v = view(ctx);
-    continue_solve(ctx, v);
+    continue_solve(ctx.model, ctx.work.solve, ctx.pool, v);
     ctx.work.solve.rhs_ready = false;
     ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
     ++ctx.work.stats.substitutions;
-    add_everywhere(ctx, v);
-    update_contacts(ctx, v.v_new);
+    add_everywhere(ctx.pool, v);
+    update_contacts(ctx.model, ctx.pool, v.v_new);
     const assembly::Kernels& k = assembly::kernels();
-    over_interactions(ctx, [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
+    over_interactions(ctx.model, ctx.pool,
+                      [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
 }
 
 Status refine(StepContext& ctx) noexcept {
     const StageTimer timer(ctx, Stage::factor);
     const View v = view(ctx);
-    over(ctx, v.body_count,
+    over(ctx.pool, v.body_count,
          [&](std::int32_t a, std::int32_t b) { assembly::kernels().body_rhs(v, a, b); });
     ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
     ctx.work.stats.refinements = 1;
     ++ctx.work.stats.substitutions;
-    return finish_solve(ctx, v, correct(ctx, v, false, Next::measure), most_refinements(ctx) - 1);
+    return finish_solve(ctx.model, ctx.work, ctx.pool, v,
+                        correct(ctx.model, ctx.work.solve, ctx.pool, v, false, Next::measure),
+                        most_refinements(ctx.model) - 1);
 }
 
 Status settle_rounds(StepContext& ctx, bool measured) noexcept {
@@ -245,7 +253,7 @@ Status measure(StepContext& ctx) noexcept {
     const assembly::Kernels& k = assembly::kernels();
     std::fill(ctx.work.solve.norms.begin(), ctx.work.solve.norms.end(), Norms{});
     sweep(
-        ctx,
+        ctx.model, ctx.pool,
         [&](int strip) {
             each(ctx.model.system.strips.interactions(strip), [&](std::int32_t a, std::int32_t b) {
                 k.row_norms(v, a, b, &ctx.work.solve.norms[at(strip)]);
@@ -254,7 +262,7 @@ Status measure(StepContext& ctx) noexcept {
         [&](std::int32_t a, std::int32_t b, int norm) {
             k.body_norms(v, a, b, &ctx.work.solve.norms[at(norm)]);
         });
-    return report(ctx, merged(ctx.work.solve.norms));
+    return report(ctx.model, ctx.work, merged(ctx.work.solve.norms));
 }
 
 }  // namespace hawser::stepper

@@ -18,20 +18,19 @@ using assembly::View;
 /// it may gain before.
 constexpr double kResolved = 0.02;
 
-bool is_fast(const StepContext& ctx, const View& v, std::int32_t id) noexcept {
+bool is_fast(const Model& model, const Before& kept, const View& v, std::int32_t id) noexcept {
     const double rest = v.rest_length[id];
-    const double length = rest > 0.0 ? rest : ctx.model.interactions.def[at(id)].params[0];
-    const double impulse =
-        std::max(-v.lambda[v.row_begin[id]], -ctx.work.before.lambda[at(v.row_begin[id])]);
+    const double length = rest > 0.0 ? rest : model.interactions.def[at(id)].params[0];
+    const double impulse = std::max(-v.lambda[v.row_begin[id]], -kept.lambda[at(v.row_begin[id])]);
     return v.h * impulse * v.lightness[id] > kResolved * length;
 }
 
 /// Σ ½ m |v₊² − v²| of some lumps.
-double kinetic_exchange(const StepContext& ctx, const View& v, std::int32_t begin,
+double kinetic_exchange(const Model& model, const View& v, std::int32_t begin,
                         std::int32_t end) noexcept {
     double sum = 0.0;
     for (std::int32_t i = begin; i < end; ++i) {
-        const std::int32_t body = ctx.model.wires.lump[at(i)];
+        const std::int32_t body = model.wires.lump[at(i)];
         const double *a = v.v + v.dof_begin[body], *b = v.v_new + v.dof_begin[body];
         double change = 0.0;
         for (int k = 0; k < 3; ++k) change += (b[k] - a[k]) * (b[k] + a[k]);
@@ -42,32 +41,32 @@ double kinetic_exchange(const StepContext& ctx, const View& v, std::int32_t begi
 
 }  // namespace
 
-bool find_fast_wires(StepContext& ctx) noexcept {
-    Wires& w = ctx.model.wires;
-    const View v = view(ctx);
+bool find_fast_wires(Model& model, const Before& kept) noexcept {
+    Wires& w = model.wires;
+    const View v = row_view(model);
     bool any = false;
     for (const WirePart& p : w.parts) {
         std::uint8_t& fast = w.fast[at(p.wire)];
         for (std::int32_t i = p.element_begin; i < p.element_end && !fast; ++i)
-            fast = is_fast(ctx, v, w.element[at(i)]) ? 1 : 0;
+            fast = is_fast(model, kept, v, w.element[at(i)]) ? 1 : 0;
         any |= fast != 0;
     }
     return any;
 }
 
-void measure_wires(StepContext& ctx) noexcept {
-    Wires& w = ctx.model.wires;
-    const View v = view(ctx);
+void measure_wires(Model& model, runtime::Pool& pool) noexcept {
+    Wires& w = model.wires;
+    const View v = row_view(model);
     auto part = [&](int i, int) noexcept {
         const WirePart& p = w.parts[at(i)];
         if (!w.fast[at(p.wire)]) return;
         assembly::LineGain sum;
         assembly::kernels().line_gains(v, w.element.data() + p.element_begin,
                                        p.element_end - p.element_begin, &sum);
-        sum.exchanged += kinetic_exchange(ctx, v, p.lump_begin, p.lump_end);
+        sum.exchanged += kinetic_exchange(model, v, p.lump_begin, p.lump_end);
         w.part_gain[at(i)] = {sum.gain, sum.exchanged, sum.noise, sum.unbooked};
     };
-    ctx.pool.for_each(static_cast<int>(w.parts.size()), part);
+    pool.for_each(static_cast<int>(w.parts.size()), part);
     std::fill(w.gain.begin(), w.gain.end(), WireGain{});
     for (std::size_t i = 0; i < w.parts.size(); ++i) {
         if (!w.fast[at(w.parts[i].wire)]) continue;

@@ -12,9 +12,9 @@
 namespace hawser::stepper {
 
 /// Mark wires that are not resolved. @return whether there are any.
-[[nodiscard]] bool find_fast_wires(StepContext& ctx) noexcept;
+[[nodiscard]] bool find_fast_wires(Model& model, const Before& kept) noexcept;
 
 /// Wires::gain of the fast ones.
-void measure_wires(StepContext& ctx) noexcept;
+void measure_wires(Model& model, runtime::Pool& pool) noexcept;
 
 }  // namespace hawser::stepper

@@ -123,20 +123,20 @@ void write_bound(const View& v, std::int32_t id, const Line& l, bool holds) noex
 
 }  // namespace
 
-void plan_wires(StepContext& ctx, std::int32_t wire) noexcept {
-    Wires& w = ctx.model.wires;
-    const View v = view(ctx);
+void plan_wires(Model& model, const Before& kept, std::int32_t wire) noexcept {
+    Wires& w = model.wires;
+    const View v = row_view(model);
     const int refused = w.level[at(wire)]++;
     for (const WirePart& p : w.parts) {
         if (p.wire != wire) continue;
         for (std::int32_t i = p.element_begin; i < p.element_end; ++i) {
             const std::int32_t id = w.element[at(i)], row = v.row_begin[id];
-            if (v.parted[id] || ctx.model.system.rests(id)) continue;
+            if (v.parted[id] || model.system.rests(id)) continue;
             const Line l = line_of(v, id);
             const double after = tension_after(l);
             double& pull = w.pull[at(i)];
             if (refused == 0) {
-                pull = std::max(0.0, -ctx.work.before.lambda[at(row)] / v.h);
+                pull = std::max(0.0, -kept.lambda[at(row)] / v.h);
                 w.holds[at(i)] = 0;
             }
             if (refused <= kNoReturn)
@@ -149,11 +149,11 @@ void plan_wires(StepContext& ctx, std::int32_t wire) noexcept {
     }
 }
 
-void replan_wires(StepContext& ctx, const View& v, int strip) noexcept {
-    Wires& w = ctx.model.wires;
+void replan_wires(Model& model, const View& v, int strip) noexcept {
+    Wires& w = model.wires;
     if (!w.again) return;
-    each(ctx.model.system.strips.interactions(strip), [&](std::int32_t begin, std::int32_t end) {
-        for (std::int32_t id = begin; id < std::min(end, interaction_count(ctx.model)); ++id) {
+    each(model.system.strips.interactions(strip), [&](std::int32_t begin, std::int32_t end) {
+        for (std::int32_t id = begin; id < std::min(end, interaction_count(model)); ++id) {
             const std::int32_t wire = w.wire_of[at(id)];
             if (wire < 0 || w.level[at(wire)] == 0 || v.parted[id]) continue;
             const auto i = at(w.place[at(id)]);
@@ -168,13 +168,13 @@ void replan_wires(StepContext& ctx, const View& v, int strip) noexcept {
 
 void settle_wires(StepContext& ctx) noexcept {
     Wires& w = ctx.model.wires;
-    remember_gains(ctx);
+    remember_gains(ctx.model);
     // What a guarded wire lost is known exactly, and counts instead of what its rows tell.
     if (w.measured)
         for (std::size_t k = 0; k < w.count(); ++k)
             if (w.fast[k]) ctx.state.ledger.damped += w.gain[k].unbooked;
     if (!w.replacing) return;
-    const View v = view(ctx);
+    const View v = row_view(ctx.model);
     for (const std::int32_t id : w.element) {
         const std::int32_t row = v.row_begin[id];
         if (!w.replaced[at(id)]) continue;

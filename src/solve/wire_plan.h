@@ -17,10 +17,10 @@
 namespace hawser::stepper {
 
 /// What refused wires are to be solved with next, from the solution that was refused.
-void plan_wires(StepContext& ctx, std::int32_t wire) noexcept;
+void plan_wires(Model& model, const Before& kept, std::int32_t wire) noexcept;
 
 /// Write what refused wires are stepped with over what evaluate() wrote, of one strip.
-void replan_wires(StepContext& ctx, const assembly::View& v, int strip) noexcept;
+void replan_wires(Model& model, const assembly::View& v, int strip) noexcept;
 
 /// Multipliers and states of elements that gave way, once their losses are counted.
 void settle_wires(StepContext& ctx) noexcept;

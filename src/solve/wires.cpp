@@ -18,8 +18,8 @@ constexpr std::int32_t kPart = 64;  ///< Elements, or lumps, of one part.
 /// swing of few steps a period, and returns in a quarter of it, is above what the guard allows.
 constexpr double kCreditSteps = 240.0;
 
-bool is_element(const StepContext& ctx, std::int32_t id) {
-    const model::Interactions& in = ctx.model.interactions;
+bool is_element(const Model& model, std::int32_t id) {
+    const model::Interactions& in = model.interactions;
     if (in.gone(id)) return false;
     const KindInfo& kind = kind_info(in.kinds[at(id)]);
     if (!kind.is(kAlongLine) || kind.is(kWoundUp)) return false;
@@ -28,7 +28,7 @@ bool is_element(const StepContext& ctx, std::int32_t id) {
         !(in.epsilon[at(in.row_begin[at(id)])] > model::kElasticCompliance))
         return false;
     const std::int32_t* body = &in.body[at(kMaxInteractionBodies * id)];
-    return ctx.model.bodies.dof(body[0]) == 3 || ctx.model.bodies.dof(body[1]) == 3;
+    return model.bodies.dof(body[0]) == 3 || model.bodies.dof(body[1]) == 3;
 }
 
 /// Smallest of the numbers joined with i.
@@ -41,15 +41,15 @@ std::int32_t root_of(std::vector<std::int32_t>& joined, std::int32_t i) {
 }
 
 /// Elements joined by lumps: by interaction, the first one of its wire.
-std::vector<std::int32_t> join_elements(const StepContext& ctx, std::int32_t count) {
-    const model::Interactions& in = ctx.model.interactions;
-    std::vector<std::int32_t> joined(at(count)), of_body(at(ctx.model.bodies.count()), -1);
+std::vector<std::int32_t> join_elements(const Model& model, std::int32_t count) {
+    const model::Interactions& in = model.interactions;
+    std::vector<std::int32_t> joined(at(count)), of_body(at(model.bodies.count()), -1);
     std::iota(joined.begin(), joined.end(), 0);
     for (std::int32_t id = 0; id < count; ++id) {
-        if (!is_element(ctx, id)) continue;
+        if (!is_element(model, id)) continue;
         for (int b = 0; b < 2; ++b) {
             const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
-            if (ctx.model.bodies.dof(body) != 3) continue;
+            if (model.bodies.dof(body) != 3) continue;
             std::int32_t& first = of_body[at(body)];
             if (first < 0) first = id;
             const std::int32_t p = root_of(joined, first), q = root_of(joined, id);
@@ -61,10 +61,10 @@ std::vector<std::int32_t> join_elements(const StepContext& ctx, std::int32_t cou
 }
 
 /// Lumps by wire, and parts of elements and lumps.
-void make_parts(StepContext& ctx, const std::vector<std::vector<std::int32_t>>& elements) {
-    Wires& w = ctx.model.wires;
-    const model::Interactions& in = ctx.model.interactions;
-    std::vector<std::uint8_t> seen(at(ctx.model.bodies.count()), 0);
+void make_parts(Model& model, const std::vector<std::vector<std::int32_t>>& elements) {
+    Wires& w = model.wires;
+    const model::Interactions& in = model.interactions;
+    std::vector<std::uint8_t> seen(at(model.bodies.count()), 0);
     for (std::size_t k = 0; k < elements.size(); ++k) {
         const auto element = static_cast<std::int32_t>(w.element.size());
         const auto lump = static_cast<std::int32_t>(w.lump.size());
@@ -73,7 +73,7 @@ void make_parts(StepContext& ctx, const std::vector<std::vector<std::int32_t>>& 
             w.element.push_back(id);
             for (int b = 0; b < 2; ++b) {
                 const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
-                if (ctx.model.bodies.dof(body) != 3 || seen[at(body)]) continue;
+                if (model.bodies.dof(body) != 3 || seen[at(body)]) continue;
                 seen[at(body)] = 1;
                 w.lump.push_back(body);
             }
@@ -89,19 +89,18 @@ void make_parts(StepContext& ctx, const std::vector<std::vector<std::int32_t>>& 
 
 }  // namespace
 
-bool on_guard(const StepContext& ctx) noexcept {
-    return ctx.model.wires.count() > 0 && !has_cuts(ctx.model) &&
-           ctx.model.def.geometric_stiffness > 0.0;
+bool on_guard(const Model& model) noexcept {
+    return model.wires.count() > 0 && !has_cuts(model) && model.def.geometric_stiffness > 0.0;
 }
 
-void release_wires(StepContext& ctx) noexcept {
-    Wires& w = ctx.model.wires;
+void release_wires(Model& model) noexcept {
+    Wires& w = model.wires;
     if (!w.replacing) return;
     for (const std::int32_t id : w.element) {
         if (!w.replaced[at(id)]) continue;
         w.replaced[at(id)] = 0;
-        if (!(ctx.model.interactions.flags[at(id)] & model::kOneSided))
-            ctx.model.interactions.active[at(id)] = 1.0;
+        if (!(model.interactions.flags[at(id)] & model::kOneSided))
+            model.interactions.active[at(id)] = 1.0;
     }
     w.replacing = false;
 }
@@ -110,19 +109,19 @@ namespace {
 
 /// What wires remember, where they are others than before: of what an element's wire had, each
 /// element keeps its share. @param elements  Of each wire that is made now.
-void recall_wires(const StepContext& ctx, const std::vector<std::vector<std::int32_t>>& elements,
-                  Wires& made) {
-    const Wires& w = ctx.model.wires;
-    if (w.wire_of == made.wire_of && ctx.state.edits.interactions.empty()) {
+void recall_wires(const Model& model, const State& state,
+                  const std::vector<std::vector<std::int32_t>>& elements, Wires& made) {
+    const Wires& w = model.wires;
+    if (w.wire_of == made.wire_of && state.edits.interactions.empty()) {
         made.credit = w.credit;
         made.alert = w.alert;
         return;
     }
-    if (!ctx.state.edits.any) return;
+    if (!state.edits.any) return;
     std::vector<std::int32_t> had(w.count(), 0);
     for (const std::int32_t wire : w.wire_of)
         if (wire >= 0) ++had[at(wire)];
-    const std::vector<std::int32_t>& added = ctx.state.edits.interactions;
+    const std::vector<std::int32_t>& added = state.edits.interactions;
     for (std::size_t k = 0; k < elements.size(); ++k) {
         std::int32_t first = -1, kept = 0;
         bool one = true;
@@ -144,15 +143,15 @@ void recall_wires(const StepContext& ctx, const std::vector<std::vector<std::int
 
 }  // namespace
 
-void make_wires(StepContext& ctx) {
-    const std::int32_t count = interaction_count(ctx.model);
-    const std::vector<std::int32_t> joined = join_elements(ctx, count);
+void make_wires(Model& model, const State& state) {
+    const std::int32_t count = interaction_count(model);
+    const std::vector<std::int32_t> joined = join_elements(model, count);
     std::vector<std::vector<std::int32_t>> elements;
     Wires made;
     made.wire_of.assign(at(count), -1);
     made.place.assign(at(count), -1);
     for (std::int32_t id = 0; id < count; ++id) {
-        if (!is_element(ctx, id)) continue;
+        if (!is_element(model, id)) continue;
         std::int32_t& wire = made.wire_of[at(id)];
         wire = made.wire_of[at(joined[at(id)])];  // that of the first, which comes first
         if (wire < 0) {
@@ -163,26 +162,26 @@ void make_wires(StepContext& ctx) {
     }
     made.credit.assign(elements.size(), 0.0);
     made.alert.assign(elements.size(), 0);
-    recall_wires(ctx, elements, made);
+    recall_wires(model, state, elements, made);
     made.fast.assign(elements.size(), 0);
     made.level.assign(elements.size(), 0);
     made.gain.resize(elements.size());
-    std::swap(ctx.model.wires, made);
-    make_parts(ctx, elements);
-    Wires& w = ctx.model.wires;
+    std::swap(model.wires, made);
+    make_parts(model, elements);
+    Wires& w = model.wires;
     w.part_gain.resize(w.parts.size());
     w.pull.assign(w.element.size(), 0.0);
     w.holds.assign(w.element.size(), 0);
-    w.replaced.assign(at(ctx.model.interactions.count()), 0);
-    follow_alerts(ctx);
+    w.replaced.assign(at(model.interactions.count()), 0);
+    follow_alerts(model);
 }
 
-void remember_gains(StepContext& ctx) noexcept {
-    Wires& w = ctx.model.wires;
-    if (!on_guard(ctx)) return;
+void remember_gains(Model& model) noexcept {
+    Wires& w = model.wires;
+    if (!on_guard(model)) return;
     const bool any_fast = w.measured;
     constexpr double kept = 1.0 - 1.0 / kCreditSteps;
-    const std::int32_t alert = most_alert(ctx.model.def.step);
+    const std::int32_t alert = most_alert(model.def.step);
     for (std::size_t k = 0; k < w.count(); ++k) {
         const double lost = any_fast && w.fast[k] ? -w.gain[k].gain : 0.0;
         w.credit[k] = std::isfinite(lost) ? kept * std::max(0.0, w.credit[k] + lost) : 0.0;
@@ -190,7 +189,7 @@ void remember_gains(StepContext& ctx) noexcept {
         w.alert[k] = any_fast && w.level[k] > 0 ? alert : std::max(0, before - 1);
         if ((before > 0) != (w.alert[k] > 0)) w.stale = true;
     }
-    if (w.stale) follow_alerts(ctx);
+    if (w.stale) follow_alerts(model);
 }
 
 }  // namespace hawser::stepper

@@ -9,16 +9,16 @@
 namespace hawser::stepper {
 
 /// Find the wires, after bodies or interactions were added. @throws std::bad_alloc.
-void make_wires(StepContext& ctx);
+void make_wires(Model& model, const State& state);
 
 /// Whether the guard looks at this step at all: sides of cuts have energy that crosses the cut, and
 /// without geometric stiffness there is nothing to be more careful with.
-[[nodiscard]] bool on_guard(const StepContext& ctx) noexcept;
+[[nodiscard]] bool on_guard(const Model& model) noexcept;
 
 /// Rows that gave way in a step that was not taken follow their law again.
-void release_wires(StepContext& ctx) noexcept;
+void release_wires(Model& model) noexcept;
 
 /// What the step that is being taken leaves for the next ones.
-void remember_gains(StepContext& ctx) noexcept;
+void remember_gains(Model& model) noexcept;
 
 }  // namespace hawser::stepper

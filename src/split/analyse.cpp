@@ -14,11 +14,11 @@ namespace hawser::stepper {
 
 void analyse(StepContext& ctx, const factor::AnalysisState* state) {
     place_images(ctx.model);
-    begin_analysis(ctx);
+    begin_analysis(ctx.model, ctx.state);
     open_cuts(ctx.model);
     analyse_clique(ctx.model);
     ctx.model.system.keeps_momentum = ctx.model.cuts.grouped;  // finish_cuts() adds them up
-    analyse_system(ctx, state);
+    analyse_system(ctx.model, ctx.work, ctx.pool, state);
 }
 
 void relink(StepContext& ctx) {
@@ -26,7 +26,7 @@ void relink(StepContext& ctx) {
     if (open_cuts(ctx.model)) return analyse(ctx);
     ctx.model.system.analysis.use(&ctx.pool);
     ctx.model.system.relink(ctx.model.bodies, ctx.model.interactions, ctx.pool.threads());
-    count_analysis(ctx);
+    count_analysis(ctx.model, ctx.work.stats);
 }
 
 Status ask_for_cuts(StepContext& ctx, std::uint64_t interfaces) noexcept {

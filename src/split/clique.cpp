@@ -187,7 +187,7 @@ bool solve_clique(Model& model, const State& state) noexcept {
     copy_interactions(c, model);
     copy_loads(c, state.loads);
     if (c.ctx.state.loads.out_of_memory()) return false;
-    release_wires(c.ctx);
+    release_wires(c.ctx.model);
     assemble_system(c.ctx);
     c.ctx.state.refine_unasked = 1;  // its own count would have to be saved with the state
     Status status = factor_and_solve(c.ctx);

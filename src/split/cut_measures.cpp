@@ -144,7 +144,7 @@ void finish_cuts(StepContext& ctx) noexcept {
         take_mean(ctx.model.interactions, cut);
         cut.defect = defect_of(ctx.model, cut);
         cut.residual = residual_of(ctx.model, cut);
-        ctx.state.ledger.damped += cut_losses(ctx, cut.id);
+        ctx.state.ledger.damped += cut_losses(ctx.model, cut.id);
         defect += cut.defect;
         ctx.work.stats.cut_residual = std::max(ctx.work.stats.cut_residual, cut.residual);
         ctx.work.stats.cut_defect = std::max(ctx.work.stats.cut_defect, cut.defect);

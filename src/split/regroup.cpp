@@ -134,10 +134,10 @@ void cut_anew(StepContext& ctx) {
     ctx.work.limits.cut_levels.set({});
     const StageTimer timer(ctx, Stage::analyse);
     analyse(ctx);
-    reserve_sleep(ctx);
+    reserve_sleep(ctx.model, ctx.work.sleep);
     ctx.work.before.lambda.resize(ctx.model.interactions.lambda.size());
     ctx.work.before.repeats.resize(ctx.model.interactions.repeats.size());
-    reserve_undo(ctx);
+    reserve_undo(ctx.model, ctx.work.undo);
 }
 
 }  // namespace

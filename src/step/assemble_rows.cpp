@@ -11,7 +11,7 @@ namespace hawser::stepper {
 void assemble_rows(StepContext& ctx) noexcept {
     const StageTimer timer(ctx, Stage::assemble);
     if (!ctx.model.wires.again) {
-        release_wires(ctx);
+        release_wires(ctx.model);
         predict(ctx.model, ctx.state);
     }
     assemble_system(ctx);

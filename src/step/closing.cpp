@@ -25,31 +25,31 @@ constexpr double kFarTurn = 0.7;  ///< Beyond it directions have changed too far
 constexpr int kMostClosings = 12;
 
 /// Whether a joint that the step has linearised may stand open now.
-bool may_be_open(const StepContext& ctx) noexcept {
-    const model::Interactions& in = ctx.model.interactions;
-    const std::vector<std::int32_t>& joints = ctx.model.completion.rigid;
+bool may_be_open(const Model& model, const StepStats& stats) noexcept {
+    const model::Interactions& in = model.interactions;
+    const std::vector<std::int32_t>& joints = model.completion.rigid;
     if (std::all_of(joints.begin(), joints.end(),
                     [&](std::int32_t id) { return in.completed[at(id)] == assembly::kRigid; }))
         return false;
-    if (ctx.work.stats.violation_max > kOpen) return true;
-    const model::Bodies& b = ctx.model.bodies;
+    if (stats.violation_max > kOpen) return true;
+    const model::Bodies& b = model.bodies;
     double most = 0.0;
     for (const std::int32_t body : b.moving) {
         if (b.dof(body) < 6) continue;
         const double* w = &b.v[at(b.dof_begin[at(body)] + 3)];
         most = std::max(most, w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
     }
-    return ctx.model.def.step * std::sqrt(most) > kTurned;
+    return model.def.step * std::sqrt(most) > kTurned;
 }
 
 /// −g/h of rigid joints at the poses at hand, as right-hand side. @return largest |g|.
-double write_gaps(StepContext& ctx, const View& v) noexcept {
-    std::fill_n(v.solution, ctx.model.system.symbolic.scalars, 0.0);
+double write_gaps(const Model& model, const View& v) noexcept {
+    std::fill_n(v.solution, model.system.symbolic.scalars, 0.0);
     const double per_h = 1.0 / v.h;
     double most = 0.0;
-    for (const std::int32_t id : ctx.model.completion.rigid) {
-        if (ctx.model.interactions.parted[at(id)] != 0) continue;
-        const model::RowState now = ctx.model.interactions.row_state(id, ctx.model.bodies);
+    for (const std::int32_t id : model.completion.rigid) {
+        if (model.interactions.parted[at(id)] != 0) continue;
+        const model::RowState now = model.interactions.row_state(id, model.bodies);
         double room[model::kArmRoom];
         const double* jac = packed_rows(v, id, room);
         for (int r = 0; r < v.rows[id]; ++r) {
@@ -62,14 +62,14 @@ double write_gaps(StepContext& ctx, const View& v) noexcept {
 
 /// Bodies go on by the solver's vector; their angular velocities turn with them, so that kinetic
 /// energy stays.
-void move(StepContext& ctx, const View& v, double time) noexcept {
-    for (const std::int32_t body : ctx.model.bodies.moving) {
+void move(Model& model, const View& v, double time) noexcept {
+    for (const std::int32_t body : model.bodies.moving) {
         const int dof = v.dof[body];
         const double* d = v.solution + v.body_offset[body];
         if (dof == 1) {
             v.x[3 * body] += time * d[0];
         } else if (dof > 1) {
-            ctx.model.bodies.drift(body, d, dof == 6 ? d + 3 : nullptr, time);
+            model.bodies.drift(body, d, dof == 6 ? d + 3 : nullptr, time);
         }
         if (dof < 6) continue;
         const double half = 0.5 * time;
@@ -79,21 +79,21 @@ void move(StepContext& ctx, const View& v, double time) noexcept {
 }
 
 /// Potential energy of gravity [J].
-double height(const StepContext& ctx) noexcept {
-    const model::Bodies& b = ctx.model.bodies;
+double height(const Model& model) noexcept {
+    const model::Bodies& b = model.bodies;
     double sum = 0.0;
     for (const std::int32_t body : b.moving) {
         if (b.dof(body) == 1 || b.weight[at(body)] == 0) continue;
         for (int k = 0; k < 3; ++k)
-            sum -= b.mass[at(body)] * ctx.model.def.gravity[k] * b.x[3 * at(body) + at(k)];
+            sum -= b.mass[at(body)] * model.def.gravity[k] * b.x[3 * at(body) + at(k)];
     }
     return sum;
 }
 
 /// Largest turn of a body under the solver's vector [rad/s].
-double fastest_turn(const StepContext& ctx, const View& v) noexcept {
+double fastest_turn(const Model& model, const View& v) noexcept {
     double most = 0.0;
-    for (const std::int32_t body : ctx.model.bodies.moving) {
+    for (const std::int32_t body : model.bodies.moving) {
         if (v.dof[body] < 6) continue;
         const double* w = v.solution + v.body_offset[body] + 3;
         most = std::max(most, w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
@@ -102,17 +102,18 @@ double fastest_turn(const StepContext& ctx, const View& v) noexcept {
 }
 
 /// With the factorisation of the step. @return the gap left.
-double close_with_factor(StepContext& ctx, const View& v, double gap) noexcept {
+double close_with_factor(Model& model, Work& work, runtime::Pool& pool, const View& v,
+                         double gap) noexcept {
     constexpr double kConverges = 0.5;
     for (int round = 0; round < kMostClosings && gap > kClosed; ++round) {
-        ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
-        ++ctx.work.stats.substitutions;
-        ctx.work.solve.rhs_ready = false;
+        model.system.numeric.solve(model.system.symbolic, v.solution, pool);
+        ++work.stats.substitutions;
+        work.solve.rhs_ready = false;
         // Far beyond what the step's directions say.
-        if (!(v.h * fastest_turn(ctx, v) <= kFarTurn)) break;
-        move(ctx, v, v.h);
+        if (!(v.h * fastest_turn(model, v) <= kFarTurn)) break;
+        move(model, v, v.h);
         const double before = gap;
-        gap = write_gaps(ctx, v);
+        gap = write_gaps(model, v);
         if (!(gap <= kConverges * before)) break;
     }
     return gap;
@@ -120,20 +121,20 @@ double close_with_factor(StepContext& ctx, const View& v, double gap) noexcept {
 
 /// Poses go on by the solver's vector, by less of it while that opens what it is to close.
 /// @return the gap then; or that of before, where nothing closes it.
-double move_some(StepContext& ctx, const View& v, double gap) noexcept {
+double move_some(Model& model, JointWork& joints, const View& v, double gap) noexcept {
     constexpr int kMostHalvings = 4;
-    const double turn = v.h * fastest_turn(ctx, v);
+    const double turn = v.h * fastest_turn(model, v);
     double share = turn > kFarTurn ? kFarTurn / turn : 1.0;
     if (!std::isfinite(turn)) return gap;
     // write_gaps() overwrites the solution that a way back needs.
-    double* const kept = ctx.work.joints.closing.data() + ctx.model.interactions.g.size();
-    std::copy_n(v.solution, ctx.model.system.symbolic.scalars, kept);
+    double* const kept = joints.closing.data() + model.interactions.g.size();
+    std::copy_n(v.solution, model.system.symbolic.scalars, kept);
     for (int half = 0; half <= kMostHalvings; ++half, share *= 0.5) {
-        move(ctx, v, share * v.h);
-        const double now = write_gaps(ctx, v);
+        move(model, v, share * v.h);
+        const double now = write_gaps(model, v);
         if (now <= gap) return now;
-        std::copy_n(kept, ctx.model.system.symbolic.scalars, v.solution);
-        move(ctx, v, -share * v.h);
+        std::copy_n(kept, model.system.symbolic.scalars, v.solution);
+        move(model, v, -share * v.h);
     }
     return gap;
 }
@@ -145,13 +146,13 @@ void close_anew(StepContext& ctx, const View& v) noexcept {
     constexpr int kMostFactors = 8, kMostRoundsEach = 8;
     constexpr double kGoesOn = 0.9;
     for (int i = 0; i < kMostFactors; ++i) {
-        evaluate_keeping_ranges(ctx);
-        double gap = write_gaps(ctx, v);
+        evaluate_keeping_ranges(ctx.model, ctx.work.before, ctx.pool);
+        double gap = write_gaps(ctx.model, v);
         const double first = gap;
         if (gap <= kClosed || factor(ctx, true) != Status::ok) return;
         for (int round = 0; round < kMostRoundsEach; ++round) {
             const double before = gap;
-            gap = move_some(ctx, v, gap);
+            gap = move_some(ctx.model, ctx.work.joints, v, gap);
             if (gap <= kClosed) return;
             if (gap > kGoesOn * before) break;
             ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
@@ -166,19 +167,20 @@ void close_anew(StepContext& ctx, const View& v) noexcept {
 void close_joints(StepContext& ctx) noexcept {
     JudgeState& judged = ctx.state.judge.state;
     judged.closed = judged.closed_elastic = 0.0;
-    if (has_cuts(ctx.model) || ctx.model.def.nonsmooth != Nonsmooth::newton || !may_be_open(ctx))
+    if (has_cuts(ctx.model) || ctx.model.def.nonsmooth != Nonsmooth::newton ||
+        !may_be_open(ctx.model, ctx.work.stats))
         return;
-    const View v = view(ctx);
-    const double gap = write_gaps(ctx, v);
+    const View v = row_view(ctx.model);
+    const double gap = write_gaps(ctx.model, v);
     if (!(gap > kOpen)) return;
-    const double before = height(ctx);
+    const double before = height(ctx.model);
     double* const gaps = ctx.work.joints.closing.data();
-    read_spring_gaps(ctx, gaps);
+    read_spring_gaps(ctx.model, ctx.state, gaps);
     ctx.pool.shield(true);  // poses have begun to move
-    if (!(close_with_factor(ctx, v, gap) <= kOpen)) close_anew(ctx, v);
+    if (!(close_with_factor(ctx.model, ctx.work, ctx.pool, v, gap) <= kOpen)) close_anew(ctx, v);
     ctx.pool.shield(false);
-    judged.closed = height(ctx) - before;
-    judged.closed_elastic = held_by_closing(ctx, gaps);
+    judged.closed = height(ctx.model) - before;
+    judged.closed_elastic = held_by_closing(ctx.model, ctx.state, gaps);
 }
 
 }  // namespace hawser::stepper

@@ -81,29 +81,30 @@ Status solve_linearised(StepContext& ctx) noexcept {
 /// Whether the force of a joint has grown within the step beyond what it was solved with: that of a
 /// completed one that swings too fast now, which is refused, or of another whose stiffness was that
 /// of a much smaller force. @param k  Its place among the joints.
-bool has_outgrown(StepContext& ctx, std::int32_t k) noexcept {
-    Completion& c = ctx.model.completion;
-    const model::Interactions& in = ctx.model.interactions;
+bool has_outgrown(Model& model, std::int32_t k) noexcept {
+    Completion& c = model.completion;
+    const model::Interactions& in = model.interactions;
     const std::int32_t id = c.joints[at(k)];
     // The force of what repeats others is not known before the filter.
     if (in.repeats[at(id)]) return false;
-    const double now = swing_number(ctx, id, in.lambda.data());
+    const double now = swing_number(model, id, in.lambda.data());
     if (in.completed[at(id)]) {
         if (now <= kTooFast) return false;
         c.refused[at(k)] = 1;
         return true;
     }
     constexpr double kGrown = 1.5;
-    return !(now <= kResolvedSwing || now <= kGrown * swing_number(ctx, id, c.lambda_with.data()));
+    return !(now <= kResolvedSwing ||
+             now <= kGrown * swing_number(model, id, c.lambda_with.data()));
 }
 
 /// @return whether there are such joints.
 bool outgrown(StepContext& ctx) noexcept {
     std::atomic<bool> found{false};  // no order: it is only ever set
     const auto count = static_cast<std::int32_t>(ctx.model.completion.joints.size());
-    over(ctx, count, [&](std::int32_t a, std::int32_t b) {
+    over(ctx.pool, count, [&](std::int32_t a, std::int32_t b) {
         bool any = false;
-        for (std::int32_t k = a; k < b; ++k) any |= has_outgrown(ctx, k);
+        for (std::int32_t k = a; k < b; ++k) any |= has_outgrown(ctx.model, k);
         if (any) found.store(true, std::memory_order_relaxed);
     });
     return found.load(std::memory_order_relaxed);
@@ -115,8 +116,8 @@ Status solve_with_new_forces(StepContext& ctx) noexcept {
     model::Interactions& in = ctx.model.interactions;
     Completion& c = ctx.model.completion;
     for (const std::int32_t id : c.joints) {
-        const bool larger =
-            swing_number(ctx, id, in.lambda.data()) > swing_number(ctx, id, c.lambda_with.data());
+        const bool larger = swing_number(ctx.model, id, in.lambda.data()) >
+                            swing_number(ctx.model, id, c.lambda_with.data());
         const auto row = in.row_begin[at(id)];
         if (larger) std::copy_n(&in.lambda[at(row)], in.rows[at(id)], &c.lambda_with[at(row)]);
     }

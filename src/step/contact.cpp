@@ -30,7 +30,8 @@ void make_room(StepContext& ctx) {
     const std::size_t all = ctx.state.contacts.contacts.size(), n = ctx.state.contacts.awake;
     c.begin(n, all - n);
     ctx.work.solve.partial.resize(at(StepContext::chunks(static_cast<std::int32_t>(n))));
-    if (ctx.model.def.nonsmooth == Nonsmooth::split) reserve_gauss_seidel(ctx, n);
+    if (ctx.model.def.nonsmooth == Nonsmooth::split)
+        reserve_gauss_seidel(ctx.model, ctx.work.newton, n);
     ctx.state.contact_impulse.resize(3 * all);
     ctx.state.contact_sliding.resize(all);
     if (c.bytes() > held) ++ctx.work.stats.growths;
@@ -41,7 +42,7 @@ void make_resistances(StepContext& ctx) {
     Contacts& c = ctx.model.system.contacts;
     const std::size_t held = c.resistances.bytes();
     c.resistances.begin(ctx.state.contacts, c.rows, ctx.model.bodies, ctx.model.def.step);
-    reserve_newton(ctx);
+    reserve_newton(ctx.model, ctx.work.newton);
     ctx.work.contact_speed.resize(3 * c.triples());
     if (c.resistances.bytes() > held) ++ctx.work.stats.growths;
 }
@@ -67,17 +68,17 @@ void ask_for_acceleration(nonsmooth::Resistance& a) noexcept {
 
 }  // namespace
 
-void prepare_contacts(StepContext& ctx) {
-    std::vector<std::uint8_t>& touches = ctx.work.sleep.mark;  // scratch here as there
-    touches.assign(at(ctx.model.bodies.count()), 0);
-    for (const collide::Shape& s : ctx.model.collider.shapes())
+void prepare_contacts(Model& model, Work& work) {
+    std::vector<std::uint8_t>& touches = work.sleep.mark;  // scratch here as there
+    touches.assign(at(model.bodies.count()), 0);
+    for (const collide::Shape& s : model.collider.shapes())
         for (const std::int32_t b : s.body)
             if (b >= 0) touches[at(b)] = 1;
-    std::vector<std::int32_t>& touching = ctx.work.solve.columns;  // scratch, too
+    std::vector<std::int32_t>& touching = work.solve.columns;  // scratch, too
     touching.clear();
-    for (std::int32_t b = 0; b < ctx.model.bodies.count(); ++b)
+    for (std::int32_t b = 0; b < model.bodies.count(); ++b)
         if (touches[at(b)] != 0) touching.push_back(b);
-    ctx.model.system.contacts.set_bodies(touching, ctx.model.bodies);
+    model.system.contacts.set_bodies(touching, model.bodies);
 }
 
 Status start_contacts(StepContext& ctx, Phase phase) noexcept {
@@ -85,9 +86,9 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
     Contacts& c = ctx.model.system.contacts;
     const collide::ContactSet& set = ctx.state.contacts;
     Status status = guarded(ctx, [&] {
-        keep_links(ctx);
+        keep_links(ctx.model, ctx.work.undo);
         make_room(ctx);
-        over(ctx, static_cast<std::int32_t>(set.awake), [&](std::int32_t a, std::int32_t b) {
+        over(ctx.pool, static_cast<std::int32_t>(set.awake), [&](std::int32_t a, std::int32_t b) {
             for (std::size_t k = at(a); k < at(b); ++k)
                 c.set(k, set.contacts[k], set.surfaces[at(set.contacts[k].surface)],
                       ctx.model.bodies, ctx.model.def.step);
@@ -107,9 +108,9 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
     if (status == Status::ok && ctx.pool.stopping()) status = Status::cancelled;
     if (status != Status::ok) return status;
     // u of the last step's velocities; λ is that of the last step.
-    update_slots(ctx, ctx.model.bodies.v.data());
+    update_slots(ctx.model, ctx.pool, ctx.model.bodies.v.data());
     c.resistances.recall(c.rows);
-    over(ctx, static_cast<std::int32_t>(c.count()), [&](std::int32_t a, std::int32_t b) {
+    over(ctx.pool, static_cast<std::int32_t>(c.count()), [&](std::int32_t a, std::int32_t b) {
         for (std::size_t k = at(a); k < at(b); ++k) {
             std::copy_n(c.cones[k].u, 3, &ctx.work.contact_speed[3 * k]);
             c.recall_lambda(k);
@@ -123,8 +124,8 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
     }
     keep_touch(ctx.model, ctx.work.newton.x);
     if (phase == Phase::impact) return Status::ok;
-    if (c.count() > 0) begin_contacts(ctx);
-    update_contacts(ctx, nullptr);
+    if (c.count() > 0) begin_contacts(ctx.model, ctx.work, ctx.pool);
+    update_contacts(ctx.model, ctx.pool, nullptr);
     return Status::ok;
 }
 
@@ -154,16 +155,15 @@ void count_contact_work(StepContext& ctx) noexcept {
     }
 }
 
-void remember_contacts(StepContext& ctx) noexcept {
-    Contacts& c = ctx.model.system.contacts;
-    over(ctx, static_cast<std::int32_t>(c.count()), [&](std::int32_t a, std::int32_t b) {
-        c.remember(ctx.model.bodies, ctx.model.def.step, a, b);
-    });
-    c.keep(ctx.model.def.step);
-    for (std::size_t k = 0; k < ctx.state.contacts.contacts.size(); ++k) {
-        std::copy_n(c.memory[k].lambda, 3, &ctx.state.contact_impulse[3 * k]);
+void remember_contacts(Model& model, State& state, runtime::Pool& pool) noexcept {
+    Contacts& c = model.system.contacts;
+    over(pool, static_cast<std::int32_t>(c.count()),
+         [&](std::int32_t a, std::int32_t b) { c.remember(model.bodies, model.def.step, a, b); });
+    c.keep(model.def.step);
+    for (std::size_t k = 0; k < state.contacts.contacts.size(); ++k) {
+        std::copy_n(c.memory[k].lambda, 3, &state.contact_impulse[3 * k]);
         const bool slides = k < c.count() && c.cones[k].touch == nonsmooth::Touch::slip;
-        ctx.state.contact_sliding[k] = slides ? 1 : 0;
+        state.contact_sliding[k] = slides ? 1 : 0;
     }
 }
 

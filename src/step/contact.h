@@ -8,7 +8,7 @@
 namespace hawser::stepper {
 
 /// Links between bodies that may touch, for the shapes there are. Part of prepare().
-void prepare_contacts(StepContext& ctx);
+void prepare_contacts(Model& model, Work& work);
 
 /// What contacts are started for.
 enum class Phase : std::uint8_t {
@@ -25,6 +25,6 @@ enum class Phase : std::uint8_t {
 void count_contact_work(StepContext& ctx) noexcept;
 
 /// What friction remembers, before bodies move; and what readers see.
-void remember_contacts(StepContext& ctx) noexcept;
+void remember_contacts(Model& model, State& state, runtime::Pool& pool) noexcept;
 
 }  // namespace hawser::stepper

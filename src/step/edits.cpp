@@ -49,7 +49,7 @@ double energy_of_line(const StepContext& ctx, std::int32_t id) noexcept {
 
 void disturb_bodies(StepContext& ctx, std::int32_t id) noexcept {
     for (std::size_t b = 0; b < ctx.model.interactions.bodies[at(id)]; ++b)
-        disturb(ctx, ctx.model.interactions.body[kMaxInteractionBodies * at(id) + b]);
+        disturb(ctx.model, ctx.model.interactions.body[kMaxInteractionBodies * at(id) + b]);
 }
 
 /// Where an array has an entry a contact of the last step, keep those that stay.
@@ -78,7 +78,7 @@ void forget_contacts(StepContext& ctx, std::int32_t shape) noexcept {
         // What lay on it, or it lay on.
         for (const auto& side : c.memory[i].body)
             for (const std::int32_t b : side)
-                if (b >= 0) disturb(ctx, b);
+                if (b >= 0) disturb(ctx.model, b);
     }
     if (!any) return;
     std::vector<collide::Contact>& shown = ctx.state.contacts.contacts;
@@ -144,10 +144,10 @@ void settle_shape(StepContext& ctx, std::int32_t shape) noexcept {
     ctx.model.collider.each_near(shape, ctx.model.bodies, ctx.model.def.step,
                                  [&](const collide::Shape& other) {
                                      for (const std::int32_t b : other.body)
-                                         if (b >= 0) disturb(ctx, b);
+                                         if (b >= 0) disturb(ctx.model, b);
                                  });
     for (const std::int32_t b : ctx.model.collider.shapes()[at(shape)].body)
-        if (b >= 0) disturb(ctx, b);
+        if (b >= 0) disturb(ctx.model, b);
 }
 
 void remove_body(StepContext& ctx, std::int32_t body) noexcept {
@@ -166,7 +166,7 @@ void remove_interaction(StepContext& ctx, std::int32_t id) noexcept {
 void remove_shape(StepContext& ctx, std::int32_t shape) noexcept {
     forget_contacts(ctx, shape);
     for (const std::int32_t b : ctx.model.collider.shapes()[at(shape)].body)
-        if (b >= 0) disturb(ctx, b);
+        if (b >= 0) disturb(ctx.model, b);
     ctx.model.collider.remove(shape);
 }
 

@@ -19,10 +19,10 @@ namespace hawser::stepper {
 namespace {
 
 /// Take carriers with a prescribed velocity back by half a step; what they were goes to scratch.
-void carriers_back(StepContext& ctx) noexcept {
-    model::Bodies& b = ctx.model.bodies;
-    const double t = -0.5 * ctx.model.def.step;
-    double* kept = ctx.work.before.carriers.data();
+void carriers_back(Model& model, Before& before) noexcept {
+    model::Bodies& b = model.bodies;
+    const double t = -0.5 * model.def.step;
+    double* kept = before.carriers.data();
     for (std::int32_t body : b.driven) {
         const auto i = at(body);
         const double* v = &b.v_fixed[6 * i];
@@ -33,9 +33,9 @@ void carriers_back(StepContext& ctx) noexcept {
     }
 }
 
-void carriers_forth(StepContext& ctx) noexcept {
-    model::Bodies& b = ctx.model.bodies;
-    const double* kept = ctx.work.before.carriers.data();
+void carriers_forth(Model& model, Before& before) noexcept {
+    model::Bodies& b = model.bodies;
+    const double* kept = before.carriers.data();
     for (std::int32_t body : b.driven) {
         const auto i = at(body);
         std::copy_n(kept, 3, &b.x[3 * i]);
@@ -59,13 +59,13 @@ Energy energy(StepContext& ctx) noexcept {
         for (int k = 0; k < 3; ++k)
             e.gravity -= b.mass[i] * ctx.model.def.gravity[k] * (b.x[3 * i + at(k)] - half * v[k]);
     }
-    const assembly::View v = view(ctx);
+    const assembly::View v = row_view(ctx.model);
     const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
                           ctx.model.system.bounded);
     // The rows' own bodies go back by −(h/2) G v below.
-    carriers_back(ctx);
-    evaluate_rows(ctx);
-    carriers_forth(ctx);
+    carriers_back(ctx.model, ctx.work.before);
+    evaluate_rows(ctx.model, ctx.pool);
+    carriers_forth(ctx.model, ctx.work.before);
     for (std::int32_t id = 0; id < interaction_count(ctx.model); ++id) {
         // What a line holds follows from its length, not from whether the last step found it taut.
         const bool line = (v.flags[id] & model::kOneSided) != 0;

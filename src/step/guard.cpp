@@ -29,28 +29,28 @@ bool accepted(const Wires& w, std::size_t wire) noexcept {
 
 /// Multipliers as the step began with, which geometric stiffness goes by, and the state of lines
 /// but in refused wires, where it is as last found.
-void restore_start(StepContext& ctx) noexcept {
-    model::Interactions& in = ctx.model.interactions;
-    Wires& w = ctx.model.wires;
-    std::copy(ctx.work.before.lambda.begin(), ctx.work.before.lambda.end(), in.lambda.begin());
+void restore_start(Model& model, Before& kept) noexcept {
+    model::Interactions& in = model.interactions;
+    Wires& w = model.wires;
+    std::copy(kept.lambda.begin(), kept.lambda.end(), in.lambda.begin());
     // Joints whose force has grown within the step go on with the stiffness of that.
-    for (const std::int32_t id : ctx.model.completion.joints)
-        std::copy_n(&ctx.model.completion.lambda_with[at(in.row_begin[at(id)])], in.rows[at(id)],
+    for (const std::int32_t id : model.completion.joints)
+        std::copy_n(&model.completion.lambda_with[at(in.row_begin[at(id)])], in.rows[at(id)],
                     &in.lambda[at(in.row_begin[at(id)])]);
-    for (std::size_t i = 0; i < ctx.work.before.active.size(); ++i) {
-        const std::int32_t id = ctx.model.system.bounded[i];
-        const std::int32_t wire = id < interaction_count(ctx.model) ? w.wire_of[at(id)] : -1;
-        if (wire < 0 || w.level[at(wire)] == 0) in.active[at(id)] = ctx.work.before.active[i];
+    for (std::size_t i = 0; i < kept.active.size(); ++i) {
+        const std::int32_t id = model.system.bounded[i];
+        const std::int32_t wire = id < interaction_count(model) ? w.wire_of[at(id)] : -1;
+        if (wire < 0 || w.level[at(wire)] == 0) in.active[at(id)] = kept.active[i];
     }
 }
 
 /// Rows of wires that are to be bounded.
-void replace(StepContext& ctx) noexcept {
-    Wires& w = ctx.model.wires;
+void replace(Model& model) noexcept {
+    Wires& w = model.wires;
     constexpr int kFirstBound = 4;
     for (const std::int32_t id : w.element) {
-        if (w.level[at(w.wire_of[at(id)])] < kFirstBound || ctx.model.interactions.parted[at(id)] ||
-            ctx.model.system.rests(id))
+        if (w.level[at(w.wire_of[at(id)])] < kFirstBound || model.interactions.parted[at(id)] ||
+            model.system.rests(id))
             continue;
         w.replaced[at(id)] = 1;
         w.replacing = true;
@@ -59,9 +59,9 @@ void replace(StepContext& ctx) noexcept {
 
 Status solve_again(StepContext& ctx) noexcept {
     ++ctx.work.stats.wire_repeats;
-    release_wires(ctx);
-    restore_start(ctx);
-    replace(ctx);
+    release_wires(ctx.model);
+    restore_start(ctx.model, ctx.work.before);
+    replace(ctx.model);
     ctx.model.wires.again = true;
     Status status = Status::ok;
     if (ctx.model.collider.count() > 0) status = start_contacts(ctx, Phase::regular);
@@ -70,17 +70,17 @@ Status solve_again(StepContext& ctx) noexcept {
         status = solve_assembled(ctx);
     }
     ctx.model.wires.again = false;
-    if (status != Status::ok) release_wires(ctx);
+    if (status != Status::ok) release_wires(ctx.model);
     return status;
 }
 
 /// Refused wires get their next plan. @return whether there are any.
-bool refuse(StepContext& ctx) noexcept {
-    Wires& w = ctx.model.wires;
+bool refuse(Model& model, const Before& kept) noexcept {
+    Wires& w = model.wires;
     bool any = false;
     for (std::size_t k = 0; k < w.count(); ++k) {
         if (accepted(w, k) || w.level[k] >= kMostRepeats) continue;
-        plan_wires(ctx, static_cast<std::int32_t>(k));
+        plan_wires(model, kept, static_cast<std::int32_t>(k));
         any = true;
     }
     return any;
@@ -88,12 +88,12 @@ bool refuse(StepContext& ctx) noexcept {
 
 }  // namespace
 
-void calm_start(StepContext& ctx) noexcept {
-    if (!on_guard(ctx)) return;
-    Wires& w = ctx.model.wires;
-    const View v = view(ctx);
+void calm_start(Model& model, const Before& kept) noexcept {
+    if (!on_guard(model)) return;
+    Wires& w = model.wires;
+    const View v = row_view(model);
     std::fill(w.fast.begin(), w.fast.end(), 0);
-    if (!find_fast_wires(ctx)) return;
+    if (!find_fast_wires(model, kept)) return;
     for (const WirePart& p : w.parts) {
         if (!w.fast[at(p.wire)]) continue;
         for (std::int32_t i = p.lump_begin; i < p.lump_end; ++i) {
@@ -105,18 +105,18 @@ void calm_start(StepContext& ctx) noexcept {
 
 Status guard_wires(StepContext& ctx) noexcept {
     ctx.model.wires.measured = false;
-    if (!on_guard(ctx)) return Status::ok;
+    if (!on_guard(ctx.model)) return Status::ok;
     Wires& w = ctx.model.wires;
     std::fill(w.fast.begin(), w.fast.end(), 0);
     std::fill(w.level.begin(), w.level.end(), 0);
-    const bool any_fast = find_fast_wires(ctx);
+    const bool any_fast = find_fast_wires(ctx.model, ctx.work.before);
     if (any_fast) {
-        measure_wires(ctx);
-        while (refuse(ctx)) {
+        measure_wires(ctx.model, ctx.pool);
+        while (refuse(ctx.model, ctx.work.before)) {
             const Status status = solve_again(ctx);
             if (status != Status::ok) return status;
-            (void)find_fast_wires(ctx);
-            measure_wires(ctx);
+            (void)find_fast_wires(ctx.model, ctx.work.before);
+            measure_wires(ctx.model, ctx.pool);
         }
     }
     ctx.model.wires.measured = any_fast;

@@ -29,6 +29,6 @@ namespace hawser::stepper {
 /// After the staggered start: lumps of fast wires begin with the velocity that they were given,
 /// which is half a step late. That of half a step before follows from a trial step, which does not
 /// resolve how fast elements swing along.
-void calm_start(StepContext& ctx) noexcept;
+void calm_start(Model& model, const Before& kept) noexcept;
 
 }  // namespace hawser::stepper

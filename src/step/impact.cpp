@@ -27,35 +27,35 @@ constexpr double kStiff = 1e-6;   ///< Σ over W: an error of e by a millionth.
 constexpr double kSolved = 1e-8;  ///< Residual that rounding reaches with it.
 
 /// Slower than this things come to rest without a bounce [m/s].
-double threshold(const StepContext& ctx) noexcept {
-    return std::max(1e-3, 2.0 * ctx.model.def.gravity.norm() * ctx.model.def.step);
+double threshold(const Model& model) noexcept {
+    return std::max(1e-3, 2.0 * model.def.gravity.norm() * model.def.step);
 }
 
-double restitution(const StepContext& ctx, std::size_t k) noexcept {
-    const collide::ContactSet& set = ctx.state.contacts;
+double restitution(const State& state, std::size_t k) noexcept {
+    const collide::ContactSet& set = state.contacts;
     return set.surfaces[at(set.contacts[k].surface)].restitution;
 }
 
-bool hits(const StepContext& ctx, std::size_t k) noexcept {
-    const double speed = ctx.model.system.contacts.cones[k].u[0];
-    return speed < -threshold(ctx) &&
-           ctx.state.contacts.contacts[k].gap + ctx.model.def.step * speed < 0.0;
+bool hits(const Model& model, const State& state, std::size_t k) noexcept {
+    const double speed = model.system.contacts.cones[k].u[0];
+    return speed < -threshold(model) &&
+           state.contacts.contacts[k].gap + model.def.step * speed < 0.0;
 }
 
 /// The stage's law for every contact.
-void set_laws(StepContext& ctx, double scale) noexcept {
-    for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k) {
-        Cone& c = ctx.model.system.contacts.cones[k];
-        const double e = scale * restitution(ctx, k);
-        const bool touches = ctx.state.contacts.contacts[k].gap <= 0.0;
-        c.b[0] = e > 0.0 && hits(ctx, k) ? -e * c.u[0] : (touches ? 0.0 : -1e30);
+void set_laws(Model& model, const State& state, double scale) noexcept {
+    for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
+        Cone& c = model.system.contacts.cones[k];
+        const double e = scale * restitution(state, k);
+        const bool touches = state.contacts.contacts[k].gap <= 0.0;
+        c.b[0] = e > 0.0 && hits(model, state, k) ? -e * c.u[0] : (touches ? 0.0 : -1e30);
         c.b[1] = c.b[2] = 0.0;
         // An impact has no time to compress anything; enough stays for points that repeat others.
         c.sigma_n = std::min(c.sigma_n, kStiff * c.mobility);
         c.sigma_t = std::min(c.sigma_t, kStiff * c.mobility);
         std::fill_n(c.lambda, 3, 0.0);
     }
-    for (nonsmooth::Resistance& a : ctx.model.system.contacts.resistances.laws) {
+    for (nonsmooth::Resistance& a : model.system.contacts.resistances.laws) {
         std::fill_n(a.b, 3, 0.0);
         a.sigma = std::min(a.sigma, kStiff * a.mobility);
         std::fill_n(a.lambda, 3, 0.0);
@@ -73,18 +73,18 @@ void hold_motion(StepContext& ctx) noexcept {
               0.0);
     auto update_rows = [&] {
         std::fill_n(v.solution, ctx.model.system.symbolic.scalars, 0.0);
-        over_interactions(ctx,
+        over_interactions(ctx.model, ctx.pool,
                           [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
     };
-    hold_bounds(ctx, 0.0);  // forces with a bound make no impulse
-    update_rows();          // residual + Σλ = c − G v, and c becomes G v
+    hold_bounds(ctx.model, ctx.work.newton, 0.0);  // forces with a bound make no impulse
+    update_rows();                                 // residual + Σλ = c − G v, and c becomes G v
     for (std::int32_t id = 0; id < v.interaction_count; ++id)
         for (std::int32_t r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r)
             v.c[r] -= v.active[id] != 0.0 ? v.residual[r] + v.sigma[r] * v.lambda[r] : 0.0;
     std::fill_n(v.lambda, ctx.model.interactions.row_count, 0.0);
     std::fill_n(v.residual, ctx.model.interactions.row_count, 0.0);
     update_rows();  // residuals of zero
-    over(ctx, v.body_count, [&](std::int32_t a, std::int32_t b) { k.body_rhs(v, a, b); });
+    over(ctx.pool, v.body_count, [&](std::int32_t a, std::int32_t b) { k.body_rhs(v, a, b); });
     for (const std::int32_t body : ctx.model.bodies.moving)
         for (int j = 0; j < v.dof[body]; ++j)
             v.a[v.dof_begin[body] + j] = -v.solution[v.body_offset[body] + j];
@@ -93,11 +93,11 @@ void hold_motion(StepContext& ctx) noexcept {
 /// One attempt. @return ok, and v_new holds v⁺; else velocities stay.
 Status attempt(StepContext& ctx, double scale) noexcept {
     if (const Status s = start_contacts(ctx, Phase::impact); s != Status::ok) return s;
-    set_laws(ctx, scale);
+    set_laws(ctx.model, ctx.state, scale);
     assemble_rows(ctx);
     hold_motion(ctx);
-    begin_newton(ctx);
-    update_contacts(ctx, nullptr);
+    begin_newton(ctx.model, ctx.work, ctx.pool);
+    update_contacts(ctx.model, ctx.pool, nullptr);
     ctx.work.solve.rhs_ready = false;
     return solve_newton(ctx);
 }
@@ -114,20 +114,21 @@ Status impact(StepContext& ctx, bool& found) noexcept {
     const std::size_t count = ctx.model.system.contacts.count();
     found = false;
     bool bouncy = false;
-    for (std::size_t k = 0; k < count && !bouncy; ++k) bouncy = restitution(ctx, k) > 0.0;
+    for (std::size_t k = 0; k < count && !bouncy; ++k) bouncy = restitution(ctx.state, k) > 0.0;
     if (!bouncy) return Status::ok;
-    update_contacts(ctx, ctx.model.bodies.v.data());
+    update_contacts(ctx.model, ctx.pool, ctx.model.bodies.v.data());
     for (std::size_t k = 0; k < count && !found; ++k)
-        found = restitution(ctx, k) > 0.0 && hits(ctx, k);
+        found = restitution(ctx.state, k) > 0.0 && hits(ctx.model, ctx.state, k);
     if (!found) {
-        update_contacts(ctx, nullptr);
+        update_contacts(ctx.model, ctx.pool, nullptr);
         return Status::ok;
     }
     ++ctx.work.stats.impacts;
     keep_motion(ctx);
     const View v = view(ctx);
     const auto moving = [&](const double* of) {
-        return kinetic_energy(ctx.model.bodies, of) + added_energy(ctx, of);
+        return kinetic_energy(ctx.model.bodies, of) +
+               added_energy(ctx.model, ctx.state, ctx.pool, of);
     };
     const double before = moving(v.v);
     Status status = Status::ok;

@@ -25,7 +25,7 @@ void break_lines(StepContext& ctx, const View& v) noexcept {
         const std::int32_t id = ctx.model.system.breakable[i];
         const double tension = -v.force_of_row[v.row_begin[id]];
         if (v.parted[id] || tension <= ctx.model.system.breaking_load[i]) continue;
-        ctx.state.ledger.damped += held_by_line(ctx, original(ctx.model, id));
+        ctx.state.ledger.damped += held_by_line(ctx.model, original(ctx.model, id));
         part_all(ctx.model, original(ctx.model, id));
         push_event(ctx, EventKind::line_break, original(ctx.model, id), tension);
     }
@@ -55,15 +55,15 @@ void report_switches(StepContext& ctx, const View& v) noexcept {
 void integrate(StepContext& ctx) noexcept {
     const View v = view(ctx);
     finish_cuts(ctx);
-    ctx.state.ledger.drive += drive_work(ctx);
-    ctx.state.ledger.damped += row_losses(ctx);
+    ctx.state.ledger.drive += drive_work(ctx.model);
+    ctx.state.ledger.damped += row_losses(ctx.model, ctx.work.solve, ctx.pool);
     settle_wires(ctx);
     count_contact_work(ctx);
-    if (ctx.model.collider.count() > 0) remember_contacts(ctx);
+    if (ctx.model.collider.count() > 0) remember_contacts(ctx.model, ctx.state, ctx.pool);
     ctx.state.ledger.drag += ctx.state.loads.count();
-    over(ctx, v.body_count,
+    over(ctx.pool, v.body_count,
          [&](std::int32_t a, std::int32_t b) { assembly::kernels().integrate(v, a, b); });
-    move_carriers(ctx);
+    move_carriers(ctx.model);
     ctx.state.ledger.work += ctx.work.solve.step_work;
     ctx.state.ledger.drag += ctx.work.solve.step_drag;
     ++ctx.state.step;
@@ -71,19 +71,20 @@ void integrate(StepContext& ctx) noexcept {
     ctx.work.stats.step = ctx.state.step;
     ctx.work.stats.time = ctx.state.time;
     const double per_h = 1.0 / ctx.model.def.step;
-    over(ctx, ctx.model.interactions.row_count, [&](std::int32_t a, std::int32_t b) {
+    over(ctx.pool, ctx.model.interactions.row_count, [&](std::int32_t a, std::int32_t b) {
         for (std::int32_t r = a; r < b; ++r) v.force_of_row[r] = per_h * v.lambda[r];
     });
-    if (ctx.work.newton.switch_late) (void)switch_bounds(ctx, ctx.model.contact_floor, kAnyRows);
+    if (ctx.work.newton.switch_late)
+        (void)switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, kAnyRows);
     ctx.work.newton.switch_late = false;
     break_lines(ctx, v);
     report_switches(ctx, v);
     // Renews rows, so that events come first; anchors and winches go by the poses then.
     close_joints(ctx);
-    finish_completion(ctx);
-    move_anchors(ctx);
+    finish_completion(ctx.model);
+    move_anchors(ctx.model);
     report_saturation(ctx);
-    follow_winches(ctx);
+    follow_winches(ctx.model, ctx.state);
     // Above this the solution no longer satisfies its own equations to engineering accuracy.
     constexpr double kResidualWarning = 1e-8;
     if (ctx.work.stats.momentum_residual > kResidualWarning)

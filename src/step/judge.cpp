@@ -19,28 +19,27 @@ namespace {
 
 constexpr std::size_t place(Judge judge) noexcept { return static_cast<std::size_t>(judge); }
 
-Works works(const StepContext& ctx) noexcept {
-    return {ctx.state.ledger.work + ctx.state.loads.work,
-            ctx.state.ledger.drive,
-            ctx.state.ledger.drag,
-            ctx.state.ledger.friction,
-            ctx.state.ledger.contact,
-            ctx.state.ledger.damped};
+Works works(const State& state) noexcept {
+    return {state.ledger.work + state.loads.work,
+            state.ledger.drive,
+            state.ledger.drag,
+            state.ledger.friction,
+            state.ledger.contact,
+            state.ledger.damped};
 }
 
 /// Interaction of a row.
-std::int32_t owner_of(const StepContext& ctx, std::int32_t row) noexcept {
-    const auto& begin = ctx.model.interactions.row_begin;
-    const auto end = begin.begin() + interaction_count(ctx.model);
+std::int32_t owner_of(const Model& model, std::int32_t row) noexcept {
+    const auto& begin = model.interactions.row_begin;
+    const auto end = begin.begin() + interaction_count(model);
     return static_cast<std::int32_t>(std::upper_bound(begin.begin(), end, row) - begin.begin()) - 1;
 }
 
 /// How far the step's equations and laws are from solved.
-double certificate(const StepContext& ctx) noexcept {
+double certificate(const Model& model, const StepStats& stats) noexcept {
     // The other methods end where they end, as does a step that keeps to a budget.
-    if (ctx.model.def.nonsmooth != Nonsmooth::newton || ctx.work.stats.degradation.any())
-        return 0.0;
-    return std::max(ctx.work.stats.natural_map, ctx.work.stats.momentum_residual);
+    if (model.def.nonsmooth != Nonsmooth::newton || stats.degradation.any()) return 0.0;
+    return std::max(stats.natural_map, stats.momentum_residual);
 }
 
 Finding finding(double value, Limit by, double time) noexcept {
@@ -54,23 +53,22 @@ Finding finding(double value, Limit by, double time) noexcept {
 
 using Findings = std::array<Finding, kJudgeCount>;
 
-Finding energy_finding(const StepContext& ctx, const JudgePart& p, JudgeState& state,
-                       double time) noexcept {
-    const Unexplained u = follow_energy(p, works(ctx), time, state);
-    const double nothing =
-        std::max(limit::kNothing * (p.kinetic + p.elastic), ctx.state.judge.nothing);
+Finding energy_finding(const Model& model, const State& state, const JudgePart& p,
+                       JudgeState& memory, double time) noexcept {
+    const Unexplained u = follow_energy(p, works(state), time, memory);
+    const double nothing = std::max(limit::kNothing * (p.kinetic + p.elastic), state.judge.nothing);
     const auto share = [nothing](double energy, double of) {
         return energy <= nothing ? 0.0 : energy / of;
     };
-    const double exchanged = p.kinetic + state.exchanged, counted = p.kinetic + state.counted;
+    const double exchanged = p.kinetic + memory.exchanged, counted = p.kinetic + memory.counted;
     const ByAccount<Swing>&now = u.now, &mean = u.mean;
     // By each account energy comes and goes by different amounts: half-way between two poses, and
     // at the one before, which is half a step away where the last look was a step ago.
-    const bool close = time < 1.5 * ctx.model.def.step;
+    const bool close = time < 1.5 * model.def.step;
     const double posed = close ? u.posed : std::max(now[kAtPoses].rise, u.posed);
     const double created = std::min({now[kBetween].rise, now[kByForce].rise, posed});
-    const double stays = std::min({created, state.risen[0], state.risen[1]});
-    state.risen = {created, state.risen[0]};
+    const double stays = std::min({created, memory.risen[0], memory.risen[1]});
+    memory.risen = {created, memory.risen[0]};
     const double lasting =
         std::min({mean[kBetween].rise, mean[kByForce].rise, mean[kAtPoses].rise});
     const double hidden = std::max(now[kUnexplained].rise, now[kWithGiven].rise);
@@ -86,63 +84,63 @@ Finding energy_finding(const StepContext& ctx, const JudgePart& p, JudgeState& s
                               limit::kHidden.wrong,
                           share(mean[kUnexplained].fall, counted) / limit::kLost.wrong});
     // A split is approximate by choice, and says itself what it does to momentum and forces.
-    if (has_cuts(ctx.model)) out.wrong = 0.0;
+    if (has_cuts(model)) out.wrong = 0.0;
     if (!std::isfinite(now[kUnexplained].rise)) out.doubtful = out.wrong = HUGE_VAL;
-    out.time = ctx.state.time;
+    out.time = state.time;
     return out;
 }
 
-Finding open_finding(const StepContext& ctx, const JudgePart& p, JudgeState& state,
+Finding open_finding(const Model& model, const State& state, const JudgePart& p, JudgeState& memory,
                      double time) noexcept {
-    state.open_start *= std::exp(-time / (limit::kSettled * ctx.model.def.step));
-    Finding out = finding(p.open * limit::kOpen.doubtful, limit::kOpen, ctx.state.time);
+    memory.open_start *= std::exp(-time / (limit::kSettled * model.def.step));
+    Finding out = finding(p.open * limit::kOpen.doubtful, limit::kOpen, state.time);
     // What the scene opened may close without being refused; that it stood open is said.
-    const double open = std::max(0.0, p.open - state.open_start);
+    const double open = std::max(0.0, p.open - memory.open_start);
     out.wrong = open * limit::kOpen.doubtful / limit::kOpen.wrong;
     if (p.open_row < 0) return out;
-    out.value = std::fabs(ctx.model.interactions.g[at(p.open_row)]);
-    out.interaction = ctx.model.interactions.id(owner_of(ctx, p.open_row));
+    out.value = std::fabs(model.interactions.g[at(p.open_row)]);
+    out.interaction = model.interactions.id(owner_of(model, p.open_row));
     return out;
 }
 
 Finding solved_finding(const StepContext& ctx, JudgeState& state, double time) noexcept {
-    const double residual = certificate(ctx);
+    const double residual = certificate(ctx.model, ctx.work.stats);
     state.unsolved = residual > limit::kCertificate.doubtful ? state.unsolved + time : 0.0;
     const bool counts = state.unsolved >= limit::kSustained;
     return finding(counts ? residual : 0.0, limit::kCertificate, ctx.state.time);
 }
 
 /// A line that comes taut is off its law for a moment, one that rings is at every look.
-Finding stretch_finding(const StepContext& ctx, const JudgePart& p, JudgeState& state) noexcept {
-    std::array<double, 2>& before = state.stretched;
-    Finding out =
-        finding(std::min({p.stretch, before[0], before[1]}), limit::kCable, ctx.state.time);
-    out.interaction = ctx.model.interactions.id(p.stretch_id);
+Finding stretch_finding(const Model& model, const State& state, const JudgePart& p,
+                        JudgeState& memory) noexcept {
+    std::array<double, 2>& before = memory.stretched;
+    Finding out = finding(std::min({p.stretch, before[0], before[1]}), limit::kCable, state.time);
+    out.interaction = model.interactions.id(p.stretch_id);
     before = {p.stretch, before[0]};
     return out;
 }
 
-Finding turn_finding(const StepContext& ctx, const JudgePart& p) noexcept {
-    Finding out = finding(ctx.model.def.step * std::sqrt(std::max(p.turn, p.twist)), limit::kTurn,
-                          ctx.state.time);
+Finding turn_finding(const Model& model, const State& state, const JudgePart& p) noexcept {
+    Finding out =
+        finding(model.def.step * std::sqrt(std::max(p.turn, p.twist)), limit::kTurn, state.time);
     if (p.turn >= p.twist)
-        out.body = ctx.model.bodies.id(p.turn_body);
+        out.body = model.bodies.id(p.turn_body);
     else
-        out.interaction = ctx.model.interactions.id(p.twist_id);
+        out.interaction = model.interactions.id(p.twist_id);
     return out;
 }
 
 /// What all judges say of a state. `state` goes on to it.
 Findings judged(StepContext& ctx, JudgeState& state) noexcept {
-    const JudgePart p = look(ctx, At::half_step);
+    const JudgePart p = look(ctx.model, ctx.state, ctx.pool, At::half_step);
     const double time = ctx.model.def.step * static_cast<double>(ctx.state.step - state.step);
     if (state.begun == 0) state.open_start = p.open;  // bodies were put where they are
     Findings out{};
-    out[place(Judge::energy)] = energy_finding(ctx, p, state, time);
-    out[place(Judge::violation)] = open_finding(ctx, p, state, time);
-    out[place(Judge::cable)] = stretch_finding(ctx, p, state);
+    out[place(Judge::energy)] = energy_finding(ctx.model, ctx.state, p, state, time);
+    out[place(Judge::violation)] = open_finding(ctx.model, ctx.state, p, state, time);
+    out[place(Judge::cable)] = stretch_finding(ctx.model, ctx.state, p, state);
     out[place(Judge::certificate)] = solved_finding(ctx, state, time);
-    out[place(Judge::speed)] = turn_finding(ctx, p);
+    out[place(Judge::speed)] = turn_finding(ctx.model, ctx.state, p);
     state.step = ctx.state.step;
     return out;
 }
@@ -184,24 +182,24 @@ Grade add(const Findings& now, Verdict& verdict) noexcept {
 }
 
 /// An event for each judge that has become doubtful.
-void tell(StepContext& ctx, const Findings& now, JudgeState& state) noexcept {
+void tell(State& state, StepStats& stats, const Findings& now, JudgeState& memory) noexcept {
     constexpr EventKind kKinds[kJudgeCount] = {EventKind::energy_created, EventKind::joint_open,
                                                EventKind::cable_law, EventKind::uncertified,
                                                EventKind::fast};
     for (std::size_t k = 0; k < kJudgeCount; ++k) {
         const Finding& f = now[k];
         const bool doubtful = !(f.doubtful <= 1.0);
-        if (doubtful && state.told[k] == 0) {
+        if (doubtful && memory.told[k] == 0) {
             Event event;
-            event.time = ctx.state.time;
+            event.time = state.time;
             event.kind = kKinds[k];
             event.interaction = f.interaction;
             event.value = f.value;
             event.body = f.body;
-            ctx.state.events.push(event);
-            ++ctx.work.stats.event_count[static_cast<std::size_t>(kKinds[k])];
+            state.events.push(event);
+            ++stats.event_count[static_cast<std::size_t>(kKinds[k])];
         }
-        state.told[k] = doubtful ? 1 : 0;
+        memory.told[k] = doubtful ? 1 : 0;
     }
 }
 
@@ -212,12 +210,12 @@ void begin_judge(StepContext& ctx) noexcept {
     if (state.begun != 0) return;
     const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
                           ctx.model.system.bounded);
-    evaluate_rows(ctx);
-    const JudgePart p = look(ctx, At::pose);
+    evaluate_rows(ctx.model, ctx.pool);
+    const JudgePart p = look(ctx.model, ctx.state, ctx.pool, At::pose);
     state = {};
     state.step = ctx.state.step;
     state.open_start = p.open > 1.0 ? p.open : 0.0;
-    begin_energy(p, works(ctx), state);
+    begin_energy(p, works(ctx.state), state);
 }
 
 Status judge(StepContext& ctx) noexcept {
@@ -233,7 +231,7 @@ Status judge(StepContext& ctx) noexcept {
     if (grade == Grade::wrong && ctx.model.def.on_diverged == OnDiverged::stop && !split)
         return Status::diverged;
     d.state = next;
-    tell(ctx, now, d.state);
+    tell(ctx.state, ctx.work.stats, now, d.state);
     return Status::ok;
 }
 
@@ -243,7 +241,7 @@ Verdict verdict(StepContext& ctx) noexcept {
         return out;
     const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
                           ctx.model.system.bounded);
-    evaluate_rows(ctx);
+    evaluate_rows(ctx.model, ctx.pool);
     JudgeState next = ctx.state.judge.state;
     (void)add(judged(ctx, next), out);
     return out;

@@ -18,9 +18,9 @@ namespace {
 
 using assembly::View;
 
-void look_at_body(const StepContext& ctx, std::int32_t body, const double* after, double half,
+void look_at_body(const Model& model, std::int32_t body, const double* after, double half,
                   JudgePart& p) noexcept {
-    const model::Bodies& b = ctx.model.bodies;
+    const model::Bodies& b = model.bodies;
     const auto i = at(body);
     const int dof = b.dof(body);
     const double* v = &b.v[at(b.dof_begin[i])];
@@ -30,7 +30,7 @@ void look_at_body(const StepContext& ctx, std::int32_t body, const double* after
     if (dof == 1) return;
     if (b.weight[i])
         for (int k = 0; k < 3; ++k) {
-            const double weight = b.mass[i] * ctx.model.def.gravity[k];
+            const double weight = b.mass[i] * model.def.gravity[k];
             p.potential -= weight * (b.x[3 * i + at(k)] - half * v[k]);
             p.at_pose -= weight * b.x[3 * i + at(k)];
         }
@@ -42,10 +42,10 @@ void look_at_body(const StepContext& ctx, std::int32_t body, const double* after
     }
 }
 
-void look_at_rows(const StepContext& ctx, const View& v, std::int32_t begin, std::int32_t end,
+void look_at_rows(const State& state, const View& v, std::int32_t begin, std::int32_t end,
                   JudgePart& p) noexcept {
     for (std::int32_t r = begin; r < end; ++r) {
-        const double open = std::fabs(v.g[r]) * ctx.state.judge.allowed[at(r)];
+        const double open = std::fabs(v.g[r]) * state.judge.allowed[at(r)];
         if (open <= p.open) continue;
         p.open = open;
         p.open_row = r;
@@ -58,10 +58,10 @@ double held_by_force(const View& v, std::int32_t row) noexcept {
 }
 
 /// ½ g²/ε half a step before the poses, as energy() has it.
-void look_at_elastic(StepContext& ctx, const View& v, std::int32_t id, bool between_points,
-                     double half, JudgePart& p) noexcept {
+void look_at_elastic(Model& model, const View& v, std::int32_t id, bool between_points, double half,
+                     JudgePart& p) noexcept {
     // Of a wire by its true length, as the guard counts it.
-    if (half > 0.0 && ctx.model.wires.wire_of[at(id)] >= 0 && !ctx.model.system.rests(id) &&
+    if (half > 0.0 && model.wires.wire_of[at(id)] >= 0 && !model.system.rests(id) &&
         !v.parted[id] && (v.flags[id] & model::kCarried) == 0) {
         const std::int32_t row = v.row_begin[id];
         if (model::holds_energy(v.epsilon[row], v.rest_length[id])) {
@@ -76,10 +76,10 @@ void look_at_elastic(StepContext& ctx, const View& v, std::int32_t id, bool betw
     }
     const bool line = (v.flags[id] & model::kOneSided) != 0;
     if (line ? v.parted[id] != 0 : v.active[id] == 0.0) return;
-    const bool rests = ctx.model.system.rests(id);
+    const bool rests = model.system.rests(id);
     const bool state = rests || (v.flags[id] & model::kCarried) != 0;
     const model::RowState s =
-        state ? ctx.model.interactions.row_state(id, ctx.model.bodies) : model::RowState{};
+        state ? model.interactions.row_state(id, model.bodies) : model::RowState{};
     double room[model::kArmRoom];
     const double* jac = rests ? nullptr : packed_rows(v, id, room);
     for (int r = 0; r < v.rows[id]; ++r) {
@@ -99,8 +99,8 @@ void look_at_elastic(StepContext& ctx, const View& v, std::int32_t id, bool betw
 }
 
 /// Cable law, and how far an element turns.
-void look_at_line(const StepContext& ctx, const View& v, std::int32_t id, JudgePart& p) noexcept {
-    if (v.parted[id] || ctx.model.system.rests(id)) return;
+void look_at_line(const Model& model, const View& v, std::int32_t id, JudgePart& p) noexcept {
+    if (v.parted[id] || model.system.rests(id)) return;
     const std::int32_t row = v.row_begin[id];
     const double length = v.rest_length[id];
     const std::int32_t* body = v.body + kMaxInteractionBodies * id;
@@ -142,24 +142,24 @@ void take_worse(double value, std::int32_t which, double& most, std::int32_t& wh
 }  // namespace
 
 // Merged in order, so that nothing depends on threads.
-JudgePart look(StepContext& ctx, At when) noexcept {
-    const View v = view(ctx);
-    JudgeData& data = ctx.state.judge;
-    const double half = when == At::pose ? 0.0 : 0.5 * ctx.model.def.step;
+JudgePart look(Model& model, State& state, runtime::Pool& pool, At when) noexcept {
+    const View v = row_view(model);
+    JudgeData& data = state.judge;
+    const double half = when == At::pose ? 0.0 : 0.5 * model.def.step;
     const double* after = when == At::half_step ? v.v_new : v.v;
     const auto count_of = [](const auto& list) { return static_cast<std::int32_t>(list.size()); };
-    const std::int32_t bodies = count_of(ctx.model.bodies.moving), rows = count_of(data.allowed),
+    const std::int32_t bodies = count_of(model.bodies.moving), rows = count_of(data.allowed),
                        elastic = count_of(data.elastic), lines = count_of(data.lines);
     const std::int32_t most = std::max({bodies, rows, elastic, lines});
-    over(ctx, most, [&](std::int32_t a, std::int32_t b) {
+    over(pool, most, [&](std::int32_t a, std::int32_t b) {
         JudgePart p;
         for (std::int32_t i = a; i < std::min(b, bodies); ++i)
-            look_at_body(ctx, ctx.model.bodies.moving[at(i)], after, half, p);
-        look_at_rows(ctx, v, a, std::min(b, rows), p);
+            look_at_body(model, model.bodies.moving[at(i)], after, half, p);
+        look_at_rows(state, v, a, std::min(b, rows), p);
         for (std::int32_t i = a; i < std::min(b, elastic); ++i)
-            look_at_elastic(ctx, v, data.elastic[at(i)], data.line[at(i)] != 0, half, p);
+            look_at_elastic(model, v, data.elastic[at(i)], data.line[at(i)] != 0, half, p);
         for (std::int32_t i = a; i < std::min(b, lines); ++i)
-            look_at_line(ctx, v, data.lines[at(i)], p);
+            look_at_line(model, v, data.lines[at(i)], p);
         data.part[at(a / StepContext::kChunk)] = p;
     });
     JudgePart sum;
@@ -177,9 +177,9 @@ JudgePart look(StepContext& ctx, At when) noexcept {
         take_worse(p.twist, p.twist_id, sum.twist, sum.twist_id);
     }
     // What added mass holds; what it has become since the last step counts as work of this one.
-    const double added = ctx.state.loads.added;
+    const double added = state.loads.added;
     sum.kinetic += added;
-    sum.at_pose += when == At::pose ? added : 0.5 * (added + ctx.state.loads.added_after());
+    sum.at_pose += when == At::pose ? added : 0.5 * (added + state.loads.added_after());
     if (when == At::pose) sum.by_force = sum.elastic;  // no step has been taken
     // Poses that were closed have moved by more than the velocity says: half-way, by half of it.
     if (when == At::half_step) {
@@ -193,11 +193,11 @@ namespace {
 
 /// f(row, whether of a line, violation, its rate) of the rows of springs that are in force.
 template <class F>
-void each_spring(StepContext& ctx, const View& v, F&& f) noexcept {
-    for (const std::int32_t id : ctx.state.judge.elastic) {
+void each_spring(const Model& model, const State& state, const View& v, F&& f) noexcept {
+    for (const std::int32_t id : state.judge.elastic) {
         const bool line = (v.flags[id] & model::kOneSided) != 0;
         if (line ? v.parted[id] != 0 : v.active[id] == 0.0) continue;
-        const model::RowState now = ctx.model.interactions.row_state(id, ctx.model.bodies);
+        const model::RowState now = model.interactions.row_state(id, model.bodies);
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
             if ((v.row_flags[row] & model::kRowVelocity) ||
@@ -210,14 +210,15 @@ void each_spring(StepContext& ctx, const View& v, F&& f) noexcept {
 
 }  // namespace
 
-void read_spring_gaps(StepContext& ctx, double* gaps) noexcept {
-    each_spring(ctx, view(ctx), [&](std::int32_t row, bool, double g, double) { gaps[row] = g; });
+void read_spring_gaps(Model& model, const State& state, double* gaps) noexcept {
+    each_spring(model, state, row_view(model),
+                [&](std::int32_t row, bool, double g, double) { gaps[row] = g; });
 }
 
-double held_by_closing(StepContext& ctx, const double* before) noexcept {
-    const View v = view(ctx);
+double held_by_closing(Model& model, const State& state, const double* before) noexcept {
+    const View v = row_view(model);
     double sum = 0.0;
-    each_spring(ctx, v, [&](std::int32_t row, bool line, double now, double rate) {
+    each_spring(model, state, v, [&](std::int32_t row, bool line, double now, double rate) {
         const auto held = [&](double g) { return !line || g > 0.0 ? g * g : 0.0; };
         const double g = now - 0.5 * v.h * rate;
         sum += 0.5 * (held(g) - held(g - 0.5 * (now - before[row]))) / v.epsilon[row];

@@ -21,22 +21,22 @@ double size_of(const model::Bodies& b, std::int32_t body) noexcept {
 
 }  // namespace
 
-void prepare_judge(StepContext& ctx) {
-    JudgeData& d = ctx.state.judge;
-    const model::Interactions& in = ctx.model.interactions;
-    if (!ctx.state.edits.any) d.state = {};
-    d.allowed.assign(at(user_rows(ctx.model)), 0.0);
+void prepare_judge(const Model& model, State& state) {
+    JudgeData& d = state.judge;
+    const model::Interactions& in = model.interactions;
+    if (!state.edits.any) d.state = {};
+    d.allowed.assign(at(user_rows(model)), 0.0);
     d.elastic.clear();
     d.line.clear();
     d.lines.clear();
-    for (std::int32_t id = 0; id < interaction_count(ctx.model); ++id) {
+    for (std::int32_t id = 0; id < interaction_count(model); ++id) {
         const KindInfo& kind = kind_info(in.kinds[at(id)]);
         if (in.rest_length[at(id)] > 0.0) d.lines.push_back(id);
         if (in.flags[at(id)] & model::kFriction) continue;  // counted as driven
         double size = std::numeric_limits<double>::infinity();
         for (int b = 0; b < in.bodies[at(id)]; ++b)
-            size = std::min(size,
-                            size_of(ctx.model.bodies, in.body[at(kMaxInteractionBodies * id + b)]));
+            size =
+                std::min(size, size_of(model.bodies, in.body[at(kMaxInteractionBodies * id + b)]));
         bool soft = false;
         for (int r = 0; r < in.rows[at(id)]; ++r) {
             const auto row = at(in.row_begin[at(id)] + r);
@@ -60,30 +60,30 @@ void prepare_judge(StepContext& ctx) {
         d.line.push_back(kind.is(kAlongLine) && !kind.is(kWoundUp));
     }
     // A joint that comes open is excused as one that a scene opens.
-    for (const std::int32_t id : ctx.state.edits.interactions) {
-        const model::RowState now = in.row_state(id, ctx.model.bodies);
+    for (const std::int32_t id : state.edits.interactions) {
+        const model::RowState now = in.row_state(id, model.bodies);
         for (int r = 0; r < in.rows[at(id)]; ++r) {
             const double open = std::fabs(now.g[r]) * d.allowed[at(in.row_begin[at(id)] + r)];
             if (open > 1.0) d.state.open_start = std::max(d.state.open_start, open);
         }
     }
-    const auto most = static_cast<std::int32_t>(std::max(
-        {ctx.model.bodies.moving.size(), d.allowed.size(), d.elastic.size(), d.lines.size()}));
+    const auto most = static_cast<std::int32_t>(
+        std::max({model.bodies.moving.size(), d.allowed.size(), d.elastic.size(), d.lines.size()}));
     d.part.resize(at(StepContext::chunks(most)));
     d.nothing = 0.0;
     constexpr double kAtRest = 1e-5;  // [m/s]: weightless bodies that rest make rounding only
-    for (const std::int32_t b : ctx.model.bodies.moving) {
-        d.nothing += 0.5 * ctx.model.bodies.mass[at(b)] * kAtRest * kAtRest;
-        if (ctx.model.bodies.weight[at(b)])
+    for (const std::int32_t b : model.bodies.moving) {
+        d.nothing += 0.5 * model.bodies.mass[at(b)] * kAtRest * kAtRest;
+        if (model.bodies.weight[at(b)])
             d.nothing +=
-                limit::kNothingHigher * ctx.model.bodies.mass[at(b)] * ctx.model.def.gravity.norm();
+                limit::kNothingHigher * model.bodies.mass[at(b)] * model.def.gravity.norm();
     }
     // A look at a small scene costs next to nothing.
     constexpr std::size_t kSmall = 128;
-    const bool small = ctx.model.bodies.moving.size() + d.elastic.size() <= kSmall;
-    d.every = small ? 1
-                    : static_cast<std::int32_t>(
-                          std::max(1.0, std::round(limit::kLook / ctx.model.def.step)));
+    const bool small = model.bodies.moving.size() + d.elastic.size() <= kSmall;
+    d.every =
+        small ? 1
+              : static_cast<std::int32_t>(std::max(1.0, std::round(limit::kLook / model.def.step)));
 }
 
 }  // namespace hawser::stepper

@@ -9,6 +9,6 @@
 namespace hawser::stepper {
 
 /// Arrays for the interactions there are. @throws std::bad_alloc.
-void prepare_judge(StepContext& ctx);
+void prepare_judge(const Model& model, State& state);
 
 }  // namespace hawser::stepper

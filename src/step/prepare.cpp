@@ -15,16 +15,16 @@ void prepare(StepContext& ctx) {
     if (ctx.model.collider.count() > 0) {
         ctx.model.collider.prepare(ctx.model.bodies, ctx.model.interactions, ctx.model.def.step);
         ctx.model.collider.surfaces(ctx.model.def.step, ctx.state.contacts);
-        prepare_contacts(ctx);
+        prepare_contacts(ctx.model, ctx.work);
     }
     if (ctx.state.edits.any)
-        check_asleep(ctx);
+        check_asleep(ctx.model, ctx.work.stats);
     else
-        wake_all(ctx);
-    make_wires(ctx);
+        wake_all(ctx.model, ctx.work.stats);
+    make_wires(ctx.model, ctx.state);
     analyse(ctx);
-    reserve_sleep(ctx);
-    prepare_judge(ctx);
+    reserve_sleep(ctx.model, ctx.work.sleep);
+    prepare_judge(ctx.model, ctx.state);
     finish_preparation(ctx);
 }
 

@@ -22,8 +22,9 @@ void take_back_systems(StepContext& ctx) noexcept {
     if (ctx.actors != nullptr) ctx.actors->go_back(ctx);
 }
 
-double added_energy(StepContext& ctx, const double* v) noexcept {
-    return ctx.state.loads.added_energy(ctx.model.bodies, v, ctx.pool);
+double added_energy(const Model& model, State& state, runtime::Pool& pool,
+                    const double* v) noexcept {
+    return state.loads.added_energy(model.bodies, v, pool);
 }
 
 }  // namespace hawser::stepper

@@ -18,6 +18,7 @@ void accept_systems(StepContext& ctx) noexcept;
 void take_back_systems(StepContext& ctx) noexcept;
 
 /// ½ vᵀA v of the added mass that systems load bodies with in this step [J].
-[[nodiscard]] double added_energy(StepContext& ctx, const double* v) noexcept;
+[[nodiscard]] double added_energy(const Model& model, State& state, runtime::Pool& pool,
+                                  const double* v) noexcept;
 
 }  // namespace hawser::stepper

@@ -51,10 +51,10 @@ void mend(StepContext& ctx) {
         ctx.model.system.go_back(before);
         throw;
     }
-    reserve_sleep(ctx);
+    reserve_sleep(ctx.model, ctx.work.sleep);
     ctx.work.before.lambda.resize(ctx.model.interactions.lambda.size());
     ctx.work.before.repeats.resize(ctx.model.interactions.repeats.size());
-    reserve_undo(ctx);
+    reserve_undo(ctx.model, ctx.work.undo);
     ctx.state.mend = Mend::nothing;
 }
 
@@ -76,7 +76,7 @@ Transaction::~Transaction() {
 
 void Transaction::done() noexcept {
     if (!done_) {
-        drop_kept(ctx_);
+        drop_kept(ctx_.work.undo);
         ctx_.state.edits.clear();
     }
     done_ = true;

@@ -48,8 +48,8 @@ struct Members {
 /// Call f with the bodies of each interaction, contact and segment: what holds together. Friction
 /// belongs to its loads, whether they share a body or not.
 template <class F>
-void each_bond(const StepContext& ctx, F&& f) noexcept {
-    const model::Interactions& in = ctx.model.interactions;
+void each_bond(const Model& model, const State& state, F&& f) noexcept {
+    const model::Interactions& in = model.interactions;
     for (std::int32_t i = 0; i < in.count(); ++i) {
         Members m;
         m.add(in, i);
@@ -58,16 +58,16 @@ void each_bond(const StepContext& ctx, F&& f) noexcept {
                 if (load.interaction.valid()) m.add(in, load.interaction.index);
         f(std::span<const std::int32_t>(m.body, m.count));
     }
-    for (const collide::Contact& c : ctx.state.contacts.contacts)
+    for (const collide::Contact& c : state.contacts.contacts)
         f(std::span<const std::int32_t>(c.body, c.slots));
-    for (const collide::Shape& s : ctx.model.collider.shapes())
+    for (const collide::Shape& s : model.collider.shapes())
         if (s.segment()) f(std::span<const std::int32_t>(s.body));
 }
 
 void find_islands(StepContext& ctx) noexcept {
     std::vector<std::int32_t>& island = ctx.work.sleep.island;
     std::iota(island.begin(), island.end(), 0);
-    each_bond(ctx, [&](std::span<const std::int32_t> bodies) {
+    each_bond(ctx.model, ctx.state, [&](std::span<const std::int32_t> bodies) {
         std::int32_t first = -1;
         for (const std::int32_t b : bodies) {
             if (!moves(ctx.model.bodies, b)) continue;
@@ -89,7 +89,7 @@ void mark_islands(StepContext& ctx, F&& wanted) noexcept {
     if (std::none_of(ctx.model.bodies.driven.begin(), ctx.model.bodies.driven.end(),
                      [&](std::int32_t b) { return carries(ctx.model.bodies, b); }))
         return;
-    each_bond(ctx, [&](std::span<const std::int32_t> bodies) {
+    each_bond(ctx.model, ctx.state, [&](std::span<const std::int32_t> bodies) {
         if (std::none_of(bodies.begin(), bodies.end(),
                          [&](std::int32_t b) { return carries(ctx.model.bodies, b); }))
             return;
@@ -99,21 +99,21 @@ void mark_islands(StepContext& ctx, F&& wanted) noexcept {
 }
 
 /// A body sleeps from now on, or wakes. @return whether that is new.
-bool set_asleep(StepContext& ctx, std::int32_t body, bool asleep) noexcept {
-    std::uint8_t& now = ctx.model.bodies.asleep[at(body)];
+bool set_asleep(Model& model, StepStats& stats, std::int32_t body, bool asleep) noexcept {
+    std::uint8_t& now = model.bodies.asleep[at(body)];
     if ((now != 0) == asleep) return false;
     now = asleep ? 1 : 0;
-    ctx.work.stats.asleep += asleep ? 1 : -1;
+    stats.asleep += asleep ? 1 : -1;
     return true;
 }
 
 /// Whether an island has to wake.
-bool disturbed(const StepContext& ctx) noexcept {
-    const model::Bodies& b = ctx.model.bodies;
+bool disturbed(const Model& model, const State& state) noexcept {
+    const model::Bodies& b = model.bodies;
     for (const std::int32_t body : b.moving)
         if (b.asleep[at(body)] != 0 && b.quiet[at(body)] == 0) return true;
     bool found = false;
-    each_bond(ctx, [&](std::span<const std::int32_t> bodies) {
+    each_bond(model, state, [&](std::span<const std::int32_t> bodies) {
         bool asleep = false, moving = false;
         for (const std::int32_t body : bodies) {
             asleep = asleep || b.asleep[at(body)] != 0;
@@ -134,7 +134,7 @@ bool wake_islands(StepContext& ctx) noexcept {
     bool woken = false;
     for (const std::int32_t body : b.moving) {
         if (ctx.work.sleep.mark[at(island_of(ctx.work.sleep.island, body))] == 0) continue;
-        if (!set_asleep(ctx, body, false)) continue;
+        if (!set_asleep(ctx.model, ctx.work.stats, body, false)) continue;
         b.quiet[at(body)] = 0;
         woken = true;
     }
@@ -163,7 +163,7 @@ void analyse_after_step(StepContext& ctx) noexcept {
 
 Status wake_disturbed(StepContext& ctx) noexcept {
     if (ctx.work.stats.asleep == 0) return Status::ok;
-    if (disturbed(ctx)) {
+    if (disturbed(ctx.model, ctx.state)) {
         const Status status = guarded(ctx, [&] {
             keep_state(ctx, Undo::Depth::system);
             if (wake_islands(ctx)) analyse_anew(ctx);
@@ -200,7 +200,7 @@ void fall_asleep(StepContext& ctx) noexcept {
     bool fallen = false;
     for (const std::int32_t body : b.moving)
         if (ctx.work.sleep.mark[at(island_of(ctx.work.sleep.island, body))] == 0)
-            fallen = set_asleep(ctx, body, true) || fallen;
+            fallen = set_asleep(ctx.model, ctx.work.stats, body, true) || fallen;
     if (fallen) analyse_after_step(ctx);
 }
 

@@ -34,9 +34,9 @@ void keep_spin_change(model::Bodies& bodies, const assembly::View& v, std::int32
 }
 
 /// Violations of all rows with every body moved by time t at its velocity.
-void violations_at(StepContext& ctx, double t, std::vector<double>& g) {
-    model::Bodies& b = ctx.model.bodies;
-    g.resize(ctx.model.interactions.g.size());
+void violations_at(Model& model, runtime::Pool& pool, double t, std::vector<double>& g) {
+    model::Bodies& b = model.bodies;
+    g.resize(model.interactions.g.size());
     const auto x = b.x;
     const auto q = b.q;
     const auto r = b.r;
@@ -52,9 +52,9 @@ void violations_at(StepContext& ctx, double t, std::vector<double>& g) {
         const double* v = &b.v_fixed[6 * at(body)];
         b.drift(body, v, v + 3, t);
     }
-    place_images(ctx.model);
-    evaluate_rows(ctx);
-    std::copy(ctx.model.interactions.g.begin(), ctx.model.interactions.g.end(), g.begin());
+    place_images(model);
+    evaluate_rows(model, pool);
+    std::copy(model.interactions.g.begin(), model.interactions.g.end(), g.begin());
     b.x = x;
     b.q = q;
     b.r = r;
@@ -62,26 +62,26 @@ void violations_at(StepContext& ctx, double t, std::vector<double>& g) {
 
 /// Ġ v of every row [m/s² or rad/s²]: the second difference of g along the motion. Zero for
 /// velocity rows.
-std::vector<double> row_curvature(StepContext& ctx) {
+std::vector<double> row_curvature(Model& model, runtime::Pool& pool) {
     std::vector<double> before, now, after;
-    const double h = ctx.model.def.step;
-    violations_at(ctx, -h, before);
-    violations_at(ctx, h, after);
-    violations_at(ctx, 0.0, now);
+    const double h = model.def.step;
+    violations_at(model, pool, -h, before);
+    violations_at(model, pool, h, after);
+    violations_at(model, pool, 0.0, now);
     for (std::size_t i = 0; i < now.size(); ++i)
         now[i] = (before[i] + after[i] - 2.0 * now[i]) / (h * h);
     return now;
 }
 
 /// h²W/4ε of a row that holds energy, (hω)²/4 of the swing that it makes with its bodies.
-double swing_of(const StepContext& ctx, std::int32_t id, int r) {
-    const model::Interactions& in = ctx.model.interactions;
+double swing_of(const Model& model, std::int32_t id, int r) {
+    const model::Interactions& in = model.interactions;
     const auto row = at(in.row_begin[at(id)] + r);
     if ((in.row_flags[row] & model::kRowVelocity) ||
         !model::holds_energy(in.epsilon[row], in.rest_length[at(id)]))
         return 0.0;
-    const double h = ctx.model.def.step;
-    return 0.25 * h * h * assembly::mobility(ctx.model.bodies, in, id, r) / in.epsilon[row];
+    const double h = model.def.step;
+    return 0.25 * h * h * assembly::mobility(model.bodies, in, id, r) / in.epsilon[row];
 }
 
 /// Springs that the step does not resolve begin with the energy that they have.
@@ -93,20 +93,19 @@ double swing_of(const StepContext& ctx, std::int32_t id, int r) {
 ///
 /// `add`: to the right-hand side of a trial, so that half of what it changes brings v₋ there.
 /// @return whether there is such a spring.
-bool slow_springs(StepContext& ctx, bool add) noexcept {
-    const assembly::View v = view(ctx);
+bool slow_springs(Model& model, bool add) noexcept {
+    const assembly::View v = row_view(model);
     constexpr double kResolvedShare = 0.25;
     bool any = false;
-    for (std::int32_t id = 0; id < interaction_count(ctx.model); ++id) {
+    for (std::int32_t id = 0; id < interaction_count(model); ++id) {
         // Of wires see calm_start().
-        if (ctx.model.system.rests(id) || v.active[id] == 0.0 ||
-            ctx.model.wires.wire_of[at(id)] >= 0)
+        if (model.system.rests(id) || v.active[id] == 0.0 || model.wires.wire_of[at(id)] >= 0)
             continue;
         double room[model::kArmRoom];
         const double* jac = packed_rows(v, id, room);
         for (int r = 0; r < v.rows[id]; ++r) {
             const double speed = along_row(v, id, jac, v.v, v.dof_begin);
-            const double z = speed == 0.0 ? 0.0 : swing_of(ctx, id, r);
+            const double z = speed == 0.0 ? 0.0 : swing_of(model, id, r);
             if (!(z > kResolvedShare)) continue;
             any = true;
             const double less = (1.0 - 1.0 / std::sqrt(1.0 + z)) * (1.0 + z) / z;
@@ -121,7 +120,7 @@ Status try_step(StepContext& ctx, const std::vector<double>& curvature, bool slo
     assemble_rows(ctx);
     for (std::size_t i = 0; i < curvature.size(); ++i)
         ctx.model.interactions.c[i] -= ctx.model.def.step * curvature[i];
-    if (slower) (void)slow_springs(ctx, true);
+    if (slower) (void)slow_springs(ctx.model, true);
     ctx.work.solve.rhs_ready = false;
     return solve_assembled(ctx);
 }
@@ -131,26 +130,26 @@ Status try_stagger(StepContext& ctx) noexcept {
     std::vector<double> curvature;
     base::Array<double> active, lambda;
     const Status room = guarded(ctx, [&] {
-        curvature = row_curvature(ctx);
+        curvature = row_curvature(ctx.model, ctx.pool);
         active = ctx.model.interactions.active;
         lambda = ctx.model.interactions.lambda;
     });
     if (room != Status::ok) return room;
-    const assembly::View v = view(ctx);
+    const assembly::View v = row_view(ctx.model);
     // The first trial finds λ without geometric stiffness, the second uses it.
     for (int trial = 0; trial < 2; ++trial) {
         if (const Status s = try_step(ctx, curvature, false); s != Status::ok) return s;
         for (std::int32_t body : ctx.model.bodies.rigid)
             keep_spin_change(ctx.model.bodies, v, body);
     }
-    if (slow_springs(ctx, false)) {
+    if (slow_springs(ctx.model, false)) {
         std::copy(ctx.model.interactions.lambda.begin(), ctx.model.interactions.lambda.end(),
                   lambda.begin());
         if (const Status s = try_step(ctx, curvature, true); s != Status::ok) return s;
         std::copy(lambda.begin(), lambda.end(), ctx.model.interactions.lambda.begin());
     }
     for (std::int32_t i = 0; i < ctx.model.bodies.dofs; ++i) v.v[i] -= 0.5 * (v.v_new[i] - v.v[i]);
-    calm_start(ctx);
+    calm_start(ctx.model, ctx.work.before);
     // Which lines are slack is for the first step to find, and to report.
     std::copy(active.begin(), active.end(), ctx.model.interactions.active.begin());
     return Status::ok;

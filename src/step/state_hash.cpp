@@ -10,40 +10,40 @@
 
 namespace hawser::stepper {
 
-std::uint64_t state_hash(const StepContext& ctx) noexcept {
+std::uint64_t state_hash(const Model& model, const State& state) noexcept {
     const char* isa = instruction_set();
     std::uint64_t hash = base::fnv1a(isa, std::strlen(isa));
     auto add = [&](const auto& array) {
         hash = base::fnv1a(array.data(), array.size() * sizeof(array[0]), hash);
     };
     // Images of bodies (cuts.h) follow from them.
-    const auto bodies = at(body_count(ctx.model));
+    const auto bodies = at(body_count(model));
     auto front = [&](const base::Array<double>& array, std::size_t each) {
         hash = base::fnv1a(array.data(), each * bodies * sizeof(double), hash);
     };
-    front(ctx.model.bodies.x, 3);
-    front(ctx.model.bodies.q, 4);
-    add(ctx.model.bodies.v);
-    front(ctx.model.bodies.spin_change, 3);
-    front(ctx.model.bodies.v_fixed, 6);
-    front(ctx.model.bodies.force, 6);
-    add(ctx.model.interactions.lambda);
-    add(ctx.model.interactions.active);
-    add(ctx.model.interactions.parted);
-    add(ctx.model.interactions.coarse);
-    add(ctx.model.interactions.repeats);
-    add(ctx.model.interactions.anchor);
+    front(model.bodies.x, 3);
+    front(model.bodies.q, 4);
+    add(model.bodies.v);
+    front(model.bodies.spin_change, 3);
+    front(model.bodies.v_fixed, 6);
+    front(model.bodies.force, 6);
+    add(model.interactions.lambda);
+    add(model.interactions.active);
+    add(model.interactions.parted);
+    add(model.interactions.coarse);
+    add(model.interactions.repeats);
+    add(model.interactions.anchor);
     // Not where there is nothing: there is no room for it before the first step is prepared.
-    for (std::size_t k = 0; k < ctx.model.wires.count(); ++k) {
-        if (ctx.model.wires.credit[k] == 0.0 && ctx.model.wires.alert[k] == 0) continue;
+    for (std::size_t k = 0; k < model.wires.count(); ++k) {
+        if (model.wires.credit[k] == 0.0 && model.wires.alert[k] == 0) continue;
         hash = base::fnv1a(&k, sizeof k, hash);
-        hash = base::fnv1a(&ctx.model.wires.credit[k], sizeof(double), hash);
-        hash = base::fnv1a(&ctx.model.wires.alert[k], sizeof(std::int32_t), hash);
+        hash = base::fnv1a(&model.wires.credit[k], sizeof(double), hash);
+        hash = base::fnv1a(&model.wires.alert[k], sizeof(std::int32_t), hash);
     }
-    add(ctx.model.collider.kept());
-    add(ctx.model.bodies.asleep);
-    add(ctx.model.bodies.quiet);
-    return base::fnv1a(&ctx.state.step, sizeof ctx.state.step, hash);
+    add(model.collider.kept());
+    add(model.bodies.asleep);
+    add(model.bodies.quiet);
+    return base::fnv1a(&state.step, sizeof state.step, hash);
 }
 
 }  // namespace hawser::stepper

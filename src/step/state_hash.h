@@ -8,6 +8,6 @@
 namespace hawser::stepper {
 
 /// Hash of the state: see World::state_hash.
-[[nodiscard]] std::uint64_t state_hash(const StepContext& ctx) noexcept;
+[[nodiscard]] std::uint64_t state_hash(const Model& model, const State& state) noexcept;
 
 }  // namespace hawser::stepper

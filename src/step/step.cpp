@@ -58,35 +58,34 @@ Status start_world(StepContext& ctx) noexcept {
     // Its trial steps need the loads of systems.
     if (const Status acted = prestep(ctx); acted != Status::ok) return acted;
     keep_motion(ctx);
-    ctx.state.loads.added = added_energy(ctx, ctx.model.bodies.v.data());
+    ctx.state.loads.added = added_energy(ctx.model, ctx.state, ctx.pool, ctx.model.bodies.v.data());
     begin_judge(ctx);
     Status status = Status::ok;
     if (ctx.model.collider.count() > 0) status = find_contacts(ctx);
     if (status == Status::ok && ctx.model.collider.count() > 0)
         status = start_contacts(ctx, Phase::stagger);
     if (status == Status::ok) status = stagger(ctx);
-    ctx.state.loads.added = added_energy(ctx, ctx.model.bodies.v.data());
+    ctx.state.loads.added = added_energy(ctx.model, ctx.state, ctx.pool, ctx.model.bodies.v.data());
     return status;
 }
 
-void clear_figures(StepContext& ctx) noexcept {
-    ctx.work.stats.stage_seconds.fill(0.0);
-    ctx.work.stats.factorisations = 0;
-    ctx.work.stats.substitutions = ctx.work.stats.completion_rounds = ctx.work.stats.undetermined =
-        0;
-    ctx.work.stats.restiffened = 0;
-    ctx.work.stats.completion_change = 0.0;
-    begin_completion(ctx);
-    ctx.work.stats.partial_factorisations = 0;
-    ctx.work.stats.flips_left = 0;
-    ctx.work.stats.wire_repeats = 0;
-    ctx.work.solve.step_flops = 0;
-    ctx.work.newton.iterations = 0;
-    ctx.work.stats.natural_map = 0.0;
-    ctx.work.stats.cut = false;
-    ctx.work.stats.degradation = {};
-    ctx.work.stats.degraded_by = DegradedBy::nothing;
-    ctx.work.stats.foreseen_seconds = 0.0;
+void clear_figures(Model& model, Work& work) noexcept {
+    work.stats.stage_seconds.fill(0.0);
+    work.stats.factorisations = 0;
+    work.stats.substitutions = work.stats.completion_rounds = work.stats.undetermined = 0;
+    work.stats.restiffened = 0;
+    work.stats.completion_change = 0.0;
+    begin_completion(model);
+    work.stats.partial_factorisations = 0;
+    work.stats.flips_left = 0;
+    work.stats.wire_repeats = 0;
+    work.solve.step_flops = 0;
+    work.newton.iterations = 0;
+    work.stats.natural_map = 0.0;
+    work.stats.cut = false;
+    work.stats.degradation = {};
+    work.stats.degraded_by = DegradedBy::nothing;
+    work.stats.foreseen_seconds = 0.0;
 }
 
 /// @return when the solver began.
@@ -152,7 +151,7 @@ void finish(StepContext& ctx) noexcept {
     timed(ctx, Stage::integrate, integrate);
     ctx.state.imposed = {};
     if (ctx.model.collider.count() > 0) ctx.model.collider.keep();
-    drop_kept(ctx);
+    drop_kept(ctx.work.undo);
     ctx.state.edits.clear();
     accept_systems(ctx);
     fall_asleep(ctx);
@@ -165,7 +164,7 @@ Status take_step(StepContext& ctx) noexcept {
     if (status != Status::ok) return status;
     const StepTimer timer(ctx);
     const Clock::time_point begin = Clock::now();
-    clear_figures(ctx);
+    clear_figures(ctx.model, ctx.work);
 
     if (!starts) status = timed(ctx, Stage::prestep, prestep);
     if (status == Status::ok) status = collide(ctx);

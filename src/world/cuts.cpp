@@ -168,8 +168,8 @@ void copy_motion(const stepper::StepContext& from, stepper::StepContext& to) {
         std::fill(to.model.bodies.asleep.begin(), to.model.bodies.asleep.end(), std::uint8_t{0});
         std::fill(to.model.bodies.quiet.begin(), to.model.bodies.quiet.end(), 0);
     }
-    stepper::check_asleep(to);
-    stepper::follow_alerts(to);
+    stepper::check_asleep(to.model, to.work.stats);
+    stepper::follow_alerts(to.model);
 }
 
 void copy_values(const stepper::StepContext& from, stepper::StepContext& to) {

@@ -162,12 +162,12 @@ double World::Impl::applied(const InputDef& input) const {
 
 void World::Impl::disturb(const InputDef& input) noexcept {
     if (!input.interaction.valid()) {
-        stepper::disturb(ctx, input.body.index);
+        stepper::disturb(ctx.model, input.body.index);
         return;
     }
     const std::size_t first = kMaxInteractionBodies * at(input.interaction.index);
     for (std::size_t b = 0; b < ctx.model.interactions.bodies[at(input.interaction.index)]; ++b) {
-        stepper::disturb(ctx, ctx.model.interactions.body[first + b]);
+        stepper::disturb(ctx.model, ctx.model.interactions.body[first + b]);
     }
 }
 

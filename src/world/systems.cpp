@@ -139,19 +139,13 @@ System* Systems::find(std::string_view name) const noexcept {
 }
 
 const SystemSignal& Systems::signal(std::string_view name) const {
-    const SystemSignal* nearest = nullptr;
-    std::size_t least = 0;
-    for (const SystemSignal& s : signals_) {
-        const std::string full = full_name(s);
-        if (full == name) return s;
-        const std::size_t off = edit_distance(full, name);
-        if (nearest != nullptr && off >= least) continue;
-        nearest = &s;
-        least = off;
-    }
+    std::vector<std::string> names;
+    for (const SystemSignal& s : signals_)
+        if (names.emplace_back(full_name(s)) == name) return s;
+    std::vector<const char*> known;
+    for (const std::string& each : names) known.push_back(each.c_str());
     throw DefError("there is no signal '" + std::string(name) + "'" +
-                   (nearest ? "; the nearest is '" + full_name(*nearest) + "'"
-                            : std::string(": no system has one")));
+                   (known.empty() ? ": no system has one" : remedy_of(name, known)));
 }
 
 void Systems::keep_states(std::vector<std::byte>& to) const {

@@ -244,7 +244,7 @@ void World::part(InteractionId id) {
         std::max(0.0, -c.model.interactions.force[at(c.model.interactions.row_begin[i])]);
     c.state.ledger.damped += stepper::energy_of_interaction(c, id.index);
     for (std::size_t b = 0; b < c.model.interactions.bodies[i]; ++b)
-        stepper::disturb(c, c.model.interactions.body[kMaxInteractionBodies * i + b]);
+        stepper::disturb(c.model, c.model.interactions.body[kMaxInteractionBodies * i + b]);
     stepper::part_all(c.model, id.index);
     stepper::push_event(c, EventKind::line_break, id.index, tension);
     if (impl_->listener != nullptr) impl_->listener->parted(id);

@@ -96,7 +96,7 @@ std::uint64_t World::state_hash() const noexcept { return impl_->systems.hash(mo
 std::uint64_t World::motion_hash() const noexcept {
     const std::vector<double>& inputs = impl_->input_values;
     return base::fnv1a(inputs.data(), inputs.size() * sizeof(double),
-                       stepper::state_hash(impl_->ctx));
+                       stepper::state_hash(impl_->ctx.model, impl_->ctx.state));
 }
 
 void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
@@ -104,7 +104,7 @@ void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
     const std::size_t b = impl_->place(body);
     world::check_force(world::label("body", impl_->body_defs[b].name), force, torque);
     BodyDef& def = impl_->body_defs[b];
-    if (def.force != force || def.torque != torque) stepper::disturb(impl_->ctx, body.index);
+    if (def.force != force || def.torque != torque) stepper::disturb(impl_->ctx.model, body.index);
     def.force = force;
     def.torque = torque;
     for (int i = 0; i < 6; ++i) impl_->add_up_force(body, i);
@@ -143,8 +143,8 @@ void World::set_pose(BodyId id, const Pose& pose) {
     model::Bodies& s = impl_->ctx.model.bodies;
     impl_->ctx.state.judge.state.begun = 0;  // no work did that
     // What leant on it hangs in the air now.
-    if (s.dof(id.index) == 0 || s.asleep[b] != 0) stepper::disturb_all(impl_->ctx);
-    stepper::disturb(impl_->ctx, id.index);
+    if (s.dof(id.index) == 0 || s.asleep[b] != 0) stepper::disturb_all(impl_->ctx.model);
+    stepper::disturb(impl_->ctx.model, id.index);
     for (int i = 0; i < 3; ++i) s.x[3 * b + at(i)] = pose.position[i];
     if (s.kind[b] == BodyKind::scalar)
         for (const std::int32_t w : impl_->ctx.model.interactions.winches)
@@ -170,7 +170,7 @@ void World::set_velocity(BodyId id, const Twist& twist) {
     const int count = dof == 0 ? 6 : dof;
     // What a prescribed velocity carries wakes in the step (step/sleep.h).
     if (dof > 0) {
-        stepper::disturb(impl_->ctx, id.index);
+        stepper::disturb(impl_->ctx.model, id.index);
         impl_->ctx.state.judge.state.begun = 0;  // no work did that
     }
     for (int i = 0; i < count; ++i) v[i] = i < 3 ? twist.linear[i] : twist.angular[i - 3];
@@ -186,8 +186,8 @@ bool World::asleep(BodyId id) const {
 void World::wake(BodyId id) {
     const world::Using use(impl_->use, "wake");
     (void)impl_->place(id);
-    if (impl_->ctx.model.bodies.dof(id.index) == 0) stepper::disturb_all(impl_->ctx);
-    stepper::disturb(impl_->ctx, id.index);
+    if (impl_->ctx.model.bodies.dof(id.index) == 0) stepper::disturb_all(impl_->ctx.model);
+    stepper::disturb(impl_->ctx.model, id.index);
     if (impl_->listener != nullptr) impl_->listener->woken(id);
 }
 
