@@ -44,10 +44,14 @@ BoundedRow row_now(const View& v, std::int32_t id) noexcept {
     return {lambda, r};
 }
 
-/// The end of the range that an impulse was at when the ends were elsewhere.
+/// The end of the range that an impulse was at when the ends were elsewhere: that of its sign, or,
+/// where both ends are on one side of 0 (a winch that pulls with one tension or another), the
+/// nearer one.
 double moved_with(const ImpulseRange& range, double held) noexcept {
     if (held == 0.0) return std::clamp(0.0, range.low, range.high);
-    return held < 0.0 ? range.low : range.high;
+    const bool one_sided = range.high < 0.0 || range.low > 0.0;
+    const double middle = one_sided ? 0.5 * (range.low + range.high) : 0.0;
+    return held < middle ? range.low : range.high;
 }
 
 BoundedRow along(const Newton& n, std::size_t i, double t) noexcept {
@@ -66,7 +70,9 @@ bool pulls_on(const View& v, std::int32_t id) noexcept {
 /// Where a row is, and where it asks to be.
 struct Wish {
     bool was_active, active;
+    bool across;       ///< From one end of its range to the other.
     double projected;  ///< Its impulse, within the range [N s].
+    [[nodiscard]] bool asks() const noexcept { return active != was_active || across; }
 };
 Wish wish_of(const Model& model, const View& v, std::size_t i, const BoundedRow& p,
              const ImpulseRange& range) noexcept {
@@ -75,7 +81,11 @@ Wish wish_of(const Model& model, const View& v, std::size_t i, const BoundedRow&
     // An idle row goes where its bound has gone; only then it is asked whether it stays.
     const double lambda = was_active ? p.lambda : moved_with(range, v.held[id]);
     const double y = lambda + p.r / stiffness_scale(model, i);
-    return {was_active, range.low < y && y < range.high, std::clamp(y, range.low, range.high)};
+    const double projected = std::clamp(y, range.low, range.high);
+    const bool active = range.low < y && y < range.high;
+    // A motor that is told to turn back may pass from one end to the other within a step.
+    const bool across = !was_active && !active && projected != lambda;
+    return {was_active, active, across, projected};
 }
 /// Rows that never switch: what parted or gives way to another force, and what is in the middle of
 /// its range.
@@ -207,19 +217,19 @@ std::int32_t switch_bounds(Model& model, Work& work, double floor, std::int32_t 
         if (stays(model, v, id, range)) continue;
         const BoundedRow p = work.newton.row[i];
         double& held = model.interactions.held[at(id)];
-        const auto [was_active, active, projected] = wish_of(model, v, i, p, range);
-        if (active && was_active) continue;
-        if (active != was_active) {
+        const Wish wish = wish_of(model, v, i, p, range);
+        if (wish.active && wish.was_active) continue;
+        if (wish.asks()) {
             // Lines that lie about are slack and taut by rounding: that decides nothing.
-            if (std::fabs(projected - p.lambda) <= floor) continue;
+            if (std::fabs(wish.projected - p.lambda) <= floor) continue;
             if (asking++ >= most) continue;
         }
         if (most == 0) continue;
         work.solve.losses_known = false;
-        v.active[id] = active ? 1.0 : 0.0;
-        if (active) continue;
-        held = projected;
-        v.lambda[row] = projected;
+        v.active[id] = wish.active ? 1.0 : 0.0;
+        if (wish.active) continue;
+        held = wish.projected;
+        v.lambda[row] = wish.projected;
     }
     if (follows && asking == 0) extrapolate_bounds(model, work);
     if (asking > 0) work.newton.follow.restart();
@@ -234,8 +244,7 @@ bool any_asks(const Model& model, const Newton& newton, const View& v) noexcept 
         if (stays(model, v, id, range)) continue;
         const BoundedRow p = row_now(v, id);
         const Wish wish = wish_of(model, v, i, p, range);
-        if (wish.active != wish.was_active && std::fabs(wish.projected - p.lambda) > 0.0)
-            return true;
+        if (wish.asks() && std::fabs(wish.projected - p.lambda) > 0.0) return true;
     }
     return false;
 }

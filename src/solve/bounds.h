@@ -15,7 +15,8 @@
 /// `held` there. Which of the two holds follows, as for contacts, from the sign of λ + r/(W + Σ), W
 /// its share of G M⁻¹ Gᵀ, so that one Newton method finds both: each iteration solves with the
 /// statuses of the last, and those that the solution contradicts change. A status changes the
-/// matrix; a bound that moves with a load changes the right-hand side only.
+/// matrix; a bound that moves with a load changes the right-hand side only. An idle row may ask for
+/// the other end of its range: a motor that is told to turn back.
 ///
 /// **Loads.** The bound of friction lags an iteration behind its load; loads that friction itself
 /// makes up by a share s would take log(1e-6)/log(s) iterations, each the cost of a substitution: a

@@ -102,7 +102,9 @@ void report_saturation(StepContext& ctx) noexcept {
     model::Interactions& in = ctx.model.interactions;
     for (std::size_t i = 0; i < in.motors.size(); ++i) {
         const std::int32_t id = in.motors[i];
-        const bool at_end = in.active[at(id)] == 0.0;
+        // One that may give no force at all is off.
+        const bool off = in.low[at(id)] == 0.0 && in.high[at(id)] == 0.0;
+        const bool at_end = in.active[at(id)] == 0.0 && !off;
         if (at_end && !in.saturated[i])
             push_event(ctx, EventKind::saturation, id, in.force[at(in.row_begin[at(id)])]);
         in.saturated[i] = at_end ? 1 : 0;
