@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -79,12 +80,16 @@ class Systems::Hands final : public Prestep::Hands {
         of_.set_.push_back(before);  // act() has made room for one of each
     }
     void tell(EventKind kind, BodyId body, double value) noexcept override {
-        if (of_.told_.size() == of_.told_.capacity()) return;  // far more than systems have
-        Event& event = of_.told_.emplace_back();
+        Event event;
         event.time = ctx_.state.time;
         event.kind = kind;
         event.body = body;
         event.value = value;
+        try {
+            of_.told_.push_back(event);
+        } catch (const std::bad_alloc&) {
+            of_.untold_ = true;  // none is left out: the step ends, and is tried again
+        }
     }
     void run(int count, void (*task)(void*, int) noexcept, void* context) noexcept override {
         ctx_.state.loads.share(true);
@@ -188,7 +193,8 @@ Status Systems::act_all(stepper::StepContext& ctx) {
         ctx.state.loads.begin_system(static_cast<int>(i));
         queue_.begin_system(list_[i]->name());
         list_[i]->prestep(now, loads);
-        if (ctx.state.loads.out_of_memory() || queue_.out_of_memory()) return Status::out_of_memory;
+        if (ctx.state.loads.out_of_memory() || queue_.out_of_memory() || untold_)
+            return Status::out_of_memory;
         if (bad.reason[0] == '\0' && ctx.state.loads.touched())
             bad = ctx.state.loads.fault(ctx.pool);
         if (bad.reason[0] == '\0') continue;
@@ -202,6 +208,7 @@ Status Systems::act_all(stepper::StepContext& ctx) {
 
 Status Systems::act(stepper::StepContext& ctx) noexcept {
     bad = {};
+    untold_ = false;
     if (!deed_.known) queue_.clear();
     Status status = Status::ok;
     const Status room = stepper::guarded(ctx, [&] { status = act_all(ctx); });

@@ -130,6 +130,7 @@ class Systems final : public stepper::Actors {
     std::vector<std::byte> kept_;         ///< States before it.
     std::vector<InputDoor::Before> set_;  ///< Inputs that it set, in that order.
     std::vector<Event> told_;             ///< Events that they told of.
+    bool untold_ = false;                 ///< There was no room for one of them.
     double drive_ = 0.0;                  ///< Ledger::drive before it.
     QueuedEdits queue_;
     Deed deed_;

@@ -23,6 +23,7 @@ class Growing final : public System {
             loads.add_force(BodyId{b}, {count_, 0, 0});
         }
         now.set_input(InputId{0}, count_);
+        for (int e = 0; e < 20 * count_; ++e) now.tell(EventKind::layer, BodyId{1}, e);
     }
     void visit_state(StateVisitor& v) override { v.visit(count_); }
     void signals(SignalTable& table) override {
@@ -45,6 +46,8 @@ TEST(MemoryEnds, WhereSystemsActAndLoad) {
                            to.add_system(std::make_unique<Growing>(name));
                        }));
         for (int i = 0; i < 6; ++i) retry.call(w, "step", step_once, i > 0);
+        // Each of both told of 20, 40, … 120 events, whatever memory ended in between.
+        EXPECT_EQ(w.event_extremes(EventKind::layer).count, 2 * 20 * 21);
         retry.call(w, "remove_system",
                    throwing([](World& to) { (void)to.remove_system(to.system(0)); }));
         for (int i = 0; i < 2; ++i) retry.call(w, "step", step_once, i > 0);

@@ -215,6 +215,28 @@ TEST(Systems, BadLoadsEndTheStepAndNameSystemAndBody) {
 }
 
 /// Matrices that are semi-definite but for rounding are taken: of rank one, in units far apart.
+TEST(Systems, TellAllTheirEventsHoweverMany) {
+    World w;
+    const BodyId drum = w.add_body({.name = "drum", .kind = BodyKind::scalar, .mass = 1.0});
+    act(w, "talker", [&](Acting& self, Prestep& now, Loads&) {
+        for (int i = 0; i < 300; ++i)
+            now.tell(EventKind::layer, drum, 300.0 * static_cast<double>(self.calls) + i);
+    });
+    act(w, "other",
+        [&](Acting&, Prestep& now, Loads&) { now.tell(EventKind::brake_slip, drum, 7.0); });
+    std::uint64_t cursor = 0;
+    std::vector<Event> events;
+    for (int step = 1; step <= 3; ++step) {
+        ASSERT_EQ(w.step(), Status::ok);
+        EXPECT_EQ(w.events_since(cursor, events), 0U);
+        ASSERT_EQ(events.size(), 301U);
+        for (int i = 0; i < 300; ++i)
+            EXPECT_EQ(events[static_cast<std::size_t>(i)].value, 300.0 * step + i);
+        EXPECT_EQ(events.back().kind, EventKind::brake_slip);
+    }
+    EXPECT_EQ(w.event_extremes(EventKind::layer).count, 900);
+}
+
 TEST(Systems, LoadsOfRankOneAreTaken) {
     World w;
     const BodyId b = w.add_body(floating({0, 0, 0}, 1e3, {1e5, 2e5, 3e5}));
