@@ -95,14 +95,20 @@ InteractionId World::add_interaction(const InteractionDef& def) {
     const std::int32_t place = next_place(all.place_for(d.kind), interaction_count());
     claim(m.interaction_names, d.name, place, "interaction");
     // From here on nothing throws.
-    stepper::begin_edit(c);
-    (void)all.add(std::move(d), c.model.bodies, c.model.def.step);
-    if (at(place) < c.model.cuts.coupling.size())
-        c.model.cuts.coupling[at(place)] = c.model.def.coupling;
-    stepper::settle_interaction(c, place);
-    const InteractionId id = all.id(place);
-    insert_id(m.interaction_ids, id);
+    const InteractionId id = m.put_interaction(std::move(d));
     if (m.listener != nullptr) m.listener->added(def);
+    return id;
+}
+
+InteractionId World::Impl::put_interaction(InteractionDef&& whole) noexcept {
+    stepper::begin_edit(ctx);
+    model::Interactions& all = ctx.model.interactions;
+    const std::int32_t place = all.add(std::move(whole), ctx.model.bodies, ctx.model.def.step);
+    if (at(place) < ctx.model.cuts.coupling.size())
+        ctx.model.cuts.coupling[at(place)] = ctx.model.def.coupling;
+    stepper::settle_interaction(ctx, place);
+    const InteractionId id = all.id(place);
+    insert_id(interaction_ids, id);
     return id;
 }
 

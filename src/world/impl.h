@@ -86,6 +86,9 @@ struct World::Impl final : private world::InputDoor {
     [[nodiscard]] const Removed& sorted_removal() noexcept;
     void remove(BodyId id) noexcept;
     void remove(InteractionId id) noexcept;
+    /// A definition that is complete and has been checked becomes an interaction; its name has been
+    /// claimed, and room been made for it.
+    InteractionId put_interaction(InteractionDef&& whole) noexcept;
     void remove(ShapeId id) noexcept;
     void remove(InputId id) noexcept;
     /// @throws DefError where a system holds one of these, or what would go with it.

@@ -4,6 +4,10 @@
 
 #include "world/checks.h"
 #include "world/impl.h"
+#include "world/parts.h"
+
+#include <span>
+#include <utility>
 
 namespace hawser {
 
@@ -29,8 +33,25 @@ InteractionId World::wind_up(WireId id, int end, BodyId drum, double radius) {
     d.set("radius", radius).set("drum_zero", pose(drum).position.x());
     // A compliance that came from the length follows it.
     if ((in.flags[at(old.index)] & model::kFromLength) != 0) d.compliance[0] = kDefault;
-    (void)remove_interaction(old);  // the name is free then, and nothing else can be refused
-    const InteractionId out = add_interaction(d);
+    // All that can be refused is, and room is made, before the old element goes.
+    InteractionDef whole = d;
+    world::check(whole, impl_->ctx.model.bodies, body_count(),
+                 std::span(in.def).first(at(interaction_count())), in.places);
+    world::fill_in(whole, impl_->ctx);
+    impl_->refuse_held(old);
+    impl_->reserve_removal();
+    impl_->ctx.model.interactions.make_room(d.kind);
+    // From here on nothing throws: the name changes hands with the node that holds it.
+    auto name = impl_->interaction_names.extract(d.name);
+    impl_->remove(old);
+    if (impl_->listener != nullptr) impl_->listener->removed(old);
+    const InteractionId out = impl_->put_interaction(std::move(whole));
+    if (!name.empty()) {
+        name.mapped() = out.index;
+        impl_->interaction_names.insert(std::move(name));
+    }
+    if (impl_->listener != nullptr) impl_->listener->added(d);
+    (void)impl_->sorted_removal();
     impl_->wires.wires[at(id.index)].elements[place] = out;
     return out;
 }

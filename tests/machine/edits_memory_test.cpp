@@ -4,6 +4,8 @@
 #include "machine/retry.h"
 #include "support/yard.h"
 
+#include <string>
+
 namespace hawser::test {
 namespace {
 
@@ -49,6 +51,28 @@ TEST(MemoryEnds, WhereThingsComeAndGo) {
         expect_steps(retry, w, 3);
         EXPECT_EQ(w.bodies().size(), 4U);
         EXPECT_TRUE(w.wires().empty());
+    });
+}
+
+TEST(MemoryEnds, WhereAWireIsWoundUp) {
+    expect_same_bits("wind_up", [](Retry& retry) {
+        Yard yard{WorldDef{}};
+        World& w = yard.world;
+        WireDef wire{.name = kLongName, .from = yard.fixed()};
+        wire.length = 8.0;
+        wire.elements = 4;
+        wire.EA = 1e5;
+        wire.mass_per_length = 1.0;
+        const WireId id = w.add_wire(wire);
+        const BodyId drum = w.add_body({.name = "drum", .kind = BodyKind::scalar, .mass = 10.0});
+        expect_steps(retry, w, 2);
+        retry.call(w, "wind_up", throwing([&](World& to) { (void)to.wind_up(id, 0, drum, 0.3); }));
+        const InteractionId first = w.elements(id).front();
+        EXPECT_EQ(w.find_interaction(std::string(kLongName) + "/s0"), first);
+        EXPECT_EQ(w.interaction_def(first).kind, InteractionKind::WinchStretch);
+        EXPECT_TRUE(w.intact(first));
+        EXPECT_EQ(w.interactions().size(), 4U);
+        expect_steps(retry, w, 3);
     });
 }
 
