@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Motors at the ends of their force range.
+#include "support/recipe.h"
+
+#include <gtest/gtest.h>
+
+namespace hawser::test {
+namespace {
+
+/// A motor at one end of its range is told to turn back: it passes to the other end at once,
+/// although what it may give in a step is far less than what it is to change.
+TEST(MotorRange, IsCrossedFromOneEndToTheOther) {
+    Recipe r;
+    const BodyId drum = r.scalar(0.0, 30.0);
+    r.bodies.back().gravity = false;
+    InteractionDef d = between(InteractionKind::ScalarMotor, {drum});
+    const InteractionId motor =
+        r.add(d.set("speed", 5.0).set("force_min", -6.0).set("force_max", 6.0));
+    World w = r.make();
+    const double h = w.settings().step;
+    const InputId speed = w.add_input({.name = "speed", .interaction = motor, .param = "speed"});
+    for (int i = 0; i < 50; ++i) ASSERT_EQ(w.step(), Status::ok);
+    const double turned = w.velocity(drum).linear.x();
+    EXPECT_NEAR(turned, 49.5 * h * 6.0 / 30.0, 1e-12);  // the first step starts half a step late
+    w.set_input(speed, -5.0);
+    for (int i = 1; i <= 100; ++i) {
+        ASSERT_EQ(w.step(), Status::ok);
+        ASSERT_NEAR(w.force(motor)[0], -6.0, 1e-12) << i;
+        ASSERT_NEAR(w.velocity(drum).linear.x(), turned - i * h * 6.0 / 30.0, 1e-12) << i;
+    }
+}
+
+/// The range of a motor's force need not have 0 in it: a winch that holds between one tension and
+/// another. It gives the end that is against its motion, whichever way that is, and stands between.
+TEST(MotorRange, MayLieOnOneSideOfZero) {
+    Recipe r;
+    const BodyId drum = r.scalar(0.0, 30.0);
+    r.bodies.back().gravity = false;
+    InteractionDef d = between(InteractionKind::ScalarMotor, {drum});
+    const InteractionId motor = r.add(d.set("force_min", -12.0).set("force_max", -8.0));
+    World w = r.make();
+    const double h = w.settings().step;
+    ASSERT_EQ(w.step(), Status::ok);  // after the start, which is half a step
+    const auto expect_force = [&](double pull, double speed, double force) {
+        w.set_force(drum, {pull, 0, 0}, Vec3::Zero());
+        w.set_velocity(drum, {.linear = {speed, 0, 0}});
+        ASSERT_EQ(w.step(), Status::ok);
+        // Between its ends it creeps by its compliance, 1e-12 rad/s/(N m).
+        EXPECT_NEAR(w.force(motor)[0], force, 1e-7) << pull << " N m at " << speed << " rad/s";
+        EXPECT_NEAR(w.velocity(drum).linear.x(), speed + h * (pull + force) / 30.0, 1e-9);
+    };
+    expect_force(10.0, -1.0, -8.0);
+    expect_force(10.0, 1.0, -12.0);
+    expect_force(10.0, -1.0, -8.0);
+    expect_force(20.0, -1.0, -8.0);
+    expect_force(20.0, 1.0, -12.0);
+    expect_force(0.0, 0.0, -8.0);
+    expect_force(13.0, 0.0, -12.0);
+    expect_force(9.0, 0.0, -9.0);
+}
+
+/// One that may give no force is off, not at the end of what it may give.
+TEST(MotorRange, OfNothingIsNotSaturated) {
+    Recipe r;
+    const BodyId drum = r.scalar(0.0, 30.0);
+    InteractionDef d = between(InteractionKind::ScalarMotor, {drum});
+    const InteractionId motor =
+        r.add(d.set("speed", 5.0).set("force_min", 0.0).set("force_max", 0.0));
+    World w = r.make();
+    const InputId most = w.add_input({.name = "most", .interaction = motor, .param = "force_max"});
+    for (int i = 0; i < 10; ++i) ASSERT_EQ(w.step(), Status::ok);
+    EXPECT_EQ(w.event_extremes(EventKind::saturation).count, 0);
+    w.set_input(most, 6.0);
+    for (int i = 0; i < 10; ++i) ASSERT_EQ(w.step(), Status::ok);
+    EXPECT_EQ(w.event_extremes(EventKind::saturation).count, 1);
+    EXPECT_EQ(w.event_extremes(EventKind::saturation).first.value, 6.0);
+}
+
+}  // namespace
+}  // namespace hawser::test
