@@ -12,8 +12,9 @@ import scenes_contact_wires
 import scenes_joints
 import scenes_mechanisms
 import scenes_scheme
+import scenes_winches
 
 if __name__ == "__main__":
     for module in (scenes_scheme, scenes_mechanisms, scenes_cables, scenes_benchmark,
-                   scenes_contact, scenes_contact_wires, scenes_joints):
+                   scenes_contact, scenes_contact_wires, scenes_joints, scenes_winches):
         module.main()

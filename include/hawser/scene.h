@@ -60,8 +60,9 @@ struct Cable {
     double EA = 0.0;                     ///< Axial stiffness [N]; 0 for links without one.
     double breaking_load = 0.0;          ///< [N]; 0 = not given.
     double length = 0.0;                 ///< Unstretched length [m].
-    double diameter = 0.0;               ///< For pictures [m]; 0 = not given.
-    std::string color;                   ///< For pictures; "" = not given.
+    double diameter = 0.0;  ///< Of its line type, for pictures and winches [m]; 0 = not given.
+    double mass_per_length = 0.0;  ///< [kg/m].
+    std::string color;             ///< For pictures; "" = not given.
     /// Material coordinates between which it starts on its key "seabed" [m]; NaN: it does not.
     double laid_from = kDefault, laid_to = kDefault;
 };

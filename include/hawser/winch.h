@@ -63,6 +63,9 @@ struct WinchDef {
     std::string name{};  ///< Unique among systems. Parts: name/drum, name/motor, name/friction.
     WireId wire{};       ///< Whose end lies on the drum. Required.
     int end = 0;         ///< Which: 0 the first, 1 the last.
+    /// A scalar body of the mass `inertia` on which this end lies already (WinchStretch); invalid:
+    /// one is made, and the end's element with it (World::wind_up).
+    BodyId drum{};
 
     double core_radius = 0.0;         ///< Of the bare drum. Required.
     double width = 0.0;               ///< Between the flanges. Required.

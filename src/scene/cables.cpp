@@ -18,6 +18,7 @@ class Builder {
         cable_.breaking_load = c_.breaking_load;
         cable_.length = c_.length;
         cable_.diameter = c_.diameter;
+        cable_.mass_per_length = c_.mass_per_length;
         cable_.color = c_.color;
         cable_.from_point = c_.from.local;
         cable_.to_point = c_.to.local;

@@ -31,6 +31,13 @@ struct Frame {
     }
 };
 
+/// A winch before there is a world: its wire is a cable by name.
+struct Winch {
+    WinchDef def;
+    std::string cable;
+    int place = 0;
+};
+
 class Description {
   public:
     WorldDef settings;
@@ -47,6 +54,7 @@ class Description {
     std::vector<InputDef> inputs;
     std::vector<OutputDef> outputs;
     std::vector<Cable> cables;
+    std::vector<Winch> winches;
     std::vector<MaterialDef> materials;  ///< Material i of the list is i + 1 of the world.
     std::vector<MaterialPairDef> material_pairs;
     std::vector<ShapeDef> shapes;
@@ -59,6 +67,9 @@ class Description {
     }
     [[nodiscard]] const Place& input_place(std::size_t i) const { return places_[input_at_[i]]; }
     [[nodiscard]] const Place& output_place(std::size_t i) const { return places_[output_at_[i]]; }
+    [[nodiscard]] const Place& winch_place(std::size_t i) const {
+        return places_[static_cast<std::size_t>(winches[i].place)];
+    }
     [[nodiscard]] const Place& shape_place(std::size_t i) const { return places_[shape_at_[i]]; }
 
     void add_shape(ShapeDef def, int place);
@@ -143,6 +154,8 @@ void expand_shapes(Description& out, BodyId body, const Json& list, const Place&
 void expand_segments(Description& out, const Scope& scope);
 /// Inputs of one scope (inputs.cpp).
 void expand_inputs(Description& out, const Scope& scope);
+/// Winches of one scope, when all cables are there (winches.cpp).
+void expand_winches(Description& out, const Scope& scope);
 /// Outputs of one scope, when all interactions are there (outputs.cpp).
 void expand_outputs(Description& out, const Scope& scope);
 /// Start from the stored state (state.cpp): bodies of copy 0, or the cables that join copies.

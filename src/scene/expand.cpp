@@ -47,6 +47,7 @@ class Expander {
         add_bodies(std::move(root), 0);
         for (const InstanceScope& item : scopes_) {
             (void)with_note(out_.mistakes, item.note, [&] {
+                expand_winches(out_, item.scope);
                 expand_segments(out_, item.scope);
                 expand_interactions(out_, item.scope);
                 expand_inputs(out_, item.scope);
@@ -193,9 +194,13 @@ class Expander {
         Json content = Json::object();
         const Format& f = format();
         const std::pair<const char*, const Shape*> lists[] = {
-            {"bodies", f.bodies.get()}, {"instances", f.instances.get()},
-            {"cables", f.cables.get()}, {"interactions", f.interactions.get()},
-            {"inputs", f.inputs.get()}, {"outputs", f.outputs.get()}};
+            {"bodies", f.bodies.get()},
+            {"instances", f.instances.get()},
+            {"cables", f.cables.get()},
+            {"winches", f.winches.get()},
+            {"interactions", f.interactions.get()},
+            {"inputs", f.inputs.get()},
+            {"outputs", f.outputs.get()}};
         const bool filled = with_note(out_.mistakes, inner.note, [&] {
             for (const auto& [key, shape] : lists) {
                 if (definition.contains(key)) {

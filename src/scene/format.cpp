@@ -118,6 +118,7 @@ ShapePtr scene_template(const Format& format) {
          {"bodies", with_placeholders(format.bodies), false, "", "", "Bodies."},
          {"interactions", with_placeholders(format.interactions), false, "", "", "Interactions."},
          {"cables", with_placeholders(format.cables), false, "", "", "Cables."},
+         {"winches", with_placeholders(format.winches), false, "", "", "Winches."},
          {"inputs", with_placeholders(format.inputs), false, "", "", "Inputs."},
          {"outputs", with_placeholders(format.outputs), false, "", "", "Outputs."},
          {"instances", with_placeholders(format.instances), false, "", "",
@@ -166,6 +167,7 @@ ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
         {"bodies", f.bodies, false, "", "", "Bodies."},
         {"interactions", f.interactions, false, "", "", "Interactions."},
         {"cables", f.cables, false, "", "", "Cables."},
+        {"winches", f.winches, false, "", "", "Winches."},
         {"instances", f.instances, false, "", "", "Uses of templates."},
         {"inputs", f.inputs, false, "", "", "Inputs."},
         {"outputs", f.outputs, false, "", "", "Outputs: columns of --csv."},
@@ -207,6 +209,7 @@ Format make_format() {
     f.bodies = list_of("a list of bodies", body());
     f.interactions = list_of("a list of interactions", interaction_shape());
     f.cables = list_of("a list of cables", cable_shape());
+    f.winches = list_of("a list of winches", winch_shape());
     f.instances = list_of("a list of instances", instance());
     f.inputs = list_of("a list of inputs", input_shape());
     f.outputs = list_of("a list of outputs", output_shape());

@@ -32,6 +32,7 @@ struct Format {
     ShapePtr bodies;  ///< The lists of a scene, and of a template once its parameters are in.
     ShapePtr interactions;
     ShapePtr cables;
+    ShapePtr winches;
     ShapePtr instances;
     ShapePtr inputs;
     ShapePtr outputs;
@@ -47,6 +48,9 @@ struct Format {
 /// What a line is made of, and a cable. See format_cables.cpp.
 [[nodiscard]] ShapePtr line_type_shape();
 [[nodiscard]] ShapePtr cable_shape();
+
+/// A winch at the end of a cable. See format_cables.cpp.
+[[nodiscard]] ShapePtr winch_shape();
 
 /// Shape of one interaction, by kind. See format_kinds.cpp.
 [[nodiscard]] ShapePtr interaction_shape();

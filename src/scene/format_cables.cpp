@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/format.h"
+#include "scene/winches.h"
 
 namespace hawser::scene {
 namespace {
@@ -95,6 +96,26 @@ ShapePtr cable_shape() {
          {"damping_time", number("a time", 0.0, 1e12), false, "of a ball joint", "s",
           "Of the ball joints of links."},
          {"description", text("a text"), false, "", "", "Remarks."}});
+}
+
+ShapePtr winch_shape() {
+    const std::span<const char* const> modes = winch_modes();
+    std::vector<Field> fields{
+        {"name", name("a name"), true, "", "", "Unique among winches; of its signals, name.mode."},
+        {"cable", text("a cable name"), true, "", "", "Cable of lumps that it winds up."},
+        {"end", word("an end", {"from", "to"}), false, "from", "", "Which end lies on the drum."},
+        {"mode", word("a mode", {modes.begin(), modes.end()}), false, "brake", "",
+         "What it does at first."}};
+    for (const WinchNumber& n : winch_numbers()) {
+        const bool required = *n.fallback == '\0';
+        fields.push_back(
+            {n.key, required ? positive("a number", n.most) : number("a number", n.least, n.most),
+             required, n.fallback, n.unit, n.doc});
+    }
+    fields.push_back({"description", text("a text"), false, "", "", "Remarks."});
+    return object("winch_on_deck", "a winch on deck",
+                  "A winch at the end of a cable: a drum with layers, motor, brake and modes.",
+                  std::move(fields));
 }
 
 }  // namespace hawser::scene

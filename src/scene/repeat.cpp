@@ -12,7 +12,7 @@ namespace {
 
 /// What of the description is copy 0.
 struct Extent {
-    std::size_t bodies, interactions, inputs, outputs, cables, shapes;
+    std::size_t bodies, interactions, inputs, outputs, cables, shapes, winches;
 };
 
 std::string copy_prefix(int copy) { return std::to_string(copy) + ":"; }
@@ -56,8 +56,8 @@ class Copier {
           place_(document.place / "repeat"),
           repeat_(repeat),
           offset_(vector_of(repeat["offset"])),
-          base_{out.bodies.size(),  out.interactions.size(), out.inputs.size(),
-                out.outputs.size(), out.cables.size(),       out.shapes.size()} {}
+          base_{out.bodies.size(), out.interactions.size(), out.inputs.size(), out.outputs.size(),
+                out.cables.size(), out.shapes.size(),       out.winches.size()} {}
 
     void run(int copies) {
         const auto check = [&](std::size_t each, std::int64_t most, const char* what) {
@@ -93,6 +93,7 @@ class Copier {
         add_inputs(prefix);
         add_outputs(prefix, shift);
         add_cables(prefix, shift);
+        add_winches(prefix);
         add_shapes(prefix);
     }
 
@@ -156,6 +157,17 @@ class Copier {
                 element = mapped(element);
             }
             out_.add_cable(std::move(cable), place_);
+        }
+    }
+
+    void add_winches(const std::string& prefix) {
+        for (std::size_t i = 0; i < base_.winches; ++i) {
+            Winch winch = out_.winches[i];
+            rename(winch.def.name, prefix);
+            rename(winch.cable, prefix);
+            winch.def.drum = mapped(winch.def.drum);
+            winch.place = number_;
+            out_.winches.push_back(std::move(winch));
         }
     }
 

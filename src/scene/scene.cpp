@@ -37,6 +37,7 @@ class Builder {
         add_bodies(*world);
         add_interactions(*world);
         add_surfaces(*world);
+        add_winches(*world);
         for (std::size_t i = 0; i < description_.inputs.size() && numbered_; ++i) {
             (void)take(description_.input_place(i),
                        [&] { world->add_input(description_.inputs[i]); });
@@ -96,6 +97,26 @@ class Builder {
                 take(description_.interaction_place(i), [&] { world.add_interaction(def); });
         }
         numbered_ &= whole_;
+    }
+
+    /// With the wires that they wind up, which cables are.
+    void add_winches(World& world) {
+        if (!numbered_) {
+            return;
+        }
+        for (const Cable& cable : description_.cables) {
+            if (!cable.links) {
+                world.adopt_wire(cable.name, cable.stretch);
+            }
+        }
+        for (std::size_t i = 0; i < description_.winches.size(); ++i) {
+            const Winch& winch = description_.winches[i];
+            (void)take(description_.winch_place(i), [&] {
+                WinchDef def = winch.def;
+                def.wire = world.find_wire(winch.cable);
+                world.add(def);
+            });
+        }
     }
 
     void add_surfaces(World& world) {
@@ -224,8 +245,6 @@ std::optional<Scene> make_scene(Json root, const std::filesystem::path& file,
                 .plot_view_box = {}};
     read_plot(scene, description, document);
     scene.cables = std::move(description.cables);
-    for (const Cable& cable : scene.cables)
-        if (!cable.links) scene.world.adopt_wire(cable.name, cable.stretch);
     if (mistakes != nullptr && !mistakes->none()) {
         return std::nullopt;
     }

@@ -43,6 +43,8 @@ void case_joint_limits(Report& report);
 void case_motor_limits(Report& report);
 // resistance.cpp
 void case_rolling_resistance(Report& report);
+// winches.cpp
+void case_winches(Report& report);
 // scheme.cpp
 void case_static_violation(Report& report);
 void case_violation_decay(Report& report);

@@ -104,6 +104,25 @@ wire::DrumGeometry drum_of(const WinchDef& def) {
     return drum;
 }
 
+/// The element by which a drum that there is pays out the wire's end. @throws DefError
+InteractionId wound_end(const World& world, const WinchDef& def) {
+    if (!world.alive(def.drum) || world.body_def(def.drum).kind != BodyKind::scalar)
+        refuse(def, "its drum must be a scalar body");
+    const double mass = world.body_def(def.drum).mass;
+    if (mass != def.inertia)
+        refuse(def, "inertia = " + number(def.inertia) + " kg m^2, but its drum's mass is " +
+                        number(mass) + "; give the same");
+    const auto elements = world.elements(def.wire);
+    if (def.end != 0 && def.end != 1) refuse(def, "end must be 0, the first one, or 1");
+    const InteractionId id = def.end == 0 ? elements.front() : elements.back();
+    if (!world.alive(id) || !kind_info(world.interaction_def(id).kind).is(kWoundUp) ||
+        world.interaction_def(id).body[2] != def.drum)
+        refuse(def,
+               "this end of its wire does not lie on its drum; leave out the drum to have "
+               "both made");
+    return id;
+}
+
 /// What the system drives, of which of its parts, and how that is called.
 struct Driven {
     InputId wire::WinchInputs::* input;
@@ -137,14 +156,23 @@ WinchIds define(World& world, const WinchDef& def) {
     check_numbers(def);
     const wire::DrumGeometry drum = drum_of(def);
     if (!world.alive(def.wire)) refuse(def, "there is no wire that it could wind; give one");
+    const Nonsmooth method = world.settings().nonsmooth;
+    if (method == Nonsmooth::pgs || method == Nonsmooth::split)
+        refuse(def, "nonsmooth = pgs and split take no loads of systems; choose newton");
     for (const Driven& d : kDriven)
         if (world.find_input(def.name + d.name).valid())
             refuse(def, "there is an input '" + def.name + d.name + "' already; rename one");
     WinchIds ids;
-    ids.drum = world.add_body({.name = def.name + "/drum",
-                               .kind = BodyKind::scalar,
-                               .mass = def.inertia,
-                               .gravity = false});
+    const bool given = def.drum.valid();
+    if (given) {
+        ids.line = wound_end(world, def);
+        ids.drum = def.drum;
+    } else {
+        ids.drum = world.add_body({.name = def.name + "/drum",
+                                   .kind = BodyKind::scalar,
+                                   .mass = def.inertia,
+                                   .gravity = false});
+    }
     try {
         const DrumIds parts = world.add(DrumDef{.name = def.name,
                                                 .drum = ids.drum,
@@ -152,11 +180,16 @@ WinchIds define(World& world, const WinchDef& def) {
                                                 .friction = AxisFriction{.bound = 0.0}});
         ids.motor = parts.motor;
         ids.brake = parts.friction;
-        ids.line = world.wind_up(def.wire, def.end, ids.drum, drum.place(def.stored).radius);
+        const double radius = drum.place(def.stored).radius;
+        if (!given) ids.line = world.wind_up(def.wire, def.end, ids.drum, radius);
         const wire::WinchInputs inputs = add_inputs(world, def, ids);
+        if (given) {
+            world.set_input(inputs.drum_zero, world.pose(ids.drum).position.x());
+            world.set_input(inputs.radius, radius);
+        }
         world.add_system(std::make_unique<wire::WinchSystem>(def, drum, ids, inputs));
     } catch (...) {
-        (void)world.remove_body(ids.drum);
+        if (!given) (void)world.remove_body(ids.drum);
         throw;
     }
     return ids;

@@ -207,7 +207,8 @@ WinchSystem::Orders WinchSystem::orders() noexcept {
                        : speed < -kStands ? WinchState::hauling
                                           : WinchState::standing;
     const bool asks_out = m == WinchMode::speed && speed_ > 0.0;
-    const bool asks_in = m == WinchMode::speed && speed_ < 0.0;
+    const bool asks_in =
+        (m == WinchMode::speed && speed_ < 0.0) || (m == WinchMode::tension && speed <= kStands);
     if (asks_out && wraps_ <= def_.dead_wraps) state = WinchState::last_wraps;
     if (asks_in && stored_ >= drum_.capacity() - drum_.wire_diameter) state = WinchState::full;
     if (slipping_ != 0) state = WinchState::slipping;

@@ -237,6 +237,33 @@ TEST(Winch, PullFallsWithTheLayer) {
     }
 }
 
+TEST(Winch, RendersAboveItsBandAndTakesInBelow) {
+    WinchDef def = big_winch();
+    def.mode = WinchMode::render;
+    def.tension = 4e5;
+    def.deadband = 1e5;
+    Deck d(def);
+    // Hauled in from slack it comes to rest with a tension within the band.
+    d.run(30.0, 0.0);
+    EXPECT_EQ(d.state(), WinchState::standing);
+    EXPECT_GE(d.tension(), 3e5 - 1.0);
+    EXPECT_LE(d.tension(), 5e5 + 1.0);
+    const auto mean = [&](double speed) {
+        d.run(10.0, speed);
+        double sum = 0.0;
+        for (int i = 0; i < 480; ++i) {
+            d.step(speed);
+            sum += d.tension() / 480.0;
+        }
+        return sum;
+    };
+    // Drawn out it gives way with the upper tension, slackened it takes in with the lower one.
+    EXPECT_NEAR(mean(0.3), 5e5, 5e3);
+    EXPECT_EQ(d.state(), WinchState::paying);
+    EXPECT_NEAR(mean(-0.3), 3e5, 3e3);
+    EXPECT_EQ(d.state(), WinchState::hauling);
+}
+
 TEST(Winch, LayersChangeWithoutAJumpOfTheRestLength) {
     WinchDef def = big_winch();
     def.stored = 1420.0;  // 9th layer begins at 1,408 m
@@ -315,6 +342,19 @@ TEST(Winch, RefusesWhatIsNoWinch) {
     def = big_winch();
     def.name = "";
     EXPECT_NE(refusal(def).find("name"), std::string::npos);
+    // A method that takes no loads of systems: the wire stays what it was.
+    World sweeping(WorldDef{.nonsmooth = Nonsmooth::pgs});
+    const BodyId deck = sweeping.add_body({.name = "deck", .kind = BodyKind::fixed});
+    def = big_winch();
+    def.wire = sweeping.add_wire({.name = "wire",
+                                  .from = deck,
+                                  .elements = 2,
+                                  .length = 40.0,
+                                  .EA = 3e8,
+                                  .mass_per_length = 25.0});
+    EXPECT_THROW((void)sweeping.add(def), DefError);
+    EXPECT_EQ(sweeping.interactions().size(), 2U);
+    EXPECT_TRUE(sweeping.intact(sweeping.elements(def.wire).front()));
     // Two on one end.
     Deck d(big_winch());
     def = big_winch();

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/winches.h"
+
+#include "scene/description.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hawser::scene {
+namespace {
+
+constexpr double kFar = 1e4, kPull = 1e15, kHeavy = 1e18;
+
+constexpr WinchNumber kNumbers[] = {
+    {"core_radius", &WinchDef::core_radius, "m", "", "Of the bare drum.", 0.0, kFar},
+    {"width", &WinchDef::width, "m", "", "Between the flanges.", 0.0, kFar},
+    {"flange_radius", &WinchDef::flange_radius, "m", "as far as \"stored\" needs",
+     "Wire does not stand above it.", 0.0, kFar},
+    {"wire_diameter", &WinchDef::wire_diameter, "m", "of the line type", "Of the wire.", 0.0, kFar},
+    {"layer_pitch", &WinchDef::layer_pitch, "m", "the wire's diameter",
+     "Of one layer above the last.", 0.0, kFar},
+    {"stored", &WinchDef::stored, "m", "", "Wire on the drum at the start.", 0.0, 1e6},
+    {"inertia", &WinchDef::inertia, "kg m^2", "", "Of the bare drum and what turns with it.", 0.0,
+     kHeavy},
+    {"motor_inertia", &WinchDef::motor_inertia, "kg m^2", "0",
+     "Of motor and gear at the drum, by the clutch.", 0.0, kHeavy},
+    {"torque_haul", &WinchDef::torque_haul, "N m", "no limit", "Of the motor.", 0.0, kPull},
+    {"torque_pay", &WinchDef::torque_pay, "N m", "no limit", "Of the motor, the other way.", 0.0,
+     kPull},
+    {"power", &WinchDef::power, "W", "no limit", "Of the motor.", 0.0, kPull},
+    {"max_speed", &WinchDef::max_speed, "m/s", "2",
+     "Of the wire where mode tension or render takes it in.", 0.0, 100.0},
+    {"speed", &WinchDef::speed, "m/s", "0", "Wanted in mode speed; below 0 it hauls.", -100.0,
+     100.0},
+    {"tension", &WinchDef::tension, "N", "0", "Wanted in modes tension and render.", 0.0, kPull},
+    {"deadband", &WinchDef::deadband, "N", "0", "Of mode render, to each side.", 0.0, kPull},
+    {"brake_static", &WinchDef::brake_static, "N m", "0",
+     "Torque at which the band begins to slip as wire runs out.", 0.0, kPull},
+    {"brake_dynamic", &WinchDef::brake_dynamic, "N m", "brake_static",
+     "Torque with which it slips.", 0.0, kPull},
+    {"band_friction", &WinchDef::band_friction, "1", "0", "Of the band.", 0.0, 10.0},
+    {"band_angle", &WinchDef::band_angle, "rad", "0",
+     "That the band covers: as wire runs in it holds e^(-friction angle) of its torque.", 0.0,
+     100.0},
+    {"release_delay", &WinchDef::release_delay, "s", "0", "Of an emergency release.", 0.0, 1e6},
+    {"release_load", &WinchDef::release_load, "N", "0", "Tension that is left after it.", 0.0,
+     kPull},
+    {"dead_wraps", &WinchDef::dead_wraps, "1", "5", "The motor pays out no further.", 0.0, 1e6},
+    {"wrap_friction", &WinchDef::wrap_friction, "1", "0.1", "Of wire on the drum.", 0.0, 10.0},
+    {"weak_link", &WinchDef::weak_link, "N", "0",
+     "Load of the wire's fastening; 0: it lets go when the drum is empty.", 0.0, kPull}};
+
+constexpr const char* kModes[] = {"speed", "tension", "render", "brake", "free", "release"};
+
+/// The cable in this scope.
+const Cable& cable_of(const Description& out, const Scope& scope, const Json& json,
+                      const Place& place) {
+    const std::string name = json["cable"].get<std::string>();
+    if (const Cable* cable = out.find_cable(scope.prefix + name); cable != nullptr) return *cable;
+    std::vector<std::string> known;
+    for (const Cable& cable : out.cables)
+        if (cable.name.starts_with(scope.prefix))
+            known.push_back(cable.name.substr(scope.prefix.size()));
+    refuse_missing(out.mistakes, Lost::cable, scope.prefix + name, place / "cable",
+                   "there is no cable " + in_quotes(name) + suggestion(name, known));
+}
+
+void read_winch(Description& out, const Scope& scope, const Json& json, const Place& place) {
+    Winch winch;
+    WinchDef& def = winch.def;
+    def.name = scope.prefix + json["name"].get<std::string>();
+    const Cable& cable = cable_of(out, scope, json, place);
+    winch.cable = cable.name;
+    if (cable.links)
+        refuse(place / "cable", "a cable of links cannot be wound up; give it \"as\": \"lumps\"");
+    def.wire_diameter = cable.diameter;
+    def.mass_per_length = cable.mass_per_length;
+    for (const WinchNumber& number : kNumbers)
+        def.*number.value = number_or(json, number.key, def.*number.value);
+    if (!(def.wire_diameter > 0.0))
+        refuse(place, "a winch needs \"wire_diameter\": its cable's line type has no diameter");
+    def.end = text_or(json, "end", "from") == "to" ? 1 : 0;
+    const std::string mode = text_or(json, "mode", "brake");
+    def.mode = static_cast<WinchMode>(std::find(std::begin(kModes), std::end(kModes), mode) -
+                                      std::begin(kModes));
+    // The element at the end lies on the drum from the start, so that outputs find it there.
+    const InteractionId element = def.end == 0 ? cable.stretch.front() : cable.stretch.back();
+    InteractionDef& d = out.interactions[static_cast<std::size_t>(element.index)];
+    if (kind_info(d.kind).is(kWoundUp))
+        refuse(place / (json.contains("end") ? "end" : "cable"),
+               "this end of the cable " + in_quotes(cable.name) +
+                   " lies on a drum already; one winch an end");
+    BodyDef drum{.name = def.name + "/drum", .kind = BodyKind::scalar};
+    drum.mass = def.inertia;
+    drum.gravity = false;
+    winch.place = out.keep(place);
+    def.drum = out.add_body(std::move(drum), winch.place);
+    const InteractionDef stretch = d;
+    d.kind = InteractionKind::WinchStretch;
+    d.params.fill(kDefault);
+    for (const char* same : {"length", "EA", "tension_only", "breaking_load"})
+        if (const double value = stretch.get(same); !std::isnan(value)) d.set(same, value);
+    d.body[2] = def.drum;
+    d.set("radius", def.core_radius + 0.5 * def.wire_diameter);
+    out.winches.push_back(std::move(winch));
+}
+
+}  // namespace
+
+std::span<const WinchNumber> winch_numbers() noexcept { return kNumbers; }
+std::span<const char* const> winch_modes() noexcept { return kModes; }
+
+void expand_winches(Description& out, const Scope& scope) {
+    const auto list = scope.content->find("winches");
+    if (list == scope.content->end()) return;
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        const Json& json = (*list)[i];
+        if (json.is_null()) continue;  // Left out: mistakes.h.
+        const Place place = scope.place / "winches" / i;
+        (void)attempt(out.mistakes, [&] {
+            for (const Winch& other : out.winches)
+                if (other.def.name == scope.prefix + json["name"].get<std::string>())
+                    refuse(place / "name",
+                           "the winch " + in_quotes(other.def.name) + " exists already");
+            read_winch(out, scope, json, place);
+        });
+    }
+}
+
+}  // namespace hawser::scene

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file winches.h
+/// The numbers of a winch in a scene: format and reader go by one table.
+
+#include <hawser/winch.h>
+
+#include <span>
+
+namespace hawser::scene {
+
+struct WinchNumber {
+    const char* key;
+    double WinchDef::* value;
+    const char* unit;
+    const char* fallback;  ///< In words; "" where it must be given.
+    const char* doc;
+    double least, most;  ///< 0 itself only where there is a default.
+};
+
+[[nodiscard]] std::span<const WinchNumber> winch_numbers() noexcept;
+
+/// Words of WinchMode, in its order.
+[[nodiscard]] std::span<const char* const> winch_modes() noexcept;
+
+}  // namespace hawser::scene

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// Winches of a scene: what they become, in instances and copies, and what is refused where.
+#include "support.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace hawser::scene::test {
+namespace {
+
+const std::string kLift = R"({
+  "version": 1, "name": "lift", "settings": {"step": 0.01},
+  "line_types": {"wire": {"mass_per_length": 4.2, "EA": 4.5e7, "diameter": 0.032}},
+  "bodies": [{"name": "load", "position": [0, 0, 0], "mass": 8000, "box": [1, 1, 1]}],
+  "cables": [{"name": "fall", "line_type": "wire", "from": {"at": [0, 0, 12]},
+              "to": {"body": "load"}, "elements": 3}],
+  "winches": [{"name": "hoist", "cable": "fall", "core_radius": 0.3, "width": 1, "stored": 200,
+               "inertia": 500, "mode": "tension", "tension": 5e4}],
+  "outputs": [{"name": "paid", "kind": "drum", "cable": "fall", "component": "paid_out"},
+              {"name": "pull", "kind": "tension", "cable": "fall", "component": "first"}],
+  "repeat": {"offset": [0, 20, 0]}})";
+
+std::string lift_with(const std::string& from, const std::string& to) {
+    std::string text = kLift;
+    text.replace(text.find(from), from.size(), to);
+    return text;
+}
+
+/// "path: message".
+std::string refused_at(const std::string& text) {
+    try {
+        (void)load_text(text, "lift.json");
+    } catch (const SceneError& error) {
+        return error.path + ": " + error.message;
+    }
+    return "";
+}
+
+TEST(SceneWinches, WindUpTheirCables) {
+    Scene scene = load_text(kLift, "lift.json");
+    World& w = scene.world;
+    ASSERT_EQ(w.step(), Status::ok);
+    const InteractionId element = scene.cables.front().stretch.front();
+    EXPECT_EQ(w.elements(w.find_wire("fall")).front(), element);
+    EXPECT_EQ(w.interaction_def(element).kind, InteractionKind::WinchStretch);
+    EXPECT_EQ(w.interaction_def(element).get("EA"), 4.5e7);
+    EXPECT_EQ(w.system_signal("hoist.mode"), 1.0);
+    // 31 wraps a layer of r = 0.316 + 0.032 (k − 1): 61.5, 67.8 and 74 m.
+    EXPECT_EQ(w.system_signal("hoist.layer"), 3.0);
+    EXPECT_NEAR(w.interaction_def(element).get("radius"), 0.38, 1e-12);
+    EXPECT_NEAR(w.system_signal("hoist.inertia"), 500.0 + 4.2 * (200.0 * 0.126), 20.0);
+    for (int i = 0; i < 100; ++i) ASSERT_EQ(w.step(), Status::ok);
+    // The weight is more than the tension: wire runs out.
+    EXPECT_GT(w.output(w.find_output("paid")), 0.1);
+    EXPECT_LT(w.system_signal("hoist.wire_left"), 199.9);
+}
+
+TEST(SceneWinches, AreInEveryCopyWithSignalsOfTheirOwn) {
+    Options options;
+    options.scale = 3;
+    Scene scene = load_text(kLift, "lift.json", options);
+    EXPECT_EQ(scene.world.system_count(), 3);
+    scene.world.set_system_signal("2:hoist.tension", 9e4);
+    EXPECT_EQ(scene.world.system_signal("hoist.tension"), 5e4);
+    for (int i = 0; i < 200; ++i) ASSERT_EQ(scene.world.step(), Status::ok);
+    EXPECT_LT(scene.world.pose(scene.world.find_body("load")).position.z(), 0.0);
+    EXPECT_GT(scene.world.pose(scene.world.find_body("2:load")).position.z(), 0.0);
+    EXPECT_EQ(scene.world.pose(scene.world.find_body("load")).position.z(),
+              scene.world.pose(scene.world.find_body("1:load")).position.z());
+}
+
+TEST(SceneWinches, TakeTheParametersOfTemplates) {
+    const std::string text = R"({
+      "version": 1, "name": "lifts", "settings": {"step": 0.01},
+      "line_types": {"wire": {"mass_per_length": 4.2, "EA": 4.5e7, "diameter": 0.032}},
+      "templates": {"lift": {
+        "parameters": {"radius": 0.3, "pull": 0, "mode": "brake"},
+        "bodies": [{"name": "load", "position": [0, 0, 0], "mass": 8000, "box": [1, 1, 1]}],
+        "cables": [{"name": "fall", "line_type": "wire", "from": {"at": [0, 0, 12]},
+                    "to": {"body": "load"}, "elements": 3}],
+        "winches": [{"name": "hoist", "cable": "fall", "core_radius": "${radius}", "width": 1,
+                     "stored": 200, "inertia": 500, "mode": "${mode}", "tension": "${pull}"}]}},
+      "instances": [
+        {"template": "lift", "name": "a", "parameters": {"pull": 5e4, "mode": "tension"}},
+        {"template": "lift", "name": "b", "position": [0, 20, 0],
+         "parameters": {"pull": 9e4, "mode": "render", "radius": 0.5}}]})";
+    Scene scene = load_text(text, "lifts.json");
+    World& w = scene.world;
+    EXPECT_EQ(w.system_signal("a/hoist.tension"), 5e4);
+    EXPECT_EQ(w.system_signal("b/hoist.tension"), 9e4);
+    EXPECT_EQ(w.system_signal("a/hoist.mode"), static_cast<double>(WinchMode::tension));
+    EXPECT_EQ(w.system_signal("b/hoist.mode"), static_cast<double>(WinchMode::render));
+    ASSERT_EQ(w.step(), Status::ok);
+    // 31 wraps a layer: 61.5 m, 67.8 m and 74 m about 0.3 m, but 100.5 m and 106.7 m about 0.5 m.
+    EXPECT_NEAR(w.system_signal("a/hoist.radius"), 0.316 + 2 * 0.032, 1e-12);
+    EXPECT_NEAR(w.system_signal("b/hoist.radius"), 0.516 + 0.032, 1e-12);
+    for (int i = 0; i < 100; ++i) ASSERT_EQ(w.step(), Status::ok);
+    EXPECT_LT(w.system_signal("a/hoist.wire_left"), 199.9);
+    EXPECT_GT(w.system_signal("b/hoist.wire_left"), 200.0);
+}
+
+TEST(SceneWinches, GoOnBitForBitFromASnapshotOnAnyNumberOfThreads) {
+    Scene scene = load_text(kLift, "lift.json");
+    for (int i = 0; i < 50; ++i) ASSERT_EQ(scene.world.step(), Status::ok);
+    const std::vector<std::byte> middle = scene.world.save();
+    for (int i = 0; i < 100; ++i) ASSERT_EQ(scene.world.step(), Status::ok);
+    for (const int threads : {1, 2, 4, 8}) {
+        Options options;
+        options.threads = threads;
+        Scene other = load_text(kLift, "lift.json", options);
+        other.world.restore(middle);
+        for (int i = 0; i < 100; ++i) ASSERT_EQ(other.world.step(), Status::ok);
+        EXPECT_EQ(other.world.state_hash(), scene.world.state_hash()) << threads << " threads";
+    }
+}
+
+TEST(SceneWinches, AreRefusedByTheirPlace) {
+    EXPECT_EQ(refused_at(kLift), "");
+    const auto says = [](const std::string& found, const char* path, const char* message) {
+        return found.starts_with(std::string(path) + ": ") &&
+               found.find(message) != std::string::npos;
+    };
+    std::string r =
+        refused_at(lift_with("\"cable\": \"fall\", \"core", "\"cable\": \"fell\", \"core"));
+    EXPECT_TRUE(says(r, "/winches/0/cable", "did you mean \"fall\"")) << r;
+    r = refused_at(lift_with("\"mode\": \"tension\"", "\"mode\": \"tention\""));
+    EXPECT_TRUE(says(r, "/winches/0/mode", "tension")) << r;
+    r = refused_at(lift_with("\"core_radius\": 0.3", "\"core_radius\": 0.07"));
+    EXPECT_TRUE(says(r, "/winches/0", "larger drum")) << r;
+    r = refused_at(lift_with("\"stored\": 200", "\"stored\": 200, \"flange_radius\": 0.35"));
+    EXPECT_TRUE(says(r, "/winches/0", "the drum holds")) << r;
+    r = refused_at(lift_with("\"core_radius\"", "\"core_radios\""));
+    EXPECT_TRUE(says(r, "/winches/0/core_radios", "did you mean \"core_radius\"")) << r;
+    r = refused_at(lift_with("\"stored\": 200,", ""));
+    EXPECT_TRUE(says(r, "/winches/0", "stored")) << r;
+    r = refused_at(lift_with(", \"diameter\": 0.032", ""));
+    EXPECT_TRUE(says(r, "/winches/0", "wire_diameter")) << r;
+    const std::string second =
+        R"("winches": [{"name": "NAME", "cable": "fall", "core_radius": 0.3, "width": 1,
+            "stored": 100, "inertia": 500}, )";
+    std::string two = lift_with("\"winches\": [", second);
+    EXPECT_TRUE(says(r = refused_at(two), "/winches/1/cable", "one winch an end")) << r;
+    two.replace(two.find("NAME"), 4, "hoist");
+    EXPECT_TRUE(says(r = refused_at(two), "/winches/1/name", "exists already")) << r;
+}
+
+TEST(SceneWinches, MistakesAreAllListed) {
+    std::vector<SceneError> mistakes;
+    std::string text = lift_with("\"stored\": 200", "\"stored\": -1");
+    text.replace(text.find("\"mass\": 8000"), 12, "\"mass\": -8");
+    EXPECT_FALSE(load_text(text, "lift.json", {}, mistakes).has_value());
+    EXPECT_EQ(mistakes.size(), 2U);
+}
+
+}  // namespace
+}  // namespace hawser::scene::test
