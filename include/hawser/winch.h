@@ -52,7 +52,7 @@ enum class WinchState : std::uint8_t {
     waiting,     ///< An emergency release is on its way.
     released,    ///< It has taken effect.
     last_wraps,  ///< The motor does not pay out more: dead wraps are left.
-    full,        ///< The motor does not haul more: the drum is full.
+    full,        ///< The motor does not haul more: the drum is full, or the wire's end hauled in.
     empty,       ///< No wire is on the drum; the fastening holds the end.
     parted,      ///< The wire has parted from it.
 };

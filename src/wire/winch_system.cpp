@@ -12,9 +12,10 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kUnbounded = 1e30;  ///< A torque that nothing overcomes [N m].
-constexpr double kStands = 1e-4;     ///< A drum whose wire is slower than this stands [m/s].
-constexpr double kNear = 1e-9;       ///< Of a force at its bound, which rounding has moved.
+constexpr double kUnbounded = 1e30;   ///< A torque that nothing overcomes [N m].
+constexpr double kStands = 1e-4;      ///< A drum whose wire is slower than this stands [m/s].
+constexpr double kLeastShare = 0.02;  ///< Of the element's length, which is not hauled in.
+constexpr double kNear = 1e-9;        ///< Of a force at its bound, which rounding has moved.
 
 }  // namespace
 
@@ -78,6 +79,12 @@ WinchMode WinchSystem::mode() const noexcept {
     return static_cast<WinchMode>(static_cast<int>(std::lround(mode_)));
 }
 
+/// Nothing more is hauled in.
+bool WinchSystem::full() const noexcept {
+    return hauled_in_ || static_cast<int>(layer_) > drum_.layers() ||
+           stored_ >= drum_.capacity() - drum_.wire_diameter;
+}
+
 /// What the last step came to.
 void WinchSystem::look(const Prestep& now) noexcept {
     const double angle = now.world.pose(ids_.drum).position.x();
@@ -87,6 +94,11 @@ void WinchSystem::look(const Prestep& now) noexcept {
     if (parted_ == 0 && !now.world.intact(ids_.line)) parted_ = 1;
     if (parted_ == 0) stored_ -= radius_ * turned_;
     pull_ = parted_ == 0 ? std::max(0.0, -now.world.force(ids_.line)[0]) : 0.0;
+    // An element keeps its law down to a hundredth of its length (interactions.h).
+    const InteractionDef& line = now.world.interaction_def(ids_.line);
+    const double length = line.get("length");
+    const double rest = length + radius_ * (angle_ - line.get("drum_zero"));
+    hauled_in_ = rest < kLeastShare * length + 2.0 * now.step * radius_ * std::abs(omega_);
 }
 
 /// A brake at its bound, against whose torque the drum turned.
@@ -156,8 +168,6 @@ void WinchSystem::order_motor(Orders& out) noexcept {
     const double haul = std::min(def_.torque_haul, at_speed);
     const double pay = std::min(def_.torque_pay, at_speed);
     const double in = -def_.max_speed / radius_;
-    const bool full = static_cast<int>(layer_) > drum_.layers() ||
-                      stored_ >= drum_.capacity() - drum_.wire_diameter;
     const double least = std::max(tension_ - def_.deadband, 0.0) * radius_;
     pull_limit_ = haul / radius_;
     out.low = -haul;
@@ -184,7 +194,7 @@ void WinchSystem::order_motor(Orders& out) noexcept {
         default:
             out.low = out.high = 0.0;
     }
-    if (full) out.speed = std::max(out.speed, 0.0);
+    if (full()) out.speed = std::max(out.speed, 0.0);
     if (clutch_ < 0.5 || parted_ != 0) out.low = out.high = out.speed = 0.0;
 }
 
@@ -210,7 +220,7 @@ WinchSystem::Orders WinchSystem::orders() noexcept {
     const bool asks_in =
         (m == WinchMode::speed && speed_ < 0.0) || (m == WinchMode::tension && speed <= kStands);
     if (asks_out && wraps_ <= def_.dead_wraps) state = WinchState::last_wraps;
-    if (asks_in && stored_ >= drum_.capacity() - drum_.wire_diameter) state = WinchState::full;
+    if (asks_in && full()) state = WinchState::full;
     if (slipping_ != 0) state = WinchState::slipping;
     if (m == WinchMode::release)
         state = released_ != 0 ? WinchState::released : WinchState::waiting;

@@ -70,6 +70,7 @@ class WinchSystem final : public System {
     void give(Prestep& now, const Orders& orders) noexcept;
     void turn_along(const Prestep& now, Loads& loads) noexcept;
     [[nodiscard]] WinchMode mode() const noexcept;
+    [[nodiscard]] bool full() const noexcept;
 
     WinchDef def_;
     DrumGeometry drum_;
@@ -88,6 +89,7 @@ class WinchSystem final : public System {
     double inertia_ = 0.0, state_ = 0.0;
     // Of the step that begins.
     double turned_ = 0.0, omega_ = 0.0;
+    bool hauled_in_ = false;  ///< The element at the drum has next to no length left.
 };
 
 }  // namespace hawser::wire

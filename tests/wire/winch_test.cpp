@@ -1,69 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Winches in all modes, at the fairlead of a deck, with an end that moves as it is told.
-#include <hawser/hawser.h>
+#include "wire/winch_deck.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
 #include <utility>
 
 namespace hawser::test {
 namespace {
-
-/// 31 wraps a layer, 9 layers of 1,500 m.
-WinchDef big_winch() {
-    return {.name = "winch",
-            .core_radius = 0.6,
-            .width = 2.4,
-            .flange_radius = 1.4,
-            .wire_diameter = 0.076,
-            .mass_per_length = 25.0,
-            .stored = 1500.0,
-            .inertia = 4e4,
-            .torque_haul = 3e6,
-            .torque_pay = 3e6};
-}
-
-struct Deck {
-    World w;
-    BodyId end{};
-    WireId wire{};
-    WinchIds ids{};
-
-    explicit Deck(WinchDef def, double step = 1.0 / 240.0, double length = 40.0)
-        : w(WorldDef{.step = step, .gravity = Vec3::Zero()}) {
-        const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
-        end = w.add_body({.name = "end", .kind = BodyKind::kinematic, .position = {length, 0, 0}});
-        wire = w.add_wire({.name = "wire",
-                           .from = deck,
-                           .to = end,
-                           .elements = 2,  // of which one node can move
-                           .EA = 3e8,
-                           .mass_per_length = 25.0,
-                           .axial_damping = 5.0});
-        def.wire = wire;
-        ids = w.add(def);
-    }
-    void step(double speed) {
-        Twist t;
-        t.linear.x() = speed;
-        w.set_velocity(end, t);
-        ASSERT_EQ(w.step(), Status::ok) << to_string(w.bad_load(), w);
-    }
-    void run(double seconds, double speed) {
-        for (long i = std::lround(seconds / w.settings().step); i > 0; --i) step(speed);
-    }
-    void set(const char* name, double value) {
-        w.set_system_signal(std::string("winch.") + name, value);
-    }
-    void set(WinchMode mode) { set("mode", static_cast<double>(mode)); }
-    double get(const char* name) { return w.system_signal(std::string("winch.") + name); }
-    WinchState state() { return static_cast<WinchState>(std::lround(get("state"))); }
-    double tension() { return std::max(0.0, -w.force(ids.line)[0]); }
-    std::int64_t count(EventKind kind) { return w.event_extremes(kind).count; }
-};
 
 std::string refusal(WinchDef def) {
     try {
@@ -144,83 +86,6 @@ TEST(Winch, BandHoldsLessAsWireRunsIn) {
     EXPECT_FALSE(moves(0.999e6));
     EXPECT_TRUE(moves(1.01e6));
     EXPECT_GT(d.get("heat"), 0.0);
-}
-
-TEST(Winch, ReleasesAfterItsDelayDownToTheResidualLoad) {
-    WinchDef def = big_winch();
-    def.brake_static = 5e6;
-    def.release_delay = 2.0;
-    def.release_load = 2e4;
-    Deck d(def);
-    d.run(0.7, 0.1);
-    d.run(0.3, 0.0);
-    const double design = d.tension();
-    EXPECT_GT(design, 5e5);
-    const double asked = d.w.time();
-    d.set(WinchMode::release);
-    d.run(1.9, 0.0);
-    EXPECT_EQ(d.state(), WinchState::waiting);
-    EXPECT_NEAR(d.tension(), design, 0.01 * design);
-    double low = 0.0;
-    while (low == 0.0 && d.w.time() < asked + 5.0) {
-        d.step(0.5);
-        if (d.tension() < 1.5e5) low = d.w.time() - asked;
-    }
-    EXPECT_GT(low, 2.0);
-    EXPECT_LT(low, 3.0);
-    d.run(12.0, 0.5);
-    double mean = 0.0;
-    for (int i = 0; i < 960; ++i) {
-        d.step(0.5);
-        mean += d.tension() / 960.0;
-    }
-    EXPECT_NEAR(mean, 2e4, 0.01 * 2e4);
-    EXPECT_EQ(d.count(EventKind::release), 1);
-    EXPECT_EQ(d.state(), WinchState::released);
-}
-
-TEST(Winch, LetsGoWhenItsDrumIsEmpty) {
-    WinchDef def = big_winch();
-    def.stored = 6.0;
-    def.mode = WinchMode::free;
-    Deck d(def);
-    d.run(80.0, 0.1);
-    EXPECT_EQ(d.state(), WinchState::parted);
-    EXPECT_NEAR(d.get("wire_left"), 0.0, 5e-3);
-    EXPECT_FALSE(d.w.intact(d.ids.line));
-    EXPECT_EQ(d.count(EventKind::drum_empty), 1);
-    EXPECT_EQ(d.count(EventKind::weak_link), 0);
-    // The jerk of the start makes it run ahead, as fast again at most.
-    EXPECT_GT(d.w.event_extremes(EventKind::drum_empty).first.time, 30.0);
-    EXPECT_LT(d.w.event_extremes(EventKind::drum_empty).first.time, 61.0);
-}
-
-TEST(Winch, WeakLinkPartsOnceBehindTheLastWrap) {
-    WinchDef def = big_winch();
-    def.stored = 6.0;
-    def.mode = WinchMode::free;
-    def.weak_link = 3e5;
-    Deck d(def);
-    d.run(80.0, 0.1);
-    EXPECT_EQ(d.count(EventKind::drum_empty), 1);
-    EXPECT_EQ(d.count(EventKind::weak_link), 1);
-    EXPECT_EQ(d.count(EventKind::line_break), 1);
-    EXPECT_FALSE(d.w.intact(d.ids.line));
-    const double value = d.w.event_extremes(EventKind::weak_link).first.value;
-    EXPECT_GT(value, 3e5);
-    EXPECT_LT(value, 4e5);  // found after the step that came to it
-}
-
-TEST(Winch, MotorStopsAtDeadWrapsAndWhenTheDrumIsFull) {
-    WinchDef def = big_winch();
-    def.stored = 40.0;
-    def.mode = WinchMode::speed;
-    def.speed = 1.0;
-    Deck d(def);
-    d.run(40.0, 1.0 * (40.0 - 5.0 * 2.0 * M_PI * 0.638) / 40.0);
-    EXPECT_NEAR(d.get("wraps"), 5.0, 0.05);
-    EXPECT_EQ(d.state(), WinchState::last_wraps);
-    EXPECT_EQ(d.w.system_signal("winch.layer"), 1.0);
 }
 
 TEST(Winch, PullFallsWithTheLayer) {

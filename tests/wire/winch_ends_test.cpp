@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Where a winch lets go or stops: emergency release, empty drum, weak link, last wraps, full drum.
+#include "wire/winch_deck.h"
+
+namespace hawser::test {
+namespace {
+
+TEST(WinchEnds, ReleasesAfterItsDelayDownToTheResidualLoad) {
+    WinchDef def = big_winch();
+    def.brake_static = 5e6;
+    def.release_delay = 2.0;
+    def.release_load = 2e4;
+    Deck d(def);
+    d.run(0.7, 0.1);
+    d.run(0.3, 0.0);
+    const double design = d.tension();
+    EXPECT_GT(design, 5e5);
+    const double asked = d.w.time();
+    d.set(WinchMode::release);
+    d.run(1.9, 0.0);
+    EXPECT_EQ(d.state(), WinchState::waiting);
+    EXPECT_NEAR(d.tension(), design, 0.01 * design);
+    double low = 0.0;
+    while (low == 0.0 && d.w.time() < asked + 5.0) {
+        d.step(0.5);
+        if (d.tension() < 1.5e5) low = d.w.time() - asked;
+    }
+    EXPECT_GT(low, 2.0);
+    EXPECT_LT(low, 3.0);
+    d.run(12.0, 0.5);
+    double mean = 0.0;
+    for (int i = 0; i < 960; ++i) {
+        d.step(0.5);
+        mean += d.tension() / 960.0;
+    }
+    EXPECT_NEAR(mean, 2e4, 0.01 * 2e4);
+    EXPECT_EQ(d.count(EventKind::release), 1);
+    EXPECT_EQ(d.state(), WinchState::released);
+}
+
+TEST(WinchEnds, LetsGoWhenItsDrumIsEmpty) {
+    WinchDef def = big_winch();
+    def.stored = 6.0;
+    def.mode = WinchMode::free;
+    Deck d(def);
+    d.run(80.0, 0.1);
+    EXPECT_EQ(d.state(), WinchState::parted);
+    EXPECT_NEAR(d.get("wire_left"), 0.0, 5e-3);
+    EXPECT_FALSE(d.w.intact(d.ids.line));
+    EXPECT_EQ(d.count(EventKind::drum_empty), 1);
+    EXPECT_EQ(d.count(EventKind::weak_link), 0);
+    // The jerk of the start makes it run ahead, as fast again at most.
+    EXPECT_GT(d.w.event_extremes(EventKind::drum_empty).first.time, 30.0);
+    EXPECT_LT(d.w.event_extremes(EventKind::drum_empty).first.time, 61.0);
+}
+
+TEST(WinchEnds, WeakLinkPartsOnceBehindTheLastWrap) {
+    WinchDef def = big_winch();
+    def.stored = 6.0;
+    def.mode = WinchMode::free;
+    def.weak_link = 3e5;
+    Deck d(def);
+    d.run(80.0, 0.1);
+    EXPECT_EQ(d.count(EventKind::drum_empty), 1);
+    EXPECT_EQ(d.count(EventKind::weak_link), 1);
+    EXPECT_EQ(d.count(EventKind::line_break), 1);
+    EXPECT_FALSE(d.w.intact(d.ids.line));
+    const double value = d.w.event_extremes(EventKind::weak_link).first.value;
+    EXPECT_GT(value, 3e5);
+    EXPECT_LT(value, 4e5);  // found after the step that came to it
+}
+
+TEST(WinchEnds, MotorStopsAtDeadWrapsAndWhenTheDrumIsFull) {
+    WinchDef def = big_winch();
+    def.stored = 40.0;
+    def.mode = WinchMode::speed;
+    def.speed = 1.0;
+    Deck d(def);
+    d.run(40.0, 1.0 * (40.0 - 5.0 * 2.0 * M_PI * 0.638) / 40.0);
+    EXPECT_NEAR(d.get("wraps"), 5.0, 0.05);
+    EXPECT_EQ(d.state(), WinchState::last_wraps);
+    EXPECT_EQ(d.w.system_signal("winch.layer"), 1.0);
+}
+
+TEST(WinchEnds, HaulsInNoMoreThanTheElementAtItHas) {
+    for (const WinchMode mode : {WinchMode::speed, WinchMode::tension}) {
+        WinchDef def = big_winch();
+        def.stored = 1420.0;  // of the drum there is room
+        def.mode = mode;
+        def.speed = -1.0;
+        def.tension = 2e5;
+        def.max_speed = 1.0;
+        Deck d(def);
+        // The end follows at the speed of the winch until 20 m, of which 40 cm stay, are in.
+        d.run(25.0, -1.0);
+        EXPECT_EQ(d.state(), WinchState::full);
+        EXPECT_GE(d.w.length(d.wire), 20.0 + 0.01 * 20.0);
+        EXPECT_LE(d.w.length(d.wire), 20.0 + 0.03 * 20.0);
+        EXPECT_LT(std::abs(d.w.velocity(d.ids.drum).linear.x()), 1e-3);
+        // Doubtful is the start alone, at which the end moves with 1 m/s from one step to the next.
+        EXPECT_NE(d.w.verdict().grade, Grade::wrong);
+        EXPECT_LT(d.w.verdict().of(Judge::energy).time, 0.1);
+    }
+}
+
+}  // namespace
+}  // namespace hawser::test
