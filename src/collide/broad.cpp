@@ -69,9 +69,10 @@ void run(base::Executor& pool, int count, F&& f) {
 }  // namespace
 
 void Broad::prepare(const base::Array<Placed>& placed) {
-    std::vector<double> extents;
+    std::vector<double>&extents = extents_, &by_size = by_size_;
+    extents.clear();
     for (const Placed& p : placed) extents.push_back(extent(p));
-    std::vector<double> by_size = extents;
+    by_size = extents;
     const auto middle = by_size.begin() + static_cast<std::ptrdiff_t>(by_size.size() / 2);
     if (!by_size.empty()) std::nth_element(by_size.begin(), middle, by_size.end());
     const double limit = by_size.size() < kSomeAnyway ? -1.0 : kLarge * *middle;

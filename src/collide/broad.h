@@ -52,6 +52,7 @@ class Broad {
                             double h, double margin, Count& count);
     void gather(int lists, base::Array<Pair>& out);
 
+    std::vector<double> extents_, by_size_;  ///< Scratch of prepare().
     std::vector<std::uint8_t> is_large_;
     std::vector<std::int32_t> large_, small_;  ///< Shapes; large ones ascending.
     int axis_[3] = {0, 1, 2};                  ///< Of the sweep, of the strips, the third.

@@ -10,10 +10,11 @@
 namespace hawser::factor {
 namespace {
 
-/// v[new] = old v[old_of_new[new]], `none` for new nodes.
+/// v[new] = old v[old_of_new[new]], `none` for new nodes. @param carried  Memory to do it in.
 template <class T>
-void carry_over(std::vector<T>& v, std::span<const std::int32_t> old_of_new, T none) {
-    std::vector<T> carried(old_of_new.size(), none);
+void carry_over(std::vector<T>& v, std::span<const std::int32_t> old_of_new, T none,
+                std::vector<T>& carried) {
+    carried.assign(old_of_new.size(), none);
     for (std::size_t k = 0; k < old_of_new.size(); ++k)
         if (old_of_new[k] >= 0) carried[k] = v[at(old_of_new[k])];
     v.swap(carried);
@@ -93,7 +94,8 @@ void Columns::build(const Pattern& pattern, std::span<const std::int32_t> order,
 }
 
 void Columns::renumber(std::span<const std::int32_t> old_of_new, std::int32_t old_nodes) {
-    std::vector<std::int32_t> new_of_old(at(old_nodes), -1);
+    std::vector<std::int32_t>& new_of_old = new_of_old_;
+    new_of_old.assign(at(old_nodes), -1);
     for (std::size_t k = 0; k < old_of_new.size(); ++k)
         if (old_of_new[k] >= 0) new_of_old[at(old_of_new[k])] = static_cast<std::int32_t>(k);
     for (std::size_t v = 0; v < new_of_old.size(); ++v) {
@@ -101,11 +103,11 @@ void Columns::renumber(std::span<const std::int32_t> old_of_new, std::int32_t ol
         if (parent_[v] >= 0) mark_stale(parent_[v]);
         live_ -= count_[v];
     }
-    carry_over(parent_, old_of_new, std::int32_t{-1});
-    carry_over(count_, old_of_new, 0);
-    carry_over(below_, old_of_new, 0);
-    carry_over(begin_, old_of_new, std::int64_t{0});
-    carry_over(stale_, old_of_new, std::uint8_t{0});
+    carry_over(parent_, old_of_new, std::int32_t{-1}, carried_);
+    carry_over(count_, old_of_new, 0, carried_);
+    carry_over(below_, old_of_new, 0, carried_);
+    carry_over(begin_, old_of_new, std::int64_t{0}, carried_begin_);
+    carry_over(stale_, old_of_new, std::uint8_t{0}, carried_stale_);
     moved_.assign(old_of_new.size(), 0);
     std::erase_if(stale_list_, [&](std::int32_t v) { return new_of_old[at(v)] < 0; });
     for (std::int32_t& v : stale_list_) v = new_of_old[at(v)];
@@ -254,7 +256,8 @@ std::size_t Columns::bytes() const noexcept {
            base::bytes(next_) + base::bytes(mark_) + base::bytes(rows_) + base::bytes(row_end_) +
            base::bytes(cursor_) + base::bytes(stale_) + base::bytes(moved_) + base::bytes(prev_) +
            base::bytes(todo_) + base::bytes(stale_list_) + base::bytes(moved_list_) +
-           base::bytes(fresh_);
+           base::bytes(fresh_) + base::bytes(new_of_old_) + base::bytes(carried_) +
+           base::bytes(carried_begin_) + base::bytes(carried_stale_);
 }
 
 }  // namespace hawser::factor

@@ -93,6 +93,9 @@ class Columns {
     std::vector<std::int64_t> cursor_;                   ///< Scratch of build().
     std::vector<std::size_t> row_end_;                   ///< Scratch of build().
     std::vector<std::uint8_t> stale_, moved_, fresh_;
+    std::vector<std::int32_t> new_of_old_, carried_;  ///< Scratch of renumber().
+    std::vector<std::int64_t> carried_begin_;         ///< Scratch of renumber().
+    std::vector<std::uint8_t> carried_stale_;         ///< Scratch of renumber().
     std::int64_t live_ = 0;
     std::int32_t computed_ = 0;
 };

@@ -6,14 +6,77 @@
 #include "factor/chains.h"
 #include "factor/symbolic.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace hawser::factor {
 
-/// Group the chains, give every node its step and slot, and lay out the panels behind the
-/// ordinary ones. `s` has its fronts, rows and offsets; `front_of_chain` names the chains' fronts.
-void lay_out_batches(const Pattern& pattern, const Chains& chains,
-                     const std::vector<std::int32_t>& front_of_chain, Symbolic& s);
+/// Lays out batches. A used one needs no memory for chains of about the same number and size.
+class BatchBuilder {
+  public:
+    /// Group the chains, give every node its step and slot, and lay out the panels behind the
+    /// ordinary ones. `s` has its fronts, rows and offsets; `front_of_chain` names the chains'
+    /// fronts. @throws std::bad_alloc.
+    void run(const Pattern& pattern, const Chains& chains,
+             const std::vector<std::int32_t>& front_of_chain, Symbolic& s);
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    /// A boundary node of a chain, and how many steps before the end it is touched first.
+    struct Touch {
+        std::int32_t node, size, steps;
+    };
+    /// What a template holds: boundary slots shared by the lanes.
+    struct Slot {
+        std::int32_t size, steps, offset;
+    };
+    /// A chain, and what makes chains alike: shape, then what they carry, then length.
+    struct Alike {
+        std::array<std::int32_t, 4> key;
+        std::int32_t chain;
+        friend auto operator<=>(const Alike&, const Alike&) = default;
+    };
+    /// The model of this call.
+    struct Job {
+        const Pattern& pattern;
+        const Chains& chains;
+        const std::vector<std::int32_t>& front;  ///< By chain.
+        Symbolic& s;
+    };
+
+    void find_touches(const Job& job);
+    void sort_chains(const Chains& chains);
+    void add_batch(const Job& job, std::span<const Alike> members);
+    void find_row_slots(const Job& job, std::span<const Alike> members, std::int32_t steps);
+    void assign_slots(std::span<const Alike> members);
+    void place_slots(Batch& batch);
+    void add_step(const Job& job, Batch& batch, std::int32_t q, std::span<const std::int32_t> rows);
+    void place_lane(const Job& job, Batch& batch, int lane, std::int32_t chain);
+    void place_unit(const Job& job, Batch& batch, int lane, std::int32_t unit, std::int32_t step);
+    [[nodiscard]] std::span<const Touch> touches(std::int32_t chain) const noexcept {
+        const auto c = static_cast<std::size_t>(chain);
+        return {touches_.data() + touch_begin_[c], touches_.data() + touch_begin_[c + 1]};
+    }
+    /// Sizes of the row nodes of a step of the batch at hand, ascending.
+    [[nodiscard]] std::span<const std::int32_t> row_slots(std::int32_t step) const noexcept {
+        const auto k = static_cast<std::size_t>(step);
+        return {row_sizes_.data() + row_begin_[k], row_sizes_.data() + row_begin_[k + 1]};
+    }
+
+    std::vector<std::int32_t> chain_of_, touched_by_;  ///< By node.
+    std::vector<std::int32_t> touch_begin_;            ///< By chain: its part of touches_.
+    std::vector<Touch> touches_;
+    std::vector<Alike> order_;
+    // Of the batch at hand.
+    std::vector<std::int32_t> row_begin_, row_sizes_, sizes_, union_, merged_;
+    std::vector<Slot> slots_;
+    std::vector<std::int32_t> chosen_;  ///< Slots of the lanes' touches, lane after lane.
+    std::size_t lane_begin_[kLaneCount + 1] = {};  ///< Of each lane in chosen_.
+    std::vector<std::int32_t> by_touch_;
+    std::vector<std::uint8_t> used_;
+};
 
 }  // namespace hawser::factor

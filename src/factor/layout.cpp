@@ -2,7 +2,6 @@
 #include "factor/layout.h"
 
 #include "base/index.h"
-#include "factor/lay_out_batches.h"
 #include "factor/partial.h"
 
 #include <algorithm>
@@ -208,7 +207,7 @@ void Layout::run(const Pattern& pattern, const Columns& columns, const Chains& c
             find_all_runs(pattern, columns, s);
         },
         [&] {
-            lay_out_batches(pattern, chains, front_of_chain_, s);
+            batches_.run(pattern, chains, front_of_chain_, s);
             choose_tasks(s);
             link_tasks(s);
             if (s.updates_kept)
@@ -227,7 +226,7 @@ std::size_t Layout::bytes() const noexcept {
            base::bytes(edges_) + base::bytes(entries_) + base::bytes(row_of_) +
            base::bytes(freed_) + base::bytes(chain_rows_) + base::bytes(old_fronts_) +
            base::bytes(old_runs_) + base::bytes(old_order_) + base::bytes(old_node_front_) +
-           base::bytes(same_) + base::bytes(supernodes_.p);
+           base::bytes(same_) + base::bytes(supernodes_.p) + base::bytes(left_) + batches_.bytes();
 }
 
 }  // namespace hawser::factor

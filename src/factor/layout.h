@@ -6,6 +6,7 @@
 #include "base/executor.h"
 #include "factor/chains.h"
 #include "factor/columns.h"
+#include "factor/lay_out_batches.h"
 #include "factor/symbolic.h"
 #include "factor/tree.h"
 
@@ -75,6 +76,8 @@ class Layout {
     std::vector<std::int32_t> row_of_;  ///< By node: its row in a parent, if it has one.
     std::vector<std::uint8_t> parity_, crosses_;
     std::vector<std::pair<std::int32_t, std::int32_t>> edges_;
+    std::vector<std::int64_t> left_;  ///< Scratch of link_tasks().
+    BatchBuilder batches_;
 };
 
 }  // namespace hawser::factor

@@ -8,6 +8,7 @@
 /// 1995), and the sign of each pivot is known beforehand. Nodes are dense blocks of 1-6
 /// scalars, edges are the blocks off the diagonal that may be non-zero.
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,6 +29,19 @@ struct Pattern {
         return {adjacent.data() + start[n], adjacent.data() + start[n + 1]};
     }
     friend bool operator==(const Pattern&, const Pattern&) = default;
+};
+
+/// Deals out edges to the nodes of a pattern; a used one needs no memory for about as many.
+class EdgeDealer {
+  public:
+    /// Give `pattern`, which has its sizes and signs, its neighbours. Edges as of make_pattern().
+    /// @throws std::bad_alloc.
+    void deal(std::span<const std::int32_t> edge_from, std::span<const std::int32_t> edge_to,
+              Pattern& pattern);
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    std::vector<std::int32_t> begin_, cursor_, by_column_, sorted_;
 };
 
 /// Build a pattern from a list of edges (either direction, duplicates and loops allowed).

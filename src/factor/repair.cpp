@@ -280,7 +280,7 @@ std::size_t Analysis::bytes() const noexcept {
           &behind_, &next_, &anchor_, &pattern_.start, &pattern_.adjacent})
         sum += base::bytes(*v);
     return sum + base::bytes(key_) + base::bytes(changed_) + base::bytes(placing_) +
-           base::bytes(between_);
+           base::bytes(between_) + base::bytes(spare_);
 }
 
 }  // namespace hawser::factor

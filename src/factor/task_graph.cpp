@@ -53,9 +53,10 @@ void fill_down(TaskGraph::Way& way, const TaskGraph::Way& up) {
 }
 
 /// Nodes by what is left to do once they begin: their own work and the longest path behind it.
-std::int64_t rank(TaskGraph::Way& way, const std::vector<std::int64_t>& work, bool up) {
+std::int64_t rank(TaskGraph::Way& way, const std::vector<std::int64_t>& work, bool up,
+                  std::vector<std::int64_t>& left) {
     const std::size_t n = work.size();
-    std::vector<std::int64_t> left(n);
+    left.assign(n, 0);
     std::int64_t path = 0;
     for (std::size_t i = 0; i < n; ++i) {
         const std::size_t v = up ? n - 1 - i : i;
@@ -82,11 +83,11 @@ inline void relax() noexcept {
 
 }  // namespace
 
-void TaskGraph::build(const Edges& edges) {
+void TaskGraph::build(const Edges& edges, std::vector<std::int64_t>& left) {
     fill_up(up, edges, work.size());
-    path = rank(up, work, true);
+    path = rank(up, work, true, left);
     fill_down(down, up);
-    static_cast<void>(rank(down, work, false));
+    static_cast<void>(rank(down, work, false, left));
 }
 
 std::size_t TaskGraph::bytes() const noexcept {

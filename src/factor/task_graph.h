@@ -45,7 +45,13 @@ struct TaskGraph {
 
     [[nodiscard]] int nodes() const noexcept { return static_cast<int>(work.size()); }
     /// @param edges  (node, successor), in any order, duplicates allowed.
-    void build(const std::vector<std::pair<std::int32_t, std::int32_t>>& edges);
+    /// @param left  Memory to do it in.
+    void build(const std::vector<std::pair<std::int32_t, std::int32_t>>& edges,
+               std::vector<std::int64_t>& left);
+    void build(const std::vector<std::pair<std::int32_t, std::int32_t>>& edges) {
+        std::vector<std::int64_t> left;
+        build(edges, left);
+    }
     [[nodiscard]] std::size_t bytes() const noexcept;
     friend bool operator==(const TaskGraph&, const TaskGraph&) = default;
 };

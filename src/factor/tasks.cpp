@@ -91,8 +91,9 @@ void Layout::choose_top_tasks(Symbolic& s, std::int64_t target) {
             s.top_tasks.push_back({0, 0, work});
         }
     }
-    std::stable_sort(s.top.begin(), s.top.end(),
-                     [&](std::int32_t a, std::int32_t b) { return task_[at(a)] < task_[at(b)]; });
+    std::sort(s.top.begin(), s.top.end(), [&](std::int32_t a, std::int32_t b) {
+        return task_[at(a)] != task_[at(b)] ? task_[at(a)] < task_[at(b)] : a < b;
+    });
     for (std::size_t k = 0; k < s.top.size(); ++k) {
         TaskRange& task = s.top_tasks[at(task_[at(s.top[k])] - below)];
         if (task.end == 0) task.begin = static_cast<std::int32_t>(k);
@@ -117,7 +118,7 @@ void Layout::link_tasks(Symbolic& s) {
         if (from != to && (edges_.empty() || edges_.back() != std::pair(from, to)))
             edges_.emplace_back(from, to);
     }
-    s.graph.build(edges_);
+    s.graph.build(edges_, left_);
 }
 
 /// Addresses of the update matrices: two stacks for each task, by parity of depth. All tasks have

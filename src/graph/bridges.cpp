@@ -2,6 +2,7 @@
 #include "graph/bridges.h"
 
 #include "base/index.h"
+#include "base/memory.h"
 
 #include <algorithm>
 
@@ -10,77 +11,74 @@ namespace {
 
 constexpr std::int32_t kUnseen = -1;
 
-/// Depth-first search without recursion: chains are as long as memory allows.
-class Search {
-  public:
-    Search(std::int32_t nodes, std::span<const std::pair<std::int32_t, std::int32_t>> edges)
-        : edges_(edges), begin_(at(nodes) + 1, 0), found_(at(nodes), kUnseen), low_(at(nodes), 0) {
-        for (const auto& [a, b] : edges) {
-            ++begin_[at(a) + 1];
-            ++begin_[at(b) + 1];
-        }
-        for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-        ends_.resize(2 * edges.size());
-        next_.assign(begin_.begin(), begin_.end() - 1);
-        for (std::size_t e = 0; e < edges.size(); ++e) {
-            ends_[at(next_[at(edges[e].first)]++)] = static_cast<std::int32_t>(e);
-            ends_[at(next_[at(edges[e].second)]++)] = static_cast<std::int32_t>(e);
-        }
-        next_.assign(begin_.begin(), begin_.end() - 1);
-    }
-
-    std::vector<std::uint8_t> run() {
-        std::vector<std::uint8_t> looped(edges_.size(), 1);
-        for (std::size_t root = 0; root < found_.size(); ++root)
-            if (found_[root] == kUnseen) from(static_cast<std::int32_t>(root), looped);
-        return looped;
-    }
-
-  private:
-    struct Visit {
-        std::int32_t node, edge;  ///< By which it was reached; −1: the root.
-    };
-
-    void discover(std::int32_t node, std::int32_t edge) {
-        found_[at(node)] = low_[at(node)] = time_++;
-        path_.push_back({node, edge});
-    }
-
-    void from(std::int32_t root, std::vector<std::uint8_t>& looped) {
-        discover(root, -1);
-        while (!path_.empty()) {
-            const Visit top = path_.back();
-            if (next_[at(top.node)] < begin_[at(top.node) + 1]) {
-                const std::int32_t e = ends_[at(next_[at(top.node)]++)];
-                const auto& [a, b] = edges_[at(e)];
-                const std::int32_t other = a == top.node ? b : a;
-                if (e == top.edge) continue;
-                if (found_[at(other)] == kUnseen)
-                    discover(other, e);
-                else
-                    low_[at(top.node)] = std::min(low_[at(top.node)], found_[at(other)]);
-                continue;
-            }
-            path_.pop_back();
-            if (path_.empty()) break;
-            const std::int32_t above = path_.back().node;
-            low_[at(above)] = std::min(low_[at(above)], low_[at(top.node)]);
-            if (low_[at(top.node)] > found_[at(above)]) looped[at(top.edge)] = 0;
-        }
-    }
-
-    std::span<const std::pair<std::int32_t, std::int32_t>> edges_;
-    std::vector<std::int32_t> begin_, ends_, next_;  ///< Edges at each node.
-    std::vector<std::int32_t> found_, low_;
-    std::vector<Visit> path_;
-    std::int32_t time_ = 0;
-};
-
 }  // namespace
+
+void LoopFinder::discover(std::int32_t node, std::int32_t edge) {
+    found_[at(node)] = low_[at(node)] = time_++;
+    path_.push_back({node, edge});
+}
+
+/// Depth-first search without recursion: chains are as long as memory allows.
+void LoopFinder::search(std::int32_t root) {
+    discover(root, -1);
+    while (!path_.empty()) {
+        const Visit top = path_.back();
+        if (next_[at(top.node)] < begin_[at(top.node) + 1]) {
+            const std::int32_t e = ends_[at(next_[at(top.node)]++)];
+            const auto& [a, b] = edges_[at(e)];
+            const std::int32_t other = a == top.node ? b : a;
+            if (e == top.edge) continue;
+            if (found_[at(other)] == kUnseen)
+                discover(other, e);
+            else
+                low_[at(top.node)] = std::min(low_[at(top.node)], found_[at(other)]);
+            continue;
+        }
+        path_.pop_back();
+        if (path_.empty()) break;
+        const std::int32_t above = path_.back().node;
+        low_[at(above)] = std::min(low_[at(above)], low_[at(top.node)]);
+        if (low_[at(top.node)] > found_[at(above)]) looped_[at(top.edge)] = 0;
+    }
+}
+
+std::span<const std::uint8_t> LoopFinder::find(
+    std::int32_t nodes, std::span<const std::pair<std::int32_t, std::int32_t>> edges) {
+    edges_ = edges;
+    begin_.assign(at(nodes) + 1, 0);
+    found_.assign(at(nodes), kUnseen);
+    low_.assign(at(nodes), 0);
+    looped_.assign(edges.size(), 1);
+    time_ = 0;
+    for (const auto& [a, b] : edges) {
+        ++begin_[at(a) + 1];
+        ++begin_[at(b) + 1];
+    }
+    for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+    ends_.resize(2 * edges.size());
+    next_.assign(begin_.begin(), begin_.end() - 1);
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        ends_[at(next_[at(edges[e].first)]++)] = static_cast<std::int32_t>(e);
+        ends_[at(next_[at(edges[e].second)]++)] = static_cast<std::int32_t>(e);
+    }
+    next_.assign(begin_.begin(), begin_.end() - 1);
+    // Nodes without edges are on no loop.
+    for (std::int32_t root = 0; root < nodes; ++root)
+        if (found_[at(root)] == kUnseen && begin_[at(root)] < begin_[at(root) + 1]) search(root);
+    return looped_;
+}
+
+std::size_t LoopFinder::bytes() const noexcept {
+    using base::bytes;
+    return bytes(begin_) + bytes(ends_) + bytes(next_) + bytes(found_) + bytes(low_) +
+           bytes(looped_) + bytes(path_);
+}
 
 std::vector<std::uint8_t> edges_on_loops(
     std::int32_t nodes, std::span<const std::pair<std::int32_t, std::int32_t>> edges) {
-    return Search(nodes, edges).run();
+    LoopFinder finder;
+    const std::span<const std::uint8_t> looped = finder.find(nodes, edges);
+    return {looped.begin(), looped.end()};
 }
 
 }  // namespace hawser::graph

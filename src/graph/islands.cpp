@@ -6,10 +6,11 @@
 
 namespace hawser::graph {
 
-Islands find_islands(std::span<const std::uint8_t> include,
-                     std::span<const std::int32_t> member_begin,
-                     std::span<const std::int32_t> members) {
-    std::vector<std::int32_t> root(include.size());
+void IslandFinder::find(std::span<const std::uint8_t> include,
+                        std::span<const std::int32_t> member_begin,
+                        std::span<const std::int32_t> members, Islands& out) {
+    std::vector<std::int32_t>& root = root_;
+    root.resize(include.size());
     std::iota(root.begin(), root.end(), 0);
     auto find = [&](std::int32_t i) {
         while (root[static_cast<std::size_t>(i)] != i) {
@@ -33,15 +34,22 @@ Islands find_islands(std::span<const std::uint8_t> include,
             root[static_cast<std::size_t>(other)] = first;
         }
     }
-    Islands result;
-    result.label.assign(include.size(), -1);
+    out.count = 0;
+    out.label.assign(include.size(), -1);
     for (std::size_t i = 0; i < include.size(); ++i) {
         if (!include[i]) continue;
         const auto r = static_cast<std::size_t>(find(static_cast<std::int32_t>(i)));
-        if (result.label[r] < 0) result.label[r] = result.count++;
-        result.label[i] = result.label[r];
+        if (out.label[r] < 0) out.label[r] = out.count++;
+        out.label[i] = out.label[r];
     }
-    return result;
+}
+
+Islands find_islands(std::span<const std::uint8_t> include,
+                     std::span<const std::int32_t> member_begin,
+                     std::span<const std::int32_t> members) {
+    Islands out;
+    IslandFinder().find(include, member_begin, members, out);
+    return out;
 }
 
 }  // namespace hawser::graph

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A warm step allocates nothing. malloc and its relatives are replaced in this executable and
-/// count while a guard is on; operator new ends in them.
+/// A warm step allocates nothing.
+#include "stepper/allocation_counter.h"
 #include "stepper/scenes.h"
 #include "support/recipe.h"
 
@@ -8,67 +8,13 @@
 
 #include <hawser/factor.h>
 
-#include <atomic>
-#include <cerrno>
-#include <cstdlib>
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define HAWSER_COUNTS_ALLOCATIONS 0  // sanitizers replace malloc themselves
-#else
-#define HAWSER_COUNTS_ALLOCATIONS 1
-#endif
-
-namespace {
-
-std::atomic<bool> counting{false};
-std::atomic<long> allocations{0};
-std::atomic<long> fails_at{-1};  ///< The allocation that fails while counting; −1: none.
-
-}  // namespace
-
-#if HAWSER_COUNTS_ALLOCATIONS
-// NOLINTBEGIN(bugprone-reserved-identifier): the names under which glibc exports its own malloc.
-extern "C" {
-void* __libc_malloc(std::size_t);
-void* __libc_calloc(std::size_t, std::size_t);
-void* __libc_realloc(void*, std::size_t);
-void* __libc_memalign(std::size_t, std::size_t);
-
-static bool count_one() {
-    if (!counting.load(std::memory_order_relaxed)) return true;
-    return allocations.fetch_add(1) != fails_at.load(std::memory_order_relaxed);
-}
-void* malloc(std::size_t n) { return count_one() ? __libc_malloc(n) : nullptr; }
-void* calloc(std::size_t n, std::size_t size) {
-    return count_one() ? __libc_calloc(n, size) : nullptr;
-}
-void* realloc(void* p, std::size_t n) { return count_one() ? __libc_realloc(p, n) : nullptr; }
-void* aligned_alloc(std::size_t alignment, std::size_t n) {
-    return count_one() ? __libc_memalign(alignment, n) : nullptr;
-}
-int posix_memalign(void** p, std::size_t alignment, std::size_t n) {
-    *p = count_one() ? __libc_memalign(alignment, n) : nullptr;
-    return *p == nullptr ? ENOMEM : 0;
-}
-}
-// NOLINTEND(bugprone-reserved-identifier)
-#endif
-
 namespace hawser::test {
 namespace {
 
-class Guard {
-  public:
-    Guard() {
-        allocations = 0;
-        counting = true;
-    }
-    ~Guard() { counting = false; }
-    static long seen() { return allocations.load(); }
-};
+using Guard = AllocationGuard;
 
 TEST(Allocation, TheCounterCounts) {
-    if (!HAWSER_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
+    if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     const Guard guard;
     auto* p = new std::vector<double>(100);
     EXPECT_GE(Guard::seen(), 2);
@@ -79,7 +25,7 @@ TEST(Allocation, TheCounterCounts) {
 }
 
 void expect_none(const Recipe& recipe, int threads, std::size_t trace = 0) {
-    if (!HAWSER_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
+    if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     WorldDef def = recipe.world;
     def.threads = threads;
     World w = recipe.make(def);
@@ -116,7 +62,7 @@ TEST(Allocation, NoneInAWarmStepOfTwoThreads) {
 
 /// Nor what a client reads after each step, once its own memory is large enough.
 TEST(Allocation, NoneInWhatAClientReads) {
-    if (!HAWSER_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
+    if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     World w = mixed(3, 10).make();
     for (std::int32_t b = 0; b < w.body_count(); ++b)
         w.add_output({.name = "x" + std::to_string(b),
@@ -168,7 +114,7 @@ Recipe parted_wire(int every) {
 
 /// Rounds that find nothing to change do not allocate either, once there has been one.
 TEST(Allocation, NoneWhereGroupsAreLookedAtAndStay) {
-    if (!HAWSER_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
+    if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     World w = parted_wire(7).make();
     for (int i = 0; i < 600; ++i) ASSERT_EQ(w.step(), Status::ok);  // it comes to rest
     const std::int64_t before = w.stats().regroupings;
@@ -191,7 +137,7 @@ TEST(Allocation, NoneWhereGroupsAreLookedAtAndStay) {
 /// Whichever allocation of a regrouping fails: a status, the state of the step before, and the next
 /// call goes on.
 TEST(Allocation, WhereMemoryEndsInARegroupingItIsAStatus) {
-    if (!HAWSER_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
+    if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     const Recipe recipe = parted_wire(20);
     World good = recipe.make();
     const int round = static_cast<int>(stepper::Regroup::kSettle);
@@ -210,10 +156,8 @@ TEST(Allocation, WhereMemoryEndsInARegroupingItIsAStatus) {
         }();
         Status status = Status::ok;
         {
-            fails_at = k;
-            const Guard guard;
+            const Guard guard(k);
             status = w.step();
-            fails_at = -1;
         }
         if (status == Status::ok) break;  // it makes fewer
         ++failed;
@@ -274,7 +218,7 @@ World lying_wire(int threads) {
 }
 
 TEST(Allocation, NoneInAWarmStepWithContacts) {
-    if (!HAWSER_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
+    if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     for (const int threads : {1, 2}) {
         World w = lying_wire(threads);
         for (int i = 0; i < 3; ++i) ASSERT_EQ(w.step(), Status::ok);
@@ -293,7 +237,7 @@ TEST(Allocation, NoneInAWarmStepWithContacts) {
 }
 
 TEST(Allocation, NoneInAWarmStepOfACommittedScene) {
-    if (!HAWSER_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
+    if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     for (const auto& file : scene_files()) {
         for (const int threads : {1, 2}) {
             scene::Options options;
@@ -322,7 +266,7 @@ TEST(Allocation, NoneInAWarmStepOfACommittedScene) {
 
 /// Nor in the warm path of the solver by itself.
 TEST(Allocation, NoneInAWarmFactorisation) {
-    if (!HAWSER_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
+    if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     constexpr int kNodes = 500;
     BlockPattern p;
     for (int i = 0; i < kNodes; ++i) {
@@ -349,7 +293,7 @@ TEST(Allocation, NoneInAWarmFactorisation) {
 
 /// Not in a step that fails either.
 TEST(Allocation, NoneInAFailedStep) {
-    if (!HAWSER_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
+    if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     World w = mixed(2).make();
     for (int i = 0; i < 3; ++i) ASSERT_EQ(w.step(), Status::ok);
     w.set_force(BodyId{1}, {1e300, 0, 0}, {0, 0, 0});
