@@ -47,11 +47,11 @@ void keep_system(StepContext& ctx) {
     u.group = ctx.model.cuts.group;
     u.coupling = ctx.model.cuts.coupling;
     u.parts = ctx.model.regroup.parts;
-    if (ctx.state.topology_changed) u.wires = ctx.model.wires;
+    if (ctx.state.changed != Changed::nothing) u.wires = ctx.model.wires;
     keep_links(ctx.model, ctx.work.undo);
     keep_motion(ctx);
     u.mend = ctx.state.mend;
-    u.topology_changed = ctx.state.topology_changed;
+    u.changed = ctx.state.changed;
     u.asleep_count = ctx.work.stats.asleep;
     u.asked = ctx.model.cuts.asked;
     u.interfaces = ctx.model.cuts.interfaces;
@@ -81,8 +81,8 @@ void go_back_system(StepContext& ctx) noexcept {
     ctx.model.regroup.seen = u.seen;
     ctx.model.regroup.stale = u.stale;
     ctx.model.regroup.interactions = u.grouped_interactions;
-    if (u.topology_changed) std::swap(ctx.model.wires, u.wires);
-    ctx.state.topology_changed = u.topology_changed;
+    if (u.changed != Changed::nothing) std::swap(ctx.model.wires, u.wires);
+    ctx.state.changed = u.changed;
     ctx.state.mend = u.mend == Mend::nothing ? Mend::rebuild : u.mend;
 }
 

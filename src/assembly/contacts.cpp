@@ -14,7 +14,9 @@ using namespace hawser::generic;
 
 }  // namespace
 
-void Contacts::set_bodies(std::span<const std::int32_t> touching, const model::Bodies& bodies) {
+Contacts::Blocks Contacts::set_bodies(std::span<const std::int32_t> touching,
+                                      const model::Bodies& bodies) {
+    touching_before_.swap(touching_);
     touching_.assign(touching.begin(), touching.end());
     const auto n = static_cast<std::size_t>(bodies.count());
     dof_.resize(n);
@@ -26,8 +28,13 @@ void Contacts::set_bodies(std::span<const std::int32_t> touching, const model::B
     place_.assign(n, -1);
     impulse.assign(at(bodies.dofs) + 8, 0.0);
     std::erase_if(touching_, [&](std::int32_t b) { return dof_[at(b)] == 0; });
+    const std::size_t linked = links.size();
+    const bool none_missing = missing_.empty();
     drop_links();
+    const bool same_links = none_missing && links.size() == linked;
     relink(0);
+    if (!same_links) return Blocks::links;
+    return touching_ == touching_before_ ? Blocks::same : Blocks::own;
 }
 
 void Contacts::forget(const std::vector<std::uint8_t>& stays) noexcept {
@@ -138,8 +145,8 @@ std::size_t Contacts::bytes() const noexcept {
     return bytes(rows) + bytes(cones) + bytes(memory) + bytes(next_) + bytes(blocks) +
            bytes(block_value) + bytes(impulse) + bytes(slot_impulse) + bytes(links) +
            bytes(link_used) + bytes(extra_) + bytes(needed_) + bytes(terms_) + bytes(incident_) +
-           bytes(touched_) + bytes(bodies_of_) + bytes(touched_before_) + bytes(incident_begin_) +
-           resistances.bytes();
+           bytes(touched_) + bytes(touching_) + bytes(touching_before_) + bytes(bodies_of_) +
+           bytes(touched_before_) + bytes(incident_begin_) + resistances.bytes();
 }
 
 }  // namespace hawser::assembly

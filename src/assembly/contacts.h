@@ -56,8 +56,14 @@ class Contacts {
         friend auto operator<=>(const Link&, const Link&) = default;
     };
 
+    /// What changed of the blocks.
+    enum class Blocks : std::uint8_t {
+        same,
+        own,  ///< Bodies have one now, or none any more, that no link joins with another one.
+        links
+    };
     /// Bodies that have shapes; call when that changes. @throws std::bad_alloc.
-    void set_bodies(std::span<const std::int32_t> touching, const model::Bodies& bodies);
+    Blocks set_bodies(std::span<const std::int32_t> touching, const model::Bodies& bodies);
 
     /// Begin a step with so many contacts, and `asleep` behind them that have no rows but keep what
     /// they remember. @throws std::bad_alloc when the number grows.
@@ -113,6 +119,12 @@ class Contacts {
     /// Contacts and resistances: rows in threes.
     [[nodiscard]] std::size_t triples() const noexcept { return count() + resistances.count(); }
     [[nodiscard]] std::size_t bytes() const noexcept;
+    /// Bodies with shapes that move, ascending: the first blocks are their own. As set_bodies() was
+    /// given them, and the time before.
+    [[nodiscard]] std::span<const std::int32_t> touching() const noexcept { return touching_; }
+    [[nodiscard]] std::span<const std::int32_t> touching_before() const noexcept {
+        return touching_before_;
+    }
 
     base::Array<ContactRow> rows;
     base::Array<nonsmooth::Cone> cones;
@@ -147,7 +159,7 @@ class Contacts {
     base::Array<ContactMemory> next_;  ///< Of this step's contacts.
     std::vector<Extra> extra_;
     std::vector<std::int32_t> own_block_;  ///< By body; −1: no shape or no freedom.
-    std::vector<std::int32_t> touching_;
+    std::vector<std::int32_t> touching_, touching_before_;
     std::vector<std::int32_t> needed_;  ///< Block of each slot pair of each contact, 16 a contact.
     std::vector<ContactTerm> terms_;
     std::vector<std::int32_t> cursor_;

@@ -42,11 +42,33 @@ LaneOp lane_op(const Op& op, std::int64_t address, std::uint8_t rows) noexcept {
 
 }  // namespace
 
+/// The first of lane_keys_ that does the same and has this lane free; their number: none, and
+/// `key.again` is set. Chains are alike, so that it is mostly the one `behind` that of the op
+/// before.
+std::size_t System::find_lane_op(LaneKey& key, std::size_t lane,
+                                 std::size_t behind) const noexcept {
+    const auto same = [&](const LaneKey& k) {
+        return k.address == key.address && k.what == key.what && k.to_b == key.to_b;
+    };
+    const auto is_free = [&](const LaneKey& k) { return (k.used >> lane & 1) == 0; };
+    if (behind < lane_keys_.size()) {
+        const LaneKey& k = lane_keys_[behind];
+        if (!k.again && same(k) && is_free(k)) return behind;
+    }
+    for (std::size_t i = 0; i < lane_keys_.size(); ++i) {
+        if (!same(lane_keys_[i])) continue;
+        if (is_free(lane_keys_[i])) return i;
+        key.again = true;
+    }
+    return lane_keys_.size();
+}
+
 /// Ops of one batch step: those that do the same in several lanes become one.
 void System::share_lanes(std::span<const Op> together, std::int64_t place,
                          const model::Interactions& in) {
-    const auto first = static_cast<std::ptrdiff_t>(lane_ops.size());
+    const std::size_t first = lane_ops.size();
     lane_keys_.clear();  // of each new lane op
+    std::size_t next[factor::kLaneCount] = {};
     for (std::size_t i = 0; i < together.size(); ++i) {
         const Op& op = together[i];
         if (op.kind == Op::contact) {
@@ -58,18 +80,14 @@ void System::share_lanes(std::span<const Op> together, std::int64_t place,
         const std::int64_t base = op.address - static_cast<std::int64_t>(lane);
         // A chain that is eliminated the other way round has its joints' slots changed.
         const bool turns = op.kind == Op::condensed && op.width == 0 && op.a != op.b;
-        const LaneKey key{base, lane_key(op, rows, turns), op.jac_b - op.jac_a, 0, i};
-        auto same = [&](const LaneKey& k) {
-            return k.address == key.address && k.what == key.what && k.to_b == key.to_b &&
-                   (k.used >> lane & 1) == 0;
-        };
-        auto found = std::find_if(lane_keys_.begin(), lane_keys_.end(), same);
-        if (found == lane_keys_.end()) {
+        LaneKey key{base, lane_key(op, rows, turns), op.jac_b - op.jac_a, 0, false, i};
+        const std::size_t found = find_lane_op(key, lane, next[lane]);
+        next[lane] = found + 1;
+        if (found == lane_keys_.size()) {
             lane_keys_.push_back(key);
             lane_ops.push_back(lane_op(op, base, rows));
-            found = lane_keys_.end() - 1;
         }
-        LaneOp& l = lane_ops[static_cast<std::size_t>(first + (found - lane_keys_.begin()))];
+        LaneOp& l = lane_ops[first + found];
         std::int32_t from = op.jac_a;
         if (op.kind == Op::geometric && op.width > 0) from = geo_place_[at(op.id)].record;
         // Until a lane has its own, it repeats the latest.
@@ -79,13 +97,13 @@ void System::share_lanes(std::span<const Op> together, std::int64_t place,
             l.from[k] = from;
         }
         l.used = static_cast<std::uint8_t>(l.used | 1U << lane);
-        found->used = l.used;
+        lane_keys_[found].used = l.used;
         if (l.a != op.a) l.turned = static_cast<std::uint8_t>(l.turned | 1U << lane);
     }
     // What only one lane does is done alone.
-    std::size_t kept = static_cast<std::size_t>(first);
+    std::size_t kept = first;
     for (std::size_t i = 0; i < lane_keys_.size(); ++i) {
-        const LaneOp& l = lane_ops[static_cast<std::size_t>(first) + i];
+        const LaneOp& l = lane_ops[first + i];
         if (std::popcount(l.used) > 1)
             lane_ops[kept++] = l;
         else

@@ -184,9 +184,7 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
         range.op_end = static_cast<std::int64_t>(ops.size());
         range.lane_end = static_cast<std::int64_t>(lane_ops.size());
     }
-    skew_ops_.clear();
-    for (std::size_t i = 0; i < ops.size(); ++i)
-        if (ops[i].kind == Op::contact) skew_ops_.push_back(static_cast<std::int32_t>(i));
+    list_skew_ops();
     if (contacts.blocks.empty() && report_.replanned) {  // the next time is not soon
         op_entries_ = {};
         column_place_ = {};

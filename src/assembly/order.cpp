@@ -16,8 +16,8 @@ void System::relink(const model::Bodies& bodies, const model::Interactions& inte
 
 void System::find_order(const model::Bodies& bodies, const model::Interactions& interactions,
                         const factor::AnalysisState* state) {
-    factor::Pattern next;
-    const std::int32_t changed = build_pattern(bodies, interactions, next);
+    const factor::Pattern& next = next_;
+    const std::int32_t changed = build_pattern(bodies, interactions);
     analysis.keep_updates(!contacts.blocks.empty());
     const bool repairable = ordered_ && changed <= kRepairable * next.nodes();
     report_ = {};
@@ -81,9 +81,10 @@ void System::go_back(Kept& to) noexcept {
     ordered_ = to.ordered;
 }
 
-std::int32_t System::build_pattern(const model::Bodies& bodies, const model::Interactions& in,
-                                   factor::Pattern& next) {
-    std::vector<std::int8_t> size, sign;
+std::int32_t System::build_pattern(const model::Bodies& bodies, const model::Interactions& in) {
+    std::vector<std::int8_t>&size = next_.size, &sign = next_.sign;
+    size.clear();
+    sign.clear();
     node_of_body.swap(body_before_);
     node_of_interaction.swap(interaction_before_);
     node_of_body.assign(at(bodies.count()), -1);
@@ -105,7 +106,9 @@ std::int32_t System::build_pattern(const model::Bodies& bodies, const model::Int
             size.push_back(static_cast<std::int8_t>(in.rows[at(i)]));
             sign.push_back(-1);
         }
-    std::vector<std::int32_t> from, to;
+    std::vector<std::int32_t>&from = edge_from_, &to = edge_to_;
+    from.clear();
+    to.clear();
     auto link = [&](std::int32_t a, std::int32_t b) {
         if (a < 0 || b < 0) return;
         from.push_back(a);
@@ -121,10 +124,10 @@ std::int32_t System::build_pattern(const model::Bodies& bodies, const model::Int
         }
     for (const Contacts::Link& l : contacts.links)
         link(node_of_body[at(l.first)], node_of_body[at(l.second)]);
-    next = factor::make_pattern(std::move(size), std::move(sign), from, to);
+    edge_dealer_.deal(from, to, next_);
     std::int32_t stay = 0;
     for (const std::int32_t old : old_of_new_) stay += old >= 0 ? 1 : 0;
-    return pattern.nodes() - stay + next.nodes() - stay;
+    return pattern.nodes() - stay + next_.nodes() - stay;
 }
 
 }  // namespace hawser::assembly

@@ -42,11 +42,13 @@ double least_sigma(const std::vector<double>& w, double sigma, double most) {
 
 }  // namespace
 
-void System::soften_sides(const model::Bodies& bodies, model::Interactions& in, double h) const {
+void System::soften_sides(const model::Bodies& bodies, model::Interactions& in, double h) {
+    if (sides.empty()) return;
     auto sigma_of = [&](std::size_t row) {
         return row_sigma(in.epsilon[row], in.upsilon[row], h) + model::kTinySigma;
     };
-    std::vector<std::int32_t> stiff(at(bodies.count()), 0);
+    std::vector<std::int32_t>& stiff = cursor_;
+    stiff.assign(at(bodies.count()), 0);
     auto each_body = [&](const Sides& s, auto&& f) {
         for (std::int32_t id = s.first; id < s.first + s.count; ++id)
             for (int b = 0; b < in.bodies[at(id)]; ++b) {
@@ -61,7 +63,7 @@ void System::soften_sides(const model::Bodies& bodies, model::Interactions& in, 
                 if (w > kStiff * (w + sigma_of(at(in.row_begin[at(id)] + r)))) ++stiff[at(body)];
             }
         });
-    std::vector<double> w;
+    std::vector<double>& w = side_mobility_;
     for (const Sides& s : sides) {
         std::int32_t together = 1;
         each_body(s, [&](std::int32_t, std::int32_t body) {

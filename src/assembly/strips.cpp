@@ -18,98 +18,108 @@ constexpr std::int32_t kStripWork = 384;
 constexpr std::int32_t kLongStripWork = 1536, kStrips = 32;
 constexpr std::int32_t kGroup = 128;  ///< Shared bodies of a group.
 
-/// Sort the indices 0 … n − 1 into buckets, as ranges in ascending order within each.
-/// @param bucket  By index; −1: in none.
-void collect(const std::vector<std::int32_t>& bucket, std::int32_t buckets,
-             std::vector<IndexRange>& ranges, std::vector<std::int32_t>& begin) {
-    auto each_range = [&](auto&& f) {
-        const auto n = static_cast<std::int32_t>(bucket.size());
-        for (std::int32_t a = 0, b = 0; a < n; a = b) {
-            for (b = a; b < n && bucket[at(b)] == bucket[at(a)];) ++b;
-            if (bucket[at(a)] >= 0) f(bucket[at(a)], IndexRange{a, b});
-        }
-    };
-    begin.assign(at(buckets) + 1, 0);
-    each_range([&](std::int32_t k, IndexRange) { ++begin[at(k) + 1]; });
-    for (std::int32_t k = 0; k < buckets; ++k) begin[at(k) + 1] += begin[at(k)];
-    ranges.resize(at(begin.back()));
-    std::vector<std::int32_t> cursor(begin.begin(), begin.end() - 1);
-    each_range([&](std::int32_t k, IndexRange r) { ranges[at(cursor[at(k)]++)] = r; });
+/// f(bucket, range) for each stretch of indices in the same bucket. @param bucket  Of an index;
+/// −1: in none.
+template <class B, class F>
+void each_range(std::int32_t n, B&& bucket, F&& f) {
+    for (std::int32_t a = 0, b = 0; a < n; a = b) {
+        const std::int32_t k = bucket(a);
+        for (b = a; b < n && bucket(b) == k;) ++b;
+        if (k >= 0) f(k, IndexRange{a, b});
+    }
 }
 
 }  // namespace
+
+/// Sort the indices 0 … n − 1 into buckets, as ranges in ascending order within each.
+void Strips::sort_into(const std::vector<std::int32_t>& bucket, std::int32_t buckets,
+                       std::vector<IndexRange>& ranges, std::vector<std::int32_t>& begin) {
+    const auto n = static_cast<std::int32_t>(bucket.size());
+    auto of = [&](std::int32_t i) { return bucket[at(i)]; };
+    begin.assign(at(buckets) + 1, 0);
+    each_range(n, of, [&](std::int32_t k, IndexRange) { ++begin[at(k) + 1]; });
+    for (std::int32_t k = 0; k < buckets; ++k) begin[at(k) + 1] += begin[at(k)];
+    ranges.resize(at(begin.back()));
+    cursor_.assign(begin.begin(), begin.end() - 1);
+    each_range(n, of, [&](std::int32_t k, IndexRange r) { ranges[at(cursor_[at(k)]++)] = r; });
+}
+
+/// Pools, strip by strip, then kind by kind.
+void Strips::sort_pools(const model::Interactions& in, std::int32_t strips) {
+    auto each = [&](auto&& f) {
+        for (std::size_t kind = 0; kind < kInteractionKindCount; ++kind) {
+            const auto& ids = in.pool[kind].ids;
+            each_range(
+                static_cast<std::int32_t>(ids.size()),
+                [&](std::int32_t i) { return interaction_strip_[at(ids[at(i)])]; },
+                [&](std::int32_t k, IndexRange r) {
+                    f(k, PoolRange{r.begin, r.end, static_cast<InteractionKind>(kind)});
+                });
+        }
+    };
+    pool_begin_.assign(at(strips) + 1, 0);
+    each([&](std::int32_t k, const PoolRange&) { ++pool_begin_[at(k) + 1]; });
+    for (std::int32_t k = 0; k < strips; ++k) pool_begin_[at(k) + 1] += pool_begin_[at(k)];
+    pools_.resize(at(pool_begin_.back()));
+    cursor_.assign(pool_begin_.begin(), pool_begin_.end() - 1);
+    each([&](std::int32_t k, const PoolRange& r) { pools_[at(cursor_[at(k)]++)] = r; });
+}
 
 void Strips::build(std::span<const std::uint8_t> dof, std::span<const std::uint8_t> rests,
                    const model::Interactions& in) {
     const auto body_count = static_cast<std::int32_t>(dof.size());
     // An interaction goes with the last of its bodies that move.
-    std::vector<std::int32_t> last(at(in.count()), 0), work(dof.size(), 1);
+    last_.assign(at(in.count()), 0);
+    work_.assign(dof.size(), 1);
     for (std::int32_t i = 0; i < in.count(); ++i) {
         for (int b = 0; b < in.bodies[at(i)]; ++b) {
             const std::int32_t body = in.body[at(kMaxInteractionBodies * i + b)];
-            if (dof[at(body)] > 0) last[at(i)] = std::max(last[at(i)], body);
+            if (dof[at(body)] > 0) last_[at(i)] = std::max(last_[at(i)], body);
         }
-        if (body_count > 0) ++work[at(last[at(i)])];
+        if (body_count > 0) ++work_[at(last_[at(i)])];
     }
     const std::int32_t strip_work =
         std::clamp((body_count + in.count()) / kStrips, kStripWork, kLongStripWork);
-    std::vector<std::int32_t> strip_of(dof.size());
+    strip_of_.resize(dof.size());
     std::int32_t strips = 0, sum = 0;
     for (std::int32_t b = 0; b < body_count; ++b) {
-        strip_of[at(b)] = strips;
-        sum += work[at(b)];
+        strip_of_[at(b)] = strips;
+        sum += work_[at(b)];
         if (sum < strip_work) continue;
         ++strips;
         sum = 0;
     }
     if (sum > 0) ++strips;
 
-    std::vector<std::int32_t> interaction_strip(at(in.count())), own = strip_of;
+    interaction_strip_.resize(at(in.count()));
+    own_ = strip_of_;
     for (std::int32_t i = 0; i < in.count(); ++i) {
         if (rests[at(i)]) {
-            interaction_strip[at(i)] = -1;
+            interaction_strip_[at(i)] = -1;
             continue;
         }
-        const std::int32_t s = interaction_strip[at(i)] = strip_of[at(last[at(i)])];
+        const std::int32_t s = interaction_strip_[at(i)] = strip_of_[at(last_[at(i)])];
         for (int b = 0; b < in.bodies[at(i)]; ++b) {
             const std::int32_t body = in.body[at(kMaxInteractionBodies * i + b)];
-            if (dof[at(body)] > 0 && strip_of[at(body)] != s) own[at(body)] = -1;
+            if (dof[at(body)] > 0 && strip_of_[at(body)] != s) own_[at(body)] = -1;
         }
     }
-    std::vector<std::int32_t> group(dof.size(), -1);
+    group_.assign(dof.size(), -1);
     std::int32_t shared = 0;
     for (std::int32_t b = 0; b < body_count; ++b)
-        if (own[at(b)] < 0) group[at(b)] = shared++ / kGroup;
-    collect(own, strips, bodies_, body_begin_);
-    collect(group, (shared + kGroup - 1) / kGroup, shared_, group_begin_);
-    collect(interaction_strip, strips, interactions_, interaction_begin_);
-
-    // Pools, kind by kind, then strip by strip.
-    std::vector<std::vector<PoolRange>> by_strip(at(strips));
-    std::vector<std::int32_t> bucket, begin;
-    std::vector<IndexRange> ranges;
-    for (int kind = 0; kind < kInteractionKindCount; ++kind) {
-        bucket.clear();
-        for (std::int32_t id : in.pool[at(kind)].ids) bucket.push_back(interaction_strip[at(id)]);
-        collect(bucket, strips, ranges, begin);
-        for (std::int32_t s = 0; s < strips; ++s)
-            for (std::int32_t k = begin[at(s)]; k < begin[at(s) + 1]; ++k)
-                by_strip[at(s)].push_back(
-                    {ranges[at(k)].begin, ranges[at(k)].end, static_cast<InteractionKind>(kind)});
-    }
-    pools_.clear();
-    pool_begin_.assign(1, 0);
-    for (const std::vector<PoolRange>& list : by_strip) {
-        pools_.insert(pools_.end(), list.begin(), list.end());
-        pool_begin_.push_back(static_cast<std::int32_t>(pools_.size()));
-    }
+        if (own_[at(b)] < 0) group_[at(b)] = shared++ / kGroup;
+    sort_into(own_, strips, bodies_, body_begin_);
+    sort_into(group_, (shared + kGroup - 1) / kGroup, shared_, group_begin_);
+    sort_into(interaction_strip_, strips, interactions_, interaction_begin_);
+    sort_pools(in, strips);
 }
 
 std::size_t Strips::bytes() const noexcept {
     using base::bytes;
     return bytes(bodies_) + bytes(interactions_) + bytes(shared_) + bytes(pools_) +
            bytes(body_begin_) + bytes(interaction_begin_) + bytes(pool_begin_) +
-           bytes(group_begin_);
+           bytes(group_begin_) + bytes(last_) + bytes(interaction_strip_) + bytes(work_) +
+           bytes(strip_of_) + bytes(own_) + bytes(group_) + bytes(cursor_);
 }
 
 }  // namespace hawser::assembly

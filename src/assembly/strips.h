@@ -68,6 +68,12 @@ class Strips {
         return {all.data() + cut[k], all.data() + cut[k + 1]};
     }
 
+    void sort_into(const std::vector<std::int32_t>& bucket, std::int32_t buckets,
+                   std::vector<IndexRange>& ranges, std::vector<std::int32_t>& begin);
+    void sort_pools(const model::Interactions& interactions, std::int32_t strips);
+
+    // Scratch of build(), by interaction and by body, and by bucket.
+    std::vector<std::int32_t> last_, interaction_strip_, work_, strip_of_, own_, group_, cursor_;
     std::vector<IndexRange> bodies_, interactions_, shared_;
     std::vector<PoolRange> pools_;
     std::vector<std::int32_t> body_begin_{0}, interaction_begin_{0}, pool_begin_{0},

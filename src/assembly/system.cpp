@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assembly/system.h"
 
-#include "assembly/mobility.h"
 #include "base/index.h"
 #include "model/arms.h"
 
-#include <Eigen/LU>
-
 #include <algorithm>
-#include <cmath>
 
 namespace hawser::assembly {
 namespace {
@@ -24,31 +20,6 @@ bool is_bounded(const model::Interactions& in, int id) {
 
 }  // namespace
 
-double mobility(const model::Bodies& bodies, const model::Interactions& in, int id, int row) {
-    int width = 0;
-    for (int b = 0; b < in.bodies[at(id)]; ++b)
-        width += bodies.dof(in.body[at(kMaxInteractionBodies * id + b)]);
-    double room[model::kArmRoom];
-    const double* jac =
-        model::packed_rows(&in.jacobian[at(in.jac_begin[at(id)])], in.arms[at(id)] != 0, room) +
-        static_cast<std::ptrdiff_t>(row) * width;
-    double sum = 0.0;
-    for (int b = 0; b < in.bodies[at(id)]; ++b) {
-        const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
-        const int dof = bodies.dof(body);
-        for (int j = 0; j < dof && j < 3; ++j) sum += jac[j] * jac[j] / bodies.mass[at(body)];
-        if (dof == 6) {
-            using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-            const Eigen::Map<const RowMajor> r(&bodies.r[at(9 * body)]);
-            const Eigen::Map<const RowMajor> inertia(&bodies.inertia[at(9 * body)]);
-            const Vec3 local = r.transpose() * Vec3(jac[3], jac[4], jac[5]);
-            sum += local.dot(inertia.inverse() * local);
-        }
-        jac += dof;
-    }
-    return sum;
-}
-
 void System::analyse(const model::Bodies& bodies, model::Interactions& interactions,
                      const WorldDef& def, int threads, const factor::AnalysisState* state) {
     find_resting(bodies, interactions);
@@ -56,42 +27,14 @@ void System::analyse(const model::Bodies& bodies, model::Interactions& interacti
     strips.build(dof_, rests_, interactions);
     build_incidence(bodies, interactions);
     find_islands(interactions);
-    // The Jacobians at the current poses decide the forms.
     interaction_offset_.assign(at(interactions.count()), -1);
     body_offset_.assign(at(bodies.count()), -1);
-    const View v = view(const_cast<model::Bodies&>(bodies), interactions, def);
-    for (int s = 0; s < strips.count(); ++s)
-        for (const PoolRange& r : strips.pools(s)) {
-            const model::Pool& pool = interactions.pool[static_cast<std::size_t>(r.kind)];
-            kernels().evaluate(v, r.kind, pool.ids.data(), pool.data.data(), r.begin, r.end);
-        }
+    evaluate(bodies, interactions, def);
     share_damping(bodies, interactions, def.step);
     soften_sides(bodies, interactions, def.step);
     choose_forms(bodies, interactions, def);
     find_order(bodies, interactions, state);
     place(bodies, interactions, threads);
-}
-
-void System::share_damping(const model::Bodies& bodies, model::Interactions& in, double h) const {
-    for (int i = 0; i < in.count(); ++i)
-        for (int r = 0; r < in.rows[at(i)]; ++r) {
-            const auto row = at(in.row_begin[at(i)] + r);
-            if (rests(i) || !(in.row_flags[row] & model::kRowDamper)) continue;
-            in.mobility[row] = mobility(bodies, in, i, r);
-            in.share_damping(row, in.rest_length[at(i)] > 0.0, h);
-        }
-    // What a cut row is to all of its bodies.
-    for (const Sides& s : sides)
-        for (int r = 0; r < in.rows[at(s.first)]; ++r) {
-            double whole = 0.0;
-            for (std::int32_t id = s.first; id < s.first + s.count; ++id)
-                whole += in.mobility[at(in.row_begin[at(id)] + r)];
-            for (std::int32_t id = s.first; id < s.first + s.count && whole > 0.0; ++id) {
-                const auto row = at(in.row_begin[at(id)] + r);
-                in.mobility[row] = whole;
-                in.share_damping(row, in.rest_length[at(id)] > 0.0, h);
-            }
-        }
 }
 
 void System::find_resting(const model::Bodies& bodies, const model::Interactions& in) {
@@ -116,6 +59,11 @@ void System::reserve(const model::Bodies& bodies, model::Interactions& in) {
     for (base::Array<double>* a : {&c_next_, &rate_}) a->assign(at(in.row_count) + kSlack, 0.0);
     turning.assign(at(bodies.count()), 0);
     momentum_.assign(keeps_momentum ? at(bodies.dofs) + kSlack : 0, 0.0);
+    find_bounded(in);
+}
+
+/// Interactions with a bounded force, and those that break.
+void System::find_bounded(const model::Interactions& in) {
     bounded.clear();
     breakable.clear();
     breaking_load.clear();
@@ -124,13 +72,15 @@ void System::reserve(const model::Bodies& bodies, model::Interactions& in) {
         if (is_bounded(in, i)) bounded.push_back(i);
         if (in.flags[at(i)] & model::kBreakable) {
             breakable.push_back(i);
-            breaking_load.push_back(in.def[at(i)].get("breaking_load"));
+            breaking_load.push_back(in.breaking[at(i)]);
         }
     }
 }
 
 void System::find_islands(const model::Interactions& in) {
-    std::vector<std::int32_t> member_begin{0}, members;
+    std::vector<std::int32_t>&member_begin = member_begin_, &members = members_;
+    member_begin.assign(1, 0);
+    members.clear();
     for (int i = 0; i < in.count(); ++i) {
         for (int b = 0; b < in.bodies[at(i)] && !rests(i); ++b)
             members.push_back(in.body[at(kMaxInteractionBodies * i + b)]);
@@ -140,42 +90,7 @@ void System::find_islands(const model::Interactions& in) {
         members.insert(members.end(), {l.first, l.second});
         member_begin.push_back(static_cast<std::int32_t>(members.size()));
     }
-    std::vector<std::uint8_t> moves(dof_.begin(), dof_.end());
-    islands = graph::find_islands(moves, member_begin, members);
-}
-
-void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
-                          const WorldDef& def) {
-    kept_.assign(at(in.count()), 0);
-    bounded_mobility.clear();
-    for (const std::int32_t id : bounded) bounded_mobility.push_back(mobility(bodies, in, id, 0));
-    const double h = def.step;
-    for (int i = 0; i < in.count(); ++i) {
-        if (rests(i)) continue;
-        bool keep = def.form == Form::saddle;
-        for (int r = 0; r < in.rows[at(i)]; ++r) {
-            const auto row = at(in.row_begin[at(i)] + r);
-            // share_damping() has that of dampers; of sides of cuts it is that of all.
-            const bool known = (in.row_flags[row] & model::kRowDamper) != 0 && sides.empty();
-            const double w = known ? in.mobility[row] : mobility(bodies, in, i, r);
-            // A rigid row may repeat others (closed loops): a floor keeps the pivots' signs.
-            const double needed = in.epsilon[row] == 0.0 ? kRigidShare * w : in.bare_sigma(row, h);
-            const double sigma = std::max({needed, in.least_sigma[row], model::kTinySigma});
-            in.sigma[row] = sigma;
-            // By the compliance as defined: a world restored with other lengths of its lines must
-            // choose as the one that was saved.
-            const double defined = in.def[at(i)].compliance[at(r)];
-            const double ratio = in.epsilon[row] > 0.0 ? defined / in.epsilon[row] : 1.0;
-            static_assert(kRigidShare * kSafeRatio > 1.0);
-            if (def.form == Form::automatic && w > kSafeRatio * ratio * sigma) keep = true;
-        }
-        kept_[at(i)] = keep ? 1 : 0;
-        if (in.arms[at(i)] && !keep) in.arms[at(i)] = model::kCompactCondensed;
-        for (int r = 0; r < in.rows[at(i)]; ++r) {
-            const auto row = at(in.row_begin[at(i)] + r);
-            in.inv_sigma[row] = keep ? 0.0 : 1.0 / in.sigma[row];
-        }
-    }
+    island_finder_.find(dof_, member_begin, members, islands);
 }
 
 namespace {
@@ -290,8 +205,13 @@ std::size_t System::bytes() const noexcept {
            bytes(body_block_) + bytes(a_) + bytes(v_new_) + bytes(momentum_) +
            bytes(spin_momentum_) + bytes(spin_next_) + bytes(c_next_) + bytes(rate_) +
            bytes(turning) + bytes(geo_record_) + bytes(geo_force_) + bytes(solution_) +
-           bytes(rests_) + bytes(links_) + bytes(among_lumps_) + bytes(node_of_body) +
-           bytes(node_of_interaction) + strips.bytes() + contacts.bytes();
+           bytes(rests_) + bytes(dof_) + bytes(kept_) + bytes(kept_before_) + bytes(links_) +
+           bytes(among_lumps_) + bytes(node_of_body) + bytes(node_of_interaction) +
+           bytes(body_before_) + bytes(interaction_before_) + bytes(old_of_new_) + bytes(cursor_) +
+           bytes(side_mobility_) + bytes(member_begin_) + bytes(members_) + island_finder_.bytes() +
+           bytes(islands.label) + edge_dealer_.bytes() + bytes(edge_from_) + bytes(edge_to_) +
+           bytes(next_.size) + bytes(next_.sign) + bytes(next_.start) + bytes(next_.adjacent) +
+           strips.bytes() + contacts.bytes();
 }
 
 }  // namespace hawser::assembly

@@ -67,6 +67,14 @@ class System {
     /// @throws std::bad_alloc.
     void analyse(const model::Bodies& bodies, model::Interactions& interactions,
                  const WorldDef& def, int threads, const factor::AnalysisState* state = nullptr);
+    /// What analyse() takes of the poses at hand alone, where it would find the same bodies,
+    /// interactions and sleepers as the last time: floors, forms, shares of damping. @return false:
+    /// analyse() has to be called, forms are others or there are sides. @throws std::bad_alloc.
+    [[nodiscard]] bool renew(const model::Bodies& bodies, model::Interactions& interactions,
+                             const WorldDef& def);
+    /// Follow to contacts.touching() where links stay: the list of contributions alone.
+    /// @throws std::bad_alloc; analyse() then.
+    void follow_touching(const model::Bodies& bodies, const model::Interactions& interactions);
     /// Follow to contacts.links: order, structure and addresses. Forms and floors stay as they are.
     /// @throws std::bad_alloc; analyse() then.
     void relink(const model::Bodies& bodies, const model::Interactions& interactions, int threads);
@@ -157,14 +165,17 @@ class System {
     void share_damping(const model::Bodies& bodies, model::Interactions& interactions,
                        double h) const;
     /// Sets least_sigma of the rows of sides.
-    void soften_sides(const model::Bodies& bodies, model::Interactions& interactions,
-                      double h) const;
+    void soften_sides(const model::Bodies& bodies, model::Interactions& interactions, double h);
     void choose_forms(const model::Bodies& bodies, model::Interactions& interactions,
                       const WorldDef& def);
-    /// Nodes and edges, and what each node was. @return of these how many came or went.
-    std::int32_t build_pattern(const model::Bodies& bodies, const model::Interactions& interactions,
-                               factor::Pattern& next);
+    /// Nodes and edges of the pattern that is next, and what each node was. @return of these how
+    /// many came or went.
+    std::int32_t build_pattern(const model::Bodies& bodies,
+                               const model::Interactions& interactions);
     void find_islands(const model::Interactions& interactions);
+    void find_bounded(const model::Interactions& interactions);
+    void evaluate(const model::Bodies& bodies, model::Interactions& interactions,
+                  const WorldDef& def);
     void find_order(const model::Bodies& bodies, const model::Interactions& interactions,
                     const factor::AnalysisState* state);
     void place(const model::Bodies& bodies, const model::Interactions& interactions, int threads);
@@ -184,13 +195,29 @@ class System {
     template <class F>
     void over_panels(const factor::DirtyParts& part, base::Executor& executor,
                      F&& work) const noexcept;
+    void list_skew_ops();
+    void shift_pieces(std::int64_t from, std::int64_t by) noexcept;
+    void add_own_block(std::int32_t block, std::int32_t node, const model::Bodies& bodies,
+                       const model::Interactions& interactions);
+    void drop_block(std::int32_t block);
     void collect_ops(const model::Bodies& bodies, const model::Interactions& interactions);
     void place_columns();
     void sort_ops();
     [[nodiscard]] Op placed(const OpEntry& entry, const model::Bodies& bodies,
                             const model::Interactions& interactions) const;
+    /// What finds the lane op that an op belongs to.
+    struct LaneKey {
+        std::int64_t address;
+        std::uint64_t what;
+        std::int32_t to_b;
+        std::uint8_t used;
+        bool again;  ///< There was one of the same before, in the lanes of which it was not free.
+        std::size_t op;  ///< The first one, in together_.
+    };
     void share_lanes(std::span<const Op> together, std::int64_t place,
                      const model::Interactions& interactions);
+    [[nodiscard]] std::size_t find_lane_op(LaneKey& key, std::size_t lane,
+                                           std::size_t behind) const noexcept;
     void reserve(const model::Bodies& bodies, model::Interactions& interactions);
     void check_memory(const model::Bodies& bodies, const model::Interactions& interactions,
                       int threads) const;
@@ -200,24 +227,24 @@ class System {
     bool ordered_ = false;                                        ///< There is an order to repair.
     std::vector<std::int32_t> old_of_new_;                        ///< Nodes.
     std::vector<std::int32_t> body_before_, interaction_before_;  ///< Their nodes.
+    factor::Pattern next_;
+    factor::EdgeDealer edge_dealer_;
+    std::vector<std::int32_t> edge_from_, edge_to_;
+    graph::IslandFinder island_finder_;
+    std::vector<std::int32_t> member_begin_, members_;  ///< Of islands.
+    std::vector<std::int32_t> cursor_;                  ///< Scratch, by body.
+    std::vector<double> side_mobility_;                 ///< Scratch of soften_sides().
     std::vector<OpEntry> op_entries_;
     std::vector<std::pair<std::int64_t, std::int32_t>> column_place_;  ///< Addresses, positions.
     std::vector<std::int32_t> op_begin_, op_order_, step_begin_, pieces_by_place_;
     std::vector<Op> together_;  ///< Of one place.
-    /// What finds the lane op that an op belongs to.
-    struct LaneKey {
-        std::int64_t address;
-        std::uint64_t what;
-        std::int32_t to_b;
-        std::uint8_t used;
-        std::size_t op;  ///< The first one, in together_.
-    };
     std::vector<LaneKey> lane_keys_;
     std::vector<PieceOps> piece_ops_;
     std::vector<std::int64_t> op_place_, lane_place_;  ///< Of each op, ascending.
     std::vector<std::int32_t> skew_ops_;               ///< Ops of contacts, ascending.
     base::Array<GeoPlace> geo_place_;
     base::Array<std::uint8_t> dof_, kept_, rests_;
+    base::Array<std::uint8_t> kept_before_;  ///< Scratch of renew().
     base::Array<std::uint8_t> links_;        ///< View::links.
     base::Array<std::uint8_t> among_lumps_;  ///< View::among_lumps.
     base::Array<std::int32_t> incident_begin_;

@@ -26,6 +26,7 @@
 #include "context/sleep_data.h"
 #include "context/undo_data.h"
 #include "context/wires_data.h"
+#include "graph/bridges.h"
 #include "model/bodies.h"
 #include "model/interactions.h"
 #include "nonsmooth/anderson.h"
@@ -40,6 +41,7 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace hawser::stepper {
@@ -76,7 +78,7 @@ struct State {
     base::Array<std::uint8_t> contact_sliding;  ///< 1 a contact: friction at its limit; or empty.
     /// Positions and rotations at the last analysis, which chose forms and floors by them.
     base::Array<double> analysed_x, analysed_r;
-    bool topology_changed = true;  ///< Bodies or interactions were added.
+    Changed changed = Changed::all;
     Edits edits;
     Mend mend = Mend::nothing;  ///< Before the system may be used.
     Degradation imposed;        ///< On the next step.
@@ -116,6 +118,8 @@ struct JointWork {
     std::vector<assembly::Turning> turnings;  ///< One a strip or group.
     std::vector<double> closing;              ///< Gaps of rows, a solution.
     std::vector<double> taken;                ///< By row: self-stress, see solve/self_stress.h.
+    std::vector<std::pair<std::int32_t, std::int32_t>> edges;  ///< Bodies of each rigid joint.
+    graph::LoopFinder loops;
 };
 
 /// What a step leaves out to end in time: src/budget.
@@ -139,6 +143,7 @@ struct Work {
     Newton newton;                      ///< Of a world in which something may touch.
     base::Array<double> contact_speed;  ///< u where the step began, as in Newton::x.
     JointWork joints;
+    WireWork wires;
     LimitWork limits;
     std::vector<std::uint8_t> edits_stay;  ///< By contact of the last step.
 };

@@ -8,6 +8,7 @@
 #include "collide/contacts.h"
 #include "collide/match.h"
 #include "context/cuts_data.h"
+#include "context/edit_list.h"
 #include "context/judge_data.h"
 #include "context/ledger.h"
 #include "context/wires_data.h"
@@ -64,7 +65,7 @@ struct Undo {
 
     // System.
     Mend mend = Mend::nothing;
-    bool topology_changed = false;
+    Changed changed = Changed::nothing;
     assembly::System::Kept system;
     base::Array<double> analysed_x, analysed_r;
     base::Array<std::uint8_t> asleep;

@@ -55,4 +55,15 @@ struct Wires {
     }
 };
 
+/// Memory to find wires in (make_wires()).
+struct WireWork {
+    std::vector<std::int32_t> joined;  ///< By interaction: the first element of its wire, −1: none.
+    std::vector<std::int32_t> of_body;  ///< By body: its first element, −1: none.
+    std::vector<std::int32_t> begin;    ///< By wire: where its elements begin.
+    std::vector<std::int32_t> cursor;   ///< By wire.
+    std::vector<std::int32_t> had;      ///< By wire of before: how many elements.
+    std::vector<std::uint8_t> seen;     ///< By body.
+    Wires made;
+};
+
 }  // namespace hawser::stepper

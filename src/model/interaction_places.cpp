@@ -7,11 +7,25 @@
 #include "model/kinds/all.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 namespace hawser::model {
 namespace {
+
+auto by_interaction(Interactions& in) noexcept {
+    return std::to_array<base::Array<double>*>({&in.active, &in.held, &in.low, &in.high, &in.anchor,
+                                                &in.breaking, &in.rest_length, &in.lightness,
+                                                &in.alert, &in.swing});
+}
+
+auto by_row(Interactions& in) noexcept {
+    return std::to_array<base::Array<double>*>({&in.defined, &in.epsilon, &in.tau, &in.mobility,
+                                                &in.upsilon, &in.recall, &in.sigma, &in.least_sigma,
+                                                &in.inv_sigma, &in.g, &in.c, &in.residual,
+                                                &in.lambda, &in.multiplier, &in.force});
+}
 
 std::uint8_t flags_of(const InteractionDef& d, const generic::RowSpec& first,
                       const Bodies& bodies) {
@@ -70,13 +84,8 @@ void Interactions::make_room(InteractionKind kind) {
     for (base::Array<std::uint8_t>* a :
          {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
         base::make_room(*a, 1);
-    for (base::Array<double>* a :
-         {&active, &held, &low, &high, &anchor, &rest_length, &lightness, &alert, &swing})
-        base::make_room(*a, 1);
-    for (base::Array<double>* a :
-         {&epsilon, &tau, &mobility, &upsilon, &recall, &sigma, &least_sigma, &inv_sigma, &g, &c,
-          &residual, &lambda, &multiplier, &force})
-        base::make_room(*a, kMaxInteractionRows);
+    for (base::Array<double>* a : by_interaction(*this)) base::make_room(*a, 1);
+    for (base::Array<double>* a : by_row(*this)) base::make_room(*a, kMaxInteractionRows);
     base::make_room(row_flags, kMaxInteractionRows);
     base::make_room(kinds, 1);
 }
@@ -134,13 +143,8 @@ void Interactions::grow(InteractionKind of) {
     for (base::Array<std::uint8_t>* a :
          {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
         a->resize(n);
-    for (base::Array<double>* a :
-         {&active, &held, &low, &high, &anchor, &rest_length, &lightness, &alert, &swing})
-        a->resize(n);
-    for (base::Array<double>* a :
-         {&epsilon, &tau, &mobility, &upsilon, &recall, &sigma, &least_sigma, &inv_sigma, &g, &c,
-          &residual, &lambda, &multiplier, &force})
-        a->resize(at(row_count));
+    for (base::Array<double>* a : by_interaction(*this)) a->resize(n);
+    for (base::Array<double>* a : by_row(*this)) a->resize(at(row_count));
     row_flags.resize(at(row_count));
 }
 
@@ -172,6 +176,7 @@ void Interactions::write_rows(int id, const Bodies& bodies_in, double h) {
     });
     flags[at(id)] = flags_of(d, spec[0], bodies_in);
     lightness[at(id)] = line ? lightest_end(d, bodies_in) : 0.0;
+    breaking[at(id)] = flags[at(id)] & kBreakable ? d.get("breaking_load") : 0.0;
     set_range(id);
     write_data(id);
     write_loads(id);
@@ -182,7 +187,7 @@ void Interactions::write_rows(int id, const Bodies& bodies_in, double h) {
         // One that is the scheme's own stays unsaid: a copy is to know that no damper stands for
         // it.
         if (!spec[r].calmed) d.damping_time[r] = spec[r].damping_time;
-        epsilon[row] = spec[r].compliance;
+        defined[row] = epsilon[row] = spec[r].compliance;
         tau[row] = spec[r].damping_time;
         const bool damper = !spec[r].velocity && !spec[r].calmed;
         row_flags[row] =
@@ -241,9 +246,7 @@ void Interactions::remove(int id) noexcept {
     for (base::Array<std::uint8_t>* a :
          {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
         (*a)[i] = 0;
-    for (base::Array<double>* a :
-         {&active, &held, &low, &high, &anchor, &rest_length, &lightness, &alert, &swing})
-        (*a)[i] = 0.0;
+    for (base::Array<double>* a : by_interaction(*this)) (*a)[i] = 0.0;
     places.vacate(id);
 }
 
@@ -288,15 +291,10 @@ void Interactions::truncate(int kept) {
     row_begin.resize(n);
     jac_begin.resize(n);
     geo.resize(n);
-    for (base::Array<double>* a :
-         {&active, &held, &low, &high, &anchor, &rest_length, &lightness, &alert, &swing})
-        a->resize(n);
+    for (base::Array<double>* a : by_interaction(*this)) a->resize(n);
     load_begin.resize(n);
     const auto m = at(row_count);
-    for (base::Array<double>* a :
-         {&epsilon, &tau, &mobility, &upsilon, &recall, &sigma, &least_sigma, &inv_sigma, &g, &c,
-          &residual, &lambda, &multiplier, &force})
-        a->resize(m);
+    for (base::Array<double>* a : by_row(*this)) a->resize(m);
     row_flags.resize(m);
 }
 

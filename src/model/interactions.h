@@ -112,7 +112,8 @@ struct Interactions {
     base::Array<std::uint8_t> coarse;     ///< Steps to come in which its rows are linearised once.
     base::Array<std::uint8_t> repeats;    ///< 1: in a loop in which rows repeat each other.
     base::Array<std::uint8_t> completed;  ///< By this step, see assembly::Completed.
-    base::Array<double> swing;  ///< max |arm|/I, constant: h² times force times this is (hω)².
+    base::Array<double> swing;     ///< max |arm|/I, constant: h² times force times this is (hω)².
+    base::Array<double> breaking;  ///< Load at which it parts [N], of what is kBreakable.
     base::Array<double> rest_length;      ///< l₀ of wire elements [m], 0 for all else.
     std::vector<std::int32_t> working;    ///< Those through which work enters: motors, driven by an
                                           ///< input, touching a prescribed velocity. Ascending.
@@ -122,6 +123,7 @@ struct Interactions {
     std::vector<std::uint8_t> saturated;  ///< 1 a motor: its force is at an end of its range.
 
     // By row.
+    base::Array<double> defined;         ///< ε as defined, whatever length a line has by now.
     base::Array<double> epsilon, tau;    ///< ε, τ (γ, – for velocity rows).
     base::Array<double> mobility;        ///< W = G M⁻¹ Gᵀ of dampers at the last analysis, or 0.
     base::Array<double> upsilon;         ///< Υ, hawser/row_constants.h; 0 for velocity rows.

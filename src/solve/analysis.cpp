@@ -27,6 +27,12 @@ void count_model(Model& model, StepStats& stats) noexcept {
     }
 }
 
+void reserve_closing(const Model& model, JointWork& joints) {
+    if (!model.completion.rigid.empty())
+        joints.closing.resize(model.interactions.g.size() + at(model.system.symbolic.scalars));
+    if (!model.completion.looped.empty()) joints.taken.resize(model.interactions.g.size());
+}
+
 }  // namespace
 
 void begin_analysis(Model& model, State& state) {
@@ -41,13 +47,19 @@ void analyse_system(Model& model, Work& work, runtime::Pool& pool,
     model.system.analyse(model.bodies, model.interactions, model.def, pool.threads(), state);
     work.solve.norms.resize(at(model.system.strips.count() + model.system.strips.groups()));
     work.solve.losses.resize(at(model.system.strips.count()));
-    find_joints(model, work.joints);
     reserve_bounds(model, work.newton);
     work.before.active.resize(model.system.bounded.size());
-    if (!model.completion.rigid.empty())
-        work.joints.closing.resize(model.interactions.g.size() + at(model.system.symbolic.scalars));
-    if (!model.completion.looped.empty()) work.joints.taken.resize(model.interactions.g.size());
+    find_joints(model, work.joints);
+    reserve_closing(model, work.joints);
     count_analysis(model, work.stats);
+}
+
+bool renew_analysis(Model& model, State& state, Work& work) {
+    begin_analysis(model, state);
+    if (!model.system.renew(model.bodies, model.interactions, model.def)) return false;
+    find_joints(model, work.joints);
+    reserve_closing(model, work.joints);
+    return true;
 }
 
 void count_analysis(Model& model, StepStats& stats) noexcept {
@@ -59,7 +71,11 @@ void count_analysis(Model& model, StepStats& stats) noexcept {
     const factor::RepairReport& report = model.system.report();
     ++(report.replanned ? s.plans : s.repairs);
     if (!report.replanned) s.columns_repaired += report.columns;
-    if (model.system.grew(model.bodies.bytes() + model.interactions.bytes())) ++s.growths;
+    count_growth(model, stats);
+}
+
+void count_growth(Model& model, StepStats& stats) noexcept {
+    if (model.system.grew(model.bodies.bytes() + model.interactions.bytes())) ++stats.growths;
 }
 
 void finish_preparation(StepContext& ctx) {
@@ -77,7 +93,7 @@ void finish_preparation(StepContext& ctx) {
     ctx.model.residual_floor = 1e-6 * ctx.model.def.step * 9.81 * std::sqrt(mass) + 1e-300;
     ctx.model.contact_floor = 1e-6 * ctx.model.def.step * 9.81 * least;
     count_model(ctx.model, ctx.work.stats);
-    ctx.state.topology_changed = false;
+    ctx.state.changed = Changed::nothing;
 }
 
 void prepare_alone(StepContext& ctx) {
@@ -85,7 +101,7 @@ void prepare_alone(StepContext& ctx) {
     ctx.model.system.keep(before);
     try {
         wake_all(ctx.model, ctx.work.stats);
-        make_wires(ctx.model, ctx.state);
+        make_wires(ctx.model, ctx.state, ctx.work.wires);
         begin_analysis(ctx.model, ctx.state);
         analyse_system(ctx.model, ctx.work, ctx.pool, nullptr);
         finish_preparation(ctx);

@@ -6,10 +6,10 @@
 #include "access/view.h"
 #include "base/index.h"
 #include "context/completion_data.h"
-#include "graph/bridges.h"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -58,7 +58,7 @@ void find_joints(Model& model, JointWork& joints) {
     c.joints.clear();
     c.rigid.clear();
     c.looped.clear();
-    std::vector<std::pair<std::int32_t, std::int32_t>> edges;
+    joints.edges.clear();
     const std::int32_t ground = model.bodies.count();
     auto node = [&](std::int32_t body) { return model.bodies.dof(body) > 0 ? body : ground; };
     for (std::int32_t id = 0; id < in.count(); ++id) {
@@ -68,9 +68,9 @@ void find_joints(Model& model, JointWork& joints) {
         if (in.epsilon[at(in.row_begin[at(id)])] > 0.0) continue;  // what gives is determined
         const std::int32_t* body = &in.body[at(kMaxInteractionBodies * id)];
         c.rigid.push_back(id);
-        edges.emplace_back(node(body[0]), node(body[1]));
+        joints.edges.emplace_back(node(body[0]), node(body[1]));
     }
-    const std::vector<std::uint8_t> looped = graph::edges_on_loops(ground + 1, edges);
+    const std::span<const std::uint8_t> looped = joints.loops.find(ground + 1, joints.edges);
     for (std::size_t k = 0; k < c.rigid.size(); ++k)
         if (looped[k]) c.looped.push_back(c.rigid[k]);
     c.coarse_next.assign(c.joints.size(), 0);

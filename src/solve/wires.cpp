@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace hawser::stepper {
 namespace {
@@ -40,45 +39,71 @@ std::int32_t root_of(std::vector<std::int32_t>& joined, std::int32_t i) {
     return i;
 }
 
-/// Elements joined by lumps: by interaction, the first one of its wire.
-std::vector<std::int32_t> join_elements(const Model& model, std::int32_t count) {
+/// Elements joined by lumps: by interaction, the first one of its wire; −1: no element.
+void join_elements(const Model& model, std::int32_t count, WireWork& work) {
     const model::Interactions& in = model.interactions;
-    std::vector<std::int32_t> joined(at(count)), of_body(at(model.bodies.count()), -1);
-    std::iota(joined.begin(), joined.end(), 0);
+    std::vector<std::int32_t>& joined = work.joined;
+    joined.resize(at(count));
+    work.of_body.assign(at(model.bodies.count()), -1);
     for (std::int32_t id = 0; id < count; ++id) {
-        if (!is_element(model, id)) continue;
-        for (int b = 0; b < 2; ++b) {
+        joined[at(id)] = is_element(model, id) ? id : -1;
+        for (int b = 0; b < 2 && joined[at(id)] >= 0; ++b) {
             const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
             if (model.bodies.dof(body) != 3) continue;
-            std::int32_t& first = of_body[at(body)];
+            std::int32_t& first = work.of_body[at(body)];
             if (first < 0) first = id;
             const std::int32_t p = root_of(joined, first), q = root_of(joined, id);
             joined[at(std::max(p, q))] = std::min(p, q);
         }
     }
-    for (std::int32_t id = 0; id < count; ++id) joined[at(id)] = root_of(joined, id);
-    return joined;
+    for (std::int32_t id = 0; id < count; ++id)
+        if (joined[at(id)] >= 0) joined[at(id)] = root_of(joined, id);
+}
+
+/// Elements, wire by wire: wires by their first element, elements ascending.
+void list_elements(std::int32_t count, WireWork& work) {
+    Wires& made = work.made;
+    made.wire_of.assign(at(count), -1);
+    made.place.assign(at(count), -1);
+    std::vector<std::int32_t>& begin = work.begin;
+    begin.assign(1, 0);
+    for (std::int32_t id = 0; id < count; ++id) {
+        if (work.joined[at(id)] < 0) continue;
+        std::int32_t& wire = made.wire_of[at(id)];
+        wire = made.wire_of[at(work.joined[at(id)])];  // that of the first, which comes first
+        if (wire < 0) {
+            wire = static_cast<std::int32_t>(begin.size()) - 1;
+            begin.push_back(0);
+        }
+        ++begin[at(wire) + 1];
+    }
+    for (std::size_t k = 1; k < begin.size(); ++k) begin[k] += begin[k - 1];
+    made.element.resize(at(begin.back()));
+    work.cursor.assign(begin.begin(), begin.end() - 1);
+    for (std::int32_t id = 0; id < count; ++id) {
+        if (made.wire_of[at(id)] < 0) continue;
+        made.place[at(id)] = work.cursor[at(made.wire_of[at(id)])]++;
+        made.element[at(made.place[at(id)])] = id;
+    }
 }
 
 /// Lumps by wire, and parts of elements and lumps.
-void make_parts(Model& model, const std::vector<std::vector<std::int32_t>>& elements) {
-    Wires& w = model.wires;
+void make_parts(const Model& model, WireWork& work) {
+    Wires& w = work.made;
     const model::Interactions& in = model.interactions;
-    std::vector<std::uint8_t> seen(at(model.bodies.count()), 0);
-    for (std::size_t k = 0; k < elements.size(); ++k) {
-        const auto element = static_cast<std::int32_t>(w.element.size());
+    work.seen.assign(at(model.bodies.count()), 0);
+    w.lump.clear();
+    w.parts.clear();
+    for (std::size_t k = 0; k + 1 < work.begin.size(); ++k) {
+        const std::int32_t element = work.begin[k], end = work.begin[k + 1];
         const auto lump = static_cast<std::int32_t>(w.lump.size());
-        for (const std::int32_t id : elements[k]) {
-            w.place[at(id)] = static_cast<std::int32_t>(w.element.size());
-            w.element.push_back(id);
+        for (std::int32_t e = element; e < end; ++e)
             for (int b = 0; b < 2; ++b) {
-                const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
-                if (model.bodies.dof(body) != 3 || seen[at(body)]) continue;
-                seen[at(body)] = 1;
+                const std::int32_t body = in.body[at(kMaxInteractionBodies * w.element[at(e)] + b)];
+                if (model.bodies.dof(body) != 3 || work.seen[at(body)]) continue;
+                work.seen[at(body)] = 1;
                 w.lump.push_back(body);
             }
-        }
-        const auto end = static_cast<std::int32_t>(w.element.size());
         const auto lump_end = static_cast<std::int32_t>(w.lump.size());
         for (std::int32_t e = element, l = lump; e < end || l < lump_end; e += kPart, l += kPart)
             w.parts.push_back({static_cast<std::int32_t>(k), std::min(e, end),
@@ -108,24 +133,26 @@ void release_wires(Model& model) noexcept {
 namespace {
 
 /// What wires remember, where they are others than before: of what an element's wire had, each
-/// element keeps its share. @param elements  Of each wire that is made now.
-void recall_wires(const Model& model, const State& state,
-                  const std::vector<std::vector<std::int32_t>>& elements, Wires& made) {
+/// element keeps its share.
+void recall_wires(const Model& model, const State& state, WireWork& work) {
     const Wires& w = model.wires;
+    Wires& made = work.made;
     if (w.wire_of == made.wire_of && state.edits.interactions.empty()) {
         made.credit = w.credit;
         made.alert = w.alert;
         return;
     }
     if (!state.edits.any) return;
-    std::vector<std::int32_t> had(w.count(), 0);
+    std::vector<std::int32_t>& had = work.had;
+    had.assign(w.count(), 0);
     for (const std::int32_t wire : w.wire_of)
         if (wire >= 0) ++had[at(wire)];
     const std::vector<std::int32_t>& added = state.edits.interactions;
-    for (std::size_t k = 0; k < elements.size(); ++k) {
+    for (std::size_t k = 0; k + 1 < work.begin.size(); ++k) {
         std::int32_t first = -1, kept = 0;
         bool one = true;
-        for (const std::int32_t id : elements[k]) {
+        for (std::int32_t e = work.begin[k]; e < work.begin[k + 1]; ++e) {
+            const std::int32_t id = made.element[at(e)];
             const bool is_new = at(id) >= w.wire_of.size() ||
                                 std::find(added.begin(), added.end(), id) != added.end();
             const std::int32_t wire = is_new ? -1 : w.wire_of[at(id)];
@@ -143,36 +170,25 @@ void recall_wires(const Model& model, const State& state,
 
 }  // namespace
 
-void make_wires(Model& model, const State& state) {
+void make_wires(Model& model, const State& state, WireWork& work) {
     const std::int32_t count = interaction_count(model);
-    const std::vector<std::int32_t> joined = join_elements(model, count);
-    std::vector<std::vector<std::int32_t>> elements;
-    Wires made;
-    made.wire_of.assign(at(count), -1);
-    made.place.assign(at(count), -1);
-    for (std::int32_t id = 0; id < count; ++id) {
-        if (!is_element(model, id)) continue;
-        std::int32_t& wire = made.wire_of[at(id)];
-        wire = made.wire_of[at(joined[at(id)])];  // that of the first, which comes first
-        if (wire < 0) {
-            wire = static_cast<std::int32_t>(elements.size());
-            elements.emplace_back();
-        }
-        elements[at(wire)].push_back(id);
-    }
-    made.credit.assign(elements.size(), 0.0);
-    made.alert.assign(elements.size(), 0);
-    recall_wires(model, state, elements, made);
-    made.fast.assign(elements.size(), 0);
-    made.level.assign(elements.size(), 0);
-    made.gain.resize(elements.size());
+    join_elements(model, count, work);
+    Wires& made = work.made;
+    list_elements(count, work);
+    const std::size_t wires = work.begin.size() - 1;
+    made.credit.assign(wires, 0.0);
+    made.alert.assign(wires, 0);
+    recall_wires(model, state, work);
+    made.fast.assign(wires, 0);
+    made.level.assign(wires, 0);
+    made.gain.assign(wires, {});
+    make_parts(model, work);
+    made.part_gain.assign(made.parts.size(), {});
+    made.pull.assign(made.element.size(), 0.0);
+    made.holds.assign(made.element.size(), 0);
+    made.replaced.assign(at(model.interactions.count()), 0);
+    made.again = made.replacing = made.measured = made.stale = false;
     std::swap(model.wires, made);
-    make_parts(model, elements);
-    Wires& w = model.wires;
-    w.part_gain.resize(w.parts.size());
-    w.pull.assign(w.element.size(), 0.0);
-    w.holds.assign(w.element.size(), 0);
-    w.replaced.assign(at(model.interactions.count()), 0);
     follow_alerts(model);
 }
 

@@ -9,7 +9,7 @@
 namespace hawser::stepper {
 
 /// Find the wires, after bodies or interactions were added. @throws std::bad_alloc.
-void make_wires(Model& model, const State& state);
+void make_wires(Model& model, const State& state, WireWork& work);
 
 /// Whether the guard looks at this step at all: sides of cuts have energy that crosses the cut, and
 /// without geometric stiffness there is nothing to be more careful with.

@@ -68,7 +68,7 @@ void ask_for_acceleration(nonsmooth::Resistance& a) noexcept {
 
 }  // namespace
 
-void prepare_contacts(Model& model, Work& work) {
+Contacts::Blocks prepare_contacts(Model& model, Work& work) {
     std::vector<std::uint8_t>& touches = work.sleep.mark;  // scratch here as there
     touches.assign(at(model.bodies.count()), 0);
     for (const collide::Shape& s : model.collider.shapes())
@@ -78,7 +78,7 @@ void prepare_contacts(Model& model, Work& work) {
     touching.clear();
     for (std::int32_t b = 0; b < model.bodies.count(); ++b)
         if (touches[at(b)] != 0) touching.push_back(b);
-    model.system.contacts.set_bodies(touching, model.bodies);
+    return model.system.contacts.set_bodies(touching, model.bodies);
 }
 
 Status start_contacts(StepContext& ctx, Phase phase) noexcept {

@@ -8,7 +8,8 @@
 namespace hawser::stepper {
 
 /// Links between bodies that may touch, for the shapes there are. Part of prepare().
-void prepare_contacts(Model& model, Work& work);
+/// @throws std::bad_alloc.
+assembly::Contacts::Blocks prepare_contacts(Model& model, Work& work);
 
 /// What contacts are started for.
 enum class Phase : std::uint8_t {

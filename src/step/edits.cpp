@@ -104,9 +104,17 @@ void reserve_edit(StepContext& ctx) {
 }
 
 void begin_edit(StepContext& ctx) noexcept {
+    ctx.state.changed = Changed::all;
     join_model(ctx.model);
-    ctx.state.topology_changed = true;
     ctx.state.edits.any = ctx.state.edits.any || ctx.state.started;
+}
+
+void begin_shape_edit(StepContext& ctx) noexcept {
+    // What is cut has images of bodies, which have no shapes.
+    const bool alone = ctx.state.started && ctx.state.changed != Changed::all &&
+                       ctx.state.mend == Mend::nothing && !may_split(ctx.model);
+    begin_edit(ctx);
+    if (alone) ctx.state.changed = Changed::shapes;
 }
 
 double energy_of_body(const StepContext& ctx, std::int32_t body) noexcept {

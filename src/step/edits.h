@@ -17,7 +17,8 @@
 ///   (make_wires()).
 ///
 /// The next step, or whatever needs the system before it, analyses: the order of elimination is
-/// repaired (factor/repair.h).
+/// repaired (factor/repair.h). Where shapes alone came or went, the collider and the contacts
+/// follow and the system stays, unless other bodies may touch by that (prepare.h).
 
 #include <cstdint>
 
@@ -29,6 +30,8 @@ struct StepContext;
 /// @throws std::bad_alloc.
 void reserve_edit(StepContext& ctx);
 void begin_edit(StepContext& ctx) noexcept;
+/// The same before shapes alone come or go: bodies and interactions stay.
+void begin_shape_edit(StepContext& ctx) noexcept;
 
 /// Kinetic and gravity energy of a body at the half step before its pose [J].
 [[nodiscard]] double energy_of_body(const StepContext& ctx, std::int32_t body) noexcept;

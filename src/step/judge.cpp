@@ -237,7 +237,8 @@ Status judge(StepContext& ctx) noexcept {
 
 Verdict verdict(StepContext& ctx) noexcept {
     Verdict out = ctx.state.judge.verdict;
-    if (ctx.state.topology_changed || ctx.state.mend != Mend::nothing || ctx.state.step == 0)
+    if (ctx.state.changed != Changed::nothing || ctx.state.mend != Mend::nothing ||
+        ctx.state.step == 0)
         return out;
     const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
                           ctx.model.system.bounded);

@@ -59,7 +59,7 @@ void mend(StepContext& ctx) {
 }
 
 void make_ready(StepContext& ctx) {
-    if (ctx.state.topology_changed) {
+    if (ctx.state.changed != Changed::nothing) {
         keep_state(ctx, may_split(ctx.model) ? Undo::Depth::model : Undo::Depth::system);
         prepare(ctx);
         ctx.state.mend = Mend::nothing;
@@ -83,7 +83,7 @@ void Transaction::done() noexcept {
 }
 
 void ready(StepContext& ctx) {
-    if (!ctx.state.topology_changed && ctx.state.mend == Mend::nothing) return;
+    if (ctx.state.changed == Changed::nothing && ctx.state.mend == Mend::nothing) return;
     Transaction all(ctx);
     make_ready(ctx);
     all.done();

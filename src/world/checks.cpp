@@ -17,7 +17,7 @@ namespace {
 // Beyond these, products of entries overflow or lose all digits.
 constexpr double kMaxLength = 1e7, kMaxSpeed = 1e5, kMaxMass = 1e15;
 
-void finite(const std::string& where, const char* field, double value, double limit = 1e300) {
+void finite(const Where& where, const char* field, double value, double limit = 1e300) {
     if (!std::isfinite(value))
         refuse(where, std::string(field) + " = " + number(value) +
                           " is not a finite number; give one up to " + number(limit));
@@ -26,25 +26,25 @@ void finite(const std::string& where, const char* field, double value, double li
                           " is out of range; give one up to " + number(limit));
 }
 
-void finite(const std::string& where, const char* field, const Vec3& v, double limit = 1e300) {
+void finite(const Where& where, const char* field, const Vec3& v, double limit = 1e300) {
     for (int i = 0; i < 3; ++i) finite(where, field, v[i], limit);
 }
 
-void range(const std::string& where, const char* field, double value, double low, double high,
+void range(const Where& where, const char* field, double value, double low, double high,
            const std::string& unit) {
     if (!(value >= low && value <= high))
         refuse(where, std::string(field) + " must be " + number(low) + " to " + number(high) +
                           unit + ", not " + number(value));
 }
 
-void unit_quaternion(const std::string& where, const char* field, const Quat& q) {
+void unit_quaternion(const Where& where, const char* field, const Quat& q) {
     const double n = q.norm();
     if (!std::isfinite(n) || n < 0.5 || n > 2.0)
         refuse(where, std::string(field) + " is not a unit quaternion (norm " + std::to_string(n) +
                           "); give [w, x, y, z] of length 1");
 }
 
-void check_inertia(const std::string& where, const Mat3& inertia) {
+void check_inertia(const Where& where, const Mat3& inertia) {
     for (int i = 0; i < 9; ++i) finite(where, "inertia", inertia(i / 3, i % 3), 1e20);
     const double scale = inertia.cwiseAbs().maxCoeff();
     if ((inertia - inertia.transpose()).cwiseAbs().maxCoeff() > 1e-9 * scale)
@@ -62,8 +62,8 @@ void check_inertia(const std::string& where, const Mat3& inertia) {
 
 }  // namespace
 
-void refuse(const std::string& where, const std::string& what) {
-    throw DefError(where + ": " + what);
+void refuse(const Where& where, const std::string& what) {
+    throw DefError(where.text() + ": " + what);
 }
 
 std::string number(double value) {
@@ -71,6 +71,8 @@ std::string number(double value) {
     (void)std::snprintf(text.data(), text.size(), "%.9g", value);
     return text.data();
 }
+
+std::string Where::text() const { return what_ == nullptr ? *name_ : label(what_, *name_); }
 
 std::string label(const char* what, const std::string& name) {
     return name.empty() ? std::string(what) + " (unnamed)" : std::string(what) + " '" + name + "'";
@@ -98,23 +100,23 @@ void check(const WorldDef& def) {
         refuse(where, "a budget needs the nonsmooth method newton");
 }
 
-void check_pose(const std::string& where, const Vec3& position, const Quat& orientation) {
+void check_pose(const Where& where, const Vec3& position, const Quat& orientation) {
     finite(where, "position", position, kMaxLength);
     unit_quaternion(where, "orientation", orientation);
 }
 
-void check_velocity(const std::string& where, const Vec3& linear, const Vec3& angular) {
+void check_velocity(const Where& where, const Vec3& linear, const Vec3& angular) {
     finite(where, "velocity", linear, kMaxSpeed);
     finite(where, "angular_velocity", angular, kMaxSpeed);
 }
 
-void check_force(const std::string& where, const Vec3& force, const Vec3& torque) {
+void check_force(const Where& where, const Vec3& force, const Vec3& torque) {
     finite(where, "force", force);
     finite(where, "torque", torque);
 }
 
 void check(const BodyDef& def) {
-    const std::string where = label("body", def.name);
+    const Where where("body", def.name);
     if (def.kind > BodyKind::kinematic) refuse(where, "unknown kind");
     check_pose(where, def.position, def.orientation);
     check_velocity(where, def.velocity, def.angular_velocity);
@@ -138,7 +140,7 @@ void check(const BodyDef& def) {
 
 void check(const InteractionDef& def, const model::Bodies& bodies, int count,
            std::span<const InteractionDef> before, const base::Places& places) {
-    const std::string where = label("interaction", def.name);
+    const Where where("interaction", def.name);
     if (static_cast<int>(def.kind) >= kInteractionKindCount) refuse(where, "unknown kind");
     const KindInfo& info = kind_info(def.kind);
     bool moves = false;
@@ -189,7 +191,7 @@ void check(const InteractionDef& def, const model::Bodies& bodies, int count,
 }
 
 void check_load(const InteractionDef& def, const FrictionLoad& load, const InteractionDef& other) {
-    const std::string where = label("interaction", def.name);
+    const Where where("interaction", def.name);
     if (!kind_info(def.kind).takes_loads)
         refuse(where, std::string("a ") + kind_info(def.kind).name + " takes no loads");
     if (kind_info(other.kind).row_units[0] != 'm')
@@ -200,7 +202,7 @@ void check_load(const InteractionDef& def, const FrictionLoad& load, const Inter
 }
 
 void check_params(const InteractionDef& def) {
-    const std::string where = label("interaction", def.name);
+    const Where where("interaction", def.name);
     const KindInfo& info = kind_info(def.kind);
     for (std::size_t i = 0; i < info.params.size(); ++i) {
         const ParamInfo& p = info.params[i];

@@ -15,8 +15,23 @@
 
 namespace hawser::world {
 
+/// Whom a message is about: put into words only where something is refused. What it was made of
+/// must live as long.
+class Where {
+  public:
+    /// "body 'bob'" or "body (unnamed)".
+    Where(const char* what, const std::string& name) noexcept : what_(what), name_(&name) {}
+    /// In words already.
+    Where(const std::string& text) noexcept : name_(&text) {}
+    [[nodiscard]] std::string text() const;
+
+  private:
+    const char* what_ = nullptr;
+    const std::string* name_;
+};
+
 /// Refuses `where` with a reason. @throws DefError
-[[noreturn]] void refuse(const std::string& where, const std::string& what);
+[[noreturn]] void refuse(const Where& where, const std::string& what);
 
 /// @throws DefError
 void check(const WorldDef& def);
@@ -38,9 +53,9 @@ void check(const MaterialPairDef& def, int materials, Nonsmooth method);
 void check(const ShapeDef& def, const model::Bodies& bodies, int count, int materials);
 
 /// The ranges of a definition for what changes later. @throws DefError
-void check_pose(const std::string& where, const Vec3& position, const Quat& orientation);
-void check_velocity(const std::string& where, const Vec3& linear, const Vec3& angular);
-void check_force(const std::string& where, const Vec3& force, const Vec3& torque);
+void check_pose(const Where& where, const Vec3& position, const Quat& orientation);
+void check_velocity(const Where& where, const Vec3& linear, const Vec3& angular);
+void check_force(const Where& where, const Vec3& force, const Vec3& torque);
 
 /// Why a kind has none, and which have.
 [[nodiscard]] std::string no_coordinate(const KindInfo& kind);
@@ -48,7 +63,7 @@ void check_force(const std::string& where, const Vec3& force, const Vec3& torque
 
 /// For messages: as short as it may be, 1e+300 has 301 digits else.
 [[nodiscard]] std::string number(double value);
-/// "body 'bob'" or "body 7 (unnamed)" for messages.
+/// "body 'bob'" or "body (unnamed)" for messages.
 [[nodiscard]] std::string label(const char* what, const std::string& name);
 
 }  // namespace hawser::world

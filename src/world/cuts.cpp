@@ -39,13 +39,16 @@ void World::set_group(BodyId id, const std::string& group) {
     m.ctx.model.regroup.stale = true;
     if (!stepper::makes_groups(m.ctx.model))
         m.ctx.model.cuts.group[b] = m.ctx.model.regroup.by_hand[b];
-    m.ctx.state.topology_changed = true;
+    m.ctx.state.changed = stepper::Changed::all;
     if (m.listener != nullptr) m.listener->set_group(id, group);
 }
 
 std::int32_t World::Impl::number_of_group(const std::string& name) {
     if (name.empty()) return -1;
-    return groups.emplace(name, static_cast<std::int32_t>(groups.size())).first->second;
+    if (const std::int32_t known = groups.find(name); known >= 0) return known;
+    const auto number = static_cast<std::int32_t>(groups.size());
+    groups.add(name, number);
+    return number;
 }
 
 void World::follow_groups(int parts, int every) {
@@ -59,7 +62,7 @@ void World::follow_groups(int parts, int every) {
         std::vector<std::int32_t> by_hand = c.model.regroup.by_hand;
         c.model.regroup.parts = {};
         c.model.regroup.stale = true;
-        c.state.topology_changed = true;
+        c.state.changed = stepper::Changed::all;
         if (parts == 0) c.model.cuts.group.swap(by_hand);
     }
     c.model.def = def;
@@ -125,7 +128,7 @@ void World::set_coupling(InteractionId id, Coupling coupling) {
     if (c.model.cuts.coupling[i] == coupling) return;
     c.model.cuts.coupling[i] = coupling;
     c.model.regroup.stale = true;
-    c.state.topology_changed = true;
+    c.state.changed = stepper::Changed::all;
     if (impl_->listener != nullptr) impl_->listener->set_coupling(id, coupling);
 }
 
@@ -213,7 +216,7 @@ void copy_groups(const stepper::StepContext& from, stepper::StepContext& to) {
     to.model.regroup.made = from.model.regroup.made;
     to.model.regroup.seen = from.model.regroup.seen;
     if (same || stepper::assign_groups(to.model) == 0) return;
-    to.state.topology_changed = true;
+    to.state.changed = stepper::Changed::all;
     stepper::prepare(to);
 }
 

@@ -126,7 +126,7 @@ ShapeId World::add_shape(const ShapeDef& def) {
               [&] { m.ctx.model.collider.add(def, m.ctx.model.bodies); });
     // From here on nothing throws.
     put(m.shape_defs, place, std::move(kept));
-    stepper::begin_edit(m.ctx);
+    stepper::begin_shape_edit(m.ctx);
     stepper::settle_shape(m.ctx, place);
     const auto id = m.ctx.model.collider.places.id<ShapeId>(place);
     insert_id(m.shape_ids, id);
@@ -262,7 +262,7 @@ void World::Impl::remove(InteractionId id) noexcept {
 }
 
 void World::Impl::remove(ShapeId id) noexcept {
-    stepper::begin_edit(ctx);
+    stepper::begin_shape_edit(ctx);
     world::release(shape_names, shape_defs[at(id.index)].name);
     shape_defs[at(id.index)] = {};
     stepper::remove_shape(ctx, id.index);

@@ -70,14 +70,15 @@ struct World::Impl final : private world::InputDoor {
         std::int32_t bodies, interactions, shapes;  ///< Places.
         std::size_t noted;                          ///< Of stepper::Edits.
         double drive;
-        bool topology_changed, edited, stale;
+        stepper::Changed changed;
+        bool edited, stale;
         BodyId end[2];          ///< Bodies that are touched …
         std::int32_t quiet[2];  ///< … and for how long they had been at rest.
     };
     [[nodiscard]] Mark mark(BodyId from, BodyId to) const noexcept;
     void tell_of(const world::Wire& made) const noexcept;
     void take_back(const Mark& before, const world::Wire& made) noexcept;
-    [[nodiscard]] WireId keep_wire(world::Wire&& wire);
+    [[nodiscard]] WireId keep_wire(world::Wire& wire);
     [[nodiscard]] const world::Wire& wire(WireId id) const;
 
     Removed removed;  ///< By the last removal.

@@ -20,34 +20,34 @@ using world::lookup;
 namespace {
 
 /// What a client shows.
-void check_display(const InputDef& def, const std::string& where) {
+void check_display(const InputDef& def, const world::Where& where) {
     if (!(def.nominal >= 0.0) || !std::isfinite(def.nominal))
-        throw DefError(where + ": nominal = " + world::number(def.nominal) +
+        throw DefError(where.text() + ": nominal = " + world::number(def.nominal) +
                        ": give a size above 0, or 0 where none is known");
     if (def.spring && !std::isfinite(*def.spring))
-        throw DefError(where + ": spring is not a finite number; leave it out for none");
+        throw DefError(where.text() + ": spring is not a finite number; leave it out for none");
 }
 
 /// Narrows the range of `def` to that of its parameter: an input must not reach what
 /// add_interaction() would have refused.
-void limit_to_param(InputDef& def, const KindInfo& kind, const std::string& where) {
+void limit_to_param(InputDef& def, const KindInfo& kind, const world::Where& where) {
     for (const ParamInfo& p : kind.params) {
         if (def.param != p.name) continue;
         if (!p.input)
-            throw DefError(where + ": parameter '" + def.param + "' of a " + kind.name +
+            throw DefError(where.text() + ": parameter '" + def.param + "' of a " + kind.name +
                            " cannot change between steps");
         def.min = std::max(def.min, p.min);
         def.max = std::min(def.max, p.max);
         if (def.min > def.max)
-            throw DefError(where + ": the range lies outside that of parameter '" + def.param +
-                           "', " + world::number(p.min) + " … " + world::number(p.max));
+            throw DefError(where.text() + ": the range lies outside that of parameter '" +
+                           def.param + "', " + world::number(p.min) + " … " + world::number(p.max));
     }
 }
 
 /// Of two inputs of a parameter a restored world could not tell which was set last.
-void refuse_second(const InputDef& other, const InputDef& def, const std::string& where) {
+void refuse_second(const InputDef& other, const InputDef& def, const world::Where& where) {
     if (other.interaction == def.interaction && other.param == def.param)
-        throw DefError(where + ": input '" + other.name + "' drives '" + def.param +
+        throw DefError(where.text() + ": input '" + other.name + "' drives '" + def.param +
                        "' of the same interaction; one input a parameter");
 }
 
@@ -56,10 +56,10 @@ void refuse_second(const InputDef& other, const InputDef& def, const std::string
 InputId World::add_input(const InputDef& def) {
     const world::Using use(impl_->use, "add_input");
     Impl& m = *impl_;
-    const std::string where = world::label("input", def.name);
+    const world::Where where("input", def.name);
     if (def.name.empty()) throw DefError("an input needs a name");
     if (!std::isfinite(def.min) || !std::isfinite(def.max) || def.min > def.max)
-        throw DefError(where + ": min = " + world::number(def.min) +
+        throw DefError(where.text() + ": min = " + world::number(def.min) +
                        ", max = " + world::number(def.max) + ": the range is empty or not finite");
     check_display(def, where);
     double value = 0.0;
@@ -73,14 +73,15 @@ InputId World::add_input(const InputDef& def) {
     } else {
         const std::size_t b = impl_->place(def.body);
         if (def.component < 0 || def.component > 5)
-            throw DefError(where + ": component must be 0 to 5");
+            throw DefError(where.text() + ": component must be 0 to 5");
         if (def.local && m.ctx.model.bodies.kind[b] != BodyKind::rigid)
-            throw DefError(where + ": local: its body does not turn; leave it false");
+            throw DefError(where.text() + ": local: its body does not turn; leave it false");
     }
     if (def.local && def.interaction.valid())
-        throw DefError(where + ": local: only a force or torque on a body has a frame to turn in");
+        throw DefError(where.text() +
+                       ": local: only a force or torque on a body has a frame to turn in");
     if (def.spring && !(*def.spring >= allowed.min && *def.spring <= allowed.max))
-        throw DefError(where + ": spring = " + world::number(*def.spring) +
+        throw DefError(where.text() + ": spring = " + world::number(*def.spring) +
                        " is outside of its range, " + world::number(allowed.min) + " … " +
                        world::number(allowed.max));
     base::make_room(m.inputs, 1);

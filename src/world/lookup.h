@@ -4,15 +4,19 @@
 /// Ids and names that a caller gives.
 
 #include "base/index.h"
+#include "base/memory.h"
 #include "base/places.h"
 
 #include <hawser/def.h>
 
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace hawser::world {
 
@@ -35,11 +39,61 @@ struct NameHash {
         return std::hash<std::string_view>{}(name);
     }
 };
-using Names = std::unordered_map<std::string, std::int32_t, NameHash, std::equal_to<>>;
+
+/// What has which name. Entries of names that are given back serve again, so that names that come
+/// and go need no memory.
+class Names {
+  public:
+    using Map = std::unordered_map<std::string, std::int32_t, NameHash, std::equal_to<>>;
+    Names() = default;
+    /// Of another world: the names alone.
+    Names(const Names& from) : map_(from.map_) {}
+    Names& operator=(const Names& from) {
+        map_ = from.map_;
+        return *this;
+    }
+    Names(Names&&) = default;
+    Names& operator=(Names&&) = default;
+    ~Names() = default;
+    Names(std::initializer_list<Map::value_type> list) : map_(list) {}
+
+    [[nodiscard]] std::size_t size() const noexcept { return map_.size(); }
+    [[nodiscard]] bool contains(std::string_view name) const noexcept {
+        return map_.find(name) != map_.end();
+    }
+    /// The place of a name; −1: nothing has it.
+    [[nodiscard]] std::int32_t find(std::string_view name) const noexcept {
+        const auto found = map_.find(name);
+        return found == map_.end() ? -1 : found->second;
+    }
+    /// @return false: something has the name. @throws std::bad_alloc.
+    bool add(const std::string& name, std::int32_t place) {
+        if (contains(name)) return false;
+        base::make_room(spare_, map_.size() + 1);  // for erase()
+        if (spare_.empty()) {
+            map_.emplace(name, place);
+            return true;
+        }
+        Map::node_type& entry = spare_.back();
+        entry.key() = name;
+        entry.mapped() = place;
+        map_.insert(std::move(entry));
+        spare_.pop_back();
+        return true;
+    }
+    void erase(std::string_view name) noexcept {
+        const auto found = map_.find(name);
+        if (found != map_.end()) spare_.push_back(map_.extract(found));
+    }
+
+  private:
+    Map map_;
+    std::vector<Map::node_type> spare_;
+};
 
 inline void claim(Names& names, const std::string& name, std::int32_t index, const char* what) {
     if (name.empty()) return;
-    if (!names.emplace(name, index).second)
+    if (!names.add(name, index))
         throw DefError(std::string(what) + " '" + name + "': the name is taken; names are unique");
 }
 
@@ -61,8 +115,7 @@ inline void release(Names& names, const std::string& name) noexcept {
 }
 
 inline std::int32_t lookup(const Names& names, std::string_view name) noexcept {
-    const auto found = names.find(name);
-    return found == names.end() ? -1 : found->second;
+    return names.find(name);
 }
 
 }  // namespace hawser::world

@@ -13,30 +13,30 @@ constexpr std::size_t kMostNodes = 1U << 24;     ///< Of a heightfield.
 constexpr std::size_t kMostVertices = 1U << 22;  ///< Of a mesh; as many triangles.
 constexpr std::size_t kMostHull = 4096;          ///< Vertices of a hull.
 
-[[noreturn]] void reject(const std::string& where, const std::string& what) {
-    throw DefError(where + ": " + what);
+[[noreturn]] void reject(const Where& where, const std::string& what) {
+    throw DefError(where.text() + ": " + what);
 }
 
-void within(const std::string& where, const char* field, double value, double low, double high) {
+void within(const Where& where, const char* field, double value, double low, double high) {
     if (!(value >= low && value <= high))
         reject(where, std::string(field) + " = " + std::to_string(value) + " is outside " +
                           std::to_string(low) + " … " + std::to_string(high));
 }
 
-void length(const std::string& where, const char* field, double value) {
+void length(const Where& where, const char* field, double value) {
     if (!(value > 0.0 && value <= kLongest))
         reject(where, std::string(field) + " = " + std::to_string(value) +
                           " m; it must be above 0 and at most 1e6 m");
 }
 
-void points(const std::string& where, const std::vector<Vec3>& vertices) {
+void points(const Where& where, const std::vector<Vec3>& vertices) {
     for (std::size_t i = 0; i < vertices.size(); ++i)
         for (int k = 0; k < 3; ++k)
             if (!(std::abs(vertices[i][k]) <= kLongest))
                 reject(where, "vertex " + std::to_string(i) + " is not finite or beyond 1e6 m");
 }
 
-void check_values(const std::string& where, const MaterialDef& m, Nonsmooth method) {
+void check_values(const Where& where, const MaterialDef& m, Nonsmooth method) {
     within(where, "friction", m.friction, 0.0, 100.0);
     within(where, "restitution", m.restitution, 0.0, 1.0);
     within(where, "stiffness", m.stiffness, 1.0, 1e12);
@@ -48,7 +48,7 @@ void check_values(const std::string& where, const MaterialDef& m, Nonsmooth meth
         reject(where, "rolling and torsional resistance need the method newton");
 }
 
-void check_heightfield(const std::string& where, const ShapeDef& d) {
+void check_heightfield(const Where& where, const ShapeDef& d) {
     if (d.rows < 2 || d.columns < 2) reject(where, "a heightfield needs 2 rows and 2 columns");
     const auto nodes = static_cast<std::size_t>(d.rows) * static_cast<std::size_t>(d.columns);
     if (nodes > kMostNodes) reject(where, "a heightfield may have 16,777,216 nodes at most");
@@ -60,7 +60,7 @@ void check_heightfield(const std::string& where, const ShapeDef& d) {
         if (!(std::abs(z) <= kLongest)) reject(where, "a height is not finite or beyond 1e6 m");
 }
 
-void check_mesh(const std::string& where, const ShapeDef& d) {
+void check_mesh(const Where& where, const ShapeDef& d) {
     if (d.vertices.size() > kMostVertices || d.triangles.size() > kMostVertices)
         reject(where, "a mesh may have 4,194,304 vertices and triangles at most");
     if (d.triangles.empty()) reject(where, "a mesh needs triangles");
@@ -72,7 +72,7 @@ void check_mesh(const std::string& where, const ShapeDef& d) {
                                   std::to_string(v) + " of " + std::to_string(d.vertices.size()));
 }
 
-void check_size(const std::string& where, const ShapeDef& d) {
+void check_size(const Where& where, const ShapeDef& d) {
     const bool segment = d.body_b.valid();
     switch (d.kind) {
         case ShapeKind::sphere:
@@ -100,8 +100,7 @@ void check_size(const std::string& where, const ShapeDef& d) {
     reject(where, "unknown kind");
 }
 
-void check_bodies(const std::string& where, const ShapeDef& d, const model::Bodies& bodies,
-                  int count) {
+void check_bodies(const Where& where, const ShapeDef& d, const model::Bodies& bodies, int count) {
     auto kind = [&](BodyId id, const char* which) {
         if (id.index < 0 || id.index >= count)
             reject(where, std::string(which) + " does not exist");
@@ -138,7 +137,7 @@ void check_bodies(const std::string& where, const ShapeDef& d, const model::Bodi
 
 void check(const MaterialDef& def, Nonsmooth method) {
     if (def.name.empty()) throw DefError("a material needs a name");
-    check_values(label("material", def.name), def, method);
+    check_values(Where("material", def.name), def, method);
 }
 
 void check(const MaterialPairDef& def, int materials, Nonsmooth method) {
@@ -149,7 +148,7 @@ void check(const MaterialPairDef& def, int materials, Nonsmooth method) {
 }
 
 void check(const ShapeDef& def, const model::Bodies& bodies, int count, int materials) {
-    const std::string where = label("shape", def.name);
+    const Where where("shape", def.name);
     check_bodies(where, def, bodies, count);
     for (int k = 0; k < 3; ++k)
         if (!(std::abs(def.position[k]) <= kLongest))

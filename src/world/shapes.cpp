@@ -54,7 +54,7 @@ MaterialId World::add_material(const MaterialDef& def) {
     const int index = material_count();
     claim_for(m.material_names, def.name, index, "material",
               [&] { m.ctx.model.collider.materials.add(def); });
-    m.ctx.state.topology_changed = true;
+    m.ctx.state.changed = stepper::Changed::all;
     if (m.listener != nullptr) m.listener->added(def);
     return MaterialId{index};
 }
@@ -63,7 +63,7 @@ void World::add_material_pair(const MaterialPairDef& def) {
     const world::Using use(impl_->use, "add_material_pair");
     world::check(def, material_count(), impl_->ctx.model.def.nonsmooth);
     impl_->ctx.model.collider.materials.add_pair(def);
-    impl_->ctx.state.topology_changed = true;
+    impl_->ctx.state.changed = stepper::Changed::all;
     if (impl_->listener != nullptr) impl_->listener->added(def);
 }
 

@@ -71,7 +71,7 @@ bool take_groups(stepper::StepContext& ctx, const stepper::Regroup& saved) {
     if (ctx.model.regroup.parts.part == saved.parts.part) return false;
     ctx.model.regroup.parts.part = saved.parts.part;
     if (stepper::assign_groups(ctx.model) == 0) return false;
-    ctx.state.topology_changed = true;
+    ctx.state.changed = stepper::Changed::all;
     stepper::prepare(ctx);
     return true;
 }

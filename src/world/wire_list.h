@@ -9,6 +9,7 @@
 #include "world/lookup.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hawser::world {
@@ -21,6 +22,17 @@ struct Wire {
     std::vector<InteractionId> bends;     ///< Made by add_wire().
     std::vector<ShapeId> shapes;          ///< Made by add_wire().
     bool owns = false;                    ///< It was made by add_wire().
+
+    /// One of nothing yet, in the memory that there is.
+    void begin(std::string_view of, bool made) {
+        name = of;
+        owns = made;
+        nodes.clear();
+        elements.clear();
+        lumps.clear();
+        bends.clear();
+        shapes.clear();
+    }
 };
 
 struct WireList {
@@ -28,6 +40,8 @@ struct WireList {
     base::Places places;
     Names names;
     std::vector<WireId> ids;  ///< Of what there is, ascending.
+    Wire coming;              ///< Memory of the next one.
+    std::vector<Vec3> lumps;  ///< Memory for where its lumps are.
 };
 
 }  // namespace hawser::world

@@ -14,15 +14,14 @@ namespace {
 constexpr int kMostElements = 100'000;
 
 /// Where the lumps are: the path, or evenly between the ends.
-std::vector<Vec3> places_of(const World& w, const WireDef& def) {
-    if (!def.path.empty()) return def.path;
+void find_places(const World& w, const WireDef& def, std::vector<Vec3>& out) {
+    out.assign(def.path.begin(), def.path.end());
+    if (!def.path.empty()) return;
     const Vec3 a = w.world_point(def.from, def.from_point);
     const Vec3 b =
         def.to.valid() ? w.world_point(def.to, def.to_point) : Vec3(a - def.length * Vec3::UnitZ());
-    std::vector<Vec3> out;
     for (int i = 1; i <= def.elements - (def.to.valid() ? 1 : 0); ++i)
         out.push_back(a + (b - a) * (static_cast<double>(i) / def.elements));
-    return out;
 }
 
 double length_of(const World& w, const WireDef& def, const std::vector<Vec3>& lumps) {
@@ -39,11 +38,12 @@ double length_of(const World& w, const WireDef& def, const std::vector<Vec3>& lu
 /// Adds the pieces of a wire to a world.
 class WireMaker {
   public:
-    WireMaker(World& world, const WireDef& def, Wire& out)
-        : world_(world), def_(def), out_(out), lumps_(places_of(world, def)) {
+    WireMaker(World& world, const WireDef& def, Wire& out, std::vector<Vec3>& lumps)
+        : world_(world), def_(def), out_(out), lumps_(lumps) {
+        find_places(world, def, lumps);
         element_ = length_of(world, def, lumps_) / def.elements;
         if (!(element_ > 0.0) || !std::isfinite(element_))
-            refuse(label("wire", def.name), "its length must be positive");
+            refuse(Where("wire", def.name), "its length must be positive");
     }
 
     void make() {
@@ -120,14 +120,14 @@ class WireMaker {
     World& world_;
     const WireDef& def_;
     Wire& out_;
-    std::vector<Vec3> lumps_;
+    const std::vector<Vec3>& lumps_;
     double element_ = 0.0;
 };
 
 }  // namespace
 
 void check(const WireDef& def) {
-    const std::string where = label("wire", def.name);
+    const Where where("wire", def.name);
     if (def.name.empty()) throw DefError("a wire needs a name");
     if (def.elements < 1 || def.elements > kMostElements)
         refuse(where, "elements must be 1 to 100000, not " + std::to_string(def.elements));
@@ -153,6 +153,8 @@ void check(const WireDef& def) {
         refuse(where, "a wire with a free end needs a length or a path");
 }
 
-void make_wire(World& world, const WireDef& def, Wire& out) { WireMaker(world, def, out).make(); }
+void make_wire(World& world, const WireDef& def, Wire& out, std::vector<Vec3>& lumps) {
+    WireMaker(world, def, out, lumps).make();
+}
 
 }  // namespace hawser::world

@@ -20,7 +20,7 @@
 namespace hawser {
 WireId World::add_wire(const WireDef& def) {
     const world::Using use(impl_->use, "add_wire");
-    const std::string where = world::label("wire", def.name);
+    const world::Where where("wire", def.name);
     world::check(def);
     Impl& m = *impl_;
     if (!alive(def.from)) world::refuse(where, "there is no body that holds its first end");
@@ -28,15 +28,14 @@ WireId World::add_wire(const WireDef& def) {
         world::refuse(where, "there is no body that holds its last end");
     if (m.wires.names.contains(def.name))
         world::refuse(where, "the name is taken; names are unique");
-    world::Wire made;
-    made.name = def.name;
-    made.owns = true;
+    world::Wire& made = m.wires.coming;
+    made.begin(def.name, true);
     const Impl::Mark before = m.mark(def.from, def.to);
     WireId id;
     try {
         const Impl::Untold untold(m);
-        world::make_wire(*this, def, made);
-        id = m.keep_wire(std::move(made));
+        world::make_wire(*this, def, made, m.wires.lumps);
+        id = m.keep_wire(made);
     } catch (...) {
         m.take_back(before, made);
         throw;
@@ -73,7 +72,7 @@ World::Impl::Mark World::Impl::mark(BodyId from, BodyId to) const noexcept {
             ctx.model.collider.count(),
             ctx.state.edits.interactions.size(),
             ctx.state.ledger.drive,
-            ctx.state.topology_changed || ctx.model.cuts.bodies >= 0,
+            ctx.model.cuts.bodies >= 0 ? stepper::Changed::all : ctx.state.changed,
             ctx.state.edits.any,
             ctx.model.regroup.stale,
             {from, to},
@@ -106,7 +105,7 @@ void World::Impl::take_back(const Mark& before, const world::Wire& made) noexcep
     ctx.model.cuts.group.resize(at(before.bodies));
     ctx.state.edits.interactions.resize(before.noted);
     ctx.state.ledger.drive = before.drive;
-    ctx.state.topology_changed = before.topology_changed;
+    ctx.state.changed = before.changed;
     ctx.state.edits.any = before.edited;
     ctx.model.regroup.stale = before.stale;
     for (std::size_t k = 0; k < 2; ++k)
@@ -120,8 +119,8 @@ WireId World::adopt_wire(const std::string& name, std::span<const InteractionId>
     if (name.empty()) throw DefError("a wire needs a name");
     if (elements.empty()) world::refuse(where, "it has no elements");
     Impl& m = *impl_;
-    world::Wire made;
-    made.name = name;
+    world::Wire& made = m.wires.coming;
+    made.begin(name, false);
     for (const InteractionId id : elements) {
         const InteractionDef& d = interaction_def(id);
         if (!kind_info(d.kind).is(kWireElement))
@@ -134,10 +133,10 @@ WireId World::adopt_wire(const std::string& name, std::span<const InteractionId>
         made.elements.push_back(id);
     }
     if (m.wires.names.contains(name)) world::refuse(where, "the name is taken; names are unique");
-    return m.keep_wire(std::move(made));
+    return m.keep_wire(made);
 }
 
-WireId World::Impl::keep_wire(world::Wire&& wire) {
+WireId World::Impl::keep_wire(world::Wire& wire) {
     wires.places.make_room();
     base::make_room(wires.wires, 1);
     base::make_room(wires.ids, 1);
@@ -149,7 +148,7 @@ WireId World::Impl::keep_wire(world::Wire&& wire) {
         wires.wires.push_back(std::move(wire));
     } else {
         wires.places.take(place);
-        wires.wires[at(place)] = std::move(wire);
+        std::swap(wires.wires[at(place)], wire);  // its memory serves the next one
     }
     const auto id = wires.places.id<WireId>(place);
     wires.ids.insert(std::lower_bound(wires.ids.begin(), wires.ids.end(), id), id);
@@ -179,7 +178,7 @@ const Removed& World::remove_wire(WireId id) {
     }
     world::release(m.wires.names, wire.name);
     m.wires.ids.erase(std::lower_bound(m.wires.ids.begin(), m.wires.ids.end(), id));
-    m.wires.wires[at(id.index)] = {};
+    m.wires.wires[at(id.index)].begin({}, false);
     m.wires.places.vacate(id.index);
     return m.sorted_removal();
 }

@@ -80,7 +80,7 @@ const WorldDef& World::settings() const noexcept { return impl_->ctx.model.def; 
 
 Energy World::energy() const noexcept {
     const world::MaybeUsing use(impl_->use);
-    if (!use.granted() || impl_->ctx.state.topology_changed) return {};
+    if (!use.granted() || impl_->ctx.state.changed != stepper::Changed::nothing) return {};
     try {
         stepper::ready(impl_->ctx);
     } catch (const std::exception&) {
@@ -102,7 +102,7 @@ std::uint64_t World::motion_hash() const noexcept {
 void World::set_force(BodyId body, const Vec3& force, const Vec3& torque) {
     const world::Using use(impl_->use, "set_force");
     const std::size_t b = impl_->place(body);
-    world::check_force(world::label("body", impl_->body_defs[b].name), force, torque);
+    world::check_force(world::Where("body", impl_->body_defs[b].name), force, torque);
     BodyDef& def = impl_->body_defs[b];
     if (def.force != force || def.torque != torque) stepper::disturb(impl_->ctx.model, body.index);
     def.force = force;
@@ -138,7 +138,7 @@ Twist World::velocity(BodyId id) const {
 void World::set_pose(BodyId id, const Pose& pose) {
     const world::Using use(impl_->use, "set_pose");
     const std::size_t b = impl_->place(id);
-    world::check_pose(world::label("body", impl_->body_defs[b].name), pose.position,
+    world::check_pose(world::Where("body", impl_->body_defs[b].name), pose.position,
                       pose.orientation);
     model::Bodies& s = impl_->ctx.model.bodies;
     impl_->ctx.state.judge.state.begun = 0;  // no work did that
@@ -160,12 +160,12 @@ void World::set_pose(BodyId id, const Pose& pose) {
 void World::set_velocity(BodyId id, const Twist& twist) {
     const world::Using use(impl_->use, "set_velocity");
     const std::size_t b = impl_->place(id);
-    const std::string where = world::label("body", impl_->body_defs[b].name);
+    const world::Where where("body", impl_->body_defs[b].name);
     world::check_velocity(where, twist.linear, twist.angular);
     model::Bodies& s = impl_->ctx.model.bodies;
     const int dof = s.dof(id.index);
     if (s.kind[b] == BodyKind::fixed)
-        throw DefError(where + ": velocity: a fixed body has none; a kinematic one has");
+        world::refuse(where, "velocity: a fixed body has none; a kinematic one has");
     double* v = dof == 0 ? &s.v_fixed[6 * b] : &s.v[at(s.dof_begin[b])];
     const int count = dof == 0 ? 6 : dof;
     // What a prescribed velocity carries wakes in the step (step/sleep.h).

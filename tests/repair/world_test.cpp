@@ -142,7 +142,7 @@ std::unique_ptr<stepper::StepContext> heap(double tolerance = 1e-6) {
              .mass = 1.0,
              .inertia = Mat3::Identity() * 0.004},
             shape_of(ShapeKind::sphere, 0.1));
-    ctx->state.topology_changed = true;
+    ctx->state.changed = stepper::Changed::all;
     return ctx;
 }
 

@@ -42,7 +42,7 @@ std::unique_ptr<stepper::StepContext> pile(const WorldDef& def) {
              .mass = 100.0,
              .inertia = Mat3::Identity() * 10.0},
             box);
-    ctx->state.topology_changed = true;
+    ctx->state.changed = stepper::Changed::all;
     return ctx;
 }
 

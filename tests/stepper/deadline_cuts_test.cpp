@@ -47,7 +47,7 @@ std::unique_ptr<stepper::StepContext> net_context(double budget) {
     auto ctx = r.context();
     for (std::size_t b = 0; b < r.bodies.size(); ++b)
         ctx->model.cuts.group[b] = r.bodies[b].group.empty() ? 0 : 1;
-    ctx->state.topology_changed = true;
+    ctx->state.changed = stepper::Changed::all;
     return ctx;
 }
 

@@ -131,7 +131,7 @@ std::unique_ptr<stepper::StepContext> floor_with_boxes(const WorldDef& def) {
                                                  .gravity = !parked})};
         ctx->model.collider.add(box, ctx->model.bodies);
     }
-    ctx->state.topology_changed = true;
+    ctx->state.changed = stepper::Changed::all;
     return ctx;
 }
 

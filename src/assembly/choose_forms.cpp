@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What an analysis takes of the poses at hand: Jacobians, and by them shares of damping, forms and
+/// floors of rows.
+#include "assembly/mobility.h"
+#include "assembly/system.h"
+#include "base/index.h"
+#include "model/arms.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::assembly {
+
+double mobility(const model::Bodies& bodies, const model::Interactions& in, int id, int row) {
+    int width = 0;
+    for (int b = 0; b < in.bodies[at(id)]; ++b)
+        width += bodies.dof(in.body[at(kMaxInteractionBodies * id + b)]);
+    double room[model::kArmRoom];
+    const double* jac =
+        model::packed_rows(&in.jacobian[at(in.jac_begin[at(id)])], in.arms[at(id)] != 0, room) +
+        static_cast<std::ptrdiff_t>(row) * width;
+    double sum = 0.0;
+    for (int b = 0; b < in.bodies[at(id)]; ++b) {
+        const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
+        const int dof = bodies.dof(body);
+        for (int j = 0; j < dof && j < 3; ++j) sum += jac[j] * jac[j] / bodies.mass[at(body)];
+        if (dof == 6) {
+            using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+            const Eigen::Map<const RowMajor> r(&bodies.r[at(9 * body)]);
+            const Eigen::Map<const RowMajor> inertia(&bodies.inertia[at(9 * body)]);
+            const Vec3 local = r.transpose() * Vec3(jac[3], jac[4], jac[5]);
+            sum += local.dot(inertia.inverse() * local);
+        }
+        jac += dof;
+    }
+    return sum;
+}
+
+/// The Jacobians at the current poses decide the forms.
+void System::evaluate(const model::Bodies& bodies, model::Interactions& interactions,
+                      const WorldDef& def) {
+    const View v = view(const_cast<model::Bodies&>(bodies), interactions, def);
+    for (int s = 0; s < strips.count(); ++s)
+        for (const PoolRange& r : strips.pools(s)) {
+            const model::Pool& pool = interactions.pool[static_cast<std::size_t>(r.kind)];
+            kernels().evaluate(v, r.kind, pool.ids.data(), pool.data.data(), r.begin, r.end);
+        }
+}
+
+bool System::renew(const model::Bodies& bodies, model::Interactions& in, const WorldDef& def) {
+    if (!sides.empty()) return false;
+    // As lay_out_rows() leaves them.
+    for (int i = 0; i < in.count(); ++i) {
+        if (in.arms[at(i)] == 0) continue;
+        in.arms[at(i)] = model::kCompactJacobian;
+        double& swing = in.jacobian[at(in.jac_begin[at(i)] + model::kArmsSwing)];
+        swing = std::fabs(swing);
+    }
+    evaluate(bodies, in, def);
+    share_damping(bodies, in, def.step);
+    kept_before_.swap(kept_);
+    choose_forms(bodies, in, def);
+    return kept_ == kept_before_;
+}
+
+void System::share_damping(const model::Bodies& bodies, model::Interactions& in, double h) const {
+    for (int i = 0; i < in.count(); ++i)
+        for (int r = 0; r < in.rows[at(i)]; ++r) {
+            const auto row = at(in.row_begin[at(i)] + r);
+            if (rests(i) || !(in.row_flags[row] & model::kRowDamper)) continue;
+            in.mobility[row] = mobility(bodies, in, i, r);
+            in.share_damping(row, in.rest_length[at(i)] > 0.0, h);
+        }
+    // What a cut row is to all of its bodies.
+    for (const Sides& s : sides)
+        for (int r = 0; r < in.rows[at(s.first)]; ++r) {
+            double whole = 0.0;
+            for (std::int32_t id = s.first; id < s.first + s.count; ++id)
+                whole += in.mobility[at(in.row_begin[at(id)] + r)];
+            for (std::int32_t id = s.first; id < s.first + s.count && whole > 0.0; ++id) {
+                const auto row = at(in.row_begin[at(id)] + r);
+                in.mobility[row] = whole;
+                in.share_damping(row, in.rest_length[at(id)] > 0.0, h);
+            }
+        }
+}
+
+void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
+                          const WorldDef& def) {
+    kept_.assign(at(in.count()), 0);
+    bounded_mobility.clear();
+    // share_damping() has that of dampers; of sides of cuts it is that of all.
+    auto knows = [&](std::size_t row) {
+        return (in.row_flags[row] & model::kRowDamper) != 0 && sides.empty();
+    };
+    for (const std::int32_t id : bounded) {
+        const auto row = at(in.row_begin[at(id)]);
+        bounded_mobility.push_back(knows(row) ? in.mobility[row] : mobility(bodies, in, id, 0));
+    }
+    const double h = def.step;
+    for (int i = 0; i < in.count(); ++i) {
+        if (rests(i)) continue;
+        bool keep = def.form == Form::saddle;
+        for (int r = 0; r < in.rows[at(i)]; ++r) {
+            const auto row = at(in.row_begin[at(i)] + r);
+            const double w = knows(row) ? in.mobility[row] : mobility(bodies, in, i, r);
+            // A rigid row may repeat others (closed loops): a floor keeps the pivots' signs.
+            const double needed = in.epsilon[row] == 0.0 ? kRigidShare * w : in.bare_sigma(row, h);
+            const double sigma = std::max({needed, in.least_sigma[row], model::kTinySigma});
+            in.sigma[row] = sigma;
+            // By the compliance as defined: a world restored with other lengths of its lines must
+            // choose as the one that was saved.
+            const double defined = in.defined[row];
+            const double ratio = in.epsilon[row] > 0.0 ? defined / in.epsilon[row] : 1.0;
+            static_assert(kRigidShare * kSafeRatio > 1.0);
+            if (def.form == Form::automatic && w > kSafeRatio * ratio * sigma) keep = true;
+        }
+        kept_[at(i)] = keep ? 1 : 0;
+        if (in.arms[at(i)] && !keep) in.arms[at(i)] = model::kCompactCondensed;
+        for (int r = 0; r < in.rows[at(i)]; ++r) {
+            const auto row = at(in.row_begin[at(i)] + r);
+            in.inv_sigma[row] = keep ? 0.0 : 1.0 / in.sigma[row];
+        }
+    }
+}
+
+}  // namespace hawser::assembly

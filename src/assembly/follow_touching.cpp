@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The list of contributions where one body more may touch, or one less.
+#include "assembly/system.h"
+#include "base/index.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+namespace hawser::assembly {
+namespace {
+
+/// The place at which one of two ascending lists has one entry more; −1: they differ otherwise.
+std::ptrdiff_t extra(std::span<const std::int32_t> more, std::span<const std::int32_t> less) {
+    if (more.size() != less.size() + 1) return -1;
+    const auto k = std::mismatch(less.begin(), less.end(), more.begin()).second - more.begin();
+    return std::equal(less.begin() + k, less.end(), more.begin() + k + 1) ? k : -1;
+}
+
+}  // namespace
+
+void System::list_skew_ops() {
+    skew_ops_.clear();
+    for (std::size_t i = 0; i < ops.size(); ++i)
+        if (ops[i].kind == Op::contact) skew_ops_.push_back(static_cast<std::int32_t>(i));
+}
+
+/// The ops of pieces where ops from `from` on moved. What is there belongs to the piece of the op
+/// before it.
+void System::shift_pieces(std::int64_t from, std::int64_t by) noexcept {
+    for (PieceOps& p : piece_ops_) {
+        if (p.op_begin >= from) p.op_begin += by;
+        if (p.op_end >= from) p.op_end += by;
+    }
+}
+
+/// The own block of a body whose column is that of an ordinary front: behind what interactions add
+/// to its column, before the links.
+void System::add_own_block(std::int32_t block, std::int32_t node, const model::Bodies& bodies,
+                           const model::Interactions& in) {
+    const std::int64_t place = symbolic.column_address(symbolic.position[at(node)]);
+    const Op op = placed({node, node, block, Op::contact, 0, 0}, bodies, in);
+    const auto end = std::upper_bound(op_place_.begin(), op_place_.end(), place);
+    auto k = at(std::lower_bound(op_place_.begin(), end, place) - op_place_.begin());
+    while (k < at(end - op_place_.begin()) && ops[k].kind != Op::contact) ++k;
+    ops.insert(ops.begin() + static_cast<std::ptrdiff_t>(k), op);
+    op_place_.insert(op_place_.begin() + static_cast<std::ptrdiff_t>(k), place);
+    shift_pieces(static_cast<std::int64_t>(k), 1);
+}
+
+void System::drop_block(std::int32_t block) {
+    const auto found = std::find_if(ops.begin(), ops.end(), [&](const Op& op) {
+        return op.kind == Op::contact && op.id == block;
+    });
+    if (found == ops.end()) return;  // of a body that sleeps
+    const auto k = found - ops.begin();
+    ops.erase(found);
+    op_place_.erase(op_place_.begin() + k);
+    shift_pieces(k + 1, -1);
+}
+
+void System::follow_touching(const model::Bodies& bodies, const model::Interactions& in) {
+    const std::span<const std::int32_t> now = contacts.touching(),
+                                        before = contacts.touching_before();
+    const std::ptrdiff_t came = extra(now, before), went = extra(before, now);
+    const std::int32_t body = came >= 0 ? now[at(came)] : went >= 0 ? before[at(went)] : -1;
+    const std::int32_t node = body < 0 ? -1 : node_of_body[at(body)];
+    // Lanes of a batch share what they add.
+    if (body < 0 || (node >= 0 && symbolic.fronts[at(symbolic.node_front[at(node)])].batch >= 0)) {
+        build_ops(bodies, in);
+        return;
+    }
+    // Blocks are numbered by what may touch.
+    const auto block = static_cast<std::int32_t>(came >= 0 ? came : went);
+    if (went >= 0) drop_block(block);
+    for (Op& op : ops)
+        if (op.kind == Op::contact && (came >= 0 ? op.id >= block : op.id > block))
+            op.id += came >= 0 ? 1 : -1;
+    if (came >= 0 && node >= 0) add_own_block(block, node, bodies, in);
+    list_skew_ops();
+}
+
+}  // namespace hawser::assembly
