@@ -13,20 +13,17 @@ namespace {
 /// places (`turns`) whichever comes first.
 std::uint64_t lane_key(const Op& op, std::uint8_t rows, bool turns) noexcept {
     const bool swap = turns && op.a > op.b;
-    const std::uint8_t parts[] = {static_cast<std::uint8_t>(op.kind),
-                                  swap ? op.b : op.a,
-                                  swap ? op.a : op.b,
-                                  op.dof_a,
-                                  op.dof_b,
-                                  op.width,
-                                  rows};
-    std::uint64_t key = 0;
-    for (const std::uint8_t part : parts) key = key << 8 | part;
-    return key;
+    std::uint64_t key = op.kind;
+    key = key << 8 | (swap ? op.b : op.a);
+    key = key << 8 | (swap ? op.a : op.b);
+    key = key << 8 | op.dof_a;
+    key = key << 8 | op.dof_b;
+    key = key << 8 | op.width;
+    return key << 8 | rows;
 }
 
-LaneOp lane_op(const Op& op, std::int64_t address, std::uint8_t rows) noexcept {
-    LaneOp l{};
+/// Written where it stays, see write_op().
+void write_lane_op(const Op& op, std::int64_t address, std::uint8_t rows, LaneOp& l) noexcept {
     l.address = address;
     l.step = op.step;
     l.kind = op.kind;
@@ -37,7 +34,6 @@ LaneOp lane_op(const Op& op, std::int64_t address, std::uint8_t rows) noexcept {
     l.width = op.width;
     l.rows = rows;
     l.to_b = op.jac_b - op.jac_a;
-    return l;
 }
 
 }  // namespace
@@ -85,16 +81,16 @@ void System::share_lanes(std::span<const Op> together, std::int64_t place,
         next[lane] = found + 1;
         if (found == lane_keys_.size()) {
             lane_keys_.push_back(key);
-            lane_ops.push_back(lane_op(op, base, rows));
+            write_lane_op(op, base, rows, lane_ops.emplace_back());
         }
         LaneOp& l = lane_ops[first + found];
         std::int32_t from = op.jac_a;
         if (op.kind == Op::geometric && op.width > 0) from = geo_place_[at(op.id)].record;
         // Until a lane has its own, it repeats the latest.
         for (std::size_t k = 0; k < factor::kLaneCount; ++k) {
-            if ((l.used >> k & 1) != 0) continue;
-            l.id[k] = op.id;
-            l.from[k] = from;
+            const bool own = (l.used >> k & 1) != 0;
+            l.id[k] = own ? l.id[k] : op.id;
+            l.from[k] = own ? l.from[k] : from;
         }
         l.used = static_cast<std::uint8_t>(l.used | 1U << lane);
         lane_keys_[found].used = l.used;
@@ -104,10 +100,12 @@ void System::share_lanes(std::span<const Op> together, std::int64_t place,
     std::size_t kept = first;
     for (std::size_t i = 0; i < lane_keys_.size(); ++i) {
         const LaneOp& l = lane_ops[first + i];
-        if (std::popcount(l.used) > 1)
-            lane_ops[kept++] = l;
-        else
+        if (std::popcount(l.used) > 1) {
+            if (kept != first + i) lane_ops[kept] = l;
+            ++kept;
+        } else {
             ops.push_back(together[lane_keys_[i].op]);
+        }
     }
     lane_ops.resize(kept);
 }

@@ -19,6 +19,53 @@ std::pair<std::int64_t, std::int64_t> between(const std::vector<std::int64_t>& p
     return {a - places.begin(), b - places.begin()};
 }
 
+/// An entry as an op, with its address. It is written where it stays: what is written field by
+/// field and copied at once waits for the stores.
+template <class Entry>
+void write_op(const Entry& entry, const factor::Symbolic& symbolic, const Contacts& contacts,
+              const std::uint8_t* dofs, const model::Bodies& bodies, const model::Interactions& in,
+              Op& op) {
+    const factor::BlockTarget t = symbolic.target(entry.row, entry.column);
+    op.address = t.address;
+    op.step = t.step;
+    op.ld = t.ld;
+    op.id = entry.id;
+    op.kind = entry.kind;
+    op.a = entry.a;
+    op.b = entry.b;
+    if (op.kind == Op::body_block) {
+        op.dof_a = op.dof_b = dofs[op.id];
+        op.jac_a = op.jac_b = static_cast<std::int32_t>(block_place(bodies.dof_begin[at(op.id)]));
+        return;
+    }
+    if (op.kind == Op::contact) {
+        const ContactBlock& block = contacts.blocks[at(op.id)];
+        op.dof_a = dofs[op.a ? block.b : block.a];
+        op.dof_b = dofs[op.a ? block.a : block.b];
+        return;
+    }
+    const std::int32_t* body = &in.body[at(kSlots * op.id)];
+    const std::int32_t first = in.jac_begin[at(op.id)];
+    std::int32_t offset = first;
+    for (int b = 0; b < in.bodies[at(op.id)]; ++b) {
+        const std::uint8_t dof = dofs[body[b]];
+        if (b == op.a) {
+            op.jac_a = offset;
+            op.dof_a = dof;
+        }
+        if (b == op.b) {
+            op.jac_b = offset;
+            op.dof_b = dof;
+        }
+        offset += dof;
+    }
+    op.width = static_cast<std::uint8_t>(offset - first);
+    if (in.arms[at(op.id)]) {
+        op.jac_a = op.jac_b = first;
+        op.width = 0;
+    }
+}
+
 }  // namespace
 
 /// The ops before they have addresses: body blocks first, then interactions by id, then contacts.
@@ -67,38 +114,8 @@ void System::collect_ops(const model::Bodies& bodies, const model::Interactions&
 
 Op System::placed(const OpEntry& entry, const model::Bodies& bodies,
                   const model::Interactions& in) const {
-    const factor::BlockTarget t = symbolic.target(entry.row, entry.column);
-    Op op{t.address, t.step, t.ld, entry.id, 0, 0, entry.kind, entry.a, entry.b, 0, 0, 0};
-    if (op.kind == Op::body_block) {
-        op.dof_a = op.dof_b = dof_[at(op.id)];
-        op.jac_a = op.jac_b = static_cast<std::int32_t>(block_place(bodies.dof_begin[at(op.id)]));
-        return op;
-    }
-    if (op.kind == Op::contact) {
-        const ContactBlock& block = contacts.blocks[at(op.id)];
-        op.dof_a = dof_[at(op.a ? block.b : block.a)];
-        op.dof_b = dof_[at(op.a ? block.a : block.b)];
-        return op;
-    }
-    const std::int32_t* body = &in.body[at(kSlots * op.id)];
-    std::int32_t offset = in.jac_begin[at(op.id)];
-    for (int b = 0; b < in.bodies[at(op.id)]; ++b) {
-        const std::uint8_t dof = dof_[at(body[b])];
-        if (b == op.a) {
-            op.jac_a = offset;
-            op.dof_a = dof;
-        }
-        if (b == op.b) {
-            op.jac_b = offset;
-            op.dof_b = dof;
-        }
-        offset += dof;
-        op.width = static_cast<std::uint8_t>(op.width + dof);
-    }
-    if (in.arms[at(op.id)]) {
-        op.jac_a = op.jac_b = in.jac_begin[at(op.id)];
-        op.width = 0;
-    }
+    Op op{};
+    write_op(entry, symbolic, contacts, dof_.data(), bodies, in, op);
     return op;
 }
 
@@ -158,6 +175,9 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
               [&](std::int32_t p, std::int32_t q) {
                   return pieces[at(p)].panel_begin < pieces[at(q)].panel_begin;
               });
+    // Ordinary fronts come first.
+    const std::int64_t batches_begin =
+        symbolic.batch_steps.empty() ? symbolic.panel_size : symbolic.batch_steps.front().panel;
     std::size_t column = 0;
     std::int32_t begin = 0;
     for (const std::int32_t k : pieces_by_place_) {
@@ -170,14 +190,19 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
             std::int32_t end = begin;  // sort_ops() left where each column's entries end
             for (; column < column_place_.size() && column_place_[column].first == place; ++column)
                 end = op_begin_[at(column_place_[column].second)];
-            together.clear();
-            for (; begin < end; ++begin)
-                together.push_back(placed(op_entries_[at(op_order_[at(begin)])], bodies, in));
-            if (together.empty()) continue;
-            if (together.front().step == 1)
-                ops.insert(ops.end(), together.begin(), together.end());
-            else
+            if (begin == end) continue;
+            auto write = [&](auto& list) {
+                for (; begin < end; ++begin)
+                    write_op(op_entries_[at(op_order_[at(begin)])], symbolic, contacts, dof_.data(),
+                             bodies, in, list.emplace_back());
+            };
+            if (place < batches_begin) {
+                write(ops);
+            } else {
+                together.clear();
+                write(together);
                 share_lanes(together, place, in);
+            }
             op_place_.resize(ops.size(), place);
             lane_place_.resize(lane_ops.size(), place);
         }
