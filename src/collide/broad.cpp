@@ -51,6 +51,22 @@ double extent(const Placed& p) noexcept {
     return e;
 }
 
+/// Small shapes, in the order of the last sweep where they were small then: little is left to sort.
+void list_small(std::vector<std::uint8_t>& is_large, std::vector<std::int32_t>& small) {
+    constexpr std::uint8_t kListed = 2;
+    std::size_t kept = 0;
+    for (const std::int32_t s : small)
+        if (at(s) < is_large.size() && is_large[at(s)] == 0) {
+            is_large[at(s)] = kListed;
+            small[kept++] = s;
+        }
+    small.resize(kept);
+    for (std::size_t i = 0; i < is_large.size(); ++i) {
+        if (is_large[i] == 0) small.push_back(static_cast<std::int32_t>(i));
+        if (is_large[i] == kListed) is_large[i] = 0;
+    }
+}
+
 /// Run a task that may throw std::bad_alloc; workers may not.
 template <class F>
 void run(base::Executor& pool, int count, F&& f) {
@@ -78,16 +94,18 @@ void Broad::prepare(const base::Array<Placed>& placed) {
     const double limit = by_size.size() < kSomeAnyway ? -1.0 : kLarge * *middle;
     is_large_.assign(placed.size(), 0);
     large_.clear();
-    small_.clear();
     V3 sum{0.0, 0.0, 0.0}, square{0.0, 0.0, 0.0};
     for (std::size_t i = 0; i < placed.size(); ++i) {
         is_large_[i] = placed[i].unbounded || extents[i] > limit ? 1 : 0;
-        (is_large_[i] ? large_ : small_).push_back(static_cast<std::int32_t>(i));
-        if (is_large_[i]) continue;
+        if (is_large_[i]) {
+            large_.push_back(static_cast<std::int32_t>(i));
+            continue;
+        }
         const V3 c = load3(placed[i].centre);
         sum = sum + c;
         square = square + V3{c.x * c.x, c.y * c.y, c.z * c.z};
     }
+    list_small(is_large_, small_);
     // The axis along which the small shapes are spread most.
     const double n = std::max<double>(1.0, static_cast<double>(small_.size()));
     const double spread[3] = {square.x - sum.x * sum.x / n, square.y - sum.y * sum.y / n,
