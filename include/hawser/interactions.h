@@ -124,9 +124,10 @@ struct KindInfo {
     bool length_from_pose = false;  ///< "length" defaults to the initial distance.
     const char* from_pose = "";     ///< Another parameter that defaults to the initial pose.
     KindCoordinate coordinate = KindCoordinate::none;  ///< That it holds, drives, limits or rubs.
-    std::uint32_t traits = 0;                          ///< Of KindTrait.
-    std::span<const ParamInfo> params{};               ///< At most kMaxInteractionParams.
-    const char* doc = "";                              ///< What it does, in one or two sentences.
+    int mass_param = -1;       ///< Parameter that is the mass of an element of a wire, −1: none.
+    std::uint32_t traits = 0;  ///< Of KindTrait.
+    std::span<const ParamInfo> params{};  ///< At most kMaxInteractionParams.
+    const char* doc = "";                 ///< What it does, in one or two sentences.
 
     [[nodiscard]] constexpr bool is(KindTrait trait) const noexcept {
         return (traits & trait) != 0;

@@ -41,6 +41,9 @@ struct StretchDef {
     std::optional<bool> tension_only{};  ///< False: it also pushes.
     double breaking_load = kDefault;     ///< It parts above this tension [N].
     double damping_time = kDefault;      ///< [s].
+    /// Of the element, of which lumps at its ends hold half each [kg]: it moves as a straight piece
+    /// (WireDef::consistent_mass). 0: the lumps move by themselves.
+    double mass = 0.0;
 };
 
 /// A piece of a line whose length a drum pays out: length + radius × coordinate of the drum.

@@ -49,6 +49,10 @@ struct WireDef {
     double radius = 0.0;           ///< Of capsules between lumps [m]; 0: it touches nothing.
     MaterialId material{};         ///< Of these.
     std::uint32_t group = 1, touches = ~0U;  ///< As ShapeDef has them.
+    /// True: an element between two lumps moves as a straight piece (the consistent mass matrix of
+    /// finite elements), so that a turning wire has the angular momentum and energy of its
+    /// material, however few elements it has. False: lumps move by themselves.
+    bool consistent_mass = false;
 };
 
 }  // namespace hawser

@@ -38,6 +38,13 @@
 /// to implicit with the same sum; and the arms' stiffness is (1 + u/2) times as large, against a
 /// force that grows within a step. Measured on chains, tests/stepper/joint_damping_test.cpp.
 ///
+/// *Consistent mass.* Two lumps that hold half of an element's mass m each and nothing between
+/// them have another angular momentum than the element: a velocity that changes linearly along it
+/// has the kinetic energy (m/6)(|v₀|² + v₀·v₁ + |v₁|²), which is that of the lumps less
+/// (m/12)|v₀ − v₁|². So μ = m/6 (View::pair_mass) enters as M̃ −= μ [E −E; −E E], a −= the same on
+/// v; M̃ stays positive, since the lumps hold m/2 each. Then a node put on the element changes
+/// neither momentum nor energy. Lines with an end on a body that turns keep their mass in the lump.
+///
 /// Between two rigid bodies a line has a = ¼ and d = 0 always: what turns with it would lose its
 /// angular momentum to d.
 ///

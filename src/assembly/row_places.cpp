@@ -85,6 +85,7 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) 
         const bool placed = !in.gone(i) && (in.geo[at(i)] < 0 || geo_place_[at(i)].record >= 0);
         among_lumps_[at(i)] = placed && std::all_of(body, body + in.bodies[at(i)], is_far_lump);
     }
+    place_masses(in);
     in.jacobian.assign(at(jacobian) + kSlack, 0.0);
     geo_record_.assign(at(record) + kSlack, 0.0);
     geo_force_.assign(at(force) + kSlack, 0.0);
@@ -95,6 +96,23 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) 
             in.jacobian[at(in.jac_begin[at(i)] + model::kArmsSwing)] = swing_rate(bodies, in, i);
         else if (place.dof == 6 && place.record >= 0)
             geo_record_[at(place.record + kGeoSwing)] = swing_rate(bodies, in, i);
+    }
+}
+
+/// Elements between points that have terms beside their rows: those of the others stay with the
+/// lumps.
+void System::place_masses(const model::Interactions& in) {
+    pair_mass_.clear();
+    if (!consistent_mass) return;
+    const auto counts = [&](std::size_t i) {
+        const std::int32_t* body = &in.body[kMaxInteractionBodies * i];
+        return in.pair_mass[i] > 0.0 && geo_place_[i].record >= 0 && dof_[at(body[0])] == 3 &&
+               dof_[at(body[1])] == 3;
+    };
+    for (std::size_t i = 0; i < at(in.count()); ++i) {
+        if (!counts(i)) continue;
+        if (pair_mass_.empty()) pair_mass_.assign(at(in.count()), 0.0);
+        pair_mass_[i] = in.pair_mass[i];
     }
 }
 

@@ -177,6 +177,7 @@ void System::show_own(View& v) noexcept {
     v.incident = incident_.data();
     v.links = links_.data();
     v.among_lumps = among_lumps_.data();
+    v.pair_mass = pair_mass_.empty() ? nullptr : pair_mass_.data();
     v.body_offset = body_offset_.data();
     v.interaction_offset = interaction_offset_.data();
     v.solution = solution_.data();
@@ -206,12 +207,12 @@ std::size_t System::bytes() const noexcept {
            bytes(spin_momentum_) + bytes(spin_next_) + bytes(c_next_) + bytes(rate_) +
            bytes(turning) + bytes(geo_record_) + bytes(geo_force_) + bytes(solution_) +
            bytes(rests_) + bytes(dof_) + bytes(kept_) + bytes(kept_before_) + bytes(links_) +
-           bytes(among_lumps_) + bytes(node_of_body) + bytes(node_of_interaction) +
-           bytes(body_before_) + bytes(interaction_before_) + bytes(old_of_new_) + bytes(cursor_) +
-           bytes(side_mobility_) + bytes(member_begin_) + bytes(members_) + island_finder_.bytes() +
-           bytes(islands.label) + edge_dealer_.bytes() + bytes(edge_from_) + bytes(edge_to_) +
-           bytes(next_.size) + bytes(next_.sign) + bytes(next_.start) + bytes(next_.adjacent) +
-           strips.bytes() + contacts.bytes();
+           bytes(among_lumps_) + bytes(pair_mass_) + bytes(node_of_body) +
+           bytes(node_of_interaction) + bytes(body_before_) + bytes(interaction_before_) +
+           bytes(old_of_new_) + bytes(cursor_) + bytes(side_mobility_) + bytes(member_begin_) +
+           bytes(members_) + island_finder_.bytes() + bytes(islands.label) + edge_dealer_.bytes() +
+           bytes(edge_from_) + bytes(edge_to_) + bytes(next_.size) + bytes(next_.sign) +
+           bytes(next_.start) + bytes(next_.adjacent) + strips.bytes() + contacts.bytes();
 }
 
 }  // namespace hawser::assembly

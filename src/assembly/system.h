@@ -91,6 +91,7 @@ class System {
     /// Bytes that the factorisation may take. @throws LimitError from analyse() and relink() where
     /// it would take more.
     double most_bytes = 1e15;
+    bool consistent_mass = true;  ///< Elements move as such (View::pair_mass); else none does.
     /// What the last of these did.
     [[nodiscard]] const factor::RepairReport& report() const noexcept { return report_; }
 
@@ -154,6 +155,7 @@ class System {
     /// What a view shows of the arrays of the system.
     void show_own(View& v) noexcept;
     void find_resting(const model::Bodies& bodies, const model::Interactions& interactions);
+    void place_masses(const model::Interactions& interactions);
     void build_incidence(const model::Bodies& bodies, const model::Interactions& interactions);
     /// Links: rigid bodies that only two ball joints touch, of which the first has them as its
     /// second body. In a chain one's second joint is the next one's first, and bodies, joints and
@@ -247,6 +249,7 @@ class System {
     base::Array<std::uint8_t> kept_before_;  ///< Scratch of renew().
     base::Array<std::uint8_t> links_;        ///< View::links.
     base::Array<std::uint8_t> among_lumps_;  ///< View::among_lumps.
+    base::Array<double> pair_mass_;          ///< View::pair_mass; empty: there is none.
     base::Array<std::int32_t> incident_begin_;
     base::Array<Incidence> incident_;
     base::Array<std::int32_t> body_offset_, interaction_offset_;

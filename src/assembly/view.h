@@ -161,6 +161,9 @@ struct View {
     const std::uint8_t* completed;  ///< By interaction, see model::Interactions.
     const double* swing;            ///< By interaction, see model::Interactions.
     const double* rest_length;      ///< l₀ of wire elements [m], 0 for all else.
+    /// By interaction: a sixth of the mass of an element between lumps that moves as a straight
+    /// piece (assembly/geo.h), else 0 [kg]; once it has parted it is none. Null: there is none.
+    const double* pair_mass;
     const double* epsilon;
     const double* upsilon;
     const double* recall;
@@ -199,6 +202,12 @@ struct View {
     const std::int32_t* interaction_offset;  ///< By interaction; −1 when condensed.
     double* solution;
 };
+
+/// μ of an interaction [kg], see View::pair_mass.
+[[nodiscard, gnu::always_inline]] inline double pair_mass_of(const View& view,
+                                                             std::int32_t id) noexcept {
+    return view.pair_mass == nullptr || view.parted[id] != 0 ? 0.0 : view.pair_mass[id];
+}
 
 /// The rows of interaction `id`, packed, in `room` if it is a compact joint.
 [[nodiscard, gnu::always_inline]] inline const double* packed_rows(

@@ -157,6 +157,7 @@ struct StepContext {
         // They couple bodies beside the rows, which a sweep over rows does not see.
         if (d.nonsmooth == Nonsmooth::pgs)
             model.def.geometric_stiffness = model.def.rotation_damping = 0.0;
+        model.system.consistent_mass = d.nonsmooth != Nonsmooth::pgs;
     }
 
     Model model;

@@ -5,6 +5,7 @@
 #include "base/sorted.h"
 #include "model/interactions.h"
 #include "model/kinds/all.h"
+#include "model/line_ends.h"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +17,8 @@ namespace {
 
 auto by_interaction(Interactions& in) noexcept {
     return std::to_array<base::Array<double>*>({&in.active, &in.held, &in.low, &in.high, &in.anchor,
-                                                &in.breaking, &in.rest_length, &in.lightness,
-                                                &in.alert, &in.swing});
+                                                &in.breaking, &in.rest_length, &in.pair_mass,
+                                                &in.lightness, &in.alert, &in.swing});
 }
 
 auto by_row(Interactions& in) noexcept {
@@ -41,29 +42,6 @@ std::uint8_t flags_of(const InteractionDef& d, const generic::RowSpec& first,
     for (int b = 0; b < kind_info(d.kind).bodies; ++b)
         if (bodies.kind[at(d.body[at(b)].index)] == BodyKind::kinematic) flag |= kCarried;
     return static_cast<std::uint8_t>(flag);
-}
-
-/// How easily the lighter end of a line moves across it [1/kg]: arms at their longest, or, between
-/// two rigid bodies, by the mean inertia across the arm.
-double lightest_end(const InteractionDef& d, const Bodies& b) {
-    double most = 0.0;
-    const bool rigid = b.dof(d.body[0].index) == 6 && b.dof(d.body[1].index) == 6;
-    for (std::size_t slot = 0; slot < 2; ++slot) {
-        const auto body = at(d.body[slot].index);
-        const int dof = b.dof(d.body[slot].index);
-        if (dof < 3) continue;
-        double end = 1.0 / b.mass[body];
-        const Vec3& arm = d.point[slot];
-        const double square = arm.squaredNorm();
-        if (rigid && square > 0.0) {
-            const Eigen::Map<const Mat3> inertia(&b.inertia[9 * body]);
-            end += 2.0 * square / (inertia.trace() - arm.dot(inertia * arm) / square);
-        }
-        for (std::size_t i = 0; i < 3 && dof == 6 && !rigid; ++i)
-            end += square * b.inv_inertia[9 * body + 4 * i];
-        most = std::max(most, end);
-    }
-    return most;
 }
 
 }  // namespace
@@ -175,6 +153,8 @@ void Interactions::write_rows(int id, const Bodies& bodies_in, double h) {
         line = K::kGeometry == generic::Geometry::line;
     });
     flags[at(id)] = flags_of(d, spec[0], bodies_in);
+    const int mass = kind_info(d.kind).mass_param;
+    pair_mass[at(id)] = mass < 0 ? 0.0 : d.params[at(mass)] / 6.0;
     lightness[at(id)] = line ? lightest_end(d, bodies_in) : 0.0;
     breaking[at(id)] = flags[at(id)] & kBreakable ? d.get("breaking_load") : 0.0;
     set_range(id);

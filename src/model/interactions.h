@@ -114,7 +114,9 @@ struct Interactions {
     base::Array<std::uint8_t> completed;  ///< By this step, see assembly::Completed.
     base::Array<double> swing;     ///< max |arm|/I, constant: h² times force times this is (hω)².
     base::Array<double> breaking;  ///< Load at which it parts [N], of what is kBreakable.
-    base::Array<double> rest_length;      ///< l₀ of wire elements [m], 0 for all else.
+    base::Array<double> rest_length;  ///< l₀ of wire elements [m], 0 for all else.
+    /// A sixth of the mass of wire elements that move as straight pieces (assembly/geo.h) [kg].
+    base::Array<double> pair_mass;
     std::vector<std::int32_t> working;    ///< Those through which work enters: motors, driven by an
                                           ///< input, touching a prescribed velocity. Ascending.
     std::vector<std::int32_t> motors;     ///< Those with a force range, ascending.

@@ -86,8 +86,9 @@ void write_line(const View& v, std::int32_t id, double w, const V3& u, const Lin
     // What K does to the velocities that the solution starts from, then what it gives back.
     const V3 now = v.v_start ? (-w) * (l.started - dot(u, l.started) * u) : V3{0, 0, 0};
     if (place.dof == 3) {
-        generic::store3(slot[0], now);
-        generic::store3(slot[0] + 3, past);
+        const double pair = pair_mass_of(v, id);
+        generic::store3(slot[0], v.v_start ? now + pair * l.started : now);
+        generic::store3(slot[0] + 3, past + pair * l.before);
         return;
     }
     for (int b = 0; b < 2; ++b) {

@@ -137,12 +137,25 @@ double energy_of_interaction(const StepContext& ctx, std::int32_t id) noexcept {
     return in.elastic(id, ctx.model.bodies, ctx.model.def.step);
 }
 
+double piece_energy(const StepContext& ctx, std::int32_t id) noexcept {
+    const model::Interactions& in = ctx.model.interactions;
+    const model::Bodies& b = ctx.model.bodies;
+    const std::int32_t* body = &in.body[kMaxInteractionBodies * at(id)];
+    if (!ctx.state.started || !(in.pair_mass[at(id)] > 0.0) || in.parted[at(id)] != 0 ||
+        !ctx.model.system.consistent_mass || b.dof(body[0]) != 3 || b.dof(body[1]) != 3)
+        return 0.0;
+    const double *v0 = &b.v[at(b.dof_begin[at(body[0])])], *v1 = &b.v[at(b.dof_begin[at(body[1])])];
+    double sum = 0.0;
+    for (int k = 0; k < 3; ++k) sum += (v1[k] - v0[k]) * (v1[k] - v0[k]);
+    return 0.5 * in.pair_mass[at(id)] * sum;
+}
+
 void settle_body(StepContext& ctx, std::int32_t body) noexcept {
     ctx.state.ledger.drive += energy_of_body(ctx, body);
 }
 
 void settle_interaction(StepContext& ctx, std::int32_t id) noexcept {
-    ctx.state.ledger.drive += energy_of_interaction(ctx, id);
+    ctx.state.ledger.drive += energy_of_interaction(ctx, id) - piece_energy(ctx, id);
     if (ctx.state.started) ctx.state.edits.interactions.push_back(id);
     disturb_bodies(ctx, id);
 }
@@ -165,7 +178,7 @@ void remove_body(StepContext& ctx, std::int32_t body) noexcept {
 }
 
 void remove_interaction(StepContext& ctx, std::int32_t id) noexcept {
-    ctx.state.ledger.drive -= energy_of_interaction(ctx, id);
+    ctx.state.ledger.drive -= energy_of_interaction(ctx, id) - piece_energy(ctx, id);
     disturb_bodies(ctx, id);
     std::erase(ctx.state.edits.interactions, id);
     ctx.model.interactions.remove(id);

@@ -38,6 +38,10 @@ void begin_shape_edit(StepContext& ctx) noexcept;
 /// Elastic energy of an interaction there [J].
 [[nodiscard]] double energy_of_interaction(const StepContext& ctx, std::int32_t id) noexcept;
 
+/// By how much an element that moves as a straight piece has less kinetic energy than the lumps at
+/// its ends [J]. Where it parts, these go on by themselves.
+[[nodiscard]] double piece_energy(const StepContext& ctx, std::int32_t id) noexcept;
+
 /// What was added, after it was written into the model.
 void settle_body(StepContext& ctx, std::int32_t body) noexcept;
 void settle_interaction(StepContext& ctx, std::int32_t id) noexcept;

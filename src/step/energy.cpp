@@ -70,6 +70,7 @@ Energy energy(StepContext& ctx) noexcept {
         // What a line holds follows from its length, not from whether the last step found it taut.
         const bool line = (v.flags[id] & model::kOneSided) != 0;
         if (v.flags[id] & model::kFriction) continue;  // counted as driven
+        e.kinetic -= pair_energy(v, id, b.v.data());
         if (line ? v.parted[id] != 0 : v.active[id] == 0.0) continue;
         if (ctx.model.wires.wire_of[at(id)] >= 0 && !ctx.model.system.rests(id) &&
             (v.flags[id] & model::kCarried) == 0) {

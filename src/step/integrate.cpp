@@ -13,6 +13,7 @@
 #include "split/split.h"
 #include "step/closing.h"
 #include "step/contact.h"
+#include "step/edits.h"
 
 namespace hawser::stepper {
 namespace {
@@ -26,6 +27,7 @@ void break_lines(StepContext& ctx, const View& v) noexcept {
         const double tension = -v.force_of_row[v.row_begin[id]];
         if (v.parted[id] || tension <= ctx.model.system.breaking_load[i]) continue;
         ctx.state.ledger.damped += held_by_line(ctx.model, original(ctx.model, id));
+        ctx.state.ledger.drive += piece_energy(ctx, original(ctx.model, id));
         part_all(ctx.model, original(ctx.model, id));
         push_event(ctx, EventKind::line_break, original(ctx.model, id), tension);
     }

@@ -98,6 +98,13 @@ void look_at_elastic(Model& model, const View& v, std::int32_t id, bool between_
     }
 }
 
+/// What an element that moves as a straight piece has less than the lumps at its ends.
+void look_at_piece(const View& v, std::int32_t id, const double* after, JudgePart& p) noexcept {
+    const double before = pair_energy(v, id, v.v);
+    p.kinetic -= before;
+    p.at_pose -= 0.5 * (before + pair_energy(v, id, after));
+}
+
 /// Cable law, and how far an element turns.
 void look_at_line(const Model& model, const View& v, std::int32_t id, JudgePart& p) noexcept {
     if (v.parted[id] || model.system.rests(id)) return;
@@ -158,6 +165,8 @@ JudgePart look(Model& model, State& state, runtime::Pool& pool, At when) noexcep
         look_at_rows(state, v, a, std::min(b, rows), p);
         for (std::int32_t i = a; i < std::min(b, elastic); ++i)
             look_at_elastic(model, v, data.elastic[at(i)], data.line[at(i)] != 0, half, p);
+        for (std::int32_t i = a; v.pair_mass != nullptr && i < std::min(b, elastic); ++i)
+            look_at_piece(v, data.elastic[at(i)], after, p);
         for (std::int32_t i = a; i < std::min(b, lines); ++i)
             look_at_line(model, v, data.lines[at(i)], p);
         data.part[at(a / StepContext::kChunk)] = p;

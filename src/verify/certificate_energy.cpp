@@ -54,6 +54,13 @@ double StateVerifier::kinetic(const World& world) const {
         const Vec3 w = world.pose(id).orientation.conjugate() * v.angular;
         sum += 0.5 * w.dot(def.inertia * w);
     }
+    for (const InteractionId id : interactions_) {
+        const double mass = piece_mass(world, id);
+        if (mass == 0.0 || !world.intact(id)) continue;
+        const auto& body = world.interaction_def(id).body;
+        const Vec3 apart = world.velocity(body[1]).linear - world.velocity(body[0]).linear;
+        sum -= mass / 12.0 * apart.squaredNorm();
+    }
     return sum;
 }
 

@@ -40,6 +40,10 @@ struct Wrenches {
                                           std::span<const Twist> earlier,
                                           std::span<const double> last, int alert);
 
+/// Mass of an element that moves as a straight piece between two lumps (its parameter `mass`), 0 of
+/// all else [kg].
+[[nodiscard]] double piece_mass(const World& world, InteractionId id);
+
 /// Forces that the first row of an interaction may have [N or N m].
 struct ForceRange {
     double low = 0.0, high = 0.0;

@@ -155,6 +155,32 @@ ForceRange limit_range(const World& world, InteractionId id, double q) {
 
 }  // namespace
 
+double piece_mass(const World& world, InteractionId id) {
+    const InteractionDef& def = world.interaction_def(id);
+    if (def.kind != InteractionKind::Stretch) return 0.0;
+    if (world.settings().nonsmooth == Nonsmooth::pgs) return 0.0;
+    for (int b = 0; b < 2; ++b)
+        if (world.body_def(def.body[static_cast<std::size_t>(b)]).kind != BodyKind::lump)
+            return 0.0;
+    return def.get("mass");
+}
+
+namespace {
+
+/// What its consistent mass makes of the velocities that it gained, as impulses.
+void add_piece(const World& world, InteractionId id, std::span<const Twist> before, Wrenches& out) {
+    const double mass = piece_mass(world, id);
+    if (!(mass > 0.0)) return;
+    const auto& body = world.interaction_def(id).body;
+    Vec3 gained[2];
+    for (std::size_t b = 0; b < 2; ++b)
+        gained[b] =
+            world.velocity(body[b]).linear - before[static_cast<std::size_t>(body[b].index)].linear;
+    for (std::size_t b = 0; b < 2; ++b) out.on[b].force += mass / 6.0 * (gained[b] - gained[1 - b]);
+}
+
+}  // namespace
+
 Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<const Pose> pose,
                             std::span<const Twist> before, std::span<const Twist> earlier,
                             std::span<const double> last, int alert) {
@@ -167,6 +193,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
     out.known = world.wire_alert(id) < std::lround(std::ceil(std::max(20.0, 1.0 / settings.step)));
     const double h = settings.step, scale = 0.25 * h * h * settings.geometric_stiffness;
     const Vec3 between = on.point(1) - on.point(0);
+    add_piece(world, id, before, out);
     Vec3 pull;  // on body 1
     if (is_line(kind)) {
         if (!(last[0] < 0.0)) return out;  // only what is under tension

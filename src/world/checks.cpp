@@ -3,6 +3,8 @@
 
 #include <hawser/settings.h>
 
+#include "base/index.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <array>
@@ -138,6 +140,22 @@ void check(const BodyDef& def) {
     if (def.kind == BodyKind::rigid) check_inertia(where, def.inertia);
 }
 
+namespace {
+
+/// What an element takes of its lumps must be theirs.
+void check_mass(const InteractionDef& def, const model::Bodies& bodies) {
+    const double half = 0.5 * def.params[at(kind_info(def.kind).mass_param)];
+    constexpr double kRounding = 1e-9;
+    for (std::size_t b = 0; half > 0.0 && b < 2; ++b) {
+        const auto body = static_cast<std::size_t>(def.body[b].index);
+        if (bodies.kind[body] == BodyKind::lump && bodies.mass[body] < (1.0 - kRounding) * half)
+            refuse(label("interaction", def.name),
+                   "a lump at its end has less than half of its mass");
+    }
+}
+
+}  // namespace
+
 void check(const InteractionDef& def, const model::Bodies& bodies, int count,
            std::span<const InteractionDef> before, const base::Places& places) {
     const Where where("interaction", def.name);
@@ -173,6 +191,7 @@ void check(const InteractionDef& def, const model::Bodies& bodies, int count,
         if (info.uses_frames) unit_quaternion(where, "frame", def.frame[slot]);
     }
     if (!moves) refuse(where, "couples no body that moves");
+    if (info.mass_param >= 0) check_mass(def, bodies);
     for (const FrictionLoad& load : def.load) {
         if (!load.interaction.valid()) continue;
         if (load.interaction.index >= static_cast<int>(before.size()))

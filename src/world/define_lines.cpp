@@ -54,6 +54,7 @@ InteractionId define(World& world, const DistanceDef& def) {
 InteractionId define(World& world, const StretchDef& def) {
     InteractionDef out = line(world, InteractionKind::Stretch, def);
     set_stretch(out, def);
+    out.set("mass", def.mass);
     return world.add_interaction(out);
 }
 

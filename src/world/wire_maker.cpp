@@ -89,6 +89,7 @@ class WireMaker {
         d.body = {out_.nodes[i], out_.nodes[i + 1]};
         d.point = {point(i), point(i + 1), Vec3::Zero()};
         d.set("length", element_).set("EA", def_.EA);
+        if (def_.consistent_mass) d.set("mass", def_.mass_per_length * element_);
         if (!std::isnan(def_.breaking_load)) d.set("breaking_load", def_.breaking_load);
         // Fraction ζ of critical of the highest axial mode, ω = 2c/l with c = √(EA/ρ).
         if (!std::isnan(def_.axial_damping))

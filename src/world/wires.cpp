@@ -242,6 +242,7 @@ void World::part(InteractionId id) {
     const double tension =
         std::max(0.0, -c.model.interactions.force[at(c.model.interactions.row_begin[i])]);
     c.state.ledger.damped += stepper::energy_of_interaction(c, id.index);
+    c.state.ledger.drive += stepper::piece_energy(c, id.index);
     for (std::size_t b = 0; b < c.model.interactions.bodies[i]; ++b)
         stepper::disturb(c.model, c.model.interactions.body[kMaxInteractionBodies * i + b]);
     stepper::part_all(c.model, id.index);

@@ -124,6 +124,8 @@ void geometric(const View& view, const Op& op, Place out) {
     const bool rigid_a = op.dof_a == 6, rigid_b = op.dof_b == 6;
     const bool same = op.a == op.b;
     const double sign = same ? 1.0 : -1.0;
+    if (const double pair = pair_mass_of(view, op.id); pair != 0.0)
+        for (int i = 0; i < 3; ++i) out(i, i) -= sign * pair;
     if (rec[0] != 0.0) {
         const V3 u = load3(rec + 1);
         const double w = rec[0];

@@ -24,23 +24,27 @@ inline void line_past(const assembly::View& view, std::int32_t id, double share)
     const double* rec = view.geo_record + place.record;
     double* out[2] = {view.geo_force + place.slot(0) + place.dof,
                       view.geo_force + place.slot(1) + place.dof};
-    if (rec[0] == 0.0) {
+    const double pair = pair_mass_of(view, id);
+    if (rec[0] == 0.0 && pair == 0.0) {
         for (double* o : out)
             for (int i = 0; i < place.dof; ++i) o[i] = 0.0;
         return;
     }
     const std::int32_t* body = view.body + kMaxInteractionBodies * id;
-    V3 lin[2], ang[2];
+    V3 lin[2], ang[2], moved{0, 0, 0};
     for (int b = 0; b < 2; ++b) {
         V3 ahead, turn;
         slot_velocity(view, view.v, body[b], lin[b], ang[b]);
         slot_velocity(view, view.v_ahead, body[b], ahead, turn);
+        moved = b == 0 ? lin[0] : moved - lin[1];
         lin[b] = share * lin[b] + (1.0 - share) * ahead;
         ang[b] = share * ang[b] + (1.0 - share) * turn;
     }
     if (place.dof == 3) {  // no arms: one slot for both
         const V3 u = load3(rec + 1), rel = lin[0] - lin[1];
-        store3(out[0], rec[0] * (rel - dot(u, rel) * u));
+        V3 t = rec[0] * (rel - dot(u, rel) * u);
+        if (pair != 0.0) t = t - pair * moved;
+        store3(out[0], t);
         return;
     }
     geo_product(rec, lin, ang, 0.0, out[0], out[1]);
@@ -58,7 +62,9 @@ inline void geo_force(const assembly::View& view, std::int32_t id, const double*
         const V3 u = load3(rec + 1);
         V3 lin[2], ang;
         for (int b = 0; b < 2; ++b) slot_velocity(view, v, body[b], lin[b], ang);
-        const V3 rel = lin[0] - lin[1], t = rec[0] * (rel - dot(u, rel) * u);
+        const V3 rel = lin[0] - lin[1];
+        V3 t = rec[0] * (rel - dot(u, rel) * u);
+        if (const double pair = pair_mass_of(view, id); pair != 0.0) t = t - pair * rel;
         store3(out[0], t);
         return;
     }

@@ -166,6 +166,12 @@ void geometric(const View& view, const LaneOp& op, LanePlace out) {
         for (int i = 3; i < 6; ++i) out.add(i, i, damping);
         return;
     }
+    if (view.pair_mass != nullptr && op.dof_a == 3 && op.dof_b == 3) {
+        double masses[kLanes];
+        for (int l = 0; l < kLanes; ++l) masses[l] = pair_mass_of(view, op.id[l]);
+        const V8 pair = sign * load(masses);
+        for (int i = 0; i < 3; ++i) out.add(i, i, V8{} - pair);
+    }
     V8 head[kLanes];  // w, u, r0, first of r1
     load_lanes(view.geo_record, op.from, head);
     if (any(head[0])) {

@@ -211,9 +211,16 @@ struct LaneRows {
         const V3T<W8> begin{start[0][0] - start[1][0], start[0][1] - start[1][1],
                             start[0][2] - start[1][2]};
         const V3T<W8> mix = late * rel + ahead * begin;
-        const V3T<W8> t = full * (mix - dot(u, mix) * u);
+        V3T<W8> t = full * (mix - dot(u, mix) * u);
         V3T<W8> s{none, none, none};
         if (view.v_start) s = w * (begin - dot(u, begin) * u);
+        if (view.pair_mass) {
+            double masses[kLanes];
+            for (int l = 0; l < kLanes; ++l) masses[l] = pair_mass_of(view, id[l]);
+            const W8 pair = load(masses);
+            t = t - pair * rel;
+            if (view.v_start) s = s - pair * begin;
+        }
         V8 force[kLanes] = {s.x, s.y, s.z, t.x, t.y, t.z, none, none};
         put_force<0, 6>(force);
     }

@@ -20,7 +20,7 @@ struct Ends {
     V3T<T> along;        ///< Direction of the row.
     T rate[2], lambda;   ///< Of the row, before and after.
     T acts;              ///< 1: row_losses() counts it.
-    V3T<T> impulse;
+    V3T<T> impulse;      ///< But for that of View::pair_mass, which is kinetic energy of the piece.
     T g, stiffness, pulls;  ///< pulls: 1, holds nothing while it is short.
     T size;                 ///< Of the coordinates: their rounding is that of lengths.
 };
@@ -86,6 +86,7 @@ void one_gain(const View& view, std::int32_t id, LineGain* sum) {
         mean[b] = 0.5 * (speed[b] + speed_after[b]);
     }
     const V3 across = load3(f + (place.dof == 3 ? 3 : 6)) - load3(f);  // of slot 0
+    const V3 gained = speed_after[1] - speed_after[0] - (speed[1] - speed[0]);
     const double* jac = view.jacobian + view.jac_begin[id];
     const V3 n = view.dof[body[1]] > 0 ? load3(jac + view.dof[body[0]]) : -load3(jac);
     // What gave way to another force is idle, and counts where it only pulls.
@@ -98,7 +99,7 @@ void one_gain(const View& view, std::int32_t id, LineGain* sum) {
                          {dot(n, speed[1] - speed[0]), dot(n, speed_after[1] - speed_after[0])},
                          view.lambda[row],
                          acts ? 1.0 : 0.0,
-                         view.lambda[row] * n - across,
+                         view.lambda[row] * n - across - pair_mass_of(view, id) * gained,
                          view.g[row],
                          1.0 / view.epsilon[row],
                          view.flags[id] & 1 ? 1.0 : 0.0,
@@ -140,6 +141,12 @@ bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
     const W8 half = constant(W8(f[0]), 0.5 * view.h), lambda = gather_range(view.lambda, row, 0, 8);
     const V3T<W8> across{f[3] - f[0], f[4] - f[1], f[5] - f[2]};
     const V3T<W8> n{line[3], line[4], line[5]};  // of the second lump
+    V3T<W8> impulse = lambda * n - across;
+    if (view.pair_mass) {
+        double pair[kLanes];
+        for (int l = 0; l < kLanes; ++l) pair[l] = pair_mass_of(view, ids[l]);
+        impulse = impulse - W8(load(pair)) * (w - u);
+    }
     const Ends<W8> e{d,
                      d - half * u,
                      d + half * w,
@@ -148,7 +155,7 @@ bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
                      {dot(n, u), dot(n, w)},
                      lambda,
                      load(acts),
-                     lambda * n - across,
+                     impulse,
                      gather_range(view.g, row, 0, 8),
                      1.0 / gather_range(view.epsilon, row, 0, 8),
                      load(pulls),

@@ -88,7 +88,10 @@ inline constexpr ParamInfo kStretchParams[] = {
      true},
     {"EA", "N", kDefault, 1e-3, 1e15, "Axial stiffness of the line."},
     {"tension_only", "1", 1.0, 0.0, 1.0, "1: goes slack instead of pushing."},
-    {"breaking_load", "N", 1e30, 0.0, 1e30, "The element parts above this tension."}};
+    {"breaking_load", "N", 1e30, 0.0, 1e30, "The element parts above this tension."},
+    {"mass", "kg", 0.0, 0.0, 1e12,
+     "Of the element, of which lumps at its ends hold half each: it moves as a straight piece "
+     "between them. 0: the lumps move by themselves."}};
 
 inline void stretch_rows(const InteractionDef& d, double h, RowSpec* s) {
     s[0].compliance = given(d.compliance.data()[0], d.params.data()[0] / d.params.data()[1]);
@@ -109,6 +112,7 @@ struct Stretch {
         .uses_frames = false,
         .row_units = "m",
         .length_from_pose = true,
+        .mass_param = 4,
         .traits = kAlongLine | kWireElement | kElastic | kOfWires,
         .params = kStretchParams,
         .doc = "Axial stiffness of a wire element, compliance length/EA."};

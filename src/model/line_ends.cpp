@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/line_ends.h"
+
+#include "base/index.h"
+
+#include <algorithm>
+
+namespace hawser::model {
+
+double lightest_end(const InteractionDef& d, const Bodies& b) {
+    double most = 0.0;
+    const bool rigid = b.dof(d.body[0].index) == 6 && b.dof(d.body[1].index) == 6;
+    for (std::size_t slot = 0; slot < 2; ++slot) {
+        const auto body = at(d.body[slot].index);
+        const int dof = b.dof(d.body[slot].index);
+        if (dof < 3) continue;
+        double end = 1.0 / b.mass[body];
+        const Vec3& arm = d.point[slot];
+        const double square = arm.squaredNorm();
+        if (rigid && square > 0.0) {
+            const Eigen::Map<const Mat3> inertia(&b.inertia[9 * body]);
+            end += 2.0 * square / (inertia.trace() - arm.dot(inertia * arm) / square);
+        }
+        for (std::size_t i = 0; i < 3 && dof == 6 && !rigid; ++i)
+            end += square * b.inv_inertia[9 * body + 4 * i];
+        most = std::max(most, end);
+    }
+    return most;
+}
+
+}  // namespace hawser::model
