@@ -49,6 +49,8 @@ class ChangeListener {
     /// A change could not be told for want of memory: what was told is not complete.
     virtual void lost() noexcept = 0;
     virtual void parted(InteractionId id) noexcept = 0;  ///< By part(), not by its load.
+    virtual void node_inserted(InteractionId element, double share) noexcept = 0;
+    virtual void node_removed(BodyId node, double bend) noexcept = 0;  ///< By remove_node().
     /// By restore(), or by copy_state() from a world whose save() this is.
     virtual void restored(std::span<const std::byte> bytes) noexcept = 0;
 };

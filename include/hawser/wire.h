@@ -15,6 +15,19 @@
 /// itself, or with a body that holds it, leaves a gap. Source of the elements: M. Servin,
 /// C. Lacoursière, F. Nordfelth, K. Bodin, "Hybrid, multiresolution wires with massless frictional
 /// contacts", IEEE TVCG 17 (2011).
+///
+/// *Nodes come and go* between steps, also on elements of no wire, where elements have a mass of
+/// their own (consistent_mass, StretchDef::mass) and a compliance by their length:
+/// - World::insert_node() puts a lump on an element at a share of it, 0 to 1 from its first body,
+///   and returns it. The element ends there from now on, a new one goes on. Mass, momentum, angular
+///   momentum and energy stay to rounding, under gravity but for the sag that balances its weight,
+///   and tensions go on.
+/// - World::remove_node() takes away a lump that two elements hold and nothing else but bends; the
+///   first goes on to the next node. The same stay, energy at most is lost. It returns false and
+///   has done nothing where the elements there are at an angle above `bend` [rad], or the lump
+///   moves so against its neighbours that energy would grow or be lost: that is to be tried again
+///   later. `bend` π: at any angle and with any loss; false then only where energy would grow.
+/// Both throw DefError where they cannot be, and std::bad_alloc. docs/methods.md, 12.
 
 #include <hawser/id.h>
 #include <hawser/interactions.h>

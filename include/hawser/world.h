@@ -285,13 +285,13 @@ class World {
     [[nodiscard]] std::span<const BodyId> nodes(WireId id) const;
     [[nodiscard]] std::span<const InteractionId> elements(WireId id) const;
     [[nodiscard]] double length(WireId id) const;  ///< Unstretched, as drums have it now [m].
-    /// In the last step, of the element at a material coordinate [N]; 0: slack or parted.
-    /// @param s  From the first end, 0 to length() [m]. @throws DefError beyond.
+    /// In the last step, at s from 0 to length() [N]; 0: slack, parted. @throws DefError beyond.
     [[nodiscard]] double tension(WireId id, double s) const;
-    /// The element there parts, with an event; what it held counts as damped (Energy).
+    /// An element parts, with an event; what it held counts as damped (Energy).
     void part(WireId id, double s);
-    /// The same of an element. @throws DefError where it is none. Nothing where it has parted.
-    void part(InteractionId id);
+    void part(InteractionId id);  ///< Once. @throws DefError where it is no element.
+    BodyId insert_node(InteractionId element, double share);  ///< Nodes come and go: wire.h.
+    bool remove_node(BodyId node, double bend = 0.05);        ///< @return whether it went.
 
     // --- Cuts (docs/methods.md, 10) ---------------------------------------------------------
     /// Group of a body from the next step on (BodyDef::group).

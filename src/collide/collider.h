@@ -58,6 +58,11 @@ class Collider {
     /// Nothing touches it any more. What was remembered of its contacts is for the caller to
     /// forget: kept().
     void remove(std::int32_t shape) noexcept;
+    /// A segment goes to another body on one side. What was remembered of its contacts is for the
+    /// caller to forget.
+    void rewire(std::int32_t shape, int side, std::int32_t body) noexcept {
+        shapes_[static_cast<std::size_t>(shape)].body[side] = body;
+    }
     /// Take away the places from `kept` on, whose shapes have touched nothing yet.
     void truncate(std::int32_t kept) noexcept;
     /// Whether the box of a shape, at the present poses and with the margin, meets that of another

@@ -189,6 +189,11 @@ struct Interactions {
     void refresh(int id, const Bodies& bodies_in, double h) noexcept;
     /// Where friction holds on. [m or rad]
     void set_anchor(int id, double coordinate) noexcept;
+    /// Another body in a slot; what depends on the kinds of its bodies must stay true. The system
+    /// has to be analysed anew.
+    void rewire(int id, std::size_t slot, BodyId to, const Bodies& bodies_in) noexcept;
+    /// Mass of a wire element [kg], see pair_mass; nothing of a kind that has none.
+    void set_mass(int id, double mass) noexcept;
     /// Compliance and length of a wire element at its present rest length, which a drum pays out.
     void follow_length(int id, const Bodies& bodies_in, double h) noexcept;
     /// @param v  Packed velocities, null: the bodies' own.

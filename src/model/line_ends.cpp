@@ -2,6 +2,7 @@
 #include "model/line_ends.h"
 
 #include "base/index.h"
+#include "model/interactions.h"
 
 #include <algorithm>
 
@@ -26,6 +27,22 @@ double lightest_end(const InteractionDef& d, const Bodies& b) {
         most = std::max(most, end);
     }
     return most;
+}
+
+void Interactions::rewire(int id, std::size_t slot, BodyId to, const Bodies& bodies_in) noexcept {
+    InteractionDef& d = def[at(id)];
+    d.body[slot] = to;
+    body[kMaxInteractionBodies * at(id) + slot] = to.index;
+    if (!bodies_in.turns(to.index)) d.point[slot].setZero();
+    write_data(id);
+    if (lightness[at(id)] > 0.0) lightness[at(id)] = lightest_end(d, bodies_in);
+}
+
+void Interactions::set_mass(int id, double mass) noexcept {
+    const int param = kind_info(def[at(id)].kind).mass_param;
+    if (param < 0) return;
+    def[at(id)].params[at(param)] = mass;
+    pair_mass[at(id)] = mass / 6.0;
 }
 
 }  // namespace hawser::model

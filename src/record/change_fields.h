@@ -37,8 +37,10 @@ enum class ChangeKind : std::uint8_t {
     degrade,
     restore,
     part,
+    insert_node,
+    remove_node,
 };
-inline constexpr int kChangeKindCount = 22;
+inline constexpr int kChangeKindCount = 24;
 
 template <class D, class T>
 concept FieldsOf = std::same_as<std::remove_const_t<D>, T>;

@@ -148,6 +148,12 @@ void apply_one(ChangeKind kind, ByteReader& in, World& world) {
         world.degrade_next_step(d);
     } else if (kind == ChangeKind::part) {
         world.part(get.value<InteractionId>());
+    } else if (kind == ChangeKind::insert_node) {
+        const auto element = get.value<InteractionId>();
+        (void)world.insert_node(element, get.value<double>());
+    } else if (kind == ChangeKind::remove_node) {
+        const auto node = get.value<BodyId>();
+        (void)world.remove_node(node, get.value<double>());
     } else {
         world.restore(in.take(in.get<std::uint32_t>()));
     }

@@ -212,6 +212,22 @@ void ChangeBytes::parted(InteractionId id) noexcept {
         put(id);
     });
 }
+void ChangeBytes::node_inserted(InteractionId element, double share) noexcept {
+    other_bodies_ = true;
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::insert_node);
+        put(element);
+        put(share);
+    });
+}
+void ChangeBytes::node_removed(BodyId node, double bend) noexcept {
+    other_bodies_ = true;
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::remove_node);
+        put(node);
+        put(bend);
+    });
+}
 void ChangeBytes::restored(std::span<const std::byte> bytes) noexcept {
     write([&](PutFields& put) {
         begin(put, ChangeKind::restore);

@@ -64,7 +64,8 @@ void compact(A& array, const std::vector<std::uint8_t>& stays, std::size_t each)
     array.resize(each * n);
 }
 
-/// Contacts of the last step in which this shape took part.
+}  // namespace
+
 void forget_contacts(StepContext& ctx, std::int32_t shape) noexcept {
     const auto& kept = ctx.model.collider.kept();
     std::vector<std::uint8_t>& stays = ctx.work.edits_stay;
@@ -94,8 +95,6 @@ void forget_contacts(StepContext& ctx, std::int32_t shape) noexcept {
     ctx.model.collider.forget(stays);
     ctx.work.stats.contacts = static_cast<std::int32_t>(shown.size());
 }
-
-}  // namespace
 
 void reserve_edit(StepContext& ctx) {
     base::make_room(ctx.state.edits.interactions, 1);

@@ -51,5 +51,7 @@ void settle_shape(StepContext& ctx, std::int32_t shape) noexcept;
 void remove_body(StepContext& ctx, std::int32_t body) noexcept;
 void remove_interaction(StepContext& ctx, std::int32_t id) noexcept;
 void remove_shape(StepContext& ctx, std::int32_t shape) noexcept;
+/// Contacts of the last step in which a shape took part. Room was made by reserve_edit().
+void forget_contacts(StepContext& ctx, std::int32_t shape) noexcept;
 
 }  // namespace hawser::stepper

@@ -9,6 +9,7 @@
 
 #include "access/copies.h"
 #include "step/edits.h"
+#include "step/nodes.h"
 #include "step/sleep.h"
 #include "step/step.h"
 #include "world/lookup.h"
@@ -80,6 +81,12 @@ struct World::Impl final : private world::InputDoor {
     void take_back(const Mark& before, const world::Wire& made) noexcept;
     [[nodiscard]] WireId keep_wire(world::Wire& wire);
     [[nodiscard]] const world::Wire& wire(WireId id) const;
+    // Of insert_node() and remove_node(): the wire that an element is of, null where it is of none;
+    // what definitions say of the bodies and elements about a node; the capsule of an element.
+    [[nodiscard]] world::Wire* wire_with(InteractionId element) noexcept;
+    void follow_definitions(const stepper::NodePlace& place) noexcept;
+    void move_segment(ShapeId segment, std::size_t side, BodyId to) noexcept;
+    [[nodiscard]] ShapeId segment_between(std::int32_t a, std::int32_t b) const noexcept;
 
     Removed removed;  ///< By the last removal.
     void forget_removal() noexcept;

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/node_pieces.h"
+
+#include "base/index.h"
+
+#include <algorithm>
+
+namespace hawser::stepper {
+namespace {
+
+constexpr std::size_t kSlots = kMaxInteractionBodies;
+
+Vec3 arm_of(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
+    const model::Bodies& b = ctx.model.bodies;
+    const auto body = at(end_of(ctx, id, slot));
+    if (!b.turns(static_cast<int>(body))) return Vec3::Zero();
+    using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    return Eigen::Map<const RowMajor>(&b.r[9 * body]) *
+           ctx.model.interactions.def[at(id)].point[slot];
+}
+
+bool is_bend(const StepContext& ctx, std::int32_t id) noexcept {
+    const KindInfo& kind = kind_info(ctx.model.interactions.kinds[at(id)]);
+    return kind.is(kOfWires) && !kind.is(kAlongLine) && kind.bodies == 3;
+}
+
+}  // namespace
+
+std::int32_t end_of(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
+    return ctx.model.interactions.body[kSlots * at(id) + slot];
+}
+bool is_lump(const StepContext& ctx, std::int32_t body) noexcept {
+    return ctx.model.bodies.kind[at(body)] == BodyKind::lump;
+}
+
+NodeLinks links_of(const StepContext& ctx, std::int32_t body) noexcept {
+    NodeLinks out;
+    const model::Interactions& in = ctx.model.interactions;
+    for (std::int32_t id = 0; id < in.count(); ++id) {
+        const std::int32_t* held = &in.body[kSlots * at(id)];
+        const std::size_t count = in.bodies[at(id)];
+        const auto slot = static_cast<std::size_t>(std::find(held, held + count, body) - held);
+        if (slot == count || in.parted[at(id)] != 0 || is_bend(ctx, id)) continue;
+        const bool element = kind_info(in.kinds[at(id)]).is(kWireElement) && slot < 2;
+        std::int32_t& side = slot == 0 ? out.after : out.before;
+        if (element && side < 0)
+            side = id;
+        else
+            out.plain = false;
+    }
+    return out;
+}
+
+double mass_of_element(const StepContext& ctx, std::int32_t element) noexcept {
+    return 6.0 * ctx.model.interactions.pair_mass[at(element)];
+}
+
+bool is_of_material(const StepContext& ctx, std::int32_t element) noexcept {
+    const model::Interactions& in = ctx.model.interactions;
+    return (in.flags[at(element)] & model::kFromLength) != 0 &&
+           !kind_info(in.kinds[at(element)]).is(kWoundUp);
+}
+
+Vec3 point_of(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
+    const double* x = &ctx.model.bodies.x[3 * at(end_of(ctx, id, slot))];
+    return Vec3(x[0], x[1], x[2]) + arm_of(ctx, id, slot);
+}
+
+Vec3 speed_of(const StepContext& ctx, std::int32_t id, std::size_t slot,
+              const base::Array<double>& packed) noexcept {
+    const model::Bodies& b = ctx.model.bodies;
+    const auto body = at(end_of(ctx, id, slot));
+    const int dof = b.dof(static_cast<int>(body));
+    const double* v = dof > 0 ? &packed[at(b.dof_begin[body])] : &b.v_fixed[6 * body];
+    const Vec3 lin(v[0], v[1], v[2]);
+    return dof == 3 ? lin : Vec3(lin + Vec3(v[3], v[4], v[5]).cross(arm_of(ctx, id, slot)));
+}
+
+double tension_of(const StepContext& ctx, std::int32_t id) noexcept {
+    const model::Interactions& in = ctx.model.interactions;
+    const double length = (point_of(ctx, id, 1) - point_of(ctx, id, 0)).norm();
+    const double pull = (length - in.rest_length[at(id)]) / in.epsilon[at(in.row_begin[at(id)])];
+    return (in.flags[at(id)] & model::kOneSided) ? std::max(0.0, pull) : pull;
+}
+double stiffness_of(const StepContext& ctx, std::int32_t id) noexcept {
+    const model::Interactions& in = ctx.model.interactions;
+    return in.rest_length[at(id)] / in.epsilon[at(in.row_begin[at(id)])];
+}
+
+Vec3 weight_of(const StepContext& ctx, std::int32_t id, double mass) noexcept {
+    for (std::size_t slot = 0; slot < 2; ++slot) {
+        const std::int32_t body = end_of(ctx, id, slot);
+        if (is_lump(ctx, body) && ctx.model.bodies.weight[at(body)] == 0) return Vec3::Zero();
+    }
+    return mass * ctx.model.def.gravity;
+}
+
+Vec3 sag_of(const Vec3& chord, double share, const Vec3& weight, double tension) noexcept {
+    const double length = chord.norm();
+    if (!(tension > 0.0) || !(length > 0.0)) return Vec3::Zero();
+    const Vec3 along = chord / length, across = weight - weight.dot(along) * along;
+    // Far from taut the balance is that of a chain, not of a small sag.
+    constexpr double kMostSag = 0.1;
+    const double sag = length * share * (1.0 - share) / tension;
+    const double most = kMostSag * length * std::min(share, 1.0 - share);
+    return across * std::min(sag, most / std::max(across.norm(), 1e-300));
+}
+
+void set_element(StepContext& ctx, std::int32_t id, double rest, double mass,
+                 double tension) noexcept {
+    model::Interactions& in = ctx.model.interactions;
+    InteractionDef& d = in.def[at(id)];
+    const double before = in.rest_length[at(id)];
+    d.params[0] = rest;
+    const auto row = at(in.row_begin[at(id)]);
+    // A fraction of critical damping: the shorter, the less of it.
+    if (in.row_flags[row] & model::kRowDamper) {
+        d.damping_time[0] *= rest / before;
+        in.tau[row] = d.damping_time[0];
+    }
+    in.refresh(id, ctx.model.bodies, ctx.model.def.step);
+    in.set_mass(id, mass);
+    if (is_of_material(ctx, id)) d.compliance[0] = in.epsilon[row];
+    in.lambda[row] = -ctx.model.def.step * tension;
+    in.force[row] = -tension;
+    if (tension > 0.0) in.active[at(id)] = 1.0;
+}
+
+void add_mass(StepContext& ctx, std::int32_t body, double more, const Vec3& damping) noexcept {
+    model::Bodies& b = ctx.model.bodies;
+    if (!is_lump(ctx, body)) return;
+    b.mass[at(body)] += more;
+    for (std::size_t k = 0; k < 3; ++k) b.damping[6 * at(body) + k] += damping[static_cast<int>(k)];
+}
+Vec3 damping_of(const StepContext& ctx, std::int32_t body) noexcept {
+    if (!is_lump(ctx, body)) return Vec3::Zero();
+    const double* d = &ctx.model.bodies.damping[6 * at(body)];
+    return {d[0], d[1], d[2]};
+}
+
+void set_bend(StepContext& ctx, std::int32_t id, std::int32_t one, std::int32_t other) noexcept {
+    if (id < 0 || one < 0 || other < 0) return;
+    model::Interactions& in = ctx.model.interactions;
+    InteractionDef& d = in.def[at(id)];
+    d.params[1] = 0.5 * (in.rest_length[at(one)] + in.rest_length[at(other)]);
+    for (std::size_t r = 0; r < 2; ++r) {
+        const auto row = at(in.row_begin[at(id)]) + r;
+        d.compliance[r] = in.epsilon[row] = d.params[1] / d.params[0];
+        in.follow_compliance(row, false, ctx.model.def.step);
+    }
+    in.refresh(id, ctx.model.bodies, ctx.model.def.step);
+}
+
+void follow_masses(StepContext& ctx, const NodePlace& place) noexcept {
+    model::Interactions& in = ctx.model.interactions;
+    for (const std::int32_t id : {place.first, place.second, place.before[0], place.after[0]})
+        if (id >= 0) in.rewire(id, 0, in.def[at(id)].body[0], ctx.model.bodies);
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file node_pieces.h
+/// Elements and lumps about a node (nodes.h): what they are, and how they are changed.
+
+#include "base/memory.h"
+#include "context/context.h"
+#include "step/node_place.h"
+
+namespace hawser::stepper {
+
+/// What a body has to do with wires.
+struct NodeLinks {
+    std::int32_t before = -1, after = -1;  ///< Element that ends, that begins there; −1: none.
+    bool plain = true;                     ///< No other interaction but bends acts on it.
+};
+[[nodiscard]] NodeLinks links_of(const StepContext& ctx, std::int32_t body) noexcept;
+
+[[nodiscard]] std::int32_t end_of(const StepContext& ctx, std::int32_t id,
+                                  std::size_t slot) noexcept;
+[[nodiscard]] bool is_lump(const StepContext& ctx, std::int32_t body) noexcept;
+
+/// Mass of the material of an element [kg]; 0: it has none of its own.
+[[nodiscard]] double mass_of_element(const StepContext& ctx, std::int32_t element) noexcept;
+/// Whether its compliance is that of its length, and not one that was given or a drum's.
+[[nodiscard]] bool is_of_material(const StepContext& ctx, std::int32_t element) noexcept;
+
+/// Where an element is held [m], and how fast that moves [m/s].
+[[nodiscard]] Vec3 point_of(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept;
+[[nodiscard]] Vec3 speed_of(const StepContext& ctx, std::int32_t id, std::size_t slot,
+                            const base::Array<double>& packed) noexcept;
+
+/// Force of the law at the present length [N], 0 while it is slack; and EA by its length at rest.
+[[nodiscard]] double tension_of(const StepContext& ctx, std::int32_t id) noexcept;
+[[nodiscard]] double stiffness_of(const StepContext& ctx, std::int32_t id) noexcept;
+
+/// Weight that a lump of some mass has on an element [N].
+[[nodiscard]] Vec3 weight_of(const StepContext& ctx, std::int32_t id, double mass) noexcept;
+/// How far below the chord of an element forces balance a lump at the share σ of it [m].
+[[nodiscard]] Vec3 sag_of(const Vec3& chord, double share, const Vec3& weight,
+                          double tension) noexcept;
+
+/// An element has another rest length and mass, and pulls with a tension.
+void set_element(StepContext& ctx, std::int32_t id, double rest, double mass,
+                 double tension) noexcept;
+
+/// What a lump holds of an element that changes; its drag follows its mass.
+void add_mass(StepContext& ctx, std::int32_t body, double more, const Vec3& damping) noexcept;
+[[nodiscard]] Vec3 damping_of(const StepContext& ctx, std::int32_t body) noexcept;
+
+/// Length at the node of a bend: half of the pieces before and behind it.
+void set_bend(StepContext& ctx, std::int32_t id, std::int32_t one, std::int32_t other) noexcept;
+
+/// What elements about a place know of the masses at their ends.
+void follow_masses(StepContext& ctx, const NodePlace& place) noexcept;
+
+}  // namespace hawser::stepper

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/nodes.h"
+
+#include "access/asleep.h"
+#include "base/index.h"
+#include "context/context.h"
+#include "step/edits.h"
+#include "step/node_pieces.h"
+
+#include <algorithm>
+#include <array>
+
+namespace hawser::stepper {
+namespace {
+
+/// The bend in the middle of which a body is, with another one at a given side.
+std::int32_t bend_at(const StepContext& ctx, std::int32_t middle, std::int32_t other,
+                     std::size_t side) noexcept {
+    const model::Interactions& in = ctx.model.interactions;
+    for (const std::int32_t id : in.pool[static_cast<std::size_t>(InteractionKind::Bend)].ids)
+        if (!in.gone(id) && end_of(ctx, id, 1) == middle && end_of(ctx, id, side) == other)
+            return id;
+    return -1;
+}
+
+/// Elements about a place, none of them twice, and the bodies at their ends.
+struct About {
+    std::array<std::int32_t, 2 * kNodeReach + 2> element{};
+    std::array<std::int32_t, 2 * kNodeReach + 3> lump{};
+    std::size_t elements = 0, lumps = 0;
+};
+
+About about(const StepContext& ctx, const NodePlace& place) noexcept {
+    About out;
+    const auto add_lump = [&](std::int32_t body) {
+        const auto end = out.lump.begin() + static_cast<std::ptrdiff_t>(out.lumps);
+        if (is_lump(ctx, body) && std::find(out.lump.begin(), end, body) == end)
+            out.lump[out.lumps++] = body;
+    };
+    const auto add = [&](std::int32_t id) {
+        if (id < 0) return;
+        out.element[out.elements++] = id;
+        for (std::size_t slot = 0; slot < 2; ++slot) add_lump(end_of(ctx, id, slot));
+    };
+    add(place.first);
+    add(place.second);
+    for (const std::int32_t id : place.before) add(id);
+    for (const std::int32_t id : place.after) add(id);
+    return out;
+}
+
+/// Kinetic, gravity and elastic energy of all that is about a place [J].
+double energy_about(const StepContext& ctx, const NodePlace& place) noexcept {
+    const About all = about(ctx, place);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < all.lumps; ++k) sum += energy_of_body(ctx, all.lump[k]);
+    for (std::size_t k = 0; k < all.elements; ++k)
+        sum += energy_of_interaction(ctx, all.element[k]) - piece_energy(ctx, all.element[k]);
+    const auto here = [&](std::int32_t body) {
+        const auto end = all.lump.begin() + static_cast<std::ptrdiff_t>(all.lumps);
+        return std::find(all.lump.begin(), end, body) != end;
+    };
+    const model::Interactions& in = ctx.model.interactions;
+    for (const std::int32_t id : in.pool[static_cast<std::size_t>(InteractionKind::Bend)].ids)
+        if (!in.gone(id) &&
+            (here(end_of(ctx, id, 0)) || here(end_of(ctx, id, 1)) || here(end_of(ctx, id, 2))))
+            sum += energy_of_interaction(ctx, id);
+    return sum;
+}
+
+}  // namespace
+
+bool find_place(const StepContext& ctx, NodePlace& place) noexcept {
+    if (place.first < 0) {
+        const NodeLinks links = links_of(ctx, place.node);
+        place.first = links.before;
+        place.second = links.after;
+        if (place.first < 0 || place.second < 0 || !links.plain) return false;
+    }
+    const std::int32_t last = place.second < 0 ? place.first : place.second;
+    const std::int32_t a = end_of(ctx, place.first, 0), b = end_of(ctx, last, 1);
+    const auto walk = [&](std::int32_t from, std::size_t far, std::int32_t(&out)[kNodeReach]) {
+        for (std::int32_t& id : out) {
+            const NodeLinks links = is_lump(ctx, from) ? links_of(ctx, from) : NodeLinks{};
+            const std::int32_t next = far == 0 ? links.before : links.after;
+            // A ring that is no longer than the reach comes back.
+            const auto known = {place.first, last};
+            if (next < 0 || !links.plain ||
+                std::find(known.begin(), known.end(), next) != known.end() ||
+                std::find(place.before, place.before + kNodeReach, next) !=
+                    place.before + kNodeReach)
+                return;
+            id = next;
+            from = end_of(ctx, id, far);
+        }
+    };
+    walk(a, 0, place.before);
+    walk(b, 1, place.after);
+    place.bend[0] = bend_at(ctx, a, end_of(ctx, place.first, 1), 2);
+    if (place.node >= 0) place.bend[1] = bend_at(ctx, place.node, b, 2);
+    place.bend[2] = bend_at(ctx, b, end_of(ctx, last, 0), 0);
+    return a != b;
+}
+
+NodeDef node_on(const StepContext& ctx, std::int32_t element, double share) noexcept {
+    NodeDef out;
+    const Vec3 a = point_of(ctx, element, 0), b = point_of(ctx, element, 1);
+    const double mass = mass_of_element(ctx, element);
+    out.mass = 0.5 * mass;
+    out.velocity = (1.0 - share) * speed_of(ctx, element, 0, ctx.model.bodies.v) +
+                   share * speed_of(ctx, element, 1, ctx.model.bodies.v);
+    for (std::size_t slot = 0; slot < 2; ++slot) {
+        const std::int32_t body = end_of(ctx, element, slot);
+        if (!is_lump(ctx, body)) continue;
+        const double part = 0.5 * mass * (slot == 0 ? 1.0 - share : share);
+        out.damping += part / ctx.model.bodies.mass[at(body)] * damping_of(ctx, body);
+    }
+    out.position =
+        (1.0 - share) * a + share * b +
+        sag_of(b - a, share, weight_of(ctx, element, out.mass), tension_of(ctx, element));
+    return out;
+}
+
+NodeLedger begin_node_edit(const StepContext& ctx, const NodePlace& place) noexcept {
+    return {energy_about(ctx, place), ctx.state.ledger.drive};
+}
+
+void end_node_edit(StepContext& ctx, const NodePlace& place, const NodeLedger& was) noexcept {
+    ctx.state.ledger.drive = was.drive + energy_about(ctx, place) - was.local;
+    const About all = about(ctx, place);
+    for (std::size_t k = 0; k < all.lumps; ++k) disturb(ctx.model, all.lump[k]);
+}
+
+void settle_node(StepContext& ctx, const NodePlace& place, double share) noexcept {
+    model::Interactions& in = ctx.model.interactions;
+    model::Bodies& bodies = ctx.model.bodies;
+    const std::int32_t e = place.first, f = place.second, n = place.node;
+    const std::int32_t a = end_of(ctx, e, 0), b = end_of(ctx, e, 1);
+    const double mass = mass_of_element(ctx, e), stiffness = stiffness_of(ctx, e);
+    const double tension = tension_of(ctx, e), rest = in.rest_length[at(e)];
+    const Vec3 u = (point_of(ctx, e, 1) - point_of(ctx, e, 0)).normalized();
+    const double along = weight_of(ctx, e, 0.5 * mass).dot(u);
+    for (std::size_t slot = 0; slot < 2; ++slot) {
+        const std::int32_t body = slot == 0 ? a : b;
+        const double less = 0.5 * mass * (slot == 0 ? 1.0 - share : share);
+        if (is_lump(ctx, body))
+            add_mass(ctx, body, -less, -less / bodies.mass[at(body)] * damping_of(ctx, body));
+    }
+    const Vec3 ahead = (1.0 - share) * speed_of(ctx, e, 0, bodies.v_start) +
+                       share * speed_of(ctx, e, 1, bodies.v_start);
+    for (std::size_t k = 0; k < 3; ++k)
+        bodies.v_start[at(bodies.dof_begin[at(n)]) + k] = ahead[static_cast<int>(k)];
+    in.rewire(e, 1, bodies.id(n), bodies);
+    const bool pulls = tension > 0.0;
+    const double pull[2] = {tension + (pulls ? along * (1.0 - share) : 0.0),
+                            tension - (pulls ? along * share : 0.0)};
+    const std::int32_t part[2] = {e, f};
+    for (std::size_t k = 0; k < 2; ++k) {
+        const double own = k == 0 ? share : 1.0 - share;
+        const double length = (point_of(ctx, part[k], 1) - point_of(ctx, part[k], 0)).norm();
+        set_element(ctx, part[k], pulls ? length / (1.0 + pull[k] / stiffness) : own * rest,
+                    own * mass, pull[k]);
+    }
+    in.active[at(f)] = in.active[at(e)];
+    in.alert[at(f)] = in.alert[at(e)];
+    if (place.bend[0] >= 0) in.rewire(place.bend[0], 2, bodies.id(n), bodies);
+    if (place.bend[2] >= 0) in.rewire(place.bend[2], 0, bodies.id(n), bodies);
+    set_bend(ctx, place.bend[0], place.before[0], e);
+    set_bend(ctx, place.bend[1], e, f);
+    set_bend(ctx, place.bend[2], f, place.after[0]);
+    follow_masses(ctx, place);
+}
+
+}  // namespace hawser::stepper
