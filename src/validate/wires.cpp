@@ -8,6 +8,7 @@ constexpr Case kWires[] = {
     {"W.1", "wire_catenary", "elastic catenaries of 20, 40 and 100 elements", case_wire_catenary},
     {"W.2", "wire_touchdown", "a chain on the seabed, with friction and without",
      case_wire_touchdown},
+    {"W.3", "wire_events", "nodes that come and go: momenta, energy, tension", case_wire_events},
 };
 
 }  // namespace

@@ -15,5 +15,7 @@ namespace hawser::validate {
 // wires_catenary.cpp
 void case_wire_catenary(Report& report);
 void case_wire_touchdown(Report& report);
+// wires_events.cpp
+void case_wire_events(Report& report);
 
 }  // namespace hawser::validate
