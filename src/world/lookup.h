@@ -85,6 +85,17 @@ class Names {
         const auto found = map_.find(name);
         if (found != map_.end()) spare_.push_back(map_.extract(found));
     }
+    /// The entry of a name, taken out to be given to another place; empty: nothing has the name.
+    [[nodiscard]] Map::node_type take(std::string_view name) noexcept {
+        const auto found = map_.find(name);
+        return found == map_.end() ? Map::node_type() : map_.extract(found);
+    }
+    /// What take() took out, for another place. No entry may have come since.
+    void give(Map::node_type entry, std::int32_t place) noexcept {
+        if (entry.empty()) return;
+        entry.mapped() = place;
+        map_.insert(std::move(entry));
+    }
 
   private:
     Map map_;

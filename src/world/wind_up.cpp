@@ -42,14 +42,11 @@ InteractionId World::wind_up(WireId id, int end, BodyId drum, double radius) {
     impl_->reserve_removal();
     impl_->ctx.model.interactions.make_room(d.kind);
     // From here on nothing throws: the name changes hands with the node that holds it.
-    auto name = impl_->interaction_names.extract(d.name);
+    world::Names::Map::node_type name = impl_->interaction_names.take(d.name);
     impl_->remove(old);
     if (impl_->listener != nullptr) impl_->listener->removed(old);
     const InteractionId out = impl_->put_interaction(std::move(whole));
-    if (!name.empty()) {
-        name.mapped() = out.index;
-        impl_->interaction_names.insert(std::move(name));
-    }
+    impl_->interaction_names.give(std::move(name), out.index);
     if (impl_->listener != nullptr) impl_->listener->added(d);
     (void)impl_->sorted_removal();
     impl_->wires.wires[at(id.index)].elements[place] = out;
