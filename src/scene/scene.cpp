@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 namespace hawser::scene {
@@ -266,18 +267,24 @@ std::optional<Scene> try_scene(const Read& read, const std::filesystem::path& fi
     return scene;
 }
 
+/// Where mistakes are thrown, there is a scene.
+Scene make_or_throw(Json root, const std::filesystem::path& file, const Options& options) {
+    std::optional<Scene> scene = make_scene(std::move(root), file, options, nullptr);
+    if (!scene) throw std::logic_error(file.string() + ": no scene, and no mistake to tell of");
+    return *std::move(scene);
+}
+
 }  // namespace
 
 Scene load_file(const std::filesystem::path& file, const Options& options) {
-    Scene scene = make_scene(read_json_file(file), file, options, nullptr).value();
+    Scene scene = make_or_throw(read_json_file(file), file, options);
     scene.files.push_back(file);
     return scene;
 }
 
 Scene load_text(std::string_view text, const std::string& name_for_messages,
                 const Options& options) {
-    return make_scene(parse_json(text, name_for_messages), name_for_messages, options, nullptr)
-        .value();
+    return make_or_throw(parse_json(text, name_for_messages), name_for_messages, options);
 }
 
 std::optional<Scene> load_file(const std::filesystem::path& file, const Options& options,
