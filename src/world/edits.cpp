@@ -28,9 +28,9 @@ std::int32_t next_place(std::int32_t vacant, int count) noexcept {
 template <class T>
 void put(std::vector<T>& list, std::int32_t place, T&& value) noexcept {
     if (at(place) == list.size())
-        list.push_back(std::move(value));
+        list.push_back(std::forward<T>(value));
     else
-        list[at(place)] = std::move(value);
+        list[at(place)] = std::forward<T>(value);
 }
 
 template <class Id>
