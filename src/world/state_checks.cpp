@@ -73,11 +73,10 @@ void check_bodies(const stepper::StepContext& ctx, const SavedState& s) {
     numbers(s.state.analysed_r, "an analysed rotation", 2.0);
     flags(s.model.bodies.asleep, "sleep");
     for (std::size_t b = 0; b < at(ctx.model.bodies.count()); ++b) {
-        const BodyKind kind = ctx.model.bodies.kind[b];
         const double* q = &s.model.bodies.q[4 * b];
         if (!unit(q, kUnit)) refuse_state("an orientation is no rotation" + entry(b));
-        const bool turns = kind != BodyKind::lump && kind != BodyKind::scalar;
-        if (turns && !is_rotation_of(&s.model.bodies.r[9 * b], q))
+        // Of lumps too: the images of cut lines take theirs.
+        if (!is_rotation_of(&s.model.bodies.r[9 * b], q))
             refuse_state("a rotation is not that of the orientation" + entry(b));
         if (s.model.bodies.asleep[b] != 0 && ctx.model.bodies.dof(static_cast<int>(b)) == 0)
             refuse_state("what cannot move is asleep" + entry(b));
