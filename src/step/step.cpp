@@ -23,6 +23,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <limits>
 
 namespace hawser::stepper {
 namespace {
@@ -189,6 +191,10 @@ void go_back(StepContext& ctx) noexcept {
     if (ctx.work.before.remembered && !ctx.work.undo.moved) recall(ctx);
     restore_kept(ctx);
     take_back_systems(ctx);
+    // A residual that is no number is told as the largest one: readers compare and print it.
+    StepStats& s = ctx.work.stats;
+    for (double* residual : {&s.momentum_residual, &s.constraint_residual, &s.natural_map})
+        if (!std::isfinite(*residual)) *residual = std::numeric_limits<double>::max();
 }
 
 }  // namespace
