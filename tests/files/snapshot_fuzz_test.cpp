@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdio>
 #include <cstring>
 
@@ -177,10 +178,12 @@ TEST(ForgedSnapshots, RotationsOfLumps) {
     World world = cables.recipe.make();
     cables.turn(world, 1);
     const std::vector<std::byte> good = snapshots_of(world, {5}).front();
-    const double upright[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const std::array<double, 9> numbers = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    std::array<std::byte, sizeof numbers> upright;
+    std::memcpy(upright.data(), numbers.data(), upright.size());
     int refused = 0, taken = 0;
-    for (std::size_t at = kHead; at + sizeof upright + 8 <= good.size(); ++at) {
-        if (std::memcmp(good.data() + at, upright, sizeof upright) != 0) continue;
+    for (std::size_t at = kHead; at + upright.size() + 8 <= good.size(); ++at) {
+        if (std::memcmp(good.data() + at, upright.data(), upright.size()) != 0) continue;
         std::vector<std::byte> bad = good;
         const double other = 0.5;
         std::memcpy(bad.data() + at + 8, &other, 8);

@@ -43,8 +43,10 @@ World heap(int threads) {
     bouncy.rolling = 0.01;
     yard.use(bouncy);
     yard.plane(yard.fixed());
-    for (int i = 0; i < 24; ++i)
-        (void)yard.box({0.4 * (i % 3), 0.3 * (i % 2), 0.7 + 1.2 * (i / 3)}, 10.0, {0.5, 0.5, 0.5});
+    for (int i = 0; i < 24; ++i) {
+        const int layer = i / 3;
+        (void)yard.box({0.4 * (i % 3), 0.3 * (i % 2), 0.7 + 1.2 * layer}, 10.0, {0.5, 0.5, 0.5});
+    }
     return std::move(yard.world);
 }
 

@@ -20,6 +20,7 @@ void build(Retry& retry, std::optional<World>& out, const WorldDef& def, const R
             out.emplace(def);
             break;
         } catch (const std::bad_alloc&) {
+            continue;  // with one request more
         }
     }
     World& w = *out;

@@ -143,12 +143,13 @@ inline void expect_same_bits(const char* name, const std::function<void(Retry&)>
     } catch (const Retry::Enough&) {
         return;  // it has failed
     }
-    long failures = 0, requests = 0;
+    long failures = 0, requests = 0, ended = 0;
     const auto run = [&](long number, long n) {
         Retry failing(right.rights(), number, n);
         try {
             calls(failing);
         } catch (const Retry::Enough&) {
+            ++ended;  // as it has failed; failing counts it, too
         }
         failures += failing.failures();
     };
@@ -164,8 +165,8 @@ inline void expect_same_bits(const char* name, const std::function<void(Retry&)>
             run(static_cast<long>(k), n);
         }
     EXPECT_GT(failures, 0) << "or nothing has been tried";
-    std::printf("%-24s %4zu calls, %6ld requests of memory, %6ld failures\n", name, seen.size(),
-                requests, failures);
+    std::printf("%-24s %4zu calls, %6ld requests of memory, %6ld failures, %ld runs given up\n",
+                name, seen.size(), requests, failures, ended);
 }
 
 }  // namespace hawser::test

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Worlds whose bodies come to touch: the order of elimination is repaired, and what comes of it
 /// depends on nothing but the state.
+#include <hawser/inspect.h>
+
 #include "context/context.h"
 #include "split/split.h"
 #include "step/state_hash.h"

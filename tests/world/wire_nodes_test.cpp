@@ -126,7 +126,8 @@ struct Sums {
 };
 void edit(Free& f, std::mt19937& dice, Sums& sum) {
     const auto n = static_cast<int>(f.w.elements(f.wire).size());
-    const auto at = static_cast<std::size_t>(1 + static_cast<int>(dice() % 1000U) * (n - 2) / 1000);
+    const std::size_t at =
+        1 + static_cast<std::size_t>(dice() % 1000U) * static_cast<std::size_t>(n - 2) / 1000;
     const double length = f.w.interaction_def(f.w.elements(f.wire)[at]).get("length");
     const bool more = length > 2.0 && (n <= 24 || (n < 96 && (dice() & 1U) != 0));
     const Account before = account_of(f.w, f.wire);
