@@ -110,6 +110,7 @@ void reserve_undo(const Model& model, Undo& undo) {
     u.coarse.reserve(model.interactions.coarse.size());
     u.credit.reserve(model.wires.credit.size());
     u.alert.reserve(model.wires.alert.size());
+    u.recoil.reserve(model.wires.recoil.size());
 }
 
 void keep_motion(StepContext& ctx) noexcept {
@@ -123,6 +124,7 @@ void keep_motion(StepContext& ctx) noexcept {
     put(ctx.model.interactions.coarse, u.coarse);
     put(ctx.model.wires.credit, u.credit);
     put(ctx.model.wires.alert, u.alert);
+    put(ctx.model.wires.recoil, u.recoil);
     u.scalars = read(ctx.state, ctx.work.stats);
     u.moved = true;
 }
@@ -180,6 +182,7 @@ void restore_kept(StepContext& ctx) noexcept {
         put(u.coarse, ctx.model.interactions.coarse);
         put(u.credit, ctx.model.wires.credit);
         put(u.alert, ctx.model.wires.alert);
+        put(u.recoil, ctx.model.wires.recoil);
         follow_alerts(ctx.model);
         write(u.scalars, ctx);
     }

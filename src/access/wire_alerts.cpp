@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "access/wire_alerts.h"
 
+#include "access/copies.h"
 #include "base/index.h"
 #include "context/wires_data.h"
 
@@ -12,8 +13,67 @@ namespace {
 
 /// For so long a wire is stepped more calmly, the longer of both.
 constexpr double kAlertSteps = 20.0, kAlertSeconds = 1.0;
+/// No recoil is longer: a wire of steel has 30 km then.
+constexpr double kRecoilSeconds = 10.0;
+
+/// Time that a wave along an element takes, l/√(EA/ρ), by its compliance and its lumps [s].
+double passage(const Model& model, std::int32_t id) noexcept {
+    const model::Interactions& in = model.interactions;
+    double mass = 0.0, lumps = 0.0;
+    for (int b = 0; b < 2; ++b) {
+        const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
+        if (model.bodies.dof(body) != 3) continue;
+        mass += model.bodies.mass[at(body)];
+        lumps += 1.0;
+    }
+    return std::sqrt(in.epsilon[at(in.row_begin[at(id)])] * mass / std::max(lumps, 1.0));
+}
+
+/// Steps that a wave along a wire takes from end to end, and one.
+std::int32_t recoil_steps(const Model& model, std::int32_t wire) noexcept {
+    const Wires& w = model.wires;
+    double time = 0.0;
+    for (const WirePart& p : w.parts)
+        for (std::int32_t e = p.element_begin; p.wire == wire && e < p.element_end; ++e)
+            time += passage(model, w.element[at(e)]);
+    const double steps = std::ceil(time / model.def.step) + 1.0;
+    const std::int32_t most = most_recoil(model.def.step);
+    return steps < most ? static_cast<std::int32_t>(steps) : most;
+}
+
+/// Whether two interactions hold one lump.
+bool share_lump(const Model& model, std::int32_t a, std::int32_t b) noexcept {
+    const model::Interactions& in = model.interactions;
+    for (int i = 0; i < 2; ++i)
+        for (int j = 0; j < 2; ++j) {
+            const std::int32_t body = in.body[at(kMaxInteractionBodies * a + i)];
+            if (body == in.body[at(kMaxInteractionBodies * b + j)] && model.bodies.dof(body) == 3)
+                return true;
+        }
+    return false;
+}
 
 }  // namespace
+
+std::int32_t most_recoil(double step) noexcept {
+    return static_cast<std::int32_t>(std::ceil(kRecoilSeconds / step)) + 1;
+}
+
+void begin_recoil(Model& model, std::int32_t id, bool fresh) noexcept {
+    Wires& w = model.wires;
+    const auto begins = [&](std::int32_t wire) {
+        w.recoil[at(wire)] = Wires::kBeginsToRecoil;
+        w.stale = true;
+    };
+    if (at(id) >= w.wire_of.size()) return;
+    if (w.wire_of[at(id)] >= 0) {
+        begins(w.wire_of[at(id)]);
+    } else if (fresh) {  // wound up by a drum: it is in no wire, but the elements beside it
+        for (const std::int32_t e : w.element)
+            if (share_lump(model, id, e)) begins(w.wire_of[at(e)]);
+    }
+    if (fresh && w.stale) follow_alerts(model);
+}
 
 std::int32_t most_alert(double step) noexcept {
     // A step of 1e-7 s, the shortest, makes ten million of them.
@@ -25,9 +85,15 @@ void follow_alerts(Model& model) noexcept {
     for (std::size_t k = 0; k < w.count(); ++k) {
         if (!(w.credit[k] >= 0.0) || !std::isfinite(w.credit[k])) w.credit[k] = 0.0;
         w.alert[k] = std::max(0, w.alert[k]);
+        if (w.recoil[k] < 0) w.recoil[k] = recoil_steps(model, static_cast<std::int32_t>(k));
     }
-    for (const std::int32_t id : w.element)
-        model.interactions.alert[at(id)] = w.alert[at(w.wire_of[at(id)])] > 0 ? 1.0 : 0.0;
+    // Rows of cuts have damping of their own.
+    const bool whole = !has_cuts(model);
+    for (const std::int32_t id : w.element) {
+        const std::int32_t wire = w.wire_of[at(id)];
+        model.interactions.alert[at(id)] = w.alert[at(wire)] > 0 ? 1.0 : 0.0;
+        model.interactions.recoil(id, whole && w.recoil[at(wire)] > 0, model.def.step);
+    }
     w.stale = false;
 }
 

@@ -113,7 +113,9 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
             // By the compliance as defined: a world restored with other lengths of its lines must
             // choose as the one that was saved.
             const double defined = in.defined[row];
-            const double ratio = in.epsilon[row] > 0.0 ? defined / in.epsilon[row] : 1.0;
+            // And by the damping that it has when it does not recoil.
+            const double ratio = (in.epsilon[row] > 0.0 ? defined / in.epsilon[row] : 1.0) /
+                                 in.recoil_share(row, in.rest_length[at(i)] > 0.0, h);
             static_assert(kRigidShare * kSafeRatio > 1.0);
             if (def.form == Form::automatic && w > kSafeRatio * ratio * sigma) keep = true;
         }

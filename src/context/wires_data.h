@@ -22,6 +22,8 @@ struct WireGain {
 };
 
 struct Wires {
+    static constexpr std::int32_t kBeginsToRecoil = -1;
+
     // By topology.
     std::vector<std::int32_t> wire_of;  ///< By interaction, −1: none.
     std::vector<std::int32_t> place;    ///< By interaction: where in `element`.
@@ -32,6 +34,8 @@ struct Wires {
     // By wire. Part of the state:
     std::vector<double> credit;       ///< Energy lost lately, that may come back [J].
     std::vector<std::int32_t> alert;  ///< So many steps to come are stepped more calmly.
+    /// So many steps to come the wire recoils, since it parted; kBeginsToRecoil: to be found.
+    std::vector<std::int32_t> recoil;
     // Of the step being taken:
     std::vector<std::uint8_t> fast;   ///< 1: its swing is not resolved.
     std::vector<std::uint8_t> level;  ///< How often it has been refused.

@@ -31,6 +31,7 @@ enum RowFlag : std::uint8_t {
     kRowVelocity = 1,  ///< G v = u.
     kRowGap = 2,       ///< Counts in violation_max.
     kRowDamper = 4,    ///< Its τ is that of a damper, not of the scheme.
+    kRowRecoils = 8,   ///< Of a wire that parted: its force is that at the end of the step.
 };
 
 enum InteractionFlag : std::uint8_t {
@@ -175,6 +176,10 @@ struct Interactions {
     void share_damping(std::size_t row, bool wire, double h) noexcept;
     /// Σ by ε and Υ alone (hawser/row_constants.h), without the floors that an analysis adds.
     [[nodiscard]] double bare_sigma(std::size_t row, double h) const noexcept;
+    /// Σ over that which the row has when its wire does not recoil.
+    [[nodiscard]] double recoil_share(std::size_t row, bool wire, double h) const noexcept;
+    /// The rows of a wire's element begin or cease to recoil (share_damping()).
+    void recoil(int id, bool recoils, double h) noexcept;
     /// Υ, recall, Σ and 1/Σ of a row with a violation whose compliance, not 0, changed after the
     /// analysis. Σ stays at least `least_sigma`, and a kept row stays kept. @param wire  Whether it
     /// is of a wire element.

@@ -4,24 +4,59 @@
 
 #include <hawser/row_constants.h>
 
+#include "base/index.h"
+
 #include <algorithm>
 
 namespace hawser::model {
+namespace {
+
+/// Υ and recall of a row.
+struct Shares {
+    double upsilon, recall;
+};
+
+/// Of a wire that parted: the force is that at the end of the step, −g₊/ε, so that the front of the
+/// recoil meets T/√(EA ρ) however short the elements are (docs/wires.md). In the terms of the step
+/// τ = h and θ = ¾, whatever damper the line has.
+constexpr Shares kRecoil{0.25, 0.0};
 
 /// The axial swing of a wire's lumps is seldom resolved, and with the trapezoidal rule alone it
 /// would never end: where it is not, a wire has the damping of half a step at least.
-void Interactions::share_damping(std::size_t row, bool wire, double h) noexcept {
-    const double w = mobility[row], e = epsilon[row];
-    double t = tau[row], late = 1.0;
-    recall[row] = 1.0;
-    if (row_flags[row] & kRowVelocity) return;
-    if ((row_flags[row] & kRowDamper) && w > 0.0 && e > 0.0) {
+Shares shares_of(const Interactions& in, std::size_t row, bool wire, double h) noexcept {
+    const double w = in.mobility[row], e = in.epsilon[row];
+    double t = in.tau[row], late = 1.0, recall = 1.0;
+    if ((in.row_flags[row] & kRowDamper) && w > 0.0 && e > 0.0) {
         const double spring = 0.25 * h * h * w / e;
         if (wire) t = std::max(t, (late_share(spring) - 0.5) * h);
         late = late_share(h * t * w / e + spring);
-        recall[row] = 1.0 - 4.0 * t * (1.0 - late) / h;
+        recall = 1.0 - 4.0 * t * (1.0 - late) / h;
     }
-    upsilon[row] = row_upsilon(t, h, late);
+    return {row_upsilon(t, h, late), recall};
+}
+
+}  // namespace
+
+void Interactions::share_damping(std::size_t row, bool wire, double h) noexcept {
+    recall[row] = 1.0;
+    if (row_flags[row] & kRowVelocity) return;
+    const Shares s = row_flags[row] & kRowRecoils ? kRecoil : shares_of(*this, row, wire, h);
+    upsilon[row] = s.upsilon;
+    recall[row] = s.recall;
+}
+
+double Interactions::recoil_share(std::size_t row, bool wire, double h) const noexcept {
+    if (!(row_flags[row] & kRowRecoils)) return 1.0;
+    return upsilon[row] / shares_of(*this, row, wire, h).upsilon;
+}
+
+void Interactions::recoil(int id, bool recoils, double h) noexcept {
+    for (int r = 0; r < rows[at(id)]; ++r) {
+        const auto row = at(row_begin[at(id)] + r);
+        if (((row_flags[row] & kRowRecoils) != 0) == recoils) continue;
+        row_flags[row] ^= kRowRecoils;
+        follow_compliance(row, rest_length[at(id)] > 0.0, h);
+    }
 }
 
 double Interactions::bare_sigma(std::size_t row, double h) const noexcept {

@@ -140,6 +140,7 @@ void recall_wires(const Model& model, const State& state, WireWork& work) {
     if (w.wire_of == made.wire_of && state.edits.interactions.empty()) {
         made.credit = w.credit;
         made.alert = w.alert;
+        made.recoil = w.recoil;
         return;
     }
     if (!state.edits.any) return;
@@ -162,6 +163,7 @@ void recall_wires(const Model& model, const State& state, WireWork& work) {
             ++kept;
             made.credit[k] += w.credit[at(wire)] / had[at(wire)];
             made.alert[k] = std::max(made.alert[k], w.alert[at(wire)]);
+            made.recoil[k] = longer_recoil(made.recoil[k], w.recoil[at(wire)]);
         }
         // To the last bit where it is the same wire still.
         if (kept > 0 && one && kept == had[at(first)]) made.credit[k] = w.credit[at(first)];
@@ -178,6 +180,7 @@ void make_wires(Model& model, const State& state, WireWork& work) {
     const std::size_t wires = work.begin.size() - 1;
     made.credit.assign(wires, 0.0);
     made.alert.assign(wires, 0);
+    made.recoil.assign(wires, 0);
     recall_wires(model, state, work);
     made.fast.assign(wires, 0);
     made.level.assign(wires, 0);
@@ -194,6 +197,9 @@ void make_wires(Model& model, const State& state, WireWork& work) {
 
 void remember_gains(Model& model) noexcept {
     Wires& w = model.wires;
+    for (std::int32_t& left : w.recoil)
+        if (left > 0 && --left == 0) w.stale = true;
+    if (w.stale) follow_alerts(model);
     if (!on_guard(model)) return;
     const bool any_fast = w.measured;
     constexpr double kept = 1.0 - 1.0 / kCreditSteps;

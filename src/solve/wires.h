@@ -18,7 +18,7 @@ void make_wires(Model& model, const State& state, WireWork& work);
 /// Rows that gave way in a step that was not taken follow their law again.
 void release_wires(Model& model) noexcept;
 
-/// What the step that is being taken leaves for the next ones.
+/// What the step that is being taken leaves for the next ones: gains, and recoils that end.
 void remember_gains(Model& model) noexcept;
 
 }  // namespace hawser::stepper

@@ -5,6 +5,7 @@
 #include "access/push_event.h"
 #include "access/sweeps.h"
 #include "access/view.h"
+#include "access/wire_alerts.h"
 #include "solve/bounds.h"
 #include "solve/drives.h"
 #include "solve/joints.h"
@@ -29,6 +30,7 @@ void break_lines(StepContext& ctx, const View& v) noexcept {
         ctx.state.ledger.damped += held_by_line(ctx.model, original(ctx.model, id));
         ctx.state.ledger.drive += piece_energy(ctx, original(ctx.model, id));
         part_all(ctx.model, original(ctx.model, id));
+        begin_recoil(ctx.model, original(ctx.model, id), true);
         push_event(ctx, EventKind::line_break, original(ctx.model, id), tension);
     }
 }

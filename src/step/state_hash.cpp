@@ -35,8 +35,10 @@ std::uint64_t state_hash(const Model& model, const State& state) noexcept {
     add(model.interactions.anchor);
     // Not where there is nothing: there is no room for it before the first step is prepared.
     for (std::size_t k = 0; k < model.wires.count(); ++k) {
-        if (model.wires.credit[k] == 0.0 && model.wires.alert[k] == 0) continue;
+        const bool recoils = model.wires.recoil[k] != 0;
+        if (model.wires.credit[k] == 0.0 && model.wires.alert[k] == 0 && !recoils) continue;
         hash = base::fnv1a(&k, sizeof k, hash);
+        if (recoils) hash = base::fnv1a(&model.wires.recoil[k], sizeof(std::int32_t), hash);
         hash = base::fnv1a(&model.wires.credit[k], sizeof(double), hash);
         hash = base::fnv1a(&model.wires.alert[k], sizeof(std::int32_t), hash);
     }

@@ -166,6 +166,7 @@ void copy_motion(const stepper::StepContext& from, stepper::StepContext& to) {
     if (from.model.wires.count() != to.model.wires.count()) {
         std::fill(to.model.wires.credit.begin(), to.model.wires.credit.end(), 0.0);
         std::fill(to.model.wires.alert.begin(), to.model.wires.alert.end(), 0);
+        std::fill(to.model.wires.recoil.begin(), to.model.wires.recoil.end(), 0);
     }
     if (to.model.def.sleep_after == 0.0) {  // what sleeps there is awake here
         std::fill(to.model.bodies.asleep.begin(), to.model.bodies.asleep.end(), std::uint8_t{0});

@@ -15,7 +15,7 @@ namespace hawser::world {
 
 /// Identifies the world's layout and says how much follows.
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '2', '1'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '2', '2'};
     std::uint64_t layout = 0;       ///< See layout_of().
     std::uint64_t parameters = 0;   ///< See parameters_of().
     std::uint64_t contacts = 0;     ///< Remembered from the last step.
@@ -65,6 +65,7 @@ void visit_motion(Context& ctx, F&& f) {
     f(ctx.model.interactions.anchor);
     f(ctx.model.wires.credit);
     f(ctx.model.wires.alert);
+    f(ctx.model.wires.recoil);
 }
 
 /// Visit the single values of the state: f(value).
@@ -145,7 +146,7 @@ struct SavedState {
         } interactions;
         struct {
             std::vector<double> credit;
-            std::vector<std::int32_t> alert;
+            std::vector<std::int32_t> alert, recoil;
         } wires;
         struct {
             base::Array<collide::KeptContact> contacts;

@@ -93,7 +93,9 @@ void check_interactions(const stepper::StepContext& ctx, const SavedState& s) {
     numbers(s.model.wires.credit, "what a wire lost lately", kHuge);
     for (std::size_t k = 0; k < s.model.wires.credit.size(); ++k)
         if (s.model.wires.credit[k] < 0.0 || s.model.wires.alert[k] < 0 ||
-            s.model.wires.alert[k] > stepper::most_alert(ctx.model.def.step))
+            s.model.wires.alert[k] > stepper::most_alert(ctx.model.def.step) ||
+            s.model.wires.recoil[k] < stepper::Wires::kBeginsToRecoil ||
+            s.model.wires.recoil[k] > stepper::most_recoil(ctx.model.def.step))
             refuse_state("a wire's guard is out of range" + entry(k));
     flags(s.model.interactions.active, "which rows act");
     flags(s.model.interactions.parted, "which lines have parted");

@@ -4,8 +4,10 @@
 
 #include "access/asleep.h"
 #include "access/push_event.h"
+#include "access/wire_alerts.h"
 #include "context/context.h"
 #include "split/split.h"
+#include "step/ready.h"
 #include "world/checks.h"
 #include "world/impl.h"
 #include "world/lookup.h"
@@ -239,6 +241,10 @@ void World::part(InteractionId id) {
         throw DefError(world::label("interaction", c.model.interactions.def[i].name) +
                        ": only elements of wires part; remove_interaction() takes others away");
     if (c.model.interactions.parted[i] != 0) return;
+    // Of a new element it is not known yet which wire will recoil.
+    const std::vector<std::int32_t>& added = c.state.edits.interactions;
+    if (!c.state.started || std::find(added.begin(), added.end(), id.index) != added.end())
+        stepper::ready(c);
     const double tension =
         std::max(0.0, -c.model.interactions.force[at(c.model.interactions.row_begin[i])]);
     c.state.ledger.damped += stepper::energy_of_interaction(c, id.index);
@@ -246,6 +252,7 @@ void World::part(InteractionId id) {
     for (std::size_t b = 0; b < c.model.interactions.bodies[i]; ++b)
         stepper::disturb(c.model, c.model.interactions.body[kMaxInteractionBodies * i + b]);
     stepper::part_all(c.model, id.index);
+    stepper::begin_recoil(c.model, id.index, c.state.changed == stepper::Changed::nothing);
     stepper::push_event(c, EventKind::line_break, id.index, tension);
     if (impl_->listener != nullptr) impl_->listener->parted(id);
 }
