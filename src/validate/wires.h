@@ -17,5 +17,8 @@ void case_wire_catenary(Report& report);
 void case_wire_touchdown(Report& report);
 // wires_events.cpp
 void case_wire_events(Report& report);
+// wires_waves.cpp
+void case_wire_parting(Report& report);
+void case_wire_pulse(Report& report);
 
 }  // namespace hawser::validate
