@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hawser::scene {
@@ -124,6 +125,19 @@ void read_ends(CableLayout& c, Description& out, const Scope& scope, const Scope
     c.to = read_end(out, to_scope, cable["to"], c.links, place / "to");
 }
 
+/// The weak element, once it is known how long elements are.
+void read_weak(CableLayout& c, const Json& cable, const Place& place) {
+    const auto weak = cable.find("weak");
+    if (weak == cable.end()) return;
+    if (c.links) refuse(place / "weak", "a cable of links does not part");
+    const double at = (*weak)["at"].get<double>();
+    if (at > c.length)
+        refuse(place / "weak" / "at",
+               fmt::format("the cable ends at {:.6g} m, before {:.6g} m", c.length, at));
+    c.weak = std::min(static_cast<std::size_t>(at / c.element), c.elements - 1);
+    c.weak_load = (*weak)["breaking_load"].get<double>();
+}
+
 void read_elements(CableLayout& c, const Description& out, const Json& cable, const Place& place) {
     const Json* points = listed_points(cable);
     const bool counted = cable.contains("elements");
@@ -204,6 +218,9 @@ CableLayout lay_out_cable(Description& out, const Scope& scope, const Scope& to_
     }
     c.links = text_or(cable, "as", "lumps") == "links";
     c.tension_only = cable.value("tension_only", true);
+    c.consistent_mass = cable.value("consistent_mass", false);
+    if (c.links && c.consistent_mass)
+        refuse(place / "consistent_mass", "links are rigid and have their mass as it is");
     c.joint_compliance = number_or(cable, "compliance", out.default_compliance);
     c.joint_damping_time = number_or(cable, "damping_time", out.default_damping_time);
     read_line_type(c, cable, document, place);
@@ -213,6 +230,7 @@ CableLayout lay_out_cable(Description& out, const Scope& scope, const Scope& to_
     read_elements(c, out, cable, place);
     place_nodes(c, out, scope, cable, place);
     check_lengths(c, place);
+    read_weak(c, cable, place);
     return c;
 }
 

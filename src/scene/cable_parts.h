@@ -36,6 +36,8 @@ struct CableLayout {
     double EA = 0.0;               ///< [N].
     double EI = 0.0;               ///< [N m²].
     double breaking_load = 0.0;    ///< [N]; 0 = never.
+    std::size_t weak = 0;          ///< Its weak element, where weak_load is not 0.
+    double weak_load = 0.0;        ///< [N]; 0: there is none.
     double axial_damping = kDefault;
     double drag = 0.0;              ///< [N s/m²].
     double submerged_factor = 1.0;  ///< Weight in water / weight in air.
@@ -43,6 +45,7 @@ struct CableLayout {
     std::string color;
     double radius = 0.0;  ///< Of links [m].
     bool tension_only = true;
+    bool consistent_mass = false;  ///< As WireDef has it.
     double joint_compliance = kDefault;
     double joint_damping_time = kDefault;
 

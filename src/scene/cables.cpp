@@ -96,11 +96,14 @@ class Builder {
         def.set("length", c_.element);
         def.set("EA", c_.EA);
         def.set("tension_only", c_.tension_only ? 1.0 : 0.0);
-        if (c_.breaking_load > 0.0) {
-            def.set("breaking_load", c_.breaking_load);
+        const bool weak = c_.weak_load > 0.0 && i == c_.weak;
+        if (const double load = weak ? c_.weak_load : c_.breaking_load; load > 0.0) {
+            def.set("breaking_load", load);
         }
         if (winch) {
             def.set("radius", c_.drum_radius);
+        } else if (c_.consistent_mass) {
+            def.set("mass", c_.mass_per_length * c_.element);
         }
         if (!std::isnan(c_.axial_damping)) {
             // Fraction ζ of critical of the highest axial mode, ω = 2c/l with c = √(EA/ρ).

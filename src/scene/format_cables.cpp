@@ -55,6 +55,12 @@ ShapePtr cable_shape() {
                  "Of the bottom; nodes lie the radius of \"contact\" over it."},
                 {"friction", number("a friction coefficient", 0.0, 100.0), false, "0", "1",
                  "By which the tension falls along what lies on it."}});
+    const ShapePtr weak =
+        object("cable_weak", "a weak place of a cable", "The element there parts sooner.",
+               {{"at", number("a length", 0.0, kMostLength), true, "", "m",
+                 "Unstretched length from the first end."},
+                {"breaking_load", positive("a force", kMostForce), true, "", "N",
+                 "The element there parts above this tension."}});
     return object(
         "cable", "a cable", "A chain, wire or rope between two ends, cut into equal elements.",
         {{"name", name("a name"), true, "", "", "Unique among cables."},
@@ -85,7 +91,10 @@ ShapePtr cable_shape() {
           "Corners between the ends of a cable of the shape path."},
          {"offsets", list("a list of offsets", vector3("an offset"), 0, kMaxElements), false, "",
           "m", "Added to the interior nodes."},
+         {"weak", weak, false, "", "", "A place where it parts sooner than elsewhere."},
          {"tension_only", boolean("true or false"), false, "true", "", "False: it also pushes."},
+         {"consistent_mass", boolean("true or false"), false, "false", "",
+          "True: an element between two lumps moves as a straight piece, with its mass along it."},
          {"groups", list("a list of groups", group(), 1, 100), false, "[\"\"]", "",
           "Groups of its nodes or links, which are shared out evenly from the first end on."},
          {"winch", winch, false, "", "", "Drum that pays it out."},

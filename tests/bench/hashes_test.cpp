@@ -29,7 +29,8 @@ const std::set<std::string> kAtRest = {"anchor_contact", "arch",          "bounc
 
 /// Friction, ranges and motors, and nothing that touches.
 const std::set<std::string> kJoints = {"anchor_lines", "joint_friction", "joint_limits",
-                                       "motor_limits", "slider_crank",   "winch_modes"};
+                                       "motor_limits", "slider_crank",   "winch_modes",
+                                       "wire_part"};
 
 TEST(Hashes, DoNotDependOnThreadsOrRestoring) {
     const auto files = nonsmooth_scenes("scenes");

@@ -2,6 +2,7 @@
 #include "support.h"
 
 #include <cmath>
+#include <string>
 
 namespace hawser::scene::test {
 namespace {
@@ -106,6 +107,25 @@ TEST(Cables, winch_pays_out_the_first_element) {
         EXPECT_DOUBLE_EQ(first.get("length"), 10.0);
         EXPECT_EQ(interaction(d, "c/s1").kind, InteractionKind::Stretch);
     }
+}
+
+/// The element there, from the first end, and no other.
+TEST(Cables, weak_places_and_consistent_mass) {
+    const Description d = flat(with_cable(
+        R"({"name": "c", "line_type": "wire", "from": {"at": [0, 0, 10]},
+            "to": {"at": [0, 40, 10]}, "length": 40, "elements": 4,
+            "weak": {"at": 25, "breaking_load": 1e6}, "consistent_mass": true})"));
+    for (const char* name : {"c/s0", "c/s1", "c/s2", "c/s3"}) {
+        const bool weak = std::string(name) == "c/s2";
+        EXPECT_DOUBLE_EQ(interaction(d, name).get("breaking_load"), weak ? 1e6 : 2e6) << name;
+        EXPECT_DOUBLE_EQ(interaction(d, name).get("mass"), 200.0) << name;
+    }
+    const Description end = flat(with_cable(
+        R"({"name": "c", "line_type": "wire", "from": {"at": [0, 0, 10]},
+            "to": {"at": [0, 40, 10]}, "length": 40, "elements": 4,
+            "weak": {"at": 40, "breaking_load": 1e6}})"));
+    EXPECT_DOUBLE_EQ(interaction(end, "c/s3").get("breaking_load"), 1e6);
+    EXPECT_TRUE(std::isnan(interaction(end, "c/s3").get("mass"))) << "the default";
 }
 
 TEST(Cables, links_meet_at_their_joints) {
