@@ -21,7 +21,7 @@ constexpr const char* kPlotFooter = R"(Examples:
   hawser plot run.hwr -o pictures
   hawser plot run.hwr -o pictures --at 12.5     # the scene at 12.5 s instead of the end
 
-Writes tensions, motions, scene and details, each as .svg and .png. Exit codes: 0 written, 1 unreadable
+Writes tensions, wires, motions, scene and details, each as .svg and .png. Exit codes: 0 written, 1 unreadable
 recording or a file that cannot be written.)";
 
 struct PlotOptions {
@@ -59,6 +59,7 @@ int plot(const PlotOptions& options) {
             fmt::print("wrote {}\n", file.string());
     };
     write("tensions", draw::plot_tensions(recording, series), "the scene has no cables");
+    write("wires", draw::plot_wires(recording, series), "the scene has no cables");
     write("motions", draw::plot_motions(recording, series), "the scene has no moving bodies");
     write("scene", draw::plot_views(recording, series, frame_at(recording, options.at)),
           "nothing in the scene has a place");

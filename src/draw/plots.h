@@ -17,6 +17,11 @@ namespace hawser::draw {
 [[nodiscard]] std::optional<Drawing> plot_tensions(const record::Recording& recording,
                                                    const record::Series& series);
 
+/// Least, mean and greatest tension of the plotted cables (up to six) along them, a panel each.
+/// @return Nothing when there are none.
+[[nodiscard]] std::optional<Drawing> plot_wires(const record::Recording& recording,
+                                                const record::Series& series);
+
 /// Displacement and rotation of bodies over time, one panel per direction.
 [[nodiscard]] std::optional<Drawing> plot_motions(const record::Recording& recording,
                                                   const record::Series& series);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draw/projection.h"
 
+#include "draw/parted.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -57,6 +59,13 @@ void draw_dot(Drawing& drawing, Point at, double radius, Color color) {
     drawing.add(Path{.points = std::move(circle), .width = 0.0, .fill = color, .closed = true});
 }
 
+/// An end at which a cable has parted.
+void draw_cross(Drawing& drawing, Point at) {
+    constexpr double kReach = 5.0;
+    for (const double side : {-kReach, kReach})
+        drawing.line({at.x - kReach, at.y - side}, {at.x + kReach, at.y + side}, kPartedColor, 2.2);
+}
+
 Vec3 place(const record::Frame& frame, std::int32_t body, const Vec3& point) {
     const Pose& pose = frame.poses[static_cast<std::size_t>(body)];
     return pose.position + pose.orientation.normalized() * point;
@@ -109,7 +118,10 @@ std::vector<Vec3> cable_points(const record::Recording& recording,
 void draw_cables(Drawing& drawing, const Axes& axes, const View& view,
                  const record::Recording& recording, const record::Frame& frame,
                  const FrameStyle& style) {
-    for (const record::RecordedCable& cable : recording.cables) {
+    const std::vector<PartedElement> parted =
+        style.ghost ? std::vector<PartedElement>{} : parted_elements(recording, frame.time);
+    for (std::size_t c = 0; c < recording.cables.size(); ++c) {
+        const record::RecordedCable& cable = recording.cables[c];
         std::vector<Point> points;
         const std::vector<Vec3> nodes = cable_points(recording, cable, frame);
         points.reserve(nodes.size());
@@ -123,12 +135,17 @@ void draw_cables(Drawing& drawing, const Axes& axes, const View& view,
         for (std::int32_t i = 0; i < pieces; ++i) {
             const std::int32_t element =
                 std::min(cable.elements - 1, std::max(0, cable.elements - pieces + i));
+            const Point from = points[static_cast<std::size_t>(i)],
+                        to = points[static_cast<std::size_t>(i + 1)];
+            if (is_parted(parted, c, element)) {
+                for (const Point end : {from, to}) draw_cross(drawing, end);
+                continue;
+            }
             const double tension =
                 cable.elements > 0
                     ? frame.tensions[static_cast<std::size_t>(cable.first_element + element)]
                     : 0.0;
-            drawing.line(points[static_cast<std::size_t>(i)],
-                         points[static_cast<std::size_t>(i + 1)],
+            drawing.line(from, to,
                          scale_color((tension - style.tension.low) / style.tension.span()), 2.2);
         }
     }

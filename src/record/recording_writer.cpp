@@ -6,6 +6,7 @@
 #include "record/layout_writer.h"
 #include "record/outlines.h"
 #include "record/recording_format.h"
+#include "record/wire_place.h"
 
 #include <fmt/format.h>
 
@@ -225,7 +226,9 @@ void RecordingWriter::add_event(const World& world, const Event& event) {
     payload_.put(event.time);
     payload_.put(static_cast<std::uint8_t>(event.kind));
     payload_.put(in_range(event.value));
-    payload_.put_text(place_label(world, event.interaction, event.body));
+    const bool parts = event.kind == EventKind::line_break && event.interaction.valid();
+    payload_.put_text(parts ? parted_label(world, event.interaction)
+                            : place_label(world, event.interaction, event.body));
     write_chunk(kEventChunk);
 }
 

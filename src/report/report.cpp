@@ -227,6 +227,7 @@ std::string to_text(const Summary& s) {
     cables(out, s);
     bodies(out, s);
     text += events_in_words(s);
+    text += wires_in_words(s.wires, s.parted);
     fmt::format_to(out, "\n  system       {} bodies, {} interactions, {} equations, {} island{}\n",
                    s.last.bodies, s.last.interactions, s.last.equations, s.last.islands,
                    s.last.islands == 1 ? "" : "s");

@@ -33,7 +33,7 @@ double Summary::energy_drift() const noexcept {
 }
 
 SummaryCollector::SummaryCollector(const record::SceneInfo& scene, const World& world)
-    : scene_(scene), bodies_(record::watched_bodies(scene, world)) {
+    : scene_(scene), wires_(world), bodies_(record::watched_bodies(scene, world)) {
     summary_.scene = scene.name;
     summary_.scene_path = scene.path;
     summary_.scene_hash = scene.hash;
@@ -94,6 +94,7 @@ void SummaryCollector::after_step(const World& world, std::span<const Event> eve
     summary_.degradations.after_step(stats);
     watch_contacts(world);
     watch_cables(world);
+    wires_.after_step(world, events);
     watch_bodies(world);
     watch_energy(world);
 }
@@ -121,6 +122,7 @@ void SummaryCollector::watch_cables(const World& world) {
     for (std::size_t c = 0; c < scene_.cables.size(); ++c) {
         CableFigures& figures = summary_.cables[c];
         for (const InteractionId element : scene_.cables[c].elements) {
+            if (!world.alive(element)) continue;  // it went with a node
             const double tension = record::element_tension(world, element);
             figures.min = std::min(figures.min, tension);
             figures.max = std::max(figures.max, tension);
@@ -198,6 +200,8 @@ Summary SummaryCollector::result(const World& world) const {
         else
             out.cables[c].min = out.cables[c].max = 0.0;
     }
+    out.wires = wires_.result();
+    out.parted = wires_.parted();
     out.state_hash = world.state_hash();
     out.load_end = record::load_average();
     out.world_memory = world.memory_bytes();

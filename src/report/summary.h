@@ -7,6 +7,7 @@
 #include "report/degradations.h"
 #include "report/samples.h"
 #include "report/verdict_text.h"
+#include "report/wires.h"
 #include "verify/certificate.h"
 #include "verify/coupling.h"
 
@@ -107,6 +108,8 @@ struct Summary {
     std::vector<EventFigures> happened;  ///< Kinds that there were, what matters most first.
     std::vector<std::string> warnings;   ///< Of the start, in words.
     std::vector<CableFigures> cables;
+    std::vector<WireFigures> wires;
+    std::vector<PartedWire> parted;  ///< The first ones, in order.
     std::vector<BodyFigures> bodies;
     std::uint64_t state_hash = 0;
     int threads = 1;
@@ -140,6 +143,7 @@ class SummaryCollector : public Observer {
 
     const record::SceneInfo& scene_;
     Summary summary_;
+    WireWatch wires_;
     std::vector<Pose> first_pose_;
     std::vector<BodyId> bodies_;
     std::vector<double> tension_sum_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/host.h"
 #include "report/summary.h"
+#include "report/wires_json.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -278,6 +279,8 @@ std::string to_json(const Summary& s) {
         {"event_extremes", event_extremes(s)},
         {"start_warnings", s.warnings},
         {"events", event_list(s)},
+        {"parted", parted_json(s.parted)},
+        {"wires", wires_json(s.wires)},
         {"tensions", cables(s)},
         {"motions", bodies(s)},
         {"growths", s.last.growths},

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file wires.h
+/// What a report tells of each wire of a world: tension along it, nodes, material, and where it
+/// parted. Nodes may come and go meanwhile (hawser/wire.h).
+
+#include <hawser/hawser.h>
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace hawser::report {
+
+/// A wire that has parted.
+struct PartedWire {
+    double time = 0.0;  ///< [s]
+    std::string wire;   ///< Empty: the element is of no wire.
+    std::string element;
+    double s = 0.0;        ///< Material coordinate of the middle of the element [m].
+    double length = 0.0;   ///< Of the wire then, unstretched [m].
+    double tension = 0.0;  ///< With which it parted [N].
+};
+
+/// Tension in a stretch of a wire, over the steps in which something of the wire was there [N].
+struct TensionAlong {
+    double least = 0.0, mean = 0.0, greatest = 0.0;
+};
+
+/// A count or a length over the run.
+struct Course {
+    double start = 0.0, now = 0.0, least = 0.0, most = 0.0;
+};
+
+struct WireFigures {
+    std::string name;
+    Course nodes;                      ///< That there are, the bodies that hold it included.
+    Course length;                     ///< Unstretched [m].
+    std::vector<TensionAlong> along;   ///< In equal shares of its length, from the first end on.
+    std::vector<PartedWire> parted{};  ///< The first ones, in order.
+};
+
+/// Watches the wires that a world starts with. Costs O(elements) a step.
+class WireWatch {
+  public:
+    explicit WireWatch(const World& world);
+    /// Call after each step with the events of that step.
+    void after_step(const World& world, std::span<const Event> events);
+    [[nodiscard]] std::vector<WireFigures> result() const;
+    /// In the order in which they parted, the first ones.
+    [[nodiscard]] const std::vector<PartedWire>& parted() const noexcept { return parted_; }
+
+  private:
+    struct Watched {
+        WireId id;
+        WireFigures figures;
+        std::vector<double> sum;           ///< By share, of tensions …
+        std::vector<std::size_t> counted;  ///< … of so many elements in all steps.
+    };
+    std::vector<Watched> wires_;
+    std::vector<PartedWire> parted_;
+};
+
+/// The lines of a report about them.
+[[nodiscard]] std::string wires_in_words(const std::vector<WireFigures>& wires,
+                                         const std::vector<PartedWire>& parted);
+
+}  // namespace hawser::report

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/wires_json.h"
+
+namespace hawser::report {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json course(const Course& c) {
+    return {{"start", c.start}, {"end", c.now}, {"least", c.least}, {"most", c.most}};
+}
+
+}  // namespace
+
+Json parted_json(const std::vector<PartedWire>& all) {
+    Json out = Json::array();
+    for (const PartedWire& p : all)
+        out.push_back({{"time", p.time},
+                       {"wire", p.wire.empty() ? Json() : Json(p.wire)},
+                       {"s", p.wire.empty() ? Json() : Json(p.s)},
+                       {"length", p.wire.empty() ? Json() : Json(p.length)},
+                       {"element", p.element},
+                       {"tension", p.tension}});
+    return out;
+}
+
+Json wires_json(const std::vector<WireFigures>& wires) {
+    Json out = Json::object();
+    for (const WireFigures& w : wires) {
+        Json least = Json::array(), mean = Json::array(), greatest = Json::array();
+        for (const TensionAlong& t : w.along) {
+            least.push_back(t.least);
+            mean.push_back(t.mean);
+            greatest.push_back(t.greatest);
+        }
+        out[w.name] = {
+            {"nodes", course(w.nodes)},
+            {"length", course(w.length)},
+            {"parted", parted_json(w.parted)},
+            {"tension_along", {{"least", least}, {"mean", mean}, {"greatest", greatest}}}};
+    }
+    return out;
+}
+
+}  // namespace hawser::report

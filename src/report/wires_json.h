@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file wires_json.h
+/// What `--summary` has of wires (docs/cli.md).
+
+#include "report/wires.h"
+
+#include <nlohmann/json.hpp>
+
+#include <vector>
+
+namespace hawser::report {
+
+[[nodiscard]] nlohmann::ordered_json parted_json(const std::vector<PartedWire>& all);
+[[nodiscard]] nlohmann::ordered_json wires_json(const std::vector<WireFigures>& wires);
+
+}  // namespace hawser::report

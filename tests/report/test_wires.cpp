@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What reports tell of wires: where they part, nodes that come and go, tension along them.
+#include "record/wire_place.h"
+#include "report/summary.h"
+#include "report/wires_json.h"
+
+#include <hawser/hawser.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace hawser::test {
+namespace {
+
+/// 50 m of wire that hangs, in elements of 10 m that have their mass.
+struct HangingWire {
+    World w;
+    WireId wire;
+    record::SceneInfo info;
+    HangingWire() {
+        WireDef def{.name = "rope", .from = w.add_body({.kind = BodyKind::fixed})};
+        def.elements = 5;
+        def.length = 50.0;
+        def.EA = 1e8;
+        def.mass_per_length = 4.0;
+        def.consistent_mass = true;
+        wire = w.add_wire(def);
+        info.name = "hanging";
+    }
+};
+
+TEST(ReportedWires, TellWhereTheyPart) {
+    HangingWire h;
+    report::SummaryCollector collector(h.info, h.w);
+    for (int i = 0; i < 30; ++i) {
+        if (i == 12) h.w.part(h.wire, 31.0);
+        ASSERT_EQ(h.w.step(), Status::ok);
+        collector.after_step(h.w, h.w.take_events());
+    }
+    const report::Summary s = collector.result(h.w);
+    ASSERT_EQ(s.parted.size(), 1U);
+    EXPECT_EQ(s.parted[0].wire, "rope");
+    EXPECT_EQ(s.parted[0].element, "rope/s3");
+    EXPECT_DOUBLE_EQ(s.parted[0].s, 35.0);
+    EXPECT_DOUBLE_EQ(s.parted[0].length, 50.0);
+    EXPECT_NEAR(s.parted[0].time, 12.0 / 60.0, 1e-12);
+    // A lump of 40 kg and a half one hang below it.
+    EXPECT_NEAR(s.parted[0].tension, 60.0 * 9.81, 0.02 * 60.0 * 9.81);
+    ASSERT_EQ(s.wires.size(), 1U);
+    EXPECT_EQ(s.wires[0].parted.size(), 1U);
+    const std::string text = report::to_text(s);
+    EXPECT_NE(text.find("the wire \"rope\" at s = 35 m of 50 m, element \"rope/s3\", at 0.2 s"),
+              std::string::npos)
+        << text;
+    const auto json = nlohmann::json::parse(report::to_json(s));
+    EXPECT_EQ(json["parted"][0]["wire"], "rope");
+    EXPECT_EQ(json["parted"][0]["s"], 35.0);
+    EXPECT_EQ(json["wires"]["rope"]["parted"][0]["element"], "rope/s3");
+    EXPECT_EQ(record::parted_label(h.w, h.w.elements(h.wire)[3]), "rope/s3 (rope at 35 m)");
+}
+
+TEST(ReportedWires, FollowNodesThatComeAndGo) {
+    HangingWire h;
+    report::SummaryCollector collector(h.info, h.w);
+    BodyId node;
+    for (int i = 0; i < 90; ++i) {
+        if (i == 30) node = h.w.insert_node(h.w.elements(h.wire)[1], 0.5);
+        if (i == 60) {
+            ASSERT_TRUE(h.w.remove_node(node, 3.2));
+        }
+        ASSERT_EQ(h.w.step(), Status::ok);
+        collector.after_step(h.w, h.w.take_events());
+    }
+    const report::Summary s = collector.result(h.w);
+    const report::WireFigures& f = s.wires.at(0);
+    EXPECT_EQ(f.nodes.start, 6.0);
+    EXPECT_EQ(f.nodes.now, 6.0);
+    EXPECT_EQ(f.nodes.least, 6.0);
+    EXPECT_EQ(f.nodes.most, 7.0);
+    // Rest lengths change a little where a node comes or goes, so that tensions stay.
+    EXPECT_NEAR(f.length.now, 50.0, 1e-3);
+    ASSERT_EQ(f.along.size(), 5U);
+    for (std::size_t k = 0; k < 5; ++k) {
+        const double weight = 9.81 * 40.0 * (4.5 - static_cast<double>(k));
+        EXPECT_LE(f.along[k].least, f.along[k].mean);
+        EXPECT_LE(f.along[k].mean, f.along[k].greatest);
+        EXPECT_NEAR(f.along[k].mean, weight, 0.06 * weight) << k;
+    }
+    EXPECT_NE(report::to_text(s).find("\"rope\": nodes 6 (6 to 7)"), std::string::npos);
+    const auto json = nlohmann::json::parse(report::to_json(s));
+    EXPECT_EQ(json["wires"]["rope"]["nodes"]["most"], 7.0);
+    EXPECT_EQ(json["wires"]["rope"]["tension_along"]["mean"].size(), 5U);
+}
+
+TEST(ReportedWires, AreNoneWhereThereIsNone) {
+    World w;
+    (void)w.add_body({.kind = BodyKind::fixed});
+    const report::WireWatch watch(w);
+    EXPECT_TRUE(watch.result().empty());
+    EXPECT_EQ(report::wires_in_words({}, {}), "");
+}
+
+}  // namespace
+}  // namespace hawser::test
