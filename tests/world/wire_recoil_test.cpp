@@ -68,6 +68,28 @@ TEST(WireRecoil, IsTheSameAtAnyDamping) {
     }
 }
 
+/// The wave is spread over some steps, so that the far end lets go of it by and by: the piece as a
+/// whole is slower than its end. What is missing is what a front of that width loses, less with
+/// shorter steps.
+TEST(WireRecoil, TheWholePieceIsSlowerThanItsEnd) {
+    const double v = kTaut / std::sqrt(kStiff * kDense);
+    double mean[2];
+    for (const int fine : {0, 1}) {
+        Taut t(1, 201, 5.0, 0.1, fine == 0 ? 1.0 / 60 : 1.0 / 240);
+        t.steps(2);
+        t.w.part(t.w.elements(t.wire[0])[100]);
+        t.steps(fine == 0 ? 14 : 56);  // 0.23 s: the wave has come to the end after 0.16 s
+        double sum = 0.0;
+        for (int node = 1; node <= 100; ++node) sum -= t.speed(0, node);
+        mean[fine] = sum / 100.0 / v;
+        EXPECT_NEAR(t.speed(0, 100), -v, 1e-3 * v);
+    }
+    EXPECT_NEAR(mean[0], 0.746, 2e-3);
+    EXPECT_NEAR(mean[1], 0.875, 2e-3);
+    // Half of what is missing at a quarter of the step: the width grows with its square root.
+    EXPECT_NEAR((1.0 - mean[1]) / (1.0 - mean[0]), 0.5, 0.02);
+}
+
 /// Elements that part in the first step, or before it, recoil as others.
 TEST(WireRecoil, BeginsBeforeTheFirstStepToo) {
     double speed[2];
