@@ -200,7 +200,7 @@ Summary SummaryCollector::result(const World& world) const {
         else
             out.cables[c].min = out.cables[c].max = 0.0;
     }
-    out.wires = wires_.result();
+    out.wires = wires_.result(world);
     out.parted = wires_.parted();
     out.state_hash = world.state_hash();
     out.load_end = record::load_average();

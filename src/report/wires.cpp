@@ -16,6 +16,7 @@ namespace hawser::report {
 namespace {
 
 constexpr std::size_t kShares = 20, kMostParted = 100, kShownWires = 20, kShownParted = 8;
+constexpr int kLookEvery = 32;  // Steps.
 
 void follow(Course& course, double now, bool first) {
     if (first) course = {now, now, now, now};
@@ -56,14 +57,33 @@ std::string count_from_to(const Course& c) {
 
 }  // namespace
 
+void WireWatch::look(const World& world, Watched& w, bool first) {
+    const auto elements = world.elements(w.id);
+    const double length = world.length(w.id);
+    follow(w.figures.nodes, nodes_there(world, w.id), first);
+    follow(w.figures.length, length, first);
+    w.elements.assign(elements.begin(), elements.end());
+    w.share.assign(elements.size(), -1);
+    const auto n = static_cast<double>(w.figures.along.size());
+    double s = 0.0;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        if (!world.alive(elements[i])) continue;
+        const double rest = record::rest_length(world, elements[i]);
+        const double middle = n * (s + 0.5 * rest) / std::max(length, 1e-300);
+        w.share[i] = static_cast<std::int32_t>(std::clamp(middle, 0.0, n - 1.0));
+        s += rest;
+    }
+}
+
 WireWatch::WireWatch(const World& world) {
     for (const WireId id : world.wires()) {
         const std::size_t shares = std::clamp<std::size_t>(world.elements(id).size(), 1, kShares);
-        Watched one{id, {}, std::vector<double>(shares, 0.0), std::vector<std::size_t>(shares, 0)};
+        Watched one{.id = id, .figures = {}};
+        one.sum.assign(shares, 0.0);
+        one.counted.assign(shares, 0);
         one.figures.name = world.wire_name(id);
         one.figures.along.assign(shares, {HUGE_VAL, 0.0, -HUGE_VAL});
-        follow(one.figures.nodes, nodes_there(world, id), true);
-        follow(one.figures.length, world.length(id), true);
+        look(world, one, true);
         wires_.push_back(std::move(one));
     }
 }
@@ -73,41 +93,39 @@ void WireWatch::after_step(const World& world, std::span<const Event> events) {
         if (event.kind != EventKind::line_break || parted_.size() >= kMostParted) continue;
         if (world.alive(event.interaction)) parted_.push_back(parted_wire(world, event));
     }
+    const bool due = steps_++ % kLookEvery == 0;
     for (Watched& w : wires_) {
         if (!world.alive(w.id)) continue;
-        WireFigures& f = w.figures;
-        const double length = world.length(w.id);
-        follow(f.nodes, nodes_there(world, w.id), false);
-        follow(f.length, length, false);
-        double s = 0.0;
-        for (const InteractionId element : world.elements(w.id)) {
-            if (!world.alive(element)) continue;
-            const double rest = record::rest_length(world, element);
-            const double share = (s + 0.5 * rest) / std::max(length, 1e-300);
-            s += rest;
-            const auto n = static_cast<double>(f.along.size());
-            const auto k = static_cast<std::size_t>(std::clamp(share * n, 0.0, n - 1.0));
-            const double tension =
-                world.intact(element) ? record::element_tension(world, element) + 0.0 : 0.0;
-            f.along[k].least = std::min(f.along[k].least, tension);
-            f.along[k].greatest = std::max(f.along[k].greatest, tension);
+        const auto elements = world.elements(w.id);
+        if (due ||
+            !std::equal(elements.begin(), elements.end(), w.elements.begin(), w.elements.end()))
+            look(world, w, false);
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            if (w.share[i] < 0 || !world.alive(elements[i])) continue;
+            const auto k = static_cast<std::size_t>(w.share[i]);
+            TensionAlong& along = w.figures.along[k];
+            // Of what has parted it is 0, of what is slack maybe -0.
+            const double tension = 0.0 - world.force(elements[i])[0];
+            along.least = std::min(along.least, tension);
+            along.greatest = std::max(along.greatest, tension);
             w.sum[k] += tension;
             ++w.counted[k];
         }
     }
 }
 
-std::vector<WireFigures> WireWatch::result() const {
+std::vector<WireFigures> WireWatch::result(const World& world) const {
     std::vector<WireFigures> out;
-    for (const Watched& w : wires_) {
-        out.push_back(w.figures);
+    for (Watched w : wires_) {
+        if (world.alive(w.id)) look(world, w, false);
         for (std::size_t k = 0; k < w.sum.size(); ++k)
             if (w.counted[k] > 0)
-                out.back().along[k].mean = w.sum[k] / static_cast<double>(w.counted[k]);
+                w.figures.along[k].mean = w.sum[k] / static_cast<double>(w.counted[k]);
             else
-                out.back().along[k] = {};
+                w.figures.along[k] = {};
         for (const PartedWire& p : parted_)
-            if (p.wire == w.figures.name) out.back().parted.push_back(p);
+            if (p.wire == w.figures.name) w.figures.parted.push_back(p);
+        out.push_back(std::move(w.figures));
     }
     return out;
 }

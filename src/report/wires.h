@@ -7,6 +7,7 @@
 #include <hawser/hawser.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,13 +42,15 @@ struct WireFigures {
     std::vector<PartedWire> parted{};  ///< The first ones, in order.
 };
 
-/// Watches the wires that a world starts with. Costs O(elements) a step.
+/// Watches the wires that a world starts with: tensions in each step, which costs O(elements),
+/// lengths and which share of the wire an element is in every 32 steps and where nodes came or
+/// went.
 class WireWatch {
   public:
     explicit WireWatch(const World& world);
     /// Call after each step with the events of that step.
     void after_step(const World& world, std::span<const Event> events);
-    [[nodiscard]] std::vector<WireFigures> result() const;
+    [[nodiscard]] std::vector<WireFigures> result(const World& world) const;
     /// In the order in which they parted, the first ones.
     [[nodiscard]] const std::vector<PartedWire>& parted() const noexcept { return parted_; }
 
@@ -55,11 +58,16 @@ class WireWatch {
     struct Watched {
         WireId id;
         WireFigures figures;
-        std::vector<double> sum;           ///< By share, of tensions …
-        std::vector<std::size_t> counted;  ///< … of so many elements in all steps.
+        std::vector<InteractionId> elements{};  ///< As looked at last …
+        std::vector<std::int32_t> share{};      ///< … with the share of each; −1: not there.
+        std::vector<double> sum{};              ///< By share, of tensions …
+        std::vector<std::size_t> counted{};     ///< … of so many elements in all steps.
     };
+    static void look(const World& world, Watched& w, bool first);
+
     std::vector<Watched> wires_;
     std::vector<PartedWire> parted_;
+    int steps_ = 0;
 };
 
 /// The lines of a report about them.

@@ -97,7 +97,7 @@ TEST(ReportedWires, AreNoneWhereThereIsNone) {
     World w;
     (void)w.add_body({.kind = BodyKind::fixed});
     const report::WireWatch watch(w);
-    EXPECT_TRUE(watch.result().empty());
+    EXPECT_TRUE(watch.result(w).empty());
     EXPECT_EQ(report::wires_in_words({}, {}), "");
 }
 
