@@ -49,8 +49,10 @@ class ChangeListener {
     /// A change could not be told for want of memory: what was told is not complete.
     virtual void lost() noexcept = 0;
     virtual void parted(InteractionId id) noexcept = 0;  ///< By part(), not by its load.
-    virtual void node_inserted(InteractionId element, double share) noexcept = 0;
+    /// @param mass  As it was given, NaN where it was not.
+    virtual void node_inserted(InteractionId element, double share, double mass) noexcept = 0;
     virtual void node_removed(BodyId node, double bend) noexcept = 0;  ///< By remove_node().
+    virtual void set_mass(BodyId lump, double mass) noexcept = 0;
     /// By restore(), or by copy_state() from a world whose save() this is.
     virtual void restored(std::span<const std::byte> bytes) noexcept = 0;
 };

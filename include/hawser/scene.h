@@ -62,6 +62,7 @@ struct Cable {
     double length = 0.0;                 ///< Unstretched length [m].
     double diameter = 0.0;  ///< Of its line type, for pictures and winches [m]; 0 = not given.
     double mass_per_length = 0.0;  ///< [kg/m].
+    WireTrim trim{};               ///< Of elements that a winch adds.
     std::string color;             ///< For pictures; "" = not given.
     /// Material coordinates between which it starts on its key "seabed" [m]; NaN: it does not.
     double laid_from = kDefault, laid_to = kDefault;

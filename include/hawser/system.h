@@ -283,6 +283,22 @@ class Prestep {
     Hands& hands_;
 };
 
+/// Nodes of wires that come and go before a step begins (System::before_step()). Unlike Edits they
+/// are made at once: loads and inputs of the step meet the wire as it is then. They stay where the
+/// step fails. Recordings keep them.
+class NodeEdits {
+  public:
+    explicit NodeEdits(World& of) noexcept : world(of), world_(of) {}
+    const World& world;  ///< As the last step left it, and earlier edits.
+    /// As World::insert_node(). @return the lump; invalid: the world refused it, or has no memory.
+    BodyId insert_node(InteractionId element, double share, double mass = kDefault) noexcept;
+    /// As World::remove_node(). @return whether it went.
+    bool remove_node(BodyId node, double bend = 0.05) noexcept;
+
+  private:
+    World& world_;
+};
+
 /// Acts on a world at the beginning of each step.
 class System {
   public:
@@ -295,6 +311,8 @@ class System {
     [[nodiscard]] virtual std::string_view name() const noexcept = 0;
     /// Once a step. Allocates nothing once it is warm.
     virtual void prestep(Prestep& now, Loads& loads) noexcept = 0;
+    /// Before a step begins, in the same order; prestep() of all of them follows.
+    virtual void before_step(NodeEdits& nodes) noexcept { static_cast<void>(nodes); }
     /// All numbers that later steps depend on, in a fixed order and number: they are saved,
     /// restored, hashed, copied to twins, and taken back where a step fails.
     virtual void visit_state(StateVisitor& visitor) { static_cast<void>(visitor); }

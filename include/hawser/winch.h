@@ -12,6 +12,12 @@
 /// world.set_system_signal("winch.mode", 1.0);      // constant tension from now on
 /// world.set_system_signal("winch.tension", 4e5);   // [N]
 /// ```
+/// *Nodes.* The element at the drum grows and shrinks. Where the wire's elements have a mass
+/// (WireDef::consistent_mass) the winch puts a node on it when it has half more than `element`, and
+/// takes the nearest node away when a quarter is left, so that what runs out has mass, contacts and
+/// shape. What lies between the fairlead and the first node loads both with half of its weight,
+/// mass and drag: `pull` is the tension at the fairlead, and does not jump where a node comes.
+///
 /// A winch is a System (system.h). Its drum is a scalar body with the coordinate θ [rad], which
 /// grows where wire is paid out; the wire's end becomes an element of rest length
 /// l = length + r (θ − drum_zero), r the radius of the layer that the wire comes from. Forces on
@@ -19,8 +25,8 @@
 ///
 /// Signals, as "name.signal". Inputs: `mode` (WinchMode as a number), `speed` [m/s], `tension` [N],
 /// `brake` 0 to 1, `clutch` 0 or 1. Outputs: `layer`, `wraps`, `wire_left` [m], `radius` [m],
-/// `across` [m], `pull` [N], `pull_limit` [N], `inertia` [kg m²], `slip` [m], `heat` [J], `state`
-/// (WinchState as a number).
+/// `across` [m], `at_drum` [m] (wire of the element at the drum), `pull` [N], `pull_limit` [N],
+/// `inertia` [kg m²], `slip` [m], `heat` [J], `state` (WinchState as a number).
 
 #include <hawser/id.h>
 #include <hawser/interactions.h>
@@ -73,6 +79,8 @@ struct WinchDef {
     double wire_diameter = 0.0;       ///< Required.
     double layer_pitch = kDefault;    ///< Of one layer above the last; the wire's diameter.
     double mass_per_length = 0.0;     ///< Of the wire [kg/m]: what lies on the drum turns with it.
+    double element = kDefault;        ///< Length of what it pays out [m]; that of the element at
+                                      ///< the drum now; 0: the winch makes no nodes.
     double stored = 0.0;              ///< On the drum at the start. Required.
     double inertia = 0.0;        ///< Of the bare drum and what turns with it [kg m²]. Required.
     double motor_inertia = 0.0;  ///< Of motor and gear, at the drum [kg m²]: by the clutch.
@@ -107,7 +115,8 @@ struct WinchIds {
 };
 
 /// What World::add() of it calls. @throws DefError on what is missing or out of range, a name that
-/// is taken, a wire's end that lies on a drum already, a drum that holds less than `stored`, or
+/// is taken, a wire's end that lies on a drum already, elements to be paid out where the wire has
+/// none of a mass, a drum that holds less than `stored`, or
 /// whose radius is below 2.5 wire diameters.
 WinchIds define(World& world, const WinchDef& def);
 

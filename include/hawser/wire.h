@@ -21,7 +21,10 @@
 /// - World::insert_node() puts a lump on an element at a share of it, 0 to 1 from its first body,
 ///   and returns it. The element ends there from now on, a new one goes on. Mass, momentum, angular
 ///   momentum and energy stay to rounding, under gravity but for the sag that balances its weight,
-///   and tensions go on.
+///   and tensions go on. Of an element that a drum pays out `mass` [kg] is to be told, of which no
+///   lump has any: its winch loads both ends with half (WinchDef::element). It stays at the drum,
+///   the new element takes what lies beyond the node, and lumps have half of that. Such a node goes
+///   as others do, whatever it takes along; the drum's winch takes over the new element's mass.
 /// - World::remove_node() takes away a lump that two elements hold and nothing else but bends; the
 ///   first goes on to the next node. The same stay, energy at most is lost. It returns false and
 ///   has done nothing where the elements there are at an angle above `bend` [rad], or the lump
@@ -34,10 +37,17 @@
 #include <hawser/math.h>
 #include <hawser/shapes.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace hawser {
+
+/// What elements of a wire have besides their law, for those that come later.
+struct WireTrim {
+    double EI = 0.0;                    ///< Bending stiffness [N m²]; 0: none.
+    std::optional<ShapeDef> segment{};  ///< Capsule between lumps; its bodies do not matter.
+};
 
 /// A wire of equal elements. A definition: World::add_wire copies it whole.
 struct WireDef {

@@ -268,10 +268,15 @@ class World {
     WireId add_wire(const WireDef& def);
     /// Elements that there are, end to end, become a wire that does not own them.
     /// @throws DefError where one is no element of a wire or does not begin where the last ended.
-    WireId adopt_wire(const std::string& name, std::span<const InteractionId> elements);
+    WireId adopt_wire(const std::string& name, std::span<const InteractionId> elements,
+                      const WireTrim& trim = {});
+    /// Mass of a lump [kg], with which its drag and its applied force grow or shrink: more or less
+    /// of the same material. @throws DefError where it is no lump, or the mass not positive.
+    void set_mass(BodyId lump, double mass);
     /// The first (0) or last (1) element of a wire becomes one that a drum pays out, with the same
     /// name, ends, length and law: length + radius (coordinate of the drum − that of now). Loads of
-    /// friction by the element end. @return it. @throws DefError where the end is wound up already,
+    /// friction by the element end; of its mass (StretchDef::mass) lumps have no half any more.
+    /// @return it. @throws DefError where the end is wound up already,
     /// the element is gone or has parted, or the drum is no scalar body.
     InteractionId wind_up(WireId id, int end, BodyId drum, double radius);
     /// What add_wire() made goes with it. @return as remove_body().
@@ -290,8 +295,9 @@ class World {
     /// An element parts, with an event; what it held counts as damped (Energy).
     void part(WireId id, double s);
     void part(InteractionId id);  ///< Once. @throws DefError where it is no element.
-    BodyId insert_node(InteractionId element, double share);  ///< Nodes come and go: wire.h.
-    bool remove_node(BodyId node, double bend = 0.05);        ///< @return whether it went.
+    BodyId insert_node(InteractionId element, double share, double mass = kDefault);  ///< wire.h.
+    bool remove_node(BodyId node, double bend = 0.05);  ///< @return whether it went.
+    [[nodiscard]] WireId wire_of(InteractionId element) const noexcept;  ///< Invalid: of none.
 
     // --- Cuts (docs/methods.md, 10) ---------------------------------------------------------
     /// Group of a body from the next step on (BodyDef::group).

@@ -39,8 +39,9 @@ enum class ChangeKind : std::uint8_t {
     part,
     insert_node,
     remove_node,
+    set_mass,
 };
-inline constexpr int kChangeKindCount = 24;
+inline constexpr int kChangeKindCount = 25;
 
 template <class D, class T>
 concept FieldsOf = std::same_as<std::remove_const_t<D>, T>;

@@ -150,10 +150,14 @@ void apply_one(ChangeKind kind, ByteReader& in, World& world) {
         world.part(get.value<InteractionId>());
     } else if (kind == ChangeKind::insert_node) {
         const auto element = get.value<InteractionId>();
-        (void)world.insert_node(element, get.value<double>());
+        const double share = get.value<double>();
+        (void)world.insert_node(element, share, get.value<double>());
     } else if (kind == ChangeKind::remove_node) {
         const auto node = get.value<BodyId>();
         (void)world.remove_node(node, get.value<double>());
+    } else if (kind == ChangeKind::set_mass) {
+        const auto lump = get.value<BodyId>();
+        world.set_mass(lump, get.value<double>());
     } else {
         world.restore(in.take(in.get<std::uint32_t>()));
     }

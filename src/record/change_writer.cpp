@@ -212,12 +212,20 @@ void ChangeBytes::parted(InteractionId id) noexcept {
         put(id);
     });
 }
-void ChangeBytes::node_inserted(InteractionId element, double share) noexcept {
+void ChangeBytes::set_mass(BodyId lump, double mass) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::set_mass);
+        put(lump);
+        put(mass);
+    });
+}
+void ChangeBytes::node_inserted(InteractionId element, double share, double mass) noexcept {
     other_bodies_ = true;
     write([&](PutFields& put) {
         begin(put, ChangeKind::insert_node);
         put(element);
         put(share);
+        put(mass);
     });
 }
 void ChangeBytes::node_removed(BodyId node, double bend) noexcept {

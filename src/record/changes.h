@@ -39,8 +39,9 @@ class ChangeBytes : public ChangeListener {
     void degraded(const Degradation& degradation) noexcept override;
     void lost() noexcept override { failed_ = true; }
     void parted(InteractionId id) noexcept override;
-    void node_inserted(InteractionId element, double share) noexcept override;
+    void node_inserted(InteractionId element, double share, double mass) noexcept override;
     void node_removed(BodyId node, double bend) noexcept override;
+    void set_mass(BodyId lump, double mass) noexcept override;
     void restored(std::span<const std::byte> bytes) noexcept override;
 
     /// All since the last clear(), in order.

@@ -20,6 +20,8 @@ class Builder {
         cable_.diameter = c_.diameter;
         cable_.mass_per_length = c_.mass_per_length;
         cable_.color = c_.color;
+        cable_.trim.EI = c_.EI;
+        if (c_.touches) cable_.trim.segment = c_.contact;
         cable_.from_point = c_.from.local;
         cable_.to_point = c_.to.local;
         cable_.laid_from = c_.laid_from;

@@ -107,7 +107,7 @@ class Builder {
         }
         for (const Cable& cable : description_.cables) {
             if (!cable.links) {
-                world.adopt_wire(cable.name, cable.stretch);
+                world.adopt_wire(cable.name, cable.stretch, cable.trim);
             }
         }
         for (std::size_t i = 0; i < description_.winches.size(); ++i) {

@@ -23,6 +23,9 @@ constexpr WinchNumber kNumbers[] = {
     {"wire_diameter", &WinchDef::wire_diameter, "m", "of the line type", "Of the wire.", 0.0, kFar},
     {"layer_pitch", &WinchDef::layer_pitch, "m", "the wire's diameter",
      "Of one layer above the last.", 0.0, kFar},
+    {"element", &WinchDef::element, "m", "of the cable",
+     "Length of the elements that it pays out; 0: the element at the drum grows and shrinks.", 0.0,
+     1e6},
     {"stored", &WinchDef::stored, "m", "", "Wire on the drum at the start.", 0.0, 1e6},
     {"inertia", &WinchDef::inertia, "kg m^2", "", "Of the bare drum and what turns with it.", 0.0,
      kHeavy},
@@ -69,6 +72,32 @@ const Cable& cable_of(const Description& out, const Scope& scope, const Json& js
                    "there is no cable " + in_quotes(name) + suggestion(name, known));
 }
 
+/// Elements move as straight pieces, of which nodes may take a share; what lies at the drum is its
+/// winch's (WinchDef::element).
+void give_mass(Description& out, const Cable& cable, const WinchDef& winch, const Place& place) {
+    const auto element = [&](InteractionId id) -> InteractionDef& {
+        return out.interactions[static_cast<std::size_t>(id.index)];
+    };
+    for (const InteractionId id : cable.stretch) {
+        InteractionDef& d = element(id);
+        if (kind_info(d.kind).is(kWoundUp) || !std::isnan(d.get("mass"))) continue;
+        d.set("mass", cable.mass_per_length * d.get("length"));
+    }
+    const InteractionDef& at_drum =
+        element(winch.end == 0 ? cable.stretch.front() : cable.stretch.back());
+    const BodyId next = at_drum.body[winch.end == 0 ? 1 : 0];
+    BodyDef& lump = out.bodies[static_cast<std::size_t>(next.index)];
+    if (lump.kind != BodyKind::lump) return;
+    const double mass = lump.mass - 0.5 * cable.mass_per_length * at_drum.get("length");
+    if (!(mass > 1e-6 * lump.mass))
+        refuse(place / "cable", "both ends of the cable " + in_quotes(cable.name) +
+                                    " are wound up: give it at least three elements");
+    const double scale = mass / lump.mass;
+    lump.mass = mass;
+    lump.linear_damping *= scale;
+    lump.force *= scale;
+}
+
 void read_winch(Description& out, const Scope& scope, const Json& json, const Place& place) {
     Winch winch;
     WinchDef& def = winch.def;
@@ -94,6 +123,12 @@ void read_winch(Description& out, const Scope& scope, const Json& json, const Pl
         refuse(place / (json.contains("end") ? "end" : "cable"),
                "this end of the cable " + in_quotes(cable.name) +
                    " lies on a drum already; one winch an end");
+    if (cable.stretch.size() == 1 && def.end == 1 && !(def.element == 0.0))
+        refuse(place / "end",
+               "a cable of one element is wound up from its first end; change its ends, give it "
+               "two elements, or the winch \"element\": 0");
+    if (std::isnan(def.element)) def.element = d.get("length");
+    if (def.element > 0.0) give_mass(out, cable, def, place);
     BodyDef drum{.name = def.name + "/drum", .kind = BodyKind::scalar};
     drum.mass = def.inertia;
     drum.gravity = false;

@@ -61,6 +61,23 @@ bool is_of_material(const StepContext& ctx, std::int32_t element) noexcept {
            !kind_info(in.kinds[at(element)]).is(kWoundUp);
 }
 
+bool is_wound(const StepContext& ctx, std::int32_t element) noexcept {
+    return kind_info(ctx.model.interactions.kinds[at(element)]).is(kWoundUp);
+}
+std::size_t drum_side(const StepContext& ctx, std::int32_t element) noexcept {
+    return is_lump(ctx, end_of(ctx, element, 0)) ? 1 : 0;
+}
+Vec3 inflow_of(const StepContext& ctx, std::int32_t element, double beyond,
+               const base::Array<double>& packed) noexcept {
+    const model::Bodies& b = ctx.model.bodies;
+    const auto drum = at(end_of(ctx, element, 2));
+    const std::size_t side = drum_side(ctx, element);
+    const Vec3 chord = point_of(ctx, element, 1 - side) - point_of(ctx, element, side);
+    const double speed =
+        ctx.model.interactions.def[at(element)].get("radius") * packed[at(b.dof_begin[drum])];
+    return beyond * speed / ctx.model.interactions.rest_length[at(element)] * chord;
+}
+
 Vec3 point_of(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
     const double* x = &ctx.model.bodies.x[3 * at(end_of(ctx, id, slot))];
     return Vec3(x[0], x[1], x[2]) + arm_of(ctx, id, slot);
@@ -87,12 +104,54 @@ double stiffness_of(const StepContext& ctx, std::int32_t id) noexcept {
     return in.rest_length[at(id)] / in.epsilon[at(in.row_begin[at(id)])];
 }
 
+double rate_of(const StepContext& ctx, std::int32_t id) noexcept {
+    const model::Bodies& b = ctx.model.bodies;
+    const Vec3 u = (point_of(ctx, id, 1) - point_of(ctx, id, 0)).normalized();
+    double rate = u.dot(speed_of(ctx, id, 1, b.v) - speed_of(ctx, id, 0, b.v));
+    if (is_wound(ctx, id))
+        rate -= ctx.model.interactions.def[at(id)].get("radius") *
+                b.v[at(b.dof_begin[at(end_of(ctx, id, 2))])];
+    return rate;
+}
+/// τ of the step's formula at an even rate, which damps stiff rows of its own (row_constants.h):
+/// λ = −(h/ε)(g + (h/4)(1/Υ − recall) ġ).
+double damping_time_of(const StepContext& ctx, std::int32_t id) noexcept {
+    const model::Interactions& in = ctx.model.interactions;
+    const auto row = at(in.row_begin[at(id)]);
+    return 0.25 * ctx.model.def.step * (1.0 / in.upsilon[row] - in.recall[row]);
+}
+double force_of(const StepContext& ctx, std::int32_t id) noexcept {
+    const model::Interactions& in = ctx.model.interactions;
+    const auto row = at(in.row_begin[at(id)]);
+    const double length = (point_of(ctx, id, 1) - point_of(ctx, id, 0)).norm();
+    const double pull =
+        (length - in.rest_length[at(id)] + damping_time_of(ctx, id) * rate_of(ctx, id)) /
+        in.epsilon[row];
+    return (in.flags[at(id)] & model::kOneSided) ? std::max(0.0, pull) : pull;
+}
+double rest_for(const StepContext& ctx, std::int32_t id, double force, double stiffness) noexcept {
+    const double length = (point_of(ctx, id, 1) - point_of(ctx, id, 0)).norm();
+    const double damped = damping_time_of(ctx, id) * rate_of(ctx, id);
+    // A rate that would move as much as the element is long is no stretch of it.
+    constexpr double kMost = 0.1;
+    return (length + std::clamp(damped, -kMost * length, kMost * length)) /
+           (1.0 + force / stiffness);
+}
+
 Vec3 weight_of(const StepContext& ctx, std::int32_t id, double mass) noexcept {
+    const model::Bodies& b = ctx.model.bodies;
+    Vec3 applied = Vec3::Zero();
+    int lumps = 0;
     for (std::size_t slot = 0; slot < 2; ++slot) {
-        const std::int32_t body = end_of(ctx, id, slot);
-        if (is_lump(ctx, body) && ctx.model.bodies.weight[at(body)] == 0) return Vec3::Zero();
+        const auto body = at(end_of(ctx, id, slot));
+        if (!is_lump(ctx, static_cast<std::int32_t>(body))) continue;
+        if (b.weight[body] == 0) return Vec3::Zero();
+        for (std::size_t k = 0; k < 3; ++k)
+            applied[static_cast<int>(k)] += b.force[6 * body + k] / b.mass[body];
+        ++lumps;
     }
-    return mass * ctx.model.def.gravity;
+    if (lumps > 1) applied *= 0.5;
+    return mass * (ctx.model.def.gravity + applied);
 }
 
 Vec3 sag_of(const Vec3& chord, double share, const Vec3& weight, double tension) noexcept {
@@ -113,8 +172,10 @@ void set_element(StepContext& ctx, std::int32_t id, double rest, double mass,
     const double before = in.rest_length[at(id)];
     d.params[0] = rest;
     const auto row = at(in.row_begin[at(id)]);
-    // A fraction of critical damping: the shorter, the less of it.
-    if (in.row_flags[row] & model::kRowDamper) {
+    if (is_wound(ctx, id)) {
+        d.set("drum_zero", ctx.model.bodies.x[3 * at(end_of(ctx, id, 2))]);
+    } else if (in.row_flags[row] & model::kRowDamper) {
+        // A fraction of critical damping: the shorter, the less of it.
         d.damping_time[0] *= rest / before;
         in.tau[row] = d.damping_time[0];
     }

@@ -25,6 +25,15 @@ struct NodeLinks {
 /// Whether its compliance is that of its length, and not one that was given or a drum's.
 [[nodiscard]] bool is_of_material(const StepContext& ctx, std::int32_t element) noexcept;
 
+/// Whether a drum pays it out; then which end is at the drum's fairlead, the one that no lump
+/// holds.
+[[nodiscard]] bool is_wound(const StepContext& ctx, std::int32_t element) noexcept;
+[[nodiscard]] std::size_t drum_side(const StepContext& ctx, std::int32_t element) noexcept;
+/// Velocity by material that comes in at the fairlead, of a place that keeps a share of it beyond
+/// [m/s].
+[[nodiscard]] Vec3 inflow_of(const StepContext& ctx, std::int32_t element, double beyond,
+                             const base::Array<double>& packed) noexcept;
+
 /// Where an element is held [m], and how fast that moves [m/s].
 [[nodiscard]] Vec3 point_of(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept;
 [[nodiscard]] Vec3 speed_of(const StepContext& ctx, std::int32_t id, std::size_t slot,
@@ -34,13 +43,25 @@ struct NodeLinks {
 [[nodiscard]] double tension_of(const StepContext& ctx, std::int32_t id) noexcept;
 [[nodiscard]] double stiffness_of(const StepContext& ctx, std::int32_t id) noexcept;
 
-/// Weight that a lump of some mass has on an element [N].
+/// How fast an element is stretched, without what a drum pays out [m/s].
+[[nodiscard]] double rate_of(const StepContext& ctx, std::int32_t id) noexcept;
+/// What the step damps an element with [s].
+[[nodiscard]] double damping_time_of(const StepContext& ctx, std::int32_t id) noexcept;
+/// Force of law and damper [N], 0 while it is slack; and the rest length with which it has a given
+/// one at the present length and rate [m].
+[[nodiscard]] double force_of(const StepContext& ctx, std::int32_t id) noexcept;
+[[nodiscard]] double rest_for(const StepContext& ctx, std::int32_t id, double force,
+                              double stiffness) noexcept;
+
+/// Weight that a lump of some mass has on an element [N], with the forces that act on lumps at its
+/// ends by their mass (buoyancy).
 [[nodiscard]] Vec3 weight_of(const StepContext& ctx, std::int32_t id, double mass) noexcept;
 /// How far below the chord of an element forces balance a lump at the share σ of it [m].
 [[nodiscard]] Vec3 sag_of(const Vec3& chord, double share, const Vec3& weight,
                           double tension) noexcept;
 
-/// An element has another rest length and mass, and pulls with a tension.
+/// An element has another rest length and mass, and pulls with a tension. Of one at a drum the rest
+/// length is that at the drum's present coordinate; its mass and drag are its winch's.
 void set_element(StepContext& ctx, std::int32_t id, double rest, double mass,
                  double tension) noexcept;
 

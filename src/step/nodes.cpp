@@ -102,22 +102,26 @@ bool find_place(const StepContext& ctx, NodePlace& place) noexcept {
     return a != b;
 }
 
-NodeDef node_on(const StepContext& ctx, std::int32_t element, double share) noexcept {
+NodeDef node_on(const StepContext& ctx, std::int32_t element, double share, double mass) noexcept {
     NodeDef out;
     const Vec3 a = point_of(ctx, element, 0), b = point_of(ctx, element, 1);
-    const double mass = mass_of_element(ctx, element);
-    out.mass = 0.5 * mass;
+    const bool wound = is_wound(ctx, element);
+    const std::size_t drum = wound ? drum_side(ctx, element) : 0;
+    const double own = drum == 0 ? 1.0 - share : share;  // of the piece that a drum gives away
+    out.mass = 0.5 * mass * (wound ? own : 1.0);
     out.velocity = (1.0 - share) * speed_of(ctx, element, 0, ctx.model.bodies.v) +
                    share * speed_of(ctx, element, 1, ctx.model.bodies.v);
+    if (wound) out.velocity += inflow_of(ctx, element, own, ctx.model.bodies.v);
     for (std::size_t slot = 0; slot < 2; ++slot) {
         const std::int32_t body = end_of(ctx, element, slot);
         if (!is_lump(ctx, body)) continue;
-        const double part = 0.5 * mass * (slot == 0 ? 1.0 - share : share);
-        out.damping += part / ctx.model.bodies.mass[at(body)] * damping_of(ctx, body);
+        const double part = wound ? out.mass : 0.5 * mass * (slot == 0 ? 1.0 - share : share);
+        out.of_end[slot] = part / ctx.model.bodies.mass[at(body)];
+        out.damping += out.of_end[slot] * damping_of(ctx, body);
     }
     out.position =
         (1.0 - share) * a + share * b +
-        sag_of(b - a, share, weight_of(ctx, element, out.mass), tension_of(ctx, element));
+        sag_of(b - a, share, weight_of(ctx, element, 0.5 * mass), tension_of(ctx, element));
     return out;
 }
 
@@ -131,26 +135,32 @@ void end_node_edit(StepContext& ctx, const NodePlace& place, const NodeLedger& w
     for (std::size_t k = 0; k < all.lumps; ++k) disturb(ctx.model, all.lump[k]);
 }
 
-void settle_node(StepContext& ctx, const NodePlace& place, double share) noexcept {
+void settle_node(StepContext& ctx, const NodePlace& place, std::int32_t old, double share,
+                 double mass) noexcept {
     model::Interactions& in = ctx.model.interactions;
     model::Bodies& bodies = ctx.model.bodies;
     const std::int32_t e = place.first, f = place.second, n = place.node;
-    const std::int32_t a = end_of(ctx, e, 0), b = end_of(ctx, e, 1);
-    const double mass = mass_of_element(ctx, e), stiffness = stiffness_of(ctx, e);
-    const double tension = tension_of(ctx, e), rest = in.rest_length[at(e)];
-    const Vec3 u = (point_of(ctx, e, 1) - point_of(ctx, e, 0)).normalized();
-    const double along = weight_of(ctx, e, 0.5 * mass).dot(u);
+    const bool wound = is_wound(ctx, old);
+    const double stiffness = stiffness_of(ctx, old);
+    const double tension = wound ? force_of(ctx, old) : tension_of(ctx, old);
+    const double rest = in.rest_length[at(old)];
+    const Vec3 u = (point_of(ctx, old, 1) - point_of(ctx, old, 0)).normalized();
+    const double along = weight_of(ctx, old, 0.5 * mass).dot(u);
+    const std::size_t drum = wound ? drum_side(ctx, old) : 0;
+    const double own_of_piece = drum == 0 ? 1.0 - share : share;
     for (std::size_t slot = 0; slot < 2; ++slot) {
-        const std::int32_t body = slot == 0 ? a : b;
-        const double less = 0.5 * mass * (slot == 0 ? 1.0 - share : share);
-        if (is_lump(ctx, body))
-            add_mass(ctx, body, -less, -less / bodies.mass[at(body)] * damping_of(ctx, body));
+        const std::int32_t body = end_of(ctx, old, slot);
+        if (!is_lump(ctx, body)) continue;
+        const double more =
+            wound ? 0.5 * mass * own_of_piece : -0.5 * mass * (slot == 0 ? 1.0 - share : share);
+        add_mass(ctx, body, more, more / bodies.mass[at(body)] * damping_of(ctx, body));
     }
-    const Vec3 ahead = (1.0 - share) * speed_of(ctx, e, 0, bodies.v_start) +
-                       share * speed_of(ctx, e, 1, bodies.v_start);
+    Vec3 ahead = (1.0 - share) * speed_of(ctx, old, 0, bodies.v_start) +
+                 share * speed_of(ctx, old, 1, bodies.v_start);
+    if (wound) ahead += inflow_of(ctx, old, own_of_piece, bodies.v_start);
     for (std::size_t k = 0; k < 3; ++k)
         bodies.v_start[at(bodies.dof_begin[at(n)]) + k] = ahead[static_cast<int>(k)];
-    in.rewire(e, 1, bodies.id(n), bodies);
+    in.rewire(old, old == e ? 1 : 0, bodies.id(n), bodies);
     const bool pulls = tension > 0.0;
     const double pull[2] = {tension + (pulls ? along * (1.0 - share) : 0.0),
                             tension - (pulls ? along * share : 0.0)};
@@ -158,11 +168,13 @@ void settle_node(StepContext& ctx, const NodePlace& place, double share) noexcep
     for (std::size_t k = 0; k < 2; ++k) {
         const double own = k == 0 ? share : 1.0 - share;
         const double length = (point_of(ctx, part[k], 1) - point_of(ctx, part[k], 0)).norm();
-        set_element(ctx, part[k], pulls ? length / (1.0 + pull[k] / stiffness) : own * rest,
-                    own * mass, pull[k]);
+        const double taut = wound ? rest_for(ctx, part[k], pull[k], stiffness)
+                                  : length / (1.0 + pull[k] / stiffness);
+        set_element(ctx, part[k], pulls ? taut : own * rest, own * mass, pull[k]);
     }
-    in.active[at(f)] = in.active[at(e)];
-    in.alert[at(f)] = in.alert[at(e)];
+    const std::int32_t other = old == e ? f : e;
+    in.active[at(other)] = in.active[at(old)];
+    in.alert[at(other)] = in.alert[at(old)];
     if (place.bend[0] >= 0) in.rewire(place.bend[0], 2, bodies.id(n), bodies);
     if (place.bend[2] >= 0) in.rewire(place.bend[2], 0, bodies.id(n), bodies);
     set_bend(ctx, place.bend[0], place.before[0], e);

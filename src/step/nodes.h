@@ -17,6 +17,13 @@
 ///
 /// *Out.* e then spans the chord a–b: node_release.cpp.
 ///
+/// *At a drum.* The element that a drum pays out (WinchStretch) has the material M [kg] that its
+/// winch knows, of which no lump has anything: the winch loads both ends with half (winch.h). A
+/// node takes a piece f of its own off the far end, at the share σ of M from the fairlead; n and
+/// the lump beyond have half of f. As material comes in at the fairlead with the speed rω, the
+/// place of n moves with the velocity (1 − σ)(v_a + rω (b − a)/l) + σ v_b, l the rest length, and
+/// the strain rates of both parts are that of the whole. Going: node_drum.cpp.
+///
 /// *Material.* The mass of an element is that of its material, and is shared as σ. Rest lengths
 /// follow forces and are no account of it.
 ///
@@ -38,10 +45,11 @@ struct StepContext;
 
 /// What a lump on an element will be.
 struct NodeDef {
-    double mass = 0.0;       ///< [kg]
-    Vec3 position{0, 0, 0};  ///< [m]
-    Vec3 velocity{0, 0, 0};  ///< [m/s]
-    Vec3 damping{0, 0, 0};   ///< What it takes of the drag of both ends [N s/m].
+    double mass = 0.0;          ///< [kg]
+    Vec3 position{0, 0, 0};     ///< [m]
+    Vec3 velocity{0, 0, 0};     ///< [m/s]
+    Vec3 damping{0, 0, 0};      ///< What it takes of the drag of both ends [N s/m].
+    double of_end[2] = {0, 0};  ///< What it takes of what acts on the lumps at the ends.
 };
 
 /// What the energies were before an edit [J].
@@ -54,20 +62,25 @@ struct NodeLedger {
 /// ends, or holds something else, too.
 [[nodiscard]] bool find_place(const StepContext& ctx, NodePlace& place) noexcept;
 
-/// @param share  σ of e.
-[[nodiscard]] NodeDef node_on(const StepContext& ctx, std::int32_t element, double share) noexcept;
+/// @param share  σ of e. @param mass  Of the element [kg].
+[[nodiscard]] NodeDef node_on(const StepContext& ctx, std::int32_t element, double share,
+                              double mass) noexcept;
 
 /// Before anything of the place changes.
 [[nodiscard]] NodeLedger begin_node_edit(const StepContext& ctx, const NodePlace& place) noexcept;
 
-/// n, f and the bend at n have been added: e ends at n, and all have their masses, lengths and
-/// forces.
-void settle_node(StepContext& ctx, const NodePlace& place, double share) noexcept;
+/// n, the other element and the bend at n have been added: `old` ends at n, and all have their
+/// masses, lengths and forces. @param old  The element that was there, e or f. @param mass  It had.
+void settle_node(StepContext& ctx, const NodePlace& place, std::int32_t old, double share,
+                 double mass) noexcept;
 
 /// e goes on to b, and the motion about n is that of the wire without it. The caller removes f, n
 /// and the bend at n. @param bend  Angle between e and f up to which that is done [rad].
 /// @return false: it is more, or energy would grow; nothing has changed.
 [[nodiscard]] bool release_node(StepContext& ctx, const NodePlace& place, double bend) noexcept;
+/// As release_node(), where the element of the place that stays lies on a drum.
+[[nodiscard]] bool release_drum_node(StepContext& ctx, const NodePlace& place,
+                                     double bend) noexcept;
 
 /// What the edit changed is driven. @param place  As it is now.
 void end_node_edit(StepContext& ctx, const NodePlace& place, const NodeLedger& was) noexcept;

@@ -15,6 +15,8 @@ namespace hawser::validate {
 // wires_catenary.cpp
 void case_wire_catenary(Report& report);
 void case_wire_touchdown(Report& report);
+// payout.cpp
+void case_payout(Report& report);
 // wires_events.cpp
 void case_wire_events(Report& report);
 // wires_waves.cpp

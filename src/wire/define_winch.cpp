@@ -113,7 +113,6 @@ InteractionId wound_end(const World& world, const WinchDef& def) {
         refuse(def, "inertia = " + number(def.inertia) + " kg m^2, but its drum's mass is " +
                         number(mass) + "; give the same");
     const auto elements = world.elements(def.wire);
-    if (def.end != 0 && def.end != 1) refuse(def, "end must be 0, the first one, or 1");
     const InteractionId id = def.end == 0 ? elements.front() : elements.back();
     if (!world.alive(id) || !kind_info(world.interaction_def(id).kind).is(kWoundUp) ||
         world.interaction_def(id).body[2] != def.drum)
@@ -121,6 +120,33 @@ InteractionId wound_end(const World& world, const WinchDef& def) {
                "this end of its wire does not lie on its drum; leave out the drum to have "
                "both made");
     return id;
+}
+
+/// Length of the elements that it pays out [m]; 0: it makes no nodes. @throws DefError
+double element_of(const World& world, const WinchDef& def) {
+    const auto elements = world.elements(def.wire);
+    const InteractionId at_drum = def.end == 0 ? elements.front() : elements.back();
+    double mass = 0.0;  // of an element that has some of its own
+    for (const InteractionId id : elements)
+        if (world.alive(id) && world.interaction_def(id).kind == InteractionKind::Stretch)
+            mass = std::max(mass, world.interaction_def(id).get("mass"));
+    const bool asked = !std::isnan(def.element);
+    if (asked && def.element == 0.0) return 0.0;
+    if (asked) check_number(def, "element", def.element, 0.0, true);
+    const bool wound = kind_info(world.interaction_def(at_drum).kind).is(kWoundUp);
+    const bool single = wound && elements.size() == 1;  // of which all is the drum's
+    if ((!(mass > 0.0) && !(asked && single)) || !(def.mass_per_length > 0.0)) {
+        if (!asked) return 0.0;
+        refuse(def, mass > 0.0 || single
+                        ? "element: it makes nodes of its wire's mass_per_length; give one"
+                        : "element: its wire's elements have no mass of their own that nodes "
+                          "could take (consistent_mass)");
+    }
+    if (elements.size() == 1 && def.end == 1)
+        refuse(def,
+               "a wire of one element is wound up from its first end; name its ends the other "
+               "way round, or give it two elements");
+    return asked ? def.element : world.interaction_def(at_drum).get("length");
 }
 
 /// What the system drives, of which of its parts, and how that is called.
@@ -150,7 +176,8 @@ wire::WinchInputs add_inputs(World& world, const WinchDef& def, const WinchIds& 
 
 }  // namespace
 
-WinchIds define(World& world, const WinchDef& def) {
+WinchIds define(World& world, const WinchDef& given_def) {
+    WinchDef def = given_def;
     if (def.name.empty()) throw DefError("a winch needs a name");
     if (world.find_system(def.name) != nullptr) refuse(def, "the name is taken; names are unique");
     check_numbers(def);
@@ -162,6 +189,8 @@ WinchIds define(World& world, const WinchDef& def) {
     for (const Driven& d : kDriven)
         if (world.find_input(def.name + d.name).valid())
             refuse(def, "there is an input '" + def.name + d.name + "' already; rename one");
+    if (def.end != 0 && def.end != 1) refuse(def, "end must be 0, the first one, or 1");
+    def.element = element_of(world, def);
     WinchIds ids;
     const bool given = def.drum.valid();
     if (given) {
@@ -180,14 +209,15 @@ WinchIds define(World& world, const WinchDef& def) {
                                                 .friction = AxisFriction{.bound = 0.0}});
         ids.motor = parts.motor;
         ids.brake = parts.friction;
-        const double radius = drum.place(def.stored).radius;
+        const double radius = drum.leaving_radius(def.stored);
         if (!given) ids.line = world.wind_up(def.wire, def.end, ids.drum, radius);
         const wire::WinchInputs inputs = add_inputs(world, def, ids);
         if (given) {
             world.set_input(inputs.drum_zero, world.pose(ids.drum).position.x());
             world.set_input(inputs.radius, radius);
         }
-        world.add_system(std::make_unique<wire::WinchSystem>(def, drum, ids, inputs));
+        const double at_drum = world.interaction_def(ids.line).get("length");
+        world.add_system(std::make_unique<wire::WinchSystem>(def, drum, ids, inputs, at_drum));
     } catch (...) {
         if (!given) (void)world.remove_body(ids.drum);
         throw;

@@ -52,6 +52,22 @@ DrumGeometry::Place DrumGeometry::place(double length) const noexcept {
     return out;
 }
 
+double DrumGeometry::leaving_radius(double length) const noexcept {
+    const Place at = place(length);
+    const double here = length - length_of(at.layer - 1),
+                 whole = kTurn * at.radius * wraps_a_layer();
+    // Half of the wire of a wrap between both layers; of a narrow drum half of the layer.
+    const auto half = [&](int below) {
+        const double r = radius(below) + 0.5 * layer_pitch;
+        return kTurn * r * std::min(0.5, 0.25 * wraps_a_layer());
+    };
+    if (at.layer > 1 && here < half(at.layer - 1))
+        return at.radius - 0.5 * layer_pitch * (1.0 - here / half(at.layer - 1));
+    if (at.layer < layers() && whole - here < half(at.layer))
+        return at.radius + 0.5 * layer_pitch * (1.0 - (whole - here) / half(at.layer));
+    return at.radius;
+}
+
 double DrumGeometry::angle(double length) const noexcept { return kTurn * place(length).wraps; }
 
 double DrumGeometry::length(double angle) const noexcept {

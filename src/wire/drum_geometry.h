@@ -19,9 +19,12 @@
 /// ring of a round wire, of the moment of inertia ρ 2π r (r² + 3 d²/16) about the drum's axis
 /// (a torus: m (r² + ¾ a²), a = d/2), of which the wire on the drum has the sum.
 ///
-/// Not part of it: the helix of a wrap, longer than the circle by ½ (d/2πr)² (2e-4 for r = 8 d),
-/// and the step across from one layer to the next. Level wind is ideal: the wire leaves at the wrap
-/// that is being laid or taken.
+/// At a flange the wire climbs from one layer to the next: over the wire of one wrap, half before
+/// the layer ends and half behind, the radius that it leaves at (leaving_radius()) goes from r_k to
+/// r_{k+1} evenly. The sums above stay, as much of a wrap is below them as above.
+///
+/// Not part of it: the helix of a wrap, longer than the circle by ½ (d/2πr)² (2e-4 for r = 8 d).
+/// Level wind is ideal: the wire leaves at the wrap that is being laid or taken.
 
 namespace hawser::wire {
 
@@ -52,6 +55,8 @@ struct DrumGeometry {
     };
     /// @param length  [m]; below 0 as 0, beyond the capacity on further layers.
     [[nodiscard]] Place place(double length) const noexcept;
+    /// Radius at which the wire leaves the drum with a length on it [m].
+    [[nodiscard]] double leaving_radius(double length) const noexcept;
     /// Turns of the drum from empty [rad] …
     [[nodiscard]] double angle(double length) const noexcept;
     /// … and the other way [m].

@@ -15,12 +15,14 @@ namespace {
 constexpr double kUnbounded = 1e30;   ///< A torque that nothing overcomes [N m].
 constexpr double kStands = 1e-4;      ///< A drum whose wire is slower than this stands [m/s].
 constexpr double kLeastShare = 0.02;  ///< Of the element's length, which is not hauled in.
-constexpr double kNear = 1e-9;        ///< Of a force at its bound, which rounding has moved.
+constexpr double kGrown = 1.5, kShrunk = 0.25;  ///< Of `element`, where a node comes and goes.
+constexpr double kAnyBend = 1.6;                ///< A node at a drum goes unless the wire folds.
+constexpr double kNear = 1e-9;  ///< Of a force at its bound, which rounding has moved.
 
 }  // namespace
 
 WinchSystem::WinchSystem(WinchDef def, const DrumGeometry& drum, const WinchIds& ids,
-                         const WinchInputs& inputs)
+                         const WinchInputs& inputs, double at_drum)
     : def_(std::move(def)),
       drum_(drum),
       ids_(ids),
@@ -29,9 +31,10 @@ WinchSystem::WinchSystem(WinchDef def, const DrumGeometry& drum, const WinchIds&
       speed_(def_.speed),
       tension_(def_.tension),
       stored_(def_.stored),
+      at_drum_(at_drum),
       set_{0.0, -kUnbounded, kUnbounded, 0.0, 1.0} {
     const DrumGeometry::Place at = drum_.place(stored_);
-    radius_ = at.radius;
+    radius_ = drum_.leaving_radius(stored_);
     layer_ = at.layer;
     wraps_ = at.wraps;
     across_ = at.across;
@@ -40,10 +43,10 @@ WinchSystem::WinchSystem(WinchDef def, const DrumGeometry& drum, const WinchIds&
 }
 
 void WinchSystem::visit_state(StateVisitor& v) {
-    for (double* x : {&mode_,    &speed_,    &tension_,    &brake_,    &clutch_, &stored_,
-                      &angle_,   &radius_,   &clock_,      &slip_,     &heat_,   &set_.speed,
-                      &set_.low, &set_.high, &set_.hold,   &set_.back, &layer_,  &wraps_,
-                      &across_,  &pull_,     &pull_limit_, &inertia_,  &state_})
+    for (double* x : {&mode_,      &speed_,   &tension_,  &brake_,      &clutch_,   &stored_,
+                      &at_drum_,   &angle_,   &radius_,   &clock_,      &slip_,     &heat_,
+                      &set_.speed, &set_.low, &set_.high, &set_.hold,   &set_.back, &layer_,
+                      &wraps_,     &across_,  &pull_,     &pull_limit_, &inertia_,  &state_})
         v.visit(*x);
     for (std::int32_t* x : {&slipping_, &parted_, &empty_, &released_, &engaged_}) v.visit(*x);
 }
@@ -59,6 +62,7 @@ void WinchSystem::signals(SignalTable& table) {
     table.output("wire_left", "m", stored_);
     table.output("radius", "m", radius_);
     table.output("across", "m", across_);
+    table.output("at_drum", "m", at_drum_);
     table.output("pull", "N", pull_);
     table.output("pull_limit", "N", pull_limit_);
     table.output("inertia", "kg m^2", inertia_);
@@ -92,8 +96,14 @@ void WinchSystem::look(const Prestep& now) noexcept {
     angle_ = angle;
     omega_ = now.world.velocity(ids_.drum).linear.x();
     if (parted_ == 0 && !now.world.intact(ids_.line)) parted_ = 1;
-    if (parted_ == 0) stored_ -= radius_ * turned_;
+    if (parted_ == 0) {
+        stored_ -= radius_ * turned_;
+        at_drum_ += radius_ * turned_;
+    }
     pull_ = parted_ == 0 ? std::max(0.0, -now.world.force(ids_.line)[0]) : 0.0;
+    if (parted_ == 0 && feeds())
+        pull_ = std::max(
+            0.0, pull_ + weight_of_half(now.world).dot(along_element(now.world).normalized()));
     // An element keeps its law down to a hundredth of its length (interactions.h).
     const InteractionDef& line = now.world.interaction_def(ids_.line);
     const double length = line.get("length");
@@ -121,16 +131,19 @@ void WinchSystem::follow_layer(Prestep& now) noexcept {
     const DrumGeometry::Place at = drum_.place(stored_);
     wraps_ = at.wraps;
     across_ = at.across;
-    if (at.layer == static_cast<int>(layer_)) return;
-    layer_ = at.layer;
+    if (at.layer != static_cast<int>(layer_)) {
+        layer_ = at.layer;
+        now.tell(EventKind::layer, ids_.drum, layer_);
+    }
+    const double radius = drum_.leaving_radius(stored_);
+    if (radius == radius_) return;
     const InteractionDef& line = now.world.interaction_def(ids_.line);
     const double rest = line.get("length") + radius_ * (angle_ - line.get("drum_zero"));
-    radius_ = at.radius;
+    radius_ = radius;
     // A rest length that has been wound in altogether has none to be kept.
     now.set_input(inputs_.length, std::max(rest, 1e-6));
     now.set_input(inputs_.drum_zero, angle_);
     now.set_input(inputs_.radius, radius_);
-    now.tell(EventKind::layer, ids_.drum, layer_);
 }
 
 /// What of the tension comes to the wire's end on the drum, and whether that holds.
@@ -253,6 +266,70 @@ void WinchSystem::turn_along(const Prestep& now, Loads& loads) noexcept {
     loads.add_mass(ids_.drum, Eigen::Matrix<double, 1, 1>(added));
 }
 
+/// From the fairlead to the first node.
+Vec3 WinchSystem::along_element(const World& world) const noexcept {
+    const InteractionDef& line = world.interaction_def(ids_.line);
+    const std::size_t node = node_slot();
+    return world.world_point(line.body[node], line.point[node]) -
+           world.world_point(line.body[1 - node], line.point[1 - node]);
+}
+
+/// Of the element at the drum, by what acts on its first node beside forces of interactions.
+Vec3 WinchSystem::weight_of_half(const World& world) const noexcept {
+    const BodyDef& node = world.body_def(world.interaction_def(ids_.line).body[node_slot()]);
+    Vec3 each = node.gravity ? world.settings().gravity : Vec3::Zero().eval();
+    if (node.kind == BodyKind::lump) each += node.force / node.mass;
+    return 0.5 * def_.mass_per_length * std::max(at_drum_, 0.0) * each;
+}
+
+/// What no lump has of the element at the drum acts on both of its ends.
+void WinchSystem::weigh_element(const World& world, Loads& loads) const noexcept {
+    if (!feeds() || parted_ != 0) return;
+    const InteractionDef& line = world.interaction_def(ids_.line);
+    const double half = 0.5 * def_.mass_per_length * std::max(at_drum_, 0.0);
+    const Vec3 weight = weight_of_half(world), u = along_element(world).normalized();
+    for (std::size_t slot = 0; slot < 2; ++slot) {
+        const BodyId body = line.body[slot];
+        const BodyDef& def = world.body_def(body);
+        if (def.kind != BodyKind::lump && def.kind != BodyKind::rigid) continue;
+        const Pose pose = world.pose(body);
+        const Vec3 arm = pose.orientation * line.point[slot];
+        loads.add_force(
+            body, weight,
+            def.kind == BodyKind::rigid ? arm.cross(weight).eval() : Vec3::Zero().eval());
+        if (def.kind != BodyKind::lump) continue;
+        loads.add_mass(body, (half * Mat3::Identity()).eval());
+        loads.add_damping(body,
+                          (half / def.mass * def.linear_damping).asDiagonal().toDenseMatrix());
+    }
+    loads.add_force(ids_.drum, {radius_ * weight.dot(u), 0.0, 0.0});
+    loads.add_mass(ids_.drum, Eigen::Matrix<double, 1, 1>(half * radius_ * radius_));
+}
+
+void WinchSystem::before_step(NodeEdits& nodes) noexcept {
+    const World& world = nodes.world;
+    if (!feeds() || parted_ != 0 || !world.intact(ids_.line)) return;
+    const double angle = world.pose(ids_.drum).position.x();
+    const double there = at_drum_ + radius_ * (angle - angle_);
+    if (there > kGrown * def_.element) {
+        const double beyond = def_.element / there, share = def_.end == 0 ? 1.0 - beyond : beyond;
+        const double mass = def_.mass_per_length * there;
+        // By the bits that the world takes.
+        const double taken = def_.end == 0 ? 1.0 - share : share;
+        if (nodes.insert_node(ids_.line, share, mass).valid()) at_drum_ -= taken * there;
+    } else if (there < kShrunk * def_.element) {
+        const BodyId node = world.interaction_def(ids_.line).body[node_slot()];
+        if (world.body_def(node).kind != BodyKind::lump) return;
+        const auto elements = world.elements(world.wire_of(ids_.line));
+        if (elements.size() < 2) return;
+        const InteractionId next = def_.end == 0 ? elements[1] : elements[elements.size() - 2];
+        if (!world.alive(next) || !world.intact(next)) return;
+        const double mass = world.interaction_def(next).get("mass");
+        if (mass > 0.0 && nodes.remove_node(node, kAnyBend))
+            at_drum_ += mass / def_.mass_per_length;
+    }
+}
+
 void WinchSystem::prestep(Prestep& now, Loads& loads) noexcept {
     look(now);
     count_slip(now);
@@ -261,6 +338,7 @@ void WinchSystem::prestep(Prestep& now, Loads& loads) noexcept {
     count_release(now);
     give(now, orders());
     turn_along(now, loads);
+    weigh_element(now.world, loads);
 }
 
 }  // namespace hawser::wire

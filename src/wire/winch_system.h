@@ -14,6 +14,12 @@
 /// own momentum dJ ω along and leaves ω as it was: just what a changed A does (Loads). The energy
 /// ½ dJ ω² that goes with it is booked as work of systems.
 ///
+/// **Nodes.** The element at the drum has the material a [m], a' = −L'. Half of it acts on its
+/// first node by a load, with its weight, mass and drag, half on the fairlead and, along the wire,
+/// on the drum; so that the tension at the fairlead is that of the element and the weight of half
+/// of it. Both halves change with a as the wound wire's inertia does. A node that comes with the
+/// piece f takes f from a, and half of f into each of two lumps: what the fairlead feels stays.
+///
 /// **Clutch.** Engaged it adds the motor's inertia J_m to A. A motor that stood is taken along in
 /// one step, (J + J_m) ω₊ = J ω: the force −J_m ω/h beside A. What is lost is booked with it.
 
@@ -37,16 +43,18 @@ struct WinchInputs {
 
 class WinchSystem final : public System {
   public:
+    /// @param at_drum  Material of the element at the drum [m].
     WinchSystem(WinchDef def, const DrumGeometry& drum, const WinchIds& ids,
-                const WinchInputs& inputs);
+                const WinchInputs& inputs, double at_drum);
 
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
     void prestep(Prestep& now, Loads& loads) noexcept override;
+    void before_step(NodeEdits& nodes) noexcept override;
     void visit_state(StateVisitor& visitor) override;
     void signals(SignalTable& table) override;
     void holds(HoldTable& table) const override;
     [[nodiscard]] std::unique_ptr<System> clone() const override {
-        return std::make_unique<WinchSystem>(def_, drum_, ids_, inputs_);
+        return std::make_unique<WinchSystem>(def_, drum_, ids_, inputs_, at_drum_);
     }
 
   private:
@@ -69,6 +77,11 @@ class WinchSystem final : public System {
     void order_motor(Orders& out) noexcept;
     void give(Prestep& now, const Orders& orders) noexcept;
     void turn_along(const Prestep& now, Loads& loads) noexcept;
+    void weigh_element(const World& world, Loads& loads) const noexcept;
+    [[nodiscard]] Vec3 weight_of_half(const World& world) const noexcept;
+    [[nodiscard]] Vec3 along_element(const World& world) const noexcept;
+    [[nodiscard]] bool feeds() const noexcept { return def_.element > 0.0; }
+    [[nodiscard]] std::size_t node_slot() const noexcept { return def_.end == 0 ? 1 : 0; }
     [[nodiscard]] WinchMode mode() const noexcept;
     [[nodiscard]] bool full() const noexcept;
 
@@ -80,7 +93,7 @@ class WinchSystem final : public System {
     // Inputs.
     double mode_, speed_, tension_, brake_ = 1.0, clutch_ = 1.0;
     // State.
-    double stored_, angle_ = 0.0, radius_ = 0.0, clock_ = 0.0;
+    double stored_, at_drum_, angle_ = 0.0, radius_ = 0.0, clock_ = 0.0;
     double slip_ = 0.0, heat_ = 0.0;
     Set set_;
     std::int32_t slipping_ = 0, parted_ = 0, empty_ = 0, released_ = 0, engaged_ = 1;

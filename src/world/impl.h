@@ -87,6 +87,11 @@ struct World::Impl final : private world::InputDoor {
     void follow_definitions(const stepper::NodePlace& place) noexcept;
     void move_segment(ShapeId segment, std::size_t side, BodyId to) noexcept;
     [[nodiscard]] ShapeId segment_between(std::int32_t a, std::int32_t b) const noexcept;
+    void check_node(InteractionId element, double share, double mass) const;
+    [[nodiscard]] std::int32_t check_node_goes(BodyId node, stepper::NodePlace& place,
+                                               double bend) const;
+    [[nodiscard]] std::optional<ShapeDef> next_segment(const stepper::NodePlace& place, BodyId node,
+                                                       bool first, const world::Wire* wire) const;
 
     Removed removed;  ///< By the last removal.
     void forget_removal() noexcept;
@@ -100,7 +105,8 @@ struct World::Impl final : private world::InputDoor {
     void remove(ShapeId id) noexcept;
     void remove(InputId id) noexcept;
     /// @throws DefError where a system holds one of these, or what would go with it.
-    void refuse_held(BodyId id) const;
+    /// @param stays  Of what is on the body, it does not go with it; invalid: all goes.
+    void refuse_held(BodyId id, InteractionId stays = {}) const;
     void refuse_held(InteractionId id) const;
     void refuse_held(ShapeId id) const;
     void refuse_held(InputId id) const;

@@ -57,6 +57,11 @@ void Systems::repeat_deed(stepper::StepContext& ctx) {
         (void)ctx.state.loads.fault(ctx.pool);  // which found nothing before
 }
 
+void Systems::before_step(World& world) noexcept {
+    NodeEdits nodes(world);
+    for (const auto& system : list_) system->before_step(nodes);
+}
+
 void Systems::forget() noexcept {
     queue_.clear();
     deed_.known = false;
@@ -97,6 +102,22 @@ Status Systems::make_edits(World& world, World* trial) noexcept {
 }
 
 }  // namespace world
+
+BodyId NodeEdits::insert_node(InteractionId element, double share, double mass) noexcept {
+    try {
+        return world_.insert_node(element, share, mass);
+    } catch (const std::exception&) {
+        return {};  // all or nothing; whoever asked may ask again
+    }
+}
+
+bool NodeEdits::remove_node(BodyId node, double bend) noexcept {
+    try {
+        return world_.remove_node(node, bend);
+    } catch (const std::exception&) {
+        return false;
+    }
+}
 
 /// The definitions and poses that there are, for trying what may be refused.
 World World::Impl::definitions() const {
@@ -140,10 +161,10 @@ bool has(const std::vector<Id>& list, Id id) {
 
 }  // namespace
 
-void World::Impl::refuse_held(BodyId id) const {
+void World::Impl::refuse_held(BodyId id, InteractionId stays) const {
     systems.each_held([&](std::string_view system, const HoldTable& held) {
         const auto on = [&](InteractionId i) {
-            if (!ctx.model.interactions.places.names(i)) return false;
+            if (!ctx.model.interactions.places.names(i) || i == stays) return false;
             const InteractionDef& def = ctx.model.interactions.def[at(i.index)];
             return std::find(def.body.begin(), def.body.end(), id) != def.body.end();
         };

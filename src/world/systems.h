@@ -85,6 +85,8 @@ class Systems final : public stepper::Actors {
     /// @param trial  A world of the same definitions to try them in first; null: none.
     Status make_edits(World& world, World* trial) noexcept;
     [[nodiscard]] bool needs_trial() const noexcept { return queue_.left() > 1; }
+    /// Nodes of wires come and go.
+    void before_step(World& world) noexcept;
     /// What systems did for a step that has not been taken is forgotten: the state is another.
     void forget() noexcept;
     Status act(stepper::StepContext& ctx) noexcept override;

@@ -2,6 +2,10 @@
 /// The end of a wire comes to lie on a drum.
 #include <hawser/world.h>
 
+#include "access/asleep.h"
+#include "context/context.h"
+#include "step/edits.h"
+#include "step/node_pieces.h"
 #include "world/checks.h"
 #include "world/impl.h"
 #include "world/parts.h"
@@ -10,6 +14,35 @@
 #include <utility>
 
 namespace hawser {
+
+void World::set_mass(BodyId lump, double mass) {
+    const world::Using use(impl_->use, "set_mass");
+    const std::size_t b = impl_->place(lump);
+    BodyDef& def = impl_->body_defs[b];
+    const std::string where = world::label("body", def.name);
+    if (def.kind != BodyKind::lump) world::refuse(where, "it is no lump; only those change mass");
+    if (!(mass > 0.0 && mass <= 1e12))
+        world::refuse(where, "mass = " + world::number(mass) + " kg; give a positive one");
+    stepper::StepContext& c = impl_->ctx;
+    stepper::begin_edit(c);
+    c.state.ledger.drive -= stepper::energy_of_body(c, lump.index);
+    const double scale = mass / def.mass;
+    def.mass = c.model.bodies.mass[b] = mass;
+    for (int k = 0; k < 3; ++k) {
+        def.linear_damping[k] = c.model.bodies.damping[6 * b + at(k)] *= scale;
+        def.force[k] *= scale;
+        impl_->add_up_force(lump, k);
+    }
+    c.state.ledger.drive += stepper::energy_of_body(c, lump.index);
+    // Elements know how heavy the lighter of their ends is.
+    model::Interactions& in = c.model.interactions;
+    for (const InteractionId id : impl_->interaction_ids)
+        for (std::size_t slot = 0; slot < in.bodies[at(id.index)]; ++slot)
+            if (in.def[at(id.index)].body[slot] == lump)
+                in.rewire(id.index, slot, lump, c.model.bodies);
+    stepper::disturb(c.model, lump.index);
+    if (impl_->listener != nullptr) impl_->listener->set_mass(lump, mass);
+}
 
 InteractionId World::wind_up(WireId id, int end, BodyId drum, double radius) {
     const world::Using use(impl_->use, "wind_up");
@@ -28,7 +61,16 @@ InteractionId World::wind_up(WireId id, int end, BodyId drum, double radius) {
     if (!(radius >= -1e3 && radius <= 1e3))
         world::refuse(where, "radius = " + world::number(radius) + " m; give -1000 to 1000");
     const auto& in = impl_->ctx.model.interactions;
+    const double mass = stepper::mass_of_element(impl_->ctx, old.index);
+    const BodyId beyond = d.body[end == 0 ? 1 : 0];
+    const bool gives = mass > 0.0 && body_def(beyond).kind == BodyKind::lump;
+    if (gives && !(body_def(beyond).mass > 0.5 * mass))
+        world::refuse(where, "the lump next to the drum has less than half of the element");
+    const InteractionDef stretch = d;
     d.kind = InteractionKind::WinchStretch;
+    d.params.fill(kDefault);
+    for (const char* same : {"length", "EA", "tension_only", "breaking_load"})
+        d.set(same, stretch.get(same));
     d.body[2] = drum;
     d.set("radius", radius).set("drum_zero", pose(drum).position.x());
     // A compliance that came from the length follows it.
@@ -50,6 +92,7 @@ InteractionId World::wind_up(WireId id, int end, BodyId drum, double radius) {
     if (impl_->listener != nullptr) impl_->listener->added(d);
     (void)impl_->sorted_removal();
     impl_->wires.wires[at(id.index)].elements[place] = out;
+    if (gives) set_mass(beyond, body_def(beyond).mass - 0.5 * mass);
     return out;
 }
 

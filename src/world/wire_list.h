@@ -22,11 +22,13 @@ struct Wire {
     std::vector<InteractionId> bends;     ///< Made by add_wire().
     std::vector<ShapeId> shapes;          ///< Made by add_wire().
     bool owns = false;                    ///< It was made by add_wire().
+    WireTrim trim;                        ///< Of elements to come.
 
     /// One of nothing yet, in the memory that there is.
     void begin(std::string_view of, bool made) {
         name = of;
         owns = made;
+        trim = {};
         nodes.clear();
         elements.clear();
         lumps.clear();

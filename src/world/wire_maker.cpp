@@ -53,6 +53,14 @@ class WireMaker {
         out_.lumps.reserve(n);
         for (auto* list : {&out_.elements, &out_.bends}) list->reserve(n);
         out_.shapes.reserve(n);
+        if (def_.radius > 0.0) {
+            ShapeDef& segment = out_.trim.segment.emplace();
+            segment.kind = ShapeKind::capsule;
+            segment.radius = def_.radius;
+            segment.material = def_.material;
+            segment.group = def_.group;
+            segment.touches = def_.touches;
+        }
         out_.nodes.push_back(def_.from);
         for (std::size_t i = 0; i < lumps_.size(); ++i) add_lump(i);
         if (def_.to.valid()) out_.nodes.push_back(def_.to);
@@ -110,11 +118,9 @@ class WireMaker {
     void add_segment(std::size_t i) {
         const auto is_lump = [&](BodyId id) { return world_.body_def(id).kind == BodyKind::lump; };
         if (!is_lump(out_.nodes[i]) || !is_lump(out_.nodes[i + 1])) return;
-        ShapeDef s{.kind = ShapeKind::capsule, .body = out_.nodes[i], .body_b = out_.nodes[i + 1]};
-        s.radius = def_.radius;
-        s.material = def_.material;
-        s.group = def_.group;
-        s.touches = def_.touches;
+        ShapeDef s = *out_.trim.segment;
+        s.body = out_.nodes[i];
+        s.body_b = out_.nodes[i + 1];
         out_.shapes.push_back(world_.add_shape(s));
     }
 

@@ -6,10 +6,13 @@
 #include "step/nodes.h"
 #include "world/checks.h"
 #include "world/impl.h"
+#include "world/node_defs.h"
 #include "world/wire_list.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -23,59 +26,19 @@ std::ptrdiff_t find_in(const std::vector<Id>& list, Id id) noexcept {
     return found == list.end() ? -1 : found - list.begin();
 }
 
-/// A lump as those at the ends of its element are.
-BodyDef node_body(const World& w, const InteractionDef& element, const stepper::NodeDef& node) {
-    BodyDef out{.name = {}, .kind = BodyKind::lump, .position = node.position};
-    out.velocity = node.velocity;
-    out.mass = node.mass;
-    out.linear_damping = node.damping;
-    for (std::size_t b = 2; b-- > 0;) {
-        const BodyDef& end = w.body_def(element.body[b]);
-        if (end.kind != BodyKind::lump) continue;
-        out.gravity = end.gravity;
-        out.group = end.group;
-    }
-    return out;
-}
-
-/// What goes on from the node.
-InteractionDef second_element(const model::Interactions& in, std::int32_t first, BodyId node,
-                              double share) {
-    const InteractionDef& def = in.def[at(first)];
-    InteractionDef out;
-    out.kind = def.kind;
-    out.body = {node, def.body[1]};
-    out.point[1] = def.point[1];
-    out.set("length", (1.0 - share) * in.rest_length[at(first)]);
-    for (const char* same : {"EA", "tension_only", "breaking_load"}) out.set(same, def.get(same));
-    if (in.row_flags[at(in.row_begin[at(first)])] & model::kRowDamper)
-        out.damping_time[0] = (1.0 - share) * def.damping_time[0];
-    return out;
-}
-
-/// The bend at the node, as the one beside it.
-InteractionDef node_bend(const model::Interactions& in, std::int32_t first, BodyId node,
-                         std::int32_t beside) {
-    const InteractionDef& def = in.def[at(first)];
-    InteractionDef out;
-    out.kind = in.def[at(beside)].kind;
-    out.body = {def.body[0], node, def.body[1]};
-    out.point = {def.point[0], Vec3::Zero(), def.point[1]};
-    out.set("EI", in.def[at(beside)].get("EI")).set("length", 0.5 * in.rest_length[at(first)]);
-    return out;
-}
-
 void make_room_for_node(world::Wire& wire) {
     for (auto* list : {&wire.elements, &wire.bends}) base::make_room(*list, 1);
     for (auto* list : {&wire.nodes, &wire.lumps}) base::make_room(*list, 1);
     base::make_room(wire.shapes, 1);
 }
 
-/// Room has been made. @param made  The node and what came with it.
-void put_node(world::Wire& wire, InteractionId element, const world::Wire& made) noexcept {
+/// Room has been made. @param made  The node and what came with it. @param first  The other element
+/// comes before the one that was there.
+void put_node(world::Wire& wire, InteractionId element, const world::Wire& made,
+              bool first) noexcept {
     const auto k = find_in(wire.elements, element);
     wire.nodes.insert(wire.nodes.begin() + k + 1, made.lumps[0]);
-    wire.elements.insert(wire.elements.begin() + k + 1, made.elements[0]);
+    wire.elements.insert(wire.elements.begin() + k + (first ? 0 : 1), made.elements[0]);
     if (!wire.owns) return;
     wire.lumps.push_back(made.lumps[0]);
     for (const InteractionId id : made.bends) wire.bends.push_back(id);
@@ -91,18 +54,35 @@ world::Wire* World::Impl::wire_with(InteractionId element) noexcept {
     return nullptr;
 }
 
-/// The masses and lengths that an edit changed, for readers of definitions.
+WireId World::wire_of(InteractionId element) const noexcept {
+    for (const WireId id : impl_->wires.ids)
+        if (find_in(impl_->wires.wires[at(id.index)].elements, element) >= 0) return id;
+    return {};
+}
+
+/// What an edit changed of masses and drags, and with them of forces that lumps have by their mass,
+/// for readers of definitions; and the inputs of an element at a drum, which set what they say.
 void World::Impl::follow_definitions(const stepper::NodePlace& place) noexcept {
     const model::Interactions& in = ctx.model.interactions;
-    for (const std::int32_t id : {place.first, place.second})
+    for (const std::int32_t id : {place.first, place.second}) {
         for (std::size_t slot = 0; id >= 0 && slot < 2; ++slot) {
             const std::int32_t body = in.body[kMaxInteractionBodies * at(id) + slot];
             if (ctx.model.bodies.kind[at(body)] != BodyKind::lump) continue;
-            body_defs[at(body)].mass = ctx.model.bodies.mass[at(body)];
-            for (int k = 0; k < 3; ++k)
-                body_defs[at(body)].linear_damping[k] =
-                    ctx.model.bodies.damping[6 * at(body) + at(k)];
+            BodyDef& def = body_defs[at(body)];
+            const double scale = ctx.model.bodies.mass[at(body)] / def.mass;
+            def.mass = ctx.model.bodies.mass[at(body)];
+            for (int k = 0; k < 3; ++k) {
+                def.linear_damping[k] = ctx.model.bodies.damping[6 * at(body) + at(k)];
+                if (def.force[k] == 0.0) continue;
+                def.force[k] *= scale;
+                add_up_force(BodyId{body}, k);
+            }
         }
+        if (id < 0 || !kind_info(in.kinds[at(id)]).is(kWoundUp)) continue;
+        for (std::size_t i = 0; i < inputs.size(); ++i)
+            if (inputs[i].interaction.valid() && inputs[i].interaction.index == id)
+                input_values[i] = in.def[at(id)].get(inputs[i].param);
+    }
 }
 
 /// The segment of an element goes to where the element goes.
@@ -121,31 +101,72 @@ ShapeId World::Impl::segment_between(std::int32_t a, std::int32_t b) const noexc
     return {};
 }
 
-BodyId World::insert_node(InteractionId element, double share) {
-    const world::Using use(impl_->use, "insert_node");
-    Impl& m = *impl_;
-    model::Interactions& in = m.ctx.model.interactions;
-    const std::size_t e = m.place(element);
-    const InteractionDef def = in.def[e];
-    const std::string where = world::label("interaction", def.name);
-    if (!kind_info(def.kind).is(kWireElement) || in.parted[e] != 0)
+/// @throws DefError, with the remedy, where an element cannot have a node.
+void World::Impl::check_node(InteractionId element, double share, double mass) const {
+    const model::Interactions& in = ctx.model.interactions;
+    const std::size_t e = place(element);
+    const std::string where = world::label("interaction", in.def[e].name);
+    if (!kind_info(in.def[e].kind).is(kWireElement) || in.parted[e] != 0)
         world::refuse(where, "only elements of wires that are whole have nodes");
     if (!(share > 0.0 && share < 1.0))
         world::refuse(where,
                       "a node is put at a share between 0 and 1, not " + world::number(share));
+    if (kind_info(in.def[e].kind).is(kWoundUp)) {
+        if (!(mass > 0.0 && mass < 1e12))
+            world::refuse(where, "a drum pays it out: say what mass it has, not " +
+                                     world::number(mass) + " kg");
+        const auto lump = [&](std::size_t slot) {
+            return stepper::is_lump(ctx, stepper::end_of(ctx, element.index, slot));
+        };
+        if (lump(0) && lump(1))
+            world::refuse(where, "its fairlead must be on a body that is no lump");
+    } else if (!std::isnan(mass)) {
+        world::refuse(where, "its mass is its own; leave it out");
+    } else if (!(stepper::mass_of_element(ctx, element.index) > 0.0)) {
+        world::refuse(where, "it has no mass of its own that a node could take (give it `mass`)");
+    }
+    if ((in.flags[e] & model::kFromLength) == 0)
+        world::refuse(where, "its compliance is not that of its length; leave it out");
+}
+
+/// The capsule that comes with a node on an element; none: its wire touches nothing there.
+std::optional<ShapeDef> World::Impl::next_segment(const stepper::NodePlace& place, BodyId node,
+                                                  bool first, const world::Wire* wire) const {
+    const auto end = [&](std::size_t slot) {
+        return ctx.model.bodies.id(stepper::end_of(ctx, place.first, slot));
+    };
+    const ShapeId own = segment_between(end(0).index, end(1).index);
+    std::optional<ShapeDef> out;
+    if (own.valid()) {
+        out = shape_defs[at(own.index)];
+        out->name.clear();
+        out->body = node;
+    } else if (wire != nullptr && wire->trim.segment &&
+               stepper::is_lump(ctx, end(first ? 0 : 1).index)) {
+        out = wire->trim.segment;
+        out->body = first ? end(0) : node;
+        out->body_b = first ? node : end(1);
+    }
+    return out;
+}
+
+BodyId World::insert_node(InteractionId element, double share, double mass) {
+    const world::Using use(impl_->use, "insert_node");
+    Impl& m = *impl_;
+    model::Interactions& in = m.ctx.model.interactions;
+    m.check_node(element, share, mass);
     stepper::NodePlace place{.first = element.index};
-    if (!(stepper::mass_of_element(m.ctx, element.index) > 0.0) ||
-        !stepper::is_of_material(m.ctx, element.index))
-        world::refuse(where,
-                      "it has no mass of its own that a node could take (give it `mass`), or "
-                      "a compliance that is not that of its length");
+    const bool wound = stepper::is_wound(m.ctx, element.index);
+    // Whether the new element comes first: that at a drum stays there.
+    const bool first = wound && stepper::drum_side(m.ctx, element.index) == 1;
+    const double whole = wound ? mass : stepper::mass_of_element(m.ctx, element.index);
     if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // without copies of anything
     (void)stepper::find_place(m.ctx, place);
+    const InteractionDef def = in.def[at(element.index)];
     const BodyId a = def.body[0], b = def.body[1];
-    const BodyDef body = node_body(*this, def, stepper::node_on(m.ctx, element.index, share));
+    const BodyDef body =
+        world::node_body(*this, def, stepper::node_on(m.ctx, element.index, share, whole));
     const ShapeId segment = m.segment_between(a.index, b.index);
-    ShapeDef next_segment;
-    if (segment.valid()) next_segment = shape_def(segment);
     world::Wire* wire = m.wire_with(element);
     if (wire != nullptr) make_room_for_node(*wire);
 
@@ -154,70 +175,94 @@ BodyId World::insert_node(InteractionId element, double share) {
     world::Wire made;
     make_room_for_node(made);
     const std::int32_t beside = place.bend[0] >= 0 ? place.bend[0] : place.bend[2];
+    const double EI = beside >= 0       ? in.def[at(beside)].get("EI")
+                      : wire != nullptr ? wire->trim.EI
+                                        : 0.0;
     try {
         const Impl::Untold untold(m);
         const BodyId node = add_body(body);
         made.lumps.push_back(node);
-        made.elements.push_back(add_interaction(second_element(in, element.index, node, share)));
-        if (beside >= 0)
-            made.bends.push_back(add_interaction(node_bend(in, element.index, node, beside)));
-        if (segment.valid()) {
-            next_segment.name.clear();
-            next_segment.body = node;
-            made.shapes.push_back(add_shape(next_segment));
-        }
+        const double own = first ? share : 1.0 - share;
+        made.elements.push_back(
+            add_interaction(world::other_element(in, element.index, node, share, first, own * whole,
+                                                 first ? place.before[0] : place.after[0])));
+        if (EI > 0.0 && a != b)
+            made.bends.push_back(add_interaction(world::node_bend(in, element.index, node, EI)));
+        if (const auto next = m.next_segment(place, node, first, wire); next)
+            made.shapes.push_back(add_shape(*next));
     } catch (...) {
         m.take_back(before, made);
         throw;
     }
     // From here on nothing throws.
     place.node = made.lumps[0].index;
-    place.second = made.elements[0].index;
+    place.first = first ? made.elements[0].index : element.index;
+    place.second = first ? element.index : made.elements[0].index;
     place.bend[1] = made.bends.empty() ? -1 : made.bends[0].index;
-    stepper::settle_node(m.ctx, place, share);
+    stepper::settle_node(m.ctx, place, element.index, share, whole);
     stepper::end_node_edit(m.ctx, place, was);
     m.follow_definitions(place);
     if (segment.valid()) m.move_segment(segment, 1, made.lumps[0]);
-    if (wire != nullptr) put_node(*wire, element, made);
-    if (m.listener != nullptr) m.listener->node_inserted(element, share);
+    if (wire != nullptr) put_node(*wire, element, made, first);
+    if (m.listener != nullptr) m.listener->node_inserted(element, share, mass);
     return made.lumps[0];
+}
+
+/// @throws DefError, with the remedy, where a node cannot go. @return which of the elements beside
+/// it stays.
+std::int32_t World::Impl::check_node_goes(BodyId node, stepper::NodePlace& place,
+                                          double bend) const {
+    const std::string where = world::label("body", body_defs[at(node.index)].name);
+    if (body_defs[at(node.index)].kind != BodyKind::lump || !stepper::find_place(ctx, place))
+        world::refuse(where, "it is no node between two elements of a wire, and nothing else");
+    const bool second = stepper::is_wound(ctx, place.second);
+    if (second && stepper::is_wound(ctx, place.first))
+        world::refuse(where, "drums pay out both of its elements");
+    for (const std::int32_t id : {place.first, place.second}) {
+        if (stepper::is_wound(ctx, id)
+                ? (ctx.model.interactions.flags[at(id)] & model::kFromLength) != 0
+                : stepper::mass_of_element(ctx, id) > 0.0 && stepper::is_of_material(ctx, id))
+            continue;
+        world::refuse(where,
+                      "its elements have no mass of their own (give them `mass`), or a "
+                      "compliance that is not that of their length");
+    }
+    if (!(bend >= 0.0)) world::refuse(where, "bend must be an angle, not " + world::number(bend));
+    const std::int32_t stays = second ? place.second : place.first;
+    refuse_held(node, ctx.model.interactions.id(stays));
+    return stays;
 }
 
 bool World::remove_node(BodyId node, double bend) {
     const world::Using use(impl_->use, "remove_node");
     Impl& m = *impl_;
     (void)m.place(node);
-    m.refuse_held(node);
-    const std::string where = world::label("body", body_def(node).name);
     if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // without copies of anything
     stepper::NodePlace place{.node = node.index};
-    if (body_def(node).kind != BodyKind::lump || !stepper::find_place(m.ctx, place))
-        world::refuse(where, "it is no node between two elements of a wire, and nothing else");
-    for (const std::int32_t id : {place.first, place.second})
-        if (!(stepper::mass_of_element(m.ctx, id) > 0.0) || !stepper::is_of_material(m.ctx, id))
-            world::refuse(where,
-                          "its elements have no mass of their own (give them `mass`), or a "
-                          "compliance that is not that of their length");
-    if (!(bend >= 0.0)) world::refuse(where, "bend must be an angle, not " + world::number(bend));
+    const std::int32_t stays = m.check_node_goes(node, place, bend);
     model::Interactions& in = m.ctx.model.interactions;
-    const InteractionId first = in.id(place.first), second = in.id(place.second);
+    const InteractionId kept = in.id(stays),
+                        gone = in.id(stays == place.first ? place.second : place.first);
     const BodyId a = in.def[at(place.first)].body[0], b = in.def[at(place.second)].body[1];
     m.reserve_removal();
     const ShapeId near = m.segment_between(a.index, node.index),
                   far = m.segment_between(node.index, b.index);
     const stepper::NodeLedger was = stepper::begin_node_edit(m.ctx, place);
-    if (!stepper::release_node(m.ctx, place, bend)) return false;
+    const bool goes = stepper::is_wound(m.ctx, stays)
+                          ? stepper::release_drum_node(m.ctx, place, bend)
+                          : stepper::release_node(m.ctx, place, bend);
+    if (!goes) return false;
     if (near.valid() && far.valid()) m.move_segment(near, 1, b);
     if (place.bend[1] >= 0) m.remove(in.id(place.bend[1]));
-    m.remove(second);
+    m.remove(gone);
     m.remove(node);
+    place.first = stays;
     place.second = place.node = place.bend[1] = -1;
     stepper::end_node_edit(m.ctx, place, was);
     m.follow_definitions(place);
-    if (world::Wire* wire = m.wire_with(first)) {
-        const auto k = find_in(wire->elements, second);
-        wire->elements.erase(wire->elements.begin() + k);
-        wire->nodes.erase(wire->nodes.begin() + k);
+    if (world::Wire* wire = m.wire_with(kept)) {
+        wire->elements.erase(wire->elements.begin() + find_in(wire->elements, gone));
+        wire->nodes.erase(wire->nodes.begin() + find_in(wire->nodes, node));
         std::erase(wire->lumps, node);
         std::erase_if(wire->bends, [&](InteractionId id) { return !alive(id); });
         std::erase_if(wire->shapes, [&](ShapeId id) { return !alive(id); });

@@ -32,6 +32,7 @@ WireId World::add_wire(const WireDef& def) {
         world::refuse(where, "the name is taken; names are unique");
     world::Wire& made = m.wires.coming;
     made.begin(def.name, true);
+    made.trim.EI = def.EI;
     const Impl::Mark before = m.mark(def.from, def.to);
     WireId id;
     try {
@@ -115,14 +116,18 @@ void World::Impl::take_back(const Mark& before, const world::Wire& made) noexcep
             ctx.model.bodies.quiet[at(before.end[k].index)] = before.quiet[k];
 }
 
-WireId World::adopt_wire(const std::string& name, std::span<const InteractionId> elements) {
+WireId World::adopt_wire(const std::string& name, std::span<const InteractionId> elements,
+                         const WireTrim& trim) {
     const world::Using use(impl_->use, "adopt_wire");
     const std::string where = world::label("wire", name);
     if (name.empty()) throw DefError("a wire needs a name");
     if (elements.empty()) world::refuse(where, "it has no elements");
     Impl& m = *impl_;
     world::Wire& made = m.wires.coming;
+    if (!(trim.EI >= 0.0) || !std::isfinite(trim.EI))
+        world::refuse(where, "EI must be a number from 0 on");
     made.begin(name, false);
+    made.trim = trim;
     for (const InteractionId id : elements) {
         const InteractionDef& d = interaction_def(id);
         if (!kind_info(d.kind).is(kWireElement))

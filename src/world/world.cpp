@@ -48,6 +48,7 @@ Status World::step() noexcept {
         m.use.stepping(false);
         return ended;
     };
+    if (!m.systems.wants_edits()) m.systems.before_step(*this);
     // Edits that a failed step has left.
     Status status = m.systems.wants_edits() ? Status::bad_edit : take();
     if (status == Status::bad_edit) {

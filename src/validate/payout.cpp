@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// A winch lowers an anchor and hauls it up again: the tension at its fairlead, also where nodes
+// come and go, and the account of wire.
+#include "validate/tools.h"
+#include "validate/wires.h"
+
+#include <hawser/wire.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::validate {
+namespace {
+
+constexpr double kStep = 1.0 / 60.0;
+constexpr double kLineMass = 23.0, kLineEA = 2.33e8;  // kg/m, N
+constexpr double kAnchor = 13e3;                      // kg
+constexpr double kSpeed = 1.0, kStored = 1500.0, kWire = 0.076;
+constexpr double kRamp = 10.0;  // s, in which the speed comes and goes
+
+/// An anchor on a few elements of wire below a winch.
+struct Lowering {
+    World w{WorldDef{.step = kStep}};
+    WireId wire;
+    WinchIds ids;
+
+    Lowering(double element, double damping, int end) {
+        constexpr int kElements = 2;
+        const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
+        BodyDef anchor{.name = "anchor", .kind = BodyKind::lump};
+        // Lumps hold half of the elements beside them, the last one that of the last element.
+        anchor.mass = kAnchor + 0.5 * kLineMass * element;
+        const double stretched = element * (1.0 + anchor.mass * kGravity / kLineEA);
+        anchor.position = Vec3(0, 0, -kElements * stretched);
+        WireDef def;
+        def.name = "wire";
+        def.to = w.add_body(anchor);
+        def.from = deck;
+        if (end == 1) std::swap(def.from, def.to);
+        def.elements = kElements;
+        def.length = kElements * element;
+        def.EA = kLineEA;
+        def.mass_per_length = kLineMass;
+        def.axial_damping = damping;
+        def.consistent_mass = true;
+        wire = w.add_wire(def);
+        ids = w.add(WinchDef{.name = "winch",
+                             .wire = wire,
+                             .end = end,
+                             .core_radius = 0.6,
+                             .width = 2.4,
+                             .flange_radius = 1.4,
+                             .wire_diameter = kWire,
+                             .mass_per_length = kLineMass,
+                             .stored = kStored,
+                             .inertia = 4e4,
+                             .mode = WinchMode::speed});
+    }
+    [[nodiscard]] double get(const char* signal) const {
+        return w.system_signal(std::string("winch.") + signal);
+    }
+    /// Wire that is out, by the masses of elements and what the winch says of its own [m].
+    [[nodiscard]] double out() const {
+        double sum = get("at_drum");
+        for (const InteractionId id : w.elements(wire))
+            if (id != ids.line) sum += w.interaction_def(id).get("mass") / kLineMass;
+        return sum;
+    }
+};
+
+struct Lowered {
+    double error = 0.0;      ///< Of the tension at the fairlead at even speed, relative.
+    double elsewhere = 0.0;  ///< Largest change a step far from an edit [N] …
+    double at_edits = 0.0;   ///< … and within half a second of one.
+    double account = 0.0;    ///< Of wire on the drum and off it [m].
+    double tension = 0.0;    ///< Largest [N].
+    int edits = 0, nodes = 0;
+    Grade grade = Grade::good;
+};
+
+/// Lower by `way`, wait, haul up again.
+Lowered lower(double way, double element, double damping, int end) {
+    Lowering d(element, damping, end);
+    Lowered r;
+    const double even = way / kSpeed - kRamp, wait = 5.0, once = even + 2.0 * kRamp + wait;
+    // Without a jump of acceleration, on which the anchor would bounce for minutes where nothing
+    // damps it.
+    const auto ramp = [](double x) {
+        const double u = std::clamp(x / kRamp, 0.0, 1.0);
+        return u - std::sin(2.0 * kPi * u) / (2.0 * kPi);
+    };
+    const auto speed = [&](double t) { return kSpeed * (ramp(t) - ramp(t - even - kRamp)); };
+    const double whole = kStored + d.out();
+    const long steps = std::lround(2.0 * once / kStep);
+    std::vector<double> pull;
+    std::vector<std::size_t> edits;
+    std::size_t nodes = d.w.nodes(d.wire).size();
+    for (long i = 0; i < steps; ++i) {
+        const double t = static_cast<double>(i) * kStep;
+        d.w.set_system_signal("winch.speed", t < once ? speed(t) : -speed(t - once));
+        const double out = d.out();
+        advance(d.w, 1);
+        // What the winch saw at the beginning of the step.
+        const double now = d.get("pull");
+        pull.push_back(now);
+        if (d.w.nodes(d.wire).size() != nodes) edits.push_back(pull.size());
+        nodes = d.w.nodes(d.wire).size();
+        r.nodes = std::max(r.nodes, static_cast<int>(nodes));
+        r.account = std::max(r.account, std::abs(d.out() + d.get("wire_left") - whole));
+        const double ramps = std::fmod(t, once);
+        const bool steady = ramps > kRamp + 2.0 && ramps < even + kRamp;
+        const double weight = kGravity * (kAnchor + kLineMass * out);
+        if (steady) r.error = std::max(r.error, std::abs(now / weight - 1.0));
+    }
+    r.edits = static_cast<int>(edits.size());
+    std::size_t next = 0;
+    for (std::size_t i = 120; i + 1 < pull.size(); ++i) {
+        while (next < edits.size() && edits[next] + 30 < i) ++next;
+        const bool near = next < edits.size() && edits[next] <= i + 1;
+        double& most = near ? r.at_edits : r.elsewhere;
+        most = std::max(most, std::abs(pull[i + 1] - pull[i]));
+        r.tension = std::max(r.tension, pull[i]);
+    }
+    r.grade = d.w.verdict().grade;
+    return r;
+}
+
+void check(Report& report, double way, double element, double damping, int end = 0) {
+    const Lowered r = lower(way, element, damping, end);
+    const std::string what =
+        fmt::format("{:g} m, elements of {:g} m, {}{}", way, element,
+                    std::isnan(damping) ? "default damping" : fmt::format("damping {:g}", damping),
+                    end == 0 ? "" : ", last end");
+    report.compare("tension at the fairlead over weight, " + what, {0.0}, {r.error}, 5e-4,
+                   "W + rho g L", 1.0);
+    report.compare("change a step at nodes, above others [N], " + what, {0.0},
+                   {std::max(0.0, r.at_edits - r.elsewhere)}, 1.0, "max(0.1 %, 150 N)",
+                   std::max(1e-3 * r.tension, 150.0));
+    report.compare("wire on the drum and off it [m], " + what, {0.0}, {r.account}, 1e-9,
+                   "an account", 1.0);
+    const int expected = 2 * static_cast<int>(std::lround(way / element));
+    report.compare("nodes that came and went, " + what, {static_cast<double>(expected)},
+                   {static_cast<double>(r.edits)}, 4.0, "one an element", 1.0);
+    report.compare("grade, " + what, {static_cast<double>(Grade::good)},
+                   {static_cast<double>(r.grade)}, 0.0, "judged good", 1.0);
+}
+
+}  // namespace
+
+void case_payout(Report& report) {
+    for (const double element : {5.0, 20.0})
+        for (const double damping : {0.0, 0.1, 1.0, kDefault})
+            check(report, 600.0, element, damping);
+    check(report, 600.0, 12.0, 0.5, 1);
+    check(report, 1000.0, 20.0, 0.3);
+}
+
+}  // namespace hawser::validate
