@@ -30,7 +30,9 @@
 ///   has done nothing where the elements there are at an angle above `bend` [rad], or the lump
 ///   moves so against its neighbours that energy would grow or be lost: that is to be tried again
 ///   later. `bend` π: at any angle and with any loss; false then only where energy would grow.
-/// Both throw DefError where they cannot be, and std::bad_alloc. docs/methods.md, 12.
+/// World::set_mass() makes a lump more or less of the same material: its drag and its applied force
+/// go with its mass. All throw DefError where they cannot be, and std::bad_alloc.
+/// docs/methods.md, 12.
 
 #include <hawser/id.h>
 #include <hawser/interactions.h>

@@ -263,21 +263,16 @@ class World {
     [[nodiscard]] int wire_alert(InteractionId id) const;
 
     // --- Wires (wire.h) ---------------------------------------------------------------------
-    /// Lumps, elements, bends and segments of a wire; all or nothing. @throws DefError on a name
-    /// that is taken, unknown bodies, a value out of range.
+    /// Lumps, elements, bends, segments; all or nothing. @throws DefError on what cannot be.
     WireId add_wire(const WireDef& def);
-    /// Elements that there are, end to end, become a wire that does not own them.
-    /// @throws DefError where one is no element of a wire or does not begin where the last ended.
+    /// Elements that are there, end to end, become a wire that does not own them. @throws DefError
     WireId adopt_wire(const std::string& name, std::span<const InteractionId> elements,
                       const WireTrim& trim = {});
-    /// Mass of a lump [kg], with which its drag and its applied force grow or shrink: more or less
-    /// of the same material. @throws DefError where it is no lump, or the mass not positive.
-    void set_mass(BodyId lump, double mass);
+    void set_mass(BodyId lump, double mass);  ///< [kg]; drag and applied force follow: wire.h.
     /// The first (0) or last (1) element of a wire becomes one that a drum pays out, with the same
     /// name, ends, length and law: length + radius (coordinate of the drum − that of now). Loads of
-    /// friction by the element end; of its mass (StretchDef::mass) lumps have no half any more.
-    /// @return it. @throws DefError where the end is wound up already,
-    /// the element is gone or has parted, or the drum is no scalar body.
+    /// friction by the element end, and lumps' halves of its mass. @return it. @throws DefError
+    /// where the end is wound up, the element gone or parted, or the drum no scalar body.
     InteractionId wind_up(WireId id, int end, BodyId drum, double radius);
     /// What add_wire() made goes with it. @return as remove_body().
     const Removed& remove_wire(WireId id);
@@ -285,8 +280,7 @@ class World {
     [[nodiscard]] bool alive(WireId id) const noexcept;
     [[nodiscard]] WireId find_wire(std::string_view name) const noexcept;
     [[nodiscard]] const std::string& wire_name(WireId id) const;
-    /// Nodes from end to end, the bodies that hold it included, and its elements. What has been
-    /// removed by itself is still named here; alive() tells.
+    /// From end to end, bodies that hold it included; what is gone is still named (alive()).
     [[nodiscard]] std::span<const BodyId> nodes(WireId id) const;
     [[nodiscard]] std::span<const InteractionId> elements(WireId id) const;
     [[nodiscard]] double length(WireId id) const;  ///< Unstretched, as drums have it now [m].

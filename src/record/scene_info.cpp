@@ -55,12 +55,15 @@ std::vector<BodyId> watched_bodies(const SceneInfo& scene, const World& world) {
 
 std::string body_label(const World& world, BodyId body) {
     if (!body.valid()) return "-";
+    if (!world.alive(body)) return fmt::format("body {}, which is gone", body.index);
     const std::string& name = world.body_def(body).name;
     return name.empty() ? fmt::format("body {}", body.index) : name;
 }
 
 std::string interaction_label(const World& world, InteractionId interaction) {
     if (!interaction.valid()) return "-";
+    if (!world.alive(interaction))
+        return fmt::format("interaction {}, which is gone", interaction.index);
     const InteractionDef& def = world.interaction_def(interaction);
     return def.name.empty() ? fmt::format("{} {}", kind_info(def.kind).name, interaction.index)
                             : def.name;
@@ -88,6 +91,7 @@ std::string place_label(const World& world, InteractionId interaction, BodyId bo
 
 std::string interaction_in_words(const World& world, InteractionId interaction) {
     if (!interaction.valid()) return "the whole world";
+    if (!world.alive(interaction)) return interaction_label(world, interaction);
     const InteractionDef& def = world.interaction_def(interaction);
     const KindInfo& kind = kind_info(def.kind);
     std::string words = kind.name;

@@ -8,6 +8,7 @@
 #include "split/split.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 namespace hawser::world {
@@ -151,7 +152,10 @@ std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<I
         const InteractionDef& d = ctx.model.interactions.def[i];
         to.bytes(d.point.data(), sizeof d.point);
         to.bytes(d.frame.data(), sizeof d.frame);
-        to.array(d.compliance);
+        // One that follows the length says nothing of its own.
+        std::array<double, kMaxInteractionRows> compliance = d.compliance;
+        if ((ctx.model.interactions.flags[i] & model::kFromLength) != 0) compliance[0] = kDefault;
+        to.array(compliance);
         to.array(d.damping_time);
         for (const FrictionLoad& load : d.load) {
             to.value(load.interaction.index);

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Nodes that come and go at a drum: accounts, threads, both ends, contacts, refusals. What the
+/// tension at the fairlead does is in `hawser validate payout`.
+#include <hawser/hawser.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace hawser::test {
+namespace {
+
+constexpr double kMass = 23.0, kStored = 300.0;
+
+struct Hoist {
+    World w;
+    WireId wire{};
+    WinchIds ids{};
+
+    explicit Hoist(int elements, int end = 0, double element = kDefault, bool pieces = true,
+                   int threads = 1)
+        : w(WorldDef{.step = 1.0 / 60.0, .threads = threads}) {
+        const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
+        BodyDef load{.name = "load", .position = Vec3(0, 0, -2.5 * elements)};
+        load.mass = 13e3;
+        load.inertia = 5e3 * Mat3::Identity();
+        const BodyId body = w.add_body(load);
+        WireDef def;
+        def.name = "wire";
+        def.from = end == 0 ? deck : body;
+        def.to = end == 0 ? body : deck;
+        def.elements = elements;
+        def.EA = 2.33e8;
+        def.mass_per_length = kMass;
+        def.radius = 0.04;
+        def.EI = 5e3;
+        def.consistent_mass = pieces;
+        wire = w.add_wire(def);
+        WinchDef winch{.name = "winch", .wire = wire, .end = end, .core_radius = 0.6, .width = 2.4};
+        winch.wire_diameter = 0.076;
+        winch.mass_per_length = kMass;
+        winch.element = element;
+        winch.stored = kStored;
+        winch.inertia = 4e4;
+        winch.mode = WinchMode::speed;
+        ids = w.add(winch);
+    }
+    /// Speeds up within a second.
+    void run(double seconds, double speed) {
+        const double before = w.system_signal("winch.speed");
+        for (long i = 0; i < std::lround(60.0 * seconds); ++i) {
+            const double share = std::min(1.0, static_cast<double>(i + 1) / 60.0);
+            w.set_system_signal("winch.speed", before + share * (speed - before));
+            ASSERT_EQ(w.step(), Status::ok) << to_string(w.bad_load(), w);
+        }
+    }
+    [[nodiscard]] double get(const char* signal) const {
+        return w.system_signal(std::string("winch.") + signal);
+    }
+    /// On the drum and off it [m].
+    [[nodiscard]] double material() const {
+        double sum = get("wire_left") + get("at_drum");
+        for (const InteractionId id : w.elements(wire))
+            if (id != ids.line) sum += w.interaction_def(id).get("mass") / kMass;
+        return sum;
+    }
+};
+
+TEST(WinchNodes, ComeWithMassBendsAndContacts) {
+    for (const int end : {0, 1}) {
+        Hoist h(4, end);
+        const double whole = h.material();
+        h.run(20.0, 1.0);
+        const auto nodes = h.w.nodes(h.wire);
+        const auto elements = h.w.elements(h.wire);
+        ASSERT_EQ(elements.size(), 12U) << "19.5 m more in elements of 2.5 m";
+        ASSERT_EQ(nodes.size(), 13U);
+        EXPECT_EQ(end == 0 ? elements.front() : elements.back(), h.ids.line);
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            EXPECT_EQ(h.w.interaction_def(elements[i]).body[0], nodes[i]);
+            EXPECT_EQ(h.w.interaction_def(elements[i]).body[1], nodes[i + 1]);
+        }
+        EXPECT_EQ(h.w.shapes().size(), 10U) << "between all lumps";
+        EXPECT_NEAR(h.material(), whole, 1e-11) << "an account";
+        // The lump next to the drum has none of the element there, all others the whole of one.
+        for (std::size_t i = 2; i + 2 < nodes.size(); ++i)
+            EXPECT_NEAR(h.w.body_def(nodes[i]).mass, 2.5 * kMass, 1e-9);
+        EXPECT_NEAR(h.w.body_def(end == 0 ? nodes[1] : nodes[nodes.size() - 2]).mass, 1.25 * kMass,
+                    1e-9);
+        h.run(23.0, -1.0);
+        EXPECT_LE(h.w.elements(h.wire).size(), 5U);
+        EXPECT_NEAR(h.material(), whole, 1e-11);
+    }
+}
+
+TEST(WinchNodes, AreTheSameOnAnyThreadsAndAfterRestore) {
+    std::uint64_t hash = 0;
+    for (const int threads : {1, 2, 4, 8}) {
+        Hoist h(4, 0, kDefault, true, threads);
+        h.run(3.0, 1.0);
+        // From between two nodes, and from the step before the next one comes.
+        while (h.get("at_drum") + 1.0 / 60.0 < 1.5 * 2.5) h.run(1.0 / 60.0, 1.0);
+        const auto saved = h.w.save();
+        World twin = h.w.twin();
+        h.run(4.0, 1.0);
+        if (threads == 1) hash = h.w.state_hash();
+        EXPECT_EQ(h.w.state_hash(), hash) << threads;
+        twin.restore(saved);
+        for (int i = 0; i < 240; ++i) {
+            twin.set_system_signal("winch.speed", 1.0);
+            ASSERT_EQ(twin.step(), Status::ok);
+        }
+        EXPECT_EQ(twin.state_hash(), hash) << threads;
+    }
+}
+
+TEST(WinchNodes, AWireOfOneElementRunsOut) {
+    Hoist h(1, 0, 2.0);
+    h.run(9.0, 1.0);
+    EXPECT_GE(h.w.elements(h.wire).size(), 5U);
+    EXPECT_GE(h.w.shapes().size(), 3U) << "its contacts are known though it had no lumps";
+    h.run(11.0, -1.0);
+    EXPECT_LE(h.w.elements(h.wire).size(), 2U);
+}
+
+TEST(WinchNodes, AreRefusedWhereTheyCannotBe) {
+    EXPECT_THROW(Hoist(4, 0, 5.0, false), DefError) << "lumps without pieces";
+    EXPECT_NO_THROW(Hoist(4, 0, 0.0, false));
+    EXPECT_THROW(Hoist(4, 0, -1.0), DefError);
+    EXPECT_THROW(Hoist(1, 1, 2.0), DefError) << "which end is at the drum";
+    Hoist h(4);
+    const InteractionId plain = h.w.elements(h.wire)[1];
+    EXPECT_THROW((void)h.w.insert_node(h.ids.line, 0.5), DefError) << "its mass is the winch's";
+    EXPECT_THROW((void)h.w.insert_node(plain, 0.5, 10.0), DefError) << "its mass is its own";
+    EXPECT_EQ(h.w.wire_of(plain), h.wire);
+    EXPECT_THROW(h.w.set_mass(h.ids.drum, 1.0), DefError);
+    EXPECT_THROW(h.w.set_mass(h.w.nodes(h.wire)[1], 0.0), DefError);
+}
+
+}  // namespace
+}  // namespace hawser::test
