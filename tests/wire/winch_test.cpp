@@ -137,17 +137,23 @@ TEST(Winch, LayersChangeWithoutAJumpOfTheRestLength) {
     def.max_speed = 3.0;
     Deck d(def);
     double before = d.w.length(d.wire), began = before, jump = 0.0, radius = d.get("radius");
-    int changes = 0;
+    const double first = radius;
+    double climb = 0.0, highest = radius, lowest = radius;
     for (int way : {1, -1})
         for (int i = 0; i < 6 * 240; ++i) {
             d.step(way * 2.5);
             const double speed = d.w.velocity(d.ids.drum).linear.x(), now = d.w.length(d.wire);
             jump = std::max(jump, std::abs(now - before - d.get("radius") * speed / 240.0));
             began = std::exchange(before, now);
-            changes += d.get("radius") != radius ? 1 : 0;
+            climb = std::max(climb, std::abs(d.get("radius") - radius));
             radius = d.get("radius");
+            highest = std::max(highest, radius);
+            lowest = std::min(lowest, radius);
         }
-    EXPECT_EQ(changes, 2);
+    EXPECT_NEAR(radius, first, 2e-4);  // the ways differ by a step
+    // It climbs by the wire's diameter over the wire of one wrap, 7.5 m, evenly.
+    EXPECT_NEAR(highest - lowest, 0.076, 1e-9);
+    EXPECT_LT(climb, 0.076 / 7.5 * 3.0 / 240.0);  // at 3 m/s
     EXPECT_EQ(d.count(EventKind::layer), 2);
     EXPECT_LT(jump, 1e-9);
     EXPECT_NEAR(d.get("wire_left") + began, 1460.0, 1e-9);  // where the last step began
