@@ -136,15 +136,15 @@ void draw_cables(Drawing& drawing, const Axes& axes, const View& view,
             const std::int32_t element =
                 std::min(cable.elements - 1, std::max(0, cable.elements - pieces + i));
             const Point from = points[static_cast<std::size_t>(i)],
-                        to = points[static_cast<std::size_t>(i + 1)];
+                        to = points[static_cast<std::size_t>(i) + 1];
             if (is_parted(parted, c, element)) {
                 for (const Point end : {from, to}) draw_cross(drawing, end);
                 continue;
             }
             const double tension =
-                cable.elements > 0
-                    ? frame.tensions[static_cast<std::size_t>(cable.first_element + element)]
-                    : 0.0;
+                cable.elements > 0 ? frame.tensions[static_cast<std::size_t>(cable.first_element) +
+                                                    static_cast<std::size_t>(element)]
+                                   : 0.0;
             drawing.line(from, to,
                          scale_color((tension - style.tension.low) / style.tension.span()), 2.2);
         }

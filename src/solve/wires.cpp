@@ -197,8 +197,11 @@ void make_wires(Model& model, const State& state, WireWork& work) {
 
 void remember_gains(Model& model) noexcept {
     Wires& w = model.wires;
-    for (std::int32_t& left : w.recoil)
-        if (left > 0 && --left == 0) w.stale = true;
+    for (std::int32_t& left : w.recoil) {
+        if (left <= 0) continue;
+        --left;
+        if (left == 0) w.stale = true;
+    }
     if (w.stale) follow_alerts(model);
     if (!on_guard(model)) return;
     const bool any_fast = w.measured;

@@ -16,8 +16,10 @@ using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
 Matrix full(std::span<const double> triangle, int n) {
     Matrix m(n, n);
     for (int i = 0; i < n; ++i)
-        for (int j = 0; j <= i; ++j)
-            m(i, j) = m(j, i) = triangle[static_cast<std::size_t>(i * (i + 1) / 2 + j)];
+        for (int j = 0; j <= i; ++j) {
+            const int place = i * (i + 1) / 2 + j;
+            m(i, j) = m(j, i) = triangle[static_cast<std::size_t>(place)];
+        }
     return m;
 }
 

@@ -117,7 +117,7 @@ class WireMaker {
     /// Between lumps: what ends on a body has none there.
     void add_segment(std::size_t i) {
         const auto is_lump = [&](BodyId id) { return world_.body_def(id).kind == BodyKind::lump; };
-        if (!is_lump(out_.nodes[i]) || !is_lump(out_.nodes[i + 1])) return;
+        if (!is_lump(out_.nodes[i]) || !is_lump(out_.nodes[i + 1]) || !out_.trim.segment) return;
         ShapeDef s = *out_.trim.segment;
         s.body = out_.nodes[i];
         s.body_b = out_.nodes[i + 1];

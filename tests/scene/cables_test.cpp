@@ -97,8 +97,9 @@ TEST(Cables, winch_pays_out_the_first_element) {
         R"("from": {"body": "drum"}, "winch": {"drum": "drum", "radius": 0.8,
                      "fairlead": {"body": "a", "point": [5, 0, 0]}})"};
     for (const std::string& way : ways) {
-        const Description d =
-            flat(with_cable(R"({"name": "c", "line_type": "wire", )" + end + way + "}"));
+        std::string cable = R"({"name": "c", "line_type": "wire", )";
+        cable.append(end).append(way).append("}");
+        const Description d = flat(with_cable(cable));
         const InteractionDef& first = interaction(d, "c/s0");
         EXPECT_EQ(first.kind, InteractionKind::WinchStretch);
         EXPECT_EQ(first.body[0], d.find_body("a"));
