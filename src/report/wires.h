@@ -59,9 +59,9 @@ class WireWatch {
         WireId id;
         WireFigures figures;
         std::vector<InteractionId> elements{};  ///< As looked at last …
-        std::vector<std::int32_t> share{};      ///< … with the share of each; −1: not there.
-        std::vector<double> sum{};              ///< By share, of tensions …
-        std::vector<std::size_t> counted{};     ///< … of so many elements in all steps.
+        std::vector<std::int32_t> share{};      ///< Share each element lies in; −1: it is gone.
+        std::vector<double> sum{};              ///< Sum of the tensions of a share [N].
+        std::vector<std::size_t> counted{};     ///< Number of tensions in that sum.
     };
     static void look(const World& world, Watched& w, bool first);
 

@@ -43,11 +43,16 @@ TEST(PartedCables, AreFoundByTheNamesOfTheirElements) {
     EXPECT_EQ(draw::parted_elements(recording, 2.0)[0].element, 0);
 }
 
-TEST(PartedCables, AreDrawnInPiecesWithTheirEndsMarked) {
+/// 1.5 s of a cable that parts at their end.
+record::Recording record_parting() {
     SmallScene scene;
     const auto file = fresh_folder() / "r.hwr";
     scene.record(file, 90);
-    record::Recording recording = record::Recording::open(file);
+    return record::Recording::open(file);
+}
+
+TEST(PartedCables, AreDrawnInPiecesWithTheirEndsMarked) {
+    record::Recording recording = record_parting();
     const record::Series series = record::collect_series(recording);
     const auto parted = draw::plot_views(recording, series, recording.frame_count() - 1);
     ASSERT_TRUE(parted);
@@ -60,10 +65,7 @@ TEST(PartedCables, AreDrawnInPiecesWithTheirEndsMarked) {
 }
 
 TEST(PartedCables, TensionIsDrawnAlongThem) {
-    SmallScene scene;
-    const auto file = fresh_folder() / "r.hwr";
-    scene.record(file, 90);
-    record::Recording recording = record::Recording::open(file);
+    record::Recording recording = record_parting();
     const record::Series series = record::collect_series(recording);
     const auto drawing = draw::plot_wires(recording, series);
     ASSERT_TRUE(drawing);
