@@ -15,6 +15,7 @@
 #include <hawser/interactions.h>
 #include <hawser/shapes.h>
 #include <hawser/stats.h>
+#include <hawser/wire.h>
 
 #include <cstddef>
 #include <span>
@@ -51,6 +52,12 @@ class ChangeListener {
     virtual void parted(InteractionId id) noexcept = 0;  ///< By part(), not by its load.
     virtual void node_inserted(InteractionId element, double share) noexcept = 0;
     virtual void node_removed(BodyId node, double bend) noexcept = 0;  ///< By remove_node().
+    /// By World::cut(), whichever.
+    virtual void cut(InteractionId element, double share) noexcept = 0;
+    /// By join() and attach(). @param b  A lump, or a body with a point.
+    virtual void joined(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) noexcept = 0;
+    virtual void detached(InteractionId element, int end) noexcept = 0;
+    virtual void released(InteractionId hook) noexcept = 0;  ///< By World::release().
     /// By restore(), or by copy_state() from a world whose save() this is.
     virtual void restored(std::span<const std::byte> bytes) noexcept = 0;
 };

@@ -26,6 +26,7 @@
 #include <hawser/edits.h>
 #include <hawser/id.h>
 #include <hawser/interactions.h>
+#include <hawser/machine.h>
 #include <hawser/math.h>
 #include <hawser/outputs.h>
 #include <hawser/shapes.h>
@@ -292,6 +293,16 @@ class World {
     void part(InteractionId id);  ///< Once. @throws DefError where it is no element.
     BodyId insert_node(InteractionId element, double share);  ///< Nodes come and go: wire.h.
     bool remove_node(BodyId node, double bend = 0.05);        ///< @return whether it went.
+    // Cut, join, attach, let go: wire.h. @throws DefError, std::bad_alloc.
+    WireId cut(WireId id, double s);
+    WireId cut(InteractionId element, double share);
+    Joint join(WireId a, int end_a, WireId b, int end_b, const JoinDef& def = {});
+    Joint attach(WireId id, int end, BodyId body, const Vec3& point, const JoinDef& def = {});
+    /// @param a  Lump at a free end. @param b  Another, or a body with a point of its frame [m].
+    Joint join(BodyId a, BodyId b, const Vec3& point, const JoinDef& def);
+    void detach(WireId id, int end);
+    void detach(InteractionId element, int end);
+    void release(InteractionId hook);  ///< @throws DefError where it is no pelican hook.
 
     // --- Cuts (docs/methods.md, 10) ---------------------------------------------------------
     /// Group of a body from the next step on (BodyDef::group).
@@ -385,16 +396,5 @@ class World {
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
-
-/// Instruction set that the dispatcher chose: "sse2", "avx2" or "avx512". The environment
-/// variable HAWSER_ISA chooses a lesser one than the processor has.
-[[nodiscard]] const char* instruction_set() noexcept;
-
-/// What World's constructor does first. @throws EnvironmentError where HAWSER_ISA is set and names
-/// no instruction set, or one that the processor has not.
-void check_environment();
-
-/// Version of the library, e.g. "0.1.0".
-[[nodiscard]] const char* version() noexcept;
 
 }  // namespace hawser

@@ -39,8 +39,12 @@ enum class ChangeKind : std::uint8_t {
     part,
     insert_node,
     remove_node,
+    cut,
+    join,
+    detach,
+    release,
 };
-inline constexpr int kChangeKindCount = 24;
+inline constexpr int kChangeKindCount = 28;
 
 template <class D, class T>
 concept FieldsOf = std::same_as<std::remove_const_t<D>, T>;
@@ -132,6 +136,18 @@ void visit_fields(D& d, F&& f) {
     f(d.damping_time);
     f(d.rolling);
     f(d.torsional);
+}
+
+template <class F, FieldsOf<JoinDef> D>
+void visit_fields(D& d, F&& f) {
+    f(d.name);
+    f.word(d.gear, 5);
+    f(d.mass);
+    f(d.length);
+    f(d.EA);
+    f(d.breaking_load);
+    f(d.radius);
+    f(d.reach);
 }
 
 template <class F, FieldsOf<MaterialPairDef> D>

@@ -129,6 +129,30 @@ void apply_grouping(ChangeKind kind, GetFields& get, World& world) {
     }
 }
 
+void apply_wire_change(ChangeKind kind, GetFields& get, World& world) {
+    if (kind == ChangeKind::part) {
+        world.part(get.value<InteractionId>());
+    } else if (kind == ChangeKind::insert_node) {
+        const auto element = get.value<InteractionId>();
+        (void)world.insert_node(element, get.value<double>());
+    } else if (kind == ChangeKind::remove_node) {
+        const auto node = get.value<BodyId>();
+        (void)world.remove_node(node, get.value<double>());
+    } else if (kind == ChangeKind::cut) {
+        const auto element = get.value<InteractionId>();
+        (void)world.cut(element, get.value<double>());
+    } else if (kind == ChangeKind::join) {
+        const auto a = get.value<BodyId>(), b = get.value<BodyId>();
+        const auto point = get.value<Vec3>();
+        (void)world.join(a, b, point, get.definition<JoinDef>());
+    } else if (kind == ChangeKind::detach) {
+        const auto element = get.value<InteractionId>();
+        world.detach(element, get.value<std::int32_t>());
+    } else {
+        world.release(get.value<InteractionId>());
+    }
+}
+
 void apply_one(ChangeKind kind, ByteReader& in, World& world) {
     GetFields get{in};
     if (kind <= ChangeKind::add_material_pair) return apply_addition(kind, get, world);
@@ -137,6 +161,7 @@ void apply_one(ChangeKind kind, ByteReader& in, World& world) {
         return apply_motion(kind, get, world);
     if (kind >= ChangeKind::set_group && kind <= ChangeKind::set_coupling)
         return apply_grouping(kind, get, world);
+    if (kind >= ChangeKind::part) return apply_wire_change(kind, get, world);
     if (kind == ChangeKind::set_input) {
         const auto id = get.value<InputId>();
         world.set_input(id, get.value<double>());
@@ -146,14 +171,6 @@ void apply_one(ChangeKind kind, ByteReader& in, World& world) {
         get(d.hasty);
         get(d.cuts);
         world.degrade_next_step(d);
-    } else if (kind == ChangeKind::part) {
-        world.part(get.value<InteractionId>());
-    } else if (kind == ChangeKind::insert_node) {
-        const auto element = get.value<InteractionId>();
-        (void)world.insert_node(element, get.value<double>());
-    } else if (kind == ChangeKind::remove_node) {
-        const auto node = get.value<BodyId>();
-        (void)world.remove_node(node, get.value<double>());
     } else {
         world.restore(in.take(in.get<std::uint32_t>()));
     }

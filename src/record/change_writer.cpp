@@ -228,6 +228,38 @@ void ChangeBytes::node_removed(BodyId node, double bend) noexcept {
         put(bend);
     });
 }
+void ChangeBytes::cut(InteractionId element, double share) noexcept {
+    other_bodies_ = true;
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::cut);
+        put(element);
+        put(share);
+    });
+}
+void ChangeBytes::joined(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) noexcept {
+    other_bodies_ = true;
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::join);
+        put(a);
+        put(b);
+        put(point);
+        visit_fields(def, put);
+    });
+}
+void ChangeBytes::detached(InteractionId element, int end) noexcept {
+    other_bodies_ = true;
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::detach);
+        put(element);
+        put(static_cast<std::int32_t>(end));
+    });
+}
+void ChangeBytes::released(InteractionId hook) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::release);
+        put(hook);
+    });
+}
 void ChangeBytes::restored(std::span<const std::byte> bytes) noexcept {
     write([&](PutFields& put) {
         begin(put, ChangeKind::restore);

@@ -12,12 +12,14 @@
 #include "step/nodes.h"
 #include "step/sleep.h"
 #include "step/step.h"
+#include "world/gear.h"
 #include "world/lookup.h"
 #include "world/outputs.h"
 #include "world/systems.h"
 #include "world/use.h"
 #include "world/wire_list.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -80,6 +82,11 @@ struct World::Impl final : private world::InputDoor {
     void tell_of(const world::Wire& made) const noexcept;
     void take_back(const Mark& before, const world::Wire& made) noexcept;
     [[nodiscard]] WireId keep_wire(world::Wire& wire);
+    /// Room for one more wire, of a name that is claimed. @return the empty place that it will
+    /// have, −1: behind all others. @throws DefError, std::bad_alloc.
+    [[nodiscard]] std::int32_t claim_wire(const std::string& name);
+    WireId put_wire(world::Wire& wire, std::int32_t vacant) noexcept;
+    void forget_wire(WireId id) noexcept;
     [[nodiscard]] const world::Wire& wire(WireId id) const;
     // Of insert_node() and remove_node(): the wire that an element is of, null where it is of none;
     // what definitions say of the bodies and elements about a node; the capsule of an element.
@@ -87,6 +94,27 @@ struct World::Impl final : private world::InputDoor {
     void follow_definitions(const stepper::NodePlace& place) noexcept;
     void move_segment(ShapeId segment, std::size_t side, BodyId to) noexcept;
     [[nodiscard]] ShapeId segment_between(std::int32_t a, std::int32_t b) const noexcept;
+
+    // Of wires that are cut, joined and let go (wire_cuts.cpp, wire_joins.cpp, wire_ends.cpp).
+    std::vector<world::GearInUse> gear;
+    [[nodiscard]] WireId id_of(const world::Wire& wire) const noexcept {
+        return wires.places.id<WireId>(static_cast<std::int32_t>(&wire - wires.wires.data()));
+    }
+    void part_lump(const stepper::NodePlace& place, BodyId end) noexcept;
+    void share_load(BodyId from, BodyId to, double share) noexcept;
+    void follow_definition(BodyId lump) noexcept;
+    void turn_round(std::span<const std::int32_t> chain) noexcept;
+    [[nodiscard]] world::FreeEnd free_end(BodyId lump) const;
+    [[nodiscard]] world::FreeEnd free_end(WireId id, int end) const;
+    [[nodiscard]] Joint splice(World& world, BodyId a, BodyId b);
+    [[nodiscard]] Joint hold(World& world, BodyId a, BodyId b, const Vec3& point,
+                             const JoinDef& def);
+    [[nodiscard]] Joint put_plate(World& world, BodyId a, BodyId b, const JoinDef& def);
+    [[nodiscard]] InteractionDef link_of(const World& world, BodyId a, BodyId b, const Vec3& point,
+                                         const JoinDef& def) const;
+    void add_gear_mass(BodyId lump, double mass) noexcept;
+    void open_gear(InteractionId element, BodyId lump);
+    void free_lump(World& world, InteractionId element, std::size_t side);
 
     Removed removed;  ///< By the last removal.
     void forget_removal() noexcept;

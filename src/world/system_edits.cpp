@@ -106,6 +106,7 @@ World World::Impl::definitions() const {
     copy_interactions(out);
     copy_inputs(out);
     out.impl_->wires = wires;
+    out.impl_->gear = gear;
     for (const BodyId id : body_ids) {
         const double* x = &ctx.model.bodies.x[3 * at(id.index)];
         const double* q = &ctx.model.bodies.q[4 * at(id.index)];

@@ -114,6 +114,7 @@ World World::twin(std::optional<Coupling> coupling) const {
     m.copy_interactions(out);
     m.copy_inputs(out);
     out.impl_->wires = m.wires;
+    out.impl_->gear = m.gear;
     for (std::size_t i = 0; i < m.systems.count(); ++i) {
         std::unique_ptr<System> copy = m.systems.at(i).clone();
         if (!copy)

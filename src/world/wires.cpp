@@ -136,13 +136,17 @@ WireId World::adopt_wire(const std::string& name, std::span<const InteractionId>
     return m.keep_wire(made);
 }
 
-WireId World::Impl::keep_wire(world::Wire& wire) {
+std::int32_t World::Impl::claim_wire(const std::string& name) {
     wires.places.make_room();
     base::make_room(wires.wires, 1);
     base::make_room(wires.ids, 1);
     const std::int32_t vacant = wires.places.find_vacant([](std::int32_t) { return true; });
+    world::claim(wires.names, name, vacant < 0 ? wires.places.count() : vacant, "wire");
+    return vacant;
+}
+
+WireId World::Impl::put_wire(world::Wire& wire, std::int32_t vacant) noexcept {
     const std::int32_t place = vacant < 0 ? wires.places.count() : vacant;
-    world::claim(wires.names, wire.name, place, "wire");
     if (vacant < 0) {
         (void)wires.places.append();
         wires.wires.push_back(std::move(wire));
@@ -153,6 +157,15 @@ WireId World::Impl::keep_wire(world::Wire& wire) {
     const auto id = wires.places.id<WireId>(place);
     wires.ids.insert(std::lower_bound(wires.ids.begin(), wires.ids.end(), id), id);
     return id;
+}
+
+WireId World::Impl::keep_wire(world::Wire& wire) { return put_wire(wire, claim_wire(wire.name)); }
+
+void World::Impl::forget_wire(WireId id) noexcept {
+    world::release(wires.names, wires.wires[at(id.index)].name);
+    wires.ids.erase(std::lower_bound(wires.ids.begin(), wires.ids.end(), id));
+    wires.wires[at(id.index)].begin({}, false);
+    wires.places.vacate(id.index);
 }
 
 const world::Wire& World::Impl::wire(WireId id) const {
@@ -176,10 +189,7 @@ const Removed& World::remove_wire(WireId id) {
         for (const InteractionId gone : m.removed.interactions) m.listener->removed(gone);
         for (const BodyId gone : m.removed.bodies) m.listener->removed(gone);
     }
-    world::release(m.wires.names, wire.name);
-    m.wires.ids.erase(std::lower_bound(m.wires.ids.begin(), m.wires.ids.end(), id));
-    m.wires.wires[at(id.index)].begin({}, false);
-    m.wires.places.vacate(id.index);
+    m.forget_wire(id);
     return m.sorted_removal();
 }
 
