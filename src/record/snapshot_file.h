@@ -7,8 +7,11 @@
 
 #include <hawser/hawser.h>
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
 #include <stdexcept>
+#include <vector>
 
 namespace hawser::record {
 
@@ -17,11 +20,16 @@ struct SnapshotError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// @throws SnapshotError when the file cannot be written.
-void save_snapshot(const std::filesystem::path& file, const SceneInfo& scene, const World& world);
+/// @param history  What was done to the structure of the scene's world since its start, as bytes of
+/// apply_changes(), states included; empty: nothing. @throws SnapshotError when the file cannot be
+/// written.
+void save_snapshot(const std::filesystem::path& file, const SceneInfo& scene, const World& world,
+                   std::span<const std::byte> history = {});
 
 /// Continue from a saved state. @throws SnapshotError when the file is damaged or was saved
 /// from another scene; the world is then unchanged.
-void restore_snapshot(const std::filesystem::path& file, const SceneInfo& scene, World& world);
+/// @return the history.
+std::vector<std::byte> restore_snapshot(const std::filesystem::path& file, const SceneInfo& scene,
+                                        World& world);
 
 }  // namespace hawser::record
