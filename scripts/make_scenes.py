@@ -12,11 +12,12 @@ import scenes_contact_wires
 import scenes_joints
 import scenes_mechanisms
 import scenes_scheme
+import scenes_towing
 import scenes_winches
 import scenes_wires
 
 if __name__ == "__main__":
     for module in (scenes_scheme, scenes_mechanisms, scenes_cables, scenes_benchmark,
-                   scenes_contact, scenes_contact_wires, scenes_joints, scenes_winches,
-                   scenes_wires):
+                   scenes_contact, scenes_contact_wires, scenes_joints, scenes_towing,
+                   scenes_winches, scenes_wires):
         module.main()

@@ -85,6 +85,8 @@ void print_lines(const std::string& file, const Checked& checked, bool signals) 
         scene.world.interactions().size(), scene.cables.size(), scene.world.inputs().size(),
         scene.world.output_ids().size(), scene.hash);
     fmt::print("{}", report::start::to_text(checked.cables, kMostCables));
+    for (const scene::Operation& operation : scene.timeline)
+        fmt::print("  at {:.6g} s: {}\n", operation.at, to_string(operation));
     if (signals) fmt::print("{}", signal_lines(scene.world));
 }
 
@@ -120,6 +122,10 @@ Report report_of(const std::string& file, const Checked& checked) {
         report["warnings"] = checked.start.warnings();
         report["findings"] = std::move(findings);
         report["cables"] = cable_report(checked.cables);
+        Report timeline = Report::array();
+        for (const scene::Operation& operation : checked.scene->timeline)
+            timeline.push_back({{"at", operation.at}, {"text", to_string(operation)}});
+        if (!timeline.empty()) report["timeline"] = std::move(timeline);
         report.update(signal_report(checked.scene->world));
         report["hash"] = fmt::format("{:016x}", checked.scene->hash);
     }

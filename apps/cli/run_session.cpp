@@ -156,7 +156,7 @@ int RunSession::run() {
     while (world.step_count() - first < steps_) {
         interrupted = stop_requested();
         if (interrupted) break;
-        const Status status = session_.step();
+        const Status status = take_step(progress);
         save_if_due();
         if (status != Status::ok) break;
         progress.at(world.step_count() - first);
@@ -164,6 +164,17 @@ int RunSession::run() {
     }
     progress.close();
     return finish(interrupted, std::chrono::duration<double>(Clock::now() - start).count());
+}
+
+/// An operation of the timeline that cannot be done ends the run, with all files complete.
+Status RunSession::take_step(Progress& progress) {
+    try {
+        return session_.step();
+    } catch (const DefError&) {
+        progress.close();
+        (void)session_.finish();
+        throw;
+    }
 }
 
 void RunSession::save_if_due() {

@@ -19,6 +19,8 @@
 
 namespace hawser::cli {
 
+class Progress;
+
 struct RunOptions {
     SceneOptions scene;
     std::optional<double> duration;  ///< Time at which the run ends [s].
@@ -46,6 +48,7 @@ class RunSession {
     [[nodiscard]] std::int32_t stride() const;
     void open_outputs();
     void add_observers();
+    [[nodiscard]] Status take_step(Progress& progress);
     void save_if_due();
     int finish(bool interrupted, double wall_seconds);
 

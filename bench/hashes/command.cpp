@@ -23,6 +23,7 @@ nlohmann::json figures_of(const HashComparison& c, const std::string& method) {
     for (const HashRun& r : c.runs)
         runs.push_back({{"threads", r.threads},
                         {"restored_from", r.restored_from},
+                        {"saved_after", r.saved_after},
                         {"first_difference", r.first_difference}});
     return {{"scene", c.scene},
             {"nonsmooth", method},
@@ -33,19 +34,20 @@ nlohmann::json figures_of(const HashComparison& c, const std::string& method) {
             {"contacts_max", c.contacts_max},
             {"sliding_max", c.sliding_max},
             {"sliding_steps", c.sliding_steps},
+            {"edited_steps", c.edited_steps},
             {"equal", c.equal()},
             {"runs", runs}};
 }
 
 void print_line(const HashComparison& c, const std::string& method) {
-    fmt::print("{:<18} {:<9} {:>6} {:>9} {:>8} {:>8} {:>5} {:016x}  {}\n", c.scene, method, c.steps,
-               c.contacts_max, c.sliding_max, c.sliding_steps, to_string(c.status), c.hash,
-               c.equal() ? "equal" : "DIFFERENT");
+    fmt::print("{:<18} {:<9} {:>6} {:>9} {:>8} {:>8} {:>6} {:>5} {:016x}  {}\n", c.scene, method,
+               c.steps, c.contacts_max, c.sliding_max, c.sliding_steps, c.edited_steps,
+               to_string(c.status), c.hash, c.equal() ? "equal" : "DIFFERENT");
     for (const HashRun& r : c.runs) {
         if (r.first_difference == 0) continue;
         fmt::print("    {} thread(s), {}: first difference after step {}\n", r.threads,
                    r.restored_from == 0 ? std::string("from the start")
-                                        : fmt::format("from step {} of {} thread(s)", c.saved_after,
+                                        : fmt::format("from step {} of {} thread(s)", r.saved_after,
                                                       r.restored_from),
                    r.first_difference);
     }
@@ -57,7 +59,8 @@ void print_line(const HashComparison& c, const std::string& method) {
 int hashes_command(int argc, char** argv) {
     CLI::App app(
         "Compare state hashes step by step between numbers of threads, from the start and from a "
-        "state that a world with another number of threads saved half way.",
+        "state that a world with another number of threads saved half way. Timelines of scenes are "
+        "done.",
         "hawser-bench hashes");
     std::vector<std::string> files, methods{"newton"};
     HashOptions options;
@@ -75,6 +78,10 @@ int hashes_command(int argc, char** argv) {
     app.add_option("--nonsmooth", methods, "Methods for contacts; 'all': every one")
         ->check(CLI::IsMember({"all", "newton", "pivoting", "split", "pgs", "convex"}))
         ->capture_default_str();
+    app.add_option("--restores", options.restores,
+                   "Go on from so many states more, at random steps and just before edits")
+        ->check(CLI::Range(0, 1000))
+        ->capture_default_str();
     app.add_option("--json", json, "Write the figures to this file");
     CLI11_PARSE(app, argc, argv);
 
@@ -83,8 +90,8 @@ int hashes_command(int argc, char** argv) {
     if (methods.front() == "all") methods = {"newton", "pivoting", "split", "pgs", "convex"};
     fmt::print("hashes after every step, {} thread(s), saved half way; {}\n",
                fmt::join(options.threads, ", "), instruction_set());
-    fmt::print("{:<18} {:<9} {:>6} {:>9} {:>8} {:>8} {:>5} {:<16}\n", "scene", "method", "steps",
-               "contacts", "sliding", "in steps", "", "hash");
+    fmt::print("{:<18} {:<9} {:>6} {:>9} {:>8} {:>8} {:>6} {:>5} {:<16}\n", "scene", "method",
+               "steps", "contacts", "sliding", "in steps", "edited", "", "hash");
     nlohmann::json rows = nlohmann::json::array();
     int different = 0;
     for (const std::string& file : files)

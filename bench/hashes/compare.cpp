@@ -3,9 +3,17 @@
 
 #include "hashes/compare.h"
 
+#include <hawser/structure.h>
+#include <hawser/timeline.h>
+
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
+#include <map>
+#include <optional>
+#include <random>
 #include <span>
+#include <utility>
 
 namespace hawser::bench {
 namespace {
@@ -29,36 +37,105 @@ bool has_bounds(const World& world) {
 
 /// What a step that failed counts as: its state is that of the step before.
 constexpr std::uint64_t kFailed = 0;
+/// Of a state at a random step.
+constexpr std::size_t kRestoredSteps = 60;
 
-std::uint64_t step_and_hash(World& world) {
-    return world.step() == Status::ok ? world.state_hash() : kFailed;
-}
+struct Saved {
+    std::vector<std::byte> state;
+    std::optional<Structure> made_of;  ///< Of other pieces than at the start.
+};
 
-/// The first run: hashes of all steps, and what there was to be seen.
-std::vector<std::uint64_t> run_first(scene::Scene& s, const HashOptions& options, int middle,
-                                     HashComparison& out, std::vector<std::byte>& saved) {
+/// A scene with its timeline.
+class Run {
+  public:
+    Run(const std::string& file, const HashOptions& options, int threads)
+        : scene_(load_for_hashes(file, options, threads)) {
+        scene_.world.prepare();
+        identity_ = scene_.world.identity();
+    }
+    [[nodiscard]] const World& world() const { return scene_.world; }
+    [[nodiscard]] Saved save() const {
+        Saved out{scene_.world.save(), {}};
+        if (scene_.world.identity() != identity_) out.made_of = scene_.world.structure();
+        return out;
+    }
+    void restore(const Saved& from) {
+        World& w = scene_.world;
+        from.made_of ? w.restore(*from.made_of, from.state) : w.restore(from.state);
+        while (due(w.time() - w.settings().step)) ++next_;
+    }
+    std::uint64_t step_and_hash() {
+        World& w = scene_.world;
+        for (; due(w.time()); ++next_) scene::perform(scene_.timeline[next_], w);
+        return w.step() == Status::ok ? w.state_hash() : kFailed;
+    }
+
+  private:
+    [[nodiscard]] bool due(double time) const {
+        constexpr double kSlack = 1e-9;
+        return next_ < scene_.timeline.size() && scene_.timeline[next_].at <= time + kSlack;
+    }
+    scene::Scene scene_;
+    std::uint64_t identity_ = 0;
+    std::size_t next_ = 0;
+};
+
+/// What a world is made of, to be compared.
+struct Pieces {
+    std::vector<BodyId> bodies;
+    std::vector<InteractionId> interactions;
+    explicit Pieces(const World& w)
+        : bodies(w.bodies().begin(), w.bodies().end()),
+          interactions(w.interactions().begin(), w.interactions().end()) {}
+    friend bool operator==(const Pieces&, const Pieces&) = default;
+};
+
+/// The first run: hashes of all steps, what there was to be seen, and states before some steps.
+std::vector<std::uint64_t> run_first(Run& run, const HashOptions& options, HashComparison& out,
+                                     std::map<int, Saved>& saved) {
     std::vector<std::uint64_t> hashes;
+    Pieces pieces(run.world());
+    std::int64_t edits_to_save = options.restores / 2;
     for (int i = 0; i < options.steps; ++i) {
-        if (i == middle) saved = s.world.save();
-        hashes.push_back(step_and_hash(s.world));
+        Saved before;
+        if (edits_to_save > 0) before = run.save();
+        if (const auto at = saved.find(i); at != saved.end())
+            at->second = edits_to_save > 0 ? before : run.save();
+        hashes.push_back(run.step_and_hash());
+        if (Pieces now(run.world()); now != pieces) {
+            ++out.edited_steps;
+            pieces = std::move(now);
+            if (edits_to_save > 0 && saved.emplace(i, std::move(before)).second) --edits_to_save;
+        }
         std::int32_t sliding = 0;
-        for (const ContactView& c : s.world.contacts()) sliding += c.sliding ? 1 : 0;
-        out.contacts_max = std::max(out.contacts_max, s.world.stats().contacts);
+        for (const ContactView& c : run.world().contacts()) sliding += c.sliding ? 1 : 0;
+        out.contacts_max = std::max(out.contacts_max, run.world().stats().contacts);
         out.sliding_max = std::max(out.sliding_max, sliding);
         out.sliding_steps += sliding > 0 ? 1 : 0;
     }
-    out.status = s.world.stats().status;
+    out.status = run.world().stats().status;
     return hashes;
 }
 
 /// Step on and compare. `at`: steps taken so far. Saves after `middle` steps.
-std::int64_t first_difference(World& world, std::span<const std::uint64_t> hashes, int at,
-                              int middle, std::vector<std::byte>* saved) {
+std::int64_t first_difference(Run& run, std::span<const std::uint64_t> hashes, int at, int middle,
+                              Saved* saved) {
     for (auto i = static_cast<std::size_t>(at); i < hashes.size(); ++i) {
-        if (saved != nullptr && static_cast<int>(i) == middle) *saved = world.save();
-        if (step_and_hash(world) != hashes[i]) return static_cast<std::int64_t>(i) + 1;
+        if (saved != nullptr && static_cast<int>(i) == middle) *saved = run.save();
+        if (run.step_and_hash() != hashes[i]) return static_cast<std::int64_t>(i) + 1;
     }
     return 0;
+}
+
+/// Steps at which states are saved: half way, and random ones.
+std::map<int, Saved> steps_to_save(const HashOptions& options, int middle) {
+    std::map<int, Saved> out;
+    out[middle];
+    std::mt19937 dice(static_cast<std::uint32_t>(options.steps));
+    const int random = options.restores - options.restores / 2;
+    for (int k = 0; k < random; ++k)
+        out[static_cast<int>(dice() % static_cast<std::uint32_t>(options.steps))];
+    return out;
 }
 
 }  // namespace
@@ -75,22 +152,36 @@ HashComparison compare_hashes(const std::string& file, const HashOptions& option
     const int middle = options.steps / 2;
     out.saved_after = middle;
     const std::vector<int>& threads = options.threads;
-    std::vector<std::vector<std::byte>> saved(threads.size());
-    scene::Scene first = load_for_hashes(file, options, threads.at(0));
-    const auto hashes = run_first(first, options, middle, out, saved[0]);
-    out.hash = hashes.empty() ? first.world.state_hash() : hashes.back();
+    std::vector<Saved> saved(threads.size());
+    std::map<int, Saved> states = steps_to_save(options, middle);
+    Run first(file, options, threads.at(0));
+    const auto hashes = run_first(first, options, out, states);
+    saved[0] = std::move(states.at(middle));
+    states.erase(middle);
+    out.hash = hashes.empty() ? first.world().state_hash() : hashes.back();
     for (std::size_t k = 1; k < threads.size(); ++k) {
-        scene::Scene s = load_for_hashes(file, options, threads[k]);
-        const auto differs = first_difference(s.world, hashes, 0, middle, &saved[k]);
-        out.runs.push_back({threads[k], 0, differs});
+        Run run(file, options, threads[k]);
+        const auto differs = first_difference(run, hashes, 0, middle, &saved[k]);
+        out.runs.push_back({threads[k], 0, 0, differs});
     }
     for (std::size_t k = 0; k < threads.size(); ++k) {
-        if (saved[k].empty()) continue;  // it differed before
+        if (saved[k].state.empty()) continue;  // it differed before
         const int other = threads[(k + 1) % threads.size()];
-        scene::Scene s = load_for_hashes(file, options, other);
-        s.world.restore(saved[k]);
-        const auto differs = first_difference(s.world, hashes, middle, middle, nullptr);
-        out.runs.push_back({other, threads[k], differs});
+        Run run(file, options, other);
+        run.restore(saved[k]);
+        const auto differs = first_difference(run, hashes, middle, middle, nullptr);
+        out.runs.push_back({other, threads[k], middle, differs});
+    }
+    std::size_t next = 0;
+    for (const auto& [at, state] : states) {
+        const int other = threads[++next % threads.size()];
+        Run run(file, options, other);
+        run.restore(state);
+        const std::size_t end =
+            std::min(hashes.size(), static_cast<std::size_t>(at) + kRestoredSteps);
+        const auto differs =
+            first_difference(run, std::span(hashes).first(end), at, middle, nullptr);
+        out.runs.push_back({other, threads[0], at, differs});
     }
     return out;
 }

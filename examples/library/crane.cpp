@@ -136,6 +136,15 @@ CraneEnd lift() {
     const std::uint64_t first = two_seconds();
     world.restore(saved);
     const bool same = two_seconds() == first;
+
+    const std::uint64_t identity = world.identity();
+    const hawser::Structure made_of = world.structure();
+    world.save(saved);
+    (void)two_seconds();
+    if (world.identity() == identity)
+        world.restore(saved);
+    else
+        world.restore(made_of, saved);
     return {end.angle, end.height, end.tension, end.worst, same};
 }
 

@@ -15,12 +15,15 @@
 #include <hawser/interactions.h>
 #include <hawser/shapes.h>
 #include <hawser/stats.h>
+#include <hawser/wire.h>
 
 #include <cstddef>
 #include <span>
 #include <string>
 
 namespace hawser {
+
+struct Structure;  // structure.h
 
 /// Told after a change has been made; references hold during the call. Must not change the world.
 class ChangeListener {
@@ -53,8 +56,16 @@ class ChangeListener {
     virtual void node_inserted(InteractionId element, double share, double mass) noexcept = 0;
     virtual void node_removed(BodyId node, double bend) noexcept = 0;  ///< By remove_node().
     virtual void set_mass(BodyId lump, double mass) noexcept = 0;
+    /// By World::cut(), whichever.
+    virtual void cut(InteractionId element, double share) noexcept = 0;
+    /// By join() and attach(). @param b  A lump, or a body with a point.
+    virtual void joined(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) noexcept = 0;
+    virtual void detached(InteractionId element, int end) noexcept = 0;
+    virtual void released(InteractionId hook) noexcept = 0;  ///< By World::release().
     /// By restore(), or by copy_state() from a world whose save() this is.
     virtual void restored(std::span<const std::byte> bytes) noexcept = 0;
+    /// By restore() of another structure. @param bytes  Its state.
+    virtual void restored(const Structure& made_of, std::span<const std::byte> bytes) noexcept = 0;
 };
 
 }  // namespace hawser

@@ -23,6 +23,7 @@
 #include <hawser/shapes.h>
 #include <hawser/state.h>
 #include <hawser/stats.h>
+#include <hawser/structure.h>
 #include <hawser/system.h>
 #include <hawser/systems/pid.h>
 #include <hawser/trace.h>

@@ -11,6 +11,7 @@
 /// second pair of functions that lists all of them.
 
 #include <hawser/hawser.h>
+#include <hawser/timeline.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -83,6 +84,7 @@ struct Scene {
     double duration = 10.0;  ///< [s].
     World world;
     std::vector<Cable> cables;
+    std::vector<Operation> timeline;         ///< By time. A Session does it.
     std::vector<std::string> plot_tensions;  ///< Cables whose tension is worth a curve.
     std::vector<std::string> plot_motions;   ///< Bodies whose motion is worth a curve.
     /// Lower and upper corner of what pictures show [m]; empty: everything.

@@ -92,9 +92,11 @@ class Session {
     void save(const std::filesystem::path& file) const;
 
     // --- Stepping -------------------------------------------------------------------------------
-    /// Take over the values that the control file has for this time, take one step, and write what
-    /// is due. @return the status of World::step(); Status::diverged where an observer or the
-    /// verifier objects to a step, which is then taken all the same: see objection().
+    /// Do what the scene's timeline has for this time, take over the values that the control file
+    /// has for it, take one step, and write what is due. @throws DefError where an operation of the
+    /// timeline cannot be done; those before it have been. @return the status of World::step();
+    /// Status::diverged where an observer or the verifier objects to a step, which is then taken
+    /// all the same: see objection().
     Status step();
     /// End the step under way, or else the next one, with Status::cancelled. See World::cancel().
     void cancel() noexcept;

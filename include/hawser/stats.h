@@ -66,11 +66,16 @@ enum class EventKind : std::uint8_t {
     // Of winches (winch.h), of the body that is the drum.
     layer,       ///< The wire leaves or lies on another layer. value: its number, 1 the innermost.
     brake_slip,  ///< A brake began to slip; once each time. value: its torque [N m].
-    release,     ///< An emergency release took effect. value: tension then [N].
+    release,     ///< An emergency release took effect, or a pelican hook opened (wire.h, of the
+                 ///< hook). value: tension then [N].
     weak_link,   ///< The wire's fastening on the drum parted. value: its force [N].
     drum_empty,  ///< All wire is off the drum. value: tension then [N].
+    // Of wires that are cut and joined (wire.h).
+    cut,     ///< A wire was cut. value: tension there [N].
+    join,    ///< Ends were joined, or an end attached. value: how far apart they were [m].
+    detach,  ///< An end was let go. value: tension there [N].
 };
-inline constexpr int kEventKindCount = 17;
+inline constexpr int kEventKindCount = 20;
 [[nodiscard]] const char* to_string(EventKind kind) noexcept;
 
 struct Event {

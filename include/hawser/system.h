@@ -321,6 +321,13 @@ class System {
     /// What must not be removed while it acts: World::remove_body() and its like refuse it,
     /// whatever else it hangs on included. Asked for at each removal.
     virtual void holds(HoldTable& table) const { static_cast<void>(table); }
+    /// Mass of an element of a wire whose ends it loads with half each, as lumps have that of
+    /// others (WinchDef::element) [kg]; 0: it does not. What goes on as another element takes it
+    /// over.
+    [[nodiscard]] virtual double carried_mass(InteractionId element) const noexcept {
+        static_cast<void>(element);
+        return 0.0;
+    }
     /// Another one with the same definition, for World::twin(), which then copies the state; null:
     /// a world with this system has no twin.
     [[nodiscard]] virtual std::unique_ptr<System> clone() const { return nullptr; }

@@ -33,12 +33,35 @@
 /// World::set_mass() makes a lump more or less of the same material: its drag and its applied force
 /// go with its mass. All throw DefError where they cannot be, and std::bad_alloc.
 /// docs/methods.md, 12.
+///
+/// *Wires are cut, joined, held and let go* between steps (docs/wires.md). What throws has changed
+/// nothing; a change listener hears of each, so that recordings repeat them:
+/// - World::cut() makes two wires of one at the material coordinate s [m], above 0 and below its
+///   length: the node there becomes two, with the same place and velocity, each with what it holds
+///   of the elements on its side. Within an element that may have nodes one is put there first;
+///   else the nearest node between elements parts. The bend there goes, its energy counts as
+///   driven. The second piece is another wire, "name/2", "name/3", …; it is returned. Of an
+///   element, `share` 0 to 1 of it from its first body, of 1 excluded; the id that is returned is
+///   invalid where the element is of no wire. Event `cut`: the element before it, the tension [N].
+/// - World::join() holds two free ends together by gear, or makes one wire of two by a splice
+///   (Gear), also by the lumps there, or a lump and a body with a point. World::attach() holds a
+///   free end to a point of a body's frame [m], where it is, with gear or rigidly. Ends are 0, the
+///   first one, and 1. Event `join`: what holds, or the element before a splice; the distance of
+///   the ends [m].
+/// - World::detach() lets an end go, whatever holds it: gear or a body. An end that was held by a
+///   body without a lump of its own gets one, with the half element that no body carried. Off a
+///   drum (WinchStretch) the wire goes on as a Stretch of the same length; what lay on the drum
+///   parts. Event `detach`: the element at the end, its tension [N].
+/// - World::release() opens a pelican hook, with an event `release`: the hook, its tension [N].
+///
+/// An end is free where a lump is that one element holds and nothing else but bends.
 
 #include <hawser/id.h>
 #include <hawser/interactions.h>
 #include <hawser/math.h>
 #include <hawser/shapes.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -79,5 +102,43 @@ struct WireDef {
     /// material, however few elements it has. False: lumps move by themselves.
     bool consistent_mass = false;
 };
+
+/// What holds two ends together. Wires of lumps have no torsion: a swivel, which lets one end twist
+/// against the other, acts as a shackle.
+enum class Gear : std::uint8_t {
+    splice,        ///< The two become one wire; of an end and a body: a rigid joint.
+    shackle,       ///< A link, free to turn at both ends.
+    swivel,        ///< A link about which nothing twists.
+    triplate,      ///< A rigid plate with three holes, held by two shackles; the third is free.
+    pelican_hook,  ///< A link that World::release() opens under load.
+};
+
+/// Gear that comes with the wires' ends, at their velocity; what that makes of energy is driven.
+struct JoinDef {
+    std::string
+        name{};  ///< Of the link or joint, unique among interactions; of the plate, whose
+                 ///< links are name/0 and name/1. "": the wire's name and "/gear", "/gear2".
+    Gear gear = Gear::splice;
+    /// [kg]; of a link half at each lump that it holds, of a plate that of the plate and above 0.
+    double mass = 0.0;
+    /// Of a link [m]. It may be slack; ends farther apart make it as long as they are.
+    double length = 0.3;
+    double EA = kDefault;             ///< Of a link [N]; kDefault: of the first wire's element.
+    double breaking_load = kDefault;  ///< Of a link [N]; kDefault: it does not part.
+    double radius = 0.3;              ///< Of the circle of a plate's holes [m].
+    /// How much farther apart ends may be than the gear is long [m].
+    double reach = 0.1;
+};
+
+/// What World::join() and World::attach() have made.
+struct Joint {
+    WireId wire{};            ///< The first wire, of a splice the whole one.
+    InteractionId held[2]{};  ///< Link or joint; of a plate that of each end. A splice has none.
+    BodyId plate{};           ///< Of a triplate.
+};
+
+/// Hole k, 0 to 2, of a triplate in the frame of its plate [m]. Plates are discs of the radius of
+/// their holes' circle in the x-y plane.
+[[nodiscard]] Vec3 triplate_hole(const JoinDef& def, int k) noexcept;
 
 }  // namespace hawser

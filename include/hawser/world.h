@@ -26,6 +26,7 @@
 #include <hawser/edits.h>
 #include <hawser/id.h>
 #include <hawser/interactions.h>
+#include <hawser/machine.h>
 #include <hawser/math.h>
 #include <hawser/outputs.h>
 #include <hawser/shapes.h>
@@ -51,6 +52,7 @@ struct PartitionRequest;  // partition.h
 struct TraceView;         // trace.h
 struct CutView;           // inspect.h
 struct RowsView;          // inspect.h
+struct Structure;         // structure.h
 class ChangeListener;     // changes.h
 
 class World {
@@ -274,8 +276,8 @@ class World {
     /// friction by the element end, and lumps' halves of its mass. @return it. @throws DefError
     /// where the end is wound up, the element gone or parted, or the drum no scalar body.
     InteractionId wind_up(WireId id, int end, BodyId drum, double radius);
-    /// What add_wire() made goes with it. @return as remove_body().
-    const Removed& remove_wire(WireId id);
+    const Removed& remove_wire(
+        WireId id);  ///< With what add_wire() made. @return as remove_body().
     [[nodiscard]] std::span<const WireId> wires() const noexcept;  ///< As bodies().
     [[nodiscard]] bool alive(WireId id) const noexcept;
     [[nodiscard]] WireId find_wire(std::string_view name) const noexcept;
@@ -292,6 +294,14 @@ class World {
     BodyId insert_node(InteractionId element, double share, double mass = kDefault);  ///< wire.h.
     bool remove_node(BodyId node, double bend = 0.05);  ///< @return whether it went.
     [[nodiscard]] WireId wire_of(InteractionId element) const noexcept;  ///< Invalid: of none.
+    WireId cut(WireId id, double s);  ///< Cut, join, attach, let go: wire.h. @throws DefError
+    WireId cut(InteractionId element, double share);
+    Joint join(WireId a, int end_a, WireId b, int end_b, const JoinDef& def = {});
+    Joint attach(WireId id, int end, BodyId body, const Vec3& point, const JoinDef& def = {});
+    Joint join(BodyId a, BodyId b, const Vec3& point, const JoinDef& def);
+    void detach(WireId id, int end);
+    void detach(InteractionId element, int end);
+    void release(InteractionId hook);  ///< @throws DefError where it is no pelican hook.
 
     // --- Cuts (docs/methods.md, 10) ---------------------------------------------------------
     /// Group of a body from the next step on (BodyDef::group).
@@ -353,10 +363,13 @@ class World {
     /// The same without the states of systems, for a world without these systems.
     [[nodiscard]] std::vector<std::byte> save_motion() const;
     /// @throws std::bad_alloc, LimitError; DefError when the bytes are damaged or belong to another
-    /// world: other bodies,
-    ///         interactions, inputs, step or parameters (any mass, length, stiffness, …; names,
-    ///         form and threads may differ). The state is then unchanged.
+    /// world: other pieces, step or parameters (any mass, length, stiffness, …; names, form and
+    /// threads may differ). The state is then unchanged.
     void restore(std::span<const std::byte> bytes);
+    /// What it is made of, and with a state of it, into a world of the same set-up: structure.h.
+    [[nodiscard]] Structure structure() const;
+    void restore(const Structure& made_of, std::span<const std::byte> bytes);  ///< All or nothing.
+    [[nodiscard]] std::uint64_t identity() const;  ///< Equal: a state of one fits the other.
 
     // --- Inspection -------------------------------------------------------------------------
     [[nodiscard]] const WorldDef& settings() const noexcept;
@@ -375,7 +388,6 @@ class World {
     [[nodiscard]] TraceView trace(std::int64_t steps = 1'000'000) const;
 
   private:
-    // All or nothing by those who call them.
     void take_saved(std::span<const std::byte> bytes);
     void copy_from(const World& other);
     void write_saved(std::vector<std::byte>& out, bool systems) const;
@@ -385,16 +397,5 @@ class World {
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
-
-/// Instruction set that the dispatcher chose: "sse2", "avx2" or "avx512". The environment
-/// variable HAWSER_ISA chooses a lesser one than the processor has.
-[[nodiscard]] const char* instruction_set() noexcept;
-
-/// What World's constructor does first. @throws EnvironmentError where HAWSER_ISA is set and names
-/// no instruction set, or one that the processor has not.
-void check_environment();
-
-/// Version of the library, e.g. "0.1.0".
-[[nodiscard]] const char* version() noexcept;
 
 }  // namespace hawser

@@ -40,8 +40,13 @@ enum class ChangeKind : std::uint8_t {
     insert_node,
     remove_node,
     set_mass,
+    cut,
+    join,
+    detach,
+    release,
+    rebuild,
 };
-inline constexpr int kChangeKindCount = 25;
+inline constexpr int kChangeKindCount = 30;
 
 template <class D, class T>
 concept FieldsOf = std::same_as<std::remove_const_t<D>, T>;
@@ -135,11 +140,64 @@ void visit_fields(D& d, F&& f) {
     f(d.torsional);
 }
 
+template <class F, FieldsOf<JoinDef> D>
+void visit_fields(D& d, F&& f) {
+    f(d.name);
+    f.word(d.gear, 5);
+    f(d.mass);
+    f(d.length);
+    f(d.EA);
+    f(d.breaking_load);
+    f(d.radius);
+    f(d.reach);
+}
+
 template <class F, FieldsOf<MaterialPairDef> D>
 void visit_fields(D& d, F&& f) {
     f(d.a);
     f(d.b);
     visit_fields(d.values, f);
+}
+
+template <class F, FieldsOf<WirePieces> D>
+void visit_fields(D& d, F&& f) {
+    f(d.name);
+    f.list(d.nodes);
+    f.list(d.elements);
+    f.list(d.lumps);
+    f.list(d.bends);
+    f.list(d.shapes);
+    f(d.owns);
+    f(d.trim.EI);
+    bool touches = d.trim.segment.has_value();
+    f(touches);
+    if constexpr (!std::is_const_v<D>)
+        if (touches) d.trim.segment.emplace();
+    if (touches) f(*d.trim.segment);
+}
+
+template <class F, FieldsOf<GearPiece> D>
+void visit_fields(D& d, F&& f) {
+    f(d.id);
+    f.word(d.kind, 5);
+}
+
+template <class F, FieldsOf<Structure> D>
+void visit_fields(D& d, F&& f) {
+    const auto placed = [&](auto& all) {
+        f.list(all.defs);
+        f.list(all.generations);
+        f.list(all.vacant);
+    };
+    placed(d.bodies);
+    placed(d.interactions);
+    placed(d.shapes);
+    placed(d.inputs);
+    placed(d.wires);
+    f.list(d.materials);
+    f.list(d.pairs);
+    f.list(d.gear);
+    f.words(d.coupling, 4);
 }
 
 }  // namespace hawser::record

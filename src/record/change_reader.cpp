@@ -1,70 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "record/change_fields.h"
 #include "record/changes.h"
+#include "record/field_bytes.h"
 
 #include <vector>
 
 namespace hawser::record {
 
 namespace {
-
-/// Gets them. What a value may be is for the world to say.
-struct GetFields {
-    ByteReader& in;
-
-    template <class T>
-        requires std::is_arithmetic_v<T>
-    void operator()(T& value) {
-        if constexpr (std::is_same_v<T, bool>)
-            value = in.get<std::uint8_t>() != 0;
-        else
-            value = in.get<T>();
-    }
-    void operator()(std::string& text) { text = in.get_text(); }
-    void operator()(Vec3& v) {
-        for (int i = 0; i < 3; ++i) v[i] = in.get<double>();
-    }
-    void operator()(Quat& q) {
-        const double w = in.get<double>(), x = in.get<double>(), y = in.get<double>();
-        q = Quat(w, x, y, in.get<double>());
-    }
-    void operator()(Mat3& m) {
-        for (int i = 0; i < 9; ++i) m(i / 3, i % 3) = in.get<double>();
-    }
-    template <class Tag>
-    void operator()(Id<Tag>& id) {
-        id.index = in.get<std::int32_t>();
-        id.generation = in.get<std::int32_t>();
-    }
-    void operator()(std::array<std::int32_t, 3>& corners) {
-        for (std::int32_t& i : corners) i = in.get<std::int32_t>();
-    }
-    template <class E>
-    void word(E& value, int count) {
-        const auto number = in.get<std::uint8_t>();
-        if (number >= count) throw BadBytes("an enumerated value is out of range");
-        value = static_cast<E>(number);
-    }
-    template <class T>
-    void list(std::vector<T>& all) {
-        constexpr std::size_t kLeast = 8;
-        all.resize(in.get_count(kLeast));
-        for (T& each : all) (*this)(each);
-    }
-
-    template <class T>
-    [[nodiscard]] T value() {
-        T out{};
-        (*this)(out);
-        return out;
-    }
-    template <class D>
-    [[nodiscard]] D definition() {
-        D out;
-        visit_fields(out, *this);
-        return out;
-    }
-};
 
 void apply_removal(ChangeKind kind, GetFields& get, World& world) {
     if (kind == ChangeKind::remove_body)
@@ -129,6 +71,34 @@ void apply_grouping(ChangeKind kind, GetFields& get, World& world) {
     }
 }
 
+void apply_wire_change(ChangeKind kind, GetFields& get, World& world) {
+    if (kind == ChangeKind::part) {
+        world.part(get.value<InteractionId>());
+    } else if (kind == ChangeKind::insert_node) {
+        const auto element = get.value<InteractionId>();
+        const auto share = get.value<double>();
+        (void)world.insert_node(element, share, get.value<double>());
+    } else if (kind == ChangeKind::remove_node) {
+        const auto node = get.value<BodyId>();
+        (void)world.remove_node(node, get.value<double>());
+    } else if (kind == ChangeKind::set_mass) {
+        const auto lump = get.value<BodyId>();
+        world.set_mass(lump, get.value<double>());
+    } else if (kind == ChangeKind::cut) {
+        const auto element = get.value<InteractionId>();
+        (void)world.cut(element, get.value<double>());
+    } else if (kind == ChangeKind::join) {
+        const auto a = get.value<BodyId>(), b = get.value<BodyId>();
+        const auto point = get.value<Vec3>();
+        (void)world.join(a, b, point, get.definition<JoinDef>());
+    } else if (kind == ChangeKind::detach) {
+        const auto element = get.value<InteractionId>();
+        world.detach(element, get.value<std::int32_t>());
+    } else {
+        world.release(get.value<InteractionId>());
+    }
+}
+
 void apply_one(ChangeKind kind, ByteReader& in, World& world) {
     GetFields get{in};
     if (kind <= ChangeKind::add_material_pair) return apply_addition(kind, get, world);
@@ -137,6 +107,8 @@ void apply_one(ChangeKind kind, ByteReader& in, World& world) {
         return apply_motion(kind, get, world);
     if (kind >= ChangeKind::set_group && kind <= ChangeKind::set_coupling)
         return apply_grouping(kind, get, world);
+    if (kind >= ChangeKind::part && kind < ChangeKind::rebuild)
+        return apply_wire_change(kind, get, world);
     if (kind == ChangeKind::set_input) {
         const auto id = get.value<InputId>();
         world.set_input(id, get.value<double>());
@@ -146,18 +118,9 @@ void apply_one(ChangeKind kind, ByteReader& in, World& world) {
         get(d.hasty);
         get(d.cuts);
         world.degrade_next_step(d);
-    } else if (kind == ChangeKind::part) {
-        world.part(get.value<InteractionId>());
-    } else if (kind == ChangeKind::insert_node) {
-        const auto element = get.value<InteractionId>();
-        const double share = get.value<double>();
-        (void)world.insert_node(element, share, get.value<double>());
-    } else if (kind == ChangeKind::remove_node) {
-        const auto node = get.value<BodyId>();
-        (void)world.remove_node(node, get.value<double>());
-    } else if (kind == ChangeKind::set_mass) {
-        const auto lump = get.value<BodyId>();
-        world.set_mass(lump, get.value<double>());
+    } else if (kind == ChangeKind::rebuild) {
+        const auto made_of = get.definition<Structure>();
+        world.restore(made_of, in.take(in.get<std::uint32_t>()));
     } else {
         world.restore(in.take(in.get<std::uint32_t>()));
     }

@@ -1,57 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/changes.h"
 
-#include "record/change_fields.h"
+#include "record/field_bytes.h"
 
 #include <utility>
 #include <vector>
 
 namespace hawser::record {
-
-namespace {
-
-/// Puts fields of a change.
-struct PutFields {
-    ByteWriter& out;
-
-    template <class T>
-        requires std::is_arithmetic_v<T>
-    void operator()(T value) {
-        if constexpr (std::is_same_v<T, bool>)
-            out.put(static_cast<std::uint8_t>(value ? 1 : 0));
-        else
-            out.put(value);
-    }
-    void operator()(const std::string& text) { out.put_text(text); }
-    void operator()(const Vec3& v) {
-        for (int i = 0; i < 3; ++i) out.put(v[i]);
-    }
-    void operator()(const Quat& q) {
-        for (const double x : {q.w(), q.x(), q.y(), q.z()}) out.put(x);
-    }
-    void operator()(const Mat3& m) {
-        for (int i = 0; i < 9; ++i) out.put(m(i / 3, i % 3));
-    }
-    template <class Tag>
-    void operator()(const Id<Tag>& id) {
-        out.put(id.index);
-        out.put(id.generation);
-    }
-    void operator()(const std::array<std::int32_t, 3>& corners) {
-        for (const std::int32_t i : corners) out.put(i);
-    }
-    template <class E>
-    void word(const E& value, int) {
-        out.put(static_cast<std::uint8_t>(value));
-    }
-    template <class T>
-    void list(const std::vector<T>& all) {
-        out.put(static_cast<std::uint32_t>(all.size()));
-        for (const T& each : all) (*this)(each);
-    }
-};
-
-}  // namespace
 
 /// Nothing is left of a change that does not fit into memory.
 template <class F>
@@ -236,9 +191,51 @@ void ChangeBytes::node_removed(BodyId node, double bend) noexcept {
         put(bend);
     });
 }
+void ChangeBytes::cut(InteractionId element, double share) noexcept {
+    other_bodies_ = true;
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::cut);
+        put(element);
+        put(share);
+    });
+}
+void ChangeBytes::joined(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) noexcept {
+    other_bodies_ = true;
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::join);
+        put(a);
+        put(b);
+        put(point);
+        visit_fields(def, put);
+    });
+}
+void ChangeBytes::detached(InteractionId element, int end) noexcept {
+    other_bodies_ = true;
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::detach);
+        put(element);
+        put(static_cast<std::int32_t>(end));
+    });
+}
+void ChangeBytes::released(InteractionId hook) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::release);
+        put(hook);
+    });
+}
 void ChangeBytes::restored(std::span<const std::byte> bytes) noexcept {
     write([&](PutFields& put) {
         begin(put, ChangeKind::restore);
+        put(static_cast<std::uint32_t>(bytes.size()));
+        put.out.put_bytes(bytes);
+    });
+}
+
+void ChangeBytes::restored(const Structure& made_of, std::span<const std::byte> bytes) noexcept {
+    other_bodies_ = true;
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::rebuild);
+        put(made_of);
         put(static_cast<std::uint32_t>(bytes.size()));
         put.out.put_bytes(bytes);
     });

@@ -42,7 +42,12 @@ class ChangeBytes : public ChangeListener {
     void node_inserted(InteractionId element, double share, double mass) noexcept override;
     void node_removed(BodyId node, double bend) noexcept override;
     void set_mass(BodyId lump, double mass) noexcept override;
+    void cut(InteractionId element, double share) noexcept override;
+    void joined(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) noexcept override;
+    void detached(InteractionId element, int end) noexcept override;
+    void released(InteractionId hook) noexcept override;
     void restored(std::span<const std::byte> bytes) noexcept override;
+    void restored(const Structure& made_of, std::span<const std::byte> bytes) noexcept override;
 
     /// All since the last clear(), in order.
     [[nodiscard]] std::span<const std::byte> bytes() const noexcept { return out_.bytes(); }

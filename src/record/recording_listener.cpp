@@ -24,6 +24,21 @@ void RecordingListener::set(InputId id, double value) noexcept {
     }
 }
 
+void RecordingListener::restored(std::span<const std::byte>) noexcept {
+    try {
+        ChangeBytes::restored(world_.save_motion());
+    } catch (const std::exception&) {
+        lost();
+    }
+}
+void RecordingListener::restored(const Structure& made_of, std::span<const std::byte>) noexcept {
+    try {
+        ChangeBytes::restored(made_of, world_.save_motion());
+    } catch (const std::exception&) {
+        lost();
+    }
+}
+
 void RecordingListener::flush() { flush(world_.step_count()); }
 
 void RecordingListener::flush(std::int64_t step) {

@@ -21,6 +21,9 @@ class RecordingListener final : public ChangeBytes {
 
     /// Inputs of a scene are commands, which a recording has apart.
     void set(InputId id, double value) noexcept override;
+    /// Replays have no systems, but what these did.
+    void restored(std::span<const std::byte> bytes) noexcept override;
+    void restored(const Structure& made_of, std::span<const std::byte> bytes) noexcept override;
     /// Before each step. @throws RecordingError, also for what failed since the last call.
     void flush();
     /// Writes the changes made while a step was taken. @param step  Steps taken before that one; a

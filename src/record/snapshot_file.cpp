@@ -2,6 +2,7 @@
 #include "record/snapshot_file.h"
 
 #include "record/bytes.h"
+#include "record/field_bytes.h"
 #include "record/files.h"
 
 #include <fmt/format.h>
@@ -15,18 +16,30 @@ namespace hawser::record {
 namespace {
 
 constexpr char kSnapshotMagic[8] = {'H', 'A', 'W', 'S', 'E', 'R', 'S', 'T'};
-constexpr std::uint32_t kVersion = 1;
+/// 2: with a structure before the state.
+constexpr std::uint32_t kVersion = 1, kWithStructure = 2;
+
+std::uint32_t checksum_of(std::span<const std::byte> file) {
+    std::uint32_t sum = 0;
+    std::memcpy(&sum, file.last(sizeof sum).data(), sizeof sum);
+    return sum;
+}
 
 }  // namespace
 
-void save_snapshot(const std::filesystem::path& file, const SceneInfo& scene, const World& world) {
+void save_snapshot(const std::filesystem::path& file, const SceneInfo& scene, const World& world,
+                   bool with_structure) {
     ByteWriter out;
     out.put_bytes(std::as_bytes(std::span(kSnapshotMagic)));
-    out.put(kVersion);
+    out.put(with_structure ? kWithStructure : kVersion);
     out.put(scene.hash);
     out.put_text(scene.name);
     out.put(world.time());
     out.put(world.state_hash());
+    if (with_structure) {
+        PutFields put{out};
+        put(world.structure());
+    }
     out.put_bytes(world.save());
     out.put(crc32(out.bytes()));
     if (const std::string fault = write_file(file, out.bytes()); !fault.empty())
@@ -42,16 +55,15 @@ void restore_snapshot(const std::filesystem::path& file, const SceneInfo& scene,
         if (std::memcmp(in.take(sizeof kSnapshotMagic).data(), kSnapshotMagic,
                         sizeof kSnapshotMagic) != 0)
             throw BadBytes("not a Hawser snapshot");
-        if (const auto version = in.get<std::uint32_t>(); version != kVersion)
-            throw BadBytes(
-                fmt::format("snapshot format {}, this program reads {}", version, kVersion));
+        const auto version = in.get<std::uint32_t>();
+        if (version != kVersion && version != kWithStructure)
+            throw BadBytes(fmt::format("snapshot format {}, this program reads {} and {}", version,
+                                       kVersion, kWithStructure));
         const auto hash = in.get<std::uint64_t>();
         const std::string name = in.get_text();
         const double time = in.get<double>();
         const auto state_hash = in.get<std::uint64_t>();
-        if (in.left() < 4) throw BadBytes("data end too early");
-        const auto state = in.take(in.left() - 4);
-        if (in.get<std::uint32_t>() != crc32(std::span(bytes).first(bytes.size() - 4)))
+        if (in.left() < 4 || checksum_of(bytes) != crc32(std::span(bytes).first(bytes.size() - 4)))
             throw BadBytes("the checksum does not match");
         if (hash != scene.hash)
             throw BadBytes(fmt::format(
@@ -59,10 +71,17 @@ void restore_snapshot(const std::filesystem::path& file, const SceneInfo& scene,
                 "hash {:016x}: restore it with the same scene file and the same --step, --form, "
                 "--scale and --set",
                 time, name, hash, scene.name, scene.hash));
+        Structure made_of;
+        GetFields get{in};
+        if (version == kWithStructure) get(made_of);
+        const auto state = in.take(in.left() - 4);
+        // What does not fit leaves the world as it is.
         const std::vector<std::byte> before = world.save();
-        world.restore(state);
+        const bool other = version == kWithStructure;
+        const Structure was = other ? world.structure() : Structure{};
+        other ? world.restore(made_of, state) : world.restore(state);
         if (world.state_hash() != state_hash) {
-            world.restore(before);
+            other ? world.restore(was, before) : world.restore(before);
             throw BadBytes(
                 fmt::format("the restored state has another hash; it was saved with another "
                             "instruction set than {} or another version of Hawser",

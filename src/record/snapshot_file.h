@@ -17,8 +17,10 @@ struct SnapshotError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// @param with_structure  The world is made of other pieces than its scene at the start.
 /// @throws SnapshotError when the file cannot be written.
-void save_snapshot(const std::filesystem::path& file, const SceneInfo& scene, const World& world);
+void save_snapshot(const std::filesystem::path& file, const SceneInfo& scene, const World& world,
+                   bool with_structure = false);
 
 /// Continue from a saved state. @throws SnapshotError when the file is damaged or was saved
 /// from another scene; the world is then unchanged.

@@ -30,6 +30,9 @@ int rank_of(EventKind kind) {
         case EventKind::saturation:
         case EventKind::brake_slip:
         case EventKind::release:
+        case EventKind::cut:
+        case EventKind::join:
+        case EventKind::detach:
             return 2;
         case EventKind::range:
             return 3;
@@ -55,6 +58,8 @@ const char* unit_of(const World& world, const Event& event) {
         case EventKind::release:
         case EventKind::weak_link:
         case EventKind::drum_empty:
+        case EventKind::cut:
+        case EventKind::detach:
             return "N";
         case EventKind::brake_slip:
             return "N m";
@@ -65,6 +70,7 @@ const char* unit_of(const World& world, const Event& event) {
         case EventKind::energy_created:
             return "J";
         case EventKind::joint_open:
+        case EventKind::join:
             return "m";
         case EventKind::fast:
             return "rad";
@@ -117,11 +123,17 @@ std::string what_happened(const EventFigures& e) {
         case EventKind::brake_slip:
             return "brakes of winches began to slip " + plural(e.count, "time", "times");
         case EventKind::release:
-            return plural(e.count, "winch released", "winches released") + " in an emergency";
+            return plural(e.count, "winch or hook released", "winches or hooks released");
         case EventKind::weak_link:
             return plural(e.count, "weak link parted", "weak links parted");
         case EventKind::drum_empty:
             return "drums ran empty " + plural(e.count, "time", "times");
+        case EventKind::cut:
+            return plural(e.count, "wire was cut", "wires were cut");
+        case EventKind::join:
+            return plural(e.count, "joint of wires made", "joints of wires made");
+        case EventKind::detach:
+            return plural(e.count, "end of a wire let go", "ends of wires let go");
     }
     return "";
 }

@@ -171,6 +171,8 @@ ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
         {"instances", f.instances, false, "", "", "Uses of templates."},
         {"inputs", f.inputs, false, "", "", "Inputs."},
         {"outputs", f.outputs, false, "", "", "Outputs: columns of --csv."},
+        {"timeline", list_of("a list of operations", operation_shape()), false, "", "",
+         "What is done to the scene at times."},
         {"repeat",
          object("repeat", "a repetition", "How copies of the scene stand side by side.",
                 {{"offset", vector3("an offset"), true, "", "m", "From one copy to the next."},

@@ -52,6 +52,9 @@ struct Format {
 /// A winch at the end of a cable. See format_cables.cpp.
 [[nodiscard]] ShapePtr winch_shape();
 
+/// An operation at a time. See format_timeline.cpp.
+[[nodiscard]] ShapePtr operation_shape();
+
 /// Shape of one interaction, by kind. See format_kinds.cpp.
 [[nodiscard]] ShapePtr interaction_shape();
 

@@ -3,6 +3,7 @@
 #include <hawser/scene.h>
 
 #include "scene/description.h"
+#include "scene/timeline.h"
 
 #include <algorithm>
 #include <optional>
@@ -241,11 +242,15 @@ std::optional<Scene> make_scene(Json root, const std::filesystem::path& file,
                 .duration = description.duration,
                 .world = Builder(description).build(options, document.place / "settings"),
                 .cables = {},
+                .timeline = {},
                 .plot_tensions = {},
                 .plot_motions = {},
                 .plot_view_box = {}};
     read_plot(scene, description, document);
     scene.cables = std::move(description.cables);
+    if (mistakes == nullptr || mistakes->none()) {
+        scene.timeline = read_timeline(scene.world, document);
+    }
     if (mistakes != nullptr && !mistakes->none()) {
         return std::nullopt;
     }

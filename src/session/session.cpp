@@ -10,6 +10,7 @@
 #include "record/recording_writer.h"
 #include "record/scene_info.h"
 #include "record/snapshot_file.h"
+#include "session/timeline.h"
 #include "verify/certificate.h"
 
 #include <fmt/format.h>
@@ -36,6 +37,8 @@ struct Session::Impl {
     record::SceneInfo info;
     std::vector<record::ControlChange> control;
     std::size_t next_control = 0;  ///< The first one that is not in force yet.
+    session::Timeline timeline;
+    std::uint64_t identity = 0;  ///< Of the scene at its start.
     /// A control file's columns are the inputs by place, and behind them these signals.
     std::vector<std::string> signals;
     std::size_t places = 0;
@@ -151,8 +154,10 @@ Session::Session(scene::Scene scene, const SessionDef& def)
     World& world = impl_->world();
     check_every(def.every);
     world.prepare();
+    impl_->identity = world.identity();
     if (!def.restore.empty()) record::restore_snapshot(def.restore, impl_->info, world);
     if (!def.state.empty()) world.restore(def.state);
+    impl_->timeline.skip(impl_->scene.timeline, world);
     if (!def.control.empty()) {
         std::vector<std::string> names = input_names(world);
         impl_->places = names.size();
@@ -221,11 +226,13 @@ void Session::write_csv(const std::filesystem::path& file, std::int32_t every) {
 void Session::observe(Observer& observer) { impl_->observers.push_back(&observer); }
 
 void Session::save(const std::filesystem::path& file) const {
-    record::save_snapshot(file, impl_->info, world());
+    record::save_snapshot(file, impl_->info, world(), world().identity() != impl_->identity);
 }
 
 Status Session::step() {
     World& world = impl_->world();
+    impl_->last = Status::bad_edit;  // should that throw
+    impl_->timeline.take(impl_->scene.timeline, world);
     impl_->take_controls();
     if (impl_->listener) impl_->listener->flush();
     for (Observer* observer : impl_->observers) observer->before_step(world);

@@ -12,6 +12,7 @@ constexpr Case kWires[] = {
     {"W.4", "wire_parting", "recoil of a wire that parts, at any damping", case_wire_parting},
     {"W.5", "wire_pulse", "a pulse across, from elements of 5 m into 10 m", case_wire_pulse},
     {"W.6", "payout", "a winch lowers an anchor by 600 m and hauls it up again", case_payout},
+    {"W.7", "tow_payout", "a tug pays out its tow line over the stern roller", case_tow_payout},
 };
 
 }  // namespace

@@ -17,6 +17,8 @@ void case_wire_catenary(Report& report);
 void case_wire_touchdown(Report& report);
 // payout.cpp
 void case_payout(Report& report);
+// tow_payout.cpp
+void case_tow_payout(Report& report);
 // wires_events.cpp
 void case_wire_events(Report& report);
 // wires_waves.cpp

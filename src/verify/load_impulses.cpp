@@ -38,7 +38,7 @@ Matrix mass_of(const BodyDef& def, const Pose& pose, int n) {
 }
 
 // Share of damping that sees the velocity after the step (docs/methods.md, "Loads of systems").
-double late_share_of(double z) {
+double late_share_of_load(double z) {
     if (z < 1e-2) return 0.5 + z / 12.0 - z * z * z / 720.0;
     return -1.0 / std::expm1(-z) - 1.0 / z;
 }
@@ -55,7 +55,8 @@ std::vector<LoadImpulse> load_impulses(const World& world, const std::vector<Pos
         const Matrix a = full(load.mass, n), d = full(load.damping, n), k = full(load.stiffness, n);
         const Matrix whole = mass_of(world.body_def(load.body), pose[b], n) + a;
         const Matrix fast = h * d + 0.25 * h * h * k;
-        const double late = d.isZero(0.0) ? 0.5 : late_share_of(whole.llt().solve(fast).trace());
+        const double late =
+            d.isZero(0.0) ? 0.5 : late_share_of_load(whole.llt().solve(fast).trace());
         const Vector v = motion(before[b], n), u = motion(world.velocity(load.body), n);
         Vector p = -(a + 0.25 * h * h * k) * (u - v) - h * (d * (late * u + (1.0 - late) * v));
         for (int i = 0; i < n; ++i) p[i] += h * load.force[static_cast<std::size_t>(i)];

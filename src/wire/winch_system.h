@@ -28,6 +28,7 @@
 
 #include "wire/drum_geometry.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string_view>
@@ -53,6 +54,11 @@ class WinchSystem final : public System {
     void visit_state(StateVisitor& visitor) override;
     void signals(SignalTable& table) override;
     void holds(HoldTable& table) const override;
+    [[nodiscard]] double carried_mass(InteractionId element) const noexcept override {
+        return element == ids_.line && feeds() && parted_ == 0
+                   ? def_.mass_per_length * std::max(at_drum_, 0.0)
+                   : 0.0;
+    }
     [[nodiscard]] std::unique_ptr<System> clone() const override {
         return std::make_unique<WinchSystem>(def_, drum_, ids_, inputs_, at_drum_);
     }

@@ -12,12 +12,14 @@
 #include "step/nodes.h"
 #include "step/sleep.h"
 #include "step/step.h"
+#include "world/gear.h"
 #include "world/lookup.h"
 #include "world/outputs.h"
 #include "world/systems.h"
 #include "world/use.h"
 #include "world/wire_list.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -59,11 +61,13 @@ struct World::Impl final : private world::InputDoor {
     std::vector<BodyId> body_ids;
     std::vector<InteractionId> interaction_ids;
     std::vector<ShapeId> shape_ids;
-    // Of twin().
-    void copy_bodies(World& out) const;
-    void copy_shapes(World& out) const;
-    void copy_interactions(World& out) const;
-    void copy_inputs(World& out) const;
+    // Pieces of a world without any (structure.cpp). @throws DefError, std::bad_alloc.
+    void make(World& self, const Structure& from);
+    void make_bodies(World& self, const Placed<BodyDef>& from);
+    void make_shapes(World& self, const Structure& from);
+    void make_interactions(World& self, const Placed<InteractionDef>& from);
+    void make_inputs(World& self, const Placed<InputDef>& from);
+    void make_wires(const Placed<WirePieces>& from);
 
     world::WireList wires;
     /// What a world was before several things are added at once.
@@ -80,10 +84,16 @@ struct World::Impl final : private world::InputDoor {
     void tell_of(const world::Wire& made) const noexcept;
     void take_back(const Mark& before, const world::Wire& made) noexcept;
     [[nodiscard]] WireId keep_wire(world::Wire& wire);
+    /// Room for one more wire, of a name that is claimed. @return the empty place that it will
+    /// have, −1: behind all others. @throws DefError, std::bad_alloc.
+    [[nodiscard]] std::int32_t claim_wire(const std::string& name);
+    WireId put_wire(world::Wire& wire, std::int32_t vacant) noexcept;
+    void forget_wire(WireId id) noexcept;
     [[nodiscard]] const world::Wire& wire(WireId id) const;
     // Of insert_node() and remove_node(): the wire that an element is of, null where it is of none;
     // what definitions say of the bodies and elements about a node; the capsule of an element.
     [[nodiscard]] world::Wire* wire_with(InteractionId element) noexcept;
+    void know_wire_of(InteractionId element);
     void follow_definitions(const stepper::NodePlace& place) noexcept;
     void move_segment(ShapeId segment, std::size_t side, BodyId to) noexcept;
     [[nodiscard]] ShapeId segment_between(std::int32_t a, std::int32_t b) const noexcept;
@@ -92,6 +102,27 @@ struct World::Impl final : private world::InputDoor {
                                                double bend) const;
     [[nodiscard]] std::optional<ShapeDef> next_segment(const stepper::NodePlace& place, BodyId node,
                                                        bool first, const world::Wire* wire) const;
+
+    // Of wires that are cut, joined and let go (wire_cuts.cpp, wire_joins.cpp, wire_ends.cpp).
+    std::vector<world::GearInUse> gear;
+    [[nodiscard]] WireId id_of(const world::Wire& wire) const noexcept {
+        return wires.places.id<WireId>(static_cast<std::int32_t>(&wire - wires.wires.data()));
+    }
+    void part_lump(const stepper::NodePlace& place, BodyId end) noexcept;
+    void share_load(BodyId from, BodyId to, double share) noexcept;
+    void follow_definition(BodyId lump) noexcept;
+    void turn_round(std::span<const std::int32_t> chain) noexcept;
+    [[nodiscard]] world::FreeEnd free_end(BodyId lump) const;
+    [[nodiscard]] world::FreeEnd free_end(WireId id, int end) const;
+    [[nodiscard]] Joint splice(World& world, BodyId a, BodyId b);
+    [[nodiscard]] Joint hold(World& world, BodyId a, BodyId b, const Vec3& point,
+                             const JoinDef& def);
+    [[nodiscard]] Joint put_plate(World& world, BodyId a, BodyId b, const JoinDef& def);
+    [[nodiscard]] InteractionDef link_of(const World& world, BodyId a, BodyId b, const Vec3& point,
+                                         const JoinDef& def) const;
+    void add_gear_mass(BodyId lump, double mass) noexcept;
+    void open_gear(InteractionId element, BodyId lump);
+    void free_lump(World& world, InteractionId element, std::size_t side);
 
     Removed removed;  ///< By the last removal.
     void forget_removal() noexcept;
@@ -130,6 +161,7 @@ struct World::Impl final : private world::InputDoor {
     /// What systems asked for, in the world that is this. @return ok, bad_edit or out_of_memory.
     [[nodiscard]] Status make_edits(World& world) noexcept;
     [[nodiscard]] World definitions() const;
+    [[nodiscard]] Structure structure() const;
 
     /// Inputs that are forces along the world's axes, ascending. What acts on a body is what the
     /// user applied (BodyDef::force and torque), and then what these have, in this order.

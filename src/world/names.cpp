@@ -69,7 +69,8 @@ const char* to_string(EventKind kind) noexcept {
     constexpr const char* kNames[kEventKindCount] = {
         "line_break", "slack",          "taut",       "saturation", "range",       "input_clamped",
         "warning",    "energy_created", "joint_open", "cable_law",  "uncertified", "fast",
-        "layer",      "brake_slip",     "release",    "weak_link",  "drum_empty"};
+        "layer",      "brake_slip",     "release",    "weak_link",  "drum_empty",  "cut",
+        "join",       "detach"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -122,11 +122,7 @@ bool NodeEdits::remove_node(BodyId node, double bend) noexcept {
 /// The definitions and poses that there are, for trying what may be refused.
 World World::Impl::definitions() const {
     World out(ctx.model.def);
-    copy_bodies(out);
-    copy_shapes(out);
-    copy_interactions(out);
-    copy_inputs(out);
-    out.impl_->wires = wires;
+    out.impl_->make(out, structure());
     for (const BodyId id : body_ids) {
         const double* x = &ctx.model.bodies.x[3 * at(id.index)];
         const double* q = &ctx.model.bodies.q[4 * at(id.index)];

@@ -60,6 +60,11 @@ class Systems final : public stepper::Actors {
     System& add(std::unique_ptr<System> system);
     /// @throws DefError.
     std::unique_ptr<System> remove(const System& system);
+    /// All systems of a world go over to this one, which has none.
+    void take_all(Systems& from) noexcept {
+        list_.swap(from.list_);
+        signals_.swap(from.signals_);
+    }
     [[nodiscard]] std::size_t count() const noexcept { return list_.size(); }
     [[nodiscard]] System& at(std::size_t i) const { return *list_[i]; }
     [[nodiscard]] System* find(std::string_view name) const noexcept;
@@ -77,6 +82,12 @@ class Systems final : public stepper::Actors {
             s->holds(table);
             f(s->name(), table);
         }
+    }
+    /// What systems carry of an element (System::carried_mass()) [kg].
+    [[nodiscard]] double carried_mass(InteractionId element) const noexcept {
+        double sum = 0.0;
+        for (const auto& s : list_) sum += s->carried_mass(element);
+        return sum;
     }
     /// The step has ended since systems asked for edits, and has gone back: they are to be made,
     /// and then the step taken once more, with what the systems did in it.

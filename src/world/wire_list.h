@@ -3,7 +3,7 @@
 /// @file wire_list.h
 /// What a world keeps of its wires: which bodies and interactions they are made of.
 
-#include <hawser/wire.h>
+#include <hawser/structure.h>
 
 #include "base/places.h"
 #include "world/lookup.h"
@@ -14,16 +14,7 @@
 
 namespace hawser::world {
 
-struct Wire {
-    std::string name;
-    std::vector<BodyId> nodes;            ///< One more than elements.
-    std::vector<InteractionId> elements;  ///< In order.
-    std::vector<BodyId> lumps;            ///< Made by add_wire().
-    std::vector<InteractionId> bends;     ///< Made by add_wire().
-    std::vector<ShapeId> shapes;          ///< Made by add_wire().
-    bool owns = false;                    ///< It was made by add_wire().
-    WireTrim trim;                        ///< Of elements to come.
-
+struct Wire : WirePieces {
     /// One of nothing yet, in the memory that there is.
     void begin(std::string_view of, bool made) {
         name = of;

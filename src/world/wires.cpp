@@ -143,13 +143,17 @@ WireId World::adopt_wire(const std::string& name, std::span<const InteractionId>
     return m.keep_wire(made);
 }
 
-WireId World::Impl::keep_wire(world::Wire& wire) {
+std::int32_t World::Impl::claim_wire(const std::string& name) {
     wires.places.make_room();
     base::make_room(wires.wires, 1);
     base::make_room(wires.ids, 1);
     const std::int32_t vacant = wires.places.find_vacant([](std::int32_t) { return true; });
+    world::claim(wires.names, name, vacant < 0 ? wires.places.count() : vacant, "wire");
+    return vacant;
+}
+
+WireId World::Impl::put_wire(world::Wire& wire, std::int32_t vacant) noexcept {
     const std::int32_t place = vacant < 0 ? wires.places.count() : vacant;
-    world::claim(wires.names, wire.name, place, "wire");
     if (vacant < 0) {
         (void)wires.places.append();
         wires.wires.push_back(std::move(wire));
@@ -160,6 +164,15 @@ WireId World::Impl::keep_wire(world::Wire& wire) {
     const auto id = wires.places.id<WireId>(place);
     wires.ids.insert(std::lower_bound(wires.ids.begin(), wires.ids.end(), id), id);
     return id;
+}
+
+WireId World::Impl::keep_wire(world::Wire& wire) { return put_wire(wire, claim_wire(wire.name)); }
+
+void World::Impl::forget_wire(WireId id) noexcept {
+    world::release(wires.names, wires.wires[at(id.index)].name);
+    wires.ids.erase(std::lower_bound(wires.ids.begin(), wires.ids.end(), id));
+    wires.wires[at(id.index)].begin({}, false);
+    wires.places.vacate(id.index);
 }
 
 const world::Wire& World::Impl::wire(WireId id) const {
@@ -183,10 +196,7 @@ const Removed& World::remove_wire(WireId id) {
         for (const InteractionId gone : m.removed.interactions) m.listener->removed(gone);
         for (const BodyId gone : m.removed.bodies) m.listener->removed(gone);
     }
-    world::release(m.wires.names, wire.name);
-    m.wires.ids.erase(std::lower_bound(m.wires.ids.begin(), m.wires.ids.end(), id));
-    m.wires.wires[at(id.index)].begin({}, false);
-    m.wires.places.vacate(id.index);
+    m.forget_wire(id);
     return m.sorted_removal();
 }
 
@@ -233,6 +243,13 @@ double World::tension(WireId id, double s) const {
     return intact(element) ? std::max(0.0, -force(element)[0]) : 0.0;
 }
 
+/// Of a new element it is not known yet which wire recoils with it. @throws std::bad_alloc.
+void World::Impl::know_wire_of(InteractionId element) {
+    const std::vector<std::int32_t>& added = ctx.state.edits.interactions;
+    if (!ctx.state.started || std::find(added.begin(), added.end(), element.index) != added.end())
+        stepper::ready(ctx);
+}
+
 void World::part(WireId id, double s) {
     const world::Using use(impl_->use, "part");
     part(element_at(*this, impl_->ctx.model.interactions, impl_->wire(id), s));
@@ -246,10 +263,7 @@ void World::part(InteractionId id) {
         throw DefError(world::label("interaction", c.model.interactions.def[i].name) +
                        ": only elements of wires part; remove_interaction() takes others away");
     if (c.model.interactions.parted[i] != 0) return;
-    // Of a new element it is not known yet which wire will recoil.
-    const std::vector<std::int32_t>& added = c.state.edits.interactions;
-    if (!c.state.started || std::find(added.begin(), added.end(), id.index) != added.end())
-        stepper::ready(c);
+    impl_->know_wire_of(id);
     const double tension =
         std::max(0.0, -c.model.interactions.force[at(c.model.interactions.row_begin[i])]);
     c.state.ledger.damped += stepper::energy_of_interaction(c, id.index);

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/timeline.h"
+
+#include "scene/description.h"
+#include "scene/winches.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace hawser::scene {
+namespace {
+
+constexpr const char* kGear[] = {"splice", "shackle", "swivel", "triplate", "pelican_hook"};
+
+int end_of(const Json& json, const char* key, const char* fallback) {
+    return text_or(json, key, fallback) == "last" ? 1 : 0;
+}
+
+JoinDef gear_of(const Json& json) {
+    JoinDef def;
+    def.name = text_or(json, "name", "");
+    const std::string word = text_or(json, "gear", "splice");
+    def.gear =
+        static_cast<Gear>(std::find(std::begin(kGear), std::end(kGear), word) - std::begin(kGear));
+    def.mass = number_or(json, "mass", def.mass);
+    def.length = number_or(json, "length", def.length);
+    def.EA = number_or(json, "EA", def.EA);
+    def.breaking_load = number_or(json, "breaking_load", def.breaking_load);
+    def.radius = number_or(json, "radius", def.radius);
+    def.reach = number_or(json, "reach", def.reach);
+    return def;
+}
+
+/// Reads operations in their order, and knows which wires and hooks there are by then.
+class Reader {
+  public:
+    explicit Reader(const World& world) : world_(world) {
+        for (const WireId id : world.wires()) {
+            const auto elements = world.elements(id);
+            const auto wound = [&](InteractionId e) {
+                return kind_info(world.interaction_def(e).kind).is(kWoundUp);
+            };
+            // What a drum pays out has no end that is known before.
+            wires_[world.wire_name(id)] =
+                wound(elements.front()) || wound(elements.back()) ? kDefault : world.length(id);
+        }
+    }
+
+    Operation read(const Json& json, const Place& place) {
+        Operation out;
+        out.at = json["at"].get<double>();
+        if (json.contains("set"))
+            read_set(out, json["set"], place / "set");
+        else if (json.contains("cut"))
+            read_cut(out, json, place);
+        else if (json.contains("detach"))
+            read_end(out, OperationKind::detach, json["detach"], place / "detach");
+        else if (json.contains("attach"))
+            read_attach(out, json["attach"], place / "attach");
+        else if (json.contains("join"))
+            read_join(out, json["join"], place / "join");
+        else if (json.contains("release"))
+            read_release(out, json, place);
+        else
+            refuse(place,
+                   "an operation needs one of the keys \"set\", \"cut\", \"detach\", "
+                   "\"attach\", \"join\" and \"release\"");
+        return out;
+    }
+
+  private:
+    [[nodiscard]] std::string wire(const Json& json, const char* key, const Place& place) const {
+        const std::string name = json[key].get<std::string>();
+        if (wires_.contains(name)) return name;
+        std::vector<std::string> known;
+        for (const auto& [each, length] : wires_) known.push_back(each);
+        refuse(place / key,
+               "there is no wire " + in_quotes(name) + " then" + suggestion(name, known));
+    }
+
+    /// A number, or for a winch's mode its word.
+    [[nodiscard]] double value_of(const std::string& input, const Json& json,
+                                  const Place& place) const {
+        if (json.is_number()) return json.get<double>();
+        const std::string word = json.get<std::string>();
+        if (!input.ends_with(".mode")) refuse(place, "expected a number, found a text");
+        const auto modes = winch_modes();
+        const auto found = std::find(modes.begin(), modes.end(), word);
+        if (found != modes.end()) return static_cast<double>(found - modes.begin());
+        const std::vector<std::string> known{modes.begin(), modes.end()};
+        refuse(place, "there is no mode " + in_quotes(word) + suggestion(word, known));
+    }
+
+    void read_set(Operation& out, const Json& json, const Place& place) const {
+        out.kind = OperationKind::set;
+        std::vector<std::string> known;
+        for (const InputId id : world_.inputs()) known.push_back(world_.input_def(id).name);
+        for (const SystemSignal& s : world_.system_signals())
+            if (s.input) known.push_back(s.system + "." + s.name);
+        for (const auto& [name, value] : json.items()) {
+            if (std::find(known.begin(), known.end(), name) == known.end())
+                refuse(place / name,
+                       "there is no input " + in_quotes(name) + suggestion(name, known));
+            out.set.emplace_back(name, value_of(name, value, place / name));
+        }
+    }
+
+    void read_cut(Operation& out, const Json& json, const Place& place) {
+        out.kind = OperationKind::cut;
+        out.wire = wire(json, "cut", place);
+        if (!json.contains("s")) refuse(place, "a cut needs the key \"s\", where along the wire");
+        out.s = json["s"].get<double>();
+        double& length = wires_[out.wire];
+        if (out.s >= length)
+            refuse(place / "s",
+                   fmt::format("the wire {} is {:.6g} m long then", in_quotes(out.wire), length));
+        const double rest = length - out.s;
+        if (!std::isnan(length)) length = out.s;
+        wires_[next_piece(out.wire)] = rest;
+    }
+
+    /// As World::cut() names it.
+    [[nodiscard]] std::string next_piece(const std::string& of) const {
+        std::string base = of;
+        const std::size_t slash = of.rfind('/');
+        if (slash != std::string::npos && slash + 1 < of.size() &&
+            of.find_first_not_of("0123456789", slash + 1) == std::string::npos)
+            base.resize(slash);
+        int k = 2;
+        while (wires_.contains(base + "/" + std::to_string(k))) ++k;
+        return base + "/" + std::to_string(k);
+    }
+
+    void read_end(Operation& out, OperationKind kind, const Json& json, const Place& place) const {
+        out.kind = kind;
+        out.wire = wire(json, "wire", place);
+        out.end = end_of(json, "end", "last");
+    }
+
+    void take_gear(Operation& out, const Json& json, const Place& place) {
+        out.gear = gear_of(json);
+        if (out.gear.gear == Gear::triplate && !(out.gear.mass > 0.0))
+            refuse(place, "a triplate needs \"mass\"");
+        const std::string& name = out.gear.name;
+        if (name.empty()) return;
+        if (world_.find_interaction(name).valid() ||
+            std::find(named_.begin(), named_.end(), name) != named_.end())
+            refuse(place / "name", "the interaction " + in_quotes(name) + " exists already");
+        named_.push_back(name);
+        if (out.gear.gear == Gear::pelican_hook) hooks_.push_back(name);
+    }
+
+    void read_attach(Operation& out, const Json& json, const Place& place) {
+        read_end(out, OperationKind::attach, json, place);
+        out.body = json["body"].get<std::string>();
+        out.point = vector_or(json, "point", Vec3::Zero());
+        const BodyId id = world_.find_body(out.body);
+        if (!id.valid()) {
+            std::vector<std::string> known;
+            for (const BodyId each : world_.bodies())
+                if (!world_.body_def(each).name.empty())
+                    known.push_back(world_.body_def(each).name);
+            refuse(place / "body",
+                   "there is no body " + in_quotes(out.body) + suggestion(out.body, known));
+        }
+        const BodyKind kind = world_.body_def(id).kind;
+        if (kind == BodyKind::lump || kind == BodyKind::scalar)
+            refuse(place / "body", "the body " + in_quotes(out.body) +
+                                       " has no orientation: a wire's end is attached to a rigid, "
+                                       "kinematic or fixed one");
+        take_gear(out, json, place);
+    }
+
+    void read_join(Operation& out, const Json& json, const Place& place) {
+        read_end(out, OperationKind::join, json, place);
+        out.other = wire(json, "to", place);
+        out.other_end = end_of(json, "to_end", "first");
+        take_gear(out, json, place);
+        if (out.gear.gear != Gear::splice) return;
+        if (out.other == out.wire)
+            refuse(place / "to", "a splice would close it to a ring; give \"gear\"");
+        wires_[out.wire] += wires_[out.other];
+        wires_.erase(out.other);
+    }
+
+    void read_release(Operation& out, const Json& json, const Place& place) const {
+        out.kind = OperationKind::release;
+        out.interaction = json["release"].get<std::string>();
+        if (std::find(hooks_.begin(), hooks_.end(), out.interaction) == hooks_.end())
+            refuse(place / "release", "there is no pelican hook " + in_quotes(out.interaction) +
+                                          " then" + suggestion(out.interaction, hooks_));
+    }
+
+    const World& world_;
+    std::map<std::string, double> wires_;  ///< With their lengths [m]; NaN: not known.
+    std::vector<std::string> hooks_, named_;
+};
+
+}  // namespace
+
+std::span<const char* const> gear_words() noexcept { return kGear; }
+
+std::vector<Operation> read_timeline(const World& world, const Document& document) {
+    const auto list = document.root.find("timeline");
+    if (list == document.root.end()) return {};
+    const Place place = document.place / "timeline";
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < list->size(); ++i)
+        if (!(*list)[i].is_null()) order.push_back(i);  // Left out: mistakes.h.
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return (*list)[a]["at"].get<double>() < (*list)[b]["at"].get<double>();
+    });
+    Reader reader(world);
+    std::vector<Operation> out;
+    for (const std::size_t i : order)
+        (void)attempt(document.mistakes,
+                      [&] { out.push_back(reader.read((*list)[i], place / i)); });
+    return out;
+}
+
+}  // namespace hawser::scene

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file timeline.h
+/// Does what a scene's timeline says.
+
+#include <hawser/timeline.h>
+
+#include <cstddef>
+#include <span>
+
+namespace hawser::session {
+
+class Timeline {
+  public:
+    /// Operations before the step that led to the present state have been done.
+    void skip(std::span<const scene::Operation> all, const World& world) noexcept;
+    /// Those that are due, in order. @throws DefError with time and operation where one cannot be
+    /// done.
+    void take(std::span<const scene::Operation> all, World& world);
+
+  private:
+    std::size_t next_ = 0;  ///< The first that is not done yet.
+};
+
+}  // namespace hawser::session

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a world is made of, and a world made of it (hawser/structure.h).
+#include <hawser/world.h>
+
+#include "world/checks.h"
+#include "world/identity.h"
+#include "world/impl.h"
+
+#include "base/hash.h"
+
+#include <algorithm>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hawser {
+namespace {
+
+/// Something that weighs as many entries as what was there; it goes again when all has its place.
+BodyDef placeholder(int room) {
+    BodyDef def;
+    def.kind = room == 6   ? BodyKind::rigid
+               : room == 3 ? BodyKind::lump
+               : room == 1 ? BodyKind::scalar
+                           : BodyKind::fixed;
+    def.mass = 1.0;
+    def.inertia = Mat3::Identity();
+    return def;
+}
+
+template <class Def>
+void take_places(Placed<Def>& to, const base::Places& from) {
+    const auto count = to.defs.size();
+    to.generations.assign(from.generations().begin(),
+                          from.generations().begin() + static_cast<std::ptrdiff_t>(count));
+    for (const std::int32_t k : from.vacant())
+        if (at(k) < count) to.vacant.push_back(k);
+}
+
+/// Ids with the generations that places have by now.
+template <class Id>
+void name_anew(std::vector<Id>& ids, const base::Places& places) noexcept {
+    for (Id& id : ids) id = places.id<Id>(id.index);
+}
+
+template <class Def>
+void check(const Placed<Def>& from, const char* what) {
+    const auto refuse = [&](const char* why) {
+        throw DefError(std::string("structure: ") + what + " " + why);
+    };
+    if (from.generations.size() != from.defs.size())
+        refuse("have as many generations as there are places");
+    for (const std::int32_t g : from.generations)
+        if (g < 0) refuse("have generations from 0 on");
+    std::int32_t last = -1;
+    for (const std::int32_t k : from.vacant) {
+        if (k <= last || at(k) >= from.defs.size()) refuse("have their empty places in order");
+        last = k;
+    }
+}
+
+template <class Def>
+bool is_vacant(const Placed<Def>& from, std::size_t place) {
+    return std::binary_search(from.vacant.begin(), from.vacant.end(),
+                              static_cast<std::int32_t>(place));
+}
+
+}  // namespace
+
+Structure World::Impl::structure() const {
+    Structure out;
+    const auto& bodies = ctx.model.bodies;
+    for (std::int32_t b = 0; b < stepper::body_count(ctx.model); ++b)
+        out.bodies.defs.push_back(bodies.places.holds(b) ? body_defs[at(b)]
+                                                         : placeholder(bodies.room[at(b)]));
+    take_places(out.bodies, bodies.places);
+    const model::Interactions& in = ctx.model.interactions;
+    for (std::int32_t i = 0; i < stepper::interaction_count(ctx.model); ++i) {
+        InteractionDef& d = out.interactions.defs.emplace_back();
+        d.kind = in.def[at(i)].kind;
+        if (in.gone(i)) continue;
+        d = in.def[at(i)];
+        // Then it follows the length, as it does here.
+        if (in.flags[at(i)] & model::kFromLength) d.compliance[0] = kDefault;
+    }
+    take_places(out.interactions, in.places);
+    const collide::Materials& materials = ctx.model.collider.materials;
+    for (int i = 1; i < materials.count(); ++i) out.materials.push_back(materials.def(i));
+    out.pairs.assign(materials.pairs().begin(), materials.pairs().end());
+    const base::Places& shapes = ctx.model.collider.places;
+    for (std::int32_t s = 0; s < ctx.model.collider.count(); ++s)
+        out.shapes.defs.push_back(shapes.holds(s) ? shape_defs[at(s)] : ShapeDef{});
+    take_places(out.shapes, shapes);
+    for (std::size_t k = 0; k < inputs.size(); ++k)
+        out.inputs.defs.push_back(input_places.holds(static_cast<std::int32_t>(k)) ? inputs[k]
+                                                                                   : InputDef{});
+    take_places(out.inputs, input_places);
+    for (std::size_t k = 0; k < wires.wires.size(); ++k) out.wires.defs.push_back(wires.wires[k]);
+    take_places(out.wires, wires.places);
+    out.gear = gear;
+    out.coupling = ctx.model.cuts.coupling;
+    return out;
+}
+
+/// Places are filled in their order and emptied afterwards, since what is added would take an empty
+/// one.
+void World::Impl::make_bodies(World& self, const Placed<BodyDef>& from) {
+    check(from, "bodies");
+    for (const BodyDef& def : from.defs) self.add_body(def);
+    for (const std::int32_t b : from.vacant) (void)self.remove_body(BodyId{b});
+    ctx.model.bodies.places.set_generations(from.generations);
+    name_anew(body_ids, ctx.model.bodies.places);
+}
+
+void World::Impl::make_shapes(World& self, const Structure& from) {
+    check(from.shapes, "shapes");
+    for (const MaterialDef& def : from.materials) self.add_material(def);
+    for (const MaterialPairDef& pair : from.pairs) self.add_material_pair(pair);
+    // Of any body: a sphere that touches nothing.
+    ShapeDef none{.kind = ShapeKind::sphere, .body = {}, .radius = 1.0};
+    for (const BodyId b : body_ids)
+        if (ctx.model.bodies.kind[at(b.index)] != BodyKind::scalar) none.body = b;
+    for (std::size_t s = 0; s < from.shapes.defs.size(); ++s)
+        self.add_shape(is_vacant(from.shapes, s) ? none : from.shapes.defs[s]);
+    for (const std::int32_t s : from.shapes.vacant) (void)self.remove_shape(ShapeId{s});
+    ctx.model.collider.places.set_generations(from.shapes.generations);
+    name_anew(shape_ids, ctx.model.collider.places);
+}
+
+void World::Impl::make_interactions(World& self, const Placed<InteractionDef>& from) {
+    check(from, "interactions");
+    model::Interactions& in = ctx.model.interactions;
+    for (std::size_t i = 0; i < from.defs.size(); ++i) {
+        if (is_vacant(from, i)) {
+            in.make_room(from.defs[i].kind);
+            in.append_empty(from.defs[i].kind);
+            continue;
+        }
+        InteractionDef d = from.defs[i];
+        d.load = {};  // what loads it may have a later place
+        self.add_interaction(d);
+    }
+    for (const std::int32_t i : from.vacant) in.places.vacate(i);
+    in.places.set_generations(from.generations);
+    name_anew(interaction_ids, in.places);
+    for (const InteractionId id : interaction_ids) {
+        const auto& loads = from.defs[at(id.index)].load;
+        if (loads[0].interaction.valid() || loads[1].interaction.valid()) {
+            for (const FrictionLoad& load : loads)
+                if (load.interaction.valid()) (void)place(load.interaction);
+            in.set_loads(id.index, loads);
+        }
+    }
+}
+
+void World::Impl::make_inputs(World& self, const Placed<InputDef>& from) {
+    check(from, "inputs");
+    for (std::size_t k = 0; k < from.defs.size(); ++k) {
+        if (!is_vacant(from, k)) {
+            self.add_input(from.defs[k]);
+            continue;
+        }
+        inputs.emplace_back();
+        input_values.push_back(0.0);
+        input_places.make_room();
+        (void)input_places.append();
+    }
+    for (const std::int32_t k : from.vacant) input_places.vacate(k);
+    input_places.set_generations(from.generations);
+    name_anew(input_ids, input_places);
+}
+
+void World::Impl::make_wires(const Placed<WirePieces>& from) {
+    check(from, "wires");
+    for (std::size_t k = 0; k < from.defs.size(); ++k) {
+        world::Wire& wire = wires.wires.emplace_back();
+        static_cast<WirePieces&>(wire) = from.defs[k];
+        wires.places.make_room();
+        const std::int32_t place = wires.places.append();
+        if (is_vacant(from, k)) continue;
+        const std::string where = world::label("wire", wire.name);
+        if (wire.elements.empty() || wire.nodes.size() != wire.elements.size() + 1)
+            world::refuse(where, "it has a node more than elements");
+        for (const InteractionId id : wire.elements)
+            if (ctx.model.interactions.places.names(id) &&
+                !kind_info(ctx.model.interactions.def[at(id.index)].kind).is(kWireElement))
+                world::refuse(where, "it is made of elements of wires");
+        world::claim(wires.names, wire.name, place, "wire");
+    }
+    for (const std::int32_t k : from.vacant) wires.places.vacate(k);
+    wires.places.set_generations(from.generations);
+    for (std::int32_t k = 0; k < wires.places.count(); ++k)
+        if (wires.places.holds(k)) wires.ids.push_back(wires.places.id<WireId>(k));
+}
+
+void World::Impl::make(World& self, const Structure& from) {
+    make_bodies(self, from.bodies);
+    make_shapes(self, from);
+    make_interactions(self, from.interactions);
+    make_inputs(self, from.inputs);
+    make_wires(from.wires);
+    gear = from.gear;
+    if (from.coupling.size() > from.interactions.defs.size())
+        throw DefError("structure: there are more couplings than interactions");
+    ctx.model.cuts.coupling = from.coupling;
+}
+
+Structure World::structure() const {
+    const world::Using use(impl_->use, "structure");
+    return impl_->structure();
+}
+
+std::uint64_t World::identity() const {
+    const world::Using use(impl_->use, "identity");
+    const Impl& m = *impl_;
+    const std::uint64_t both[2] = {world::layout_of(m.ctx, m.inputs.size()),
+                                   world::parameters_of(m.ctx, m.inputs, m.shape_defs)};
+    return base::checksum(both, sizeof both, base::kFnvStart);
+}
+
+/// In a world of its own first; the systems go over to it, and back where the state is none of it.
+void World::restore(const Structure& made_of, std::span<const std::byte> bytes) {
+    std::unique_ptr<Impl> before;  // outlives its mark of being in use
+    const world::Using use(impl_->use, "restore");
+    Impl& m = *impl_;
+    World out(m.ctx.model.def);
+    Impl& o = *out.impl_;
+    o.make(out, made_of);
+    o.outputs = m.outputs;
+    o.systems.take_all(m.systems);
+    try {
+        o.outputs.bind(o.systems.signals());
+        out.take_saved(bytes);
+    } catch (...) {
+        m.systems.take_all(o.systems);
+        throw;
+    }
+    if (o.systems.count() > 0) o.ctx.actors = &o.systems;
+    o.systems.forget();
+    o.outputs.forget_figures();
+    o.listener = m.listener;
+    std::swap(o.ctx.state.events, m.ctx.state.events);
+    std::swap(o.ctx.trace, m.ctx.trace);
+    before = std::move(impl_);
+    impl_ = std::move(out.impl_);
+    if (o.listener != nullptr) o.listener->restored(made_of, bytes);
+}
+
+}  // namespace hawser

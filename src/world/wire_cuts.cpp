@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Wires that are cut in two (hawser/wire.h, step/wire_ends.h).
+#include <hawser/world.h>
+
+#include "access/push_event.h"
+#include "access/wire_alerts.h"
+#include "split/split.h"
+#include "step/node_pieces.h"
+#include "step/nodes.h"
+#include "step/wire_ends.h"
+#include "world/checks.h"
+#include "world/impl.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hawser {
+namespace {
+
+/// Share of an element within which a cut is at its node, so that no tiny element is left.
+constexpr double kNear = 1e-3;
+
+/// "tow/2" where tow or a piece of it is cut: the first that nothing has.
+std::string next_name(const world::Names& names, const std::string& of) {
+    std::string base = of;
+    const std::size_t slash = of.rfind('/');
+    if (slash != std::string::npos && slash + 1 < of.size() &&
+        std::all_of(of.begin() + static_cast<std::ptrdiff_t>(slash) + 1, of.end(),
+                    [](unsigned char c) { return std::isdigit(c) != 0; }))
+        base.resize(slash);
+    for (int k = 2;; ++k)
+        if (std::string name = base + "/" + std::to_string(k); !names.contains(name)) return name;
+}
+
+/// The second piece of a wire, and which bodies are on it. Room for both is made before the cut.
+class SecondPiece {
+  public:
+    SecondPiece(const world::Wire& whole, std::string name, int bodies) {
+        wire.begin(name, whole.owns);
+        wire.trim = whole.trim;
+        wire.nodes.reserve(whole.nodes.size() + 2);
+        wire.lumps.reserve(whole.lumps.size() + 2);
+        for (auto* list : {&wire.elements, &wire.bends}) list->reserve(whole.elements.size() + 2);
+        wire.bends.reserve(whole.bends.size() + 2);
+        wire.shapes.reserve(whole.shapes.size() + 2);
+        constexpr std::size_t kComing = 4;
+        behind_.assign(at(bodies) + kComing, 0);
+    }
+    /// @param second  Element with which it begins. @param end  The lump there.
+    void take(world::Wire& whole, InteractionId second, BodyId end, const model::Interactions& in,
+              const collide::Collider& collider) noexcept {
+        const auto k = std::find(whole.elements.begin(), whole.elements.end(), second) -
+                       whole.elements.begin();
+        wire.elements.assign(whole.elements.begin() + k, whole.elements.end());
+        whole.elements.resize(static_cast<std::size_t>(k));
+        wire.nodes.assign(1, end);
+        wire.nodes.insert(wire.nodes.end(), whole.nodes.begin() + k + 1, whole.nodes.end());
+        whole.nodes.resize(static_cast<std::size_t>(k) + 1);
+        for (const BodyId id : wire.nodes) behind_[at(id.index)] = 1;
+        move(whole.lumps, wire.lumps, [&](BodyId id) { return id.index; });
+        move(whole.bends, wire.bends,
+             [&](InteractionId id) { return in.body[kMaxInteractionBodies * at(id.index) + 1]; });
+        move(whole.shapes, wire.shapes,
+             [&](ShapeId id) { return collider.shapes()[at(id.index)].body[1]; });
+        if (whole.owns) wire.lumps.push_back(end);
+    }
+    world::Wire wire;
+
+  private:
+    template <class Id, class F>
+    void move(std::vector<Id>& from, std::vector<Id>& to, F&& body_of) noexcept {
+        const auto is_behind = [&](Id id) {
+            const std::int32_t body = body_of(id);
+            return body >= 0 && at(body) < behind_.size() && behind_[at(body)] != 0;
+        };
+        for (const Id id : from)
+            if (is_behind(id)) to.push_back(id);
+        std::erase_if(from, is_behind);
+    }
+    std::vector<std::uint8_t> behind_;  ///< By body.
+};
+
+/// As the lump that it comes beside, or as those at the ends of an element.
+BodyDef end_body(const World& w, const InteractionDef& element) {
+    BodyDef out{.kind = BodyKind::lump, .position = w.pose(element.body[0]).position};
+    out.mass = 1.0;
+    for (std::size_t b = 2; b-- > 0;) {
+        const BodyDef& end = w.body_def(element.body[b]);
+        if (end.kind != BodyKind::lump) continue;
+        out.gravity = end.gravity;
+        out.group = end.group;
+    }
+    return out;
+}
+
+}  // namespace
+
+void World::Impl::share_load(BodyId from, BodyId to, double share) noexcept {
+    BodyDef &a = body_defs[at(from.index)], &b = body_defs[at(to.index)];
+    b.force = share * a.force;
+    a.force -= b.force;
+    for (const BodyId id : {from, to})
+        for (int i = 0; i < 3; ++i) add_up_force(id, i);
+}
+
+void World::Impl::follow_definition(BodyId lump) noexcept {
+    body_defs[at(lump.index)].mass = ctx.model.bodies.mass[at(lump.index)];
+    body_defs[at(lump.index)].linear_damping = stepper::damping_of(ctx, lump.index);
+}
+
+/// What begins at a node begins at another lump at its place, which has been added.
+void World::Impl::part_lump(const stepper::NodePlace& place, BodyId end) noexcept {
+    model::Interactions& in = ctx.model.interactions;
+    const BodyId node = ctx.model.bodies.id(place.node), far = in.def[at(place.second)].body[1];
+    const stepper::LumpShare part = stepper::share_of(ctx, node.index, place.first, place.second);
+    stepper::begin_edit(ctx);
+    stepper::split_lump(ctx, node.index, end.index, part);
+    share_load(node, end, part.share);
+    const ShapeId segment = segment_between(node.index, far.index);
+    if (segment.valid()) move_segment(segment, 0, end);
+    if (place.bend[1] >= 0) remove(in.id(place.bend[1]));
+    stepper::move_end(ctx, place.second, 0, end.index);
+    if (place.bend[2] >= 0) in.rewire(place.bend[2], 0, end, ctx.model.bodies);
+    for (const BodyId lump : {node, end}) {
+        stepper::follow_lump(ctx, lump.index);
+        follow_definition(lump);
+    }
+}
+
+WireId World::cut(WireId id, double s) {
+    const world::Using use(impl_->use, "cut");
+    const world::Wire& wire = impl_->wire(id);
+    const std::string where = world::label("wire", wire.name);
+    const model::Interactions& in = impl_->ctx.model.interactions;
+    const double whole = length(id);
+    if (!(s > 0.0 && s < whole))
+        world::refuse(where, "s = " + world::number(s) +
+                                 " m is not within it; give more than 0 and less than its "
+                                 "length, " +
+                                 world::number(whole) + " m");
+    std::size_t k = 0;
+    double begin = 0.0, length = 0.0;
+    for (;; ++k) {
+        length = alive(wire.elements[k]) ? in.rest_length[at(wire.elements[k].index)] : 0.0;
+        if (s < begin + length || k + 1 == wire.elements.size()) break;
+        begin += length;
+    }
+    const InteractionId element = wire.elements[k];
+    const double share = (s - begin) / length;
+    const bool takes_node = alive(element) && intact(element) &&
+                            stepper::mass_of_element(impl_->ctx, element.index) > 0.0 &&
+                            stepper::is_of_material(impl_->ctx, element.index);
+    if (takes_node && share > kNear && share < 1.0 - kNear) return cut(element, share);
+    if (wire.elements.size() == 1)
+        world::refuse(where,
+                      "it is one element without mass of its own, in which no node can be "
+                      "put; give it more elements, or detach() an end");
+    if (k == 0 || (share > 0.5 && k + 1 < wire.elements.size())) ++k;
+    // The lump next to a drum has no mass to share where the winch has that of the element there.
+    constexpr double kBeyond = 0.25;
+    for (const std::size_t side : {0U, 1U})
+        if (impl_->systems.carried_mass(wire.elements[k - side]) > 0.0)
+            return cut(wire.elements[k - 1 + side], side == 0 ? 1.0 - kBeyond : kBeyond);
+    if (!alive(wire.elements[k - 1]) || !alive(wire.elements[k]))
+        world::refuse(where, "s = " + world::number(s) + " m is at a gap in it");
+    return cut(wire.elements[k], 0.0);
+}
+
+WireId World::cut(InteractionId element, double share) {
+    const world::Using use(impl_->use, "cut");
+    Impl& m = *impl_;
+    stepper::StepContext& c = m.ctx;
+    model::Interactions& in = c.model.interactions;
+    const std::size_t e = m.place(element);
+    const InteractionDef def = in.def[e];
+    const std::string where = world::label("interaction", def.name);
+    if (!kind_info(def.kind).is(kWireElement) || in.parted[e] != 0)
+        world::refuse(where, "only elements of wires that are whole are cut");
+    if (!(share >= 0.0 && share < 1.0))
+        world::refuse(where, "it is cut at a share from 0 to below 1, not " + world::number(share));
+    m.know_wire_of(element);
+    if (stepper::has_cuts(c.model)) stepper::begin_edit(c);  // without copies of anything
+    stepper::NodePlace place{.node = def.body[0].index};
+    const auto is_node = [&] {
+        return stepper::is_lump(c, place.node) && stepper::find_place(c, place);
+    };
+    if (share == 0.0 && !is_node())
+        world::refuse(where,
+                      "it does not begin at a node between two elements that nothing else "
+                      "holds; cut it elsewhere, or detach() an end");
+    if (share == 0.0)
+        for (const std::int32_t id : {place.first, place.second})
+            if (m.systems.carried_mass(in.id(id)) > 0.0)
+                world::refuse(where,
+                              "the winch has the mass of what it pays out, and the lump next to "
+                              "it none to share; cut farther out, or detach() the end off the "
+                              "drum");
+    m.reserve_removal();
+    std::int32_t vacant = -1;
+    world::Wire made;
+    made.lumps.reserve(1);
+    // Names are claimed last, and given back where a node does not fit.
+    std::optional<SecondPiece> second;
+    const Impl::Mark before = m.mark(def.body[0], def.body[1]);
+    const double drive = c.state.ledger.drive;
+    BodyId node = def.body[0];
+    bool claimed = false;
+    try {
+        const Impl::Untold untold(m);
+        made.lumps.push_back(add_body(end_body(*this, def)));
+        c.state.ledger.drive = drive;
+        if (const world::Wire* wire = m.wire_with(element); wire != nullptr) {
+            second.emplace(*wire, next_name(m.wires.names, wire->name), body_count());
+            vacant = m.claim_wire(second->wire.name);
+            claimed = true;
+        }
+        if (share > 0.0) node = insert_node(element, share);
+    } catch (...) {
+        if (claimed) world::release(m.wires.names, second->wire.name);
+        m.take_back(before, made);
+        throw;
+    }
+    // From here on nothing throws.
+    const BodyId end = made.lumps[0];
+    place = {.node = node.index};
+    (void)stepper::find_place(c, place);
+    const double tension = stepper::tension_of(c, place.first);
+    stepper::begin_recoil(c.model, element.index, false);
+    m.part_lump(place, end);
+    stepper::push_event(c, EventKind::cut, place.first, tension);
+    WireId out{};
+    if (second) {
+        world::Wire* wire = m.wire_with(in.id(place.first));
+        second->take(*wire, in.id(place.second), end, in, c.model.collider);
+        std::erase_if(wire->bends, [&](InteractionId id) { return !alive(id); });
+        out = m.put_wire(second->wire, vacant);
+    }
+    if (m.listener != nullptr) m.listener->cut(element, share);
+    return out;
+}
+
+}  // namespace hawser

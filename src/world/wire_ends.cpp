@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Ends of wires: whether they are free, and how they are let go (hawser/wire.h).
+#include <hawser/world.h>
+
+#include "access/asleep.h"
+#include "access/push_event.h"
+#include "access/wire_alerts.h"
+#include "split/split.h"
+#include "step/edits.h"
+#include "step/node_pieces.h"
+#include "step/wire_ends.h"
+#include "world/checks.h"
+#include "world/impl.h"
+#include "world/parts.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+namespace hawser {
+
+world::FreeEnd World::Impl::free_end(BodyId lump) const {
+    const stepper::NodeLinks links = stepper::links_of(ctx, lump.index);
+    const std::string where = world::label("body", body_defs[at(lump.index)].name);
+    if (!stepper::is_lump(ctx, lump.index) || (links.before < 0) == (links.after < 0) ||
+        !links.plain)
+        world::refuse(where,
+                      "it is no free end of a wire: a lump that one whole element holds and "
+                      "nothing else; detach() what is taken");
+    const bool last = links.before >= 0;
+    return {lump, ctx.model.interactions.id(last ? links.before : links.after), last ? 1U : 0U};
+}
+
+world::FreeEnd World::Impl::free_end(WireId id, int end) const {
+    const world::Wire& of = wire(id);
+    const std::string where = world::label("wire", of.name);
+    if (end != 0 && end != 1) world::refuse(where, "end must be 0, the first one, or 1");
+    const BodyId node = end == 0 ? of.nodes.front() : of.nodes.back();
+    if (!ctx.model.bodies.places.names(node))
+        world::refuse(where, "the lump at this end has been removed");
+    const std::string name = end == 0 ? "its first end" : "its last end";
+    if (!stepper::is_lump(ctx, node.index))
+        world::refuse(where, name + " is taken by the " +
+                                 world::label("body", body_defs[at(node.index)].name) +
+                                 "; detach() it first");
+    const stepper::NodeLinks links = stepper::links_of(ctx, node.index);
+    if ((links.before >= 0 && links.after >= 0) || !links.plain)
+        world::refuse(where, name + " is taken; detach() it first");
+    if (links.before < 0 && links.after < 0)
+        world::refuse(where, "the element at this end has parted or gone");
+    return free_end(node);
+}
+
+void World::detach(WireId id, int end) {
+    const world::Using use(impl_->use, "detach");
+    const world::Wire& wire = impl_->wire(id);
+    const std::string where = world::label("wire", wire.name);
+    if (end != 0 && end != 1) world::refuse(where, "end must be 0, the first one, or 1");
+    const InteractionId element = end == 0 ? wire.elements.front() : wire.elements.back();
+    if (!alive(element) || !intact(element))
+        world::refuse(where, "the element at this end has parted or gone");
+    detach(element, end);
+}
+
+void World::detach(InteractionId element, int end) {
+    const world::Using use(impl_->use, "detach");
+    Impl& m = *impl_;
+    const model::Interactions& in = m.ctx.model.interactions;
+    const std::size_t e = m.place(element);
+    const std::string where = world::label("interaction", in.def[e].name);
+    if (!kind_info(in.def[e].kind).is(kWireElement) || in.parted[e] != 0)
+        world::refuse(where, "only elements of wires that are whole have ends");
+    if (end != 0 && end != 1) world::refuse(where, "end must be 0, the first one, or 1");
+    const BodyId body = in.def[e].body[at(end)];
+    m.know_wire_of(element);
+    if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // without copies of anything
+    if (stepper::is_lump(m.ctx, body.index))
+        m.open_gear(element, body);
+    else
+        m.free_lump(*this, element, at(end));
+    if (m.listener != nullptr) m.listener->detached(element, end);
+}
+
+void World::Impl::open_gear(InteractionId element, BodyId lump) {
+    const model::Interactions& in = ctx.model.interactions;
+    const auto holds = [&](const world::GearInUse& g) {
+        if (!in.places.names(g.id) || in.parted[at(g.id.index)] != 0) return false;
+        const std::int32_t* body = &in.body[kMaxInteractionBodies * at(g.id.index)];
+        return body[0] == lump.index || body[1] == lump.index;
+    };
+    if (std::none_of(gear.begin(), gear.end(), holds))
+        world::refuse(world::label("body", body_defs[at(lump.index)].name),
+                      "no gear holds this end of a wire");
+    for (const world::GearInUse& g : gear)
+        if (holds(g)) refuse_held(g.id);
+    reserve_removal();
+    // From here on nothing throws.
+    const double tension = stepper::tension_of(ctx, element.index);
+    stepper::begin_recoil(ctx.model, element.index, false);
+    for (const world::GearInUse& g : gear)
+        if (holds(g)) remove(g.id);
+    std::erase_if(gear, [&](const world::GearInUse& g) { return !in.places.names(g.id); });
+    stepper::disturb(ctx.model, lump.index);
+    stepper::push_event(ctx, EventKind::detach, element.index, tension);
+}
+
+namespace {
+
+/// The lump that an end let go has.
+BodyDef freed_body(const World& w, const stepper::StepContext& c, std::int32_t element,
+                   std::size_t side, const stepper::LumpShare& share) {
+    const BodyDef& next = w.body_def(c.model.interactions.def[at(element)].body[1 - side]);
+    const bool lump = next.kind == BodyKind::lump;
+    BodyDef out{.kind = BodyKind::lump, .position = stepper::point_of(c, element, side)};
+    out.velocity = stepper::speed_of(c, element, side, c.model.bodies.v);
+    out.mass = share.mass;
+    if (!lump) return out;
+    out.linear_damping = share.share * next.linear_damping;
+    out.force = share.share * next.force;
+    out.gravity = next.gravity;
+    out.group = next.group;
+    return out;
+}
+
+/// The same element between other bodies, without a drum, as the one beyond it.
+InteractionDef unwound(const stepper::StepContext& c, const std::array<std::int32_t, 2>& element,
+                       std::size_t side, BodyId lump, double mass) {
+    const model::Interactions& in = c.model.interactions;
+    const std::int32_t id = element[0];
+    const InteractionDef& def = in.def[at(id)];
+    InteractionDef out;
+    out.kind = InteractionKind::Stretch;
+    out.body = {def.body[0], def.body[1]};
+    out.body[side] = lump;
+    out.point[1 - side] = def.point[1 - side];
+    out.set("length", in.rest_length[at(id)]);
+    for (const char* same : {"EA", "tension_only", "breaking_load"}) out.set(same, def.get(same));
+    if (in.row_flags[at(in.row_begin[at(id)])] & model::kRowDamper)
+        out.damping_time[0] = def.damping_time[0];
+    if (mass > 0.0 && element[1] >= 0 && stepper::mass_of_element(c, element[1]) > 0.0)
+        out.set("mass", mass);
+    return out;
+}
+
+void reserve_one(world::Wire& made) {
+    made.lumps.reserve(1);
+    made.elements.reserve(1);
+    made.shapes.reserve(1);
+}
+
+/// One element pulls in another's place.
+void go_on(model::Interactions& in, std::int32_t from, std::int32_t to) noexcept {
+    const auto before = at(in.row_begin[at(from)]), now = at(in.row_begin[at(to)]);
+    in.lambda[now] = in.lambda[before];
+    in.force[now] = in.force[before];
+    in.active[at(to)] = in.active[at(from)];
+}
+
+/// The wire ends at a lump of its own.
+void end_at_lump(world::Wire& wire, std::size_t side, const world::Wire& made, InteractionId before,
+                 InteractionId now) noexcept {
+    (side == 0 ? wire.nodes.front() : wire.nodes.back()) = made.lumps[0];
+    std::replace(wire.elements.begin(), wire.elements.end(), before, now);
+    if (!wire.owns) return;
+    wire.lumps.push_back(made.lumps[0]);
+    for (const ShapeId id : made.shapes) wire.shapes.push_back(id);
+}
+
+}  // namespace
+
+/// Off a body. What lies on a drum stays there, parted; another element goes on in its place.
+void World::Impl::free_lump(World& world, InteractionId element, std::size_t side) {
+    model::Interactions& in = ctx.model.interactions;
+    const std::int32_t e = element.index;
+    const std::string where = world::label("interaction", in.def[at(e)].name);
+    const BodyId held = in.def[at(e)].body[side], next = in.def[at(e)].body[1 - side];
+    const bool wound = kind_info(in.def[at(e)].kind).is(kWoundUp);
+    // That of an element at a drum may be the winch's.
+    const double carried = systems.carried_mass(element);
+    stepper::LumpShare share{.mass = 0.5 * stepper::mass_of_element(ctx, e)};
+    std::int32_t beyond = -1;
+    const bool lump_next = stepper::is_lump(ctx, next.index);
+    if (lump_next) {
+        const stepper::NodeLinks links = stepper::links_of(ctx, next.index);
+        beyond = links.before == e ? links.after : links.before;
+        share = stepper::share_of(ctx, next.index, beyond, e);
+    }
+    if (carried > 0.0) {
+        share.mass = 0.5 * carried;
+        if (lump_next) share.share = share.mass / ctx.model.bodies.mass[at(next.index)];
+    }
+    if (!(share.mass > 0.0))
+        world::refuse(where,
+                      "neither it nor a lump has the mass of the wire at this end; give the "
+                      "wire more elements");
+    ShapeDef segment_def;
+    ShapeId segment;
+    if (beyond >= 0) {
+        segment = segment_between(stepper::end_of(ctx, beyond, 0), stepper::end_of(ctx, beyond, 1));
+        if (segment.valid()) segment_def = shape_defs[at(segment.index)];
+    }
+    world::Wire* wire = wire_with(element);
+    if (wire != nullptr) {
+        base::make_room(wire->lumps, 1);
+        base::make_room(wire->shapes, 1);
+    }
+    world::Wire made;
+    reserve_one(made);
+    const Mark before = mark(held, next);
+    const double drive = ctx.state.ledger.drive;
+    const double had = stepper::splice_energy(ctx, next.index, -1, e, e);
+    const Untold untold(*this);
+    try {
+        made.lumps.push_back(world.add_body(freed_body(world, ctx, e, side, share)));
+        const BodyId lump = made.lumps[0];
+        if (wound)
+            made.elements.push_back(
+                world.add_interaction(unwound(ctx, {e, beyond}, side, lump, carried)));
+        if (segment.valid()) {
+            segment_def.name.clear();
+            segment_def.body = side == 0 ? lump : next;
+            segment_def.body_b = side == 0 ? next : lump;
+            made.shapes.push_back(world.add_shape(segment_def));
+        }
+    } catch (...) {
+        take_back(before, made);
+        throw;
+    }
+    // From here on nothing throws.
+    const BodyId lump = made.lumps[0];
+    const double tension = stepper::tension_of(ctx, e);
+    const std::int32_t bend = stepper::bend_about(ctx, next.index, held.index);
+    stepper::begin_recoil(ctx.model, e, false);
+    if (lump_next && beyond >= 0)
+        stepper::begin_recoil(ctx.model, beyond, false);  // what a drum pays out is of no wire
+    if (carried > 0.0 && lump_next)
+        world.set_mass(next, body_defs[at(next.index)].mass + 0.5 * carried);
+    stepper::begin_edit(ctx);
+    if (bend >= 0)
+        stepper::move_end(ctx, bend, stepper::end_of(ctx, bend, 0) == held.index ? 0 : 2,
+                          lump.index);
+    std::int32_t now = e;
+    if (wound) {
+        now = made.elements[0].index;
+        go_on(in, e, now);
+        stepper::part_all(ctx.model, e);
+    } else {
+        stepper::move_end(ctx, e, side, lump.index);
+    }
+    for (const BodyId id : {held, next, lump}) stepper::disturb(ctx.model, id.index);
+    ctx.state.ledger.drive = drive + stepper::splice_energy(ctx, next.index, -1, now, now) - had +
+                             stepper::energy_of_body(ctx, lump.index);
+    stepper::push_event(ctx, EventKind::detach, now, tension);
+    if (wire != nullptr) end_at_lump(*wire, side, made, element, in.id(now));
+}
+
+void World::release(InteractionId hook) {
+    const world::Using use(impl_->use, "release");
+    Impl& m = *impl_;
+    model::Interactions& in = m.ctx.model.interactions;
+    const std::size_t i = m.place(hook);
+    const auto found =
+        std::find_if(m.gear.begin(), m.gear.end(), [&](const auto& g) { return g.id == hook; });
+    const std::string where = world::label("interaction", in.def[i].name);
+    if (found == m.gear.end() || found->kind != Gear::pelican_hook)
+        world::refuse(where, "it is no pelican hook; detach() opens other gear");
+    if (in.parted[i] != 0) world::refuse(where, "it is open already");
+    m.know_wire_of(hook);
+    const double tension = stepper::tension_of(m.ctx, hook.index);
+    stepper::begin_recoil(m.ctx.model, hook.index, false);
+    m.ctx.state.ledger.drive -= stepper::energy_of_interaction(m.ctx, hook.index);
+    stepper::begin_edit(m.ctx);
+    for (std::size_t b = 0; b < 2; ++b)
+        stepper::disturb(m.ctx.model, stepper::end_of(m.ctx, hook.index, b));
+    stepper::part_all(m.ctx.model, hook.index);
+    stepper::push_event(m.ctx, EventKind::release, hook.index, tension);
+    if (m.listener != nullptr) m.listener->released(hook);
+}
+
+}  // namespace hawser

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Ends of wires that are joined, and held to bodies (hawser/wire.h, step/wire_ends.h).
+#include <hawser/world.h>
+
+#include "access/push_event.h"
+#include "split/split.h"
+#include "step/edits.h"
+#include "step/node_pieces.h"
+#include "step/wire_ends.h"
+#include "world/checks.h"
+#include "world/impl.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace hawser {
+namespace world {
+
+void check(const JoinDef& def) {
+    const Where where("gear", def.name);
+    const auto check = [&](const char* what, double value, double least, double most) {
+        if (!(value >= least && value <= most))
+            refuse(where, std::string(what) + " = " + number(value) + "; give " + number(least) +
+                              " to " + number(most));
+    };
+    constexpr double kFar = 1e6, kHeavy = 1e12, kPull = 1e15, kSmall = 1e-3;
+    if (static_cast<std::uint8_t>(def.gear) > static_cast<std::uint8_t>(Gear::pelican_hook))
+        refuse(where, "there is no such gear");
+    const bool plate = def.gear == Gear::triplate;
+    check("mass", def.mass, plate ? kSmall : 0.0, kHeavy);
+    check("reach", def.reach, 0.0, kFar);
+    if (def.gear == Gear::splice) return;
+    check("length", def.length, kSmall, kFar);
+    if (plate) check("radius", def.radius, kSmall, kFar);
+    if (!std::isnan(def.EA)) check("EA", def.EA, kSmall, kPull);
+    if (!std::isnan(def.breaking_load)) check("breaking_load", def.breaking_load, kSmall, kPull);
+}
+
+}  // namespace world
+
+Vec3 triplate_hole(const JoinDef& def, int k) noexcept {
+    constexpr double kThird = 2.0943951023931953;  // 2π/3
+    return def.radius * Vec3(std::cos(kThird * k), std::sin(kThird * k), 0.0);
+}
+
+namespace {
+
+void refuse_beyond(const std::string& where, double apart, double most) {
+    if (!(apart <= most))
+        world::refuse(where, "what is to be held is " + world::number(apart) +
+                                 " m apart, and gear and reach are " + world::number(most) +
+                                 " m; bring it nearer, or give a longer reach");
+}
+
+/// "tow/gear", "tow/gear2", … that nothing has.
+std::string gear_name(const World& w, const std::string& wire) {
+    std::string name = wire + "/gear";
+    for (int k = 2; w.find_interaction(name).valid() || w.find_body(name).valid(); ++k)
+        name = wire + "/gear" + std::to_string(k);
+    return name;
+}
+
+}  // namespace
+
+Joint World::join(WireId a, int end_a, WireId b, int end_b, const JoinDef& def) {
+    const world::Using use(impl_->use, "join");
+    world::check(def);
+    const world::FreeEnd one = impl_->free_end(a, end_a), other = impl_->free_end(b, end_b);
+    const world::Wire &first = impl_->wire(a), &second = impl_->wire(b);
+    const std::string where = world::label("wire", first.name);
+    if (one.lump == other.lump) world::refuse(where, "an end is not joined to itself");
+    if (def.gear == Gear::splice) {
+        if (a == b)
+            world::refuse(where, "a splice would close it to a ring; join its ends by gear");
+        if ((end_a == end_b) &&
+            stepper::chain_from(impl_->ctx, other.element.index, other.slot).size() !=
+                second.elements.size())
+            world::refuse(world::label("wire", second.name),
+                          "it would have to be turned round, and is parted or held between its "
+                          "ends; join by gear");
+    }
+    JoinDef named = def;
+    if (named.name.empty()) named.name = gear_name(*this, first.name);
+    Joint out = join(one.lump, other.lump, Vec3::Zero(), named);
+    out.wire = a;
+    return out;
+}
+
+Joint World::attach(WireId id, int end, BodyId body, const Vec3& point, const JoinDef& def) {
+    const world::Using use(impl_->use, "attach");
+    world::check(def);
+    const world::FreeEnd one = impl_->free_end(id, end);
+    const world::Wire& wire = impl_->wire(id);
+    if (!alive(body) || body_def(body).kind == BodyKind::scalar ||
+        body_def(body).kind == BodyKind::lump)
+        world::refuse(world::label("wire", wire.name),
+                      "it is attached to a body that has an orientation; join() ends of wires");
+    JoinDef named = def;
+    if (named.name.empty()) named.name = gear_name(*this, wire.name);
+    Joint out = join(one.lump, body, point, named);
+    out.wire = id;
+    return out;
+}
+
+Joint World::join(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) {
+    const world::Using use(impl_->use, "join");
+    Impl& m = *impl_;
+    world::check(def);
+    (void)m.place(a);
+    (void)m.place(b);
+    const std::string where = world::label("gear", def.name);
+    if (!point.allFinite() || !(point.norm() <= 1e7))
+        world::refuse(where, "point is not finite, or beyond 1e7 m");
+    if (a == b) world::refuse(where, "an end is not joined to itself");
+    (void)m.free_end(a);
+    const BodyKind kind = body_def(b).kind;
+    const bool lump = kind == BodyKind::lump;
+    if (lump) (void)m.free_end(b);
+    if (kind == BodyKind::scalar) world::refuse(where, "a scalar body holds no end of a wire");
+    if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // without copies of anything
+    Joint out;
+    if (def.gear == Gear::triplate) {
+        if (!lump)
+            world::refuse(where, "a triplate joins two wires; a shackle holds an end to a body");
+        out = m.put_plate(*this, a, b, def);
+    } else if (def.gear == Gear::splice && lump) {
+        refuse_beyond(where, (pose(b).position - pose(a).position).norm(), def.reach);
+        out = m.splice(*this, a, b);
+        m.add_gear_mass(a, def.mass);
+    } else {
+        out = m.hold(*this, a, b, point, def);
+    }
+    if (m.listener != nullptr) m.listener->joined(a, b, point, def);
+    return out;
+}
+
+/// Comes with the velocity of the lump that holds it.
+void World::Impl::add_gear_mass(BodyId lump, double mass) noexcept {
+    if (!(mass > 0.0)) return;
+    const double had = stepper::energy_of_body(ctx, lump.index);
+    ctx.model.bodies.mass[at(lump.index)] += mass;
+    follow_definition(lump);
+    stepper::follow_lump(ctx, lump.index);
+    ctx.state.ledger.drive += stepper::energy_of_body(ctx, lump.index) - had;
+}
+
+/// From a lump to a body, the one first that the wire of the lump begins with.
+InteractionDef World::Impl::link_of(const World& world, BodyId a, BodyId b, const Vec3& point,
+                                    const JoinDef& def) const {
+    const world::FreeEnd end = free_end(a);
+    const std::size_t slot = end.slot == 1 ? 1 : 0;
+    InteractionDef out;
+    out.name = def.name;
+    out.kind = InteractionKind::Stretch;
+    out.body[1 - slot] = a;
+    out.body[slot] = b;
+    out.point[slot] = point;
+    const double apart = (world.world_point(b, point) - world.pose(a).position).norm();
+    refuse_beyond(world::label("gear", def.name), apart, def.length + def.reach);
+    out.set("length", std::max(def.length, apart));
+    out.set("EA", std::isnan(def.EA) ? world.interaction_def(end.element).get("EA") : def.EA);
+    if (!std::isnan(def.breaking_load)) out.set("breaking_load", def.breaking_load);
+    return out;
+}
+
+Joint World::Impl::hold(World& world, BodyId a, BodyId b, const Vec3& point, const JoinDef& def) {
+    const double apart = (world.world_point(b, point) - world.pose(a).position).norm();
+    InteractionDef d;
+    if (def.gear == Gear::splice) {
+        refuse_beyond(world::label("gear", def.name), apart, def.reach);
+        d.name = def.name;
+        d.kind = InteractionKind::Ball;
+        d.body = {b, a};
+        d.point[0] = world.local_point(b, world.pose(a).position);
+    } else {
+        d = link_of(world, a, b, point, def);
+    }
+    std::erase_if(gear, [&](const world::GearInUse& g) {
+        return !ctx.model.interactions.places.names(g.id);
+    });
+    base::make_room(gear, 1);
+    const bool lump = stepper::is_lump(ctx, b.index);
+    Joint out;
+    {
+        const Untold untold(*this);
+        out.held[0] = world.add_interaction(d);
+    }
+    // From here on nothing throws.
+    gear.push_back({out.held[0], def.gear});
+    add_gear_mass(a, lump ? 0.5 * def.mass : def.mass);
+    if (lump) add_gear_mass(b, 0.5 * def.mass);
+    stepper::push_event(ctx, EventKind::join, out.held[0].index, apart);
+    return out;
+}
+
+/// Its first two holes lie on the line of the ends, the third as low as it may.
+Joint World::Impl::put_plate(World& world, BodyId a, BodyId b, const JoinDef& def) {
+    const Vec3 pa = world.pose(a).position, pb = world.pose(b).position;
+    const double apart = (pb - pa).norm();
+    const Vec3 h[2] = {triplate_hole(def, 0), triplate_hole(def, 1)};
+    const double wide = (h[1] - h[0]).norm();
+    refuse_beyond(world::label("gear", def.name), apart, wide + 2.0 * (def.length + def.reach));
+    const Vec3 u = apart > 0.0 ? Vec3((pb - pa) / apart) : Vec3::UnitX();
+    Vec3 up = -ctx.model.def.gravity;
+    if (!(up.cross(u).norm() > 1e-6 * up.norm())) up = u.unitOrthogonal();
+    const Vec3 y = (up - up.dot(u) * u).normalized();
+    // The first two holes see the third across the centre: opposite their mean.
+    const Vec3 along = (h[1] - h[0]).normalized(), third = -(h[0] + h[1]).normalized();
+    Mat3 local, target;
+    local << along, third, along.cross(third);
+    target << u, -y, u.cross(-y);
+    const Mat3 turn = target * local.transpose();
+    BodyDef plate{.name = def.name, .kind = BodyKind::rigid};
+    plate.position = 0.5 * (pa + pb) - turn * (0.5 * (h[0] + h[1]));
+    plate.orientation = Quat(turn).normalized();
+    plate.velocity = 0.5 * (world.velocity(a).linear + world.velocity(b).linear);
+    plate.mass = def.mass;
+    const double disc = 0.25 * def.mass * def.radius * def.radius;
+    plate.inertia = Vec3(disc, disc, 2.0 * disc).asDiagonal();
+    constexpr double kThick = 0.05;
+    plate.half_size = def.radius * Vec3(1.0, 1.0, kThick);
+    plate.group = world.body_def(a).group;
+    base::make_room(gear, 2);
+    world::Wire made;
+    made.lumps.reserve(1);
+    made.elements.reserve(2);
+    const Mark before = mark(a, b);
+    Joint out;
+    try {
+        const Untold untold(*this);
+        made.lumps.push_back(world.add_body(plate));
+        for (std::size_t k = 0; k < 2; ++k) {
+            JoinDef link = def;
+            link.name = def.name.empty() ? "" : def.name + "/" + std::to_string(k);
+            made.elements.push_back(
+                world.add_interaction(link_of(world, k == 0 ? a : b, made.lumps[0], h[k], link)));
+        }
+    } catch (...) {
+        take_back(before, made);
+        throw;
+    }
+    out.plate = made.lumps[0];
+    for (std::size_t k = 0; k < 2; ++k) {
+        out.held[k] = made.elements[k];
+        gear.push_back({out.held[k], def.gear});
+    }
+    stepper::push_event(ctx, EventKind::join, out.held[0].index, apart);
+    return out;
+}
+
+}  // namespace hawser

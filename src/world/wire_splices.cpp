@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Wires that are spliced (hawser/wire.h, step/wire_ends.h).
+#include <hawser/world.h>
+
+#include "access/push_event.h"
+#include "step/edits.h"
+#include "step/node_pieces.h"
+#include "step/wire_ends.h"
+#include "world/checks.h"
+#include "world/impl.h"
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace hawser {
+namespace {
+
+/// Elements, nodes and pieces of one wire behind those of another; room has been made.
+void put_behind(world::Wire& to, const world::Wire& more, BodyId both) noexcept {
+    to.nodes.back() = both;
+    to.nodes.insert(to.nodes.end(), more.nodes.begin() + 1, more.nodes.end());
+    to.elements.insert(to.elements.end(), more.elements.begin(), more.elements.end());
+}
+void put_before(world::Wire& to, const world::Wire& more, BodyId both) noexcept {
+    to.nodes.front() = both;
+    to.nodes.insert(to.nodes.begin(), more.nodes.begin(), more.nodes.end() - 1);
+    to.elements.insert(to.elements.begin(), more.elements.begin(), more.elements.end());
+}
+
+/// A bend at the node that two become, as the one beside it.
+InteractionDef bend_at_splice(const model::Interactions& in, std::int32_t beside, BodyId before,
+                              BodyId node, BodyId after, double length) {
+    InteractionDef out;
+    out.kind = InteractionKind::Bend;
+    out.body = {before, node, after};
+    out.set("EI", in.def[at(beside)].get("EI")).set("length", length);
+    return out;
+}
+
+void make_room_for(world::Wire& to, const world::Wire& more) {
+    base::make_room(to.nodes, more.nodes.size() + 1);
+    base::make_room(to.elements, more.elements.size() + 1);
+    base::make_room(to.lumps, more.lumps.size() + 1);
+    base::make_room(to.bends, more.bends.size() + 1);
+    base::make_room(to.shapes, more.shapes.size() + 1);
+}
+
+/// Of the lumps that have become one the second has gone.
+struct Spliced {
+    BodyId both, gone;
+};
+void take_in(world::Wire& to, world::Wire& more, const Spliced& lumps, bool behind,
+             InteractionId bend) noexcept {
+    behind ? put_behind(to, more, lumps.both) : put_before(to, more, lumps.both);
+    std::erase(more.lumps, lumps.gone);
+    to.lumps.insert(to.lumps.end(), more.lumps.begin(), more.lumps.end());
+    to.bends.insert(to.bends.end(), more.bends.begin(), more.bends.end());
+    to.shapes.insert(to.shapes.end(), more.shapes.begin(), more.shapes.end());
+    to.owns = to.owns || more.owns;
+    if (bend.valid() && to.owns) to.bends.push_back(bend);
+}
+
+}  // namespace
+
+/// Elements, bends and capsules of a chain are from end to end the other way.
+void World::Impl::turn_round(std::span<const std::int32_t> chain) noexcept {
+    model::Interactions& in = ctx.model.interactions;
+    for (std::size_t k = 0; k < chain.size(); ++k) {
+        const std::int32_t id = chain[k];
+        const std::int32_t ends[2] = {stepper::end_of(ctx, id, 0), stepper::end_of(ctx, id, 1)};
+        if (const ShapeId s = segment_between(ends[0], ends[1]); s.valid()) {
+            const BodyId first = shape_defs[at(s.index)].body;
+            move_segment(s, 0, shape_defs[at(s.index)].body_b);
+            move_segment(s, 1, first);
+        }
+        if (k > 0) {
+            const std::int32_t* last = &in.body[kMaxInteractionBodies * at(chain[k - 1])];
+            const std::int32_t node = last[0] == ends[0] || last[0] == ends[1] ? last[0] : last[1];
+            const std::int32_t bend =
+                stepper::bend_about(ctx, node, ends[0] == node ? ends[1] : ends[0]);
+            if (bend >= 0) stepper::turn_round(ctx, bend);
+        }
+        stepper::turn_round(ctx, id);
+    }
+}
+
+Joint World::Impl::splice(World& world, BodyId a, BodyId b) {
+    model::Interactions& in = ctx.model.interactions;
+    const world::FreeEnd one = free_end(a), other = free_end(b);
+    const std::int32_t ea = one.element.index, eb = other.element.index;
+    const std::string where = world::label("body", body_defs[at(b.index)].name);
+    if (ea == eb) world::refuse(where, "both ends are of one element");
+    refuse_held(b);
+    const double apart = (world.pose(b).position - world.pose(a).position).norm();
+    const BodyId far_a = in.def[at(ea)].body[1 - one.slot],
+                 far_b = in.def[at(eb)].body[1 - other.slot];
+    if (far_a == far_b) world::refuse(where, "both elements hold one body; join by gear");
+    const std::vector<std::int32_t> chain = one.slot == other.slot
+                                                ? stepper::chain_from(ctx, eb, other.slot)
+                                                : std::vector<std::int32_t>{};
+    world::Wire* wire_a = wire_with(one.element);
+    world::Wire* wire_b = wire_with(other.element);
+    if (wire_a != nullptr && wire_a == wire_b) world::refuse(where, "both are ends of one wire");
+    if (wire_a != nullptr && wire_b != nullptr) make_room_for(*wire_a, *wire_b);
+    reserve_removal();
+    wires.places.make_room();
+    const std::int32_t near[2] = {stepper::bend_about(ctx, far_a.index, a.index),
+                                  stepper::bend_about(ctx, far_b.index, b.index)};
+    const std::int32_t beside = near[0] >= 0 ? near[0] : near[1];
+    InteractionId bend;
+    const double drive = ctx.state.ledger.drive;
+    const double had = stepper::splice_energy(ctx, a.index, b.index, ea, eb);
+    if (beside >= 0) {
+        const double length = 0.5 * (in.rest_length[at(ea)] + in.rest_length[at(eb)]);
+        const Untold untold(*this);
+        bend = world.add_interaction(bend_at_splice(in, beside, one.slot == 1 ? far_a : far_b, a,
+                                                    one.slot == 1 ? far_b : far_a, length));
+    }
+    // From here on nothing throws.
+    stepper::begin_edit(ctx);
+    const Vec3 load = body_defs[at(b.index)].force;
+    turn_round(chain);
+    const ShapeId segment = one.slot == 1 ? segment_between(b.index, far_b.index)
+                                          : segment_between(far_b.index, b.index);
+    if (segment.valid()) move_segment(segment, one.slot == 1 ? 0 : 1, a);
+    if (near[1] >= 0)
+        in.rewire(near[1], stepper::end_of(ctx, near[1], 0) == b.index ? 0 : 2, a,
+                  ctx.model.bodies);
+    stepper::merge_lumps(ctx, a.index, b.index, ea, eb);
+    remove(b);
+    body_defs[at(a.index)].force += load;
+    for (int i = 0; i < 3; ++i) add_up_force(a, i);
+    follow_definition(a);
+    stepper::follow_lump(ctx, a.index);
+    if (bend.valid()) stepper::set_bend(ctx, bend.index, ea, eb);
+    ctx.state.ledger.drive = drive + stepper::splice_energy(ctx, a.index, -1, ea, eb) - had;
+    stepper::push_event(ctx, EventKind::join, ea, apart);
+    if (wire_b != nullptr && !chain.empty()) {
+        std::reverse(wire_b->nodes.begin(), wire_b->nodes.end());
+        std::reverse(wire_b->elements.begin(), wire_b->elements.end());
+    }
+    if (wire_a == nullptr || wire_b == nullptr) {
+        if (wire_b != nullptr) std::replace(wire_b->nodes.begin(), wire_b->nodes.end(), b, a);
+        return {};
+    }
+    take_in(*wire_a, *wire_b, {a, b}, one.slot == 1, bend);
+    forget_wire(id_of(*wire_b));
+    return {};
+}
+
+}  // namespace hawser
