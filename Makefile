@@ -63,6 +63,8 @@ test-long: build
 	@$(BIN)/hawser-bench hashes --steps 1000
 	@$(BIN)/hawser-bench hashes scenes/anchor_lines.json scenes/mooring.json --steps 600 \
 	    --threads 1 2 3 4 8
+	@$(BIN)/hawser-bench hashes scenes/payout.json scenes/tow_payout.json --steps 24000 \
+	    --restores 40
 	@$(BIN)/hawser-bench hashes --steps 200 --nonsmooth pivoting split pgs convex
 
 # Not part of check: it fetches a system.

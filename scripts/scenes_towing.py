@@ -12,6 +12,13 @@ WEIGHT = 0.87 * WIRE["mass_per_length"] * G  # in water [N/m]
 PARTS = ["parts/lines.json"]
 
 
+def ramp(begin, before, after, steps=20):
+    """Speed of the winch in small steps over 2 s: the wire stays taut."""
+    return [{"at": round(begin + 2 * k / steps, 3),
+             "set": {"winch.speed": round(before + (after - before) * k / steps, 4)}}
+            for k in range(1, steps + 1)]
+
+
 def payout():
     """The anchor is let down by 600 m at 1 m/s and heaved again."""
     start, element, anchor = 40.0, 10.0, 13000
@@ -32,10 +39,8 @@ def payout():
                      "brake_static": 1e6, "band_friction": 0.3, "band_angle": 4.7,
                      "element": element, "mode": "brake"}],
         "timeline": [
-            {"at": 5, "set": {"winch.mode": "speed", "winch.speed": 1}},
-            {"at": 605, "set": {"winch.speed": 0}},
-            {"at": 620, "set": {"winch.speed": -1}},
-            {"at": 1220, "set": {"winch.mode": "brake"}}],
+            {"at": 0, "set": {"winch.mode": "speed"}}, *ramp(5, 0, 1), *ramp(603, 1, 0),
+            *ramp(620, 0, -1), *ramp(1218, -1, 0), {"at": 1230, "set": {"winch.mode": "brake"}}],
         "plot": {"tensions": ["wire"], "motions": ["anchor"]},
     })
 

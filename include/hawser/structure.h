@@ -66,6 +66,10 @@ struct Structure {
     std::vector<MaterialDef> materials;  ///< Behind the default one.
     std::vector<MaterialPairDef> pairs;
     std::vector<GearPiece> gear;
+    /// What analyses take instead of what lengths and layers have made of it by now: compliances ε
+    /// of all rows of interactions that are there, in order [m/N, rad/(N m)], and the radii of
+    /// elements that drums pay out [m]. Empty: as the definitions say.
+    std::vector<double> compliances, radii;
     std::vector<Coupling> coupling;  ///< Of each interaction, where any was set (World::cuts()).
 };
 

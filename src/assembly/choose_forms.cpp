@@ -25,7 +25,11 @@ double mobility(const model::Bodies& bodies, const model::Interactions& in, int 
     for (int b = 0; b < in.bodies[at(id)]; ++b) {
         const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
         const int dof = bodies.dof(body);
-        for (int j = 0; j < dof && j < 3; ++j) sum += jac[j] * jac[j] / bodies.mass[at(body)];
+        const bool drum = b == 2 && kind_info(in.kinds[at(id)]).is(kWoundUp);
+        for (int j = 0; j < dof && j < 3; ++j) {
+            const double arm = drum ? in.defined_radius[at(id)] : jac[j];
+            sum += arm * arm / bodies.mass[at(body)];
+        }
         if (dof == 6) {
             using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
             const Eigen::Map<const RowMajor> r(&bodies.r[at(9 * body)]);

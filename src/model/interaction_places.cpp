@@ -16,9 +16,9 @@ namespace hawser::model {
 namespace {
 
 auto by_interaction(Interactions& in) noexcept {
-    return std::to_array<base::Array<double>*>({&in.active, &in.held, &in.low, &in.high, &in.anchor,
-                                                &in.breaking, &in.rest_length, &in.pair_mass,
-                                                &in.lightness, &in.alert, &in.swing});
+    return std::to_array<base::Array<double>*>(
+        {&in.active, &in.held, &in.low, &in.high, &in.anchor, &in.breaking, &in.rest_length,
+         &in.defined_radius, &in.pair_mass, &in.lightness, &in.alert, &in.swing});
 }
 
 auto by_row(Interactions& in) noexcept {
@@ -156,6 +156,7 @@ void Interactions::write_rows(int id, const Bodies& bodies_in, double h) {
     const int mass = kind_info(d.kind).mass_param;
     pair_mass[at(id)] = mass < 0 ? 0.0 : d.params[at(mass)] / 6.0;
     lightness[at(id)] = line ? lightest_end(d, bodies_in) : 0.0;
+    defined_radius[at(id)] = kind_info(d.kind).is(kWoundUp) ? d.get("radius") : 0.0;
     breaking[at(id)] = flags[at(id)] & kBreakable ? d.get("breaking_load") : 0.0;
     set_range(id);
     write_data(id);

@@ -116,6 +116,9 @@ struct Interactions {
     base::Array<double> swing;     ///< max |arm|/I, constant: h² times force times this is (hω)².
     base::Array<double> breaking;  ///< Load at which it parts [N], of what is kBreakable.
     base::Array<double> rest_length;  ///< l₀ of wire elements [m], 0 for all else.
+    /// Of elements that drums pay out as they were added, whatever layer there is by now [m]:
+    /// analyses see this one, so that they do not depend on when they are made.
+    base::Array<double> defined_radius;
     /// A sixth of the mass of wire elements that move as straight pieces (assembly/geo.h) [kg].
     base::Array<double> pair_mass;
     std::vector<std::int32_t> working;    ///< Those through which work enters: motors, driven by an

@@ -197,6 +197,8 @@ void visit_fields(D& d, F&& f) {
     f.list(d.materials);
     f.list(d.pairs);
     f.list(d.gear);
+    f.list(d.compliances);
+    f.list(d.radii);
     f.words(d.coupling, 4);
 }
 

@@ -66,6 +66,7 @@ struct World::Impl final : private world::InputDoor {
     void make_bodies(World& self, const Placed<BodyDef>& from);
     void make_shapes(World& self, const Structure& from);
     void make_interactions(World& self, const Placed<InteractionDef>& from);
+    void take_defined(const Structure& from);
     void make_inputs(World& self, const Placed<InputDef>& from);
     void make_wires(const Placed<WirePieces>& from);
 

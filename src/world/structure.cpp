@@ -9,6 +9,7 @@
 #include "base/hash.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <span>
 #include <string>
@@ -84,6 +85,9 @@ Structure World::Impl::structure() const {
         d = in.def[at(i)];
         // Then it follows the length, as it does here.
         if (in.flags[at(i)] & model::kFromLength) d.compliance[0] = kDefault;
+        for (int r = 0; r < in.rows[at(i)]; ++r)
+            out.compliances.push_back(in.defined[at(in.row_begin[at(i)] + r)]);
+        if (kind_info(d.kind).is(kWoundUp)) out.radii.push_back(in.defined_radius[at(i)]);
     }
     take_places(out.interactions, in.places);
     const collide::Materials& materials = ctx.model.collider.materials;
@@ -155,6 +159,24 @@ void World::Impl::make_interactions(World& self, const Placed<InteractionDef>& f
     }
 }
 
+void World::Impl::take_defined(const Structure& from) {
+    if (from.compliances.empty() && from.radii.empty()) return;
+    model::Interactions& in = ctx.model.interactions;
+    std::size_t row = 0, drum = 0;
+    const auto next = [](const std::vector<double>& list, std::size_t& k, double most) {
+        if (k >= list.size() || !(std::abs(list[k]) <= most))
+            throw DefError("structure: compliances or radii are not those of its interactions");
+        return list[k++];
+    };
+    constexpr double kSoftest = 1e30, kLargest = 1e3;
+    for (const InteractionId id : interaction_ids) {
+        for (int r = 0; r < in.rows[at(id.index)]; ++r)
+            in.defined[at(in.row_begin[at(id.index)] + r)] = next(from.compliances, row, kSoftest);
+        if (kind_info(in.def[at(id.index)].kind).is(kWoundUp))
+            in.defined_radius[at(id.index)] = next(from.radii, drum, kLargest);
+    }
+}
+
 void World::Impl::make_inputs(World& self, const Placed<InputDef>& from) {
     check(from, "inputs");
     for (std::size_t k = 0; k < from.defs.size(); ++k) {
@@ -199,6 +221,7 @@ void World::Impl::make(World& self, const Structure& from) {
     make_bodies(self, from.bodies);
     make_shapes(self, from);
     make_interactions(self, from.interactions);
+    take_defined(from);
     make_inputs(self, from.inputs);
     make_wires(from.wires);
     gear = from.gear;

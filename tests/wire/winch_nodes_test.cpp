@@ -94,6 +94,17 @@ TEST(WinchNodes, ComeWithMassBendsAndContacts) {
     }
 }
 
+/// Elements that come are longer and heavier than those that are there.
+TEST(WinchNodes, ComeWhereOthersAreShorter) {
+    for (const double element : {2.6, 4.0, 7.5}) {
+        Hoist h(4, 0, element);
+        const double whole = h.material();
+        h.run(40.0, 1.0);
+        EXPECT_NEAR(static_cast<double>(h.w.elements(h.wire).size()), 4.0 + 39.5 / element, 1.5);
+        EXPECT_NEAR(h.material(), whole, 1e-11);
+    }
+}
+
 TEST(WinchNodes, AreTheSameOnAnyThreadsAndAfterRestore) {
     std::uint64_t hash = 0;
     for (const int threads : {1, 2, 4, 8}) {
