@@ -35,7 +35,7 @@ void Interactions::rewire(int id, std::size_t slot, BodyId to, const Bodies& bod
     body[kMaxInteractionBodies * at(id) + slot] = to.index;
     if (!bodies_in.turns(to.index)) d.point[slot].setZero();
     write_data(id);
-    if (lightness[at(id)] > 0.0) lightness[at(id)] = lightest_end(d, bodies_in);
+    if (kind_info(d.kind).is(kAlongLine)) lightness[at(id)] = lightest_end(d, bodies_in);
 }
 
 void Interactions::set_mass(int id, double mass) noexcept {

@@ -9,7 +9,8 @@
 /// the strain, and the rest length is the one that has it at the chord, dampers included: what
 /// leaves by the drum takes its stretch along, which they see as a rate. The half of f that b held
 /// becomes the winch's, as all the material of e is; velocities of others stay. What the motion of
-/// n across the chord held goes into the drum's foundation, and counts as driven.
+/// n across the chord held goes into the drum's foundation, and counts as driven. The node before a
+/// free end stays: the lump there has but its half of f.
 
 #include "step/nodes.h"
 
@@ -30,13 +31,16 @@ bool release_drum_node(StepContext& ctx, const NodePlace& place, double bend) no
     const Vec3 first = point_of(ctx, place.first, 1) - point_of(ctx, place.first, 0);
     const Vec3 second = point_of(ctx, place.second, 1) - point_of(ctx, place.second, 0);
     if (std::atan2(first.cross(second).norm(), first.dot(second)) > bend) return false;
+    const double half = 0.5 * mass_of_element(ctx, f);
+    const std::int32_t b = end_of(ctx, f, far);
+    // A free end would be left without any mass of its own.
+    constexpr double kLeast = 1e-3;
+    if (is_lump(ctx, b) && !(bodies.mass[at(b)] > (1.0 + kLeast) * half)) return false;
     const double rest[2] = {in.rest_length[at(e)], in.rest_length[at(f)]};
     const double whole = rest[0] + rest[1];
     const double pull = (rest[0] * force_of(ctx, e) + rest[1] * force_of(ctx, f)) / whole;
     const double stiffness =
         whole / (rest[0] / stiffness_of(ctx, e) + rest[1] / stiffness_of(ctx, f));
-    const double half = 0.5 * mass_of_element(ctx, f);
-    const std::int32_t b = end_of(ctx, f, far);
     if (is_lump(ctx, b)) add_mass(ctx, b, -half, -half / bodies.mass[at(b)] * damping_of(ctx, b));
     in.def[at(e)].point[far] = in.def[at(f)].point[far];
     in.rewire(e, far, bodies.id(b), bodies);

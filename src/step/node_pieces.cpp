@@ -214,8 +214,21 @@ void set_bend(StepContext& ctx, std::int32_t id, std::int32_t one, std::int32_t 
 
 void follow_masses(StepContext& ctx, const NodePlace& place) noexcept {
     model::Interactions& in = ctx.model.interactions;
-    for (const std::int32_t id : {place.first, place.second, place.before[0], place.after[0]})
-        if (id >= 0) in.rewire(id, 0, in.def[at(id)].body[0], ctx.model.bodies);
+    // Ends of the elements there, which gear may hold as well.
+    std::int32_t lumps[4] = {-1, -1, -1, -1};
+    std::size_t next = 0;
+    for (const std::int32_t id : {place.first, place.second})
+        for (std::size_t slot = 0; slot < 2; ++slot, ++next)
+            if (id >= 0) lumps[next] = end_of(ctx, id, slot);
+    for (std::int32_t id = 0; id < in.count(); ++id) {
+        if (!kind_info(in.kinds[at(id)]).is(kAlongLine) || in.gone(id)) continue;
+        const std::int32_t* held = &in.body[kSlots * at(id)];
+        for (const std::int32_t lump : lumps)
+            if (lump >= 0 && (held[0] == lump || held[1] == lump)) {
+                in.rewire(id, 0, in.def[at(id)].body[0], ctx.model.bodies);
+                break;
+            }
+    }
 }
 
 }  // namespace hawser::stepper

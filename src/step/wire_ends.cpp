@@ -129,7 +129,8 @@ void follow_lump(StepContext& ctx, std::int32_t lump) noexcept {
     model::Interactions& in = ctx.model.interactions;
     for (std::int32_t id = 0; id < in.count(); ++id)
         for (std::size_t slot = 0; slot < in.bodies[at(id)]; ++slot)
-            if (end_of(ctx, id, slot) == lump && in.lightness[at(id)] > 0.0)
+            if (end_of(ctx, id, slot) == lump && !in.gone(id) &&
+                kind_info(in.kinds[at(id)]).is(kAlongLine))
                 in.rewire(id, slot, in.def[at(id)].body[slot], ctx.model.bodies);
     disturb(ctx.model, lump);
 }

@@ -59,7 +59,9 @@ void Systems::repeat_deed(stepper::StepContext& ctx) {
 
 void Systems::before_step(World& world) noexcept {
     NodeEdits nodes(world);
+    editing_ = true;
     for (const auto& system : list_) system->before_step(nodes);
+    editing_ = false;
 }
 
 void Systems::forget() noexcept {

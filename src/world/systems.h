@@ -89,6 +89,10 @@ class Systems final : public stepper::Actors {
         for (const auto& s : list_) sum += s->carried_mass(element);
         return sum;
     }
+    /// Whether nodes are systems' to put and take: those that carry an element keep its account.
+    [[nodiscard]] bool refuses_nodes(InteractionId element) const noexcept {
+        return !editing_ && carried_mass(element) > 0.0;
+    }
     /// The step has ended since systems asked for edits, and has gone back: they are to be made,
     /// and then the step taken once more, with what the systems did in it.
     [[nodiscard]] bool wants_edits() const noexcept { return queue_.size() > 0 && deed_.known; }
@@ -140,6 +144,7 @@ class Systems final : public stepper::Actors {
     std::vector<std::unique_ptr<System>> list_;
     std::vector<SystemSignal> signals_;
     bool acted_ = false;                  ///< In the step being taken.
+    bool editing_ = false;                ///< In before_step().
     std::vector<std::byte> kept_;         ///< States before it.
     std::vector<InputDoor::Before> set_;  ///< Inputs that it set, in that order.
     std::vector<Event> told_;             ///< Events that they told of.

@@ -108,6 +108,8 @@ void World::Impl::check_node(InteractionId element, double share, double mass) c
     const std::string where = world::label("interaction", in.def[e].name);
     if (!kind_info(in.def[e].kind).is(kWireElement) || in.parted[e] != 0)
         world::refuse(where, "only elements of wires that are whole have nodes");
+    if (systems.refuses_nodes(element))
+        world::refuse(where, "its winch puts nodes there; take an element farther out");
     if (!(share > 0.0 && share < 1.0))
         world::refuse(where,
                       "a node is put at a share between 0 and 1, not " + world::number(share));
@@ -229,6 +231,8 @@ std::int32_t World::Impl::check_node_goes(BodyId node, stepper::NodePlace& place
     }
     if (!(bend >= 0.0)) world::refuse(where, "bend must be an angle, not " + world::number(bend));
     const std::int32_t stays = second ? place.second : place.first;
+    if (systems.refuses_nodes(ctx.model.interactions.id(stays)))
+        world::refuse(where, "its winch takes it away when it hauls; take one farther out");
     refuse_held(node, ctx.model.interactions.id(stays));
     return stays;
 }

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Winches at random commands while their wires are cut, joined, let go and given nodes: no
+/// material is lost, the bits do not depend on threads, and structure and state go on in another
+/// world. HAWSER_OPERATIONS says how many operations there are (make test-long: 100,000).
+#include <hawser/hawser.h>
+
+#include "support/sanitizer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace hawser::test {
+namespace {
+
+constexpr double kMass = 23.0, kStored = 120.0, kLoad = 4e3;
+
+long operations() {
+    const char* asked = std::getenv("HAWSER_OPERATIONS");
+    if (asked != nullptr) return std::atol(asked);
+    return kSanitized ? 300 : 2000;
+}
+
+/// Two winches, one at the first end of its wire, one at the last.
+World deck(int threads) {
+    World w(WorldDef{.step = 1.0 / 60.0, .threads = threads, .on_diverged = OnDiverged::warn});
+    const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
+    for (int k = 0; k < 2; ++k) {
+        const std::string n = std::to_string(k);
+        const Vec3 at(4.0 * k, 0, 0);
+        const BodyId load = w.add_body({.name = "load" + n,
+                                        .kind = BodyKind::lump,
+                                        .position = at - Vec3(0, 0, 10),
+                                        .mass = kLoad,
+                                        .linear_damping = Vec3::Constant(2e3)});
+        WireDef def{.name = "wire" + n};
+        def.from = k == 0 ? deck : load;
+        def.to = k == 0 ? load : deck;
+        (k == 0 ? def.from_point : def.to_point) = at;
+        def.elements = 4;
+        def.EA = 2e8;
+        def.mass_per_length = kMass;
+        def.EI = k == 0 ? 0.0 : 2e3;
+        def.drag = 40.0;
+        def.radius = k == 0 ? 0.0 : 0.03;
+        def.consistent_mass = true;
+        WinchDef winch{.name = "winch" + n, .wire = w.add_wire(def), .end = k};
+        winch.core_radius = 0.4;
+        winch.width = 0.5;
+        winch.wire_diameter = 0.06;
+        winch.mass_per_length = kMass;
+        winch.stored = kStored;
+        winch.inertia = 2e3;
+        winch.torque_haul = winch.torque_pay = 1e5;
+        winch.brake_static = 1e5;
+        winch.weak_link = k == 0 ? 0.0 : 2e5;
+        w.add(winch);
+    }
+    return w;
+}
+
+InteractionId line_of(const World& w, int winch) {
+    for (const InteractionId id : w.interactions())
+        if (w.interaction_def(id).kind == InteractionKind::WinchStretch &&
+            w.interaction_def(id).name == (winch == 0 ? "wire0/s0" : "wire1/s3"))
+            return id;
+    return {};
+}
+
+/// All of it but for what hangs on elements that have parted [kg].
+double material(const World& w) {
+    double sum = 0.0;
+    for (const BodyId id : w.bodies())
+        if (w.body_def(id).kind == BodyKind::lump) sum += w.body_def(id).mass;
+    for (int k = 0; k < 2; ++k) {
+        const std::string n = "winch" + std::to_string(k);
+        sum += kMass * w.system_signal(n + ".wire_left");
+        const InteractionId line = line_of(w, k);
+        if (line.valid() && w.intact(line)) sum += kMass * w.system_signal(n + ".at_drum");
+    }
+    // Half elements at bodies that carry no mass of wires.
+    for (const InteractionId id : w.interactions()) {
+        const InteractionDef& d = w.interaction_def(id);
+        if (d.kind != InteractionKind::Stretch || !(d.get("mass") > 0.0)) continue;
+        for (std::size_t slot = 0; slot < 2; ++slot)
+            if (w.body_def(d.body[slot]).kind != BodyKind::lump) sum += 0.5 * d.get("mass");
+    }
+    return sum;
+}
+
+bool finite(const World& w) {
+    for (const BodyId id : w.bodies())
+        if (!w.pose(id).position.allFinite() || !w.velocity(id).linear.allFinite()) return false;
+    return true;
+}
+
+struct Operation {
+    std::string what;
+    std::function<void(World&)> work;
+    double adds = 0.0;  ///< Mass of gear [kg].
+};
+
+/// Also such as the world has to refuse.
+Operation any(std::mt19937& dice, const World& w) {
+    const auto pick = [&](auto list) { return list[dice() % list.size()]; };
+    const double share = static_cast<double>(dice() % 1000) / 999.0;
+    const std::string winch = "winch" + std::to_string(dice() % 2);
+    const WireId a = pick(w.wires()), b = pick(w.wires());
+    const int end = static_cast<int>(dice() % 2), other = static_cast<int>(dice() % 2);
+    const InteractionId element = pick(w.elements(a));
+    const BodyId node = pick(w.nodes(a));
+    switch (dice() % 12) {
+        case 0:
+            return {"mode", [=](World& x) { x.set_system_signal(winch + ".mode", 5.0 * share); }};
+        case 1:
+        case 2:
+        case 3:
+            return {"speed", [=](World& x) {
+                        x.set_system_signal(winch + ".mode", 0.0);
+                        x.set_system_signal(winch + ".speed", 6.0 * share - 3.0);
+                    }};
+        case 4:
+            return {"pull", [=](World& x) {
+                        x.set_system_signal(winch + ".tension", 1e5 * share);
+                        x.set_system_signal(winch + ".brake", share);
+                    }};
+        case 5:
+            return {"clutch", [=](World& x) { x.set_system_signal(winch + ".clutch", end); }};
+        case 6:
+            if (dice() % 4 != 0) return {"wait", [](World&) {}};
+            return {"cut", [=](World& x) { (void)x.cut(a, share * x.length(a)); }};
+        case 7:
+            return {"splice", [=](World& x) { (void)x.join(a, end, b, other, {.reach = 100.0}); }};
+        case 8: {
+            const JoinDef def{.gear = Gear::shackle, .mass = 5.0, .length = 0.5, .reach = 100.0};
+            return {"gear", [=](World& x) { (void)x.join(a, end, b, other, def); }, def.mass};
+        }
+        case 9:
+            if (dice() % 4 != 0) return {"wait", [](World&) {}};
+            return {"detach", [=](World& x) { x.detach(a, end); }};
+        case 10:
+            return {"insert", [=](World& x) { (void)x.insert_node(element, 0.1 + 0.8 * share); }};
+        default:
+            return {"remove", [=](World& x) { (void)x.remove_node(node, 3.15); }};
+    }
+}
+
+std::string outcome(World& w, const Operation& op) {
+    try {
+        op.work(w);
+        return "done";
+    } catch (const DefError& error) {
+        return error.what();
+    }
+}
+
+struct Tally {
+    std::map<std::string, int> done;
+    long operations = 0, failed = 0, restores = 0;
+    double worst = 0.0;  ///< Of material, relative.
+};
+
+/// A world until something ends it, or so many operations.
+void sequence(std::uint32_t seed, long most, Tally& tally) {
+    std::mt19937 dice(seed);
+    std::vector<World> worlds;
+    for (const int threads : {1, 3}) worlds.push_back(deck(threads));
+    World& w = worlds[0];
+    double owed = material(w);
+    for (long k = 0; k < most; ++k) {
+        const Operation op = any(dice, w);
+        const std::uint64_t hash = w.state_hash();
+        const double had = material(w);
+        const std::string said = outcome(w, op);
+        ASSERT_EQ(outcome(worlds[1], op), said) << op.what;
+        ++tally.operations;
+        if (said == "done") {
+            ++tally.done[op.what];
+            owed += op.adds;
+            ASSERT_NEAR(material(w), had + op.adds, 1e-11 * had) << op.what << " " << seed;
+        } else {
+            ASSERT_EQ(w.state_hash(), hash) << op.what << ": " << said;
+        }
+        for (int step = 0; step < 3; ++step) {
+            const Status status = w.step();
+            ASSERT_TRUE(status == Status::ok || status == Status::diverged)
+                << to_string(status) << " " << to_string(w.bad_load(), w) << " after " << op.what
+                << " " << seed;
+            ASSERT_EQ(worlds[1].step(), status);
+            ASSERT_TRUE(finite(w)) << op.what << " " << seed;
+            if (status != Status::ok) {
+                ++tally.failed;
+                return;
+            }
+        }
+        ASSERT_EQ(worlds[1].state_hash(), w.state_hash()) << op.what << " " << k << " " << seed;
+        for (int line = 0; line < 2; ++line)
+            if (const InteractionId id = line_of(w, line); id.valid() && !w.intact(id)) owed = -1.0;
+        if (owed > 0.0) {
+            tally.worst = std::max(tally.worst, std::abs(material(w) / owed - 1.0));
+            ASSERT_NEAR(material(w), owed, 1e-10 * owed) << op.what << " " << k << " " << seed;
+        }
+        if (k % 12 == 7) {
+            World fresh = deck(2);
+            fresh.restore(w.structure(), w.save());
+            worlds[1] = std::move(fresh);
+            ++tally.restores;
+            ASSERT_EQ(worlds[1].state_hash(), w.state_hash());
+        }
+    }
+}
+
+TEST(WinchRandom, OperationsKeepMaterialAndBits) {
+    Tally tally;
+    constexpr long kEach = 200;
+    for (std::uint32_t seed = 1; tally.operations < operations() && !HasFatalFailure(); ++seed)
+        sequence(seed, kEach, tally);
+    std::printf("%ld operations, %ld restores, %ld worlds ended early; material to %.1e\n",
+                tally.operations, tally.restores, tally.failed, tally.worst);
+    for (const auto& [what, count] : tally.done) std::printf("  %-8s %d\n", what.c_str(), count);
+    for (const char* what : {"speed", "cut", "splice", "gear", "detach", "insert", "remove"})
+        EXPECT_GT(tally.done[what], 1) << what;
+}
+
+}  // namespace
+}  // namespace hawser::test
