@@ -52,7 +52,8 @@ namespace hawser {
     X(HingeFriction,  "hinge_friction")   \
     X(SlideFriction,  "slide_friction")   \
     X(ScalarFriction, "scalar_friction")  \
-    X(Gear,           "gear")
+    X(Gear,           "gear")             \
+    X(ScalarClutch,   "scalar_clutch")
 // clang-format on
 
 enum class InteractionKind : std::uint8_t {
@@ -119,7 +120,8 @@ struct KindInfo {
     bool uses_points = true;        ///< Reads InteractionDef::point.
     bool uses_frames = false;       ///< Reads InteractionDef::frame.
     const char* row_units = "";     ///< One letter a row: m metre, r radian, v velocity row.
-    int scalar_slot = -1;           ///< Slot that must be a scalar body; others must not.
+    int scalar_slot = -1;           ///< First slot that must be a scalar body …
+    int scalars = 1;                ///< … of so many; others must not.
     bool takes_loads = false;       ///< Reads InteractionDef::load.
     bool length_from_pose = false;  ///< "length" defaults to the initial distance.
     const char* from_pose = "";     ///< Another parameter that defaults to the initial pose.
@@ -131,6 +133,10 @@ struct KindInfo {
 
     [[nodiscard]] constexpr bool is(KindTrait trait) const noexcept {
         return (traits & trait) != 0;
+    }
+    /// Whether a slot must be a scalar body.
+    [[nodiscard]] constexpr bool takes_scalar(int slot) const noexcept {
+        return scalar_slot >= 0 && slot >= scalar_slot && slot < scalar_slot + scalars;
     }
 };
 

@@ -47,10 +47,22 @@ struct Options {
     double budget_work = 0.0;    ///< WorldDef::budget_work [flop]; not part of the text.
 };
 
+/// A piece of a cable of one line type.
+struct CableSection {
+    std::string line_type;         ///< Its name; "" if given in place.
+    std::size_t elements = 0;      ///< Equal ones.
+    double length = 0.0;           ///< Unstretched [m].
+    double mass_per_length = 0.0;  ///< [kg/m].
+    double EA = 0.0;               ///< [N].
+    double EI = 0.0;               ///< [N m²].
+    double breaking_load = 0.0;    ///< [N]; 0 = not given.
+    double diameter = 0.0;         ///< [m]; 0 = not given.
+};
+
 /// What a cable of the scene became.
 struct Cable {
     std::string name;
-    std::string line_type;      ///< Name of its line type; "" if given in place.
+    std::string line_type;      ///< Name of its line type; "" if given in place; of several " + ".
     std::vector<BodyId> nodes;  ///< In order, the bodies at both ends included ("world" for an
                                 ///< end fixed there); for links: the first end, every link, the
                                 ///< last end. A free end has no body of its own with links.
@@ -58,13 +70,14 @@ struct Cable {
     bool links = false;                  ///< Rigid links instead of lumps.
     Vec3 from_point{0.0, 0.0, 0.0};      ///< Attachment in the frame of nodes.front() [m].
     Vec3 to_point{0.0, 0.0, 0.0};        ///< Attachment in the frame of nodes.back() [m].
-    double EA = 0.0;                     ///< Axial stiffness [N]; 0 for links without one.
-    double breaking_load = 0.0;          ///< [N]; 0 = not given.
-    double length = 0.0;                 ///< Unstretched length [m].
-    double diameter = 0.0;  ///< Of its line type, for pictures and winches [m]; 0 = not given.
-    double mass_per_length = 0.0;  ///< [kg/m].
-    WireTrim trim{};               ///< Of elements that a winch adds.
-    std::string color;             ///< For pictures; "" = not given.
+    /// From the first end on; one where it is of one line type.
+    std::vector<CableSection> sections;
+    double EA = 0.0;             ///< Axial stiffness [N]; 0 for links without one; the largest.
+    double breaking_load = 0.0;  ///< [N]; 0 = not given; the least.
+    double length = 0.0;         ///< Unstretched length [m].
+    double diameter = 0.0;  ///< Of its line type, for pictures [m]; 0 = not given; the largest.
+    WireTrim trim{};        ///< Of elements that a winch adds.
+    std::string color;      ///< For pictures; "" = not given.
     /// Material coordinates between which it starts on its key "seabed" [m]; NaN: it does not.
     double laid_from = kDefault, laid_to = kDefault;
 };

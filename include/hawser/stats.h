@@ -74,8 +74,12 @@ enum class EventKind : std::uint8_t {
     cut,     ///< A wire was cut. value: tension there [N].
     join,    ///< Ends were joined, or an end attached. value: how far apart they were [m].
     detach,  ///< An end was let go. value: tension there [N].
+    // Of winches again.
+    chain_jump,  ///< Chain jumped by a pocket of its gypsy. value: what it was pulled with [N].
+    no_node,     ///< A winch could not put a node on its wire, for want of room; once until it
+                 ///< can. value: length of the element at the drum [m].
 };
-inline constexpr int kEventKindCount = 20;
+inline constexpr int kEventKindCount = 22;
 [[nodiscard]] const char* to_string(EventKind kind) noexcept;
 
 struct Event {

@@ -23,10 +23,16 @@
 /// l = length + r (θ − drum_zero), r the radius of the layer that the wire comes from. Forces on
 /// the drum are torques, so that the pull of motor and brake falls as layers are wound on.
 ///
+/// *Chain* runs over a gypsy (GypsyDef), a wheel whose pockets hold its links, into a locker. Its
+/// radius stays. What is on the wheel is a scalar body of its own, "name/chain", on which the
+/// wire's end lies; a scalar_clutch, "name/grip", holds it to the wheel up to a load, above which
+/// it jumps by whole pockets; the friction "name/bitter_end" is its end in the locker.
+///
 /// Signals, as "name.signal". Inputs: `mode` (WinchMode as a number), `speed` [m/s], `tension` [N],
 /// `brake` 0 to 1, `clutch` 0 or 1. Outputs: `layer`, `wraps`, `wire_left` [m], `radius` [m],
 /// `across` [m], `at_drum` [m] (wire of the element at the drum), `pull` [N], `pull_limit` [N],
-/// `inertia` [kg m²], `slip` [m], `heat` [J], `state` (WinchState as a number).
+/// `inertia` [kg m²], `slip` [m], `heat` [J], `state` (WinchState as a number); of a gypsy also
+/// `jumps`, `jumped` [m], `grip` and `tail` [N].
 
 #include <hawser/id.h>
 #include <hawser/interactions.h>
@@ -61,6 +67,20 @@ enum class WinchState : std::uint8_t {
     full,        ///< The motor does not haul more: the drum is full, or the wire's end hauled in.
     empty,       ///< No wire is on the drum; the fastening holds the end.
     parted,      ///< The wire has parted from it.
+    jumping,     ///< Its chain is between two pockets of the gypsy.
+};
+
+/// A chain wheel, and what lies behind it. Five pockets and links of 4 d are usual; see
+/// chain_properties() for chains.
+struct GypsyDef {
+    int pockets = 0;          ///< Each holds a link that lies flat; 0: it is a drum, no gypsy.
+    double pitch = kDefault;  ///< Of a link [m], two of which a pocket takes; 4 diameters.
+    double jump_load = 1e30;  ///< Above this difference of tensions outboard and inboard it jumps.
+    /// Force with which links that jump rub on the wheel; half of jump_load.
+    double jump_friction = kDefault;
+    double locker_fall = 0.0;         ///< Chain that hangs from the wheel into the locker [m].
+    double locker = 1e30;             ///< The motor hauls no more than this into it [m].
+    double wrap = 3.141592653589793;  ///< Angle of the wheel that chain lies on [rad].
 };
 
 /// A winch at an end of a wire. A definition: World::add copies it whole. Lengths in m, forces in N
@@ -73,10 +93,18 @@ struct WinchDef {
     /// one is made, and the end's element with it (World::wind_up).
     BodyId drum{};
 
+    /// A wheel for chain instead of a drum: core_radius, width, flange_radius and layer_pitch are
+    /// left out, `stored` is the chain in the locker, `dead_wraps` turns of the wheel that are left
+    /// of it, `weak_link` the load of its end there, the bitter end.
+    GypsyDef gypsy{};
+    /// The scalar body of the chain on the gypsy where `drum` is given: that on which the end lies
+    /// already, of the mass gypsy_chain_inertia().
+    BodyId chain{};
+
     double core_radius = 0.0;         ///< Of the bare drum. Required.
     double width = 0.0;               ///< Between the flanges. Required.
     double flange_radius = kDefault;  ///< Wire does not stand above it; as far as `stored` needs.
-    double wire_diameter = 0.0;       ///< Required.
+    double wire_diameter = 0.0;       ///< Of chain the bar's. Required.
     double layer_pitch = kDefault;    ///< Of one layer above the last; the wire's diameter.
     double mass_per_length = 0.0;     ///< Of the wire [kg/m]: what lies on the drum turns with it.
     double element = kDefault;        ///< Length of what it pays out [m]; that of the element at
@@ -112,12 +140,30 @@ struct WinchIds {
     BodyId drum{};
     InteractionId line{};  ///< The element that the drum pays out.
     InteractionId motor{}, brake{};
+    BodyId chain{};  ///< Of a gypsy: what the element hangs on, as it does on a drum.
+    InteractionId grip{}, bitter_end{};
 };
+
+/// r of a gypsy, at which one turn pays out two pitches a pocket: pockets × pitch/π [m].
+[[nodiscard]] double gypsy_radius(const WinchDef& def) noexcept;
+/// Of the chain that moves with the wheel, on it and in its fall, about its axis [kg m²].
+[[nodiscard]] double gypsy_chain_inertia(const WinchDef& def) noexcept;
+
+/// Chain of a bar diameter d by what class societies and Orcina list.
+struct ChainProperties {
+    double mass_per_length;  ///< In air [kg/m].
+    double EA;               ///< [N].
+    double link;             ///< Pitch of a link, 4 d [m].
+};
+/// Studless: 19.9e3 d² kg/m, 0.854e11 d² N; with studs 21.9e3 d² kg/m, 1.01e11 d² N (Orcina,
+/// OrcaFlex documentation, "Chain: mechanical properties"). @param diameter  Of the bar [m].
+[[nodiscard]] ChainProperties chain_properties(double diameter, bool studs) noexcept;
 
 /// What World::add() of it calls. @throws DefError on what is missing or out of range, a name that
 /// is taken, a wire's end that lies on a drum already, elements to be paid out where the wire has
 /// none of a mass, a drum that holds less than `stored`, or
-/// whose radius is below 2.5 wire diameters.
+/// whose radius is below 2.5 wire diameters, a gypsy of less than 3 pockets or beside a drum's
+/// dimensions.
 WinchIds define(World& world, const WinchDef& def);
 
 }  // namespace hawser

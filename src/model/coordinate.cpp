@@ -34,6 +34,10 @@ Coordinate Interactions::coordinate(int id, const Bodies& b) const noexcept {
     if (which == KindCoordinate::scalar) {
         out.value = b.x[3 * at(of[0])];
         out.rate = b.v[at(b.dof_begin[at(of[0])])];
+        if (kind_info(kind).bodies == 2) {  // of the second against the first
+            out.value = b.x[3 * at(of[1])] - out.value;
+            out.rate = b.v[at(b.dof_begin[at(of[1])])] - out.rate;
+        }
         return out;
     }
     generic::BodyRef refs[2];

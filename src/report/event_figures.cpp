@@ -18,6 +18,7 @@ int rank_of(EventKind kind) {
         case EventKind::line_break:
         case EventKind::weak_link:
         case EventKind::drum_empty:
+        case EventKind::chain_jump:
             return 0;
         case EventKind::energy_created:
         case EventKind::joint_open:
@@ -33,6 +34,7 @@ int rank_of(EventKind kind) {
         case EventKind::cut:
         case EventKind::join:
         case EventKind::detach:
+        case EventKind::no_node:
             return 2;
         case EventKind::range:
             return 3;
@@ -60,6 +62,7 @@ const char* unit_of(const World& world, const Event& event) {
         case EventKind::drum_empty:
         case EventKind::cut:
         case EventKind::detach:
+        case EventKind::chain_jump:
             return "N";
         case EventKind::brake_slip:
             return "N m";
@@ -71,6 +74,7 @@ const char* unit_of(const World& world, const Event& event) {
             return "J";
         case EventKind::joint_open:
         case EventKind::join:
+        case EventKind::no_node:
             return "m";
         case EventKind::fast:
             return "rad";
@@ -134,6 +138,10 @@ std::string what_happened(const EventFigures& e) {
             return plural(e.count, "joint of wires made", "joints of wires made");
         case EventKind::detach:
             return plural(e.count, "end of a wire let go", "ends of wires let go");
+        case EventKind::chain_jump:
+            return "chain jumped on its gypsy " + plural(e.count, "time", "times");
+        case EventKind::no_node:
+            return "winches found no room for a node " + plural(e.count, "time", "times");
     }
     return "";
 }

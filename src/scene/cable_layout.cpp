@@ -2,6 +2,7 @@
 #include "scene/cable_layout.h"
 
 #include "scene/cable_shape.h"
+#include "scene/line_types.h"
 
 #include <fmt/format.h>
 
@@ -14,49 +15,6 @@ namespace {
 /// How much the distance of two nodes of a chain of rigid links may differ from the length of
 /// a link: room for a small initial zig-zag, not for another length.
 constexpr double kLinkMismatch = 0.01;
-
-const Json& line_type_of(const Json& cable, const Document& document, const Place& place) {
-    const Json& line = cable["line_type"];
-    if (line.is_object()) {
-        return line;
-    }
-    const auto& name = line.get_ref<const std::string&>();
-    std::vector<std::string> known;
-    if (const auto types = document.root.find("line_types"); types != document.root.end()) {
-        if (const auto entry = types->find(name); entry != types->end()) {
-            return *entry;
-        }
-        for (const auto& [key, value] : types->items()) {
-            known.push_back(key);
-        }
-    }
-    refuse_missing(document.mistakes, Lost::line_type, name, place / "line_type",
-                   "there is no line type " + in_quotes(name) + suggestion(name, known));
-}
-
-void read_line_type(CableLayout& c, const Json& cable, const Document& document,
-                    const Place& place) {
-    const Json& line = line_type_of(cable, document, place);
-    if (cable["line_type"].is_string()) {
-        c.line_name = cable["line_type"].get<std::string>();
-    }
-    c.mass_per_length = line["mass_per_length"].get<double>();
-    c.EA = number_or(line, "EA", 0.0);
-    c.EI = number_or(line, "EI", 0.0);
-    c.breaking_load = number_or(line, "breaking_load", 0.0);
-    c.axial_damping = number_or(line, "axial_damping", kDefault);
-    c.drag = number_or(line, "drag", 0.0);
-    c.submerged_factor = number_or(line, "submerged_factor", 1.0);
-    c.diameter = number_or(line, "diameter", 0.0);
-    c.color = text_or(line, "color", "");
-    c.radius = number_or(cable, "radius", 0.5 * c.diameter);
-    if (!c.links && !(c.EA > 0.0)) {
-        refuse(place / "line_type", "a cable of lumps needs \"EA\" in its line type");
-    }
-    if (c.links && !(c.radius > 0.0)) {
-        refuse(place, "a cable of links needs \"radius\", or \"diameter\" in its line type");
-    }
-}
 
 CableEnd read_end(Description& out, const Scope& scope, const Json& json, bool links,
                   const Place& place) {
@@ -125,6 +83,19 @@ void read_ends(CableLayout& c, Description& out, const Scope& scope, const Scope
     c.to = read_end(out, to_scope, cable["to"], c.links, place / "to");
 }
 
+/// Element at a material coordinate.
+std::size_t element_at(const CableLayout& c, double at) {
+    std::size_t before = 0;
+    for (const LayoutSection& section : c.sections) {
+        if (at < section.line.length || &section == &c.sections.back())
+            return before + std::min(static_cast<std::size_t>(at / section.element),
+                                     section.line.elements - 1);
+        before += section.line.elements;
+        at -= section.line.length;
+    }
+    return before;
+}
+
 /// The weak element, once it is known how long elements are.
 void read_weak(CableLayout& c, const Json& cable, const Place& place) {
     const auto weak = cable.find("weak");
@@ -134,22 +105,24 @@ void read_weak(CableLayout& c, const Json& cable, const Place& place) {
     if (at > c.length)
         refuse(place / "weak" / "at",
                fmt::format("the cable ends at {:.6g} m, before {:.6g} m", c.length, at));
-    c.weak = std::min(static_cast<std::size_t>(at / c.element), c.elements - 1);
+    c.weak = element_at(c, at);
     c.weak_load = (*weak)["breaking_load"].get<double>();
 }
 
 void read_elements(CableLayout& c, const Description& out, const Json& cable, const Place& place) {
     const Json* points = listed_points(cable);
     const bool counted = cable.contains("elements");
-    if (!counted && points == nullptr) {
+    const bool sections = cable.contains("sections");
+    if (!counted && !sections && points == nullptr) {
         refuse(place, "a cable needs the key \"elements\" (their number)");
     }
-    c.elements = counted ? cable["elements"].get<std::size_t>() : points->size() + 1;
+    if (!sections) c.elements = counted ? cable["elements"].get<std::size_t>() : points->size() + 1;
     if (points != nullptr && points->size() + 1 != c.elements) {
         refuse(place / "shape", fmt::format("expected {} points, one fewer than the elements, "
                                             "found {}",
                                             c.elements - 1, points->size()));
     }
+    if (!sections) c.sections.front().line.elements = c.elements;
     const auto most = static_cast<std::size_t>(out.settings.max_bodies);
     if ((out.bodies.size() + c.elements) * out.copies > most) {
         refuse(place / "elements",
@@ -162,21 +135,23 @@ void read_elements(CableLayout& c, const Description& out, const Json& cable, co
 void check_lengths(CableLayout& c, const Place& place) {
     // The smallest length that a stretch accepts.
     constexpr double kShortest = 1e-9;
-    c.element = c.length / static_cast<double>(c.elements);
-    if (!(c.element >= kShortest)) {
-        refuse(place, fmt::format("its elements would be {} m long; the ends coincide or "
-                                  "\"elements\" is too large",
-                                  c.element));
-    }
+    measure_elements(c);
+    for (const LayoutSection& section : c.sections)
+        if (!(section.element >= kShortest)) {
+            refuse(place, fmt::format("its elements would be {} m long; the ends coincide or "
+                                      "\"elements\" is too large",
+                                      section.element));
+        }
     for (std::size_t i = 0; i < c.elements; ++i) {
         const double distance = (c.nodes[i + 1] - c.nodes[i]).norm();
         if (!(distance > kShortest)) {
             refuse(place, fmt::format("the nodes {} and {} coincide", i, i + 1));
         }
-        if (c.links && std::abs(distance - c.element) > kLinkMismatch * c.element) {
+        const double element = c.of(i).element;
+        if (c.links && std::abs(distance - element) > kLinkMismatch * element) {
             refuse(place, fmt::format("the nodes {} and {} lie {:.6g} m apart, but a rigid link "
                                       "is {:.6g} m long; change \"length\" or the shape",
-                                      i, i + 1, distance, c.element));
+                                      i, i + 1, distance, element));
         }
     }
 }
@@ -223,13 +198,14 @@ CableLayout lay_out_cable(Description& out, const Scope& scope, const Scope& to_
         refuse(place / "consistent_mass", "links are rigid and have their mass as it is");
     c.joint_compliance = number_or(cable, "compliance", out.default_compliance);
     c.joint_damping_time = number_or(cable, "damping_time", out.default_damping_time);
-    read_line_type(c, cable, document, place);
+    read_line_types(c, cable, document, place);
     read_contact(c, out, cable, place);
     read_groups(c, cable);
     read_ends(c, out, scope, to_scope, cable, place);
     read_elements(c, out, cable, place);
     place_nodes(c, out, scope, cable, place);
     check_lengths(c, place);
+    check_links(c, cable, place);
     read_weak(c, cable, place);
     return c;
 }

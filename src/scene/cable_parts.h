@@ -20,30 +20,31 @@ struct CableEnd {
     Vec3 velocity{0.0, 0.0, 0.0};  ///< [m/s].
 };
 
-struct CableLayout {
-    std::string name;
-    std::string line_name;
-    bool links = false;
-    CableEnd from, to;
-    std::size_t elements = 0;
-    double length = 0.0;      ///< Unstretched, in all [m].
-    double element = 0.0;     ///< Unstretched length of one element [m].
-    std::vector<Vec3> nodes;  ///< elements + 1.
-    /// Material coordinates between which they lie on its seabed [m]; NaN: they do not.
-    double laid_from = kDefault, laid_to = kDefault;
-
-    double mass_per_length = 0.0;  ///< [kg/m].
-    double EA = 0.0;               ///< [N].
-    double EI = 0.0;               ///< [N m²].
-    double breaking_load = 0.0;    ///< [N]; 0 = never.
-    std::size_t weak = 0;          ///< Its weak element, where weak_load is not 0.
-    double weak_load = 0.0;        ///< [N]; 0: there is none.
+/// A piece of a cable of one line type.
+struct LayoutSection {
+    CableSection line;
+    double element = 0.0;  ///< Unstretched length of one element [m].
     double axial_damping = kDefault;
     double drag = 0.0;              ///< [N s/m²].
     double submerged_factor = 1.0;  ///< Weight in water / weight in air.
-    double diameter = 0.0;          ///< [m].
+    double link = 0.0;              ///< Length of one of a chain's [m]; 0: it is no chain.
     std::string color;
-    double radius = 0.0;  ///< Of links [m].
+};
+
+struct CableLayout {
+    std::string name;
+    bool links = false;
+    CableEnd from, to;
+    std::vector<LayoutSection> sections;  ///< At least one.
+    std::size_t elements = 0;             ///< In all.
+    double length = 0.0;                  ///< Unstretched, in all [m].
+    std::vector<Vec3> nodes;              ///< elements + 1.
+    /// Material coordinates between which they lie on its seabed [m]; NaN: they do not.
+    double laid_from = kDefault, laid_to = kDefault;
+
+    std::size_t weak = 0;    ///< Its weak element, where weak_load is not 0.
+    double weak_load = 0.0;  ///< [N]; 0: there is none.
+    double radius = 0.0;     ///< Of links [m].
     bool tension_only = true;
     bool consistent_mass = false;  ///< As WireDef has it.
     double joint_compliance = kDefault;
@@ -56,6 +57,26 @@ struct CableLayout {
 
     BodyId drum;               ///< Of the winch, if any.
     double drum_radius = 0.0;  ///< [m].
+
+    [[nodiscard]] const LayoutSection& first() const { return sections.front(); }
+    /// Of element i.
+    [[nodiscard]] const LayoutSection& of(std::size_t i) const {
+        std::size_t k = 0;
+        for (; k + 1 < sections.size() && i >= sections[k].line.elements; ++k)
+            i -= sections[k].line.elements;
+        return sections[k];
+    }
+    /// Share of the length up to node i.
+    [[nodiscard]] double share(std::size_t i) const {
+        if (sections.size() == 1) return static_cast<double>(i) / static_cast<double>(elements);
+        double up = 0.0;
+        for (const LayoutSection& s : sections) {
+            const std::size_t here = i < s.line.elements ? i : s.line.elements;
+            up += s.element * static_cast<double>(here);
+            i -= here;
+        }
+        return up / length;
+    }
 };
 
 }  // namespace hawser::scene

@@ -2,6 +2,7 @@
 #include "scene/cable_shape.h"
 
 #include "scene/catenary.h"
+#include "scene/line_types.h"
 
 #include <hawser/catenary.h>
 
@@ -38,7 +39,8 @@ class AtRest {
             refuse(place / "shape", "a cable at rest needs gravity");
         }
         def_.down = gravity;
-        weight_ = c.mass_per_length * c.submerged_factor * gravity.norm();
+        for (const LayoutSection& s : c.sections)
+            weight_.push_back(s.line.mass_per_length * s.submerged_factor * gravity.norm());
         // It is laid out from an end that is held.
         turned_ = c.from.kind == CableEnd::Kind::free;
         if (turned_ && c.to.kind == CableEnd::Kind::free) {
@@ -104,8 +106,14 @@ class AtRest {
     [[nodiscard]] Catenary solve(double length, bool free) const {
         CatenaryDef def = def_;
         def.free = free;
-        const double rigid = std::max(std::abs(weight_), 1.0) * length / kLinkStrain;
-        def.sections = {{length, weight_, c_.links ? rigid : c_.EA, static_cast<int>(c_.elements)}};
+        for (std::size_t i = 0; i < c_.sections.size(); ++i) {
+            const CableSection& line = c_.sections[i].line;
+            const double here = c_.sections.size() == 1 ? length : line.length;
+            const double rigid = std::max(std::abs(weight_[i]), 1.0) * here / kLinkStrain;
+            def.sections.push_back(
+                {here, weight_[i], c_.links ? rigid : line.EA, static_cast<int>(line.elements)});
+        }
+        if (turned_) std::reverse(def.sections.begin(), def.sections.end());
         try {
             return catenary(def);
         } catch (const DefError& error) {
@@ -136,7 +144,7 @@ class AtRest {
     CableLayout& c_;
     Place place_;
     CatenaryDef def_;
-    double weight_ = 0.0;
+    std::vector<double> weight_;  ///< Of the sections, a length [N/m].
     bool turned_ = false;
 };
 
@@ -144,6 +152,11 @@ class AtRest {
 void hang_rigid(CableLayout& c, const Description& out, const Place& place) {
     if (out.settings.gravity.isZero(0.0)) {
         refuse(place / "shape", "a catenary needs gravity");
+    }
+    if (c.sections.size() > 1) {
+        refuse(place / "shape",
+               "a \"catenary\" is of one line type; give \"hanging\", which is at rest with its "
+               "stretch");
     }
     const Vec3& a = c.from.world;
     const Vec3& b = c.to.world;
@@ -164,12 +177,11 @@ void follow(CableLayout& c, const std::vector<Vec3>& corners, const Place& place
     if (!(total > 0.0)) {
         refuse(place / "path", "all of its points coincide");
     }
-    const auto n = static_cast<double>(c.elements);
     c.nodes = {corners.front()};
     std::size_t leg = 0;
     double before = 0.0;  // along the corners up to this leg
     for (std::size_t i = 1; i < c.elements; ++i) {
-        const double at = total * (static_cast<double>(i) / n);
+        const double at = total * c.share(i);
         double length = (corners[leg + 1] - corners[leg]).norm();
         while (at > before + length && leg + 2 < corners.size()) {
             before += length;
@@ -185,17 +197,16 @@ void follow(CableLayout& c, const std::vector<Vec3>& corners, const Place& place
 void straight_or_listed(CableLayout& c, const Scope& scope, const Json& cable) {
     const Vec3& a = c.from.world;
     const Vec3& b = c.to.world;
-    const auto n = static_cast<double>(c.elements);
     const Json* points = listed_points(cable);
     c.nodes.resize(c.elements + 1);
     for (std::size_t i = 0; i <= c.elements; ++i) {
-        c.nodes[i] = a + (b - a) * (static_cast<double>(i) / n);
+        c.nodes[i] = a + (b - a) * c.share(i);
     }
     c.nodes.back() = b;
     for (std::size_t i = 1; points != nullptr && i < c.elements; ++i) {
         c.nodes[i] = scope.frame.point(vector_of((*points)[i - 1]));
     }
-    if (points != nullptr && !cable.contains("length")) {
+    if (points != nullptr && !cable.contains("length") && !cable.contains("sections")) {
         c.length = along(c.nodes);
     }
 }
@@ -228,8 +239,14 @@ void place_nodes(CableLayout& c, const Description& out, const Scope& scope, con
     const std::string kind =
         shape != cable.end() && shape->is_string() ? shape->get<std::string>() : "straight";
     const bool seabed = cable.contains("seabed");
-    const bool given = cable.contains("length");
+    const bool sections = cable.contains("sections");
+    const bool given = sections || cable.contains("length");
     c.length = number_or(cable, "length", (c.to.world - c.from.world).norm());
+    if (sections) {
+        c.length = 0.0;
+        for (const LayoutSection& s : c.sections) c.length += s.line.length;
+        measure_elements(c);
+    }
     if (seabed && kind != "catenary" && kind != "hanging" && kind != "laid") {
         refuse(place / "seabed",
                "only the shapes \"catenary\", \"hanging\" and \"laid\" lie on it");

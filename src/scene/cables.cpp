@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/cable_layout.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hawser::scene {
@@ -12,15 +13,9 @@ class Builder {
     Builder(Description& out, const CableLayout& layout, const Place& place)
         : out_(out), c_(layout), place_(out.keep(place)), at_(place) {
         cable_.name = c_.name;
-        cable_.line_type = c_.line_name;
         cable_.links = c_.links;
-        cable_.EA = c_.EA;
-        cable_.breaking_load = c_.breaking_load;
         cable_.length = c_.length;
-        cable_.diameter = c_.diameter;
-        cable_.mass_per_length = c_.mass_per_length;
-        cable_.color = c_.color;
-        cable_.trim.EI = c_.EI;
+        for (const LayoutSection& section : c_.sections) add_up(section);
         if (c_.touches) cable_.trim.segment = c_.contact;
         cable_.from_point = c_.from.local;
         cable_.to_point = c_.to.local;
@@ -37,13 +32,28 @@ class Builder {
     }
 
   private:
+    void add_up(const LayoutSection& section) {
+        const CableSection& line = section.line;
+        const bool first = cable_.sections.empty();
+        if (!first) cable_.line_type += " + ";
+        cable_.line_type += line.line_type;
+        cable_.EA = std::max(cable_.EA, line.EA);
+        cable_.diameter = std::max(cable_.diameter, line.diameter);
+        double& least = cable_.breaking_load;
+        if (line.breaking_load > 0.0)
+            least = least > 0.0 ? std::min(least, line.breaking_load) : line.breaking_load;
+        if (first) cable_.color = section.color;
+        cable_.trim.EI = first ? line.EI : std::min(cable_.trim.EI, line.EI);
+        cable_.sections.push_back(line);
+    }
+
     [[nodiscard]] std::string part(const char* what, std::size_t i) const {
         return c_.name + "/" + what + std::to_string(i);
     }
 
     /// Velocity of node i: between the velocities of the ends.
     [[nodiscard]] Vec3 node_velocity(std::size_t i) const {
-        const double s = static_cast<double>(i) / static_cast<double>(c_.elements);
+        const double s = c_.share(i);
         return (1.0 - s) * c_.from.velocity + s * c_.to.velocity;
     }
 
@@ -53,8 +63,17 @@ class Builder {
     }
 
     /// Buoyancy as a constant force: the world has one gravity for all.
-    [[nodiscard]] Vec3 buoyancy(double mass) const {
-        return mass * (c_.submerged_factor - 1.0) * out_.settings.gravity;
+    [[nodiscard]] Vec3 buoyancy(const LayoutSection& of, double mass) const {
+        return mass * (of.submerged_factor - 1.0) * out_.settings.gravity;
+    }
+    /// What a body has of a piece of a section.
+    void add_share(BodyDef& def, const LayoutSection& of, double length) const {
+        const double mass = of.line.mass_per_length * length;
+        const Vec3 drag = Vec3::Constant(of.drag * length), force = buoyancy(of, mass);
+        const bool only = def.mass == 0.0;
+        def.mass += mass;
+        def.linear_damping = only ? drag : Vec3(def.linear_damping + drag);
+        def.force = only ? force : Vec3(def.force + force);
     }
 
     // --- Lumps -------------------------------------------------------------------------------
@@ -73,14 +92,20 @@ class Builder {
             def.kind = BodyKind::fixed;
             return out_.add_body(std::move(def), place_);
         }
-        // A free end carries half an element.
-        const double share = first || last ? 0.5 * c_.element : c_.element;
         def.kind = BodyKind::lump;
         def.group = group(i, c_.elements + 1);
         def.velocity = node_velocity(i);
-        def.mass = c_.mass_per_length * share;
-        def.linear_damping = Vec3::Constant(c_.drag * share);
-        def.force = buoyancy(def.mass);
+        def.mass = 0.0;
+        // A free end carries half an element.
+        const LayoutSection &before = c_.of(first ? 0 : i - 1), &after = c_.of(last ? i - 1 : i);
+        if (first || last) {
+            add_share(def, first ? after : before, 0.5 * (first ? after : before).element);
+        } else if (&before == &after) {
+            add_share(def, after, after.element);
+        } else {
+            add_share(def, before, 0.5 * before.element);
+            add_share(def, after, 0.5 * after.element);
+        }
         return out_.add_body(std::move(def), place_);
     }
 
@@ -90,27 +115,29 @@ class Builder {
 
     void add_stretch(std::size_t i) {
         const bool winch = i == 0 && c_.drum.valid();
+        const LayoutSection& section = c_.of(i);
+        const CableSection& line = section.line;
         InteractionDef def;
         def.name = part("s", i);
         def.kind = winch ? InteractionKind::WinchStretch : InteractionKind::Stretch;
         def.body = {cable_.nodes[i], cable_.nodes[i + 1], winch ? c_.drum : BodyId{}};
         def.point = {point(i), point(i + 1), Vec3::Zero()};
-        def.set("length", c_.element);
-        def.set("EA", c_.EA);
+        def.set("length", section.element);
+        def.set("EA", line.EA);
         def.set("tension_only", c_.tension_only ? 1.0 : 0.0);
         const bool weak = c_.weak_load > 0.0 && i == c_.weak;
-        if (const double load = weak ? c_.weak_load : c_.breaking_load; load > 0.0) {
+        if (const double load = weak ? c_.weak_load : line.breaking_load; load > 0.0) {
             def.set("breaking_load", load);
         }
         if (winch) {
             def.set("radius", c_.drum_radius);
         } else if (c_.consistent_mass) {
-            def.set("mass", c_.mass_per_length * c_.element);
+            def.set("mass", line.mass_per_length * section.element);
         }
-        if (!std::isnan(c_.axial_damping)) {
+        if (!std::isnan(section.axial_damping)) {
             // Fraction ζ of critical of the highest axial mode, ω = 2c/l with c = √(EA/ρ).
             def.damping_time[0] =
-                c_.axial_damping * c_.element * std::sqrt(c_.mass_per_length / c_.EA);
+                section.axial_damping * section.element * std::sqrt(line.mass_per_length / line.EA);
         }
         cable_.stretch.push_back(out_.add_interaction(std::move(def), place_));
     }
@@ -121,8 +148,14 @@ class Builder {
         def.kind = InteractionKind::Bend;
         def.body = {cable_.nodes[i - 1], cable_.nodes[i], cable_.nodes[i + 1]};
         def.point = {point(i - 1), point(i), point(i + 1)};
-        def.set("EI", c_.EI);
-        def.set("length", c_.element);
+        // About the node both halves bend in a row: the mean of their flexibilities.
+        const LayoutSection &before = c_.of(i - 1), &after = c_.of(i);
+        const bool same = &before == &after;
+        const double length = same ? after.element : 0.5 * before.element + 0.5 * after.element;
+        def.set("EI", same ? after.line.EI
+                           : length / (0.5 * before.element / before.line.EI +
+                                       0.5 * after.element / after.line.EI));
+        def.set("length", length);
         out_.add_interaction(std::move(def), place_);
     }
 
@@ -133,7 +166,8 @@ class Builder {
         for (std::size_t i = 0; i < c_.elements; ++i) {
             add_stretch(i);
         }
-        for (std::size_t i = 1; c_.EI > 0.0 && i < c_.elements; ++i) {
+        for (std::size_t i = 1; i < c_.elements; ++i) {
+            if (!(c_.of(i - 1).line.EI > 0.0 && c_.of(i).line.EI > 0.0)) continue;
             // Both ends of a loop of two elements on one body: nothing to bend.
             if (cable_.nodes[i - 1] != cable_.nodes[i + 1]) {
                 add_bend(i);
@@ -154,13 +188,15 @@ class Builder {
         const Vec3 difference = node_velocity(i + 1) - node_velocity(i);
         def.velocity = 0.5 * (node_velocity(i) + node_velocity(i + 1));
         def.angular_velocity = along.cross(difference) / (length * length);
-        def.mass = c_.mass_per_length * c_.element;
+        const LayoutSection& section = c_.first();
+        const double element = section.element;
+        def.mass = section.line.mass_per_length * element;
         const double r2 = c_.radius * c_.radius;
-        const double across = def.mass * (3.0 * r2 + c_.element * c_.element) / 12.0;
+        const double across = def.mass * (3.0 * r2 + element * element) / 12.0;
         def.inertia = Vec3(def.mass * r2 / 2.0, across, across).asDiagonal();
-        def.half_size = {0.5 * c_.element, c_.radius, c_.radius};
-        def.linear_damping = Vec3::Constant(c_.drag * c_.element);
-        def.force = buoyancy(def.mass);
+        def.half_size = {0.5 * element, c_.radius, c_.radius};
+        def.linear_damping = Vec3::Constant(section.drag * element);
+        def.force = buoyancy(section, def.mass);
         return out_.add_body(std::move(def), place_);
     }
 

@@ -17,6 +17,41 @@ ShapePtr cable_end() {
         {{"body", "at", "free"}, {"point", "at", "free"}});
 }
 
+ShapePtr drum_of_cable() {
+    return object("winch", "a winch", "A drum at the \"from\" end that pays the cable out.",
+                  {{"drum", body_ref(), true, "", "", "Scalar body."},
+                   {"radius", number("a radius", -1e3, 1e3), true, "", "m",
+                    "Cable paid out per unit of drum coordinate."},
+                   {"fairlead", cable_end(), false, "\"from\"", "",
+                    "Where the cable leaves, if \"from\" names the drum or is not given."}});
+}
+
+ShapePtr seabed_of_cable() {
+    return object("cable_seabed", "a seabed of a cable",
+                  "Where a cable lies at the start; it touches nothing.",
+                  {{"height", number("a height", -kMostLength, kMostLength), true, "", "m",
+                    "Of the bottom; nodes lie the radius of \"contact\" over it."},
+                   {"friction", number("a friction coefficient", 0.0, 100.0), false, "0", "1",
+                    "By which the tension falls along what lies on it."}});
+}
+
+ShapePtr weak_of_cable() {
+    return object("cable_weak", "a weak place of a cable", "The element there parts sooner.",
+                  {{"at", number("a length", 0.0, kMostLength), true, "", "m",
+                    "Unstretched length from the first end."},
+                   {"breaking_load", positive("a force", kMostForce), true, "", "N",
+                    "The element there parts above this tension."}});
+}
+
+ShapePtr section_of_cable(const ShapePtr& line) {
+    return object(
+        "cable_section", "a section of a cable", "A piece of a cable of one line type.",
+        {{"line_type", line, true, "", "", "What it is made of."},
+         {"length", positive("a length", kMostLength), true, "", "m", "Unstretched length."},
+         {"elements", integer("a number of elements", 1, static_cast<double>(kMaxElements)), true,
+          "", "", "Number of its elements, which are equal."}});
+}
+
 }  // namespace
 
 ShapePtr line_type_shape() {
@@ -36,37 +71,23 @@ ShapePtr line_type_shape() {
           "Linear drag per length."},
          {"submerged_factor", number("a factor", -1.0, 1.0), false, "1", "1",
           "Weight in water divided by weight in air."},
+         {"link", positive("a length", 100.0), false, "it is no chain", "m",
+          "Pitch of a link of chain: elements of lumps have a whole number of links each, and no "
+          "EI."},
          {"color", text("a colour"), false, "", "", "For pictures, such as \"#445566\"."},
          {"description", text("a text"), false, "", "", "Source and remarks."}});
 }
 
 ShapePtr cable_shape() {
-    const ShapePtr winch =
-        object("winch", "a winch", "A drum at the \"from\" end that pays the cable out.",
-               {{"drum", body_ref(), true, "", "", "Scalar body."},
-                {"radius", number("a radius", -1e3, 1e3), true, "", "m",
-                 "Cable paid out per unit of drum coordinate."},
-                {"fairlead", cable_end(), false, "\"from\"", "",
-                 "Where the cable leaves, if \"from\" names the drum or is not given."}});
-    const ShapePtr seabed =
-        object("cable_seabed", "a seabed of a cable",
-               "Where a cable lies at the start; it touches nothing.",
-               {{"height", number("a height", -kMostLength, kMostLength), true, "", "m",
-                 "Of the bottom; nodes lie the radius of \"contact\" over it."},
-                {"friction", number("a friction coefficient", 0.0, 100.0), false, "0", "1",
-                 "By which the tension falls along what lies on it."}});
-    const ShapePtr weak =
-        object("cable_weak", "a weak place of a cable", "The element there parts sooner.",
-               {{"at", number("a length", 0.0, kMostLength), true, "", "m",
-                 "Unstretched length from the first end."},
-                {"breaking_load", positive("a force", kMostForce), true, "", "N",
-                 "The element there parts above this tension."}});
+    const ShapePtr line =
+        choice("a line type by name or in place", {text("a name"), line_type_shape()});
     return object(
         "cable", "a cable", "A chain, wire or rope between two ends, cut into equal elements.",
         {{"name", name("a name"), true, "", "", "Unique among cables."},
-         {"line_type",
-          choice("a line type by name or in place", {text("a name"), line_type_shape()}), true, "",
-          "", "What it is made of."},
+         {"line_type", line, false, "", "", "What it is made of; needed without \"sections\"."},
+         {"sections", list("a list of sections", section_of_cable(line), 1, 1000), false, "", "",
+          "From the first end on, where it is of several line types, instead of \"line_type\", "
+          "\"length\" and \"elements\"."},
          {"from", cable_end(), false, "", "", "First end; needed unless a fairlead is given."},
          {"to", cable_end(), true, "", "", "Last end."},
          {"length", positive("a length", kMostLength), false, "along its shape", "m",
@@ -85,27 +106,43 @@ ShapePtr cable_shape() {
           "stretch, between any ends; laid, along the seabed and straight up to its ends; path, "
           "evenly along \"path\"; or the positions of the interior nodes, one fewer than the "
           "elements."},
-         {"seabed", seabed, false, "", "",
+         {"seabed", seabed_of_cable(), false, "", "",
           "Level bottom on which a cable lies that starts as catenary, hanging or laid."},
          {"path", list("a list of points", vector3("a point"), 1, kMaxElements), false, "", "m",
           "Corners between the ends of a cable of the shape path."},
          {"offsets", list("a list of offsets", vector3("an offset"), 0, kMaxElements), false, "",
           "m", "Added to the interior nodes."},
-         {"weak", weak, false, "", "", "A place where it parts sooner than elsewhere."},
+         {"weak", weak_of_cable(), false, "", "", "A place where it parts sooner than elsewhere."},
          {"tension_only", boolean("true or false"), false, "true", "", "False: it also pushes."},
          {"consistent_mass", boolean("true or false"), false, "false", "",
           "True: an element between two lumps moves as a straight piece, with its mass along it."},
          {"groups", list("a list of groups", group(), 1, 100), false, "[\"\"]", "",
           "Groups of its nodes or links, which are shared out evenly from the first end on."},
-         {"winch", winch, false, "", "", "Drum that pays it out."},
+         {"winch", drum_of_cable(), false, "", "", "Drum that pays it out."},
          {"contact", cable_contact(), false, "it touches nothing", "",
           "Its elements touch what they meet; an element that ends on a body does not."},
          {"compliance", number("a compliance", 0.0, 1e12), false, "of a ball joint", "m/N",
           "Of the ball joints of links."},
          {"damping_time", number("a time", 0.0, 1e12), false, "of a ball joint", "s",
           "Of the ball joints of links."},
-         {"description", text("a text"), false, "", "", "Remarks."}});
+         {"description", text("a text"), false, "", "", "Remarks."}},
+        {{"line_type", "sections"}, {"length", "sections"}, {"elements", "sections"}});
 }
+
+namespace {
+
+ShapePtr gypsy_shape() {
+    std::vector<Field> fields{{"pockets",
+                               integer("a number of pockets", kLeastPockets, kMostPockets), true,
+                               "", "1", "Each holds a link that lies flat; 5 are usual."}};
+    for (const GypsyNumber& n : gypsy_numbers())
+        fields.push_back(
+            {n.key, number("a number", n.least, n.most), false, n.fallback, n.unit, n.doc});
+    return object("gypsy", "a gypsy", "A wheel with pockets for the links of a chain.",
+                  std::move(fields));
+}
+
+}  // namespace
 
 ShapePtr winch_shape() {
     const std::span<const char* const> modes = winch_modes();
@@ -121,10 +158,17 @@ ShapePtr winch_shape() {
             {n.key, required ? positive("a number", n.most) : number("a number", n.least, n.most),
              required, n.fallback, n.unit, n.doc});
     }
+    fields.push_back({"gypsy", gypsy_shape(), false, "it is a drum", "",
+                      "A wheel with pockets for chain, instead of a drum."});
     fields.push_back({"description", text("a text"), false, "", "", "Remarks."});
     return object("winch_on_deck", "a winch on deck",
-                  "A winch at the end of a cable: a drum with layers, motor, brake and modes.",
-                  std::move(fields));
+                  "A winch at the end of a cable: a drum with layers or a gypsy, motor, brake and "
+                  "modes.",
+                  std::move(fields),
+                  {{"core_radius", "gypsy"},
+                   {"width", "gypsy"},
+                   {"flange_radius", "gypsy"},
+                   {"layer_pitch", "gypsy"}});
 }
 
 }  // namespace hawser::scene

@@ -166,6 +166,7 @@ class Copier {
             rename(winch.def.name, prefix);
             rename(winch.cable, prefix);
             winch.def.drum = mapped(winch.def.drum);
+            winch.def.chain = mapped(winch.def.chain);
             winch.place = number_;
             out_.winches.push_back(std::move(winch));
         }

@@ -16,8 +16,9 @@ namespace {
 constexpr double kFar = 1e4, kPull = 1e15, kHeavy = 1e18;
 
 constexpr WinchNumber kNumbers[] = {
-    {"core_radius", &WinchDef::core_radius, "m", "", "Of the bare drum.", 0.0, kFar},
-    {"width", &WinchDef::width, "m", "", "Between the flanges.", 0.0, kFar},
+    {"core_radius", &WinchDef::core_radius, "m", "required of drums", "Of the bare drum.", 0.0,
+     kFar},
+    {"width", &WinchDef::width, "m", "required of drums", "Between the flanges.", 0.0, kFar},
     {"flange_radius", &WinchDef::flange_radius, "m", "as far as \"stored\" needs",
      "Wire does not stand above it.", 0.0, kFar},
     {"wire_diameter", &WinchDef::wire_diameter, "m", "of the line type", "Of the wire.", 0.0, kFar},
@@ -26,9 +27,10 @@ constexpr WinchNumber kNumbers[] = {
     {"element", &WinchDef::element, "m", "of the cable",
      "Length of the elements that it pays out; 0: the element at the drum grows and shrinks.", 0.0,
      1e6},
-    {"stored", &WinchDef::stored, "m", "", "Wire on the drum at the start.", 0.0, 1e6},
-    {"inertia", &WinchDef::inertia, "kg m^2", "", "Of the bare drum and what turns with it.", 0.0,
-     kHeavy},
+    {"stored", &WinchDef::stored, "m", "",
+     "Wire on the drum, or chain in the locker, at the start.", 0.0, 1e6},
+    {"inertia", &WinchDef::inertia, "kg m^2", "",
+     "Of the bare drum or the gypsy and what turns with it.", 0.0, kHeavy},
     {"motor_inertia", &WinchDef::motor_inertia, "kg m^2", "0",
      "Of motor and gear at the drum, by the clutch.", 0.0, kHeavy},
     {"torque_haul", &WinchDef::torque_haul, "N m", "no limit", "Of the motor.", 0.0, kPull},
@@ -57,6 +59,19 @@ constexpr WinchNumber kNumbers[] = {
     {"weak_link", &WinchDef::weak_link, "N", "0",
      "Load of the wire's fastening; 0: it lets go when the drum is empty.", 0.0, kPull}};
 
+constexpr GypsyNumber kGypsyNumbers[] = {
+    {"pitch", &GypsyDef::pitch, "m", "4 wire_diameter",
+     "Of a link; a pocket takes two. The radius is pockets times pitch over pi.", 0.0, 100.0},
+    {"jump_load", &GypsyDef::jump_load, "N", "it does not jump",
+     "Difference of the tensions outboard and inboard above which chain jumps by a pocket.", 0.0,
+     kPull},
+    {"jump_friction", &GypsyDef::jump_friction, "N", "half of jump_load",
+     "Of links on the wheel while they jump.", 0.0, kPull},
+    {"locker_fall", &GypsyDef::locker_fall, "m", "0",
+     "Chain that hangs from the wheel into the locker; its weight holds back.", 0.0, kFar},
+    {"locker", &GypsyDef::locker, "m", "no limit", "Chain that the locker holds.", 0.0, 1e6},
+    {"wrap", &GypsyDef::wrap, "rad", "pi", "Angle of the wheel that chain lies on.", 0.0, 7.0}};
+
 constexpr const char* kModes[] = {"speed", "tension", "render", "brake", "free", "release"};
 
 /// The cable in this scope.
@@ -72,23 +87,37 @@ const Cable& cable_of(const Description& out, const Scope& scope, const Json& js
                    "there is no cable " + in_quotes(name) + suggestion(name, known));
 }
 
+/// What an element of a cable is of.
+const CableSection& section_of(const Cable& cable, std::size_t element) {
+    std::size_t k = 0;
+    for (; k + 1 < cable.sections.size() && element >= cable.sections[k].elements; ++k)
+        element -= cable.sections[k].elements;
+    return cable.sections[k];
+}
+
+/// Of the end that lies on a winch.
+const CableSection& section_at(const Cable& cable, int end) {
+    return end == 0 ? cable.sections.front() : cable.sections.back();
+}
+
 /// Elements move as straight pieces, of which nodes may take a share; what lies at the drum is its
 /// winch's (WinchDef::element).
 void give_mass(Description& out, const Cable& cable, const WinchDef& winch, const Place& place) {
     const auto element = [&](InteractionId id) -> InteractionDef& {
         return out.interactions[static_cast<std::size_t>(id.index)];
     };
-    for (const InteractionId id : cable.stretch) {
-        InteractionDef& d = element(id);
+    for (std::size_t i = 0; i < cable.stretch.size(); ++i) {
+        InteractionDef& d = element(cable.stretch[i]);
         if (kind_info(d.kind).is(kWoundUp) || !std::isnan(d.get("mass"))) continue;
-        d.set("mass", cable.mass_per_length * d.get("length"));
+        d.set("mass", section_of(cable, i).mass_per_length * d.get("length"));
     }
     const InteractionDef& at_drum =
         element(winch.end == 0 ? cable.stretch.front() : cable.stretch.back());
     const BodyId next = at_drum.body[winch.end == 0 ? 1 : 0];
     BodyDef& lump = out.bodies[static_cast<std::size_t>(next.index)];
     if (lump.kind != BodyKind::lump) return;
-    const double mass = lump.mass - 0.5 * cable.mass_per_length * at_drum.get("length");
+    const double line = section_at(cable, winch.end).mass_per_length;
+    const double mass = lump.mass - 0.5 * line * at_drum.get("length");
     if (!(mass > 1e-6 * lump.mass))
         refuse(place / "cable", "both ends of the cable " + in_quotes(cable.name) +
                                     " are wound up: give it at least three elements");
@@ -96,6 +125,38 @@ void give_mass(Description& out, const Cable& cable, const WinchDef& winch, cons
     lump.mass = mass;
     lump.linear_damping *= scale;
     lump.force *= scale;
+}
+
+void read_wheel(WinchDef& def, const Cable& cable, const Json& json, const Place& place) {
+    const auto gypsy = json.find("gypsy");
+    if (gypsy == json.end()) {
+        for (const char* key : {"core_radius", "width"})
+            if (!json.contains(key))
+                refuse(place, std::string("a winch needs the key \"") + key +
+                                  "\" (of its drum), or \"gypsy\" (a wheel for chain)");
+        return;
+    }
+    if (section_at(cable, def.end).EI > 0.0)
+        refuse(place / "cable", "the cable " + in_quotes(cable.name) +
+                                    " has \"EI\" in its line type, but a gypsy takes chain, "
+                                    "which does not resist bending");
+    def.gypsy.pockets = (*gypsy)["pockets"].get<int>();
+    for (const GypsyNumber& number : kGypsyNumbers)
+        def.gypsy.*number.value = number_or(*gypsy, number.key, def.gypsy.*number.value);
+}
+
+/// Drum, and the chain on a gypsy, as bodies of the scene. @return what the cable lies on.
+BodyId add_wheel(Description& out, Winch& winch) {
+    WinchDef& def = winch.def;
+    const auto add = [&](const char* what, double mass) {
+        BodyDef body{.name = def.name + what, .kind = BodyKind::scalar};
+        body.mass = mass;
+        body.gravity = false;
+        return out.add_body(std::move(body), winch.place);
+    };
+    def.drum = add("/drum", def.inertia);
+    if (def.gypsy.pockets == 0) return def.drum;
+    return def.chain = add("/chain", gypsy_chain_inertia(def));
 }
 
 void read_winch(Description& out, const Scope& scope, const Json& json, const Place& place) {
@@ -106,13 +167,15 @@ void read_winch(Description& out, const Scope& scope, const Json& json, const Pl
     winch.cable = cable.name;
     if (cable.links)
         refuse(place / "cable", "a cable of links cannot be wound up; give it \"as\": \"lumps\"");
-    def.wire_diameter = cable.diameter;
-    def.mass_per_length = cable.mass_per_length;
+    def.end = text_or(json, "end", "from") == "to" ? 1 : 0;
+    const CableSection& section = section_at(cable, def.end);
+    def.wire_diameter = section.diameter;
+    def.mass_per_length = section.mass_per_length;
     for (const WinchNumber& number : kNumbers)
         def.*number.value = number_or(json, number.key, def.*number.value);
     if (!(def.wire_diameter > 0.0))
         refuse(place, "a winch needs \"wire_diameter\": its cable's line type has no diameter");
-    def.end = text_or(json, "end", "from") == "to" ? 1 : 0;
+    read_wheel(def, cable, json, place);
     const std::string mode = text_or(json, "mode", "brake");
     def.mode = static_cast<WinchMode>(std::find(std::begin(kModes), std::end(kModes), mode) -
                                       std::begin(kModes));
@@ -129,24 +192,26 @@ void read_winch(Description& out, const Scope& scope, const Json& json, const Pl
                "two elements, or the winch \"element\": 0");
     if (std::isnan(def.element)) def.element = d.get("length");
     if (def.element > 0.0) give_mass(out, cable, def, place);
-    BodyDef drum{.name = def.name + "/drum", .kind = BodyKind::scalar};
-    drum.mass = def.inertia;
-    drum.gravity = false;
     winch.place = out.keep(place);
-    def.drum = out.add_body(std::move(drum), winch.place);
+    const BodyId wound = add_wheel(out, winch);
     const InteractionDef stretch = d;
     d.kind = InteractionKind::WinchStretch;
     d.params.fill(kDefault);
     for (const char* same : {"length", "EA", "tension_only", "breaking_load"})
         if (const double value = stretch.get(same); !std::isnan(value)) d.set(same, value);
-    d.body[2] = def.drum;
-    d.set("radius", def.core_radius + 0.5 * def.wire_diameter);
+    d.body[2] = wound;
+    d.set("radius",
+          def.gypsy.pockets != 0 ? gypsy_radius(def) : def.core_radius + 0.5 * def.wire_diameter);
+    // What it pays out is of the line type at its end.
+    for (Cable& one : out.cables)
+        if (one.name == winch.cable) one.trim.EI = section.EI;
     out.winches.push_back(std::move(winch));
 }
 
 }  // namespace
 
 std::span<const WinchNumber> winch_numbers() noexcept { return kNumbers; }
+std::span<const GypsyNumber> gypsy_numbers() noexcept { return kGypsyNumbers; }
 std::span<const char* const> winch_modes() noexcept { return kModes; }
 
 void expand_winches(Description& out, const Scope& scope) {

@@ -20,6 +20,18 @@ struct WinchNumber {
 
 [[nodiscard]] std::span<const WinchNumber> winch_numbers() noexcept;
 
+/// Of a gypsy, beside its "pockets".
+struct GypsyNumber {
+    const char* key;
+    double GypsyDef::* value;
+    const char* unit;
+    const char* fallback;
+    const char* doc;
+    double least, most;
+};
+[[nodiscard]] std::span<const GypsyNumber> gypsy_numbers() noexcept;
+inline constexpr int kLeastPockets = 3, kMostPockets = 100;
+
 /// Words of WinchMode, in its order.
 [[nodiscard]] std::span<const char* const> winch_modes() noexcept;
 

@@ -55,6 +55,10 @@ class Forces : public Attached {
         }
     }
     void scalar(int slot, double f) { result.on[place(slot)].force.x() += f; }
+    void clutch(double f) {
+        scalar(0, -f);
+        scalar(1, f);
+    }
     void line(double f) {
         const Vec3 from = point(0), to = point(1), d = to - from;
         const double length = d.norm();
@@ -191,6 +195,9 @@ Wrenches row_wrenches(const World& world, InteractionId id, std::span<const Pose
         case InteractionKind::ScalarMotor:
         case InteractionKind::ScalarFriction:
             on.scalar(0, f[0]);
+            break;
+        case InteractionKind::ScalarClutch:
+            on.clutch(f[0]);
             break;
         case InteractionKind::Gear:
             on.gear(f[0]);

@@ -255,7 +255,8 @@ ForceRange force_range(const World& world, InteractionId id, std::span<const Pos
             return {-kNoBound, 0.0, true, false};
         case InteractionKind::HingeMotor:
         case InteractionKind::SlideMotor:
-        case InteractionKind::ScalarMotor: {
+        case InteractionKind::ScalarMotor:
+        case InteractionKind::ScalarClutch: {
             const double high = parameter(world, id, "force_max");
             return {std::min(parameter(world, id, "force_min"), high), high, true, false};
         }

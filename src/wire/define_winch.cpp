@@ -4,34 +4,23 @@
 #include <hawser/winch.h>
 #include <hawser/world.h>
 
+#include "wire/define_gypsy.h"
 #include "wire/drum_geometry.h"
+#include "wire/winch_checks.h"
 #include "wire/winch_system.h"
 
 #include <cmath>
-#include <cstdio>
 #include <memory>
+#include <span>
 #include <string>
 
 namespace hawser {
 namespace {
 
-[[noreturn]] void refuse(const WinchDef& def, const std::string& what) {
-    throw DefError("winch '" + def.name + "': " + what);
-}
-
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
-
-void check_number(const WinchDef& def, const char* what, double value, double least, bool above) {
-    if (value > least || (!above && value == least)) {
-        if (value <= 1e30) return;
-    }
-    refuse(def, std::string(what) + " = " + number(value) + ": give a number " +
-                    (above ? "above " : "from ") + number(least) + (above ? "" : " on"));
-}
+using wire::check_number;
+using wire::is_gypsy;
+using wire::number;
+using wire::refuse;
 
 void check_numbers(const WinchDef& def) {
     struct Row {
@@ -39,27 +28,18 @@ void check_numbers(const WinchDef& def) {
         double value;
         bool above;
     };
-    for (const Row& row : {Row{"core_radius", def.core_radius, true},
-                           Row{"width", def.width, true},
-                           Row{"wire_diameter", def.wire_diameter, true},
-                           Row{"stored", def.stored, true},
-                           Row{"inertia", def.inertia, true},
-                           Row{"power", def.power, true},
-                           Row{"max_speed", def.max_speed, true},
-                           Row{"mass_per_length", def.mass_per_length, false},
-                           Row{"motor_inertia", def.motor_inertia, false},
-                           Row{"torque_haul", def.torque_haul, false},
-                           Row{"torque_pay", def.torque_pay, false},
-                           Row{"tension", def.tension, false},
-                           Row{"deadband", def.deadband, false},
-                           Row{"brake_static", def.brake_static, false},
-                           Row{"band_friction", def.band_friction, false},
-                           Row{"band_angle", def.band_angle, false},
-                           Row{"release_delay", def.release_delay, false},
-                           Row{"release_load", def.release_load, false},
-                           Row{"dead_wraps", def.dead_wraps, false},
-                           Row{"wrap_friction", def.wrap_friction, false},
-                           Row{"weak_link", def.weak_link, false}})
+    for (const Row& row :
+         {Row{"stored", def.stored, true}, Row{"inertia", def.inertia, true},
+          Row{"power", def.power, true}, Row{"max_speed", def.max_speed, true},
+          Row{"mass_per_length", def.mass_per_length, false},
+          Row{"motor_inertia", def.motor_inertia, false},
+          Row{"torque_haul", def.torque_haul, false}, Row{"torque_pay", def.torque_pay, false},
+          Row{"tension", def.tension, false}, Row{"deadband", def.deadband, false},
+          Row{"brake_static", def.brake_static, false},
+          Row{"band_friction", def.band_friction, false}, Row{"band_angle", def.band_angle, false},
+          Row{"release_delay", def.release_delay, false},
+          Row{"release_load", def.release_load, false}, Row{"dead_wraps", def.dead_wraps, false},
+          Row{"wrap_friction", def.wrap_friction, false}, Row{"weak_link", def.weak_link, false}})
         check_number(def, row.what, row.value, 0.0, row.above);
     if (!(std::abs(def.speed) <= 100.0))
         refuse(def, "speed = " + number(def.speed) + " m/s; give -100 to 100");
@@ -73,6 +53,9 @@ void check_numbers(const WinchDef& def) {
 /// What fits on the drum. @throws DefError where that is less than what is to be there.
 wire::DrumGeometry drum_of(const WinchDef& def) {
     constexpr double kLeast = 2.5;  // radius over diameter of the wire
+    check_number(def, "core_radius", def.core_radius, 0.0, true);
+    check_number(def, "width", def.width, 0.0, true);
+    check_number(def, "wire_diameter", def.wire_diameter, 0.0, true);
     wire::DrumGeometry drum{.core_radius = def.core_radius,
                             .width = def.width,
                             .wire_diameter = def.wire_diameter,
@@ -104,18 +87,25 @@ wire::DrumGeometry drum_of(const WinchDef& def) {
     return drum;
 }
 
+/// A scalar body that is there has to have the inertia that the winch says. @throws DefError
+void check_scalar(const World& world, const WinchDef& def, BodyId body, const char* what,
+                  double inertia) {
+    if (!world.alive(body) || world.body_def(body).kind != BodyKind::scalar)
+        refuse(def, std::string("its ") + what + " must be a scalar body");
+    const double mass = world.body_def(body).mass;
+    if (mass != inertia)
+        refuse(def, "inertia = " + number(inertia) + " kg m^2, but its " + what + "'s mass is " +
+                        number(mass) + "; give the same");
+}
+
 /// The element by which a drum that there is pays out the wire's end. @throws DefError
 InteractionId wound_end(const World& world, const WinchDef& def) {
-    if (!world.alive(def.drum) || world.body_def(def.drum).kind != BodyKind::scalar)
-        refuse(def, "its drum must be a scalar body");
-    const double mass = world.body_def(def.drum).mass;
-    if (mass != def.inertia)
-        refuse(def, "inertia = " + number(def.inertia) + " kg m^2, but its drum's mass is " +
-                        number(mass) + "; give the same");
+    check_scalar(world, def, def.drum, "drum", def.inertia);
+    if (is_gypsy(def)) check_scalar(world, def, def.chain, "chain", gypsy_chain_inertia(def));
     const auto elements = world.elements(def.wire);
     const InteractionId id = def.end == 0 ? elements.front() : elements.back();
     if (!world.alive(id) || !kind_info(world.interaction_def(id).kind).is(kWoundUp) ||
-        world.interaction_def(id).body[2] != def.drum)
+        world.interaction_def(id).body[2] != (is_gypsy(def) ? def.chain : def.drum))
         refuse(def,
                "this end of its wire does not lie on its drum; leave out the drum to have "
                "both made");
@@ -166,12 +156,53 @@ constexpr Driven kDriven[] = {
     {&wire::WinchInputs::length, &WinchIds::line, "length", "/length"},
     {&wire::WinchInputs::drum_zero, &WinchIds::line, "drum_zero", "/drum_zero"}};
 
+/// Of a gypsy beside these.
+constexpr Driven kDrivenOfGypsies[] = {
+    {&wire::WinchInputs::grip_speed, &WinchIds::grip, "speed", "/grip/speed"},
+    {&wire::WinchInputs::grip_low, &WinchIds::grip, "force_min", "/grip/force_min"},
+    {&wire::WinchInputs::grip_high, &WinchIds::grip, "force_max", "/grip/force_max"},
+    {&wire::WinchInputs::end, &WinchIds::bitter_end, "force", "/bitter_end/force"}};
+
+std::span<const Driven> of_gypsy(const WinchDef& def) {
+    return is_gypsy(def) ? std::span<const Driven>(kDrivenOfGypsies) : std::span<const Driven>();
+}
+
 wire::WinchInputs add_inputs(World& world, const WinchDef& def, const WinchIds& ids) {
     wire::WinchInputs in;
-    for (const Driven& d : kDriven)
+    const auto add = [&](const Driven& d) {
         in.*d.input = world.add_input(
             {.name = def.name + d.name, .interaction = ids.*d.of, .param = d.param});
+    };
+    for (const Driven& d : kDriven) add(d);
+    for (const Driven& d : of_gypsy(def)) add(d);
     return in;
+}
+
+void check_names(const World& world, const WinchDef& def) {
+    const auto check = [&](const Driven& d) {
+        if (world.find_input(def.name + d.name).valid())
+            refuse(def, "there is an input '" + def.name + d.name + "' already; rename one");
+    };
+    for (const Driven& d : kDriven) check(d);
+    for (const Driven& d : of_gypsy(def)) check(d);
+}
+
+/// Drum, and the chain on a gypsy, where there are none. @throws DefError
+void add_wheel(World& world, const WinchDef& def, WinchIds& ids) {
+    ids.drum = world.add_body({.name = def.name + "/drum",
+                               .kind = BodyKind::scalar,
+                               .mass = def.inertia,
+                               .gravity = false});
+    if (!is_gypsy(def)) return;
+    try {
+        ids.chain = world.add_body({.name = def.name + "/chain",
+                                    .kind = BodyKind::scalar,
+                                    .mass = gypsy_chain_inertia(def),
+                                    .gravity = false});
+    } catch (...) {
+        (void)world.remove_body(ids.drum);
+        throw;
+    }
 }
 
 }  // namespace
@@ -181,14 +212,16 @@ WinchIds define(World& world, const WinchDef& given_def) {
     if (def.name.empty()) throw DefError("a winch needs a name");
     if (world.find_system(def.name) != nullptr) refuse(def, "the name is taken; names are unique");
     check_numbers(def);
-    const wire::DrumGeometry drum = drum_of(def);
+    wire::WinchWheel wheel;
+    if (is_gypsy(def))
+        wheel.gypsy = wire::gypsy_of(def);
+    else
+        wheel.drum = drum_of(def);
     if (!world.alive(def.wire)) refuse(def, "there is no wire that it could wind; give one");
     const Nonsmooth method = world.settings().nonsmooth;
     if (method == Nonsmooth::pgs || method == Nonsmooth::split)
         refuse(def, "nonsmooth = pgs and split take no loads of systems; choose newton");
-    for (const Driven& d : kDriven)
-        if (world.find_input(def.name + d.name).valid())
-            refuse(def, "there is an input '" + def.name + d.name + "' already; rename one");
+    check_names(world, def);
     if (def.end != 0 && def.end != 1) refuse(def, "end must be 0, the first one, or 1");
     def.element = element_of(world, def);
     WinchIds ids;
@@ -196,11 +229,9 @@ WinchIds define(World& world, const WinchDef& given_def) {
     if (given) {
         ids.line = wound_end(world, def);
         ids.drum = def.drum;
+        ids.chain = def.chain;
     } else {
-        ids.drum = world.add_body({.name = def.name + "/drum",
-                                   .kind = BodyKind::scalar,
-                                   .mass = def.inertia,
-                                   .gravity = false});
+        add_wheel(world, def, ids);
     }
     try {
         const DrumIds parts = world.add(DrumDef{.name = def.name,
@@ -209,17 +240,24 @@ WinchIds define(World& world, const WinchDef& given_def) {
                                                 .friction = AxisFriction{.bound = 0.0}});
         ids.motor = parts.motor;
         ids.brake = parts.friction;
-        const double radius = drum.leaving_radius(def.stored);
-        if (!given) ids.line = world.wind_up(def.wire, def.end, ids.drum, radius);
+        const BodyId wound = wheel.gypsy ? ids.chain : ids.drum;
+        if (wheel.gypsy) {
+            wheel.gypsy->zero = world.pose(wound).position.x() - world.pose(ids.drum).position.x();
+            wire::add_gypsy_parts(world, def, *wheel.gypsy, ids);
+        }
+        const double radius =
+            wheel.gypsy ? wheel.gypsy->radius : wheel.drum.leaving_radius(def.stored);
+        if (!given) ids.line = world.wind_up(def.wire, def.end, wound, radius);
         const wire::WinchInputs inputs = add_inputs(world, def, ids);
         if (given) {
-            world.set_input(inputs.drum_zero, world.pose(ids.drum).position.x());
+            world.set_input(inputs.drum_zero, world.pose(wound).position.x());
             world.set_input(inputs.radius, radius);
         }
         const double at_drum = world.interaction_def(ids.line).get("length");
-        world.add_system(std::make_unique<wire::WinchSystem>(def, drum, ids, inputs, at_drum));
+        world.add_system(std::make_unique<wire::WinchSystem>(def, wheel, ids, inputs, at_drum));
     } catch (...) {
         if (!given) (void)world.remove_body(ids.drum);
+        if (!given && ids.chain.valid()) (void)world.remove_body(ids.chain);
         throw;
     }
     return ids;

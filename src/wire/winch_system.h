@@ -27,25 +27,35 @@
 #include <hawser/winch.h>
 
 #include "wire/drum_geometry.h"
+#include "wire/gypsy.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 namespace hawser::wire {
 
 /// What of a winch's world a system drives.
 struct WinchInputs {
-    InputId speed, low, high;           ///< Of the motor.
-    InputId hold, back;                 ///< Of the brake.
-    InputId radius, length, drum_zero;  ///< Of the element.
+    InputId speed, low, high;                 ///< Of the motor.
+    InputId hold, back;                       ///< Of the brake.
+    InputId radius, length, drum_zero;        ///< Of the element.
+    InputId grip_speed, grip_low, grip_high;  ///< Of a gypsy's grip …
+    InputId end;                              ///< … and of its bitter end.
+};
+
+/// What the wire lies on.
+struct WinchWheel {
+    DrumGeometry drum{};
+    std::optional<GypsyWheel> gypsy{};  ///< Instead of the drum.
 };
 
 class WinchSystem final : public System {
   public:
     /// @param at_drum  Material of the element at the drum [m].
-    WinchSystem(WinchDef def, const DrumGeometry& drum, const WinchIds& ids,
+    WinchSystem(WinchDef def, const WinchWheel& wheel, const WinchIds& ids,
                 const WinchInputs& inputs, double at_drum);
 
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
@@ -60,7 +70,8 @@ class WinchSystem final : public System {
                    : 0.0;
     }
     [[nodiscard]] std::unique_ptr<System> clone() const override {
-        return std::make_unique<WinchSystem>(def_, drum_, ids_, inputs_, at_drum_);
+        return std::make_unique<WinchSystem>(def_, WinchWheel{drum_, wheel_}, ids_, inputs_,
+                                             at_drum_);
     }
 
   private:
@@ -77,6 +88,12 @@ class WinchSystem final : public System {
     void look(const Prestep& now) noexcept;
     void count_slip(Prestep& now) noexcept;
     void follow_layer(Prestep& now) noexcept;
+    void follow_chain(Prestep& now, Loads& loads) noexcept;
+    [[nodiscard]] DrumGeometry::Place place() const noexcept;
+    [[nodiscard]] double leaving_radius() const noexcept;
+    [[nodiscard]] double wound_inertia() const noexcept;
+    /// What the element at the drum is paid out by.
+    [[nodiscard]] BodyId wound() const noexcept { return wheel_ ? ids_.chain : ids_.drum; }
     void check_fastening(Prestep& now) noexcept;
     void count_release(Prestep& now) noexcept;
     [[nodiscard]] Orders orders() noexcept;
@@ -93,6 +110,8 @@ class WinchSystem final : public System {
 
     WinchDef def_;
     DrumGeometry drum_;
+    std::optional<GypsyWheel> wheel_;
+    GypsyChain chain_;
     WinchIds ids_;
     WinchInputs inputs_;
 
@@ -102,12 +121,15 @@ class WinchSystem final : public System {
     double stored_, at_drum_, angle_ = 0.0, radius_ = 0.0, clock_ = 0.0;
     double slip_ = 0.0, heat_ = 0.0;
     Set set_;
+    GripOrder grip_set_{0.0, -1e30, 1e30};
+    double end_set_ = 0.0;  ///< Bound of the bitter end [N m].
     std::int32_t slipping_ = 0, parted_ = 0, empty_ = 0, released_ = 0, engaged_ = 1;
     // Outputs.
     double layer_ = 1.0, wraps_ = 0.0, across_ = 0.0, pull_ = 0.0, pull_limit_ = 0.0;
     double inertia_ = 0.0, state_ = 0.0;
     // Of the step that begins.
-    double turned_ = 0.0, omega_ = 0.0;
+    double turned_ = 0.0, omega_ = 0.0, leaving_ = 0.0;  ///< Of wire, drum and wire.
+    bool crowded_ = false;    ///< A node could not be put for the first time.
     bool hauled_in_ = false;  ///< The element at the drum has next to no length left.
 };
 

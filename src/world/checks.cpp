@@ -175,7 +175,7 @@ void check(const InteractionDef& def, const model::Bodies& bodies, int count,
                 refuse(where, "couples a body with itself");
         const BodyKind kind = bodies.kind[static_cast<std::size_t>(index)];
         const bool scalar = kind == BodyKind::scalar;
-        if (scalar != (b == info.scalar_slot))
+        if (scalar != info.takes_scalar(b))
             refuse(where, which +
                               (scalar ? " is a scalar body, which a "
                                       : " must be a scalar body "

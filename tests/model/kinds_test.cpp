@@ -67,7 +67,7 @@ void draw(Random& random, const KindInfo& info, bool lumps, Poses& p, Interactio
     d = between(info.kind, {});
     for (int b = 0; b < info.bodies; ++b) {
         const auto s = static_cast<std::size_t>(b);
-        p.kind[b] = b == info.scalar_slot         ? BodyKind::scalar
+        p.kind[b] = info.takes_scalar(b)          ? BodyKind::scalar
                     : lumps && random.chance(0.7) ? BodyKind::lump
                                                   : BodyKind::rigid;
         p.x[b] = p.kind[b] == BodyKind::scalar ? Vec3(random.uniform(-1, 1), 0, 0)
@@ -221,7 +221,7 @@ TEST_P(EachKind, StartsWithoutViolation) {
         Recipe r;
         std::vector<BodyId> ids;
         for (int b = 0; b < info().bodies; ++b) {
-            if (b == info().scalar_slot)
+            if (info().takes_scalar(b))
                 ids.push_back(r.scalar(name == "winch_stretch" ? 0.0 : 0.4, 1.0));
             else
                 ids.push_back(r.rigid(Vec3(2.0 * b, 0, 0), random.rotation(), 1.0, {1, 2, 2.5}));

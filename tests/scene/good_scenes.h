@@ -145,7 +145,8 @@ inline constexpr std::string_view kKinds = R"({
     {"name": "p", "kind": "lump", "position": [6, 0, 0], "mass": 1},
     {"name": "q", "kind": "lump", "position": [7, 0, 0], "mass": 1},
     {"name": "r", "kind": "lump", "position": [8, 0.1, 0], "mass": 1},
-    {"name": "d", "kind": "scalar", "mass": 3}
+    {"name": "d", "kind": "scalar", "mass": 3},
+    {"name": "e", "kind": "scalar", "mass": 2}
   ],
   "interactions": [
     {"name": "ball", "kind": "ball", "bodies": ["a", "b"], "at": [1, 0, 0]},
@@ -184,7 +185,8 @@ inline constexpr std::string_view kKinds = R"({
      "force": 5},
     {"name": "scalar_friction", "kind": "scalar_friction", "bodies": ["d"], "force": 5},
     {"name": "gear", "kind": "gear", "bodies": ["a", "b", "c"], "axis": [0, 0, 1], "teeth_1": 20,
-     "teeth_2": -60}
+     "teeth_2": -60},
+    {"name": "scalar_clutch", "kind": "scalar_clutch", "bodies": ["d", "e"], "force_max": 4}
   ]
 })";
 

@@ -147,6 +147,107 @@ TEST(SceneWinches, AreRefusedByTheirPlace) {
     EXPECT_TRUE(says(r = refused_at(two), "/winches/1/name", "exists already")) << r;
 }
 
+const std::string kWindlass = R"({
+  "version": 1, "name": "windlass", "settings": {"step": 0.005},
+  "line_types": {"chain": {"mass_per_length": 126.5, "EA": 5.83e8, "diameter": 0.076, "link": 0.304},
+                 "wire": {"mass_per_length": 23, "EA": 2.33e8, "EI": 5e3, "diameter": 0.076}},
+  "bodies": [{"name": "anchor", "position": [0, 0, -0.06713], "mass": 8000, "box": [1, 1, 1]}],
+  "cables": [{"name": "cable", "line_type": "chain", "from": {"at": [0, 0, 20]},
+              "to": {"body": "anchor"}, "elements": 6, "length": 20.064, "shape": "hanging"}],
+  "winches": [{"name": "windlass", "cable": "cable", "stored": 100, "inertia": 2e4,
+               "gypsy": {"pockets": 5, "jump_load": 6e4, "locker_fall": 5},
+               "brake_static": 1e6}],
+  "repeat": {"offset": [0, 20, 0]}})";
+
+std::string windlass_with(const std::string& from, const std::string& to) {
+    std::string text = kWindlass;
+    text.replace(text.find(from), from.size(), to);
+    return text;
+}
+
+TEST(SceneWinches, AGypsyJumpsUnderItsAnchor) {
+    Options options;
+    options.scale = 2;
+    Scene scene = load_text(kWindlass, "windlass.json", options);
+    World& w = scene.world;
+    // The half element at the anchor is carried by no body.
+    const double weight = (8000 + (20.064 - 0.5 * 3.344) * 126.5) * 9.81, tail = 5 * 126.5 * 9.81;
+    EXPECT_GT(weight - tail, 6e4);
+    for (int i = 0; i < 400; ++i) ASSERT_EQ(w.step(), Status::ok);
+    EXPECT_NEAR(w.system_signal("windlass.radius"), 5 * 0.304 / 3.14159265358979, 1e-12);
+    EXPECT_GE(w.system_signal("1:windlass.tail"), tail);  // and what the heap takes
+    EXPECT_GT(w.event_extremes(EventKind::chain_jump).count, 0);
+    EXPECT_EQ(w.system_signal("windlass.jumped"), w.system_signal("1:windlass.jumped"));
+    // Below its load it hangs still.
+    Scene held = load_text(windlass_with("6e4", "1.1e5"), "windlass.json");
+    for (int i = 0; i < 400; ++i) ASSERT_EQ(held.world.step(), Status::ok);
+    EXPECT_EQ(held.world.event_extremes(EventKind::chain_jump).count, 0);
+    EXPECT_NEAR(held.world.system_signal("windlass.grip"), weight - tail, 0.005 * weight);
+}
+
+TEST(SceneWinches, GypsiesAndChainsAreRefusedByTheirPlace) {
+    EXPECT_EQ(refused_at(kWindlass), "");
+    struct Row {
+        const char *from, *to, *path, *message;
+    };
+    for (const Row& row :
+         {Row{"\"pockets\": 5", "\"pockets\": 2", "/winches/0/gypsy/pockets", "3"},
+          Row{"\"pockets\": 5", "\"pocket\": 5", "/winches/0/gypsy/pocket",
+              "did you mean \"pockets\""},
+          Row{"\"pockets\": 5, ", "", "/winches/0/gypsy", "pockets"},
+          Row{"\"gypsy\": {\"pockets\": 5, \"jump_load\": 6e4, \"locker_fall\": 5},", "",
+              "/winches/0", "or \"gypsy\""},
+          Row{"\"stored\": 100", "\"stored\": 100, \"core_radius\": 0.5", "/winches/0", "not both"},
+          Row{"\"line_type\": \"chain\"", "\"line_type\": \"wire\"", "/winches/0/cable", "EI"},
+          Row{"\"locker_fall\": 5", "\"locker_fall\": 5, \"locker\": 50", "/winches/0",
+              "its locker holds 50 m"},
+          Row{"\"locker_fall\": 5", "\"pitch\": 0.1", "/winches/0", "4 are usual"},
+          Row{"\"link\": 0.304", "\"link\": 0.304, \"EI\": 10", "/cables/0/line_type",
+              "leave out \"EI\""},
+          Row{"20.064", "20", "/cables/0", "\"length\" 20.064 (66 links) and \"elements\" 6"},
+          Row{"\"elements\": 6", "\"elements\": 7", "/cables/0", "\"elements\" 6"}}) {
+        const std::string r = refused_at(windlass_with(row.from, row.to));
+        EXPECT_TRUE(r.starts_with(std::string(row.path) + ": ") &&
+                    r.find(row.message) != std::string::npos)
+            << row.to << " -> " << r;
+    }
+}
+
+/// What the timeline can know before the run, and what a winch refuses.
+TEST(SceneWinches, LimitsAndTimelinesAreRefusedByTheirPlace) {
+    const auto with_timeline = [&](const std::string& entry) {
+        return windlass_with("\"repeat\": {\"offset\": [0, 20, 0]}",
+                             "\"timeline\": [" + entry + "]");
+    };
+    struct Row {
+        std::string text;
+        const char *path, *message;
+    };
+    for (const Row& row :
+         {Row{with_timeline(R"({"at": 1, "cut": "cabel", "s": 3})"), "/timeline/0/cut",
+              "did you mean \"cable\""},
+          Row{with_timeline(R"({"at": 1, "set": {"windlas.mode": "brake"}})"),
+              "/timeline/0/set/windlas.mode", "did you mean \"windlass.mode\""},
+          Row{with_timeline(R"({"at": 1, "set": {"windlass.mode": "break"}})"),
+              "/timeline/0/set/windlass.mode", "did you mean \"brake\""},
+          // A drum that is too small, and a wire longer than it holds.
+          Row{lift_with("\"core_radius\": 0.3", "\"core_radius\": 0.07"), "/winches/0",
+              "give a larger drum"},
+          Row{lift_with("\"stored\": 200", "\"stored\": 900, \"flange_radius\": 0.6"), "/winches/0",
+              "the drum holds"},
+          // Limits that cross: a band that slips with more than it holds.
+          Row{lift_with("\"stored\": 200",
+                        "\"stored\": 200, \"brake_static\": 10, \"brake_dynamic\": 20"),
+              "/winches/0", "brake_dynamic"},
+          Row{windlass_with("\"locker_fall\": 5", "\"jump_friction\": 7e4"), "/winches/0",
+              "jump_friction"}}) {
+        const std::string r = refused_at(row.text);
+        EXPECT_TRUE(r.starts_with(std::string(row.path) + ": ") &&
+                    r.find(row.message) != std::string::npos)
+            << row.message << " -> " << r;
+    }
+}
+
 TEST(SceneWinches, MistakesAreAllListed) {
     std::vector<SceneError> mistakes;
     std::string text = lift_with("\"stored\": 200", "\"stored\": -1");

@@ -52,12 +52,15 @@ InteractionId build(World& world, InteractionKind kind) {
                              world.add_body(tilted("c", {0.9, 1.2, 1.4}, 1.7))};
     const BodyId drum =
         world.add_body({.name = "drum", .kind = BodyKind::scalar, .mass = 2.0, .force = {9, 0, 0}});
+    const BodyId spool =
+        info.scalars == 2 ? world.add_body({.name = "spool", .kind = BodyKind::scalar, .mass = 1.5})
+                          : BodyId{};
     InteractionDef def{.kind = kind};
     const Quat frame(Eigen::AngleAxisd(0.7, Vec3(1.0, 2.0, -1.0).normalized()));
     for (int b = 0; b < info.bodies; ++b) {
         const auto slot = static_cast<std::size_t>(b);
-        def.body[slot] = b == info.scalar_slot ? drum : rigid[b];
-        if (b == info.scalar_slot) continue;
+        def.body[slot] = b == info.scalar_slot ? drum : info.takes_scalar(b) ? spool : rigid[b];
+        if (info.takes_scalar(b)) continue;
         const Pose pose = world.pose(def.body[slot]);
         const Vec3 shared = info.length_from_pose || info.bodies == 3
                                 ? Vec3(pose.position + Vec3(0.1, -0.2, 0.15))

@@ -2,6 +2,9 @@
 /// Where a winch lets go or stops: emergency release, empty drum, weak link, last wraps, full drum.
 #include "wire/winch_deck.h"
 
+#include <utility>
+#include <vector>
+
 namespace hawser::test {
 namespace {
 
@@ -101,6 +104,37 @@ TEST(WinchEnds, HaulsInNoMoreThanTheElementAtItHas) {
         EXPECT_NE(d.w.verdict().grade, Grade::wrong);
         EXPECT_LT(d.w.verdict().of(Judge::energy).time, 0.1);
     }
+}
+
+/// A wire whose elements take no node (their compliance is not that of their length): the winch
+/// says so once, and goes on with the element that it has.
+TEST(WinchEnds, NoRoomForANodeIsAnEvent) {
+    World w(WorldDef{.step = 0.01, .gravity = Vec3::Zero()});
+    const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
+    const BodyId node =
+        w.add_body({.name = "node", .kind = BodyKind::lump, .position = {10, 0, 0}, .mass = 500.0});
+    const BodyId end =
+        w.add_body({.name = "end", .kind = BodyKind::lump, .position = {20, 0, 0}, .mass = 1000.0});
+    std::vector<InteractionId> elements;
+    for (const auto& [from, to] : {std::pair(deck, node), std::pair(node, end)}) {
+        InteractionDef d{.name = "", .kind = InteractionKind::Stretch};
+        d.body = {from, to, {}};
+        d.set("length", 10.0).set("EA", 1e7);
+        if (from == node) d.set("mass", 250.0);
+        d.compliance[0] = 1e-6;
+        elements.push_back(w.add_interaction(d));
+    }
+    WinchDef def = big_winch();
+    def.wire = w.adopt_wire("wire", elements);
+    def.element = 10.0;
+    def.mode = WinchMode::speed;
+    def.speed = 1.0;
+    w.add(def);
+    w.set_force(end, {1e4, 0, 0}, Vec3::Zero());
+    for (int i = 0; i < 3000; ++i) ASSERT_EQ(w.step(), Status::ok);
+    EXPECT_EQ(w.event_extremes(EventKind::no_node).count, 1);
+    EXPECT_NEAR(w.event_extremes(EventKind::no_node).first.value, 15.0, 0.1);
+    EXPECT_GT(w.system_signal("winch.at_drum"), 30.0);
 }
 
 }  // namespace

@@ -83,6 +83,18 @@ TEST(Coordinates, OfAScalarBodyItIsItsOwn) {
     }
 }
 
+TEST(Coordinates, OfAClutchItIsThatOfTheSecondBodyAgainstTheFirst) {
+    World world;
+    const BodyId wheel = world.add_body(
+        {.kind = BodyKind::scalar, .position = {2.5, 0, 0}, .velocity = {-0.3, 0, 0}, .mass = 1});
+    const BodyId chain = world.add_body(
+        {.kind = BodyKind::scalar, .position = {4.0, 0, 0}, .velocity = {0.1, 0, 0}, .mass = 1});
+    const InteractionId id =
+        world.add_interaction(between(InteractionKind::ScalarClutch, {wheel, chain}));
+    EXPECT_EQ(world.coordinate(id), 1.5);
+    EXPECT_EQ(world.speed(id), 0.4);
+}
+
 /// The speed is the derivative of the coordinate along the motion that the velocities say: by
 /// central differences of poses that are moved by hand, whose error is of order e².
 TEST(Coordinates, SpeedsAreTheirDerivatives) {

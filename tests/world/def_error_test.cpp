@@ -133,11 +133,12 @@ class BadInteractions : public testing::Test {
         r.lump({3, 0, 0}, 1.0);
         r.scalar(0.0, 1.0);
         r.add({.name = "far", .kind = BodyKind::fixed});
+        r.scalar(0.0, 1.0);
         return r;
     }
     Recipe r = bodies();
     World w;
-    const BodyId ground{0}, a{1}, b{2}, lump{3}, drum{4}, far{5};
+    const BodyId ground{0}, a{1}, b{2}, lump{3}, drum{4}, far{5}, spool{6};
 };
 
 TEST_F(BadInteractions, Bodies) {
@@ -191,11 +192,12 @@ TEST_F(BadInteractions, EveryParameterIsChecked) {
     for (const KindInfo& info : interaction_kinds()) {
         std::vector<BodyId> ids;
         for (int slot = 0; slot < info.bodies; ++slot)
-            ids.push_back(slot == info.scalar_slot ? drum
-                          : slot == 0              ? a
-                          : slot == 1              ? b
-                          : info.uses_frames       ? far
-                                                   : lump);
+            ids.push_back(slot == info.scalar_slot  ? drum
+                          : info.takes_scalar(slot) ? spool
+                          : slot == 0               ? a
+                          : slot == 1               ? b
+                          : info.uses_frames        ? far
+                                                    : lump);
         InteractionDef good = between(info.kind, ids);
         for (const ParamInfo& p : info.params)
             good.set(p.name, std::isnan(p.fallback) ? 1.0 : p.fallback);

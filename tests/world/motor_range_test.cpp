@@ -30,6 +30,29 @@ TEST(MotorRange, IsCrossedFromOneEndToTheOther) {
     }
 }
 
+/// A clutch takes one drum along by another with the torque that it holds, and then they turn as
+/// one: J₁ ω / (J₁ + J₂), whatever it slipped.
+TEST(MotorRange, AClutchSlipsUntilBothTurnAsOne) {
+    Recipe r;
+    const BodyId wheel = r.scalar(0.0, 30.0), chain = r.scalar(0.0, 20.0);
+    for (BodyDef& body : r.bodies) body.gravity = false;
+    r.bodies.front().velocity = {2.0, 0, 0};
+    InteractionDef d = between(InteractionKind::ScalarClutch, {wheel, chain});
+    const InteractionId clutch = r.add(d.set("force_min", -12.0).set("force_max", 12.0));
+    World w = r.make();
+    const double h = w.settings().step;
+    ASSERT_EQ(w.step(), Status::ok);  // half a step late
+    for (int i = 1; i <= 100; ++i) {
+        const double before = w.velocity(chain).linear.x();
+        ASSERT_EQ(w.step(), Status::ok);
+        ASSERT_NEAR(w.force(clutch)[0], 12.0, 1e-9);
+        ASSERT_NEAR(w.velocity(chain).linear.x(), before + h * 12.0 / 20.0, 1e-12);
+    }
+    for (int i = 0; i < 400; ++i) ASSERT_EQ(w.step(), Status::ok);
+    EXPECT_NEAR(w.velocity(wheel).linear.x(), 1.2, 1e-9);
+    EXPECT_NEAR(w.velocity(chain).linear.x(), 1.2, 1e-9);
+}
+
 /// The range of a motor's force need not have 0 in it: a winch that holds between one tension and
 /// another. It gives the end that is against its motion, whichever way that is, and stands between.
 TEST(MotorRange, MayLieOnOneSideOfZero) {

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file clutch.h
+/// A scalar body against another one.
+///
+/// With q_k their coordinates the row is q̇₁ − q̇₀ = u within a range of forces: a clutch that is
+/// closed at u = 0 and slips where it would have to hold more. What it takes counts as driven.
+
+#include "model/kinds/drives.h"
+
+namespace hawser::HAWSER_ISA::kinds {
+
+/// Drives a scalar body against another one: a clutch that slips beyond a force, a chain in the
+/// pockets of its wheel.
+struct ScalarClutch {
+    static constexpr int kBodies = 2, kRows = 1;
+    static constexpr Geometry kGeometry = Geometry::none;
+    static constexpr KindInfo kInfo{
+        .kind = InteractionKind::ScalarClutch,
+        .name = "scalar_clutch",
+        .bodies = 2,
+        .rows = 1,
+        .uses_points = false,
+        .uses_frames = false,
+        .row_units = "v",
+        .scalar_slot = 0,
+        .scalars = 2,
+        .coordinate = KindCoordinate::scalar,
+        .traits = kMotorKind,
+        .params = kMotorParams,
+        .doc =
+            "Turns a scalar body against another one at a speed, at 0 with it: a clutch that "
+            "slips beyond its largest force. Its coordinate is that of the second body less "
+            "that of the first."};
+    using Data = TargetData;
+    static void defaults(const InteractionDef& d, double, RowSpec* s) { motor_rows(d, s); }
+    static void evaluate(const Data& d, const BodyRef*, Rows<2, 1>& out) {
+        out.g[0] = d.target;
+        out.set(0, 0, {-1, 0, 0}, {0, 0, 0});
+        out.set(1, 0, {1, 0, 0}, {0, 0, 0});
+    }
+#ifdef HAWSER_KIND_SETUP
+    static Data make(const InteractionDef& d) { return {d.params[0]}; }
+#endif
+};
+
+}  // namespace hawser::HAWSER_ISA::kinds

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/line_types.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::scene {
+namespace {
+
+/// Of a number of links that is whole but for the digits of a file.
+constexpr double kWhole = 1e-6;
+
+/// @param of  A cable or a section of one.
+const Json& line_type_of(const Json& of, const Document& document, const Place& place) {
+    const Json& line = of["line_type"];
+    if (line.is_object()) {
+        return line;
+    }
+    const auto& name = line.get_ref<const std::string&>();
+    std::vector<std::string> known;
+    if (const auto types = document.root.find("line_types"); types != document.root.end()) {
+        if (const auto entry = types->find(name); entry != types->end()) {
+            return *entry;
+        }
+        for (const auto& [key, value] : types->items()) {
+            known.push_back(key);
+        }
+    }
+    refuse_missing(document.mistakes, Lost::line_type, name, place / "line_type",
+                   "there is no line type " + in_quotes(name) + suggestion(name, known));
+}
+
+LayoutSection read_section(const Json& of, bool links, const Document& document,
+                           const Place& place) {
+    const Json& line = line_type_of(of, document, place);
+    LayoutSection s;
+    if (of["line_type"].is_string()) {
+        s.line.line_type = of["line_type"].get<std::string>();
+    }
+    s.line.mass_per_length = line["mass_per_length"].get<double>();
+    s.line.EA = number_or(line, "EA", 0.0);
+    s.line.EI = number_or(line, "EI", 0.0);
+    s.line.breaking_load = number_or(line, "breaking_load", 0.0);
+    s.line.diameter = number_or(line, "diameter", 0.0);
+    s.axial_damping = number_or(line, "axial_damping", kDefault);
+    s.drag = number_or(line, "drag", 0.0);
+    s.submerged_factor = number_or(line, "submerged_factor", 1.0);
+    s.link = number_or(line, "link", 0.0);
+    s.color = text_or(line, "color", "");
+    if (!links && !(s.line.EA > 0.0)) {
+        refuse(place / "line_type", "a cable of lumps needs \"EA\" in its line type");
+    }
+    if (s.link > 0.0 && s.line.EI > 0.0) {
+        refuse(place / "line_type",
+               "its line type has \"link\", so that it is chain, which does not resist bending; "
+               "leave out \"EI\"");
+    }
+    return s;
+}
+
+/// Elements of a piece of chain that are as near as can be to those asked for, of whole links each.
+std::size_t nearest_count(std::size_t links, std::size_t asked) {
+    for (std::size_t off = 0; off < links; ++off)
+        for (const std::size_t n : {asked - std::min(off, asked - 1), asked + off})
+            if (links % n == 0) return n;
+    return 1;
+}
+
+}  // namespace
+
+void read_line_types(CableLayout& c, const Json& cable, const Document& document,
+                     const Place& place) {
+    const auto sections = cable.find("sections");
+    if (sections == cable.end()) {
+        if (!cable.contains("line_type")) {
+            refuse(place,
+                   "a cable needs the key \"line_type\" (a line type by name or in place), or "
+                   "\"sections\"");
+        }
+        c.sections = {read_section(cable, c.links, document, place)};
+    } else {
+        if (c.links) {
+            refuse(place / "sections", "a cable of links is of one line type; give \"line_type\"");
+        }
+        for (std::size_t i = 0; i < sections->size(); ++i) {
+            const Json& json = (*sections)[i];
+            LayoutSection s = read_section(json, false, document, place / "sections" / i);
+            s.line.length = json["length"].get<double>();
+            s.line.elements = json["elements"].get<std::size_t>();
+            c.elements += s.line.elements;
+            c.sections.push_back(std::move(s));
+        }
+    }
+    double diameter = 0.0;
+    for (const LayoutSection& s : c.sections) diameter = std::max(diameter, s.line.diameter);
+    c.radius = number_or(cable, "radius", 0.5 * diameter);
+    if (c.links && !(c.radius > 0.0)) {
+        refuse(place, "a cable of links needs \"radius\", or \"diameter\" in its line type");
+    }
+}
+
+void measure_elements(CableLayout& c) noexcept {
+    if (c.sections.size() == 1) c.sections.front().line.length = c.length;
+    for (LayoutSection& s : c.sections)
+        s.element = s.line.length / static_cast<double>(s.line.elements);
+}
+
+void check_links(const CableLayout& c, const Json& cable, const Place& place) {
+    for (std::size_t i = 0; i < c.sections.size() && !c.links; ++i) {
+        const LayoutSection& s = c.sections[i];
+        if (!(s.link > 0.0)) continue;
+        const double each = s.element / s.link;
+        if (std::abs(each - std::round(each)) <= kWhole * each && each > 0.5) continue;
+        const bool listed = cable.contains("sections");
+        const Place at = listed ? place / "sections" / i : place;
+        const double links = std::max(std::round(s.line.length / s.link), 1.0);
+        const std::size_t count = nearest_count(static_cast<std::size_t>(links), s.line.elements);
+        refuse(at, fmt::format("its elements have {:.6g} links each, and chain parts between links "
+                               "only; give \"length\" {:.12g} ({} links) and \"elements\" {}",
+                               each, links * s.link, links, count));
+    }
+}
+
+}  // namespace hawser::scene

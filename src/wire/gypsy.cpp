@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "wire/gypsy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::wire {
+namespace {
+
+constexpr double kUnbounded = 1e30;  ///< A torque that nothing overcomes [N m].
+constexpr double kNear = 1e-9;       ///< Of a force at its bound, which rounding has moved.
+constexpr double kThere = 1e-6;      ///< Of a pocket, where a link lies in it.
+constexpr double kAhead = 2.0;       ///< Steps before the next pocket in which it is looked for.
+
+}  // namespace
+
+double GypsyChain::look(double apart, double rate, double torque, double pull) noexcept {
+    jumped_ = wheel_.radius * (apart - wheel_.zero);
+    gained_ = wheel_.radius * rate - rate_;
+    rate_ = wheel_.radius * rate;
+    grip_ = -torque / wheel_.radius;
+    pull_ = pull;
+    caught_ = 0;
+    way_ = jumped_ - seat_ * wheel_.pocket;
+    double load = 0.0;
+    if (jumping_ == 0) {
+        const bool gave_way = std::abs(grip_) >= wheel_.jump_load * (1.0 - kNear) &&
+                              std::abs(way_) > kThere * wheel_.pocket && way_ * grip_ > 0.0;
+        if (!gave_way) return 0.0;
+        jumping_ = 1;
+        count_ += 1.0;
+        if (way_ < 0.0) seat_ -= 1.0;
+        load = std::abs(grip_);
+    } else if (way_ >= (1.0 - kThere) * wheel_.pocket || way_ <= kThere * wheel_.pocket) {
+        const bool out = way_ > 0.5 * wheel_.pocket, stays = std::abs(pull_) <= wheel_.jump_load;
+        if (out) seat_ += 1.0;
+        if (stays) {
+            jumping_ = 0;
+            caught_ = 1;
+        } else {
+            if (!out) seat_ -= 1.0;
+            count_ += 1.0;
+            load = std::abs(pull_);
+        }
+    }
+    way_ = jumped_ - seat_ * wheel_.pocket;
+    return load;
+}
+
+GripOrder GypsyChain::order(double h) const noexcept {
+    const double r = wheel_.radius;
+    const auto most = [&](double force) { return std::min(force * r, kUnbounded); };
+    if (jumping_ == 0) {
+        const double bound = caught_ != 0 ? kUnbounded : most(wheel_.jump_load);
+        // Back to the middle of the pocket by what rounding and compliance have left.
+        return {-way_ / (h * r), -bound, bound};
+    }
+    const double rubs = most(wheel_.jump_friction);
+    const double ahead = way_ + kAhead * h * (rate_ + gained_);
+    if (std::abs(pull_) <= wheel_.jump_load) {
+        if (rate_ > 0.0 && ahead >= wheel_.pocket)
+            return {(wheel_.pocket - way_) / (h * r), -kUnbounded, -rubs};
+        if (rate_ < 0.0 && ahead <= 0.0) return {-way_ / (h * r), rubs, kUnbounded};
+    }
+    return {0.0, -rubs, rubs};
+}
+
+void GypsyChain::visit_state(StateVisitor& v) {
+    for (double* x : {&seat_, &way_, &rate_, &gained_, &pull_, &count_, &jumped_, &grip_, &tail_})
+        v.visit(*x);
+    for (std::int32_t* x : {&jumping_, &caught_}) v.visit(*x);
+}
+
+void GypsyChain::signals(SignalTable& table) {
+    table.output("jumps", "1", count_);
+    table.output("jumped", "m", jumped_);
+    table.output("grip", "N", grip_);
+    table.output("tail", "N", tail_);
+}
+
+}  // namespace hawser::wire

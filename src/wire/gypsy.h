@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file gypsy.h
+/// Chain on a wheel with pockets, and how it jumps.
+///
+/// ```
+///   outboard, T  ___        A pocket holds the link that lies flat, the next one stands between
+///   two
+///    o-0-o-0-o-/ o  \       pockets: a turn pays out n 2p, n pockets and p the pitch of a link, so
+///              |  +  o      that r = n p/π. The chain is a scalar body of its own, θ_c beside θ_w
+///               \_ o/       of the wheel; s = r (θ_c − θ_w) is how far it has jumped.
+///                 0
+///                 o         The fall into the locker: its weight T_0 = ρ g fall pulls inboard, and
+///                 0         ρ v² while chain is taken from the heap (Cayley).
+///              8o8o8o8
+/// ```
+/// The grip is the row of a scalar_clutch: r (θ_c − θ_w)' = u, with a range of forces.
+/// - *Seated*, s a whole number of pockets: u = 0, |F| ≤ jump_load. So it jumps at T − T_0 =
+///   jump_load, less what accelerates the chain on the wheel, in the step in which that is reached.
+/// - *Between pockets*: links ride on the wheel and rub, u = 0 and |F| ≤ jump_friction. Below that
+///   they rest where they are.
+/// - *Near the next pocket*, with T − T_0 ≤ jump_load: u is what gets them to its middle within the
+///   step, with any force that holds back, none that pushes: they fall into it, and what they had
+///   of velocity against the wheel is lost in the step after. Above jump_load they pass on to the
+///   next one.
+/// What the row takes counts as driven, as that of motors does.
+
+#include <hawser/id.h>
+#include <hawser/system.h>
+#include <hawser/winch.h>
+#include <hawser/world.h>
+
+#include <cstdint>
+
+namespace hawser::wire {
+
+/// A gypsy, all of whose numbers are known.
+struct GypsyWheel {
+    double radius = 0.0;         ///< r [m].
+    double pocket = 0.0;         ///< 2 p [m].
+    double jump_load = 0.0;      ///< [N].
+    double jump_friction = 0.0;  ///< [N].
+    double fall = 0.0;           ///< [m].
+    double locker = 0.0;         ///< What it holds [m].
+    double zero = 0.0;           ///< θ_c − θ_w where s is 0.
+};
+
+/// What the grip's row may do in a step [rad/s, N m].
+struct GripOrder {
+    double speed = 0.0, low = 0.0, high = 0.0;
+};
+
+/// Where the chain is on its wheel.
+class GypsyChain {
+  public:
+    explicit GypsyChain(const GypsyWheel& wheel) noexcept : wheel_(wheel) {}
+
+    /// What the last step came to. @param apart  θ_c − θ_w; @param rate  its rate [rad/s].
+    /// @param torque  Of the grip's row on the chain [N m]. @param pull  T − T_0 now [N].
+    /// @return the load at which it has begun to jump, or passed on to another pocket [N]; 0: no.
+    [[nodiscard]] double look(double apart, double rate, double torque, double pull) noexcept;
+    /// For a step of h [s] that begins.
+    [[nodiscard]] GripOrder order(double h) const noexcept;
+    [[nodiscard]] bool jumps() const noexcept { return jumping_ != 0; }
+    void visit_state(StateVisitor& v);
+    void signals(SignalTable& table);
+    void feel_tail(double tail) noexcept { tail_ = tail; }
+    [[nodiscard]] double tail() const noexcept { return tail_; }
+
+  private:
+    GypsyWheel wheel_;
+    double seat_ = 0.0;                             ///< Pocket that it is in, or behind [pockets].
+    double way_ = 0.0, rate_ = 0.0, gained_ = 0.0;  ///< From there [m, m/s], and by the last step.
+    double pull_ = 0.0;
+    double count_ = 0.0, jumped_ = 0.0, grip_ = 0.0, tail_ = 0.0;  ///< Outputs.
+    std::int32_t jumping_ = 0, caught_ = 0;
+};
+
+}  // namespace hawser::wire

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a winch tells its motor, brake and clutch to do.
+#include "wire/band_brake.h"
+#include "wire/winch_system.h"
+
+#include <hawser/world.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::wire {
+namespace {
+
+constexpr double kUnbounded = 1e30;  ///< A torque that nothing overcomes [N m].
+constexpr double kStands = 1e-4;     ///< A drum whose wire is slower than this stands [m/s].
+
+}  // namespace
+
+/// Nothing more is hauled in.
+bool WinchSystem::full() const noexcept {
+    if (hauled_in_) return true;
+    if (wheel_) return stored_ >= wheel_->locker;
+    return static_cast<int>(layer_) > drum_.layers() ||
+           stored_ >= drum_.capacity() - drum_.wire_diameter;
+}
+
+void WinchSystem::order_motor(Orders& out) noexcept {
+    const double at_speed = def_.power / std::max(std::abs(omega_), 1e-12);
+    const double haul = std::min(def_.torque_haul, at_speed);
+    const double pay = std::min(def_.torque_pay, at_speed);
+    const double in = -def_.max_speed / radius_;
+    const double least = std::max(tension_ - def_.deadband, 0.0) * radius_;
+    pull_limit_ = haul / radius_;
+    out.low = -haul;
+    out.high = pay;
+    switch (mode()) {
+        case WinchMode::speed:
+            out.speed = speed_ / radius_;
+            if (wraps_ <= def_.dead_wraps && out.speed > 0.0) out.speed = 0.0;
+            break;
+        case WinchMode::tension:
+            // It pulls with its torque until it takes in as fast as it may.
+            out.speed = in;
+            out.low = -std::min(tension_ * radius_, haul);
+            break;
+        case WinchMode::render:
+            if (omega_ < 0.999 * in) {  // taking in as fast as it may
+                out.speed = in;
+                out.low = -std::min(least, haul);
+            } else {
+                out.low = -std::min((tension_ + def_.deadband) * radius_, haul);
+                out.high = -std::min(least, haul);
+            }
+            break;
+        default:
+            out.low = out.high = 0.0;
+    }
+    if (full()) out.speed = std::max(out.speed, 0.0);
+    if (clutch_ < 0.5 || parted_ != 0) out.low = out.high = out.speed = 0.0;
+}
+
+WinchSystem::Orders WinchSystem::orders() noexcept {
+    Orders out;
+    order_motor(out);
+    const double slips = std::isnan(def_.brake_dynamic) ? def_.brake_static : def_.brake_dynamic;
+    out.back = band_ratio(def_.band_friction, def_.band_angle);
+    const WinchMode m = mode();
+    if (parted_ != 0 || m == WinchMode::brake || (m == WinchMode::release && released_ == 0))
+        out.hold = brake_ * (slipping_ != 0 ? slips : def_.brake_static);
+    else if (m == WinchMode::release)
+        out.hold = def_.release_load * radius_;
+    if (empty_ != 0 && parted_ == 0 && !wheel_) {  // the fastening holds: no further out, but in
+        out.hold = kUnbounded;
+        out.back = 0.0;
+    }
+    const double speed = radius_ * omega_;
+    WinchState state = speed > kStands    ? WinchState::paying
+                       : speed < -kStands ? WinchState::hauling
+                                          : WinchState::standing;
+    const bool asks_out = m == WinchMode::speed && speed_ > 0.0;
+    const bool asks_in =
+        (m == WinchMode::speed && speed_ < 0.0) || (m == WinchMode::tension && speed <= kStands);
+    if (asks_out && wraps_ <= def_.dead_wraps) state = WinchState::last_wraps;
+    if (asks_in && full()) state = WinchState::full;
+    if (slipping_ != 0) state = WinchState::slipping;
+    if (wheel_ && chain_.jumps()) state = WinchState::jumping;
+    if (m == WinchMode::release)
+        state = released_ != 0 ? WinchState::released : WinchState::waiting;
+    if (empty_ != 0) state = WinchState::empty;
+    if (parted_ != 0) state = WinchState::parted;
+    state_ = static_cast<double>(state);
+    return out;
+}
+
+void WinchSystem::give(Prestep& now, const Orders& o) noexcept {
+    const auto set = [&](InputId id, double& last, double value) {
+        if (value != last) now.set_input(id, value);
+        last = value;
+    };
+    set(inputs_.speed, set_.speed, o.speed);
+    set(inputs_.low, set_.low, o.low);
+    set(inputs_.high, set_.high, o.high);
+    set(inputs_.hold, set_.hold, o.hold);
+    set(inputs_.back, set_.back, o.back);
+}
+
+void WinchSystem::turn_along(const Prestep& now, Loads& loads) noexcept {
+    const bool engaged = clutch_ >= 0.5;
+    double added = wound_inertia();
+    if (engaged) added += def_.motor_inertia;
+    if (engaged && engaged_ == 0)  // what stood is taken along
+        loads.add_force(ids_.drum, {-def_.motor_inertia * omega_ / now.step, 0.0, 0.0});
+    engaged_ = engaged ? 1 : 0;
+    inertia_ = def_.inertia + added;
+    loads.add_mass(ids_.drum, Eigen::Matrix<double, 1, 1>(added));
+}
+
+}  // namespace hawser::wire

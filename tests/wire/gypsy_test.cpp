@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Chain on a gypsy: its radius, when and how far it jumps, its locker and its end.
+#include "wire/gypsy_deck.h"
+
+namespace hawser::test {
+namespace {
+
+constexpr double kPocket = 2.0 * 4.0 * kBar;  // two links of 4 d
+constexpr double kGravity = 9.81;
+
+TEST(Gypsy, PaysOutWholeLinksATurnAtOneRadius) {
+    WinchDef def = windlass();
+    EXPECT_NEAR(2.0 * std::numbers::pi * gypsy_radius(def), 5 * kPocket, 1e-12);
+    def.mode = WinchMode::speed;
+    def.speed = 0.5;
+    ChainDeck d(def);
+    d.run(20.0, 0.5);
+    const double turned = d.drum();
+    EXPECT_GT(turned, 15.0);
+    EXPECT_EQ(d.get("radius"), gypsy_radius(def));
+    EXPECT_EQ(d.get("layer"), 1.0);
+    // Chain and wheel are one, to the compliance of the grip.
+    EXPECT_NEAR(d.jumped(), 0.0, 1e-9);
+    EXPECT_NEAR(d.w.length(d.wire), 40.0 + gypsy_radius(def) * d.chain(), 1e-9);
+    // What has left the locker is what has run out, but for the last step.
+    EXPECT_NEAR(300.0 - d.get("wire_left"),
+                gypsy_radius(def) *
+                    (d.chain() - d.w.velocity(d.ids.chain).linear.x() * d.w.settings().step),
+                1e-9);
+}
+
+TEST(Gypsy, JumpsAtItsLoad) {
+    ChainDeck d(windlass());
+    double most = 0.0;
+    while (d.count(EventKind::chain_jump) == 0 && d.w.time() < 60.0) {
+        most = std::max(most, d.tension());
+        d.step(0.01);
+    }
+    ASSERT_EQ(d.count(EventKind::chain_jump), 1);
+    EXPECT_NEAR(most, 1.2e6, 0.005 * 1.2e6);
+    EXPECT_NEAR(d.w.event_extremes(EventKind::chain_jump).first.value, 1.2e6, 1.0);
+    EXPECT_EQ(d.w.event_extremes(EventKind::chain_jump).first.body, d.ids.drum);
+    EXPECT_EQ(d.drum(), d.w.pose(d.ids.drum).position.x());
+    EXPECT_LT(std::abs(d.drum()), 1e-5);  // the brake holds
+}
+
+TEST(Gypsy, HoldsBelowItsLoad) {
+    ChainDeck d(windlass());
+    while (d.tension() < 1.18e6 && d.w.time() < 60.0) d.step(0.01);
+    d.run(5.0, 0.0);
+    EXPECT_EQ(d.count(EventKind::chain_jump), 0);
+    EXPECT_LT(std::abs(d.jumped()), 1e-8);
+}
+
+/// A weight that pulls with more than the jump load until a pocket is past would go on; the end
+/// that is hauled off slowly lets it fall into the next one each time.
+TEST(Gypsy, JumpsByWholePocketsWithTheWheelStanding) {
+    ChainDeck d(windlass());
+    std::int64_t last = 0;
+    double farthest = 0.0;
+    for (int i = 0; i < 240 * 120; ++i) {
+        d.step(0.02);
+        const double pockets = d.get("jumped") / kPocket;
+        farthest = std::max(farthest, pockets);
+        if (d.state() == WinchState::jumping || d.state() == WinchState::slipping) continue;
+        EXPECT_NEAR(pockets, std::round(pockets), 1e-5) << i;
+        last = std::lround(pockets);
+    }
+    EXPECT_GE(last, 2);
+    EXPECT_LT(std::abs(d.drum()), 1e-5);
+    EXPECT_LE(d.count(EventKind::chain_jump), std::lround(std::ceil(farthest)));
+}
+
+/// Gravity and a fall: the tension at which it jumps has the weight of the fall more.
+TEST(Gypsy, TheFallIntoTheLockerHoldsBack) {
+    WinchDef def = windlass();
+    def.gypsy.locker_fall = 30.0;
+    ChainDeck d(def, kGravity);
+    d.step(0.0);
+    const double tail = def.mass_per_length * kGravity * 30.0;
+    EXPECT_NEAR(d.get("tail"), tail, 1e-9 * tail);
+    double most = 0.0;
+    while (d.count(EventKind::chain_jump) == 0 && d.w.time() < 60.0) {
+        most = std::max(most, d.get("pull"));
+        d.step(0.01);
+    }
+    // `pull` is at the fairlead, half an element's weight above what the wheel feels: both count
+    // alike there.
+    EXPECT_NEAR(most, 1.2e6 + tail, 0.005 * 1.2e6);
+}
+
+/// Free and with nothing outboard but its own weight, chain that is let go gathers speed until what
+/// the heap takes, ρ v², is the rest of the weight (Cayley): v² = g (L − fall).
+TEST(Gypsy, ChainFromTheHeapTakesMomentum) {
+    WinchDef def = windlass();
+    def.mode = WinchMode::speed;
+    def.speed = 4.0;
+    def.gypsy.locker_fall = 5.0;
+    ChainDeck d(def, kGravity);
+    d.run(10.0, 4.0);
+    const double rho = def.mass_per_length;
+    EXPECT_NEAR(d.get("tail"), rho * (kGravity * 5.0 + 16.0), 1e-3 * rho * 16.0);
+    // The motor holds what the outboard part weighs more than that.
+    const double torque = d.w.force(d.ids.motor)[0];
+    EXPECT_NEAR(-torque / gypsy_radius(def), d.get("pull") - d.get("tail"), 0.01 * d.get("pull"));
+}
+
+TEST(Gypsy, BitterEndPartsAtItsLoadOnce) {
+    for (const double link : {0.0, 3e5, 1e7}) {
+        WinchDef def = windlass();
+        def.stored = 2.0;
+        def.brake_static = 2e4;  // it slips, and stops the wheel
+        def.weak_link = link;
+        ChainDeck d(def);
+        d.run(19.0, 0.1);
+        // Slowly: the wheel behind the chain comes to the end with v sqrt(k J/r^2).
+        d.run(20.0, 0.01);
+        EXPECT_EQ(d.count(EventKind::drum_empty), 1) << link;
+        EXPECT_EQ(d.count(EventKind::weak_link), link == 3e5 ? 1 : 0) << link;
+        EXPECT_EQ(d.w.intact(d.ids.line), link == 1e7) << link;
+        EXPECT_EQ(d.state(), link == 1e7 ? WinchState::empty : WinchState::parted) << link;
+        if (link == 3e5) {
+            EXPECT_NEAR(d.w.event_extremes(EventKind::weak_link).first.value, 3e5, 0.02 * 3e5);
+        } else if (link == 1e7) {
+            EXPECT_GT(d.get("wire_left"), -0.01);  // what 1.4 MN stretch behind the wheel
+        }
+    }
+}
+
+TEST(Gypsy, MotorStopsAtTheLockersEnds) {
+    WinchDef def = windlass();
+    def.stored = 20.0;
+    def.mode = WinchMode::speed;
+    def.speed = 0.5;
+    def.dead_wraps = 2.0;
+    ChainDeck out(def);
+    out.run(60.0, 20.0 / 60.0 * (1.0 - 10 * kPocket / 20.0));
+    EXPECT_EQ(out.state(), WinchState::last_wraps);
+    EXPECT_NEAR(out.get("wire_left"), 10 * kPocket, 0.02);
+    def.speed = -0.5;
+    def.gypsy.locker = 25.0;
+    ChainDeck in(def);
+    in.run(10.0, -0.5);
+    in.run(2.0, 0.0);
+    EXPECT_EQ(in.state(), WinchState::full);
+    EXPECT_NEAR(in.get("wire_left"), 25.0, 0.02);
+}
+
+/// State: snapshots within a jump, threads and twins.
+TEST(Gypsy, GoesOnBitForBitFromWithinAJump) {
+    ChainDeck d(windlass());
+    while (d.state() != WinchState::jumping && d.w.time() < 60.0) d.step(0.02);
+    ASSERT_EQ(d.state(), WinchState::jumping);
+    const auto middle = d.w.save();
+    World twin = d.w.twin();
+    d.run(10.0, 0.02);
+    ChainDeck other(windlass());
+    other.w.restore(middle);
+    other.run(10.0, 0.02);
+    EXPECT_EQ(other.w.state_hash(), d.w.state_hash());
+    Twist t;
+    t.linear.z() = -0.02;
+    for (int i = 0; i < 2400; ++i) {
+        twin.set_velocity(d.end, t);
+        ASSERT_EQ(twin.step(), Status::ok);
+    }
+    EXPECT_EQ(twin.state_hash(), d.w.state_hash());
+}
+
+/// What comes in goes somewhere: no energy is made by jumps.
+TEST(Gypsy, JumpsMakeNoEnergy) {
+    ChainDeck d(windlass());
+    d.run(120.0, 0.02);
+    EXPECT_GE(d.count(EventKind::chain_jump), 2);
+    EXPECT_EQ(d.count(EventKind::energy_created), 0);
+    EXPECT_NE(d.w.verdict().grade, Grade::wrong);
+}
+
+TEST(Gypsy, BadDefinitionsAreRefusedWithARemedy) {
+    const auto refused = [](auto&& change) {
+        WinchDef def = windlass();
+        change(def);
+        try {
+            ChainDeck d(def);
+        } catch (const DefError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const auto says = [&](auto&& change, const char* what) {
+        const std::string r = refused(change);
+        EXPECT_NE(r.find(what), std::string::npos) << r << " / " << what;
+    };
+    EXPECT_EQ(refused([](WinchDef&) {}), "");
+    says([](WinchDef& d) { d.gypsy.pockets = 2; }, "3 to 100");
+    says([](WinchDef& d) { d.gypsy.pockets = -5; }, "3 to 100");
+    says([](WinchDef& d) { d.core_radius = 0.5; }, "leave them out");
+    says([](WinchDef& d) { d.gypsy.pitch = 0.1; }, "4 are usual");
+    says([](WinchDef& d) { d.gypsy.jump_load = 0.0; }, "jump_load");
+    says([](WinchDef& d) { d.gypsy.jump_friction = 2e6; }, "above jump_load");
+    says([](WinchDef& d) { d.gypsy.locker_fall = -1.0; }, "locker_fall");
+    says([](WinchDef& d) { d.gypsy.locker = 200.0; }, "its locker holds 200 m");
+    says([](WinchDef& d) { d.gypsy.wrap = 10.0; }, "wrap");
+    says([](WinchDef& d) { d.mass_per_length = 0.0; }, "mass_per_length");
+    says([](WinchDef& d) { d.gypsy.pitch = std::numeric_limits<double>::quiet_NaN(); }, "");
+}
+
+}  // namespace
+}  // namespace hawser::test
