@@ -45,6 +45,9 @@ void case_motor_limits(Report& report);
 void case_rolling_resistance(Report& report);
 // winches.cpp
 void case_winches(Report& report);
+// winches_limits.cpp and winches_joined.cpp; parts of it
+void report_winch_limits(Report& report);
+void report_joined_wires(Report& report);
 // scheme.cpp
 void case_static_violation(Report& report);
 void case_violation_decay(Report& report);

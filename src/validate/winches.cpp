@@ -235,6 +235,7 @@ void case_winches(Report& report) {
     report_constant_tension(report);
     report_release(report);
     report_ends(report);
+    report_winch_limits(report);
 }
 
 }  // namespace hawser::validate
