@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Six winches on one deck, each in a mode of its own, with a weight on its wire."""
+"""Six winches on one deck, each in a mode of its own, with a weight on its wire, and a windlass
+whose chain jumps."""
 
 from scene_writer import write
 
@@ -22,7 +23,52 @@ def lift(name, y, **winch):
                          "brake_static": 6e4, "band_friction": 0.3, "band_angle": 4.7, **winch}
 
 
-def main():
+BAR = 0.076  # Of stud link chain [m].
+CHAIN = {"mass_per_length": round(21.9e3 * BAR ** 2, 3), "EA": round(1.01e11 * BAR ** 2),
+         "diameter": BAR, "link": 4 * BAR, "breaking_load": 4.88e6, "axial_damping": 2,
+         "drag": 100, "submerged_factor": 0.87, "color": "#445566",
+         "description": "Stud link chain of 76 mm, grade R3: 21.9e3 d^2 kg/m, 1.01e11 d^2 N "
+                        "(OrcaFlex documentation), links of 4 d."}
+
+
+def chain_gypsy():
+    """A ship that drifts off on 76 mm chain, until it jumps on its windlass."""
+    links = 12  # an element
+    length = 30 * links * CHAIN["link"]
+    depth, touch = 30.0, 0.5 * BAR
+    write({
+        "name": "chain_gypsy",
+        "description": "A windlass with a gypsy of five pockets pays out 76 mm chain for 20 s, "
+                       "and its brake holds it. The ship drifts off at 0.8 m/s, the chain comes "
+                       "off the bottom and taut, and above 800 kN it jumps on the gypsy, by a "
+                       "pocket of two links at a time.",
+        "settings": {"step": 1 / 240, "duration": 60},
+        "line_types": {"chain76": CHAIN},
+        "materials": {"bed": {}, "chain": {}},
+        "material_pairs": [{"between": ["chain", "bed"], "friction": 0.7, "stiffness": 85187}],
+        "bodies": [
+            {"name": "seabed", "kind": "fixed", "position": [0, 0, -depth],
+             "shapes": [{"kind": "plane", "name": "bed", "material": "bed"}]},
+            {"name": "ship", "kind": "kinematic", "position": [95, 0, 0], "velocity": [0.8, 0, 0],
+             "half_size": [40, 9, 4]}],
+        "cables": [{"name": "chain", "line_type": "chain76", "from": {"body": "ship",
+                                                                     "point": [-40, 0, 4]},
+                    "to": {"at": [-40, 0, -depth + touch]}, "length": round(length, 6),
+                    "elements": 30, "shape": "hanging",
+                    "seabed": {"height": -depth, "friction": 0.7},
+                    "contact": {"radius": touch, "material": "chain"}}],
+        "winches": [{"name": "windlass", "cable": "chain", "stored": 300, "inertia": 2e4,
+                     "gypsy": {"pockets": 5, "jump_load": 8e5, "jump_friction": 3e5,
+                               "locker_fall": 6},
+                     "torque_haul": 3e5, "torque_pay": 3e5, "brake_static": 1e6,
+                     "mode": "speed", "speed": 0.5}],
+        "timeline": [{"at": 20, "set": {"windlass.mode": "brake"}}],
+        "plot": {"tensions": ["chain"], "motions": ["ship"]},
+    })
+
+
+def winch_modes():
+    """One winch in each mode."""
     bodies, cables, winches = zip(
         lift("speed", 0, mode="speed", speed=-0.3),
         lift("tension", 4, mode="tension", tension=1.02 * WEIGHT, max_speed=0.3),
@@ -40,6 +86,11 @@ def main():
         "bodies": list(bodies), "cables": list(cables), "winches": list(winches),
         "plot": {"tensions": [c["name"] for c in cables], "motions": [b["name"] for b in bodies]},
     })
+
+
+def main():
+    winch_modes()
+    chain_gypsy()
 
 
 if __name__ == "__main__":
