@@ -194,7 +194,7 @@ Verifier::Side Verifier::side_of(const World& world, ShapeId shape, const Vec3& 
 double Verifier::natural_map(const World& world, const ContactView& contact) {
     const Vec3 &n = contact.normal, lambda = step_ * contact.force;
     Vec3 u = Vec3::Zero();
-    double mobility = 0.0, speed = 0.0;
+    double mobility = 0.0, speed = 0.0, speeds = 0.0;
     for (int k = 0; k < 2; ++k) {
         const double sign = k == 0 ? -1.0 : 1.0;
         const double to_axis = 0.5 * contact.gap + world.shape_def(contact.shape[k]).radius;
@@ -208,7 +208,9 @@ double Verifier::natural_map(const World& world, const ContactView& contact) {
             const bool turns = def.kind != BodyKind::lump;
             const Vec3 arm = turns ? Vec3(contact.point - pose_[b].position) : Vec3::Zero();
             u += sign * w * (now.linear + now.angular.cross(arm));
-            speed += sign * w * n.dot(before.linear + before.angular.cross(arm));
+            const double along = n.dot(before.linear + before.angular.cross(arm));
+            speed += sign * w * along;
+            speeds += std::abs(along);
             linear_[b] += sign * w * lambda;
             angular_[b] += sign * w * arm.cross(lambda);
             if (!is_free(def.kind)) continue;
@@ -221,7 +223,7 @@ double Verifier::natural_map(const World& world, const ContactView& contact) {
             mobility += w * w * own;
         }
     }
-    check_law(world, contact, mobility, speed);
+    check_law(world, contact, mobility, speed, speeds);
     // ‖λ − P_K(λ − ρ ũ)‖ over the larger of ‖λ‖ and ρ‖q‖.
     const double sn = contact.softness[0], st = contact.softness[1];
     const Vec3 lambda_n = lambda.dot(n) * n;

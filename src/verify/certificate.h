@@ -69,7 +69,9 @@ class Verifier : public Observer {
     [[nodiscard]] Side side_of(const World& world, ShapeId shape, const Vec3& on_axis) const;
     [[nodiscard]] double natural_map(const World& world, const ContactView& contact);
     /// μ, Σ, b along the normal. @param speed  Along the normal, before the step; > 0: apart.
-    void check_law(const World& world, const ContactView& contact, double mobility, double speed);
+    /// @param speeds  Sizes of what that adds up to, for its rounding.
+    void check_law(const World& world, const ContactView& contact, double mobility, double speed,
+                   double speeds);
     /// Of its resistance to rolling and spinning.
     [[nodiscard]] double turn_map(const World& world, const ContactView& contact);
     /// Largest of contacts.
