@@ -167,6 +167,71 @@ TEST(Gypsy, GoesOnBitForBitFromWithinAJump) {
     EXPECT_EQ(twin.state_hash(), d.w.state_hash());
 }
 
+/// A weight on light chain falls by a pocket against the friction of the links: s = a t²/2,
+/// a = (W − F)/(M + m), m the chain on the wheel. The grip takes F s, which counts as driven.
+TEST(Gypsy, FallsByAPocketAgainstItsFriction) {
+    constexpr double kMass = 1e4, kWeight = kMass * kGravity, kFriction = 0.3 * kWeight;
+    World w(WorldDef{.step = 1.0 / 960.0, .gravity = Vec3(0, 0, -kGravity)});
+    const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
+    const BodyId weight = w.add_body({.name = "weight",
+                                      .kind = BodyKind::lump,
+                                      .position = {0, 0, -20.0 * (1.0 + kWeight / 5e8)},
+                                      .mass = kMass});
+    WinchDef def = windlass();
+    def.mass_per_length = 1.0;
+    def.element = 0.0;
+    def.gypsy.jump_load = 0.9 * kWeight;
+    def.gypsy.jump_friction = kFriction;
+    def.wire = w.add_wire({.name = "chain",
+                           .from = deck,
+                           .to = weight,
+                           .elements = 1,
+                           .length = 20.0,
+                           .EA = 5e8,
+                           .mass_per_length = 1.0,
+                           .axial_damping = 2.0});
+    const WinchIds ids = w.add(def);
+    const double r = gypsy_radius(def);
+    const auto way = [&] {
+        return r * (w.pose(ids.chain).position.x() - w.pose(ids.drum).position.x());
+    };
+    double before = 0.0;
+    while (way() < 0.9 * kPocket && w.time() < 2.0) {
+        before = w.energy().driven;
+        ASSERT_EQ(w.step(), Status::ok);
+    }
+    const double reached = way();
+    const double a = (kWeight - kFriction) / (kMass + gypsy_chain_inertia(def) / (r * r));
+    // It begins in the first step, in which the chain gives up the stretch of W − F, 3 mm.
+    EXPECT_NEAR(w.time(), std::sqrt(2.0 * reached / a), 0.02 * w.time());
+    EXPECT_NEAR(before, -kFriction * reached, 0.03 * kFriction * reached);
+    EXPECT_EQ(w.event_extremes(EventKind::chain_jump).count, 1);
+    EXPECT_LT(std::abs(w.pose(ids.drum).position.x()), 1e-5);
+    while (way() < 0.9999 * kPocket && w.time() < 2.0) ASSERT_EQ(w.step(), Status::ok);
+    // It falls into the next pocket. The weight goes on falling, so that the chain comes under more
+    // than it jumps at, and passes that one, too.
+    EXPECT_NEAR(way(), kPocket, 1e-6);
+    ASSERT_EQ(w.step(), Status::ok);
+    EXPECT_EQ(w.event_extremes(EventKind::chain_jump).count, 2);
+    EXPECT_GT(w.event_extremes(EventKind::chain_jump).worst.value, def.gypsy.jump_load);
+    EXPECT_GT(way(), kPocket);
+    EXPECT_EQ(w.event_extremes(EventKind::energy_created).count, 0);
+}
+
+/// Where the fall into the locker is heavier, chain jumps inwards by the same rule.
+TEST(Gypsy, JumpsInwardsWhereTheFallIsHeavier) {
+    WinchDef def = windlass();
+    def.gypsy.jump_load = 5e4;
+    def.gypsy.jump_friction = 1e4;
+    def.gypsy.locker_fall = 60.0;  // 74 kN
+    ChainDeck d(def, kGravity, 1.0 / 240.0, 10.0);
+    d.run(5.0, -0.2);
+    EXPECT_GT(d.count(EventKind::chain_jump), 0);
+    EXPECT_LT(d.get("jumped"), -0.5 * kPocket);
+    EXPECT_GT(d.get("wire_left"), 300.0);
+    EXPECT_LT(std::abs(d.drum()), 1e-5);
+}
+
 /// What comes in goes somewhere: no energy is made by jumps.
 TEST(Gypsy, JumpsMakeNoEnergy) {
     ChainDeck d(windlass());
