@@ -22,9 +22,10 @@
 ///   and returns it. The element ends there from now on, a new one goes on. Mass, momentum, angular
 ///   momentum and energy stay to rounding, under gravity but for the sag that balances its weight,
 ///   and tensions go on. Of an element that a drum pays out `mass` [kg] is to be told, of which no
-///   lump has any: its winch loads both ends with half (WinchDef::element). It stays at the drum,
-///   the new element takes what lies beyond the node, and lumps have half of that. Such a node goes
-///   as others do, whatever it takes along; the drum's winch takes over the new element's mass.
+///   lump has any: its winch loads both ends with half (WinchDef::element). Where a
+///   winch does so only it may. It stays at the drum, the new element takes what lies beyond the
+///   node, and lumps have half of that. Such a node goes as others do, whatever it takes along; the
+///   drum's winch takes over the new element's mass.
 /// - World::remove_node() takes away a lump that two elements hold and nothing else but bends; the
 ///   first goes on to the next node. The same stay, energy at most is lost. It returns false and
 ///   has done nothing where the elements there are at an angle above `bend` [rad], or the lump

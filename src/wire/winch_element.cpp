@@ -17,17 +17,26 @@ constexpr double kOtherLine =
 
 }  // namespace
 
+/// Slot of the element that the first node has. A splice may have turned the wire round since the
+/// winch was made.
+std::size_t WinchSystem::node_slot(const World& world) const noexcept {
+    const InteractionDef& line = world.interaction_def(ids_.line);
+    for (std::size_t slot = 0; slot < 2; ++slot)
+        if (world.body_def(line.body[slot]).kind == BodyKind::lump) return slot;
+    return def_.end == 0 ? 1 : 0;
+}
+
 /// From the fairlead to the first node.
 Vec3 WinchSystem::along_element(const World& world) const noexcept {
     const InteractionDef& line = world.interaction_def(ids_.line);
-    const std::size_t node = node_slot();
+    const std::size_t node = node_slot(world);
     return world.world_point(line.body[node], line.point[node]) -
            world.world_point(line.body[1 - node], line.point[1 - node]);
 }
 
 /// Of the element at the drum, by what acts on its first node beside forces of interactions.
 Vec3 WinchSystem::weight_of_half(const World& world) const noexcept {
-    const BodyDef& node = world.body_def(world.interaction_def(ids_.line).body[node_slot()]);
+    const BodyDef& node = world.body_def(world.interaction_def(ids_.line).body[node_slot(world)]);
     Vec3 each = node.gravity ? world.settings().gravity : Vec3::Zero().eval();
     if (node.kind == BodyKind::lump) each += node.force / node.mass;
     return 0.5 * def_.mass_per_length * std::max(at_drum_, 0.0) * each;
@@ -63,21 +72,22 @@ void WinchSystem::before_step(NodeEdits& nodes) noexcept {
     if (!feeds() || parted_ != 0 || !world.intact(ids_.line)) return;
     const double angle = world.pose(wound()).position.x();
     const double there = at_drum_ + radius_ * (angle - angle_);
+    const bool ahead = node_slot(world) == 1;  // the wire begins at the drum
     if (there > kGrown * def_.element) {
-        const double beyond = def_.element / there, share = def_.end == 0 ? 1.0 - beyond : beyond;
+        const double beyond = def_.element / there, share = ahead ? 1.0 - beyond : beyond;
         const double mass = def_.mass_per_length * there;
         // By the bits that the world takes.
-        const double taken = def_.end == 0 ? 1.0 - share : share;
+        const double taken = ahead ? 1.0 - share : share;
         const bool put = nodes.insert_node(ids_.line, share, mass).valid();
         if (put) at_drum_ -= taken * there;
         // Each step tries again; the first one tells of it.
         crowded_ = !put && at_drum_ <= kGrown * def_.element;
     } else if (there < kShrunk * def_.element) {
-        const BodyId node = world.interaction_def(ids_.line).body[node_slot()];
+        const BodyId node = world.interaction_def(ids_.line).body[node_slot(world)];
         if (world.body_def(node).kind != BodyKind::lump) return;
         const auto elements = world.elements(world.wire_of(ids_.line));
         if (elements.size() < 2) return;
-        const InteractionId next = def_.end == 0 ? elements[1] : elements[elements.size() - 2];
+        const InteractionId next = ahead ? elements[1] : elements[elements.size() - 2];
         if (!world.alive(next) || !world.intact(next)) return;
         const InteractionDef& beyond = world.interaction_def(next);
         const double mass = beyond.get("mass");

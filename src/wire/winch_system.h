@@ -104,7 +104,7 @@ class WinchSystem final : public System {
     [[nodiscard]] Vec3 weight_of_half(const World& world) const noexcept;
     [[nodiscard]] Vec3 along_element(const World& world) const noexcept;
     [[nodiscard]] bool feeds() const noexcept { return def_.element > 0.0; }
-    [[nodiscard]] std::size_t node_slot() const noexcept { return def_.end == 0 ? 1 : 0; }
+    [[nodiscard]] std::size_t node_slot(const World& world) const noexcept;
     [[nodiscard]] WinchMode mode() const noexcept;
     [[nodiscard]] bool full() const noexcept;
 
