@@ -17,6 +17,7 @@
 #include <hawser/math.h>
 #include <hawser/outputs.h>
 #include <hawser/partition.h>
+#include <hawser/resolution.h>
 #include <hawser/row_constants.h>
 #include <hawser/schedule.h>
 #include <hawser/settings.h>

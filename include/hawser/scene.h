@@ -83,6 +83,15 @@ struct Cable {
 };
 
 /// A scene, ready to run.
+/// An input of a scene that sets a signal of a system, such as the speed of a winch. A Session sets
+/// it; a timeline names the signal.
+struct SignalInput {
+    std::string name;
+    std::string signal;              ///< "system.signal".
+    double factor = 1.0;             ///< The signal is the value times this.
+    double min = -1e30, max = 1e30;  ///< Of the value, which is clamped.
+};
+
 struct Scene {
     std::string name;
     std::string description;
@@ -97,6 +106,7 @@ struct Scene {
     double duration = 10.0;  ///< [s].
     World world;
     std::vector<Cable> cables;
+    std::vector<SignalInput> signal_inputs;
     std::vector<Operation> timeline;         ///< By time. A Session does it.
     std::vector<std::string> plot_tensions;  ///< Cables whose tension is worth a curve.
     std::vector<std::string> plot_motions;   ///< Bodies whose motion is worth a curve.

@@ -78,8 +78,11 @@ enum class EventKind : std::uint8_t {
     chain_jump,  ///< Chain jumped by a pocket of its gypsy. value: what it was pulled with [N].
     no_node,     ///< A winch could not put a node on its wire, for want of room; once until it
                  ///< can. value: length of the element at the drum [m].
+    /// A wire would be finer than its limit of nodes lets it (resolution.h); once each time, of a
+    /// node of the element that stays too long. value: its nodes.
+    node_limit,
 };
-inline constexpr int kEventKindCount = 22;
+inline constexpr int kEventKindCount = 23;
 [[nodiscard]] const char* to_string(EventKind kind) noexcept;
 
 struct Event {
@@ -171,7 +174,12 @@ struct Degradation {
     /// Interfaces, a bit each, whose cuts of Coupling::deadline were compliant. An interface is a
     /// pair of groups; pairs count in the order of their groups, those beyond 63 as one.
     std::uint64_t cuts = 0;
-    [[nodiscard]] bool any() const noexcept { return iterations > 0 || cuts != 0; }
+    /// Level by which wires were coarser (resolution.h): lengths of elements times 1.5 to its
+    /// power.
+    std::int32_t wires = 0;
+    /// Whether the step was solved less than whole.
+    [[nodiscard]] bool of_solve() const noexcept { return iterations > 0 || cuts != 0; }
+    [[nodiscard]] bool any() const noexcept { return of_solve() || wires > 0; }
     friend bool operator==(const Degradation&, const Degradation&) = default;
 };
 

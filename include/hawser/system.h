@@ -328,6 +328,8 @@ class System {
         static_cast<void>(element);
         return 0.0;
     }
+    /// Whether a higher level of World::coarsening() would have it leave out more.
+    [[nodiscard]] virtual bool coarsens() const noexcept { return false; }
     /// Another one with the same definition, for World::twin(), which then copies the state; null:
     /// a world with this system has no twin.
     [[nodiscard]] virtual std::unique_ptr<System> clone() const { return nullptr; }

@@ -152,6 +152,7 @@ class World {
     /// StepStats::degradation reported. Nothing (the default) takes it back. Iterations below 0
     /// count as 0.
     void degrade_next_step(const Degradation& degradation) noexcept;
+    [[nodiscard]] int coarsening() const noexcept;  ///< Degradation::wires of the step to come.
     /// FNV-1a 64 over poses, velocities, multipliers, time, inputs, and the name of the
     /// instruction set in use. Equal for any number of threads and after save/restore.
     [[nodiscard]] std::uint64_t state_hash() const noexcept;
@@ -227,8 +228,7 @@ class World {
     void wake(BodyId id);
     /// World position of a point given in the body's frame, from its centre of mass [m].
     [[nodiscard]] Vec3 world_point(BodyId id, const Vec3& local) const;
-    /// The other way: a point of the world in the frame of a body [m].
-    [[nodiscard]] Vec3 local_point(BodyId id, const Vec3& point) const;
+    [[nodiscard]] Vec3 local_point(BodyId id, const Vec3& point) const;  ///< The other way [m].
 
     // --- Interactions -----------------------------------------------------------------------
     [[nodiscard]] int interaction_count() const noexcept;  ///< Places, as body_count().
@@ -249,10 +249,8 @@ class World {
     [[nodiscard]] double motor_force(InteractionId id) const;
     /// Violation g of each row at the current poses [m or rad]; 0 for velocity rows.
     [[nodiscard]] std::array<double, kMaxInteractionRows> violation(InteractionId id) const;
-    /// Its rows at the present poses and velocities, see inspect.h.
-    [[nodiscard]] RowsView rows(InteractionId id) const;
-    /// False once a stretch element has parted.
-    [[nodiscard]] bool intact(InteractionId id) const;
+    [[nodiscard]] RowsView rows(InteractionId id) const;  ///< At the present poses, see inspect.h.
+    [[nodiscard]] bool intact(InteractionId id) const;    ///< False once an element has parted.
     /// Whether the last step solved the rows of a rigid joint or rod where the step ends
     /// (docs/methods.md, 2); else it linearised them once, as all other rows.
     [[nodiscard]] bool completed(InteractionId id) const;
@@ -350,16 +348,17 @@ class World {
     /// Contact points of the last step, ascending by their shapes, those that sleep last; those
     /// that are near without touching included. Empty before the first step and after restore().
     [[nodiscard]] std::vector<ContactView> contacts() const;
-    /// In the caller's memory instead; what it held goes.
-    void contacts(std::vector<ContactView>& out) const;
+    void contacts(std::vector<ContactView>& out) const;  ///< In the caller's memory instead.
+    /// 1 at places of bodies between which a segment touched something then, or was near it
+    /// (contact_margin); also known after restore(). What `out` held goes. @throws std::bad_alloc.
+    void touching(std::vector<std::uint8_t>& out) const;
 
     // --- Save and restore -------------------------------------------------------------------
     /// The whole dynamic state, warm start included. Restoring it in a world built from the
     /// same definitions continues bit for bit. Parameters are not part of it, apart from those
     /// that inputs drive.
     [[nodiscard]] std::vector<std::byte> save() const;
-    /// In the caller's memory instead; what it held goes.
-    void save(std::vector<std::byte>& out) const;
+    void save(std::vector<std::byte>& out) const;  ///< In the caller's memory; what it held goes.
     /// The same without the states of systems, for a world without these systems.
     [[nodiscard]] std::vector<std::byte> save_motion() const;
     /// @throws std::bad_alloc, LimitError; DefError when the bytes are damaged or belong to another

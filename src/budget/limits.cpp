@@ -62,8 +62,11 @@ void begin_budget(StepContext& ctx) noexcept {
                   .most = 0,
                   .foreseen = 0.0,
                   .imposed = ctx.state.imposed};
+    ctx.work.stats.degradation.wires =
+        ctx.state.imposed.any() ? ctx.state.imposed.wires : ctx.work.limits.coarsening.level();
+    if (ctx.work.limits.coarsening.comes_first() && !ctx.state.imposed.any()) limits.seconds = 0.0;
     // Impacts are not limited. Ending a solve takes one factorisation; 0 is no limit.
-    if (ctx.model.def.budget_work > 0.0)
+    if (ctx.model.def.budget_work > 0.0 && !ctx.work.limits.coarsening.comes_first())
         limits.work = std::max(
             1.0, ctx.model.def.budget_work - static_cast<double>(ctx.work.stats.factor_flops));
     ctx.work.limits.budget.begin(limits, {});
@@ -84,6 +87,24 @@ void begin_budget(StepContext& ctx) noexcept {
         limits, {ctx.work.limits.laps.start, static_cast<double>(ctx.work.solve.step_flops)});
 }
 
+namespace {
+
+/// What the step would have taken as a whole, over what it may; 0: it has no budget.
+double demand_of(const StepContext& ctx) noexcept {
+    const WorldDef& def = ctx.model.def;
+    const StepStats& s = ctx.work.stats;
+    double demand = 0.0;
+    if (def.budget > 0.0)
+        demand = std::max(s.solver_cpu_seconds, s.foreseen_seconds) / (kAim * def.budget);
+    if (def.budget_work > 0.0)
+        demand =
+            std::max(demand, (s.cut ? 1.01 : 1.0) * static_cast<double>(ctx.work.solve.step_flops) /
+                                 def.budget_work);
+    return demand;
+}
+
+}  // namespace
+
 void end_budget(StepContext& ctx) noexcept {
     StepStats& s = ctx.work.stats;
     ctx.work.limits.laps.analysed =
@@ -99,9 +120,12 @@ void end_budget(StepContext& ctx) noexcept {
         s.degraded_by = ctx.work.limits.budget.cause();
         s.foreseen_seconds = ctx.work.limits.budget.foreseen();
         ctx.work.limits.deadline.refused();
-    } else if (s.degradation.iterations > 0 || s.compliant != 0) {
+    } else if (s.degradation.iterations > 0 || s.compliant != 0 || s.degradation.wires > 0) {
         s.degraded_by = ctx.state.imposed.any() ? DegradedBy::order : DegradedBy::prediction;
     }
+    if (const double demand = demand_of(ctx);
+        demand > 0.0 && !ctx.work.limits.laps.analysed && !ctx.state.imposed.any())
+        ctx.work.limits.coarsening.learn(demand);
     ctx.work.limits.budget.end();  // a trial step is not limited
 }
 

@@ -12,6 +12,7 @@
 #include "collide/collider.h"
 #include "context/actors.h"
 #include "context/budget.h"
+#include "context/coarsening.h"
 #include "context/completion_data.h"
 #include "context/cut_levels.h"
 #include "context/cuts_data.h"
@@ -127,6 +128,7 @@ struct LimitWork {
     Budget budget;
     Deadline deadline;
     CutLevels cut_levels;
+    Coarsening coarsening;
     Laps laps;                  ///< Of the step being taken, where a budget asks for time.
     std::int64_t analyses = 0;  ///< StepStats::plans and repairs when the solver began.
     bool knew_levels = false;   ///< Levels of cuts had been looked for by then.

@@ -45,8 +45,9 @@ enum class ChangeKind : std::uint8_t {
     detach,
     release,
     rebuild,
+    degrade_wires,
 };
-inline constexpr int kChangeKindCount = 30;
+inline constexpr int kChangeKindCount = 31;
 
 template <class D, class T>
 concept FieldsOf = std::same_as<std::remove_const_t<D>, T>;

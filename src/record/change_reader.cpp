@@ -109,14 +109,16 @@ void apply_one(ChangeKind kind, ByteReader& in, World& world) {
         return apply_grouping(kind, get, world);
     if (kind >= ChangeKind::part && kind < ChangeKind::rebuild)
         return apply_wire_change(kind, get, world);
+    const bool degrades = kind == ChangeKind::degrade || kind == ChangeKind::degrade_wires;
     if (kind == ChangeKind::set_input) {
         const auto id = get.value<InputId>();
         world.set_input(id, get.value<double>());
-    } else if (kind == ChangeKind::degrade) {
+    } else if (degrades) {
         Degradation d;
         get(d.iterations);
         get(d.hasty);
         get(d.cuts);
+        if (kind == ChangeKind::degrade_wires) get(d.wires);
         world.degrade_next_step(d);
     } else if (kind == ChangeKind::rebuild) {
         const auto made_of = get.definition<Structure>();

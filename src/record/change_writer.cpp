@@ -155,10 +155,11 @@ void ChangeBytes::set_coupling(InteractionId id, Coupling coupling) noexcept {
 }
 void ChangeBytes::degraded(const Degradation& d) noexcept {
     write([&](PutFields& put) {
-        begin(put, ChangeKind::degrade);
+        begin(put, d.wires > 0 ? ChangeKind::degrade_wires : ChangeKind::degrade);
         put(d.iterations);
         put(d.hasty);
         put(d.cuts);
+        if (d.wires > 0) put(d.wires);
     });
 }
 void ChangeBytes::parted(InteractionId id) noexcept {

@@ -188,8 +188,9 @@ void Recording::read_cut(ByteReader in) {
         cut.foreseen = get_finite(in);
         cut.left_out.cuts = in.get<std::uint64_t>();
     }
+    if (in.left() > 0) cut.left_out.wires = in.get<std::int32_t>();  // nor these
     in.expect_end();
-    if (!cut.left_out.any() || cut.left_out.iterations < 0 ||
+    if (!cut.left_out.any() || cut.left_out.iterations < 0 || cut.left_out.wires < 0 ||
         (!cuts.empty() && cut.step <= cuts.back().step))
         throw BadBytes("cuts are not in the order of time");
     cuts.push_back(cut);

@@ -219,6 +219,7 @@ void RecordingWriter::add_cut(const RecordedCut& cut) {
     payload_.put(static_cast<std::uint8_t>(cut.cause));
     payload_.put(cut.foreseen);
     payload_.put(cut.left_out.cuts);
+    payload_.put(cut.left_out.wires);
     write_chunk(kCutChunk);
 }
 

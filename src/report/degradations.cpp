@@ -18,6 +18,7 @@ void extend(DegradedSpan& span, const StepStats& s) {
     span.end = s.time;
     const std::int32_t made = s.degradation.iterations;
     if (made > 0) span.iterations = span.iterations > 0 ? std::min(span.iterations, made) : made;
+    span.wires = std::max(span.wires, s.degradation.wires);
     span.interfaces = std::max(span.interfaces, std::popcount(s.compliant));
     if (s.compliant != 0) {
         span.momentum_defect = std::max(span.momentum_defect, s.momentum_defect);
@@ -31,9 +32,10 @@ void extend(DegradedSpan& span, const StepStats& s) {
 
 void Degradations::after_step(const StepStats& s) {
     // What is asked for and held shut by contacts is exact.
-    if (s.degradation.iterations == 0 && s.compliant == 0) return;
+    if (s.degradation.iterations == 0 && s.compliant == 0 && s.degradation.wires == 0) return;
     const bool goes_on = all.steps > 0 && all.last == s.step - 1;
     extend(all, s);
+    if (s.degradation.wires > 0) extend(wires, s);
     if (s.degradation.iterations > 0) extend(friction, s);
     if (s.compliant != 0) extend(coupling, s);
     ++by_cause[static_cast<std::size_t>(s.degraded_by)];

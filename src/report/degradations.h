@@ -17,6 +17,7 @@ struct DegradedSpan {
     std::int64_t first = 0, last = 0;        ///< Counted as StepStats::step is.
     double begin = 0.0, end = 0.0;           ///< Of the first, and of the last [s].
     std::int32_t iterations = 0;             ///< Fewest where they were limited; 0: nowhere.
+    std::int32_t wires = 0;                  ///< Highest level by which wires were coarser.
     int interfaces = 0;                      ///< Most that were coupled compliantly.
     double momentum_defect = 0.0;            ///< Largest StepStats::momentum_defect.
     double cut_defect = 0.0;                 ///< Largest StepStats::cut_defect [N s].
@@ -26,7 +27,8 @@ struct DegradedSpan {
 };
 
 struct Degradations {
-    DegradedSpan all, friction, coupling;  ///< The levels: one step may be of both.
+    /// The levels in the order in which they are taken: one step may be of several.
+    DegradedSpan all, wires, friction, coupling;
     std::array<std::int64_t, kDegradedByCount> by_cause{};
     std::vector<DegradedSpan>
         list;                ///< Without a gap, in the order of time, the first kListedSpans.

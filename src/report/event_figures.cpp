@@ -35,6 +35,7 @@ int rank_of(EventKind kind) {
         case EventKind::join:
         case EventKind::detach:
         case EventKind::no_node:
+        case EventKind::node_limit:
             return 2;
         case EventKind::range:
             return 3;
@@ -84,6 +85,7 @@ const char* unit_of(const World& world, const Event& event) {
         case EventKind::cable_law:
         case EventKind::uncertified:
         case EventKind::layer:
+        case EventKind::node_limit:
             break;
     }
     return "";
@@ -142,6 +144,8 @@ std::string what_happened(const EventFigures& e) {
             return "chain jumped on its gypsy " + plural(e.count, "time", "times");
         case EventKind::no_node:
             return "winches found no room for a node " + plural(e.count, "time", "times");
+        case EventKind::node_limit:
+            return "wires had all the nodes that they may " + plural(e.count, "time", "times");
     }
     return "";
 }

@@ -88,11 +88,11 @@ void degradations(Out out, const Summary& s) {
     if (d.all.steps == 0) return;
     const auto by = [&](DegradedBy cause) { return d.by_cause[static_cast<std::size_t>(cause)]; };
     fmt::format_to(out,
-                   "  degraded     {} of {} steps, {} times, {:.6g} s to {:.6g} s: friction {}, "
-                   "coupling {}; by prediction {}, clock {}, work {}",
-                   d.all.steps, s.steps, d.spans, d.all.begin, d.all.end, d.friction.steps,
-                   d.coupling.steps, by(DegradedBy::prediction), by(DegradedBy::clock),
-                   by(DegradedBy::work));
+                   "  degraded     {} of {} steps, {} times, {:.6g} s to {:.6g} s: wires {}, "
+                   "friction {}, coupling {}; by prediction {}, clock {}, work {}",
+                   d.all.steps, s.steps, d.spans, d.all.begin, d.all.end, d.wires.steps,
+                   d.friction.steps, d.coupling.steps, by(DegradedBy::prediction),
+                   by(DegradedBy::clock), by(DegradedBy::work));
     if (d.all.foreseen > 0.0)
         fmt::format_to(out, "; another iteration would have ended by {:.4g} ms",
                        1e3 * d.all.foreseen);

@@ -56,6 +56,7 @@ Json degraded_span(const DegradedSpan& d) {
             {"last_step", d.last},
             {"time", {{"start", d.begin}, {"end", d.end}}},
             {"iterations", d.iterations > 0 ? Json(d.iterations) : Json()},
+            {"wires", d.wires},
             {"interfaces", d.interfaces},
             {"momentum_defect_max", d.momentum_defect},
             {"cut_defect_max", d.cut_defect},
@@ -72,6 +73,7 @@ Json degradations(const Summary& s) {
     for (const DegradedSpan& span : d.list) list.push_back(degraded_span(span));
     return {{"steps", d.all.steps},
             {"causes", causes},
+            {"wires", degraded_span(d.wires)},
             {"friction", degraded_span(d.friction)},
             {"coupling", degraded_span(d.coupling)},
             {"spans", d.spans},

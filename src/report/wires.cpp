@@ -16,7 +16,6 @@ namespace hawser::report {
 namespace {
 
 constexpr std::size_t kShares = 20, kMostParted = 100, kShownWires = 20, kShownParted = 8;
-constexpr int kLookEvery = 32;  // Steps.
 
 void follow(Course& course, double now, bool first) {
     if (first) course = {now, now, now, now};
@@ -65,13 +64,37 @@ void WireWatch::look(const World& world, Watched& w, bool first) {
     w.elements.assign(elements.begin(), elements.end());
     w.share.assign(elements.size(), -1);
     const auto n = static_cast<double>(w.figures.along.size());
-    double s = 0.0;
+    double s = 0.0, shortest = HUGE_VAL, longest = 0.0, mass = 0.0;
     for (std::size_t i = 0; i < elements.size(); ++i) {
         if (!world.alive(elements[i])) continue;
         const double rest = record::rest_length(world, elements[i]);
         const double middle = n * (s + 0.5 * rest) / std::max(length, 1e-300);
         w.share[i] = static_cast<std::int32_t>(std::clamp(middle, 0.0, n - 1.0));
         s += rest;
+        shortest = std::min(shortest, rest);
+        longest = std::max(longest, rest);
+        const InteractionDef& d = world.interaction_def(elements[i]);
+        if (!kind_info(d.kind).is(kWoundUp)) mass += std::max(0.0, d.get("mass"));
+    }
+    if (longest == 0.0) shortest = 0.0;
+    follow(w.figures.shortest, shortest, first);
+    follow(w.figures.longest, longest, first);
+    follow(w.figures.mass, mass, first);
+}
+
+/// How fine wires are now. Every other of the times goes where there would be too many.
+void WireWatch::note_times(const World& world) {
+    for (Watched& w : wires_) {
+        if (!world.alive(w.id)) continue;
+        WireFigures& f = w.figures;
+        f.times.push_back({world.time(), f.nodes.now, f.shortest.now, f.longest.now});
+    }
+    if (wires_.empty() || wires_.front().figures.times.size() < kMostTimes) return;
+    noted_every_ *= 2;
+    for (Watched& w : wires_) {
+        std::vector<Resolved>& times = w.figures.times;
+        for (std::size_t k = 0; 2 * k < times.size(); ++k) times[k] = times[2 * k];
+        times.resize((times.size() + 1) / 2);
     }
 }
 
@@ -93,7 +116,8 @@ void WireWatch::after_step(const World& world, std::span<const Event> events) {
         if (event.kind != EventKind::line_break || parted_.size() >= kMostParted) continue;
         if (world.alive(event.interaction)) parted_.push_back(parted_wire(world, event));
     }
-    const bool due = steps_++ % kLookEvery == 0;
+    const bool due = steps_ % kLookEvery == 0, noted = steps_ % noted_every_ == 0;
+    ++steps_;
     for (Watched& w : wires_) {
         if (!world.alive(w.id)) continue;
         const auto elements = world.elements(w.id);
@@ -112,6 +136,7 @@ void WireWatch::after_step(const World& world, std::span<const Event> events) {
             ++w.counted[k];
         }
     }
+    if (noted) note_times(world);
 }
 
 std::vector<WireFigures> WireWatch::result(const World& world) const {
@@ -152,9 +177,12 @@ std::string wires_in_words(const std::vector<WireFigures>& wires,
         const bool changes =
             w.nodes.least != w.nodes.most || w.length.most - w.length.least > 1e-9 * w.length.most;
         if ((!changes && w.parted.empty()) || ++shown > kShownWires) continue;
-        fmt::format_to(out, "  {:<11}  {}: nodes {}, unstretched length {}\n",
+        fmt::format_to(out, "  {:<11}  {}: nodes {}, elements {} to {}, unstretched length {}",
                        shown == 1 ? "wires" : "", record::name_in_quotes(w.name),
-                       count_from_to(w.nodes), from_to(w.length, "m"));
+                       count_from_to(w.nodes), record::with_unit(w.shortest.least, "m"),
+                       record::with_unit(w.longest.most, "m"), from_to(w.length, "m"));
+        if (w.mass.most > 0.0) fmt::format_to(out, ", material {}", from_to(w.mass, "kg"));
+        fmt::format_to(out, "\n");
     }
     if (shown > kShownWires)
         fmt::format_to(out, "  {:<11}  and {} more (see --summary)\n", "", shown - kShownWires);

@@ -34,10 +34,20 @@ struct Course {
     double start = 0.0, now = 0.0, least = 0.0, most = 0.0;
 };
 
+/// How fine a wire was at a time.
+struct Resolved {
+    double time = 0.0;                     ///< [s]
+    double nodes = 0.0;                    ///< As WireFigures has them.
+    double shortest = 0.0, longest = 0.0;  ///< Element, unstretched [m].
+};
+
 struct WireFigures {
     std::string name;
-    Course nodes;                      ///< That there are, the bodies that hold it included.
-    Course length;                     ///< Unstretched [m].
+    Course nodes;              ///< That there are, the bodies that hold it included.
+    Course length;             ///< Unstretched [m].
+    Course shortest, longest;  ///< Element, unstretched [m].
+    Course mass;               ///< Of the material of its elements, those at drums left out [kg].
+    std::vector<Resolved> times;       ///< At even times, up to kMostTimes of them.
     std::vector<TensionAlong> along;   ///< In equal shares of its length, from the first end on.
     std::vector<PartedWire> parted{};  ///< The first ones, in order.
 };
@@ -47,6 +57,8 @@ struct WireFigures {
 /// went.
 class WireWatch {
   public:
+    static constexpr int kLookEvery = 32;          ///< Steps.
+    static constexpr std::size_t kMostTimes = 64;  ///< Half of them go where there are more.
     explicit WireWatch(const World& world);
     /// Call after each step with the events of that step.
     void after_step(const World& world, std::span<const Event> events);
@@ -64,10 +76,12 @@ class WireWatch {
         std::vector<std::size_t> counted{};     ///< Number of tensions in that sum.
     };
     static void look(const World& world, Watched& w, bool first);
+    void note_times(const World& world);
 
     std::vector<Watched> wires_;
     std::vector<PartedWire> parted_;
     int steps_ = 0;
+    int noted_every_ = kLookEvery;  ///< Steps.
 };
 
 /// The lines of a report about them.

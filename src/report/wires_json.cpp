@@ -34,9 +34,22 @@ Json wires_json(const std::vector<WireFigures>& wires) {
             mean.push_back(t.mean);
             greatest.push_back(t.greatest);
         }
+        Json time = Json::array(), nodes = Json::array(), shortest = Json::array(),
+             longest = Json::array();
+        for (const Resolved& r : w.times) {
+            time.push_back(r.time);
+            nodes.push_back(r.nodes);
+            shortest.push_back(r.shortest);
+            longest.push_back(r.longest);
+        }
         out[w.name] = {
             {"nodes", course(w.nodes)},
             {"length", course(w.length)},
+            {"shortest", course(w.shortest)},
+            {"longest", course(w.longest)},
+            {"mass", course(w.mass)},
+            {"resolution",
+             {{"time", time}, {"nodes", nodes}, {"shortest", shortest}, {"longest", longest}}},
             {"parted", parted_json(w.parted)},
             {"tension_along", {{"least", least}, {"mean", mean}, {"greatest", greatest}}}};
     }

@@ -79,4 +79,8 @@ struct CableLayout {
     }
 };
 
+/// "resolution" of a cable that has been laid out (resolutions.cpp). @throws SceneError.
+void read_resolution(Description& out, const CableLayout& cable, const Json& json,
+                     const Place& cable_place);
+
 }  // namespace hawser::scene

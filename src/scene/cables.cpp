@@ -286,6 +286,7 @@ void expand_cable(Description& out, const Scope& scope, const Scope& to_scope, c
                   const Document& document, const Place& place) {
     const CableLayout layout = lay_out_cable(out, scope, to_scope, cable, document, place);
     Builder(out, layout, place).build();
+    read_resolution(out, layout, cable, place);
 }
 
 }  // namespace hawser::scene

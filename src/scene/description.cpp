@@ -80,6 +80,17 @@ void Description::add_input(InputDef def, int place) {
     input_at_.push_back(static_cast<std::size_t>(place));
 }
 
+void Description::add_lever(SignalInput input, int place) {
+    const Place& at = places_[static_cast<std::size_t>(place)];
+    if (const auto other = input_names_.find(input.name); other != input_names_.end())
+        refuse_taken("the input", input.name, at,
+                     input_place(static_cast<std::size_t>(other->second)));
+    for (std::size_t i = 0; i < levers.size(); ++i)
+        if (levers[i].input.name == input.name)
+            refuse_taken("the input", input.name, at, lever_place(i));
+    levers.push_back({std::move(input), place});
+}
+
 void Description::add_output(OutputDef def, int place) {
     const auto index = static_cast<std::int32_t>(outputs.size());
     const auto [entry, added] = output_names_.emplace(def.name, index);

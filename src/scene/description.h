@@ -4,6 +4,8 @@
 /// A scene as flat lists of definitions, before it becomes a world. Bodies and interactions
 /// refer to one another by their index here, which is also their index in the world.
 
+#include <hawser/resolution.h>
+
 #include "scene/document.h"
 
 #include <cstdint>
@@ -38,6 +40,19 @@ struct Winch {
     int place = 0;
 };
 
+/// A cable's resolution before there is a world.
+struct Resolution {
+    ResolutionDef def;
+    std::string cable;
+    int place = 0;
+};
+
+/// An input of a signal.
+struct Lever {
+    SignalInput input;
+    int place = 0;
+};
+
 class Description {
   public:
     WorldDef settings;
@@ -55,6 +70,8 @@ class Description {
     std::vector<OutputDef> outputs;
     std::vector<Cable> cables;
     std::vector<Winch> winches;
+    std::vector<Resolution> resolutions;
+    std::vector<Lever> levers;
     std::vector<MaterialDef> materials;  ///< Material i of the list is i + 1 of the world.
     std::vector<MaterialPairDef> material_pairs;
     std::vector<ShapeDef> shapes;
@@ -70,6 +87,12 @@ class Description {
     [[nodiscard]] const Place& winch_place(std::size_t i) const {
         return places_[static_cast<std::size_t>(winches[i].place)];
     }
+    [[nodiscard]] const Place& resolution_place(std::size_t i) const {
+        return places_[static_cast<std::size_t>(resolutions[i].place)];
+    }
+    [[nodiscard]] const Place& lever_place(std::size_t i) const {
+        return places_[static_cast<std::size_t>(levers[i].place)];
+    }
     [[nodiscard]] const Place& shape_place(std::size_t i) const { return places_[shape_at_[i]]; }
 
     void add_shape(ShapeDef def, int place);
@@ -83,6 +106,7 @@ class Description {
     BodyId add_body(BodyDef def, int place);
     InteractionId add_interaction(InteractionDef def, int place);
     void add_input(InputDef def, int place);
+    void add_lever(SignalInput input, int place);
     void add_output(OutputDef def, int place);
     void add_cable(Cable cable, const Place& place);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/format.h"
+#include "scene/resolutions.h"
 #include "scene/winches.h"
 
 namespace hawser::scene {
@@ -50,6 +51,22 @@ ShapePtr section_of_cable(const ShapePtr& line) {
          {"length", positive("a length", kMostLength), true, "", "m", "Unstretched length."},
          {"elements", integer("a number of elements", 1, static_cast<double>(kMaxElements)), true,
           "", "", "Number of its elements, which are equal."}});
+}
+
+ShapePtr resolution_shape() {
+    std::vector<Field> fields;
+    for (const ResolutionNumber& n : resolution_numbers())
+        fields.push_back(
+            {n.key, number("a number", n.least, n.most), false, n.fallback, n.unit, n.doc});
+    for (const ResolutionCount& n : resolution_counts())
+        fields.push_back(
+            {n.key, integer("a number", n.least, n.most), false, n.fallback, "", n.doc});
+    fields.push_back({"description", text("a text"), false, "", "", "Remarks."});
+    return object(
+        "cable_resolution", "a resolution",
+        "Nodes of a cable come and go as tension, curvature and contact ask for them. Its "
+        "signals are CABLE/resolution.nodes and so on.",
+        std::move(fields));
 }
 
 }  // namespace
@@ -116,6 +133,9 @@ ShapePtr cable_shape() {
          {"tension_only", boolean("true or false"), false, "true", "", "False: it also pushes."},
          {"consistent_mass", boolean("true or false"), false, "false", "",
           "True: an element between two lumps moves as a straight piece, with its mass along it."},
+         {"resolution", resolution_shape(), false, "its elements stay as they are", "",
+          "Limits within which its elements become longer and shorter; it needs "
+          "\"consistent_mass\"."},
          {"groups", list("a list of groups", group(), 1, 100), false, "[\"\"]", "",
           "Groups of its nodes or links, which are shared out evenly from the first end on."},
          {"winch", drum_of_cable(), false, "", "", "Drum that pays it out."},

@@ -99,6 +99,10 @@ ShapePtr input_shape() {
         {"interaction", text("an interaction name"), false, "", "",
          "Interaction whose parameter it sets …"},
         {"param", text("a parameter"), false, "", "", "… and the parameter; or …"},
+        {"signal", text("a signal"), false, "", "",
+         "… signal of a winch, by its full name, \"NAME.speed\" …"},
+        {"factor", number("a factor", -1e12, 1e12), false, "1", "1",
+         "… which gets the value times this; or …"},
         {"body", text("a body name"), false, "", "",
          "… body that its force acts on, beside other forces …"},
         {"component",
@@ -118,7 +122,15 @@ ShapePtr input_shape() {
                    {"interaction", "component"},
                    {"interaction", "local"},
                    {"param", "body"},
-                   {"param", "component"}});
+                   {"param", "component"},
+                   {"signal", "interaction"},
+                   {"signal", "param"},
+                   {"signal", "body"},
+                   {"signal", "component"},
+                   {"signal", "local"},
+                   {"signal", "spring"},
+                   {"factor", "interaction"},
+                   {"factor", "body"}});
 }
 
 ShapePtr output_shape() {

@@ -89,6 +89,18 @@ InputDef read_input(Description& out, const Scope& scope, const Json& json, cons
     return def;
 }
 
+/// An input of a signal, which is there once the world is.
+SignalInput read_lever(const Scope& scope, const Json& json, const Place& place) {
+    SignalInput out;
+    out.name = scope.prefix + json["name"].get<std::string>();
+    out.signal = json["signal"].get<std::string>();
+    out.factor = number_or(json, "factor", out.factor);
+    out.min = number_or(json, "min", out.min);
+    out.max = number_or(json, "max", out.max);
+    if (out.min > out.max) refuse(place / "min", "must not be greater than \"max\"");
+    return out;
+}
+
 }  // namespace
 
 void expand_inputs(Description& out, const Scope& scope) {
@@ -102,6 +114,10 @@ void expand_inputs(Description& out, const Scope& scope) {
         }
         const Place place = scope.place / "inputs" / i;
         (void)attempt(out.mistakes, [&] {
+            if ((*list)[i].contains("signal")) {
+                out.add_lever(read_lever(scope, (*list)[i], place), out.keep(place));
+                return;
+            }
             InputDef def = read_input(out, scope, (*list)[i], place);
             out.add_input(std::move(def), out.keep(place));
         });

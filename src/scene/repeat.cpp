@@ -12,7 +12,7 @@ namespace {
 
 /// What of the description is copy 0.
 struct Extent {
-    std::size_t bodies, interactions, inputs, outputs, cables, shapes, winches;
+    std::size_t bodies, interactions, inputs, outputs, cables, shapes, winches, resolutions, levers;
 };
 
 std::string copy_prefix(int copy) { return std::to_string(copy) + ":"; }
@@ -56,8 +56,9 @@ class Copier {
           place_(document.place / "repeat"),
           repeat_(repeat),
           offset_(vector_of(repeat["offset"])),
-          base_{out.bodies.size(), out.interactions.size(), out.inputs.size(), out.outputs.size(),
-                out.cables.size(), out.shapes.size(),       out.winches.size()} {}
+          base_{out.bodies.size(),  out.interactions.size(), out.inputs.size(),
+                out.outputs.size(), out.cables.size(),       out.shapes.size(),
+                out.winches.size(), out.resolutions.size(),  out.levers.size()} {}
 
     void run(int copies) {
         const auto check = [&](std::size_t each, std::int64_t most, const char* what) {
@@ -91,9 +92,11 @@ class Copier {
         add_bodies(prefix, shift);
         add_interactions(prefix, shift);
         add_inputs(prefix);
+        add_levers(prefix);
         add_outputs(prefix, shift);
         add_cables(prefix, shift);
         add_winches(prefix);
+        add_resolutions(prefix);
         add_shapes(prefix);
     }
 
@@ -172,6 +175,16 @@ class Copier {
         }
     }
 
+    void add_resolutions(const std::string& prefix) {
+        for (std::size_t i = 0; i < base_.resolutions; ++i) {
+            Resolution one = out_.resolutions[i];
+            rename(one.def.name, prefix);
+            rename(one.cable, prefix);
+            one.place = number_;
+            out_.resolutions.push_back(std::move(one));
+        }
+    }
+
     void add_shapes(const std::string& prefix) {
         for (std::size_t i = 0; i < base_.shapes; ++i) {
             if (is_its_own_copy(out_.shapes[i])) {
@@ -192,6 +205,15 @@ class Copier {
             def.interaction = mapped(def.interaction);
             def.body = mapped(def.body);
             out_.add_input(std::move(def), number_);
+        }
+    }
+
+    void add_levers(const std::string& prefix) {
+        for (std::size_t i = 0; i < base_.levers; ++i) {
+            SignalInput input = out_.levers[i].input;
+            rename(input.name, prefix);
+            rename(input.signal, prefix);
+            out_.add_lever(std::move(input), number_);
         }
     }
 

@@ -6,6 +6,7 @@
 #include "scene/timeline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -40,6 +41,8 @@ class Builder {
         add_interactions(*world);
         add_surfaces(*world);
         add_winches(*world);
+        add_resolutions(*world);
+        check_levers(*world);
         for (std::size_t i = 0; i < description_.inputs.size() && numbered_; ++i) {
             (void)take(description_.input_place(i),
                        [&] { world->add_input(description_.inputs[i]); });
@@ -116,6 +119,39 @@ class Builder {
             (void)take(description_.winch_place(i), [&] {
                 WinchDef def = winch.def;
                 def.wire = world.find_wire(winch.cable);
+                world.add(def);
+            });
+        }
+    }
+
+    /// @throws SceneError where no system has such an input.
+    void check_levers(const World& world) {
+        for (std::size_t i = 0; i < description_.levers.size() && numbered_; ++i) {
+            const std::string& wanted = description_.levers[i].input.signal;
+            std::vector<std::string> known;
+            for (const SystemSignal& s : world.system_signals())
+                if (s.input) known.push_back(s.system + "." + s.name);
+            if (std::find(known.begin(), known.end(), wanted) != known.end()) continue;
+            (void)attempt(description_.mistakes, [&] {
+                refuse(description_.lever_place(i) / "signal",
+                       "there is no signal " + in_quotes(wanted) + " that may be set" +
+                           suggestion(wanted, known));
+            });
+        }
+    }
+
+    /// After the winches, whose elements they leave as they are.
+    void add_resolutions(World& world) {
+        for (std::size_t i = 0; i < description_.resolutions.size() && numbered_; ++i) {
+            const Resolution& one = description_.resolutions[i];
+            (void)take(description_.resolution_place(i), [&] {
+                ResolutionDef def = one.def;
+                def.wire = world.find_wire(one.cable);
+                for (const Winch& winch : description_.winches)
+                    if (winch.cable == one.cable && std::isnan(def.drum_length) &&
+                        winch.def.element > 0.0)
+                        def.drum_length =
+                            std::clamp(winch.def.element, def.min_length, def.max_length);
                 world.add(def);
             });
         }
@@ -242,12 +278,14 @@ std::optional<Scene> make_scene(Json root, const std::filesystem::path& file,
                 .duration = description.duration,
                 .world = Builder(description).build(options, document.place / "settings"),
                 .cables = {},
+                .signal_inputs = {},
                 .timeline = {},
                 .plot_tensions = {},
                 .plot_motions = {},
                 .plot_view_box = {}};
     read_plot(scene, description, document);
     scene.cables = std::move(description.cables);
+    for (Lever& lever : description.levers) scene.signal_inputs.push_back(std::move(lever.input));
     if (mistakes == nullptr || mistakes->none()) {
         scene.timeline = read_timeline(scene.world, document);
     }

@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace hawser {
@@ -69,8 +70,15 @@ struct Session::Impl {
         }
     }
 
-    /// @return false: no system has such an input (any more).
-    bool set_signal(const std::string& name, double value) {
+    /// By its own name, or that of an input of the scene. @return false: no system has such an
+    /// input (any more).
+    bool set_signal(std::string name, double value) {
+        for (const scene::SignalInput& input : scene.signal_inputs) {
+            if (input.name != name) continue;
+            name = input.signal;
+            value = input.factor * std::clamp(value, input.min, input.max);
+            break;
+        }
         for (const SystemSignal& s : world().system_signals()) {
             if (!s.input || s.system + "." + s.name != name) continue;
             world().set_system_signal(name, value);
@@ -128,9 +136,11 @@ std::vector<std::string> input_names(const World& world) {
     return names;
 }
 
-/// Inputs of systems, as "system.signal".
-std::vector<std::string> signal_names(const World& world) {
+/// Inputs of systems, as "system.signal", and those of the scene that set them.
+std::vector<std::string> signal_names(const scene::Scene& scene) {
+    const World& world = scene.world;
     std::vector<std::string> names;
+    for (const scene::SignalInput& input : scene.signal_inputs) names.push_back(input.name);
     for (const SystemSignal& s : world.system_signals())
         if (s.input) names.push_back(s.system + "." + s.name);
     return names;
@@ -161,7 +171,7 @@ Session::Session(scene::Scene scene, const SessionDef& def)
     if (!def.control.empty()) {
         std::vector<std::string> names = input_names(world);
         impl_->places = names.size();
-        impl_->signals = signal_names(world);
+        impl_->signals = signal_names(impl_->scene);
         names.insert(names.end(), impl_->signals.begin(), impl_->signals.end());
         impl_->control = record::read_control(def.control, names);
     }
@@ -191,7 +201,7 @@ void Session::set_input(std::string_view name, double value) {
     if (impl_->set_signal(std::string(name), value)) return;
     std::vector<std::string> names = input_names(world());
     std::erase(names, "");
-    for (std::string& signal : signal_names(world())) names.push_back(std::move(signal));
+    for (std::string& signal : signal_names(impl_->scene)) names.push_back(std::move(signal));
     throw DefError(names.empty() ? fmt::format("there is no input \"{}\": the scene has none", name)
                                  : fmt::format("there is no input \"{}\"; nearest: \"{}\"", name,
                                                record::nearest_name(name, names)));

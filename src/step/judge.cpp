@@ -38,7 +38,7 @@ std::int32_t owner_of(const Model& model, std::int32_t row) noexcept {
 /// How far the step's equations and laws are from solved.
 double certificate(const Model& model, const StepStats& stats) noexcept {
     // The other methods end where they end, as does a step that keeps to a budget.
-    if (model.def.nonsmooth != Nonsmooth::newton || stats.degradation.any()) return 0.0;
+    if (model.def.nonsmooth != Nonsmooth::newton || stats.degradation.of_solve()) return 0.0;
     return std::max(stats.natural_map, stats.momentum_residual);
 }
 

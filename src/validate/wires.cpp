@@ -13,6 +13,8 @@ constexpr Case kWires[] = {
     {"W.5", "wire_pulse", "a pulse across, from elements of 5 m into 10 m", case_wire_pulse},
     {"W.6", "payout", "a winch lowers an anchor by 600 m and hauls it up again", case_payout},
     {"W.7", "tow_payout", "a tug pays out its tow line over the stern roller", case_tow_payout},
+    {"W.8", "wire_resolution", "nodes by tension, curvature and contact: rest, a roller, chance",
+     case_wire_resolution},
 };
 
 }  // namespace

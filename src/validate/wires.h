@@ -24,5 +24,7 @@ void case_wire_events(Report& report);
 // wires_waves.cpp
 void case_wire_parting(Report& report);
 void case_wire_pulse(Report& report);
+// wires_resolution.cpp
+void case_wire_resolution(Report& report);
 
 }  // namespace hawser::validate

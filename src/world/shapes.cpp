@@ -91,6 +91,18 @@ std::vector<ContactView> World::contacts() const {
     return out;
 }
 
+void World::touching(std::vector<std::uint8_t>& out) const {
+    const collide::Collider& collider = impl_->ctx.model.collider;
+    out.assign(at(body_count()), 0);
+    for (const collide::KeptContact& contact : collider.kept())
+        for (const std::int32_t side : contact.shape) {
+            const collide::Shape& shape = collider.shapes()[at(side)];
+            if (shape.body[1] < 0) continue;
+            for (const std::int32_t body : shape.body)
+                if (body < body_count()) out[at(body)] = 1;
+        }
+}
+
 void World::contacts(std::vector<ContactView>& out) const {
     const stepper::StepContext& ctx = impl_->ctx;
     out.clear();

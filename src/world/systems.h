@@ -9,6 +9,7 @@
 #include "context/actors.h"
 #include "world/queued_edits.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -100,6 +101,11 @@ class Systems final : public stepper::Actors {
     /// @param trial  A world of the same definitions to try them in first; null: none.
     Status make_edits(World& world, World* trial) noexcept;
     [[nodiscard]] bool needs_trial() const noexcept { return queue_.left() > 1; }
+    /// Whether some of them would leave out more at a higher level of coarsening.
+    [[nodiscard]] bool coarsens() const noexcept {
+        return std::any_of(list_.begin(), list_.end(),
+                           [](const auto& system) { return system->coarsens(); });
+    }
     /// Nodes of wires come and go.
     void before_step(World& world) noexcept;
     /// What systems did for a step that has not been taken is forgotten: the state is another.

@@ -49,6 +49,7 @@ Status World::step() noexcept {
         return ended;
     };
     if (!m.systems.wants_edits()) m.systems.before_step(*this);
+    m.ctx.work.limits.coarsening.possible = m.systems.coarsens();
     // Edits that a failed step has left.
     Status status = m.systems.wants_edits() ? Status::bad_edit : take();
     if (status == Status::bad_edit) {
@@ -68,7 +69,13 @@ void World::degrade_next_step(const Degradation& degradation) noexcept {
     impl_->ctx.state.imposed = degradation;
     // As 0, where it came from bytes that no step wrote.
     impl_->ctx.state.imposed.iterations = std::max(0, degradation.iterations);
+    impl_->ctx.state.imposed.wires = std::clamp(degradation.wires, 0, stepper::Coarsening::kMost);
     if (impl_->listener != nullptr) impl_->listener->degraded(degradation);
+}
+
+int World::coarsening() const noexcept {
+    const Degradation& imposed = impl_->ctx.state.imposed;
+    return imposed.any() ? imposed.wires : impl_->ctx.work.limits.coarsening.level();
 }
 
 double World::time() const noexcept { return impl_->ctx.state.time; }

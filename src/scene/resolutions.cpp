@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/resolutions.h"
+
+#include "scene/cable_parts.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace hawser::scene {
+namespace {
+
+constexpr double kMostMetres = 1e6, kHalfTurn = 3.14159265358979323846;
+
+constexpr ResolutionNumber kLengths[] = {
+    {"min_length", &ResolutionDef::min_length, "m", "2.5", "No element gets shorter by a node.",
+     0.01, kMostMetres},
+    {"max_length", &ResolutionDef::max_length, "m", "20",
+     "Of the longest element; from twice \"min_length\" on.", 0.01, kMostMetres},
+    {"sag_error", &ResolutionDef::sag_error, "m", "0.05",
+     "How far an element may lie off its arc; 0: no such bound.", 0.0, kMostMetres},
+    {"max_angle", &ResolutionDef::max_angle, "rad", "0.26",
+     "Largest angle between elements; 0: no such bound.", 0.0, kHalfTurn},
+    {"contact_length", &ResolutionDef::contact_length, "m", "twice \"min_length\"",
+     "Of elements that touch something, and their neighbours; 0: no such bound.", 0.0, kMostMetres},
+    {"drum_length", &ResolutionDef::drum_length, "m", "\"element\" of its winch",
+     "Of the element next to a drum; 0: no such bound.", 0.0, kMostMetres},
+    {"wave_period", &ResolutionDef::wave_period, "s", "2",
+     "Of the shortest wave across that is to be resolved; 0: no such bound.", 0.0, kMostMetres},
+    {"points_per_wave", &ResolutionDef::points_per_wave, "1", "8", "Elements to that wave.", 2.0,
+     1000.0},
+    {"averaging", &ResolutionDef::averaging, "s", "10",
+     "Time over which the tension is averaged that gives the length of waves.", 1e-3, kMostMetres},
+    {"hysteresis", &ResolutionDef::hysteresis, "1", "1.5",
+     "Elements become one where that would be shorter than it may be by this factor.", 1.0, 100.0},
+    {"patience", &ResolutionDef::patience, "s", "2",
+     "For which a node is not needed before it goes.", 0.0, kMostMetres}};
+
+constexpr ResolutionCount kWholes[] = {
+    {"max_nodes", &ResolutionDef::max_nodes, "1000", "Of the cable, its ends included.", 3.0, 1e5},
+    {"interval", &ResolutionDef::interval, "4", "Steps from one look at the cable to the next.",
+     1.0, 1e4}};
+
+/// Limits that cross are refused at the key that is too small or too large.
+void check_limits(const ResolutionDef& def, const Place& place) {
+    if (def.max_length < 2.0 * def.min_length)
+        refuse(place / "max_length",
+               fmt::format("{:.6g} m is below twice \"min_length\", {:.6g} m: the halves of the "
+                           "longest element would be too short",
+                           def.max_length, def.min_length));
+    for (const auto& [key, value] : {std::pair{"contact_length", def.contact_length},
+                                     std::pair{"drum_length", def.drum_length}})
+        if (value != 0.0 && (value < def.min_length || value > def.max_length))
+            refuse(place / key, fmt::format("{:.6g} m is not within \"min_length\", {:.6g} m, and "
+                                            "\"max_length\", {:.6g} m; 0: no such bound",
+                                            value, def.min_length, def.max_length));
+}
+
+}  // namespace
+
+std::span<const ResolutionNumber> resolution_numbers() noexcept { return kLengths; }
+std::span<const ResolutionCount> resolution_counts() noexcept { return kWholes; }
+
+void read_resolution(Description& out, const CableLayout& cable, const Json& json,
+                     const Place& cable_place) {
+    const auto given = json.find("resolution");
+    if (given == json.end()) return;
+    const Place place = cable_place / "resolution";
+    if (cable.links) refuse(place, "a cable of links has the elements that it has");
+    if (!cable.consistent_mass)
+        refuse(place,
+               "nodes take shares of the mass of elements: it needs \"consistent_mass\": true");
+    Resolution one;
+    one.def.name = cable.name + "/resolution";
+    one.cable = cable.name;
+    for (const ResolutionNumber& number : kLengths)
+        one.def.*number.value = number_or(*given, number.key, one.def.*number.value);
+    for (const ResolutionCount& count : kWholes)
+        one.def.*count.value = given->value(count.key, one.def.*count.value);
+    check_limits(one.def, place);
+    if (cable.elements + 1 > static_cast<std::size_t>(one.def.max_nodes))
+        refuse(place / "max_nodes",
+               fmt::format("the cable has {} nodes from the start", cable.elements + 1));
+    one.def.mass_per_length = cable.mass_per_length;
+    one.place = out.keep(place);
+    out.resolutions.push_back(std::move(one));
+}
+
+}  // namespace hawser::scene

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file resolutions.h
+/// The numbers of a cable's resolution in a scene: format and reader go by one table.
+
+#include <hawser/resolution.h>
+
+#include <span>
+
+namespace hawser::scene {
+
+struct ResolutionNumber {
+    const char* key;
+    double ResolutionDef::* value;
+    const char* unit;
+    const char* fallback;  ///< In words.
+    const char* doc;
+    double least, most;
+};
+struct ResolutionCount {
+    const char* key;
+    int ResolutionDef::* value;
+    const char* fallback;  ///< In words.
+    const char* doc;
+    double least, most;
+};
+
+[[nodiscard]] std::span<const ResolutionNumber> resolution_numbers() noexcept;
+[[nodiscard]] std::span<const ResolutionCount> resolution_counts() noexcept;
+
+}  // namespace hawser::scene

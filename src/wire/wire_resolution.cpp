@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "wire/wire_resolution.h"
+
+#include <hawser/world.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+namespace hawser::wire {
+namespace {
+
+constexpr double kLevel = 1.5;   ///< Of lengths, a level of coarsening.
+constexpr double kSlack = 1e-9;  ///< Of lengths, for rounding.
+/// Angle between elements up to which a node may go [rad]: the chord that takes their place is
+/// shorter than both by angle²/8, 3e-4 of it.
+constexpr double kFlat = 0.05;
+
+}  // namespace
+
+WireResolution::WireResolution(const ResolutionDef& def, std::size_t room, std::int64_t phase)
+    : def_(def), room_(room), phase_(phase), memory_(3 * room) {
+    elements_.reserve(room);
+    at_.reserve(room + 1);
+}
+
+void WireResolution::visit_state(StateVisitor& v) {
+    v.visit(told_);
+    if (v.around_step()) return;
+    v.visit(memory_);
+    for (std::int32_t* x : {&known_, &wanted_}) v.visit(*x);
+    v.visit(looked_);
+    for (double* x : {&tension_, &nodes_, &shortest_, &longest_, &material_, &inserted_, &removed_})
+        v.visit(*x);
+}
+
+void WireResolution::signals(SignalTable& table) {
+    table.output("nodes", "1", nodes_);
+    table.output("shortest", "m", shortest_);
+    table.output("longest", "m", longest_);
+    table.output("inserted", "1", inserted_);
+    table.output("removed", "1", removed_);
+    table.output("material", "m", material_);
+}
+
+/// Elements and nodes as they are.
+void WireResolution::look(const World& world) {
+    const auto elements = world.elements(def_.wire);
+    const auto nodes = world.nodes(def_.wire);
+    elements_.assign(elements.size(), {});
+    at_.assign(nodes.size(), {});
+    for (std::size_t i = 0; i < nodes.size(); ++i) at_[i].id = nodes[i];
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        Element& e = elements_[i];
+        e.id = elements[i];
+        if (!world.alive(e.id) || !world.intact(e.id)) continue;
+        const InteractionDef& d = world.interaction_def(e.id);
+        e.whole = true;
+        e.wound = kind_info(d.kind).is(kWoundUp);
+        e.chord =
+            world.world_point(d.body[1], d.point[1]) - world.world_point(d.body[0], d.point[0]);
+        e.tension = std::max(0.0, -world.force(e.id)[0]);
+        if (e.wound) continue;
+        const double mass = d.get("mass");
+        e.plain = mass > 0.0;
+        e.length = e.plain ? mass / def_.mass_per_length : d.get("length");
+    }
+    bend(world);
+}
+
+/// Angles and curvatures at nodes.
+void WireResolution::bend(const World& world) noexcept {
+    for (std::size_t k = 1; k < elements_.size(); ++k) {
+        const Element &a = elements_[k - 1], &b = elements_[k];
+        if (!a.whole || !b.whole) continue;
+        at_[k].angle = std::atan2(a.chord.cross(b.chord).norm(), a.chord.dot(b.chord));
+        // What a drum pays out has no material of its own that is known here.
+        const auto length = [&](const Element& e) {
+            return e.wound ? world.interaction_def(e.id).get("length") : e.length;
+        };
+        at_[k].curvature = at_[k].angle / std::max(0.5 * (length(a) + length(b)), 1e-9);
+    }
+}
+
+void WireResolution::average_tension(const World& world) noexcept {
+    double sum = 0.0, length = 0.0;
+    for (const Element& e : elements_) {
+        if (!e.plain) continue;
+        sum += e.tension * e.length;
+        length += e.length;
+    }
+    if (!(length > 0.0)) return;
+    const double mean = sum / length, since = def_.interval * world.settings().step;
+    const double share = tension_ < 0.0 ? 1.0 : -std::expm1(-since / def_.averaging);
+    tension_ += share * (mean - tension_);
+}
+
+/// L of each element. @throws std::bad_alloc.
+void WireResolution::bound_elements(const World& world) {
+    world.touching(touching_);
+    // Whether a node from one to another, of those that there are, touches something.
+    const auto touches = [&](std::size_t from, std::size_t to) {
+        for (std::size_t k = from; k <= std::min(to, at_.size() - 1); ++k) {
+            const auto place = static_cast<std::size_t>(at_[k].id.index);
+            if (place < touching_.size() && touching_[place] != 0) return true;
+        }
+        return false;
+    };
+    double wave = 1e30;
+    if (def_.wave_period > 0.0 && tension_ >= 0.0)
+        wave = def_.wave_period * std::sqrt(tension_ / def_.mass_per_length) / def_.points_per_wave;
+    scale_ = std::pow(kLevel, world.coarsening());
+    for (std::size_t i = 0; i < elements_.size(); ++i) {
+        Element& e = elements_[i];
+        const double curvature = std::max({at_[i].curvature, at_[i + 1].curvature, 1e-30});
+        e.bound = wave;
+        if (def_.sag_error > 0.0)
+            e.bound = std::min(e.bound, std::sqrt(8.0 * def_.sag_error / curvature));
+        if (def_.max_angle > 0.0) e.bound = std::min(e.bound, def_.max_angle / curvature);
+        e.bound_to_go = e.bound;
+        if (def_.contact_length > 0.0) {
+            if (touches(i, i + 1)) e.bound = std::min(e.bound, def_.contact_length);
+            if (touches(i == 0 ? 0 : i - 1, i + 2))
+                e.bound_to_go = std::min(e.bound_to_go, def_.contact_length);
+        }
+        e.bound *= scale_;
+        e.bound_to_go *= scale_;
+        const bool at_drum = (i > 0 && elements_[i - 1].wound) ||
+                             (i + 1 < elements_.size() && elements_[i + 1].wound);
+        if (at_drum && def_.drum_length > 0.0) e.bound = std::min(e.bound, def_.drum_length);
+        e.bound_to_go = std::min(e.bound_to_go, e.bound);
+    }
+}
+
+/// Nodes that were there at the last look have been idle for as long as they had been. The others
+/// begin.
+void WireResolution::recall() noexcept {
+    std::int32_t from = 0;
+    for (Node& node : at_) {
+        for (std::int32_t k = from; k < known_; ++k) {
+            const std::int32_t* one = &memory_[3 * static_cast<std::size_t>(k)];
+            if (one[0] != node.id.index || one[1] != node.id.generation) continue;
+            node.idle = one[2];
+            from = k + 1;
+            break;
+        }
+    }
+}
+
+void WireResolution::remember() noexcept {
+    std::fill(memory_.begin(), memory_.end(), 0);
+    known_ = static_cast<std::int32_t>(std::min(at_.size(), room_));
+    for (std::size_t k = 0; k < static_cast<std::size_t>(known_); ++k) {
+        memory_[3 * k] = at_[k].id.index;
+        memory_[3 * k + 1] = at_[k].id.generation;
+        memory_[3 * k + 2] = at_[k].idle;
+    }
+}
+
+/// Whether the wire would do without a node.
+bool WireResolution::may_go(std::size_t node) const noexcept {
+    const Element &a = elements_[node - 1], &b = elements_[node];
+    if (!a.plain || !b.plain || at_[node].angle > kFlat) return false;
+    const double both = a.length + b.length;
+    return both <= def_.max_length * scale_ * (1.0 + kSlack) &&
+           both * def_.hysteresis <= std::min(a.bound_to_go, b.bound_to_go);
+}
+
+void WireResolution::count_idle() noexcept {
+    for (std::size_t k = 1; k + 1 < at_.size(); ++k) {
+        std::int32_t& idle = at_[k].idle;
+        if (!may_go(k))
+            idle = std::min(idle, 0);
+        else if (idle < patience_)
+            ++idle;
+    }
+}
+
+/// The element that is most too long gets a node.
+bool WireResolution::refine(NodeEdits& nodes) noexcept {
+    std::size_t worst = elements_.size();
+    double most = 1.0 + kSlack;
+    for (std::size_t i = 0; i < elements_.size(); ++i) {
+        const Element& e = elements_[i];
+        if (!e.plain || e.length < 2.0 * def_.min_length * (1.0 - kSlack)) continue;
+        const double least = std::min(e.bound, def_.max_length * scale_);
+        if (e.length <= most * least) continue;
+        most = e.length / std::max(least, 1e-9);
+        worst = i;
+    }
+    wanted_ = -1;
+    if (worst == elements_.size()) return false;
+    if (at_.size() >= static_cast<std::size_t>(def_.max_nodes)) {
+        wanted_ = at_[worst].id.index;
+        return false;
+    }
+    if (!nodes.insert_node(elements_[worst].id, 0.5).valid()) return false;
+    inserted_ += 1.0;
+    return true;
+}
+
+/// The node goes that is needed least.
+bool WireResolution::coarsen(NodeEdits& nodes) noexcept {
+    const std::int32_t wait = scale_ > 1.0 ? 1 : patience_;
+    std::size_t least = 0;
+    double share = 1e30;
+    for (std::size_t k = 1; k + 1 < at_.size(); ++k) {
+        if (at_[k].idle < wait) continue;
+        const Element &a = elements_[k - 1], &b = elements_[k];
+        const double now = (a.length + b.length) / std::min(a.bound_to_go, b.bound_to_go);
+        if (now >= share) continue;
+        share = now;
+        least = k;
+    }
+    if (least == 0) return false;
+    if (!nodes.remove_node(at_[least].id, kFlat)) {
+        at_[least].idle = -patience_;  // others have their turn
+        return false;
+    }
+    for (const std::size_t k : {least - 1, least + 1}) at_[k].idle = 0;
+    removed_ += 1.0;
+    return true;
+}
+
+/// What signals say.
+void WireResolution::tell(const World& world) noexcept {
+    nodes_ = static_cast<double>(world.nodes(def_.wire).size());
+    material_ = longest_ = 0.0;
+    shortest_ = 1e30;
+    for (const InteractionId id : world.elements(def_.wire)) {
+        if (!world.alive(id)) continue;
+        const InteractionDef& d = world.interaction_def(id);
+        const double mass = kind_info(d.kind).is(kWoundUp) ? 0.0 : d.get("mass");
+        if (!(mass > 0.0)) continue;
+        const double length = mass / def_.mass_per_length;
+        material_ += length;
+        shortest_ = std::min(shortest_, length);
+        longest_ = std::max(longest_, length);
+    }
+    if (material_ == 0.0) shortest_ = 0.0;
+}
+
+void WireResolution::before_step(NodeEdits& nodes) noexcept {
+    const World& world = nodes.world;
+    const std::int64_t now = world.step_count();
+    // Before the first step no force is known.
+    if (now == 0 || now == looked_ || (now + phase_) % def_.interval != 0) return;
+    if (!world.alive(def_.wire)) return;
+    patience_ = std::max(1, static_cast<std::int32_t>(std::ceil(
+                                def_.patience / (def_.interval * world.settings().step))));
+    try {
+        look(world);
+        average_tension(world);
+        bound_elements(world);
+        recall();
+        count_idle();
+        if (!refine(nodes)) (void)coarsen(nodes);
+        remember();
+    } catch (const std::exception&) {
+        return;  // without memory: in the next step
+    }
+    looked_ = now;
+    tell(world);
+}
+
+void WireResolution::prestep(Prestep& now, Loads& loads) noexcept {
+    static_cast<void>(loads);
+    if (wanted_ >= 0 && told_ == 0) {
+        const auto bodies = now.world.bodies();
+        const auto at = std::find_if(bodies.begin(), bodies.end(),
+                                     [&](BodyId id) { return id.index == wanted_; });
+        if (at != bodies.end()) now.tell(EventKind::node_limit, *at, nodes_);
+    }
+    told_ = wanted_ >= 0 ? 1 : 0;
+}
+
+}  // namespace hawser::wire
