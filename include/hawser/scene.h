@@ -57,6 +57,7 @@ struct CableSection {
     double EI = 0.0;               ///< [N m²].
     double breaking_load = 0.0;    ///< [N]; 0 = not given.
     double diameter = 0.0;         ///< [m]; 0 = not given.
+    double link = 0.0;             ///< Pitch of a link of chain [m]; 0: it is no chain.
 };
 
 /// What a cable of the scene became.

@@ -27,7 +27,6 @@ struct LayoutSection {
     double axial_damping = kDefault;
     double drag = 0.0;              ///< [N s/m²].
     double submerged_factor = 1.0;  ///< Weight in water / weight in air.
-    double link = 0.0;              ///< Length of one of a chain's [m]; 0: it is no chain.
     std::string color;
 };
 

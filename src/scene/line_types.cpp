@@ -9,9 +9,6 @@
 namespace hawser::scene {
 namespace {
 
-/// Of a number of links that is whole but for the digits of a file.
-constexpr double kWhole = 1e-6;
-
 /// @param of  A cable or a section of one.
 const Json& line_type_of(const Json& of, const Document& document, const Place& place) {
     const Json& line = of["line_type"];
@@ -47,12 +44,12 @@ LayoutSection read_section(const Json& of, bool links, const Document& document,
     s.axial_damping = number_or(line, "axial_damping", kDefault);
     s.drag = number_or(line, "drag", 0.0);
     s.submerged_factor = number_or(line, "submerged_factor", 1.0);
-    s.link = number_or(line, "link", 0.0);
+    s.line.link = number_or(line, "link", 0.0);
     s.color = text_or(line, "color", "");
     if (!links && !(s.line.EA > 0.0)) {
         refuse(place / "line_type", "a cable of lumps needs \"EA\" in its line type");
     }
-    if (s.link > 0.0 && s.line.EI > 0.0) {
+    if (s.line.link > 0.0 && s.line.EI > 0.0) {
         refuse(place / "line_type",
                "its line type has \"link\", so that it is chain, which does not resist bending; "
                "leave out \"EI\"");
@@ -69,6 +66,12 @@ std::size_t nearest_count(std::size_t links, std::size_t asked) {
 }
 
 }  // namespace
+
+bool of_whole_links(double length, double link) noexcept {
+    constexpr double kDigits = 1e-6;  // of a file
+    const double each = length / link;
+    return each > 0.5 && std::abs(each - std::round(each)) <= kDigits * each;
+}
 
 void read_line_types(CableLayout& c, const Json& cable, const Document& document,
                      const Place& place) {
@@ -110,16 +113,16 @@ void measure_elements(CableLayout& c) noexcept {
 void check_links(const CableLayout& c, const Json& cable, const Place& place) {
     for (std::size_t i = 0; i < c.sections.size() && !c.links; ++i) {
         const LayoutSection& s = c.sections[i];
-        if (!(s.link > 0.0)) continue;
-        const double each = s.element / s.link;
-        if (std::abs(each - std::round(each)) <= kWhole * each && each > 0.5) continue;
+        if (!(s.line.link > 0.0)) continue;
+        if (of_whole_links(s.element, s.line.link)) continue;
+        const double each = s.element / s.line.link;
         const bool listed = cable.contains("sections");
         const Place at = listed ? place / "sections" / i : place;
-        const double links = std::max(std::round(s.line.length / s.link), 1.0);
+        const double links = std::max(std::round(s.line.length / s.line.link), 1.0);
         const std::size_t count = nearest_count(static_cast<std::size_t>(links), s.line.elements);
         refuse(at, fmt::format("its elements have {:.6g} links each, and chain parts between links "
                                "only; give \"length\" {:.12g} ({} links) and \"elements\" {}",
-                               each, links * s.link, links, count));
+                               each, links * s.line.link, links, count));
     }
 }
 

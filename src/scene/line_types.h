@@ -15,6 +15,9 @@ void read_line_types(CableLayout& c, const Json& cable, const Document& document
 /// Lengths of all elements, once the length of the cable is known.
 void measure_elements(CableLayout& c) noexcept;
 
+/// Whether a length is a whole number of links, but for the digits of a file.
+[[nodiscard]] bool of_whole_links(double length, double link) noexcept;
+
 /// Chain is of whole links: elements of lumps have a whole number of them each. @throws SceneError.
 void check_links(const CableLayout& c, const Json& cable, const Place& place);
 

@@ -2,6 +2,7 @@
 #include "scene/winches.h"
 
 #include "scene/description.h"
+#include "scene/line_types.h"
 
 #include <algorithm>
 #include <cmath>
@@ -191,6 +192,10 @@ void read_winch(Description& out, const Scope& scope, const Json& json, const Pl
                "a cable of one element is wound up from its first end; change its ends, give it "
                "two elements, or the winch \"element\": 0");
     if (std::isnan(def.element)) def.element = d.get("length");
+    if (section.link > 0.0 && def.element > 0.0 && !of_whole_links(def.element, section.link))
+        refuse(place / "element", "chain is paid out by whole links; give a multiple of " +
+                                      std::to_string(section.link) +
+                                      " m, the \"link\" of its line type");
     if (def.element > 0.0) give_mass(out, cable, def, place);
     winch.place = out.keep(place);
     const BodyId wound = add_wheel(out, winch);

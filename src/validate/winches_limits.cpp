@@ -89,10 +89,10 @@ void report_jumps(Report& report) {
         double most = 0.0;
         while (p.count(EventKind::chain_jump) == 0 && p.w.time() < 30.0) {
             most = std::max(most, p.get("pull") - p.get("tail"));
-            if (most < 0.99 * load) early = static_cast<double>(p.count(EventKind::chain_jump));
             p.step(slow);
         }
         worst = std::max(worst, std::abs(most / load - 1.0));
+        early += most < 0.99 * load ? 1.0 : 0.0;
         jumped += p.count(EventKind::chain_jump) > 0 ? 1.0 : 0.0;
         // Over some pockets, and where it lies in the end.
         const double pocket = 8.0 * def.wire_diameter;

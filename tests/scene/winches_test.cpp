@@ -204,6 +204,8 @@ TEST(SceneWinches, GypsiesAndChainsAreRefusedByTheirPlace) {
           Row{"\"locker_fall\": 5", "\"pitch\": 0.1", "/winches/0", "4 are usual"},
           Row{"\"link\": 0.304", "\"link\": 0.304, \"EI\": 10", "/cables/0/line_type",
               "leave out \"EI\""},
+          Row{"\"stored\": 100", "\"stored\": 100, \"element\": 3", "/winches/0/element",
+              "whole links"},
           Row{"20.064", "20", "/cables/0", "\"length\" 20.064 (66 links) and \"elements\" 6"},
           Row{"\"elements\": 6", "\"elements\": 7", "/cables/0", "\"elements\" 6"}}) {
         const std::string r = refused_at(windlass_with(row.from, row.to));
