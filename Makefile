@@ -14,7 +14,7 @@ CXX_FILES = git ls-files -co --exclude-standard '*.cpp' '*.h'
 help:
 	@echo "make demo      install what is missing, build, simulate the anchor lines of a rig, plot"
 	@echo "make test      install what is missing, build, run all tests"
-	@echo "make test-long 100,000 random pairs of shapes of each two kinds, a million forged files, 50,000 random edits, hashes, memory that ends anywhere: minutes"
+	@echo "make test-long 100,000 random pairs of shapes of each two kinds, a million forged files, 50,000 random edits, hashes, memory that ends anywhere, 100,000 operations on wires under sanitizers: an hour"
 	@echo "make test-bare demo and test in a bare Debian 12 that debootstrap makes: root, network, minutes"
 	@echo "make bench     build with the foreign engines installed, run the comparisons"
 	@echo "make build     build everything   (PRESET=$(PRESET); others: debug relassert asan-ubsan tsan)"
@@ -60,6 +60,11 @@ test-long: build
 	@HAWSER_LONG=1 $(BIN)/hawser_test_world --gtest_filter='Degenerate*:*RandomEdits*'
 	@HAWSER_LONG=1 $(BIN)/hawser_test_machine --gtest_filter='MemoryEnds*'
 	@HAWSER_LONG=1 $(BIN)/hawser_test_files --gtest_filter='Forged*'
+	@cmake --preset asan-ubsan >/dev/null
+	@cmake --build --preset asan-ubsan -j $(JOBS) --target hawser_test_wire hawser_test_record
+	@HAWSER_OPERATIONS=100000 build/asan-ubsan/bin/hawser_test_wire --gtest_filter='WinchRandom*'
+	@HAWSER_OPERATIONS=100000 build/asan-ubsan/bin/hawser_test_record \
+	    --gtest_filter='WireCutRandom*'
 	@$(BIN)/hawser-bench hashes --steps 1000
 	@$(BIN)/hawser-bench hashes scenes/anchor_lines.json scenes/mooring.json --steps 600 \
 	    --threads 1 2 3 4 8

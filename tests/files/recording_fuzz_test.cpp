@@ -131,19 +131,18 @@ TEST(ForgedRecordings, AreRefusedOrSound) {
     EXPECT_GT(refused, 0);
 }
 
-/// Around the state of a world: name, time and hash of the file.
-TEST(ForgedRecordings, SnapshotFilesAreRefusedOrTaken) {
+/// Forges a file of the world's state and restores it into that world, which stays as it was or
+/// takes it. @param first  Bytes that are changed in every other file.
+void forge_snapshots(SmallScene& scene, bool with_structure, std::size_t first) {
     const auto folder = fresh_folder();
-    SmallScene scene;
-    ASSERT_EQ(scene.world.step(), Status::ok);
-    record::save_snapshot(folder / "good.hws", scene.info, scene.world);
+    record::save_snapshot(folder / "good.hws", scene.info, scene.world, with_structure);
     const std::vector<std::byte> good = read_bytes(folder / "good.hws");
     const auto hash = scene.world.state_hash();
     Random random(9);
     int taken = 0, refused = 0;
     for (int i = 0; i < inputs_of(200, 2000, 20'000); ++i) {
         std::vector<std::byte> bad = good;
-        mutate(std::span(bad).first(random.chance(0.5) ? 64 : bad.size() - 4), random);
+        mutate(std::span(bad).first(random.chance(0.5) ? first : bad.size() - 4), random);
         const std::uint32_t crc = record::crc32(std::span(bad).first(bad.size() - 4));
         write_at(std::span(bad), bad.size() - 4, crc);
         std::ofstream(folder / "bad.hws", std::ios::binary)
@@ -156,8 +155,37 @@ TEST(ForgedRecordings, SnapshotFilesAreRefusedOrTaken) {
         }
         ASSERT_EQ(scene.world.state_hash(), hash) << "input " << i;
     }
-    std::printf("forged snapshot files: %d refused, %d taken\n", refused, taken);
+    std::printf("forged snapshot files%s: %d refused, %d taken\n",
+                with_structure ? " with a structure" : "", refused, taken);
     EXPECT_GT(refused, 0);
+}
+
+/// Around the state of a world: name, time and hash of the file.
+TEST(ForgedRecordings, SnapshotFilesAreRefusedOrTaken) {
+    SmallScene scene;
+    ASSERT_EQ(scene.world.step(), Status::ok);
+    forge_snapshots(scene, false, 64);
+}
+
+/// What the world is made of.
+TEST(ForgedRecordings, SnapshotFilesWithAStructureAreRefusedOrTaken) {
+    SmallScene scene;
+    World& w = scene.world;
+    const BodyId post =
+        w.add_body({.name = "post", .kind = BodyKind::fixed, .position = {0, 9, 9}});
+    const WireId wire = w.add_wire({.name = "cut in two",
+                                    .from = post,
+                                    .elements = 6,
+                                    .length = 12.0,
+                                    .EA = 1e6,
+                                    .mass_per_length = 3.0,
+                                    .EI = 10.0,
+                                    .radius = 0.02,
+                                    .consistent_mass = true});
+    ASSERT_EQ(w.step(), Status::ok);
+    (void)w.cut(wire, 5.0);
+    ASSERT_EQ(w.step(), Status::ok);
+    forge_snapshots(scene, true, 8000);
 }
 
 }  // namespace

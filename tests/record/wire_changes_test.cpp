@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <random>
 #include <string>
@@ -17,7 +18,13 @@
 namespace hawser::test {
 namespace {
 
-constexpr int kOperations = kSanitized ? 60 : 400;
+constexpr int kOperations = kSanitized ? 60 : 400;  ///< Of a world.
+
+/// Worlds; HAWSER_OPERATIONS says how many operations there are in all (make test-long).
+unsigned worlds_to_try() {
+    const char* asked = std::getenv("HAWSER_OPERATIONS");
+    return asked == nullptr ? 3U : static_cast<unsigned>(std::atol(asked) / kOperations);
+}
 
 /// Two wires between a beam and two blocks, one of lumps alone, one of straight pieces with bends.
 World wires_world(int threads) {
@@ -188,7 +195,8 @@ void sequence(unsigned seed, std::vector<int>& done) {
 
 TEST(WireCutRandom, SequencesAreRepeatedInAllBits) {
     std::vector<int> done(64, 0);
-    for (unsigned seed = 1; seed <= 3 && !HasFatalFailure(); ++seed) sequence(seed, done);
+    for (unsigned seed = 1; seed <= worlds_to_try() && !HasFatalFailure(); ++seed)
+        sequence(seed, done);
     for (const char* what : {"cu", "sp", "ge", "at", "de", "in", "re"})
         EXPECT_GT(done[static_cast<std::size_t>(what[0] + what[1]) % done.size()], 2) << what;
 }

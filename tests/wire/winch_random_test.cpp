@@ -20,7 +20,7 @@
 namespace hawser::test {
 namespace {
 
-constexpr double kMass = 23.0, kStored = 120.0, kLoad = 4e3;
+constexpr double kRandomMass = 23.0, kRandomStored = 120.0, kRandomLoad = 4e3;
 
 long operations() {
     const char* asked = std::getenv("HAWSER_OPERATIONS");
@@ -38,7 +38,7 @@ World deck(int threads) {
         const BodyId load = w.add_body({.name = "load" + n,
                                         .kind = BodyKind::lump,
                                         .position = at - Vec3(0, 0, 10),
-                                        .mass = kLoad,
+                                        .mass = kRandomLoad,
                                         .linear_damping = Vec3::Constant(2e3)});
         WireDef def{.name = "wire" + n};
         def.from = k == 0 ? deck : load;
@@ -46,7 +46,7 @@ World deck(int threads) {
         (k == 0 ? def.from_point : def.to_point) = at;
         def.elements = 4;
         def.EA = 2e8;
-        def.mass_per_length = kMass;
+        def.mass_per_length = kRandomMass;
         def.EI = k == 0 ? 0.0 : 2e3;
         def.drag = 40.0;
         def.radius = k == 0 ? 0.0 : 0.03;
@@ -55,8 +55,8 @@ World deck(int threads) {
         winch.core_radius = 0.4;
         winch.width = 0.5;
         winch.wire_diameter = 0.06;
-        winch.mass_per_length = kMass;
-        winch.stored = kStored;
+        winch.mass_per_length = kRandomMass;
+        winch.stored = kRandomStored;
         winch.inertia = 2e3;
         winch.torque_haul = winch.torque_pay = 1e5;
         winch.brake_static = 1e5;
@@ -81,9 +81,9 @@ double material(const World& w) {
         if (w.body_def(id).kind == BodyKind::lump) sum += w.body_def(id).mass;
     for (int k = 0; k < 2; ++k) {
         const std::string n = "winch" + std::to_string(k);
-        sum += kMass * w.system_signal(n + ".wire_left");
+        sum += kRandomMass * w.system_signal(n + ".wire_left");
         const InteractionId line = line_of(w, k);
-        if (line.valid() && w.intact(line)) sum += kMass * w.system_signal(n + ".at_drum");
+        if (line.valid() && w.intact(line)) sum += kRandomMass * w.system_signal(n + ".at_drum");
     }
     // Half elements at bodies that carry no mass of wires.
     for (const InteractionId id : w.interactions()) {
