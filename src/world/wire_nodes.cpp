@@ -229,6 +229,13 @@ std::int32_t World::Impl::check_node_goes(BodyId node, stepper::NodePlace& place
                       "its elements have no mass of their own (give them `mass`), or a "
                       "compliance that is not that of their length");
     }
+    double own = 0.0;  // of the wire
+    for (const std::int32_t id : {place.first, place.second})
+        own += 0.5 * stepper::mass_of_element(ctx, id);
+    constexpr double kRounding = 1e-6;
+    if (body_defs[at(node.index)].mass > (1.0 + kRounding) * own)
+        world::refuse(where, "it has " + world::number(body_defs[at(node.index)].mass - own) +
+                                 " kg beside the wire's, of gear or a load, which would be lost");
     if (!(bend >= 0.0)) world::refuse(where, "bend must be an angle, not " + world::number(bend));
     const std::int32_t stays = second ? place.second : place.first;
     if (systems.refuses_nodes(ctx.model.interactions.id(stays)))
