@@ -181,7 +181,7 @@ std::string wires_in_words(const std::vector<WireFigures>& wires,
                        shown == 1 ? "wires" : "", record::name_in_quotes(w.name),
                        count_from_to(w.nodes), record::with_unit(w.shortest.least, "m"),
                        record::with_unit(w.longest.most, "m"), from_to(w.length, "m"));
-        if (w.mass.most > 0.0) fmt::format_to(out, ", material {}", from_to(w.mass, "kg"));
+        if (w.mass.most > 0.0) fmt::format_to(out, ", material {:.6g} kg", w.mass.now);
         fmt::format_to(out, "\n");
     }
     if (shown > kShownWires)

@@ -126,7 +126,8 @@ void define(World& world, const ResolutionDef& given) {
     const std::size_t room =
         std::max(static_cast<std::size_t>(def.max_nodes), world.nodes(def.wire).size()) + 1;
     world.add_system(
-        std::make_unique<wire::WireResolution>(def, room, std::int64_t{world.system_count()}));
+        std::make_unique<wire::WireResolution>(def, room, std::int64_t{world.system_count()},
+                                               static_cast<double>(world.nodes(def.wire).size())));
 }
 
 }  // namespace hawser

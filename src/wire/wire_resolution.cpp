@@ -18,8 +18,9 @@ constexpr double kFlat = 0.05;
 
 }  // namespace
 
-WireResolution::WireResolution(const ResolutionDef& def, std::size_t room, std::int64_t phase)
-    : def_(def), room_(room), phase_(phase), memory_(3 * room) {
+WireResolution::WireResolution(const ResolutionDef& def, std::size_t room, std::int64_t phase,
+                               double nodes)
+    : def_(def), room_(room), phase_(phase), memory_(3 * room), nodes_(nodes) {
     elements_.reserve(room);
     at_.reserve(room + 1);
 }

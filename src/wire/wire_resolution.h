@@ -22,7 +22,8 @@ namespace hawser::wire {
 class WireResolution final : public System {
   public:
     /// @param def  All of it given. @param room  Nodes that are remembered. @param phase  Of looks.
-    WireResolution(const ResolutionDef& def, std::size_t room, std::int64_t phase);
+    /// @param nodes  That there are.
+    WireResolution(const ResolutionDef& def, std::size_t room, std::int64_t phase, double nodes);
 
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
     [[nodiscard]] WireId wire() const noexcept { return def_.wire; }
@@ -32,7 +33,7 @@ class WireResolution final : public System {
     void signals(SignalTable& table) override;
     [[nodiscard]] bool coarsens() const noexcept override { return nodes_ > 3.0; }
     [[nodiscard]] std::unique_ptr<System> clone() const override {
-        return std::make_unique<WireResolution>(def_, room_, phase_);
+        return std::make_unique<WireResolution>(def_, room_, phase_, nodes_);
     }
 
   private:

@@ -1,0 +1,202 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Write scenes/anchor_adaptive.json: the site of anchor_contact with winches and wires whose
+resolution follows tension, curvature and contact (standard library only).
+
+Tow and work wires lie on winches with layers, which make nodes as wire runs out; ahts1/tow_speed
+and the like still say how fast their drums turn. All long lines have elements of at least 5 m, and
+nodes come and go on moorings, chains, tow and work wires. Spare lines on deck are laid anew with
+elements of 5 m. Everything else is anchor_contact and its settled state.
+
+    scripts/make_anchor_adaptive.py                  write the scene
+    scripts/make_anchor_adaptive.py --start FOLDER   write the same without resolutions to FOLDER,
+                                                     with a start, for `hawser settle` to finish
+    scripts/make_anchor_adaptive.py --start FOLDER --element 2.5
+                                                     the same with all lines in elements of 2.5 m,
+                                                     for comparing
+"""
+
+import argparse
+import copy
+import json
+import math
+import pathlib
+import re
+import shutil
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent / "scenes"
+NAME = "anchor_adaptive"
+LEAST = 5.0  # elements [m]
+DRUM_R, CORE_R, STORED = 1.2, 0.94, 600.0  # radius at which a drum's rad/s is meant
+DECK_ELEMENT, DECK_COUNT, DECK_ROW = 5.0, 25, 0.9
+DECK_X = (-34.0, -10.0)
+G, DECK_Z, DECK_K = 9.81, 1.2, 1e7
+
+
+def rotated(q, p):
+    w, x, y, z = q
+    m = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+         [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+         [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]
+    return [sum(a * b for a, b in zip(row, p)) for row in m]
+
+
+def placed(state, end):
+    """World point of an end of a cable."""
+    body = state[end["body"]]
+    turned = rotated(body.get("q", [1, 0, 0, 0]), end.get("point", [0, 0, 0]))
+    return [a + b for a, b in zip(body["p"], turned)]
+
+
+def between(nodes, elements):
+    """The same line in another number of elements, evenly along its material."""
+    out, last = [], len(nodes) - 1
+    for k in range(1, elements):
+        at = k * last / elements
+        i = min(int(at), last - 1)
+        out.append([a + (at - i) * (b - a) for a, b in zip(nodes[i], nodes[i + 1])])
+    return out
+
+
+def resampled(cable, state, elements):
+    """Elements of a cable, with its nodes in the state."""
+    name, n = cable["name"], cable["elements"]
+    nodes = [placed(state, cable["from"])] + [state[f"{name}/{i}"]["p"] for i in range(1, n)]
+    nodes.append(placed(state, cable["to"]))
+    for i in range(1, n):
+        del state[f"{name}/{i}"]
+    shape = between(nodes, elements)
+    cable["elements"] = elements
+    cable["shape"] = [[round(x, 4) for x in p] for p in shape]
+    for i, p in enumerate(shape):
+        state[f"{name}/{i + 1}"] = {"p": p}
+
+
+def zigzag(x, y, z, side):
+    """Nodes of a line laid to and fro along x, each row beside the last."""
+    nodes, way = [[x, y, z]], -1
+    for _ in range(DECK_COUNT):
+        px, py, _ = nodes[-1]
+        if DECK_X[0] <= px + way * DECK_ELEMENT <= DECK_X[1]:
+            nodes.append([px + way * DECK_ELEMENT, py, z])
+            continue
+        way = -way
+        across = math.sqrt(DECK_ELEMENT**2 - DECK_ROW**2)
+        nodes.append([px + way * across, py + side * DECK_ROW, z])
+    return [[round(v, 5) for v in p] for p in nodes]
+
+
+def deck_lines(template, lines, state):
+    for cable in template["cables"]:
+        line = lines[cable["line_type"]]
+        old = cable["elements"]
+        start = cable["from"]["point"]
+        sunk = line["mass_per_length"] * DECK_ELEMENT * G / DECK_K
+        z = DECK_Z + line["diameter"] / 2 - sunk
+        nodes = zigzag(start[0], start[1], z, -1 if start[1] < 0 else 1)
+        cable |= {"from": {"body": "hull", "point": nodes[0]}, "to": {"free": nodes[-1]},
+                  "length": DECK_COUNT * DECK_ELEMENT, "elements": DECK_COUNT,
+                  "shape": nodes[1:-1]}
+        for ship in ("ahts1", "ahts2"):
+            hull = state[f"{ship}/hull"]
+            for i in range(1, old + 1):
+                del state[f"{ship}/{cable['name']}/{i}"]
+            for i, p in enumerate(nodes[1:]):
+                at = [a + b for a, b in zip(hull["p"], rotated(hull["q"], p))]
+                state[f"{ship}/{cable['name']}/{i + 1}"] = {"p": at}
+
+
+def handler(template):
+    """The anchor handler without bare drums: its winches are those of the scene."""
+    t = copy.deepcopy(template)
+    t["bodies"] = [b for b in t["bodies"] if b["name"] not in ("tow_drum", "work_drum")]
+    t["interactions"] = [i for i in t["interactions"]
+                         if i["name"] not in ("tow_winch", "work_winch")]
+    inputs = []
+    for i in t["inputs"]:
+        if i["name"] in ("tow_speed", "work_speed"):
+            line = i["name"][:-6]
+            i = {"name": i["name"], "signal": "${" + line + "_winch}.speed", "factor": DRUM_R,
+                 "min": i["min"], "max": i["max"]}
+        inputs.append(i)
+    t["inputs"] = inputs
+    t["parameters"] |= {"tow_winch": "tow_winch", "work_winch": "work_winch"}
+    return t
+
+
+def winch(cable, end_element):
+    """Wire leaves it in the fourth layer, at about the radius of anchor_contact's."""
+    return {"name": f"{cable}_winch", "cable": cable, "core_radius": CORE_R, "width": 2.4,
+            "stored": STORED, "inertia": 80000,
+            "element": end_element, "mode": "speed", "speed": 0, "torque_haul": 5e6,
+            "torque_pay": 5e6}
+
+
+def resolution(name):
+    out = {"min_length": LEAST, "max_length": 4 * LEAST, "patience": 3}
+    if name.startswith("mooring"):
+        out["contact_length"] = 0  # a level bed asks for none
+    return out
+
+
+def elements_of(cable, element):
+    if element:
+        return max(2, round(cable["length"] / element))
+    finest = int(cable["length"] / LEAST)
+    over_roller = cable["name"][:3] in ("tow", "wor")
+    return finest if over_roller else min(cable["elements"], finest)
+
+
+def dump(data):
+    """JSON with lists of numbers on one line."""
+    text = json.dumps(data, indent=1)
+    return re.sub(r"\[\s+([-\d.e+,\s]+?)\s+\]",
+                  lambda m: "[" + re.sub(r"\s+", " ", m.group(1)) + "]", text) + "\n"
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    options.add_argument("--start", type=pathlib.Path)
+    options.add_argument("--element", type=float)
+    given = options.parse_args()
+    scene = json.loads((ROOT / "anchor_contact.json").read_text())
+    state = json.loads((ROOT / "anchor_contact.settled.json").read_text())["bodies"]
+    deck_lines(scene["templates"]["handler"], scene["line_types"], state)
+    scene["templates"]["handler"] = handler(scene["templates"]["handler"])
+    winches = []
+    for cable in scene["cables"]:
+        count = elements_of(cable, given.element)
+        if count != cable["elements"]:
+            resampled(cable, state, count)
+        cable["consistent_mass"] = True
+        if not given.start:
+            cable["resolution"] = resolution(cable["name"])
+        if cable["name"][:3] in ("tow", "wor"):
+            drum = cable.pop("winch")["drum"]
+            del state[drum]
+            state[f"{cable['name']}_winch/drum"] = {"p": [0, 0, 0]}
+            winches.append(winch(cable["name"], cable["length"] / cable["elements"]))
+    for instance in scene["instances"]:
+        if instance["template"] == "handler":
+            number = instance["name"][-1]
+            instance["parameters"] |= {f"{line}_winch": f"{line}{number}_winch"
+                                       for line in ("tow", "work")}
+    scene["winches"] = winches
+    scene["name"] = NAME
+    scene["description"] = (
+        "The site of anchor_contact with winches for tow and work wires, and lines whose nodes come "
+        "and go by tension, curvature and contact. See docs/anchor_adaptive.md and "
+        "scripts/make_anchor_adaptive.py.")
+    folder = given.start or ROOT
+    scene["state"] = {"file": f"{NAME}.settled.json"}
+    if given.start:
+        shutil.copytree(ROOT / "parts", folder / "parts", dirs_exist_ok=True)
+        (folder / f"{NAME}.settled.json").write_text(dump(
+            {"version": 1, "scene": NAME, "bodies": state}))
+    (folder / f"{NAME}.json").write_text(dump(scene))
+    print(f"{len(scene['cables'])} cables of {sum(c['elements'] for c in scene['cables'])} elements "
+          f"beside those on deck, {len(winches)} winches")
+
+
+if __name__ == "__main__":
+    main()
