@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hawser::verify {
 
@@ -194,7 +195,7 @@ Verifier::Side Verifier::side_of(const World& world, ShapeId shape, const Vec3& 
 double Verifier::natural_map(const World& world, const ContactView& contact) {
     const Vec3 &n = contact.normal, lambda = step_ * contact.force;
     Vec3 u = Vec3::Zero();
-    double mobility = 0.0, speed = 0.0, speeds = 0.0;
+    double mobility = 0.0, speed = 0.0, speeds = 0.0, terms = 0.0;
     for (int k = 0; k < 2; ++k) {
         const double sign = k == 0 ? -1.0 : 1.0;
         const double to_axis = 0.5 * contact.gap + world.shape_def(contact.shape[k]).radius;
@@ -207,7 +208,9 @@ double Verifier::natural_map(const World& world, const ContactView& contact) {
             const Twist now = world.velocity(id), before = twist_[b];
             const bool turns = def.kind != BodyKind::lump;
             const Vec3 arm = turns ? Vec3(contact.point - pose_[b].position) : Vec3::Zero();
-            u += sign * w * (now.linear + now.angular.cross(arm));
+            const Vec3 at_point = now.linear + now.angular.cross(arm);
+            u += sign * w * at_point;
+            terms += at_point.norm();
             const double along = n.dot(before.linear + before.angular.cross(arm));
             speed += sign * w * along;
             speeds += std::abs(along);
@@ -232,7 +235,9 @@ double Verifier::natural_map(const World& world, const ContactView& contact) {
     const double rho = 1.0 / (mobility + std::max(sn, st));
     const Vec3 error = lambda - onto_cone(lambda - rho * (r + shift * n), n, contact.friction);
     const Vec3 q = rho * (u - contact.target - mobility * lambda);
-    if (error.norm() == 0.0) return 0.0;
+    // What is left of velocities that cancel is their rounding, here other than in the step.
+    constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+    if (error.norm() <= kRounding * rho * (terms + contact.target.norm())) return 0.0;
     return error.norm() / std::max({lambda.norm(), q.norm(), floor_});
 }
 
