@@ -89,17 +89,18 @@ void begin_budget(StepContext& ctx) noexcept {
 
 namespace {
 
-/// What the step would have taken as a whole, over what it may; 0: it has no budget.
+/// What the step took over what it may, a little more than that where it was cut; 0: it has no
+/// budget.
 double demand_of(const StepContext& ctx) noexcept {
     const WorldDef& def = ctx.model.def;
     const StepStats& s = ctx.work.stats;
     double demand = 0.0;
-    if (def.budget > 0.0)
-        demand = std::max(s.solver_cpu_seconds, s.foreseen_seconds) / (kAim * def.budget);
+    if (def.budget > 0.0) demand = s.solver_cpu_seconds / (kAim * def.budget);
     if (def.budget_work > 0.0)
-        demand =
-            std::max(demand, (s.cut ? 1.01 : 1.0) * static_cast<double>(ctx.work.solve.step_flops) /
-                                 def.budget_work);
+        demand = std::max(demand, static_cast<double>(ctx.work.solve.step_flops) / def.budget_work);
+    // What it would have taken as a whole is foreseen with room for deviations: not reckoned with.
+    constexpr double kCut = 1.05;
+    if (s.cut) demand = std::max(demand, kCut);
     return demand;
 }
 
