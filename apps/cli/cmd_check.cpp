@@ -39,8 +39,9 @@ struct CheckOptions {
     std::vector<std::string> files;
     bool json = false, signals = false, cables = false;
 
-    /// A line for each cable of many scenes would bury what is wrong with one.
-    [[nodiscard]] bool says_cables() const { return json || cables || files.size() == 1; }
+    /// Lines for each cable and operation of many scenes would bury what is wrong with one.
+    [[nodiscard]] bool one_scene() const { return files.size() == 1; }
+    [[nodiscard]] bool says_cables() const { return json || cables || one_scene(); }
 };
 
 struct Checked {
@@ -68,7 +69,7 @@ std::string counted(std::size_t count, const char* what) {
     return count == 0 ? "" : fmt::format(", {} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-void print_lines(const std::string& file, const Checked& checked, bool signals) {
+void print_lines(const std::string& file, const Checked& checked, const CheckOptions& options) {
     for (const scene::SceneError& mistake : checked.mistakes)
         fmt::print(stderr, "{}\n", mistake.what());
     if (!checked.scene) {
@@ -85,9 +86,10 @@ void print_lines(const std::string& file, const Checked& checked, bool signals) 
         scene.world.interactions().size(), scene.cables.size(), scene.world.inputs().size(),
         scene.world.output_ids().size(), scene.hash);
     fmt::print("{}", report::start::to_text(checked.cables, kMostCables));
-    for (const scene::Operation& operation : scene.timeline)
-        fmt::print("  at {:.6g} s: {}\n", operation.at, to_string(operation));
-    if (signals) fmt::print("{}", signal_lines(scene.world));
+    if (options.one_scene())
+        for (const scene::Operation& operation : scene.timeline)
+            fmt::print("  at {:.6g} s: {}\n", operation.at, to_string(operation));
+    if (options.signals) fmt::print("{}", signal_lines(scene.world));
 }
 
 Report cable_report(const std::vector<report::start::CableStart>& cables) {
@@ -148,7 +150,7 @@ int check(const CheckOptions& options) {
         if (options.json)
             reports.push_back(report_of(file, checked));
         else
-            print_lines(file, checked, options.signals);
+            print_lines(file, checked, options);
     }
     if (options.json)
         fmt::print("{}\n", reports.dump(2, ' ', false, Report::error_handler_t::replace));

@@ -14,6 +14,8 @@
 /// slack one, and the torque T R (e^(μβ) − 1); the other way it is the tight one, and the torque
 /// T R (1 − e^(−μβ)). Their ratio is e^(μβ). A winch's band is set to hold more as wire runs out.
 
+#include "wire/bounds.h"
+
 #include <cmath>
 
 namespace hawser::wire {
@@ -26,7 +28,6 @@ namespace hawser::wire {
 
 /// What is left of a tension behind wraps on a drum: T e^(−2π μ wraps).
 [[nodiscard]] inline double behind_wraps(double tension, double friction, double wraps) noexcept {
-    constexpr double kTurn = 6.283185307179586;
     return tension * std::exp(-kTurn * friction * std::fmax(wraps, 0.0));
 }
 

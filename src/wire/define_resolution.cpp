@@ -3,11 +3,11 @@
 #include <hawser/resolution.h>
 #include <hawser/world.h>
 
+#include "wire/bounds.h"
 #include "wire/wire_resolution.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <string>
 
@@ -18,11 +18,7 @@ namespace {
     throw DefError("resolution '" + def.name + "': " + what);
 }
 
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
+using wire::number;
 
 void check_number(const ResolutionDef& def, const char* what, double value, double least,
                   double most) {
@@ -125,9 +121,9 @@ void define(World& world, const ResolutionDef& given) {
     check_bound(def, "drum_length", def.drum_length);
     const std::size_t room =
         std::max(static_cast<std::size_t>(def.max_nodes), world.nodes(def.wire).size()) + 1;
-    world.add_system(
-        std::make_unique<wire::WireResolution>(def, room, std::int64_t{world.system_count()},
-                                               static_cast<double>(world.nodes(def.wire).size())));
+    world.add_system(std::make_unique<wire::WireResolution>(
+        def, room, std::int64_t{world.system_count()},
+        static_cast<double>(world.nodes(def.wire).size()), world.bodies().size()));
 }
 
 }  // namespace hawser

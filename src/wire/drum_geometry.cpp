@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "wire/drum_geometry.h"
 
+#include "wire/bounds.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace hawser::wire {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 /// Of a quotient that is a whole number but for rounding.
 constexpr double kRounding = 1e-9;
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "wire/gypsy.h"
 
+#include "wire/bounds.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace hawser::wire {
 namespace {
 
-constexpr double kUnbounded = 1e30;  ///< A torque that nothing overcomes [N m].
-constexpr double kNear = 1e-9;       ///< Of a force at its bound, which rounding has moved.
-constexpr double kThere = 1e-6;      ///< Of a pocket, where a link lies in it.
-constexpr double kAhead = 2.0;       ///< Steps before the next pocket in which it is looked for.
+constexpr double kThere = 1e-6;  ///< Of a pocket, where a link lies in it.
+constexpr double kAhead = 2.0;   ///< Steps before the next pocket in which it is looked for.
 
 }  // namespace
 

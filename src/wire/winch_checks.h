@@ -6,19 +6,14 @@
 #include <hawser/def.h>
 #include <hawser/winch.h>
 
-#include <cstdio>
+#include "wire/bounds.h"
+
 #include <string>
 
 namespace hawser::wire {
 
 [[noreturn]] inline void refuse(const WinchDef& def, const std::string& what) {
     throw DefError("winch '" + def.name + "': " + what);
-}
-
-[[nodiscard]] inline std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
 }
 
 /// @throws DefError for a number below the least one, or at it where it has to be above.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What a winch tells its motor, brake and clutch to do.
 #include "wire/band_brake.h"
+#include "wire/bounds.h"
 #include "wire/winch_system.h"
 
 #include <hawser/world.h>
@@ -11,8 +12,7 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kUnbounded = 1e30;  ///< A torque that nothing overcomes [N m].
-constexpr double kStands = 1e-4;     ///< A drum whose wire is slower than this stands [m/s].
+constexpr double kStands = 1e-4;  ///< A drum whose wire is slower than this stands [m/s].
 
 }  // namespace
 

@@ -4,19 +4,16 @@
 #include <hawser/world.h>
 
 #include "wire/band_brake.h"
+#include "wire/bounds.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace hawser::wire {
 namespace {
 
-constexpr double kUnbounded = 1e30;  ///< A torque that nothing overcomes [N m].
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kLeastShare = 0.02;  ///< Of the element's length, which is not hauled in.
-constexpr double kNear = 1e-9;        ///< Of a force at its bound, which rounding has moved.
 
 }  // namespace
 

@@ -19,10 +19,11 @@ constexpr double kFlat = 0.05;
 }  // namespace
 
 WireResolution::WireResolution(const ResolutionDef& def, std::size_t room, std::int64_t phase,
-                               double nodes)
-    : def_(def), room_(room), phase_(phase), memory_(3 * room), nodes_(nodes) {
+                               double nodes, std::size_t bodies)
+    : def_(def), room_(room), bodies_(bodies), phase_(phase), memory_(3 * room), nodes_(nodes) {
     elements_.reserve(room);
     at_.reserve(room + 1);
+    touching_.reserve(bodies + room);
 }
 
 void WireResolution::visit_state(StateVisitor& v) {

@@ -22,8 +22,10 @@ namespace hawser::wire {
 class WireResolution final : public System {
   public:
     /// @param def  All of it given. @param room  Nodes that are remembered. @param phase  Of looks.
-    /// @param nodes  That there are.
-    WireResolution(const ResolutionDef& def, std::size_t room, std::int64_t phase, double nodes);
+    /// @param nodes  That there are. @param bodies  Of the world: memory for them is reserved, so
+    /// that the first look allocates nothing.
+    WireResolution(const ResolutionDef& def, std::size_t room, std::int64_t phase, double nodes,
+                   std::size_t bodies);
 
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
     [[nodiscard]] WireId wire() const noexcept { return def_.wire; }
@@ -33,7 +35,7 @@ class WireResolution final : public System {
     void signals(SignalTable& table) override;
     [[nodiscard]] bool coarsens() const noexcept override { return nodes_ > 3.0; }
     [[nodiscard]] std::unique_ptr<System> clone() const override {
-        return std::make_unique<WireResolution>(def_, room_, phase_, nodes_);
+        return std::make_unique<WireResolution>(def_, room_, phase_, nodes_, bodies_);
     }
 
   private:
@@ -71,7 +73,7 @@ class WireResolution final : public System {
     [[nodiscard]] bool may_go(std::size_t node) const noexcept;
 
     ResolutionDef def_;
-    std::size_t room_;
+    std::size_t room_, bodies_;
     std::int64_t phase_;
 
     // State.

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file bounds.h
+/// Numbers that drums, gypsies and what orders them have in common.
+
+#include <cstdio>
+#include <numbers>
+#include <string>
+
+namespace hawser::wire {
+
+inline constexpr double kTurn = 2.0 * std::numbers::pi;  ///< [rad]
+inline constexpr double kUnbounded = 1e30;               ///< A torque that nothing overcomes [N m].
+inline constexpr double kNear = 1e-9;  ///< Of a force at its bound, which rounding has moved.
+
+/// For messages: six digits.
+[[nodiscard]] inline std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+}  // namespace hawser::wire
