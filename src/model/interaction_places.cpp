@@ -171,9 +171,9 @@ void Interactions::write_rows(int id, const Bodies& bodies_in, double h) {
         defined[row] = epsilon[row] = spec[r].compliance;
         tau[row] = spec[r].damping_time;
         const bool damper = !spec[r].velocity && !spec[r].calmed;
-        row_flags[row] =
-            static_cast<std::uint8_t>((spec[r].velocity ? kRowVelocity : 0) |
-                                      (spec[r].gap ? kRowGap : 0) | (damper ? kRowDamper : 0));
+        row_flags[row] = static_cast<std::uint8_t>(
+            (spec[r].velocity ? kRowVelocity : 0) | (spec[r].gap ? kRowGap : 0) |
+            (damper ? kRowDamper : 0) | (spec[r].turns ? kRowTurns : 0));
         for (base::Array<double>* a : {&mobility, &upsilon, &recall, &inv_sigma, &least_sigma, &g,
                                        &c, &residual, &lambda, &multiplier, &force})
             (*a)[row] = 0.0;

@@ -13,6 +13,7 @@
 #include "base/places.h"
 #include "model/bodies.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -32,6 +33,7 @@ enum RowFlag : std::uint8_t {
     kRowGap = 2,       ///< Counts in violation_max.
     kRowDamper = 4,    ///< Its τ is that of a damper, not of the scheme.
     kRowRecoils = 8,   ///< Of a wire that parted: its force is that at the end of the step.
+    kRowTurns = 16,    ///< g is a difference of two unit vectors.
 };
 
 enum InteractionFlag : std::uint8_t {
@@ -57,6 +59,14 @@ inline constexpr double kElasticCompliance = 1e-11;
 /// A wire element stores energy however stiff it is: of heavy bodies' wires that is much.
 [[nodiscard]] constexpr bool holds_energy(double epsilon, double rest_length) noexcept {
     return epsilon > (rest_length > 0.0 ? 0.0 : kElasticCompliance);
+}
+
+/// Violation of a row at the half step before the poses, by its speed. A difference of directions
+/// stays within 2: a wire that lies folded bends by elements far shorter than they move in a step.
+[[nodiscard]] constexpr double half_step_gap(std::uint8_t row_flags, double g, double half,
+                                             double speed) noexcept {
+    const double back = g - half * speed;
+    return row_flags & kRowTurns ? std::clamp(back, -2.0, 2.0) : back;
 }
 
 /// Flags of interactions whose force is bounded.

@@ -90,7 +90,8 @@ Energy energy(StepContext& ctx) noexcept {
             if ((v.row_flags[row] & model::kRowVelocity) ||
                 !model::holds_energy(v.epsilon[row], v.rest_length[id]))
                 continue;
-            const double g = (rests ? s.g[r] : v.g[row]) - half * speed;
+            const double now = rests ? s.g[r] : v.g[row];
+            const double g = model::half_step_gap(v.row_flags[row], now, half, speed);
             if (!line || g > 0.0) e.elastic += 0.5 * g * g / v.epsilon[row];
         }
     }

@@ -75,7 +75,10 @@ void Forces::bend(std::span<const double> f) {
     if (f[0] == 0.0 && f[1] == 0.0) return;
     const Vec3 p[3] = {point(0), point(1), point(2)};
     const Vec3 d1 = p[1] - p[0], d2 = p[2] - p[1];
-    const Vec3 e1 = d1.normalized(), e2 = d2.normalized(), t = (e1 + e2).normalized();
+    // Segments that have collapsed below a tenth of the mean length do not turn as unit vectors do.
+    const double shortest = 0.1 * def().get("length");
+    const double l1 = std::max(d1.norm(), shortest), l2 = std::max(d2.norm(), shortest);
+    const Vec3 e1 = d1 / l1, e2 = d2 / l2, t = (e1 + e2).normalized();
     int least = 0, next = 1, most = 2;
     const auto size = [&](int k) { return std::abs(t[k]); };
     if (size(next) < size(least)) std::swap(next, least);
@@ -92,8 +95,11 @@ void Forces::bend(std::span<const double> f) {
     }
     const Vec3 n1 = (Vec3::Unit(least) - t[least] * t).normalized();
     const Vec3 moment = f[0] * n1 + f[1] * t.cross(n1);
-    const Vec3 first = (moment - moment.dot(e1) * e1) / d1.norm();
-    const Vec3 last = (moment - moment.dot(e2) * e2) / d2.norm();
+    const auto square = [&](const Vec3& e, double length) -> Vec3 {
+        const double along = length > shortest ? moment.dot(e) : 0.0;
+        return (moment - along * e) / length;
+    };
+    const Vec3 first = square(e1, l1), last = square(e2, l2);
     push(0, first, p[0]);
     push(1, -first - last, p[1]);
     push(2, last, p[2]);

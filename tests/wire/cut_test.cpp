@@ -251,7 +251,11 @@ TEST(WireCut, TriplateSharesALoadByItsHoles) {
     EXPECT_NEAR(sum.x(), 0.0, 1.0);
     EXPECT_LT(w.world_point(joint.plate, triplate_hole(how, 2)).z(),
               w.pose(joint.plate).position.z());
-    EXPECT_EQ(w.verdict().grade, Grade::good);
+    const Verdict verdict = w.verdict();
+    const Finding& worst = verdict.of(verdict.judge);
+    EXPECT_EQ(verdict.grade, Grade::good)
+        << "judge " << static_cast<int>(verdict.judge) << ", " << worst.value << " at "
+        << worst.time << " s, " << worst.doubtful << " of the limit";
 }
 
 TEST(WireCut, EndsAreAttachedWhereTheyAreAndLetGo) {

@@ -58,13 +58,14 @@ TEST(FailedStep, LeavesTheStateAloneWhenItIsTheFirst) {
     }
 }
 
-/// Two bodies on the line between two others: a bend with coinciding nodes has no direction and
-/// its Jacobian overflows.
+/// Condensing adds a stiffness of 1e24 times the mass, which is lost in rounding.
 TEST(FailedStep, ReportsASingularModel) {
     Recipe r;
-    const BodyId a = r.lump({0, 0, 0}, 1.0), b = r.lump({0, 0, 0}, 1.0), c = r.lump({1, 0, 0}, 1.0);
-    InteractionDef d = between(InteractionKind::Bend, {a, b, c});
-    r.add(d.set("EI", 1e3).set("length", 1.0));
+    const BodyId a = r.lump({0, 0, 0}, 1e-9), b = r.lump({1, 0, 0}, 1e-9);
+    InteractionDef d = between(InteractionKind::Stretch, {a, b});
+    r.add(d.set("EA", 1e15).set("length", 1.0));
+    r.world.form = Form::condensed;
+    r.world.step = 1.0 / 60.0;
     World w = r.make();
     const auto hash = w.state_hash();
     w.prepare();
@@ -73,6 +74,21 @@ TEST(FailedStep, ReportsASingularModel) {
     EXPECT_EQ(w.state_hash(), hash);
     EXPECT_EQ(w.step(), status) << "and goes on saying so";
     EXPECT_TRUE(w.pose(a).position.allFinite());
+}
+
+/// Such a bend has no direction: its Jacobian overflowed, and steps ended as wrong_pivot.
+TEST(FailedStep, NodesOfAWireMayCoincide) {
+    Recipe r;
+    const BodyId a = r.lump({0, 0, 0}, 1.0), b = r.lump({0, 0, 0}, 1.0), c = r.lump({1, 0, 0}, 1.0);
+    InteractionDef d = between(InteractionKind::Bend, {a, b, c});
+    const double EI = 1e3, length = 1.0;
+    r.bodies[static_cast<std::size_t>(b.index)].velocity = {0, 1e-3, 0};
+    const InteractionId bend = r.add(d.set("EI", EI).set("length", length));
+    World w = r.make();
+    for (int i = 0; i < 100; ++i) ASSERT_EQ(w.step(), Status::ok);
+    // A unit vector changes by 2 at most.
+    for (const double moment : w.force(bend)) EXPECT_LE(std::abs(moment), 2.0 * EI / length);
+    for (const BodyId id : {a, b, c}) EXPECT_LT(w.velocity(id).linear.norm(), 1e-2 + 9.81 * 1.7);
 }
 
 TEST(FailedStep, SpinTooFastForTheStepIsNoCrash) {

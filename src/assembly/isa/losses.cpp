@@ -18,14 +18,18 @@ inline bool holds(const View& view, std::int32_t id, int row) {
 
 // model::InteractionFlag and RowFlag.
 constexpr int kPullsOnly = 1, kRange = 2, kByInput = 16, kCarried = 32, kFriction = 128;
-constexpr int kVelocityRow = 1;
+constexpr int kVelocityRow = 1, kTurns = 16;
+/// As model::half_step_gap() has it.
+constexpr double kMostTurn = 2.0, kUnbounded = 1e300;
 
-/// Rows of some interactions in a row: which count, only pull, hold energy, and are completed.
+/// Rows of some interactions in a row: which count, only pull, hold energy, and are completed; the
+/// largest violation there is of a difference of directions.
 struct Marks {
     double counts[assembly::kLossChunk * kMaxInteractionRows + kLanes];
     double pulls[assembly::kLossChunk * kMaxInteractionRows + kLanes];
     double holds[assembly::kLossChunk * kMaxInteractionRows + kLanes];
     double completed[assembly::kLossChunk * kMaxInteractionRows + kLanes];
+    double most[assembly::kLossChunk * kMaxInteractionRows + kLanes];
 };
 
 /// @return Interactions left to the caller.
@@ -47,9 +51,16 @@ int mark(const View& view, std::int32_t begin, std::int32_t end, std::int32_t fi
             marks.pulls[r - first] = pulls ? 1.0 : 0.0;
             marks.holds[r - first] = holds(view, id, r) ? 1.0 : 0.0;
             marks.completed[r - first] = view.completed[id];
+            marks.most[r - first] = view.row_flags[r] & kTurns ? kMostTurn : kUnbounded;
         }
     }
     return count;
+}
+
+/// @return a, but at most that size.
+inline V8 within(const V8& a, const V8& most) {
+    const V8 below = select_greater(a, most, most, a);
+    return select_greater(-most, below, -most, below);
 }
 
 }  // namespace
@@ -61,7 +72,8 @@ double row_losses(const View& view, std::int32_t begin, std::int32_t end, std::i
     const std::int32_t rows = view.row_begin[end - 1] + view.rows[end - 1] - first;
     *left_count = mark(view, begin, end, first, marks, left);
     for (int i = rows; i < rows + kLanes; ++i)
-        marks.counts[i] = marks.pulls[i] = marks.holds[i] = marks.completed[i] = 0.0;
+        marks.counts[i] = marks.pulls[i] = marks.holds[i] = marks.completed[i] = marks.most[i] =
+            0.0;
     V8 taken{};
     const V8 none{}, half = none + 0.5 * view.h, per_h4 = none + 4.0 / view.h;
     bool was_slack = false;
@@ -75,7 +87,8 @@ double row_losses(const View& view, std::int32_t begin, std::int32_t end, std::i
         const V8 completed = load(marks.completed + i);
         if (any(completed)) before = select_greater(completed, none, of(view.rate), before);
         const V8 after = c - of(view.sigma) * lambda - of(view.residual);
-        const V8 old = g - half * before, now = g + half * after;
+        const V8 most = load(marks.most + i);
+        const V8 old = within(g - half * before, most), now = within(g + half * after, most);
         // A line that was slack at the last half step has another c (when_slack()).
         const V8 size = select_greater(g, none, g, -g);
         const V8 slack = select_greater(old, 1e-9 * size, none, pulls);

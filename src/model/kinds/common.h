@@ -63,6 +63,7 @@ struct RowSpec {
     bool velocity = false;      ///< G v = u instead of g = 0.
     bool calmed = false;        ///< τ is the scheme's own: it belongs to no damper.
     bool gap = false;           ///< A translational constraint: counts in violation_max.
+    bool turns = false;         ///< g is a difference of directions: at most 2.
     bool one_sided = false;     ///< Only pulls (λ ≤ 0).
     bool range = false;         ///< Idle while inside its range.
     bool friction = false;      ///< Its force is bounded, and what it holds on to gives way.

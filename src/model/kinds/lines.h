@@ -7,6 +7,9 @@
 /// Bend: unit tangents e₁, e₂ of the two segments at a node, t their mean direction; the two
 /// rows are the components of e₂ − e₁ square to t, of size 2 sin(φ/2) for a bend angle φ, with
 /// ε = l̄/EI: the hinge stiffness EI/l̄ of a beam of constant bending stiffness.
+/// A slack wire that heaps up folds its segments, and what is shorter than l̄/10 has no direction: a
+/// couple on it would need forces 2 EI/(l̄ |d|), beyond all bounds. There e = d/(l̄/10) instead of
+/// d/|d|, continuous, of the same energy otherwise.
 /// Source: Servin, Lacoursière, Nordfelth, Bodin, "Hybrid, multiresolution wires with massless
 /// frictional contacts" (2011).
 
@@ -204,15 +207,19 @@ struct Bend {
         .params = kBendParams,
         .doc = "Bending stiffness of a line at the middle one of three nodes in order."};
     static constexpr bool kInLanes = true;
+    /// Of the length l̄: shorter segments do not point anywhere.
+    static constexpr double kCollapsed = 0.1;
     template <class T>
     struct DataT {
         T point[3][3];
+        T shortest;
     };
     using Data = DataT<double>;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         for (int r = 0; r < 2; ++r) {
             s[r].compliance =
                 given(d.compliance.data()[r], d.params.data()[1] / d.params.data()[0]);
+            s[r].turns = true;
             damping_or_calm(d, h, r, s[r]);
         }
     }
@@ -224,7 +231,13 @@ struct Bend {
             p[i] = b[i].x + arm[i];
         }
         const V3T<T> d1 = p[1] - p[0], d2 = p[2] - p[1];
-        const T i1 = 1.0 / (norm(d1) + 1e-300), i2 = 1.0 / (norm(d2) + 1e-300);
+        const T l1 = norm(d1), l2 = norm(d2), one = constant(l1, 1.0), none = constant(l1, 0.0);
+        const T i1 = 1.0 / select_greater(l1, d.shortest, l1, d.shortest);
+        const T i2 = 1.0 / select_greater(l2, d.shortest, l2, d.shortest);
+        // A unit vector changes square to itself alone, one of a collapsed segment in any
+        // direction.
+        const T square1 = select_greater(l1, d.shortest, one, none);
+        const T square2 = select_greater(l2, d.shortest, one, none);
         const V3T<T> e1 = i1 * d1, e2 = i2 * d2, sum = e1 + e2;
         const T s = norm(sum);
         // else: a wire folded back on itself
@@ -233,8 +246,8 @@ struct Bend {
         perpendicular(t, n[0], n[1]);
         for (int r = 0; r < 2; ++r) {
             out.g[r] = dot(n[r], e2 - e1);
-            const V3T<T> a = i1 * (n[r] - dot(n[r], e1) * e1);  // −∂g/∂p0
-            const V3T<T> c = i2 * (n[r] - dot(n[r], e2) * e2);  // ∂g/∂p2
+            const V3T<T> a = i1 * (n[r] - square1 * dot(n[r], e1) * e1);  // −∂g/∂p0
+            const V3T<T> c = i2 * (n[r] - square2 * dot(n[r], e2) * e2);  // ∂g/∂p2
             out.set(0, r, a, cross(arm[0], a));
             out.set(1, r, -a - c, -cross(arm[1], a + c));
             out.set(2, r, c, cross(arm[2], c));
@@ -243,6 +256,7 @@ struct Bend {
 #ifdef HAWSER_KIND_SETUP
     static Data make(const InteractionDef& d) {
         Data o{};
+        o.shortest = kCollapsed * d.params.data()[1];
         for (int b = 0; b < 3; ++b) copy_point(d, b, o.point[b]);
         return o;
     }
