@@ -105,7 +105,7 @@ ShapeId World::Impl::segment_between(std::int32_t a, std::int32_t b) const noexc
 void World::Impl::check_node(InteractionId element, double share, double mass) const {
     const model::Interactions& in = ctx.model.interactions;
     const std::size_t e = place(element);
-    const std::string where = world::label("interaction", in.def[e].name);
+    const world::Where where("interaction", in.def[e].name);
     if (!kind_info(in.def[e].kind).is(kWireElement) || in.parted[e] != 0)
         world::refuse(where, "only elements of wires that are whole have nodes");
     if (systems.refuses_nodes(element))
@@ -164,17 +164,17 @@ BodyId World::insert_node(InteractionId element, double share, double mass) {
     const double whole = wound ? mass : stepper::mass_of_element(m.ctx, element.index);
     if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // without copies of anything
     (void)stepper::find_place(m.ctx, place);
-    const InteractionDef def = in.def[at(element.index)];
-    const BodyId a = def.body[0], b = def.body[1];
-    const BodyDef body =
-        world::node_body(*this, def, stepper::node_on(m.ctx, element.index, share, whole));
+    const BodyId a = in.def[at(element.index)].body[0], b = in.def[at(element.index)].body[1];
+    const BodyDef body = world::node_body(*this, in.def[at(element.index)],
+                                          stepper::node_on(m.ctx, element.index, share, whole));
     const ShapeId segment = m.segment_between(a.index, b.index);
     world::Wire* wire = m.wire_with(element);
     if (wire != nullptr) make_room_for_node(*wire);
 
     const Impl::Mark before = m.mark(a, b);
     const stepper::NodeLedger was = stepper::begin_node_edit(m.ctx, place);
-    world::Wire made;
+    world::Wire& made = m.wires.coming;
+    made.begin({}, true);
     make_room_for_node(made);
     const std::int32_t beside = place.bend[0] >= 0 ? place.bend[0] : place.bend[2];
     const double EI = beside >= 0       ? in.def[at(beside)].get("EI")
@@ -214,7 +214,7 @@ BodyId World::insert_node(InteractionId element, double share, double mass) {
 /// it stays.
 std::int32_t World::Impl::check_node_goes(BodyId node, stepper::NodePlace& place,
                                           double bend) const {
-    const std::string where = world::label("body", body_defs[at(node.index)].name);
+    const world::Where where("body", body_defs[at(node.index)].name);
     if (body_defs[at(node.index)].kind != BodyKind::lump || !stepper::find_place(ctx, place))
         world::refuse(where, "it is no node between two elements of a wire, and nothing else");
     const bool second = stepper::is_wound(ctx, place.second);

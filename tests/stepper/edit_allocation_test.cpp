@@ -196,6 +196,65 @@ TEST(EditAllocation, NoneOnceWarmInACommittedScene) {
     }
 }
 
+/// A wire that carries a load gets nodes and loses them again, as a winch or a resolution does.
+TEST(EditAllocation, NoneWhereNodesComeAndGo) {
+    if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
+    for (const int threads : {1, 2}) {
+        SCOPED_TRACE(threads);
+        World w({.step = 0.01, .threads = threads});
+        const BodyId top = w.add_body(
+            {.name = "top of a crane", .kind = BodyKind::fixed, .position = {0, 0, 100}});
+        const BodyId load = w.add_body(
+            {.name = "a load that hangs", .mass = 1000.0, .inertia = 1000.0 * Mat3::Identity()});
+        const WireId wire = w.add_wire({.name = "a wire of a long name",
+                                        .from = top,
+                                        .to = load,
+                                        .elements = 40,
+                                        .length = 100.0,
+                                        .EA = 1e7,
+                                        .mass_per_length = 5.0,
+                                        .EI = 50.0,
+                                        .drag = 20.0,
+                                        .radius = 0.0,
+                                        .consistent_mass = true});
+        for (int i = 0; i < 300; ++i) ASSERT_EQ(w.step(), Status::ok);  // until it hangs
+        // Places of what has gone are taken again after a while: as many rounds are warm.
+        constexpr int kWarm = 14, kRounds = 10, kNodes = 5;
+        BodyId put[kNodes];
+        int grown = 0, edits = 0;
+        std::int64_t planned = 0;
+        for (int round = 0; round < kWarm + kRounds; ++round)
+            for (int k = 0; k < 2 * kNodes; ++k) {
+                const std::int64_t growths = w.stats().growths, plans = w.stats().plans;
+                const InteractionId element =
+                    w.elements(wire)[static_cast<std::size_t>(2 + 3 * (k % kNodes))];
+                long in_edit = 0, seen = 0;
+                Status status = Status::ok;
+                {
+                    const AllocationGuard guard;
+                    if (k < kNodes)
+                        put[k] = w.insert_node(element, 0.5);
+                    else
+                        ASSERT_TRUE(w.remove_node(put[k - kNodes], 3.0));
+                    in_edit = AllocationGuard::seen();
+                    status = w.step();
+                    seen = AllocationGuard::seen();
+                }
+                ASSERT_EQ(status, Status::ok);
+                if (round < kWarm) continue;
+                ++edits;
+                planned += w.stats().plans - plans;
+                EXPECT_EQ(in_edit, 0) << "edit " << k << " of round " << round;
+                if (w.stats().growths != growths)
+                    ++grown;
+                else
+                    EXPECT_EQ(seen, in_edit) << "step after " << k << " of round " << round;
+            }
+        EXPECT_EQ(planned, 0);
+        EXPECT_LE(grown, edits / 20) << "of " << edits << " edits";
+    }
+}
+
 /// Shapes that come and go leave the system as it is, whether their body may touch without them or
 /// not; what a step finds is what it would find after an analysis, to the bit.
 TEST(EditAllocation, ShapesAloneAnalyseNothing) {
