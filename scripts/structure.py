@@ -113,6 +113,6 @@ def kinds_of(header: str) -> list[str]:
 
 def asks_for_kind(text: str, kinds: list[str]) -> bool:
     """Whether code compares the kind of an interaction or branches on it. Making one is no question."""
-    name = r"(?:hawser::)?(?:InteractionKind::)?(?:" + "|".join(kinds) + r")\b"
+    name = r"(?:hawser::)?(?:InteractionKind::)?(?:" + "|".join(kinds) + r")\b(?!::)"
     asked = rf"[!=]=\s*{name}|\bcase\s+{name}|{name}\s*[!=]="
     return re.search(asked, blank(text)) is not None

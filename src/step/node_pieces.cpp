@@ -19,12 +19,12 @@ Vec3 arm_of(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept 
            ctx.model.interactions.def[at(id)].point[slot];
 }
 
+}  // namespace
+
 bool is_bend(const StepContext& ctx, std::int32_t id) noexcept {
     const KindInfo& kind = kind_info(ctx.model.interactions.kinds[at(id)]);
     return kind.is(kOfWires) && !kind.is(kAlongLine) && kind.bodies == 3;
 }
-
-}  // namespace
 
 std::int32_t end_of(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
     return ctx.model.interactions.body[kSlots * at(id) + slot];

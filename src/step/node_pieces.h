@@ -69,6 +69,9 @@ void set_element(StepContext& ctx, std::int32_t id, double rest, double mass,
 void add_mass(StepContext& ctx, std::int32_t body, double more, const Vec3& damping) noexcept;
 [[nodiscard]] Vec3 damping_of(const StepContext& ctx, std::int32_t body) noexcept;
 
+/// Whether an interaction resists bending of a wire.
+[[nodiscard]] bool is_bend(const StepContext& ctx, std::int32_t id) noexcept;
+
 /// Length at the node of a bend: half of the pieces before and behind it.
 void set_bend(StepContext& ctx, std::int32_t id, std::int32_t one, std::int32_t other) noexcept;
 

@@ -151,7 +151,7 @@ std::vector<std::int32_t> chain_from(const StepContext& ctx, std::int32_t elemen
     std::vector<std::array<std::int32_t, 2>> held(at(ctx.model.bodies.count()), {-1, -1});
     for (std::int32_t id = 0; id < in.count(); ++id) {
         const KindInfo& kind = kind_info(in.kinds[at(id)]);
-        if (in.parted[at(id)] != 0 || in.kinds[at(id)] == InteractionKind::Bend) continue;
+        if (in.parted[at(id)] != 0 || is_bend(ctx, id)) continue;
         for (std::size_t k = 0; k < in.bodies[at(id)]; ++k) {
             auto& of = held[at(end_of(ctx, id, k))];
             if (!kind.is(kWireElement) || k > 1 || of[1] != -1)

@@ -131,7 +131,7 @@ std::string Verifier::after_step(const World& world) {
     add_interactions(world);
     add_loads(world);
     const double momentum = momentum_residual(world);
-    const std::string state = states_.after_step(world);
+    std::string state = states_.after_step(world);
     result_.states = states_.result();
     ++result_.steps;
     result_.difference = std::max(result_.difference, difference);

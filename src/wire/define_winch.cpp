@@ -118,7 +118,7 @@ double element_of(const World& world, const WinchDef& def) {
     const InteractionId at_drum = def.end == 0 ? elements.front() : elements.back();
     double mass = 0.0;  // of an element that has some of its own
     for (const InteractionId id : elements)
-        if (world.alive(id) && world.interaction_def(id).kind == InteractionKind::Stretch)
+        if (world.alive(id) && !kind_info(world.interaction_def(id).kind).is(kWoundUp))
             mass = std::max(mass, world.interaction_def(id).get("mass"));
     const bool asked = !std::isnan(def.element);
     if (asked && def.element == 0.0) return 0.0;

@@ -186,12 +186,11 @@ void WinchSystem::check_fastening(Prestep& now) noexcept {
 }
 
 /// What a gypsy's chain does on its wheel, and what hangs behind it.
-void WinchSystem::follow_chain(Prestep& now, Loads& loads) noexcept {
+void WinchSystem::follow_chain(const GypsyWheel& wheel, Prestep& now, Loads& loads) noexcept {
     const World& world = now.world;
     const double out = std::max(leaving_, 0.0) * radius_;  // [m/s]
     const double line = def_.mass_per_length;
-    const double weight =
-        parted_ == 0 ? line * world.settings().gravity.norm() * wheel_->fall : 0.0;
+    const double weight = parted_ == 0 ? line * world.settings().gravity.norm() * wheel.fall : 0.0;
     const double rate = parted_ == 0 ? line * out : 0.0;  // taken from the heap [kg/s]
     chain_.feel_tail(weight + rate * out);
     const double apart = angle_ - world.pose(ids_.drum).position.x();
@@ -231,7 +230,7 @@ void WinchSystem::prestep(Prestep& now, Loads& loads) noexcept {
     count_slip(now);
     follow_layer(now);
     check_fastening(now);
-    if (wheel_) follow_chain(now, loads);
+    if (wheel_) follow_chain(*wheel_, now, loads);
     count_release(now);
     give(now, orders());
     if (crowded_) now.tell(EventKind::no_node, ids_.drum, at_drum_);

@@ -88,7 +88,7 @@ class WinchSystem final : public System {
     void look(const Prestep& now) noexcept;
     void count_slip(Prestep& now) noexcept;
     void follow_layer(Prestep& now) noexcept;
-    void follow_chain(Prestep& now, Loads& loads) noexcept;
+    void follow_chain(const GypsyWheel& wheel, Prestep& now, Loads& loads) noexcept;
     [[nodiscard]] DrumGeometry::Place place() const noexcept;
     [[nodiscard]] double leaving_radius() const noexcept;
     [[nodiscard]] double wound_inertia() const noexcept;

@@ -99,6 +99,7 @@ struct World::Impl final : private world::InputDoor {
     void move_segment(ShapeId segment, std::size_t side, BodyId to) noexcept;
     [[nodiscard]] ShapeId segment_between(std::int32_t a, std::int32_t b) const noexcept;
     void check_node(InteractionId element, double share, double mass) const;
+    void check_cut_at_node(const std::string& where, stepper::NodePlace& place) const;
     [[nodiscard]] std::int32_t check_node_goes(BodyId node, stepper::NodePlace& place,
                                                double bend) const;
     [[nodiscard]] std::optional<ShapeDef> next_segment(const stepper::NodePlace& place, BodyId node,

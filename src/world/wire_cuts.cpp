@@ -169,6 +169,19 @@ WireId World::cut(WireId id, double s) {
     return cut(wire.elements[k], 0.0);
 }
 
+/// @throws DefError, with the remedy, where a wire cannot be cut at a node.
+void World::Impl::check_cut_at_node(const std::string& where, stepper::NodePlace& place) const {
+    if (!stepper::is_lump(ctx, place.node) || !stepper::find_place(ctx, place))
+        world::refuse(where,
+                      "it does not begin at a node between two elements that nothing else "
+                      "holds; cut it elsewhere, or detach() an end");
+    for (const std::int32_t id : {place.first, place.second})
+        if (systems.carried_mass(ctx.model.interactions.id(id)) > 0.0)
+            world::refuse(where,
+                          "the winch has the mass of what it pays out, and the lump next to it "
+                          "none to share; cut farther out, or detach() the end off the drum");
+}
+
 WireId World::cut(InteractionId element, double share) {
     const world::Using use(impl_->use, "cut");
     Impl& m = *impl_;
@@ -184,20 +197,7 @@ WireId World::cut(InteractionId element, double share) {
     m.know_wire_of(element);
     if (stepper::has_cuts(c.model)) stepper::begin_edit(c);  // without copies of anything
     stepper::NodePlace place{.node = def.body[0].index};
-    const auto is_node = [&] {
-        return stepper::is_lump(c, place.node) && stepper::find_place(c, place);
-    };
-    if (share == 0.0 && !is_node())
-        world::refuse(where,
-                      "it does not begin at a node between two elements that nothing else "
-                      "holds; cut it elsewhere, or detach() an end");
-    if (share == 0.0)
-        for (const std::int32_t id : {place.first, place.second})
-            if (m.systems.carried_mass(in.id(id)) > 0.0)
-                world::refuse(where,
-                              "the winch has the mass of what it pays out, and the lump next to "
-                              "it none to share; cut farther out, or detach() the end off the "
-                              "drum");
+    if (share == 0.0) m.check_cut_at_node(where, place);
     m.reserve_removal();
     std::int32_t vacant = -1;
     world::Wire made;

@@ -143,10 +143,10 @@ InteractionDef unwound(const stepper::StepContext& c, const std::array<std::int3
     return out;
 }
 
-void reserve_one(world::Wire& made) {
-    made.lumps.reserve(1);
-    made.elements.reserve(1);
-    made.shapes.reserve(1);
+void make_room_for_end(world::Wire& wire) {
+    base::make_room(wire.lumps, 1);
+    base::make_room(wire.elements, 1);
+    base::make_room(wire.shapes, 1);
 }
 
 /// One element pulls in another's place.
@@ -167,6 +167,33 @@ void end_at_lump(world::Wire& wire, std::size_t side, const world::Wire& made, I
     for (const ShapeId id : made.shapes) wire.shapes.push_back(id);
 }
 
+/// What a lump at the end of an element takes with it.
+struct EndShare {
+    stepper::LumpShare share;
+    double carried;       ///< Mass of the element that is its winch's [kg].
+    std::int32_t beyond;  ///< The element on the other side of the next lump; −1: none.
+    bool lump_next;       ///< The element's other end is a lump.
+};
+
+EndShare end_share(const stepper::StepContext& ctx, const world::Systems& systems,
+                   InteractionId element, BodyId next) {
+    const std::int32_t e = element.index;
+    EndShare out{.share = {.mass = 0.5 * stepper::mass_of_element(ctx, e)},
+                 .carried = systems.carried_mass(element),
+                 .beyond = -1,
+                 .lump_next = stepper::is_lump(ctx, next.index)};
+    if (out.lump_next) {
+        const stepper::NodeLinks links = stepper::links_of(ctx, next.index);
+        out.beyond = links.before == e ? links.after : links.before;
+        out.share = stepper::share_of(ctx, next.index, out.beyond, e);
+    }
+    if (out.carried > 0.0) {
+        out.share.mass = 0.5 * out.carried;
+        if (out.lump_next) out.share.share = out.share.mass / ctx.model.bodies.mass[at(next.index)];
+    }
+    return out;
+}
+
 }  // namespace
 
 /// Off a body. What lies on a drum stays there, parted; another element goes on in its place.
@@ -176,20 +203,7 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
     const std::string where = world::label("interaction", in.def[at(e)].name);
     const BodyId held = in.def[at(e)].body[side], next = in.def[at(e)].body[1 - side];
     const bool wound = kind_info(in.def[at(e)].kind).is(kWoundUp);
-    // That of an element at a drum may be the winch's.
-    const double carried = systems.carried_mass(element);
-    stepper::LumpShare share{.mass = 0.5 * stepper::mass_of_element(ctx, e)};
-    std::int32_t beyond = -1;
-    const bool lump_next = stepper::is_lump(ctx, next.index);
-    if (lump_next) {
-        const stepper::NodeLinks links = stepper::links_of(ctx, next.index);
-        beyond = links.before == e ? links.after : links.before;
-        share = stepper::share_of(ctx, next.index, beyond, e);
-    }
-    if (carried > 0.0) {
-        share.mass = 0.5 * carried;
-        if (lump_next) share.share = share.mass / ctx.model.bodies.mass[at(next.index)];
-    }
+    const auto [share, carried, beyond, lump_next] = end_share(ctx, systems, element, next);
     if (!(share.mass > 0.0))
         world::refuse(where,
                       "neither it nor a lump has the mass of the wire at this end; give the "
@@ -201,12 +215,9 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
         if (segment.valid()) segment_def = shape_defs[at(segment.index)];
     }
     world::Wire* wire = wire_with(element);
-    if (wire != nullptr) {
-        base::make_room(wire->lumps, 1);
-        base::make_room(wire->shapes, 1);
-    }
+    if (wire != nullptr) make_room_for_end(*wire);
     world::Wire made;
-    reserve_one(made);
+    make_room_for_end(made);
     const Mark before = mark(held, next);
     const double drive = ctx.state.ledger.drive;
     const double had = stepper::splice_energy(ctx, next.index, -1, e, e);
