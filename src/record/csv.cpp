@@ -10,6 +10,7 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
+#include <span>
 #include <stdexcept>
 
 namespace hawser::record {
@@ -37,7 +38,8 @@ CsvWriter::CsvWriter(const std::filesystem::path& file, const SceneInfo& scene, 
     line_ = "time [s]";
     for (const CableInfo& cable : scene.cables) {
         if (cable.elements.empty()) continue;
-        ends_.emplace_back(cable.elements.front(), cable.elements.back());
+        const InteractionId first = cable.elements.front(), last = cable.elements.back();
+        ends_.push_back({world.alive(first) ? world.wire_of(first) : WireId{}, first, last});
         line_ += "," + quoted(cable.name + " tension at first end [N]");
         line_ += "," + quoted(cable.name + " tension at last end [N]");
     }
@@ -61,8 +63,12 @@ void CsvWriter::add_row(const World& world) {
     const auto tension = [&](InteractionId id) {
         return world.alive(id) ? element_tension(world, id) : kGone;
     };
-    for (const auto& [first, last] : ends_)
-        fmt::format_to(out, ",{:.9g},{:.9g}", tension(first), tension(last));
+    for (const auto& [wire, first, last] : ends_) {
+        const auto now =
+            world.alive(wire) ? world.elements(wire) : std::span<const InteractionId>();
+        fmt::format_to(out, ",{:.9g},{:.9g}", tension(now.empty() ? first : now.front()),
+                       tension(now.empty() ? last : now.back()));
+    }
     for (const BodyId body : bodies_) {
         if (!world.alive(body)) {
             for (int k = 0; k < 6; ++k) fmt::format_to(out, ",{:.9g}", kGone);

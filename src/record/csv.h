@@ -32,7 +32,13 @@ class CsvWriter {
 
     std::filesystem::path file_;
     std::unique_ptr<std::FILE, CloseFile> out_;
-    std::vector<std::pair<InteractionId, InteractionId>> ends_;
+    /// Of a cable: a wire, whose elements come and go, or a row of links.
+    struct Ends {
+        WireId wire;
+        InteractionId first, last;
+    };
+
+    std::vector<Ends> ends_;
     std::vector<BodyId> bodies_;
     std::vector<OutputId> outputs_;
     std::string line_;

@@ -62,9 +62,9 @@ class AtRest {
         const Vec3 d = def_.to - def_.from;
         const double up = height(def_.to) - height(def_.from);
         const double span = std::sqrt(std::max(0.0, d.squaredNorm() - up * up));
+        const double bottom = def_.seabed.value_or(FlatSeabed{}).height;
         double high = span;
-        for (const Vec3& end : {def_.from, def_.to})
-            high += std::max(0.0, height(end) - def_.seabed->height);
+        for (const Vec3& end : {def_.from, def_.to}) high += std::max(0.0, height(end) - bottom);
         double low = std::max(d.norm(), 0.5 * high);
         for (int i = 0; i < 50 && high - low > 1e-7 * high; ++i) {
             const double middle = 0.5 * (low + high);
@@ -80,7 +80,8 @@ class AtRest {
             refuse(place_ / "seabed",
                    fmt::format("an end of the cable lies under it, at {:.6g} m and {:.6g} m where "
                                "its nodes lie at {:.6g} m",
-                               height(c_.from.world), height(c_.to.world), def_.seabed->height));
+                               height(c_.from.world), height(c_.to.world),
+                               def_.seabed.value_or(FlatSeabed{}).height));
         }
         if (rest.status == CatenaryStatus::unbalanced) {
             refuse(place_ / "shape", fmt::format("no shape at rest was found: {:.3g} N are left at "

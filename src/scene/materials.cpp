@@ -71,7 +71,7 @@ void expand_materials(Description& out, const Document& document) {
             const Place place = elsewhere != document.materials.end()
                                     ? elsewhere->second
                                     : document.place / "materials" / name;
-            const bool good = attempt(out.mistakes, [&, &name = name] {
+            const bool good = attempt(out.mistakes, [&] {
                 if (!is_valid_name(name)) {
                     refuse(place, in_quotes(name) + " is not a name: letters, digits and _ . + -");
                 }
@@ -159,7 +159,7 @@ void Description::check_groups() const {
         while (bit >> g != 1U) {
             ++g;
         }
-        (void)attempt(mistakes, [&, &place = place] {
+        (void)attempt(mistakes, [&] {
             refuse(place, "no shape is in the group " + in_quotes(group_names_[g]) +
                               suggestion(group_names_[g], known));
         });

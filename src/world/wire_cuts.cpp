@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cctype>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -38,7 +39,7 @@ std::string next_name(const world::Names& names, const std::string& of) {
 /// The second piece of a wire, and which bodies are on it. Room for both is made before the cut.
 class SecondPiece {
   public:
-    SecondPiece(const world::Wire& whole, std::string name, int bodies) {
+    SecondPiece(const world::Wire& whole, std::string_view name, int bodies) {
         wire.begin(name, whole.owns);
         wire.trim = whole.trim;
         wire.nodes.reserve(whole.nodes.size() + 2);
