@@ -81,8 +81,9 @@ enum class EventKind : std::uint8_t {
     /// A wire would be finer than its limit of nodes lets it (resolution.h); once each time, of a
     /// node of the element that stays too long. value: its nodes.
     node_limit,
+    render,  ///< A winch in mode render gave way; once each time. value: tension then [N].
 };
-inline constexpr int kEventKindCount = 23;
+inline constexpr int kEventKindCount = 24;
 [[nodiscard]] const char* to_string(EventKind kind) noexcept;
 
 struct Event {

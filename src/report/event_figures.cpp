@@ -36,6 +36,7 @@ int rank_of(EventKind kind) {
         case EventKind::detach:
         case EventKind::no_node:
         case EventKind::node_limit:
+        case EventKind::render:
             return 2;
         case EventKind::range:
             return 3;
@@ -64,6 +65,7 @@ const char* unit_of(const World& world, const Event& event) {
         case EventKind::cut:
         case EventKind::detach:
         case EventKind::chain_jump:
+        case EventKind::render:
             return "N";
         case EventKind::brake_slip:
             return "N m";
@@ -144,6 +146,8 @@ std::string what_happened(const EventFigures& e) {
             return "chain jumped on its gypsy " + plural(e.count, "time", "times");
         case EventKind::no_node:
             return "winches found no room for a node " + plural(e.count, "time", "times");
+        case EventKind::render:
+            return "winches gave way " + plural(e.count, "time", "times");
         case EventKind::node_limit:
             return "wires had all the nodes that they may " + plural(e.count, "time", "times");
     }

@@ -10,12 +10,6 @@
 #include <cmath>
 
 namespace hawser::wire {
-namespace {
-
-constexpr double kStands = 1e-4;  ///< A drum whose wire is slower than this stands [m/s].
-
-}  // namespace
-
 /// Nothing more is hauled in.
 bool WinchSystem::full() const noexcept {
     if (hauled_in_) return true;

@@ -63,7 +63,8 @@ void WinchSystem::visit_state(StateVisitor& v) {
                       &set_.speed, &set_.low, &set_.high, &set_.hold,   &set_.back, &layer_,
                       &wraps_,     &across_,  &pull_,     &pull_limit_, &inertia_,  &state_})
         v.visit(*x);
-    for (std::int32_t* x : {&slipping_, &parted_, &empty_, &released_, &engaged_}) v.visit(*x);
+    for (std::int32_t* x : {&slipping_, &parted_, &empty_, &released_, &engaged_, &rendering_})
+        v.visit(*x);
     if (!wheel_) return;
     for (double* x : {&grip_set_.speed, &grip_set_.low, &grip_set_.high, &end_set_}) v.visit(*x);
     chain_.visit_state(v);
@@ -148,6 +149,16 @@ void WinchSystem::count_slip(Prestep& now) noexcept {
     slipping_ = slips ? 1 : 0;
 }
 
+/// A motor in mode render that paid out against all that it may hold with: its other modes leave
+/// their upper bound above 0.
+void WinchSystem::count_rendering(Prestep& now) noexcept {
+    const bool gives = mode() == WinchMode::render && set_.high <= 0.0 && set_.low < 0.0 &&
+                       now.world.force(ids_.motor)[0] <= set_.low * (1.0 - kNear) &&
+                       radius_ * omega_ > kStands;
+    if (gives && rendering_ == 0) now.tell(EventKind::render, ids_.drum, pull_);
+    rendering_ = gives ? 1 : 0;
+}
+
 void WinchSystem::follow_layer(Prestep& now) noexcept {
     if (parted_ != 0) return;
     const DrumGeometry::Place at = place();
@@ -228,6 +239,7 @@ void WinchSystem::count_release(Prestep& now) noexcept {
 void WinchSystem::prestep(Prestep& now, Loads& loads) noexcept {
     look(now);
     count_slip(now);
+    count_rendering(now);
     follow_layer(now);
     check_fastening(now);
     if (wheel_) follow_chain(*wheel_, now, loads);

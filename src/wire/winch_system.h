@@ -87,6 +87,7 @@ class WinchSystem final : public System {
 
     void look(const Prestep& now) noexcept;
     void count_slip(Prestep& now) noexcept;
+    void count_rendering(Prestep& now) noexcept;
     void follow_layer(Prestep& now) noexcept;
     void follow_chain(const GypsyWheel& wheel, Prestep& now, Loads& loads) noexcept;
     [[nodiscard]] DrumGeometry::Place place() const noexcept;
@@ -124,6 +125,7 @@ class WinchSystem final : public System {
     GripOrder grip_set_{0.0, -1e30, 1e30};
     double end_set_ = 0.0;  ///< Bound of the bitter end [N m].
     std::int32_t slipping_ = 0, parted_ = 0, empty_ = 0, released_ = 0, engaged_ = 1;
+    std::int32_t rendering_ = 0;
     // Outputs.
     double layer_ = 1.0, wraps_ = 0.0, across_ = 0.0, pull_ = 0.0, pull_limit_ = 0.0;
     double inertia_ = 0.0, state_ = 0.0;

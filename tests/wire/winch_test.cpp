@@ -122,9 +122,12 @@ TEST(Winch, RendersAboveItsBandAndTakesInBelow) {
         }
         return sum;
     };
+    EXPECT_EQ(d.count(EventKind::render), 0);
     // Drawn out it gives way with the upper tension, slackened it takes in with the lower one.
     EXPECT_NEAR(mean(0.3), 5e5, 5e3);
     EXPECT_EQ(d.state(), WinchState::paying);
+    EXPECT_GE(d.count(EventKind::render), 1);
+    EXPECT_LE(d.count(EventKind::render), 20) << "while the wire swings, not in every step";
     EXPECT_NEAR(mean(-0.3), 3e5, 3e3);
     EXPECT_EQ(d.state(), WinchState::hauling);
 }
