@@ -189,6 +189,7 @@ Verifier::Side Verifier::side_of(const World& world, ShapeId shape, const Vec3& 
     side.count = 2;
     side.share[0] = 1.0 - s;
     side.share[1] = s;
+    side.length = along.norm();
     return side;
 }
 
@@ -210,7 +211,9 @@ double Verifier::natural_map(const World& world, const ContactView& contact) {
             const Vec3 arm = turns ? Vec3(contact.point - pose_[b].position) : Vec3::Zero();
             const Vec3 at_point = now.linear + now.angular.cross(arm);
             u += sign * w * at_point;
-            terms += at_point.norm();
+            // Of what a coordinate loses, levers make velocity, and a segment's length shares.
+            terms += at_point.norm() * (1.0 + contact.point.norm() / side.length) +
+                     now.angular.norm() * contact.point.norm();
             const double along = n.dot(before.linear + before.angular.cross(arm));
             speed += sign * w * along;
             speeds += std::abs(along);

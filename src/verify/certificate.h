@@ -25,6 +25,7 @@
 #include <hawser/hawser.h>
 #include <hawser/observer.h>
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -65,6 +66,7 @@ class Verifier : public Observer {
         int count = 0;
         BodyId body[2];
         double share[2] = {1.0, 0.0};
+        double length = HUGE_VAL;  ///< Over which two bodies share [m].
     };
     [[nodiscard]] Side side_of(const World& world, ShapeId shape, const Vec3& on_axis) const;
     [[nodiscard]] double natural_map(const World& world, const ContactView& contact);
