@@ -185,7 +185,7 @@ void sequence(std::uint32_t seed, long most, Tally& tally) {
         ++tally.operations;
         if (said == "done") {
             ++tally.done[op.what];
-            owed += op.adds;
+            if (owed > 0.0) owed += op.adds;  // else it is not known any more
             // An element that was pulled in whole, and more, has none to give.
             if (op.what != "detach" || !overhauled)
                 ASSERT_NEAR(material(w), had + op.adds, 1e-11 * had) << op.what << " " << seed;
