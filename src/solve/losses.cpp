@@ -50,11 +50,6 @@ void rates_by_rows(const View& v, std::int32_t id, Rates& out) noexcept {
     }
 }
 
-/// Violation at a half step before or after. @param by  What it is less there.
-double back(const View& v, std::int32_t row, double g, double by) noexcept {
-    return model::half_step_gap(v.row_flags[row], g, 1.0, by);
-}
-
 /// ½ g²/ε where the row pulls or pushes. @param now  Violation at the poses of the step.
 double held(const View& v, std::int32_t id, std::int32_t row, double now, double g) noexcept {
     if (!model::holds_energy(v.epsilon[row], v.rest_length[id])) return 0.0;
@@ -88,9 +83,10 @@ double losses_of(const Model& model, const View& v, std::int32_t id) noexcept {
         const bool rigid = !model::holds_energy(v.epsilon[row], v.rest_length[id]);
         if (rigid && (flags & model::kByInput)) continue;  // its work counts as driven
         const double g = v.g[row], half = 0.5 * v.h;
-        taken += held(v, id, row, g, back(v, row, g, half * rate.before[r])) -
-                 held(v, id, row, g, back(v, row, g, -half * rate.after[r])) -
-                 0.5 * v.lambda[row] * (rate.before[r] + rate.after[r]);
+        taken +=
+            held(v, id, row, g, model::half_step_gap(v.row_flags[row], g, half, rate.before[r])) -
+            held(v, id, row, g, model::half_step_gap(v.row_flags[row], g, half, -rate.after[r])) -
+            0.5 * v.lambda[row] * (rate.before[r] + rate.after[r]);
     }
     return taken;
 }
@@ -135,8 +131,8 @@ double cut_losses(Model& model, std::int32_t id) noexcept {
         const double g = before.g[r], half = 0.5 * v.h;
         const double rate = before.rate[r] + before.carried[r];
         const double rate_after = after.rate[r] + after.carried[r];
-        taken += held(v, id, row, g, back(v, row, g, half * rate)) -
-                 held(v, id, row, g, back(v, row, g, -half * rate_after)) -
+        taken += held(v, id, row, g, model::half_step_gap(v.row_flags[row], g, half, rate)) -
+                 held(v, id, row, g, model::half_step_gap(v.row_flags[row], g, half, -rate_after)) -
                  0.5 * v.lambda[row] * (rate + rate_after);
     }
     return taken;
