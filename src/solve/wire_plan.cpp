@@ -192,24 +192,29 @@ void settle_wires(StepContext& ctx) noexcept {
 }
 
 double held_by_element(const View& v, std::int32_t id) noexcept {
-    const Line l = line_of(v, id);
+    const std::int32_t* body = v.body + kMaxInteractionBodies * id;
     const double* record = v.geo_record + v.geo[id].record;
-    V3 end[2];
+    const bool lumps = v.geo[id].dof == 3;
+    V3 now[2], back[2];
     for (int b = 0; b < 2; ++b) {
-        const std::int32_t body = v.body[kMaxInteractionBodies * id + b];
         V3 lin, ang;
-        velocity_of(v, v.v, body, lin, ang);
+        velocity_of(v, v.v, body[b], lin, ang);
+        now[b] = generic::load3(v.x + 3 * body[b]);
+        back[b] = now[b] - (0.5 * v.h) * lin;
+        if (lumps) continue;
+        const V3 arm = generic::load3(record + 4 + 3 * b);
         // Half of the turn by 2 atan(h|ω|/2): a stiff spring feels the third order that Line::back
         // leaves out.
         const double whole = 0.25 * v.h * v.h * dot(ang, ang);
         const double half = -0.5 * v.h / (1.0 + std::sqrt(1.0 + whole));
-        end[b] = generic::load3(v.x + 3 * body) - (0.5 * v.h) * lin;
-        if (v.geo[id].dof != 3)
-            end[b] = end[b] + turned(generic::load3(record + 4 + 3 * b), half * ang);
+        now[b] = now[b] + arm;
+        back[b] = back[b] + turned(arm, half * ang);
     }
-    const double longer = norm(end[1] - end[0]) - l.rest;
+    const std::int32_t row = v.row_begin[id];
+    const double rest = norm(now[1] - now[0]) - v.g[row];
+    const double longer = norm(back[1] - back[0]) - rest;
     if ((v.flags[id] & model::kOneSided) && longer < 0.0) return 0.0;
-    return 0.5 * l.stiffness * longer * longer;
+    return 0.5 * longer * longer / v.epsilon[row];
 }
 
 }  // namespace hawser::stepper
