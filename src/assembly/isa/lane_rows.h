@@ -77,17 +77,20 @@ struct LaneRows {
         return (all & mask) != 0;
     }
 
-    /// What evaluate() needs. Lumps have no attachment points: all but a length stays untouched,
-    /// and that of a wire element is kept by itself.
+    /// What evaluate() needs. Lumps have no attachment points: lengths alone are read, and that
+    /// of a wire element is kept by itself.
     void load_data(const typename K::Data* data, typename K::template DataT<W8>& fields) const {
-        if constexpr (requires { K::kRestLength; }) {
+        const auto of_each = [&](auto member) {
+            double value[kLanes];
+            for (int l = 0; l < kLanes; ++l) value[l] = data[l].*member;
+            return W8(load(value));
+        };
+        if constexpr (requires { K::kRestLength; })
             fields.length =
                 in_a_row ? W8(load(view.rest_length + id[0])) : pick(view.rest_length, id, 0);
-        } else if constexpr (requires { data->length; }) {
-            double length[kLanes];
-            for (int l = 0; l < kLanes; ++l) length[l] = data[l].length;
-            fields.length = load(length);
-        }
+        else if constexpr (requires { data->length; })
+            fields.length = of_each(&K::Data::length);
+        if constexpr (requires { data->shortest; }) fields.shortest = of_each(&K::Data::shortest);
     }
 
     void evaluate(const typename K::Data* data) {

@@ -11,9 +11,9 @@ using assembly::View;
 
 constexpr double kElastic = 1e-11;  // model::kElasticCompliance
 
-/// As model::holds_energy().
-inline bool holds(const View& view, std::int32_t id, int row) {
-    return view.epsilon[row] > (view.rest_length[id] > 0.0 ? 0.0 : kElastic);
+/// Compliance above which rows hold energy, as model::holds_energy() has it.
+inline double rigid_up_to(const View& view, std::int32_t id) {
+    return view.rest_length[id] > 0.0 ? 0.0 : kElastic;
 }
 
 // model::InteractionFlag and RowFlag.
@@ -22,35 +22,61 @@ constexpr int kVelocityRow = 1, kTurns = 16;
 /// As model::half_step_gap() has it.
 constexpr double kMostTurn = 2.0, kUnbounded = 1e300;
 
-/// Rows of some interactions in a row: which count, only pull, hold energy, and are completed; the
-/// largest violation there is of a difference of directions.
+/// Rows of some interactions in a row: which count, only pull, and are completed; the compliance
+/// above which they hold energy, and the largest violation there is of a difference of directions.
 struct Marks {
-    double counts[assembly::kLossChunk * kMaxInteractionRows + kLanes];
-    double pulls[assembly::kLossChunk * kMaxInteractionRows + kLanes];
-    double holds[assembly::kLossChunk * kMaxInteractionRows + kLanes];
-    double completed[assembly::kLossChunk * kMaxInteractionRows + kLanes];
-    double most[assembly::kLossChunk * kMaxInteractionRows + kLanes];
+    static constexpr int kRoom = assembly::kLossChunk * kMaxInteractionRows + kLanes;
+    double counts[kRoom], pulls[kRoom], rigid[kRoom], completed[kRoom], most[kRoom];
+
+    /// The same for eight rows from one on: the next interaction's rows overwrite what is beyond.
+    HAWSER_INLINE void set(int row, double count, double pull, double least, double complete,
+                           double largest) {
+        const V8 none{};
+        store(counts + row, none + count);
+        store(pulls + row, none + pull);
+        store(rigid + row, none + least);
+        store(completed + row, none + complete);
+        store(most + row, none + largest);
+    }
 };
 
-/// @return Interactions left to the caller.
-int mark(const View& view, std::int32_t begin, std::int32_t end, std::int32_t first, Marks& marks,
-         std::int32_t* left) {
+bool any_faded(const View& view, std::int32_t first, std::int32_t rows) {
+    const V8 none{};
+    V8 faded = none;
+    for (int i = 0; i < rows; i += kLanes) {
+        const int n = rows - i < kLanes ? rows - i : kLanes;
+        const V8 recall = load_first(view.recall + first + i, n);
+        const V8 size = select_greater(recall, none, recall, -recall);
+        const V8 less = select_greater(none + assembly::kLeastRecall, size, none + 1.0, none);
+        faded += n == kLanes ? less : first_lanes(less, n);
+    }
+    return any(faded);
+}
+
+/// @param faded  Rows may have no recall. @return Interactions left to the caller.
+int mark(const View& view, std::int32_t begin, std::int32_t end, std::int32_t first, bool faded,
+         Marks& marks, std::int32_t* left) {
     int count = 0;
     for (std::int32_t id = begin; id < end; ++id) {
-        const int flags = view.flags[id], row = view.row_begin[id];
+        const int flags = view.flags[id], row = view.row_begin[id], rows = view.rows[id];
         const bool idle = view.active[id] == 0.0, pulls = (flags & kPullsOnly) != 0;
         const bool none = (flags & kFriction) || view.parted[id] || (idle && !pulls);
         bool own = none || idle || (flags & (kCarried | kRange));
-        for (int r = row; r < row + view.rows[id]; ++r)
-            own |= __builtin_fabs(view.recall[r]) < assembly::kLeastRecall;
+        int any_of = 0, all_of = 0xff;
+        for (int r = row; r < row + rows; ++r) {
+            any_of |= view.row_flags[r];
+            all_of &= view.row_flags[r];
+            if (faded) own |= __builtin_fabs(view.recall[r]) < assembly::kLeastRecall;
+        }
         if (own && !none) left[count++] = id;
-        for (int r = row; r < row + view.rows[id]; ++r) {
-            const bool driven =
-                (view.row_flags[r] & kVelocityRow) || ((flags & kByInput) && !holds(view, id, r));
-            marks.counts[r - first] = own || driven ? 0.0 : 1.0;
-            marks.pulls[r - first] = pulls ? 1.0 : 0.0;
-            marks.holds[r - first] = holds(view, id, r) ? 1.0 : 0.0;
-            marks.completed[r - first] = view.completed[id];
+        const double rigid = rigid_up_to(view, id);
+        marks.set(row - first, own ? 0.0 : 1.0, pulls ? 1.0 : 0.0, rigid, view.completed[id],
+                  all_of & kTurns ? kMostTurn : kUnbounded);
+        if (any_of == all_of && !(any_of & kVelocityRow) && !(flags & kByInput)) continue;
+        for (int r = row; r < row + rows; ++r) {
+            const bool driven = (view.row_flags[r] & kVelocityRow) ||
+                                ((flags & kByInput) && !(view.epsilon[r] > rigid));
+            if (driven) marks.counts[r - first] = 0.0;
             marks.most[r - first] = view.row_flags[r] & kTurns ? kMostTurn : kUnbounded;
         }
     }
@@ -70,10 +96,8 @@ double row_losses(const View& view, std::int32_t begin, std::int32_t end, std::i
     Marks marks;
     const std::int32_t first = view.row_begin[begin];
     const std::int32_t rows = view.row_begin[end - 1] + view.rows[end - 1] - first;
-    *left_count = mark(view, begin, end, first, marks, left);
-    for (int i = rows; i < rows + kLanes; ++i)
-        marks.counts[i] = marks.pulls[i] = marks.holds[i] = marks.completed[i] = marks.most[i] =
-            0.0;
+    *left_count = mark(view, begin, end, first, any_faded(view, first, rows), marks, left);
+    marks.set(rows, 0.0, 0.0, 0.0, 0.0, 0.0);
     V8 taken{};
     const V8 none{}, half = none + 0.5 * view.h, per_h4 = none + 4.0 / view.h;
     bool was_slack = false;
@@ -97,7 +121,7 @@ double row_losses(const View& view, std::int32_t begin, std::int32_t end, std::i
         store(marks.pulls + i, slack);
         const V8 old_held = select_greater(pulls, none, positive_part(old), old);
         const V8 now_held = select_greater(pulls, none, positive_part(now), now);
-        const V8 stiffness = select_greater(load(marks.holds + i), none, 0.5 / epsilon, none);
+        const V8 stiffness = select_greater(epsilon, load(marks.rigid + i), 0.5 / epsilon, none);
         const V8 loss = stiffness * (old_held * old_held - now_held * now_held) -
                         0.5 * (lambda * (before + after));
         taken += select_greater(used, none, loss, none);

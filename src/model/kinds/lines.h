@@ -224,7 +224,7 @@ struct Bend {
         }
     }
     template <class T, class Ref>
-    static void evaluate(const DataT<T>& d, const Ref* b, Rows<3, 2, T>& out) {
+    HAWSER_INLINE static void evaluate(const DataT<T>& d, const Ref* b, Rows<3, 2, T>& out) {
         V3T<T> arm[3], p[3];
         for (int i = 0; i < 3; ++i) {
             arm[i] = b[i].arm(d.point[i]);
