@@ -137,4 +137,19 @@ HAWSER_INLINE void load_lanes(const double* base, const std::int32_t* from, V8 (
     transpose(v);
 }
 
+/// Whether eight records of three entries follow each other in memory.
+[[nodiscard]] HAWSER_INLINE bool are_threes(const std::int32_t* from) {
+    std::int32_t off = 0;
+    for (int l = 1; l < kLanes; ++l) off |= from[l] - from[0] - 3 * l;
+    return off == 0;
+}
+/// The first three entries of eight records. @param in_a_row  are_threes(from).
+HAWSER_INLINE void load_lanes_of_three(const double* base, const std::int32_t* from, bool in_a_row,
+                                       V8 (&v)[3]) {
+    if (in_a_row) return load_threes(base + from[0], v);
+    V8 t[kLanes];
+    load_lanes(base, from, t);
+    for (int k = 0; k < 3; ++k) v[k] = t[k];
+}
+
 }  // namespace hawser::HAWSER_ISA

@@ -44,12 +44,6 @@ struct LaneRows {
         return true;
     }
 
-    /// First eight entries of body b of each lane, which has `scale` doubles.
-    void load_bodies(const double* base, int b, int scale, V8 (&v)[kLanes]) const {
-        std::int32_t from[kLanes];
-        for (int l = 0; l < kLanes; ++l) from[l] = scale * body[b][l];
-        load_lanes(base, from, v);
-    }
     W8 pick(const double* values, const std::int32_t* index, int offset) const {
         return gather_range(values + offset, index, 0, kLanes);
     }
@@ -95,15 +89,19 @@ struct LaneRows {
 
     void evaluate(const typename K::Data* data) {
         LumpLanes refs[B];
-        V8 v[B][kLanes], start[B][kLanes];
+        V8 v[B][D], start[B][D];
         for (int b = 0; b < B; ++b) {
-            V8 t[kLanes];
-            load_bodies(view.x, b, 3, t);
-            refs[b].x = {t[0], t[1], t[2]};
-            std::int32_t from[kLanes];
-            for (int l = 0; l < kLanes; ++l) from[l] = view.dof_begin[body[b][l]];
-            load_lanes(view.v, from, v[b]);
-            load_lanes(view.v_ahead, from, start[b]);
+            std::int32_t place[kLanes], from[kLanes];
+            for (int l = 0; l < kLanes; ++l) {
+                place[l] = 3 * body[b][l];
+                from[l] = view.dof_begin[body[b][l]];
+            }
+            V8 x[D];
+            load_lanes_of_three(view.x, place, are_threes(place), x);
+            refs[b].x = {x[0], x[1], x[2]};
+            const bool in_turn = are_threes(from);
+            load_lanes_of_three(view.v, from, in_turn, v[b]);
+            load_lanes_of_three(view.v_ahead, from, in_turn, start[b]);
         }
         typename K::template DataT<W8> fields{};
         load_data(data, fields);
@@ -118,7 +116,7 @@ struct LaneRows {
     }
 
     /// G u, a row each, of u by body.
-    HAWSER_INLINE static void products(const Rows<B, R, W8>& rows, const V8 (&u)[B][kLanes],
+    HAWSER_INLINE static void products(const Rows<B, R, W8>& rows, const V8 (&u)[B][D],
                                        V8 (&out)[R]) {
         for (int r = 0; r < R; ++r) {
             out[r] = rows.J[0][r][0] * u[0][0];
@@ -127,8 +125,8 @@ struct LaneRows {
         }
     }
 
-    HAWSER_INLINE void write_rows(const Rows<B, R, W8>& rows, const V8 (&v)[B][kLanes],
-                                  const V8 (&start)[B][kLanes]) const {
+    HAWSER_INLINE void write_rows(const Rows<B, R, W8>& rows, const V8 (&v)[B][D],
+                                  const V8 (&start)[B][D]) const {
         const double inv_h4 = 4.0 / view.h;
         V8 speed[R], upsilon[R], recall[R], c[R], g[R];
         products(rows, v, speed);
@@ -193,8 +191,8 @@ struct LaneRows {
     }
 
     /// Record of a line between lumps, and its parts of M̃ v and of a.
-    void line(const LumpLanes* refs, const Rows<B, R, W8>& rows, const V8 (&v)[B][kLanes],
-              const V8 (&start)[B][kLanes]) const {
+    void line(const LumpLanes* refs, const Rows<B, R, W8>& rows, const V8 (&v)[B][D],
+              const V8 (&start)[B][D]) const {
         const double scale = view.h * view.h * view.geometric_stiffness;
         V8 lambda[R];
         load_rows(view.lambda, lambda);

@@ -125,16 +125,17 @@ bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
         pulls[l] = view.flags[id] & 1 ? 1.0 : 0.0;
         acts[l] = view.active[id] != 0.0 || (view.flags[id] & 1) ? 1.0 : 0.0;
     }
-    auto apart = [&](const double* base, const std::int32_t(&from)[2][kLanes]) {
-        V8 a[kLanes], b[kLanes];
-        load_lanes(base, from[0], a);
-        load_lanes(base, from[1], b);
-        return V3T<W8>{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    const bool points[2] = {are_threes(x[0]), are_threes(x[1])};
+    const bool speeds[2] = {are_threes(v[0]), are_threes(v[1])};
+    V8 at[2][3];
+    auto apart = [&](const double* base, const std::int32_t(&from)[2][kLanes],
+                     const bool(&in_turn)[2]) {
+        for (int b = 0; b < 2; ++b) load_lanes_of_three(base, from[b], in_turn[b], at[b]);
+        return V3T<W8>{at[1][0] - at[0][0], at[1][1] - at[0][1], at[1][2] - at[0][2]};
     };
-    const V3T<W8> d = apart(view.x, x), u = apart(view.v, v), w = apart(view.v_new, v);
-    V8 at[kLanes];
-    load_lanes(view.x, x[0], at);
-    const W8 size = size_of(W8(at[0])) + size_of(W8(at[1])) + size_of(W8(at[2]));
+    const V3T<W8> u = apart(view.v, v, speeds), w = apart(view.v_new, v, speeds);
+    const V3T<W8> d = apart(view.x, x, points);
+    const W8 size = size_of(W8(at[0][0])) + size_of(W8(at[0][1])) + size_of(W8(at[0][2]));
     V8 f[kLanes], line[kLanes];
     load_lanes(view.geo_force, force, f);
     load_lanes(view.jacobian, jac, line);
