@@ -137,13 +137,14 @@ HAWSER_INLINE void load_lanes(const double* base, const std::int32_t* from, V8 (
     transpose(v);
 }
 
-/// Whether eight records of three entries follow each other in memory.
-[[nodiscard]] HAWSER_INLINE bool are_threes(const std::int32_t* from) {
+/// Whether eight records of N entries follow each other in memory.
+template <int N>
+[[nodiscard]] HAWSER_INLINE bool follow_each_other(const std::int32_t* from) {
     std::int32_t off = 0;
-    for (int l = 1; l < kLanes; ++l) off |= from[l] - from[0] - 3 * l;
+    for (int l = 1; l < kLanes; ++l) off |= from[l] - from[0] - N * l;
     return off == 0;
 }
-/// The first three entries of eight records. @param in_a_row  are_threes(from).
+/// The first three entries of eight records. @param in_a_row  follow_each_other<3>(from).
 HAWSER_INLINE void load_lanes_of_three(const double* base, const std::int32_t* from, bool in_a_row,
                                        V8 (&v)[3]) {
     if (in_a_row) return load_threes(base + from[0], v);

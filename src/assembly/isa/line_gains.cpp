@@ -125,8 +125,8 @@ bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
         pulls[l] = view.flags[id] & 1 ? 1.0 : 0.0;
         acts[l] = view.active[id] != 0.0 || (view.flags[id] & 1) ? 1.0 : 0.0;
     }
-    const bool points[2] = {are_threes(x[0]), are_threes(x[1])};
-    const bool speeds[2] = {are_threes(v[0]), are_threes(v[1])};
+    const bool points[2] = {follow_each_other<3>(x[0]), follow_each_other<3>(x[1])};
+    const bool speeds[2] = {follow_each_other<3>(v[0]), follow_each_other<3>(v[1])};
     V8 at[2][3];
     auto apart = [&](const double* base, const std::int32_t(&from)[2][kLanes],
                      const bool(&in_turn)[2]) {
@@ -139,7 +139,11 @@ bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
     V8 f[kLanes], line[kLanes];
     load_lanes(view.geo_force, force, f);
     load_lanes(view.jacobian, jac, line);
-    const W8 half = constant(W8(f[0]), 0.5 * view.h), lambda = gather_range(view.lambda, row, 0, 8);
+    const bool rows = follow_each_other<1>(row);
+    const auto of_rows = [&](const double* values) {
+        return rows ? W8(load(values + row[0])) : W8(gather_range(values, row, 0, kLanes));
+    };
+    const W8 half = constant(W8(f[0]), 0.5 * view.h), lambda = of_rows(view.lambda);
     const V3T<W8> across{f[3] - f[0], f[4] - f[1], f[5] - f[2]};
     const V3T<W8> n{line[3], line[4], line[5]};  // of the second lump
     V3T<W8> impulse = lambda * n - across;
@@ -157,8 +161,8 @@ bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
                      lambda,
                      load(acts),
                      impulse,
-                     gather_range(view.g, row, 0, 8),
-                     1.0 / gather_range(view.epsilon, row, 0, 8),
+                     of_rows(view.g),
+                     1.0 / of_rows(view.epsilon),
                      load(pulls),
                      size};
     W8 gain{}, exchanged{}, noise{}, unbooked{};
