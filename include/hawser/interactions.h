@@ -53,7 +53,10 @@ namespace hawser {
     X(SlideFriction,  "slide_friction")   \
     X(ScalarFriction, "scalar_friction")  \
     X(Gear,           "gear")             \
-    X(ScalarClutch,   "scalar_clutch")
+    X(ScalarClutch,   "scalar_clutch")    \
+    X(Span,           "span")             \
+    X(EndSpan,        "end_span")         \
+    X(BodySpan,       "body_span")
 // clang-format on
 
 enum class InteractionKind : std::uint8_t {
@@ -66,7 +69,7 @@ inline constexpr int kInteractionKindCount = 0
     HAWSER_INTERACTION_KINDS(HAWSER_X);
 #undef HAWSER_X
 
-inline constexpr int kMaxInteractionBodies = 3;
+inline constexpr int kMaxInteractionBodies = 4;
 inline constexpr int kMaxInteractionRows = 6;
 inline constexpr int kMaxInteractionParams = 8;
 inline constexpr int kMaxFrictionLoads = 2;
@@ -109,13 +112,15 @@ enum KindTrait : std::uint32_t {
     kOfWires = 1 << 11,       ///< Wires and chains are made of it: partitions weigh it as a link.
     kRigidOnly = 1 << 12,     ///< Acts on a rigid body.
     kCompact = 1 << 13,  ///< Between rigid bodies its two arms are all its Jacobian is made of.
+    kRouted = 1 << 14,   ///< Of lines: between places that the line slides through. Never cut.
+    kPulls = kAlongLine | kRouted,  ///< Tension = −force[0].
 };
 
 /// What a kind needs and does: the table row from which readers and documents are made.
 struct KindInfo {
     InteractionKind kind{};
     const char* name = "";          ///< As in scene files.
-    int bodies = 2;                 ///< Bodies coupled, 1-3; a fixed body counts.
+    int bodies = 2;                 ///< Bodies coupled, 1-4; a fixed body counts.
     int rows = 0;                   ///< Equations added, 1-6.
     bool uses_points = true;        ///< Reads InteractionDef::point.
     bool uses_frames = false;       ///< Reads InteractionDef::frame.
@@ -154,7 +159,7 @@ struct FrictionLoad {
     double factor = 0.0;
 };
 
-/// One interaction between 1-3 bodies. A definition: World::add_interaction copies it whole.
+/// One interaction between 1-4 bodies. A definition: World::add_interaction copies it whole.
 struct InteractionDef {
     std::string name{};  ///< Unique in the world, or empty.
     InteractionKind kind = InteractionKind::Ball;
@@ -163,11 +168,12 @@ struct InteractionDef {
     std::array<BodyId, kMaxInteractionBodies> body{};
 
     /// Attachment point in each body's frame, from its centre of mass [m]. Lumps ignore it.
-    std::array<Vec3, kMaxInteractionBodies> point{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+    std::array<Vec3, kMaxInteractionBodies> point{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
+                                                  Vec3::Zero()};
 
     /// Orientation of the joint frame in each body's frame; the joint's axis is its z.
     std::array<Quat, kMaxInteractionBodies> frame{Quat::Identity(), Quat::Identity(),
-                                                  Quat::Identity()};
+                                                  Quat::Identity(), Quat::Identity()};
 
     /// Compliance ε of each row [m/N or rad/(N m)]; for velocity rows γ [m/s/N or rad/s/(N m)].
     /// kDefault: the kind's own (1e-12 for constraints, from EA, EI, … for elements). 0 = rigid.

@@ -106,7 +106,8 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
     const double h = def.step;
     for (int i = 0; i < in.count(); ++i) {
         if (rests(i)) continue;
-        bool keep = def.form == Form::saddle;
+        // What runs through a place next to no mass holds back is stiff beyond all else there.
+        bool keep = def.form == Form::saddle || kind_info(in.kinds[at(i)]).is(kRouted);
         for (int r = 0; r < in.rows[at(i)]; ++r) {
             const auto row = at(in.row_begin[at(i)] + r);
             const double w = knows(row) ? in.mobility[row] : mobility(bodies, in, i, r);

@@ -39,13 +39,10 @@ void System::find_order(const model::Bodies& bodies, const model::Interactions& 
 /// Addresses of everything in the structure.
 void System::place(const model::Bodies& bodies, const model::Interactions& interactions,
                    int threads) {
-    const bool touching = !contacts.blocks.empty();
     check_memory(bodies, interactions, threads);
-    if (touching) {
-        dirty.reserve(symbolic);
-        unsymmetric.reserve(symbolic);
-    }
-    numeric.reserve(symbolic, threads, touching);
+    if (!contacts.blocks.empty()) dirty.reserve(symbolic);
+    if (may_skew()) unsymmetric.reserve(symbolic);
+    numeric.reserve(symbolic, threads, may_skew());
     solution_.assign(at(symbolic.scalars) + 8, 0.0);
     for (int b = 0; b < bodies.count(); ++b)
         if (node_of_body[at(b)] >= 0)
@@ -54,16 +51,16 @@ void System::place(const model::Bodies& bodies, const model::Interactions& inter
         if (node_of_interaction[at(i)] >= 0)
             interaction_offset_[at(i)] = symbolic.node_offset[at(node_of_interaction[at(i)])];
     build_ops(bodies, interactions);
+    place_capstans(interactions);
 }
 
 /// Before the panels are asked for: they are most of what a world takes.
 void System::check_memory(const model::Bodies& bodies, const model::Interactions& interactions,
                           int threads) const {
-    const bool touching = !contacts.blocks.empty();
     const double ours = static_cast<double>(bodies.bytes() + interactions.bytes() + bytes()) -
                         static_cast<double>(numeric.bytes());
     const double all = ours + std::max(static_cast<double>(numeric.bytes()),
-                                       factor::Numeric::bytes_for(symbolic, threads, touching));
+                                       factor::Numeric::bytes_for(symbolic, threads, may_skew()));
     if (all > most_bytes) throw LimitError({Bound::memory, all, most_bytes});
 }
 

@@ -24,6 +24,7 @@ void System::analyse(const model::Bodies& bodies, model::Interactions& interacti
                      const WorldDef& def, int threads, const factor::AnalysisState* state) {
     find_resting(bodies, interactions);
     reserve(bodies, interactions);
+    find_capstans(interactions, def);
     strips.build(dof_, rests_, interactions);
     build_incidence(bodies, interactions);
     find_islands(interactions);
@@ -201,7 +202,7 @@ std::size_t System::bytes() const noexcept {
     return analysis.bytes() + numeric.bytes() + bytes(ops) + bytes(lane_ops) + bytes(op_entries_) +
            bytes(op_order_) + bytes(op_begin_) + bytes(column_place_) + bytes(step_begin_) +
            bytes(together_) + bytes(lane_keys_) + bytes(piece_ops_) + bytes(op_place_) +
-           bytes(lane_place_) + bytes(skew_ops_) + bytes(geo_place_) + bytes(incident_) +
+           bytes(lane_place_) + bytes(skew_ops_) + bytes(capstans) + bytes(capstan_entries) + bytes(geo_place_) + bytes(incident_) +
            bytes(incident_begin_) + bytes(body_offset_) + bytes(interaction_offset_) +
            bytes(body_block_) + bytes(a_) + bytes(v_new_) + bytes(momentum_) +
            bytes(spin_momentum_) + bytes(spin_next_) + bytes(c_next_) + bytes(rate_) +

@@ -118,6 +118,10 @@ class System {
     bool keeps_momentum = false;           ///< View::momentum is not null. Before analyse().
     std::vector<std::int32_t> bounded;     ///< Interactions with a bounded force, ascending.
     std::vector<double> bounded_mobility;  ///< Of their first row: G M⁻¹ Gᵀ at the last analysis.
+    /// Friction of lines on what they run over, whose bound is part of the matrix
+    /// (solve/capstans.h). None where other methods than Newton's find the forces.
+    std::vector<Capstan> capstans;
+    std::vector<CapstanEntry> capstan_entries;  ///< Those of one capstan follow each other.
     base::Array<std::uint8_t> turning;     ///< View::turning.
     std::vector<std::int32_t> breakable;
     std::vector<double> breaking_load;  ///< Of each breakable one [N].
@@ -132,6 +136,8 @@ class System {
                       base::Executor& executor) const noexcept;
     void write_skew(const View& view, const factor::DirtyParts& part, double* upper,
                     base::Executor& executor) const noexcept;
+    /// Write what capstans add to both halves, with CapstanEntry::value as it is, of one piece.
+    void write_capstans(int piece, double* panel, double* upper) const noexcept;
     /// Node whose column holds a block of contacts.
     [[nodiscard]] std::int32_t column_of(const ContactBlock& block) const noexcept {
         return factor::DirtyParts::column(symbolic, node_of_body[static_cast<std::size_t>(block.a)],
@@ -176,6 +182,12 @@ class System {
                                const model::Interactions& interactions);
     void find_islands(const model::Interactions& interactions);
     void find_bounded(const model::Interactions& interactions);
+    void find_capstans(const model::Interactions& interactions, const WorldDef& def);
+    void place_capstans(const model::Interactions& interactions);
+    /// Whether a matrix may be unsymmetric.
+    [[nodiscard]] bool may_skew() const noexcept {
+        return !contacts.blocks.empty() || !capstans.empty();
+    }
     void evaluate(const model::Bodies& bodies, model::Interactions& interactions,
                   const WorldDef& def);
     void find_order(const model::Bodies& bodies, const model::Interactions& interactions,

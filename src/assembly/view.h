@@ -56,6 +56,26 @@ struct Op {
     std::uint8_t dof_a, dof_b, width;
 };
 
+/// Friction of a line on a place that it runs over, and what it presses with: the parts of the line
+/// before and behind.
+struct Capstan {
+    std::int32_t friction;  ///< An interaction of one row, on the slide alone.
+    std::int32_t body;      ///< The slide.
+    std::int32_t entries;   ///< How many of System::capstan_entries are its own.
+    double side;            ///< Sign of its force where that slides.
+};
+
+/// A load of a capstan in the matrix: the equation of its slide, the impulse of the load.
+struct CapstanEntry {
+    std::int32_t load;   ///< Interaction.
+    double factor;       ///< Of its impulse in the bound.
+    double value;        ///< Added to the entry.
+    double tension;      ///< Scratch of solve/capstans.cpp: impulse of the load, as tension.
+    std::int64_t address;
+    std::int32_t column;  ///< Node whose column holds it.
+    bool upper;           ///< It stands in the upper half, transposed.
+};
+
 /// The same contribution in several lanes of one batch step (factor/batches.h): entry (i, j) of
 /// lane l at address + i step + 8 j + l. Lanes not in use repeat a used one with weight 0.
 struct LaneOp {

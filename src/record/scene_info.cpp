@@ -33,7 +33,7 @@ SceneInfo info_of(const scene::Scene& scene) {
 double element_tension(const World& world, InteractionId element) {
     const std::span<const double> force = world.force(element);
     if (force.empty()) return 0.0;
-    if (kind_info(world.interaction_def(element).kind).is(kAlongLine)) return -force[0];
+    if (kind_info(world.interaction_def(element).kind).is(kPulls)) return -force[0];
     double sum = 0.0;
     for (const double f : force.first(std::min<std::size_t>(3, force.size()))) sum += f * f;
     return std::sqrt(sum);

@@ -4,6 +4,7 @@
 #include "access/sweeps.h"
 #include "access/view.h"
 #include "solve/bounds.h"
+#include "solve/capstans.h"
 #include "solve/evaluate.h"
 #include "solve/joints.h"
 #include "solve/wire_plan.h"
@@ -25,6 +26,7 @@ void assemble_system(StepContext& ctx) noexcept {
     const View v = view(ctx);
     const assembly::Kernels& k = assembly::kernels();
     hold_bounds(ctx.model, ctx.work.newton, ctx.model.def.step);
+    release_capstans(ctx.model, ctx.work.newton);
     choose_completed(ctx.model, ctx.state, ctx.pool);
     const bool completes = ctx.model.completion.any;
     const bool moving = starts_moving(ctx.model);

@@ -5,6 +5,7 @@
 #include "access/view.h"
 #include "base/index.h"
 #include "context/newton_data.h"
+#include "solve/capstans.h"
 
 #include <algorithm>
 #include <cmath>
@@ -123,7 +124,8 @@ void reserve_bounds(const Model& model, Newton& newton) {
     const model::Interactions& in = model.interactions;
     newton.loaded.clear();
     for (const std::int32_t id : model.system.bounded)
-        if ((in.flags[at(id)] & model::kFriction) && in.load_begin[at(id)] >= 0)
+        if ((in.flags[at(id)] & model::kFriction) && in.load_begin[at(id)] >= 0 &&
+            !is_capstan(model, id))
             newton.loaded.push_back(id);
     newton.follow.reserve(newton.loaded.size());
 }
@@ -231,6 +233,8 @@ std::int32_t switch_bounds(Model& model, Work& work, double floor, std::int32_t 
         held = wish.projected;
         v.lambda[row] = wish.projected;
     }
+    if (asking > 0 && most == kAnyRows && !model.system.capstans.empty())
+        switch_runs(model, work.newton);
     if (follows && asking == 0) extrapolate_bounds(model, work);
     if (asking > 0) work.newton.follow.restart();
     return asking;

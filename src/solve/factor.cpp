@@ -2,6 +2,7 @@
 #include "solve/factor.h"
 
 #include "access/view.h"
+#include "solve/capstans.h"
 
 #include <cstdint>
 #include <vector>
@@ -19,16 +20,17 @@ struct Writer {
         const Writer& w = *static_cast<Writer*>(self);
         w.system.write_blocks(w.view, piece, panel);
     }
-    static void skew(void* self, int piece, double*, double* upper) noexcept {
+    static void skew(void* self, int piece, double* panel, double* upper) noexcept {
         const Writer& w = *static_cast<Writer*>(self);
         w.system.write_skew(w.view, piece, upper);
+        w.system.write_capstans(piece, panel, upper);
     }
 };
 
 /// Nodes of the columns of blocks that are marked.
 void collect_columns(const assembly::System& s, const std::vector<std::uint8_t>& marks,
                      std::vector<std::int32_t>& columns) noexcept {
-    columns.clear();  // capacity: one a block
+    columns.clear();  // capacity: one a block, and one a load of a capstan
     for (std::size_t k = 0; k < marks.size(); ++k)
         if (marks[k]) columns.push_back(s.column_of(s.contacts.blocks[k]));
 }
@@ -48,13 +50,18 @@ Status factor(StepContext& ctx, bool whole) noexcept {
     ++ctx.work.stats.factorisations;
     ctx.work.solve.rhs_ready = false;
     const factor::Unsymmetric* set = nullptr;
-    if (s.contacts.count() > 0) {
-        collect_columns(s, s.contacts.block_skew, ctx.work.solve.columns);
+    const bool runs = couple_capstans(ctx.model);
+    if (s.contacts.count() > 0 || runs) {
+        ctx.work.solve.columns.clear();
+        if (s.contacts.count() > 0)
+            collect_columns(s, s.contacts.block_skew, ctx.work.solve.columns);
+        for (const assembly::CapstanEntry& e : s.capstan_entries)
+            if (e.value != 0.0) ctx.work.solve.columns.push_back(e.column);
         s.unsymmetric.find(s.symbolic, ctx.work.solve.columns);
         set = &s.unsymmetric;
     }
     const std::int64_t all = set ? set->flops : s.symbolic.flops;
-    if (!whole && !ctx.work.solve.factor_whole && set) {
+    if (!whole && !ctx.work.solve.factor_whole && set && !runs) {
         collect_columns(s, s.contacts.block_changed, ctx.work.solve.columns);
         s.dirty.find(s.symbolic, ctx.work.solve.columns, set);
         // Beyond this share, one pass through memory beats fewer flops.

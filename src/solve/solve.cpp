@@ -6,6 +6,7 @@
 #include "access/timer.h"
 #include "access/view.h"
 #include "base/index.h"
+#include "solve/capstans.h"
 #include "solve/contact_rows.h"
 #include "solve/factor.h"
 #include "solve/losses.h"
@@ -39,9 +40,9 @@ Norms merged(const std::vector<Norms>& parts) noexcept {
 }
 
 /// Right-hand side of the first solve, from rows and body terms.
-void start_solve(const Model& model, SolveWork& solve, runtime::Pool& pool,
-                 const View& v) noexcept {
+void start_solve(Model& model, Work& work, runtime::Pool& pool, const View& v) noexcept {
     const assembly::Kernels& k = assembly::kernels();
+    release_capstans(model, work.newton);
     sweep(
         model, pool,
         [&](int strip) {
@@ -49,22 +50,34 @@ void start_solve(const Model& model, SolveWork& solve, runtime::Pool& pool,
                  [&](std::int32_t a, std::int32_t b) { k.first_rhs(v, a, b, false); });
         },
         [&](std::int32_t a, std::int32_t b, int) { k.first_body_rhs(v, a, b, false); });
-    solve.rhs_ready = true;
+    work.solve.rhs_ready = true;
+}
+
+/// λ of all rows by the solver's vector, and of what slides over bollards by theirs.
+void update_rows(Model& model, const Work& work, runtime::Pool& pool, const View& v,
+                 bool first) noexcept {
+    const assembly::Kernels& k = assembly::kernels();
+    over_interactions(model, pool,
+                      [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, first); });
+    follow_capstans(model, work.newton, v);
 }
 
 /// Right-hand side that corrects v₊ and λ as they stand, after contacts or ranges changed.
-void continue_solve(Model& model, SolveWork& solve, runtime::Pool& pool, const View& v) noexcept {
+void continue_solve(Model& model, Work& work, runtime::Pool& pool, const View& v) noexcept {
     const assembly::Kernels& k = assembly::kernels();
     std::fill_n(v.solution, model.system.symbolic.scalars, 0.0);
     update_contacts(model, pool, v.v_new);
+    const bool runs = !model.system.capstans.empty();
+    if (runs) update_rows(model, work, pool, v, false);
     sweep(
         model, pool,
         [&](int strip) {
+            if (runs) return;
             each(model.system.strips.interactions(strip),
                  [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
         },
         [&](std::int32_t a, std::int32_t b, int) { k.body_rhs(v, a, b); });
-    solve.rhs_ready = true;
+    work.solve.rhs_ready = true;
 }
 
 /// v₊ += solution, for all bodies.
@@ -78,15 +91,18 @@ void add_everywhere(runtime::Pool& pool, const View& v) noexcept {
 enum class Next { solve, measure };
 
 /// v₊, λ corrected by the solver's vector, residuals renewed. `first`: they are the solution.
-Norms correct(Model& model, SolveWork& solve, runtime::Pool& pool, const View& v, bool first,
+Norms correct(Model& model, Work& work, runtime::Pool& pool, const View& v, bool first,
               Next next) noexcept {
+    SolveWork& solve = work.solve;
     const assembly::Kernels& k = assembly::kernels();
     const assembly::Strips& strips = model.system.strips;
     const bool touching = model.system.contacts.count() > 0;
+    const bool runs = !model.system.capstans.empty();  // their impulses need those of their loads
     auto add = [&](std::int32_t a, std::int32_t b) { k.add_solution(v, a, b); };
-    if (touching) {
+    if (touching || runs) {
         add_everywhere(pool, v);
-        update_contacts(model, pool, v.v_new);
+        if (touching) update_contacts(model, pool, v.v_new);
+        if (runs) update_rows(model, work, pool, v, first);
     } else {
         auto add_shared = [&](int i, int) noexcept { each(strips.shared(i), add); };
         pool.for_each(strips.groups(), add_shared);
@@ -97,10 +113,10 @@ Norms correct(Model& model, SolveWork& solve, runtime::Pool& pool, const View& v
     sweep(
         model, pool,
         [&](int strip) {
-            if (!touching) each(strips.bodies(strip), add);
+            if (!touching && !runs) each(strips.bodies(strip), add);
             double taken = 0.0;
             each(strips.interactions(strip), [&](std::int32_t a, std::int32_t b) {
-                k.row_update(v, a, b, first);
+                if (!runs) k.row_update(v, a, b, first);
                 if (next == Next::measure) k.row_norms(v, a, b, &solve.norms[at(strip)]);
                 if (solve.losses_known) taken += losses_between(model, v, a, b);
             });
@@ -157,7 +173,7 @@ Status finish_solve(Model& model, Work& work, runtime::Pool& pool, const View& v
         model.system.numeric.solve(model.system.symbolic, v.solution, pool);
         ++work.stats.refinements;
         ++work.stats.substitutions;
-        n = correct(model, work.solve, pool, v, false, Next::measure);
+        n = correct(model, work, pool, v, false, Next::measure);
         if (!(n.momentum < 0.25 * before.momentum)) break;
     }
     return report(model, work, n);
@@ -168,7 +184,7 @@ Status finish_solve(Model& model, Work& work, runtime::Pool& pool, const View& v
 Status factor_and_solve(StepContext& ctx) noexcept {
     const StageTimer timer(ctx, Stage::factor);
     const View v = view(ctx);
-    if (!ctx.work.solve.rhs_ready) start_solve(ctx.model, ctx.work.solve, ctx.pool, v);
+    if (!ctx.work.solve.rhs_ready) start_solve(ctx.model, ctx.work, ctx.pool, v);
     if (const Status status = factor(ctx, true); status != Status::ok) return status;
     // To measure a solution and refine it then takes a pass over all rows and bodies more than to
     // refine at once; where the residual asked for it lately, it is not asked again for a while.
@@ -180,7 +196,7 @@ Status factor_and_solve(StepContext& ctx) noexcept {
     for (int i = 0; i <= refinements; ++i) {
         if (i > 0) ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
         ctx.work.stats.substitutions += i > 0 ? 1 : 0;
-        n = correct(ctx.model, ctx.work.solve, ctx.pool, v, i == 0,
+        n = correct(ctx.model, ctx.work, ctx.pool, v, i == 0,
                     i < refinements ? Next::solve : Next::measure);
     }
     ctx.work.stats.refinements = refinements;
@@ -198,32 +214,28 @@ Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept {
     if (first) {
         if (!ctx.work.solve.rhs_ready) {
             update_contacts(ctx.model, ctx.pool, nullptr);
-            start_solve(ctx.model, ctx.work.solve, ctx.pool, v);
+            start_solve(ctx.model, ctx.work, ctx.pool, v);
         }
     } else {
-        continue_solve(ctx.model, ctx.work.solve, ctx.pool, v);
+        continue_solve(ctx.model, ctx.work, ctx.pool, v);
     }
     if (const Status status = factor(ctx, whole); status != Status::ok) return status;
-    const assembly::Kernels& k = assembly::kernels();
     add_everywhere(ctx.pool, v);
     update_contacts(ctx.model, ctx.pool, v.v_new);
-    over_interactions(ctx.model, ctx.pool,
-                      [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, first); });
+    update_rows(ctx.model, ctx.work, ctx.pool, v, first);
     return Status::ok;
 }
 
 void continue_with_factor(StepContext& ctx) noexcept {
     const StageTimer timer(ctx, Stage::factor);
     const View v = view(ctx);
-    continue_solve(ctx.model, ctx.work.solve, ctx.pool, v);
+    continue_solve(ctx.model, ctx.work, ctx.pool, v);
     ctx.work.solve.rhs_ready = false;
     ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
     ++ctx.work.stats.substitutions;
     add_everywhere(ctx.pool, v);
     update_contacts(ctx.model, ctx.pool, v.v_new);
-    const assembly::Kernels& k = assembly::kernels();
-    over_interactions(ctx.model, ctx.pool,
-                      [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
+    update_rows(ctx.model, ctx.work, ctx.pool, v, false);
 }
 
 Status refine(StepContext& ctx) noexcept {
@@ -235,7 +247,7 @@ Status refine(StepContext& ctx) noexcept {
     ctx.work.stats.refinements = 1;
     ++ctx.work.stats.substitutions;
     return finish_solve(ctx.model, ctx.work, ctx.pool, v,
-                        correct(ctx.model, ctx.work.solve, ctx.pool, v, false, Next::measure),
+                        correct(ctx.model, ctx.work, ctx.pool, v, false, Next::measure),
                         most_refinements(ctx.model) - 1);
 }
 

@@ -104,6 +104,7 @@ bool can_cut(const Model& model, std::int32_t id) noexcept {
     const model::Interactions& in = model.interactions;
     if (in.flags[at(id)] & (model::kMotor | model::kFriction | model::kRange)) return false;
     if (kind_info(in.def[at(id)].kind).is(kWoundUp)) return false;
+    if (kind_info(in.def[at(id)].kind).is(kRouted)) return false;
     // Its lumps' masses are coupled beside its row, which no copy with an image would have.
     if (in.pair_mass[at(id)] > 0.0) return false;
     const std::int32_t row = in.row_begin[at(id)];

@@ -103,7 +103,7 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
             relink(ctx);
             if (!c.connect(ctx.state.step)) throw std::bad_alloc();
         }
-        ctx.work.solve.columns.reserve(c.blocks.size());
+        ctx.work.solve.columns.reserve(c.blocks.size() + ctx.model.system.capstan_entries.size());
     });
     if (status == Status::ok && ctx.pool.stopping()) status = Status::cancelled;
     if (status != Status::ok) return status;

@@ -64,9 +64,39 @@ class Forces : public Attached {
         const double length = d.norm();
         pull(f * (length > 1e-12 ? Vec3(d / length) : Vec3(Vec3::UnitX())), from, to);
     }
+    void span(double f);
     void bend(std::span<const double> f);
     void hydrostatic(std::span<const double> f);
 };
+
+// The tangent is found by letting the ends go round their wheels until they stay. A wheel of radius
+// R > 0 lies to the left of what passes it, seen against its axis: the end is at R u × n.
+void Forces::span(double f) {
+    const double radius[2] = {def().get("wheel_0"), def().get("wheel_1")};
+    const Vec3 centre[2] = {point(0), point(1)};
+    Vec3 end[2] = {centre[0], centre[1]}, u;
+    for (int i = 0; i < 200; ++i) {
+        u = end[1] - end[0];
+        if (u.norm() < 1e-12) {
+            u = Vec3::UnitX();
+            break;
+        }
+        u.normalize();
+        double moved = 0.0;
+        for (std::size_t k = 0; k < 2; ++k) {
+            if (radius[k] == 0.0) continue;
+            const Vec3 n = axis(static_cast<int>(k), 2);
+            const Vec3 flat = (u - u.dot(n) * n).normalized();
+            const Vec3 next = centre[k] + radius[k] * flat.cross(n);
+            moved = std::max(moved, (next - end[k]).norm());
+            end[k] = next;
+        }
+        if (moved < 1e-14) break;
+    }
+    pull(f * u, end[0], end[1]);
+    const int slides = kind_info(def().kind).bodies - 2;
+    for (int k = 0; k < slides; ++k) scalar(2 + k, -f * def().get(k == 0 ? "slide_0" : "slide_1"));
+}
 
 // Rows lie along n₁ and n₂ = t × n₁, square to the mean tangent t; n₁ is the world axis that makes
 // the largest angle with t, less its part along t. The energy of the moment N = Σ f n is
@@ -180,6 +210,14 @@ Wrenches row_wrenches(const World& world, InteractionId id, std::span<const Pose
         case InteractionKind::Distance:
         case InteractionKind::Stretch:
             on.line(f[0]);
+            break;
+        case InteractionKind::Span:
+        case InteractionKind::EndSpan:
+            on.span(f[0]);
+            break;
+        case InteractionKind::BodySpan:
+            for (int k = 0; k < 2; ++k)
+                on.scalar(k, -f[0] * on.def().get(k == 0 ? "slide_0" : "slide_1"));
             break;
         case InteractionKind::Bend:
             on.bend(f);

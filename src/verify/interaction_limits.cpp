@@ -251,6 +251,9 @@ ForceRange force_range(const World& world, InteractionId id, std::span<const Pos
     switch (on.def().kind) {
         case InteractionKind::Stretch:
         case InteractionKind::WinchStretch:
+        case InteractionKind::Span:
+        case InteractionKind::EndSpan:
+        case InteractionKind::BodySpan:
             if (!(on.def().get("tension_only") > 0.5)) return {};
             return {-kNoBound, 0.0, true, false};
         case InteractionKind::HingeMotor:

@@ -30,8 +30,8 @@ InteractionDef other_element(const model::Interactions& in, std::int32_t element
     const bool wound = kind_info(def.kind).is(kWoundUp);
     InteractionDef out;
     out.kind = wound ? InteractionKind::Stretch : def.kind;
-    out.body =
-        first ? std::array{def.body[0], node, BodyId{}} : std::array{node, def.body[1], BodyId{}};
+    out.body[0] = first ? def.body[0] : node;
+    out.body[1] = first ? node : def.body[1];
     out.point[first ? 0 : 1] = def.point[first ? 0 : 1];
     const double length = (first ? share : 1.0 - share) * in.rest_length[at(element)];
     out.set("length", length);

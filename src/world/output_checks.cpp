@@ -106,7 +106,7 @@ void check_line(const std::string& where, const OutputDef& def, const model::Int
             refuse(where, "an element of its line does not exist");
         if (!in.places.names(id)) refuse(where, "an element of its line has been removed");
         const KindInfo& kind = kind_info(in.def[at(id.index)].kind);
-        if (!kind.is(kAlongLine) && !(kind.is(kHoldsBodies) && kind.row_units[0] == 'm'))
+        if (!kind.is(kPulls) && !(kind.is(kHoldsBodies) && kind.row_units[0] == 'm'))
             refuse(where, std::string("a ") + kind.name +
                               " carries no tension; give stretches, rods, or the joints of links");
     }

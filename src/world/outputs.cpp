@@ -72,7 +72,7 @@ double tension(const model::Interactions& in, InteractionId id) noexcept {
     const std::size_t i = at(id.index);
     const double* f = &in.force[at(in.row_begin[i])];
     const KindInfo& kind = kind_info(in.def[i].kind);
-    if (kind.is(kAlongLine)) return -f[0];
+    if (kind.is(kPulls)) return -f[0];
     double sum = 0.0;
     for (int r = 0; r < kind.rows && r < 3 && kind.row_units[r] == 'm'; ++r) sum += f[r] * f[r];
     return std::sqrt(sum);

@@ -9,6 +9,7 @@
 #include "model/kinds/gear.h"
 #include "model/kinds/joints.h"
 #include "model/kinds/lines.h"
+#include "model/kinds/routes.h"
 
 namespace hawser::HAWSER_ISA {
 

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file routes.h
+/// Spans of a line that runs over things without mass of its own: eyes, sheaves, bollards, pins.
+///
+/// Between two ends a line touches places 1 … n. What has run through place j since the start is
+/// the coordinate q_j of a scalar body, its *slide*, counted from span j − 1 into span j. With l_j
+/// the length at rest of span j at the start,
+/// ```
+///     end 0 ──span 0── (1) ──span 1── (2) ── … ── (n) ──span n── end n + 1
+///     g_j = P_j − (l_j + q_j − q_{j+1}),   ε_j = l_j / EA
+/// ```
+/// Slides have next to no mass, so that T_j − T_{j−1} is the friction at place j; whatever leaves a
+/// span enters the next one, and the length of the line is what it was.
+///
+/// *Wheels.* At a place that is a circle of radius R about an axis fixed in its body the span
+/// leaves along a tangent. P_j is then the straight part L and what lies on the circle between the
+/// tangent point and a mark:
+/// ```
+///         mark              P = L + R φ,  φ the angle from the mark to the tangent point,
+///       .--|--.             positive where the line lies on the circle between them
+///     .'   | φ '.
+///     |    c----| R         dP/dt = u·(velocity of the far end − that of the body's point at the
+///     '.       .|           tangent point): what rolls off one way is rolled on the other.
+///       '-----' | L
+///               p           R = 0 is an eye: L alone.
+/// ```
+/// The mark is where the tangent point was when the span was defined, the x axis of the end's
+/// frame; its z axis is the wheel's. A wheel with R > 0 is passed turning about +z, seen along the
+/// route, one with R < 0 about −z.
+///
+/// Limits: φ stays within half a turn of the mark (whole turns of the line round the wheel are part
+/// of l_j); the far end keeps out of the circle; the part of a span along the axis counts in its
+/// length but not in the tangent. A wheel on either end has its axis square to the span, nearly.
+/// Source: Servin, Lacoursière, Nordfelth, Bodin, "Hybrid, multiresolution wires with massless
+/// frictional contacts" (2011).
+
+#include "model/kinds/common.h"
+
+namespace hawser::HAWSER_ISA::kinds {
+
+/// One end of a span on its body.
+struct SpanEnd {
+    double point[3];  ///< Eye, or centre of the wheel.
+    double frame[9];  ///< z: the wheel's axis, x: its mark.
+    double radius;    ///< With the sense of passing; 0: an eye.
+};
+
+/// A span as it lies.
+struct SpanShape {
+    V3 at[2];         ///< Where it leaves its ends, world frame.
+    V3 along;         ///< Unit vector from end 0 to end 1.
+    double length;    ///< Of the straight part [m].
+    double angle[2];  ///< φ of each end [rad].
+};
+
+/// The tangent leaves a wheel of signed radius s at s u × n from its centre. @param d  Between
+/// centres. @param n  The axes. @param apart  Second signed radius less the first one.
+inline V3 tangent_direction(const V3& d, const V3& n, double apart) {
+    const V3 flat = d - dot(d, n) * n;
+    const double size = norm(flat), most = 0.999 * size;
+    const double s = apart > most ? most : apart < -most ? -most : apart;
+    const double c = __builtin_sqrt(size * size - s * s);
+    // Of unit length in the plane, with d·(u × n) = −s.
+    const double scale = 1.0 / (size * size);
+    return (scale * c) * flat - (scale * s) * cross(n, flat);
+}
+
+inline SpanShape span_shape(const SpanEnd (&e)[2], const BodyRef* b) {
+    SpanShape out{};
+    V3 centre[2], axis[2], mark[2];
+    for (int k = 0; k < 2; ++k) {
+        centre[k] = b[k].x + b[k].arm(e[k].point);
+        const double* f = e[k].frame;
+        const V3 z{f[2], f[5], f[8]}, x{f[0], f[3], f[6]};
+        const M3 r = load9(b[k].r);
+        axis[k] = b[k].rotates ? r * z : z;
+        mark[k] = b[k].rotates ? r * x : x;
+    }
+    const V3 d = centre[1] - centre[0];
+    out.at[0] = centre[0];
+    out.at[1] = centre[1];
+    const bool wheels = e[0].radius != 0.0 || e[1].radius != 0.0;
+    if (wheels && dot(d, d) > 1e-12) {
+        const V3 n = e[0].radius != 0.0 ? axis[0] : axis[1];
+        const double turn = e[0].radius != 0.0 && dot(axis[0], axis[1]) < 0.0 ? -1.0 : 1.0;
+        const double s1 = e[1].radius * (e[0].radius != 0.0 ? turn : 1.0);
+        const V3 u = tangent_direction(d, n, s1 - e[0].radius);
+        const double s[2] = {e[0].radius, s1};
+        for (int k = 0; k < 2; ++k) {
+            if (e[k].radius == 0.0) continue;
+            const V3 out_of = cross(u, n);  // from the centre to the tangent point, per radius
+            out.at[k] = centre[k] + s[k] * out_of;
+            const double sense = s[k] > 0.0 ? 1.0 : -1.0;
+            const V3 radial = sense * out_of;
+            // Going on along the route the line turns by `sense` about n: at its first end what
+            // lies on the wheel ends at the tangent point, at its second it begins there.
+            const double turned = arc(dot(cross(mark[k], radial), n), dot(mark[k], radial));
+            out.angle[k] = (k == 0 ? sense : -sense) * turned;
+        }
+    }
+    const V3 straight = out.at[1] - out.at[0];
+    out.length = norm(straight);
+    out.along = out.length > 1e-12 ? (1.0 / out.length) * straight : V3{1, 0, 0};
+    return out;
+}
+
+template <class D>
+inline double span_path(const D& d, const SpanShape& s) {
+    double path = s.length;
+    for (int k = 0; k < 2; ++k) {
+        const double r = d.end[k].radius;
+        path += (r < 0.0 ? -r : r) * s.angle[k];
+    }
+    return path;
+}
+
+/// Rows on the two bodies. @return the violation but for what slides.
+template <int B, class D>
+inline double span_row(const D& d, const BodyRef* b, Rows<B, 1>& out) {
+    const SpanShape s = span_shape(d.end, b);
+    out.set(0, 0, -s.along, -cross(s.at[0] - b[0].x, s.along));
+    out.set(1, 0, s.along, cross(s.at[1] - b[1].x, s.along));
+    return span_path(d, s) - d.length;
+}
+
+inline constexpr ParamInfo kSpanParams[] = {
+    {"length", "m", kDefault, 1e-9, 1e6, "Unstretched length with the slides at 0."},
+    {"EA", "N", kDefault, 1e-3, 1e15, "Axial stiffness of the line."},
+    {"tension_only", "1", 1.0, 0.0, 1.0, "1: goes slack instead of pushing."},
+    {"breaking_load", "N", 1e30, 0.0, 1e30, "The span parts above this tension."},
+    {"slide_0", "1", 1.0, -1e3, 1e3, "Length that comes per unit of the first slide."},
+    {"slide_1", "1", -1.0, -1e3, 1e3, "Length that comes per unit of the second slide."},
+    {"wheel_0", "m", 0.0, -1e3, 1e3,
+     "Radius of the wheel at the first body, 0: an eye; below 0: passed turning about -z."},
+    {"wheel_1", "m", 0.0, -1e3, 1e3, "Radius of the wheel at the second body, likewise."}};
+
+struct SpanData {
+    SpanEnd end[2];
+    double length, slide[2];
+#ifdef HAWSER_KIND_SETUP
+    static SpanData of(const InteractionDef& d) {
+        SpanData o{};
+        for (int k = 0; k < 2; ++k) {
+            copy_point(d, k, o.end[k].point);
+            copy_frame(d, k, o.end[k].frame);
+            o.end[k].radius = d.params[6 + static_cast<std::size_t>(k)];
+            o.slide[k] = d.params[4 + static_cast<std::size_t>(k)];
+        }
+        o.length = d.params[0];
+        return o;
+    }
+#endif
+};
+
+inline void span_rows(const InteractionDef& d, double h, RowSpec* s) {
+    s[0].compliance = given(d.compliance.data()[0], d.params.data()[0] / d.params.data()[1]);
+    damping_or_calm(d, h, 0, s[0]);
+    s[0].one_sided = d.params.data()[2] > 0.5;
+}
+
+/// Between two places that the line slides through.
+struct Span {
+    static constexpr int kBodies = 4, kRows = 1;
+    static constexpr Geometry kGeometry = Geometry::none;
+    static constexpr KindInfo kInfo{
+        .kind = InteractionKind::Span,
+        .name = "span",
+        .bodies = 4,
+        .rows = 1,
+        .uses_points = true,
+        .uses_frames = true,
+        .row_units = "m",
+        .scalar_slot = 2,
+        .scalars = 2,
+        .length_from_pose = true,
+        .traits = kElastic | kOfWires | kRouted,
+        .params = kSpanParams,
+        .doc =
+            "Part of a line between two places that it runs through. Bodies: those of the two "
+            "places, and the scalar bodies that tell how much has run through each."};
+    using Data = SpanData;
+    static void defaults(const InteractionDef& d, double h, RowSpec* s) { span_rows(d, h, s); }
+    static void evaluate(const Data& d, const BodyRef* b, Rows<4, 1>& out) {
+        const double open = span_row(d, b, out);
+        out.g[0] = open - d.slide[0] * b[2].x.x - d.slide[1] * b[3].x.x;
+        for (int k = 0; k < 2; ++k) out.set(2 + k, 0, {-d.slide[k], 0, 0}, {0, 0, 0});
+    }
+#ifdef HAWSER_KIND_SETUP
+    static Data make(const InteractionDef& d) { return Data::of(d); }
+#endif
+};
+
+/// Between a place that the line slides through and an end that holds it.
+struct EndSpan {
+    static constexpr int kBodies = 3, kRows = 1;
+    static constexpr Geometry kGeometry = Geometry::none;
+    static constexpr KindInfo kInfo{
+        .kind = InteractionKind::EndSpan,
+        .name = "end_span",
+        .bodies = 3,
+        .rows = 1,
+        .uses_points = true,
+        .uses_frames = true,
+        .row_units = "m",
+        .scalar_slot = 2,
+        .length_from_pose = true,
+        .traits = kElastic | kOfWires | kRouted,
+        .params = kSpanParams,
+        .doc =
+            "First or last part of a line that runs through places, from the end to the next one. "
+            "Bodies: of the end and of the place, in the order of the route, and the scalar body "
+            "that tells how much has run through; slide_1 does not count."};
+    using Data = SpanData;
+    static void defaults(const InteractionDef& d, double h, RowSpec* s) { span_rows(d, h, s); }
+    static void evaluate(const Data& d, const BodyRef* b, Rows<3, 1>& out) {
+        const double open = span_row(d, b, out);
+        out.g[0] = open - d.slide[0] * b[2].x.x;
+        out.set(2, 0, {-d.slide[0], 0, 0}, {0, 0, 0});
+    }
+#ifdef HAWSER_KIND_SETUP
+    static Data make(const InteractionDef& d) { return Data::of(d); }
+#endif
+};
+
+inline constexpr ParamInfo kBodySpanParams[] = {
+    {"path", "m", kDefault, 1e-9, 1e6, "Length between the two places."},
+    {"length", "m", kDefault, 1e-9, 1e6, "Unstretched length with the slides at 0."},
+    {"EA", "N", kDefault, 1e-3, 1e15, "Axial stiffness of the line."},
+    {"tension_only", "1", 1.0, 0.0, 1.0, "1: goes slack instead of pushing."},
+    {"slide_0", "1", 1.0, -1e3, 1e3, "Length that comes per unit of the first slide."},
+    {"slide_1", "1", -1.0, -1e3, 1e3, "Length that comes per unit of the second slide."}};
+
+/// Between two places on the same body, whose distance does not change: neither pulls at the body
+/// as a whole.
+struct BodySpan {
+    static constexpr int kBodies = 2, kRows = 1;
+    static constexpr Geometry kGeometry = Geometry::none;
+    static constexpr KindInfo kInfo{
+        .kind = InteractionKind::BodySpan,
+        .name = "body_span",
+        .bodies = 2,
+        .rows = 1,
+        .uses_points = false,
+        .uses_frames = false,
+        .row_units = "m",
+        .scalar_slot = 0,
+        .scalars = 2,
+        .traits = kElastic | kOfWires | kRouted,
+        .params = kBodySpanParams,
+        .doc =
+            "Part of a line between two places of one body. Bodies: the scalar bodies that tell "
+            "how much has run through each."};
+    struct Data {
+        double open, slide[2];
+    };
+    static void defaults(const InteractionDef& d, double h, RowSpec* s) {
+        s[0].compliance = given(d.compliance.data()[0], d.params.data()[1] / d.params.data()[2]);
+        damping_or_calm(d, h, 0, s[0]);
+        s[0].one_sided = d.params.data()[3] > 0.5;
+    }
+    static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
+        out.g[0] = d.open - d.slide[0] * b[0].x.x - d.slide[1] * b[1].x.x;
+        for (int k = 0; k < 2; ++k) out.set(k, 0, {-d.slide[k], 0, 0}, {0, 0, 0});
+    }
+#ifdef HAWSER_KIND_SETUP
+    static Data make(const InteractionDef& d) {
+        return {d.params[0] - d.params[1], {d.params[4], d.params[5]}};
+    }
+#endif
+};
+
+}  // namespace hawser::HAWSER_ISA::kinds
