@@ -18,7 +18,7 @@ void System::find_capstans(const model::Interactions& in, const WorldDef& def) {
             continue;
         const std::int32_t body = in.body[at(kMaxInteractionBodies * id)];
         const InteractionDef& d = in.def[at(id)];
-        Capstan c{id, body, 0, 0.0};
+        Capstan c{id, body, 0, 0.0, 0.0};
         const auto is_routed = [&](const FrictionLoad& load) {
             if (!load.interaction.valid()) return true;
             const std::int32_t i = load.interaction.index;
@@ -29,7 +29,7 @@ void System::find_capstans(const model::Interactions& in, const WorldDef& def) {
         if (!std::all_of(d.load.begin(), d.load.end(), is_routed)) continue;
         for (const FrictionLoad& load : d.load) {
             if (!load.interaction.valid()) continue;
-            capstan_entries.push_back({load.interaction.index, load.factor, 0.0, 0.0, -1, -1, false});
+            capstan_entries.push_back({load.interaction.index, load.factor, 0.0, -1, -1, false, 0});
             ++c.entries;
         }
         capstans.push_back(c);

@@ -63,6 +63,7 @@ struct Capstan {
     std::int32_t body;      ///< The slide.
     std::int32_t entries;   ///< How many of System::capstan_entries are its own.
     double side;            ///< Sign of its force where that slides.
+    double was;             ///< That at the solution at hand, 0: it held (solve/runs.h).
 };
 
 /// A load of a capstan in the matrix: the equation of its slide, the impulse of the load.
@@ -70,10 +71,10 @@ struct CapstanEntry {
     std::int32_t load;   ///< Interaction.
     double factor;       ///< Of its impulse in the bound.
     double value;        ///< Added to the entry.
-    double tension;      ///< Scratch of solve/capstans.cpp: impulse of the load, as tension.
     std::int64_t address;
     std::int32_t column;  ///< Node whose column holds it.
     bool upper;           ///< It stands in the upper half, transposed.
+    std::uint8_t was_active;  ///< Whether the load acted at the solution at hand.
 };
 
 /// The same contribution in several lanes of one batch step (factor/batches.h): entry (i, j) of

@@ -20,6 +20,22 @@ struct BoundedRow {
 };
 
 /// Scratch of the solve for contacts and bounded rows, see newton.h.
+/// Scratch of solve/runs.cpp: a place that a line runs over, and a part between two of them.
+struct RunPlace {
+    double mass, free, hold, sigma;  ///< m, ẇ without forces, and c and Σ of its friction.
+    double before, behind;           ///< Entries of the two parts' rows.
+    double low, high, share[2];      ///< Bounds, and of the parts' impulses in them.
+    double w0, w1, w2;               ///< w = w0 + w1 λ of the part before + w2 λ of the one behind.
+    double force;
+    std::int32_t side, was;  ///< 0: it holds; else the sign of its force. was: at the solution.
+};
+struct RunPart {
+    std::int32_t id, row;
+    double lambda, softness, asked;  ///< (W + Σ) λ + entries × w = asked.
+    double diagonal, upper, right;
+    bool pulls, was, one_sided;
+};
+
 struct Newton {
     std::vector<double> v, lambda;         ///< v₊, λ where an iteration began.
     std::vector<double> contact;           ///< u and λ there, six a contact, then six a resistance.
@@ -27,6 +43,8 @@ struct Newton {
     double bound_time = 0.0;               ///< That bounds of forces act for, see bounds.h [s].
     std::vector<std::int32_t> loaded;  ///< Friction whose bound moves with a load, see bounds.h.
     nonsmooth::Anderson follow;        ///< Acceleration of the impulses of `loaded`.
+    std::vector<RunPlace> run_places;
+    std::vector<RunPart> run_parts;
     std::vector<nonsmooth::Law> laws;  ///< Of each contact, about the iterate.
     std::vector<nonsmooth::ResistanceLaw> turns;  ///< Of each resistance, about the iterate.
     nonsmooth::Gmres gmres;

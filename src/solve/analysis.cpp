@@ -6,6 +6,7 @@
 #include "access/undo.h"
 #include "base/index.h"
 #include "solve/bounds.h"
+#include "solve/runs.h"
 #include "solve/joints.h"
 #include "solve/wires.h"
 
@@ -48,6 +49,7 @@ void analyse_system(Model& model, Work& work, runtime::Pool& pool,
     work.solve.norms.resize(at(model.system.strips.count() + model.system.strips.groups()));
     work.solve.losses.resize(at(model.system.strips.count()));
     reserve_bounds(model, work.newton);
+    reserve_runs(model, work.newton);
     work.solve.columns.reserve(model.system.capstan_entries.size());
     work.before.active.resize(model.system.bounded.size());
     find_joints(model, work.joints);

@@ -6,6 +6,7 @@
 #include "base/index.h"
 #include "context/newton_data.h"
 #include "solve/capstans.h"
+#include "solve/runs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -212,6 +213,8 @@ std::int32_t switch_bounds(Model& model, Work& work, double floor, std::int32_t 
     const View v = row_view(model);
     std::int32_t asking = 0;
     const bool follows = most > 0 && !work.newton.loaded.empty();
+    const bool runs = most == kAnyRows && !model.system.capstans.empty();
+    if (runs) note_runs(model);
     if (follows) read_held(model, work.newton, work.newton.follow.x());
     for (std::size_t i = 0; i < model.system.bounded.size(); ++i) {
         const std::int32_t id = model.system.bounded[i], row = v.row_begin[id];
@@ -233,8 +236,7 @@ std::int32_t switch_bounds(Model& model, Work& work, double floor, std::int32_t 
         held = wish.projected;
         v.lambda[row] = wish.projected;
     }
-    if (asking > 0 && most == kAnyRows && !model.system.capstans.empty())
-        switch_runs(model, work.newton);
+    if (asking > 0 && runs) settle_runs(model, work.newton);
     if (follows && asking == 0) extrapolate_bounds(model, work);
     if (asking > 0) work.newton.follow.restart();
     return asking;

@@ -80,60 +80,6 @@ bool couple_capstans(Model& model) noexcept {
     return any;
 }
 
-void switch_runs(Model& model, const Newton& newton) noexcept {
-    assembly::System& s = model.system;
-    model::Interactions& in = model.interactions;
-    const std::size_t count = s.capstans.size();
-    for (CapstanEntry& e : s.capstan_entries)
-        e.tension = std::max(0.0, -in.lambda[at(in.row_begin[at(e.load)])]);
-    // Those with two loads, which stand two by two where all of a run have as many.
-    std::size_t entry = 0;
-    for (std::size_t first = 0; first < count;) {
-        std::size_t last = first, begin = entry;
-        const auto two = [&](std::size_t k) { return s.capstans[k].entries == 2; };
-        while (two(last) && last + 1 < count && two(last + 1) &&
-               s.capstan_entries[begin + 2 * (last - first) + 1].load ==
-                   s.capstan_entries[begin + 2 * (last - first) + 2].load)
-            ++last;
-        const std::size_t n = last - first + 1;
-        if (n == 1) {
-            entry += at(s.capstans[first].entries);
-            ++first;
-            continue;
-        }
-        CapstanEntry* e = &s.capstan_entries[begin];
-        const auto ratio = [&](std::size_t k) {
-            const double f = std::min(e[2 * k].factor, 1.0 - 1e-12);
-            return (1.0 + f) / (1.0 - f);
-        };
-        // What the second end lets the spans before it have, then what the first one does.
-        for (std::size_t k = n; k-- > 1;) {
-            const double r = ratio(k), behind = e[2 * k + 1].tension;
-            e[2 * k].tension = std::clamp(e[2 * k].tension, behind / r, behind * r);
-            e[2 * k - 1].tension = e[2 * k].tension;
-        }
-        for (std::size_t k = 0; k + 1 < n; ++k) {
-            const double r = ratio(k), before = e[2 * k].tension;
-            e[2 * k + 1].tension = std::clamp(e[2 * k + 1].tension, before / r, before * r);
-            e[2 * k + 2].tension = e[2 * k + 1].tension;
-        }
-        constexpr double kAtBound = 1.0 - 1e-9;
-        for (std::size_t k = 0; k < n; ++k) {
-            Capstan& c = s.capstans[first + k];
-            if (slides(model, c)) continue;
-            const double r = kAtBound * ratio(k), t1 = e[2 * k].tension, t2 = e[2 * k + 1].tension;
-            if (!(t1 > r * t2) && !(t2 > r * t1)) continue;
-            in.active[at(c.friction)] = 0.0;
-            c.side = t1 > t2 ? 1.0 : -1.0;
-            const ImpulseRange range = impulse_range(model, newton, c.friction);
-            in.held[at(c.friction)] = c.side > 0.0 ? range.high : range.low;
-            in.lambda[at(in.row_begin[at(c.friction)])] = in.held[at(c.friction)];
-        }
-        entry += 2 * n;
-        first = last + 1;
-    }
-}
-
 bool is_capstan(const Model& model, std::int32_t friction) noexcept {
     const auto& all = model.system.capstans;  // ascending
     const auto found = std::lower_bound(

@@ -30,8 +30,8 @@
 /// pivot may; it is used as it is, and refinement shows what it cost.
 ///
 /// **Which slide.** By the active set of bounds.h: a place that holds and would have to hold more
-/// begins to slide, one that slides the other way begins to hold. In a run, where one that begins
-/// to slide loads the next, those that the tensions at the run's ends let slide begin at once.
+/// begins to slide, one that slides the other way begins to hold. In a run one that begins to slide
+/// loads the next; runs.h finds all at once.
 
 #include "context/context.h"
 
@@ -46,10 +46,6 @@ void follow_capstans(Model& model, const Newton& newton, const assembly::View& v
 
 /// What goes into the matrix, by the statuses at hand. @return whether anything does.
 [[nodiscard]] bool couple_capstans(Model& model) noexcept;
-
-/// Let those begin to slide that the tensions at the ends of their runs will make slide once the
-/// others do that slide already.
-void switch_runs(Model& model, const Newton& newton) noexcept;
 
 /// Whether the bound of this friction is in the matrix.
 [[nodiscard]] bool is_capstan(const Model& model, std::int32_t friction) noexcept;

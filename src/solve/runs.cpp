@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solve/runs.h"
+
+#include "access/view.h"
+#include "base/index.h"
+#include "context/newton_data.h"
+#include "solve/bounds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::Capstan;
+using assembly::CapstanEntry;
+using assembly::View;
+
+/// Places [first, last) of System::capstans; their entries begin at `entry`, two each.
+struct Run {
+    std::size_t first, last, entry;
+};
+
+/// f(run) of all places that follow each other along a line.
+template <class F>
+void each_run(const assembly::System& s, F&& f) noexcept {
+    std::size_t entry = 0;
+    for (std::size_t first = 0; first < s.capstans.size();) {
+        std::size_t last = first + 1, end = entry + at(s.capstans[first].entries);
+        while (s.capstans[first].entries == 2 && last < s.capstans.size() &&
+               s.capstans[last].entries == 2 &&
+               s.capstan_entries[end - 1].load == s.capstan_entries[end].load) {
+            ++last;
+            end += 2;
+        }
+        if (s.capstans[first].entries == 2) f(Run{first, last, entry});
+        entry = end;
+        first = last;
+    }
+}
+
+std::int32_t side_of(const Model& model, const Capstan& c) noexcept {
+    const auto id = at(c.friction);
+    if (model.interactions.active[id] != 0.0) return 0;
+    const double held = model.interactions.held[id];
+    return held > 0.0 || (held == 0.0 && c.side > 0.0) ? 1 : -1;
+}
+
+/// Mobility of one body along a row, next to what its slides make.
+double mobility_of(const model::Bodies& b, const View& v, std::int32_t body, const double* jac) {
+    const int dof = v.dof[body];
+    if (dof == 1)
+        return jac[0] * jac[0] / v.body_block[assembly::block_place(v.dof_begin[body])];
+    double sum = 0.0;
+    for (int j = 0; j < dof && j < 3; ++j) sum += jac[j] * jac[j] / b.mass[at(body)];
+    for (int i = 3; i < dof; ++i)
+        for (int j = 3; j < dof; ++j)
+            sum += jac[i] * b.inv_inertia[9 * at(body) + at(3 * (i - 3) + j - 3)] * jac[j];
+    return sum;
+}
+
+/// What a part asks of its slides, with all else that it pulls at giving way by itself.
+void read_part(const Model& model, const View& v, std::int32_t id, std::int32_t slide_0,
+               std::int32_t slide_1, RunPart& p, double* entry_0, double* entry_1) noexcept {
+    p.id = id;
+    p.row = v.row_begin[id];
+    p.pulls = v.active[id] != 0.0;
+    p.one_sided = (v.flags[id] & model::kOneSided) != 0;
+    p.lambda = p.pulls ? v.lambda[p.row] : 0.0;
+    double speed = 0.0, mobility = 0.0;
+    const double* jac = v.jacobian + v.jac_begin[id];
+    for (int b = 0; b < v.bodies[id]; ++b) {
+        const std::int32_t body = v.body[kMaxInteractionBodies * id + b];
+        if (body == slide_0 && entry_0 != nullptr) *entry_0 = jac[0];
+        if (body == slide_1 && entry_1 != nullptr) *entry_1 = jac[0];
+        if (body != slide_0 && body != slide_1) {
+            for (int j = 0; j < v.dof[body]; ++j) speed += jac[j] * v.v_new[v.dof_begin[body] + j];
+            mobility += mobility_of(model.bodies, v, body, jac);
+        }
+        jac += v.dof[body];
+    }
+    p.softness = mobility + v.sigma[p.row];
+    p.asked = v.c[p.row] - speed + mobility * p.lambda;
+}
+
+void read_place(const Model& model, const Newton& newton, const View& v, const Capstan& c,
+                const CapstanEntry* loads, RunPlace& p) noexcept {
+    const model::Interactions& in = model.interactions;
+    const auto id = at(c.friction);
+    const std::int32_t row = in.row_begin[id], dof = v.dof_begin[c.body];
+    p.mass = v.body_block[assembly::block_place(dof)];
+    p.free = v.a[dof] / p.mass;
+    p.hold = v.c[row];
+    p.sigma = v.sigma[row];
+    p.low = newton.bound_time * in.low[id];
+    p.high = newton.bound_time * in.high[id];
+    for (int k = 0; k < 2; ++k) p.share[k] = loads[k].factor;
+    p.side = side_of(model, c);
+    p.was = static_cast<std::int32_t>(c.was);
+}
+
+void read_run(const Model& model, Newton& newton, const View& v, const Run& run) noexcept {
+    const assembly::System& s = model.system;
+    const std::size_t n = run.last - run.first;
+    const CapstanEntry* entry = &s.capstan_entries[run.entry];
+    for (std::size_t k = 0; k < n; ++k)
+        read_place(model, newton, v, s.capstans[run.first + k], entry + 2 * k,
+                   newton.run_places[k]);
+    for (std::size_t i = 0; i <= n; ++i) {
+        const std::int32_t id = i < n ? entry[2 * i].load : entry[2 * n - 1].load;
+        const std::int32_t first = i > 0 ? s.capstans[run.first + i - 1].body : -1;
+        const std::int32_t second = i < n ? s.capstans[run.first + i].body : -1;
+        read_part(model, v, id, first, second, newton.run_parts[i],
+                  i > 0 ? &newton.run_places[i - 1].behind : nullptr,
+                  i < n ? &newton.run_places[i].before : nullptr);
+        const bool ends_later = i < n;
+        newton.run_parts[i].was =
+            ends_later ? entry[2 * i].was_active != 0 : entry[2 * n - 1].was_active != 0;
+    }
+}
+
+/// w of a place as a function of the impulses before and behind.
+void give_way(RunPlace& p) noexcept {
+    if (p.side == 0) {
+        const double scale = 1.0 / (1.0 + p.sigma * p.mass);
+        p.w0 = scale * (p.hold + p.sigma * p.mass * p.free);
+        p.w1 = scale * p.sigma * p.before;
+        p.w2 = scale * p.sigma * p.behind;
+        return;
+    }
+    const double bound = p.side > 0 ? p.high : p.low, side = p.side;
+    p.w0 = p.free + bound / p.mass;
+    p.w1 = (p.before - side * p.share[0]) / p.mass;
+    p.w2 = (p.behind - side * p.share[1]) / p.mass;
+}
+
+/// λ of all parts by the statuses there are.
+void solve_run(std::size_t n, RunPlace* place, RunPart* part) noexcept {
+    for (std::size_t k = 0; k < n; ++k) give_way(place[k]);
+    double above = 0.0, above_right = 0.0;  // of the part before: upper/diagonal, right/diagonal
+    for (std::size_t i = 0; i <= n; ++i) {
+        RunPart& p = part[i];
+        double lower = 0.0;
+        p.diagonal = p.softness;
+        p.upper = 0.0;
+        p.right = p.asked;
+        if (i > 0) {
+            const RunPlace& a = place[i - 1];
+            lower = a.behind * a.w1;
+            p.diagonal += a.behind * a.w2;
+            p.right -= a.behind * a.w0;
+        }
+        if (i < n) {
+            const RunPlace& b = place[i];
+            p.diagonal += b.before * b.w1;
+            p.upper = b.before * b.w2;
+            p.right -= b.before * b.w0;
+        }
+        if (!p.pulls) {
+            p.diagonal = 1.0;
+            lower = p.upper = p.right = 0.0;
+        }
+        const double pivot = p.diagonal - lower * above;
+        above = p.upper / pivot;
+        above_right = (p.right - lower * above_right) / pivot;
+        p.upper = above;
+        p.right = above_right;
+    }
+    part[n].lambda = part[n].right;
+    for (std::size_t i = n; i-- > 0;)
+        part[i].lambda = part[i].right - part[i].upper * part[i + 1].lambda;
+}
+
+double speed_of(const RunPlace& p, const RunPart* part) noexcept {
+    return p.w0 + p.w1 * part[0].lambda + p.w2 * part[1].lambda;
+}
+
+/// Switch what the solution contradicts, at most so many. @return how many.
+int switch_run(std::size_t n, RunPlace* place, RunPart* part, int most) noexcept {
+    int switched = 0;
+    for (std::size_t i = 0; i <= n && switched < most; ++i) {
+        RunPart& p = part[i];
+        if (!p.one_sided) continue;
+        double left = p.asked;
+        if (i > 0) left -= place[i - 1].behind * speed_of(place[i - 1], part + i - 1);
+        if (i < n) left -= place[i].before * speed_of(place[i], part + i);
+        const bool pulls = p.pulls ? p.lambda <= 0.0 : left < 0.0;
+        switched += pulls != p.pulls ? 1 : 0;
+        p.pulls = pulls;
+    }
+    for (std::size_t k = 0; k < n && switched < most; ++k) {
+        RunPlace& p = place[k];
+        const double w = speed_of(p, part + k);
+        const double load = p.share[0] * std::fabs(part[k].lambda) +
+                            p.share[1] * std::fabs(part[k + 1].lambda);
+        std::int32_t side = 0;
+        if (p.side == 0) {
+            const double force = p.mass * (w - p.free) - p.before * part[k].lambda -
+                                 p.behind * part[k + 1].lambda;
+            if (force > p.high + load) side = 1;
+            if (force < p.low - load) side = -1;
+        } else {
+            // It slides on while its spring would ask for more.
+            const double bound = p.side > 0 ? p.high + load : p.low - load;
+            if (p.side * (p.hold - w - p.sigma * bound) > 0.0) side = p.side;
+        }
+        switched += side != p.side ? 1 : 0;
+        p.side = side;
+    }
+    return switched;
+}
+
+/// @return whether the statuses are consistent, and not those of the solution that was refused.
+bool find_statuses(std::size_t n, RunPlace* place, RunPart* part) noexcept {
+    const int together = 40, most = together + 4 * static_cast<int>(n);
+    for (int pass = 0; pass < most; ++pass) {
+        solve_run(n, place, part);
+        if (!std::isfinite(part[0].lambda)) return false;
+        if (switch_run(n, place, part, pass < together ? static_cast<int>(4 * n) : 1) > 0) continue;
+        for (std::size_t k = 0; k < n; ++k)
+            if (place[k].side != place[k].was) return true;
+        for (std::size_t i = 0; i <= n; ++i)
+            if (part[i].pulls != part[i].was) return true;
+        return false;
+    }
+    return false;
+}
+
+void adopt(Model& model, const Newton& newton, const Run& run) noexcept {
+    model::Interactions& in = model.interactions;
+    const std::size_t n = run.last - run.first;
+    for (std::size_t i = 0; i <= n; ++i) {
+        const RunPart& p = newton.run_parts[i];
+        in.active[at(p.id)] = p.pulls ? 1.0 : 0.0;
+        in.held[at(p.id)] = 0.0;
+        in.lambda[at(p.row)] = p.pulls ? p.lambda : 0.0;
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+        Capstan& c = model.system.capstans[run.first + k];
+        const RunPlace& p = newton.run_places[k];
+        const auto id = at(c.friction);
+        in.active[id] = p.side == 0 ? 1.0 : 0.0;
+        if (p.side == 0) continue;
+        c.side = p.side;
+        const ImpulseRange range = impulse_range(model, newton, c.friction);
+        in.held[id] = p.side > 0 ? range.high : range.low;
+        in.lambda[at(in.row_begin[id])] = in.held[id];
+    }
+}
+
+}  // namespace
+
+void reserve_runs(const Model& model, Newton& newton) {
+    newton.run_places.resize(model.system.capstans.size());
+    newton.run_parts.resize(model.system.capstans.size() + 1);
+}
+
+void note_runs(Model& model) noexcept {
+    for (CapstanEntry& e : model.system.capstan_entries)
+        e.was_active = model.interactions.active[at(e.load)] != 0.0 ? 1 : 0;
+    for (Capstan& c : model.system.capstans) c.was = side_of(model, c);
+}
+
+void settle_runs(Model& model, Newton& newton) noexcept {
+    const View v = row_view(model);
+    each_run(model.system, [&](const Run& run) {
+        const std::size_t n = run.last - run.first;
+        read_run(model, newton, v, run);
+        if (find_statuses(n, newton.run_places.data(), newton.run_parts.data()))
+            adopt(model, newton, run);
+    });
+}
+
+}  // namespace hawser::stepper
