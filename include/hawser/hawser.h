@@ -18,6 +18,7 @@
 #include <hawser/outputs.h>
 #include <hawser/partition.h>
 #include <hawser/resolution.h>
+#include <hawser/route.h>
 #include <hawser/row_constants.h>
 #include <hawser/schedule.h>
 #include <hawser/settings.h>

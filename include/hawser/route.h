@@ -28,9 +28,12 @@
 /// Source: Servin, Lacoursière, Nordfelth, Bodin, "Hybrid, multiresolution wires with massless
 /// frictional contacts" (2011).
 
+#include <hawser/def.h>
 #include <hawser/id.h>
 #include <hawser/interactions.h>
 
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -84,5 +87,31 @@ struct Route {
 
 /// What World::add() of a route calls. All or nothing. @throws DefError.
 Route define(World& world, const RouteDef& def);
+
+/// A body as a route meets it.
+struct RouteBody {
+    Vec3 position{0.0, 0.0, 0.0};           ///< Of its centre of mass, world frame [m].
+    Quat orientation = Quat::Identity();
+    BodyKind kind = BodyKind::fixed;
+    double mass = 0.0;  ///< [kg]
+};
+/// How to find it. @throws DefError where there is none.
+using RouteBodies = std::function<RouteBody(BodyId)>;
+
+/// What a route is made of, for those that have no World yet.
+struct RoutePlan {
+    struct Friction {
+        std::size_t place;    ///< Its loads are the parts `place` and `place` + 1.
+        InteractionDef def;
+    };
+    std::vector<InteractionDef> parts;
+    std::vector<Friction> frictions;
+    std::vector<double> angles;  ///< As Route::angles.
+};
+/// The slides, one a place. @throws DefError on anything wrong with the definition.
+[[nodiscard]] std::vector<BodyDef> route_slides(const RouteDef& def, const RouteBodies& bodies);
+/// All that acts between them, once they are there. @throws DefError.
+[[nodiscard]] RoutePlan plan_route(const RouteDef& def, const RouteBodies& bodies,
+                                   std::span<const BodyId> slides);
 
 }  // namespace hawser

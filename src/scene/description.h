@@ -180,6 +180,8 @@ void expand_segments(Description& out, const Scope& scope);
 void expand_inputs(Description& out, const Scope& scope);
 /// Winches of one scope, when all cables are there (winches.cpp).
 void expand_winches(Description& out, const Scope& scope);
+/// Lines over posts and sheaves of one scope, when all bodies are there (routes.cpp).
+void expand_routes(Description& out, const Scope& scope);
 /// Outputs of one scope, when all interactions are there (outputs.cpp).
 void expand_outputs(Description& out, const Scope& scope);
 /// Start from the stored state (state.cpp): bodies of copy 0, or the cables that join copies.

@@ -48,6 +48,7 @@ class Expander {
         for (const InstanceScope& item : scopes_) {
             (void)with_note(out_.mistakes, item.note, [&] {
                 expand_winches(out_, item.scope);
+                expand_routes(out_, item.scope);
                 expand_segments(out_, item.scope);
                 expand_interactions(out_, item.scope);
                 expand_inputs(out_, item.scope);
@@ -198,6 +199,7 @@ class Expander {
             {"instances", f.instances.get()},
             {"cables", f.cables.get()},
             {"winches", f.winches.get()},
+            {"routes", f.routes.get()},
             {"interactions", f.interactions.get()},
             {"inputs", f.inputs.get()},
             {"outputs", f.outputs.get()}};

@@ -119,6 +119,8 @@ ShapePtr scene_template(const Format& format) {
          {"interactions", with_placeholders(format.interactions), false, "", "", "Interactions."},
          {"cables", with_placeholders(format.cables), false, "", "", "Cables."},
          {"winches", with_placeholders(format.winches), false, "", "", "Winches."},
+         {"routes", with_placeholders(format.routes), false, "", "",
+          "Lines over posts and sheaves."},
          {"inputs", with_placeholders(format.inputs), false, "", "", "Inputs."},
          {"outputs", with_placeholders(format.outputs), false, "", "", "Outputs."},
          {"instances", with_placeholders(format.instances), false, "", "",
@@ -168,6 +170,7 @@ ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
         {"interactions", f.interactions, false, "", "", "Interactions."},
         {"cables", f.cables, false, "", "", "Cables."},
         {"winches", f.winches, false, "", "", "Winches."},
+        {"routes", f.routes, false, "", "", "Lines over posts and sheaves."},
         {"instances", f.instances, false, "", "", "Uses of templates."},
         {"inputs", f.inputs, false, "", "", "Inputs."},
         {"outputs", f.outputs, false, "", "", "Outputs: columns of --csv."},
@@ -212,6 +215,7 @@ Format make_format() {
     f.interactions = list_of("a list of interactions", interaction_shape());
     f.cables = list_of("a list of cables", cable_shape());
     f.winches = list_of("a list of winches", winch_shape());
+    f.routes = list_of("a list of routes", route_shape());
     f.instances = list_of("a list of instances", instance());
     f.inputs = list_of("a list of inputs", input_shape());
     f.outputs = list_of("a list of outputs", output_shape());

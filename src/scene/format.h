@@ -33,6 +33,7 @@ struct Format {
     ShapePtr interactions;
     ShapePtr cables;
     ShapePtr winches;
+    ShapePtr routes;
     ShapePtr instances;
     ShapePtr inputs;
     ShapePtr outputs;
@@ -51,6 +52,9 @@ struct Format {
 
 /// A winch at the end of a cable. See format_cables.cpp.
 [[nodiscard]] ShapePtr winch_shape();
+
+/// A line over posts and sheaves. See format_routes.cpp.
+[[nodiscard]] ShapePtr route_shape();
 
 /// An operation at a time. See format_timeline.cpp.
 [[nodiscard]] ShapePtr operation_shape();

@@ -26,6 +26,7 @@ void assemble_system(StepContext& ctx) noexcept {
     const View v = view(ctx);
     const assembly::Kernels& k = assembly::kernels();
     hold_bounds(ctx.model, ctx.work.newton, ctx.model.def.step);
+    begin_capstans(ctx.model);
     release_capstans(ctx.model, ctx.work.newton);
     choose_completed(ctx.model, ctx.state, ctx.pool);
     const bool completes = ctx.model.completion.any;

@@ -38,6 +38,11 @@ double side_of(const Model& model, Capstan& c) noexcept {
 
 }  // namespace
 
+void begin_capstans(Model& model) noexcept {
+    for (Capstan& c : model.system.capstans)
+        c.side = sign_of(model.interactions.held[at(c.friction)]);
+}
+
 void release_capstans(Model& model, const Newton& newton) noexcept {
     model::Interactions& in = model.interactions;
     each_capstan(model.system, [&](Capstan& c, std::span<CapstanEntry>) {

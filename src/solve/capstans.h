@@ -25,8 +25,8 @@
 /// ```
 /// so that fronts above it are factored as L D U (factor/unsymmetric.h). With slides eliminated
 /// before the multipliers, which the order does since they have few neighbours, what is left of a
-/// run of places is tridiagonal in the tensions with one sign off the diagonal: −Σ less an M-matrix,
-/// and no pivot turns, whatever slides. In a run between two bodies that pull each other over it a
+/// run of places is tridiagonal in the tensions, with negative entries beside a positive diagonal
+/// and columns that each sum up to W + Σ: an M-matrix, and no pivot turns, whatever slides. In a run between two bodies that pull each other over it a
 /// pivot may; it is used as it is, and refinement shows what it cost.
 ///
 /// **Which slide.** By the active set of bounds.h: a place that holds and would have to hold more
@@ -36,6 +36,9 @@
 #include "context/context.h"
 
 namespace hawser::stepper {
+
+/// Which way capstans slide where a step begins, by hold_bounds(): nothing is known from before.
+void begin_capstans(Model& model) noexcept;
 
 /// Impulses of sliding capstans without their loads: what a solution from λ = 0 begins with.
 void release_capstans(Model& model, const Newton& newton) noexcept;

@@ -29,6 +29,9 @@ void case_beams(Report& report);
 void case_euler_column(Report& report);
 // contact.cpp
 void case_capstan(Report& report);
+// routes.cpp
+void check_posts(Report& report);  ///< Part of "capstan".
+void case_tackle(Report& report);
 void case_incline(Report& report);
 void case_belt(Report& report);
 void case_rolling_sphere(Report& report);

@@ -256,6 +256,7 @@ void case_capstan(Report& report) {
                    5e-3, "relative; e^(mu pi); 32 elements are 0.15 % below");
     report.compare("pull over load, wire of 32 elements", {polygon}, {pulled / loaded}, 1e-3,
                    "relative; contacts give, tensions ripple as elements pass");
+    check_posts(report);
 }
 
 void case_bouncing_ball(Report& report) {

@@ -33,6 +33,7 @@ constexpr Case kCases[] = {
     {"16", "euler_column", "buckling load of a pinned column", case_euler_column},
     {"17", "capstan", "wire pulled over a cylinder", case_capstan},
     {"17.1", "bollard", "line round a bollard, friction of its material", case_bollard},
+    {"17.2", "tackle", "blocks of 2 to 16 parts with sheaves that rub", case_tackle},
     {"18", "incline", "boxes on slopes of eight headings", case_incline},
     {"18.1", "belt", "boxes put on a moving belt", case_belt},
     {"18.2", "joint_friction", "dry friction of slides and hinges", case_joint_friction},

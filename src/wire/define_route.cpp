@@ -30,13 +30,13 @@ struct Corner {
     double radius = 0.0;             ///< Signed.
     double out = 0.0;                ///< Length that comes to the part behind per unit of slide.
     Vec3 centre = Vec3::Zero(), normal = Vec3::UnitY();  ///< World frame.
+    Quat orientation = Quat::Identity();                 ///< Of the body.
 };
 
-void check_place(const World& world, const RouteDef& def, std::size_t i) {
+void check_place(const RouteBodies& bodies, const RouteDef& def, std::size_t i) {
     const RoutePlace& p = def.places[i];
     const std::string where = "places/" + std::to_string(i) + ": ";
-    if (!world.alive(p.body)) refuse(def, where + "its body is not there");
-    const BodyKind kind = world.body_def(p.body).kind;
+    const BodyKind kind = bodies(p.body).kind;
     if (kind == BodyKind::scalar) refuse(def, where + "a scalar body has no place in space");
     if (kind == BodyKind::lump && (p.radius != 0.0 || !p.point.isZero(0.0)))
         refuse(def, where + "a lump is a point: no wheel and no point on it");
@@ -58,22 +58,23 @@ void check_place(const World& world, const RouteDef& def, std::size_t i) {
         refuse(def, where + "angle = " + wire::number(p.angle) + " rad; give 0 to 1000");
 }
 
-void check(const World& world, const RouteDef& def) {
+void check(const RouteBodies& bodies, const RouteDef& def) {
     if (!(def.EA > 0.0 && def.EA <= 1e15)) refuse(def, "EA: give its axial stiffness [N]");
     if (def.places.empty() || def.places.size() > kMostPlaces)
         refuse(def, "places: give 1 to 256 that it runs over");
     for (const RouteEnd* e : {&def.first, &def.last}) {
         const std::string where = e == &def.first ? "first: " : "last: ";
-        if (!world.alive(e->body)) refuse(def, where + "its body is not there");
-        if (world.body_def(e->body).kind == BodyKind::scalar)
+        const RouteBody body = bodies(e->body);
+        if (body.kind == BodyKind::scalar)
             refuse(def, where + "a scalar body has no place in space; name it as the drum");
-        if (e->drum.valid() &&
-            (!world.alive(e->drum) || world.body_def(e->drum).kind != BodyKind::scalar))
+        if (body.kind == BodyKind::lump && !e->point.isZero(0.0))
+            refuse(def, where + "a lump is a point; leave the point on it at 0");
+        if (e->drum.valid() && bodies(e->drum).kind != BodyKind::scalar)
             refuse(def, where + "its drum must be a scalar body");
         if (e->drum.valid() && !(std::abs(e->radius) > 0.0 && std::abs(e->radius) <= 1e3))
             refuse(def, where + "radius: give what its drum pays out per unit [m]");
     }
-    for (std::size_t i = 0; i < def.places.size(); ++i) check_place(world, def, i);
+    for (std::size_t i = 0; i < def.places.size(); ++i) check_place(bodies, def, i);
     if (!std::isnan(def.length) && !(def.length > 0.0)) refuse(def, "length: give more than 0 m");
     if (!(def.tension >= 0.0) || !std::isfinite(def.tension)) refuse(def, "tension: give 0 N or more");
 }
@@ -120,10 +121,9 @@ double turned(const Corner& c, const RoutePlace& place, const Vec3& before, cons
 }
 
 /// Frame whose z is the wheel's axis and whose x points to where the line touches it.
-Quat frame_at(const World& world, const Corner& c, const Vec3& touches) {
-    const Quat q = world.pose(c.body).orientation;
-    const Vec3 z = q.conjugate() * c.normal;
-    Vec3 x = q.conjugate() * (touches - c.centre);
+Quat frame_at(const Quat& orientation, const Corner& c, const Vec3& touches) {
+    const Vec3 z = orientation.conjugate() * c.normal;
+    Vec3 x = orientation.conjugate() * (touches - c.centre);
     x -= x.dot(z) * z;
     x.normalize();
     Mat3 m;
@@ -133,174 +133,186 @@ Quat frame_at(const World& world, const Corner& c, const Vec3& touches) {
     return Quat(m);
 }
 
-double lightest(const World& world, const std::vector<Corner>& corners) {
-    double least = 1e30;
-    for (const Corner& c : corners) {
-        const BodyDef& b = world.body_def(c.body);
-        if (b.kind == BodyKind::lump || b.kind == BodyKind::rigid) least = std::min(least, b.mass);
-    }
-    return least < 1e30 ? least : 1.0;
-}
-
-/// Builds a route, and takes back what it made where something is refused.
-class Builder {
-  public:
-    Builder(World& world, const RouteDef& def) : world_(world), def_(def) {}
-    Route build() {
-        try {
-            place_corners();
-            lay_out();
-            add_parts();
-            add_frictions();
-        } catch (...) {
-            for (const BodyId id : out_.slides)
-                if (world_.alive(id)) world_.remove_body(id);
-            for (const InteractionId id : out_.parts)
-                if (world_.alive(id)) world_.remove_interaction(id);
-            throw;
-        }
-        return std::move(out_);
-    }
-
-  private:
-    std::string part_name(const char* what, std::size_t i) const {
-        return def_.name.empty() ? std::string() : def_.name + "/" + what + std::to_string(i + 1);
-    }
-    void place_corners();
-    void lay_out();
-    void add_parts();
-    void add_frictions();
-
-    World& world_;
-    const RouteDef& def_;
-    Route out_;
-    std::vector<Corner> corners_;
-    std::vector<Straight> straight_;
-    std::vector<double> arc_;  ///< What lies on each place [m].
-};
-
-void Builder::place_corners() {
+std::vector<Corner> corners_of(const RouteDef& def, const RouteBodies& bodies) {
+    std::vector<Corner> corners;
     const auto end = [&](const RouteEnd& e) {
         Corner c;
         c.body = e.body;
         c.point = e.point;
         c.slide = e.drum;
         c.out = e.radius;
-        corners_.push_back(c);
+        corners.push_back(c);
     };
-    end(def_.first);
-    for (const RoutePlace& p : def_.places) {
+    end(def.first);
+    for (const RoutePlace& p : def.places) {
         Corner c;
         c.body = p.body;
         c.point = p.point;
         c.axis = p.axis.norm() > 0.0 ? Vec3(p.axis.normalized()) : Vec3(Vec3::UnitY());
         c.radius = p.radius;
         c.out = 1.0;
-        corners_.push_back(c);
+        corners.push_back(c);
     }
-    end(def_.last);
-    for (Corner& c : corners_) {
-        const Pose pose = world_.pose(c.body);
-        c.centre = world_.world_point(c.body, c.point);
-        c.normal = pose.orientation * c.axis;
+    end(def.last);
+    for (Corner& c : corners) {
+        const RouteBody body = bodies(c.body);
+        c.orientation = body.orientation;
+        c.centre = body.position + body.orientation * c.point;
+        c.normal = body.orientation * c.axis;
     }
-    const double least = kSlideMass * lightest(world_, corners_);
-    for (std::size_t i = 0; i < def_.places.size(); ++i) {
-        const RoutePlace& p = def_.places[i];
-        const double turning = p.inertia > 0.0 ? p.inertia / (p.radius * p.radius) : 0.0;
-        corners_[i + 1].slide = world_.add_body({.name = part_name("slide", i),
-                                                 .kind = BodyKind::scalar,
-                                                 .mass = std::max(turning, least),
-                                                 .gravity = false});
-        out_.slides.push_back(corners_[i + 1].slide);
-    }
+    return corners;
 }
 
-void Builder::lay_out() {
-    for (std::size_t i = 0; i + 1 < corners_.size(); ++i)
-        straight_.push_back(straight_between(def_, corners_[i], corners_[i + 1]));
-    for (std::size_t i = 0; i < def_.places.size(); ++i) {
-        const RoutePlace& p = def_.places[i];
-        const double angle =
-            turned(corners_[i + 1], p, straight_[i].along, straight_[i + 1].along);
-        arc_.push_back(angle * std::abs(p.radius));
-        out_.angles.push_back(std::isnan(p.angle) ? angle : p.angle);
-    }
+std::string part_name(const RouteDef& def, const char* what, std::size_t i) {
+    return def.name.empty() ? std::string() : def.name + "/" + what + std::to_string(i + 1);
 }
 
-void Builder::add_parts() {
-    // Half of what lies on a place belongs to the part before it, half to the one behind.
-    double path = 0.0;
-    std::vector<double> lies(straight_.size());
-    for (std::size_t i = 0; i < straight_.size(); ++i) {
-        lies[i] = straight_[i].length + (i > 0 ? 0.5 * arc_[i - 1] : 0.0) +
-                  (i + 1 < straight_.size() ? 0.5 * arc_[i] : 0.0);
-        path += lies[i];
+/// How much lies on each place [m], and the angles there.
+std::vector<double> arcs_of(const RouteDef& def, const std::vector<Corner>& corners,
+                            const std::vector<Straight>& straight, std::vector<double>& angles) {
+    std::vector<double> arcs;
+    for (std::size_t i = 0; i < def.places.size(); ++i) {
+        const RoutePlace& p = def.places[i];
+        const double angle = turned(corners[i + 1], p, straight[i].along, straight[i + 1].along);
+        arcs.push_back(angle * std::abs(p.radius));
+        angles.push_back(std::isnan(p.angle) ? angle : p.angle);
     }
-    const double length = std::isnan(def_.length) ? path / (1.0 + def_.tension / def_.EA)
-                                                  : def_.length;
-    for (std::size_t i = 0; i < straight_.size(); ++i) {
-        const Corner &a = corners_[i], &b = corners_[i + 1];
-        const double own = lies[i] * length / path;  // without tension
-        InteractionDef d;
-        d.name = part_name("part", i);
-        d.damping_time[0] = def_.damping_time;
-        if (a.body == b.body && a.slide.valid() && b.slide.valid()) {
-            d.kind = InteractionKind::BodySpan;
-            d.body[0] = a.slide;
-            d.body[1] = b.slide;
-            d.set("path", lies[i]).set("length", own).set("EA", def_.EA);
-            d.set("slide_0", a.out).set("slide_1", i + 2 < corners_.size() ? -1.0 : b.out);
-            out_.parts.push_back(world_.add_interaction(d));
-            continue;
-        }
-        if (a.body == b.body) refuse(def_, "an end stands on the same body as the next place");
-        const bool both = a.slide.valid() && b.slide.valid();
-        d.kind = both ? InteractionKind::Span : InteractionKind::EndSpan;
-        d.body[0] = a.body;
-        d.body[1] = b.body;
-        d.point[0] = a.point;
-        d.point[1] = b.point;
-        if (a.radius != 0.0) d.frame[0] = frame_at(world_, a, straight_[i].from);
-        if (b.radius != 0.0) d.frame[1] = frame_at(world_, b, straight_[i].to);
-        const double to_b = i + 2 < corners_.size() ? -1.0 : b.out;
-        d.body[2] = a.slide.valid() ? a.slide : b.slide;
-        d.set("slide_0", a.slide.valid() ? a.out : to_b);
-        if (both) {
-            d.body[3] = b.slide;
-            d.set("slide_1", to_b);
-        }
-        d.set("wheel_0", a.radius).set("wheel_1", b.radius);
-        // What lies on the places is part of the path only by how it changes.
-        d.set("length", own - (lies[i] - straight_[i].length));
-        d.set("EA", def_.EA).set("breaking_load", def_.breaking_load);
-        d.compliance[0] = own / def_.EA;
-        out_.parts.push_back(world_.add_interaction(d));
-    }
+    return arcs;
 }
 
-void Builder::add_frictions() {
-    for (std::size_t i = 0; i < def_.places.size(); ++i) {
-        const RoutePlace& p = def_.places[i];
-        const double rubs = p.friction * out_.angles[i] - std::log(p.efficiency);
-        out_.frictions.emplace_back();
-        if (rubs == 0.0) continue;
-        InteractionDef f;
-        f.kind = InteractionKind::ScalarFriction;
-        f.name = part_name("friction", i);
-        f.body[0] = out_.slides[i];
-        // Of a slide without mass any spring holds; this one is as stiff as the line.
-        f.load[0] = {out_.parts[i], std::tanh(0.5 * rubs)};
-        f.load[1] = {out_.parts[i + 1], std::tanh(0.5 * rubs)};
-        out_.frictions.back() = world_.add_interaction(f);
+/// A part between two corners. @param lies  Its length as it lies, with its halves of what lies on
+/// the places at its ends [m]. @param own  The same without tension. @param to_end  Behind it the
+/// line ends.
+InteractionDef part_between(const RouteDef& def, const Corner& a, const Corner& b,
+                            const Straight& straight, double lies, double own, bool to_end) {
+    InteractionDef d;
+    d.damping_time[0] = def.damping_time;
+    const double to_b = to_end ? b.out : -1.0;
+    const bool both = a.slide.valid() && b.slide.valid();
+    if (a.body == b.body) {
+        if (!both) refuse(def, "an end is made fast to the same body as the place next to it");
+        d.kind = InteractionKind::BodySpan;
+        d.body[0] = a.slide;
+        d.body[1] = b.slide;
+        d.set("path", lies).set("length", own).set("EA", def.EA);
+        d.set("slide_0", a.out).set("slide_1", to_b);
+        return d;
     }
+    d.kind = both ? InteractionKind::Span : InteractionKind::EndSpan;
+    d.body[0] = a.body;
+    d.body[1] = b.body;
+    d.point[0] = a.point;
+    d.point[1] = b.point;
+    if (a.radius != 0.0) d.frame[0] = frame_at(a.orientation, a, straight.from);
+    if (b.radius != 0.0) d.frame[1] = frame_at(b.orientation, b, straight.to);
+    d.body[2] = a.slide.valid() ? a.slide : b.slide;
+    d.set("slide_0", a.slide.valid() ? a.out : to_b);
+    if (both) {
+        d.body[3] = b.slide;
+        d.set("slide_1", to_b);
+    }
+    d.set("wheel_0", a.radius).set("wheel_1", b.radius);
+    // Of what lies on the places, its path has only how that changes.
+    d.set("length", own - (lies - straight.length));
+    d.set("EA", def.EA).set("breaking_load", def.breaking_load);
+    d.compliance[0] = own / def.EA;
+    return d;
+}
+
+RouteBodies bodies_of(const World& world, const RouteDef& def) {
+    return [&world, &def](BodyId id) {
+        if (!world.alive(id)) refuse(def, "one of its bodies is not there");
+        const Pose pose = world.pose(id);
+        const BodyDef& body = world.body_def(id);
+        return RouteBody{pose.position, pose.orientation, body.kind, body.mass};
+    };
 }
 
 }  // namespace
 
+std::vector<BodyDef> route_slides(const RouteDef& def, const RouteBodies& bodies) {
+    check(bodies, def);
+    double lightest = 1e30;
+    for (const Corner& c : corners_of(def, bodies)) {
+        const RouteBody body = bodies(c.body);
+        if (body.kind == BodyKind::lump || body.kind == BodyKind::rigid)
+            lightest = std::min(lightest, body.mass);
+    }
+    if (!(lightest < 1e30)) lightest = 1.0;
+    std::vector<BodyDef> slides;
+    for (std::size_t i = 0; i < def.places.size(); ++i) {
+        const RoutePlace& p = def.places[i];
+        BodyDef slide{.name = part_name(def, "slide", i), .kind = BodyKind::scalar};
+        slide.mass = kSlideMass * lightest;
+        if (p.inertia > 0.0) slide.mass = std::max(slide.mass, p.inertia / (p.radius * p.radius));
+        slide.gravity = false;
+        slides.push_back(std::move(slide));
+    }
+    return slides;
+}
+
+RoutePlan plan_route(const RouteDef& def, const RouteBodies& bodies,
+                     std::span<const BodyId> slides) {
+    check(bodies, def);
+    std::vector<Corner> corners = corners_of(def, bodies);
+    for (std::size_t i = 0; i < slides.size(); ++i) corners[i + 1].slide = slides[i];
+    std::vector<Straight> straight;
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+        straight.push_back(straight_between(def, corners[i], corners[i + 1]));
+    RoutePlan out;
+    const std::vector<double> arcs = arcs_of(def, corners, straight, out.angles);
+    // Half of what lies on a place belongs to the part before it, half to the one behind.
+    double path = 0.0;
+    std::vector<double> lies;
+    for (std::size_t i = 0; i < straight.size(); ++i) {
+        lies.push_back(straight[i].length + (i > 0 ? 0.5 * arcs[i - 1] : 0.0) +
+                       (i + 1 < straight.size() ? 0.5 * arcs[i] : 0.0));
+        path += lies.back();
+    }
+    const double length =
+        std::isnan(def.length) ? path / (1.0 + def.tension / def.EA) : def.length;
+    for (std::size_t i = 0; i < straight.size(); ++i) {
+        const bool to_end = i + 1 == straight.size();
+        out.parts.push_back(part_between(def, corners[i], corners[i + 1], straight[i], lies[i],
+                                         lies[i] * length / path, to_end));
+        out.parts.back().name = part_name(def, "part", i);
+    }
+    for (std::size_t i = 0; i < def.places.size(); ++i) {
+        const RoutePlace& p = def.places[i];
+        const double rubs = p.friction * out.angles[i] - std::log(p.efficiency);
+        if (rubs == 0.0) continue;
+        InteractionDef f;
+        f.kind = InteractionKind::ScalarFriction;
+        f.name = part_name(def, "friction", i);
+        f.body[0] = corners[i + 1].slide;
+        for (FrictionLoad& load : f.load) load.factor = std::tanh(0.5 * rubs);
+        out.frictions.push_back({i, std::move(f)});
+    }
+    return out;
+}
+
 Route define(World& world, const RouteDef& def) {
-    check(world, def);
-    return Builder(world, def).build();
+    const RouteBodies bodies = bodies_of(world, def);
+    Route out;
+    try {
+        for (const BodyDef& slide : route_slides(def, bodies))
+            out.slides.push_back(world.add_body(slide));
+        RoutePlan plan = plan_route(def, bodies, out.slides);
+        for (const InteractionDef& part : plan.parts)
+            out.parts.push_back(world.add_interaction(part));
+        out.frictions.resize(def.places.size());
+        for (RoutePlan::Friction& f : plan.frictions) {
+            for (std::size_t k = 0; k < 2; ++k)
+                f.def.load[k].interaction = out.parts[f.place + k];
+            out.frictions[f.place] = world.add_interaction(f.def);
+        }
+        out.angles = std::move(plan.angles);
+    } catch (...) {
+        // With the slides goes all that hangs on them.
+        for (const BodyId id : out.slides) world.remove_body(id);
+        throw;
+    }
+    return out;
 }
 
 }  // namespace hawser

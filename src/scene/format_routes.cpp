@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Lines over posts and sheaves.
+#include "scene/format.h"
+
+#include <utility>
+#include <vector>
+
+namespace hawser::scene {
+namespace {
+
+using namespace make;
+
+ShapePtr end_shape() {
+    return object("route_end", "an end of a route", "Where a line over posts and sheaves ends.",
+                  {{"body", body_ref(), true, "", "", "Body that it is made fast to, or led from."},
+                   {"point", vector3("a point"), false, "[0, 0, 0]", "m", "In its frame."},
+                   {"drum", text("a body name"), false, "it is made fast", "",
+                    "Scalar body behind the point that pays the line out."},
+                   {"radius", number("a length", -1e3, 1e3), false, "0", "m",
+                    "Line per unit of the drum's coordinate."}});
+}
+
+ShapePtr place_shape() {
+    return object(
+        "route_place", "a place of a route", "What a line runs over.",
+        {{"body", body_ref(), true, "", "", "Body that it belongs to."},
+         {"point", vector3("a point"), false, "[0, 0, 0]", "m",
+          "Eye, or centre of the wheel, in the frame of the body."},
+         {"axis", vector3("an axis"), false, "[0, 1, 0]", "1", "Of the wheel, in that frame."},
+         {"radius", number("a radius", -1e3, 1e3), false, "0, an eye", "m",
+          "The line turns about the axis where it is above 0, else against it."},
+         {"friction", number("a coefficient", 0.0, 10.0), false, "0", "1",
+          "Of the line on what it runs over."},
+         {"efficiency", number("an efficiency", 0.0, 1.0), false, "1", "1",
+          "Of a sheave: lesser tension over greater; above 0."},
+         {"inertia", number("an inertia", 0.0, 1e12), false, "0", "kg m^2", "Of a sheave."},
+         {"turns", integer("a number of turns", 0, 100), false, "0", "1",
+          "Whole turns more round the wheel."},
+         {"angle", number("an angle", 0.0, 1e3), false, "as it lies", "rad",
+          "By which the line turns, with whole turns; friction goes by it."}});
+}
+
+}  // namespace
+
+ShapePtr route_shape() {
+    return object(
+        "route", "a route",
+        "A line without weight that runs over posts, eyes and sheaves: a hoist, a tackle. Its parts "
+        "are the interactions NAME/part1 and on, its friction NAME/friction1, what has run through "
+        "a place the scalar body NAME/slide1.",
+        {{"name", name("a name"), true, "", "", "First part of the names of all that it is made of."},
+         {"EA", positive("a stiffness", kMostForce), true, "", "N", "Axial stiffness."},
+         {"first", end_shape(), true, "", "", "Where it begins."},
+         {"places", list("a list of places", place_shape(), 1, 256), true, "", "",
+          "What it runs over, in order."},
+         {"last", end_shape(), true, "", "", "Where it ends."},
+         {"length", positive("a length", kMostLength), false, "as it lies with \"tension\"", "m",
+          "Without tension."},
+         {"tension", number("a force", 0.0, kMostForce), false, "0", "N", "At the start."},
+         {"breaking_load", positive("a force", kMostForce), false, "never", "N",
+          "A part between two bodies parts above this tension."},
+         {"damping_time", number("a time", 0.0, 1e12), false, "two steps", "s", "Of all parts."},
+         {"description", text("a text"), false, "", "", "Remarks."}},
+        {{"length", "tension"}});
+}
+
+}  // namespace hawser::scene

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Lines over posts and sheaves as the verifier sees them: it finds tangents in another way.
+#include "support/post.h"
+
+#include "verify/certificate.h"
+
+#include <gtest/gtest.h>
+
+namespace hawser {
+namespace {
+
+void verify(World& w, int steps) {
+    verify::Verifier verifier(w);
+    for (int i = 0; i < steps; ++i) {
+        verifier.before_step(w);
+        ASSERT_EQ(w.step(), Status::ok);
+        ASSERT_EQ(verifier.after_step(w), "") << "step " << i;
+    }
+}
+
+TEST(RoutesVerified, SlidingAndHolding) {
+    for (const int places : {1, 8, 64})
+        for (const double share : {0.9, 1.1}) {
+            test::Post p(places, 1.5, share);
+            verify(p.w, 240);
+        }
+}
+
+TEST(RoutesVerified, ATackleWithSheavesOnBodiesThatTurn) {
+    World w;
+    const BodyId boom = w.add_body({.kind = BodyKind::fixed, .position = {0, 0, 20}});
+    const BodyId block = w.add_body({.name = "block",
+                                     .position = {0.3, 0.0, 5.0},
+                                     .mass = 2000.0,
+                                     .inertia = 300.0 * Mat3::Identity()});
+    const BodyId drum = w.add_body(
+        {.kind = BodyKind::scalar, .velocity = {0.5, 0, 0}, .mass = 200.0, .gravity = false});
+    w.add(DrumDef{.drum = drum, .motor = AxisMotor{.speed = 0.5}});
+    const RoutePlace above{
+        .body = boom, .point = {0.4, 0, 0}, .radius = 0.3, .efficiency = 0.96, .inertia = 5.0};
+    const RoutePlace below{
+        .body = block, .point = {0, 0, 0.8}, .radius = -0.4, .efficiency = 0.96, .inertia = 5.0};
+    w.add(RouteDef{.name = "hoist",
+                   .EA = 5e7,
+                   .first = {.body = boom, .point = {-0.4, 0, 0}},
+                   .places = {below, above},
+                   .last = {.body = boom, .point = {10, 0, -2}, .drum = drum, .radius = 0.5},
+                   .tension = 1000.0 * 9.81});
+    verify(w, 240);
+}
+
+}  // namespace
+}  // namespace hawser

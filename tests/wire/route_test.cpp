@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Lines over posts and sheaves: Euler's ratio whatever the number of places, bits, refusals.
+#include "support/post.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace hawser {
+namespace {
+
+using test::Post;
+
+class Posts : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Places, Posts, testing::Values(1, 2, 8, 64));
+
+TEST_P(Posts, SlideAtEulersRatio) {
+    for (const double turns : {0.5, 1.5, 3.0}) {
+        Post p(GetParam(), turns, 1.1);
+        for (int i = 0; i < 240; ++i) {
+            ASSERT_EQ(p.w.step(), Status::ok);
+            EXPECT_LE(p.w.stats().factorisations, 8) << turns << " step " << i;
+            EXPECT_EQ(p.w.stats().flips_left, 0) << turns << " step " << i;
+        }
+        // Slides have a millionth of the lightest mass, and up to 64 of them are sped up.
+        EXPECT_NEAR(p.tensions() / p.ratio, 1.0, 1e-5) << turns;
+        EXPECT_EQ(p.w.verdict().grade, Grade::good) << turns;
+        const double before = p.w.velocity(p.second).linear.z();
+        ASSERT_EQ(p.w.step(), Status::ok);
+        const double a = (before - p.w.velocity(p.second).linear.z()) * 60.0;
+        EXPECT_NEAR(a, 9.81 * 0.1 / 2.1, 1e-3 * a) << turns;
+    }
+}
+
+TEST_P(Posts, HoldBelowItWithoutCreeping) {
+    Post p(GetParam(), 1.5, 0.99);
+    for (int i = 0; i < 1200; ++i) ASSERT_EQ(p.w.step(), Status::ok);
+    const double start = p.slid();
+    for (int i = 0; i < 1200; ++i) ASSERT_EQ(p.w.step(), Status::ok);
+    EXPECT_NEAR(p.slid(), start, 1e-10);
+    EXPECT_LT(p.tensions(), p.ratio);
+}
+
+TEST(Routes, TensionsPointTheWayTheyHaveTo) {
+    // Hauled either way, what rubs holds back.
+    for (const double v : {0.5, -0.5}) {
+        World w;
+        const BodyId top = w.add_body({.kind = BodyKind::fixed});
+        const BodyId load =
+            w.add_body({.kind = BodyKind::lump, .position = {0, 0, -10}, .mass = 1000.0});
+        const BodyId hand = w.add_body(
+            {.kind = BodyKind::kinematic, .position = {5, 0, 0}, .velocity = {v, 0, 0}});
+        const Route r = w.add(RouteDef{.EA = 1e8,
+                                       .first = {.body = load},
+                                       .places = {{.body = top, .efficiency = 0.9}},
+                                       .last = {.body = hand},
+                                       .tension = 9810.0,
+                                       .damping_time = 0.1});
+        for (int i = 0; i < 300; ++i) ASSERT_EQ(w.step(), Status::ok);
+        const double weight = -w.force(r.parts[0])[0], pull = -w.force(r.parts[1])[0];
+        EXPECT_NEAR(pull / weight, v > 0.0 ? 1.0 / 0.9 : 0.9, 1e-5);
+        EXPECT_NEAR(w.pose(load).position.z(), -10.0 + v * 5.0, 0.02);
+    }
+}
+
+TEST(Routes, AWheelIsAWheelWhereverItTurns) {
+    // A weight swings on a line that rolls on and off a cylinder: it keeps its energy.
+    World w(WorldDef{.step = 1.0 / 960.0});
+    const BodyId post = w.add_body({.kind = BodyKind::fixed});
+    const BodyId bob = w.add_body({.kind = BodyKind::lump,
+                                   .position = {0.5, 0, -4.0},
+                                   .velocity = {3.0, 0, 0},
+                                   .mass = 10.0});
+    const BodyId made_fast =
+        w.add_body({.kind = BodyKind::fixed, .position = {-0.5, 0, -4.0}});
+    const Route r = w.add(RouteDef{
+        .EA = 1e7,
+        .first = {.body = made_fast},
+        .places = {{.body = post, .radius = 0.5, .friction = 0.5}},
+        .last = {.body = bob},
+        .tension = 98.1});
+    EXPECT_NEAR(r.angles.front(), std::numbers::pi, 1e-9);
+    const double start = 0.5 * 10.0 * 9.0;
+    double widest = 0.0;
+    for (int i = 0; i < 4 * 960; ++i) {
+        ASSERT_EQ(w.step(), Status::ok);
+        const Vec3 x = w.pose(bob).position;
+        widest = std::max(widest, std::abs(x.x() - 0.5));
+        // Straight length and arc: l + R φ = l₀ while nothing slides. φ where the line leaves.
+        const double d = std::hypot(x.x(), x.z());
+        const double straight = std::sqrt(d * d - 0.25);
+        const double at = std::atan2(-x.z(), x.x()) - std::atan2(straight, 0.5);
+        EXPECT_NEAR(straight - 0.5 * at, 4.0, 2e-3) << i;
+        const double energy = 0.5 * 10.0 * w.velocity(bob).linear.squaredNorm() +
+                              98.1 * (x.z() + 4.0);
+        EXPECT_NEAR(energy, start, 0.02 * start) << i;
+    }
+    EXPECT_GT(widest, 1.5);
+}
+
+std::string hash_of(Post& p, int steps) {
+    for (int i = 0; i < steps; ++i)
+        if (p.w.step() != Status::ok) return "";
+    return std::to_string(p.w.state_hash());
+}
+
+TEST(Routes, BitsDoNotDependOnThreadsOrRestoring) {
+    std::vector<std::string> hashes;
+    for (const int threads : {1, 2, 4}) {
+        WorldDef def;
+        def.threads = threads;
+        Post p(8, 1.5, 1.1, def);
+        hashes.push_back(hash_of(p, 200));
+    }
+    for (const int at : {1, 37, 120}) {
+        Post p(8, 1.5, 1.1);
+        (void)hash_of(p, at);
+        const std::vector<std::byte> saved = p.w.save();
+        (void)hash_of(p, 50);
+        p.w.restore(saved);
+        hashes.push_back(hash_of(p, 200 - at));
+    }
+    for (const std::string& hash : hashes) EXPECT_EQ(hash, hashes.front());
+}
+
+TEST(Routes, ThatAreWrongAreRefusedAndLeaveNothing) {
+    World w;
+    const BodyId a = w.add_body({.kind = BodyKind::fixed, .position = {-1, 0, 0}});
+    const BodyId b = w.add_body({.kind = BodyKind::lump, .position = {1, 0, 0}});
+    const BodyId post = w.add_body({.kind = BodyKind::fixed, .position = {0, 0, 1}});
+    const BodyId spool = w.add_body({.kind = BodyKind::scalar});
+    const RouteDef good{.EA = 1e7,
+                        .first = {.body = a},
+                        .places = {{.body = post, .radius = 0.2}},
+                        .last = {.body = b}};
+    const auto refused = [&](auto change) {
+        RouteDef def = good;
+        change(def);
+        const int bodies = w.body_count(), interactions = w.interaction_count();
+        try {
+            (void)w.add(def);
+        } catch (const DefError& error) {
+            EXPECT_EQ(w.bodies().size(), 4u);
+            EXPECT_EQ(w.interactions().size(), 0u) << bodies << interactions;
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_NE(refused([](RouteDef& d) { d.EA = 0.0; }).find("EA"), std::string::npos);
+    EXPECT_NE(refused([](RouteDef& d) { d.places[0].efficiency = 1.1; }).find("places/0"),
+              std::string::npos);
+    EXPECT_NE(refused([](RouteDef& d) { d.places[0].efficiency = 0.0; }).find("efficiency"),
+              std::string::npos);
+    EXPECT_NE(refused([](RouteDef& d) { d.places[0].body = BodyId{99}; }).find("not there"),
+              std::string::npos);
+    EXPECT_NE(refused([&](RouteDef& d) { d.last.body = spool; }).find("drum"), std::string::npos);
+    EXPECT_NE(refused([](RouteDef& d) { d.places[0].radius = 5.0; }).find("radii"),
+              std::string::npos);
+    EXPECT_NE(refused([](RouteDef& d) { d.places.clear(); }).find("places"), std::string::npos);
+    EXPECT_NE(refused([](RouteDef& d) { d.places[0].inertia = -1.0; }).find("inertia"),
+              std::string::npos);
+    EXPECT_NE(refused([&](RouteDef& d) { d.places[0].body = b; }).find("lump"),
+              std::string::npos);
+    EXPECT_EQ(w.add(good).parts.size(), 2u);
+}
+
+}  // namespace
+}  // namespace hawser
