@@ -13,8 +13,8 @@
 ///     .last = {.body = boom, .point = {30.5, 0, 0}}});
 /// ```
 /// The line is one piece: what leaves the part before a place enters the part behind it. Its parts
-/// are interactions of kind span, end_span and body_span, its friction scalar_friction, its *slides*
-/// scalar bodies next to no mass, whose coordinate tells how much has run through [m]
+/// are interactions of kind span, end_span and body_span, its friction scalar_friction, its
+/// *slides* scalar bodies next to no mass, whose coordinate tells how much has run through [m]
 /// (src/model/kinds/routes.h); outputs and events know them by their names, "hoist/part2",
 /// "hoist/friction1", "hoist/slide1".
 ///
@@ -51,9 +51,9 @@ struct RouteEnd {
 
 /// What a line runs over.
 struct RoutePlace {
-    BodyId body{};                ///< Required; not a lump where `radius` is not 0.
-    Vec3 point{0.0, 0.0, 0.0};    ///< Eye, or centre of the wheel, in the frame of the body [m].
-    Vec3 axis{0.0, 1.0, 0.0};     ///< Of the wheel, in the frame of the body.
+    BodyId body{};              ///< Required; not a lump where `radius` is not 0.
+    Vec3 point{0.0, 0.0, 0.0};  ///< Eye, or centre of the wheel, in the frame of the body [m].
+    Vec3 axis{0.0, 1.0, 0.0};   ///< Of the wheel, in the frame of the body.
     /// Of the wheel [m], 0: an eye. The line turns about +axis where it is above 0, as seen along
     /// the route, about −axis where it is below.
     double radius = 0.0;
@@ -66,16 +66,16 @@ struct RoutePlace {
 };
 
 struct RouteDef {
-    std::string name{};  ///< Unique in the world, or empty.
+    std::string name{};    ///< Unique in the world, or empty.
     double EA = kDefault;  ///< Axial stiffness [N]. Required.
     RouteEnd first{};
     std::vector<RoutePlace> places{};  ///< In order, 1 to 256.
     RouteEnd last{};
     /// Length without tension [m]. kDefault: as it lies with `tension`.
     double length = kDefault;
-    double tension = 0.0;                ///< At the start, where no length is given [N].
-    double breaking_load = 1e30;         ///< Each part breaks above this tension [N].
-    double damping_time = kDefault;      ///< Of all parts [s].
+    double tension = 0.0;            ///< At the start, where no length is given [N].
+    double breaking_load = 1e30;     ///< Each part breaks above this tension [N].
+    double damping_time = kDefault;  ///< Of all parts [s].
 };
 
 struct Route {
@@ -90,7 +90,7 @@ Route define(World& world, const RouteDef& def);
 
 /// A body as a route meets it.
 struct RouteBody {
-    Vec3 position{0.0, 0.0, 0.0};           ///< Of its centre of mass, world frame [m].
+    Vec3 position{0.0, 0.0, 0.0};  ///< Of its centre of mass, world frame [m].
     Quat orientation = Quat::Identity();
     BodyKind kind = BodyKind::fixed;
     double mass = 0.0;  ///< [kg]
@@ -101,7 +101,7 @@ using RouteBodies = std::function<RouteBody(BodyId)>;
 /// What a route is made of, for those that have no World yet.
 struct RoutePlan {
     struct Friction {
-        std::size_t place;    ///< Its loads are the parts `place` and `place` + 1.
+        std::size_t place;  ///< Its loads are the parts `place` and `place` + 1.
         InteractionDef def;
     };
     std::vector<InteractionDef> parts;

@@ -45,8 +45,8 @@ void System::place_capstans(const model::Interactions&) {
             if (slide < 0 || load < 0) continue;  // asleep
             // The half that is written has rows of what is eliminated later.
             entry->upper = symbolic.position[at(load)] > symbolic.position[at(slide)];
-            const auto target = entry->upper ? symbolic.target(load, slide)
-                                             : symbolic.target(slide, load);
+            const auto target =
+                entry->upper ? symbolic.target(load, slide) : symbolic.target(slide, load);
             entry->address = target.address;
             entry->column = factor::DirtyParts::column(symbolic, slide, load);
         }

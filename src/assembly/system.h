@@ -122,7 +122,7 @@ class System {
     /// (solve/capstans.h). None where other methods than Newton's find the forces.
     std::vector<Capstan> capstans;
     std::vector<CapstanEntry> capstan_entries;  ///< Those of one capstan follow each other.
-    base::Array<std::uint8_t> turning;     ///< View::turning.
+    base::Array<std::uint8_t> turning;          ///< View::turning.
     std::vector<std::int32_t> breakable;
     std::vector<double> breaking_load;  ///< Of each breakable one [N].
 

@@ -68,12 +68,12 @@ struct Capstan {
 
 /// A load of a capstan in the matrix: the equation of its slide, the impulse of the load.
 struct CapstanEntry {
-    std::int32_t load;   ///< Interaction.
-    double factor;       ///< Of its impulse in the bound.
-    double value;        ///< Added to the entry.
+    std::int32_t load;  ///< Interaction.
+    double factor;      ///< Of its impulse in the bound.
+    double value;       ///< Added to the entry.
     std::int64_t address;
-    std::int32_t column;  ///< Node whose column holds it.
-    bool upper;           ///< It stands in the upper half, transposed.
+    std::int32_t column;      ///< Node whose column holds it.
+    bool upper;               ///< It stands in the upper half, transposed.
     std::uint8_t was_active;  ///< Whether the load acted at the solution at hand.
 };
 

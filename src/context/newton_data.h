@@ -26,7 +26,7 @@ struct RunPlace {
     double before, behind;           ///< Entries of the two parts' rows.
     double low, high, share[2];      ///< Bounds, and of the parts' impulses in them.
     double w0, w1, w2;               ///< w = w0 + w1 λ of the part before + w2 λ of the one behind.
-    double force;
+    double speed;                    ///< w.
     std::int32_t side, was;  ///< 0: it holds; else the sign of its force. was: at the solution.
 };
 struct RunPart {
@@ -45,7 +45,7 @@ struct Newton {
     nonsmooth::Anderson follow;        ///< Acceleration of the impulses of `loaded`.
     std::vector<RunPlace> run_places;
     std::vector<RunPart> run_parts;
-    std::vector<nonsmooth::Law> laws;  ///< Of each contact, about the iterate.
+    std::vector<nonsmooth::Law> laws;             ///< Of each contact, about the iterate.
     std::vector<nonsmooth::ResistanceLaw> turns;  ///< Of each resistance, about the iterate.
     nonsmooth::Gmres gmres;
     std::vector<double> x, u;              ///< Three a contact, then three a resistance.

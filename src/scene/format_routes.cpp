@@ -45,10 +45,12 @@ ShapePtr place_shape() {
 ShapePtr route_shape() {
     return object(
         "route", "a route",
-        "A line without weight that runs over posts, eyes and sheaves: a hoist, a tackle. Its parts "
+        "A line without weight that runs over posts, eyes and sheaves: a hoist, a tackle. Its "
+        "parts "
         "are the interactions NAME/part1 and on, its friction NAME/friction1, what has run through "
         "a place the scalar body NAME/slide1.",
-        {{"name", name("a name"), true, "", "", "First part of the names of all that it is made of."},
+        {{"name", name("a name"), true, "", "",
+          "First part of the names of all that it is made of."},
          {"EA", positive("a stiffness", kMostForce), true, "", "N", "Axial stiffness."},
          {"first", end_shape(), true, "", "", "Where it begins."},
          {"places", list("a list of places", place_shape(), 1, 256), true, "", "",

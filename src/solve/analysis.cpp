@@ -6,8 +6,8 @@
 #include "access/undo.h"
 #include "base/index.h"
 #include "solve/bounds.h"
-#include "solve/runs.h"
 #include "solve/joints.h"
+#include "solve/runs.h"
 #include "solve/wires.h"
 
 #include <algorithm>

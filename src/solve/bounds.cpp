@@ -96,6 +96,14 @@ bool stays(const Model& model, const View& v, std::int32_t id, const ImpulseRang
            ((v.flags[id] & model::kRange) && range.low == range.high);
 }
 
+/// Places in a row that begin or end to slide ask for what rounding of their tensions makes.
+bool is_rounding(const Model& model, std::int32_t id, const Wish& wish, double lambda,
+                 const ImpulseRange& range) noexcept {
+    const double share = wish.was_active ? kCapstanAtBound : kCapstanNoise;
+    return std::fabs(wish.projected - lambda) <= share * (range.high - range.low) &&
+           is_capstan(model, id);
+}
+
 }  // namespace
 
 ImpulseRange impulse_range(const Model& model, const Newton& newton, std::int32_t id) noexcept {
@@ -224,6 +232,7 @@ std::int32_t switch_bounds(Model& model, Work& work, double floor, std::int32_t 
         double& held = model.interactions.held[at(id)];
         const Wish wish = wish_of(model, v, i, p, range);
         if (wish.active && wish.was_active) continue;
+        if (wish.asks() && is_rounding(model, id, wish, p.lambda, range)) continue;
         if (wish.asks()) {
             // Lines that lie about are slack and taut by rounding: that decides nothing.
             if (std::fabs(wish.projected - p.lambda) <= floor) continue;
@@ -250,7 +259,9 @@ bool any_asks(const Model& model, const Newton& newton, const View& v) noexcept 
         if (stays(model, v, id, range)) continue;
         const BoundedRow p = row_now(v, id);
         const Wish wish = wish_of(model, v, i, p, range);
-        if (wish.asks() && std::fabs(wish.projected - p.lambda) > 0.0) return true;
+        if (wish.asks() && std::fabs(wish.projected - p.lambda) > 0.0 &&
+            !is_rounding(model, id, wish, p.lambda, range))
+            return true;
     }
     return false;
 }

@@ -49,8 +49,9 @@ void release_capstans(Model& model, const Newton& newton) noexcept {
         if (!slides(model, c)) return;
         const double side = side_of(model, c);
         const auto id = at(c.friction);
-        in.held[id] =
-            newton.bound_time * (side > 0.0 ? in.high[id] : side < 0.0 ? in.low[id] : 0.0);
+        in.held[id] = newton.bound_time * (side > 0.0   ? in.high[id]
+                                           : side < 0.0 ? in.low[id]
+                                                        : 0.0);
     });
 }
 
@@ -87,9 +88,9 @@ bool couple_capstans(Model& model) noexcept {
 
 bool is_capstan(const Model& model, std::int32_t friction) noexcept {
     const auto& all = model.system.capstans;  // ascending
-    const auto found = std::lower_bound(
-        all.begin(), all.end(), friction,
-        [](const Capstan& c, std::int32_t wanted) { return c.friction < wanted; });
+    const auto found =
+        std::lower_bound(all.begin(), all.end(), friction,
+                         [](const Capstan& c, std::int32_t wanted) { return c.friction < wanted; });
     return found != all.end() && found->friction == friction;
 }
 

@@ -26,8 +26,9 @@
 /// so that fronts above it are factored as L D U (factor/unsymmetric.h). With slides eliminated
 /// before the multipliers, which the order does since they have few neighbours, what is left of a
 /// run of places is tridiagonal in the tensions, with negative entries beside a positive diagonal
-/// and columns that each sum up to W + Σ: an M-matrix, and no pivot turns, whatever slides. In a run between two bodies that pull each other over it a
-/// pivot may; it is used as it is, and refinement shows what it cost.
+/// and columns that each sum up to W + Σ: an M-matrix, and no pivot turns, whatever slides. In a
+/// run between two bodies that pull each other over it a pivot may; it is used as it is, and
+/// refinement shows what it cost.
 ///
 /// **Which slide.** By the active set of bounds.h: a place that holds and would have to hold more
 /// begins to slide, one that slides the other way begins to hold. In a run one that begins to slide
@@ -36,6 +37,13 @@
 #include "context/context.h"
 
 namespace hawser::stepper {
+
+/// Of the bound: impulses on a slide below it are rounding. With slides a millionth of what pulls,
+/// they are speeds of 1e-11 m/s.
+inline constexpr double kCapstanNoise = 1e-14;
+/// Of the bound: a place that holds does not begin to slide for so much more. Behind places that
+/// have slid all are left at their bounds.
+inline constexpr double kCapstanAtBound = 1e-10;
 
 /// Which way capstans slide where a step begins, by hold_bounds(): nothing is known from before.
 void begin_capstans(Model& model) noexcept;

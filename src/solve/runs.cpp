@@ -5,6 +5,7 @@
 #include "base/index.h"
 #include "context/newton_data.h"
 #include "solve/bounds.h"
+#include "solve/capstans.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,8 @@ namespace {
 using assembly::Capstan;
 using assembly::CapstanEntry;
 using assembly::View;
+
+constexpr double kRounding = 2e-15;  ///< Of the impulses of which a place has the difference.
 
 /// Places [first, last) of System::capstans; their entries begin at `entry`, two each.
 struct Run {
@@ -49,8 +52,7 @@ std::int32_t side_of(const Model& model, const Capstan& c) noexcept {
 /// Mobility of one body along a row, next to what its slides make.
 double mobility_of(const model::Bodies& b, const View& v, std::int32_t body, const double* jac) {
     const int dof = v.dof[body];
-    if (dof == 1)
-        return jac[0] * jac[0] / v.body_block[assembly::block_place(v.dof_begin[body])];
+    if (dof == 1) return jac[0] * jac[0] / v.body_block[assembly::block_place(v.dof_begin[body])];
     double sum = 0.0;
     for (int j = 0; j < dof && j < 3; ++j) sum += jac[j] * jac[j] / b.mass[at(body)];
     for (int i = 3; i < dof; ++i)
@@ -171,8 +173,17 @@ void solve_run(std::size_t n, RunPlace* place, RunPart* part) noexcept {
         part[i].lambda = part[i].right - part[i].upper * part[i + 1].lambda;
 }
 
-double speed_of(const RunPlace& p, const RunPart* part) noexcept {
-    return p.w0 + p.w1 * part[0].lambda + p.w2 * part[1].lambda;
+/// w of all places. Where one slides, its own equation has w as a small difference of large forces
+/// over a small mass; that of the part before it has not.
+void find_speeds(std::size_t n, RunPlace* place, const RunPart* part) noexcept {
+    for (std::size_t k = 0; k < n; ++k) {
+        RunPlace& p = place[k];
+        const RunPart& before = part[k];
+        p.speed = p.w0 + p.w1 * before.lambda + p.w2 * part[k + 1].lambda;
+        if (p.side == 0 || !before.pulls) continue;
+        const double last = k > 0 ? place[k - 1].behind * place[k - 1].speed : 0.0;
+        p.speed = (before.asked - before.softness * before.lambda - last) / p.before;
+    }
 }
 
 /// Switch what the solution contradicts, at most so many. @return how many.
@@ -182,47 +193,58 @@ int switch_run(std::size_t n, RunPlace* place, RunPart* part, int most) noexcept
         RunPart& p = part[i];
         if (!p.one_sided) continue;
         double left = p.asked;
-        if (i > 0) left -= place[i - 1].behind * speed_of(place[i - 1], part + i - 1);
-        if (i < n) left -= place[i].before * speed_of(place[i], part + i);
+        if (i > 0) left -= place[i - 1].behind * place[i - 1].speed;
+        if (i < n) left -= place[i].before * place[i].speed;
         const bool pulls = p.pulls ? p.lambda <= 0.0 : left < 0.0;
         switched += pulls != p.pulls ? 1 : 0;
         p.pulls = pulls;
     }
+    std::int32_t before = 0;  // side of the place before, as it was
     for (std::size_t k = 0; k < n && switched < most; ++k) {
         RunPlace& p = place[k];
-        const double w = speed_of(p, part + k);
-        const double load = p.share[0] * std::fabs(part[k].lambda) +
-                            p.share[1] * std::fabs(part[k + 1].lambda);
+        const std::int32_t was = p.side, behind = k + 1 < n ? place[k + 1].side : 0;
+        const double w = p.speed;
+        const double load =
+            p.share[0] * std::fabs(part[k].lambda) + p.share[1] * std::fabs(part[k + 1].lambda);
         std::int32_t side = 0;
         if (p.side == 0) {
-            const double force = p.mass * (w - p.free) - p.before * part[k].lambda -
-                                 p.behind * part[k + 1].lambda;
-            if (force > p.high + load) side = 1;
-            if (force < p.low - load) side = -1;
+            const double force =
+                p.mass * (w - p.free) - p.before * part[k].lambda - p.behind * part[k + 1].lambda;
+            // Behind what has slid, places are left at their bounds.
+            constexpr double beyond = 1.0 + kCapstanAtBound;
+            if (force > beyond * (p.high + load)) side = 1;
+            if (force < beyond * (p.low - load)) side = -1;
         } else {
             // It slides on while its spring would ask for more.
             const double bound = p.side > 0 ? p.high + load : p.low - load;
-            if (p.side * (p.hold - w - p.sigma * bound) > 0.0) side = p.side;
+            const double noise =
+                kRounding * (std::fabs(part[k].lambda) + std::fabs(part[k + 1].lambda)) / p.mass;
+            const bool goes_on = p.side * (p.hold - w - p.sigma * bound) > -noise;
+            // Places that slide towards each other hold where they meet: from there on, not all.
+            if (goes_on || (before == p.side && behind == p.side)) side = p.side;
         }
-        switched += side != p.side ? 1 : 0;
+        before = was;
+        switched += side != was ? 1 : 0;
         p.side = side;
     }
     return switched;
 }
 
-/// @return whether the statuses are consistent, and not those of the solution that was refused.
+/// @return whether the statuses are others than those of the solution that was refused. After so
+/// many passes they need not agree with each other, but are closer to it than those were.
 bool find_statuses(std::size_t n, RunPlace* place, RunPart* part) noexcept {
-    const int together = 40, most = together + 4 * static_cast<int>(n);
+    const int together = 20 + 4 * static_cast<int>(n), most = 2 * together;
     for (int pass = 0; pass < most; ++pass) {
         solve_run(n, place, part);
+        find_speeds(n, place, part);
         if (!std::isfinite(part[0].lambda)) return false;
-        if (switch_run(n, place, part, pass < together ? static_cast<int>(4 * n) : 1) > 0) continue;
-        for (std::size_t k = 0; k < n; ++k)
-            if (place[k].side != place[k].was) return true;
-        for (std::size_t i = 0; i <= n; ++i)
-            if (part[i].pulls != part[i].was) return true;
-        return false;
+        const int all = static_cast<int>(4 * n);
+        if (switch_run(n, place, part, pass < together ? all : 1) == 0) break;
     }
+    for (std::size_t k = 0; k < n; ++k)
+        if (place[k].side != place[k].was) return true;
+    for (std::size_t i = 0; i <= n; ++i)
+        if (part[i].pulls != part[i].was) return true;
     return false;
 }
 

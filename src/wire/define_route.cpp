@@ -25,10 +25,10 @@ constexpr double kSlideMass = 1e-6;
 /// An end or a place, as the line lies.
 struct Corner {
     BodyId body{}, slide{};
-    Vec3 point = Vec3::Zero();       ///< In the body's frame.
-    Vec3 axis = Vec3::UnitY();       ///< In the body's frame.
-    double radius = 0.0;             ///< Signed.
-    double out = 0.0;                ///< Length that comes to the part behind per unit of slide.
+    Vec3 point = Vec3::Zero();  ///< In the body's frame.
+    Vec3 axis = Vec3::UnitY();  ///< In the body's frame.
+    double radius = 0.0;        ///< Signed.
+    double out = 0.0;           ///< Length that comes to the part behind per unit of slide.
     Vec3 centre = Vec3::Zero(), normal = Vec3::UnitY();  ///< World frame.
     Quat orientation = Quat::Identity();                 ///< Of the body.
 };
@@ -47,10 +47,10 @@ void check_place(const RouteBodies& bodies, const RouteDef& def, std::size_t i) 
         refuse(def, where + "friction = " + wire::number(p.friction) + "; give 0 to 10");
     if (!(p.inertia >= 0.0 && p.inertia <= 1e12))
         refuse(def, where + "inertia = " + wire::number(p.inertia) + " kg m^2; give 0 to 1e12");
-    if (p.inertia > 0.0 && p.radius == 0.0)
-        refuse(def, where + "inertia: what turns has a radius");
+    if (p.inertia > 0.0 && p.radius == 0.0) refuse(def, where + "inertia: what turns has a radius");
     if (p.turns < 0 || p.turns > kMostTurns) refuse(def, where + "turns: give 0 to 100");
-    if (p.turns > 0 && p.radius == 0.0) refuse(def, where + "turns: an eye has none; give a radius");
+    if (p.turns > 0 && p.radius == 0.0)
+        refuse(def, where + "turns: an eye has none; give a radius");
     if (p.radius != 0.0 && !(p.axis.norm() > 1e-9 && p.axis.allFinite()))
         refuse(def, where + "axis: give a direction");
     if (!p.point.allFinite()) refuse(def, where + "point: give numbers");
@@ -76,7 +76,8 @@ void check(const RouteBodies& bodies, const RouteDef& def) {
     }
     for (std::size_t i = 0; i < def.places.size(); ++i) check_place(bodies, def, i);
     if (!std::isnan(def.length) && !(def.length > 0.0)) refuse(def, "length: give more than 0 m");
-    if (!(def.tension >= 0.0) || !std::isfinite(def.tension)) refuse(def, "tension: give 0 N or more");
+    if (!(def.tension >= 0.0) || !std::isfinite(def.tension))
+        refuse(def, "tension: give 0 N or more");
 }
 
 /// The straight part between two corners: its ends, and its direction.
@@ -269,8 +270,7 @@ RoutePlan plan_route(const RouteDef& def, const RouteBodies& bodies,
                        (i + 1 < straight.size() ? 0.5 * arcs[i] : 0.0));
         path += lies.back();
     }
-    const double length =
-        std::isnan(def.length) ? path / (1.0 + def.tension / def.EA) : def.length;
+    const double length = std::isnan(def.length) ? path / (1.0 + def.tension / def.EA) : def.length;
     for (std::size_t i = 0; i < straight.size(); ++i) {
         const bool to_end = i + 1 == straight.size();
         out.parts.push_back(part_between(def, corners[i], corners[i + 1], straight[i], lies[i],
@@ -302,8 +302,7 @@ Route define(World& world, const RouteDef& def) {
             out.parts.push_back(world.add_interaction(part));
         out.frictions.resize(def.places.size());
         for (RoutePlan::Friction& f : plan.frictions) {
-            for (std::size_t k = 0; k < 2; ++k)
-                f.def.load[k].interaction = out.parts[f.place + k];
+            for (std::size_t k = 0; k < 2; ++k) f.def.load[k].interaction = out.parts[f.place + k];
             out.frictions[f.place] = world.add_interaction(f.def);
         }
         out.angles = std::move(plan.angles);

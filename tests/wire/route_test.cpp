@@ -50,8 +50,8 @@ TEST(Routes, TensionsPointTheWayTheyHaveTo) {
         const BodyId top = w.add_body({.kind = BodyKind::fixed});
         const BodyId load =
             w.add_body({.kind = BodyKind::lump, .position = {0, 0, -10}, .mass = 1000.0});
-        const BodyId hand = w.add_body(
-            {.kind = BodyKind::kinematic, .position = {5, 0, 0}, .velocity = {v, 0, 0}});
+        const BodyId hand =
+            w.add_body({.kind = BodyKind::kinematic, .position = {5, 0, 0}, .velocity = {v, 0, 0}});
         const Route r = w.add(RouteDef{.EA = 1e8,
                                        .first = {.body = load},
                                        .places = {{.body = top, .efficiency = 0.9}},
@@ -73,14 +73,12 @@ TEST(Routes, AWheelIsAWheelWhereverItTurns) {
                                    .position = {0.5, 0, -4.0},
                                    .velocity = {3.0, 0, 0},
                                    .mass = 10.0});
-    const BodyId made_fast =
-        w.add_body({.kind = BodyKind::fixed, .position = {-0.5, 0, -4.0}});
-    const Route r = w.add(RouteDef{
-        .EA = 1e7,
-        .first = {.body = made_fast},
-        .places = {{.body = post, .radius = 0.5, .friction = 0.5}},
-        .last = {.body = bob},
-        .tension = 98.1});
+    const BodyId made_fast = w.add_body({.kind = BodyKind::fixed, .position = {-0.5, 0, -4.0}});
+    const Route r = w.add(RouteDef{.EA = 1e7,
+                                   .first = {.body = made_fast},
+                                   .places = {{.body = post, .radius = 0.5, .friction = 0.5}},
+                                   .last = {.body = bob},
+                                   .tension = 98.1});
     EXPECT_NEAR(r.angles.front(), std::numbers::pi, 1e-9);
     const double start = 0.5 * 10.0 * 9.0;
     double widest = 0.0;
@@ -93,8 +91,8 @@ TEST(Routes, AWheelIsAWheelWhereverItTurns) {
         const double straight = std::sqrt(d * d - 0.25);
         const double at = std::atan2(-x.z(), x.x()) - std::atan2(straight, 0.5);
         EXPECT_NEAR(straight - 0.5 * at, 4.0, 2e-3) << i;
-        const double energy = 0.5 * 10.0 * w.velocity(bob).linear.squaredNorm() +
-                              98.1 * (x.z() + 4.0);
+        const double energy =
+            0.5 * 10.0 * w.velocity(bob).linear.squaredNorm() + 98.1 * (x.z() + 4.0);
         EXPECT_NEAR(energy, start, 0.02 * start) << i;
     }
     EXPECT_GT(widest, 1.5);
@@ -161,8 +159,7 @@ TEST(Routes, ThatAreWrongAreRefusedAndLeaveNothing) {
     EXPECT_NE(refused([](RouteDef& d) { d.places.clear(); }).find("places"), std::string::npos);
     EXPECT_NE(refused([](RouteDef& d) { d.places[0].inertia = -1.0; }).find("inertia"),
               std::string::npos);
-    EXPECT_NE(refused([&](RouteDef& d) { d.places[0].body = b; }).find("lump"),
-              std::string::npos);
+    EXPECT_NE(refused([&](RouteDef& d) { d.places[0].body = b; }).find("lump"), std::string::npos);
     EXPECT_EQ(w.add(good).parts.size(), 2u);
 }
 
