@@ -36,10 +36,13 @@ void System::shift_pieces(std::int64_t from, std::int64_t by) noexcept {
 
 /// The own block of a body whose column is that of an ordinary front: behind what interactions add
 /// to its column, before the links.
-void System::add_own_block(std::int32_t block, std::int32_t node, const model::Bodies& bodies,
-                           const model::Interactions& in) {
+void System::add_own_block(std::int32_t block, std::int32_t node) {
     const std::int64_t place = symbolic.column_address(symbolic.position[at(node)]);
-    const Op op = placed({node, node, block, Op::contact, 0, 0}, bodies, in);
+    const std::int32_t body = member_of_node_[at(node)];
+    const int dof = dof_[at(body)];
+    const factor::BlockTarget t = symbolic.target(node, node);
+    Op op{};
+    OpParts{block, Op::contact, 0, 0, 0, 0, dof, dof, 0}.write(op, t.address, t.step, t.ld);
     const auto end = std::upper_bound(op_place_.begin(), op_place_.end(), place);
     auto k = at(std::lower_bound(op_place_.begin(), end, place) - op_place_.begin());
     while (k < at(end - op_place_.begin()) && ops[k].kind != Op::contact) ++k;
@@ -76,7 +79,7 @@ void System::follow_touching(const model::Bodies& bodies, const model::Interacti
     for (Op& op : ops)
         if (op.kind == Op::contact && (came >= 0 ? op.id >= block : op.id > block))
             op.id += came >= 0 ? 1 : -1;
-    if (came >= 0 && node >= 0) add_own_block(block, node, bodies, in);
+    if (came >= 0 && node >= 0) add_own_block(block, node);
     list_skew_ops();
 }
 

@@ -198,10 +198,11 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
 
 std::size_t System::bytes() const noexcept {
     using base::bytes;
-    return analysis.bytes() + numeric.bytes() + bytes(ops) + bytes(lane_ops) + bytes(op_entries_) +
-           bytes(op_order_) + bytes(op_begin_) + bytes(column_place_) + bytes(step_begin_) +
-           bytes(together_) + bytes(lane_keys_) + bytes(piece_ops_) + bytes(op_place_) +
-           bytes(lane_place_) + bytes(skew_ops_) + bytes(geo_place_) + bytes(incident_) +
+    return analysis.bytes() + numeric.bytes() + bytes(ops) + bytes(lane_ops) +
+           bytes(column_place_) + bytes(step_begin_) + bytes(pieces_by_place_) +
+           bytes(member_of_node_) + bytes(contact_begin_) + bytes(contact_order_) +
+           sharer_.bytes() + bytes(piece_ops_) + bytes(op_place_) + bytes(lane_place_) +
+           bytes(skew_ops_) + bytes(geo_place_) + bytes(incident_) + bytes(incident_of_) +
            bytes(incident_begin_) + bytes(body_offset_) + bytes(interaction_offset_) +
            bytes(body_block_) + bytes(a_) + bytes(v_new_) + bytes(momentum_) +
            bytes(spin_momentum_) + bytes(spin_next_) + bytes(c_next_) + bytes(rate_) +
