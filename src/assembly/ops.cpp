@@ -3,6 +3,7 @@
 ///
 /// It is written from beginning to end: place by place in the panels, of each place column by
 /// column, of each column what its own body or rows give, then interactions by id, then contacts.
+/// Batches in which nothing changed are taken over (op_history.h).
 #include "assembly/lane_ops.h"
 #include "assembly/system.h"
 #include "base/index.h"
@@ -174,9 +175,44 @@ std::size_t System::list_step(std::size_t column, const model::Bodies& bodies,
     return column;
 }
 
+/// The same of a step that has the ops which `before` had in the last list.
+std::size_t System::carry_step(std::size_t column, std::int32_t step, std::int32_t before) {
+    const OpRange& from = steps_before_[at(before)];
+    const std::int64_t place = column_place_[column].first, moved = history_.moved(step);
+    for (std::int64_t k = from.op_begin; k < from.op_end; ++k)
+        history_.carry(moved, ops.emplace_back(ops_before_[at(k)]));
+    for (std::int64_t k = from.lane_begin; k < from.lane_end; ++k)
+        history_.carry(moved, lane_ops.emplace_back(lane_ops_before_[at(k)]));
+    while (column < column_place_.size() && column_place_[column].first == place) ++column;
+    return column;
+}
+
+/// Ops of all columns that are at the place of one.
+std::size_t System::list_columns_at(std::size_t column, const model::Bodies& bodies,
+                                    const model::Interactions& in) {
+    if (symbolic.batches.empty()) return list_place(column, bodies, in);
+    const std::int32_t step =
+        symbolic.node_step[at(symbolic.order[at(column_place_[column].second)])];
+    if (step < 0) return list_place(column, bodies, in);
+    OpRange& range = step_ops_[at(step)];
+    range.op_begin = std::ssize(ops);
+    range.lane_begin = std::ssize(lane_ops);
+    const std::int32_t before = history_.step_before(step);
+    column = before >= 0 ? carry_step(column, step, before) : list_step(column, bodies, in);
+    range.op_end = std::ssize(ops);
+    range.lane_end = std::ssize(lane_ops);
+    return column;
+}
+
 void System::build_ops(const model::Bodies& bodies, const model::Interactions& in) {
     sort_contacts();
     place_columns();
+    history_.follow({symbolic, bodies, in, column_place_, member_of_node_, node_of_interaction,
+                     dof_, rests_, geo_place_, contacts.blocks});
+    ops.swap(ops_before_);
+    lane_ops.swap(lane_ops_before_);
+    step_ops_.swap(steps_before_);
+    step_ops_.assign(symbolic.batch_steps.size(), {});
     ops.clear();
     lane_ops.clear();
     op_place_.clear();
@@ -189,27 +225,29 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
               [&](std::int32_t p, std::int32_t q) {
                   return pieces[at(p)].panel_begin < pieces[at(q)].panel_begin;
               });
-    // Ordinary fronts come first.
-    const std::int64_t batches_begin =
-        symbolic.batch_steps.empty() ? symbolic.panel_size : symbolic.batch_steps.front().panel;
     std::size_t column = 0;
     for (const std::int32_t k : pieces_by_place_) {
-        PieceOps& range = piece_ops_[at(k)];
-        range.op_begin = static_cast<std::int64_t>(ops.size());
-        range.lane_begin = static_cast<std::int64_t>(lane_ops.size());
+        OpRange& range = piece_ops_[at(k)];
+        range.op_begin = std::ssize(ops);
+        range.lane_begin = std::ssize(lane_ops);
         while (column < column_place_.size()) {
             const std::int64_t place = column_place_[column].first;
             if (place >= pieces[at(k)].panel_end) break;
-            column = place < batches_begin ? list_place(column, bodies, in)
-                                           : list_step(column, bodies, in);
+            column = list_columns_at(column, bodies, in);
             op_place_.resize(ops.size(), place);
             lane_place_.resize(lane_ops.size(), place);
         }
-        range.op_end = static_cast<std::int64_t>(ops.size());
-        range.lane_end = static_cast<std::int64_t>(lane_ops.size());
+        range.op_end = std::ssize(ops);
+        range.lane_end = std::ssize(lane_ops);
     }
     list_skew_ops();
-    if (contacts.blocks.empty() && report_.replanned) column_place_ = {};  // next time is not soon
+    history_.done();
+    if (contacts.blocks.empty() && report_.replanned) {  // the next time is not soon
+        column_place_ = {};
+        ops_before_ = {};
+        lane_ops_before_ = {};
+        history_ = {};
+    }
 }
 
 }  // namespace hawser::assembly

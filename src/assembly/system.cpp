@@ -201,14 +201,15 @@ std::size_t System::bytes() const noexcept {
     return analysis.bytes() + numeric.bytes() + bytes(ops) + bytes(lane_ops) +
            bytes(column_place_) + bytes(step_begin_) + bytes(pieces_by_place_) +
            bytes(member_of_node_) + bytes(contact_begin_) + bytes(contact_order_) +
-           sharer_.bytes() + bytes(piece_ops_) + bytes(op_place_) + bytes(lane_place_) +
-           bytes(skew_ops_) + bytes(geo_place_) + bytes(incident_) + bytes(incident_of_) +
-           bytes(incident_begin_) + bytes(body_offset_) + bytes(interaction_offset_) +
-           bytes(body_block_) + bytes(a_) + bytes(v_new_) + bytes(momentum_) +
-           bytes(spin_momentum_) + bytes(spin_next_) + bytes(c_next_) + bytes(rate_) +
-           bytes(turning) + bytes(geo_record_) + bytes(geo_force_) + bytes(solution_) +
-           bytes(rests_) + bytes(dof_) + bytes(kept_) + bytes(kept_before_) + bytes(links_) +
-           bytes(among_lumps_) + bytes(pair_mass_) + bytes(node_of_body) +
+           sharer_.bytes() + history_.bytes() + bytes(ops_before_) + bytes(lane_ops_before_) +
+           bytes(step_ops_) + bytes(steps_before_) + bytes(piece_ops_) + bytes(op_place_) +
+           bytes(lane_place_) + bytes(skew_ops_) + bytes(geo_place_) + bytes(incident_) +
+           bytes(incident_of_) + bytes(incident_begin_) + bytes(body_offset_) +
+           bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) + bytes(v_new_) +
+           bytes(momentum_) + bytes(spin_momentum_) + bytes(spin_next_) + bytes(c_next_) +
+           bytes(rate_) + bytes(turning) + bytes(geo_record_) + bytes(geo_force_) +
+           bytes(solution_) + bytes(rests_) + bytes(dof_) + bytes(kept_) + bytes(kept_before_) +
+           bytes(links_) + bytes(among_lumps_) + bytes(pair_mass_) + bytes(node_of_body) +
            bytes(node_of_interaction) + bytes(body_before_) + bytes(interaction_before_) +
            bytes(old_of_new_) + bytes(cursor_) + bytes(side_mobility_) + bytes(member_begin_) +
            bytes(members_) + island_finder_.bytes() + bytes(islands.label) + edge_dealer_.bytes() +

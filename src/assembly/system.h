@@ -17,6 +17,7 @@
 #include "assembly/contacts.h"
 #include "assembly/kernels.h"
 #include "assembly/lane_ops.h"
+#include "assembly/op_history.h"
 #include "assembly/strips.h"
 #include "assembly/view.h"
 #include "base/executor.h"
@@ -95,6 +96,8 @@ class System {
     bool consistent_mass = true;  ///< Elements move as such (View::pair_mass); else none does.
     /// What the last of these did.
     [[nodiscard]] const factor::RepairReport& report() const noexcept { return report_; }
+    /// Steps of batches whose contributions the last list took over from the one before.
+    [[nodiscard]] std::ptrdiff_t carried() const noexcept { return history_.carried(); }
 
     /// Raw pointers for the kernels; valid until the next analyse().
     [[nodiscard]] View view(model::Bodies& bodies, model::Interactions& interactions,
@@ -182,8 +185,8 @@ class System {
     void find_order(const model::Bodies& bodies, const model::Interactions& interactions,
                     const factor::AnalysisState* state);
     void place(const model::Bodies& bodies, const model::Interactions& interactions, int threads);
-    /// The ops of one piece.
-    struct PieceOps {
+    /// The ops of one piece, or of one step of a batch.
+    struct OpRange {
         std::int64_t op_begin, op_end, lane_begin, lane_end;
     };
     void build_ops(const model::Bodies& bodies, const model::Interactions& interactions);
@@ -211,6 +214,10 @@ class System {
                                          const model::Interactions& interactions);
     [[nodiscard]] std::size_t list_step(std::size_t column, const model::Bodies& bodies,
                                         const model::Interactions& interactions);
+    [[nodiscard]] std::size_t carry_step(std::size_t column, std::int32_t step,
+                                         std::int32_t before);
+    [[nodiscard]] std::size_t list_columns_at(std::size_t column, const model::Bodies& bodies,
+                                              const model::Interactions& interactions);
     void reserve(const model::Bodies& bodies, model::Interactions& interactions);
     void check_memory(const model::Bodies& bodies, const model::Interactions& interactions,
                       int threads) const;
@@ -232,7 +239,10 @@ class System {
     std::vector<std::int32_t> member_of_node_;                 ///< Body or interaction.
     std::vector<std::int32_t> contact_begin_, contact_order_;  ///< By node: blocks in its column.
     LaneSharer sharer_;
-    std::vector<PieceOps> piece_ops_;
+    std::vector<OpRange> piece_ops_, step_ops_, steps_before_;
+    base::Array<Op> ops_before_;  ///< The last list.
+    base::Array<LaneOp> lane_ops_before_;
+    OpHistory history_;
     std::vector<std::int64_t> op_place_, lane_place_;  ///< Of each op, ascending.
     std::vector<std::int32_t> skew_ops_;               ///< Ops of contacts, ascending.
     base::Array<GeoPlace> geo_place_;

@@ -19,7 +19,7 @@ std::pair<std::int64_t, std::int64_t> between(const std::vector<std::int64_t>& p
 }  // namespace
 
 void System::write_blocks(const View& view, int piece, double* panel) const noexcept {
-    const PieceOps& p = piece_ops_[at(piece)];
+    const OpRange& p = piece_ops_[at(piece)];
     kernels().gather_lane_blocks(view, lane_ops.data(), p.lane_begin, p.lane_end, panel);
     kernels().gather_blocks(view, ops.data(), p.op_begin, p.op_end, panel);
 }
