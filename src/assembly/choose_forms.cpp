@@ -117,10 +117,12 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
             in.sigma[row] = sigma;
             // By the compliance as defined: a world restored with other lengths of its lines must
             // choose as the one that was saved.
-            const double defined = in.defined[row];
+            const double defined = in.defined[row], epsilon = in.epsilon[row];
+            double ratio = 1.0;  // mostly, for which a quotient of equals need not be made
+            if (epsilon > 0.0 && defined != epsilon) ratio = defined / epsilon;
             // And by the damping that it has when it does not recoil.
-            const double ratio = (in.epsilon[row] > 0.0 ? defined / in.epsilon[row] : 1.0) /
-                                 in.recoil_share(row, in.rest_length[at(i)] > 0.0, h);
+            if (in.row_flags[row] & model::kRowRecoils)
+                ratio /= in.recoil_share(row, in.rest_length[at(i)] > 0.0, h);
             static_assert(kRigidShare * kSafeRatio > 1.0);
             if (def.form == Form::automatic && w > kSafeRatio * ratio * sigma) keep = true;
         }

@@ -54,7 +54,7 @@ void Contacts::relink(std::int64_t step) {
     make_blocks();
 }
 
-void Contacts::make_blocks() {
+void Contacts::list_blocks() {
     blocks.clear();
     own_block_.assign(dof_.size(), -1);
     for (const std::int32_t b : touching_) {
@@ -63,6 +63,20 @@ void Contacts::make_blocks() {
     }
     for (const Link& link : links) blocks.push_back({link.first, link.second, 0, 0});
     connected_ = false;
+}
+
+bool Contacts::has_blocks() const noexcept {
+    const std::size_t own = touching_.size(), count = own + links.size();
+    if (blocks.size() != count || block_value.size() != count * kContactBlock + 8) return false;
+    for (std::size_t k = 0; k < count; ++k) {
+        const Link pair = k < own ? Link{touching_[k], touching_[k]} : links[k - own];
+        if (blocks[k].a != pair.first || blocks[k].b != pair.second) return false;
+    }
+    return true;
+}
+
+void Contacts::make_blocks() {
+    list_blocks();
     block_value.assign(blocks.size() * kContactBlock + 8, 0.0);
     block_used.assign(blocks.size(), 0);
     block_changed.assign(blocks.size(), 0);

@@ -143,6 +143,9 @@ class Contacts {
 
   private:
     void drop_links() noexcept;
+    void list_blocks();
+    /// Whether the blocks are those of the bodies and links that there are.
+    [[nodiscard]] bool has_blocks() const noexcept;
     [[nodiscard]] std::int32_t block_of(std::int32_t a, std::int32_t b) const noexcept;
     /// Whether contacts act on the same bodies as when this was last asked.
     [[nodiscard]] bool same_bodies() noexcept;

@@ -28,18 +28,22 @@ void System::list_skew_ops() {
 /// The ops of pieces where ops from `from` on moved. What is there belongs to the piece of the op
 /// before it.
 void System::shift_pieces(std::int64_t from, std::int64_t by) noexcept {
-    for (PieceOps& p : piece_ops_) {
-        if (p.op_begin >= from) p.op_begin += by;
-        if (p.op_end >= from) p.op_end += by;
-    }
+    for (auto* ranges : {&piece_ops_, &step_ops_})
+        for (OpRange& r : *ranges) {
+            if (r.op_begin >= from) r.op_begin += by;
+            if (r.op_end >= from) r.op_end += by;
+        }
 }
 
 /// The own block of a body whose column is that of an ordinary front: behind what interactions add
 /// to its column, before the links.
-void System::add_own_block(std::int32_t block, std::int32_t node, const model::Bodies& bodies,
-                           const model::Interactions& in) {
+void System::add_own_block(std::int32_t block, std::int32_t node) {
     const std::int64_t place = symbolic.column_address(symbolic.position[at(node)]);
-    const Op op = placed({node, node, block, Op::contact, 0, 0}, bodies, in);
+    const std::int32_t body = member_of_node_[at(node)];
+    const int dof = dof_[at(body)];
+    const factor::BlockTarget t = symbolic.target(node, node);
+    Op op{};
+    OpParts{block, Op::contact, 0, 0, 0, 0, dof, dof, 0}.write(op, t.address, t.step, t.ld);
     const auto end = std::upper_bound(op_place_.begin(), op_place_.end(), place);
     auto k = at(std::lower_bound(op_place_.begin(), end, place) - op_place_.begin());
     while (k < at(end - op_place_.begin()) && ops[k].kind != Op::contact) ++k;
@@ -72,12 +76,14 @@ void System::follow_touching(const model::Bodies& bodies, const model::Interacti
     }
     // Blocks are numbered by what may touch.
     const auto block = static_cast<std::int32_t>(came >= 0 ? came : went);
+    history_.forget();
     if (went >= 0) drop_block(block);
     for (Op& op : ops)
         if (op.kind == Op::contact && (came >= 0 ? op.id >= block : op.id > block))
             op.id += came >= 0 ? 1 : -1;
-    if (came >= 0 && node >= 0) add_own_block(block, node, bodies, in);
+    if (came >= 0 && node >= 0) add_own_block(block, node);
     list_skew_ops();
+    history_.renumber_blocks(contacts.blocks);
 }
 
 }  // namespace hawser::assembly

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The list of contributions to the matrix, ordered by where they go.
+///
+/// It is written from beginning to end: place by place in the panels, of each place column by
+/// column, of each column what its own body or rows give, then interactions by id, then contacts.
+/// Batches in which nothing changed are taken over (op_history.h).
+#include "assembly/lane_ops.h"
 #include "assembly/system.h"
 #include "base/index.h"
 
@@ -11,112 +16,102 @@ namespace {
 
 constexpr int kSlots = kMaxInteractionBodies;
 
-/// Indices of the places in [low, high), which are ascending.
-std::pair<std::int64_t, std::int64_t> between(const std::vector<std::int64_t>& places,
-                                              std::int64_t low, std::int64_t high) {
-    const auto a = std::lower_bound(places.begin(), places.end(), low);
-    const auto b = std::lower_bound(a, places.end(), high);
-    return {a - places.begin(), b - places.begin()};
-}
-
-/// An entry as an op, with its address. It is written where it stays: what is written field by
-/// field and copied at once waits for the stores.
-template <class Entry>
-void write_op(const Entry& entry, const factor::Symbolic& symbolic, const Contacts& contacts,
-              const std::uint8_t* dofs, const model::Bodies& bodies, const model::Interactions& in,
-              Op& op) {
-    const factor::BlockTarget t = symbolic.target(entry.row, entry.column);
-    op.address = t.address;
-    op.step = t.step;
-    op.ld = t.ld;
-    op.id = entry.id;
-    op.kind = entry.kind;
-    op.a = entry.a;
-    op.b = entry.b;
-    if (op.kind == Op::body_block) {
-        op.dof_a = op.dof_b = dofs[op.id];
-        op.jac_a = op.jac_b = static_cast<std::int32_t>(block_place(bodies.dof_begin[at(op.id)]));
-        return;
-    }
-    if (op.kind == Op::contact) {
-        const ContactBlock& block = contacts.blocks[at(op.id)];
-        op.dof_a = dofs[op.a ? block.b : block.a];
-        op.dof_b = dofs[op.a ? block.a : block.b];
-        return;
-    }
-    const std::int32_t* body = &in.body[at(kSlots * op.id)];
-    const std::int32_t first = in.jac_begin[at(op.id)];
-    std::int32_t offset = first;
-    for (int b = 0; b < in.bodies[at(op.id)]; ++b) {
-        const std::uint8_t dof = dofs[body[b]];
-        if (b == op.a) {
-            op.jac_a = offset;
-            op.dof_a = dof;
-        }
-        if (b == op.b) {
-            op.jac_b = offset;
-            op.dof_b = dof;
-        }
-        offset += dof;
-    }
-    op.width = static_cast<std::uint8_t>(offset - first);
-    if (in.arms[at(op.id)]) {
-        op.jac_a = op.jac_b = first;
-        op.width = 0;
-    }
-}
-
 }  // namespace
 
-/// The ops before they have addresses: body blocks first, then interactions by id, then contacts.
-void System::collect_ops(const model::Bodies& bodies, const model::Interactions& in) {
-    op_entries_.clear();
-    auto add = [&](std::int32_t row, std::int32_t column, std::int32_t id, Op::Kind kind, int a,
-                   int b) {
-        op_entries_.push_back(
-            {row, column, id, kind, static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)});
-    };
-    auto position = [&](std::int32_t node) { return symbolic.position[at(node)]; };
-    for (std::int32_t b : bodies.moving)
-        if (dof_[at(b)] > 0) add(node_of_body[at(b)], node_of_body[at(b)], b, Op::body_block, 0, 0);
-    for (std::int32_t i = 0; i < in.count(); ++i) {
-        if (rests(i)) continue;
-        const std::int32_t own = node_of_interaction[at(i)];
-        if (own >= 0) add(own, own, i, Op::kept_sigma, 0, 0);
-        for (int a = 0; a < in.bodies[at(i)]; ++a) {
-            const std::int32_t na = node_of_body[at(in.body[at(kSlots * i + a)])];
-            if (na < 0) continue;
-            if (own >= 0) {
-                if (position(own) > position(na))
-                    add(own, na, i, Op::kept_rows, 0, a);
-                else
-                    add(na, own, i, Op::kept_columns, a, 0);
-            }
-            for (int b = 0; b < in.bodies[at(i)]; ++b) {
-                const std::int32_t nb = node_of_body[at(in.body[at(kSlots * i + b)])];
-                if (nb < 0 || position(na) < position(nb)) continue;
-                if (na == nb && a != b) continue;  // a body twice in one interaction is refused
-                if (own < 0) add(na, nb, i, Op::condensed, a, b);
-                if (own < 0 && in.arms[at(i)]) continue;  // in the same op
-                if (in.geo[at(i)] >= 0 && a < 2 && b < 2) add(na, nb, i, Op::geometric, a, b);
-            }
+/// What an interaction has in its slots, in every block that it adds to.
+struct System::Slots {
+    Slots(const System& s, const model::Interactions& in, std::int32_t id) noexcept
+        : count(in.bodies[at(id)]) {
+        const std::int32_t* body = &in.body[at(kSlots * id)];
+        const std::int32_t first = in.jac_begin[at(id)];
+        std::int32_t offset = first;
+        for (int b = 0; b < count; ++b) {
+            node[b] = s.node_of_body[at(body[b])];
+            position[b] = node[b] < 0 ? -1 : s.symbolic.position[at(node[b])];
+            dof[b] = s.dof_[at(body[b])];
+            jac[b] = offset;
+            offset += dof[b];
         }
+        width = offset - first;
+        if (in.arms[at(id)] == 0) return;
+        width = 0;
+        for (int b = 0; b < count; ++b) jac[b] = first;
     }
-    for (std::size_t k = 0; k < contacts.blocks.size(); ++k) {
-        const ContactBlock& block = contacts.blocks[k];
-        const std::int32_t na = node_of_body[at(block.a)], nb = node_of_body[at(block.b)];
-        if (na < 0 || nb < 0) continue;  // asleep
-        const bool swap = position(na) < position(nb);
-        add(swap ? nb : na, swap ? na : nb, static_cast<std::int32_t>(k), Op::contact, swap ? 1 : 0,
-            0);
+    [[nodiscard]] OpParts op(std::int32_t id, Op::Kind kind, int a, int b) const noexcept {
+        return {id, kind, a, b, jac[a], jac[b], dof[a], dof[b], width};
+    }
+
+    int count;
+    std::int32_t node[kSlots], position[kSlots];  ///< −1: none.
+    std::int32_t jac[kSlots];
+    int dof[kSlots], width;
+};
+
+/// sink(row node, op) for what an interaction adds to the column of its body in slot `b`.
+template <class Sink>
+void System::list_interaction(const model::Interactions& in, std::int32_t id, int b,
+                              Sink&& sink) const {
+    const Slots slots(*this, in, id);
+    const std::int32_t own = node_of_interaction[at(id)], position = slots.position[b];
+    const bool geometric = in.geo[at(id)] >= 0 && b < 2;
+    // Of a compact joint the condensed op has it in it.
+    const bool apart = own >= 0 || in.arms[at(id)] == 0;
+    for (int a = 0; a < slots.count; ++a) {
+        if (a == b && own >= 0 && symbolic.position[at(own)] > position)
+            sink(own, slots.op(id, Op::kept_rows, 0, b));
+        if (slots.position[a] < position) continue;
+        if (own < 0) sink(slots.node[a], slots.op(id, Op::condensed, a, b));
+        if (geometric && apart && a < 2) sink(slots.node[a], slots.op(id, Op::geometric, a, b));
     }
 }
 
-Op System::placed(const OpEntry& entry, const model::Bodies& bodies,
-                  const model::Interactions& in) const {
-    Op op{};
-    write_op(entry, symbolic, contacts, dof_.data(), bodies, in, op);
-    return op;
+/// The same for its own column, of one that is kept.
+template <class Sink>
+void System::list_kept(const model::Interactions& in, std::int32_t id, Sink&& sink) const {
+    const Slots slots(*this, in, id);
+    const std::int32_t own = node_of_interaction[at(id)];
+    sink(own, slots.op(id, Op::kept_sigma, 0, 0));
+    for (int a = 0; a < slots.count; ++a)
+        if (slots.position[a] >= 0 && slots.position[a] > symbolic.position[at(own)])
+            sink(slots.node[a], slots.op(id, Op::kept_columns, a, 0));
+}
+
+/// sink(row node, op) for all that is added to the column of a node.
+template <class Sink>
+void System::list_column(std::int32_t node, const model::Bodies& bodies,
+                         const model::Interactions& in, Sink&& sink) const {
+    const std::int32_t member = member_of_node_[at(node)];
+    if (pattern.sign[at(node)] < 0) return list_kept(in, member, sink);
+    const auto block = static_cast<std::int32_t>(block_place(bodies.dof_begin[at(member)]));
+    const int dof = dof_[at(member)];
+    sink(node, OpParts{member, Op::body_block, 0, 0, block, block, dof, dof, 0});
+    for (std::int32_t k = incident_begin_[at(member)]; k < incident_begin_[at(member) + 1]; ++k)
+        if (!rests(incident_of_[at(k)]))
+            list_interaction(in, incident_of_[at(k)], incident_[at(k)].slot, sink);
+    for (std::int32_t k = contact_begin_[at(node)]; k < contact_begin_[at(node) + 1]; ++k) {
+        const ContactBlock& b = contacts.blocks[at(contact_order_[at(k)])];
+        const int swap = node_of_body[at(b.b)] != node ? 1 : 0;
+        const std::int32_t above = swap ? b.b : b.a, left = swap ? b.a : b.b;
+        sink(node_of_body[at(above)], OpParts{contact_order_[at(k)], Op::contact, swap, 0, 0, 0,
+                                              dof_[at(above)], dof_[at(left)], 0});
+    }
+}
+
+/// Blocks of contacts by the node in whose column they are; those of bodies that sleep are in none.
+void System::sort_contacts() {
+    contact_begin_.assign(symbolic.order.size() + 2, 0);
+    const auto awake = [&](const ContactBlock& b) {
+        return node_of_body[at(b.a)] >= 0 && node_of_body[at(b.b)] >= 0;
+    };
+    for (const ContactBlock& b : contacts.blocks)
+        if (awake(b)) ++contact_begin_[at(column_of(b)) + 2];
+    for (std::size_t k = 2; k < contact_begin_.size(); ++k)
+        contact_begin_[k] += contact_begin_[k - 1];
+    contact_order_.resize(at(contact_begin_.back()));
+    for (std::size_t k = 0; k < contacts.blocks.size(); ++k)
+        if (awake(contacts.blocks[k]))
+            contact_order_[at(contact_begin_[at(column_of(contacts.blocks[k])) + 1]++)] =
+                static_cast<std::int32_t>(k);
 }
 
 /// Columns by place in the panels. Those of ordinary fronts stand in the order of elimination; the
@@ -141,28 +136,83 @@ void System::place_columns() {
             column_place_[at(step_begin_[at(step)]++)] = {symbolic.batch_steps[at(step)].panel, k};
 }
 
-/// Sort the entries by place in the panels and by column; within one column they stay in the order
-/// of collection. Columns of one place (lanes of one step) come together.
-void System::sort_ops() {
-    place_columns();
-    op_begin_.assign(symbolic.order.size() + 1, 0);
-    for (const OpEntry& e : op_entries_) ++op_begin_[at(symbolic.position[at(e.column)])];
-    std::int32_t sum = 0;
-    for (const auto& [place, k] : column_place_) {
-        const std::int32_t count = op_begin_[at(k)];
-        op_begin_[at(k)] = sum;
-        sum += count;
+/// Ops of the columns of an ordinary front that are at a place, from `column` on in
+/// column_place_. @return the first column behind them.
+std::size_t System::list_place(std::size_t column, const model::Bodies& bodies,
+                               const model::Interactions& in) {
+    const std::int64_t place = column_place_[column].first;
+    for (; column < column_place_.size() && column_place_[column].first == place; ++column) {
+        const std::int32_t node = symbolic.order[at(column_place_[column].second)];
+        const factor::ColumnTargets targets(symbolic, node);
+        list_column(node, bodies, in, [&](std::int32_t row, const OpParts& op) {
+            const factor::BlockTarget t = targets.of(row);
+            op.write(ops.emplace_back(), t.address, t.step, t.ld);
+        });
     }
-    op_order_.resize(op_entries_.size());
-    for (std::size_t i = 0; i < op_entries_.size(); ++i)
-        op_order_[at(op_begin_[at(symbolic.position[at(op_entries_[i].column)])]++)] =
-            static_cast<std::int32_t>(i);
+    return column;
+}
+
+/// The same of a step of a batch: what several of its lanes do becomes one.
+std::size_t System::list_step(std::size_t column, const model::Bodies& bodies,
+                              const model::Interactions& in) {
+    const std::int64_t place = column_place_[column].first;
+    sharer_.begin(place, lane_ops.size());
+    for (; column < column_place_.size() && column_place_[column].first == place; ++column) {
+        const std::int32_t node = symbolic.order[at(column_place_[column].second)];
+        const factor::ColumnTargets targets(symbolic, node);
+        list_column(node, bodies, in, [&](std::int32_t row, const OpParts& op) {
+            const factor::BlockTarget t = targets.of(row);
+            if (op.kind == Op::contact) {
+                op.write(ops.emplace_back(), t.address, t.step, t.ld);
+                return;
+            }
+            const bool record = op.kind == Op::geometric && op.width > 0;
+            sharer_.add(op, t.address, t.step, op.kind == Op::body_block ? 0 : in.rows[at(op.id)],
+                        record ? geo_place_[at(op.id)].record : op.jac_a, lane_ops);
+        });
+    }
+    sharer_.end(lane_ops, ops);
+    return column;
+}
+
+/// The same of a step that has the ops which `before` had in the last list.
+std::size_t System::carry_step(std::size_t column, std::int32_t step, std::int32_t before) {
+    const OpRange& from = steps_before_[at(before)];
+    const std::int64_t place = column_place_[column].first, moved = history_.moved(step);
+    for (std::int64_t k = from.op_begin; k < from.op_end; ++k)
+        history_.carry(moved, ops.emplace_back(ops_before_[at(k)]));
+    for (std::int64_t k = from.lane_begin; k < from.lane_end; ++k)
+        history_.carry(moved, lane_ops.emplace_back(lane_ops_before_[at(k)]));
+    while (column < column_place_.size() && column_place_[column].first == place) ++column;
+    return column;
+}
+
+/// Ops of all columns that are at the place of one.
+std::size_t System::list_columns_at(std::size_t column, const model::Bodies& bodies,
+                                    const model::Interactions& in) {
+    if (symbolic.batches.empty()) return list_place(column, bodies, in);
+    const std::int32_t step =
+        symbolic.node_step[at(symbolic.order[at(column_place_[column].second)])];
+    if (step < 0) return list_place(column, bodies, in);
+    OpRange& range = step_ops_[at(step)];
+    range.op_begin = std::ssize(ops);
+    range.lane_begin = std::ssize(lane_ops);
+    const std::int32_t before = history_.step_before(step);
+    column = before >= 0 ? carry_step(column, step, before) : list_step(column, bodies, in);
+    range.op_end = std::ssize(ops);
+    range.lane_end = std::ssize(lane_ops);
+    return column;
 }
 
 void System::build_ops(const model::Bodies& bodies, const model::Interactions& in) {
-    collect_ops(bodies, in);
-    sort_ops();
-    std::vector<Op>& together = together_;
+    sort_contacts();
+    place_columns();
+    history_.follow({symbolic, bodies, in, column_place_, member_of_node_, node_of_interaction,
+                     dof_, rests_, geo_place_, contacts.blocks});
+    ops.swap(ops_before_);
+    lane_ops.swap(lane_ops_before_);
+    step_ops_.swap(steps_before_);
+    step_ops_.assign(symbolic.batch_steps.size(), {});
     ops.clear();
     lane_ops.clear();
     op_place_.clear();
@@ -175,106 +225,29 @@ void System::build_ops(const model::Bodies& bodies, const model::Interactions& i
               [&](std::int32_t p, std::int32_t q) {
                   return pieces[at(p)].panel_begin < pieces[at(q)].panel_begin;
               });
-    // Ordinary fronts come first.
-    const std::int64_t batches_begin =
-        symbolic.batch_steps.empty() ? symbolic.panel_size : symbolic.batch_steps.front().panel;
     std::size_t column = 0;
-    std::int32_t begin = 0;
     for (const std::int32_t k : pieces_by_place_) {
-        PieceOps& range = piece_ops_[at(k)];
-        range.op_begin = static_cast<std::int64_t>(ops.size());
-        range.lane_begin = static_cast<std::int64_t>(lane_ops.size());
+        OpRange& range = piece_ops_[at(k)];
+        range.op_begin = std::ssize(ops);
+        range.lane_begin = std::ssize(lane_ops);
         while (column < column_place_.size()) {
             const std::int64_t place = column_place_[column].first;
             if (place >= pieces[at(k)].panel_end) break;
-            std::int32_t end = begin;  // sort_ops() left where each column's entries end
-            for (; column < column_place_.size() && column_place_[column].first == place; ++column)
-                end = op_begin_[at(column_place_[column].second)];
-            if (begin == end) continue;
-            auto write = [&](auto& list) {
-                for (; begin < end; ++begin)
-                    write_op(op_entries_[at(op_order_[at(begin)])], symbolic, contacts, dof_.data(),
-                             bodies, in, list.emplace_back());
-            };
-            if (place < batches_begin) {
-                write(ops);
-            } else {
-                together.clear();
-                write(together);
-                share_lanes(together, place, in);
-            }
+            column = list_columns_at(column, bodies, in);
             op_place_.resize(ops.size(), place);
             lane_place_.resize(lane_ops.size(), place);
         }
-        range.op_end = static_cast<std::int64_t>(ops.size());
-        range.lane_end = static_cast<std::int64_t>(lane_ops.size());
+        range.op_end = std::ssize(ops);
+        range.lane_end = std::ssize(lane_ops);
     }
     list_skew_ops();
+    history_.done();
     if (contacts.blocks.empty() && report_.replanned) {  // the next time is not soon
-        op_entries_ = {};
         column_place_ = {};
-        op_begin_ = op_order_ = {};
+        ops_before_ = {};
+        lane_ops_before_ = {};
+        history_ = {};
     }
-}
-
-void System::write_blocks(const View& view, int piece, double* panel) const noexcept {
-    const PieceOps& p = piece_ops_[at(piece)];
-    kernels().gather_lane_blocks(view, lane_ops.data(), p.lane_begin, p.lane_end, panel);
-    kernels().gather_blocks(view, ops.data(), p.op_begin, p.op_end, panel);
-}
-
-void System::write_skew(const View& view, std::int64_t begin, std::int64_t end,
-                        double* upper) const noexcept {
-    auto i = std::lower_bound(skew_ops_.begin(), skew_ops_.end(), begin) - skew_ops_.begin();
-    for (auto k = static_cast<std::size_t>(i); k < skew_ops_.size() && skew_ops_[k] < end; ++k) {
-        const Op& op = ops[at(skew_ops_[k])];
-        if (contacts.block_skew[at(op.id)] == 0) continue;
-        const double* lower =
-            view.contact_block + static_cast<std::ptrdiff_t>(kContactBlock) * op.id;
-        // A body's own block is square: the other half is its transpose.
-        const bool own = contacts.blocks[at(op.id)].a == contacts.blocks[at(op.id)].b;
-        const double* other = own ? lower : lower + (op.a ? 0 : 36);
-        const double* mine = own ? lower : lower + (op.a ? 36 : 0);
-        double* out = upper + op.address;
-        for (int j = 0; j < op.dof_b; ++j)
-            for (int r = 0; r < op.dof_a; ++r)
-                out[r * op.step + j * op.ld] += other[6 * r + j] - mine[6 * j + r];
-    }
-}
-
-void System::write_skew(const View& view, int piece, double* upper) const noexcept {
-    write_skew(view, piece_ops_[at(piece)].op_begin, piece_ops_[at(piece)].op_end, upper);
-}
-
-template <class F>
-void System::over_panels(const factor::DirtyParts& part, base::Executor& executor,
-                         F&& work) const noexcept {
-    const auto count = static_cast<int>(part.panels.size());
-    // Some pieces a thread, as panels differ in what is written to them.
-    const int pieces = executor.threads() == 1 ? 1 : std::min(count, 8 * executor.threads());
-    auto piece = [&](int i, int) noexcept {
-        for (int k = count * i / pieces; k < count * (i + 1) / pieces; ++k)
-            work(part.panels[at(k)]);
-    };
-    executor.for_each(pieces, piece);
-}
-
-void System::write_blocks(const View& view, const factor::DirtyParts& part, double* panel,
-                          base::Executor& executor) const noexcept {
-    over_panels(part, executor, [&](const factor::PanelRange& r) {
-        const auto [lane_begin, lane_end] = between(lane_place_, r.begin, r.end);
-        kernels().gather_lane_blocks(view, lane_ops.data(), lane_begin, lane_end, panel);
-        const auto [begin, end] = between(op_place_, r.begin, r.end);
-        kernels().gather_blocks(view, ops.data(), begin, end, panel);
-    });
-}
-
-void System::write_skew(const View& view, const factor::DirtyParts& part, double* upper,
-                        base::Executor& executor) const noexcept {
-    over_panels(part, executor, [&](const factor::PanelRange& r) {
-        const auto [begin, end] = between(op_place_, r.begin, r.end);
-        write_skew(view, begin, end, upper);
-    });
 }
 
 }  // namespace hawser::assembly

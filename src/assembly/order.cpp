@@ -89,10 +89,12 @@ std::int32_t System::build_pattern(const model::Bodies& bodies, const model::Int
     body_before_.resize(at(bodies.count()), -1);
     interaction_before_.resize(at(in.count()), -1);
     old_of_new_.clear();
+    member_of_node_.clear();
     for (std::int32_t b : bodies.moving) {
         if (dof_[at(b)] == 0) continue;
         node_of_body[at(b)] = static_cast<std::int32_t>(size.size());
         old_of_new_.push_back(body_before_[at(b)]);
+        member_of_node_.push_back(b);
         size.push_back(static_cast<std::int8_t>(dof_[at(b)]));
         sign.push_back(1);
     }
@@ -100,6 +102,7 @@ std::int32_t System::build_pattern(const model::Bodies& bodies, const model::Int
         if (kept_[at(i)]) {
             node_of_interaction[at(i)] = static_cast<std::int32_t>(size.size());
             old_of_new_.push_back(interaction_before_[at(i)]);
+            member_of_node_.push_back(i);
             size.push_back(static_cast<std::int8_t>(in.rows[at(i)]));
             sign.push_back(-1);
         }

@@ -123,6 +123,7 @@ void System::build_incidence(const model::Bodies& bodies, const model::Interacti
             ++incident_begin_[at(in.body[at(kMaxInteractionBodies * i + b)]) + 1];
     for (int b = 0; b < bodies.count(); ++b) incident_begin_[at(b) + 1] += incident_begin_[at(b)];
     incident_.resize(at(incident_begin_.back()));
+    incident_of_.resize(incident_.size());
     cursor_.assign(incident_begin_.begin(), incident_begin_.end() - 1);
     for (int i = 0; i < in.count(); ++i) {
         const std::int32_t* body = &in.body[at(kMaxInteractionBodies * i)];
@@ -132,7 +133,9 @@ void System::build_incidence(const model::Bodies& bodies, const model::Interacti
         for (int b = 0; b < in.bodies[at(i)]; ++b) {
             const bool geo = in.geo[at(i)] >= 0 && b < 2;
             const GeoPlace& place = geo_place_[at(i)];
-            Incidence& incidence = incident_[at(cursor_[at(body[b])]++)];
+            const std::int32_t k = cursor_[at(body[b])]++;
+            Incidence& incidence = incident_[at(k)];
+            incident_of_[at(k)] = i;
             const std::uint8_t rows = rests(i) ? std::uint8_t{0} : in.rows[at(i)];
             incidence = {column,
                          in.row_begin[at(i)],

@@ -16,6 +16,8 @@
 
 #include "assembly/contacts.h"
 #include "assembly/kernels.h"
+#include "assembly/lane_ops.h"
+#include "assembly/op_history.h"
 #include "assembly/strips.h"
 #include "assembly/view.h"
 #include "base/executor.h"
@@ -94,6 +96,8 @@ class System {
     bool consistent_mass = true;  ///< Elements move as such (View::pair_mass); else none does.
     /// What the last of these did.
     [[nodiscard]] const factor::RepairReport& report() const noexcept { return report_; }
+    /// Steps of batches whose contributions the last list took over from the one before.
+    [[nodiscard]] std::ptrdiff_t carried() const noexcept { return history_.carried(); }
 
     /// Raw pointers for the kernels; valid until the next analyse().
     [[nodiscard]] View view(model::Bodies& bodies, model::Interactions& interactions,
@@ -193,14 +197,8 @@ class System {
     void find_order(const model::Bodies& bodies, const model::Interactions& interactions,
                     const factor::AnalysisState* state);
     void place(const model::Bodies& bodies, const model::Interactions& interactions, int threads);
-    /// One block of one contribution, before it has an address.
-    struct OpEntry {
-        std::int32_t row, column, id;  ///< Nodes; see Op.
-        Op::Kind kind;
-        std::uint8_t a, b;
-    };
-    /// The ops of one piece.
-    struct PieceOps {
+    /// The ops of one piece, or of one step of a batch.
+    struct OpRange {
         std::int64_t op_begin, op_end, lane_begin, lane_end;
     };
     void build_ops(const model::Bodies& bodies, const model::Interactions& interactions);
@@ -211,27 +209,27 @@ class System {
                      F&& work) const noexcept;
     void list_skew_ops();
     void shift_pieces(std::int64_t from, std::int64_t by) noexcept;
-    void add_own_block(std::int32_t block, std::int32_t node, const model::Bodies& bodies,
-                       const model::Interactions& interactions);
+    void add_own_block(std::int32_t block, std::int32_t node);
     void drop_block(std::int32_t block);
-    void collect_ops(const model::Bodies& bodies, const model::Interactions& interactions);
     void place_columns();
-    void sort_ops();
-    [[nodiscard]] Op placed(const OpEntry& entry, const model::Bodies& bodies,
-                            const model::Interactions& interactions) const;
-    /// What finds the lane op that an op belongs to.
-    struct LaneKey {
-        std::int64_t address;
-        std::uint64_t what;
-        std::int32_t to_b;
-        std::uint8_t used;
-        bool again;  ///< There was one of the same before, in the lanes of which it was not free.
-        std::size_t op;  ///< The first one, in together_.
-    };
-    void share_lanes(std::span<const Op> together, std::int64_t place,
-                     const model::Interactions& interactions);
-    [[nodiscard]] std::size_t find_lane_op(LaneKey& key, std::size_t lane,
-                                           std::size_t behind) const noexcept;
+    void sort_contacts();
+    struct Slots;
+    template <class Sink>
+    void list_interaction(const model::Interactions& interactions, std::int32_t id, int b,
+                          Sink&& sink) const;
+    template <class Sink>
+    void list_kept(const model::Interactions& interactions, std::int32_t id, Sink&& sink) const;
+    template <class Sink>
+    void list_column(std::int32_t node, const model::Bodies& bodies,
+                     const model::Interactions& interactions, Sink&& sink) const;
+    [[nodiscard]] std::size_t list_place(std::size_t column, const model::Bodies& bodies,
+                                         const model::Interactions& interactions);
+    [[nodiscard]] std::size_t list_step(std::size_t column, const model::Bodies& bodies,
+                                        const model::Interactions& interactions);
+    [[nodiscard]] std::size_t carry_step(std::size_t column, std::int32_t step,
+                                         std::int32_t before);
+    [[nodiscard]] std::size_t list_columns_at(std::size_t column, const model::Bodies& bodies,
+                                              const model::Interactions& interactions);
     void reserve(const model::Bodies& bodies, model::Interactions& interactions);
     void check_memory(const model::Bodies& bodies, const model::Interactions& interactions,
                       int threads) const;
@@ -248,12 +246,15 @@ class System {
     std::vector<std::int32_t> member_begin_, members_;  ///< Of islands.
     std::vector<std::int32_t> cursor_;                  ///< Scratch, by body.
     std::vector<double> side_mobility_;                 ///< Scratch of soften_sides().
-    std::vector<OpEntry> op_entries_;
     std::vector<std::pair<std::int64_t, std::int32_t>> column_place_;  ///< Addresses, positions.
-    std::vector<std::int32_t> op_begin_, op_order_, step_begin_, pieces_by_place_;
-    std::vector<Op> together_;  ///< Of one place.
-    std::vector<LaneKey> lane_keys_;
-    std::vector<PieceOps> piece_ops_;
+    std::vector<std::int32_t> step_begin_, pieces_by_place_;
+    std::vector<std::int32_t> member_of_node_;                 ///< Body or interaction.
+    std::vector<std::int32_t> contact_begin_, contact_order_;  ///< By node: blocks in its column.
+    LaneSharer sharer_;
+    std::vector<OpRange> piece_ops_, step_ops_, steps_before_;
+    base::Array<Op> ops_before_;  ///< The last list.
+    base::Array<LaneOp> lane_ops_before_;
+    OpHistory history_;
     std::vector<std::int64_t> op_place_, lane_place_;  ///< Of each op, ascending.
     std::vector<std::int32_t> skew_ops_;               ///< Ops of contacts, ascending.
     base::Array<GeoPlace> geo_place_;
@@ -264,6 +265,7 @@ class System {
     base::Array<double> pair_mass_;          ///< View::pair_mass; empty: there is none.
     base::Array<std::int32_t> incident_begin_;
     base::Array<Incidence> incident_;
+    std::vector<std::int32_t> incident_of_;  ///< Interaction of each.
     base::Array<std::int32_t> body_offset_, interaction_offset_;
     base::Array<double> body_block_, a_, v_new_, momentum_, geo_record_, geo_force_, solution_,
         spin_momentum_, spin_next_, c_next_, rate_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "factor/symbolic.h"
 
+#include "base/index.h"
+
 #include <algorithm>
 
 namespace hawser::factor {
@@ -22,27 +24,39 @@ std::int64_t front_flops(int p, int q) noexcept {
     return sum(static_cast<std::int64_t>(p) + q - 1) - sum(static_cast<std::int64_t>(q) - 1);
 }
 
-BlockTarget Symbolic::target(std::int32_t row, std::int32_t column) const noexcept {
-    const Front& front =
-        fronts[static_cast<std::size_t>(node_front[static_cast<std::size_t>(column)])];
-    if (front.batch >= 0) {
-        const auto i = static_cast<std::size_t>(row), j = static_cast<std::size_t>(column);
-        const BatchStep& step = batch_steps[static_cast<std::size_t>(node_step[j])];
-        std::int32_t slot = node_slot[i];
-        if (node_front[i] != node_front[j])
-            slot = step.p + tail_slot[static_cast<std::size_t>(
-                                front.rows + local_row(*this, front, node_offset[i]) - front.p)];
-        else if (node_step[i] != node_step[j])
-            slot = step.p + (node_step[i] - node_step[j] - 1) *
-                                batches[static_cast<std::size_t>(front.batch)].body;
-        return {step.panel +
-                    kLaneCount * (static_cast<std::int64_t>(slot) * step.p + node_slot[j]) +
-                    front.lane,
-                kLaneCount * step.p, kLaneCount};
+ColumnTargets::ColumnTargets(const Symbolic& symbolic, std::int32_t column) noexcept
+    : s_(symbolic),
+      front_(symbolic.fronts[at(symbolic.node_front[at(column)])]),
+      index_(symbolic.node_front[at(column)]) {
+    if (front_.batch >= 0) {
+        step_index_ = s_.node_step[at(column)];
+        step_ = &s_.batch_steps[at(step_index_)];
+        begin_ = step_->panel + kLaneCount * std::int64_t{s_.node_slot[at(column)]} + front_.lane;
+    } else {
+        begin_ =
+            front_.panel + std::int64_t{s_.node_offset[at(column)] - front_.offset} * front_.ld;
     }
-    const std::int32_t r = local_row(*this, front, node_offset[static_cast<std::size_t>(row)]);
-    const std::int32_t c = node_offset[static_cast<std::size_t>(column)] - front.offset;
-    return {front.panel + static_cast<std::int64_t>(c) * front.ld + r, 1, front.ld};
+}
+
+/// Row of a step's panel at which a node begins.
+std::int32_t ColumnTargets::slot_of(std::size_t row) const noexcept {
+    if (s_.node_front[row] != index_)
+        return step_->p + s_.tail_slot[at(front_.rows + local_row(s_, front_, s_.node_offset[row]) -
+                                          front_.p)];
+    const std::int32_t behind = s_.node_step[row] - step_index_;
+    if (behind == 0) return s_.node_slot[row];
+    return step_->p + (behind - 1) * s_.batches[at(front_.batch)].body;
+}
+
+BlockTarget ColumnTargets::of(std::int32_t row) const noexcept {
+    if (step_ == nullptr)
+        return {begin_ + local_row(s_, front_, s_.node_offset[at(row)]), 1, front_.ld};
+    const std::int32_t stride = kLaneCount * step_->p;
+    return {begin_ + std::int64_t{slot_of(at(row))} * stride, stride, kLaneCount};
+}
+
+BlockTarget Symbolic::target(std::int32_t row, std::int32_t column) const noexcept {
+    return ColumnTargets(*this, column).of(row);
 }
 
 std::int64_t Symbolic::column_address(std::int32_t k) const noexcept {

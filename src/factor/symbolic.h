@@ -120,6 +120,23 @@ struct Symbolic {
     friend bool operator==(const Symbolic&, const Symbolic&) = default;
 };
 
+/// Symbolic::target() of one column after the other: what rows have in common is looked up once.
+class ColumnTargets {
+  public:
+    ColumnTargets(const Symbolic& symbolic, std::int32_t column) noexcept;
+    [[nodiscard]] BlockTarget of(std::int32_t row) const noexcept;
+
+  private:
+    [[nodiscard]] std::int32_t slot_of(std::size_t row) const noexcept;
+
+    const Symbolic& s_;
+    const Front& front_;
+    std::int32_t index_;               ///< Of the front.
+    const BatchStep* step_ = nullptr;  ///< Of a chain's column.
+    std::int32_t step_index_ = 0;      ///< Its own.
+    std::int64_t begin_;               ///< Address of the front's first row in the column.
+};
+
 /// Flops of one front, multiply and add counted apart: Σ_k m(m+2), m rows below pivot k.
 [[nodiscard]] std::int64_t front_flops(int p, int q) noexcept;
 

@@ -122,9 +122,11 @@ void Bodies::share_drag(double h) {
     for (std::size_t b = 0; b < kind.size(); ++b)
         for (std::size_t i = 0; i < 6; ++i) {
             const double d = damping[6 * b + i];
-            const double mobility = i < 3 ? 1.0 / mass[b] : inv_inertia[9 * b + 4 * (i - 3)];
-            const double late =
-                d > 0.0 && dof(static_cast<int>(b)) > 0 ? late_share(h * d * mobility) : 0.5;
+            double late = 0.5;
+            if (d > 0.0 && dof(static_cast<int>(b)) > 0) {
+                const double mobility = i < 3 ? 1.0 / mass[b] : inv_inertia[9 * b + 4 * (i - 3)];
+                late = late_share(h * d * mobility);
+            }
             drag_after[6 * b + i] = late * d;
             drag_before[6 * b + i] = d - late * d;
         }

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The list of contributions against one that is made the plain way, in worlds where bodies,
+/// interactions, links of contacts and forms come and go at random.
+#include "assembly/op_list.h"
+#include "access/view.h"
+#include "context/context.h"
+#include "support/random.h"
+#include "support/recipe.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+namespace hawser::test {
+namespace {
+
+using stepper::StepContext;
+
+/// A model that is changed behind the back of the stepper.
+class Changing {
+  public:
+    Changing(int seed, Form form) : random_(static_cast<std::uint64_t>(100 + seed)) {
+        const auto s = static_cast<std::uint64_t>(seed);
+        Recipe r = seed % 2 == 0 ? chains(s, 11, 9) : wires(s);
+        r.world.form = form;
+        ctx_ = r.context();
+    }
+    StepContext& ctx() { return *ctx_; }
+    void analyse() {
+        model::Bodies& b = bodies();
+        ctx_->model.system.analyse(b, interactions(), ctx_->model.def, 1);
+    }
+    void expect_plain() {
+        const assembly::View v = stepper::view(*ctx_);
+        expect_plain_ops(ctx_->model.system, bodies(), v);
+    }
+    /// One change at random. @return only links changed: relink() is enough.
+    bool change() {
+        switch (random_.integer(0, 5)) {
+            case 0:
+                add_line();
+                return false;
+            case 1:
+                remove_line();
+                return false;
+            case 2:
+                add_lump();
+                return false;
+            case 3:
+                remove_lump();
+                return false;
+            case 4:
+                change_touching();
+                return false;
+            default:
+                change_links();
+                return true;
+        }
+    }
+
+  private:
+    /// Wires of lumps side by side between two bodies, of three lengths, and some loose lumps.
+    static Recipe wires(std::uint64_t seed) {
+        Random random(seed);
+        Recipe r;
+        const BodyId ground = r.ground();
+        const BodyId hull = r.rigid({0, 0, 5}, Quat::Identity(), 1e4, Vec3(1e4, 1e4, 1e4));
+        for (int w = 0; w < 12; ++w) {
+            std::vector<BodyId> nodes{ground};
+            const int count = 8 + 4 * random.integer(0, 2);
+            for (int k = 0; k < count; ++k) nodes.push_back(r.lump({k + 1.0, w * 2.0, 0}, 3.0));
+            if (w % 3 != 0) nodes.push_back(hull);
+            for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
+                r.add(between(InteractionKind::Stretch, {nodes[k], nodes[k + 1]})
+                          .set("EA", 1e5)
+                          .set("length", 1.0));
+            for (std::size_t k = 0; k + 2 < nodes.size() && w % 2 == 0; ++k)
+                if (nodes[k] != ground && nodes[k + 2] != hull)
+                    r.add(between(InteractionKind::Bend, {nodes[k], nodes[k + 1], nodes[k + 2]})
+                              .set("EI", 1.0));
+        }
+        for (int k = 0; k < 5; ++k) r.lump({-5.0, 1.0 * k, 0}, 2.0);
+        return r;
+    }
+
+    model::Bodies& bodies() { return ctx_->model.bodies; }
+    model::Interactions& interactions() { return ctx_->model.interactions; }
+    assembly::Contacts& contacts() { return ctx_->model.system.contacts; }
+    std::int32_t some_moving() {
+        const auto& moving = bodies().moving;
+        return moving[static_cast<std::size_t>(
+            random_.integer(0, static_cast<int>(moving.size()) - 1))];
+    }
+    void add_line(std::int32_t a, std::int32_t b) {
+        if (a == b) return;
+        InteractionDef d = between(InteractionKind::Stretch, {bodies().id(a), bodies().id(b)});
+        interactions().add(d.set("EA", 1e4).set("length", 2.0), bodies(), ctx_->model.def.step);
+    }
+    void add_line() { add_line(some_moving(), some_moving()); }
+    void remove_line() {
+        std::vector<std::int32_t> there;
+        for (std::int32_t i = 0; i < interactions().count(); ++i)
+            if (!interactions().gone(i)) there.push_back(i);
+        if (there.empty()) return;
+        interactions().remove(there[static_cast<std::size_t>(
+            random_.integer(0, static_cast<int>(there.size()) - 1))]);
+    }
+    void add_lump() {
+        const std::int32_t to = some_moving();
+        const int body = bodies().add({.kind = BodyKind::lump,
+                                       .position = {0.0, -1.0, random_.uniform(-3.0, 3.0)},
+                                       .mass = 1.0});
+        add_line(to, body);
+    }
+    void remove_lump() {
+        const std::int32_t body = some_moving();
+        if (bodies().dof(body) != 3) return;
+        for (std::int32_t i = 0; i < interactions().count(); ++i)
+            for (int b = 0; b < interactions().bodies[static_cast<std::size_t>(i)]; ++b)
+                if (interactions().body[static_cast<std::size_t>(kMaxInteractionBodies * i + b)] ==
+                    body) {
+                    interactions().remove(i);
+                    break;
+                }
+        drop_contacts_of(body);
+        bodies().remove(body);
+    }
+    void drop_contacts_of(std::int32_t body) {
+        std::erase(touching_, body);
+        set_touching();
+    }
+    void set_touching() {
+        std::sort(touching_.begin(), touching_.end());
+        touching_.erase(std::unique(touching_.begin(), touching_.end()), touching_.end());
+        (void)contacts().set_bodies(touching_, bodies());
+    }
+    void change_touching() {
+        const std::int32_t body = some_moving();
+        if (std::erase(touching_, body) == 0) touching_.push_back(body);
+        set_touching();
+    }
+    void change_links() {
+        if (touching_.size() < 2) return;
+        auto& links = contacts().links;
+        const auto one = [&] {
+            return touching_[static_cast<std::size_t>(
+                random_.integer(0, static_cast<int>(touching_.size()) - 1))];
+        };
+        const std::int32_t a = one(), b = one();
+        if (a == b) return;
+        const assembly::Contacts::Link link{std::min(a, b), std::max(a, b)};
+        const auto found = std::lower_bound(links.begin(), links.end(), link);
+        const auto used = contacts().link_used.begin() + (found - links.begin());
+        if (found != links.end() && *found == link) {
+            contacts().link_used.erase(used);
+            links.erase(found);
+        } else {
+            contacts().link_used.insert(used, 0);
+            links.insert(found, link);
+        }
+        contacts().make_blocks();
+    }
+
+    Random random_;
+    std::unique_ptr<StepContext> ctx_;
+    std::vector<std::int32_t> touching_;
+};
+
+class OpList : public testing::TestWithParam<std::tuple<int, Form>> {};
+INSTANTIATE_TEST_SUITE_P(Changes, OpList,
+                         testing::Combine(testing::Range(1, 9),
+                                          testing::Values(Form::automatic, Form::saddle,
+                                                          Form::condensed)));
+
+TEST_P(OpList, IsThatOfThePlainWay) {
+    Changing model(std::get<0>(GetParam()), std::get<1>(GetParam()));
+    model.expect_plain();
+    EXPECT_GT(model.ctx().model.system.lane_ops.size(), 20U);
+    std::ptrdiff_t carried = 0, steps = 0;
+    for (int k = 0; k < 120; ++k) {
+        SCOPED_TRACE("change " + std::to_string(k));
+        bool links_alone = true;
+        for (int n = k % 4 == 0 ? 3 : 1; n > 0; --n) links_alone &= model.change();
+        if (links_alone)
+            model.ctx().model.system.relink(model.ctx().model.bodies,
+                                            model.ctx().model.interactions, 1);
+        else
+            model.analyse();
+        model.expect_plain();
+        if (HasFatalFailure()) return;
+        carried += model.ctx().model.system.carried();
+        steps += std::ssize(model.ctx().model.system.symbolic.batch_steps);
+    }
+    // Some stay and some do not.
+    EXPECT_GT(carried, steps / 20);
+    EXPECT_LT(carried, steps);
+}
+
+}  // namespace
+}  // namespace hawser::test
