@@ -48,6 +48,8 @@ function(hawser_add_isa_sources library)
         target_compile_options(${objects} PRIVATE
             $<IF:$<CONFIG:Sanitize>,-O1,-O3> -Wno-psabi ${HAWSER_ISA_FLAGS_${isa}})
         target_link_libraries(${objects} PRIVATE Eigen3::Eigen)
+        # Most kernels take less time to compile than this header, for which Eigen is read.
+        hawser_precompile(${objects} <hawser/interactions.h>)
         target_sources(${library} PRIVATE $<TARGET_OBJECTS:${objects}>)
     endforeach()
 endfunction()

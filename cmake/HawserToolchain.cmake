@@ -15,7 +15,7 @@ set(HAWSER_ABI_DEFINITIONS EIGEN_MAX_ALIGN_BYTES=16)
 # Most of the time to compile goes into headers (Eigen, nlohmann-json, GoogleTest). A unity build
 # reads them once for many sources, precompiled headers do so for a whole target: together the
 # build costs a third. Names in anonymous namespaces of one target must then differ from each
-# other (but for the library), and a missing include is only seen by other presets and clang-tidy.
+# other, and a missing include is only seen by other presets and clang-tidy.
 option(HAWSER_UNITY "Compile several sources of a target together, with precompiled headers" OFF)
 
 if(PROJECT_IS_TOP_LEVEL)

@@ -107,7 +107,7 @@ void tell(const char* what, const Tally& tally) {
 }
 
 /// So many sixteenths of the inputs: a world with groups takes ten times as long for each.
-int share(int sixteenths) { return inputs_of(4000, 20'000, 500'000) * sixteenths / 16; }
+int share(int sixteenths) { return inputs_of(4000, 10'000, 500'000) * sixteenths / 16; }
 
 TEST(ForgedSnapshots, OfContactsSleepAndFriction) {
     WorldDef def;

@@ -19,12 +19,13 @@
 namespace hawser::test {
 namespace {
 
-constexpr int kOperations = kSanitized ? 60 : 400;  ///< Of a world.
+/// Of a world; the wires of one get more nodes with each, and its steps longer.
+constexpr int kOperations = kSanitized ? 60 : 200;
 
 /// Worlds; HAWSER_OPERATIONS says how many operations there are in all (make test-long).
 unsigned worlds_to_try() {
     const char* asked = std::getenv("HAWSER_OPERATIONS");
-    return asked == nullptr ? 3U : static_cast<unsigned>(std::atol(asked) / kOperations);
+    return asked == nullptr ? 5U : static_cast<unsigned>(std::atol(asked) / kOperations);
 }
 
 /// Two wires between a beam and two blocks, one of lumps alone, one of straight pieces with bends.

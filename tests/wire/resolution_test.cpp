@@ -5,6 +5,8 @@
 #include <hawser/catenary.h>
 #include <hawser/hawser.h>
 
+#include "support/sanitizer.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -184,7 +186,7 @@ TEST(WireResolution, IsTheSameOnAnyThreads) {
 
 /// From steps at random, and from those before and behind an edit, in a twin made there.
 TEST(WireResolution, GoesOnAfterRestore) {
-    constexpr int kSteps = 1000;
+    constexpr int kSteps = test::kSanitized ? 400 : 1000;
     std::mt19937 random(7);
     std::vector<int> at;
     for (int i = 0; i < 8; ++i) at.push_back(std::uniform_int_distribution(1, kSteps - 1)(random));
