@@ -35,9 +35,9 @@
 #include "step/node_pieces.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace hawser::stepper {
@@ -58,46 +58,6 @@ Mat3 cross_matrix(const Vec3& r) {
     m << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
     return m;
 }
-
-/// A = V diag(λ) Vᵀ, by Jacobi's rotations of pairs of rows: few lines, where Eigen's solver of
-/// this size takes longer to compile than all else here.
-struct Eigen6 {
-    KeptSquare vectors = KeptSquare::Identity();
-    Kept values = Kept::Zero();
-
-    void compute(KeptSquare a) noexcept {
-        vectors.setIdentity();
-        constexpr int kSweeps = 30;  // five are enough, each squares what is off the diagonal
-        for (int sweep = 0; sweep < kSweeps; ++sweep) {
-            bool turned = false;
-            for (int p = 0; p < kKept; ++p)
-                for (int q = p + 1; q < kKept; ++q) turned |= rotate(a, p, q);
-            if (!turned) break;
-        }
-        values = a.diagonal();
-    }
-
-  private:
-    /// @return whether there was something to rotate away.
-    bool rotate(KeptSquare& a, int p, int q) noexcept {
-        constexpr double kTiny = 1e-20;  // where diagonals are 1
-        const double off = a(p, q);
-        if (!(std::abs(off) > kTiny)) return false;
-        const double turn = (a(q, q) - a(p, p)) / (2.0 * off);
-        const double t = std::copysign(1.0, turn) / (std::abs(turn) + std::hypot(turn, 1.0));
-        const double c = 1.0 / std::hypot(t, 1.0), s = t * c;
-        for (int k = 0; k < kKept; ++k) turn_pair(a(k, p), a(k, q), c, s);
-        for (int k = 0; k < kKept; ++k) turn_pair(a(p, k), a(q, k), c, s);
-        for (int k = 0; k < kKept; ++k) turn_pair(vectors(k, p), vectors(k, q), c, s);
-        a(p, q) = a(q, p) = 0.0;
-        return true;
-    }
-    static void turn_pair(double& x, double& y, double c, double s) noexcept {
-        const double x0 = x;
-        x = c * x0 - s * y;
-        y = s * x0 + c * y;
-    }
-};
 
 /// The velocities of lumps that move, and what they share in.
 class Patch {
@@ -183,11 +143,11 @@ class Patch {
         }
     }
     [[nodiscard]] Packed least_change(const Kept& r) const {
-        Kept y = eigen_.vectors.transpose() * scale_.cwiseProduct(r);
+        Kept y = eigen_.eigenvectors().transpose() * scale_.cwiseProduct(r);
         constexpr double kNothing = 1e-12;  // of the turn about a line of lumps
         for (int i = 0; i < kKept; ++i)
-            y[i] = eigen_.values[i] > kNothing ? y[i] / eigen_.values[i] : 0.0;
-        return across_ * scale_.cwiseProduct(eigen_.vectors * y);
+            y[i] = eigen_.eigenvalues()[i] > kNothing ? y[i] / eigen_.eigenvalues()[i] : 0.0;
+        return across_ * scale_.cwiseProduct(eigen_.eigenvectors() * y);
     }
 
     const NodeChain& chain_;
@@ -201,7 +161,7 @@ class Patch {
     Across across_;
     Kept scale_;
     Eigen::LLT<Square> solver_;
-    Eigen6 eigen_;
+    Eigen::SelfAdjointEigenSolver<KeptSquare> eigen_;
 };
 
 /// Lumps that move go so that the first moment of mass stays.
