@@ -35,7 +35,8 @@ class OursRunner final : public Runner {
         tow_.resize(scene.towed.size());
         for (const BallJoint& j : scene.joints) {
             InteractionDef def{.kind = InteractionKind::Ball, .body = {id(j.a), id(j.b)}};
-            def.point = {j.arm_a, j.arm_b, Vec3::Zero()};
+            def.point[0] = j.arm_a;
+            def.point[1] = j.arm_b;
             const InteractionId joint = world_.add_interaction(def);
             for (std::size_t k = 0; k < tow_.size(); ++k) {
                 if (j.a == scene.towed[k] || j.b == scene.towed[k]) tow_[k] = joint;

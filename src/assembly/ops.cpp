@@ -43,8 +43,8 @@ struct System::Slots {
 
     int count;
     std::int32_t node[kSlots], position[kSlots];  ///< −1: none.
-    std::int32_t jac[kSlots];
-    int dof[kSlots], width;
+    std::int32_t jac[kSlots] = {};
+    int dof[kSlots] = {}, width;
 };
 
 /// sink(row node, op) for what an interaction adds to the column of its body in slot `b`.
