@@ -14,6 +14,12 @@
 namespace hawser::model {
 void complete(InteractionDef& def, const Vec3* positions, double distance) {
     const KindInfo& info = kind_info(def.kind);
+    // Lists of fewer points than there is room for leave the others as they were in memory.
+    for (std::size_t b = at(info.bodies); b < kMaxInteractionBodies; ++b) {
+        def.body[b] = {};
+        def.point[b].setZero();
+        def.frame[b].setIdentity();
+    }
     for (std::size_t i = 0; i < info.params.size(); ++i) {
         if (!std::isnan(def.params[i])) continue;
         if (info.length_from_pose && std::string_view(info.params[i].name) == "length")

@@ -121,7 +121,7 @@ class Builder {
         def.name = part("s", i);
         def.kind = winch ? InteractionKind::WinchStretch : InteractionKind::Stretch;
         def.body = {cable_.nodes[i], cable_.nodes[i + 1], winch ? c_.drum : BodyId{}};
-        def.point = {point(i), point(i + 1), Vec3::Zero()};
+        def.point = {point(i), point(i + 1), Vec3::Zero(), Vec3::Zero()};
         def.set("length", section.element);
         def.set("EA", line.EA);
         def.set("tension_only", c_.tension_only ? 1.0 : 0.0);
@@ -147,7 +147,7 @@ class Builder {
         def.name = part("b", i);
         def.kind = InteractionKind::Bend;
         def.body = {cable_.nodes[i - 1], cable_.nodes[i], cable_.nodes[i + 1]};
-        def.point = {point(i - 1), point(i), point(i + 1)};
+        def.point = {point(i - 1), point(i), point(i + 1), Vec3::Zero()};
         // About the node both halves bend in a row: the mean of their flexibilities.
         const LayoutSection &before = c_.of(i - 1), &after = c_.of(i);
         const bool same = &before == &after;

@@ -55,7 +55,7 @@ InteractionDef node_bend(const model::Interactions& in, std::int32_t element, Bo
     InteractionDef out;
     out.kind = InteractionKind::Bend;
     out.body = {def.body[0], node, def.body[1]};
-    out.point = {def.point[0], Vec3::Zero(), def.point[1]};
+    out.point = {def.point[0], Vec3::Zero(), def.point[1], Vec3::Zero()};
     out.set("EI", EI).set("length", 0.5 * in.rest_length[at(element)]);
     return out;
 }

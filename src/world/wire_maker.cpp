@@ -95,7 +95,7 @@ class WireMaker {
         d.name = part("s", i);
         d.kind = InteractionKind::Stretch;
         d.body = {out_.nodes[i], out_.nodes[i + 1]};
-        d.point = {point(i), point(i + 1), Vec3::Zero()};
+        d.point = {point(i), point(i + 1), Vec3::Zero(), Vec3::Zero()};
         d.set("length", element_).set("EA", def_.EA);
         if (def_.consistent_mass) d.set("mass", def_.mass_per_length * element_);
         if (!std::isnan(def_.breaking_load)) d.set("breaking_load", def_.breaking_load);
@@ -110,7 +110,7 @@ class WireMaker {
         d.name = part("b", i);
         d.kind = InteractionKind::Bend;
         d.body = {out_.nodes[i - 1], out_.nodes[i], out_.nodes[i + 1]};
-        d.point = {point(i - 1), point(i), point(i + 1)};
+        d.point = {point(i - 1), point(i), point(i + 1), Vec3::Zero()};
         d.set("EI", def_.EI).set("length", element_);
         out_.bends.push_back(world_.add_interaction(d));
     }
