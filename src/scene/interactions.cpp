@@ -17,8 +17,11 @@ bool needs_points(const KindInfo& kind) {
     return kind.uses_points && kind.bodies == 2 && kind.rows >= 3;
 }
 
-/// A lock keeps the orientation that the bodies have; every other kind has an axis.
-bool needs_axis(const KindInfo& kind) { return kind.uses_frames && !kind.is(kAxisFree); }
+/// A lock keeps the orientation that the bodies have, a span has an axis where it has wheels; every
+/// other kind has one.
+bool needs_axis(const KindInfo& kind) {
+    return kind.uses_frames && !kind.is(kAxisFree) && !kind.is(kRouted);
+}
 
 /// Rows that hold exactly unless told otherwise, as against motors and springs.
 bool is_constraint(const KindInfo& kind) {

@@ -229,7 +229,7 @@ TEST_P(EachKind, StartsWithoutViolation) {
         InteractionDef d = r.at(info().kind, ids, random.vector(1.0), random.rotation());
         if (name == "universal")
             d.frame[1] = d.frame[1] * Quat(Eigen::AngleAxisd(EIGEN_PI / 2, Vec3::UnitY()));
-        if (name == "distance" || name.ends_with("stretch"))
+        if (name == "distance" || name.ends_with("stretch") || name.ends_with("span"))
             for (auto& point : d.point) point = random.vector(0.3);
         if (name == "bend")
             for (auto& point : d.point) point.setZero();  // centres on a line
@@ -242,6 +242,8 @@ TEST_P(EachKind, StartsWithoutViolation) {
                 d.params[i] = 1.0;
         }
         if (name.ends_with("range")) d.set("min", -1.0);
+        // Its length is that with the slides at 0.
+        if (name.ends_with("span")) d.set("slide_0", 0.0).set("slide_1", 0.0);
         r.add(d);
         World w = r.make();
         const auto g = w.violation(InteractionId{0});

@@ -190,7 +190,10 @@ inline constexpr std::string_view kKinds = R"({
     {"name": "scalar_friction", "kind": "scalar_friction", "bodies": ["d"], "force": 5},
     {"name": "gear", "kind": "gear", "bodies": ["a", "b", "c"], "axis": [0, 0, 1], "teeth_1": 20,
      "teeth_2": -60},
-    {"name": "scalar_clutch", "kind": "scalar_clutch", "bodies": ["d", "e"], "force_max": 4}
+    {"name": "scalar_clutch", "kind": "scalar_clutch", "bodies": ["d", "e"], "force_max": 4},
+    {"name": "span", "kind": "span", "bodies": ["c", "p", "d", "e"], "EA": 1e6},
+    {"name": "end_span", "kind": "end_span", "bodies": ["c", "p", "d"], "EA": 1e6},
+    {"name": "body_span", "kind": "body_span", "bodies": ["d", "e"], "EA": 1e6, "path": 1, "length": 1}
   ]
 })";
 

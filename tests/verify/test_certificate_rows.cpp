@@ -30,7 +30,7 @@ double value_of(const std::string& param) {
         {"force_max", 5.0},      {"target", 0.1},
         {"force", 2.0},          {"torque", 1.5},
         {"rest_height", 0.2},    {"teeth_1", 4.0},
-        {"teeth_2", -6.0}};
+        {"teeth_2", -6.0},       {"path", 1.0}};
     const auto found = kValues.find(param);
     return found == kValues.end() ? kDefault : found->second;
 }
