@@ -67,7 +67,11 @@ void Contacts::list_blocks() {
 
 bool Contacts::has_blocks() const noexcept {
     const std::size_t own = touching_.size(), count = own + links.size();
-    if (blocks.size() != count || block_value.size() != count * kContactBlock + 8) return false;
+    // Memory may have ended between any two of them.
+    if (blocks.size() != count || block_value.size() != count * kContactBlock + 8 ||
+        block_used.size() != count || block_changed.size() != count || block_skew.size() != count ||
+        cursor_.size() != count)
+        return false;
     for (std::size_t k = 0; k < count; ++k) {
         const Link pair = k < own ? Link{touching_[k], touching_[k]} : links[k - own];
         if (blocks[k].a != pair.first || blocks[k].b != pair.second) return false;

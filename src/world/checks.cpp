@@ -183,7 +183,7 @@ void check(const InteractionDef& def, const model::Bodies& bodies, int count,
                               info.name + (scalar ? " does not take there" : ""));
         // A span needs an orientation for its wheels alone.
         const bool wheel = info.is(kRouted) && b < 2 && info.uses_points &&
-                           def.get(b == 0 ? "wheel_0" : "wheel_1") != 0.0;
+                           std::fabs(def.get(b == 0 ? "wheel_0" : "wheel_1")) > 0.0;
         if (info.uses_frames && kind == BodyKind::lump && (wheel || !info.is(kRouted)))
             refuse(where, which + " is a lump, which has no orientation; a " + info.name +
                               " needs rigid bodies");

@@ -30,7 +30,7 @@ const std::set<std::string> kAtRest = {"anchor_contact", "arch",          "bounc
 /// Friction, ranges and motors, and nothing that touches.
 const std::set<std::string> kJoints = {"anchor_lines", "joint_friction", "joint_limits",
                                        "motor_limits", "payout",         "slider_crank",
-                                       "winch_modes",  "wire_part"};
+                                       "tackle",       "winch_modes",    "wire_part"};
 
 TEST(Hashes, DoNotDependOnThreadsOrRestoring) {
     const auto files = nonsmooth_scenes("scenes");
