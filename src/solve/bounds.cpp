@@ -16,21 +16,6 @@ namespace {
 
 using assembly::View;
 
-/// What others add to the bound of friction, by their impulses at hand [N s].
-double load_of(const Model& model, std::int32_t id) noexcept {
-    const model::Interactions& in = model.interactions;
-    if (in.load_begin[at(id)] < 0) return 0.0;
-    double sum = 0.0;
-    for (int i = 0; i < kMaxFrictionLoads; ++i) {
-        const model::Load& load = in.loads[at(in.load_begin[at(id)] + i)];
-        double square = 0.0;
-        for (std::int32_t r = load.row_begin; r < load.row_begin + load.rows; ++r)
-            square += in.lambda[at(r)] * in.lambda[at(r)];
-        sum += load.factor * std::sqrt(square);
-    }
-    return sum;
-}
-
 double stiffness_scale(const Model& model, std::size_t i) noexcept {
     const model::Interactions& in = model.interactions;
     return model.system.bounded_mobility[i] +
@@ -105,27 +90,6 @@ bool is_rounding(const Model& model, std::int32_t id, const Wish& wish, double l
 }
 
 }  // namespace
-
-ImpulseRange impulse_range(const Model& model, const Newton& newton, std::int32_t id) noexcept {
-    const model::Interactions& in = model.interactions;
-    const int flags = in.flags[at(id)];
-    if (in.parted[at(id)] || model.wires.gives_way(id)) return {0.0, 0.0};
-    if (flags & model::kRange) {
-        constexpr double kAll = model::kUnbounded;
-        const double g = in.g[at(in.row_begin[at(id)])];
-        return {g > 0.0 ? -kAll : 0.0, g < 0.0 ? kAll : 0.0};
-    }
-    // A line's force has no bound in an impact either.
-    const double time = flags & (model::kMotor | model::kFriction) ? newton.bound_time : 1.0;
-    ImpulseRange range{time * in.low[at(id)], time * in.high[at(id)]};
-    if (flags & model::kFriction) {
-        const double load = load_of(model, id);
-        range.low -= load;
-        range.high += load;
-    }
-    range.low = std::min(range.low, range.high);
-    return range;
-}
 
 void reserve_bounds(const Model& model, Newton& newton) {
     newton.row.resize(model.system.bounded.size());

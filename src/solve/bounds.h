@@ -25,16 +25,9 @@
 /// iterations as there are bounds that depend on each other, and one (nonsmooth/anderson.h).
 
 #include "context/context.h"
+#include "solve/impulse_range.h"
 
 namespace hawser::stepper {
-
-struct ImpulseRange {
-    double low, high;  ///< [N s or N m s]
-};
-/// Impulses that the first row of an interaction may have, for loads as they are at hand. Ends
-/// that inputs have crossed are both the upper one.
-[[nodiscard]] ImpulseRange impulse_range(const Model& model, const Newton& newton,
-                                         std::int32_t id) noexcept;
 
 /// Room for the rows there are. @throws std::bad_alloc.
 void reserve_bounds(const Model& model, Newton& newton);

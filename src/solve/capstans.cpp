@@ -2,7 +2,7 @@
 #include "solve/capstans.h"
 
 #include "base/index.h"
-#include "solve/bounds.h"
+#include "solve/impulse_range.h"
 
 #include <algorithm>
 #include <span>

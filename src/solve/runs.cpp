@@ -4,8 +4,8 @@
 #include "access/view.h"
 #include "base/index.h"
 #include "context/newton_data.h"
-#include "solve/bounds.h"
 #include "solve/capstans.h"
+#include "solve/impulse_range.h"
 
 #include <algorithm>
 #include <cmath>
