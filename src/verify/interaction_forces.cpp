@@ -65,6 +65,7 @@ class Forces : public Attached {
         pull(f * (length > 1e-12 ? Vec3(d / length) : Vec3(Vec3::UnitX())), from, to);
     }
     void span(double f);
+    bool piece_of_line(std::span<const double> f);
     void bend(std::span<const double> f);
     void hydrostatic(std::span<const double> f);
 };
@@ -144,6 +145,33 @@ void Forces::hydrostatic(std::span<const double> f) {
     result.on[0].torque -= f[2] * (q * Vec3::UnitX()).cross(up);
 }
 
+// @return false: it is no piece of a line.
+bool Forces::piece_of_line(std::span<const double> f) {
+    switch (def().kind) {
+        case InteractionKind::WinchStretch:
+            scalar(2, -f[0] * def().get("radius"));
+            [[fallthrough]];
+        case InteractionKind::Distance:
+        case InteractionKind::Stretch:
+            line(f[0]);
+            break;
+        case InteractionKind::Span:
+        case InteractionKind::EndSpan:
+            span(f[0]);
+            break;
+        case InteractionKind::BodySpan:
+            for (int k = 0; k < 2; ++k)
+                scalar(k, -f[0] * def().get(k == 0 ? "slide_0" : "slide_1"));
+            break;
+        case InteractionKind::Bend:
+            bend(f);
+            break;
+        default:
+            return false;
+    }
+    return result.known;
+}
+
 }  // namespace
 
 const Pose& Attached::at(int slot) const {
@@ -204,24 +232,6 @@ Wrenches row_wrenches(const World& world, InteractionId id, std::span<const Pose
             on.square(0, 2, f[2]);
             on.square(1, 2, f[3]);
             break;
-        case InteractionKind::WinchStretch:
-            on.scalar(2, -f[0] * on.def().get("radius"));
-            [[fallthrough]];
-        case InteractionKind::Distance:
-        case InteractionKind::Stretch:
-            on.line(f[0]);
-            break;
-        case InteractionKind::Span:
-        case InteractionKind::EndSpan:
-            on.span(f[0]);
-            break;
-        case InteractionKind::BodySpan:
-            for (int k = 0; k < 2; ++k)
-                on.scalar(k, -f[0] * on.def().get(k == 0 ? "slide_0" : "slide_1"));
-            break;
-        case InteractionKind::Bend:
-            on.bend(f);
-            break;
         case InteractionKind::HingeRange:
         case InteractionKind::HingeFriction:
         case InteractionKind::Twist:
@@ -250,7 +260,7 @@ Wrenches row_wrenches(const World& world, InteractionId id, std::span<const Pose
             on.hydrostatic(f);
             break;
         default:
-            on.result.known = false;
+            on.result.known = on.piece_of_line(f);
     }
     return on.result;
 }
