@@ -8,8 +8,6 @@
 namespace hawser::assembly {
 namespace {
 
-constexpr int kSlots = kMaxInteractionBodies;
-
 std::size_t body_key(std::int32_t body) noexcept { return 2 * at(body); }
 std::size_t interaction_key(std::int32_t id) noexcept { return 2 * at(id) + 1; }
 
@@ -60,7 +58,7 @@ void OpHistory::compare_interactions(const OpSources& now) {
                                             (in.arms[i] != 0 ? 2 : 0) | (in.geo[i] >= 0 ? 4 : 0) |
                                             (now.rests[i] != 0 ? 8 : 0));
         for (int b = 0; b < t.bodies; ++b) {
-            t.body[b] = in.body[kSlots * i + at(b)];
+            t.body[b] = in.body[kMaxInteractionBodies * i + at(b)];
             t.dof[b] = now.dof[at(t.body[b])];
         }
         const Place place{in.jac_begin[i], now.geo[i].record};

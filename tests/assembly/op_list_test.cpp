@@ -121,8 +121,9 @@ class Changing {
         if (bodies().dof(body) != 3) return;
         for (std::int32_t i = 0; i < interactions().count(); ++i)
             for (int b = 0; b < interactions().bodies[static_cast<std::size_t>(i)]; ++b)
-                if (interactions().body[static_cast<std::size_t>(kMaxInteractionBodies * i + b)] ==
-                    body) {
+                if (interactions().body[static_cast<std::size_t>(kMaxInteractionBodies) *
+                                            static_cast<std::size_t>(i) +
+                                        static_cast<std::size_t>(b)] == body) {
                     interactions().remove(i);
                     break;
                 }
