@@ -56,7 +56,8 @@ namespace hawser {
     X(ScalarClutch,   "scalar_clutch")    \
     X(Span,           "span")             \
     X(EndSpan,        "end_span")         \
-    X(BodySpan,       "body_span")
+    X(BodySpan,       "body_span")        \
+    X(LineFriction,   "line_friction")
 // clang-format on
 
 enum class InteractionKind : std::uint8_t {
@@ -113,6 +114,7 @@ enum KindTrait : std::uint32_t {
     kRigidOnly = 1 << 12,     ///< Acts on a rigid body.
     kCompact = 1 << 13,  ///< Between rigid bodies its two arms are all its Jacobian is made of.
     kRouted = 1 << 14,   ///< Of lines: between places that the line slides through. Never cut.
+    kFollowsAngle = 1 << 15,  ///< Friction whose loads' factors are those of the line's angle.
     kPulls = kAlongLine | kRouted,  ///< Tension = −force[0].
 };
 

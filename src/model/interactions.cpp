@@ -132,8 +132,31 @@ void Interactions::evaluated(int id, const Bodies& b, F&& f) const noexcept {
         }
         generic::Rows<K::kBodies, K::kRows> rows_now;
         K::evaluate(data, refs, rows_now);
-        f.template operator()<K>(rows_now);
+        if constexpr (requires { f.template operator()<K>(rows_now, data, refs); })
+            f.template operator()<K>(rows_now, data, refs);
+        else
+            f.template operator()<K>(rows_now);
     });
+}
+
+LineShape Interactions::line_shape(int id, const Bodies& b) const noexcept {
+    LineShape out;
+    evaluated(id, b, [&]<class K>(const auto& now, const auto& data, const auto& refs) {
+        if constexpr (K::kBodies > 1 && K::kRows == 1) {
+            generic::V3 arm[2]{};
+            if constexpr (requires { K::line_arms(data, refs, arm); })
+                K::line_arms(data, refs, arm);
+            else if constexpr (requires { data.point[1]; })
+                for (int k = 0; k < 2; ++k) arm[k] = refs[k].arm(data.point[k]);
+            for (int k = 0; k < 2; ++k) {
+                const generic::V3 at = refs[k].x + arm[k];
+                out.at[k] = {at.x, at.y, at.z};
+            }
+            out.along = {now.J[1][0][0], now.J[1][0][1], now.J[1][0][2]};
+            out.longer = now.g[0];
+        }
+    });
+    return out;
 }
 
 void Interactions::add_impulse(int id, int slot, const Bodies& b, const double* impulse,

@@ -85,6 +85,13 @@ struct RowState {
     double carried[kMaxInteractionRows];  ///< ġ from prescribed velocities.
 };
 
+/// A piece of a line as it lies.
+struct LineShape {
+    Vec3 at[2];             ///< Where it leaves what holds it, world frame [m].
+    Vec3 along;             ///< Unit vector from the first to the second.
+    double longer = 0.0;    ///< Path less the length at rest of now [m].
+};
+
 /// Coordinate of a kind that has one (KindInfo::coordinate).
 struct Coordinate {
     double value = 0.0;  ///< [m or rad].
@@ -217,6 +224,8 @@ struct Interactions {
     /// @param v  Packed velocities, null: the bodies' own.
     [[nodiscard]] RowState row_state(int id, const Bodies& bodies_in,
                                      const double* v = nullptr) const noexcept;
+    /// Of an element, or of a part of a line that runs over places (KindTrait kPulls).
+    [[nodiscard]] LineShape line_shape(int id, const Bodies& bodies_in) const noexcept;
     /// That of the hinge, way or scalar body that it holds, limits, drives or rubs; zeros of a kind
     /// that has none.
     [[nodiscard]] Coordinate coordinate(int id, const Bodies& bodies_in) const noexcept;

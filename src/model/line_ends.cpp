@@ -29,6 +29,12 @@ double lightest_end(const InteractionDef& d, const Bodies& b) {
     return most;
 }
 
+double wheel_at(const InteractionDef& d, std::size_t slot) noexcept {
+    if (d.kind == InteractionKind::Span) return d.params[6 + slot];
+    if (d.kind != InteractionKind::EndSpan || slot > 1) return 0.0;
+    return (slot == 0) == (d.params[4] > 0.0) ? d.params[6] : 0.0;
+}
+
 void Interactions::rewire(int id, std::size_t slot, BodyId to, const Bodies& bodies_in) noexcept {
     InteractionDef& d = def[at(id)];
     d.body[slot] = to;

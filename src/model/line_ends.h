@@ -13,4 +13,8 @@ namespace hawser::model {
 /// two rigid bodies, by the mean inertia across the arm.
 [[nodiscard]] double lightest_end(const InteractionDef& def, const Bodies& bodies);
 
+/// Signed radius of the wheel that a part of a line lies on at its first (0) or second body [m], 0:
+/// none (kinds/routes.h).
+[[nodiscard]] double wheel_at(const InteractionDef& d, std::size_t slot) noexcept;
+
 }  // namespace hawser::model

@@ -8,6 +8,7 @@
 #include "solve/evaluate.h"
 #include "solve/joints.h"
 #include "solve/wire_plan.h"
+#include "solve/wraps.h"
 
 namespace hawser::stepper {
 namespace {
@@ -25,6 +26,7 @@ void assemble_system(StepContext& ctx) noexcept {
     ctx.work.solve.losses_known = false;
     const View v = view(ctx);
     const assembly::Kernels& k = assembly::kernels();
+    follow_wraps(ctx.model);
     hold_bounds(ctx.model, ctx.work.newton, ctx.model.def.step);
     begin_capstans(ctx.model);
     release_capstans(ctx.model, ctx.work.newton);

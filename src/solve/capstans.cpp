@@ -39,8 +39,16 @@ double side_of(const Model& model, Capstan& c) noexcept {
 }  // namespace
 
 void begin_capstans(Model& model) noexcept {
-    for (Capstan& c : model.system.capstans)
-        c.side = sign_of(model.interactions.held[at(c.friction)]);
+    const model::Interactions& in = model.interactions;
+    each_capstan(model.system, [&](Capstan& c, std::span<CapstanEntry> entries) {
+        c.side = sign_of(in.held[at(c.friction)]);
+        // Entries are of the loads that there are, in their order.
+        const model::Load* load = &in.loads[at(in.load_begin[at(c.friction)])];
+        for (CapstanEntry& e : entries) {
+            while (load->rows == 0) ++load;
+            e.factor = load++->factor;
+        }
+    });
 }
 
 void release_capstans(Model& model, const Newton& newton) noexcept {

@@ -44,14 +44,14 @@ bool release_drum_node(StepContext& ctx, const NodePlace& place, double bend) no
     if (is_lump(ctx, b)) add_mass(ctx, b, -half, -half / bodies.mass[at(b)] * damping_of(ctx, b));
     in.def[at(e)].point[far] = in.def[at(f)].point[far];
     in.rewire(e, far, bodies.id(b), bodies);
-    const double length = (point_of(ctx, e, 1) - point_of(ctx, e, 0)).norm();
+    const double length = length_of(ctx, e);
     set_element(ctx, e, pull > 0.0 ? rest_for(ctx, e, pull, stiffness) : std::max(whole, length),
                 0.0, pull);
     // The bend at b has the fairlead for its neighbour.
     const std::int32_t beyond = place.bend[at_first ? 2 : 0];
     if (beyond >= 0) {
         const std::size_t slot = at_first ? 0 : 2;
-        in.def[at(beyond)].point[slot] = in.def[at(e)].point[1 - far];
+        in.def[at(beyond)].point[slot] = held_at(ctx, e, 1 - far);
         in.rewire(beyond, slot, bodies.id(end_of(ctx, e, 1 - far)), bodies);
     }
     const std::int32_t next = at_first ? place.after[0] : place.before[0];

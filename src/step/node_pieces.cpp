@@ -10,11 +10,19 @@ namespace {
 
 constexpr std::size_t kSlots = kMaxInteractionBodies;
 
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+bool is_routed(const StepContext& ctx, std::int32_t id) noexcept {
+    return kind_info(ctx.model.interactions.kinds[at(id)]).is(kRouted);
+}
+
 Vec3 arm_of(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
     const model::Bodies& b = ctx.model.bodies;
     const auto body = at(end_of(ctx, id, slot));
+    if (is_routed(ctx, id))
+        return ctx.model.interactions.line_shape(id, b).at[slot] -
+               Vec3(b.x[3 * body], b.x[3 * body + 1], b.x[3 * body + 2]);
     if (!b.turns(static_cast<int>(body))) return Vec3::Zero();
-    using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
     return Eigen::Map<const RowMajor>(&b.r[9 * body]) *
            ctx.model.interactions.def[at(id)].point[slot];
 }
@@ -65,6 +73,8 @@ bool is_wound(const StepContext& ctx, std::int32_t element) noexcept {
     return kind_info(ctx.model.interactions.kinds[at(element)]).is(kWoundUp);
 }
 std::size_t drum_side(const StepContext& ctx, std::int32_t element) noexcept {
+    if (is_routed(ctx, element))
+        return ctx.model.interactions.def[at(element)].get("radius") > 0.0 ? 0 : 1;
     return is_lump(ctx, end_of(ctx, element, 0)) ? 1 : 0;
 }
 Vec3 inflow_of(const StepContext& ctx, std::int32_t element, double beyond,
@@ -75,7 +85,34 @@ Vec3 inflow_of(const StepContext& ctx, std::int32_t element, double beyond,
     const Vec3 chord = point_of(ctx, element, 1 - side) - point_of(ctx, element, side);
     const double speed =
         ctx.model.interactions.def[at(element)].get("radius") * packed[at(b.dof_begin[drum])];
-    return beyond * speed / ctx.model.interactions.rest_length[at(element)] * chord;
+    return beyond * speed / ctx.model.interactions.rest_length[at(element)] *
+           (beyond_straight(ctx, element) * chord);
+}
+
+double length_of(const StepContext& ctx, std::int32_t id) noexcept {
+    if (!is_routed(ctx, id)) return (point_of(ctx, id, 1) - point_of(ctx, id, 0)).norm();
+    const InteractionDef& d = ctx.model.interactions.def[at(id)];
+    const double slide = ctx.model.bodies.x[3 * at(end_of(ctx, id, 2))];
+    return ctx.model.interactions.line_shape(id, ctx.model.bodies).longer + d.params[0] +
+           d.params[4] * (slide - d.params[5]);
+}
+double beyond_straight(const StepContext& ctx, std::int32_t id) noexcept {
+    if (!is_routed(ctx, id)) return 1.0;
+    return length_of(ctx, id) / (point_of(ctx, id, 1) - point_of(ctx, id, 0)).norm();
+}
+double straight_share(const StepContext& ctx, std::int32_t id, double share) noexcept {
+    if (!is_routed(ctx, id)) return share;
+    const double more = beyond_straight(ctx, id);
+    // From the end that is no place.
+    const double out = drum_side(ctx, id) == 0 ? 1.0 - more * (1.0 - share) : more * share;
+    return std::clamp(out, 0.0, 1.0);
+}
+Vec3 held_at(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
+    if (!is_routed(ctx, id)) return ctx.model.interactions.def[at(id)].point[slot];
+    const model::Bodies& b = ctx.model.bodies;
+    const auto body = end_of(ctx, id, slot);
+    if (!b.turns(body)) return Vec3::Zero();
+    return Eigen::Map<const RowMajor>(&b.r[9 * at(body)]).transpose() * arm_of(ctx, id, slot);
 }
 
 Vec3 point_of(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
@@ -95,7 +132,7 @@ Vec3 speed_of(const StepContext& ctx, std::int32_t id, std::size_t slot,
 
 double tension_of(const StepContext& ctx, std::int32_t id) noexcept {
     const model::Interactions& in = ctx.model.interactions;
-    const double length = (point_of(ctx, id, 1) - point_of(ctx, id, 0)).norm();
+    const double length = length_of(ctx, id);
     const double pull = (length - in.rest_length[at(id)]) / in.epsilon[at(in.row_begin[at(id)])];
     return (in.flags[at(id)] & model::kOneSided) ? std::max(0.0, pull) : pull;
 }
@@ -123,14 +160,14 @@ double damping_time_of(const StepContext& ctx, std::int32_t id) noexcept {
 double force_of(const StepContext& ctx, std::int32_t id) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     const auto row = at(in.row_begin[at(id)]);
-    const double length = (point_of(ctx, id, 1) - point_of(ctx, id, 0)).norm();
+    const double length = length_of(ctx, id);
     const double pull =
         (length - in.rest_length[at(id)] + damping_time_of(ctx, id) * rate_of(ctx, id)) /
         in.epsilon[row];
     return (in.flags[at(id)] & model::kOneSided) ? std::max(0.0, pull) : pull;
 }
 double rest_for(const StepContext& ctx, std::int32_t id, double force, double stiffness) noexcept {
-    const double length = (point_of(ctx, id, 1) - point_of(ctx, id, 0)).norm();
+    const double length = length_of(ctx, id);
     const double damped = damping_time_of(ctx, id) * rate_of(ctx, id);
     // A rate that would move as much as the element is long is no stretch of it.
     constexpr double kMost = 0.1;

@@ -39,6 +39,14 @@ struct NodeLinks {
 [[nodiscard]] Vec3 speed_of(const StepContext& ctx, std::int32_t id, std::size_t slot,
                             const base::Array<double>& packed) noexcept;
 
+/// From end to end, with what lies on a wheel [m]; over that of the straight part alone.
+[[nodiscard]] double length_of(const StepContext& ctx, std::int32_t id) noexcept;
+[[nodiscard]] double beyond_straight(const StepContext& ctx, std::int32_t id) noexcept;
+/// Share of its straight part at which a share of an element ends.
+[[nodiscard]] double straight_share(const StepContext& ctx, std::int32_t id, double share) noexcept;
+/// Where an element is held, in the frame of the body that holds it [m].
+[[nodiscard]] Vec3 held_at(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept;
+
 /// Force of the law at the present length [N], 0 while it is slack; and EA by its length at rest.
 [[nodiscard]] double tension_of(const StepContext& ctx, std::int32_t id) noexcept;
 [[nodiscard]] double stiffness_of(const StepContext& ctx, std::int32_t id) noexcept;

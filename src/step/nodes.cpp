@@ -108,9 +108,10 @@ NodeDef node_on(const StepContext& ctx, std::int32_t element, double share, doub
     const bool wound = is_wound(ctx, element);
     const std::size_t drum = wound ? drum_side(ctx, element) : 0;
     const double own = drum == 0 ? 1.0 - share : share;  // of the piece that a drum gives away
+    const double where = straight_share(ctx, element, share);
     out.mass = 0.5 * mass * (wound ? own : 1.0);
-    out.velocity = (1.0 - share) * speed_of(ctx, element, 0, ctx.model.bodies.v) +
-                   share * speed_of(ctx, element, 1, ctx.model.bodies.v);
+    out.velocity = (1.0 - where) * speed_of(ctx, element, 0, ctx.model.bodies.v) +
+                   where * speed_of(ctx, element, 1, ctx.model.bodies.v);
     if (wound) out.velocity += inflow_of(ctx, element, own, ctx.model.bodies.v);
     for (std::size_t slot = 0; slot < 2; ++slot) {
         const std::int32_t body = end_of(ctx, element, slot);
@@ -120,8 +121,8 @@ NodeDef node_on(const StepContext& ctx, std::int32_t element, double share, doub
         out.damping += out.of_end[slot] * damping_of(ctx, body);
     }
     out.position =
-        (1.0 - share) * a + share * b +
-        sag_of(b - a, share, weight_of(ctx, element, 0.5 * mass), tension_of(ctx, element));
+        (1.0 - where) * a + where * b +
+        sag_of(b - a, where, weight_of(ctx, element, 0.5 * mass), tension_of(ctx, element));
     return out;
 }
 
@@ -155,8 +156,9 @@ void settle_node(StepContext& ctx, const NodePlace& place, std::int32_t old, dou
             wound ? 0.5 * mass * own_of_piece : -0.5 * mass * (slot == 0 ? 1.0 - share : share);
         add_mass(ctx, body, more, more / bodies.mass[at(body)] * damping_of(ctx, body));
     }
-    Vec3 ahead = (1.0 - share) * speed_of(ctx, old, 0, bodies.v_start) +
-                 share * speed_of(ctx, old, 1, bodies.v_start);
+    const double where = straight_share(ctx, old, share);
+    Vec3 ahead = (1.0 - where) * speed_of(ctx, old, 0, bodies.v_start) +
+                 where * speed_of(ctx, old, 1, bodies.v_start);
     if (wound) ahead += inflow_of(ctx, old, own_of_piece, bodies.v_start);
     for (std::size_t k = 0; k < 3; ++k)
         bodies.v_start[at(bodies.dof_begin[at(n)]) + k] = ahead[static_cast<int>(k)];
@@ -167,7 +169,7 @@ void settle_node(StepContext& ctx, const NodePlace& place, std::int32_t old, dou
     const std::int32_t part[2] = {e, f};
     for (std::size_t k = 0; k < 2; ++k) {
         const double own = k == 0 ? share : 1.0 - share;
-        const double length = (point_of(ctx, part[k], 1) - point_of(ctx, part[k], 0)).norm();
+        const double length = length_of(ctx, part[k]);
         const double taut = wound ? rest_for(ctx, part[k], pull[k], stiffness)
                                   : length / (1.0 + pull[k] / stiffness);
         set_element(ctx, part[k], pulls ? taut : own * rest, own * mass, pull[k]);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verify/interaction_forces.h"
 
+#include "verify/line_path.h"
+
 #include <cmath>
 
 namespace hawser::verify {
@@ -70,33 +72,11 @@ class Forces : public Attached {
     void hydrostatic(std::span<const double> f);
 };
 
-// The tangent is found by letting the ends go round their wheels until they stay. A wheel of radius
-// R > 0 lies to the left of what passes it, seen against its axis: the end is at R u × n.
 void Forces::span(double f) {
-    const double radius[2] = {def().get("wheel_0"), def().get("wheel_1")};
-    const Vec3 centre[2] = {point(0), point(1)};
-    Vec3 end[2] = {centre[0], centre[1]}, u;
-    for (int i = 0; i < 200; ++i) {
-        u = end[1] - end[0];
-        if (u.norm() < 1e-12) {
-            u = Vec3::UnitX();
-            break;
-        }
-        u.normalize();
-        double moved = 0.0;
-        for (std::size_t k = 0; k < 2; ++k) {
-            if (radius[k] == 0.0) continue;
-            const Vec3 n = axis(static_cast<int>(k), 2);
-            const Vec3 flat = (u - u.dot(n) * n).normalized();
-            const Vec3 next = centre[k] + radius[k] * flat.cross(n);
-            moved = std::max(moved, (next - end[k]).norm());
-            end[k] = next;
-        }
-        if (moved < 1e-14) break;
-    }
-    pull(f * u, end[0], end[1]);
-    const int slides = kind_info(def().kind).bodies - 2;
-    for (int k = 0; k < slides; ++k) scalar(2 + k, -f * def().get(k == 0 ? "slide_0" : "slide_1"));
+    const LineEnds ends = line_ends(*this);
+    pull(f * ends.along, ends.at[0], ends.at[1]);
+    if (def().kind == InteractionKind::EndSpan) return scalar(2, -f * def().get("radius"));
+    for (int k = 0; k < 2; ++k) scalar(2 + k, -f * def().get(k == 0 ? "slide_0" : "slide_1"));
 }
 
 // Rows lie along n₁ and n₂ = t × n₁, square to the mean tangent t; n₁ is the world axis that makes
@@ -248,6 +228,7 @@ Wrenches row_wrenches(const World& world, InteractionId id, std::span<const Pose
         case InteractionKind::Hold:
         case InteractionKind::ScalarMotor:
         case InteractionKind::ScalarFriction:
+        case InteractionKind::LineFriction:
             on.scalar(0, f[0]);
             break;
         case InteractionKind::ScalarClutch:

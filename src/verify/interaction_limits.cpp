@@ -2,6 +2,8 @@
 /// Geometric stiffness and damping beside the rows, and bounds of the rows' forces.
 #include "verify/interaction_forces.h"
 
+#include "verify/line_path.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -16,7 +18,7 @@ constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
 bool is_line(InteractionKind kind) {
     return kind == InteractionKind::Distance || kind == InteractionKind::Stretch ||
-           kind == InteractionKind::WinchStretch;
+           kind == InteractionKind::WinchStretch || kind == InteractionKind::EndSpan;
 }
 
 bool is_joint(InteractionKind kind) {
@@ -70,7 +72,8 @@ void add_across(const World& world, const Attached& on, std::span<const Twist> b
                 std::span<const Twist> earlier, double tension, bool calm, double held,
                 Wrenches& out) {
     const double h = world.settings().step;
-    const Vec3 between = on.point(1) - on.point(0), u = between.normalized();
+    const LineEnds ends = line_ends(on);
+    const Vec3 between = ends.at[1] - ends.at[0], u = between.normalized();
     const double full = held * h * h * world.settings().geometric_stiffness * tension /
                         std::max(between.norm(), 1e-9);
     const double s = full * lightness(on, world), fade = resolved(on, s),
@@ -86,7 +89,7 @@ void add_across(const World& world, const Attached& on, std::span<const Twist> b
         const auto i = static_cast<std::size_t>(body.index);
         const bool prescribed = on.kind(b) == BodyKind::fixed || on.kind(b) == BodyKind::kinematic;
         const bool turns = !on.is_point(b);
-        arm[b] = on.point(b) - on.center(b);
+        arm[b] = ends.at[b] - on.center(b);
         const auto at_point = [&](const Twist& t) -> Vec3 {
             return turns ? Vec3(t.linear + t.angular.cross(arm[b])) : t.linear;
         };
@@ -134,10 +137,23 @@ double load_size(const World& world, InteractionId id) {
     return std::sqrt(square);
 }
 
-ForceRange friction_range(const World& world, InteractionId id, const char* bound) {
+// Euler's and Eytelwein's ratio of the tensions before and behind a place, as a share of their sum.
+double line_share(const World& world, const InteractionDef& def, std::span<const Pose> pose) {
+    const double angle =
+        turn_between(world, def.load[0].interaction, def.load[1].interaction, def.get("angle"), pose);
+    const double ratio = std::exp(def.get("friction") * angle) / def.get("efficiency");
+    return (ratio - 1.0) / (ratio + 1.0);
+}
+
+ForceRange friction_range(const World& world, InteractionId id, std::span<const Pose> pose,
+                          const char* bound) {
     double most = parameter(world, id, bound);
-    for (const FrictionLoad& load : world.interaction_def(id).load)
-        if (load.interaction.valid()) most += load.factor * load_size(world, load.interaction);
+    const InteractionDef& def = world.interaction_def(id);
+    const bool of_line = def.kind == InteractionKind::LineFriction;
+    for (const FrictionLoad& load : def.load)
+        if (load.interaction.valid())
+            most += (of_line ? line_share(world, def, pose) : load.factor) *
+                    load_size(world, load.interaction);
     const double back = world.interaction_def(id).kind == InteractionKind::ScalarFriction
                             ? parameter(world, id, "back")
                             : 1.0;
@@ -192,7 +208,8 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
     // What a wire that would have gained energy was stepped with instead is not shown.
     out.known = world.wire_alert(id) < std::lround(std::ceil(std::max(20.0, 1.0 / settings.step)));
     const double h = settings.step, scale = 0.25 * h * h * settings.geometric_stiffness;
-    const Vec3 between = on.point(1) - on.point(0);
+    const LineEnds ends = is_line(kind) ? line_ends(on) : LineEnds{{on.point(0), on.point(1)}, {}};
+    const Vec3 between = ends.at[1] - ends.at[0];
     add_piece(world, id, before, out);
     Vec3 pull;  // on body 1
     if (is_line(kind)) {
@@ -224,7 +241,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
         const BodyId body = on.def().body[static_cast<std::size_t>(b)];
         const Twist &old = before[static_cast<std::size_t>(body.index)], now = world.velocity(body);
         const bool turns = !on.is_point(b);
-        arm[b] = on.point(b) - on.center(b);
+        arm[b] = ends.at[b] - on.center(b);
         turned[b] = turns ? Vec3(now.angular - old.angular) : Vec3::Zero();
         spin[b] =
             turns ? Vec3((1.0 + fast) * now.angular + (1.0 - fast) * old.angular) : Vec3::Zero();
@@ -268,10 +285,11 @@ ForceRange force_range(const World& world, InteractionId id, std::span<const Pos
         case InteractionKind::SlideRange:
             return limit_range(world, id, travel_of(on));
         case InteractionKind::HingeFriction:
-            return friction_range(world, id, "torque");
+            return friction_range(world, id, pose, "torque");
         case InteractionKind::SlideFriction:
         case InteractionKind::ScalarFriction:
-            return friction_range(world, id, "force");
+        case InteractionKind::LineFriction:
+            return friction_range(world, id, pose, "force");
         default:
             return {};
     }

@@ -206,16 +206,22 @@ InteractionDef part_between(const RouteDef& def, const Corner& a, const Corner& 
     d.point[1] = b.point;
     if (a.radius != 0.0) d.frame[0] = frame_at(a.orientation, a, straight.from);
     if (b.radius != 0.0) d.frame[1] = frame_at(b.orientation, b, straight.to);
-    d.body[2] = a.slide.valid() ? a.slide : b.slide;
-    d.set("slide_0", a.slide.valid() ? a.out : to_b);
-    if (both) {
-        d.body[3] = b.slide;
-        d.set("slide_1", to_b);
+    d.set("EA", def.EA).set("breaking_load", def.breaking_load);
+    if (!both) {
+        const bool at_a = a.slide.valid();
+        const double wheel = at_a ? a.radius : b.radius;
+        d.body[2] = at_a ? a.slide : b.slide;
+        d.set("radius", at_a ? a.out : to_b).set("wheel", wheel).set("length", own);
+        if (wheel != 0.0) d.set("wound", (lies - straight.length) / std::abs(wheel));
+        d.compliance[0] = own / def.EA;
+        return d;
     }
+    d.body[2] = a.slide;
+    d.body[3] = b.slide;
+    d.set("slide_0", a.out).set("slide_1", to_b);
     d.set("wheel_0", a.radius).set("wheel_1", b.radius);
     // Of what lies on the places, its path has only how that changes.
     d.set("length", own - (lies - straight.length));
-    d.set("EA", def.EA).set("breaking_load", def.breaking_load);
     d.compliance[0] = own / def.EA;
     return d;
 }
@@ -282,9 +288,15 @@ RoutePlan plan_route(const RouteDef& def, const RouteBodies& bodies,
         const double rubs = p.friction * out.angles[i] - std::log(p.efficiency);
         if (rubs == 0.0) continue;
         InteractionDef f;
-        f.kind = InteractionKind::ScalarFriction;
+        // An angle that is given is not that of now.
+        const bool follows = std::isnan(p.angle);
+        f.kind = follows ? InteractionKind::LineFriction : InteractionKind::ScalarFriction;
         f.name = part_name(def, "friction", i);
         f.body[0] = corners[i + 1].slide;
+        if (follows)
+            f.set("friction", p.friction)
+                .set("efficiency", p.efficiency)
+                .set("angle", out.angles[i]);
         for (FrictionLoad& load : f.load) load.factor = std::tanh(0.5 * rubs);
         out.frictions.push_back({i, std::move(f)});
     }

@@ -4,6 +4,7 @@
 #include <hawser/settings.h>
 
 #include "base/index.h"
+#include "model/line_ends.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -183,7 +184,7 @@ void check(const InteractionDef& def, const model::Bodies& bodies, int count,
                               info.name + (scalar ? " does not take there" : ""));
         // A span needs an orientation for its wheels alone.
         const bool wheel = info.is(kRouted) && b < 2 && info.uses_points &&
-                           std::fabs(def.get(b == 0 ? "wheel_0" : "wheel_1")) > 0.0;
+                           std::fabs(model::wheel_at(def, static_cast<std::size_t>(b))) > 0.0;
         if (info.uses_frames && kind == BodyKind::lump && (wheel || !info.is(kRouted)))
             refuse(where, which + " is a lump, which has no orientation; a " + info.name +
                               " needs rigid bodies");

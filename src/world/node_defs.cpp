@@ -49,13 +49,12 @@ InteractionDef other_element(const model::Interactions& in, std::int32_t element
     return out;
 }
 
-InteractionDef node_bend(const model::Interactions& in, std::int32_t element, BodyId node,
-                         double EI) {
+InteractionDef node_bend(const model::Interactions& in, std::int32_t element, double EI) {
     const InteractionDef& def = in.def[at(element)];
     InteractionDef out;
     out.kind = InteractionKind::Bend;
-    out.body = {def.body[0], node, def.body[1]};
-    out.point = {def.point[0], Vec3::Zero(), def.point[1], Vec3::Zero()};
+    out.body[0] = def.body[0];
+    out.body[2] = def.body[1];
     out.set("EI", EI).set("length", 0.5 * in.rest_length[at(element)]);
     return out;
 }

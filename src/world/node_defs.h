@@ -29,8 +29,9 @@ namespace hawser::world {
                                            BodyId node, double share, bool first, double mass,
                                            std::int32_t beside);
 
-/// The bend at the node, of bending stiffness EI [N m²].
+/// The bend of bending stiffness EI [N m²] at a node on an element, which the caller puts into its
+/// middle, with the points where the ends are held.
 [[nodiscard]] InteractionDef node_bend(const model::Interactions& in, std::int32_t element,
-                                       BodyId node, double EI);
+                                       double EI);
 
 }  // namespace hawser::world

@@ -180,16 +180,19 @@ BodyId World::insert_node(InteractionId element, double share, double mass) {
     const double EI = beside >= 0       ? in.def[at(beside)].get("EI")
                       : wire != nullptr ? wire->trim.EI
                                         : 0.0;
+    InteractionDef bend = world::node_bend(in, element.index, EI);
+    for (const std::size_t slot : {0U, 1U})
+        bend.point[2 * slot] = stepper::held_at(m.ctx, element.index, slot);
     try {
         const Impl::Untold untold(m);
         const BodyId node = add_body(body);
         made.lumps.push_back(node);
+        bend.body[1] = node;
         const double own = first ? share : 1.0 - share;
         made.elements.push_back(
             add_interaction(world::other_element(in, element.index, node, share, first, own * whole,
                                                  first ? place.before[0] : place.after[0])));
-        if (EI > 0.0 && a != b)
-            made.bends.push_back(add_interaction(world::node_bend(in, element.index, node, EI)));
+        if (EI > 0.0 && a != b) made.bends.push_back(add_interaction(bend));
         if (const auto next = m.next_segment(place, node, first, wire); next)
             made.shapes.push_back(add_shape(*next));
     } catch (...) {

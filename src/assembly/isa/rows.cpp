@@ -39,6 +39,18 @@ double line_fade(const View& view, const std::int32_t* body, double s) {
     return s < 0.25 ? 16.0 * s * s : 1.0;
 }
 
+/// From the centres of the first two bodies to where the interaction acts on them.
+template <class K>
+struct Arms {
+    V3 at[2];
+    Arms(const typename K::Data& data, const BodyRef* refs) {
+        if constexpr (requires { K::line_arms(data, refs, at); })
+            K::line_arms(data, refs, at);
+        else
+            for (int k = 0; k < 2; ++k) at[k] = refs[k].arm(data.point[k]);
+    }
+};
+
 /// Force on slot b at the joint's point: the first three rows are translations along ±E. @return of
 /// a joint: by how much less the damping of the record acts on the velocity before the step; of a
 /// line: which share of K in its record acts on that velocity, the rest on the one ahead.
@@ -55,8 +67,9 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
     if constexpr (K::kGeometry == Geometry::line) {
         store3(rec + 1, load3(rows.J[1][0]));
         if (place.dof == 6) {
-            store3(rec + 4, refs[0].arm(data.point[0]));
-            store3(rec + 7, refs[1].arm(data.point[1]));
+            const Arms<K> arm(data, refs);
+            store3(rec + 4, arm.at[0]);
+            store3(rec + 7, arm.at[1]);
         }
     }
     if (view.geometric_stiffness == 0.0 && view.rotation_damping == 0.0) return 1.0;
@@ -64,7 +77,8 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
     const double scale = 0.25 * view.h * view.h * view.geometric_stiffness;
     const double per_h = 1.0 / view.h;
     const double* lambda = view.lambda + view.row_begin[id];
-    const V3 r0 = refs[0].arm(data.point[0]), r1 = refs[1].arm(data.point[1]);
+    const Arms<K> arm(data, refs);
+    const V3 r0 = arm.at[0], r1 = arm.at[1];
     double share = 1.0, resolved = 1.0;
     V3 f1;  // force on body 1
     if constexpr (K::kGeometry == Geometry::line) {

@@ -35,7 +35,7 @@
 /// Source: Servin, Lacoursière, Nordfelth, Bodin, "Hybrid, multiresolution wires with massless
 /// frictional contacts" (2011).
 
-#include "model/kinds/common.h"
+#include "model/kinds/friction.h"
 
 namespace hawser::HAWSER_ISA::kinds {
 
@@ -44,6 +44,7 @@ struct SpanEnd {
     double point[3];  ///< Eye, or centre of the wheel.
     double frame[9];  ///< z: the wheel's axis, x: its mark.
     double radius;    ///< With the sense of passing; 0: an eye.
+    double wound;     ///< Angle of it that the line lies on beyond its mark [rad].
 };
 
 /// A span as it lies.
@@ -110,7 +111,7 @@ inline double span_path(const D& d, const SpanShape& s) {
     double path = s.length;
     for (int k = 0; k < 2; ++k) {
         const double r = d.end[k].radius;
-        path += (r < 0.0 ? -r : r) * s.angle[k];
+        path += (r < 0.0 ? -r : r) * (s.angle[k] + d.end[k].wound);
     }
     return path;
 }
@@ -122,6 +123,13 @@ inline double span_row(const D& d, const BodyRef* b, Rows<B, 1>& out) {
     out.set(0, 0, -s.along, -cross(s.at[0] - b[0].x, s.along));
     out.set(1, 0, s.along, cross(s.at[1] - b[1].x, s.along));
     return span_path(d, s) - d.length;
+}
+
+/// From the bodies' centres to where the line leaves them.
+template <class D>
+inline void span_arms(const D& d, const BodyRef* b, V3 (&arm)[2]) {
+    const SpanShape s = span_shape(d.end, b);
+    for (int k = 0; k < 2; ++k) arm[k] = s.at[k] - b[k].x;
 }
 
 inline constexpr ParamInfo kSpanParams[] = {
@@ -186,15 +194,34 @@ struct Span {
         out.g[0] = open - d.slide[0] * b[2].x.x - d.slide[1] * b[3].x.x;
         for (int k = 0; k < 2; ++k) out.set(2 + k, 0, {-d.slide[k], 0, 0}, {0, 0, 0});
     }
+    static void line_arms(const Data& d, const BodyRef* b, V3 (&arm)[2]) {
+        span_arms(d, b, arm);
+    }
 #ifdef HAWSER_KIND_SETUP
     static Data make(const InteractionDef& d) { return Data::of(d); }
 #endif
 };
 
-/// Between a place that the line slides through and an end that holds it.
+inline constexpr ParamInfo kEndSpanParams[] = {
+    {"length", "m", kDefault, 1e-9, 1e6, "Unstretched length at `drum_zero`.", true},
+    {"EA", "N", kDefault, 1e-3, 1e15, "Axial stiffness of the line."},
+    {"tension_only", "1", 1.0, 0.0, 1.0, "1: goes slack instead of pushing."},
+    {"breaking_load", "N", 1e30, 0.0, 1e30, "It parts above this tension."},
+    {"radius", "m", kDefault, -1e3, 1e3,
+     "Length that comes per unit of the slide; above 0: the first body is the place, below 0 the "
+     "second one.",
+     true},
+    {"drum_zero", "m or rad", 0.0, -1e9, 1e9, "Coordinate of the slide that `length` is given at.",
+     true},
+    {"wheel", "m", 0.0, -1e3, 1e3,
+     "Radius of the wheel at the place, 0: an eye; below 0: passed turning about -z."},
+    {"wound", "rad", 0.0, 0.0, 1e3, "Angle of the wheel that the line lies on beyond its mark."}};
+
+/// Between a place that the line slides through and an end that holds it, a lump of a wire or
+/// another body. As an element of a wire it is to nodes what an element at a drum is.
 struct EndSpan {
     static constexpr int kBodies = 3, kRows = 1;
-    static constexpr Geometry kGeometry = Geometry::none;
+    static constexpr Geometry kGeometry = Geometry::line;
     static constexpr KindInfo kInfo{
         .kind = InteractionKind::EndSpan,
         .name = "end_span",
@@ -205,21 +232,39 @@ struct EndSpan {
         .row_units = "m",
         .scalar_slot = 2,
         .length_from_pose = true,
-        .traits = kElastic | kOfWires | kRouted,
-        .params = kSpanParams,
+        .traits = kAlongLine | kWireElement | kWoundUp | kElastic | kOfWires | kRouted,
+        .params = kEndSpanParams,
         .doc =
             "First or last part of a line that runs through places, from the end to the next one. "
             "Bodies: of the end and of the place, in the order of the route, and the scalar body "
-            "that tells how much has run through; slide_1 does not count."};
-    using Data = SpanData;
+            "that tells how much has run through."};
+    struct Data {
+        SpanEnd end[2];
+        double length, radius, zero;
+    };
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { span_rows(d, h, s); }
     static void evaluate(const Data& d, const BodyRef* b, Rows<3, 1>& out) {
-        const double open = span_row(d, b, out);
-        out.g[0] = open - d.slide[0] * b[2].x.x;
-        out.set(2, 0, {-d.slide[0], 0, 0}, {0, 0, 0});
+        out.g[0] = span_row(d, b, out) - d.radius * (b[2].x.x - d.zero);
+        out.set(2, 0, {-d.radius, 0, 0}, {0, 0, 0});
+    }
+    static void line_arms(const Data& d, const BodyRef* b, V3 (&arm)[2]) {
+        span_arms(d, b, arm);
     }
 #ifdef HAWSER_KIND_SETUP
-    static Data make(const InteractionDef& d) { return Data::of(d); }
+    static Data make(const InteractionDef& d) {
+        Data o{};
+        for (int k = 0; k < 2; ++k) {
+            copy_point(d, k, o.end[k].point);
+            copy_frame(d, k, o.end[k].frame);
+        }
+        o.length = d.params[0];
+        o.radius = d.params[4];
+        o.zero = d.params[5];
+        SpanEnd& place = o.end[o.radius > 0.0 ? 0 : 1];
+        place.radius = d.params[6];
+        place.wound = d.params[7];
+        return o;
+    }
 #endif
 };
 
@@ -267,6 +312,48 @@ struct BodySpan {
     static Data make(const InteractionDef& d) {
         return {d.params[0] - d.params[1], {d.params[4], d.params[5]}};
     }
+#endif
+};
+
+inline constexpr ParamInfo kLineFrictionParams[] = {
+    {"force", "N", 0.0, 0.0, 1e30, "Largest force, loads apart.", true},
+    {"friction", "1", 0.0, 0.0, 10.0, "Friction coefficient of the line at the place."},
+    {"efficiency", "1", 1.0, 1e-6, 1.0,
+     "Of the place as a sheave: lesser tension over greater, beside what friction takes."},
+    {"angle", "rad", 0.0, 0.0, 1e3,
+     "By which the line turned at the place when this was defined, whole turns included: within "
+     "half a turn of it the angle of now is told apart from others."}};
+
+/// Friction of a line at a place that it runs over. Its loads, the parts before and behind, have
+/// the factor tanh((μδ − ln η)/2), δ the angle by which the line turns there in the step that
+/// begins (solve/capstans.h). Of a part between two places of one body that is the angle of the
+/// definition.
+struct LineFriction {
+    static constexpr int kBodies = 1, kRows = 1;
+    static constexpr Geometry kGeometry = Geometry::none;
+    static constexpr KindInfo kInfo{
+        .kind = InteractionKind::LineFriction,
+        .name = "line_friction",
+        .bodies = 1,
+        .rows = 1,
+        .uses_points = false,
+        .uses_frames = false,
+        .row_units = "m",
+        .scalar_slot = 0,
+        .takes_loads = true,
+        .coordinate = KindCoordinate::scalar,
+        .traits = kFrictionKind | kFollowsAngle,
+        .params = kLineFrictionParams,
+        .doc = "Friction of a line at a place that it runs over, of the scalar body that tells how "
+               "much has run through. Its `loads` are the parts before and behind; their factors "
+               "follow the angle by which the line turns."};
+    using Data = ScalarFriction::Data;
+    static void defaults(const InteractionDef& d, double h, RowSpec* s) { friction_rows(d, h, s); }
+    static void evaluate(const Data& d, const BodyRef* b, Rows<1, 1>& out) {
+        ScalarFriction::evaluate(d, b, out);
+    }
+#ifdef HAWSER_KIND_SETUP
+    static Data make(const InteractionDef&) { return {0.0}; }
 #endif
 };
 

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solve/wraps.h"
+
+#include "base/index.h"
+#include "model/line_ends.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::stepper {
+namespace {
+
+constexpr double kTurn = 6.283185307179586;
+
+bool has_direction(const Model& model, const FrictionLoad& load) noexcept {
+    return load.interaction.valid() &&
+           kind_info(model.interactions.kinds[at(load.interaction.index)]).uses_points;
+}
+
+}  // namespace
+
+double wrap_angle(const Model& model, std::int32_t friction) noexcept {
+    const model::Interactions& in = model.interactions;
+    const model::Bodies& bodies = model.bodies;
+    const InteractionDef& d = in.def[at(friction)];
+    const double defined = d.params[3];
+    if (!has_direction(model, d.load[0]) || !has_direction(model, d.load[1])) return defined;
+    const std::int32_t before = d.load[0].interaction.index, behind = d.load[1].interaction.index;
+    const Vec3 u = in.line_shape(before, bodies).along, v = in.line_shape(behind, bodies).along;
+    const Vec3 turn = u.cross(v);
+    const InteractionDef& part = in.def[at(before)];
+    const double wheel = model::wheel_at(part, 1);
+    if (wheel == 0.0) return std::atan2(turn.norm(), u.dot(v));
+    const auto body = at(part.body[1].index);
+    Vec3 axis = part.frame[1] * Vec3::UnitZ();
+    if (bodies.turns(part.body[1].index)) {
+        using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+        axis = Eigen::Map<const RowMajor>(&bodies.r[9 * body]) * axis;
+    }
+    const double about = std::atan2(turn.dot(axis), u.dot(v)) * (wheel > 0.0 ? 1.0 : -1.0);
+    return std::max(0.0, defined + std::remainder(about - defined, kTurn));
+}
+
+void follow_wraps(Model& model) noexcept {
+    model::Interactions& in = model.interactions;
+    for (const std::int32_t id : in.frictions) {
+        if (!kind_info(in.kinds[at(id)]).is(kFollowsAngle) || in.load_begin[at(id)] < 0) continue;
+        const InteractionDef& d = in.def[at(id)];
+        const double exponent = d.params[1] * wrap_angle(model, id) - std::log(d.params[2]);
+        for (std::size_t k = 0; k < kMaxFrictionLoads; ++k)
+            in.loads[at(in.load_begin[at(id)]) + k].factor = std::tanh(0.5 * exponent);
+    }
+}
+
+}  // namespace hawser::stepper
