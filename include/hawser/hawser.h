@@ -8,6 +8,7 @@
 #include <hawser/def.h>
 #include <hawser/edits.h>
 #include <hawser/factor.h>
+#include <hawser/guide.h>
 #include <hawser/id.h>
 #include <hawser/inspect.h>
 #include <hawser/interactions.h>

@@ -35,6 +35,7 @@
 #include <hawser/system.h>
 #include <hawser/wire.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -274,6 +275,15 @@ class World {
     /// friction by the element end, and lumps' halves of its mass. @return it. @throws DefError
     /// where the end is wound up, the element gone or parted, or the drum no scalar body.
     InteractionId wind_up(WireId id, int end, BodyId drum, double radius);
+    /// An element of a wire becomes two of kind end_span, on both sides of a place that it runs
+    /// over (hawser/guide.h): `before` with its name and `behind`, with its ends, of `slide`. Lumps
+    /// at the ends lose their halves of its mass, its capsule goes. @return them. @throws DefError
+    /// where it is wound up, gone or parted, or the parts do not fit it.
+    std::array<InteractionId, 2> lay_over(InteractionId element, InteractionDef before,
+                                          InteractionDef behind);
+    /// Where an element of a wire, or a part of a line over places, leaves the first two of its
+    /// bodies: of a wheel the tangent point, world frame [m]. @throws DefError of other kinds.
+    [[nodiscard]] std::array<Vec3, 2> ends(InteractionId id) const;
     const Removed& remove_wire(
         WireId id);  ///< With what add_wire() made. @return as remove_body().
     [[nodiscard]] std::span<const WireId> wires() const noexcept;  ///< As bodies().

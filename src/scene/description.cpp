@@ -52,6 +52,14 @@ void Description::add_shape(ShapeDef def, int place) {
     shape_at_.push_back(static_cast<std::size_t>(place));
 }
 
+void Description::remove_segment(BodyId a, BodyId b) {
+    for (std::size_t i = shapes.size(); i-- > 0;) {
+        if (shapes[i].body != a || shapes[i].body_b != b) continue;
+        shapes.erase(shapes.begin() + static_cast<std::ptrdiff_t>(i));
+        shape_at_.erase(shape_at_.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+}
+
 InteractionId Description::add_interaction(InteractionDef def, int place) {
     const auto index = static_cast<std::int32_t>(interactions.size());
     const Place& at = places_[static_cast<std::size_t>(place)];

@@ -4,6 +4,7 @@
 /// A scene as flat lists of definitions, before it becomes a world. Bodies and interactions
 /// refer to one another by their index here, which is also their index in the world.
 
+#include <hawser/guide.h>
 #include <hawser/resolution.h>
 
 #include "scene/document.h"
@@ -40,6 +41,13 @@ struct Winch {
     int place = 0;
 };
 
+/// A guide before there is a world: its wire is a cable by name.
+struct GuideItem {
+    GuideDef def;
+    std::string cable;
+    int place = 0;
+};
+
 /// A cable's resolution before there is a world.
 struct Resolution {
     ResolutionDef def;
@@ -70,6 +78,7 @@ class Description {
     std::vector<OutputDef> outputs;
     std::vector<Cable> cables;
     std::vector<Winch> winches;
+    std::vector<GuideItem> guides;
     std::vector<Resolution> resolutions;
     std::vector<Lever> levers;
     std::vector<MaterialDef> materials;  ///< Material i of the list is i + 1 of the world.
@@ -87,6 +96,9 @@ class Description {
     [[nodiscard]] const Place& winch_place(std::size_t i) const {
         return places_[static_cast<std::size_t>(winches[i].place)];
     }
+    [[nodiscard]] const Place& guide_place(std::size_t i) const {
+        return places_[static_cast<std::size_t>(guides[i].place)];
+    }
     [[nodiscard]] const Place& resolution_place(std::size_t i) const {
         return places_[static_cast<std::size_t>(resolutions[i].place)];
     }
@@ -96,6 +108,8 @@ class Description {
     [[nodiscard]] const Place& shape_place(std::size_t i) const { return places_[shape_at_[i]]; }
 
     void add_shape(ShapeDef def, int place);
+    /// The capsule between two lumps goes, if there is one.
+    void remove_segment(BodyId a, BodyId b);
     /// Bits of the groups named by a word or a list of words. A group comes to be by being named.
     std::uint32_t groups(const Json& names, const Place& place);
     /// Bits of the groups that a shape touches, named in the same way; check_groups() refuses names
@@ -180,6 +194,8 @@ void expand_segments(Description& out, const Scope& scope);
 void expand_inputs(Description& out, const Scope& scope);
 /// Winches of one scope, when all cables are there (winches.cpp).
 void expand_winches(Description& out, const Scope& scope);
+/// Guides of one scope, when all cables and winches are there (guides.cpp).
+void expand_guides(Description& out, const Scope& scope);
 /// Lines over posts and sheaves of one scope, when all bodies are there (routes.cpp).
 void expand_routes(Description& out, const Scope& scope);
 /// Outputs of one scope, when all interactions are there (outputs.cpp).

@@ -48,6 +48,7 @@ class Expander {
         for (const InstanceScope& item : scopes_) {
             (void)with_note(out_.mistakes, item.note, [&] {
                 expand_winches(out_, item.scope);
+                expand_guides(out_, item.scope);
                 expand_routes(out_, item.scope);
                 expand_segments(out_, item.scope);
                 expand_interactions(out_, item.scope);
@@ -197,8 +198,9 @@ class Expander {
         const std::pair<const char*, const Shape*> lists[] = {
             {"bodies", f.bodies.get()}, {"instances", f.instances.get()},
             {"cables", f.cables.get()}, {"winches", f.winches.get()},
-            {"routes", f.routes.get()}, {"interactions", f.interactions.get()},
-            {"inputs", f.inputs.get()}, {"outputs", f.outputs.get()}};
+            {"guides", f.guides.get()}, {"routes", f.routes.get()},
+            {"interactions", f.interactions.get()}, {"inputs", f.inputs.get()},
+            {"outputs", f.outputs.get()}};
         const bool filled = with_note(out_.mistakes, inner.note, [&] {
             for (const auto& [key, shape] : lists) {
                 if (definition.contains(key)) {

@@ -33,6 +33,7 @@ struct Format {
     ShapePtr interactions;
     ShapePtr cables;
     ShapePtr winches;
+    ShapePtr guides;
     ShapePtr routes;
     ShapePtr instances;
     ShapePtr inputs;
@@ -53,6 +54,8 @@ struct Format {
 /// A winch at the end of a cable. See format_cables.cpp.
 [[nodiscard]] ShapePtr winch_shape();
 
+/// What a cable runs over. See format_routes.cpp.
+[[nodiscard]] ShapePtr guide_shape();
 /// A line over posts and sheaves. See format_routes.cpp.
 [[nodiscard]] ShapePtr route_shape();
 

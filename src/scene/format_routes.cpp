@@ -42,6 +42,32 @@ ShapePtr place_shape() {
 
 }  // namespace
 
+ShapePtr guide_shape() {
+    return object(
+        "guide", "a guide",
+        "What a cable runs over: a stern roller, a post, a fairlead. The element that passes it is "
+        "divided; what has run through is the coordinate of the scalar body NAME/slide.",
+        {{"name", name("a name"), true, "", "", "Unique among guides; of its signals, name.angle."},
+         {"cable", text("a cable name"), true, "", "", "That runs over it."},
+         {"on", body_ref(), true, "", "", "Body that it belongs to."},
+         {"point", vector3("a point"), false, "[0, 0, 0]", "m",
+          "Eye, or centre of the wheel, in the frame of the body."},
+         {"axis", vector3("an axis"), false, "[0, 1, 0]", "1", "Of the wheel, in that frame."},
+         {"radius", number("a radius", -1e3, 1e3), false, "0, an eye", "m",
+          "To the middle of the cable, which turns about the axis where it is above 0, seen from "
+          "its first end, else against it."},
+         {"friction", number("a coefficient", 0.0, 10.0), false, "0", "1", "Of the cable on it."},
+         {"efficiency", number("an efficiency", 0.0, 1.0), false, "1", "1",
+          "Of a roller: lesser tension over greater; above 0."},
+         {"inertia", number("an inertia", 0.0, 1e12), false, "0", "kg m^2",
+          "Of a roller that turns with the cable."},
+         {"turns", integer("a number of turns", 0, 100), false, "0", "1",
+          "Whole turns more round it."},
+         {"element", number("a length", 0.0, kMostLength), false, "that of the cable", "m",
+          "Of elements that come behind it; 0: no node runs through."},
+         {"description", text("a text"), false, "", "", "Remarks."}});
+}
+
 ShapePtr route_shape() {
     return object(
         "route", "a route",

@@ -12,7 +12,7 @@ namespace {
 
 /// What of the description is copy 0.
 struct Extent {
-    std::size_t bodies, interactions, inputs, outputs, cables, shapes, winches, resolutions, levers;
+    std::size_t bodies, interactions, inputs, outputs, cables, shapes, winches, guides, resolutions, levers;
 };
 
 std::string copy_prefix(int copy) { return std::to_string(copy) + ":"; }
@@ -58,7 +58,7 @@ class Copier {
           offset_(vector_of(repeat["offset"])),
           base_{out.bodies.size(),  out.interactions.size(), out.inputs.size(),
                 out.outputs.size(), out.cables.size(),       out.shapes.size(),
-                out.winches.size(), out.resolutions.size(),  out.levers.size()} {}
+                out.winches.size(), out.guides.size(), out.resolutions.size(),  out.levers.size()} {}
 
     void run(int copies) {
         const auto check = [&](std::size_t each, std::int64_t most, const char* what) {
@@ -96,6 +96,7 @@ class Copier {
         add_outputs(prefix, shift);
         add_cables(prefix, shift);
         add_winches(prefix);
+        add_guides(prefix);
         add_resolutions(prefix);
         add_shapes(prefix);
     }
@@ -172,6 +173,18 @@ class Copier {
             winch.def.chain = mapped(winch.def.chain);
             winch.place = number_;
             out_.winches.push_back(std::move(winch));
+        }
+    }
+
+    void add_guides(const std::string& prefix) {
+        for (std::size_t i = 0; i < base_.guides; ++i) {
+            GuideItem guide = out_.guides[i];
+            rename(guide.def.name, prefix);
+            rename(guide.cable, prefix);
+            guide.def.body = mapped(guide.def.body);
+            guide.def.slide = mapped(guide.def.slide);
+            guide.place = number_;
+            out_.guides.push_back(std::move(guide));
         }
     }
 

@@ -41,6 +41,7 @@ class Builder {
         add_interactions(*world);
         add_surfaces(*world);
         add_winches(*world);
+        add_guides(*world);
         add_resolutions(*world);
         check_levers(*world);
         for (std::size_t i = 0; i < description_.inputs.size() && numbered_; ++i) {
@@ -119,6 +120,17 @@ class Builder {
             (void)take(description_.winch_place(i), [&] {
                 WinchDef def = winch.def;
                 def.wire = world.find_wire(winch.cable);
+                world.add(def);
+            });
+        }
+    }
+
+    void add_guides(World& world) {
+        for (std::size_t i = 0; i < description_.guides.size() && numbered_; ++i) {
+            const GuideItem& guide = description_.guides[i];
+            (void)take(description_.guide_place(i), [&] {
+                GuideDef def = guide.def;
+                def.wire = world.find_wire(guide.cable);
                 world.add(def);
             });
         }

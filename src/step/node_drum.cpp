@@ -10,7 +10,8 @@
 /// leaves by the drum takes its stretch along, which they see as a rate. The half of f that b held
 /// becomes the winch's, as all the material of e is; velocities of others stay. What the motion of
 /// n across the chord held goes into the drum's foundation, and counts as driven. The node before a
-/// free end stays: the lump there has but its half of f.
+/// free end stays: the lump there has but its half of f. Where the next element is one that a drum
+/// or a guide loads, too, b keeps a hundredth of that half: a body needs some mass of its own.
 
 #include "step/nodes.h"
 
@@ -31,11 +32,15 @@ bool release_drum_node(StepContext& ctx, const NodePlace& place, double bend) no
     const Vec3 first = point_of(ctx, place.first, 1) - point_of(ctx, place.first, 0);
     const Vec3 second = point_of(ctx, place.second, 1) - point_of(ctx, place.second, 0);
     if (std::atan2(first.cross(second).norm(), first.dot(second)) > bend) return false;
-    const double half = 0.5 * mass_of_element(ctx, f);
+    double half = 0.5 * mass_of_element(ctx, f);
     const std::int32_t b = end_of(ctx, f, far);
     // A free end would be left without any mass of its own.
     constexpr double kLeast = 1e-3;
-    if (is_lump(ctx, b) && !(bodies.mass[at(b)] > (1.0 + kLeast) * half)) return false;
+    if (is_lump(ctx, b) && !(bodies.mass[at(b)] > (1.0 + kLeast) * half)) {
+        const std::int32_t beyond = at_first ? place.after[0] : place.before[0];
+        if (beyond < 0 || !is_wound(ctx, beyond)) return false;
+        half = std::min(half, bodies.mass[at(b)]) - kKeptMass * half;
+    }
     const double rest[2] = {in.rest_length[at(e)], in.rest_length[at(f)]};
     const double whole = rest[0] + rest[1];
     const double pull = (rest[0] * force_of(ctx, e) + rest[1] * force_of(ctx, f)) / whole;

@@ -78,6 +78,8 @@ void settle_node(StepContext& ctx, const NodePlace& place, std::int32_t old, dou
 /// and the bend at n. @param bend  Angle between e and f up to which that is done [rad].
 /// @return false: it is more, or energy would grow; nothing has changed.
 [[nodiscard]] bool release_node(StepContext& ctx, const NodePlace& place, double bend) noexcept;
+/// Of half an element: what a lump between two elements that drums or guides load keeps for itself.
+inline constexpr double kKeptMass = 1e-2;
 /// As release_node(), where the element of the place that stays lies on a drum.
 [[nodiscard]] bool release_drum_node(StepContext& ctx, const NodePlace& place,
                                      double bend) noexcept;

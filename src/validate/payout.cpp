@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A winch lowers an anchor and hauls it up again: the tension at its fairlead, also where nodes
 // come and go, and the account of wire.
-#include "validate/tools.h"
+#include "validate/payout.h"
 #include "validate/wires.h"
 
 #include <hawser/wire.h>
@@ -14,11 +14,9 @@
 namespace hawser::validate {
 namespace {
 
-constexpr double kStep = 1.0 / 60.0;
-constexpr double kLineMass = 23.0, kLineEA = 2.33e8;  // kg/m, N
-constexpr double kAnchor = 13e3;                      // kg
-constexpr double kSpeed = 1.0, kStored = 1500.0, kWire = 0.076;
-constexpr double kRamp = 10.0;  // s, in which the speed comes and goes
+using namespace payout;
+
+constexpr double kSpeed = 1.0;  // m/s
 
 /// An anchor on a few elements of wire below a winch.
 struct Lowering {
@@ -70,12 +68,9 @@ struct Lowering {
     }
 };
 
-struct Lowered {
-    double error = 0.0;      ///< Of the tension at the fairlead at even speed, relative.
-    double elsewhere = 0.0;  ///< Largest change a step far from an edit [N] …
-    double at_edits = 0.0;   ///< … and within half a second of one.
-    double account = 0.0;    ///< Of wire on the drum and off it [m].
-    double tension = 0.0;    ///< Largest [N].
+struct Lowered : Changes {
+    double error = 0.0;    ///< Of the tension at the fairlead at even speed, relative.
+    double account = 0.0;  ///< Of wire on the drum and off it [m].
     int edits = 0, nodes = 0;
     Grade grade = Grade::good;
 };
@@ -85,13 +80,7 @@ Lowered lower(double way, double element, double damping, int end) {
     Lowering d(element, damping, end);
     Lowered r;
     const double even = way / kSpeed - kRamp, wait = 5.0, once = even + 2.0 * kRamp + wait;
-    // Without a jump of acceleration, on which the anchor would bounce for minutes where nothing
-    // damps it.
-    const auto ramp = [](double x) {
-        const double u = std::clamp(x / kRamp, 0.0, 1.0);
-        return u - std::sin(2.0 * kPi * u) / (2.0 * kPi);
-    };
-    const auto speed = [&](double t) { return kSpeed * (ramp(t) - ramp(t - even - kRamp)); };
+    const auto speed = [&](double t) { return kSpeed * speed_at(t, even); };
     const double whole = kStored + d.out();
     const long steps = std::lround(2.0 * once / kStep);
     std::vector<double> pull;
@@ -115,14 +104,7 @@ Lowered lower(double way, double element, double damping, int end) {
         if (steady) r.error = std::max(r.error, std::abs(now / weight - 1.0));
     }
     r.edits = static_cast<int>(edits.size());
-    std::size_t next = 0;
-    for (std::size_t i = 120; i + 1 < pull.size(); ++i) {
-        while (next < edits.size() && edits[next] + 30 < i) ++next;
-        const bool near = next < edits.size() && edits[next] <= i + 1;
-        double& most = near ? r.at_edits : r.elsewhere;
-        most = std::max(most, std::abs(pull[i + 1] - pull[i]));
-        r.tension = std::max(r.tension, pull[i]);
-    }
+    static_cast<Changes&>(r) = changes_of(pull, edits);
     r.grade = d.w.verdict().grade;
     return r;
 }
@@ -155,6 +137,7 @@ void case_payout(Report& report) {
             check(report, 600.0, element, damping);
     check(report, 600.0, 12.0, 0.5, 1);
     check(report, 1000.0, 20.0, 0.3);
+    check_roller(report);
 }
 
 }  // namespace hawser::validate

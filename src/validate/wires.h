@@ -17,6 +17,8 @@ void case_wire_catenary(Report& report);
 void case_wire_touchdown(Report& report);
 // payout.cpp
 void case_payout(Report& report);
+// payout_roller.cpp
+void check_roller(Report& report);  ///< Part of "payout".
 // tow_payout.cpp
 void case_tow_payout(Report& report);
 // wires_events.cpp

@@ -235,8 +235,10 @@ std::int32_t World::Impl::check_node_goes(BodyId node, stepper::NodePlace& place
     double own = 0.0;  // of the wire
     for (const std::int32_t id : {place.first, place.second})
         own += 0.5 * stepper::mass_of_element(ctx, id);
-    constexpr double kRounding = 1e-6;
-    if (body_defs[at(node.index)].mass > (1.0 + kRounding) * own)
+    // What a lump kept when it was between two drums goes with it.
+    const bool drum = second || stepper::is_wound(ctx, place.first);
+    const double more = drum ? 2.0 * stepper::kKeptMass : 1e-6;  // else rounding
+    if (body_defs[at(node.index)].mass > (1.0 + more) * own)
         world::refuse(where, "it has " + world::number(body_defs[at(node.index)].mass - own) +
                                  " kg beside the wire's, of gear or a load, which would be lost");
     if (!(bend >= 0.0)) world::refuse(where, "bend must be an angle, not " + world::number(bend));

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Guides: the element of a cable that passes one becomes two, so that inputs and outputs find them
+/// by name.
+#include <hawser/guide.h>
+
+#include "scene/description.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace hawser::scene {
+namespace {
+
+InteractionDef& element_of(Description& out, InteractionId id) {
+    return out.interactions[static_cast<std::size_t>(id.index)];
+}
+
+Cable& cable_of(Description& out, const Scope& scope, const std::string& name, const Place& place) {
+    std::vector<std::string> known;
+    for (Cable& cable : out.cables) {
+        if (cable.name == scope.prefix + name) return cable;
+        if (cable.name.starts_with(scope.prefix))
+            known.push_back(cable.name.substr(scope.prefix.size()));
+    }
+    refuse_missing(out.mistakes, Lost::cable, scope.prefix + name, place,
+                   "there is no cable " + in_quotes(name) + suggestion(name, known));
+}
+
+/// Distance of a point from an element [m].
+double apart(const Description& out, const InteractionDef& d, const Vec3& p) {
+    const Vec3 a = out.world_point(d.body[0], d.point[0]);
+    const Vec3 along = out.world_point(d.body[1], d.point[1]) - a;
+    const double t =
+        std::clamp((p - a).dot(along) / std::max(along.squaredNorm(), 1e-300), 0.0, 1.0);
+    return (p - a - t * along).norm();
+}
+
+/// Number of the element that passes nearest, of those that no drum or guide has.
+std::size_t nearest(Description& out, const Cable& cable, const GuideDef& def, const Place& place) {
+    const Vec3 at = out.world_point(def.body, def.point);
+    std::size_t best = cable.stretch.size();
+    double least = 1e300;
+    for (std::size_t k = 0; k < cable.stretch.size(); ++k) {
+        const InteractionDef& d = element_of(out, cable.stretch[k]);
+        if (kind_info(d.kind).is(kWoundUp)) continue;
+        const double far = apart(out, d, at);
+        if (far >= least) continue;
+        least = far;
+        best = k;
+    }
+    if (best == cable.stretch.size())
+        refuse(place / "cable", "all elements of the cable " + in_quotes(cable.name) +
+                                    " are at drums or guides already; give it more");
+    return best;
+}
+
+/// Section that an element is of.
+CableSection& section_of(Cable& cable, std::size_t element) {
+    std::size_t k = 0;
+    for (; k + 1 < cable.sections.size() && element >= cable.sections[k].elements; ++k)
+        element -= cable.sections[k].elements;
+    return cable.sections[k];
+}
+
+/// The lump gives up its half of the element's mass, with its share of drag and weight in water.
+void lighten(BodyDef& lump, double half, const Place& place) {
+    if (lump.kind != BodyKind::lump || !(half > 0.0)) return;
+    if (!(lump.mass > half * (1.0 + 1e-6)))
+        refuse(place / "cable",
+               "a lump next to the guide has no element but that one; give the cable more elements");
+    const double scale = (lump.mass - half) / lump.mass;
+    lump.mass -= half;
+    lump.linear_damping *= scale;
+    lump.force *= scale;
+}
+
+/// Bends about its ends have the guide for a neighbour now.
+void turn_bends(Description& out, const InteractionDef& element, const GuidePlan& plan,
+                double radius) {
+    // Where each part touches the wheel: the mark that its frame has there.
+    const auto touches = [&](const InteractionDef& part, std::size_t slot) {
+        return Vec3(part.point[slot] + std::abs(radius) * (part.frame[slot] * Vec3::UnitX()));
+    };
+    const Vec3 point[2] = {touches(plan.before, 1), touches(plan.behind, 0)};
+    const BodyId body = plan.before.body[1];
+    for (InteractionDef& d : out.interactions) {
+        if (d.kind != InteractionKind::Bend) continue;
+        for (const std::size_t end : {0U, 1U})
+            for (const std::size_t slot : {0U, 2U})
+                if (d.body[1] == element.body[end] && d.body[slot] == element.body[1 - end]) {
+                    d.body[slot] = body;
+                    d.point[slot] = point[end];
+                }
+    }
+}
+
+GuideDef read_guide(Description& out, const Scope& scope, const Json& json, const Place& place) {
+    GuideDef def;
+    def.name = scope.prefix + json["name"].get<std::string>();
+    def.body = resolve_body(out, scope, json["on"].get<std::string>(), place / "on");
+    def.point = vector_or(json, "point", def.point);
+    def.axis = vector_or(json, "axis", def.axis);
+    def.radius = number_or(json, "radius", def.radius);
+    def.friction = number_or(json, "friction", def.friction);
+    def.efficiency = number_or(json, "efficiency", def.efficiency);
+    def.inertia = number_or(json, "inertia", def.inertia);
+    if (const auto turns = json.find("turns"); turns != json.end()) def.turns = turns->get<int>();
+    def.element_length = number_or(json, "element", def.element_length);
+    return def;
+}
+
+/// What the guide makes of the element comes into the lists of the scene.
+void divide(Description& out, Cable& cable, std::size_t k, GuideDef& def, const Place& place) {
+    const InteractionDef element = element_of(out, cable.stretch[k]);
+    const double length = element.get("length"), mass = std::max(0.0, element.get("mass"));
+    const double density = std::isnan(mass) ? 0.0 : mass / length;
+    CableSection& section = section_of(cable, k);
+    def.mass_per_length = density;
+    if (std::isnan(def.element_length)) def.element_length = density > 0.0 ? length : 0.0;
+    if (def.element_length > 0.0 && !(density > 0.0))
+        refuse(place, "elements of the cable " + in_quotes(cable.name) +
+                          " have no mass of their own that could run through; give it "
+                          "\"consistent_mass\": true, or the guide \"element\": 0");
+    const double chord = (out.world_point(element.body[1], element.point[1]) -
+                          out.world_point(element.body[0], element.point[0]))
+                             .norm();
+    InteractionDef filled = element;
+    for (const auto& [key, value] : {std::pair{"tension_only", 1.0}, {"breaking_load", 1e30}})
+        if (std::isnan(filled.get(key))) filled.set(key, value);
+    GuidePlan plan = plan_guide(def, filled, filled.get("EA") * (chord / length - 1.0),
+                                [&out](BodyId id) {
+                                    const BodyDef& b = out.body(id);
+                                    return RouteBody{b.position, b.orientation.normalized(), b.kind,
+                                                     b.mass};
+                                });
+    if (density > 0.0)
+        for (const BodyId end : {element.body[0], element.body[1]})
+            lighten(out.bodies[static_cast<std::size_t>(end.index)], 0.5 * mass, place);
+    const int at = out.keep(place);
+    def.slide = out.add_body(plan.slide, at);
+    for (InteractionDef* part : {&plan.before, &plan.behind}) part->body[2] = def.slide;
+    out.remove_segment(element.body[0], element.body[1]);
+    turn_bends(out, element, plan, def.radius);
+    element_of(out, cable.stretch[k]) = plan.before;
+    const InteractionId behind = out.add_interaction(plan.behind, at);
+    plan.friction.body[0] = def.slide;
+    plan.friction.load[0].interaction = cable.stretch[k];
+    plan.friction.load[1].interaction = behind;
+    out.add_interaction(plan.friction, at);
+    const auto after = static_cast<std::ptrdiff_t>(k) + 1;
+    cable.stretch.insert(cable.stretch.begin() + after, behind);
+    cable.nodes.insert(cable.nodes.begin() + after, def.body);
+    ++section.elements;
+}
+
+}  // namespace
+
+void expand_guides(Description& out, const Scope& scope) {
+    const auto list = scope.content->find("guides");
+    if (list == scope.content->end()) return;
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        const Json& json = (*list)[i];
+        if (json.is_null()) continue;  // Left out: mistakes.h.
+        const Place place = scope.place / "guides" / i;
+        (void)attempt(out.mistakes, [&] {
+            GuideDef def = read_guide(out, scope, json, place);
+            for (const GuideItem& other : out.guides)
+                if (other.def.name == def.name)
+                    refuse(place / "name", "the guide " + in_quotes(def.name) + " exists already");
+            Cable& cable =
+                cable_of(out, scope, json["cable"].get<std::string>(), place / "cable");
+            if (cable.links)
+                refuse(place / "cable",
+                       "a cable of links cannot run over a guide; give it \"as\": \"lumps\"");
+            const std::string name = cable.name;
+            try {
+                divide(out, cable, nearest(out, cable, def, place), def, place);
+            } catch (const DefError& error) {
+                // "guide 'NAME': " is what the place says.
+                const std::string text = error.what();
+                const auto colon = text.find(": ");
+                refuse(place, colon == std::string::npos ? text : text.substr(colon + 2));
+            }
+            out.guides.push_back({std::move(def), name, out.keep(place)});
+        });
+    }
+}
+
+}  // namespace hawser::scene

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// What the cases in which a winch lowers an anchor and hauls it up again have in common.
+#include "validate/tools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace hawser::validate::payout {
+
+inline constexpr double kStep = 1.0 / 60.0;
+inline constexpr double kLineMass = 23.0, kLineEA = 2.33e8;  // kg/m, N
+inline constexpr double kAnchor = 13e3;                      // kg
+inline constexpr double kStored = 1500.0, kWire = 0.076;     // m
+inline constexpr double kRamp = 10.0;  // s, in which the speed comes and goes
+
+/// Speed over that which it comes to, `even` long, in and out within kRamp. Without a jump of
+/// acceleration, on which the anchor would bounce for minutes where nothing damps it.
+inline double speed_at(double t, double even) {
+    const auto ramp = [](double x) {
+        const double u = std::clamp(x / kRamp, 0.0, 1.0);
+        return u - std::sin(2.0 * kPi * u) / (2.0 * kPi);
+    };
+    return ramp(t) - ramp(t - even - kRamp);
+}
+
+/// How a tension changes in a step.
+struct Changes {
+    double elsewhere = 0.0;  ///< Largest change a step far from an edit [N] …
+    double at_edits = 0.0;   ///< … and within half a second of one.
+    double tension = 0.0;    ///< Largest [N].
+};
+/// @param edits  Steps after which nodes had come or gone, ascending.
+inline Changes changes_of(const std::vector<double>& pull, const std::vector<std::size_t>& edits) {
+    Changes r;
+    std::size_t next = 0;
+    for (std::size_t i = 120; i + 1 < pull.size(); ++i) {
+        while (next < edits.size() && edits[next] + 30 < i) ++next;
+        double& most = next < edits.size() && edits[next] <= i + 1 ? r.at_edits : r.elsewhere;
+        most = std::max(most, std::abs(pull[i + 1] - pull[i]));
+        r.tension = std::max(r.tension, pull[i]);
+    }
+    return r;
+}
+
+}  // namespace hawser::validate::payout

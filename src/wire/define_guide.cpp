@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <hawser/guide.h>
+#include <hawser/world.h>
+
+#include "wire/bounds.h"
+#include "wire/guide_system.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace hawser {
+namespace {
+
+[[noreturn]] void refuse(const GuideDef& def, const std::string& why) {
+    throw DefError("guide '" + def.name + "': " + why);
+}
+
+/// A line from end to end of the element, over the guide.
+RouteDef route_of(const GuideDef& def, const InteractionDef& element, double tension) {
+    RouteDef out;
+    out.EA = element.get("EA");
+    out.first = {.body = element.body[0], .point = element.point[0]};
+    out.last = {.body = element.body[1], .point = element.point[1]};
+    out.places.push_back({.body = def.body,
+                          .point = def.point,
+                          .axis = def.axis,
+                          .radius = def.radius,
+                          .friction = def.friction,
+                          .efficiency = def.efficiency,
+                          .inertia = def.inertia,
+                          .turns = def.turns});
+    out.tension = std::max(0.0, tension);
+    out.breaking_load = element.get("breaking_load");
+    return out;
+}
+
+/// "route: places/0: radius: …" is what a guide calls "radius: …".
+std::string without_route(const std::string& text) {
+    for (const char* lead : {"places/0: ", "route: "})
+        if (const auto at = text.find(lead); at != std::string::npos)
+            return text.substr(at + std::string(lead).size());
+    return text;
+}
+
+/// Distance of a point from what is between two others [m].
+double apart(const Vec3& p, const Vec3& a, const Vec3& b) {
+    const Vec3 d = b - a;
+    const double t = std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
+    return (p - a - t * d).norm();
+}
+
+InteractionId nearest_element(const World& world, const GuideDef& def) {
+    const Vec3 at = world.world_point(def.body, def.point);
+    InteractionId best{};
+    double least = 1e300;
+    for (const InteractionId id : world.elements(def.wire)) {
+        if (!world.alive(id) || !world.intact(id)) continue;
+        if (kind_info(world.interaction_def(id).kind).is(kWoundUp)) continue;
+        const std::array<Vec3, 2> ends = world.ends(id);
+        const double far = apart(at, ends[0], ends[1]);
+        if (far >= least) continue;
+        least = far;
+        best = id;
+    }
+    if (!best.valid()) refuse(def, "no element of its wire is whole and without a drum or guide");
+    return best;
+}
+
+/// The elements that have its slide already. @throws DefError
+Guide guide_there_is(const World& world, const GuideDef& def) {
+    Guide out;
+    out.slide = def.slide;
+    if (!world.alive(def.slide)) refuse(def, "its slide is not there");
+    for (const InteractionId id : world.elements(def.wire)) {
+        if (!world.alive(id)) continue;
+        const InteractionDef& d = world.interaction_def(id);
+        if (d.kind != InteractionKind::EndSpan || d.body[2] != def.slide) continue;
+        (d.get("radius") < 0.0 ? out.before : out.behind) = id;
+    }
+    if (!out.before.valid() || !out.behind.valid())
+        refuse(def, "its wire has no two elements that its slide divides");
+    out.friction = world.find_interaction(def.name + "/friction");
+    if (!out.friction.valid()) refuse(def, "its slide has no friction of the name NAME/friction");
+    out.angle = world.interaction_def(out.friction).get("angle");
+    return out;
+}
+
+/// Nodes that run through must have somewhere to come from and to go to. @throws DefError
+void check_room(const World& world, const GuideDef& def, const Guide& ids) {
+    if (!(def.element_length > 0.0)) return;
+    const auto elements = world.elements(def.wire);
+    const auto before = std::find(elements.begin(), elements.end(), ids.before);
+    const auto length = [&](InteractionId id) { return world.interaction_def(id).get("length"); };
+    constexpr double kRoom = 2.0, kRounding = 1e-6;
+    for (const int way : {-1, 1}) {
+        auto at = way < 0 ? before : before + 1;
+        double sum = length(*at);
+        for (;;) {
+            if (way < 0 ? at == elements.begin() : at + 1 == elements.end()) {
+                sum = 1e300;  // an end, which stops at the guide
+                break;
+            }
+            at += way;
+            if (!world.alive(*at)) break;
+            sum += length(*at);
+            if (kind_info(world.interaction_def(*at).kind).is(kWoundUp)) break;
+        }
+        if (sum < kRoom * def.element_length * (1.0 - kRounding))
+            refuse(def, "only " + wire::number(sum) +
+                            " m of wire lie between it and the next drum or guide; nodes run "
+                            "through where there are two elements: give shorter ones "
+                            "(element_length)");
+    }
+}
+
+void check(World& world, const GuideDef& def) {
+    if (def.name.empty()) throw DefError("a guide needs a name");
+    if (world.find_system(def.name) != nullptr) refuse(def, "the name is taken; names are unique");
+    if (world.find_input(def.name + "/friction/force").valid())
+        refuse(def, "there is an input '" + def.name + "/friction/force' already; rename one");
+    if (!world.alive(def.wire)) refuse(def, "there is no wire that runs over it; give one");
+    if (!world.alive(def.body)) refuse(def, "there is no body that it is on; give one");
+    const Nonsmooth method = world.settings().nonsmooth;
+    if (method == Nonsmooth::pgs || method == Nonsmooth::split)
+        refuse(def, "nonsmooth = pgs and split take no loads of systems; choose newton");
+    if (!std::isnan(def.element_length) && !(def.element_length >= 0.0 && def.element_length <= 1e6))
+        refuse(def, "element_length = " + wire::number(def.element_length) +
+                        " m; give 0 to 1e6 (0: no node runs through)");
+    if (!std::isnan(def.mass_per_length) && !(def.mass_per_length >= 0.0))
+        refuse(def, "mass_per_length = " + wire::number(def.mass_per_length) +
+                        " kg/m; give 0 or more");
+}
+
+}  // namespace
+
+GuidePlan plan_guide(const GuideDef& def, const InteractionDef& element, double tension,
+                     const RouteBodies& bodies) {
+    const RouteDef route = route_of(def, element, tension);
+    GuidePlan out{};
+    RoutePlan plan;
+    try {
+        out.slide = route_slides(route, bodies).front();
+        // Bodies are numbered by the caller.
+        plan = plan_route(route, bodies, std::array<BodyId, 1>{BodyId{0}});
+    } catch (const DefError& error) {
+        refuse(def, without_route(error.what()));
+    }
+    out.slide.name = def.name + "/slide";
+    out.angle = plan.angles.front();
+    if (out.angle > std::acos(-1.0) * (1.0 + 1e-9) + 2.0 * std::acos(-1.0) * def.turns)
+        refuse(def, "the wire would turn by " + wire::number(out.angle) +
+                        " rad, more than half a turn beyond `turns`; change the sign of `radius`");
+    out.before = std::move(plan.parts[0]);
+    out.behind = std::move(plan.parts[1]);
+    const double whole = element.get("length");
+    out.before.name = element.name;
+    out.behind.name = def.name + "/behind";
+    for (InteractionDef* part : {&out.before, &out.behind}) {
+        const std::size_t side = part == &out.before ? 0 : 1;
+        out.material[side] = part->get("length");
+        part->set("tension_only", element.get("tension_only"));
+        // It follows the length, as do shares of critical damping.
+        part->compliance[0] = kDefault;
+        part->damping_time[0] = element.damping_time[0] * out.material[side] / whole;
+    }
+    out.friction.kind = InteractionKind::LineFriction;
+    out.friction.name = def.name + "/friction";
+    out.friction.set("friction", def.friction)
+        .set("efficiency", def.efficiency)
+        .set("angle", out.angle);
+    const double rubs = def.friction * out.angle - std::log(def.efficiency);
+    for (FrictionLoad& load : out.friction.load) load.factor = std::tanh(0.5 * rubs);
+    return out;
+}
+
+Guide define(World& world, const GuideDef& given) {
+    GuideDef def = given;
+    check(world, def);
+    Guide out;
+    std::array<double, 2> material{};
+    if (def.slide.valid()) {
+        out = guide_there_is(world, def);
+        for (const std::size_t side : {0U, 1U})
+            material[side] =
+                world.interaction_def(side == 0 ? out.before : out.behind).get("length");
+        if (std::isnan(def.mass_per_length) || std::isnan(def.element_length))
+            refuse(def, "with a slide of its own give mass_per_length and element_length");
+    } else {
+        const InteractionId id = def.element.valid() ? def.element : nearest_element(world, def);
+        if (!world.alive(id) || world.wire_of(id) != def.wire)
+            refuse(def, "its element is none of its wire");
+        const InteractionDef element = world.interaction_def(id);
+        if (kind_info(element.kind).is(kWoundUp))
+            refuse(def, "its element is at a drum or another guide; take one farther out");
+        const std::array<Vec3, 2> ends = world.ends(id);
+        const double length = element.get("length"), mass = element.get("mass");
+        if (std::isnan(def.mass_per_length)) def.mass_per_length = mass / length;
+        if (std::isnan(def.element_length)) def.element_length = mass > 0.0 ? length : 0.0;
+        if (def.element_length > 0.0 && !(mass > 0.0))
+            refuse(def, "element_length: its wire's elements have no mass of their own that could "
+                        "run through (consistent_mass)");
+        const double tension =
+            element.get("EA") * ((ends[1] - ends[0]).norm() / length - 1.0);
+        GuidePlan plan = plan_guide(def, element, tension, [&world, &def](BodyId b) {
+            if (!world.alive(b)) refuse(def, "one of its bodies is not there");
+            const Pose pose = world.pose(b);
+            return RouteBody{pose.position, pose.orientation, world.body_def(b).kind,
+                             world.body_def(b).mass};
+        });
+        out.slide = world.add_body(plan.slide);
+        try {
+            for (InteractionDef* part : {&plan.before, &plan.behind}) part->body[2] = out.slide;
+            const auto parts = world.lay_over(id, plan.before, plan.behind);
+            out.before = parts[0];
+            out.behind = parts[1];
+        } catch (...) {
+            (void)world.remove_body(out.slide);
+            throw;
+        }
+        plan.friction.body[0] = out.slide;
+        plan.friction.load[0].interaction = out.before;
+        plan.friction.load[1].interaction = out.behind;
+        out.friction = world.add_interaction(plan.friction);
+        out.angle = plan.angle;
+        material = {plan.material[0], plan.material[1]};
+        def.slide = out.slide;
+    }
+    check_room(world, def, out);
+    const InputId stop = world.add_input(
+        {.name = def.name + "/friction/force", .interaction = out.friction, .param = "force"});
+    world.add_system(std::make_unique<wire::GuideSystem>(def, out, stop, material));
+    return out;
+}
+
+}  // namespace hawser

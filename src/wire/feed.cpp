@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "wire/feed.h"
+
+#include <hawser/world.h>
+
+#include <cmath>
+
+namespace hawser::wire {
+namespace {
+
+constexpr double kAnyBend = 1.6;  ///< A node at a drum goes unless the wire folds.
+constexpr double kOtherLine =
+    0.2;  ///< By which mass a length differs where no stretch explains it.
+
+}  // namespace
+
+std::size_t node_slot(const World& world, InteractionId line, std::size_t fallback) {
+    const InteractionDef& d = world.interaction_def(line);
+    for (std::size_t slot = 0; slot < 2; ++slot)
+        if (world.body_def(d.body[slot]).kind == BodyKind::lump) return slot;
+    return fallback;
+}
+
+Vec3 weight_at(const World& world, InteractionId line, std::size_t node, double mass) {
+    const BodyDef& body = world.body_def(world.interaction_def(line).body[node]);
+    Vec3 each = body.gravity ? world.settings().gravity : Vec3::Zero().eval();
+    if (body.kind == BodyKind::lump) each += body.force / body.mass;
+    return mass * each;
+}
+
+void load_ends(const World& world, Loads& loads, InteractionId line, std::size_t node, double half,
+               const Vec3& weight, const Vec3& held) {
+    const InteractionDef& d = world.interaction_def(line);
+    for (std::size_t slot = 0; slot < 2; ++slot) {
+        const BodyId body = d.body[slot];
+        const BodyDef& def = world.body_def(body);
+        if (def.kind != BodyKind::lump && def.kind != BodyKind::rigid) continue;
+        const Vec3 arm =
+            slot == node ? (world.pose(body).orientation * d.point[slot]).eval() : held;
+        loads.add_force(
+            body, weight,
+            def.kind == BodyKind::rigid ? arm.cross(weight).eval() : Vec3::Zero().eval());
+        if (def.kind != BodyKind::lump) continue;
+        loads.add_mass(body, (half * Mat3::Identity()).eval());
+        loads.add_damping(body,
+                          (half / def.mass * def.linear_damping).asDiagonal().toDenseMatrix());
+    }
+}
+
+bool put_node(NodeEdits& nodes, const Feed& feed, double there, double& at) noexcept {
+    const double beyond = feed.element / there, share = feed.ahead ? 1.0 - beyond : beyond;
+    const double mass = feed.mass_per_length * there;
+    // By the bits that the world takes.
+    const double taken = feed.ahead ? 1.0 - share : share;
+    if (!nodes.insert_node(feed.line, share, mass).valid()) return false;
+    at -= taken * there;
+    return true;
+}
+
+bool take_node(NodeEdits& nodes, const Feed& feed, std::size_t node, double& at) noexcept {
+    const World& world = nodes.world;
+    const BodyId lump = world.interaction_def(feed.line).body[node];
+    if (world.body_def(lump).kind != BodyKind::lump) return false;
+    const auto elements = world.elements(world.wire_of(feed.line));
+    std::size_t k = 0;
+    while (k < elements.size() && elements[k] != feed.line) ++k;
+    if (feed.ahead ? k + 1 >= elements.size() : k == 0 || k >= elements.size()) return false;
+    const InteractionId next = elements[feed.ahead ? k + 1 : k - 1];
+    if (!world.alive(next) || !world.intact(next)) return false;
+    const InteractionDef& beyond = world.interaction_def(next);
+    if (kind_info(beyond.kind).is(kWoundUp)) return false;
+    const double mass = beyond.get("mass");
+    // Wire of another line type stays outboard: this one's diameter and mass are known here.
+    const double line = mass / beyond.get("length");
+    if (beyond.get("EA") != world.interaction_def(feed.line).get("EA") ||
+        std::abs(line - feed.mass_per_length) > kOtherLine * feed.mass_per_length)
+        return false;
+    const BodyId far = beyond.body[node == 0 ? 0 : 1];
+    const bool to_lump = world.body_def(far).kind == BodyKind::lump;
+    const double there = world.body_def(lump).mass + (to_lump ? world.body_def(far).mass : 0.0);
+    if (!(mass > 0.0) || !nodes.remove_node(lump, kAnyBend)) return false;
+    // Lumps may have kept some of their halves (step/node_drum.cpp).
+    const double given = there - (to_lump ? world.body_def(far).mass : -0.5 * mass);
+    constexpr double kRounding = 1e-6;
+    at += (std::abs(given - mass) > kRounding * mass ? given : mass) / feed.mass_per_length;
+    return true;
+}
+
+}  // namespace hawser::wire

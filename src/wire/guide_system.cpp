@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "wire/guide_system.h"
+
+#include <hawser/world.h>
+
+#include "wire/bounds.h"
+#include "wire/feed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hawser::wire {
+namespace {
+
+/// Slot of the guide in the element before it and in the one behind.
+constexpr std::size_t kPlace[2] = {1, 0};
+/// What comes to the element per unit of the slide.
+constexpr double kSign[2] = {-1.0, 1.0};
+/// Of `element_length`: shorter is at the guide.
+constexpr double kLeast = 0.05;
+
+}  // namespace
+
+GuideSystem::GuideSystem(GuideDef def, const Guide& ids, InputId stop,
+                         const std::array<double, 2>& material)
+    : def_(std::move(def)), ids_(ids), stop_(stop), material_(material), angle_(ids.angle) {}
+
+void GuideSystem::visit_state(StateVisitor& v) {
+    for (double* x : {material_.data(), &material_[1], &slide_, &angle_, &speed_, &bound_,
+                      &hanging_, tension_.data(), &tension_[1]})
+        v.visit(*x);
+    v.visit(parted_);
+    v.visit(stopped_);
+}
+
+void GuideSystem::signals(SignalTable& table) {
+    table.output("angle", "rad", angle_);
+    table.output("before", "N", tension_[0]);
+    table.output("behind", "N", tension_[1]);
+    table.output("slide", "m", slide_);
+    table.output("speed", "m/s", speed_);
+    table.output("wire_before", "m", material_[0]);
+    table.output("wire_behind", "m", material_[1]);
+}
+
+void GuideSystem::holds(HoldTable& table) const {
+    table.hold(def_.body);
+    table.hold(ids_.slide);
+    for (const InteractionId id : {ids_.before, ids_.behind}) table.hold(id);
+    table.hold(ids_.friction);
+    table.hold(stop_);
+}
+
+double GuideSystem::carried_mass(InteractionId id) const noexcept {
+    if (parted_ != 0 || !(def_.element_length > 0.0)) return 0.0;
+    for (std::size_t side = 0; side < 2; ++side)
+        if (id == element(side)) return def_.mass_per_length * std::max(material_[side], 0.0);
+    return 0.0;
+}
+
+/// From the guide to the node on a side, without what lies on the wheel [m].
+double GuideSystem::straight(const World& world, std::size_t side) const noexcept {
+    const InteractionDef& d = world.interaction_def(element(side));
+    const std::size_t node = 1 - kPlace[side];
+    const Pose at = world.pose(def_.body);
+    const Vec3 to = world.world_point(d.body[node], d.point[node]) -
+                    world.world_point(def_.body, def_.point);
+    if (def_.radius == 0.0) return to.norm();
+    const Vec3 axis = at.orientation * def_.axis.normalized();
+    const double along = to.dot(axis), apart = (to - along * axis).squaredNorm();
+    return std::sqrt(std::max(0.0, apart - def_.radius * def_.radius) + along * along);
+}
+
+/// What the last step came to, before nodes come or go.
+void GuideSystem::look(const World& world) noexcept {
+    const double slide = world.pose(ids_.slide).position.x(), ran = slide - slide_;
+    slide_ = slide;
+    const double before = speed_;
+    speed_ = world.velocity(ids_.slide).linear.x();
+    const double gained = (speed_ - before) / world.settings().step;
+    if (!whole(world)) parted_ = 1;
+    if (parted_ != 0) {
+        tension_ = {};
+        return;
+    }
+    hanging_ = 0.0;
+    Vec3 u[2];
+    for (std::size_t side = 0; side < 2; ++side) {
+        material_[side] += kSign[side] * ran;
+        const std::array<Vec3, 2> ends = world.ends(element(side));
+        u[side] = (ends[1] - ends[0]).normalized();
+        // At the guide it has the weight of the half element there as well, and moves it along.
+        const Vec3 weight = weight_at(world, element(side), 1 - kPlace[side], half_mass(side));
+        const double more = kSign[side] * weight.dot(u[side]);
+        hanging_ += more;
+        tension_[side] = std::max(0.0, more - kSign[side] * half_mass(side) * gained -
+                                           world.force(element(side))[0]);
+    }
+    double angle = std::atan2(u[0].cross(u[1]).norm(), u[0].dot(u[1]));
+    if (def_.radius != 0.0) {
+        const Vec3 axis = world.pose(def_.body).orientation * def_.axis.normalized();
+        const double about =
+            std::atan2(u[0].cross(u[1]).dot(axis), u[0].dot(u[1])) * (def_.radius > 0.0 ? 1 : -1);
+        angle = angle_ + std::remainder(about - angle_, 2.0 * std::acos(-1.0));
+    }
+    angle_ = angle;
+}
+
+double GuideSystem::half_mass(std::size_t side) const noexcept {
+    return def_.element_length > 0.0
+               ? 0.5 * def_.mass_per_length * std::max(material_[side], 0.0)
+               : 0.0;
+}
+
+/// What no lump has of the elements at the guide.
+void GuideSystem::weigh(const World& world, Loads& loads) const noexcept {
+    if (!(def_.element_length > 0.0) || parted_ != 0) return;
+    double moved = 0.0, pull = 0.0;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const InteractionId line = element(side);
+        const std::size_t node = 1 - kPlace[side];
+        const double half = half_mass(side);
+        const std::array<Vec3, 2> ends = world.ends(line);
+        const Vec3 weight = weight_at(world, line, node, half);
+        const Vec3 u = (ends[node] - ends[kPlace[side]]).normalized();
+        load_ends(world, loads, line, node, half, weight,
+                  ends[kPlace[side]] - world.pose(def_.body).position);
+        pull += kSign[side] * weight.dot(u);
+        moved += half;
+    }
+    loads.add_force(ids_.slide, {pull, 0.0, 0.0});
+    loads.add_mass(ids_.slide, Eigen::Matrix<double, 1, 1>(moved));
+}
+
+/// Held against running out of a side, until the slide is pulled the other way.
+void GuideSystem::stop(Prestep& now) noexcept {
+    if (parted_ != 0) return;
+    const std::int32_t was = stopped_;
+    if (stopped_ >= 0) {
+        // Of running out of the side before it, which is up the slide, the stop pushes down.
+        const double force = now.world.force(ids_.friction)[0];
+        if (force * kSign[static_cast<std::size_t>(stopped_)] < 0.0) stopped_ = -1;
+    }
+    for (std::size_t side = 0; side < 2 && stopped_ < 0 && was < 0; ++side) {
+        const double least = kLeast * (def_.element_length > 0.0 ? def_.element_length : 1.0) +
+                             now.step * std::abs(speed_);
+        if (straight(now.world, side) < least && kSign[side] * speed_ < 0.0)
+            stopped_ = static_cast<std::int32_t>(side);
+    }
+    // The weight at the guide presses on it as the tensions of the elements do.
+    const double exponent = def_.friction * std::max(0.0, angle_) - std::log(def_.efficiency);
+    const double least = std::tanh(0.5 * exponent) * std::max(0.0, hanging_);
+    const double wanted = stopped_ >= 0 ? kUnbounded : least;
+    if (wanted != bound_) now.set_input(stop_, wanted);
+    bound_ = wanted;
+}
+
+void GuideSystem::prestep(Prestep& now, Loads& loads) noexcept {
+    stop(now);
+    weigh(now.world, loads);
+}
+
+void GuideSystem::before_step(NodeEdits& nodes) noexcept {
+    const World& world = nodes.world;
+    look(world);
+    if (!(def_.element_length > 0.0) || parted_ != 0) return;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const Feed feed{element(side), side == 1, def_.element_length, def_.mass_per_length};
+        const double out = straight(world, side);
+        if (out > kGrown * def_.element_length && material_[side] > def_.element_length)
+            (void)put_node(nodes, feed, material_[side], material_[side]);
+        else if (out < kShrunk * def_.element_length)
+            (void)take_node(nodes, feed, 1 - kPlace[side], material_[side]);
+    }
+}
+
+}  // namespace hawser::wire

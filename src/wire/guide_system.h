@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file guide_system.h
+/// What a guide does at the beginning of each step (hawser/guide.h).
+///
+/// *Stops.* Where a side has next to nothing left and no node could go, the slide is held by its
+/// friction, whose bound is raised for it, until what holds it would have to push: until it is
+/// pulled back.
+///
+/// What runs through, dq of the slide, comes off the material before and goes onto that behind. The
+/// straight part to the node on each side, of length L, says when nodes come and go: material that
+/// lies on the wheel has none.
+/// ```
+///              a
+///               \ L = √(d² − R²)         d from the axis to the node, square to the axis
+///          R .-'-\'
+///           (  c  )
+/// ```
+
+#include <hawser/guide.h>
+#include <hawser/system.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+
+namespace hawser::wire {
+
+class GuideSystem final : public System {
+  public:
+    /// @param material  Of the elements before and behind [m].
+    /// @param stop  The force of its friction beside that of the angle.
+    GuideSystem(GuideDef def, const Guide& ids, InputId stop,
+                const std::array<double, 2>& material);
+
+    [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
+    void prestep(Prestep& now, Loads& loads) noexcept override;
+    void before_step(NodeEdits& nodes) noexcept override;
+    void visit_state(StateVisitor& visitor) override;
+    void signals(SignalTable& table) override;
+    void holds(HoldTable& table) const override;
+    [[nodiscard]] double carried_mass(InteractionId element) const noexcept override;
+    [[nodiscard]] std::unique_ptr<System> clone() const override {
+        return std::make_unique<GuideSystem>(def_, ids_, stop_, material_);
+    }
+
+  private:
+    [[nodiscard]] InteractionId element(std::size_t side) const noexcept {
+        return side == 0 ? ids_.before : ids_.behind;
+    }
+    [[nodiscard]] bool whole(const World& world) const noexcept {
+        return parted_ == 0 && world.intact(ids_.before) && world.intact(ids_.behind);
+    }
+    [[nodiscard]] double straight(const World& world, std::size_t side) const noexcept;
+    /// Of what no lump has of an element [kg].
+    [[nodiscard]] double half_mass(std::size_t side) const noexcept;
+    void stop(Prestep& now) noexcept;
+    void look(const World& world) noexcept;
+    void weigh(const World& world, Loads& loads) const noexcept;
+
+    GuideDef def_;
+    Guide ids_;
+    InputId stop_;
+    // State.
+    std::array<double, 2> material_;
+    double slide_ = 0.0;
+    double bound_ = 0.0;  ///< Of its friction, beside the elements' tensions [N].
+    std::int32_t parted_ = 0;
+    std::int32_t stopped_ = -1;  ///< Side that has nothing left to run, −1: none.
+    // Outputs.
+    double angle_ = 0.0, speed_ = 0.0;
+    std::array<double, 2> tension_{};
+    double hanging_ = 0.0;  ///< Weight of the half elements along the wire [N].
+};
+
+}  // namespace hawser::wire
