@@ -27,16 +27,16 @@
 /// the weight, and the slide with what of that pulls along the wire.
 ///
 /// A guide is a System (system.h). Signals, as "name.signal": `angle` [rad], `before` and `behind`
-/// [N], the tensions at the guide, `slide` [m], `speed` [m/s], `wire_before`, `wire_behind` [m], the
-/// wire between the guide and the next lump.
+/// [N], the tensions at the guide, `slide` [m], `speed` [m/s], `wire_before`, `wire_behind` [m],
+/// the wire between the guide and the next lump.
 ///
 /// *Stops.* What cannot run through (the last lump of a wire, gear, another line type) comes up to
 /// the guide and stops there: the slide is held against running on until it is pulled back.
 ///
 /// Limits: the wire stays on its guide whatever way it pulls, and keeps its place along the axis.
 /// Elements must have a mass of their own (WireDef::consistent_mass), or none runs through. Two
-/// guides, or a guide and a drum, have at least two elements of wire between them. A wire that parts
-/// at a guide stays an element at it.
+/// guides, or a guide and a drum, have at least two elements of wire between them. A wire that
+/// parts at a guide stays an element at it.
 
 #include <hawser/id.h>
 #include <hawser/interactions.h>

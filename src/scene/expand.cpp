@@ -196,10 +196,14 @@ class Expander {
         Json content = Json::object();
         const Format& f = format();
         const std::pair<const char*, const Shape*> lists[] = {
-            {"bodies", f.bodies.get()}, {"instances", f.instances.get()},
-            {"cables", f.cables.get()}, {"winches", f.winches.get()},
-            {"guides", f.guides.get()}, {"routes", f.routes.get()},
-            {"interactions", f.interactions.get()}, {"inputs", f.inputs.get()},
+            {"bodies", f.bodies.get()},
+            {"instances", f.instances.get()},
+            {"cables", f.cables.get()},
+            {"winches", f.winches.get()},
+            {"guides", f.guides.get()},
+            {"routes", f.routes.get()},
+            {"interactions", f.interactions.get()},
+            {"inputs", f.inputs.get()},
             {"outputs", f.outputs.get()}};
         const bool filled = with_note(out_.mistakes, inner.note, [&] {
             for (const auto& [key, shape] : lists) {

@@ -68,8 +68,9 @@ CableSection& section_of(Cable& cable, std::size_t element) {
 void lighten(BodyDef& lump, double half, const Place& place) {
     if (lump.kind != BodyKind::lump || !(half > 0.0)) return;
     if (!(lump.mass > half * (1.0 + 1e-6)))
-        refuse(place / "cable",
-               "a lump next to the guide has no element but that one; give the cable more elements");
+        refuse(
+            place / "cable",
+            "a lump next to the guide has no element but that one; give the cable more elements");
     const double scale = (lump.mass - half) / lump.mass;
     lump.mass -= half;
     lump.linear_damping *= scale;
@@ -129,12 +130,11 @@ void divide(Description& out, Cable& cable, std::size_t k, GuideDef& def, const 
     InteractionDef filled = element;
     for (const auto& [key, value] : {std::pair{"tension_only", 1.0}, {"breaking_load", 1e30}})
         if (std::isnan(filled.get(key))) filled.set(key, value);
-    GuidePlan plan = plan_guide(def, filled, filled.get("EA") * (chord / length - 1.0),
-                                [&out](BodyId id) {
-                                    const BodyDef& b = out.body(id);
-                                    return RouteBody{b.position, b.orientation.normalized(), b.kind,
-                                                     b.mass};
-                                });
+    GuidePlan plan =
+        plan_guide(def, filled, filled.get("EA") * (chord / length - 1.0), [&out](BodyId id) {
+            const BodyDef& b = out.body(id);
+            return RouteBody{b.position, b.orientation.normalized(), b.kind, b.mass};
+        });
     if (density > 0.0)
         for (const BodyId end : {element.body[0], element.body[1]})
             lighten(out.bodies[static_cast<std::size_t>(end.index)], 0.5 * mass, place);
@@ -169,8 +169,7 @@ void expand_guides(Description& out, const Scope& scope) {
             for (const GuideItem& other : out.guides)
                 if (other.def.name == def.name)
                     refuse(place / "name", "the guide " + in_quotes(def.name) + " exists already");
-            Cable& cable =
-                cable_of(out, scope, json["cable"].get<std::string>(), place / "cable");
+            Cable& cable = cable_of(out, scope, json["cable"].get<std::string>(), place / "cable");
             if (cable.links)
                 refuse(place / "cable",
                        "a cable of links cannot run over a guide; give it \"as\": \"lumps\"");

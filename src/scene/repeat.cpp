@@ -12,7 +12,8 @@ namespace {
 
 /// What of the description is copy 0.
 struct Extent {
-    std::size_t bodies, interactions, inputs, outputs, cables, shapes, winches, guides, resolutions, levers;
+    std::size_t bodies, interactions, inputs, outputs, cables, shapes, winches, guides, resolutions,
+        levers;
 };
 
 std::string copy_prefix(int copy) { return std::to_string(copy) + ":"; }
@@ -58,7 +59,8 @@ class Copier {
           offset_(vector_of(repeat["offset"])),
           base_{out.bodies.size(),  out.interactions.size(), out.inputs.size(),
                 out.outputs.size(), out.cables.size(),       out.shapes.size(),
-                out.winches.size(), out.guides.size(), out.resolutions.size(),  out.levers.size()} {}
+                out.winches.size(), out.guides.size(),       out.resolutions.size(),
+                out.levers.size()} {}
 
     void run(int copies) {
         const auto check = [&](std::size_t each, std::int64_t most, const char* what) {

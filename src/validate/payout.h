@@ -14,7 +14,7 @@ inline constexpr double kStep = 1.0 / 60.0;
 inline constexpr double kLineMass = 23.0, kLineEA = 2.33e8;  // kg/m, N
 inline constexpr double kAnchor = 13e3;                      // kg
 inline constexpr double kStored = 1500.0, kWire = 0.076;     // m
-inline constexpr double kRamp = 10.0;  // s, in which the speed comes and goes
+inline constexpr double kRamp = 10.0;                        // s, in which the speed comes and goes
 
 /// Speed over that which it comes to, `even` long, in and out within kRamp. Without a jump of
 /// acceleration, on which the anchor would bounce for minutes where nothing damps it.

@@ -139,8 +139,8 @@ double load_size(const World& world, InteractionId id) {
 
 // Euler's and Eytelwein's ratio of the tensions before and behind a place, as a share of their sum.
 double line_share(const World& world, const InteractionDef& def, std::span<const Pose> pose) {
-    const double angle =
-        turn_between(world, def.load[0].interaction, def.load[1].interaction, def.get("angle"), pose);
+    const double angle = turn_between(world, def.load[0].interaction, def.load[1].interaction,
+                                      def.get("angle"), pose);
     const double ratio = std::exp(def.get("friction") * angle) / def.get("efficiency");
     return (ratio - 1.0) / (ratio + 1.0);
 }

@@ -57,10 +57,10 @@ double turn_between(const World& world, InteractionId before, InteractionId behi
     const double between = std::acos(std::clamp(u.dot(v), -1.0, 1.0));
     // From the sine where the cosine tells nothing.
     const double angle =
-        std::abs(u.dot(v)) > 0.7 ? (u.dot(v) > 0.0 ? std::asin(std::min(1.0, u.cross(v).norm()))
-                                                    : std::acos(-1.0) -
-                                                          std::asin(std::min(1.0, u.cross(v).norm())))
-                                 : between;
+        std::abs(u.dot(v)) > 0.7
+            ? (u.dot(v) > 0.0 ? std::asin(std::min(1.0, u.cross(v).norm()))
+                              : std::acos(-1.0) - std::asin(std::min(1.0, u.cross(v).norm())))
+            : between;
     if (wheel == 0.0) return angle;
     const bool with = u.cross(v).dot(first.axis(1, 2)) * wheel >= 0.0;
     const double turn = 2.0 * std::acos(-1.0), now = with ? angle : -angle;

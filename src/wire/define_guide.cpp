@@ -90,15 +90,15 @@ Guide guide_there_is(const World& world, const GuideDef& def) {
 }
 
 /// Nodes that run through must have somewhere to come from and to go to. @throws DefError
-void check_room(const World& world, const GuideDef& def, const Guide& ids) {
+void check_room(const World& world, const GuideDef& def, InteractionId before, InteractionId behind,
+                const std::array<double, 2>& material) {
     if (!(def.element_length > 0.0)) return;
     const auto elements = world.elements(def.wire);
-    const auto before = std::find(elements.begin(), elements.end(), ids.before);
     const auto length = [&](InteractionId id) { return world.interaction_def(id).get("length"); };
     constexpr double kRoom = 2.0, kRounding = 1e-6;
     for (const int way : {-1, 1}) {
-        auto at = way < 0 ? before : before + 1;
-        double sum = length(*at);
+        auto at = std::find(elements.begin(), elements.end(), way < 0 ? before : behind);
+        double sum = material[way < 0 ? 0 : 1];
         for (;;) {
             if (way < 0 ? at == elements.begin() : at + 1 == elements.end()) {
                 sum = 1e300;  // an end, which stops at the guide
@@ -127,12 +127,13 @@ void check(World& world, const GuideDef& def) {
     const Nonsmooth method = world.settings().nonsmooth;
     if (method == Nonsmooth::pgs || method == Nonsmooth::split)
         refuse(def, "nonsmooth = pgs and split take no loads of systems; choose newton");
-    if (!std::isnan(def.element_length) && !(def.element_length >= 0.0 && def.element_length <= 1e6))
+    if (!std::isnan(def.element_length) &&
+        !(def.element_length >= 0.0 && def.element_length <= 1e6))
         refuse(def, "element_length = " + wire::number(def.element_length) +
                         " m; give 0 to 1e6 (0: no node runs through)");
     if (!std::isnan(def.mass_per_length) && !(def.mass_per_length >= 0.0))
-        refuse(def, "mass_per_length = " + wire::number(def.mass_per_length) +
-                        " kg/m; give 0 or more");
+        refuse(def,
+               "mass_per_length = " + wire::number(def.mass_per_length) + " kg/m; give 0 or more");
 }
 
 }  // namespace
@@ -189,6 +190,7 @@ Guide define(World& world, const GuideDef& given) {
                 world.interaction_def(side == 0 ? out.before : out.behind).get("length");
         if (std::isnan(def.mass_per_length) || std::isnan(def.element_length))
             refuse(def, "with a slide of its own give mass_per_length and element_length");
+        check_room(world, def, out.before, out.behind, material);
     } else {
         const InteractionId id = def.element.valid() ? def.element : nearest_element(world, def);
         if (!world.alive(id) || world.wire_of(id) != def.wire)
@@ -201,16 +203,18 @@ Guide define(World& world, const GuideDef& given) {
         if (std::isnan(def.mass_per_length)) def.mass_per_length = mass / length;
         if (std::isnan(def.element_length)) def.element_length = mass > 0.0 ? length : 0.0;
         if (def.element_length > 0.0 && !(mass > 0.0))
-            refuse(def, "element_length: its wire's elements have no mass of their own that could "
-                        "run through (consistent_mass)");
-        const double tension =
-            element.get("EA") * ((ends[1] - ends[0]).norm() / length - 1.0);
+            refuse(def,
+                   "element_length: its wire's elements have no mass of their own that could "
+                   "run through (consistent_mass)");
+        const double tension = element.get("EA") * ((ends[1] - ends[0]).norm() / length - 1.0);
         GuidePlan plan = plan_guide(def, element, tension, [&world, &def](BodyId b) {
             if (!world.alive(b)) refuse(def, "one of its bodies is not there");
             const Pose pose = world.pose(b);
             return RouteBody{pose.position, pose.orientation, world.body_def(b).kind,
                              world.body_def(b).mass};
         });
+        material = {plan.material[0], plan.material[1]};
+        check_room(world, def, id, id, material);
         out.slide = world.add_body(plan.slide);
         try {
             for (InteractionDef* part : {&plan.before, &plan.behind}) part->body[2] = out.slide;
@@ -226,10 +230,8 @@ Guide define(World& world, const GuideDef& given) {
         plan.friction.load[1].interaction = out.behind;
         out.friction = world.add_interaction(plan.friction);
         out.angle = plan.angle;
-        material = {plan.material[0], plan.material[1]};
         def.slide = out.slide;
     }
-    check_room(world, def, out);
     const InputId stop = world.add_input(
         {.name = def.name + "/friction/force", .interaction = out.friction, .param = "force"});
     world.add_system(std::make_unique<wire::GuideSystem>(def, out, stop, material));

@@ -36,12 +36,13 @@ void load_ends(const World& world, Loads& loads, InteractionId line, std::size_t
 /// What a node that comes or goes needs to know.
 struct Feed {
     InteractionId line{};
-    bool ahead = false;  ///< What feeds it is at its first end.
+    bool ahead = false;            ///< What feeds it is at its first end.
     double element = 0.0;          ///< Length of what comes [m].
     double mass_per_length = 0.0;  ///< [kg/m]
 };
 
-/// A node comes on the element. @param at  Its material [m], which gets less by what the node takes.
+/// A node comes on the element. @param at  Its material [m], which gets less by what the node
+/// takes.
 /// @return whether one came.
 bool put_node(NodeEdits& nodes, const Feed& feed, double there, double& at) noexcept;
 

@@ -64,8 +64,8 @@ double GuideSystem::straight(const World& world, std::size_t side) const noexcep
     const InteractionDef& d = world.interaction_def(element(side));
     const std::size_t node = 1 - kPlace[side];
     const Pose at = world.pose(def_.body);
-    const Vec3 to = world.world_point(d.body[node], d.point[node]) -
-                    world.world_point(def_.body, def_.point);
+    const Vec3 to =
+        world.world_point(d.body[node], d.point[node]) - world.world_point(def_.body, def_.point);
     if (def_.radius == 0.0) return to.norm();
     const Vec3 axis = at.orientation * def_.axis.normalized();
     const double along = to.dot(axis), apart = (to - along * axis).squaredNorm();
@@ -94,8 +94,8 @@ void GuideSystem::look(const World& world) noexcept {
         const Vec3 weight = weight_at(world, element(side), 1 - kPlace[side], half_mass(side));
         const double more = kSign[side] * weight.dot(u[side]);
         hanging_ += more;
-        tension_[side] = std::max(0.0, more - kSign[side] * half_mass(side) * gained -
-                                           world.force(element(side))[0]);
+        tension_[side] = std::max(
+            0.0, more - kSign[side] * half_mass(side) * gained - world.force(element(side))[0]);
     }
     double angle = std::atan2(u[0].cross(u[1]).norm(), u[0].dot(u[1]));
     if (def_.radius != 0.0) {
@@ -108,9 +108,8 @@ void GuideSystem::look(const World& world) noexcept {
 }
 
 double GuideSystem::half_mass(std::size_t side) const noexcept {
-    return def_.element_length > 0.0
-               ? 0.5 * def_.mass_per_length * std::max(material_[side], 0.0)
-               : 0.0;
+    return def_.element_length > 0.0 ? 0.5 * def_.mass_per_length * std::max(material_[side], 0.0)
+                                     : 0.0;
 }
 
 /// What no lump has of the elements at the guide.

@@ -192,8 +192,9 @@ inline constexpr std::string_view kKinds = R"({
      "teeth_2": -60},
     {"name": "scalar_clutch", "kind": "scalar_clutch", "bodies": ["d", "e"], "force_max": 4},
     {"name": "span", "kind": "span", "bodies": ["c", "p", "d", "e"], "EA": 1e6},
-    {"name": "end_span", "kind": "end_span", "bodies": ["c", "p", "d"], "EA": 1e6},
-    {"name": "body_span", "kind": "body_span", "bodies": ["d", "e"], "EA": 1e6, "path": 1, "length": 1}
+    {"name": "end_span", "kind": "end_span", "bodies": ["c", "p", "d"], "EA": 1e6, "radius": 1},
+    {"name": "body_span", "kind": "body_span", "bodies": ["d", "e"], "EA": 1e6, "path": 1, "length": 1},
+    {"name": "line_friction", "kind": "line_friction", "bodies": ["d"], "friction": 0.2, "angle": 1}
   ]
 })";
 

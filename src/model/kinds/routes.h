@@ -194,9 +194,7 @@ struct Span {
         out.g[0] = open - d.slide[0] * b[2].x.x - d.slide[1] * b[3].x.x;
         for (int k = 0; k < 2; ++k) out.set(2 + k, 0, {-d.slide[k], 0, 0}, {0, 0, 0});
     }
-    static void line_arms(const Data& d, const BodyRef* b, V3 (&arm)[2]) {
-        span_arms(d, b, arm);
-    }
+    static void line_arms(const Data& d, const BodyRef* b, V3 (&arm)[2]) { span_arms(d, b, arm); }
 #ifdef HAWSER_KIND_SETUP
     static Data make(const InteractionDef& d) { return Data::of(d); }
 #endif
@@ -247,9 +245,7 @@ struct EndSpan {
         out.g[0] = span_row(d, b, out) - d.radius * (b[2].x.x - d.zero);
         out.set(2, 0, {-d.radius, 0, 0}, {0, 0, 0});
     }
-    static void line_arms(const Data& d, const BodyRef* b, V3 (&arm)[2]) {
-        span_arms(d, b, arm);
-    }
+    static void line_arms(const Data& d, const BodyRef* b, V3 (&arm)[2]) { span_arms(d, b, arm); }
 #ifdef HAWSER_KIND_SETUP
     static Data make(const InteractionDef& d) {
         Data o{};
@@ -344,9 +340,10 @@ struct LineFriction {
         .coordinate = KindCoordinate::scalar,
         .traits = kFrictionKind | kFollowsAngle,
         .params = kLineFrictionParams,
-        .doc = "Friction of a line at a place that it runs over, of the scalar body that tells how "
-               "much has run through. Its `loads` are the parts before and behind; their factors "
-               "follow the angle by which the line turns."};
+        .doc =
+            "Friction of a line at a place that it runs over, of the scalar body that tells how "
+            "much has run through. Its `loads` are the parts before and behind; their factors "
+            "follow the angle by which the line turns."};
     using Data = ScalarFriction::Data;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { friction_rows(d, h, s); }
     static void evaluate(const Data& d, const BodyRef* b, Rows<1, 1>& out) {
