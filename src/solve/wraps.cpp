@@ -37,7 +37,9 @@ double wrap_angle(const Model& model, std::int32_t friction) noexcept {
         using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
         axis = Eigen::Map<const RowMajor>(&bodies.r[9 * body]) * axis;
     }
-    const double about = std::atan2(turn.dot(axis), u.dot(v)) * (wheel > 0.0 ? 1.0 : -1.0);
+    // Across the axis alone.
+    const double across = u.dot(v) - u.dot(axis) * v.dot(axis);
+    const double about = std::atan2(turn.dot(axis), across) * (wheel > 0.0 ? 1.0 : -1.0);
     return std::max(0.0, defined + std::remainder(about - defined, kTurn));
 }
 

@@ -52,15 +52,18 @@ double turn_between(const World& world, InteractionId before, InteractionId behi
                     std::span<const Pose> pose) {
     if (!has_ends(world, before) || !has_ends(world, behind)) return defined;
     const Attached first(world, before, pose), second(world, behind, pose);
-    const Vec3 u = line_ends(first).along, v = line_ends(second).along;
+    Vec3 u = line_ends(first).along, v = line_ends(second).along;
     const double wheel = wheel_at(first.def(), 1);
-    const double between = std::acos(std::clamp(u.dot(v), -1.0, 1.0));
+    if (wheel != 0.0) {  // what of both lies in the plane of the wheel
+        const Vec3 n = first.axis(1, 2);
+        u = (u - u.dot(n) * n).normalized();
+        v = (v - v.dot(n) * n).normalized();
+    }
     // From the sine where the cosine tells nothing.
-    const double angle =
-        std::abs(u.dot(v)) > 0.7
-            ? (u.dot(v) > 0.0 ? std::asin(std::min(1.0, u.cross(v).norm()))
-                              : std::acos(-1.0) - std::asin(std::min(1.0, u.cross(v).norm())))
-            : between;
+    const double sine = std::asin(std::min(1.0, u.cross(v).norm()));
+    const double angle = u.dot(v) > 0.7    ? sine
+                         : u.dot(v) < -0.7 ? std::acos(-1.0) - sine
+                                           : std::acos(u.dot(v));
     if (wheel == 0.0) return angle;
     const bool with = u.cross(v).dot(first.axis(1, 2)) * wheel >= 0.0;
     const double turn = 2.0 * std::acos(-1.0), now = with ? angle : -angle;

@@ -100,8 +100,9 @@ void GuideSystem::look(const World& world) noexcept {
     double angle = std::atan2(u[0].cross(u[1]).norm(), u[0].dot(u[1]));
     if (def_.radius != 0.0) {
         const Vec3 axis = world.pose(def_.body).orientation * def_.axis.normalized();
+        const double across = u[0].dot(u[1]) - u[0].dot(axis) * u[1].dot(axis);
         const double about =
-            std::atan2(u[0].cross(u[1]).dot(axis), u[0].dot(u[1])) * (def_.radius > 0.0 ? 1 : -1);
+            std::atan2(u[0].cross(u[1]).dot(axis), across) * (def_.radius > 0.0 ? 1 : -1);
         angle = angle_ + std::remainder(about - angle_, 2.0 * std::acos(-1.0));
     }
     angle_ = angle;
