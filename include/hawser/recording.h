@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -57,6 +58,19 @@ struct RecordedCable {
     Vec3 end[2] = {Vec3::Zero(), Vec3::Zero()};
     std::int32_t elements = 0;
     std::int32_t first_element = 0;  ///< In Frame::tensions.
+};
+
+/// An element of a wire between points in the frames of two bodies.
+struct RecordedPiece {
+    std::int32_t body[2] = {-1, -1};
+    Vec3 point[2] = {Vec3::Zero(), Vec3::Zero()};  ///< [m]
+};
+
+/// A wire of which nodes have come or gone: in place of the cable of its name, from a frame on.
+struct RecordedWire {
+    std::string name;
+    std::vector<RecordedPiece> pieces;  ///< From end to end.
+    std::size_t first_piece = 0;        ///< In Frame::pulls.
 };
 
 /// A joint or rod, for pictures: it joins a point of one body to a point of another.
@@ -125,6 +139,9 @@ struct Frame {
     std::vector<Pose> poses;         ///< Of every body; that of the start where it is not there.
     std::vector<bool> there;         ///< By body: it had come, and had not gone.
     std::vector<float> tensions;     ///< Of every element of every cable [N].
+    /// What wires are made of, where that is no longer what cables say; the recording's own.
+    const std::vector<RecordedWire>* wires = nullptr;
+    std::vector<float> pulls;  ///< Tension of each of their pieces [N], −1: parted.
 };
 
 enum class Ending : std::uint8_t { finished, interrupted, failed, unknown };
@@ -168,6 +185,8 @@ class Recording {
 
     [[nodiscard]] std::size_t frame_count() const noexcept { return frames_.size(); }
     [[nodiscard]] Frame frame(std::size_t index) const;
+    /// By body: a lump of a wire in some frame in which nodes had come or gone.
+    [[nodiscard]] std::vector<bool> wire_lumps() const;
     /// Without poses and tensions: cheap.
     [[nodiscard]] Frame frame_head(std::size_t index) const;
 
@@ -181,6 +200,9 @@ class Recording {
     void read_changes(ByteReader in);
     void read_bodies(ByteReader in);
     void read_loads(ByteReader in);
+    void read_wires(ByteReader in);
+    void read_pulls(std::span<const std::byte> payload);
+    void find_wires(std::size_t index, Frame& frame) const;
     void read_cut(ByteReader in);
     void read_event(ByteReader in);
     void read_end(ByteReader in);
@@ -198,6 +220,12 @@ class Recording {
     std::vector<std::byte> bytes_;
     std::vector<std::span<const std::byte>> frames_;
     std::vector<Layout> layouts_;
+    struct Wires {
+        std::size_t first_frame = 0, pieces = 0;
+        std::vector<RecordedWire> wires;
+        std::vector<std::span<const std::byte>> pulls;  ///< Of each frame from there on.
+    };
+    std::vector<std::unique_ptr<Wires>> wires_;  ///< Frames point into them.
 };
 
 /// Does to a world again what was done to the recorded one, and lets its steps leave out what those

@@ -115,13 +115,49 @@ std::vector<Vec3> cable_points(const record::Recording& recording,
     return points;
 }
 
+/// Whether the frame has a wire in the place of a cable.
+bool is_changed(const record::Frame& frame, const record::RecordedCable& cable) {
+    return frame.wires != nullptr &&
+           std::any_of(frame.wires->begin(), frame.wires->end(),
+                       [&](const record::RecordedWire& w) { return w.name == cable.name; });
+}
+
+/// Wires as they are made up in a frame in which nodes have come or gone. What lies on a wheel
+/// between two pieces is drawn as its chord.
+void draw_wires(Drawing& drawing, const Axes& axes, const View& view, const record::Frame& frame,
+                const FrameStyle& style) {
+    const auto where = [&](const record::RecordedPiece& piece, int k) {
+        return project(axes, view, place(frame, piece.body[k], piece.point[k]));
+    };
+    for (const record::RecordedWire& wire : *frame.wires)
+        for (std::size_t i = 0; i < wire.pieces.size(); ++i) {
+            const record::RecordedPiece& piece = wire.pieces[i];
+            const Point from = where(piece, 0), to = where(piece, 1);
+            const double pull = frame.pulls[wire.first_piece + i];
+            if (pull < 0.0 && !style.ghost) {
+                for (const Point end : {from, to}) draw_cross(drawing, end);
+                continue;
+            }
+            const Color color =
+                style.ghost ? kGhost
+                            : scale_color((pull - style.tension.low) / style.tension.span());
+            drawing.line(from, to, color, style.ghost ? 1.0 : 2.2);
+            const bool goes_on =
+                i + 1 < wire.pieces.size() && wire.pieces[i + 1].body[0] == piece.body[1];
+            if (goes_on)
+                drawing.line(to, where(wire.pieces[i + 1], 0), color, style.ghost ? 1.0 : 2.2);
+        }
+}
+
 void draw_cables(Drawing& drawing, const Axes& axes, const View& view,
                  const record::Recording& recording, const record::Frame& frame,
                  const FrameStyle& style) {
     const std::vector<PartedElement> parted =
         style.ghost ? std::vector<PartedElement>{} : parted_elements(recording, frame.time);
+    if (frame.wires != nullptr) draw_wires(drawing, axes, view, frame, style);
     for (std::size_t c = 0; c < recording.cables.size(); ++c) {
         const record::RecordedCable& cable = recording.cables[c];
+        if (is_changed(frame, cable)) continue;
         std::vector<Point> points;
         const std::vector<Vec3> nodes = cable_points(recording, cable, frame);
         points.reserve(nodes.size());
@@ -158,7 +194,7 @@ Point project(const Axes& axes, const View& view, const Vec3& p) {
 }
 
 std::vector<bool> visible_bodies(const record::Recording& recording) {
-    std::vector<bool> node(recording.bodies.size(), false), visible(recording.bodies.size());
+    std::vector<bool> node = recording.wire_lumps(), visible(recording.bodies.size());
     for (const record::RecordedCable& cable : recording.cables)
         for (const std::int32_t body : cable.nodes) node[static_cast<std::size_t>(body)] = true;
     for (std::size_t i = 0; i < visible.size(); ++i) {
@@ -176,7 +212,12 @@ void add_to_bounds(const record::Recording& recording, const record::Frame& fram
             for (const Vec3& corner : corners(recording.bodies[i], frame.poses[i]))
                 bounds.add(corner);
     for (const record::RecordedCable& cable : recording.cables)
-        for (const Vec3& point : cable_points(recording, cable, frame)) bounds.add(point);
+        if (!is_changed(frame, cable))
+            for (const Vec3& point : cable_points(recording, cable, frame)) bounds.add(point);
+    if (frame.wires != nullptr)
+        for (const record::RecordedWire& wire : *frame.wires)
+            for (const record::RecordedPiece& piece : wire.pieces)
+                for (int k = 0; k < 2; ++k) bounds.add(place(frame, piece.body[k], piece.point[k]));
     for (const record::RecordedJoint& joint : recording.joints)
         for (int k = 0; k < 2; ++k)
             if (recording.bodies[static_cast<std::size_t>(joint.body[k])].kind != BodyKind::scalar)

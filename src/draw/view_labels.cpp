@@ -182,7 +182,9 @@ void draw_names(Drawing& drawing, const Axes& axes, const View& view,
 }
 
 Range tension_range(const record::Frame& frame) {
-    const std::vector<double> values(frame.tensions.begin(), frame.tensions.end());
+    const std::vector<float>& of = frame.wires != nullptr ? frame.pulls : frame.tensions;
+    std::vector<double> values(of.begin(), of.end());
+    for (double& value : values) value = std::max(0.0, value);  // of what has parted −1
     Range r = range_of(values);
     if (r.low > 0.0 && r.low < 0.6 * r.high) r.low = 0.0;
     return widened(r, 0.0, std::max(1.0, 1e-3 * std::abs(r.high)));

@@ -48,10 +48,16 @@ int pose_floats(BodyKind kind) noexcept {
 }
 
 std::vector<bool> cable_interior(const Recording& recording) {
-    std::vector<bool> interior(recording.bodies.size(), false);
-    for (const RecordedCable& cable : recording.cables)
+    std::vector<bool> interior = recording.wire_lumps();
+    const auto is_lump = [&](std::int32_t body) {
+        return recording.bodies[static_cast<std::size_t>(body)].kind == BodyKind::lump;
+    };
+    for (const RecordedCable& cable : recording.cables) {
+        // A hull that lumps run over is none of the cable's own.
+        const bool lumps = std::any_of(cable.nodes.begin(), cable.nodes.end(), is_lump);
         for (std::size_t i = 1; i + 1 < cable.nodes.size(); ++i)
-            interior[static_cast<std::size_t>(cable.nodes[i])] = true;
+            interior[static_cast<std::size_t>(cable.nodes[i])] = !lumps || is_lump(cable.nodes[i]);
+    }
     return interior;
 }
 
@@ -133,6 +139,10 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
         read_loads(in);
     } else if (kind == kBodiesChunk) {
         read_bodies(in);
+    } else if (kind == kWiresChunk) {
+        read_wires(in);
+    } else if (kind == kPullsChunk) {
+        read_pulls(payload);
     } else if (kind == kCutChunk) {
         read_cut(in);
     } else if (kind == kEventChunk) {
@@ -282,6 +292,7 @@ Frame Recording::frame(std::size_t index) const {
     }
     frame.tensions.resize(static_cast<std::size_t>(element_count));
     for (float& tension : frame.tensions) tension = in.get<float>();
+    find_wires(index, frame);
     return frame;
 }
 

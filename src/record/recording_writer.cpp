@@ -54,7 +54,7 @@ void put_pose(ByteWriter& out, const Pose& pose, const Pose& start, BodyKind kin
 
 RecordingWriter::RecordingWriter(const std::filesystem::path& file, const SceneInfo& scene,
                                  const World& world, const RecordingSettings& settings)
-    : file_(file) {
+    : file_(file), wires_(world) {
     // A pipe would be waited for.
     if (const std::string fault = output_fault(file); !fault.empty())
         throw RecordingError(
@@ -170,8 +170,18 @@ void RecordingWriter::follow_bodies(const World& world) {
     bodies_ = std::move(now);
 }
 
+void RecordingWriter::follow_wires(const World& world) {
+    if (!wires_.changed(world)) return;
+    other_wires_ = true;
+    std::vector<BodyId> bodies;
+    for (const FramedBody& body : bodies_) bodies.push_back(body.id);
+    wires_.put_wires(payload_, world, bodies);
+    write_chunk(kWiresChunk);
+}
+
 void RecordingWriter::add_frame(const World& world) {
     if (other_bodies_) follow_bodies(world);
+    follow_wires(world);
     const StepStats& stats = world.stats();
     payload_.put(world.step_count());
     payload_.put(world.time());
@@ -184,6 +194,9 @@ void RecordingWriter::add_frame(const World& world) {
     for (const InteractionId element : elements_)
         payload_.put(to_float(world.alive(element) ? element_tension(world, element) : 0.0));
     write_chunk(kFrameChunk);
+    if (!other_wires_) return;
+    wires_.put_pulls(payload_, world);
+    write_chunk(kPullsChunk);
 }
 
 void RecordingWriter::add_inputs(std::span<const RecordedInput> changes) {

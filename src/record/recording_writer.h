@@ -8,6 +8,7 @@
 
 #include "record/bytes.h"
 #include "record/changes.h"
+#include "record/recording_wires.h"
 #include "record/scene_info.h"
 
 #include <cstdio>
@@ -50,10 +51,13 @@ class RecordingWriter {
         Pose start;
     };
     void follow_bodies(const World& world);
+    void follow_wires(const World& world);
 
     std::vector<InteractionId> elements_;
     std::vector<FramedBody> bodies_;  ///< Of a frame, in its order.
-    bool other_bodies_ = false;       ///< Than bodies_: they are written before the next frame.
+    WireFollower wires_;
+    bool other_wires_ = false;   ///< Than those of the start: frames have their tensions.
+    bool other_bodies_ = false;  ///< Than bodies_: they are written before the next frame.
 };
 
 /// Bytes of one frame in the file.

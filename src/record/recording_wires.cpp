@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/recording_wires.h"
+
+#include "record/recording_bytes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace hawser::record {
+namespace {
+
+/// Bytes of a piece: two places and two points.
+constexpr std::size_t kPieceBytes = 2 * (4 + 24);
+
+}  // namespace
+
+WireFollower::WireFollower(const World& world) {
+    // Cables of a layout know no wheels: where there are some, frames say from the first one on how
+    // wires lie.
+    for (const WireId wire : world.wires())
+        for (const InteractionId id : world.elements(wire))
+            if (world.alive(id) && kind_info(world.interaction_def(id).kind).is(kRouted)) return;
+    (void)changed(world);
+}
+
+bool WireFollower::changed(const World& world) {
+    const auto wires = world.wires();
+    bool other = elements_.size() != wires.size();
+    elements_.resize(wires.size());
+    for (std::size_t w = 0; w < wires.size(); ++w) {
+        const auto all = world.elements(wires[w]);
+        std::vector<InteractionId>& known = elements_[w];
+        std::size_t k = 0;
+        for (const InteractionId id : all) {
+            if (!world.alive(id)) continue;
+            other = other || k >= known.size() || known[k] != id;
+            if (k >= known.size()) known.push_back(id);
+            known[k++] = id;
+        }
+        other = other || k != known.size();
+        known.resize(k);
+    }
+    return other;
+}
+
+void WireFollower::put_wires(ByteWriter& out, const World& world,
+                             std::span<const BodyId> bodies) const {
+    const auto wires = world.wires();
+    out.put(static_cast<std::uint32_t>(wires.size()));
+    for (std::size_t w = 0; w < wires.size(); ++w) {
+        out.put_text(world.wire_name(wires[w]));
+        out.put(static_cast<std::uint32_t>(elements_[w].size()));
+        for (const InteractionId id : elements_[w]) {
+            const InteractionDef& d = world.interaction_def(id);
+            const std::array<Vec3, 2> ends = world.ends(id);
+            for (std::size_t k = 0; k < 2; ++k) {
+                const auto place = std::lower_bound(bodies.begin(), bodies.end(), d.body[k]);
+                out.put(static_cast<std::int32_t>(place - bodies.begin()));
+                const Pose pose = world.pose(d.body[k]);
+                const Vec3 held = pose.orientation.conjugate() * (ends[k] - pose.position);
+                for (int c = 0; c < 3; ++c) out.put(std::isfinite(held[c]) ? held[c] : 0.0);
+            }
+        }
+    }
+}
+
+void WireFollower::put_pulls(ByteWriter& out, const World& world) const {
+    constexpr double kMost = std::numeric_limits<float>::max();
+    for (const auto& wire : elements_)
+        for (const InteractionId id : wire) {
+            const double pull = world.intact(id) ? std::max(0.0, -world.force(id)[0]) : -1.0;
+            out.put(static_cast<float>(std::isnan(pull) ? 0.0 : std::min<double>(pull, kMost)));
+        }
+}
+
+std::vector<RecordedWire> get_wires(ByteReader& in, std::span<const std::int32_t> bodies,
+                                    std::size_t& pieces) {
+    std::vector<RecordedWire> out(in.get_count(8));
+    pieces = 0;
+    for (RecordedWire& wire : out) {
+        wire.name = in.get_text();
+        wire.first_piece = pieces;
+        wire.pieces.resize(in.get_count(kPieceBytes));
+        pieces += wire.pieces.size();
+        for (RecordedPiece& piece : wire.pieces)
+            for (std::size_t k = 0; k < 2; ++k) {
+                const auto place = in.get<std::int32_t>();
+                if (place < 0 || static_cast<std::size_t>(place) >= bodies.size())
+                    throw BadBytes("an index is out of range");
+                piece.body[k] = bodies[static_cast<std::size_t>(place)];
+                piece.point[k] = get_vector(in);
+            }
+    }
+    return out;
+}
+
+/// From the next frame on.
+void Recording::read_wires(ByteReader in) {
+    auto next = std::make_unique<Wires>();
+    next->first_frame = frames_.size();
+    next->wires = get_wires(in, layouts_.back().bodies, next->pieces);
+    in.expect_end();
+    wires_.push_back(std::move(next));
+}
+
+void Recording::read_pulls(std::span<const std::byte> payload) {
+    if (wires_.empty() ||
+        frames_.size() != wires_.back()->first_frame + wires_.back()->pulls.size() + 1 ||
+        payload.size() != 4 * wires_.back()->pieces)
+        throw BadBytes("tensions of wires that are not there");
+    ByteReader in(payload);
+    for (std::size_t k = 0; k < wires_.back()->pieces; ++k) (void)get_finite<float>(in);
+    wires_.back()->pulls.push_back(payload);
+}
+
+std::vector<bool> Recording::wire_lumps() const {
+    std::vector<bool> out(bodies.size(), false);
+    for (const auto& table : wires_)
+        for (const RecordedWire& wire : table->wires)
+            for (const RecordedPiece& piece : wire.pieces)
+                for (const std::int32_t body : piece.body) {
+                    const auto b = static_cast<std::size_t>(body);
+                    out[b] = out[b] || bodies[b].kind == BodyKind::lump;
+                }
+    return out;
+}
+
+void Recording::find_wires(std::size_t index, Frame& frame) const {
+    const auto behind =
+        std::upper_bound(wires_.begin(), wires_.end(), index,
+                         [](std::size_t f, const auto& w) { return f < w->first_frame; });
+    if (behind == wires_.begin()) return;
+    const Wires& wires = **std::prev(behind);
+    if (index - wires.first_frame >= wires.pulls.size()) return;  // the recording ends before them
+    frame.wires = &wires.wires;
+    ByteReader in(wires.pulls[index - wires.first_frame]);
+    frame.pulls.resize(wires.pieces);
+    for (float& pull : frame.pulls) pull = in.get<float>();
+}
+
+}  // namespace hawser::record
