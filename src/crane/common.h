@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file common.h
+/// What knuckle-boom and lattice cranes have in common, and refusals by name.
+
+#include <hawser/crane.h>
+
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace hawser::crane {
+
+inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kUnbounded = 1e30;
+
+/// Parts of a definition that both kinds have; it outlives this.
+struct Common {
+    const std::string& name;
+    const CraneMount& mount;
+    const CraneSlew& slew;
+    const CraneColumn& column;
+    const Vec3& boom_foot;
+    const CraneLink& boom;
+    double boom_angle;
+    const CraneTackle& hoist;
+    const CraneHook& hook;
+    const CraneRating& rating;
+    const std::vector<CraneLoad>& loads;
+    int take;
+    double ramp;
+};
+
+template <class Def>
+[[nodiscard]] Common common_of(const Def& d) {
+    return {d.name,  d.mount, d.slew,   d.column, d.boom_foot, d.boom, d.boom_angle,
+            d.hoist, d.hook,  d.rating, d.loads,  d.take,      d.ramp};
+}
+
+/// @param where  Path of the field, such as "hoist/efficiency".
+[[noreturn]] inline void refuse(const std::string& name, const std::string& where,
+                                const std::string& why) {
+    throw DefError("crane '" + name + "': " + where + ": " + why);
+}
+
+/// For messages: six digits.
+[[nodiscard]] inline std::string digits(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+/// Refuses what is out of range, or does not fit, before anything is added. @throws DefError.
+void check(const KnuckleCraneDef& def);
+void check(const LatticeCraneDef& def);
+
+/// Name of a part.
+[[nodiscard]] inline std::string part(const std::string& crane, const char* what) {
+    return crane + "/" + what;
+}
+
+/// Where of a route the falls at the hook begin: its parts before.
+[[nodiscard]] constexpr int parts_before_falls(bool knuckle) noexcept { return knuckle ? 2 : 1; }
+
+}  // namespace hawser::crane
