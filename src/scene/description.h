@@ -4,6 +4,7 @@
 /// A scene as flat lists of definitions, before it becomes a world. Bodies and interactions
 /// refer to one another by their index here, which is also their index in the world.
 
+#include <hawser/crane.h>
 #include <hawser/resolution.h>
 
 #include "scene/document.h"
@@ -14,6 +15,7 @@
 #include <string_view>
 #include <unordered_map>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace hawser::scene {
@@ -47,6 +49,12 @@ struct Resolution {
     int place = 0;
 };
 
+/// A crane whose parts are among the bodies and interactions; it is driven once there is a world.
+struct Crane {
+    std::variant<KnuckleCraneDef, LatticeCraneDef> def;
+    int place = 0;
+};
+
 /// An input of a signal.
 struct Lever {
     SignalInput input;
@@ -71,6 +79,7 @@ class Description {
     std::vector<Cable> cables;
     std::vector<Winch> winches;
     std::vector<Resolution> resolutions;
+    std::vector<Crane> cranes;
     std::vector<Lever> levers;
     std::vector<MaterialDef> materials;  ///< Material i of the list is i + 1 of the world.
     std::vector<MaterialPairDef> material_pairs;
@@ -89,6 +98,9 @@ class Description {
     }
     [[nodiscard]] const Place& resolution_place(std::size_t i) const {
         return places_[static_cast<std::size_t>(resolutions[i].place)];
+    }
+    [[nodiscard]] const Place& crane_place(std::size_t i) const {
+        return places_[static_cast<std::size_t>(cranes[i].place)];
     }
     [[nodiscard]] const Place& lever_place(std::size_t i) const {
         return places_[static_cast<std::size_t>(levers[i].place)];
@@ -180,6 +192,8 @@ void expand_segments(Description& out, const Scope& scope);
 void expand_inputs(Description& out, const Scope& scope);
 /// Winches of one scope, when all cables are there (winches.cpp).
 void expand_winches(Description& out, const Scope& scope);
+/// Cranes of one scope, when all bodies but cables are there (cranes.cpp).
+void expand_cranes(Description& out, const Scope& scope);
 /// Lines over posts and sheaves of one scope, when all bodies are there (routes.cpp).
 void expand_routes(Description& out, const Scope& scope);
 /// Outputs of one scope, when all interactions are there (outputs.cpp).

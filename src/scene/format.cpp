@@ -119,6 +119,7 @@ ShapePtr scene_template(const Format& format) {
          {"interactions", with_placeholders(format.interactions), false, "", "", "Interactions."},
          {"cables", with_placeholders(format.cables), false, "", "", "Cables."},
          {"winches", with_placeholders(format.winches), false, "", "", "Winches."},
+         {"cranes", with_placeholders(format.cranes), false, "", "", "Cranes."},
          {"routes", with_placeholders(format.routes), false, "", "",
           "Lines over posts and sheaves."},
          {"inputs", with_placeholders(format.inputs), false, "", "", "Inputs."},
@@ -170,6 +171,7 @@ ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
         {"interactions", f.interactions, false, "", "", "Interactions."},
         {"cables", f.cables, false, "", "", "Cables."},
         {"winches", f.winches, false, "", "", "Winches."},
+        {"cranes", f.cranes, false, "", "", "Cranes."},
         {"routes", f.routes, false, "", "", "Lines over posts and sheaves."},
         {"instances", f.instances, false, "", "", "Uses of templates."},
         {"inputs", f.inputs, false, "", "", "Inputs."},
@@ -215,6 +217,7 @@ Format make_format() {
     f.interactions = list_of("a list of interactions", interaction_shape());
     f.cables = list_of("a list of cables", cable_shape());
     f.winches = list_of("a list of winches", winch_shape());
+    f.cranes = list_of("a list of cranes", crane_shape());
     f.routes = list_of("a list of routes", route_shape());
     f.instances = list_of("a list of instances", instance());
     f.inputs = list_of("a list of inputs", input_shape());

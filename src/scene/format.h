@@ -33,6 +33,7 @@ struct Format {
     ShapePtr interactions;
     ShapePtr cables;
     ShapePtr winches;
+    ShapePtr cranes;
     ShapePtr routes;
     ShapePtr instances;
     ShapePtr inputs;
@@ -52,6 +53,9 @@ struct Format {
 
 /// A winch at the end of a cable. See format_cables.cpp.
 [[nodiscard]] ShapePtr winch_shape();
+
+/// A crane on a body. See format_cranes.cpp.
+[[nodiscard]] ShapePtr crane_shape();
 
 /// A line over posts and sheaves. See format_routes.cpp.
 [[nodiscard]] ShapePtr route_shape();

@@ -42,6 +42,7 @@ class Builder {
         add_surfaces(*world);
         add_winches(*world);
         add_resolutions(*world);
+        add_cranes(*world);
         check_levers(*world);
         for (std::size_t i = 0; i < description_.inputs.size() && numbered_; ++i) {
             (void)take(description_.input_place(i),
@@ -153,6 +154,15 @@ class Builder {
                         def.drum_length =
                             std::clamp(winch.def.element, def.min_length, def.max_length);
                 world.add(def);
+            });
+        }
+    }
+
+    void add_cranes(World& world) {
+        for (std::size_t i = 0; i < description_.cranes.size() && numbered_; ++i) {
+            (void)take(description_.crane_place(i), [&] {
+                std::visit([&](const auto& def) { start_crane(world, def); },
+                           description_.cranes[i].def);
             });
         }
     }
