@@ -116,7 +116,7 @@ struct CraneTackle {
     double EA = 0.0;                 ///< Of the line [N]. Required.
     double efficiency = 1.0;         ///< η of each sheave, (0, 1].
     double sheave_radius = 0.3;      ///< Of hoists [m]; luffing tackles run over eyes.
-    double sheave_inertia = 0.0;     ///< Of each sheave of a hoist [kg m²].
+    double sheave_inertia = 0.0;     ///< Of each sheave at the head of a hoist [kg m²].
     Vec3 drum{0.0, 0.0, 0.0};        ///< Where the line leaves: on the column, of a knuckle boom's
                                      ///< hoist on its boom [m].
     double drum_radius = 0.0;        ///< [m]. Required.

@@ -80,14 +80,14 @@ void check_hook(const Common& c) {
     const Fields f(c.name, "hook");
     f.positive("mass", c.hook.mass, kHeavy)
         .positive("height", c.hook.height, kFar)
-        .positive("hang", c.hook.hang, kFar)
-        .from_zero("least_hang", c.hook.least_hang, c.hook.hang)
-        .from_zero("angular_damping", c.hook.angular_damping, kStrong);
-    for (const double half : c.hook.half_size) f.positive("half_size", half, kFar);
+        .positive("hang", c.hook.hang, kFar);
     const double least = 2.0 * c.hoist.sheave_radius;
     if (c.hook.hang <= least)
         f.fail("hang", digits(c.hook.hang) + " m; the sheaves of hook and head touch below " +
                            digits(least) + " m");
+    f.from_zero("least_hang", c.hook.least_hang, c.hook.hang)
+        .from_zero("angular_damping", c.hook.angular_damping, kStrong);
+    for (const double half : c.hook.half_size) f.positive("half_size", half, kFar);
 }
 
 void check_rating(const Common& c) {

@@ -60,7 +60,11 @@ void check(const LatticeCraneDef& def);
     return crane + "/" + what;
 }
 
-/// Where of a route the falls at the hook begin: its parts before.
-[[nodiscard]] constexpr int parts_before_falls(bool knuckle) noexcept { return knuckle ? 2 : 1; }
+/// Which part of the route is fall k, from 1 on: before the falls the line comes from the drum,
+/// over the knuckle where there is one; between falls 1 and 2, 3 and 4 … it passes under a hook
+/// sheave.
+[[nodiscard]] constexpr int part_of_fall(int k, bool knuckle) noexcept {
+    return (knuckle ? 2 : 1) + k + k / 2;
+}
 
 }  // namespace hawser::crane

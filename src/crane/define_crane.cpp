@@ -92,9 +92,8 @@ class Finder {
     }
     [[nodiscard]] std::vector<InteractionId> falls(bool knuckle) const {
         std::vector<InteractionId> out;
-        for (int i = 0; i < common_.hoist.falls; ++i)
-            out.push_back(
-                interaction("hoist/part" + std::to_string(parts_before_falls(knuckle) + i + 1)));
+        for (int k = 1; k <= common_.hoist.falls; ++k)
+            out.push_back(interaction("hoist/part" + std::to_string(part_of_fall(k, knuckle))));
         return out;
     }
 

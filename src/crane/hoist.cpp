@@ -2,14 +2,21 @@
 /// How a hoist is reeved.
 ///
 /// ```
-///   drum ──▸ head 1        head 2         head 3        each head and hook sheave turns the line
-///            │   ▴──────────╯ │  ▴──────────╯ │         about +y: it comes down ahead of the head,
-///            ▾   │            ▾  │            ▾         passes under the hook sheave and goes up
-///            hook 1          hook 2          dead end   behind; then over the next head sheave
+///   drum ──▸ head 1       head 2        head 3         each sheave of the head turns the line
+///   about
+///            │   ▴────────╯ │  ▴────────╯ │            +y: it comes down ahead, passes under a
+///            sheave ▾   │          ▾  │          ▾            of the hook, goes up behind, and
+///            over the next hook 1        hook 2        dead end      sheave of the head
 /// ```
 /// Even numbers of falls end at the head, odd ones at the hook. Sheaves of one block stand side by
-/// side along y, two widths of line apart from their neighbours.
+/// side along y.
+///
+/// A sheave of the hook is two eyes a diameter apart, each with the root of its efficiency: the
+/// tensions at both are those of a sheave, whatever the block does. A wheel would have to keep its
+/// axis parallel to those of the head (route.h), and a hook yaws and swings.
 #include "crane/builder.h"
+
+#include <cmath>
 
 namespace hawser::crane {
 namespace {
@@ -56,7 +63,14 @@ Link add_hoist(Builder& b, const Common& c, const Link& drum_on, const Link* ove
     const auto across = [&](int i) { return (i - 0.5 * (heads - 1)) * kApart * r * Vec3::UnitY(); };
     for (int i = 0; i < heads; ++i) {
         wheel(head.id, head.local(Vec3(head_at, 0.0, 0.0) + across(i)));
-        if (i < hooks) wheel(hook.id, axle + across(i));
+        if (i >= hooks) continue;
+        for (const double to : {r, -r}) {
+            RoutePlace eye;
+            eye.body = hook.id;
+            eye.point = axle + to * Vec3::UnitX() + across(i);
+            eye.efficiency = std::sqrt(t.efficiency);
+            route.places.push_back(eye);
+        }
     }
     if (t.falls == 1) {
         route.last = {hook.id, axle};
