@@ -65,6 +65,7 @@ class Builder {
     BodyId add_drum(const char* what, const CraneTackle& def);
     void add_route(const RouteDef& def);
     InteractionId add(const InteractionDef& def) { return site_.add(def); }
+    [[nodiscard]] CraneBody find(BodyId id) const { return site_.find(id); }
 
     /// Moment about a hinge through `pin` that raises, of a force at a point [N m].
     [[nodiscard]] double raising(const Vec3& pin, const Vec3& at, const Vec3& force) const {
@@ -94,6 +95,9 @@ class Builder {
 /// @param over  Where the line comes over the knuckle: that link, whose head has a sheave.
 Link add_hoist(Builder& b, const Common& c, const Link& drum_on, const Link* over, const Link& head,
                double head_at);
+
+/// Slings of the load that hangs from the start, if one does.
+void add_slings(Builder& b, const Common& c, const Link& hook);
 
 /// Sheaves at the head and at the hook.
 [[nodiscard]] constexpr int head_sheaves(int falls) noexcept { return (falls + 1) / 2; }

@@ -5,9 +5,12 @@
 
 #include <hawser/crane.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hawser::crane {
@@ -58,6 +61,20 @@ void check(const LatticeCraneDef& def);
 /// Name of a part.
 [[nodiscard]] inline std::string part(const std::string& crane, const char* what) {
     return crane + "/" + what;
+}
+
+/// Sling to eye i of a load, from a point of the hook that is so far away [m].
+[[nodiscard]] inline InteractionDef sling_of(const CraneLoad& load, std::size_t i, std::string name,
+                                             BodyId hook, const Vec3& point, double way) {
+    InteractionDef sling;
+    sling.name = std::move(name);
+    sling.kind = InteractionKind::Stretch;
+    sling.body[0] = hook;
+    sling.body[1] = load.body;
+    sling.point[0] = point;
+    sling.point[1] = load.eyes[i];
+    sling.set("length", std::max(load.sling_length, way)).set("EA", load.sling_EA);
+    return sling.set("breaking_load", load.breaking_load);
 }
 
 /// Which part of the route is fall k, from 1 on: before the falls the line comes from the drum,

@@ -36,6 +36,7 @@ CraneSystem::CraneSystem(CraneTask task, CraneParts parts)
     for (std::size_t i = 0; i < most; ++i)
         sling_names_.push_back(task_.name + "/sling" + std::to_string(i + 1));
     hang_ = task_.hook.hang;
+    held_ = task_.take;
 }
 
 void CraneSystem::visit_state(StateVisitor& v) {
@@ -198,17 +199,8 @@ void CraneSystem::take(Prestep& now, int number) noexcept {
     for (std::size_t i = 0; i < load.eyes.size(); ++i) {
         const double way = (now.world.world_point(load.body, load.eyes[i]) - point).norm();
         farthest = std::max(farthest, way);
-        InteractionDef sling;
-        sling.name = sling_names_[i];
-        sling.kind = InteractionKind::Stretch;
-        sling.body[0] = parts_.hook;
-        sling.body[1] = load.body;
-        sling.point[0] = hook_point();
-        sling.point[1] = load.eyes[i];
-        sling.params[0] = std::max(load.sling_length, way);  // length, EA, tension_only, …
-        sling.params[1] = load.sling_EA;
-        sling.params[3] = load.breaking_load;
-        (void)now.edits.add_interaction(sling);
+        (void)now.edits.add_interaction(
+            sling_of(load, i, sling_names_[i], parts_.hook, hook_point(), way));
     }
     held_ = number;
     now.tell(EventKind::join, load.body, farthest);

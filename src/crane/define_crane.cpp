@@ -25,7 +25,7 @@ class WorldSite final : public CraneSite {
     }
     InteractionId add(const InteractionDef& def) override { return world_.add_interaction(def); }
     [[nodiscard]] CraneBody find(BodyId id) const override {
-        if (!world_.alive(id)) throw DefError("crane: mount/on: there is no such body");
+        if (!world_.alive(id)) throw DefError("crane: a body that it names is not there");
         const BodyDef& def = world_.body_def(id);
         return {world_.pose(id), world_.velocity(id), def.kind, def.mass};
     }
@@ -120,7 +120,10 @@ void check_bodies(World& world, const Common& c) {
             if (kind == BodyKind::lump && !eye.isZero(0.0))
                 refuse(c.name, where, "a lump is a point: its one eye is [0, 0, 0]");
     }
-    for (int i = 1; i <= 8; ++i)
+    const int hang =
+        c.take > 0 ? static_cast<int>(c.loads[static_cast<std::size_t>(c.take - 1)].eyes.size())
+                   : 0;
+    for (int i = hang + 1; i <= 8; ++i)
         if (world.find_interaction(c.name + "/sling" + std::to_string(i)).valid())
             refuse(c.name, "name", "an interaction has the name of one of its slings");
 }

@@ -85,4 +85,21 @@ Link add_hoist(Builder& b, const Common& c, const Link& drum_on, const Link* ove
     return hook;
 }
 
+void add_slings(Builder& b, const Common& c, const Link& hook) {
+    if (c.take == 0) return;
+    const CraneLoad& load = c.loads[static_cast<std::size_t>(c.take - 1)];
+    const Vec3 own{0.0, 0.0, -0.5 * c.hook.height}, point = hook.world(own);
+    const CraneBody body = b.find(load.body);
+    for (std::size_t i = 0; i < load.eyes.size(); ++i) {
+        const Vec3 eye = body.pose.position + body.pose.orientation * load.eyes[i];
+        const double way = (eye - point).norm();
+        if (way > load.sling_length + load.reach)
+            refuse(c.name, "take",
+                   "an eye of the load is " + digits(way) + " m from the hook's point, and its " +
+                       "sling reaches " + digits(load.sling_length + load.reach) +
+                       " m; have it taken later, or bring the hook nearer");
+        b.add(sling_of(load, i, part(c.name, "sling") + std::to_string(i + 1), hook.id, own, way));
+    }
+}
+
 }  // namespace hawser::crane

@@ -37,7 +37,7 @@ void build_crane(CraneSite& site, const KnuckleCraneDef& def) {
     const double jib_lever = crane::jib_linkage(def).lever;
     b.add_cylinder("luff", def.boom_cylinder, column, boom, on_boom / boom_lever);
     b.add_cylinder("knuckle", def.jib_cylinder, boom, jib, on_jib / jib_lever);
-    (void)crane::add_hoist(b, c, boom, &boom, jib, def.jib.length);
+    crane::add_slings(b, c, crane::add_hoist(b, c, boom, &boom, jib, def.jib.length));
 }
 
 }  // namespace hawser

@@ -94,7 +94,7 @@ void build_crane(CraneSite& site, const LatticeCraneDef& def) {
     const BodyId bridle = b.add_lump("bridle", def.bridle_mass, at);
     add_pendants(b, def, boom, bridle, at, pull);
     add_luffing(b, def, column, bridle, pull);
-    (void)crane::add_hoist(b, c, column, nullptr, boom, def.boom.length);
+    crane::add_slings(b, c, crane::add_hoist(b, c, column, nullptr, boom, def.boom.length));
 }
 
 }  // namespace hawser

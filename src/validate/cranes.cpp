@@ -26,13 +26,26 @@ struct Quay {
     template <class Def>
     Quay(Def (*make)(BodyId), double mass, const std::function<void(Def&)>& change = {}) {
         Def def = make(w.add_body({.name = "quay", .kind = BodyKind::fixed}));
-        const BodyId box = w.add_body({.name = "box", .kind = BodyKind::lump, .mass = mass});
-        def.loads = {{.body = box, .eyes = {{0, 0, 0}}, .sling_length = kSling, .sling_EA = 5e10}};
+        const BodyId box = w.add_body({.name = "box",
+                                       .kind = BodyKind::lump,
+                                       .position = point_of(make) - Vec3(0, 0, kSling),
+                                       .mass = mass});
+        def.loads = {{.body = box,
+                      .eyes = {{0, 0, 0}},
+                      .sling_length = kSling,
+                      .sling_EA = 5e10,
+                      .reach = 0.01}};
         def.take = 1;
         if (change) change(def);
         ids = w.add(def);
-        const Vec3 point = w.world_point(ids.hook, {0, 0, -0.5 * def.hook.height});
-        w.set_pose(box, {.position = point - Vec3(0, 0, kSling)});
+    }
+    /// Of the hook that such a crane begins with.
+    template <class Def>
+    static Vec3 point_of(Def (*make)(BodyId)) {
+        World scratch;
+        const Def def = make(scratch.add_body({.kind = BodyKind::fixed}));
+        const CraneIds at = scratch.add(def);
+        return scratch.world_point(at.hook, {0, 0, -0.5 * def.hook.height});
     }
     [[nodiscard]] InteractionId part(const std::string& name) const {
         return interaction(w, "crane/" + name);

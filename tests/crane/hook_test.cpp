@@ -30,7 +30,7 @@ TEST(CraneHook, TakesWhatIsInReachAndLetsItFall) {
     EXPECT_EQ(y.signal("held"), 1.0);
     ASSERT_EQ(y.count(EventKind::join), 1);
     EXPECT_EQ(y.w.event_extremes(EventKind::join).first.body, y.box);
-    EXPECT_LE(y.w.event_extremes(EventKind::join).first.value, test::kSling);
+    EXPECT_LE(y.w.event_extremes(EventKind::join).first.value, test::kSling + 0.01);
     (void)y.w.remove_interaction(y.w.find_interaction("stand"));
     y.run(20.0);
     EXPECT_NEAR(y.signal("load"), 20e3, 50.0);
@@ -144,7 +144,7 @@ TEST(CraneRefusals, NameTheFieldAndLeaveNothing) {
     const BodyId nobody{77};
     for (const Row& row : std::vector<Row>{
              {[](K& d) { d.name = ""; }, "needs a name"},
-             {[&](K& d) { d.mount.on = nobody; }, "mount/on"},
+             {[&](K& d) { d.mount.on = nobody; }, "is not there"},
              {[](K& d) { d.mount.on = BodyId{1}; }, "mount/on: a crane stands on"},
              {[](K& d) { d.hoist.efficiency = 0.0; }, "hoist/efficiency: 0; give"},
              {[](K& d) { d.hoist.efficiency = 1.01; }, "hoist/efficiency: 1.01"},

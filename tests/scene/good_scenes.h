@@ -225,7 +225,7 @@ inline constexpr std::string_view kShapes = R"({
 inline constexpr std::string_view kCranes = R"({
   "version": 1, "name": "cranes",
   "bodies": [{"name": "quay", "kind": "fixed"},
-             {"name": "box", "kind": "lump", "position": [17, 0, 6], "mass": 5000}],
+             {"name": "box", "kind": "lump", "position": [-2.98, 16.91, 4], "mass": 5000}],
   "cranes": [
     {"name": "knuckle", "kind": "knuckle_boom", "on": "quay", "point": [0, 0, 2],
      "euler_deg": [0, 0, 90], "description": "typical",

@@ -26,16 +26,27 @@ struct CraneYard {
         : w(WorldDef{.step = kYardStep, .threads = threads}) {
         quay = w.add_body({.name = "quay", .kind = BodyKind::fixed});
         Def def = make(quay);
-        box = w.add_body({.name = "box", .kind = BodyKind::lump, .mass = mass});
-        def.loads = {{.body = box, .eyes = {{0, 0, 0}}, .sling_length = kSling, .sling_EA = 5e10}};
+        box = w.add_body({.name = "box",
+                          .kind = BodyKind::lump,
+                          .position = point_of(make) - Vec3(0, 0, kSling),
+                          .mass = mass});
+        def.loads = {{.body = box,
+                      .eyes = {{0, 0, 0}},
+                      .sling_length = kSling,
+                      .sling_EA = 5e10,
+                      .reach = 0.01}};
         def.take = 1;
         change(def);
         ids = w.add(def);
-        const Vec3 point = w.world_point(ids.hook, {0, 0, -0.5 * def.hook.height});
-        w.set_pose(box, {.position = point - Vec3(0, 0, kSling)});
     }
     CraneYard(Def (*make)(BodyId), double mass) : CraneYard(make, mass, [](Def&) {}) {}
 
+    /// Of the hook that such a crane begins with.
+    static Vec3 point_of(Def (*make)(BodyId)) {
+        World w;
+        const Def def = make(w.add_body({.kind = BodyKind::fixed}));
+        return w.world_point(w.add(def).hook, {0, 0, -0.5 * def.hook.height});
+    }
     void run(double seconds) {
         for (long i = std::lround(seconds / kYardStep); i > 0; --i) ASSERT_EQ(w.step(), Status::ok);
     }
