@@ -21,7 +21,7 @@
 namespace hawser::crane {
 namespace {
 
-constexpr double kApart = 0.4;  ///< Of sheaves side by side, over their radius.
+constexpr double kApart = 0.2;  ///< Of sheaves side by side, over their radius: two ropes of R/10.
 
 }  // namespace
 
