@@ -220,7 +220,10 @@ void CraneSystem::let_go(Prestep& now) noexcept {
 }
 
 void CraneSystem::handle_load(Prestep& now) noexcept {
-    const int wanted = static_cast<int>(std::lround(take_));
+    const int most = static_cast<int>(task_.loads.size());
+    // A state that was tampered with may say anything.
+    const int wanted = take_ >= 0.0 && take_ <= most ? static_cast<int>(std::lround(take_)) : 0;
+    if (held_ < 0 || held_ > most) held_ = 0;
     if (held_ != 0) {
         // Others may have taken away what hung.
         const auto& eyes = task_.loads[static_cast<std::size_t>(held_ - 1)].eyes;

@@ -4,10 +4,9 @@
 
 namespace hawser {
 
-using crane::Builder;
-using crane::Link;
-
 void build_crane(CraneSite& site, const KnuckleCraneDef& def) {
+    using crane::Builder;
+    using crane::Link;
     crane::check(def);
     const crane::Common c = crane::common_of(def);
     Builder b(site, c);

@@ -7,10 +7,8 @@
 #include "crane/builder.h"
 
 namespace hawser {
+namespace crane {
 namespace {
-
-using crane::Builder;
-using crane::Link;
 
 /// Line tension of an empty hook.
 double empty_line(const Builder& b, const LatticeCraneDef& def) {
@@ -28,7 +26,7 @@ double start_pull(const Builder& b, const LatticeCraneDef& def, const Link& colu
     const Vec3 held = boom.world({def.boom.length, 0.0, 0.5 * def.boom.height});
     const double lever = b.raising(boom.pin, held, along);
     if (!(lever > 1e-3 * def.boom.length))
-        crane::refuse(def.name, "gantry", "the pendants do not raise the boom; put it higher");
+        refuse(def.name, "gantry", "the pendants do not raise the boom; put it higher");
     return std::max(0.0, -moment / lever);
 }
 
@@ -76,8 +74,11 @@ void add_luffing(Builder& b, const LatticeCraneDef& def, const Link& column, Bod
 }
 
 }  // namespace
+}  // namespace crane
 
 void build_crane(CraneSite& site, const LatticeCraneDef& def) {
+    using crane::Builder;
+    using crane::Link;
     crane::check(def);
     const crane::Common c = crane::common_of(def);
     Builder b(site, c);
@@ -89,11 +90,11 @@ void build_crane(CraneSite& site, const LatticeCraneDef& def) {
     b.add_hinge("luff", column, boom, boom.pin, crane::hinge_turn(), luff);
     const Vec3 from = boom.world({def.boom.length, 0.0, 0.5 * def.boom.height});
     const Vec3 along = (column.world(def.gantry) - from).normalized();
-    const double pull = start_pull(b, def, column, boom, along);
+    const double pull = crane::start_pull(b, def, column, boom, along);
     const Vec3 at = from + def.pendant_length * along;
     const BodyId bridle = b.add_lump("bridle", def.bridle_mass, at);
-    add_pendants(b, def, boom, bridle, at, pull);
-    add_luffing(b, def, column, bridle, pull);
+    crane::add_pendants(b, def, boom, bridle, at, pull);
+    crane::add_luffing(b, def, column, bridle, pull);
     crane::add_slings(b, c, crane::add_hoist(b, c, column, nullptr, boom, def.boom.length));
 }
 

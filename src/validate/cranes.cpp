@@ -16,11 +16,11 @@
 namespace hawser::validate {
 namespace {
 
-constexpr double kFrame = 1.0 / 60.0, kSling = 1.0;
+constexpr double kCraneStep = 1.0 / 60.0, kSling = 1.0;
 
 /// A crane on a quay, with a weight on its hook from the start.
 struct Quay {
-    World w{WorldDef{.step = kFrame}};
+    World w{WorldDef{.step = kCraneStep}};
     CraneIds ids;
 
     template <class Def>
@@ -52,7 +52,7 @@ struct Quay {
     }
     /// Mean over a time of what `read` gives.
     double mean(double seconds, const std::function<double()>& read) {
-        const long steps = std::lround(seconds / kFrame);
+        const long steps = std::lround(seconds / kCraneStep);
         double sum = 0.0;
         for (long i = 0; i < steps; ++i) {
             advance(w, 1);
@@ -60,7 +60,7 @@ struct Quay {
         }
         return sum / static_cast<double>(steps);
     }
-    void run(double seconds) { advance(w, std::lround(seconds / kFrame)); }
+    void run(double seconds) { advance(w, std::lround(seconds / kCraneStep)); }
 };
 
 /// Line of knuckle_crane() by its geometry: from the drum over the knuckle's sheave and along the
@@ -104,7 +104,7 @@ void report_falls(Report& report) {
         advance(stiff.w, 1);
         bounce.push_back(stiff.w.system_signal("crane.hang") - rest);
     }
-    const std::vector<double> zeros = upward_zeros(bounce, kFrame);
+    const std::vector<double> zeros = upward_zeros(bounce, kCraneStep);
     const double count = static_cast<double>(zeros.size() - 1);
     report.compare("knuckle boom: bounce of hook and load [Hz]",
                    {std::sqrt(k / (kMass + d.hook.mass)) / (2.0 * kPi)},
@@ -195,13 +195,13 @@ std::multimap<double, std::pair<std::string, double>> control_of(const std::stri
 /// Lifts from deck to deck. @return how far from its target the load is at the end [m].
 double set_down(double mass, double& alarm) {
     scene::Scene s =
-        open_scene("crane_knuckle", kFrame, {"bodies.load.mass=" + std::to_string(mass)});
+        open_scene("crane_knuckle", kCraneStep, {"bodies.load.mass=" + std::to_string(mass)});
     std::filesystem::path file(s.path);
     file.replace_extension(".control.csv");
     const auto control = control_of(file.string());
     if (control.empty()) throw std::runtime_error("there is no " + file.string());
     auto next = control.begin();
-    for (long i = 0; i < std::lround(s.duration / kFrame); ++i) {
+    for (long i = 0; i < std::lround(s.duration / kCraneStep); ++i) {
         for (; next != control.end() && next->first <= s.world.time() + 1e-9; ++next)
             s.world.set_system_signal(next->second.first, next->second.second);
         advance(s.world, 1);
