@@ -199,6 +199,42 @@ TEST(CraneRefusals, NameTheFieldAndLeaveNothing) {
     EXPECT_EQ(w.step(), Status::ok);
 }
 
+/// Any number of falls, on a body that is turned and leans: what hangs is what is shown.
+template <class Def>
+void hang_on_falls(Def (*make)(BodyId), double mass) {
+    for (const int falls : {1, 2, 3, 4, 5, 8, 13}) {
+        SCOPED_TRACE(falls);
+        World w;
+        const Quat leans(Eigen::AngleAxisd(0.05, Vec3(0.6, 0.8, 0)));
+        const BodyId ship = w.add_body({.name = "ship",
+                                        .kind = BodyKind::fixed,
+                                        .position = {10, -20, 3},
+                                        .orientation = leans});
+        Def def = make(ship);
+        def.mount.orientation = Quat(Eigen::AngleAxisd(2.5, Vec3::UnitZ()));
+        def.slew.angle = -0.7;
+        def.hoist.falls = falls;
+        def.hoist.pull = def.hoist.brake = mass * test::kG * 1.5;
+        const CraneIds ids = w.add(def);
+        ASSERT_EQ(ids.falls.size(), static_cast<std::size_t>(falls));
+        w.set_force(ids.hook, {0, 0, -mass * test::kG}, Vec3::Zero());
+        double shown = 0.0;
+        for (int i = 0; i < 2400; ++i) {
+            ASSERT_EQ(w.step(), Status::ok);
+            if (i >= 1200) shown += w.system_signal("crane.load") / 1200.0;
+        }
+        EXPECT_NEAR(shown / mass, 1.0, 5e-3);
+        EXPECT_EQ(w.verdict().grade, Grade::good);
+        for (const InteractionId fall : ids.falls)
+            EXPECT_NEAR(w.force(fall)[0] / w.force(ids.falls[0])[0], 1.0, 1e-3);
+    }
+}
+
+TEST(CraneFalls, OfAnyNumberCarryTheHook) {
+    hang_on_falls(knuckle_crane, 15e3);
+    hang_on_falls(lattice_crane, 200e3);
+}
+
 TEST(CraneRefusals, OnesThatMoveWithTheirBodyAreTaken) {
     // On a ship that moves: the crane starts with its velocity.
     World w;

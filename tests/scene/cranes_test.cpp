@@ -86,6 +86,22 @@ TEST(SceneCranes, AreRefusedAtTheirPlace) {
     }
 }
 
+TEST(SceneCranes, TimelinesNameTheirLoads) {
+    Scene scene = load_file("scenes/crane_lattice.json");
+    ASSERT_FALSE(scene.timeline.empty());
+    EXPECT_NE(to_string(scene.timeline.front()).find("crane.take = 1"), std::string::npos);
+    Options options;
+    options.set = {R"(timeline.0={"at": 1, "set": {"crane.take": "modul"}})"};
+    try {
+        (void)load_file("scenes/crane_lattice.json", options);
+        FAIL() << "there is no such load";
+    } catch (const SceneError& error) {
+        EXPECT_EQ(error.path, "/timeline/0/set/crane.take");
+        EXPECT_NE(error.message.find("did you mean \"module\""), std::string::npos)
+            << error.message;
+    }
+}
+
 TEST(SceneCranes, MistakesOfOneAreNoMistakesOfWhatNamesItsParts) {
     Options options;
     options.set = {"cranes.crane.boom_cylinder.max_length=8"};
