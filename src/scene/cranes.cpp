@@ -4,6 +4,7 @@
 #include "scene/cranes.h"
 
 #include "scene/description.h"
+#include "scene/timeline.h"
 
 #include <numbers>
 #include <span>
@@ -164,6 +165,19 @@ void expand_cranes(Description& out, const Scope& scope) {
         for (const Lost what : {Lost::body, Lost::interaction})
             out.mistakes->lose(what, scope.prefix + json["name"].get<std::string>());
     }
+}
+
+InputWords loads_by_word(const Description& description) {
+    InputWords words;
+    for (const Crane& crane : description.cranes)
+        std::visit(
+            [&](const auto& def) {
+                std::vector<std::string>& known = words[def.name + ".take"];
+                for (const CraneLoad& load : def.loads)
+                    known.push_back(description.body(load.body).name);
+            },
+            crane.def);
+    return words;
 }
 
 }  // namespace hawser::scene

@@ -185,20 +185,6 @@ class Builder {
     bool numbered_ = true;  ///< Interactions have the numbers of the description.
 };
 
-/// What the signals NAME.take of cranes know, by the names of bodies.
-InputWords loads_by_word(const Description& description) {
-    InputWords words;
-    for (const Crane& crane : description.cranes)
-        std::visit(
-            [&](const auto& def) {
-                std::vector<std::string>& known = words[def.name + ".take"];
-                for (const CraneLoad& load : def.loads)
-                    known.push_back(description.body(load.body).name);
-            },
-            crane.def);
-    return words;
-}
-
 void read_plot(Scene& scene, const Description& description, const Document& document) {
     const auto plot = document.root.find("plot");
     if (plot == document.root.end()) {
