@@ -5,6 +5,7 @@
 
 #include <hawser/catenary.h>
 #include <hawser/changes.h>
+#include <hawser/crane.h>
 #include <hawser/def.h>
 #include <hawser/edits.h>
 #include <hawser/factor.h>

@@ -82,8 +82,11 @@ enum class EventKind : std::uint8_t {
     /// node of the element that stays too long. value: its nodes.
     node_limit,
     render,  ///< A winch in mode render gave way; once each time. value: tension then [N].
+    // Of cranes (crane.h), of the body that is the hook.
+    alarm,      ///< Its load came to a higher step of alarm. value: load over rated load [1].
+    alarm_end,  ///< It came to a lower one. value: likewise.
 };
-inline constexpr int kEventKindCount = 24;
+inline constexpr int kEventKindCount = 26;
 [[nodiscard]] const char* to_string(EventKind kind) noexcept;
 
 struct Event {

@@ -16,7 +16,9 @@ std::vector<InteractionId> joints_of(const SceneInfo& scene, const World& world)
     std::vector<InteractionId> joints;
     for (const InteractionId id : world.interactions()) {
         const KindInfo& kind = kind_info(world.interaction_def(id).kind);
-        if (kind.bodies == 2 && kind.uses_points && !in_cable[static_cast<std::size_t>(id.index)])
+        // Lines that drums pay out and parts of routes have their drums and slides behind them.
+        const bool two = kind.bodies == 2 || kind.scalar_slot == 2;
+        if (two && kind.uses_points && !in_cable[static_cast<std::size_t>(id.index)])
             joints.push_back(id);
     }
     return joints;

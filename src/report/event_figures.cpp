@@ -37,12 +37,14 @@ int rank_of(EventKind kind) {
         case EventKind::no_node:
         case EventKind::node_limit:
         case EventKind::render:
+        case EventKind::alarm:
             return 2;
         case EventKind::range:
             return 3;
         case EventKind::input_clamped:
             return 4;
         case EventKind::layer:
+        case EventKind::alarm_end:
             return 6;
         case EventKind::taut:
         case EventKind::slack:
@@ -88,6 +90,8 @@ const char* unit_of(const World& world, const Event& event) {
         case EventKind::uncertified:
         case EventKind::layer:
         case EventKind::node_limit:
+        case EventKind::alarm:
+        case EventKind::alarm_end:
             break;
     }
     return "";
@@ -148,6 +152,10 @@ std::string what_happened(const EventFigures& e) {
             return "winches found no room for a node " + plural(e.count, "time", "times");
         case EventKind::render:
             return "winches gave way " + plural(e.count, "time", "times");
+        case EventKind::alarm:
+            return "loads of cranes came to an alarm " + plural(e.count, "time", "times");
+        case EventKind::alarm_end:
+            return "alarms of cranes ended " + plural(e.count, "time", "times");
         case EventKind::node_limit:
             return "wires had all the nodes that they may " + plural(e.count, "time", "times");
     }

@@ -20,6 +20,7 @@ const std::vector<NamedList>& named_lists() {
         {"bodies", {Lost::body}},
         {"interactions", {Lost::interaction}},
         {"cables", {Lost::body, Lost::interaction, Lost::cable}},
+        {"cranes", {Lost::body, Lost::interaction}},
         {"instances", {Lost::body, Lost::interaction, Lost::cable}},
         {"line_types", {Lost::line_type}},
         {"templates", {Lost::instance_template}},

@@ -4,6 +4,7 @@
 /// A scene as flat lists of definitions, before it becomes a world. Bodies and interactions
 /// refer to one another by their index here, which is also their index in the world.
 
+#include <hawser/crane.h>
 #include <hawser/guide.h>
 #include <hawser/resolution.h>
 
@@ -15,6 +16,7 @@
 #include <string_view>
 #include <unordered_map>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace hawser::scene {
@@ -55,6 +57,12 @@ struct Resolution {
     int place = 0;
 };
 
+/// A crane whose parts are among the bodies and interactions; it is driven once there is a world.
+struct Crane {
+    std::variant<KnuckleCraneDef, LatticeCraneDef> def;
+    int place = 0;
+};
+
 /// An input of a signal.
 struct Lever {
     SignalInput input;
@@ -80,6 +88,7 @@ class Description {
     std::vector<Winch> winches;
     std::vector<GuideItem> guides;
     std::vector<Resolution> resolutions;
+    std::vector<Crane> cranes;
     std::vector<Lever> levers;
     std::vector<MaterialDef> materials;  ///< Material i of the list is i + 1 of the world.
     std::vector<MaterialPairDef> material_pairs;
@@ -101,6 +110,9 @@ class Description {
     }
     [[nodiscard]] const Place& resolution_place(std::size_t i) const {
         return places_[static_cast<std::size_t>(resolutions[i].place)];
+    }
+    [[nodiscard]] const Place& crane_place(std::size_t i) const {
+        return places_[static_cast<std::size_t>(cranes[i].place)];
     }
     [[nodiscard]] const Place& lever_place(std::size_t i) const {
         return places_[static_cast<std::size_t>(levers[i].place)];
@@ -196,6 +208,8 @@ void expand_inputs(Description& out, const Scope& scope);
 void expand_winches(Description& out, const Scope& scope);
 /// Guides of one scope, when all cables and winches are there (guides.cpp).
 void expand_guides(Description& out, const Scope& scope);
+/// Cranes of one scope, when all bodies but cables are there (cranes.cpp).
+void expand_cranes(Description& out, const Scope& scope);
 /// Lines over posts and sheaves of one scope, when all bodies are there (routes.cpp).
 void expand_routes(Description& out, const Scope& scope);
 /// Outputs of one scope, when all interactions are there (outputs.cpp).

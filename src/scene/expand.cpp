@@ -89,7 +89,10 @@ class Expander {
                 open_.pop_back();
             }
         }
-        (void)with_note(out_.mistakes, note, [&] { add_cables(scope); });
+        (void)with_note(out_.mistakes, note, [&] {
+            expand_cranes(out_, scope);
+            add_cables(scope);
+        });
     }
 
     void add_cables(const Scope& scope) {
@@ -196,15 +199,11 @@ class Expander {
         Json content = Json::object();
         const Format& f = format();
         const std::pair<const char*, const Shape*> lists[] = {
-            {"bodies", f.bodies.get()},
-            {"instances", f.instances.get()},
-            {"cables", f.cables.get()},
-            {"winches", f.winches.get()},
-            {"guides", f.guides.get()},
-            {"routes", f.routes.get()},
-            {"interactions", f.interactions.get()},
-            {"inputs", f.inputs.get()},
-            {"outputs", f.outputs.get()}};
+            {"bodies", f.bodies.get()}, {"instances", f.instances.get()},
+            {"cables", f.cables.get()}, {"winches", f.winches.get()},
+            {"guides", f.guides.get()}, {"cranes", f.cranes.get()},
+            {"routes", f.routes.get()}, {"interactions", f.interactions.get()},
+            {"inputs", f.inputs.get()}, {"outputs", f.outputs.get()}};
         const bool filled = with_note(out_.mistakes, inner.note, [&] {
             for (const auto& [key, shape] : lists) {
                 if (definition.contains(key)) {

@@ -34,6 +34,7 @@ struct Format {
     ShapePtr cables;
     ShapePtr winches;
     ShapePtr guides;
+    ShapePtr cranes;
     ShapePtr routes;
     ShapePtr instances;
     ShapePtr inputs;
@@ -56,6 +57,9 @@ struct Format {
 
 /// What a cable runs over. See format_routes.cpp.
 [[nodiscard]] ShapePtr guide_shape();
+/// A crane on a body. See format_cranes.cpp.
+[[nodiscard]] ShapePtr crane_shape();
+
 /// A line over posts and sheaves. See format_routes.cpp.
 [[nodiscard]] ShapePtr route_shape();
 

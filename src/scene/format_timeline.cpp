@@ -57,14 +57,16 @@ ShapePtr operation_shape() {
     join.push_back(
         {"to_end", word("an end", {"first", "last"}), false, "first", "", "Which end of it."});
     add_gear(join, true);
-    const ShapePtr value = choice("a number, or the name of a winch's mode",
-                                  {number("a number", -1e30, 1e30), text("a mode")});
+    const ShapePtr value = choice("a number, a winch's mode, or a load of a crane",
+                                  {number("a number", -1e30, 1e30), text("a mode or a load")});
     return object(
         "operation", "an operation",
         "Something that is done before the first step that begins at its time or later.",
         {{"at", number("a time", 0.0, 1e12), true, "", "s", "When."},
          {"set", map("values by input", value), false, "", "",
-          "Inputs and signals of winches (name.mode, name.speed) with their values; or …"},
+          "Inputs and signals of winches (name.mode, name.speed) and cranes (name.hoist, "
+          "name.take) "
+          "with their values; or …"},
          {"cut", wire, false, "", "", "… wire that is cut in two …"},
          {"s", positive("a length", kMostLength), false, "", "m",
           "… at this unstretched length from its first end; or …"},

@@ -108,9 +108,11 @@ class Page {
             title.front() = static_cast<char>(std::toupper(title.front()));
             object(shape, title, "##");
         }
-        if (shape.type == Type::switched && (shape.id == "shape" || shape.id == "output")) {
+        if (shape.type == Type::switched && shape.id != "interaction") {
+            std::string title = shape.id;
+            title.front() = static_cast<char>(std::toupper(title.front()));
             for (const auto& [kind, option] : shape.cases) {
-                object(*option, (shape.id == "shape" ? "Shape: " : "Output: ") + kind, "##");
+                object(*option, title + ": " + kind, "##");
             }
         }
         if (shape.item) {

@@ -13,7 +13,7 @@ namespace {
 /// What of the description is copy 0.
 struct Extent {
     std::size_t bodies, interactions, inputs, outputs, cables, shapes, winches, guides, resolutions,
-        levers;
+        cranes, levers;
 };
 
 std::string copy_prefix(int copy) { return std::to_string(copy) + ":"; }
@@ -60,7 +60,7 @@ class Copier {
           base_{out.bodies.size(),  out.interactions.size(), out.inputs.size(),
                 out.outputs.size(), out.cables.size(),       out.shapes.size(),
                 out.winches.size(), out.guides.size(),       out.resolutions.size(),
-                out.levers.size()} {}
+                out.cranes.size(),  out.levers.size()} {}
 
     void run(int copies) {
         const auto check = [&](std::size_t each, std::int64_t most, const char* what) {
@@ -100,6 +100,7 @@ class Copier {
         add_winches(prefix);
         add_guides(prefix);
         add_resolutions(prefix);
+        add_cranes(prefix, shift);
         add_shapes(prefix);
     }
 
@@ -197,6 +198,22 @@ class Copier {
             rename(one.cable, prefix);
             one.place = number_;
             out_.resolutions.push_back(std::move(one));
+        }
+    }
+
+    void add_cranes(const std::string& prefix, const Vec3& shift) {
+        for (std::size_t i = 0; i < base_.cranes; ++i) {
+            Crane crane = out_.cranes[i];
+            std::visit(
+                [&](auto& def) {
+                    rename(def.name, prefix);
+                    if (is_world(def.mount.on)) def.mount.point += shift;
+                    def.mount.on = mapped(def.mount.on);
+                    for (CraneLoad& load : def.loads) load.body = mapped(load.body);
+                },
+                crane.def);
+            crane.place = number_;
+            out_.cranes.push_back(std::move(crane));
         }
     }
 

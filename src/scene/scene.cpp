@@ -43,6 +43,7 @@ class Builder {
         add_winches(*world);
         add_guides(*world);
         add_resolutions(*world);
+        add_cranes(*world);
         check_levers(*world);
         for (std::size_t i = 0; i < description_.inputs.size() && numbered_; ++i) {
             (void)take(description_.input_place(i),
@@ -165,6 +166,15 @@ class Builder {
                         def.drum_length =
                             std::clamp(winch.def.element, def.min_length, def.max_length);
                 world.add(def);
+            });
+        }
+    }
+
+    void add_cranes(World& world) {
+        for (std::size_t i = 0; i < description_.cranes.size() && numbered_; ++i) {
+            (void)take(description_.crane_place(i), [&] {
+                std::visit([&](const auto& def) { start_crane(world, def); },
+                           description_.cranes[i].def);
             });
         }
     }
@@ -299,7 +309,7 @@ std::optional<Scene> make_scene(Json root, const std::filesystem::path& file,
     scene.cables = std::move(description.cables);
     for (Lever& lever : description.levers) scene.signal_inputs.push_back(std::move(lever.input));
     if (mistakes == nullptr || mistakes->none()) {
-        scene.timeline = read_timeline(scene.world, document);
+        scene.timeline = read_timeline(scene.world, document, loads_by_word(description));
     }
     if (mistakes != nullptr && !mistakes->none()) {
         return std::nullopt;

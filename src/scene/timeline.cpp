@@ -40,7 +40,7 @@ JoinDef gear_of(const Json& json) {
 /// Reads operations in their order, and knows which wires and hooks there are by then.
 class Reader {
   public:
-    explicit Reader(const World& world) : world_(world) {
+    Reader(const World& world, const InputWords& words) : world_(world), words_(words) {
         for (const WireId id : world.wires()) {
             const auto elements = world.elements(id);
             const auto wound = [&](InteractionId e) {
@@ -84,11 +84,17 @@ class Reader {
                "there is no wire " + in_quotes(name) + " then" + suggestion(name, known));
     }
 
-    /// A number, or for a winch's mode its word.
+    /// A number, or for a winch's mode its word, for what a crane takes the load's body.
     [[nodiscard]] double value_of(const std::string& input, const Json& json,
                                   const Place& place) const {
         if (json.is_number()) return json.get<double>();
         const std::string word = json.get<std::string>();
+        if (const auto own = words_.find(input); own != words_.end()) {
+            const std::vector<std::string>& known = own->second;
+            const auto found = std::find(known.begin(), known.end(), word);
+            if (found != known.end()) return static_cast<double>(found - known.begin()) + 1.0;
+            refuse(place, "it knows no load " + in_quotes(word) + suggestion(word, known));
+        }
         if (!input.ends_with(".mode")) refuse(place, "expected a number, found a text");
         const auto modes = winch_modes();
         const auto found = std::find(modes.begin(), modes.end(), word);
@@ -198,6 +204,7 @@ class Reader {
     }
 
     const World& world_;
+    const InputWords& words_;
     std::map<std::string, double> wires_;  ///< With their lengths [m]; NaN: not known.
     std::vector<std::string> hooks_, named_;
 };
@@ -206,7 +213,8 @@ class Reader {
 
 std::span<const char* const> gear_words() noexcept { return kGear; }
 
-std::vector<Operation> read_timeline(const World& world, const Document& document) {
+std::vector<Operation> read_timeline(const World& world, const Document& document,
+                                     const InputWords& words) {
     const auto list = document.root.find("timeline");
     if (list == document.root.end()) return {};
     const Place place = document.place / "timeline";
@@ -216,7 +224,7 @@ std::vector<Operation> read_timeline(const World& world, const Document& documen
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return (*list)[a]["at"].get<double>() < (*list)[b]["at"].get<double>();
     });
-    Reader reader(world);
+    Reader reader(world, words);
     std::vector<Operation> out;
     for (const std::size_t i : order)
         (void)attempt(document.mistakes,

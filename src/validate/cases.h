@@ -51,6 +51,8 @@ void case_winches(Report& report);
 // winches_limits.cpp and winches_joined.cpp; parts of it
 void report_winch_limits(Report& report);
 void report_joined_wires(Report& report);
+// cranes.cpp
+void case_cranes(Report& report);
 // scheme.cpp
 void case_static_violation(Report& report);
 void case_violation_decay(Report& report);

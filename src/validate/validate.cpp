@@ -50,6 +50,7 @@ constexpr Case kCases[] = {
     {"23", "slider_crank", "kinematics of a slider-crank", case_slider_crank},
     {"26", "momentum", "momentum of a free cable scene", case_momentum},
     {"29", "winches", "layers, brake, constant tension and release of a winch", case_winches},
+    {"30", "cranes", "falls, cylinders, alarms and hook of cranes", case_cranes},
     {"A.2.1", "static", "violation at rest is compliance times force", case_static_violation},
     {"A.2.2", "decay", "decay of a violation", case_violation_decay},
     {"A.2.3", "invariant", "quadratic invariant and frequency", case_linear_invariant},

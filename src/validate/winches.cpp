@@ -11,11 +11,11 @@
 namespace hawser::validate {
 namespace {
 
-constexpr double kStep = 1.0 / 240.0;
+constexpr double kWinchStep = 1.0 / 240.0;
 // A drum of 1.2 m by 2.4 m with wire of 76 mm and 25 kg/m: 31 wraps a layer.
 constexpr double kCore = 0.6, kWidth = 2.4, kWire = 0.076, kMass = 25.0, kStored = 1500.0;
 constexpr double kDrum = 4e4;  // [kg m²]
-constexpr double kEA = 3e8;    // [N]
+constexpr double kWinchEA = 3e8;    // [N]
 constexpr int kWraps = 31;
 
 WinchDef anchor_winch() {
@@ -33,7 +33,7 @@ WinchDef anchor_winch() {
 /// is told.
 class Deck {
   public:
-    World w{WorldDef{.step = kStep, .gravity = Vec3::Zero()}};
+    World w{WorldDef{.step = kWinchStep, .gravity = Vec3::Zero()}};
     WinchIds ids;
 
     explicit Deck(WinchDef def) {
@@ -43,7 +43,7 @@ class Deck {
                                .from = deck,
                                .to = end_,
                                .elements = 2,
-                               .EA = kEA,
+                               .EA = kWinchEA,
                                .mass_per_length = kMass,
                                .axial_damping = 5.0});
         wire_ = def.wire;
@@ -56,7 +56,7 @@ class Deck {
         advance(w, 1);
     }
     void run(double seconds, double speed) {
-        for (long i = std::lround(seconds / kStep); i > 0; --i) step(speed);
+        for (long i = std::lround(seconds / kWinchStep); i > 0; --i) step(speed);
     }
     [[nodiscard]] double get(const char* signal) const {
         return w.system_signal(std::string("winch.") + signal);
@@ -104,7 +104,7 @@ void report_layers(Report& report) {
     const double off = kStored - d.get("wire_left");
     report.compare("turns by which the wire came off [rad]",
                    {rest / r9 + (off - rest) / radius_of(8)},
-                   {d.turned() - d.w.velocity(d.ids.drum).linear.x() * kStep}, 1e-4,
+                   {d.turned() - d.w.velocity(d.ids.drum).linear.x() * kWinchStep}, 1e-4,
                    "relative; a layer ends within a step");
 }
 
@@ -138,7 +138,7 @@ void report_brake(Report& report) {
     def.band_angle = kAngle;
     Deck d(def);
     double work = 0.0, held = 0.0;
-    for (long i = 0; i < std::lround(20.0 / kStep); ++i) {
+    for (long i = 0; i < std::lround(20.0 / kWinchStep); ++i) {
         const double angle = d.turned();
         d.step(0.5);
         work += d.pull() * d.get("radius") * (d.turned() - angle);
@@ -150,7 +150,7 @@ void report_brake(Report& report) {
     d.step(0.0);  // counts what the step before it did
     report.compare("torque at which the brake slips [N m]", {1.2e6}, {held}, 1e-9, "relative");
     // Wire of the unstretched length 40 m + slip reaches over 50 m.
-    report.compare("way that slipped over 10 m [m]", {50.0 / (1.0 + pull / kEA) - 40.0},
+    report.compare("way that slipped over 10 m [m]", {50.0 / (1.0 + pull / kWinchEA) - 40.0},
                    {d.get("slip")}, 1e-3, "relative; less the stretch");
     report.compare("heat [J]", {work - kept}, {d.get("heat")}, 1e-3,
                    "relative; work of the wire on the drum less J/2 omega^2");
@@ -170,13 +170,13 @@ void report_constant_tension(Report& report) {
     def.max_speed = 4.0;
     Deck d(def);
     double worst = 0.0;
-    for (long i = 0; i < std::lround(32.0 / kStep); ++i) {
+    for (long i = 0; i < std::lround(32.0 / kWinchStep); ++i) {
         // The velocity of a step is that of its middle.
-        const double middle = d.w.time() + 0.5 * kStep;
+        const double middle = d.w.time() + 0.5 * kWinchStep;
         d.step(kHeave * kRate * std::sin(kRate * middle));
         if (d.w.time() < 8.0) continue;
         const double r = d.get("radius");
-        const double a = kHeave * kRate * kRate * std::cos(kRate * (d.w.time() - kStep));
+        const double a = kHeave * kRate * kRate * std::cos(kRate * (d.w.time() - kWinchStep));
         const double expected = kSet + d.get("inertia") / (r * r) * a;
         worst = std::max(worst, std::abs(d.pull() - expected) / expected);
     }

@@ -70,7 +70,8 @@ const char* to_string(EventKind kind) noexcept {
         "line_break", "slack",          "taut",       "saturation", "range",       "input_clamped",
         "warning",    "energy_created", "joint_open", "cable_law",  "uncertified", "fast",
         "layer",      "brake_slip",     "release",    "weak_link",  "drum_empty",  "cut",
-        "join",       "detach",         "chain_jump", "no_node",    "node_limit",  "render"};
+        "join",       "detach",         "chain_jump", "no_node",    "node_limit",  "render",
+        "alarm",      "alarm_end"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 

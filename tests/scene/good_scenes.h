@@ -222,7 +222,62 @@ inline constexpr std::string_view kShapes = R"({
      "elements": 6, "shape": "path", "path": [[9, 27, 0]]}]
 })";
 
-inline constexpr std::array<std::string_view, 5> kGoodScenes = {kSite, kKinds, kPendulum, kTouching,
-                                                                kShapes};
+/// A crane of each kind, one of them in a template.
+inline constexpr std::string_view kCranes = R"({
+  "version": 1, "name": "cranes",
+  "bodies": [{"name": "quay", "kind": "fixed"},
+             {"name": "box", "kind": "lump", "position": [-2.98, 16.91, 4], "mass": 5000}],
+  "cranes": [
+    {"name": "knuckle", "kind": "knuckle_boom", "on": "quay", "point": [0, 0, 2],
+     "euler_deg": [0, 0, 90], "description": "typical",
+     "slew": {"torque": 4e5, "brake": 6e5, "friction": 2e4, "speed": 0.06, "angle_deg": 10},
+     "column": {"mass": 14000, "centre": [0, 0, 2], "half_size": [1, 1, 2]},
+     "boom_foot": [0.5, 0, 4],
+     "boom": {"length": 15, "mass": 9000, "centre": 7, "width": 1.2, "height": 1.6},
+     "boom_angle_deg": 65,
+     "boom_cylinder": {"foot": [1.8, 0, 0.8], "head": [6, 0, -0.9], "min_length": 5.6,
+       "max_length": 8.9, "push": 3.2e6, "pull": 1.6e6, "speed": 0.1, "stiffness": 2e8,
+       "mass": 600},
+     "jib": {"length": 11, "mass": 5000, "width": 0.8, "height": 1},
+     "jib_angle_deg": -85,
+     "jib_cylinder": {"foot": [6, 0, -0.8], "head": [2.5, 0, -0.3], "min_length": 6.9,
+       "max_length": 11, "push": 1.8e6, "pull": 9e5, "speed": 0.12, "stiffness": 1.2e8,
+       "mass": 400},
+     "hoist": {"falls": 2, "EA": 6.4e7, "efficiency": 0.98, "sheave_radius": 0.36,
+       "sheave_inertia": 8, "drum": [2.5, 0, 1.3], "drum_radius": 0.45, "drum_inertia": 900,
+       "pull": 1.8e5, "brake": 3e5, "speed": 0.5, "breaking_load": 9.5e5, "damping_time": 0.05},
+     "hook": {"mass": 800, "height": 1.2, "half_size": [0.35, 0.25, 0.6], "hang": 6.8,
+       "least_hang": 2, "angular_damping": 10},
+     "rating": {"curve": [[14, 25000], [18, 23000]], "warning": 0.8, "overload": 0.9, "hold": 1,
+       "filter": 1, "cut_out": true},
+     "loads": [{"body": "box", "eyes": [[0, 0, 0]], "sling_length": 4, "sling_EA": 2e7,
+       "reach": 0.3, "breaking_load": 1e6}],
+     "take": "box", "ramp": 6.5}],
+  "templates": {"lattice": {
+    "parameters": {"falls": 3, "angle": 75},
+    "cranes": [
+      {"name": "crane", "kind": "lattice", "on": "base", "point": [0, 50, 3],
+       "slew": {"torque": 8e6, "brake": 1.2e7, "speed": 0.02},
+       "column": {"mass": 250000, "half_size": [7, 4, 3]},
+       "boom_foot": [1.5, 0, 2],
+       "boom": {"length": 60, "mass": 60000, "width": 3.2, "height": 2.8},
+       "boom_angle_deg": "${angle}", "least_angle_deg": 15, "most_angle_deg": 84,
+       "gantry": [-8, 0, 16], "bridle_mass": 3000, "pendant_length": 34, "pendant_EA": 2e9,
+       "pendant_breaking_load": 9e6,
+       "luffing": {"falls": 16, "EA": 9.5e7, "drum": [-6, 0, 4], "drum_radius": 0.6,
+         "drum_inertia": 4000, "pull": 5e5, "brake": 8e5, "speed": 0.1},
+       "hoist": {"falls": "${falls}", "EA": 1.2e8, "drum": [-3, 0, 3], "drum_radius": 0.7,
+         "drum_inertia": 8000, "pull": 6e5, "brake": 9e5, "speed": 0.1},
+       "hook": {"mass": 12000, "height": 3, "hang": 43.5}}],
+    "outputs": [{"name": "fall", "kind": "tension", "interactions": ["crane/hoist/part2"],
+                 "component": "first"}]}},
+  "instances": [{"template": "lattice", "name": "big", "parameters": {"angle": 74},
+                 "bind": {"base": "quay"}}],
+  "outputs": [{"name": "turn", "kind": "coordinate", "interaction": "knuckle/slew"}],
+  "repeat": {"offset": [200, 0, 0], "copies": 2}
+})";
+
+inline constexpr std::array<std::string_view, 6> kGoodScenes = {kSite,     kKinds,  kPendulum,
+                                                                kTouching, kShapes, kCranes};
 
 }  // namespace hawser::scene::test

@@ -72,6 +72,7 @@ TEST(Validate, hanging_chain) { expect_pass("hanging_chain", 4); }
 TEST(Validate, buckling) { expect_pass("euler_column", 3); }
 TEST(Validate, beams) { expect_pass("beams", 4); }
 TEST(Validate, winches) { expect_pass("winches", 16); }
+TEST(Validate, cranes) { expect_pass("cranes", 8); }
 TEST(Validate, momentum) { expect_pass("momentum", 3); }
 TEST(Validate, scheme) { expect_pass("A.2.1 A.2.2 A.2.3 A.2.4 A.2.5 A.2.6 A.2.7", 20); }
 

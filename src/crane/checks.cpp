@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Definitions of cranes that are wrong by themselves, whatever they stand on.
+#include "crane/common.h"
+#include "crane/linkage.h"
+
+#include <cmath>
+
+namespace hawser::crane {
+namespace {
+
+constexpr int kMostFalls = 64, kMostEyes = 8;
+constexpr double kFar = 1e4, kHeavy = 1e12, kStrong = 1e15;
+
+/// Checks fields of one part.
+class Fields {
+  public:
+    Fields(const std::string& name, std::string part) : name_(name), part_(std::move(part)) {}
+
+    /// Above 0 where `least` is.
+    const Fields& positive(const char* field, double value, double most) const {
+        if (!(value > 0.0 && value <= most))
+            fail(field, digits(value) + "; give a number above 0 and at most " + digits(most));
+        return *this;
+    }
+    const Fields& from_zero(const char* field, double value, double most) const {
+        if (!(value >= 0.0 && value <= most))
+            fail(field, digits(value) + "; give a number from 0 to " + digits(most));
+        return *this;
+    }
+    const Fields& between(const char* field, double value, double least, double most) const {
+        if (!(value >= least && value <= most))
+            fail(field,
+                 digits(value) + "; give a number from " + digits(least) + " to " + digits(most));
+        return *this;
+    }
+    const Fields& point(const char* field, const Vec3& p, bool in_plane) const {
+        if (!p.allFinite() || p.norm() > kFar) fail(field, "give a point within 10 km");
+        if (in_plane && p.y() != 0.0)
+            fail(field, "y = " + digits(p.y()) + " m; booms and their pins lie in the plane y = 0");
+        return *this;
+    }
+    [[noreturn]] void fail(const char* field, const std::string& why) const {
+        refuse(name_, part_.empty() ? field : *field == '\0' ? part_ : part_ + "/" + field, why);
+    }
+
+  private:
+    const std::string& name_;
+    std::string part_;
+};
+
+void check_link(const std::string& name, const char* part, const CraneLink& link) {
+    const Fields f(name, part);
+    f.positive("length", link.length, kFar)
+        .positive("mass", link.mass, kHeavy)
+        .positive("width", link.width, kFar)
+        .positive("height", link.height, kFar);
+    if (!std::isnan(link.centre)) f.from_zero("centre", link.centre, link.length);
+}
+
+void check_tackle(const std::string& name, const char* part, const CraneTackle& t, bool hoist) {
+    const Fields f(name, part);
+    if (t.falls < 1 || t.falls > kMostFalls)
+        f.fail("falls", std::to_string(t.falls) + "; give 1 to 64");
+    f.positive("EA", t.EA, kStrong);
+    if (!(t.efficiency > 0.0 && t.efficiency <= 1.0))
+        f.fail("efficiency", digits(t.efficiency) + "; give a number in (0, 1]");
+    f.positive("drum_radius", t.drum_radius, 1e3)
+        .positive("drum_inertia", t.drum_inertia, kHeavy)
+        .positive("pull", t.pull, kStrong)
+        .positive("brake", t.brake, kStrong)
+        .positive("speed", t.speed, 100.0)
+        .positive("breaking_load", t.breaking_load, 1e30)
+        .point("drum", t.drum, false);
+    if (hoist)
+        f.positive("sheave_radius", t.sheave_radius, 1e3)
+            .from_zero("sheave_inertia", t.sheave_inertia, kHeavy);
+}
+
+void check_hook(const Common& c) {
+    const Fields f(c.name, "hook");
+    f.positive("mass", c.hook.mass, kHeavy)
+        .positive("height", c.hook.height, kFar)
+        .positive("hang", c.hook.hang, kFar);
+    const double least = 2.0 * c.hoist.sheave_radius;
+    if (c.hook.hang <= least)
+        f.fail("hang", digits(c.hook.hang) + " m; the sheaves of hook and head touch below " +
+                           digits(least) + " m");
+    f.from_zero("least_hang", c.hook.least_hang, c.hook.hang)
+        .from_zero("angular_damping", c.hook.angular_damping, kStrong);
+    for (const double half : c.hook.half_size) f.positive("half_size", half, kFar);
+}
+
+void check_rating(const Common& c) {
+    const Fields f(c.name, "rating");
+    const CraneRating& r = c.rating;
+    for (std::size_t i = 0; i < r.curve.size(); ++i) {
+        const CraneRatedLoad& p = r.curve[i];
+        const std::string at = "curve/" + std::to_string(i);
+        if (!(p.radius >= 0.0 && p.radius <= kFar && p.mass >= 0.0 && p.mass <= kHeavy))
+            f.fail(at.c_str(), "give a radius [m] and a mass [kg] from 0 on");
+        if (i == 0) continue;
+        const CraneRatedLoad& before = r.curve[i - 1];
+        if (!(p.radius > before.radius))
+            f.fail(at.c_str(), "radius " + digits(p.radius) + " m after " + digits(before.radius) +
+                                   " m; radii have to grow");
+        if (p.mass > before.mass)
+            f.fail(at.c_str(), "rated load " + digits(p.mass) + " kg after " + digits(before.mass) +
+                                   " kg; it may not grow with the radius");
+    }
+    f.positive("warning", r.warning, 10.0).positive("overload", r.overload, 10.0);
+    if (r.warning > r.overload) f.fail("warning", "it is above overload");
+    f.from_zero("hold", r.hold, 1e3).from_zero("filter", r.filter, 1e3);
+    if (r.cut_out && r.curve.empty()) f.fail("cut_out", "it needs a curve of rated loads");
+}
+
+void check_loads(const Common& c) {
+    for (std::size_t i = 0; i < c.loads.size(); ++i) {
+        const CraneLoad& load = c.loads[i];
+        const Fields f(c.name, "loads/" + std::to_string(i));
+        if (load.eyes.empty() || load.eyes.size() > kMostEyes) f.fail("eyes", "give 1 to 8");
+        for (const Vec3& eye : load.eyes) f.point("eyes", eye, false);
+        f.positive("sling_length", load.sling_length, kFar)
+            .positive("sling_EA", load.sling_EA, kStrong)
+            .from_zero("reach", load.reach, kFar)
+            .positive("breaking_load", load.breaking_load, 1e30);
+    }
+    if (c.take < 0 || c.take > static_cast<int>(c.loads.size()))
+        refuse(c.name, "take",
+               "there is no load " + std::to_string(c.take) + "; the hook knows " +
+                   std::to_string(c.loads.size()) + ", 0 takes none");
+}
+
+void check_common(const Common& c) {
+    if (c.name.empty()) throw DefError("a crane needs a name");
+    Fields(c.name, "mount").point("point", c.mount.point, false);
+    if (!(std::abs(c.mount.orientation.norm() - 1.0) < 1e-6))
+        refuse(c.name, "mount/orientation", "give a quaternion of length 1");
+    Fields(c.name, "slew")
+        .positive("torque", c.slew.torque, kStrong)
+        .positive("brake", c.slew.brake, kStrong)
+        .from_zero("friction", c.slew.friction, kStrong)
+        .positive("speed", c.slew.speed, 10.0)
+        .between("angle", c.slew.angle, -kPi, kPi);
+    const Fields column(c.name, "column");
+    column.positive("mass", c.column.mass, kHeavy).point("centre", c.column.centre, false);
+    for (const double half : c.column.half_size) column.positive("half_size", half, kFar);
+    Fields(c.name, "").point("boom_foot", c.boom_foot, true).between("ramp", c.ramp, 0.0, 1e3);
+    check_link(c.name, "boom", c.boom);
+    Fields(c.name, "").between("boom_angle", c.boom_angle, -0.5 * kPi, 0.5 * kPi);
+    check_tackle(c.name, "hoist", c.hoist, true);
+    check_hook(c);
+    check_rating(c);
+    check_loads(c);
+}
+
+void check_cylinder(const std::string& name, const char* part, const CraneCylinder& cylinder,
+                    const Linkage& linkage) {
+    const Fields f(name, part);
+    f.point("foot", cylinder.foot, true)
+        .point("head", cylinder.head, true)
+        .positive("min_length", cylinder.min_length, kFar)
+        .positive("max_length", cylinder.max_length, kFar)
+        .positive("push", cylinder.push, kStrong)
+        .positive("pull", cylinder.pull, kStrong)
+        .positive("speed", cylinder.speed, 100.0)
+        .positive("stiffness", cylinder.stiffness, kStrong)
+        .positive("mass", cylinder.mass, kHeavy);
+    const double now = linkage.length;
+    if (!(std::abs(linkage.lever) > 1e-3 * linkage.longest()))
+        f.fail("head", "its pins and the hinge lie in one line: it moves nothing");
+    if (!(cylinder.min_length < now && now < cylinder.max_length))
+        f.fail(now <= cylinder.min_length ? "min_length" : "max_length",
+               "at the start angle its pins are " + digits(now) +
+                   " m apart, which is not between " + digits(cylinder.min_length) + " and " +
+                   digits(cylinder.max_length) + " m");
+    if (cylinder.min_length < linkage.shortest())
+        f.fail("min_length", digits(cylinder.min_length) + " m; its pins cannot come closer than " +
+                                 digits(linkage.shortest()) + " m");
+    if (cylinder.max_length > linkage.longest())
+        f.fail("max_length", digits(cylinder.max_length) +
+                                 " m; its pins cannot be farther apart than " +
+                                 digits(linkage.longest()) + " m");
+}
+
+}  // namespace
+
+void check(const KnuckleCraneDef& d) {
+    const Common c = common_of(d);
+    check_common(c);
+    check_link(d.name, "jib", d.jib);
+    const Fields f(d.name, "");
+    f.between("jib_angle", d.jib_angle, -kPi, kPi);
+    check_cylinder(d.name, "boom_cylinder", d.boom_cylinder, boom_linkage(d));
+    check_cylinder(d.name, "jib_cylinder", d.jib_cylinder, jib_linkage(d));
+    // The line comes to the sheave at the knuckle from above, and has to bend down there.
+    const double r = d.hoist.sheave_radius, along = d.boom.length - d.hoist.drum.x();
+    if (!(along > 2.0 * r))
+        f.fail("hoist/drum", "x = " + digits(d.hoist.drum.x()) +
+                                 " m; it is to stand on the boom, short of its head");
+    const double comes = std::atan2(r - d.hoist.drum.z(), along);
+    const double most = jib_linkage(d).angle_range(d.jib_cylinder).second;
+    if (!(most < comes))
+        f.fail("jib_angle", "the jib can rise to " + digits(most) +
+                                " rad against the boom, where the line lifts off the sheave at "
+                                "the knuckle; give a lesser jib_cylinder/max_length or a lower "
+                                "drum");
+    if (!(d.boom_angle + d.jib_angle > -0.45 * kPi))
+        f.fail("jib_angle", "the jib points straight down, so that the line leaves its sheave");
+}
+
+void check(const LatticeCraneDef& d) {
+    check_common(common_of(d));
+    const Fields f(d.name, "");
+    f.between("least_angle", d.least_angle, -1.5, 1.5)
+        .between("most_angle", d.most_angle, -1.5, 1.56);
+    if (!(d.least_angle < d.boom_angle && d.boom_angle < d.most_angle))
+        f.fail("boom_angle",
+               digits(d.boom_angle) + " rad is not between least_angle and most_angle");
+    f.point("gantry", d.gantry, true)
+        .positive("bridle_mass", d.bridle_mass, kHeavy)
+        .positive("pendant_length", d.pendant_length, kFar)
+        .positive("pendant_EA", d.pendant_EA, kStrong)
+        .positive("pendant_breaking_load", d.pendant_breaking_load, 1e30);
+    check_tackle(d.name, "luffing", d.luffing, false);
+    const double way = pendant_way(d);
+    if (!(d.pendant_length < way - 0.5))
+        f.fail("pendant_length", digits(d.pendant_length) +
+                                     " m, but from boom head to gantry there are " + digits(way) +
+                                     " m: nothing is left for the luffing tackle");
+    if (!(d.gantry.x() < d.boom_foot.x()))
+        f.fail("gantry", "it has to stand behind the foot of the boom, to hold it back");
+}
+
+}  // namespace hawser::crane

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "crane/crane_system.h"
+
+#include <hawser/world.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hawser::crane {
+namespace {
+
+constexpr double kStandardGravity = 9.80665;  ///< Scales of a world without gravity [m/s²].
+constexpr double kMostShown = 10.0;           ///< Utilisation is shown up to it.
+constexpr double kNothing = 0.01;             ///< Share of the largest rated load that is no load.
+constexpr double kBack = 0.98;                ///< Of a threshold, below which its alarm ends.
+constexpr const char* kMotionNames[] = {"slew", "luff", "knuckle", "hoist"};
+constexpr const char* kMotionUnits[] = {"rad/s", "m/s", "m/s", "m/s"};
+
+}  // namespace
+
+double rated_load(const CraneRating& rating, double radius) noexcept {
+    const auto& curve = rating.curve;
+    if (curve.empty() || radius > curve.back().radius) return 0.0;
+    if (radius <= curve.front().radius) return curve.front().mass;
+    std::size_t i = 1;
+    while (curve[i].radius < radius) ++i;
+    const CraneRatedLoad &a = curve[i - 1], &b = curve[i];
+    return a.mass + (b.mass - a.mass) * (radius - a.radius) / (b.radius - a.radius);
+}
+
+CraneSystem::CraneSystem(CraneTask task, CraneParts parts)
+    : task_(std::move(task)), parts_(std::move(parts)), take_(task_.take) {
+    std::size_t most = 0;
+    for (const CraneLoad& load : task_.loads) most = std::max(most, load.eyes.size());
+    for (std::size_t i = 0; i < most; ++i)
+        sling_names_.push_back(task_.name + "/sling" + std::to_string(i + 1));
+    hang_ = task_.hook.hang;
+    held_ = task_.take;
+}
+
+void CraneSystem::visit_state(StateVisitor& v) {
+    for (Order& o : orders_) {
+        v.visit(o.wanted);
+        v.visit(o.ramped);
+        v.visit(o.speed);
+        v.visit(o.braked);
+    }
+    for (double* x : {&take_, &clock_, &radius_, &height_, &hang_, &load_, &rated_, &utilisation_,
+                      &moment_, &alarm_, &shown_, &cut_})
+        v.visit(*x);
+    v.visit(step_);
+    v.visit(held_);
+}
+
+void CraneSystem::signals(SignalTable& table) {
+    for (std::size_t i = 0; i < kMotions; ++i) {
+        const Drive& d = parts_.drives[i];
+        if (d.there)
+            table.input(kMotionNames[i], kMotionUnits[i], orders_[i].wanted, -d.most, d.most);
+    }
+    table.input("take", "1", take_, 0.0, static_cast<double>(task_.loads.size()));
+    table.output("radius", "m", radius_);
+    table.output("height", "m", height_);
+    table.output("hang", "m", hang_);
+    table.output("load", "kg", load_);
+    table.output("rated", "kg", rated_);
+    table.output("utilisation", "1", utilisation_);
+    table.output("moment", "N m", moment_);
+    table.output("alarm", "1", alarm_);
+    table.output("held", "1", shown_);
+    table.output("cut", "1", cut_);
+}
+
+void CraneSystem::holds(HoldTable& table) const {
+    for (const BodyId id : {parts_.on, parts_.column, parts_.boom, parts_.tip, parts_.hook})
+        table.hold(id);
+    for (const InteractionId id : parts_.falls) table.hold(id);
+    for (const Drive& d : parts_.drives) {
+        if (!d.there) continue;
+        if (d.scalar.valid()) table.hold(d.scalar);
+        table.hold(d.motor);
+        if (d.rubs.valid()) table.hold(d.rubs);
+        for (const InputId id : {d.speed, d.force_low, d.force_high, d.bound})
+            if (id.valid()) table.hold(id);
+    }
+}
+
+void CraneSystem::look(const Prestep& now) noexcept {
+    const World& w = now.world;
+    const Pose on = w.pose(parts_.on);
+    const Quat turn = on.orientation * parts_.orientation;
+    const Vec3 bearing = on.position + on.orientation * parts_.mount;
+    const auto seen = [&](BodyId body, const Vec3& point) {
+        return Vec3(turn.conjugate() * (w.world_point(body, point) - bearing));
+    };
+    const Vec3 axle{0.0, 0.0, 0.5 * task_.hook.height};
+    const Vec3 hook = seen(parts_.hook, hook_point()), head = seen(parts_.tip, parts_.head);
+    radius_ = std::hypot(hook.x(), hook.y());
+    height_ = hook.z();
+    hang_ = (head - seen(parts_.hook, axle)).norm();
+    boom_rise_ = head.z() - seen(parts_.boom, parts_.boom_pin).z();
+    tip_rise_ = head.z() - seen(parts_.tip, parts_.tip_pin).z();
+}
+
+/// The tensions of the falls are those of the last step: before the first there are none.
+void CraneSystem::weigh(const Prestep& now) noexcept {
+    double pull = 0.0;
+    for (const InteractionId fall : parts_.falls) pull += std::max(0.0, -now.world.force(fall)[0]);
+    const double size = now.world.settings().gravity.norm();
+    const double g = size > 0.0 ? size : kStandardGravity;
+    const double mass = now.count > 0 ? std::max(0.0, pull / g - task_.hook.mass) : 0.0;
+    load_ += now.step / (now.step + task_.rating.filter) * (mass - load_);
+    rated_ = rated_load(task_.rating, radius_);
+    moment_ = load_ * g * radius_;
+    utilisation_ = 0.0;
+    if (task_.rating.curve.empty()) return;
+    if (rated_ > 0.0)
+        utilisation_ = std::min(kMostShown, load_ / rated_);
+    else if (load_ > kNothing * task_.rating.curve.front().mass)
+        utilisation_ = kMostShown;
+}
+
+/// Steps of the alarm.
+void CraneSystem::watch(Prestep& now) noexcept {
+    const CraneRating& r = task_.rating;
+    if (r.curve.empty()) return;
+    std::int32_t step = utilisation_ >= r.overload ? 2 : utilisation_ >= r.warning ? 1 : 0;
+    if (step < step_ && utilisation_ >= kBack * (step_ == 2 ? r.overload : r.warning)) step = step_;
+    if (step == step_) {
+        clock_ = 0.0;
+        return;
+    }
+    clock_ += now.step;
+    if (clock_ < r.hold) return;
+    now.tell(step > step_ ? EventKind::alarm : EventKind::alarm_end, parts_.hook, utilisation_);
+    step_ = step;
+    alarm_ = step;
+    clock_ = 0.0;
+}
+
+/// Whether a motion has come to where it is cut out.
+bool CraneSystem::at_end(const World& world, int motion, double wanted) const noexcept {
+    if (motion == kHoist) return wanted > 0.0 && hang_ <= task_.hook.least_hang;
+    const Drive& d = parts_.drives[static_cast<std::size_t>(motion)];
+    if (motion == kSlew || !d.scalar.valid()) return false;
+    const double length = d.start + world.pose(d.scalar).position.x();
+    return (wanted > 0.0 && length >= d.top) || (wanted < 0.0 && length <= d.least);
+}
+
+/// The radius of a head that stands above its pin falls as it rises.
+bool CraneSystem::raises_moment(int motion, double wanted) const noexcept {
+    if (motion == kHoist) return wanted > 0.0;
+    if (motion == kLuff) return -boom_rise_ * parts_.luff_sign * wanted > 0.0;
+    if (motion == kKnuckle) return -tip_rise_ * parts_.knuckle_sign * wanted > 0.0;
+    return false;
+}
+
+void CraneSystem::drive(Prestep& now, int motion) noexcept {
+    const auto i = static_cast<std::size_t>(motion);
+    const Drive& d = parts_.drives[i];
+    if (!d.there) return;
+    Order& o = orders_[i];
+    double wanted = std::clamp(o.wanted, -d.most, d.most);
+    const double going = wanted != 0.0 ? wanted : o.ramped;
+    const bool cut = task_.rating.cut_out && step_ == 2 && raises_moment(motion, going);
+    if (cut) cut_ = 1.0;
+    if (cut || at_end(now.world, motion, going)) {
+        wanted = 0.0;
+        if (!cut) o.ramped = 0.0;
+    }
+    const double change = task_.ramp > 0.0 ? d.most * now.step / task_.ramp : 2.0 * d.most;
+    o.ramped += std::clamp(wanted - o.ramped, -change, change);
+    const double speed = d.ratio * o.ramped;
+    if (speed != o.speed) now.set_input(d.speed, speed);
+    o.speed = speed;
+    if (!d.rubs.valid()) return;
+    const std::int32_t braked = wanted == 0.0 && o.ramped == 0.0 ? 1 : 0;
+    if (braked == o.braked) return;
+    o.braked = braked;
+    now.set_input(d.bound, braked != 0 ? d.brake : d.friction);
+    now.set_input(d.force_low, braked != 0 ? 0.0 : d.low);
+    now.set_input(d.force_high, braked != 0 ? 0.0 : d.high);
+}
+
+bool CraneSystem::in_reach(const World& world, const CraneLoad& load) const noexcept {
+    if (!world.alive(load.body)) return false;
+    const Vec3 point = world.world_point(parts_.hook, hook_point());
+    for (const Vec3& eye : load.eyes)
+        if ((world.world_point(load.body, eye) - point).norm() > load.sling_length + load.reach)
+            return false;
+    return true;
+}
+
+void CraneSystem::take(Prestep& now, int number) noexcept {
+    const CraneLoad& load = task_.loads[static_cast<std::size_t>(number - 1)];
+    const Vec3 point = now.world.world_point(parts_.hook, hook_point());
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < load.eyes.size(); ++i) {
+        const double way = (now.world.world_point(load.body, load.eyes[i]) - point).norm();
+        farthest = std::max(farthest, way);
+        (void)now.edits.add_interaction(
+            sling_of(load, i, sling_names_[i], parts_.hook, hook_point(), way));
+    }
+    held_ = number;
+    now.tell(EventKind::join, load.body, farthest);
+}
+
+void CraneSystem::let_go(Prestep& now) noexcept {
+    double tension = 0.0;
+    const CraneLoad& load = task_.loads[static_cast<std::size_t>(held_ - 1)];
+    for (std::size_t i = 0; i < load.eyes.size(); ++i) {
+        const InteractionId sling = now.world.find_interaction(sling_names_[i]);
+        if (!now.world.alive(sling)) continue;
+        tension = std::max(tension, -now.world.force(sling)[0]);
+        now.edits.remove_interaction(sling);
+    }
+    held_ = 0;
+    if (now.world.alive(load.body)) now.tell(EventKind::detach, load.body, tension);
+}
+
+void CraneSystem::handle_load(Prestep& now) noexcept {
+    const int most = static_cast<int>(task_.loads.size());
+    // A state that was tampered with may say anything.
+    const int wanted = take_ >= 0.0 && take_ <= most ? static_cast<int>(std::lround(take_)) : 0;
+    if (held_ < 0 || held_ > most) held_ = 0;
+    if (held_ != 0) {
+        // Others may have taken away what hung.
+        const auto& eyes = task_.loads[static_cast<std::size_t>(held_ - 1)].eyes;
+        bool there = false;
+        for (std::size_t i = 0; i < eyes.size(); ++i) {
+            const InteractionId sling = now.world.find_interaction(sling_names_[i]);
+            there = there || (now.world.alive(sling) && now.world.intact(sling));
+        }
+        if (wanted != held_ || !there) let_go(now);
+    } else if (wanted > 0 &&
+               in_reach(now.world, task_.loads[static_cast<std::size_t>(wanted - 1)])) {
+        take(now, wanted);
+    }
+    shown_ = held_;
+}
+
+void CraneSystem::prestep(Prestep& now, Loads&) noexcept {
+    look(now);
+    weigh(now);
+    watch(now);
+    cut_ = 0.0;
+    for (int i = 0; i < kMotions; ++i) drive(now, i);
+    handle_load(now);
+}
+
+}  // namespace hawser::crane

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file crane_system.h
+/// What a crane does at the beginning of each step (hawser/crane.h): it looks where its hook is and
+/// what hangs there, drives its motions, and takes or lets go of loads.
+///
+/// **Drives.** What is wanted is followed by a ramp. At 0 the brake is set and the motor off;
+/// before the first motion the motor is on and the brake down to the friction of the bearing.
+/// Cylinders have no brake: their motor holds them, as a valve that locks does, up to the limits of
+/// its force.
+///
+/// **Slings** are interactions that come and go by Prestep::edits. They are found by their names,
+/// which mean the same after a restore.
+
+#include <hawser/crane.h>
+#include <hawser/system.h>
+
+#include "crane/common.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hawser::crane {
+
+enum Motion : std::uint8_t { kSlew, kLuff, kKnuckle, kHoist };
+inline constexpr int kMotions = 4;
+
+/// One motion, and what moves it.
+struct Drive {
+    bool there = false;
+    double most = 0.0;                   ///< Of what is wanted, to both sides.
+    double ratio = 1.0;                  ///< Speed of the motor over what is wanted.
+    double low = 0.0, high = 0.0;        ///< Of the motor's force while it runs.
+    double brake = 0.0, friction = 0.0;  ///< Bound of the brake, set and lifted.
+    BodyId scalar{};                     ///< Drum or stroke; of the slew none.
+    InteractionId motor{}, rubs{};
+    InputId speed{}, force_low{}, force_high{}, bound{};
+    double start = 0.0, least = -kUnbounded, top = kUnbounded;  ///< Of a cylinder's length [m].
+};
+
+/// Where everything of a crane is in a world.
+struct CraneParts {
+    BodyId on{}, column{}, boom{}, tip{}, hook{};  ///< Tip: the link that the hook hangs from.
+    Vec3 mount{0.0, 0.0, 0.0};                     ///< In the frame of `on`.
+    Quat orientation = Quat::Identity();
+    Vec3 boom_pin{0, 0, 0}, tip_pin{0, 0, 0}, head{0, 0, 0};  ///< In the frames of boom and tip.
+    double luff_sign = 1.0, knuckle_sign = 1.0;               ///< Of dθ/dt over what is wanted.
+    std::vector<InteractionId> falls{};
+    std::array<Drive, kMotions> drives{};
+};
+
+/// What the system needs of a definition.
+struct CraneTask {
+    std::string name{};
+    CraneHook hook{};
+    CraneRating rating{};
+    std::vector<CraneLoad> loads{};
+    int take = 0;
+    double ramp = 0.0;
+};
+
+class CraneSystem final : public System {
+  public:
+    CraneSystem(CraneTask task, CraneParts parts);
+
+    [[nodiscard]] std::string_view name() const noexcept override { return task_.name; }
+    void prestep(Prestep& now, Loads& loads) noexcept override;
+    void visit_state(StateVisitor& visitor) override;
+    void signals(SignalTable& table) override;
+    void holds(HoldTable& table) const override;
+    [[nodiscard]] std::unique_ptr<System> clone() const override {
+        return std::make_unique<CraneSystem>(task_, parts_);
+    }
+
+  private:
+    /// What of a drive is state.
+    struct Order {
+        double wanted = 0.0;  ///< Input.
+        double ramped = 0.0;
+        double speed = 0.0;  ///< That the motor was last told.
+        std::int32_t braked = 1;
+    };
+
+    void look(const Prestep& now) noexcept;
+    void weigh(const Prestep& now) noexcept;
+    void watch(Prestep& now) noexcept;
+    void drive(Prestep& now, int motion) noexcept;
+    [[nodiscard]] bool at_end(const World& world, int motion, double wanted) const noexcept;
+    [[nodiscard]] bool raises_moment(int motion, double wanted) const noexcept;
+    void handle_load(Prestep& now) noexcept;
+    [[nodiscard]] bool in_reach(const World& world, const CraneLoad& load) const noexcept;
+    void take(Prestep& now, int number) noexcept;
+    void let_go(Prestep& now) noexcept;
+    [[nodiscard]] Vec3 hook_point() const noexcept { return {0.0, 0.0, -0.5 * task_.hook.height}; }
+
+    CraneTask task_;
+    CraneParts parts_;
+    std::vector<std::string> sling_names_;
+
+    // State.
+    std::array<Order, kMotions> orders_{};
+    double take_ = 0.0;  ///< Input.
+    double clock_ = 0.0;
+    std::int32_t step_ = 0, held_ = 0;
+    // Outputs, part of the state.
+    double radius_ = 0.0, height_ = 0.0, hang_ = 0.0, load_ = 0.0, rated_ = 0.0;
+    double utilisation_ = 0.0, moment_ = 0.0, alarm_ = 0.0, shown_ = 0.0, cut_ = 0.0;
+    // Of the step that begins.
+    double boom_rise_ = 0.0, tip_rise_ = 0.0;  ///< Of the head over their pins [m].
+};
+
+/// Rated load at a radius [kg].
+[[nodiscard]] double rated_load(const CraneRating& rating, double radius) noexcept;
+
+}  // namespace hawser::crane

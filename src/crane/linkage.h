@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file linkage.h
+/// A cylinder, a hinge and what they hold as a triangle in the crane's plane.
+///
+/// ```
+///              head           a = |foot − pin|, b = |head − pin|, φ between them
+///             /    \ b        length² = a² + b² − 2 a b cos φ
+///     length /   φ  \         φ = φ₀ + s (θ − θ₀), s = ±1: θ the angle of the link
+///        foot ─────── pin     dlength/dθ = s a b sin φ / length = lever
+///              a
+/// ```
+
+#include <hawser/crane.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hawser::crane {
+
+/// Of the plane: rotation that raises what points along x by an angle.
+[[nodiscard]] inline Quat raised(double angle) {
+    return Quat(Eigen::AngleAxisd(-angle, Vec3::UnitY()));
+}
+
+struct Linkage {
+    double a = 0.0, b = 0.0;  ///< [m]
+    double angle = 0.0;       ///< θ₀ [rad]
+    double phi = 0.0;         ///< φ₀ [rad]
+    double length = 0.0;      ///< At the start [m].
+    double lever = 0.0;       ///< dlength/dθ at the start [m].
+
+    [[nodiscard]] double shortest() const { return std::abs(a - b); }
+    [[nodiscard]] double longest() const { return a + b; }
+    [[nodiscard]] double angle_at(double l) const {
+        const double cosine = std::clamp((a * a + b * b - l * l) / (2.0 * a * b), -1.0, 1.0);
+        return angle + (lever > 0.0 ? 1.0 : -1.0) * (std::acos(cosine) - phi);
+    }
+    /// Between the ends of its stroke, the lesser one first [rad].
+    [[nodiscard]] std::pair<double, double> angle_range(const CraneCylinder& c) const {
+        const double in = angle_at(c.min_length), out = angle_at(c.max_length);
+        return {std::min(in, out), std::max(in, out)};
+    }
+};
+
+/// @param pin  In the frame of the link that the foot is on.
+[[nodiscard]] inline Linkage linkage_of(const CraneCylinder& cylinder, const Vec3& pin,
+                                        double angle) {
+    const Vec3 foot = cylinder.foot - pin, head = raised(angle) * cylinder.head;
+    Linkage out;
+    out.a = foot.norm();
+    out.b = head.norm();
+    out.angle = angle;
+    out.phi = std::atan2(foot.cross(head).norm(), foot.dot(head));
+    out.length = (head - foot).norm();
+    // Raising turns about −y.
+    out.lever = (head - foot).dot((-Vec3::UnitY()).cross(head)) / std::max(out.length, 1e-12);
+    return out;
+}
+
+[[nodiscard]] inline Linkage boom_linkage(const KnuckleCraneDef& d) {
+    return linkage_of(d.boom_cylinder, d.boom_foot, d.boom_angle);
+}
+[[nodiscard]] inline Linkage jib_linkage(const KnuckleCraneDef& d) {
+    return linkage_of(d.jib_cylinder, {d.boom.length, 0.0, 0.0}, d.jib_angle);
+}
+
+/// Where the pendants of a lattice boom hold it, in the column's frame.
+[[nodiscard]] inline Vec3 pendant_head(const LatticeCraneDef& d) {
+    return d.boom_foot + raised(d.boom_angle) * Vec3(d.boom.length, 0.0, 0.5 * d.boom.height);
+}
+/// From there to the gantry [m].
+[[nodiscard]] inline double pendant_way(const LatticeCraneDef& d) {
+    return (d.gantry - pendant_head(d)).norm();
+}
+
+}  // namespace hawser::crane

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Cranes: their parts become bodies and interactions of the scene, which inputs, outputs and
+/// cables find by their names; what drives them comes once there is a world.
+#include "scene/cranes.h"
+
+#include "scene/description.h"
+#include "scene/timeline.h"
+
+#include <numbers>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hawser::scene {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+template <class T>
+void read_crane_part(T& out, const Json& json) {
+    using Table = CraneTable<T>;
+    for (const CraneNumber<T>& n : Table::kNumbers) {
+        const auto entry = json.find(n.key);
+        if (entry == json.end()) continue;
+        const bool degrees = std::string_view(n.key).ends_with("_deg");
+        out.*n.value = entry->template get<double>() * (degrees ? kDegree : 1.0);
+    }
+    for (const CranePoint<T>& p : std::span(Table::kPoints).first(Table::kPointCount))
+        out.*p.value = vector_or(json, p.key, out.*p.value);
+}
+
+void read_tackle(CraneTackle& out, const Json& json) {
+    read_crane_part(out, json);
+    out.falls = json["falls"].get<int>();
+}
+
+CraneRating read_rating(const Json& json) {
+    CraneRating rating;
+    read_crane_part(rating, json);
+    for (const Json& point : json["curve"])
+        rating.curve.push_back({point[0].get<double>(), point[1].get<double>()});
+    if (const auto cut = json.find("cut_out"); cut != json.end()) rating.cut_out = cut->get<bool>();
+    return rating;
+}
+
+CraneLoad read_load(Description& out, const Scope& scope, const Json& json, const Place& place) {
+    CraneLoad load;
+    load.body = resolve_body(out, scope, json["body"].get<std::string>(), place / "body");
+    read_crane_part(load, json);
+    if (const auto eyes = json.find("eyes"); eyes != json.end())
+        for (const Json& eye : *eyes) load.eyes.push_back(vector_of(eye));
+    else
+        load.eyes.push_back(Vec3::Zero());
+    return load;
+}
+
+/// Which of its loads a crane takes at the start.
+int first_load(const Description& out, const Scope& scope, const std::vector<CraneLoad>& loads,
+               const Json& json, const Place& place) {
+    const auto take = json.find("take");
+    if (take == json.end()) return 0;
+    const std::string name = take->get<std::string>();
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+        const std::string& full = out.body(loads[i].body).name;
+        if (full == scope.prefix + name) return static_cast<int>(i) + 1;
+        known.push_back(full.starts_with(scope.prefix) ? full.substr(scope.prefix.size()) : full);
+    }
+    refuse(place / "take",
+           "none of its loads is the body " + in_quotes(name) + suggestion(name, known));
+}
+
+template <class Def>
+void read_common(Def& def, Description& out, const Scope& scope, const Json& json,
+                 const Place& place) {
+    def.name = scope.prefix + json["name"].get<std::string>();
+    def.mount.on = resolve_body(out, scope, json["on"].get<std::string>(), place / "on");
+    def.mount.point = vector_or(json, "point", def.mount.point);
+    def.mount.orientation = orientation_of(json, place).normalized();
+    read_crane_part(def, json);
+    read_crane_part(def.slew, json["slew"]);
+    read_crane_part(def.column, json["column"]);
+    read_crane_part(def.boom, json["boom"]);
+    read_tackle(def.hoist, json["hoist"]);
+    read_crane_part(def.hook, json["hook"]);
+    if (const auto rating = json.find("rating"); rating != json.end())
+        def.rating = read_rating(*rating);
+    if (const auto loads = json.find("loads"); loads != json.end())
+        for (std::size_t i = 0; i < loads->size(); ++i)
+            def.loads.push_back(read_load(out, scope, (*loads)[i], place / "loads" / i));
+    def.take = first_load(out, scope, def.loads, json, place);
+}
+
+/// Adds parts to the lists of a scene.
+class SceneSite final : public CraneSite {
+  public:
+    SceneSite(Description& out, int at) : out_(out), at_(at) {}
+    ~SceneSite() = default;
+    BodyId add(const BodyDef& def) override { return out_.add_body(def, at_); }
+    InteractionId add(const InteractionDef& def) override { return out_.add_interaction(def, at_); }
+    [[nodiscard]] CraneBody find(BodyId id) const override {
+        const BodyDef& b = out_.body(id);
+        return {{b.position, b.orientation.normalized()},
+                {b.velocity, b.angular_velocity},
+                b.kind,
+                b.mass};
+    }
+    [[nodiscard]] Vec3 gravity() const override { return out_.settings.gravity; }
+
+  private:
+    Description& out_;
+    int at_;
+};
+
+/// A refusal of the library, "crane 'NAME': hoist/falls: why", at its place in the file.
+[[noreturn]] void refuse_at(const Place& place, const std::string& text) {
+    const auto name_ends = text.find("': ");
+    const std::string rest = name_ends == std::string::npos ? text : text.substr(name_ends + 3);
+    const auto ends = rest.find(": ");
+    constexpr const char* kOfPaths = "abcdefghijklmnopqrstuvwxyz_/0123456789EA";
+    if (ends == std::string::npos || rest.find_first_not_of(kOfPaths) != ends) refuse(place, rest);
+    std::string path = rest.substr(0, ends);
+    for (const char* mount : {"mount/"})
+        if (path.starts_with(mount)) path = path.substr(std::string_view(mount).size());
+    if (path == "orientation") path = "euler_deg";
+    if (path.ends_with("angle")) path += "_deg";
+    refuse({place.file, place.path + "/" + path}, rest.substr(ends + 2));
+}
+
+void read_crane(Description& out, const Scope& scope, const Json& json, const Place& place) {
+    Crane crane;
+    if (json["kind"] == "lattice") {
+        LatticeCraneDef& def = crane.def.emplace<LatticeCraneDef>();
+        read_common(def, out, scope, json, place);
+        read_tackle(def.luffing, json["luffing"]);
+    } else {
+        KnuckleCraneDef& def = crane.def.emplace<KnuckleCraneDef>();
+        read_common(def, out, scope, json, place);
+        read_crane_part(def.boom_cylinder, json["boom_cylinder"]);
+        read_crane_part(def.jib, json["jib"]);
+        read_crane_part(def.jib_cylinder, json["jib_cylinder"]);
+    }
+    crane.place = out.keep(place);
+    try {
+        SceneSite site(out, crane.place);
+        std::visit([&](const auto& def) { build_crane(site, def); }, crane.def);
+    } catch (const DefError& error) {
+        refuse_at(place, error.what());
+    }
+    out.cranes.push_back(std::move(crane));
+}
+
+}  // namespace
+
+void expand_cranes(Description& out, const Scope& scope) {
+    const auto list = scope.content->find("cranes");
+    if (list == scope.content->end()) return;
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        const Json& json = (*list)[i];
+        if (json.is_null()) continue;  // Left out: mistakes.h.
+        const bool made = attempt(
+            out.mistakes, [&] { read_crane(out, scope, json, scope.place / "cranes" / i); });
+        if (made) continue;
+        for (const Lost what : {Lost::body, Lost::interaction})
+            out.mistakes->lose(what, scope.prefix + json["name"].get<std::string>());
+    }
+}
+
+InputWords loads_by_word(const Description& description) {
+    InputWords words;
+    for (const Crane& crane : description.cranes)
+        std::visit(
+            [&](const auto& def) {
+                std::vector<std::string>& known = words[def.name + ".take"];
+                for (const CraneLoad& load : def.loads)
+                    known.push_back(description.body(load.body).name);
+            },
+            crane.def);
+    return words;
+}
+
+}  // namespace hawser::scene

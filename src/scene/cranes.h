@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file cranes.h
+/// The numbers and points of a crane in a scene: format and reader go by one table. Keys that end
+/// in _deg are degrees here and radians in definitions.
+
+#include <hawser/crane.h>
+
+namespace hawser::scene {
+
+template <class T>
+struct CraneNumber {
+    const char* key;
+    double T::* value;
+    const char* unit;
+    const char* fallback;  ///< In words; "" where it must be given.
+    const char* doc;
+    double least, most;  ///< `least` itself only where there is a default, or it is below 0.
+};
+
+template <class T>
+struct CranePoint {
+    const char* key;
+    Vec3 T::* value;
+    const char* fallback;  ///< As above.
+    const char* doc;
+};
+
+inline constexpr double kCraneFar = 1e4, kCraneHeavy = 1e12, kCranePull = 1e15, kCraneFast = 100.0;
+
+/// Tables of one part of a definition.
+template <class T>
+struct CraneTable;
+
+template <>
+struct CraneTable<CraneSlew> {
+    static constexpr CraneNumber<CraneSlew> kNumbers[] = {
+        {"torque", &CraneSlew::torque, "N m", "", "Largest of the motor.", 0.0, kCranePull},
+        {"brake", &CraneSlew::brake, "N m", "", "Above which the brake slips.", 0.0, kCranePull},
+        {"friction", &CraneSlew::friction, "N m", "0", "Of the bearing while it turns.", 0.0,
+         kCranePull},
+        {"speed", &CraneSlew::speed, "rad/s", "", "Largest.", 0.0, 10.0},
+        {"angle_deg", &CraneSlew::angle, "deg", "0", "At the start.", -180.0, 180.0}};
+    static constexpr CranePoint<CraneSlew> kPoints[1] = {};
+    static constexpr int kPointCount = 0;
+};
+
+template <>
+struct CraneTable<CraneColumn> {
+    static constexpr CraneNumber<CraneColumn> kNumbers[] = {
+        {"mass", &CraneColumn::mass, "kg", "", "Counterweight included.", 0.0, kCraneHeavy}};
+    static constexpr CranePoint<CraneColumn> kPoints[] = {
+        {"centre", &CraneColumn::centre, "[0, 0, 0]", "Of mass, in the column's frame."},
+        {"half_size", &CraneColumn::half_size, "", "Of a solid box: inertia and picture."}};
+    static constexpr int kPointCount = 2;
+};
+
+template <>
+struct CraneTable<CraneLink> {
+    static constexpr CraneNumber<CraneLink> kNumbers[] = {
+        {"length", &CraneLink::length, "m", "", "From foot pin to head.", 0.0, kCraneFar},
+        {"mass", &CraneLink::mass, "kg", "", "Mass.", 0.0, kCraneHeavy},
+        {"centre", &CraneLink::centre, "m", "half the length", "Of mass, from the foot pin.", 0.0,
+         kCraneFar},
+        {"width", &CraneLink::width, "m", "", "Of a solid box: inertia and picture.", 0.0,
+         kCraneFar},
+        {"height", &CraneLink::height, "m", "", "Likewise.", 0.0, kCraneFar}};
+    static constexpr CranePoint<CraneLink> kPoints[1] = {};
+    static constexpr int kPointCount = 0;
+};
+
+template <>
+struct CraneTable<CraneCylinder> {
+    static constexpr CraneNumber<CraneCylinder> kNumbers[] = {
+        {"min_length", &CraneCylinder::min_length, "m", "", "Between the pins, rod in.", 0.0,
+         kCraneFar},
+        {"max_length", &CraneCylinder::max_length, "m", "", "Rod out.", 0.0, kCraneFar},
+        {"push", &CraneCylinder::push, "N", "", "Largest force.", 0.0, kCranePull},
+        {"pull", &CraneCylinder::pull, "N", "", "Largest force the other way.", 0.0, kCranePull},
+        {"speed", &CraneCylinder::speed, "m/s", "", "Largest.", 0.0, kCraneFast},
+        {"stiffness", &CraneCylinder::stiffness, "N/m", "", "Of oil and pins.", 0.0, kCranePull},
+        {"mass", &CraneCylinder::mass, "kg", "", "Of rod and oil that move.", 0.0, kCraneHeavy}};
+    static constexpr CranePoint<CraneCylinder> kPoints[] = {
+        {"foot", &CraneCylinder::foot, "", "Pin nearer the column, in the frame of that link."},
+        {"head", &CraneCylinder::head, "", "Pin on the link that it moves, in its frame."}};
+    static constexpr int kPointCount = 2;
+};
+
+template <>
+struct CraneTable<CraneTackle> {
+    static constexpr CraneNumber<CraneTackle> kNumbers[] = {
+        {"EA", &CraneTackle::EA, "N", "", "Of the line.", 0.0, kCranePull},
+        {"efficiency", &CraneTackle::efficiency, "1", "1",
+         "Of each sheave: lesser tension over greater; above 0.", 0.0, 1.0},
+        {"sheave_radius", &CraneTackle::sheave_radius, "m", "0.3",
+         "Of hoists; luffing tackles run over eyes.", 0.0, 1e3},
+        {"sheave_inertia", &CraneTackle::sheave_inertia, "kg m^2", "0",
+         "Of each at the head of a hoist.", 0.0, kCraneHeavy},
+        {"drum_radius", &CraneTackle::drum_radius, "m", "", "Radius.", 0.0, 1e3},
+        {"drum_inertia", &CraneTackle::drum_inertia, "kg m^2", "", "With motor and gear.", 0.0,
+         kCraneHeavy},
+        {"pull", &CraneTackle::pull, "N", "", "Line pull of the motor.", 0.0, kCranePull},
+        {"brake", &CraneTackle::brake, "N", "", "Line pull above which the brake slips.", 0.0,
+         kCranePull},
+        {"speed", &CraneTackle::speed, "m/s", "", "Largest, of hook or bridle.", 0.0, kCraneFast},
+        {"breaking_load", &CraneTackle::breaking_load, "N", "never", "Of the line.", 0.0,
+         kCranePull},
+        {"damping_time", &CraneTackle::damping_time, "s", "two steps", "Of the line.", 0.0, 1e12}};
+    static constexpr CranePoint<CraneTackle> kPoints[] = {
+        {"drum", &CraneTackle::drum, "",
+         "Where the line leaves: on the column, of a knuckle boom's hoist on its boom."}};
+    static constexpr int kPointCount = 1;
+};
+
+template <>
+struct CraneTable<CraneHook> {
+    static constexpr CraneNumber<CraneHook> kNumbers[] = {
+        {"mass", &CraneHook::mass, "kg", "", "With its block.", 0.0, kCraneHeavy},
+        {"height", &CraneHook::height, "m", "", "Of its point below the axis of its sheaves.", 0.0,
+         kCraneFar},
+        {"hang", &CraneHook::hang, "m", "", "From the head's sheaves to its own at the start.", 0.0,
+         kCraneFar},
+        {"least_hang", &CraneHook::least_hang, "m", "0", "Where hauling is cut out.", 0.0,
+         kCraneFar},
+        {"angular_damping", &CraneHook::angular_damping, "N m s", "0", "Of its turning.", 0.0,
+         kCranePull}};
+    static constexpr CranePoint<CraneHook> kPoints[] = {
+        {"half_size", &CraneHook::half_size, "[0.3, 0.3, 0.5]", "Inertia and picture."}};
+    static constexpr int kPointCount = 1;
+};
+
+template <>
+struct CraneTable<CraneRating> {
+    static constexpr CraneNumber<CraneRating> kNumbers[] = {
+        {"warning", &CraneRating::warning, "1", "0.9", "Utilisation of step 1 of the alarm.", 0.0,
+         10.0},
+        {"overload", &CraneRating::overload, "1", "1", "Utilisation of step 2.", 0.0, 10.0},
+        {"hold", &CraneRating::hold, "s", "0.5", "It lasts so long before the step changes.", 0.0,
+         1e3},
+        {"filter", &CraneRating::filter, "s", "0.5", "Time constant of the load that is shown.",
+         0.0, 1e3}};
+    static constexpr CranePoint<CraneRating> kPoints[1] = {};
+    static constexpr int kPointCount = 0;
+};
+
+template <>
+struct CraneTable<CraneLoad> {
+    static constexpr CraneNumber<CraneLoad> kNumbers[] = {
+        {"sling_length", &CraneLoad::sling_length, "m", "", "From the hook's point to an eye.", 0.0,
+         kCraneFar},
+        {"sling_EA", &CraneLoad::sling_EA, "N", "", "Of each sling.", 0.0, kCranePull},
+        {"reach", &CraneLoad::reach, "m", "0",
+         "How much farther an eye may be when the hook takes it.", 0.0, kCraneFar},
+        {"breaking_load", &CraneLoad::breaking_load, "N", "never", "Of each sling.", 0.0,
+         kCranePull}};
+    static constexpr CranePoint<CraneLoad> kPoints[1] = {};
+    static constexpr int kPointCount = 0;
+};
+
+template <>
+struct CraneTable<KnuckleCraneDef> {
+    static constexpr CraneNumber<KnuckleCraneDef> kNumbers[] = {
+        {"boom_angle_deg", &KnuckleCraneDef::boom_angle, "deg", "", "Above the level at the start.",
+         -90.0, 90.0},
+        {"jib_angle_deg", &KnuckleCraneDef::jib_angle, "deg", "",
+         "Against the boom at the start; below 0: folded down.", -180.0, 180.0},
+        {"ramp", &KnuckleCraneDef::ramp, "s", "2", "From rest to the largest speed.", 0.0, 1e3}};
+    static constexpr CranePoint<KnuckleCraneDef> kPoints[] = {
+        {"boom_foot", &KnuckleCraneDef::boom_foot, "", "Foot pin, in the column's frame; y = 0."}};
+    static constexpr int kPointCount = 1;
+};
+
+template <>
+struct CraneTable<LatticeCraneDef> {
+    static constexpr CraneNumber<LatticeCraneDef> kNumbers[] = {
+        {"boom_angle_deg", &LatticeCraneDef::boom_angle, "deg", "", "Above the level at the start.",
+         -90.0, 90.0},
+        {"least_angle_deg", &LatticeCraneDef::least_angle, "deg", "5.73", "Of the boom.", -85.0,
+         85.0},
+        {"most_angle_deg", &LatticeCraneDef::most_angle, "deg", "83.1",
+         "Where the boom meets its back stop.", -85.0, 89.0},
+        {"bridle_mass", &LatticeCraneDef::bridle_mass, "kg", "", "Of the bridle, a lump.", 0.0,
+         kCraneHeavy},
+        {"pendant_length", &LatticeCraneDef::pendant_length, "m", "",
+         "From boom head to bridle at the start.", 0.0, kCraneFar},
+        {"pendant_EA", &LatticeCraneDef::pendant_EA, "N", "", "Of each of the two.", 0.0,
+         kCranePull},
+        {"pendant_breaking_load", &LatticeCraneDef::pendant_breaking_load, "N", "never", "Of each.",
+         0.0, kCranePull},
+        {"ramp", &LatticeCraneDef::ramp, "s", "2", "From rest to the largest speed.", 0.0, 1e3}};
+    static constexpr CranePoint<LatticeCraneDef> kPoints[] = {
+        {"boom_foot", &LatticeCraneDef::boom_foot, "", "Foot pin, in the column's frame; y = 0."},
+        {"gantry", &LatticeCraneDef::gantry, "", "Its head, in the column's frame; y = 0."}};
+    static constexpr int kPointCount = 2;
+};
+
+}  // namespace hawser::scene
