@@ -118,6 +118,7 @@ class World {
     [[nodiscard]] int system_count() const noexcept;
     [[nodiscard]] System& system(int index);  ///< In the order in which they act. @throws DefError.
     [[nodiscard]] System* find_system(std::string_view name) noexcept;  ///< Null: there is none.
+    [[nodiscard]] const System* find_system(std::string_view name) const noexcept;
     /// Inputs and outputs of all systems.
     [[nodiscard]] std::span<const SystemSignal> system_signals() const noexcept;
     /// By "system.name". @throws DefError where there is none, with the nearest name.
