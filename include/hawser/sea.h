@@ -284,9 +284,9 @@ class Sea {
 /// NPD's density of gusts at 10 m for U₁₀ [m/s] at f [Hz]: [m²/s² / Hz].
 [[nodiscard]] double gust_spectrum(double speed, double frequency) noexcept;
 
-/// The system "sea". @throws SeaError, DefError where a name is taken, gravity does not point down,
-/// or the method of the world takes no loads (`pgs`, `split`).
-System& define(World& world, const SeaDef& def);
+/// The system "sea", which the world owns. @throws SeaError, DefError where a name is taken,
+/// gravity does not point down, or the method of the world takes no loads (`pgs`, `split`).
+System* define(World& world, const SeaDef& def);
 
 /// The sea of a world as defined; null: it has none.
 [[nodiscard]] const SeaDef* find_sea(const World& world) noexcept;

@@ -73,7 +73,7 @@ double gravity_of(const World& world) {
 
 }  // namespace
 
-System& define(World& world, const SeaDef& def) {
+System* define(World& world, const SeaDef& def) {
     if (world.find_system("sea") != nullptr)
         throw DefError("sea: a world has one; there is a system 'sea' already");
     const double gravity = gravity_of(world);
@@ -83,7 +83,7 @@ System& define(World& world, const SeaDef& def) {
         check_water_body(world, def.bodies[i], entry("bodies", i));
     for (std::size_t i = 0; i < def.hulls.size(); ++i)
         check_water_hull(world, def.hulls[i], entry("hulls", i));
-    return world.add_system(
+    return &world.add_system(
         std::make_unique<marine::SeaSystem>(def, gravity, marine::line_table(world, def)));
 }
 

@@ -95,7 +95,10 @@ void add_body_water(const WaterBody& body, double height, const Mat3& axes,
         out.mass.add(mass * body.added_mass[k], axes.col(k));
         out.force += mass * body.added_mass[k] * axes.col(k).dot(a) * axes.col(k);
     }
-    add_buoyancy(displaced * law.gravity, wet, height, out);
+    out.force.z() += displaced * law.gravity * wet;
+    // Until it is out of the water.
+    const double rise = water.elevation - motion.position.z() + 0.5 * height;
+    out.stiffness.m[5] += displaced * law.gravity * wet / rise;
 }
 
 }  // namespace hawser::marine

@@ -18,6 +18,10 @@
 /// ```
 ///     f = q B r,   D = q B + B r (B r)ᵀ/q,   q = √(rᵀ B r)
 /// ```
+/// The stiffness of buoyancy is the secant to where the body is out of the water: where it pierces
+/// the surface its tangent, below it what keeps a light body from being thrown out by a step in
+/// which its buoyancy would have ended.
+///
 /// Matrices are sums of a aᵀ, entry by entry to rounding, so that no rounding makes them
 /// indefinite.
 

@@ -99,6 +99,12 @@ void HullWater::finish(const Sea& sea, const SeaMoment& now, double air) noexcep
         for (int i = 0, n = 0; i < 3; ++i)  // heave, turns about x and y are rows 2, 3, 4
             for (int j = 0; j <= i; ++j, ++n)
                 stiffness[static_cast<std::size_t>(triangle(2 + i, 2 + j))] += weight * plane[n];
+        // At least the secant to where it is out of the water: a light hull below the surface is
+        // not thrown out by a step in which its buoyancy would have ended.
+        double deepest = 0.0;
+        for (const HullCorner& c : corners_) deepest = std::max(deepest, c.depth);
+        double& heave = stiffness[static_cast<std::size_t>(triangle(2, 2))];
+        heave = std::max(heave, weight * all.volume / deepest);
         const double stable = weight * std::max(all.moment.z(), 0.0);
         stiffness[static_cast<std::size_t>(triangle(3, 3))] += stable;
         stiffness[static_cast<std::size_t>(triangle(4, 4))] += stable;

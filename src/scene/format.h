@@ -53,6 +53,10 @@ struct Format {
 /// A winch at the end of a cable. See format_cables.cpp.
 [[nodiscard]] ShapePtr winch_shape();
 
+/// The sea, and what a line type says of water. See format_sea.cpp.
+[[nodiscard]] ShapePtr sea_shape();
+[[nodiscard]] std::vector<Field> line_water_fields();
+
 /// A line over posts and sheaves. See format_routes.cpp.
 [[nodiscard]] ShapePtr route_shape();
 

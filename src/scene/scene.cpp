@@ -42,6 +42,9 @@ class Builder {
         add_surfaces(*world);
         add_winches(*world);
         add_resolutions(*world);
+        if (numbered_) {
+            (void)take(description_.sea_place, [&] { add_sea(*world, description_); });
+        }
         check_levers(*world);
         for (std::size_t i = 0; i < description_.inputs.size() && numbered_; ++i) {
             (void)take(description_.input_place(i),

@@ -122,10 +122,11 @@ TEST(Waves, SpectraHaveTheirHeightAndPeriods) {
     EXPECT_NEAR(4.0 * std::sqrt(m0), 3.004, 2e-3);
     EXPECT_NEAR(kTwoPi * std::sqrt(m0 / m2) / 9.0, 0.778, 2e-3);
     for (const WaveKind kind : {WaveKind::jonswap, WaveKind::pierson_moskowitz}) {
-        SeaDef sea = irregular(150.0);
-        sea.waves[0].kind = kind;
+        SeaDef def_of_kind = irregular(150.0);
+        def_of_kind.waves[0].kind = kind;
+        const Sea sea(def_of_kind);
         double sum = 0.0;
-        for (const WaveComponent& w : Sea(sea).components()) sum += 0.5 * w.amplitude * w.amplitude;
+        for (const WaveComponent& w : sea.components()) sum += 0.5 * w.amplitude * w.amplitude;
         EXPECT_NEAR(4.0 * std::sqrt(sum), 3.0, 1e-12);
     }
 }
