@@ -20,7 +20,8 @@
 /// *Tangent.* Where the hull moves by (x, φ), each piece of the waterplane at (x, y) rises by
 /// r = (0, 0, 1, y, −x, 0)·(x, φ): K = ρ g ∫ r rᵀ dA over the waterplane. It is positive
 /// semi-definite; of the moments of weight and buoyancy, ρ g V (z_B − z_G) about x and y, it takes
-/// in what is stable.
+/// in what is stable. Up and down it is at least ρ g V over the depth of the lowest point, the
+/// secant to where the hull is out of the water.
 ///
 /// Source of the formulas: A. B. Biran, *Ship Hydrostatics and Stability*, 2003. Limits: the
 /// surface is linear over each triangle, so that triangles are to be small against waves.

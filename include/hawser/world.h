@@ -126,8 +126,7 @@ class World {
     /// Clamped to its range. @throws DefError where there is no such input, or the value is not
     /// finite.
     void set_system_signal(std::string_view name, double value);
-    /// What systems loaded bodies with in the last step, or in the one that failed, by body. Good
-    /// until the next step.
+    /// Loads of systems in the last step, or the one that failed, by body; good until the next.
     [[nodiscard]] std::vector<LoadView> loads() const;
     /// Of the last step that ended with Status::bad_load or bad_edit.
     [[nodiscard]] const BadLoad& bad_load() const noexcept;

@@ -68,7 +68,7 @@ double SeaVerifier::surface(double x, double y) const {
 SeaVerifier::Water SeaVerifier::water(const Vec3& x) const {
     Water out;
     out.surface = surface(x.x(), x.y());
-    const double d = def_->depth, z = std::min(x.z(), out.surface);
+    const double d = def_->depth, z = std::clamp(x.z(), -d, out.surface);
     const double down = d * (z + d) / (d + out.surface);  // above the bottom, stretched
     double dynamic = 0.0;
     for (const WaveComponent& w : sea_->components()) {
@@ -247,19 +247,25 @@ double SeaVerifier::after_step(const World& world, const std::vector<Pose>& pose
             if (!(most <= 1e-14 * size)) worst = std::max(worst, most / size);
         };
         const double speed = before[numbered(view.body.index)].linear.norm();
+        // Beside its own size that of the body: where water hardly moves, nothing is known of it.
+        const double m = world.body_def(view.body).mass, h = world.settings().step;
         compare(
             view.force, [&](int i) { return mine.force[i]; },
-            mine.force.norm() + mine.damping.norm() * speed + 1e-300);
-        const std::pair<std::span<const double>, const Mat6*> matrices[] = {
-            {view.mass, &mine.mass},
-            {view.damping, &mine.damping},
-            {view.stiffness, &mine.stiffness}};
-        for (const auto& [theirs, own] : matrices) {
-            std::vector<double> mine_triangle;
+            mine.force.norm() + mine.damping.norm() * speed + m * gravity_);
+        struct Part {
+            std::span<const double> theirs;
+            const Mat6& own;
+            double floor;
+        };
+        for (const Part& part :
+             {Part{view.mass, mine.mass, m}, Part{view.damping, mine.damping, m / h},
+              Part{view.stiffness, mine.stiffness, m / (h * h)}}) {
+            std::vector<double> triangle_of_own;
             for (int i = 0; i < n; ++i)
-                for (int j = 0; j <= i; ++j) mine_triangle.push_back((*own)(i, j));
+                for (int j = 0; j <= i; ++j) triangle_of_own.push_back(part.own(i, j));
             compare(
-                theirs, [&](int i) { return mine_triangle[numbered(i)]; }, own->norm() + 1e-300);
+                part.theirs, [&](int i) { return triangle_of_own[numbered(i)]; },
+                part.own.norm() + part.floor);
         }
         mine.wet = false;
     }

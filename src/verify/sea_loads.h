@@ -19,7 +19,7 @@ class SeaVerifier {
     /// Inputs and time of the step to come.
     void before_step(const World& world);
     /// @param pose, before  Of all bodies, where the step began. @return the largest difference of
-    /// a load of the sea from that computed here, over the load's own size; 0 without a sea.
+    /// a load of the sea from that computed here, over its size and the body's; 0 without a sea.
     [[nodiscard]] double after_step(const World& world, const std::vector<Pose>& pose,
                                     const std::vector<Twist>& before);
 
