@@ -52,8 +52,9 @@
 /// **Hulls**: hull.h.
 ///
 /// Limits: waves of first order (accelerations are ∂u/∂t alone), no breaking, no diffraction or
-/// radiation, no bottom that is not level; waves have the depth `depth` whatever the level; gusts act everywhere at once. Half
-/// elements that end on bodies have neither mass nor water. What is loaded does not sleep.
+/// radiation, no bottom that is not level; waves have the depth `depth` whatever the level; gusts
+/// act everywhere at once. Half elements that end on bodies have neither mass nor water. What is
+/// loaded does not sleep.
 ///
 /// A world has one sea, the system "sea". Signals, as "sea.name". Inputs: `waves` (factor of all
 /// amplitudes), `current` (factor), `wind` (U₁₀ [m/s]), `wind_direction` [rad], `level` (on top of
