@@ -131,6 +131,9 @@ class Builder {
     void check_levers(const World& world) {
         for (std::size_t i = 0; i < description_.levers.size() && numbered_; ++i) {
             const std::string& wanted = description_.levers[i].input.signal;
+            if (description_.sea && world.find_system("sea") == nullptr &&
+                wanted.starts_with("sea."))
+                continue;  // The sea was refused.
             std::vector<std::string> known;
             for (const SystemSignal& s : world.system_signals())
                 if (s.input) known.push_back(s.system + "." + s.name);

@@ -253,7 +253,7 @@ inline constexpr std::string_view kSea = R"({
                "damping": [1e4, 1e4, 1e5, 1e5, 1e5, 1e5], "drag_area": 20, "wind_area": 10},
               {"body": "wedge", "scale": 2, "wave_pressure": false,
                "mesh": {"vertices": [[0, 0, -1], [1, 0, 1], [-1, 1, 1], [-1, -1, 1]],
-                        "triangles": [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]}}]},
+                        "triangles": [[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]]}}]},
   "inputs": [{"name": "waves", "signal": "sea.waves", "min": 0, "max": 2}],
   "timeline": [{"at": 2, "set": {"sea.current": 0.5}}],
   "repeat": {"offset": [200, 0, 0], "copies": 2}
