@@ -24,7 +24,7 @@ set(HAWSER_PROGRAM_TESTS bench cli)
 set(HAWSER_THREAD_TESTS runtime threads)
 set(HAWSER_UNSANITIZED_TESTS assembly draw record report verify)
 # Tests that need more than the library.
-set(HAWSER_REPORT_TESTS cli draw files record report session verify)
+set(HAWSER_REPORT_TESTS cli draw files marine record report session verify)
 set(HAWSER_SCENE_TESTS bench cli draw files record report scene scenes session slow stepper
                        threads validate verify world)
 # Tests that take seconds, each with its folder: they start first, so that all processors end

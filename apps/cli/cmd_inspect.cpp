@@ -2,6 +2,7 @@
 #include "commands.h"
 #include "draw/png.h"
 #include "draw/spy.h"
+#include "hydrostatics.h"
 #include "inspect_parts.h"
 #include "scene_options.h"
 #include "signal_list.h"
@@ -23,6 +24,7 @@ constexpr const char* kInspectFooter = R"(Examples:
   hawser inspect scenes/anchor_lines.json
   hawser inspect scenes/anchor_lines.json --form saddle -o pictures   # spy.svg and spy.png
   hawser inspect scenes/anchor_contact.json --parts 4 --steps 60      # where it would be cut
+  hawser inspect scenes/floating_box.json --hydrostatics              # of its hulls
 
 Exit codes: 0 done, 1 wrong option, scene or file, 2 a step failed.)";
 
@@ -30,6 +32,7 @@ struct InspectOptions {
     SceneOptions scene;
     std::string folder;
     int steps = 1;
+    bool hydrostatics = false;
 };
 
 void print_islands(const SystemView& view) {
@@ -104,6 +107,7 @@ void print_system(const World& world, const SystemView& view) {
 int inspect(const InspectOptions& options) {
     scene::Scene scene = options.scene.load();
     World& world = scene.world;
+    if (options.hydrostatics) return print_hydrostatics(world) ? kOk : kUsageError;
     for (int k = 0; k < options.steps; ++k)
         if (const Status status = world.step(); status != Status::ok) {
             fmt::print(stderr, "hawser: step {} failed: {}\n", k + 1, to_string(status));
@@ -142,6 +146,9 @@ void add_inspect(CLI::App& app, Command& chosen) {
     command->add_option("--steps", options->steps, "Steps before the system is shown")
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
+    command->add_flag(
+        "--hydrostatics", options->hydrostatics,
+        "Show displacement, KB, BM, GM and the curve of levers GZ of its hulls instead");
     command->callback([&chosen, options] { chosen = [options] { return inspect(*options); }; });
 }
 

@@ -13,6 +13,7 @@ constexpr const char* kValidateFooter = R"(Examples:
   hawser validate --list
   hawser validate robust
   hawser validate wires
+  hawser validate sea
   hawser validate pendulum catenary --json validation.json
 
 Runs cases with a known answer and prints case, quantity, reference, ours, error and observed
@@ -31,8 +32,8 @@ void add_validate(CLI::App& app, Command& chosen) {
     CLI::App* command = app.add_subcommand("validate", "Compare with known answers of physics");
     command->footer(kValidateFooter);
     command->add_option("CASE", options->cases,
-                        "Names of cases; none = all but `robust` and `wires`, which name sets of "
-                        "their own");
+                        "Names of cases; none = all but `robust`, `wires` and `sea`, which name "
+                        "sets of their own");
     command->add_option("--json", options->json, "Write the results as JSON");
     command->add_flag("--list", options->list, "Print the names of the cases");
     command->callback([&chosen, options] {

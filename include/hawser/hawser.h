@@ -10,6 +10,7 @@
 #include <hawser/edits.h>
 #include <hawser/factor.h>
 #include <hawser/guide.h>
+#include <hawser/hull.h>
 #include <hawser/id.h>
 #include <hawser/inspect.h>
 #include <hawser/interactions.h>
@@ -23,6 +24,7 @@
 #include <hawser/route.h>
 #include <hawser/row_constants.h>
 #include <hawser/schedule.h>
+#include <hawser/sea.h>
 #include <hawser/settings.h>
 #include <hawser/shapes.h>
 #include <hawser/state.h>

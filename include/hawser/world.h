@@ -119,6 +119,7 @@ class World {
     [[nodiscard]] int system_count() const noexcept;
     [[nodiscard]] System& system(int index);  ///< In the order in which they act. @throws DefError.
     [[nodiscard]] System* find_system(std::string_view name) noexcept;  ///< Null: there is none.
+    [[nodiscard]] const System* find_system(std::string_view name) const noexcept;
     /// Inputs and outputs of all systems.
     [[nodiscard]] std::span<const SystemSignal> system_signals() const noexcept;
     /// By "system.name". @throws DefError where there is none, with the nearest name.
@@ -126,8 +127,7 @@ class World {
     /// Clamped to its range. @throws DefError where there is no such input, or the value is not
     /// finite.
     void set_system_signal(std::string_view name, double value);
-    /// What systems loaded bodies with in the last step, or in the one that failed, by body. Good
-    /// until the next step.
+    /// Loads of systems in the last step, or the one that failed, by body; good until the next.
     [[nodiscard]] std::vector<LoadView> loads() const;
     /// Of the last step that ended with Status::bad_load or bad_edit.
     [[nodiscard]] const BadLoad& bad_load() const noexcept;

@@ -148,6 +148,8 @@ void quality(Out out, const Summary& s) {
                        v.steps, v.natural_map, v.difference, v.covered_bodies, v.moving_bodies,
                        v.momentum, v.bounds, 100.0 * v.states.created, 100.0 * v.states.open,
                        100.0 * v.states.cable, 100.0 * v.states.turn);
+    if (s.verified.sea > 0.0)
+        fmt::format_to(out, "               loads of the sea differ by {:.2e}\n", s.verified.sea);
     if (s.stretch_error_max > 0.0)
         fmt::format_to(out, "  cable law    |l − l0 (1 + T/EA)| at most {:.2e} l0 ({:.4g} s)\n",
                        s.stretch_error_max, s.stretch_error_time);

@@ -259,6 +259,7 @@ std::string to_json(const Summary& s) {
                            {"largest_disagreement", v.difference},
                            {"momentum", v.momentum},
                            {"bounds", v.bounds},
+                           {"sea", v.sea},
                            {"states",
                             {{"created", v.states.created},
                              {"open", v.states.open},

@@ -28,6 +28,7 @@ struct LayoutSection {
     double drag = 0.0;              ///< [N s/m²].
     double submerged_factor = 1.0;  ///< Weight in water / weight in air.
     std::string color;
+    LineWater water{};  ///< Diameter 0: it is in air.
 };
 
 struct CableLayout {

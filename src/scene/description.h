@@ -7,6 +7,7 @@
 #include <hawser/crane.h>
 #include <hawser/guide.h>
 #include <hawser/resolution.h>
+#include <hawser/sea.h>
 
 #include "scene/document.h"
 
@@ -63,6 +64,14 @@ struct Crane {
     int place = 0;
 };
 
+/// A cable in the water before there is a world.
+struct CableWater {
+    std::string cable{};
+    std::vector<WaterLine::Section> sections{};
+    bool free_first = false, free_last = false;
+    Place place{};
+};
+
 /// An input of a signal.
 struct Lever {
     SignalInput input;
@@ -90,6 +99,10 @@ class Description {
     std::vector<Resolution> resolutions;
     std::vector<Crane> cranes;
     std::vector<Lever> levers;
+    std::vector<CableWater> waters;  ///< Cables that are in the water if there is any.
+    std::optional<SeaDef> sea;       ///< Without its lines.
+    Place sea_place;
+    std::vector<Place> sea_body_place, sea_hull_place;  ///< Of each entry of its lists.
     std::vector<MaterialDef> materials;  ///< Material i of the list is i + 1 of the world.
     std::vector<MaterialPairDef> material_pairs;
     std::vector<ShapeDef> shapes;
@@ -212,6 +225,12 @@ void expand_guides(Description& out, const Scope& scope);
 void expand_cranes(Description& out, const Scope& scope);
 /// Lines over posts and sheaves of one scope, when all bodies are there (routes.cpp).
 void expand_routes(Description& out, const Scope& scope);
+/// The sea, when all bodies are there (sea.cpp). @param waters  How many are of copy 0.
+void expand_sea(Description& out, const Document& document, std::size_t waters);
+/// Takes a cable of which some section is in the water (sea.cpp).
+void keep_water(Description& out, const CableWater& water);
+/// The sea of a world whose bodies and wires are there (sea.cpp). @throws SceneError, DefError.
+void add_sea(World& world, const Description& from);
 /// Outputs of one scope, when all interactions are there (outputs.cpp).
 void expand_outputs(Description& out, const Scope& scope);
 /// Start from the stored state (state.cpp): bodies of copy 0, or the cables that join copies.

@@ -187,6 +187,7 @@ Document make_document(Json root, const std::filesystem::path& file, const Optio
     if (!attempt(mistakes, [&] { read_state(document, file); })) {
         document.root.erase("state");
     }
+    read_hull_files(document, file);
     return document;
 }
 

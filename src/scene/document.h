@@ -31,6 +31,9 @@ struct Document {
 [[nodiscard]] Document make_document(Json root, const std::filesystem::path& file,
                                      const Options& options, Mistakes* mistakes = nullptr);
 
+/// Meshes of hulls that are in files (hull_files.cpp).
+void read_hull_files(Document& document, const std::filesystem::path& file);
+
 /// Apply one "path=value" (see Options::set). @throws SceneError.
 void apply_override(Json& root, const std::string& option, const Place& place);
 

@@ -273,7 +273,9 @@ void expand(Description& out, const Document& document) {
     if (out.mistakes == nullptr || out.mistakes->none()) {
         (void)attempt(out.mistakes, [&] {
             apply_state(out, document);
+            const std::size_t waters = out.waters.size();
             expand_copies(out, document);
+            expand_sea(out, document, waters);
         });
     }
 }

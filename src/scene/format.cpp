@@ -178,6 +178,7 @@ ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
         {"instances", f.instances, false, "", "", "Uses of templates."},
         {"inputs", f.inputs, false, "", "", "Inputs."},
         {"outputs", f.outputs, false, "", "", "Outputs: columns of --csv."},
+        {"sea", sea_shape(), false, "air", "", "Water and wind."},
         {"timeline", list_of("a list of operations", operation_shape()), false, "", "",
          "What is done to the scene at times."},
         {"repeat",

@@ -59,6 +59,9 @@ struct Format {
 [[nodiscard]] ShapePtr guide_shape();
 /// A crane on a body. See format_cranes.cpp.
 [[nodiscard]] ShapePtr crane_shape();
+/// The sea, and what a line type says of water. See format_sea.cpp.
+[[nodiscard]] ShapePtr sea_shape();
+[[nodiscard]] std::vector<Field> line_water_fields();
 
 /// A line over posts and sheaves. See format_routes.cpp.
 [[nodiscard]] ShapePtr route_shape();

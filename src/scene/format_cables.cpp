@@ -3,6 +3,9 @@
 #include "scene/resolutions.h"
 #include "scene/winches.h"
 
+#include <utility>
+#include <vector>
+
 namespace hawser::scene {
 namespace {
 
@@ -72,27 +75,29 @@ ShapePtr resolution_shape() {
 }  // namespace
 
 ShapePtr line_type_shape() {
-    return object(
-        "line_type", "a line type", "Properties of a chain, wire or rope.",
-        {{"mass_per_length", positive("a mass per length", 1e9), true, "", "kg/m", "In air."},
-         {"EA", positive("a stiffness", kMostForce), false, "", "N",
-          "Axial stiffness; needed by cables of lumps."},
-         {"EI", number("a stiffness", 0.0, kMostForce), false, "0", "N m^2",
-          "Bending stiffness; 0: perfectly flexible. Cables of links bend freely."},
-         {"diameter", positive("a length", 1e3), false, "", "m", "For pictures."},
-         {"breaking_load", positive("a force", kMostForce), false, "never", "N",
-          "An element parts above this tension."},
-         {"axial_damping", number("a fraction", 0.0, 10.0), false, "two steps of damping time", "1",
-          "Fraction of critical of the highest axial mode of an element."},
-         {"drag", number("a damping per length", 0.0, kMostDamping), false, "0", "N s/m^2",
-          "Linear drag per length."},
-         {"submerged_factor", number("a factor", -1.0, 1.0), false, "1", "1",
-          "Weight in water divided by weight in air."},
-         {"link", positive("a length", 100.0), false, "it is no chain", "m",
-          "Pitch of a link of chain: elements of lumps have a whole number of links each, and no "
-          "EI."},
-         {"color", text("a colour"), false, "", "", "For pictures, such as \"#445566\"."},
-         {"description", text("a text"), false, "", "", "Source and remarks."}});
+    std::vector<Field> fields{
+        {"mass_per_length", positive("a mass per length", 1e9), true, "", "kg/m", "In air."},
+        {"EA", positive("a stiffness", kMostForce), false, "", "N",
+         "Axial stiffness; needed by cables of lumps."},
+        {"EI", number("a stiffness", 0.0, kMostForce), false, "0", "N m^2",
+         "Bending stiffness; 0: perfectly flexible. Cables of links bend freely."},
+        {"diameter", positive("a length", 1e3), false, "", "m", "For pictures, and in water."},
+        {"breaking_load", positive("a force", kMostForce), false, "never", "N",
+         "An element parts above this tension."},
+        {"axial_damping", number("a fraction", 0.0, 10.0), false, "two steps of damping time", "1",
+         "Fraction of critical of the highest axial mode of an element."},
+        {"drag", number("a damping per length", 0.0, kMostDamping), false, "0", "N s/m^2",
+         "Linear drag per length."},
+        {"submerged_factor", number("a factor", -1.0, 1.0), false, "1", "1",
+         "Weight in water divided by weight in air."},
+        {"link", positive("a length", 100.0), false, "it is no chain", "m",
+         "Pitch of a link of chain: elements of lumps have a whole number of links each, and no "
+         "EI."},
+        {"color", text("a colour"), false, "", "", "For pictures, such as \"#445566\"."},
+        {"description", text("a text"), false, "", "", "Source and remarks."}};
+    for (Field& field : line_water_fields()) fields.push_back(std::move(field));
+    return object("line_type", "a line type", "Properties of a chain, wire or rope.",
+                  std::move(fields));
 }
 
 ShapePtr cable_shape() {

@@ -29,6 +29,22 @@ const Json& line_type_of(const Json& of, const Document& document, const Place& 
                    "there is no line type " + in_quotes(name) + suggestion(name, known));
 }
 
+/// @throws SceneError.
+LineWater water_of(const Json& line, const Place& place) {
+    LineWater w;
+    if (!line.contains("cd_normal")) return w;
+    w.diameter = number_or(line, "diameter", 0.0);
+    if (!(w.diameter > 0.0))
+        refuse(place / "line_type",
+               "its line type has \"cd_normal\", drag on its diameter, but no \"diameter\"");
+    w.volume = number_or(line, "displaced_area", w.volume);
+    w.cd_normal = line["cd_normal"].get<double>();
+    w.cd_tangential = number_or(line, "cd_tangential", w.cd_tangential);
+    w.ca_normal = number_or(line, "ca_normal", w.ca_normal);
+    w.ca_tangential = number_or(line, "ca_tangential", w.ca_tangential);
+    return w;
+}
+
 LayoutSection read_section(const Json& of, bool links, const Document& document,
                            const Place& place) {
     const Json& line = line_type_of(of, document, place);
@@ -46,6 +62,7 @@ LayoutSection read_section(const Json& of, bool links, const Document& document,
     s.submerged_factor = number_or(line, "submerged_factor", 1.0);
     s.line.link = number_or(line, "link", 0.0);
     s.color = text_or(line, "color", "");
+    s.water = water_of(line, place);
     if (!links && !(s.line.EA > 0.0)) {
         refuse(place / "line_type", "a cable of lumps needs \"EA\" in its line type");
     }

@@ -243,6 +243,7 @@ class Copier {
     void add_levers(const std::string& prefix) {
         for (std::size_t i = 0; i < base_.levers; ++i) {
             SignalInput input = out_.levers[i].input;
+            if (input.signal.starts_with("sea.")) continue;  // Of all copies together.
             rename(input.name, prefix);
             rename(input.signal, prefix);
             out_.add_lever(std::move(input), number_);

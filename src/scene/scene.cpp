@@ -44,6 +44,9 @@ class Builder {
         add_guides(*world);
         add_resolutions(*world);
         add_cranes(*world);
+        if (numbered_) {
+            (void)take(description_.sea_place, [&] { add_sea(*world, description_); });
+        }
         check_levers(*world);
         for (std::size_t i = 0; i < description_.inputs.size() && numbered_; ++i) {
             (void)take(description_.input_place(i),
@@ -141,6 +144,9 @@ class Builder {
     void check_levers(const World& world) {
         for (std::size_t i = 0; i < description_.levers.size() && numbered_; ++i) {
             const std::string& wanted = description_.levers[i].input.signal;
+            if (description_.sea && world.find_system("sea") == nullptr &&
+                wanted.starts_with("sea."))
+                continue;  // The sea was refused.
             std::vector<std::string> known;
             for (const SystemSignal& s : world.system_signals())
                 if (s.input) known.push_back(s.system + "." + s.name);

@@ -4,6 +4,7 @@
 #include "record/files.h"
 #include "validate/cases.h"
 #include "validate/robust.h"
+#include "validate/sea.h"
 #include "validate/wires.h"
 
 #include <fmt/format.h>
@@ -62,7 +63,7 @@ constexpr Case kCases[] = {
 
 const Case* find(const std::string& wanted) {
     for (const std::span<const Case> cases :
-         {std::span<const Case>(kCases), robust_cases(), wire_cases()})
+         {std::span<const Case>(kCases), robust_cases(), wire_cases(), sea_cases()})
         for (const Case& c : cases)
             if (wanted == c.id || wanted == c.name) return &c;
     return nullptr;
@@ -98,6 +99,8 @@ int run_cases(const std::vector<std::string>& cases, const std::string& json_fil
         for (const Case& c : robust_cases()) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
         fmt::print("wires: against closed forms, not among those that run unasked\n");
         for (const Case& c : wire_cases()) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
+        fmt::print("sea: water against closed forms, not among those that run unasked\n");
+        for (const Case& c : sea_cases()) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
         return 0;
     }
     std::vector<const Case*> chosen;
@@ -108,6 +111,10 @@ int run_cases(const std::vector<std::string>& cases, const std::string& json_fil
         }
         if (name == "wires") {
             for (const Case& c : wire_cases()) chosen.push_back(&c);
+            continue;
+        }
+        if (name == "sea") {
+            for (const Case& c : sea_cases()) chosen.push_back(&c);
             continue;
         }
         chosen.push_back(find(name));

@@ -14,8 +14,8 @@ namespace {
 constexpr double kWinchStep = 1.0 / 240.0;
 // A drum of 1.2 m by 2.4 m with wire of 76 mm and 25 kg/m: 31 wraps a layer.
 constexpr double kCore = 0.6, kWidth = 2.4, kWire = 0.076, kMass = 25.0, kStored = 1500.0;
-constexpr double kDrum = 4e4;  // [kg m²]
-constexpr double kWinchEA = 3e8;    // [N]
+constexpr double kDrum = 4e4;     // [kg m²]
+constexpr double kWinchEA = 3e8;  // [N]
 constexpr int kWraps = 31;
 
 WinchDef anchor_winch() {

@@ -38,7 +38,7 @@ Mat3 cross_matrix(const Vec3& a) {
     return m;
 }
 
-Verifier::Verifier(const World& world) : step_(world.settings().step), states_(world) {
+Verifier::Verifier(const World& world) : step_(world.settings().step), states_(world), sea_(world) {
     follow(world);
     result_.covered_bodies = result_.moving_bodies;
 }
@@ -111,6 +111,7 @@ void Verifier::before_step(const World& world) {
     impulse_ = 0.0;
     wrong_law_.clear();
     states_.before_step(world);
+    sea_.before_step(world);
 }
 
 std::string Verifier::after_step(const World& world) {
@@ -131,12 +132,14 @@ std::string Verifier::after_step(const World& world) {
     add_interactions(world);
     add_loads(world);
     const double momentum = momentum_residual(world);
+    const double sea = sea_.after_step(world, pose_, twist_);
     std::string state = states_.after_step(world);
     result_.states = states_.result();
     ++result_.steps;
     result_.difference = std::max(result_.difference, difference);
     result_.momentum = std::max(result_.momentum, momentum);
     result_.bounds = std::max(result_.bounds, excess);
+    result_.sea = std::max(result_.sea, sea);
     if (!stats.cut) result_.natural_map = std::max(result_.natural_map, map);
     if (!wrong_law_.empty()) return wrong_law_;
     // Comparisons written so that what is not a number fails.
@@ -152,6 +155,8 @@ std::string Verifier::after_step(const World& world) {
         return fmt::format("the force of a row is beyond its bound by {:.3e}, relative", excess);
     if (!(momentum <= kRoundOff))
         return fmt::format("momentum is off by {:.3e}, relative", momentum);
+    if (!(sea <= kRoundOff))
+        return fmt::format("loads of the sea are off by {:.3e}, relative", sea);
     if (world.settings().on_diverged == OnDiverged::stop) return state;
     return {};
 }

@@ -14,6 +14,8 @@
 /// stiffness and damping of joints (interaction_forces.h). Left out in a step are the bodies of an
 /// interaction whose force rounding decides on.
 ///
+/// **Water**: loads of the sea on lines, bodies and hulls (sea_loads.h).
+///
 /// **States**: energy, joints, lines and turns (certificate_state.h).
 ///
 /// **Bounds**: what only pulls does not push, motors keep to their range, friction in joints to its
@@ -21,6 +23,7 @@
 
 #include "verify/certificate_state.h"
 #include "verify/interaction_forces.h"
+#include "verify/sea_loads.h"
 
 #include <hawser/hawser.h>
 #include <hawser/observer.h>
@@ -41,6 +44,7 @@ struct Verification {
     double difference = 0.0;   ///< Largest |natural map − StepStats::natural_map|.
     double momentum = 0.0;     ///< Largest relative residual.
     double bounds = 0.0;       ///< Largest relative excess over the bound of a row.
+    double sea = 0.0;          ///< Largest relative difference of a load of the sea.
     StateFigures states;       ///< See certificate_state.h.
     std::int32_t moving_bodies = 0;
     /// Of them, those whose momentum was computed; the fewest of all steps that were.
@@ -112,6 +116,7 @@ class Verifier : public Observer {
     std::int32_t left_out_ = 0;           ///< Most moving bodies without, of all steps.
     double step_ = 0.0, floor_ = 0.0, momentum_floor_ = 0.0;
     StateVerifier states_;
+    SeaVerifier sea_;
     std::string objection_;  ///< To the last step.
     Verification result_;
 };

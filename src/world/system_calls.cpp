@@ -51,6 +51,9 @@ System& World::system(int index) {
     return impl_->systems.at(at(index));
 }
 System* World::find_system(std::string_view name) noexcept { return impl_->systems.find(name); }
+const System* World::find_system(std::string_view name) const noexcept {
+    return impl_->systems.find(name);
+}
 std::span<const SystemSignal> World::system_signals() const noexcept {
     return impl_->systems.signals();
 }

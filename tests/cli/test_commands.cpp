@@ -299,6 +299,13 @@ TEST(Replay, SaysWhereItDiffers) {
 
 TEST(Inspect, PrintsSizesAndDrawsTheMatrix) {
     const auto folder = test_folder();
+    const Outcome hull = run_program({"inspect", "scenes/floating_box.json", "--hydrostatics"});
+    ASSERT_EQ(hull.code, 0) << hull.err;
+    // 10 x 10 x 4 m, draught 2 m, G at the waterline.
+    for (const char* line : {"205000 kg at a draught of 2 m", "KB               1 m",
+                             "BM               4.16666667 m", "GM               3.16666667 m"})
+        EXPECT_NE(hull.out.find(line), std::string::npos) << line << hull.out;
+    EXPECT_EQ(run_program({"inspect", kMooring, "--hydrostatics"}).code, 1);
     const Outcome inspect = run_program({"inspect", kMooring, "-o", folder});
     ASSERT_EQ(inspect.code, 0) << inspect.err;
     for (const char* word : {"islands", "equations", "nonzeros", "fronts", "critical path"})

@@ -147,6 +147,22 @@ TEST(Start, InertiasOfNoBody) {
     EXPECT_EQ(of("[0.1, 0.1, 0.1]").of(FindingKind::inertia).size(), 1U);
 }
 
+TEST(Start, HullsThatDoNotCarryTheirMass) {
+    const auto afloat = [](const char* mass, const char* draught_off) {
+        return start_of(R"("bodies": [{"name": "barge", "mass": )" + std::string(mass) +
+                        R"(, "box": [5, 5, 2], "position": [0, 0, )" + draught_off +
+                        R"(]}], "sea": {"depth": 50,
+          "hulls": [{"body": "barge", "mesh": {"box": [5, 5, 2]}}]})");
+    };
+    EXPECT_TRUE(afloat("205000", "0").found.list.empty());
+    EXPECT_TRUE(afloat("206500", "0").found.list.empty());  // 0.7 %
+    const Finding heavy = only(afloat("210000", "0"), FindingKind::displacement);
+    EXPECT_FALSE(heavy.error);
+    EXPECT_NEAR(heavy.value, 210.0 / 205.0, 1e-12);
+    EXPECT_EQ(heavy.about, Names{"barge"});
+    EXPECT_NEAR(only(afloat("205000", "0.1"), FindingKind::displacement).value, 2.0 / 1.9, 1e-12);
+}
+
 TEST(Start, ABodyThatTurnsTooFarInAStep) {
     const auto turning = [](const char* speed) {
         return start_of(R"("bodies": [{"name": "top", "mass": 10, "sphere": 0.1,

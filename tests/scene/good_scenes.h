@@ -277,7 +277,45 @@ inline constexpr std::string_view kCranes = R"({
   "repeat": {"offset": [200, 0, 0], "copies": 2}
 })";
 
-inline constexpr std::array<std::string_view, 6> kGoodScenes = {kSite,     kKinds,  kPendulum,
-                                                                kTouching, kShapes, kCranes};
+/// Water and wind: waves of every kind, a cable of two line types, bodies, hulls, copies.
+inline constexpr std::string_view kSea = R"({
+  "version": 1, "name": "sea",
+  "line_types": {
+    "chain": {"mass_per_length": 126.5, "EA": 5.83e8, "diameter": 0.076, "cd_normal": 2.6,
+              "cd_tangential": 1.4, "ca_normal": 1, "ca_tangential": 0.1, "displaced_area": 0.016},
+    "rope": {"mass_per_length": 5, "EA": 1e7, "diameter": 0.08, "cd_normal": 1.8}},
+  "bodies": [
+    {"name": "box", "mass": 205000, "box": [5, 5, 2]},
+    {"name": "wedge", "position": [40, 0, 0], "mass": 5125, "box": [1, 1, 3]},
+    {"name": "buoy", "kind": "lump", "position": [20, 20, 0], "mass": 400}],
+  "cables": [
+    {"name": "line", "from": {"body": "box"}, "to": {"free": [30, 0, -20]},
+     "sections": [{"line_type": "chain", "length": 20, "elements": 4},
+                  {"line_type": "rope", "length": 20, "elements": 5}]}],
+  "sea": {
+    "depth": 60, "density": 1020, "gauge": [3, 4], "description": "off Bergen",
+    "level": [{"time": 0, "level": -0.5}, {"time": 3600, "level": 0.5}],
+    "waves": [{"kind": "regular", "height": 1, "period": 12, "direction_deg": 90, "phase_deg": 30},
+              {"kind": "jonswap", "height": 2, "period": 8, "gamma": 2, "spreading": 5,
+               "components": 60, "seed": 4, "lowest": 0.6, "highest": 3},
+              {"kind": "pierson_moskowitz", "height": 1, "period": 5, "components": 40}],
+    "current": [{"depth": 0, "speed": 1, "direction_deg": 10}, {"depth": 30, "speed": 0.2}],
+    "wind": {"speed": 10, "direction_deg": 45, "gusts": true, "components": 50, "seed": 2,
+             "density": 1.2},
+    "bodies": [{"body": "buoy", "drag_area": 1, "wind_area": [0.5, 0.5, 0.2], "volume": 1,
+                "added_mass": [0.5, 0.5, 0.7], "height": 1.1}],
+    "hulls": [{"body": "box", "mesh": {"box": [5, 5, 2], "pieces": [2, 2, 1]},
+               "offset": [0, 0, 0.1], "added_mass": [1e4, 1e4, 1e5, 1e5, 1e5, 1e5],
+               "damping": [1e4, 1e4, 1e5, 1e5, 1e5, 1e5], "drag_area": 20, "wind_area": 10},
+              {"body": "wedge", "scale": 2, "wave_pressure": false,
+               "mesh": {"vertices": [[0, 0, -1], [1, 0, 1], [-1, 1, 1], [-1, -1, 1]],
+                        "triangles": [[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]]}}]},
+  "inputs": [{"name": "waves", "signal": "sea.waves", "min": 0, "max": 2}],
+  "timeline": [{"at": 2, "set": {"sea.current": 0.5}}],
+  "repeat": {"offset": [200, 0, 0], "copies": 2}
+})";
+
+inline constexpr std::array<std::string_view, 7> kGoodScenes = {
+    kSite, kKinds, kPendulum, kTouching, kShapes, kCranes, kSea};
 
 }  // namespace hawser::scene::test

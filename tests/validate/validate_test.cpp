@@ -91,6 +91,7 @@ TEST(Validate, robust_wires) {
     expect_pass("zigzag_wires long_wire wire_sway wires_come_taut", 110);
 }
 TEST(Validate, wires) { expect_pass("wires", 63); }
+TEST(Validate, sea) { expect_pass("sea", 27); }
 TEST(Validate, damping_orders) { expect_pass("damping_orders", 3); }
 
 TEST(Validate, unknown_case_is_refused) { EXPECT_EQ(validate("no_such_case").code, 1); }

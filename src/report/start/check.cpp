@@ -11,6 +11,7 @@ Findings check_start(const record::SceneInfo& scene, const World& world, std::si
     Findings out;
     check_bodies(world, out);
     check_cable_density(scene, world, out);
+    check_hulls(world, out);
     check_tensions(scene, world, out);
     check_overlaps(world, out);
     check_motor_friction(world, out);

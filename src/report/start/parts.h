@@ -16,6 +16,8 @@ namespace hawser::report::start {
 void check_bodies(const World& world, Findings& out);
 /// Mass of cables over the volume of their shapes (bodies.cpp).
 void check_cable_density(const record::SceneInfo& scene, const World& world, Findings& out);
+/// Hulls that displace more or less than their body weighs (hulls.cpp).
+void check_hulls(const World& world, Findings& out);
 /// Lines that start beyond their breaking load (lines.cpp).
 void check_tensions(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Shapes inside each other (overlaps.cpp).

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file checks.h
+/// Refusals of a sea's definition, by its field.
+
+#include <hawser/sea.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace hawser::marine {
+
+/// For messages: six digits.
+[[nodiscard]] inline std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+/// "lines/3" and the like.
+[[nodiscard]] inline std::string entry(const char* list, std::size_t i) {
+    return std::string(list) + "/" + std::to_string(i);
+}
+
+/// @throws SeaError for a number below the least one, at it where it has to be above, above the
+/// most, or none.
+inline void check_range(const std::string& field, double value, double least, double most,
+                        bool above, const char* unit) {
+    if ((value > least || (!above && value == least)) && value <= most) return;
+    throw SeaError(field, number(value) + " " + unit + "; give " +
+                              (above ? "more than " : "from ") + number(least) + " to " +
+                              number(most));
+}
+
+/// Depth, level, waves, current, wind. @throws SeaError
+void check_sea(const SeaDef& def, double gravity);
+
+}  // namespace hawser::marine

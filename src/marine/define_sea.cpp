@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+/// From the definition of a sea to its system.
+#include <hawser/sea.h>
+#include <hawser/world.h>
+
+#include "marine/bodies.h"
+#include "marine/checks.h"
+#include "marine/sea_system.h"
+
+#include <memory>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace hawser {
+namespace {
+
+using marine::check_range;
+using marine::entry;
+using marine::number;
+
+void check_areas(const std::string& field, const Vec3& areas) {
+    for (const double a : areas) check_range(field, a, 0.0, 1e9, false, "m^2");
+}
+
+void check_water_body(const World& world, const WaterBody& b, const std::string& at) {
+    if (!world.alive(b.body)) throw SeaError(at + "/body", "there is no such body");
+    const BodyKind kind = world.body_def(b.body).kind;
+    if (kind == BodyKind::scalar)
+        throw SeaError(at + "/body", "a scalar body has no place in the water");
+    check_areas(at + "/drag_area", b.drag_area);
+    check_areas(at + "/wind_area", b.wind_area);
+    check_range(at + "/volume", b.volume, 0.0, 1e9, false, "m^3");
+    for (const double a : b.added_mass) check_range(at + "/added_mass", a, 0.0, 1e6, false, "");
+    check_range(at + "/height", b.height, 0.0, 1e4, false, "m");
+    if (!(marine::height_of(b) > 0.0))
+        throw SeaError(at + "/height", "a body without volume needs it");
+}
+
+void check_water_hull(const World& world, const WaterHull& h, const std::string& at) {
+    if (!world.alive(h.body)) throw SeaError(at + "/body", "there is no such body");
+    const BodyKind kind = world.body_def(h.body).kind;
+    if (kind == BodyKind::lump || kind == BodyKind::scalar)
+        throw SeaError(at + "/body", "a hull needs a rigid body");
+    if (const std::string fault = hull_fault(h.mesh); !fault.empty())
+        throw SeaError(at + "/mesh", fault);
+    for (const double a : h.added_mass) check_range(at + "/added_mass", a, 0.0, 1e18, false, "");
+    for (const double d : h.damping) check_range(at + "/damping", d, 0.0, 1e18, false, "");
+    check_areas(at + "/drag_area", h.drag_area);
+    check_areas(at + "/wind_area", h.wind_area);
+}
+
+/// Of a component with less than two steps a period the world sees another one.
+void check_aliasing(const World& world, const SeaDef& def) {
+    const double h = world.settings().step;
+    for (std::size_t i = 0; i < def.waves.size(); ++i) {
+        const WaveDef& w = def.waves[i];
+        const bool regular = w.kind == WaveKind::regular;
+        const double shortest = regular ? w.period : w.period / w.highest;
+        if (shortest < 2.0 * h)
+            throw SeaError(entry("waves", i) + (regular ? "/period" : "/highest"),
+                           "components of " + number(shortest) + " s alias with a step of " +
+                               number(h) + " s; give periods of two steps or more");
+    }
+}
+
+double gravity_of(const World& world) {
+    const Vec3 g = world.settings().gravity;
+    if (g.x() != 0.0 || g.y() != 0.0 || !(g.z() < 0.0))
+        throw SeaError("gravity", "the sea needs one that points along -z");
+    return -g.z();
+}
+
+}  // namespace
+
+System* define(World& world, const SeaDef& def) {
+    if (world.find_system("sea") != nullptr)
+        throw DefError("sea: a world has one; there is a system 'sea' already");
+    const double gravity = gravity_of(world);
+    marine::check_sea(def, gravity);
+    check_aliasing(world, def);
+    for (std::size_t i = 0; i < def.bodies.size(); ++i)
+        check_water_body(world, def.bodies[i], entry("bodies", i));
+    for (std::size_t i = 0; i < def.hulls.size(); ++i)
+        check_water_hull(world, def.hulls[i], entry("hulls", i));
+    return &world.add_system(
+        std::make_unique<marine::SeaSystem>(def, gravity, marine::line_table(world, def)));
+}
+
+const SeaDef* find_sea(const World& world) noexcept {
+    const auto* sea = dynamic_cast<const marine::SeaSystem*>(world.find_system("sea"));
+    return sea == nullptr ? nullptr : &sea->def();
+}
+
+std::vector<LoadView> sea_loads(const World& world) {
+    const auto* sea = dynamic_cast<const marine::SeaSystem*>(world.find_system("sea"));
+    return sea == nullptr ? std::vector<LoadView>() : sea->loads();
+}
+
+}  // namespace hawser

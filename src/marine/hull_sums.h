@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file hull_sums.h
+/// Integrals over the wet part of a hull (hawser/hull.h).
+///
+/// All but forces are columns of water from the surface down, −n_z dA of each triangle seen from
+/// above: of volume s, of its moment s x, s y and s (z + s/2), of the waterplane 1, x, y, x², ….
+/// These are of second degree at most, for which the middles of a triangle's sides are exact. A
+/// side seen from below has columns of the other sign, so that what lies over water twice counts
+/// once.
+
+#include <hawser/hull.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace hawser::marine {
+
+/// What a corner of a hull is: where, how deep, how pressed.
+struct HullCorner {
+    Vec3 x{0.0, 0.0, 0.0};  ///< [m].
+    double depth = 0.0;     ///< s, above 0 wet [m].
+    double pressure = 0.0;  ///< Where wet [Pa].
+};
+
+struct HullSums {
+    Vec3 force{0.0, 0.0, 0.0};                              ///< [N].
+    Vec3 torque{0.0, 0.0, 0.0};                             ///< About the origin of corners [N m].
+    double volume = 0.0;                                    ///< [m³].
+    Vec3 moment{0.0, 0.0, 0.0};                             ///< ∫ x dV [m⁴].
+    double plane = 0.0;                                     ///< Waterplane [m²].
+    double x = 0.0, y = 0.0, xx = 0.0, yy = 0.0, xy = 0.0;  ///< Its moments [m³, m⁴].
+
+    void add(const HullSums& other) noexcept;
+    /// The wet part of a triangle.
+    void add_triangle(const HullCorner& a, const HullCorner& b, const HullCorner& c) noexcept;
+
+  private:
+    void add_wet(const HullCorner& a, const HullCorner& b, const HullCorner& c) noexcept;
+};
+
+/// ∫ r rᵀ dA of heave, and turns about x and y, with r = (1, y, −x): the entries (0,0), (1,0),
+/// (1,1), (2,0), (2,1), (2,2), positive semi-definite whatever rounding did.
+void plane_stiffness(const HullSums& sums, double (&out)[6]) noexcept;
+
+}  // namespace hawser::marine

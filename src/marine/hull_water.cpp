@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <hawser/world.h>
+
+#include "marine/sea_system.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::marine {
+namespace {
+
+int chunks_of(std::size_t count) noexcept {
+    return (static_cast<int>(count) + HullWater::kChunk - 1) / HullWater::kChunk;
+}
+
+/// The triangle of `to` takes Σ c_k a_k a_kᵀ at rows from `first` on.
+void add_axes(const Mat3& axes, const double* c, int first, std::array<double, 21>& to) noexcept {
+    Sym3 sum;
+    for (int k = 0; k < 3; ++k) sum.add(c[k], axes.col(k));
+    for (int i = 0, n = 0; i < 3; ++i)
+        for (int j = 0; j <= i; ++j, ++n)
+            to[static_cast<std::size_t>(triangle(first + i, first + j))] += sum.m[n];
+}
+
+double volume_of(const HullMesh& mesh) noexcept {
+    double sum = 0.0;
+    for (const auto& t : mesh.triangles) {
+        const auto at = [&](int k) -> const Vec3& {
+            return mesh.vertices[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])];
+        };
+        sum += at(0).dot(at(1).cross(at(2))) / 6.0;
+    }
+    return sum;
+}
+
+}  // namespace
+
+HullWater::HullWater(const WaterHull& def)
+    : def_(&def),
+      volume_(volume_of(def.mesh)),
+      corners_(def.mesh.vertices.size()),
+      parts_(static_cast<std::size_t>(chunks_of(def.mesh.triangles.size()))) {}
+
+int HullWater::corner_chunks() const noexcept { return chunks_of(corners_.size()); }
+int HullWater::triangle_chunks() const noexcept { return static_cast<int>(parts_.size()); }
+
+void HullWater::begin(const World& world) noexcept {
+    pose_ = world.pose(def_->body);
+    twist_ = world.velocity(def_->body);
+    axes_ = pose_.orientation.toRotationMatrix();
+}
+
+void HullWater::press(const Sea& sea, const SeaMoment& now, int chunk) noexcept {
+    const int end = std::min((chunk + 1) * kChunk, static_cast<int>(corners_.size()));
+    for (int i = chunk * kChunk; i < end; ++i) {
+        HullCorner& c = corners_[static_cast<std::size_t>(i)];
+        c.x = axes_ * def_->mesh.vertices[static_cast<std::size_t>(i)];
+        const Vec3 place = pose_.position + c.x;
+        if (def_->wave_pressure) {
+            const WaterPoint water = sea.water(now, place);
+            c.depth = water.elevation - place.z();
+            c.pressure = water.pressure;
+        } else {
+            c.depth = sea.elevation(now, place.x(), place.y()) - place.z();
+            c.pressure = sea.density() * sea.gravity() * std::max(c.depth, 0.0);
+        }
+    }
+}
+
+void HullWater::sum(int chunk) noexcept {
+    HullSums& out = parts_[static_cast<std::size_t>(chunk)];
+    out = {};
+    const auto& triangles = def_->mesh.triangles;
+    const int end = std::min((chunk + 1) * kChunk, static_cast<int>(triangles.size()));
+    for (int i = chunk * kChunk; i < end; ++i) {
+        const auto& t = triangles[static_cast<std::size_t>(i)];
+        out.add_triangle(corners_[static_cast<std::size_t>(t[0])],
+                         corners_[static_cast<std::size_t>(t[1])],
+                         corners_[static_cast<std::size_t>(t[2])]);
+    }
+}
+
+void HullWater::finish(const Sea& sea, const SeaMoment& now, double air) noexcept {
+    force.fill(0.0);
+    mass.fill(0.0);
+    damping.fill(0.0);
+    stiffness.fill(0.0);
+    HullSums all;
+    for (const HullSums& part : parts_) all.add(part);
+    const double wet = std::clamp(all.volume / volume_, 0.0, 1.0);
+    const double weight = sea.density() * sea.gravity();
+    if (wet > 0.0) {
+        for (int k = 0; k < 3; ++k) {
+            force[static_cast<std::size_t>(k)] = all.force[k];
+            force[static_cast<std::size_t>(3 + k)] = all.torque[k];
+        }
+        double plane[6];
+        plane_stiffness(all, plane);
+        for (int i = 0, n = 0; i < 3; ++i)  // heave, turns about x and y are rows 2, 3, 4
+            for (int j = 0; j <= i; ++j, ++n)
+                stiffness[static_cast<std::size_t>(triangle(2 + i, 2 + j))] += weight * plane[n];
+        // At least the secant to where it is out of the water: a light hull below the surface is
+        // not thrown out by a step in which its buoyancy would have ended.
+        double deepest = 0.0;
+        for (const HullCorner& c : corners_) deepest = std::max(deepest, c.depth);
+        double& heave = stiffness[static_cast<std::size_t>(triangle(2, 2))];
+        heave = std::max(heave, weight * all.volume / deepest);
+        const double stable = weight * std::max(all.moment.z(), 0.0);
+        stiffness[static_cast<std::size_t>(triangle(3, 3))] += stable;
+        stiffness[static_cast<std::size_t>(triangle(4, 4))] += stable;
+    }
+    add_motion(sea, now, wet, air);
+    any_ = wet > 0.0 || (def_->wind_area.array() != 0.0).any();
+}
+
+/// Added mass and linear damping by the velocity of the water at the centre of mass, and drag.
+void HullWater::add_motion(const Sea& sea, const SeaMoment& now, double wet, double air) noexcept {
+    Vec3 push = Vec3::Zero();
+    Sym3 drag;
+    if (wet > 0.0) {
+        const WaterPoint water = sea.water(now, pose_.position);
+        const auto& m = def_->added_mass;
+        const auto& d = def_->damping;
+        add_axes(axes_, m.data(), 0, mass);
+        add_axes(axes_, m.data() + 3, 3, mass);
+        add_axes(axes_, d.data(), 0, damping);
+        add_axes(axes_, d.data() + 3, 3, damping);
+        for (int k = 0; k < 3; ++k) {
+            const auto i = static_cast<std::size_t>(k);
+            const auto axis = axes_.col(k);
+            push += (m[i] * axis.dot(water.acceleration) + d[i] * axis.dot(water.velocity)) * axis;
+        }
+        add_body_drag(axes_, def_->drag_area, 0.5 * sea.density() * wet, water.velocity,
+                      twist_.linear, push, drag);
+    }
+    if (wet < 1.0)
+        add_body_drag(axes_, def_->wind_area, 0.5 * air * (1.0 - wet),
+                      sea.wind(now, std::max(pose_.position.z(), now.level + 10.0)), twist_.linear,
+                      push, drag);
+    for (int k = 0; k < 3; ++k) force[static_cast<std::size_t>(k)] += push[k];
+    for (int i = 0, n = 0; i < 3; ++i)
+        for (int j = 0; j <= i; ++j, ++n)
+            damping[static_cast<std::size_t>(triangle(i, j))] += drag.m[n];
+}
+
+}  // namespace hawser::marine

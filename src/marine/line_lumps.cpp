@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <hawser/world.h>
+
+#include "marine/checks.h"
+#include "marine/sea_system.h"
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+
+namespace hawser::marine {
+namespace {
+
+void check_line_water(const std::string& at, const LineWater& w) {
+    check_range(at + "/diameter", w.diameter, 0.0, 1e3, true, "m");
+    check_range(at + "/volume", w.volume, 0.0, 1e6, false, "m^2");
+    check_range(at + "/cd_normal", w.cd_normal, 0.0, 1e3, false, "");
+    check_range(at + "/cd_tangential", w.cd_tangential, 0.0, 1e3, false, "");
+    check_range(at + "/ca_normal", w.ca_normal, 0.0, 1e3, false, "");
+    check_range(at + "/ca_tangential", w.ca_tangential, 0.0, 1e3, false, "");
+}
+
+void add_line(const World& world, const WaterLine& line, const std::string& at, LineTable& out) {
+    if (!world.alive(line.wire)) throw SeaError(at + "/wire", "there is no such wire");
+    if (line.sections.empty()) throw SeaError(at + "/sections", "it needs one");
+    const auto elements = world.elements(line.wire);
+    const auto nodes = world.nodes(line.wire);
+    std::size_t section = 0, end = 0;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        while (section < line.sections.size() &&
+               i >= end + static_cast<std::size_t>(line.sections[section].elements)) {
+            if (section + 1 == line.sections.size()) break;
+            end += static_cast<std::size_t>(line.sections[section++].elements);
+        }
+        const auto place = static_cast<std::size_t>(elements[i].index);
+        if (out.of_element.size() <= place) out.of_element.resize(place + 1);
+        LineTable::Known& known = out.of_element[place];
+        if (known.generation == elements[i].generation)
+            throw SeaError(at + "/wire", "this wire is in the water already");
+        known = {elements[i].generation, static_cast<int>(out.sorts.size() + section)};
+    }
+    for (std::size_t k = 0; k < line.sections.size(); ++k) {
+        LineWater w = line.sections[k].water;
+        if (std::isnan(w.volume)) w.volume = 0.25 * std::numbers::pi * w.diameter * w.diameter;
+        check_line_water(at + "/" + entry("sections", k) + "/water", w);
+        if (line.sections[k].elements < 0)
+            throw SeaError(at + "/" + entry("sections", k) + "/elements", "give 0 or more");
+        out.sorts.push_back(w);
+    }
+    const bool free_end[] = {line.free_first, line.free_last};
+    const BodyId ends[] = {nodes.front(), nodes.back()};
+    for (int k = 0; k < 2; ++k)
+        if (!free_end[k]) out.holders.push_back(ends[k]);
+}
+
+}  // namespace
+
+int LineTable::sort_of(InteractionId id) const noexcept {
+    const auto place = static_cast<std::size_t>(id.index);
+    if (id.index < 0 || place >= of_element.size()) return -1;
+    return of_element[place].generation == id.generation ? of_element[place].sort : -1;
+}
+
+bool LineTable::holds(BodyId id) const noexcept {
+    return std::binary_search(holders.begin(), holders.end(), id);
+}
+
+LineTable line_table(const World& world, const SeaDef& def) {
+    LineTable out;
+    out.length_param.fill(-1);
+    for (const KindInfo& kind : interaction_kinds())
+        for (std::size_t p = 0; p < kind.params.size(); ++p)
+            if (kind.is(kWireElement) && std::string_view(kind.params[p].name) == "length")
+                out.length_param[static_cast<std::size_t>(kind.kind)] = static_cast<int>(p);
+    for (std::size_t i = 0; i < def.lines.size(); ++i)
+        add_line(world, def.lines[i], entry("lines", i), out);
+    std::sort(out.holders.begin(), out.holders.end());
+    return out;
+}
+
+void LineLumps::find_sorts(std::span<const InteractionId> elements) {
+    sorts_.clear();
+    int last = -1;
+    std::size_t unknown = 0;
+    for (const InteractionId id : elements) {
+        const int sort = table_.sort_of(id);
+        if (sort >= 0 && last < 0)  // those before the first known one are of its sort
+            for (std::size_t i = 0; i < unknown; ++i) sorts_[i] = sort;
+        if (sort >= 0) last = sort;
+        if (last < 0) ++unknown;
+        sorts_.push_back(last);
+    }
+}
+
+void LineLumps::add_half(const World& world, Lump& lump, std::size_t element, std::size_t other,
+                         std::span<const BodyId> nodes, std::span<const InteractionId> elements) {
+    const InteractionId id = elements[element];
+    if (sorts_[element] < 0 || !world.alive(id)) return;
+    HalfElement& half = lump.half[lump.halves++];
+    half.of = &table_.sorts[static_cast<std::size_t>(sorts_[element])];
+    const InteractionDef& def = world.interaction_def(id);
+    const KindInfo& kind = kind_info(def.kind);
+    const int param = table_.length_param[static_cast<std::size_t>(def.kind)];
+    const Vec3& x = lump.motion.position;
+    const bool there = world.intact(id) && world.alive(nodes[other]);
+    const Vec3 along = there ? Vec3(places_[other] - x) : Vec3(Vec3::Zero());
+    const double chord = along.norm();
+    half.length =
+        0.5 *
+        (kind.is(kWoundUp) || param < 0 ? chord : def.params[static_cast<std::size_t>(param)]);
+    half.middle = x + 0.5 * along;
+    if (chord > 0.0) half.along = along / chord;
+}
+
+void LineLumps::find(const World& world) {
+    lumps_.clear();
+    if (table_.sorts.empty()) return;
+    for (const WireId wire : world.wires()) {
+        const auto elements = world.elements(wire);
+        const auto nodes = world.nodes(wire);
+        find_sorts(elements);
+        if (sorts_.empty() || sorts_.back() < 0) continue;
+        places_.resize(nodes.size());
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            if (!world.alive(nodes[i])) continue;
+            places_[i] = world.pose(nodes[i]).position;
+            const std::size_t element = i < elements.size() ? i : i - 1;
+            if (world.body_def(nodes[i]).kind == BodyKind::lump || !world.alive(elements[element]))
+                continue;
+            const InteractionDef& def = world.interaction_def(elements[element]);
+            const std::size_t side = def.body[0] == nodes[i] ? 0 : 1;
+            places_[i] = world.world_point(nodes[i], def.point[side]);
+        }
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const BodyId body = nodes[i];
+            if (!world.alive(body) || world.body_def(body).kind != BodyKind::lump) continue;
+            if ((i == 0 || i + 1 == nodes.size()) && table_.holds(body)) continue;
+            Lump lump;
+            lump.body = body;
+            lump.motion = {places_[i], world.velocity(body).linear};
+            if (i > 0) add_half(world, lump, i - 1, i - 1, nodes, elements);
+            if (i < elements.size()) add_half(world, lump, i, i + 1, nodes, elements);
+            // What has parted hangs as the rest of the line does.
+            if (lump.halves == 2)
+                for (int k = 0; k < 2; ++k)
+                    if (lump.half[k].along.isZero(0.0)) lump.half[k].along = lump.half[1 - k].along;
+            if (lump.halves > 0) lumps_.push_back(lump);
+        }
+    }
+    loads_.resize(lumps_.size());
+}
+
+void LineLumps::load(const Sea& sea, const SeaMoment& now, int i) noexcept {
+    const Lump& lump = lumps_[at(i)];
+    PointLoad& out = loads_[at(i)];
+    out = {};
+    const WaterPoint water = sea.water(now, lump.motion.position);
+    const WaterLaw law{sea.density(), sea.gravity()};
+    for (int k = 0; k < lump.halves; ++k)
+        add_half_element(lump.half[k], lump.motion, water, law, out);
+}
+
+}  // namespace hawser::marine

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <hawser/sea.h>
+
+#include "marine/checks.h"
+#include "marine/spectra.h"
+#include "marine/wave_sums.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace hawser {
+
+using marine::kTwoPi;
+
+Sea::Sea(const SeaDef& def, double gravity)
+    : depth_(def.depth),
+      density_(def.density),
+      gravity_(gravity),
+      level_(def.level),
+      current_(def.current),
+      wind_(def.wind) {
+    marine::check_sea(def, gravity);
+    for (const WaveDef& wave : def.waves) marine::add_components(wave, depth_, gravity_, waves_);
+    gusts_ = marine::gust_components(def.wind);
+    make_table();
+}
+
+void Sea::make_table() {
+    padded_ = 8 * ((static_cast<int>(waves_.size()) + 7) / 8);
+    table_.assign(static_cast<std::size_t>(marine::kWaveRows * padded_), 0.0);
+    for (std::size_t i = 0; i < waves_.size(); ++i) {
+        const WaveComponent& w = waves_[i];
+        const auto set = [&](marine::WaveRow row, double value) {
+            table_[static_cast<std::size_t>(row * padded_) + i] = value;
+        };
+        const double dx = std::cos(w.direction), dy = std::sin(w.direction);
+        const double below = -2.0 * w.wave_number * depth_;
+        const double speed = -w.amplitude * w.frequency / std::expm1(below);
+        set(marine::kTurnsX, w.wave_number * dx / kTwoPi);
+        set(marine::kTurnsY, w.wave_number * dy / kTwoPi);
+        set(marine::kAmplitude, w.amplitude);
+        set(marine::kDecay, w.wave_number * std::numbers::log2e);
+        set(marine::kBottom, std::exp(below));
+        set(marine::kSpeedX, speed * dx);
+        set(marine::kSpeedY, speed * dy);
+        set(marine::kSpeedZ, speed);
+        set(marine::kRate, w.frequency);
+        set(marine::kPressure, speed * w.frequency / w.wave_number);
+    }
+}
+
+SeaInputs Sea::inputs() const noexcept {
+    return {.wind = wind_.speed, .wind_direction = wind_.direction};
+}
+
+SeaMoment Sea::at(double time) const { return at(time, inputs()); }
+
+SeaMoment Sea::at(double time, const SeaInputs& inputs) const {
+    SeaMoment out;
+    at(time, inputs, out);
+    return out;
+}
+
+void Sea::at(double time, const SeaInputs& inputs, SeaMoment& out) const {
+    out.time = time;
+    out.level = tide(time) + inputs.level;
+    out.waves = inputs.waves;
+    out.current = inputs.current;
+    out.phase.resize(static_cast<std::size_t>(padded_), 0.0);
+    for (std::size_t i = 0; i < waves_.size(); ++i) {
+        const double turns =
+            (waves_[i].phase - std::fmod(waves_[i].frequency * time, kTwoPi)) / kTwoPi;
+        out.phase[i] = turns - std::nearbyint(turns);
+    }
+    out.gust.resize(gusts_.size());
+    if (out.gust_of != inputs.wind) {
+        for (std::size_t i = 0; i < gusts_.size(); ++i)
+            out.gust[i] =
+                std::sqrt(2.0 * gusts_[i].width * gust_spectrum(inputs.wind, gusts_[i].frequency));
+        out.gust_of = inputs.wind;
+    }
+    double gust = 0.0;
+    for (std::size_t i = 0; i < gusts_.size(); ++i)
+        gust += out.gust[i] * std::cos(kTwoPi * gusts_[i].frequency * time + gusts_[i].phase);
+    out.mean_wind = inputs.wind;
+    out.wind = inputs.wind + gust;
+    out.wind_x = std::cos(inputs.wind_direction);
+    out.wind_y = std::sin(inputs.wind_direction);
+}
+
+double Sea::tide(double time) const noexcept {
+    if (level_.empty()) return 0.0;
+    const auto after = std::upper_bound(level_.begin(), level_.end(), time,
+                                        [](double t, const SeaLevel& l) { return t < l.time; });
+    if (after == level_.begin()) return level_.front().level;
+    if (after == level_.end()) return level_.back().level;
+    const SeaLevel &a = *(after - 1), &b = *after;
+    return a.level + (b.level - a.level) * (time - a.time) / (b.time - a.time);
+}
+
+Vec3 Sea::current(const SeaMoment& now, double z) const noexcept {
+    if (current_.empty()) return Vec3::Zero();
+    const auto flow = [&](const SeaCurrent& c) {
+        const double speed = now.current * c.speed;
+        return Vec3(speed * std::cos(c.direction), speed * std::sin(c.direction), 0.0);
+    };
+    const double depth = now.level - z;
+    const auto below = std::upper_bound(current_.begin(), current_.end(), depth,
+                                        [](double d, const SeaCurrent& c) { return d < c.depth; });
+    if (below == current_.begin()) return flow(current_.front());
+    if (below == current_.end()) return flow(current_.back());
+    const SeaCurrent &a = *(below - 1), &b = *below;
+    const double share = (depth - a.depth) / (b.depth - a.depth);
+    return (1.0 - share) * flow(a) + share * flow(b);
+}
+
+Vec3 Sea::wind(const SeaMoment& now, double z) const noexcept {
+    const double height = std::max(z - now.level, 1.0);
+    if (z <= now.level) return Vec3::Zero();
+    const double c = 0.0573 * std::sqrt(1.0 + 0.15 * now.mean_wind);
+    const double speed =
+        now.mean_wind * (1.0 + c * std::log(0.1 * height)) + (now.wind - now.mean_wind);
+    return {speed * now.wind_x, speed * now.wind_y, 0.0};
+}
+
+double Sea::stretched(double z, double elevation) const noexcept {
+    if (!(z < elevation)) return 0.0;
+    const double column = depth_ + elevation;
+    if (!(column > 0.0) || z <= -depth_) return -depth_;
+    return depth_ * (z + depth_) / column - depth_;
+}
+
+double Sea::elevation(const SeaMoment& now, double x, double y) const noexcept {
+    if (waves_.empty() || now.waves == 0.0) return now.level;
+    double circle[2 * kMaxWaveComponents];
+    return now.level + now.waves * marine::wave_kernels().surface(table_.data(), padded_,
+                                                                  now.phase.data(), x, y, circle);
+}
+
+WaterPoint Sea::water(const SeaMoment& now, const Vec3& point) const noexcept {
+    WaterPoint out;
+    out.elevation = now.level;
+    const double z = point.z();
+    if (!waves_.empty() && now.waves != 0.0) {
+        double circle[2 * kMaxWaveComponents];
+        const marine::WaveKernels& by = marine::wave_kernels();
+        out.elevation += now.waves * by.surface(table_.data(), padded_, now.phase.data(), point.x(),
+                                                point.y(), circle);
+        const marine::WaveSums s =
+            by.sums(table_.data(), padded_, circle, stretched(z, out.elevation));
+        for (int k = 0; k < 3; ++k) {
+            out.velocity[k] = now.waves * s.u[k];
+            out.acceleration[k] = now.waves * s.a[k];
+        }
+        out.dynamic_pressure = now.waves * density_ * s.p;
+    }
+    out.velocity += current(now, std::min(z, now.level));
+    if (z < out.elevation)
+        out.pressure = density_ * gravity_ * (now.level - z) + out.dynamic_pressure;
+    return out;
+}
+
+double Sea::shortest_period() const noexcept {
+    double highest = 0.0;
+    for (const WaveComponent& w : waves_) highest = std::max(highest, w.frequency);
+    return highest > 0.0 ? kTwoPi / highest : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace hawser

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "marine/sea_system.h"
+
+#include <hawser/world.h>
+
+#include "marine/bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <utility>
+
+namespace hawser::marine {
+namespace {
+
+constexpr int kLumpChunk = 16;  ///< Lumps of one task.
+
+std::size_t slot(int i) noexcept { return static_cast<std::size_t>(i); }
+
+/// What a triangle of three rows is in one of any size, from row `first` on.
+template <class To>
+void add_sym(const Sym3& from, To& to) noexcept {
+    for (int n = 0; n < 6; ++n) to[n] += from.m[n];
+}
+
+void add_point(const PointLoad& from, const BodyLoad& to) noexcept {
+    for (int k = 0; k < 3 && k < to.freedom; ++k) to.force[k] += from.force[k];
+    if (to.freedom < 3) return;
+    add_sym(from.mass, to.mass);
+    add_sym(from.damping, to.damping);
+    add_sym(from.stiffness, to.stiffness);
+}
+
+void add_hull(const HullWater& from, const BodyLoad& to) noexcept {
+    if (to.freedom < 6) return;
+    for (std::size_t k = 0; k < 6; ++k) to.force[k] += from.force[k];
+    for (std::size_t k = 0; k < 21; ++k) {
+        to.mass[k] += from.mass[k];
+        to.damping[k] += from.damping[k];
+        to.stiffness[k] += from.stiffness[k];
+    }
+}
+
+}  // namespace
+
+SeaSystem::SeaSystem(const SeaDef& def, double gravity, LineTable lines)
+    : def_(def),
+      sea_(def, gravity),
+      in_(sea_.inputs()),
+      moment_(sea_.at(0.0)),
+      lines_(std::move(lines)),
+      bodies_(def_.bodies.size()) {
+    hulls_.reserve(def_.hulls.size());
+    for (const WaterHull& hull : def_.hulls) hulls_.emplace_back(hull);
+}
+
+std::unique_ptr<System> SeaSystem::clone() const {
+    return std::make_unique<SeaSystem>(def_, sea_.gravity(), lines_.table());
+}
+
+void SeaSystem::visit_state(StateVisitor& v) {
+    for (double* x : {&in_.waves, &in_.current, &in_.wind, &in_.wind_direction, &in_.level,
+                      &elevation_, &gust_, &tide_})
+        v.visit(*x);
+}
+
+void SeaSystem::signals(SignalTable& table) {
+    table.input("waves", "1", in_.waves, 0.0, 10.0);
+    table.input("current", "1", in_.current, -10.0, 10.0);
+    table.input("wind", "m/s", in_.wind, 0.0, 100.0);
+    table.input("wind_direction", "rad", in_.wind_direction, -1e3, 1e3);
+    table.input("level", "m", in_.level, -100.0, 100.0);
+    table.output("elevation", "m", elevation_);
+    table.output("gust", "m/s", gust_);
+    table.output("tide", "m", tide_);
+}
+
+void SeaSystem::holds(HoldTable& table) const {
+    for (const WaterBody& b : def_.bodies) table.hold(b.body);
+    for (const WaterHull& h : def_.hulls) table.hold(h.body);
+}
+
+void SeaSystem::prestep(Prestep& now, Loads& loads) noexcept {
+    acted_ = false;
+    try {
+        sea_.at(now.time, in_, moment_);
+        lines_.find(now.world);
+    } catch (const std::bad_alloc&) {
+        return now.set_input(InputId{}, std::nan(""));  // ends the step
+    } catch (const DefError&) {
+        return now.set_input(InputId{}, std::nan(""));
+    }
+    elevation_ = sea_.elevation(moment_, def_.gauge[0], def_.gauge[1]);
+    gust_ = moment_.wind - moment_.mean_wind;
+    tide_ = moment_.level;
+    load_lines(now);
+    load_bodies(now);
+    load_hulls(now);
+    acted_ = true;
+    give(loads);
+}
+
+void SeaSystem::load_lines(Prestep& now) noexcept {
+    const int count = lines_.count();
+    now.for_each((count + kLumpChunk - 1) / kLumpChunk, [&](int chunk) noexcept {
+        const int end = std::min((chunk + 1) * kLumpChunk, count);
+        for (int i = chunk * kLumpChunk; i < end; ++i) lines_.load(sea_, moment_, i);
+    });
+}
+
+void SeaSystem::load_bodies(Prestep& now) noexcept {
+    now.for_each(static_cast<int>(def_.bodies.size()), [&](int i) noexcept {
+        const WaterBody& def = def_.bodies[slot(i)];
+        const Pose pose = now.world.pose(def.body);
+        const PointMotion motion{pose.position, now.world.velocity(def.body).linear};
+        const Mat3 axes = pose.orientation.toRotationMatrix();
+        PointLoad& out = bodies_[slot(i)];
+        out = {};
+        const Vec3 wind = sea_.wind(moment_, motion.position.z() + 0.5 * height_of(def));
+        add_body_water(def, height_of(def), axes, motion, sea_.water(moment_, motion.position),
+                       wind, def_.wind.density, {sea_.density(), sea_.gravity()}, out);
+    });
+}
+
+void SeaSystem::load_hulls(Prestep& now) noexcept {
+    for (HullWater& hull : hulls_) {
+        hull.begin(now.world);
+        now.for_each(hull.corner_chunks(),
+                     [&](int chunk) noexcept { hull.press(sea_, moment_, chunk); });
+        now.for_each(hull.triangle_chunks(), [&](int chunk) noexcept { hull.sum(chunk); });
+        hull.finish(sea_, moment_, def_.wind.density);
+    }
+}
+
+/// In the order of lumps, bodies and hulls, whoever computed them.
+void SeaSystem::give(Loads& loads) const noexcept {
+    for (int i = 0; i < lines_.count(); ++i)
+        if (lines_.of(i).any) add_point(lines_.of(i), loads.of(lines_.body(i)));
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+        if (bodies_[i].any) add_point(bodies_[i], loads.of(def_.bodies[i].body));
+    for (const HullWater& hull : hulls_)
+        if (hull.any()) add_hull(hull, loads.of(hull.body()));
+}
+
+std::vector<LoadView> SeaSystem::loads() const {
+    totals_.clear();
+    std::vector<LoadView> out;
+    if (!acted_) return out;
+    const auto total = [&](BodyId body, int freedom) -> Total& {
+        totals_.push_back({.body = body, .freedom = freedom});
+        return totals_.back();
+    };
+    const auto load_of = [](Total& t) {
+        return BodyLoad{t.freedom, t.force.data(), t.mass.data(), t.damping.data(),
+                        t.stiffness.data()};
+    };
+    for (int i = 0; i < lines_.count(); ++i)
+        if (lines_.of(i).any) add_point(lines_.of(i), load_of(total(lines_.body(i), 3)));
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+        if (bodies_[i].any) add_point(bodies_[i], load_of(total(def_.bodies[i].body, 3)));
+    for (const HullWater& hull : hulls_)
+        if (hull.any()) add_hull(hull, load_of(total(hull.body(), 6)));
+    std::stable_sort(totals_.begin(), totals_.end(),
+                     [](const Total& a, const Total& b) { return a.body < b.body; });
+    std::size_t last = 0;
+    for (std::size_t i = 1; i < totals_.size(); ++i) {
+        Total& to = totals_[last];
+        if (totals_[i].body != to.body) {
+            totals_[++last] = totals_[i];
+            continue;
+        }
+        to.freedom = std::max(to.freedom, totals_[i].freedom);
+        for (std::size_t k = 0; k < 6; ++k) to.force[k] += totals_[i].force[k];
+        for (std::size_t k = 0; k < 21; ++k) {
+            to.mass[k] += totals_[i].mass[k];
+            to.damping[k] += totals_[i].damping[k];
+            to.stiffness[k] += totals_[i].stiffness[k];
+        }
+    }
+    if (!totals_.empty()) totals_.resize(last + 1);
+    for (const Total& t : totals_) {
+        const auto n = slot(t.freedom), size = n * (n + 1) / 2;
+        out.push_back({t.body,
+                       {t.force.data(), n},
+                       {t.mass.data(), size},
+                       {t.damping.data(), size},
+                       {t.stiffness.data(), size}});
+    }
+    return out;
+}
+
+}  // namespace hawser::marine

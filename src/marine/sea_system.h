@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file sea_system.h
+/// What the sea does at the beginning of each step (hawser/sea.h).
+///
+/// Lumps of lines, bodies and corners of hulls are looked up in the order of the definition and of
+/// the wires' nodes; what the water does to each is computed by several threads, each with entries
+/// of its own; then loads are added in that order. No sum depends on threads.
+///
+/// *Lines.* An element is of the sort that its definition says for the elements there were then.
+/// Elements that came since are of the sort of the one before them on their wire, at the beginning
+/// of it of the first known one behind; a wire that was cut off another one finds its own elements
+/// again. Halves at bodies that held the line's ends at the definition have no water.
+
+#include <hawser/sea.h>
+
+#include "marine/drag.h"
+#include "marine/hull_sums.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace hawser::marine {
+
+/// Sorts of elements, and who holds lines: what a system knows of the wires that it was made of.
+struct LineTable {
+    struct Known {
+        std::int32_t generation = -1, sort = -1;
+    };
+    std::vector<LineWater> sorts;      ///< With their volumes.
+    std::vector<Known> of_element;     ///< By place of the interaction.
+    std::vector<BodyId> holders;       ///< Ascending.
+    std::array<int, 64> length_param;  ///< By kind, −1: none.
+
+    [[nodiscard]] int sort_of(InteractionId id) const noexcept;
+    [[nodiscard]] bool holds(BodyId id) const noexcept;
+};
+/// @throws SeaError
+[[nodiscard]] LineTable line_table(const World& world, const SeaDef& def);
+
+/// Lumps of lines in the water.
+class LineLumps {
+  public:
+    struct Lump {
+        BodyId body{};
+        PointMotion motion{};
+        HalfElement half[2]{};
+        int halves = 0;
+    };
+    explicit LineLumps(LineTable table) : table_(std::move(table)) {}
+    /// Lumps as they are now. @throws std::bad_alloc
+    void find(const World& world);
+    void load(const Sea& sea, const SeaMoment& now, int i) noexcept;
+    [[nodiscard]] int count() const noexcept { return static_cast<int>(lumps_.size()); }
+    [[nodiscard]] BodyId body(int i) const noexcept { return lumps_[at(i)].body; }
+    [[nodiscard]] const PointLoad& of(int i) const noexcept { return loads_[at(i)]; }
+    [[nodiscard]] const LineTable& table() const noexcept { return table_; }
+
+  private:
+    static std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
+    void find_sorts(std::span<const InteractionId> elements);
+    void add_half(const World& world, Lump& lump, std::size_t element, std::size_t other,
+                  std::span<const BodyId> nodes, std::span<const InteractionId> elements);
+
+    LineTable table_;
+    std::vector<int> sorts_;    ///< Of the elements of one wire.
+    std::vector<Vec3> places_;  ///< Of its nodes.
+    std::vector<Lump> lumps_;
+    std::vector<PointLoad> loads_;
+};
+
+/// A hull in the water.
+class HullWater {
+  public:
+    static constexpr int kChunk = 64;  ///< Corners or triangles of one task.
+
+    explicit HullWater(const WaterHull& def);
+    void begin(const World& world) noexcept;
+    [[nodiscard]] int corner_chunks() const noexcept;
+    [[nodiscard]] int triangle_chunks() const noexcept;
+    void press(const Sea& sea, const SeaMoment& now, int chunk) noexcept;
+    void sum(int chunk) noexcept;
+    /// Adds the parts up and the forces at the centre of mass.
+    void finish(const Sea& sea, const SeaMoment& now, double air) noexcept;
+    [[nodiscard]] BodyId body() const noexcept { return def_->body; }
+    [[nodiscard]] bool any() const noexcept { return any_; }
+
+    std::array<double, 6> force{};
+    std::array<double, 21> mass{}, damping{}, stiffness{};
+
+  private:
+    void add_motion(const Sea& sea, const SeaMoment& now, double wet, double air) noexcept;
+
+    const WaterHull* def_;
+    double volume_ = 0.0;  ///< Of all of it [m³].
+    Pose pose_{};
+    Twist twist_{};
+    Mat3 axes_ = Mat3::Identity();
+    std::vector<HullCorner> corners_;  ///< About the centre of mass, in world axes.
+    std::vector<HullSums> parts_;
+    bool any_ = false;
+};
+
+class SeaSystem final : public System {
+  public:
+    SeaSystem(const SeaDef& def, double gravity, LineTable lines);
+
+    [[nodiscard]] std::string_view name() const noexcept override { return "sea"; }
+    void prestep(Prestep& now, Loads& loads) noexcept override;
+    void visit_state(StateVisitor& visitor) override;
+    void signals(SignalTable& table) override;
+    void holds(HoldTable& table) const override;
+    [[nodiscard]] std::unique_ptr<System> clone() const override;
+    [[nodiscard]] const SeaDef& def() const noexcept { return def_; }
+    /// @throws std::bad_alloc
+    [[nodiscard]] std::vector<LoadView> loads() const;
+
+  private:
+    void load_lines(Prestep& now) noexcept;
+    void load_bodies(Prestep& now) noexcept;
+    void load_hulls(Prestep& now) noexcept;
+    void give(Loads& loads) const noexcept;
+
+    SeaDef def_;
+    Sea sea_;
+    SeaInputs in_;
+    SeaMoment moment_;
+    LineLumps lines_;
+    std::vector<PointLoad> bodies_;
+    std::vector<HullWater> hulls_;
+    // Outputs.
+    double elevation_ = 0.0, gust_ = 0.0, tide_ = 0.0;
+    bool acted_ = false;
+    /// Σ of all of them by body, for readers.
+    struct Total {
+        BodyId body{};
+        int freedom = 3;
+        std::array<double, 6> force{};
+        std::array<double, 21> mass{}, damping{}, stiffness{};
+    };
+    mutable std::vector<Total> totals_;
+};
+
+}  // namespace hawser::marine

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The sea of a scene: from its key to a definition, whose bodies and wires are found by name.
+#include <hawser/sea.h>
+
+#include "scene/description.h"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace hawser::scene {
+namespace {
+
+double radians(const Json& object, const char* key) {
+    return number_or(object, key, 0.0) * std::numbers::pi / 180.0;
+}
+
+/// One number for all axes, or three.
+Vec3 axes_of(const Json& object, const char* key) {
+    const auto value = object.find(key);
+    if (value == object.end()) return Vec3::Zero();
+    return value->is_array() ? vector_of(*value) : Vec3::Constant(value->get<double>());
+}
+
+WaveDef wave_of(const Json& json) {
+    WaveDef wave;
+    const std::string kind = json["kind"].get<std::string>();
+    wave.kind = kind == "regular"   ? WaveKind::regular
+                : kind == "jonswap" ? WaveKind::jonswap
+                                    : WaveKind::pierson_moskowitz;
+    wave.height = json["height"].get<double>();
+    wave.period = json["period"].get<double>();
+    wave.direction = radians(json, "direction_deg");
+    wave.phase = radians(json, "phase_deg");
+    wave.gamma = number_or(json, "gamma", wave.gamma);
+    wave.spreading = number_or(json, "spreading", wave.spreading);
+    wave.components = json.value("components", wave.components);
+    wave.seed = json.value("seed", wave.seed);
+    wave.lowest = number_or(json, "lowest", wave.lowest);
+    wave.highest = number_or(json, "highest", wave.highest);
+    return wave;
+}
+
+WindDef wind_of(const Json& json) {
+    WindDef wind;
+    wind.speed = json["speed"].get<double>();
+    wind.direction = radians(json, "direction_deg");
+    wind.gusts = json.value("gusts", wind.gusts);
+    wind.components = json.value("components", wind.components);
+    wind.seed = json.value("seed", wind.seed);
+    wind.density = number_or(json, "density", wind.density);
+    return wind;
+}
+
+HullMesh mesh_of(const Json& json, const Json& hull) {
+    HullMesh mesh;
+    if (json.contains("box")) {
+        std::vector<int> n{1, 1, 1};
+        if (json.contains("pieces")) n = json["pieces"].get<std::vector<int>>();
+        mesh = box_hull(vector_of(json["box"]), n[0], n[1], n[2]);
+    } else {
+        for (const Json& vertex : json["vertices"]) mesh.vertices.push_back(vector_of(vertex));
+        for (const Json& t : json["triangles"])
+            mesh.triangles.push_back(
+                {t[0].get<std::int32_t>(), t[1].get<std::int32_t>(), t[2].get<std::int32_t>()});
+    }
+    const double scale = number_or(hull, "scale", 1.0);
+    const Vec3 offset = vector_or(hull, "offset", Vec3::Zero());
+    for (Vec3& x : mesh.vertices) x = scale * x + offset;
+    return mesh;
+}
+
+void six_of(const Json& object, const char* key, std::array<double, 6>& out) {
+    if (const auto value = object.find(key); value != object.end())
+        for (std::size_t i = 0; i < 6; ++i) out[i] = (*value)[i].get<double>();
+}
+
+/// What of copy 0 also stands in the others.
+class SeaReader {
+  public:
+    SeaReader(Description& out, const Document& document, const Json& sea)
+        : out_(out), json_(sea), place_(document.place / "sea"), scope_{} {
+        scope_.content = &document.root;
+        scope_.place = document.place;
+        if (const auto repeat = document.root.find("repeat"); repeat != document.root.end())
+            copies_ = repeat->value("copies", 1);
+    }
+
+    SeaDef read() {
+        SeaDef sea;
+        sea.depth = json_["depth"].get<double>();
+        sea.density = number_or(json_, "density", sea.density);
+        for (const Json& l : list("level"))
+            sea.level.push_back({l["time"].get<double>(), l["level"].get<double>()});
+        for (const Json& w : list("waves")) sea.waves.push_back(wave_of(w));
+        for (const Json& c : list("current"))
+            sea.current.push_back({number_or(c, "depth", 0.0), c["speed"].get<double>(),
+                                   radians(c, "direction_deg")});
+        if (json_.contains("wind")) sea.wind = wind_of(json_["wind"]);
+        if (json_.contains("gauge"))
+            sea.gauge = {json_["gauge"][0].get<double>(), json_["gauge"][1].get<double>()};
+        read_bodies(sea);
+        read_hulls(sea);
+        return sea;
+    }
+
+  private:
+    const Json& list(const char* key) const {
+        static const Json none = Json::array();
+        const auto found = json_.find(key);
+        return found == json_.end() ? none : *found;
+    }
+
+    /// The body of this name in all copies.
+    std::vector<BodyId> bodies(const Json& json, const Place& place) {
+        const std::string name = json["body"].get<std::string>();
+        std::vector<BodyId> found{resolve_body(out_, scope_, name, place / "body")};
+        for (int copy = 1; copy < copies_; ++copy)
+            if (const BodyId id = out_.find_body(std::to_string(copy) + ":" + name); id.valid())
+                found.push_back(id);
+        return found;
+    }
+
+    void read_bodies(SeaDef& sea) {
+        const Json& all = list("bodies");
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (all[i].is_null()) continue;  // Left out: mistakes.h.
+            const Place place = place_ / "bodies" / i;
+            (void)attempt(out_.mistakes, [&] {
+                WaterBody body;
+                body.drag_area = axes_of(all[i], "drag_area");
+                body.wind_area = axes_of(all[i], "wind_area");
+                body.volume = number_or(all[i], "volume", 0.0);
+                body.added_mass = axes_of(all[i], "added_mass");
+                body.height = number_or(all[i], "height", 0.0);
+                for (const BodyId id : bodies(all[i], place)) {
+                    body.body = id;
+                    sea.bodies.push_back(body);
+                    out_.sea_body_place.push_back(place);
+                }
+            });
+        }
+    }
+
+    void read_hulls(SeaDef& sea) {
+        const Json& all = list("hulls");
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (all[i].is_null() || all[i]["mesh"].is_string()) continue;  // Left out: mistakes.h.
+            const Place place = place_ / "hulls" / i;
+            (void)attempt(out_.mistakes, [&] {
+                WaterHull hull;
+                hull.mesh = mesh_of(all[i]["mesh"], all[i]);
+                hull.wave_pressure = all[i].value("wave_pressure", hull.wave_pressure);
+                six_of(all[i], "added_mass", hull.added_mass);
+                six_of(all[i], "damping", hull.damping);
+                hull.drag_area = axes_of(all[i], "drag_area");
+                hull.wind_area = axes_of(all[i], "wind_area");
+                if (const std::string fault = hull_fault(hull.mesh); !fault.empty())
+                    refuse(place / "mesh", fault);
+                for (const BodyId id : bodies(all[i], place)) {
+                    hull.body = id;
+                    sea.hulls.push_back(hull);
+                    out_.sea_hull_place.push_back(place);
+                }
+            });
+        }
+    }
+
+    Description& out_;
+    const Json& json_;
+    Place place_;
+    Scope scope_;
+    int copies_ = 1;
+};
+
+}  // namespace
+
+void expand_sea(Description& out, const Document& document, std::size_t waters) {
+    const auto sea = document.root.find("sea");
+    if (sea == document.root.end() || !sea->is_object()) return;
+    const auto repeat = document.root.find("repeat");
+    const int copies = repeat == document.root.end() ? 1 : repeat->value("copies", 1);
+    for (int copy = 1; copy < copies; ++copy)
+        for (std::size_t i = 0; i < waters; ++i) {
+            CableWater water = out.waters[i];
+            water.cable = std::to_string(copy) + ":" + water.cable;
+            out.waters.push_back(std::move(water));
+        }
+    (void)attempt(out.mistakes, [&] {
+        out.sea_place = document.place / "sea";
+        out.sea = SeaReader(out, document, *sea).read();
+    });
+}
+
+void keep_water(Description& out, const CableWater& water) {
+    const bool wet = std::any_of(water.sections.begin(), water.sections.end(),
+                                 [](const auto& s) { return s.water.diameter > 0.0; });
+    if (wet) out.waters.push_back(water);
+}
+
+void add_sea(World& world, const Description& from) {
+    if (!from.sea) return;
+    SeaDef def = *from.sea;
+    std::vector<const CableWater*> of_line;
+    for (const CableWater& water : from.waters) {
+        const WireId wire = world.find_wire(water.cable);
+        if (!wire.valid()) continue;
+        def.lines.push_back({.wire = wire,
+                             .sections = water.sections,
+                             .free_first = water.free_first,
+                             .free_last = water.free_last});
+        of_line.push_back(&water);
+    }
+    try {
+        world.add(def);
+    } catch (const SeaError& error) {
+        // "bodies/3/volume" is of the list in the definition: where it stands in the scene.
+        Place at = from.sea_place;
+        std::string field = error.field;
+        const auto moved = [&](const std::string& list, const auto& place_of, std::size_t count) {
+            if (!field.starts_with(list + "/")) return false;
+            const std::size_t i = std::stoul(field.substr(list.size() + 1));
+            if (i >= count) return false;
+            at = place_of(i);
+            const std::size_t rest = field.find('/', list.size() + 1);
+            field = rest == std::string::npos ? "" : field.substr(rest + 1);
+            return true;
+        };
+        if (moved("lines", [&](std::size_t i) { return of_line[i]->place; }, of_line.size()))
+            field.clear();
+        else if (!moved(
+                     "bodies", [&](std::size_t i) { return from.sea_body_place[i]; },
+                     from.sea_body_place.size()))
+            (void)moved(
+                "hulls", [&](std::size_t i) { return from.sea_hull_place[i]; },
+                from.sea_hull_place.size());
+        for (std::size_t begin = 0; begin < field.size();) {
+            const std::size_t end = std::min(field.find('/', begin), field.size());
+            at = at / field.substr(begin, end - begin);
+            begin = end + 1;
+        }
+        refuse(at, error.what());
+    }
+}
+
+}  // namespace hawser::scene

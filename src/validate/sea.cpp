@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validate/sea.h"
+
+namespace hawser::validate {
+namespace {
+
+constexpr Case kSea[] = {
+    {"S.1", "sea_waves", "lengths of waves in deep and shallow water", case_sea_waves},
+    {"S.2", "sea_statistics", "JONSWAP of 20 seeds over 3 h, gusts of NPD", case_sea_statistics},
+    {"S.3", "sea_box", "draught and righting levers of a box", case_sea_box},
+    {"S.4", "sea_periods", "heave and roll of a box", case_sea_periods},
+    {"S.5", "sea_froude_krylov", "pressure of waves on a fixed box", case_sea_froude_krylov},
+    {"S.6", "sea_drag", "lumps, chain and drifters in water that moves", case_sea_drag},
+    {"S.7", "sea_stability", "drag many times what a step resolves", case_sea_stability},
+};
+
+}  // namespace
+
+std::span<const Case> sea_cases() { return kSea; }
+
+}  // namespace hawser::validate

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file sea.h
+/// Cases of `hawser validate sea`: water against closed forms.
+
+#include "validate/robust.h"
+
+#include <span>
+
+namespace hawser::validate {
+
+/// Those that "sea" stands for.
+[[nodiscard]] std::span<const Case> sea_cases();
+
+// sea_waves.cpp
+void case_sea_waves(Report& report);
+void case_sea_statistics(Report& report);
+// sea_hulls.cpp
+void case_sea_box(Report& report);
+void case_sea_periods(Report& report);
+void case_sea_froude_krylov(Report& report);
+// sea_drag.cpp
+void case_sea_drag(Report& report);
+// sea_stability.cpp
+void case_sea_stability(Report& report);
+
+}  // namespace hawser::validate

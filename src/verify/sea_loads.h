@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file sea_loads.h
+/// What the sea (hawser/sea.h) has to do to bodies, computed anew from its definition and what a
+/// World shows: sums over components by functions of the standard library, hulls cut and integrated
+/// at Gauss points. Of the library it takes the list of components, whose wave numbers it checks.
+
+#include <hawser/hawser.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace hawser::verify {
+
+class SeaVerifier {
+  public:
+    explicit SeaVerifier(const World& world);
+    /// Inputs and time of the step to come.
+    void before_step(const World& world);
+    /// @param pose, before  Of all bodies, where the step began. @return the largest difference of
+    /// a load of the sea from that computed here, over its size and the body's; 0 without a sea.
+    [[nodiscard]] double after_step(const World& world, const std::vector<Pose>& pose,
+                                    const std::vector<Twist>& before);
+
+  private:
+    using Mat6 = Eigen::Matrix<double, 6, 6>;
+    using Vec6 = Eigen::Matrix<double, 6, 1>;
+    struct Load {
+        bool wet = false;
+        Vec6 force = Vec6::Zero();
+        Mat6 mass = Mat6::Zero(), damping = Mat6::Zero(), stiffness = Mat6::Zero();
+    };
+    struct Water {
+        double surface = 0.0, pressure = 0.0;
+        Vec3 flow{0, 0, 0}, rate{0, 0, 0};
+    };
+    [[nodiscard]] double surface(double x, double y) const;
+    [[nodiscard]] Water water(const Vec3& x) const;
+    [[nodiscard]] Vec3 wind(double z) const;
+    [[nodiscard]] const LineWater* sort_of(const World& world, WireId wire,
+                                           std::size_t element) const;
+    void add_lines(const World& world, const std::vector<Pose>& pose,
+                   const std::vector<Twist>& before);
+    void add_half(const World& world, WireId wire, std::size_t element, bool last,
+                  const std::vector<Pose>& pose, const std::vector<Twist>& before);
+    void add_body(const WaterBody& def, const Pose& pose, const Vec3& velocity);
+    void add_hull(const WaterHull& def, const Pose& pose, const Vec3& velocity);
+    static void add_drag(const Mat3& axes, const Vec3& areas, double half_density, const Vec3& flow,
+                         const Vec3& velocity, Load& out);
+
+    const SeaDef* def_ = nullptr;
+    std::optional<Sea> sea_;
+    double gravity_ = 9.81;
+    std::vector<std::pair<InteractionId, const LineWater*>> known_;  ///< As defined, ascending.
+    std::vector<LineWater> volumes_;
+    std::vector<BodyId> ends_;  ///< That hold lines.
+    SeaInputs inputs_{};
+    double time_ = 0.0, level_ = 0.0;
+    std::vector<bool> intact_;  ///< By interaction, where the step began.
+    SeaMoment air_{};
+    std::vector<Load> load_;
+};
+
+}  // namespace hawser::verify
