@@ -26,6 +26,10 @@
 /// the lump with half of its mass, weight and drag, the body of the guide with the other half of
 /// the weight, and the slide with what of that pulls along the wire.
 ///
+/// World::lay_over() is what divides the element: `before` gets its name, lumps at its ends lose
+/// their halves of its mass, its capsule goes; DefError where it is wound up, gone or parted, or
+/// the parts do not fit it. World::ends() tells where a piece of a line leaves what holds it.
+///
 /// A guide is a System (system.h). Signals, as "name.signal": `angle` [rad], `before` and `behind`
 /// [N], the tensions at the guide, `slide` [m], `speed` [m/s], `wire_before`, `wire_behind` [m],
 /// the wire between the guide and the next lump.

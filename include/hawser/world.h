@@ -108,13 +108,11 @@ class World {
     void prepare();
 
     // --- Systems (system.h) ---------------------------------------------------------------
-    /// It acts from the next step on, after those there are. Each of its signals becomes an output
-    /// "system.signal". @return the same, which the world owns now. @throws DefError on a name that
-    /// is empty or taken, on signals without names or with the same ones, and in a world whose
-    /// method is `pgs` or `split`, which take no blocks of systems.
+    /// It acts from the next step on, after those there are, with outputs "system.signal". @return
+    /// the same, which the world owns now. @throws DefError on a name that is empty or taken, on
+    /// signals without or with equal names, and where the method is `pgs` or `split`.
     System& add_system(std::unique_ptr<System> system);
-    /// It acts no more. @return the system, with its state. @throws DefError where it is none of
-    /// this world's.
+    /// It acts no more. @return it, with its state. @throws DefError where it is not of this world.
     std::unique_ptr<System> remove_system(const System& system);
     [[nodiscard]] int system_count() const noexcept;
     [[nodiscard]] System& system(int index);  ///< In the order in which they act. @throws DefError.
@@ -124,8 +122,7 @@ class World {
     [[nodiscard]] std::span<const SystemSignal> system_signals() const noexcept;
     /// By "system.name". @throws DefError where there is none, with the nearest name.
     [[nodiscard]] double system_signal(std::string_view name) const;
-    /// Clamped to its range. @throws DefError where there is no such input, or the value is not
-    /// finite.
+    /// Clamped to its range. @throws DefError: there is no such input, or the value is not finite.
     void set_system_signal(std::string_view name, double value);
     /// Loads of systems in the last step, or the one that failed, by body; good until the next.
     [[nodiscard]] std::vector<LoadView> loads() const;
@@ -133,13 +130,11 @@ class World {
     [[nodiscard]] const BadLoad& bad_load() const noexcept;
 
     // --- Stepping -----------------------------------------------------------------------
-    /// Advance by WorldDef::step. On a status other than ok the state is that of the last
-    /// good step.
+    /// Advance by WorldDef::step. Where the status is not ok the state is the last good one.
     Status step() noexcept;
-    /// End the step under way at the next opportunity, between parts of the factorisation or of the
-    /// collisions, or else the next step where it begins: with Status::cancelled and the state of
-    /// the last good step. Only an analysis is not left in the middle. May be called by another
-    /// thread, or by a signal handler: it sets a flag.
+    /// End the step under way between parts of the factorisation or of the collisions, or else the
+    /// next one where it begins: with Status::cancelled and the last good state. Only an analysis
+    /// is not left in the middle. Another thread or a signal handler may call it: it sets a flag.
     void cancel() noexcept;
 
     [[nodiscard]] double time() const noexcept;  ///< [s].
@@ -275,14 +270,10 @@ class World {
     /// friction by the element end, and lumps' halves of its mass. @return it. @throws DefError
     /// where the end is wound up, the element gone or parted, or the drum no scalar body.
     InteractionId wind_up(WireId id, int end, BodyId drum, double radius);
-    /// An element of a wire becomes two of kind end_span, on both sides of a place that it runs
-    /// over (hawser/guide.h): `before` with its name and `behind`, with its ends, of `slide`. Lumps
-    /// at the ends lose their halves of its mass, its capsule goes. @return them. @throws DefError
-    /// where it is wound up, gone or parted, or the parts do not fit it.
+    /// An element becomes two, of kind end_span, about a place that it runs over: guide.h.
     std::array<InteractionId, 2> lay_over(InteractionId element, InteractionDef before,
                                           InteractionDef behind);
-    /// Where an element of a wire, or a part of a line over places, leaves the first two of its
-    /// bodies: of a wheel the tangent point, world frame [m]. @throws DefError of other kinds.
+    /// Where a piece of a line leaves its first two bodies, of a wheel its tangent point [m].
     [[nodiscard]] std::array<Vec3, 2> ends(InteractionId id) const;
     const Removed& remove_wire(
         WireId id);  ///< With what add_wire() made. @return as remove_body().

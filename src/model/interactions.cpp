@@ -152,6 +152,8 @@ LineShape Interactions::line_shape(int id, const Bodies& b) const noexcept {
                 const generic::V3 at = refs[k].x + arm[k];
                 out.at[k] = {at.x, at.y, at.z};
             }
+            if constexpr (requires { data.end[1].radius; })
+                for (int k = 0; k < 2; ++k) out.wheel[k] = data.end[k].radius;
             out.along = {now.J[1][0][0], now.J[1][0][1], now.J[1][0][2]};
             out.longer = now.g[0];
         }

@@ -87,9 +87,10 @@ struct RowState {
 
 /// A piece of a line as it lies.
 struct LineShape {
-    Vec3 at[2];           ///< Where it leaves what holds it, world frame [m].
-    Vec3 along;           ///< Unit vector from the first to the second.
-    double longer = 0.0;  ///< Path less the length at rest of now [m].
+    Vec3 at[2];                    ///< Where it leaves what holds it, world frame [m].
+    double wheel[2] = {0.0, 0.0};  ///< Signed radius at each end [m] (kinds/routes.h).
+    Vec3 along;                    ///< Unit vector from the first to the second.
+    double longer = 0.0;           ///< Path less the length at rest of now [m].
 };
 
 /// Coordinate of a kind that has one (KindInfo::coordinate).

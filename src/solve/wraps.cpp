@@ -2,7 +2,6 @@
 #include "solve/wraps.h"
 
 #include "base/index.h"
-#include "model/line_ends.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,10 +25,11 @@ double wrap_angle(const Model& model, std::int32_t friction) noexcept {
     const double defined = d.params[3];
     if (!has_direction(model, d.load[0]) || !has_direction(model, d.load[1])) return defined;
     const std::int32_t before = d.load[0].interaction.index, behind = d.load[1].interaction.index;
-    const Vec3 u = in.line_shape(before, bodies).along, v = in.line_shape(behind, bodies).along;
+    const model::LineShape shape = in.line_shape(before, bodies);
+    const Vec3 u = shape.along, v = in.line_shape(behind, bodies).along;
     const Vec3 turn = u.cross(v);
     const InteractionDef& part = in.def[at(before)];
-    const double wheel = model::wheel_at(part, 1);
+    const double wheel = shape.wheel[1];
     if (wheel == 0.0) return std::atan2(turn.norm(), u.dot(v));
     const auto body = at(part.body[1].index);
     Vec3 axis = part.frame[1] * Vec3::UnitZ();

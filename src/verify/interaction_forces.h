@@ -8,6 +8,8 @@
 
 #include <hawser/hawser.h>
 
+#include "verify/attached.h"
+
 #include <array>
 #include <span>
 
@@ -56,26 +58,5 @@ struct ForceRange {
 
 /// Parameters of an interaction as inputs have set them.
 [[nodiscard]] double parameter(const World& world, InteractionId id, std::string_view name);
-
-/// Points and axes of an interaction's bodies in the world.
-class Attached {
-  public:
-    Attached(const World& world, InteractionId id, std::span<const Pose> pose)
-        : world_(world), def_(world.interaction_def(id)), pose_(pose) {}
-    /// Lumps and scalars neither turn nor have arms.
-    [[nodiscard]] bool is_point(int slot) const;
-    [[nodiscard]] Vec3 center(int slot) const { return at(slot).position; }
-    [[nodiscard]] Vec3 point(int slot) const;
-    [[nodiscard]] Quat frame(int slot) const;
-    [[nodiscard]] Vec3 axis(int slot, int k) const { return frame(slot) * Vec3::Unit(k); }
-    [[nodiscard]] BodyKind kind(int slot) const;
-    [[nodiscard]] const InteractionDef& def() const { return def_; }
-
-  private:
-    [[nodiscard]] const Pose& at(int slot) const;
-    const World& world_;
-    const InteractionDef& def_;
-    std::span<const Pose> pose_;
-};
 
 }  // namespace hawser::verify

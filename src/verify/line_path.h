@@ -4,7 +4,7 @@
 /// Where parts of lines leave what they run over, found by letting their ends go round wheels until
 /// they stay; nothing of the solver's closed form.
 
-#include "verify/interaction_forces.h"
+#include "verify/attached.h"
 
 namespace hawser::verify {
 

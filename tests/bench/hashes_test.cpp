@@ -28,9 +28,10 @@ const std::set<std::string> kAtRest = {"anchor_contact", "arch",          "bounc
                                        "box_stack",      "box_stack_1e6", "rolling_resistance"};
 
 /// Friction, ranges and motors, and nothing that touches.
-const std::set<std::string> kJoints = {"anchor_lines", "joint_friction", "joint_limits",
-                                       "motor_limits", "payout",         "slider_crank",
-                                       "tackle",       "winch_modes",    "wire_part"};
+const std::set<std::string> kJoints = {"anchor_lines",  "joint_friction", "joint_limits",
+                                       "motor_limits",  "payout",         "slider_crank",
+                                       "tackle",        "winch_modes",    "wire_part",
+                                       "crane_knuckle", "crane_lattice",  "wire_bollard"};
 
 TEST(Hashes, DoNotDependOnThreadsOrRestoring) {
     const auto files = nonsmooth_scenes("scenes");

@@ -243,7 +243,10 @@ TEST_P(EachKind, StartsWithoutViolation) {
         }
         if (name.ends_with("range")) d.set("min", -1.0);
         // Its length is that with the slides at 0.
-        if (name.ends_with("span")) d.set("slide_0", 0.0).set("slide_1", 0.0);
+        if (name == "end_span")
+            d.set("radius", 0.0);
+        else if (name.ends_with("span"))
+            d.set("slide_0", 0.0).set("slide_1", 0.0);
         r.add(d);
         World w = r.make();
         const auto g = w.violation(InteractionId{0});

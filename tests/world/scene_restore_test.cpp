@@ -19,7 +19,7 @@ TEST(SceneRestore, ContinuesBitForBitAtTwentyRandomSteps) {
         test::Random random(17);
         for (int round = 0; round < (test::kSanitized ? 2 : 20); ++round) {
             for (int i = random.integer(0, 4); i > 0; --i) ASSERT_EQ(a.step(), Status::ok) << file;
-            b.restore(a.save());
+            b.restore(a.structure(), a.save());
             ASSERT_EQ(a.state_hash(), b.state_hash()) << file << " round " << round;
             ASSERT_EQ(a.step(), Status::ok) << file;
             ASSERT_EQ(b.step(), Status::ok) << file;
