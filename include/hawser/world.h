@@ -136,7 +136,6 @@ class World {
     /// next one where it begins: with Status::cancelled and the last good state. Only an analysis
     /// is not left in the middle. Another thread or a signal handler may call it: it sets a flag.
     void cancel() noexcept;
-
     [[nodiscard]] double time() const noexcept;  ///< [s].
     [[nodiscard]] std::int64_t step_count() const noexcept;
     [[nodiscard]] const StepStats& stats() const noexcept;

@@ -19,9 +19,9 @@ struct Comparison {
 
 Comparison compare(const World& a, const World& b) {
     Comparison c;
-    for (int i = 0; i < a.body_count(); ++i) {
-        const Twist u = a.velocity(BodyId{i}), v = b.velocity(BodyId{i});
-        c.extent = std::max(c.extent, a.pose(BodyId{i}).position.norm());
+    for (const BodyId id : a.bodies()) {
+        const Twist u = a.velocity(id), v = b.velocity(id);
+        c.extent = std::max(c.extent, a.pose(id).position.norm());
         c.scale = std::max({c.scale, u.linear.norm(), u.angular.norm()});
         c.difference =
             std::max({c.difference, (u.linear - v.linear).norm(), (u.angular - v.angular).norm()});
