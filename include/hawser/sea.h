@@ -137,8 +137,9 @@ struct LineWater {
 /// A wire in the water; nodes may come and go.
 struct WaterLine {
     WireId wire{};  ///< Required.
-    /// From the first end on, of so many elements each; the last also of what comes behind it. What
-    /// comes between two elements is of the sort of the one before it.
+    /// Water coefficients along the wire, from its first end on. A section covers `elements`
+    /// elements of the start, the last one all that follow; an element that a new node makes takes
+    /// the coefficients of the element before it.
     struct Section {
         int elements = 0;
         LineWater water{};

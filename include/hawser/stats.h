@@ -84,7 +84,7 @@ enum class EventKind : std::uint8_t {
     render,  ///< A winch in mode render gave way; once each time. value: tension then [N].
     // Of cranes (crane.h), of the body that is the hook.
     alarm,      ///< Its load came to a higher step of alarm. value: load over rated load [1].
-    alarm_end,  ///< It came to a lower one. value: likewise.
+    alarm_end,  ///< It came to a lower step of alarm. value: load over rated load [1].
 };
 inline constexpr int kEventKindCount = 26;
 [[nodiscard]] const char* to_string(EventKind kind) noexcept;
