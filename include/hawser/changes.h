@@ -56,6 +56,11 @@ class ChangeListener {
     virtual void node_inserted(InteractionId element, double share, double mass) noexcept = 0;
     virtual void node_removed(BodyId node, double bend) noexcept = 0;  ///< By remove_node().
     virtual void set_mass(BodyId lump, double mass) noexcept = 0;
+    /// By World::lay_over() and lift_off(), definitions as given.
+    virtual void laid_over(InteractionId element, const InteractionDef& before,
+                           const InteractionDef& behind) noexcept = 0;
+    virtual void lifted(InteractionId before, InteractionId behind,
+                        const InteractionDef& element) noexcept = 0;
     /// By World::cut(), whichever.
     virtual void cut(InteractionId element, double share) noexcept = 0;
     /// By join() and attach(). @param b  A lump, or a body with a point.

@@ -20,6 +20,7 @@
 #include <hawser/math.h>
 #include <hawser/outputs.h>
 #include <hawser/partition.h>
+#include <hawser/post.h>
 #include <hawser/resolution.h>
 #include <hawser/route.h>
 #include <hawser/row_constants.h>

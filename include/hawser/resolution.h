@@ -34,7 +34,8 @@
 /// looked at, every `interval` steps; wires take turns.
 ///
 /// Elements at drums are the winch's, and what something else holds, carries no mass of its own
-/// (consistent_mass) or has parted stays as it is. Fixed elements remain possible: without a
+/// (consistent_mass), is of a line type that the wire did not have at first or has parted stays as
+/// it is. Fixed elements remain possible: without a
 /// ResolutionDef nothing changes.
 ///
 /// *Budget.* At a level of World::coarsening() L is 1.5 to its power times as long, limits
@@ -80,7 +81,9 @@ struct ResolutionDef {
     double hysteresis = 1.5;        ///< 1 to 100: see above.
     double patience = 2.0;          ///< For which a node is not needed before it goes [s].
     int interval = 4;               ///< Steps from one look at the wire to the next, 1 to 10,000.
-    double mass_per_length = kDefault;  ///< [kg/m]; that of the wire's elements now.
+    /// Of all of the wire [kg/m]; kDefault: of each line type (EA, mass a length) that its elements
+    /// have now. Where two meet the node stays.
+    double mass_per_length = kDefault;
 };
 
 /// What World::add() of it calls. @throws DefError on what is missing or out of range, limits that

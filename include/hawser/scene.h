@@ -83,9 +83,8 @@ struct Cable {
     double laid_from = kDefault, laid_to = kDefault;
 };
 
-/// A scene, ready to run.
 /// An input of a scene that sets a signal of a system, such as the speed of a winch. A Session sets
-/// it; a timeline names the signal.
+/// it. Operations of `timeline` have the signal and its value instead.
 struct SignalInput {
     std::string name;
     std::string signal;              ///< "system.signal".
@@ -93,6 +92,7 @@ struct SignalInput {
     double min = -1e30, max = 1e30;  ///< Of the value, which is clamped.
 };
 
+/// A scene, ready to run.
 struct Scene {
     std::string name;
     std::string description;

@@ -44,6 +44,8 @@
 namespace hawser {
 
 class World;
+struct Guide;
+struct GuideDef;
 namespace stepper {
 class LoadStore;
 }
@@ -294,6 +296,12 @@ class NodeEdits {
     BodyId insert_node(InteractionId element, double share, double mass = kDefault) noexcept;
     /// As World::remove_node(). @return whether it went.
     bool remove_node(BodyId node, double bend = 0.05) noexcept;
+    /// An element comes to lie on what it touches (guide.h), running by `speed` [m/s]; with the
+    /// input NAME/friction/force. @param def  Defaults are filled in. @param material  Of the parts
+    /// [m]. @return false: refused, or no memory.
+    bool lay_over(GuideDef& def, double speed, Guide& out, double (&material)[2]) noexcept;
+    /// As World::lift_off(). @return invalid: refused, or no memory.
+    InteractionId lift_off(const Guide& guide, const InteractionDef& element) noexcept;
 
   private:
     World& world_;

@@ -228,8 +228,8 @@ class World {
     // --- Interactions -----------------------------------------------------------------------
     [[nodiscard]] int interaction_count() const noexcept;  ///< Places, as body_count().
     [[nodiscard]] std::span<const InteractionId> interactions() const noexcept;  ///< As bodies().
-    [[nodiscard]] const InteractionDef& interaction_def(
-        InteractionId id) const;  ///< Defaults filled in.
+    /// Defaults filled in.
+    [[nodiscard]] const InteractionDef& interaction_def(InteractionId id) const;
     [[nodiscard]] InteractionId find_interaction(std::string_view name) const noexcept;
     /// Force of each row in the last step, along Gᵀ [N or N m]; zero before the first. Rows 0-2
     /// of ball, hinge, universal and lock are the force on body 1 in the world's axes. A line in
@@ -269,13 +269,14 @@ class World {
     /// friction by the element end, and lumps' halves of its mass. @return it. @throws DefError
     /// where the end is wound up, the element gone or parted, or the drum no scalar body.
     InteractionId wind_up(WireId id, int end, BodyId drum, double radius);
-    /// An element becomes two, of kind end_span, about a place that it runs over: guide.h.
+    /// An element becomes two, of kind end_span, about a place that it runs over (guide.h), and one
+    /// again, with their name; their slide goes with all that hangs on it.
     std::array<InteractionId, 2> lay_over(InteractionId element, InteractionDef before,
                                           InteractionDef behind);
+    InteractionId lift_off(InteractionId before, InteractionId behind, InteractionDef element);
     /// Where a piece of a line leaves its first two bodies, of a wheel its tangent point [m].
     [[nodiscard]] std::array<Vec3, 2> ends(InteractionId id) const;
-    const Removed& remove_wire(
-        WireId id);  ///< With what add_wire() made. @return as remove_body().
+    const Removed& remove_wire(WireId id);  ///< With what add_wire() made; as remove_body().
     [[nodiscard]] std::span<const WireId> wires() const noexcept;  ///< As bodies().
     [[nodiscard]] bool alive(WireId id) const noexcept;
     [[nodiscard]] WireId find_wire(std::string_view name) const noexcept;

@@ -19,24 +19,24 @@ class Fields {
     /// Above 0 where `least` is.
     const Fields& positive(const char* field, double value, double most) const {
         if (!(value > 0.0 && value <= most))
-            fail(field, digits(value) + "; give a number above 0 and at most " + digits(most));
+            fail(field, number(value) + "; give a number above 0 and at most " + number(most));
         return *this;
     }
     const Fields& from_zero(const char* field, double value, double most) const {
         if (!(value >= 0.0 && value <= most))
-            fail(field, digits(value) + "; give a number from 0 to " + digits(most));
+            fail(field, number(value) + "; give a number from 0 to " + number(most));
         return *this;
     }
     const Fields& between(const char* field, double value, double least, double most) const {
         if (!(value >= least && value <= most))
             fail(field,
-                 digits(value) + "; give a number from " + digits(least) + " to " + digits(most));
+                 number(value) + "; give a number from " + number(least) + " to " + number(most));
         return *this;
     }
     const Fields& point(const char* field, const Vec3& p, bool in_plane) const {
         if (!p.allFinite() || p.norm() > kFar) fail(field, "give a point within 10 km");
         if (in_plane && p.y() != 0.0)
-            fail(field, "y = " + digits(p.y()) + " m; booms and their pins lie in the plane y = 0");
+            fail(field, "y = " + number(p.y()) + " m; booms and their pins lie in the plane y = 0");
         return *this;
     }
     [[noreturn]] void fail(const char* field, const std::string& why) const {
@@ -63,7 +63,7 @@ void check_tackle(const std::string& name, const char* part, const CraneTackle& 
         f.fail("falls", std::to_string(t.falls) + "; give 1 to 64");
     f.positive("EA", t.EA, kStrong);
     if (!(t.efficiency > 0.0 && t.efficiency <= 1.0))
-        f.fail("efficiency", digits(t.efficiency) + "; give a number in (0, 1]");
+        f.fail("efficiency", number(t.efficiency) + "; give a number in (0, 1]");
     f.positive("drum_radius", t.drum_radius, 1e3)
         .positive("drum_inertia", t.drum_inertia, kHeavy)
         .positive("pull", t.pull, kStrong)
@@ -83,8 +83,8 @@ void check_hook(const Common& c) {
         .positive("hang", c.hook.hang, kFar);
     const double least = 2.0 * c.hoist.sheave_radius;
     if (c.hook.hang <= least)
-        f.fail("hang", digits(c.hook.hang) + " m; the sheaves of hook and head touch below " +
-                           digits(least) + " m");
+        f.fail("hang", number(c.hook.hang) + " m; the sheaves of hook and head touch below " +
+                           number(least) + " m");
     f.from_zero("least_hang", c.hook.least_hang, c.hook.hang)
         .from_zero("angular_damping", c.hook.angular_damping, kStrong);
     for (const double half : c.hook.half_size) f.positive("half_size", half, kFar);
@@ -101,10 +101,10 @@ void check_rating(const Common& c) {
         if (i == 0) continue;
         const CraneRatedLoad& before = r.curve[i - 1];
         if (!(p.radius > before.radius))
-            f.fail(at.c_str(), "radius " + digits(p.radius) + " m after " + digits(before.radius) +
+            f.fail(at.c_str(), "radius " + number(p.radius) + " m after " + number(before.radius) +
                                    " m; radii have to grow");
         if (p.mass > before.mass)
-            f.fail(at.c_str(), "rated load " + digits(p.mass) + " kg after " + digits(before.mass) +
+            f.fail(at.c_str(), "rated load " + number(p.mass) + " kg after " + number(before.mass) +
                                    " kg; it may not grow with the radius");
     }
     f.positive("warning", r.warning, 10.0).positive("overload", r.overload, 10.0);
@@ -170,16 +170,16 @@ void check_cylinder(const std::string& name, const char* part, const CraneCylind
         f.fail("head", "its pins and the hinge lie in one line: it moves nothing");
     if (!(cylinder.min_length < now && now < cylinder.max_length))
         f.fail(now <= cylinder.min_length ? "min_length" : "max_length",
-               "at the start angle its pins are " + digits(now) +
-                   " m apart, which is not between " + digits(cylinder.min_length) + " and " +
-                   digits(cylinder.max_length) + " m");
+               "at the start angle its pins are " + number(now) +
+                   " m apart, which is not between " + number(cylinder.min_length) + " and " +
+                   number(cylinder.max_length) + " m");
     if (cylinder.min_length < linkage.shortest())
-        f.fail("min_length", digits(cylinder.min_length) + " m; its pins cannot come closer than " +
-                                 digits(linkage.shortest()) + " m");
+        f.fail("min_length", number(cylinder.min_length) + " m; its pins cannot come closer than " +
+                                 number(linkage.shortest()) + " m");
     if (cylinder.max_length > linkage.longest())
-        f.fail("max_length", digits(cylinder.max_length) +
+        f.fail("max_length", number(cylinder.max_length) +
                                  " m; its pins cannot be farther apart than " +
-                                 digits(linkage.longest()) + " m");
+                                 number(linkage.longest()) + " m");
 }
 
 }  // namespace
@@ -195,12 +195,12 @@ void check(const KnuckleCraneDef& d) {
     // The line comes to the sheave at the knuckle from above, and has to bend down there.
     const double r = d.hoist.sheave_radius, along = d.boom.length - d.hoist.drum.x();
     if (!(along > 2.0 * r))
-        f.fail("hoist/drum", "x = " + digits(d.hoist.drum.x()) +
+        f.fail("hoist/drum", "x = " + number(d.hoist.drum.x()) +
                                  " m; it is to stand on the boom, short of its head");
     const double comes = std::atan2(r - d.hoist.drum.z(), along);
     const double most = jib_linkage(d).angle_range(d.jib_cylinder).second;
     if (!(most < comes))
-        f.fail("jib_angle", "the jib can rise to " + digits(most) +
+        f.fail("jib_angle", "the jib can rise to " + number(most) +
                                 " rad against the boom, where the line lifts off the sheave at "
                                 "the knuckle; give a lesser jib_cylinder/max_length or a lower "
                                 "drum");
@@ -215,7 +215,7 @@ void check(const LatticeCraneDef& d) {
         .between("most_angle", d.most_angle, -1.5, 1.56);
     if (!(d.least_angle < d.boom_angle && d.boom_angle < d.most_angle))
         f.fail("boom_angle",
-               digits(d.boom_angle) + " rad is not between least_angle and most_angle");
+               number(d.boom_angle) + " rad is not between least_angle and most_angle");
     f.point("gantry", d.gantry, true)
         .positive("bridle_mass", d.bridle_mass, kHeavy)
         .positive("pendant_length", d.pendant_length, kFar)
@@ -224,8 +224,8 @@ void check(const LatticeCraneDef& d) {
     check_tackle(d.name, "luffing", d.luffing, false);
     const double way = pendant_way(d);
     if (!(d.pendant_length < way - 0.5))
-        f.fail("pendant_length", digits(d.pendant_length) +
-                                     " m, but from boom head to gantry there are " + digits(way) +
+        f.fail("pendant_length", number(d.pendant_length) +
+                                     " m, but from boom head to gantry there are " + number(way) +
                                      " m: nothing is left for the luffing tackle");
     if (!(d.gantry.x() < d.boom_foot.x()))
         f.fail("gantry", "it has to stand behind the foot of the boom, to hold it back");

@@ -5,9 +5,10 @@
 
 #include <hawser/crane.h>
 
+#include "base/number.h"
+
 #include <algorithm>
 #include <cstddef>
-#include <cstdio>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -45,13 +46,6 @@ template <class Def>
 [[noreturn]] inline void refuse(const std::string& name, const std::string& where,
                                 const std::string& why) {
     throw DefError("crane '" + name + "': " + where + ": " + why);
-}
-
-/// For messages: six digits.
-[[nodiscard]] inline std::string digits(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
 }
 
 /// Refuses what is out of range, or does not fit, before anything is added. @throws DefError.

@@ -5,18 +5,12 @@
 
 #include <hawser/sea.h>
 
+#include "base/number.h"
+
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 namespace hawser::marine {
-
-/// For messages: six digits.
-[[nodiscard]] inline std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
 
 /// "lines/3" and the like.
 [[nodiscard]] inline std::string entry(const char* list, std::size_t i) {

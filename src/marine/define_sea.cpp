@@ -17,7 +17,6 @@ namespace {
 
 using marine::check_range;
 using marine::entry;
-using marine::number;
 
 void check_areas(const std::string& field, const Vec3& areas) {
     for (const double a : areas) check_range(field, a, 0.0, 1e9, false, "m^2");

@@ -46,8 +46,10 @@ enum class ChangeKind : std::uint8_t {
     release,
     rebuild,
     degrade_wires,
+    lay_over,
+    lift_off,
 };
-inline constexpr int kChangeKindCount = 31;
+inline constexpr int kChangeKindCount = 33;
 
 template <class D, class T>
 concept FieldsOf = std::same_as<std::remove_const_t<D>, T>;

@@ -2,6 +2,7 @@
 #include "record/changes.h"
 #include "record/field_bytes.h"
 
+#include <utility>
 #include <vector>
 
 namespace hawser::record {
@@ -99,6 +100,17 @@ void apply_wire_change(ChangeKind kind, GetFields& get, World& world) {
     }
 }
 
+void apply_guide_change(ChangeKind kind, GetFields& get, World& world) {
+    const auto first = get.value<InteractionId>();
+    if (kind == ChangeKind::lay_over) {
+        auto before = get.definition<InteractionDef>();
+        (void)world.lay_over(first, std::move(before), get.definition<InteractionDef>());
+    } else {
+        const auto behind = get.value<InteractionId>();
+        (void)world.lift_off(first, behind, get.definition<InteractionDef>());
+    }
+}
+
 void apply_one(ChangeKind kind, ByteReader& in, World& world) {
     GetFields get{in};
     if (kind <= ChangeKind::add_material_pair) return apply_addition(kind, get, world);
@@ -109,6 +121,8 @@ void apply_one(ChangeKind kind, ByteReader& in, World& world) {
         return apply_grouping(kind, get, world);
     if (kind >= ChangeKind::part && kind < ChangeKind::rebuild)
         return apply_wire_change(kind, get, world);
+    if (kind == ChangeKind::lay_over || kind == ChangeKind::lift_off)
+        return apply_guide_change(kind, get, world);
     const bool degrades = kind == ChangeKind::degrade || kind == ChangeKind::degrade_wires;
     if (kind == ChangeKind::set_input) {
         const auto id = get.value<InputId>();

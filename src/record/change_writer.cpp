@@ -192,6 +192,26 @@ void ChangeBytes::node_removed(BodyId node, double bend) noexcept {
         put(bend);
     });
 }
+void ChangeBytes::laid_over(InteractionId element, const InteractionDef& before,
+                            const InteractionDef& behind) noexcept {
+    other_bodies_ = true;
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::lay_over);
+        put(element);
+        visit_fields(before, put);
+        visit_fields(behind, put);
+    });
+}
+void ChangeBytes::lifted(InteractionId before, InteractionId behind,
+                         const InteractionDef& element) noexcept {
+    other_bodies_ = true;
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::lift_off);
+        put(before);
+        put(behind);
+        visit_fields(element, put);
+    });
+}
 void ChangeBytes::cut(InteractionId element, double share) noexcept {
     other_bodies_ = true;
     write([&](PutFields& put) {

@@ -41,6 +41,10 @@ class ChangeBytes : public ChangeListener {
     void parted(InteractionId id) noexcept override;
     void node_inserted(InteractionId element, double share, double mass) noexcept override;
     void node_removed(BodyId node, double bend) noexcept override;
+    void laid_over(InteractionId element, const InteractionDef& before,
+                   const InteractionDef& behind) noexcept override;
+    void lifted(InteractionId before, InteractionId behind,
+                const InteractionDef& element) noexcept override;
     void set_mass(BodyId lump, double mass) noexcept override;
     void cut(InteractionId element, double share) noexcept override;
     void joined(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) noexcept override;

@@ -6,6 +6,7 @@
 
 #include <hawser/crane.h>
 #include <hawser/guide.h>
+#include <hawser/post.h>
 #include <hawser/resolution.h>
 #include <hawser/sea.h>
 
@@ -48,6 +49,12 @@ struct Winch {
 struct GuideItem {
     GuideDef def;
     std::string cable;
+    int place = 0;
+};
+
+/// A post before there is a world: its shape has its name.
+struct PostItem {
+    PostDef def;
     int place = 0;
 };
 
@@ -96,6 +103,7 @@ class Description {
     std::vector<Cable> cables;
     std::vector<Winch> winches;
     std::vector<GuideItem> guides;
+    std::vector<PostItem> posts;
     std::vector<Resolution> resolutions;
     std::vector<Crane> cranes;
     std::vector<Lever> levers;
@@ -120,6 +128,9 @@ class Description {
     }
     [[nodiscard]] const Place& guide_place(std::size_t i) const {
         return places_[static_cast<std::size_t>(guides[i].place)];
+    }
+    [[nodiscard]] const Place& post_place(std::size_t i) const {
+        return places_[static_cast<std::size_t>(posts[i].place)];
     }
     [[nodiscard]] const Place& resolution_place(std::size_t i) const {
         return places_[static_cast<std::size_t>(resolutions[i].place)];
@@ -221,6 +232,8 @@ void expand_inputs(Description& out, const Scope& scope);
 void expand_winches(Description& out, const Scope& scope);
 /// Guides of one scope, when all cables and winches are there (guides.cpp).
 void expand_guides(Description& out, const Scope& scope);
+/// Posts of one scope, when all bodies are there (posts.cpp).
+void expand_posts(Description& out, const Scope& scope);
 /// Cranes of one scope, when all bodies but cables are there (cranes.cpp).
 void expand_cranes(Description& out, const Scope& scope);
 /// Lines over posts and sheaves of one scope, when all bodies are there (routes.cpp).

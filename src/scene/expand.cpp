@@ -49,6 +49,7 @@ class Expander {
             (void)with_note(out_.mistakes, item.note, [&] {
                 expand_winches(out_, item.scope);
                 expand_guides(out_, item.scope);
+                expand_posts(out_, item.scope);
                 expand_routes(out_, item.scope);
                 expand_segments(out_, item.scope);
                 expand_interactions(out_, item.scope);
@@ -199,11 +200,17 @@ class Expander {
         Json content = Json::object();
         const Format& f = format();
         const std::pair<const char*, const Shape*> lists[] = {
-            {"bodies", f.bodies.get()}, {"instances", f.instances.get()},
-            {"cables", f.cables.get()}, {"winches", f.winches.get()},
-            {"guides", f.guides.get()}, {"cranes", f.cranes.get()},
-            {"routes", f.routes.get()}, {"interactions", f.interactions.get()},
-            {"inputs", f.inputs.get()}, {"outputs", f.outputs.get()}};
+            {"bodies", f.bodies.get()},
+            {"instances", f.instances.get()},
+            {"cables", f.cables.get()},
+            {"winches", f.winches.get()},
+            {"guides", f.guides.get()},
+            {"posts", f.posts.get()},
+            {"cranes", f.cranes.get()},
+            {"routes", f.routes.get()},
+            {"interactions", f.interactions.get()},
+            {"inputs", f.inputs.get()},
+            {"outputs", f.outputs.get()}};
         const bool filled = with_note(out_.mistakes, inner.note, [&] {
             for (const auto& [key, shape] : lists) {
                 if (definition.contains(key)) {

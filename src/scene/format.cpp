@@ -120,6 +120,8 @@ ShapePtr scene_template(const Format& format) {
          {"cables", with_placeholders(format.cables), false, "", "", "Cables."},
          {"winches", with_placeholders(format.winches), false, "", "", "Winches."},
          {"guides", with_placeholders(format.guides), false, "", "", "What cables run over."},
+         {"posts", with_placeholders(format.posts), false, "", "",
+          "What cables may come to lie on."},
          {"cranes", with_placeholders(format.cranes), false, "", "", "Cranes."},
          {"routes", with_placeholders(format.routes), false, "", "",
           "Lines over posts and sheaves."},
@@ -173,6 +175,7 @@ ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
         {"cables", f.cables, false, "", "", "Cables."},
         {"winches", f.winches, false, "", "", "Winches."},
         {"guides", f.guides, false, "", "", "What cables run over."},
+        {"posts", f.posts, false, "", "", "What cables may come to lie on."},
         {"cranes", f.cranes, false, "", "", "Cranes."},
         {"routes", f.routes, false, "", "", "Lines over posts and sheaves."},
         {"instances", f.instances, false, "", "", "Uses of templates."},
@@ -221,6 +224,7 @@ Format make_format() {
     f.cables = list_of("a list of cables", cable_shape());
     f.winches = list_of("a list of winches", winch_shape());
     f.guides = list_of("a list of guides", guide_shape());
+    f.posts = list_of("a list of posts", post_shape());
     f.cranes = list_of("a list of cranes", crane_shape());
     f.routes = list_of("a list of routes", route_shape());
     f.instances = list_of("a list of instances", instance());

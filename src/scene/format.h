@@ -34,6 +34,7 @@ struct Format {
     ShapePtr cables;
     ShapePtr winches;
     ShapePtr guides;
+    ShapePtr posts;
     ShapePtr cranes;
     ShapePtr routes;
     ShapePtr instances;
@@ -57,6 +58,7 @@ struct Format {
 
 /// What a cable runs over. See format_routes.cpp.
 [[nodiscard]] ShapePtr guide_shape();
+[[nodiscard]] ShapePtr post_shape();
 /// A crane on a body. See format_cranes.cpp.
 [[nodiscard]] ShapePtr crane_shape();
 /// The sea, and what a line type says of water. See format_sea.cpp.

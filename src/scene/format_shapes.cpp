@@ -185,4 +185,30 @@ ShapePtr shape_of_body() {
     return shape;
 }
 
+ShapePtr post_shape() {
+    std::vector<Field> fields{
+        {"name", name("a name"), true, "", "", "Unique among posts; of its signals, name.held."},
+        {"on", body_ref(), true, "", "", "Body that it belongs to."},
+        {"from", vector3("a point"), true, "", "m", "Of its axis, in the frame of the body."},
+        {"to", vector3("a point"), true, "", "m", "Where its axis ends, in that frame."},
+        {"radius", positive("a radius", 1e3), true, "", "m", "Of the cylinder."},
+        {"friction", number("a coefficient", 0.0, 10.0), false, "0", "1",
+         "Of cables that lie on it; while they only touch it, that of its material."},
+        {"efficiency", number("an efficiency", 0.0, 1.0), false, "1", "1",
+         "Of a roller: lesser tension over greater; above 0."},
+        {"inertia", number("an inertia", 0.0, 1e12), false, "0", "kg m^2",
+         "Of a roller that turns with the cable."},
+        {"wires", integer("a number", 1, 16), false, "2", "1", "Cables that lie on it at once."},
+        {"element", number("a length", 0.0, 1e6), false, "that of the cable", "m",
+         "Of elements that come behind it; 0: no node runs through."},
+        {"description", text("a text"), false, "", "", "Remarks."}};
+    const auto surface = surface_fields();
+    fields.insert(fields.end(), surface.begin(), surface.end());
+    return object("post", "a post",
+                  "What cables may come to lie on and lift off while they run: a pin, a bollard, a "
+                  "rail, the edge of a deck. A cylinder of its own, which cables find by their "
+                  "\"contact\".",
+                  std::move(fields));
+}
+
 }  // namespace hawser::scene

@@ -12,8 +12,8 @@ namespace {
 
 /// What of the description is copy 0.
 struct Extent {
-    std::size_t bodies, interactions, inputs, outputs, cables, shapes, winches, guides, resolutions,
-        cranes, levers;
+    std::size_t bodies, interactions, inputs, outputs, cables, shapes, winches, guides, posts,
+        resolutions, cranes, levers;
 };
 
 std::string copy_prefix(int copy) { return std::to_string(copy) + ":"; }
@@ -57,10 +57,10 @@ class Copier {
           place_(document.place / "repeat"),
           repeat_(repeat),
           offset_(vector_of(repeat["offset"])),
-          base_{out.bodies.size(),  out.interactions.size(), out.inputs.size(),
-                out.outputs.size(), out.cables.size(),       out.shapes.size(),
-                out.winches.size(), out.guides.size(),       out.resolutions.size(),
-                out.cranes.size(),  out.levers.size()} {}
+          base_{out.bodies.size(), out.interactions.size(), out.inputs.size(),  out.outputs.size(),
+                out.cables.size(), out.shapes.size(),       out.winches.size(), out.guides.size(),
+                out.posts.size(),  out.resolutions.size(),  out.cranes.size(),  out.levers.size()} {
+    }
 
     void run(int copies) {
         const auto check = [&](std::size_t each, std::int64_t most, const char* what) {
@@ -99,6 +99,7 @@ class Copier {
         add_cables(prefix, shift);
         add_winches(prefix);
         add_guides(prefix);
+        add_posts(prefix);
         add_resolutions(prefix);
         add_cranes(prefix, shift);
         add_shapes(prefix);
@@ -188,6 +189,15 @@ class Copier {
             guide.def.slide = mapped(guide.def.slide);
             guide.place = number_;
             out_.guides.push_back(std::move(guide));
+        }
+    }
+
+    void add_posts(const std::string& prefix) {
+        for (std::size_t i = 0; i < base_.posts; ++i) {
+            PostItem post = out_.posts[i];
+            rename(post.def.name, prefix);
+            post.place = number_;
+            out_.posts.push_back(std::move(post));
         }
     }
 

@@ -72,9 +72,6 @@ void read_resolution(Description& out, const CableLayout& cable, const Json& jso
     if (!cable.consistent_mass)
         refuse(place,
                "nodes take shares of the mass of elements: it needs \"consistent_mass\": true");
-    // Nodes between two line types would go with those about them.
-    if (cable.sections.size() > 1)
-        refuse(place, "a cable of several sections has the elements that it has");
     Resolution one;
     one.def.name = cable.name + "/resolution";
     one.cable = cable.name;
@@ -86,7 +83,7 @@ void read_resolution(Description& out, const CableLayout& cable, const Json& jso
     if (cable.elements + 1 > static_cast<std::size_t>(one.def.max_nodes))
         refuse(place / "max_nodes",
                fmt::format("the cable has {} nodes from the start", cable.elements + 1));
-    one.def.mass_per_length = cable.first().line.mass_per_length;
+    if (cable.sections.size() == 1) one.def.mass_per_length = cable.first().line.mass_per_length;
     one.place = out.keep(place);
     out.resolutions.push_back(std::move(one));
 }

@@ -42,6 +42,7 @@ class Builder {
         add_surfaces(*world);
         add_winches(*world);
         add_guides(*world);
+        add_posts(*world);
         add_resolutions(*world);
         add_cranes(*world);
         if (numbered_) {
@@ -136,6 +137,17 @@ class Builder {
                 GuideDef def = guide.def;
                 def.wire = world.find_wire(guide.cable);
                 world.add(def);
+            });
+        }
+    }
+
+    /// After the shapes.
+    void add_posts(World& world) {
+        for (std::size_t i = 0; i < description_.posts.size() && numbered_ && whole_; ++i) {
+            (void)take(description_.post_place(i), [&] {
+                PostDef def = description_.posts[i].def;
+                def.shape = world.find_shape(def.name);
+                if (def.shape.valid()) world.add(def);  // Else the shape was refused.
             });
         }
     }
@@ -315,7 +327,8 @@ std::optional<Scene> make_scene(Json root, const std::filesystem::path& file,
     scene.cables = std::move(description.cables);
     for (Lever& lever : description.levers) scene.signal_inputs.push_back(std::move(lever.input));
     if (mistakes == nullptr || mistakes->none()) {
-        scene.timeline = read_timeline(scene.world, document, loads_by_word(description));
+        scene.timeline =
+            read_timeline(scene.world, document, loads_by_word(description), scene.signal_inputs);
     }
     if (mistakes != nullptr && !mistakes->none()) {
         return std::nullopt;

@@ -40,7 +40,8 @@ JoinDef gear_of(const Json& json) {
 /// Reads operations in their order, and knows which wires and hooks there are by then.
 class Reader {
   public:
-    Reader(const World& world, const InputWords& words) : world_(world), words_(words) {
+    Reader(const World& world, const InputWords& words, std::span<const SignalInput> levers)
+        : world_(world), words_(words), levers_(levers) {
         for (const WireId id : world.wires()) {
             const auto elements = world.elements(id);
             const auto wound = [&](InteractionId e) {
@@ -109,12 +110,27 @@ class Reader {
         for (const InputId id : world_.inputs()) known.push_back(world_.input_def(id).name);
         for (const SystemSignal& s : world_.system_signals())
             if (s.input) known.push_back(s.system + "." + s.name);
+        for (const SignalInput& lever : levers_) known.push_back(lever.name);
         for (const auto& [name, value] : json.items()) {
             if (std::find(known.begin(), known.end(), name) == known.end())
                 refuse(place / name,
                        "there is no input " + in_quotes(name) + suggestion(name, known));
-            out.set.emplace_back(name, value_of(name, value, place / name));
+            out.set.push_back(by_signal(name, value, place / name));
         }
+    }
+
+    /// What sets an input: of one that sets a signal, the signal and its value.
+    [[nodiscard]] std::pair<std::string, double> by_signal(const std::string& name,
+                                                           const Json& json,
+                                                           const Place& place) const {
+        const auto lever = std::find_if(levers_.begin(), levers_.end(),
+                                        [&](const SignalInput& l) { return l.name == name; });
+        if (lever == levers_.end()) return {name, value_of(name, json, place)};
+        const double value = value_of(lever->signal, json, place);
+        if (!(value >= lever->min && value <= lever->max))
+            refuse(place, fmt::format("{:.6g} is not within the input's range, {:.6g} to {:.6g}",
+                                      value, lever->min, lever->max));
+        return {lever->signal, lever->factor * value};
     }
 
     void read_cut(Operation& out, const Json& json, const Place& place) {
@@ -205,6 +221,7 @@ class Reader {
 
     const World& world_;
     const InputWords& words_;
+    const std::span<const SignalInput> levers_;
     std::map<std::string, double> wires_;  ///< With their lengths [m]; NaN: not known.
     std::vector<std::string> hooks_, named_;
 };
@@ -214,7 +231,7 @@ class Reader {
 std::span<const char* const> gear_words() noexcept { return kGear; }
 
 std::vector<Operation> read_timeline(const World& world, const Document& document,
-                                     const InputWords& words) {
+                                     const InputWords& words, std::span<const SignalInput> levers) {
     const auto list = document.root.find("timeline");
     if (list == document.root.end()) return {};
     const Place place = document.place / "timeline";
@@ -224,7 +241,7 @@ std::vector<Operation> read_timeline(const World& world, const Document& documen
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return (*list)[a]["at"].get<double>() < (*list)[b]["at"].get<double>();
     });
-    Reader reader(world, words);
+    Reader reader(world, words, levers);
     std::vector<Operation> out;
     for (const std::size_t i : order)
         (void)attempt(document.mistakes,

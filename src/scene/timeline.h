@@ -25,8 +25,10 @@ class Description;
 [[nodiscard]] InputWords loads_by_word(const Description& description);
 
 /// The operations by time. What they name has to be there or to come of earlier ones.
-/// @param world  Of the scene. @throws SceneError where there is no list of mistakes.
+/// @param world  Of the scene. @param levers  Its inputs that set signals: operations have the
+/// signals. @throws SceneError where there is no list of mistakes.
 [[nodiscard]] std::vector<Operation> read_timeline(const World& world, const Document& document,
-                                                   const InputWords& words);
+                                                   const InputWords& words,
+                                                   std::span<const SignalInput> levers);
 
 }  // namespace hawser::scene

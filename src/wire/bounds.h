@@ -3,9 +3,9 @@
 /// @file bounds.h
 /// Numbers that drums, gypsies and what orders them have in common.
 
-#include <cstdio>
+#include "base/number.h"
+
 #include <numbers>
-#include <string>
 
 namespace hawser::wire {
 
@@ -13,12 +13,5 @@ inline constexpr double kTurn = 2.0 * std::numbers::pi;  ///< [rad]
 inline constexpr double kUnbounded = 1e30;               ///< A torque that nothing overcomes [N m].
 inline constexpr double kNear = 1e-9;    ///< Of a force at its bound, which rounding has moved.
 inline constexpr double kStands = 1e-4;  ///< A drum whose wire is slower than this stands [m/s].
-
-/// For messages: six digits.
-[[nodiscard]] inline std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
 
 }  // namespace hawser::wire

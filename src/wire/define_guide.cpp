@@ -4,6 +4,7 @@
 
 #include "wire/bounds.h"
 #include "wire/guide_system.h"
+#include "wire/lay_on.h"
 
 #include <algorithm>
 #include <array>
@@ -110,7 +111,7 @@ void check_room(const World& world, const GuideDef& def, InteractionId before, I
             if (kind_info(world.interaction_def(*at).kind).is(kWoundUp)) break;
         }
         if (sum < kRoom * def.element_length * (1.0 - kRounding))
-            refuse(def, "only " + wire::number(sum) +
+            refuse(def, "only " + number(sum) +
                             " m of wire lie between it and the next drum or guide; nodes run "
                             "through where there are two elements: give shorter ones "
                             "(element_length)");
@@ -129,11 +130,10 @@ void check(World& world, const GuideDef& def) {
         refuse(def, "nonsmooth = pgs and split take no loads of systems; choose newton");
     if (!std::isnan(def.element_length) &&
         !(def.element_length >= 0.0 && def.element_length <= 1e6))
-        refuse(def, "element_length = " + wire::number(def.element_length) +
+        refuse(def, "element_length = " + number(def.element_length) +
                         " m; give 0 to 1e6 (0: no node runs through)");
     if (!std::isnan(def.mass_per_length) && !(def.mass_per_length >= 0.0))
-        refuse(def,
-               "mass_per_length = " + wire::number(def.mass_per_length) + " kg/m; give 0 or more");
+        refuse(def, "mass_per_length = " + number(def.mass_per_length) + " kg/m; give 0 or more");
 }
 
 }  // namespace
@@ -153,7 +153,7 @@ GuidePlan plan_guide(const GuideDef& def, const InteractionDef& element, double 
     out.slide.name = def.name + "/slide";
     out.angle = plan.angles.front();
     if (out.angle > std::acos(-1.0) * (1.0 + 1e-9) + 2.0 * std::acos(-1.0) * def.turns)
-        refuse(def, "the wire would turn by " + wire::number(out.angle) +
+        refuse(def, "the wire would turn by " + number(out.angle) +
                         " rad, more than half a turn beyond `turns`; change the sign of `radius`");
     out.before = std::move(plan.parts[0]);
     out.behind = std::move(plan.parts[1]);
@@ -178,6 +178,60 @@ GuidePlan plan_guide(const GuideDef& def, const InteractionDef& element, double 
     return out;
 }
 
+namespace wire {
+
+Guide lay_on(World& world, GuideDef& def, double speed, std::array<double, 2>& material) {
+    Guide out;
+    const InteractionId id = def.element.valid() ? def.element : nearest_element(world, def);
+    if (!world.alive(id) || world.wire_of(id) != def.wire)
+        refuse(def, "its element is none of its wire");
+    const InteractionDef element = world.interaction_def(id);
+    if (kind_info(element.kind).is(kWoundUp))
+        refuse(def, "its element is at a drum or another guide; take one farther out");
+    const std::array<Vec3, 2> ends = world.ends(id);
+    const double length = element.get("length"), mass = element.get("mass");
+    if (std::isnan(def.mass_per_length)) def.mass_per_length = mass / length;
+    if (std::isnan(def.element_length)) def.element_length = mass > 0.0 ? length : 0.0;
+    if (def.element_length > 0.0 && !(mass > 0.0))
+        refuse(def,
+               "element_length: its wire's elements have no mass of their own that could "
+               "run through (consistent_mass)");
+    const double tension = element.get("EA") * ((ends[1] - ends[0]).norm() / length - 1.0);
+    GuidePlan plan = plan_guide(def, element, tension, [&world, &def](BodyId b) {
+        if (!world.alive(b)) refuse(def, "one of its bodies is not there");
+        const Pose pose = world.pose(b);
+        return RouteBody{pose.position, pose.orientation, world.body_def(b).kind,
+                         world.body_def(b).mass};
+    });
+    material = {plan.material[0], plan.material[1]};
+    check_room(world, def, id, id, material);
+    plan.slide.velocity.x() = speed;
+    out.slide = world.add_body(plan.slide);
+    try {
+        for (InteractionDef* part : {&plan.before, &plan.behind}) part->body[2] = out.slide;
+        const auto parts = world.lay_over(id, plan.before, plan.behind);
+        out.before = parts[0];
+        out.behind = parts[1];
+    } catch (...) {
+        (void)world.remove_body(out.slide);
+        throw;
+    }
+    plan.friction.body[0] = out.slide;
+    plan.friction.load[0].interaction = out.before;
+    plan.friction.load[1].interaction = out.behind;
+    out.friction = world.add_interaction(plan.friction);
+    out.angle = plan.angle;
+    def.slide = out.slide;
+    return out;
+}
+
+InputId add_stop(World& world, const GuideDef& def, const Guide& guide) {
+    return world.add_input(
+        {.name = def.name + "/friction/force", .interaction = guide.friction, .param = "force"});
+}
+
+}  // namespace wire
+
 Guide define(World& world, const GuideDef& given) {
     GuideDef def = given;
     check(world, def);
@@ -192,48 +246,9 @@ Guide define(World& world, const GuideDef& given) {
             refuse(def, "with a slide of its own give mass_per_length and element_length");
         check_room(world, def, out.before, out.behind, material);
     } else {
-        const InteractionId id = def.element.valid() ? def.element : nearest_element(world, def);
-        if (!world.alive(id) || world.wire_of(id) != def.wire)
-            refuse(def, "its element is none of its wire");
-        const InteractionDef element = world.interaction_def(id);
-        if (kind_info(element.kind).is(kWoundUp))
-            refuse(def, "its element is at a drum or another guide; take one farther out");
-        const std::array<Vec3, 2> ends = world.ends(id);
-        const double length = element.get("length"), mass = element.get("mass");
-        if (std::isnan(def.mass_per_length)) def.mass_per_length = mass / length;
-        if (std::isnan(def.element_length)) def.element_length = mass > 0.0 ? length : 0.0;
-        if (def.element_length > 0.0 && !(mass > 0.0))
-            refuse(def,
-                   "element_length: its wire's elements have no mass of their own that could "
-                   "run through (consistent_mass)");
-        const double tension = element.get("EA") * ((ends[1] - ends[0]).norm() / length - 1.0);
-        GuidePlan plan = plan_guide(def, element, tension, [&world, &def](BodyId b) {
-            if (!world.alive(b)) refuse(def, "one of its bodies is not there");
-            const Pose pose = world.pose(b);
-            return RouteBody{pose.position, pose.orientation, world.body_def(b).kind,
-                             world.body_def(b).mass};
-        });
-        material = {plan.material[0], plan.material[1]};
-        check_room(world, def, id, id, material);
-        out.slide = world.add_body(plan.slide);
-        try {
-            for (InteractionDef* part : {&plan.before, &plan.behind}) part->body[2] = out.slide;
-            const auto parts = world.lay_over(id, plan.before, plan.behind);
-            out.before = parts[0];
-            out.behind = parts[1];
-        } catch (...) {
-            (void)world.remove_body(out.slide);
-            throw;
-        }
-        plan.friction.body[0] = out.slide;
-        plan.friction.load[0].interaction = out.before;
-        plan.friction.load[1].interaction = out.behind;
-        out.friction = world.add_interaction(plan.friction);
-        out.angle = plan.angle;
-        def.slide = out.slide;
+        out = wire::lay_on(world, def, 0.0, material);
     }
-    const InputId stop = world.add_input(
-        {.name = def.name + "/friction/force", .interaction = out.friction, .param = "force"});
+    const InputId stop = wire::add_stop(world, def, out);
     world.add_system(std::make_unique<wire::GuideSystem>(def, out, stop, material));
     return out;
 }

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace hawser {
 namespace {
@@ -18,7 +20,8 @@ namespace {
     throw DefError("resolution '" + def.name + "': " + what);
 }
 
-using wire::number;
+/// Of masses a length, up to which elements are of one line type: edits change their rest lengths.
+constexpr double kSameLine = 0.05;
 
 void check_number(const ResolutionDef& def, const char* what, double value, double least,
                   double most) {
@@ -27,17 +30,32 @@ void check_number(const ResolutionDef& def, const char* what, double value, doub
                         number(most));
 }
 
-/// What a wire's Stretch elements are made of: mass over length [kg/m]; 0: none has a mass.
-double mass_per_length_of(const World& world, WireId wire) {
-    double mass = 0.0, length = 0.0;
+/// What a wire's Stretch elements are made of, by line type; empty: none has a mass. Elements of
+/// one EA whose masses a length differ by more than rounding are of two.
+std::vector<wire::WireResolution::Line> lines_of(const World& world, WireId wire) {
+    struct Sum {
+        double EA, mass, length;
+    };
+    std::vector<Sum> sums;
     for (const InteractionId id : world.elements(wire)) {
         if (!world.alive(id)) continue;
         const InteractionDef& d = world.interaction_def(id);
         if (kind_info(d.kind).is(kWoundUp) || !(d.get("mass") > 0.0)) continue;
-        mass += d.get("mass");
-        length += d.get("length");
+        const double EA = d.get("EA"), mass = d.get("mass"), length = d.get("length");
+        const auto same = std::find_if(sums.begin(), sums.end(), [&](const Sum& s) {
+            return s.EA == EA &&
+                   std::abs(s.mass * length - mass * s.length) <= kSameLine * s.mass * length;
+        });
+        if (same == sums.end()) {
+            sums.push_back({EA, mass, length});
+        } else {
+            same->mass += mass;
+            same->length += length;
+        }
     }
-    return length > 0.0 ? mass / length : 0.0;
+    std::vector<wire::WireResolution::Line> out;
+    for (const Sum& s : sums) out.push_back({s.EA, s.mass / s.length});
+    return out;
 }
 
 /// Of the element that a drum pays out [m]; 0: no drum does.
@@ -103,15 +121,16 @@ void define(World& world, const ResolutionDef& given) {
         refuse(def, "the name is taken; names are unique among systems");
     check_numbers(def);
     check_wire(world, def);
-    const double has = mass_per_length_of(world, def.wire);
-    if (std::isnan(def.mass_per_length)) def.mass_per_length = has;
-    if (!(def.mass_per_length > 0.0 && def.mass_per_length < 1e12))
-        refuse(def,
-               has > 0.0 || !std::isnan(given.mass_per_length)
-                   ? "mass_per_length = " + number(def.mass_per_length) + "; give a number above 0"
-                   : "the elements of the wire '" + world.wire_name(def.wire) +
-                         "' have no mass of their own that nodes could take; make it with "
-                         "consistent_mass");
+    auto lines = lines_of(world, def.wire);
+    if (!std::isnan(def.mass_per_length)) lines.assign(1, {0.0, def.mass_per_length});
+    if (lines.empty())
+        refuse(def, "the elements of the wire '" + world.wire_name(def.wire) +
+                        "' have no mass of their own that nodes could take; make it with "
+                        "consistent_mass");
+    for (const auto& line : lines)
+        if (!(line.mass_per_length > 0.0 && line.mass_per_length < 1e12))
+            refuse(def,
+                   "mass_per_length = " + number(line.mass_per_length) + "; give a number above 0");
     if (std::isnan(def.contact_length)) def.contact_length = 2.0 * def.min_length;
     check_bound(def, "contact_length", def.contact_length);
     if (std::isnan(def.drum_length)) {
@@ -122,7 +141,7 @@ void define(World& world, const ResolutionDef& given) {
     const std::size_t room =
         std::max(static_cast<std::size_t>(def.max_nodes), world.nodes(def.wire).size()) + 1;
     world.add_system(std::make_unique<wire::WireResolution>(
-        def, room, std::int64_t{world.system_count()},
+        def, std::move(lines), room, std::int64_t{world.system_count()},
         static_cast<double>(world.nodes(def.wire).size()), world.bodies().size()));
 }
 

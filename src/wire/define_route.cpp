@@ -42,11 +42,11 @@ void check_place(const RouteBodies& bodies, const RouteDef& def, std::size_t i) 
         refuse(def, where + "a lump is a point: no wheel and no point on it");
     if (!(std::abs(p.radius) <= 1e3)) refuse(def, where + "radius: give -1000 to 1000 m");
     if (!(p.efficiency > 0.0 && p.efficiency <= 1.0))
-        refuse(def, where + "efficiency = " + wire::number(p.efficiency) + "; give (0, 1]");
+        refuse(def, where + "efficiency = " + number(p.efficiency) + "; give (0, 1]");
     if (!(p.friction >= 0.0 && p.friction <= 10.0))
-        refuse(def, where + "friction = " + wire::number(p.friction) + "; give 0 to 10");
+        refuse(def, where + "friction = " + number(p.friction) + "; give 0 to 10");
     if (!(p.inertia >= 0.0 && p.inertia <= 1e12))
-        refuse(def, where + "inertia = " + wire::number(p.inertia) + " kg m^2; give 0 to 1e12");
+        refuse(def, where + "inertia = " + number(p.inertia) + " kg m^2; give 0 to 1e12");
     if (p.inertia > 0.0 && p.radius == 0.0) refuse(def, where + "inertia: what turns has a radius");
     if (p.turns < 0 || p.turns > kMostTurns) refuse(def, where + "turns: give 0 to 100");
     if (p.turns > 0 && p.radius == 0.0)
@@ -55,7 +55,7 @@ void check_place(const RouteBodies& bodies, const RouteDef& def, std::size_t i) 
         refuse(def, where + "axis: give a direction");
     if (!p.point.allFinite()) refuse(def, where + "point: give numbers");
     if (!std::isnan(p.angle) && !(p.angle >= 0.0 && p.angle <= 1e3))
-        refuse(def, where + "angle = " + wire::number(p.angle) + " rad; give 0 to 1000");
+        refuse(def, where + "angle = " + number(p.angle) + " rad; give 0 to 1000");
 }
 
 void check(const RouteBodies& bodies, const RouteDef& def) {

@@ -19,7 +19,6 @@ namespace {
 
 using wire::check_number;
 using wire::is_gypsy;
-using wire::number;
 using wire::refuse;
 
 void check_numbers(const WinchDef& def) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace hawser::wire {
@@ -32,6 +33,19 @@ void GuideSystem::visit_state(StateVisitor& v) {
         v.visit(*x);
     v.visit(parted_);
     v.visit(stopped_);
+}
+
+void GuideSystem::visit_place(StateVisitor& v) {
+    const auto visit = [&v](auto& id) {
+        v.visit(id.index);
+        v.visit(id.generation);
+    };
+    visit(def_.wire);
+    for (BodyId* id : {&ids_.slide, &def_.slide}) visit(*id);
+    for (InteractionId* id : {&ids_.before, &ids_.behind, &ids_.friction}) visit(*id);
+    visit(stop_);
+    v.visit(std::span<double>(def_.point.data(), 3));
+    for (double* x : {&def_.radius, &def_.element_length, &def_.mass_per_length}) v.visit(*x);
 }
 
 void GuideSystem::signals(SignalTable& table) {

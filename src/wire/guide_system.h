@@ -33,6 +33,18 @@ class GuideSystem final : public System {
     /// @param stop  The force of its friction beside that of the angle.
     GuideSystem(GuideDef def, const Guide& ids, InputId stop,
                 const std::array<double, 2>& material);
+    /// What is not the same for all times where a post has it: what lies on it, and how.
+    void visit_place(StateVisitor& visitor);
+    /// The wire runs through from the start [m/s].
+    void begin_at(double speed) noexcept { speed_ = speed; }
+
+    [[nodiscard]] const GuideDef& def() const noexcept { return def_; }
+    [[nodiscard]] const Guide& ids() const noexcept { return ids_; }
+    [[nodiscard]] const std::array<double, 2>& material() const noexcept { return material_; }
+    [[nodiscard]] const std::array<double, 2>& tension() const noexcept { return tension_; }
+    [[nodiscard]] double angle() const noexcept { return angle_; }
+    [[nodiscard]] double slide() const noexcept { return slide_; }
+    [[nodiscard]] bool parted() const noexcept { return parted_ != 0; }
 
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
     void prestep(Prestep& now, Loads& loads) noexcept override;

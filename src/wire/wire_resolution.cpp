@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <utility>
 
 namespace hawser::wire {
 namespace {
@@ -18,9 +19,15 @@ constexpr double kFlat = 0.05;
 
 }  // namespace
 
-WireResolution::WireResolution(const ResolutionDef& def, std::size_t room, std::int64_t phase,
-                               double nodes, std::size_t bodies)
-    : def_(def), room_(room), bodies_(bodies), phase_(phase), memory_(3 * room), nodes_(nodes) {
+WireResolution::WireResolution(const ResolutionDef& def, std::vector<Line> lines, std::size_t room,
+                               std::int64_t phase, double nodes, std::size_t bodies)
+    : def_(def),
+      lines_(std::move(lines)),
+      room_(room),
+      bodies_(bodies),
+      phase_(phase),
+      memory_(3 * room),
+      nodes_(nodes) {
     elements_.reserve(room);
     at_.reserve(room + 1);
     touching_.reserve(bodies + room);
@@ -45,6 +52,18 @@ void WireResolution::signals(SignalTable& table) {
     table.output("material", "m", material_);
 }
 
+/// Of the line type with the EA of an element, of several that whose mass fits its rest length
+/// best, which edits and forces change a little; 0: it is of another wire, spliced to this one.
+double WireResolution::mass_per_length_of(const InteractionDef& element) const noexcept {
+    if (lines_.size() == 1) return lines_[0].mass_per_length;
+    const double EA = element.get("EA"), now = element.get("mass") / element.get("length");
+    double best = 0.0;
+    for (const Line& line : lines_)
+        if (line.EA == EA && std::abs(line.mass_per_length - now) < std::abs(best - now))
+            best = line.mass_per_length;
+    return best;
+}
+
 /// Elements and nodes as they are.
 void WireResolution::look(const World& world) {
     const auto elements = world.elements(def_.wire);
@@ -64,8 +83,9 @@ void WireResolution::look(const World& world) {
         e.tension = std::max(0.0, -world.force(e.id)[0]);
         if (e.wound) continue;
         const double mass = d.get("mass");
-        e.plain = mass > 0.0;
-        e.length = e.plain ? mass / def_.mass_per_length : d.get("length");
+        e.mass_per_length = mass > 0.0 ? mass_per_length_of(d) : 0.0;
+        e.plain = e.mass_per_length > 0.0;
+        e.length = e.plain ? mass / e.mass_per_length : d.get("length");
     }
     bend(world);
 }
@@ -108,14 +128,14 @@ void WireResolution::bound_elements(const World& world) {
         }
         return false;
     };
-    double wave = 1e30;
-    if (def_.wave_period > 0.0 && tension_ >= 0.0)
-        wave = def_.wave_period * std::sqrt(tension_ / def_.mass_per_length) / def_.points_per_wave;
     scale_ = std::pow(kLevel, world.coarsening());
     for (std::size_t i = 0; i < elements_.size(); ++i) {
         Element& e = elements_[i];
         const double curvature = std::max({at_[i].curvature, at_[i + 1].curvature, 1e-30});
-        e.bound = wave;
+        e.bound = 1e30;
+        if (def_.wave_period > 0.0 && tension_ >= 0.0 && e.plain)
+            e.bound =
+                def_.wave_period * std::sqrt(tension_ / e.mass_per_length) / def_.points_per_wave;
         if (def_.sag_error > 0.0)
             e.bound = std::min(e.bound, std::sqrt(8.0 * def_.sag_error / curvature));
         if (def_.max_angle > 0.0) e.bound = std::min(e.bound, def_.max_angle / curvature);
@@ -163,6 +183,7 @@ void WireResolution::remember() noexcept {
 bool WireResolution::may_go(std::size_t node) const noexcept {
     const Element &a = elements_[node - 1], &b = elements_[node];
     if (!a.plain || !b.plain || at_[node].angle > kFlat) return false;
+    if (a.mass_per_length != b.mass_per_length) return false;  // where two line types meet
     const double both = a.length + b.length;
     return both <= def_.max_length * scale_ * (1.0 + kSlack) &&
            both * def_.hysteresis <= std::min(a.bound_to_go, b.bound_to_go);
@@ -234,7 +255,9 @@ void WireResolution::tell(const World& world) noexcept {
         const InteractionDef& d = world.interaction_def(id);
         const double mass = kind_info(d.kind).is(kWoundUp) ? 0.0 : d.get("mass");
         if (!(mass > 0.0)) continue;
-        const double length = mass / def_.mass_per_length;
+        const double line = mass_per_length_of(d);
+        if (!(line > 0.0)) continue;
+        const double length = mass / line;
         material_ += length;
         shortest_ = std::min(shortest_, length);
         longest_ = std::max(longest_, length);

@@ -21,11 +21,18 @@ namespace hawser::wire {
 
 class WireResolution final : public System {
   public:
-    /// @param def  All of it given. @param room  Nodes that are remembered. @param phase  Of looks.
-    /// @param nodes  That there are. @param bodies  Of the world: memory for them is reserved, so
-    /// that the first look allocates nothing.
-    WireResolution(const ResolutionDef& def, std::size_t room, std::int64_t phase, double nodes,
-                   std::size_t bodies);
+    /// One line type of a wire: elements of it have its EA.
+    struct Line {
+        double EA = 0.0;               ///< [N]
+        double mass_per_length = 0.0;  ///< [kg/m]
+    };
+
+    /// @param def  All of it given. @param lines  What the wire is made of: at least one. @param
+    /// room  Nodes that are remembered. @param phase  Of looks. @param nodes  That there are.
+    /// @param bodies  Of the world: memory for them is reserved, so that the first look allocates
+    /// nothing.
+    WireResolution(const ResolutionDef& def, std::vector<Line> lines, std::size_t room,
+                   std::int64_t phase, double nodes, std::size_t bodies);
 
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
     [[nodiscard]] WireId wire() const noexcept { return def_.wire; }
@@ -35,15 +42,16 @@ class WireResolution final : public System {
     void signals(SignalTable& table) override;
     [[nodiscard]] bool coarsens() const noexcept override { return nodes_ > 3.0; }
     [[nodiscard]] std::unique_ptr<System> clone() const override {
-        return std::make_unique<WireResolution>(def_, room_, phase_, nodes_, bodies_);
+        return std::make_unique<WireResolution>(def_, lines_, room_, phase_, nodes_, bodies_);
     }
 
   private:
     /// Of an element as it is now.
     struct Element {
         InteractionId id{};
-        double length = 0.0;  ///< Of its material [m].
-        double bound = 0.0;   ///< L [m].
+        double length = 0.0;           ///< Of its material [m].
+        double mass_per_length = 0.0;  ///< Of its line type [kg/m]; 0: of none that is known.
+        double bound = 0.0;            ///< L [m].
         /// The same for a node to go: where it touches something one element further out, since
         /// what is near comes and goes at the end of where it touches.
         double bound_to_go = 0.0;
@@ -60,6 +68,7 @@ class WireResolution final : public System {
         std::int32_t idle = 0;                ///< Looks in which it was not needed.
     };
 
+    [[nodiscard]] double mass_per_length_of(const InteractionDef& element) const noexcept;
     void look(const World& world);
     void bend(const World& world) noexcept;
     void average_tension(const World& world) noexcept;
@@ -73,6 +82,7 @@ class WireResolution final : public System {
     [[nodiscard]] bool may_go(std::size_t node) const noexcept;
 
     ResolutionDef def_;
+    std::vector<Line> lines_;
     std::size_t room_, bodies_;
     std::int64_t phase_;
 

@@ -100,6 +100,12 @@ struct World::Impl final : private world::InputDoor {
     [[nodiscard]] ShapeId segment_between(std::int32_t a, std::int32_t b) const noexcept;
     void check_node(InteractionId element, double share, double mass) const;
     void check_cut_at_node(const std::string& where, stepper::NodePlace& place) const;
+    void turn_bend(BodyId lump, BodyId from, BodyId to, const Vec3& point) noexcept;
+    [[nodiscard]] world::Wire& wire_on_guide(InteractionId before, InteractionId behind,
+                                             const InteractionDef& element);
+    void refuse_two_lines(BodyId node, const stepper::NodePlace& place) const;
+    [[nodiscard]] double stiffness_beside(const stepper::NodePlace& place,
+                                          const world::Wire* wire) const noexcept;
     [[nodiscard]] std::int32_t check_node_goes(BodyId node, stepper::NodePlace& place,
                                                double bend) const;
     [[nodiscard]] std::optional<ShapeDef> next_segment(const stepper::NodePlace& place, BodyId node,

@@ -54,48 +54,121 @@ std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionD
     base::make_room(wire->elements, 1);
     base::make_room(wire->nodes, 1);
     std::array<InteractionId, 2> out;
-    // Its name changes hands once nothing can be refused.
-    before.name.clear();
-    out[0] = add_interaction(before);
-    try {
-        out[1] = add_interaction(behind);
-        m.reserve_removal();
-    } catch (...) {
-        (void)remove_interaction(out[0]);
-        throw;
+    {
+        const Impl::Untold untold(m);
+        // Its name changes hands once nothing can be refused.
+        const std::string name_before = std::exchange(before.name, "");
+        out[0] = add_interaction(before);
+        before.name = name_before;
+        try {
+            out[1] = add_interaction(behind);
+            m.reserve_removal();
+        } catch (...) {
+            (void)remove_interaction(out[0]);
+            throw;
+        }
+        const ShapeId capsule = m.segment_between(old.body[0].index, old.body[1].index);
+        if (capsule.valid()) {
+            m.remove(capsule);
+            std::erase(wire->shapes, capsule);
+        }
+        world::Names::Map::node_type name = m.interaction_names.take(old.name);
+        m.remove(element);
+        m.interaction_names.give(std::move(name), out[0].index);
+        m.ctx.model.interactions.def[at(out[0].index)].name = old.name;
+        (void)m.sorted_removal();
+        const auto place = std::find(wire->elements.begin(), wire->elements.end(), element);
+        *place = out[0];
+        const auto k = place - wire->elements.begin();
+        wire->elements.insert(place + 1, out[1]);
+        wire->nodes.insert(wire->nodes.begin() + k + 1, before.body[1]);
+        for (const std::size_t side : {0U, 1U})  // has the guide for a neighbour now
+            m.turn_bend(old.body[side], old.body[1 - side], before.body[1],
+                        stepper::held_at(m.ctx, out[side].index, 1 - side));
+        for (const BodyId end : {old.body[0], old.body[1]})
+            if (half > 0.0 && body_def(end).kind == BodyKind::lump)
+                set_mass(end, body_def(end).mass - half);
     }
-    const ShapeId capsule = m.segment_between(old.body[0].index, old.body[1].index);
-    if (capsule.valid()) {
-        m.remove(capsule);
-        std::erase(wire->shapes, capsule);
+    if (m.listener != nullptr) m.listener->laid_over(element, before, behind);
+    return out;
+}
+
+/// The bend about a lump has another neighbour, which is held at a point of its frame.
+void World::Impl::turn_bend(BodyId lump, BodyId from, BodyId to, const Vec3& point) noexcept {
+    model::Interactions& in = ctx.model.interactions;
+    const std::int32_t bend = stepper::bend_about(ctx, lump.index, from.index);
+    if (bend < 0) return;
+    const std::size_t slot = stepper::end_of(ctx, bend, 0) == from.index ? 0 : 2;
+    in.def[at(bend)].point[slot] = point;
+    in.rewire(bend, slot, to, ctx.model.bodies);
+}
+
+/// @throws DefError where two parts are not what lay_over() made. @return the wire.
+world::Wire& World::Impl::wire_on_guide(InteractionId before, InteractionId behind,
+                                        const InteractionDef& element) {
+    const InteractionDef &a = ctx.model.interactions.def[at(before.index)],
+                         &b = ctx.model.interactions.def[at(behind.index)];
+    const world::Where where("interaction", a.name);
+    if (a.kind != InteractionKind::EndSpan || b.kind != a.kind || a.body[2] != b.body[2] ||
+        a.body[1] != b.body[0])
+        world::refuse(where, "only two parts with one slide become an element again");
+    if (!kind_info(element.kind).is(kWireElement) || kind_info(element.kind).is(kWoundUp) ||
+        element.body[0] != a.body[0] || element.body[1] != b.body[1])
+        world::refuse(where, "what they become is an element of a wire between their ends");
+    world::Wire* wire = wire_with(before);
+    if (wire == nullptr || wire != wire_with(behind)) world::refuse(where, "it is of no wire");
+    return *wire;
+}
+
+InteractionId World::lift_off(InteractionId before, InteractionId behind, InteractionDef element) {
+    const world::Using use(impl_->use, "lift_off");
+    Impl& m = *impl_;
+    const InteractionDef a = interaction_def(before), b = interaction_def(behind);
+    world::Wire& wire = m.wire_on_guide(before, behind, element);
+    m.refuse_held(a.body[2]);
+    const std::string given = std::exchange(element.name, "");
+    const auto is_lump = [&](BodyId id) { return body_def(id).kind == BodyKind::lump; };
+    InteractionId out;
+    {
+        const Impl::Untold untold(m);
+        out = add_interaction(element);
+        ShapeId capsule;
+        try {
+            if (wire.trim.segment && is_lump(a.body[0]) && is_lump(b.body[1])) {
+                base::make_room(wire.shapes, 1);
+                ShapeDef segment = *wire.trim.segment;
+                segment.body = a.body[0];
+                segment.body_b = b.body[1];
+                capsule = add_shape(segment);
+            }
+            m.reserve_removal();
+        } catch (...) {
+            if (capsule.valid()) (void)remove_shape(capsule);
+            (void)remove_interaction(out);
+            throw;
+        }
+        world::Names::Map::node_type name = m.interaction_names.take(a.name);
+        m.remove(a.body[2]);  // with the parts, their friction and its inputs
+        m.interaction_names.give(std::move(name), out.index);
+        m.ctx.model.interactions.def[at(out.index)].name = a.name;
+        (void)m.sorted_removal();
+        if (capsule.valid()) wire.shapes.push_back(capsule);
+        const auto place = std::find(wire.elements.begin(), wire.elements.end(), before);
+        *place = out;
+        const auto k = place - wire.elements.begin();
+        wire.elements.erase(place + 1);
+        wire.nodes.erase(wire.nodes.begin() + k + 1);
+        for (const std::size_t side : {0U, 1U}) {
+            const BodyId end = side == 0 ? a.body[0] : b.body[1],
+                         far = side == 0 ? b.body[1] : a.body[0];
+            m.turn_bend(end, a.body[1], far, element.point[1 - side]);
+        }
+        const double half = 0.5 * stepper::mass_of_element(m.ctx, out.index);
+        for (const BodyId end : {a.body[0], b.body[1]})
+            if (half > 0.0 && is_lump(end)) set_mass(end, body_def(end).mass + half);
     }
-    world::Names::Map::node_type name = m.interaction_names.take(old.name);
-    m.remove(element);
-    if (m.listener != nullptr) {
-        if (capsule.valid()) m.listener->removed(capsule);
-        m.listener->removed(element);
-    }
-    m.interaction_names.give(std::move(name), out[0].index);
-    m.ctx.model.interactions.def[at(out[0].index)].name = old.name;
-    (void)m.sorted_removal();
-    const auto place = std::find(wire->elements.begin(), wire->elements.end(), element);
-    *place = out[0];
-    const auto k = place - wire->elements.begin();
-    wire->elements.insert(place + 1, out[1]);
-    wire->nodes.insert(wire->nodes.begin() + k + 1, before.body[1]);
-    model::Interactions& in = m.ctx.model.interactions;
-    for (const std::size_t side : {0U, 1U}) {
-        // The bend about a lump at its end has the guide for a neighbour now.
-        const std::int32_t end = old.body[side].index, other = old.body[1 - side].index;
-        const std::int32_t bend = stepper::bend_about(m.ctx, end, other);
-        if (bend < 0) continue;
-        const std::size_t slot = stepper::end_of(m.ctx, bend, 0) == other ? 0 : 2;
-        in.def[at(bend)].point[slot] = stepper::held_at(m.ctx, out[side].index, 1 - side);
-        in.rewire(bend, slot, before.body[1], m.ctx.model.bodies);
-    }
-    for (const BodyId end : {old.body[0], old.body[1]})
-        if (half > 0.0 && body_def(end).kind == BodyKind::lump)
-            set_mass(end, body_def(end).mass - half);
+    element.name = given;
+    if (m.listener != nullptr) m.listener->lifted(before, behind, element);
     return out;
 }
 

@@ -152,6 +152,21 @@ std::optional<ShapeDef> World::Impl::next_segment(const stepper::NodePlace& plac
     return out;
 }
 
+/// EI of a bend that comes with a node on an element [N m²]: that of the bend at its first end, or
+/// at its last one where line types meet at the first.
+double World::Impl::stiffness_beside(const stepper::NodePlace& place,
+                                     const world::Wire* wire) const noexcept {
+    const model::Interactions& in = ctx.model.interactions;
+    const auto same_line = [&](std::int32_t id) {
+        return id < 0 || stepper::is_wound(ctx, id) || stepper::is_wound(ctx, place.first) ||
+               in.def[at(id)].get("EA") == in.def[at(place.first)].get("EA");
+    };
+    const bool first = place.bend[0] >= 0 && (same_line(place.before[0]) || place.bend[2] < 0);
+    const std::int32_t beside = first ? place.bend[0] : place.bend[2];
+    if (beside >= 0) return in.def[at(beside)].get("EI");
+    return wire != nullptr ? wire->trim.EI : 0.0;
+}
+
 BodyId World::insert_node(InteractionId element, double share, double mass) {
     const world::Using use(impl_->use, "insert_node");
     Impl& m = *impl_;
@@ -176,10 +191,7 @@ BodyId World::insert_node(InteractionId element, double share, double mass) {
     world::Wire& made = m.wires.coming;
     made.begin({}, true);
     make_room_for_node(made);
-    const std::int32_t beside = place.bend[0] >= 0 ? place.bend[0] : place.bend[2];
-    const double EI = beside >= 0       ? in.def[at(beside)].get("EI")
-                      : wire != nullptr ? wire->trim.EI
-                                        : 0.0;
+    const double EI = m.stiffness_beside(place, wire);
     InteractionDef bend = world::node_bend(in, element.index, EI);
     for (const std::size_t slot : {0U, 1U})
         bend.point[2 * slot] = stepper::held_at(m.ctx, element.index, slot);
@@ -213,6 +225,20 @@ BodyId World::insert_node(InteractionId element, double share, double mass) {
     return made.lumps[0];
 }
 
+/// Where two line types meet no element could take the place of both. Masses a length differ a
+/// little by edits, which change rest lengths. @throws DefError.
+void World::Impl::refuse_two_lines(BodyId node, const stepper::NodePlace& place) const {
+    constexpr double kSame = 0.1;
+    const model::Interactions& in = ctx.model.interactions;
+    const InteractionDef &a = in.def[at(place.first)], &b = in.def[at(place.second)];
+    for (const std::int32_t id : {place.first, place.second})
+        if (stepper::is_wound(ctx, id)) return;  // has the line of the other one
+    const double x = a.get("mass") * b.get("length"), y = b.get("mass") * a.get("length");
+    if (a.get("EA") == b.get("EA") && std::abs(x - y) <= kSame * std::max(x, y)) return;
+    world::refuse(world::Where("body", body_defs[at(node.index)].name),
+                  "two line types meet there; take away nodes on either side of it");
+}
+
 /// @throws DefError, with the remedy, where a node cannot go. @return which of the elements beside
 /// it stays.
 std::int32_t World::Impl::check_node_goes(BodyId node, stepper::NodePlace& place,
@@ -232,6 +258,7 @@ std::int32_t World::Impl::check_node_goes(BodyId node, stepper::NodePlace& place
                       "its elements have no mass of their own (give them `mass`), or a "
                       "compliance that is not that of their length");
     }
+    refuse_two_lines(node, place);
     double own = 0.0;  // of the wire
     for (const std::int32_t id : {place.first, place.second})
         own += 0.5 * stepper::mass_of_element(ctx, id);

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace hawser::scene::test {
 namespace {
@@ -132,6 +133,53 @@ TEST(Sections, AWinchStopsAtTheNextLineType) {
     EXPECT_NEAR(w.system_signal("hoist.wire_left"), 70.0, 1.0);
     // What hangs: the load, the chain, and what is left of the wire.
     EXPECT_NEAR(w.system_signal("hoist.pull"), (8000 + 60 * 19.98) * 9.81, 0.02 * 9e4);
+}
+
+/// Elements become longer within each line type; where two meet the node stays, and each keeps its
+/// material to rounding.
+TEST(Sections, HaveAResolutionOfTheirOwn) {
+    Scene scene =
+        load_text(mooring_with("\"shape\": \"hanging\"",
+                               "\"shape\": \"hanging\", \"consistent_mass\": true, \"resolution\": "
+                               "{\"min_length\": 2.5, \"max_length\": 40, \"patience\": 0.1, "
+                               "\"sag_error\": 0.5, \"wave_period\": 0}"),
+                  "mooring.json");
+    World& w = scene.world;
+    const WireId leg = w.find_wire("leg");
+    const BodyId first = w.nodes(leg)[5], second = w.nodes(leg)[20];
+    struct Line {
+        double EA, mass;
+        int elements;
+    };
+    const auto lines = [&] {
+        std::vector<Line> out;
+        for (const InteractionId id : w.elements(leg)) {
+            const InteractionDef& d = w.interaction_def(id);
+            if (out.empty() || out.back().EA != d.get("EA")) out.push_back({d.get("EA"), 0.0, 0});
+            out.back().mass += d.get("mass");
+            ++out.back().elements;
+        }
+        return out;
+    };
+    const auto before = lines();
+    ASSERT_EQ(before.size(), 3U);
+    for (int i = 0; i < 2000; ++i) ASSERT_EQ(w.step(), Status::ok);
+    const auto after = lines();
+    ASSERT_EQ(after.size(), 3U);
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_LT(after[k].elements, before[k].elements) << k;
+        EXPECT_NEAR(after[k].mass, before[k].mass, 1e-9 * before[k].mass) << "an account";
+    }
+    EXPECT_NEAR(w.system_signal("leg/resolution.material"), 216.88, 1e-9);
+    EXPECT_TRUE(w.alive(first) && w.alive(second));
+    // By hand neither: no element could take the place of both.
+    try {
+        (void)w.remove_node(first, 3.2);
+        FAIL() << "two line types became one";
+    } catch (const DefError& error) {
+        EXPECT_NE(std::string(error.what()).find("two line types meet"), std::string::npos)
+            << error.what();
+    }
 }
 
 TEST(Sections, AreRefusedByTheirPlace) {

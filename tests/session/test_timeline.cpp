@@ -90,6 +90,27 @@ TEST(SessionTimeline, DoesWhatItSaysAtItsTimes) {
     EXPECT_TRUE(w.find_interaction("eye").valid());
 }
 
+/// An input that sets a signal does so from a timeline as well, by its factor and within its range.
+TEST(SessionTimeline, SetsInputsThatSetSignals) {
+    const auto with_lever = [](double value) {
+        std::string text = kTow;
+        const std::string inputs = "\"inputs\": [", push = "\"push\": 100";
+        text.insert(text.find(inputs) + inputs.size(),
+                    R"({"name": "lever", "signal": "hoist.speed", "factor": 0.25, "min": -4,
+                        "max": 4}, )");
+        return text.insert(text.find(push), "\"lever\": " + std::to_string(value) + ", ");
+    };
+    Session session({.scene_text = with_lever(-3.0)});
+    while (session.time() < 0.51) ASSERT_EQ(session.step(), Status::ok);
+    EXPECT_EQ(session.world().system_signal("hoist.speed"), -0.75);
+    try {
+        const Session refused({.scene_text = with_lever(-5.0)});
+        FAIL() << "out of range";
+    } catch (const scene::SceneError& error) {
+        EXPECT_EQ(error.path, "/timeline/1/set/lever");
+    }
+}
+
 TEST(SessionTimeline, RecordingsRepeatItAndSavedStatesGoOn) {
     const TimelineFolder folder;
     Session session({.scene_text = kTow, .record = folder.file("run.hwr")});

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file number.h
+/// Numbers in messages.
+
+#include <cstdio>
+#include <string>
+
+namespace hawser {
+
+/// With six digits, such as "0.25", "1e+06".
+[[nodiscard]] inline std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+}  // namespace hawser

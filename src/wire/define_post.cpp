@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <hawser/guide.h>
+#include <hawser/post.h>
+#include <hawser/world.h>
+
+#include "base/number.h"
+#include "wire/lay_on.h"
+#include "wire/post_system.h"
+
+#include <exception>
+#include <memory>
+#include <string>
+
+namespace hawser {
+namespace {
+
+[[noreturn]] void refuse(const PostDef& def, const std::string& why) {
+    throw DefError("post '" + def.name + "': " + why);
+}
+
+void check(World& world, const PostDef& def) {
+    if (def.name.empty()) throw DefError("a post needs a name");
+    if (world.find_system(def.name) != nullptr) refuse(def, "the name is taken; names are unique");
+    if (!world.alive(def.shape)) refuse(def, "there is no shape that wires lie on; give one");
+    const ShapeDef& shape = world.shape_def(def.shape);
+    if (shape.kind != ShapeKind::cylinder && shape.kind != ShapeKind::capsule)
+        refuse(def, "its shape is neither a cylinder nor a capsule");
+    if (shape.body_b.valid() || world.body_def(shape.body).kind == BodyKind::lump)
+        refuse(def, "its shape is that of a wire or a lump; give one of a body");
+    const Nonsmooth method = world.settings().nonsmooth;
+    if (method == Nonsmooth::pgs || method == Nonsmooth::split)
+        refuse(def, "nonsmooth = pgs and split take no loads of systems; choose newton");
+    if (!(def.friction >= 0.0 && def.friction <= 100.0))
+        refuse(def, "friction = " + number(def.friction) + "; give 0 to 100");
+    if (!(def.efficiency > 0.0 && def.efficiency <= 1.0))
+        refuse(def, "efficiency = " + number(def.efficiency) + "; give a number above 0 up to 1");
+    if (!(def.inertia >= 0.0 && def.inertia <= 1e12))
+        refuse(def, "inertia = " + number(def.inertia) + " kg m^2; give 0 or more");
+    if (def.wires < 1 || def.wires > 16)
+        refuse(def, "wires = " + std::to_string(def.wires) + "; give 1 to 16");
+    if (def.element_length == def.element_length &&
+        !(def.element_length >= 0.0 && def.element_length <= 1e6))
+        refuse(def, "element_length = " + number(def.element_length) +
+                        " m; give 0 to 1e6 (0: no node runs through)");
+}
+
+}  // namespace
+
+void define(World& world, const PostDef& def) {
+    check(world, def);
+    const ShapeDef& shape = world.shape_def(def.shape);
+    const wire::PostPlace place{shape.body, shape.position, shape.orientation * Vec3::UnitZ(),
+                                shape.radius, shape.half_length};
+    world.add_system(std::make_unique<wire::PostSystem>(def, place));
+}
+
+bool NodeEdits::lay_over(GuideDef& def, double speed, Guide& out, double (&material)[2]) noexcept {
+    try {
+        std::array<double, 2> both{};
+        out = wire::lay_on(world_, def, speed, both);
+        (void)wire::add_stop(world_, def, out);
+        material[0] = both[0];
+        material[1] = both[1];
+        return true;
+    } catch (const std::exception&) {
+        return false;  // whoever asked may ask again
+    }
+}
+
+InteractionId NodeEdits::lift_off(const Guide& guide, const InteractionDef& element) noexcept {
+    try {
+        return world_.lift_off(guide.before, guide.behind, element);
+    } catch (const std::exception&) {
+        return {};
+    }
+}
+
+}  // namespace hawser

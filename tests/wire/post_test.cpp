@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Wires that come to lie on posts and lift off them: no tunnelling at 50 m/s, Euler's ratio,
+/// accounts, bits, refusals.
+#include <hawser/catenary.h>
+#include <hawser/hawser.h>
+
+#include "support/random.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace hawser {
+namespace {
+
+constexpr double kDensity = 23.0, kEA = 2.33e8, kHalf = 0.038;  // kg/m, N, m
+
+/// A wire that hangs between two carriers, above a post across it.
+struct AbovePost {
+    World w;
+    BodyId ground{}, left{}, right{};
+    WireId wire{};
+
+    explicit AbovePost(int elements = 13, double friction = 0.2, int threads = 1)
+        : w(WorldDef{.step = 1.0 / 60.0, .threads = threads}) {
+        constexpr double kLength = 42.0, kHeight = 7.0;
+        CatenaryDef shape;
+        shape.from = {-20, 0, kHeight};
+        shape.to = {20, 0, kHeight};
+        shape.sections = {{kLength, kDensity * 9.81, kEA, elements}};
+        const Catenary start = catenary(shape);
+        ground = w.add_body({.name = "ground", .kind = BodyKind::fixed});
+        left = w.add_body({.name = "left", .kind = BodyKind::kinematic, .position = shape.from});
+        right = w.add_body({.name = "right", .kind = BodyKind::kinematic, .position = shape.to});
+        WireDef def{.name = "wire", .from = left, .to = right};
+        def.elements = elements;
+        def.length = kLength;
+        def.EA = kEA;
+        def.mass_per_length = kDensity;
+        def.drag = 60.0;
+        def.consistent_mass = true;
+        def.radius = kHalf;
+        def.path.assign(start.nodes.begin() + 1, start.nodes.end() - 1);
+        wire = w.add_wire(def);
+        const ShapeId pin = w.add_shape({.kind = ShapeKind::cylinder,
+                                         .body = ground,
+                                         .orientation = Quat(std::sqrt(0.5), std::sqrt(0.5), 0, 0),
+                                         .radius = 0.3,
+                                         .half_length = 2.0});
+        w.add(PostDef{.name = "post", .shape = pin, .friction = friction});
+    }
+    [[nodiscard]] double get(const char* signal) const { return w.system_signal(signal); }
+    /// Both ends move by so much in so long.
+    void move(const Vec3& by, double seconds) {
+        const auto steps = static_cast<int>(std::lround(60.0 * seconds));
+        for (const BodyId id : {left, right}) w.set_velocity(id, {by / seconds, Vec3::Zero()});
+        for (int i = 0; i < steps; ++i) ASSERT_EQ(w.step(), Status::ok) << i;
+        for (const BodyId id : {left, right}) w.set_velocity(id, {});
+    }
+    void rest(double seconds) { move(Vec3::Zero(), seconds); }
+    /// Of lumps, and of what their elements have beside [kg].
+    [[nodiscard]] double mass() {
+        double sum = 0.0;
+        for (const BodyId id : w.nodes(wire))
+            if (w.body_def(id).kind == BodyKind::lump) sum += w.body_def(id).mass;
+        const auto elements = w.elements(wire);
+        for (const InteractionId end : {elements.front(), elements.back()})
+            sum += 0.5 * w.interaction_def(end).get("mass");
+        for (const InteractionId id : elements)
+            if (kind_info(w.interaction_def(id).kind).is(kWoundUp))
+                sum += w.system(0).carried_mass(id);
+        return sum;
+    }
+};
+
+TEST(Posts, TakeAWireThatComesToLieAndLetItGo) {
+    for (const int elements : {13, 14}) {  // an element over the post, and a lump
+        AbovePost d(elements);
+        const double mass = d.mass();
+        const std::size_t had = d.w.elements(d.wire).size();
+        d.move({0, 0, -4}, 8.0);
+        d.rest(12.0);
+        EXPECT_EQ(d.get("post.held"), 1.0) << elements;
+        EXPECT_EQ(d.get("post.taken"), 1.0) << elements;
+        EXPECT_GT(d.get("post.angle"), 0.5);
+        EXPECT_NEAR(d.mass(), mass, 1e-9 * mass);
+        for (const ContactView& c : d.w.contacts()) EXPECT_GT(c.gap, -1e-3);
+        d.move({0, 0, 4}, 8.0);
+        d.rest(10.0);
+        EXPECT_EQ(d.get("post.held"), 0.0) << elements;
+        EXPECT_EQ(d.get("post.let_go"), 1.0) << elements;
+        EXPECT_NEAR(d.mass(), mass, 1e-9 * mass);
+        EXPECT_NEAR(d.w.length(d.wire), 42.0, 0.02) << "rest lengths follow tensions";
+        EXPECT_LE(d.w.elements(d.wire).size(), had + 1);
+        for (const InteractionId id : d.w.elements(d.wire))
+            EXPECT_EQ(d.w.interaction_def(id).kind, InteractionKind::Stretch);
+        EXPECT_EQ(d.w.verdict().grade, Grade::good) << elements;
+        // It hangs as it did: its weight, from both ends.
+        const double weight = 9.81 * kDensity * 42.0;
+        const double pulls[] = {d.w.tension(d.wire, 0.0), d.w.tension(d.wire, d.w.length(d.wire))};
+        EXPECT_NEAR(pulls[0] / pulls[1], 1.0, 0.02);
+        EXPECT_GT(pulls[0], 0.5 * weight);
+    }
+}
+
+/// Pulled along, the wire slides where its tensions reach Euler's ratio.
+TEST(Posts, RubAtEulersRatio) {
+    AbovePost d(13, 0.25);
+    d.move({0, 0, -4}, 8.0);
+    d.rest(10.0);
+    d.move({3, 0, 0}, 12.0);
+    const double ratio = d.get("post.behind") / d.get("post.before");
+    EXPECT_GT(d.get("post.slide"), 1.0);
+    // As at guides: half of the weight of an element is not where its tension is.
+    EXPECT_NEAR(ratio / std::exp(0.25 * d.get("post.angle")), 1.0, 5e-3);
+    EXPECT_EQ(d.w.verdict().grade, Grade::good);
+}
+
+/// A wire that just lies straight, on a post that goes up and down by a millimetre.
+TEST(Posts, DoNotChatter) {
+    AbovePost d;
+    const double sag = d.w.pose(d.w.nodes(d.wire)[6]).position.z();
+    d.move({0, 0, 0.3 + kHalf - sag - 0.02}, 4.0);
+    for (int k = 0; k < 10; ++k) {
+        d.move({0, 0, 1e-3}, 0.5);
+        d.move({0, 0, -1e-3}, 0.5);
+    }
+    EXPECT_LE(d.get("post.taken") + d.get("post.let_go"), 4.0);
+}
+
+TEST(Posts, GiveTheSameBitsOnAnyThreadsAndAfterRestoring) {
+    const auto hashes = [](int threads, int restored) {
+        AbovePost d(14, 0.2, threads);
+        std::vector<std::uint64_t> out;
+        const auto steps = [&](const Vec3& velocity, int n) {
+            for (const BodyId id : {d.left, d.right})
+                d.w.set_velocity(id, {velocity, Vec3::Zero()});
+            for (int i = 0; i < n; ++i) {
+                EXPECT_EQ(d.w.step(), Status::ok);
+                out.push_back(d.w.state_hash());
+                if (static_cast<int>(out.size()) != restored) continue;
+                // Goes on as another world from what was saved.
+                const auto bytes = d.w.save();
+                const Structure made_of = d.w.structure();
+                AbovePost other(14, 0.2, threads);
+                other.w.restore(made_of, bytes);
+                d = std::move(other);
+            }
+        };
+        steps({0, 0, -0.5}, 480);
+        steps({0.2, 0, 0}, 300);
+        steps({0, 0, 0.5}, 480);
+        EXPECT_EQ(d.get("post.let_go"), 1.0);
+        return out;
+    };
+    const auto one = hashes(1, 0);
+    for (const int threads : {2, 4}) EXPECT_EQ(hashes(threads, 0), one) << threads;
+    for (const int at : {200, 440, 700, 1200}) EXPECT_EQ(hashes(1, at), one) << at;
+}
+
+/// Whether the axis of a pin passed through a piece of wire within a step: the piece's side of the
+/// axis changes while the two cross within both.
+bool passed(const Vec3& axis_at, double half, const std::array<Vec3, 2>& was,
+            const std::array<Vec3, 2>& now) {
+    constexpr int kParts = 64;
+    const auto side = [&](double t) {
+        const Vec3 a = was[0] + t * (now[0] - was[0]) - axis_at,
+                   b = was[1] + t * (now[1] - was[1]) - axis_at;
+        const double cross = a.x() * b.y() - a.y() * b.x();
+        const Vec3 d = b - a;
+        const double share = -(a.x() * d.x() + a.y() * d.y()) / (d.x() * d.x() + d.y() * d.y());
+        const bool within = share > 0.0 && share < 1.0 && std::abs(a.z() + share * d.z()) < half;
+        return std::pair(cross, within);
+    };
+    auto last = side(0.0);
+    for (int k = 1; k <= kParts; ++k) {
+        const auto next = side(static_cast<double>(k) / kParts);
+        if ((last.first > 0.0) != (next.first > 0.0) && last.second && next.second) return true;
+        last = next;
+    }
+    return false;
+}
+
+/// Flies at a pin; passed() is asked of each element that is there before and after a step.
+struct Thrown {
+    World w{WorldDef{.step = 1.0 / 60.0, .gravity = Vec3::Zero()}};
+    WireId wire{};
+    static constexpr double kPin = 0.075, kPinHalf = 60.0;
+
+    Thrown(const Vec3& velocity, double offset) {
+        const BodyId ground = w.add_body({.name = "ground", .kind = BodyKind::fixed});
+        const ShapeId pin = w.add_shape(
+            {.kind = ShapeKind::cylinder, .body = ground, .radius = kPin, .half_length = kPinHalf});
+        constexpr int kElements = 8;
+        constexpr double kElement = 5.0, kPull = 10.0;
+        // Aimed at the pin: its place on the wire is `offset` from the middle when they meet.
+        const Vec3 start = -0.12 * velocity;
+        const double apart = kElement * (1.0 + kPull / kEA);
+        const auto at = [&](int k) {
+            return Vec3(start + Vec3(0, (k - 0.5 * kElements) * apart - offset, 0));
+        };
+        const BodyId first = w.add_body({.name = "first",
+                                         .kind = BodyKind::lump,
+                                         .position = at(0),
+                                         .velocity = velocity,
+                                         .mass = 0.5 * kDensity * kElement});
+        WireDef def{.name = "wire", .from = first};
+        def.elements = kElements;
+        def.length = kElement * kElements;
+        def.EA = kEA;
+        def.mass_per_length = kDensity;
+        def.consistent_mass = true;
+        def.radius = kHalf;
+        def.velocity = velocity;
+        for (int k = 1; k <= kElements; ++k) def.path.push_back(at(k));
+        wire = w.add_wire(def);
+        w.add(PostDef{.name = "pin", .shape = pin, .friction = 0.15});
+    }
+    /// @return steps in which an element went through.
+    int run(double seconds) {
+        int through = 0;
+        const auto steps = static_cast<int>(std::lround(60.0 * seconds));
+        std::vector<std::pair<InteractionId, std::array<Vec3, 2>>> was, now;
+        for (int i = 0; i < steps; ++i) {
+            now.clear();
+            for (const InteractionId id : w.elements(wire)) {
+                const InteractionDef& d = w.interaction_def(id);
+                if (d.kind == InteractionKind::Stretch)
+                    now.emplace_back(
+                        id, std::array{w.pose(d.body[0]).position, w.pose(d.body[1]).position});
+            }
+            for (const auto& [id, ends] : now) {
+                const auto before = std::find_if(was.begin(), was.end(),
+                                                 [&](const auto& e) { return e.first == id; });
+                if (before != was.end() && passed(Vec3::Zero(), kPinHalf, before->second, ends))
+                    ++through;
+            }
+            was.swap(now);
+            const Status status = w.step();
+            EXPECT_EQ(status, Status::ok) << i;
+            if (status != Status::ok) break;
+        }
+        return through;
+    }
+};
+
+TEST(Posts, StopAWireAt50MetresASecond) {
+    test::Random random(21);
+    int taken = 0, through = 0;
+    double made = 0.0;
+    for (int k = 0; k < 100; ++k) {
+        // Within 60 degrees of the plane across the pin, from any side of that plane.
+        const double up = std::sin(random.uniform(-1.0, 1.0) * 1.0471975512),
+                     turn = random.uniform(-0.6, 0.6);
+        const double flat = std::sqrt(1.0 - up * up);
+        const Vec3 velocity = 50.0 * Vec3(flat * std::cos(turn), flat * std::sin(turn), up);
+        Thrown d(velocity, random.uniform(-12.0, 12.0));
+        const int here = d.run(0.6);
+        EXPECT_EQ(here, 0) << k << ": " << velocity.transpose();
+        through += here > 0 ? 1 : 0;
+        taken += d.w.system_signal("pin.taken") > 0.0 ? 1 : 0;
+        made = std::max(made, d.w.verdict().grade == Grade::good ? 0.0 : 1.0);
+    }
+    std::printf("100 throws at 50 m/s: %d went through, %d came to lie on the pin\n", through,
+                taken);
+    EXPECT_EQ(through, 0);
+    EXPECT_EQ(made, 0.0);
+}
+
+TEST(Posts, RefuseWhatCannotBe) {
+    AbovePost d;
+    const ShapeId ball =
+        d.w.add_shape({.kind = ShapeKind::sphere, .body = d.ground, .radius = 1.0});
+    const ShapeId pin = d.w.add_shape(
+        {.kind = ShapeKind::cylinder, .body = d.ground, .radius = 0.1, .half_length = 1.0});
+    const auto refusal = [&](const PostDef& def) -> std::string {
+        try {
+            d.w.add(def);
+        } catch (const DefError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    struct Row {
+        PostDef def;
+        const char* says;
+    };
+    for (const Row& row :
+         {Row{{.shape = pin}, "needs a name"}, Row{{.name = "post", .shape = pin}, "taken"},
+          Row{{.name = "p"}, "no shape"},
+          Row{{.name = "p", .shape = ball}, "neither a cylinder nor a capsule"},
+          Row{{.name = "p", .shape = pin, .friction = -1.0}, "friction = -1"},
+          Row{{.name = "p", .shape = pin, .efficiency = 0.0}, "efficiency = 0"},
+          Row{{.name = "p", .shape = pin, .wires = 17}, "wires = 17"}})
+        EXPECT_NE(refusal(row.def).find(row.says), std::string::npos)
+            << row.says << " in: " << refusal(row.def);
+    EXPECT_THROW((void)d.w.remove_shape(ShapeId{static_cast<std::int32_t>(12)}), DefError)
+        << "a post holds its shape";
+}
+
+}  // namespace
+}  // namespace hawser
