@@ -79,6 +79,10 @@ struct ShapeDef {
     MaterialId material{};        ///< Invalid: the world's first material, the defaults above.
     std::uint32_t group = 1;      ///< Bits of the groups it is in.
     std::uint32_t touches = ~0U;  ///< Two touch when each's `group` meets the other's `touches`.
+    /// How near to it contacts are looked for [m], to 1000, where that is more than the world's
+    /// contact_margin. Contacts foresee what comes with its present velocity (docs/methods.md); a
+    /// larger margin holds up what is yanked through a thin shape within a step.
+    double margin = 0.0;
 };
 
 /// One contact point of the last step, for readers.

@@ -109,7 +109,7 @@ void place(const Shape& shape, const model::Bodies& bodies, double h, double mar
     const V3 arm = load3(placed.centre) - load3(placed.origin);
     const double turning =
         generic::norm(load3(m.w)) * (generic::norm(arm) + placed.radius) + placed.spread;
-    const double around = 0.5 * margin + h * turning;
+    const double around = std::max(0.5 * margin, shape.margin) + h * turning;
     for (int i = 0; i < 3; ++i) {
         placed.swept.low[i] = placed.box.low[i] + std::min(0.0, h * m.v[i]) - around;
         placed.swept.high[i] = placed.box.high[i] + std::max(0.0, h * m.v[i]) + around;

@@ -124,6 +124,7 @@ int touch(const Shape& a, const Placed& pa, const Shape& b, const Placed& pb, do
           double margin, Contact* out) noexcept {
     const Collide collide = collide_function(a.geometry.kind, b.geometry.kind);
     if (collide == nullptr) return 0;
+    margin = std::max({margin, a.margin, b.margin});
     Manifold m;
     m.count = 0;
     collide(pa.geometry, pa.at, pb.geometry, pb.at, margin + h * relative_speed(pa, pb), m);

@@ -109,6 +109,7 @@ void visit_fields(D& d, F&& f) {
     f(d.material);
     f(d.group);
     f(d.touches);
+    f(d.margin);
 }
 
 template <class F, FieldsOf<InputDef> D>

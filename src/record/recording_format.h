@@ -9,7 +9,7 @@
 namespace hawser::record {
 
 inline constexpr char kMagic[8] = {'H', 'A', 'W', 'S', 'E', 'R', 'R', 'C'};
-inline constexpr std::uint32_t kFormatVersion = 1;
+inline constexpr std::uint32_t kFormatVersion = 2;
 
 /// Four characters name a chunk; its length follows in 4 bytes, the CRC-32 of all of it last.
 inline constexpr char kSceneChunk[] = "SCEN";

@@ -17,7 +17,7 @@ namespace {
 
 constexpr char kSnapshotMagic[8] = {'H', 'A', 'W', 'S', 'E', 'R', 'S', 'T'};
 /// 2: with a structure before the state.
-constexpr std::uint32_t kVersion = 1, kWithStructure = 2;
+constexpr std::uint32_t kVersion = 1, kWithStructure = 3;
 
 std::uint32_t checksum_of(std::span<const std::byte> file) {
     std::uint32_t sum = 0;

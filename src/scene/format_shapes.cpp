@@ -201,6 +201,8 @@ ShapePtr post_shape() {
         {"wires", integer("a number", 1, 16), false, "2", "1", "Cables that lie on it at once."},
         {"element", number("a length", 0.0, 1e6), false, "that of the cable", "m",
          "Of elements that come behind it; 0: no node runs through."},
+        {"margin", number("a length", 0.0, 1e3), false, "1", "m",
+         "How near to it cables are watched, so that none is yanked through it within a step."},
         {"description", text("a text"), false, "", "", "Remarks."}};
     const auto surface = surface_fields();
     fields.insert(fields.end(), surface.begin(), surface.end());

@@ -32,6 +32,7 @@ ShapeDef shape_of(Description& out, const Scope& scope, const Json& json, const 
     def.orientation = turn_between(Vec3::UnitZ(), (to - from) / length);
     def.radius = json["radius"].get<double>();
     def.half_length = 0.5 * length;
+    def.margin = number_or(json, "margin", 1.0);
     read_surface(def, out, json, place);
     return def;
 }

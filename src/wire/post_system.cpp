@@ -13,13 +13,14 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kLetGo = -2e-3;    ///< Angle below which a wire would pull at its post [rad].
-constexpr double kStrain = 1e-5;    ///< ε of post_system.h.
-constexpr double kNearEnd = 0.06;   ///< Of an element: a lump lies on the post.
-constexpr double kTouches = 2e-3;   ///< Gap at which a contact bears [m].
-constexpr double kBentOnPost = 3.2;    ///< A lump on a post goes however the wire is bent there.
-constexpr double kLong = 1.5;       ///< Of element_length: what was let go gets a node.
-constexpr std::int32_t kWait = 15;  ///< Steps.
+constexpr double kLetGo = -2e-3;     ///< Angle below which a wire would pull at its post [rad].
+constexpr double kStrain = 1e-5;     ///< ε of post_system.h.
+constexpr double kNearEnd = 0.06;    ///< Of an element: a lump lies on the post.
+constexpr double kTouches = 2e-3;    ///< Gap at which a contact bears [m].
+constexpr double kBentOnPost = 3.2;  ///< A lump on a post goes however the wire is bent there.
+constexpr double kLong = 1.5;        ///< Of element_length: what was let go gets a node.
+constexpr std::int32_t kSteady = 3;  ///< Looks running at which a wire touches before it is taken.
+constexpr std::int32_t kWait = 15;   ///< Steps.
 /// Of the radius: a wire that just touches turns by next to nothing, and not the other way.
 constexpr double kInside = 1e-9;
 
@@ -59,7 +60,7 @@ PostSystem::PostSystem(PostDef def, const PostPlace& place)
 
 void PostSystem::visit_state(StateVisitor& v) {
     v.visit(std::span<std::int32_t>(on_));
-    v.visit(wait_);
+    for (std::int32_t* x : {&wait_, &steady_}) v.visit(*x);
     for (double* x : {&taken_, &let_go_, &held_, &angle_, &slide_, &tension_[0], &tension_[1]})
         v.visit(*x);
     for (const auto& guide : guides_) {
@@ -132,15 +133,18 @@ void PostSystem::place_touch(const World& world, double half, Touch& out) const 
     const double way = axis.dot(near.apart.cross(along)) >= 0.0 ? 1.0 : -1.0;
     const double touching = place_.radius + half;
     out.radius = way * std::max(touching, apart * (1.0 - kInside));
-    for (const std::size_t end : {0U, 1U})
-        out.length[end] = (end == 0 ? near.share : 1.0 - near.share) * (b - a).norm();
     const Twist twist = world.velocity(place_.body);
     const Vec3 surface =
         twist.linear + twist.angular.cross(centre + near.along * axis + near.apart - pose.position);
-    const Vec3 speed = (1.0 - near.share) * world.velocity(d.body[0]).linear +
-                       near.share * world.velocity(d.body[1]).linear - surface;
-    out.along = speed.dot(along);
-    out.across = apart > 0.0 ? -speed.dot(near.apart) / apart : 0.0;
+    const Vec3 speed[2] = {world.velocity(d.body[0]).linear - surface,
+                           world.velocity(d.body[1]).linear - surface};
+    out.along = ((1.0 - near.share) * speed[0] + near.share * speed[1]).dot(along);
+    out.strain = 0.0;
+    for (const std::size_t end : {0U, 1U}) {
+        const double length = (end == 0 ? near.share : 1.0 - near.share) * (b - a).norm();
+        const Vec3 moves = world.settings().step * (speed[end] - speed[end].dot(along) * along);
+        out.strain += moves.squaredNorm() / (2.0 * std::max(length, 1e-3) * (b - a).norm());
+    }
 }
 
 /// Wires that touch the post come to lie on it.
@@ -151,6 +155,8 @@ void PostSystem::take(NodeEdits& nodes) {
         return;
     }
     if (std::find(on_.begin(), on_.end(), 0) == on_.end()) return;
+    const std::int32_t steady = std::min(steady_ + 1, kSteady);
+    steady_ = 0;
     world.contacts(contacts_);
     for (const ContactView& contact : contacts_) {
         if (contact.shape[0] != def_.shape && contact.shape[1] != def_.shape) continue;
@@ -160,25 +166,42 @@ void PostSystem::take(NodeEdits& nodes) {
         if (!world.alive(other) || !(contact.force.norm() > 0.0) || !find(world, other, touch))
             continue;
         const double gap = std::abs(touch.radius) - place_.radius - world.shape_def(other).radius;
-        const double step = touch.across * world.settings().step;
-        if (gap > kTouches || step * step > 2.0 * kStrain * touch.length[0] * touch.length[1])
-            continue;
+        if (gap > kTouches || touch.strain > kStrain) continue;
         bool has = false;
         for (std::size_t k = 0; k < on_.size(); ++k)
             has = has || (on_[k] != 0 && guides_[k]->def().wire == touch.wire);
         const auto slot = std::find(on_.begin(), on_.end(), 0);
         if (has || slot == on_.end()) continue;
+        steady_ = steady;
+        if (steady < kSteady) continue;
         if (!take(nodes, static_cast<std::size_t>(slot - on_.begin()), touch)) wait_ = kWait;
     }
 }
 
-bool PostSystem::take(NodeEdits& nodes, std::size_t slot, const Touch& touch) {
+/// A lump on the post goes: one element takes the place of the two beside it, its chord through the
+/// post. It lies on the side of the post on which the lump was.
+bool PostSystem::take_lump(NodeEdits& nodes, Touch& touch) const {
     const World& world = nodes.world;
-    if (touch.share < kNearEnd || touch.share > 1.0 - kNearEnd) {
-        // The lump on it goes; the element that takes its place is looked at in the next step.
-        const InteractionDef& d = world.interaction_def(touch.element);
-        return nodes.remove_node(d.body[touch.share < 0.5 ? 0 : 1], kBentOnPost);
+    const InteractionDef& d = world.interaction_def(touch.element);
+    const bool first = touch.share < 0.5;
+    const BodyId lump = d.body[first ? 0 : 1];
+    if (first) {
+        const auto elements = world.elements(touch.wire);
+        const auto at = std::find(elements.begin(), elements.end(), touch.element);
+        if (at == elements.begin() || at == elements.end()) return false;
+        touch.element = *(at - 1);  // which stays
     }
+    const double radius = touch.radius, half = std::abs(radius) - place_.radius;
+    if (!nodes.remove_node(lump, kBentOnPost)) return false;
+    place_touch(world, half, touch);
+    touch.radius = radius;
+    return touch.share > kNearEnd && touch.share < 1.0 - kNearEnd;
+}
+
+bool PostSystem::take(NodeEdits& nodes, std::size_t slot, Touch touch) {
+    const World& world = nodes.world;
+    if ((touch.share < kNearEnd || touch.share > 1.0 - kNearEnd) && !take_lump(nodes, touch))
+        return false;
     const double mass = world.interaction_def(touch.element).get("mass");
     GuideDef def = guides_[slot]->def();
     def.wire = touch.wire;
@@ -254,6 +277,7 @@ bool PostSystem::let_go(NodeEdits& nodes, std::size_t slot) {
         return false;
     }
     let_go_ += 1.0;
+    wait_ = kWait;
     if (guide.material()[0] + guide.material()[1] > kLong * guide.def().element_length)
         (void)nodes.insert_node(whole, 0.5);
     return true;

@@ -5,13 +5,13 @@
 /// contacts were, has the guide of each wire that lies on it act, and takes and lets go of wires.
 ///
 /// *When a contact is taken.* A contact node bears by the tension of its wire alone, whose pull
-/// across grows with the angle, and a step of h sees the angle that it begins with. With the speed
-/// u of the wire across, lengths a and b to the nodes, a step stretches the wire by
+/// across grows with the angle, and a step of h sees the angle that it begins with. With the nodes'
+/// speeds u and v across, a and b away from the post, a step stretches the wire by
 /// ```
-///     ε = (u h)²/(2 a b)
+///     ε = ((u h)²/2a + (v h)²/2b)/(a + b)
 /// ```
-/// of which it knew nothing. The contact, which knows the surface, stops u first: it is taken once
-/// ε is below 1e-5.
+/// of which it knew nothing. The contact, which knows the surface, stops the wire first: it is
+/// taken once ε is below 1e-5.
 
 #include <hawser/post.h>
 #include <hawser/shapes.h>
@@ -53,17 +53,17 @@ class PostSystem final : public System {
     struct Touch {
         InteractionId element{};
         WireId wire{};
-        Vec3 point{0, 0, 0};    ///< Of the axis next to it, in the frame of the body [m].
-        double share = 0.0;     ///< Of the element, where it is next to the axis.
-        double radius = 0.0;    ///< From the axis, with the sign of GuideDef::radius [m].
-        double along = 0.0;     ///< Speed past the surface, from its first end [m/s].
-        double across = 0.0;    ///< Towards the axis [m/s].
-        double length[2] = {};  ///< To its ends [m].
+        Vec3 point{0, 0, 0};  ///< Of the axis next to it, in the frame of the body [m].
+        double share = 0.0;   ///< Of the element, where it is next to the axis.
+        double radius = 0.0;  ///< From the axis, with the sign of GuideDef::radius [m].
+        double along = 0.0;   ///< Speed past the surface, from its first end [m/s].
+        double strain = 0.0;  ///< ε above.
     };
     [[nodiscard]] bool find(const World& world, ShapeId segment, Touch& out) const;
     void place_touch(const World& world, double half, Touch& out) const;
     void take(NodeEdits& nodes);
-    bool take(NodeEdits& nodes, std::size_t slot, const Touch& touch);
+    bool take_lump(NodeEdits& nodes, Touch& touch) const;
+    bool take(NodeEdits& nodes, std::size_t slot, Touch touch);
     bool let_go(NodeEdits& nodes, std::size_t slot);
     [[nodiscard]] bool pulls(const World& world, const GuideSystem& guide, bool& past) const;
     void tell() noexcept;
@@ -73,7 +73,8 @@ class PostSystem final : public System {
     // State.
     std::vector<std::unique_ptr<GuideSystem>> guides_;  ///< By slot.
     std::vector<std::int32_t> on_;                      ///< 1 where a wire lies in a slot.
-    std::int32_t wait_ = 0;  ///< Steps until it tries again what was refused.
+    std::int32_t wait_ = 0;                             ///< Steps until it takes anything again.
+    std::int32_t steady_ = 0;  ///< Looks running at which a wire has touched it.
     double taken_ = 0.0, let_go_ = 0.0;
     // Outputs.
     double held_ = 0.0, angle_ = 0.0, slide_ = 0.0, tension_[2] = {};

@@ -84,6 +84,7 @@ void add(const std::vector<ShapeDef>& shapes, const collide::Collider& collider,
         to.value(s.material.index);
         to.value(s.group);
         to.value(s.touches);
+        if (s.margin != 0.0) to.value(s.margin);
     }
 }
 

@@ -74,6 +74,7 @@ void check_mesh(const Where& where, const ShapeDef& d) {
 
 void check_size(const Where& where, const ShapeDef& d) {
     const bool segment = d.body_b.valid();
+    within(where, "margin", d.margin, 0.0, 1000.0);
     switch (d.kind) {
         case ShapeKind::sphere:
             return length(where, "radius", d.radius);

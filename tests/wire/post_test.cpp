@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -194,8 +195,11 @@ struct Thrown {
 
     Thrown(const Vec3& velocity, double offset) {
         const BodyId ground = w.add_body({.name = "ground", .kind = BodyKind::fixed});
-        const ShapeId pin = w.add_shape(
-            {.kind = ShapeKind::cylinder, .body = ground, .radius = kPin, .half_length = kPinHalf});
+        const ShapeId pin = w.add_shape({.kind = ShapeKind::cylinder,
+                                         .body = ground,
+                                         .radius = kPin,
+                                         .half_length = kPinHalf,
+                                         .margin = 1.0});
         constexpr int kElements = 8;
         constexpr double kElement = 5.0, kPull = 10.0;
         // Aimed at the pin: its place on the wire is `offset` from the middle when they meet.
@@ -224,6 +228,7 @@ struct Thrown {
     /// @return steps in which an element went through.
     int run(double seconds) {
         int through = 0;
+        std::map<int, std::array<Vec3, 2>> oldv;
         const auto steps = static_cast<int>(std::lround(60.0 * seconds));
         std::vector<std::pair<InteractionId, std::array<Vec3, 2>>> was, now;
         for (int i = 0; i < steps; ++i) {
@@ -237,10 +242,24 @@ struct Thrown {
             for (const auto& [id, ends] : now) {
                 const auto before = std::find_if(was.begin(), was.end(),
                                                  [&](const auto& e) { return e.first == id; });
-                if (before != was.end() && passed(Vec3::Zero(), kPinHalf, before->second, ends))
+                if (before != was.end() && passed(Vec3::Zero(), kPinHalf, before->second, ends)) {
                     ++through;
+                    const auto& b = before->second;
+                    std::printf(
+                        "  element %d: was (%.2f %.2f %.2f)-(%.2f %.2f %.2f) now (%.2f %.2f "
+                        "%.2f)-(%.2f %.2f %.2f) old v (%.1f %.1f)(%.1f %.1f) step %d taken %g\n",
+                        id.index, b[0].x(), b[0].y(), b[0].z(), b[1].x(), b[1].y(), b[1].z(),
+                        ends[0].x(), ends[0].y(), ends[0].z(), ends[1].x(), ends[1].y(),
+                        ends[1].z(), oldv[id.index][0].x(), oldv[id.index][0].y(),
+                        oldv[id.index][1].x(), oldv[id.index][1].y(), i,
+                        w.system_signal("pin.taken"));
+                }
             }
             was.swap(now);
+            for (const auto& [id, ends] : was) {
+                const auto& d = w.interaction_def(id);
+                oldv[id.index] = {w.velocity(d.body[0]).linear, w.velocity(d.body[1]).linear};
+            }
             const Status status = w.step();
             EXPECT_EQ(status, Status::ok) << i;
             if (status != Status::ok) break;
