@@ -10,6 +10,7 @@
 #include "world/wire_list.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -128,12 +129,20 @@ InteractionId World::lift_off(InteractionId before, InteractionId behind, Intera
     m.refuse_held(a.body[2]);
     const std::string given = std::exchange(element.name, "");
     const auto is_lump = [&](BodyId id) { return body_def(id).kind == BodyKind::lump; };
+    const double half = std::isnan(element.get("mass")) ? 0.0 : 0.5 * element.get("mass");
+    const BodyId ends[2] = {a.body[0], b.body[1]};
+    const double had[2] = {body_def(ends[0]).mass, body_def(ends[1]).mass};
+    const auto weigh = [&](double more) {
+        for (const std::size_t k : {0U, 1U})
+            if (half > 0.0 && is_lump(ends[k])) set_mass(ends[k], had[k] + more);
+    };
     InteractionId out;
     {
         const Impl::Untold untold(m);
-        out = add_interaction(element);
+        weigh(half);  // An element with a mass needs lumps that have it.
         ShapeId capsule;
         try {
+            out = add_interaction(element);
             if (wire.trim.segment && is_lump(a.body[0]) && is_lump(b.body[1])) {
                 base::make_room(wire.shapes, 1);
                 ShapeDef segment = *wire.trim.segment;
@@ -144,7 +153,8 @@ InteractionId World::lift_off(InteractionId before, InteractionId behind, Intera
             m.reserve_removal();
         } catch (...) {
             if (capsule.valid()) (void)remove_shape(capsule);
-            (void)remove_interaction(out);
+            if (out.valid()) (void)remove_interaction(out);
+            weigh(0.0);
             throw;
         }
         world::Names::Map::node_type name = m.interaction_names.take(a.name);
@@ -163,9 +173,6 @@ InteractionId World::lift_off(InteractionId before, InteractionId behind, Intera
                          far = side == 0 ? b.body[1] : a.body[0];
             m.turn_bend(end, a.body[1], far, element.point[1 - side]);
         }
-        const double half = 0.5 * stepper::mass_of_element(m.ctx, out.index);
-        for (const BodyId end : {a.body[0], b.body[1]})
-            if (half > 0.0 && is_lump(end)) set_mass(end, body_def(end).mass + half);
     }
     element.name = given;
     if (m.listener != nullptr) m.listener->lifted(before, behind, element);

@@ -49,9 +49,9 @@ inline constexpr Mistake kMistakes[] = {
 {kPendulum, R"([{"op":"add","path":"/include","value":["."]}])", "/include/0", "no file"},
 // --- posts ----------------------------------------------------------------------------------
 {kPendulum, R"([{"op":"add","path":"/posts","value":[{"name":"pin","on":"bub","from":[0,0,0],"to":[0,0,1],"radius":0.1}]}])", "/posts/0/on", "no body"},
-{kPendulum, R"([{"op":"add","path":"/posts","value":[{"name":"pin","on":"bob","from":[0,0,1],"to":[0,0,1],"radius":0.1}]}])", "/posts/0/to", "no length"},
-{kPendulum, R"([{"op":"add","path":"/posts","value":[{"name":"pin","on":"bob","from":[0,0,0],"to":[0,0,1],"radius":0}]}])", "/posts/0/radius", "greater than 0"},
-{kPendulum, R"([{"op":"add","path":"/posts","value":[{"name":"pin","on":"bob","from":[0,0,0],"to":[0,0,1],"radius":0.1,"efficiency":0}]}])", "/posts/0", "above 0"},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","from":[0,0,1],"to":[0,0,1],"radius":0.1}]}])", "/posts/0/to", "no length"},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","from":[0,0,0],"to":[0,0,1],"radius":0}]}])", "/posts/0/radius", "greater than 0"},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","from":[0,0,0],"to":[0,0,1],"radius":0.1,"efficiency":0}]}])", "/posts/0", "above 0"},
 // --- settings -------------------------------------------------------------------------------
 {kSite, R"([{"op":"replace","path":"/settings/step","value":0}])", "/settings/step", "at least"},
 {kSite, R"([{"op":"replace","path":"/settings/step","value":-0.01}])", "/settings/step", "at least"},
