@@ -23,8 +23,9 @@
 /// that run through. A lump that comes to lie on the post itself goes first, where it may
 /// (World::remove_node()).
 ///
-/// *Lets go* where the wire would have to pull at it, at an angle below −0.002 rad, so that a wire
-/// that lies just straight does not come and go; and where the straight way between the nodes on
+/// *Lets go* where the wire would have to pull at it: its tension by the angle, 0.002 rad less, and
+/// the weight of the half elements that a guide has, are below 0. So a wire that lies just straight
+/// does not come and go. And where the straight way between the nodes on
 /// both sides passes the end of the shape by more than its radius. The parts are one element again
 /// (World::lift_off()), at the rest length that keeps their tension, or past an end at that which
 /// they had. An element longer than 1.5 `element_length` gets a node.

@@ -127,6 +127,18 @@ double GuideSystem::half_mass(std::size_t side) const noexcept {
                                      : 0.0;
 }
 
+double GuideSystem::pressing(const World& world, double slack) const noexcept {
+    const Vec3 axis = world.pose(def_.body).orientation * def_.axis.normalized();
+    Vec3 along = Vec3::Zero(), weight = Vec3::Zero();
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::array<Vec3, 2> ends = world.ends(element(side));
+        along += (ends[1] - ends[0]).normalized();
+        weight += weight_at(world, element(side), 1 - kPlace[side], half_mass(side));
+    }
+    const Vec3 outward = (def_.radius > 0.0 ? 1.0 : -1.0) * along.normalized().cross(axis);
+    return 0.5 * (tension_[0] + tension_[1]) * (angle_ + slack) - weight.dot(outward);
+}
+
 /// What no lump has of the elements at the guide.
 void GuideSystem::weigh(const World& world, Loads& loads) const noexcept {
     if (!(def_.element_length > 0.0) || parted_ != 0) return;

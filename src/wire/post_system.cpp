@@ -235,7 +235,7 @@ bool PostSystem::pulls(const World& world, const GuideSystem& guide, bool& past)
     const Closest near = closest(a, b, pose.position + pose.orientation * place_.centre,
                                  pose.orientation * place_.axis);
     past = std::abs(near.along) > place_.half_length + place_.radius;
-    return past || guide.angle() < kLetGo;
+    return past || (guide.angle() < kLetGo && guide.pressing(world, -kLetGo) < 0.0);
 }
 
 bool PostSystem::let_go(NodeEdits& nodes, std::size_t slot) {
