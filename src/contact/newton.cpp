@@ -215,6 +215,28 @@ void begin_newton(Model& model, Work& work, runtime::Pool& pool) noexcept {
     adopt_laws(model, work.newton, pool, true);
 }
 
+namespace {
+
+/// Rows that ask to switch in the solution itself. An iterate that a line search ended early, on
+/// the way to it, may have met the tolerance where none did yet: iterated again from the solution.
+Status settle_rows(StepContext& ctx, double tolerance) noexcept {
+    constexpr int kMost = 8;
+    for (int round = 0; round < kMost && !ctx.model.system.bounded.empty(); ++round) {
+        if (asking_rows(ctx.model, ctx.work, ctx.model.contact_floor) == 0) return Status::ok;
+        (void)switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, kAnyRows);
+        restart(ctx.model, ctx.work, ctx.pool);
+        Status status = iterate(ctx, nonsmooth::Coupling::exact, tolerance);
+        if (status == Status::ok) status = refine(ctx);
+        if (status == Status::ok) status = follow_loads(ctx);
+        if (status != Status::ok) return status;
+        state_certificate(ctx.model, ctx.work, ctx.pool);
+    }
+    ctx.work.stats.flips_left += asking_rows(ctx.model, ctx.work, ctx.model.contact_floor);
+    return Status::ok;
+}
+
+}  // namespace
+
 Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
     ctx.work.newton.iterations = 0;
     ctx.work.newton.switch_late = false;
@@ -258,6 +280,8 @@ Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
         ctx.work.newton.switch_late = hasty && asking > 0;
         ctx.work.stats.flips_left += asking;
     }
+    if (!early) status = settle_rows(ctx, tolerance);
+    if (status != Status::ok) return status;
     if (ctx.work.stats.cut) {
         ctx.work.stats.degradation.iterations = ctx.work.newton.iterations;
         ctx.work.stats.degradation.hasty = hasty;

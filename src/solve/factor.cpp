@@ -22,7 +22,8 @@ struct Writer {
     }
     static void skew(void* self, int piece, double* panel, double* upper) noexcept {
         const Writer& w = *static_cast<Writer*>(self);
-        w.system.write_skew(w.view, piece, upper);
+        // Where nothing touches, blocks have the laws of what touched last.
+        if (w.system.contacts.count() > 0) w.system.write_skew(w.view, piece, upper);
         w.system.write_capstans(piece, panel, upper);
     }
 };

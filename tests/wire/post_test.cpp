@@ -26,7 +26,7 @@ struct AbovePost {
     BodyId ground{}, left{}, right{};
     WireId wire{};
 
-    explicit AbovePost(int elements = 13, double friction = 0.2, int threads = 1)
+    explicit AbovePost(int elements = 13, double friction = 0.2, int threads = 1, double way = 1.0)
         : w(WorldDef{.step = 1.0 / 60.0, .threads = threads}) {
         constexpr double kLength = 42.0, kHeight = 7.0;
         CatenaryDef shape;
@@ -47,11 +47,13 @@ struct AbovePost {
         def.radius = kHalf;
         def.path.assign(start.nodes.begin() + 1, start.nodes.end() - 1);
         wire = w.add_wire(def);
-        const ShapeId pin = w.add_shape({.kind = ShapeKind::cylinder,
-                                         .body = ground,
-                                         .orientation = Quat(std::sqrt(0.5), std::sqrt(0.5), 0, 0),
-                                         .radius = 0.3,
-                                         .half_length = 2.0});
+        const ShapeId pin =
+            w.add_shape({.kind = ShapeKind::cylinder,
+                         .body = ground,
+                         .orientation = Quat(std::sqrt(0.5), way * std::sqrt(0.5), 0, 0),
+                         .radius = 0.3,
+                         .half_length = 2.0,
+                         .margin = 1.0});
         w.add(PostDef{.name = "post", .shape = pin, .friction = friction});
     }
     [[nodiscard]] double get(const char* signal) const { return w.system_signal(signal); }
@@ -59,7 +61,10 @@ struct AbovePost {
     void move(const Vec3& by, double seconds) {
         const auto steps = static_cast<int>(std::lround(60.0 * seconds));
         for (const BodyId id : {left, right}) w.set_velocity(id, {by / seconds, Vec3::Zero()});
-        for (int i = 0; i < steps; ++i) ASSERT_EQ(w.step(), Status::ok) << i;
+        for (int i = 0; i < steps; ++i) {
+            ASSERT_EQ(w.step(), Status::ok) << i;
+            ASSERT_LT(w.stats().momentum_residual, 1e-8) << w.time();
+        }
         for (const BodyId id : {left, right}) w.set_velocity(id, {});
     }
     void rest(double seconds) { move(Vec3::Zero(), seconds); }
@@ -79,8 +84,9 @@ struct AbovePost {
 };
 
 TEST(Posts, TakeAWireThatComesToLieAndLetItGo) {
-    for (const int elements : {13, 14}) {  // an element over the post, and a lump
-        AbovePost d(elements);
+    // An element over the post, and a lump; about its axis, and against it.
+    for (const auto& [elements, way] : {std::pair(13, 1.0), {14, 1.0}, {13, -1.0}, {14, -1.0}}) {
+        AbovePost d(elements, 0.2, 1, way);
         const double mass = d.mass();
         const std::size_t had = d.w.elements(d.wire).size();
         d.move({0, 0, -4}, 8.0);
@@ -105,6 +111,18 @@ TEST(Posts, TakeAWireThatComesToLieAndLetItGo) {
         const double pulls[] = {d.w.tension(d.wire, 0.0), d.w.tension(d.wire, d.w.length(d.wire))};
         EXPECT_NEAR(pulls[0] / pulls[1], 1.0, 0.02);
         EXPECT_GT(pulls[0], 0.5 * weight);
+    }
+}
+
+/// What is taken again has the places of what was let go, and nothing of it.
+TEST(Posts, TakeAWireAgain) {
+    AbovePost d(14);
+    for (int k = 0; k < 3; ++k) {
+        d.move({0.3, 0, -4}, 8.0);
+        d.move({0.5, 0, 0}, 4.0);
+        EXPECT_EQ(d.get("post.held"), 1.0) << k;
+        d.move({-0.8, 0, 4}, 8.0);
+        EXPECT_EQ(d.get("post.held"), 0.0) << k;
     }
 }
 
