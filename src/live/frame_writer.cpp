@@ -165,8 +165,7 @@ void FrameWriter::add_stats(const World& world, const FrameNotes& notes, float* 
          {kMilli * s.solver_cpu_seconds, notes.deadline_ms, s.momentum_residual,
           s.constraint_residual, s.violation_max, s.natural_map, static_cast<double>(s.contacts),
           static_cast<double>(s.newton_iterations), static_cast<double>(s.islands),
-          static_cast<double>(s.asleep), energy_, notes.late_ms,
-          1e6 * seconds_})
+          static_cast<double>(s.asleep), energy_, notes.late_ms, 1e6 * seconds_})
         *to++ = single(value);
 }
 
