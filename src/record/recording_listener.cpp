@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/recording_listener.h"
 
+#include <new>
 #include <span>
 
 namespace hawser::record {
 
 RecordingListener::RecordingListener(RecordingWriter& writer, World& world) noexcept
-    : writer_(writer), world_(world), inputs_(world.input_count()) {
+    : writer_(writer), world_(world), inputs_(world.input_count()), now_(world.step_count()) {
     world.set_change_listener(this);
 }
 
@@ -24,19 +25,28 @@ void RecordingListener::set(InputId id, double value) noexcept {
     }
 }
 
-void RecordingListener::restored(std::span<const std::byte>) noexcept {
+/// A state has been restored: it belongs to the step at which the world was before, in a chunk of
+/// its own, before which a replay makes its world like that of the start.
+template <class F>
+void RecordingListener::begin_take(F&& told) noexcept {
+    const std::int64_t before = now_;
     try {
-        ChangeBytes::restored(world_.save_motion());
-    } catch (const std::exception&) {
+        flush(before);
+        told();
+        flush(before);
+        if (before != now_) writer_.add_take(before, now_);
+    } catch (const std::bad_alloc&) {
         lost();
+    } catch (const std::exception&) {
+        fault_ = std::current_exception();
     }
 }
+
+void RecordingListener::restored(std::span<const std::byte>) noexcept {
+    begin_take([&] { ChangeBytes::restored(world_.save_motion()); });
+}
 void RecordingListener::restored(const Structure& made_of, std::span<const std::byte>) noexcept {
-    try {
-        ChangeBytes::restored(made_of, world_.save_motion());
-    } catch (const std::exception&) {
-        lost();
-    }
+    begin_take([&] { ChangeBytes::restored(made_of, world_.save_motion()); });
 }
 
 void RecordingListener::flush() { flush(world_.step_count()); }
@@ -45,6 +55,7 @@ void RecordingListener::flush(std::int64_t step) {
     if (fault_) std::rethrow_exception(fault_);
     writer_.add_changes(step, *this);
     clear();
+    now_ = world_.step_count();
 }
 
 }  // namespace hawser::record
