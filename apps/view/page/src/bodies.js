@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Bodies of a scene as instanced meshes: what looks the same is one mesh, of which each body is an
 /// instance. Moving instances are never culled by the sphere of where they began.
-import {InstancedMesh, Matrix4, MeshLambertMaterial, DynamicDrawUsage, Quaternion, Vector3, DoubleSide} from 'three';
+import {BackSide, InstancedMesh, Matrix4, MeshLambertMaterial, DynamicDrawUsage, Quaternion, Vector3, DoubleSide} from 'three';
 import {geometryOf} from './geometry.js';
 import * as fit from './fittings.js';
 import {heightfieldBuild, hullBuild, meshBuild, pointsBuild} from './meshes.js';
@@ -17,7 +17,7 @@ export const toQuaternion = ([w, x, y, z], out = new Quaternion()) => out.set(x,
 export class Bodies {
     constructor(scene) {
         this.scene = scene;
-        this.material = new MeshLambertMaterial({vertexColors: true, side: DoubleSide});
+        this.material = new MeshLambertMaterial({vertexColors: true, side: DoubleSide, shadowSide: BackSide});
         this.batches = new Map();
         this.bodies = [];
         this.scratch = {m: new Matrix4(), p: new Vector3(), q: new Quaternion(), turn: new Quaternion(), local: new Matrix4()};

@@ -105,8 +105,8 @@ export class CameraRig {
         this.camera.fov = mode === 'bridge' || mode === 'board' ? 62 : 42;
         this.look = {azimuth: mode === 'bridge' ? Math.PI : 0, elevation: mode === 'bridge' ? -0.2 : -0.12};
         if (subject && (mode === 'follow' || mode === 'top')) {
-            this.distance = (mode === 'top' ? 5.2 : 3.4) * Math.max(6, subject.size);
-            if (mode === 'follow') this.elevation = Math.max(0.16, Math.min(0.5, this.elevation));
+            this.distance = (mode === 'top' ? 4.6 : 2.7) * Math.max(6, subject.size);
+            if (mode === 'follow') this.elevation = 0.2;
             this.target.copy(subject.position);
         }
         this.camera.updateProjectionMatrix();

@@ -14,7 +14,7 @@ export const STOPS = [
     [0.4, 244, 232, 150],
     [0.6, 246, 170, 52],
     [0.8, 214, 78, 20],
-    [1.0, 120, 6, 24],
+    [1.0, 122, 4, 8],
 ];
 
 /// What is parted, or has no known strength.

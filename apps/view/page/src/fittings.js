@@ -84,15 +84,15 @@ export function roller(radius, length, colour = PAINT.steel, stripes = true) {
 /// A drum about z: barrel, flanges with spokes, rope on it.
 export function drum(radius, length, rope = true) {
     const b = new Build(), h = length / 2;
-    b.cylinder([0, 0, -h], [0, 0, h], radius * 0.93, 24, rope ? PAINT.rope : PAINT.steel);
-    for (let i = 0; rope && i < 12; ++i) {
-        const z = -h + length * (i + 0.5) / 12;
-        b.cylinder([0, 0, z - length / 60], [0, 0, z + length / 60], radius, 24, PAINT.rope);
+    b.cylinder([0, 0, -h], [0, 0, h], radius * (rope ? 0.97 : 0.93), 24, rope ? PAINT.rope : PAINT.steel);
+    for (let i = 0; rope && i < 9; ++i) {   // lays of rope
+        const z = -h + length * (i + 0.5) / 9;
+        b.cylinder([0, 0, z - length / 32], [0, 0, z + length / 32], radius, 24, i % 2 ? 0x847a63 : PAINT.rope);
     }
     for (const s of [1, -1]) {
-        b.cylinder([0, 0, s * h - 0.04 * radius], [0, 0, s * h + 0.04 * radius], radius * 1.35, 28, PAINT.crane);
+        b.cylinder([0, 0, s * h - 0.08 * radius], [0, 0, s * h + 0.08 * radius], radius * 1.35, 28, PAINT.crane);
         for (let i = 0; i < 6; ++i) {
-            const w = i * Math.PI / 3, c = Math.cos(w), n = Math.sin(w), z = s * (h + 0.05 * radius);
+            const w = i * Math.PI / 3, c = Math.cos(w), n = Math.sin(w), z = s * (h + 0.09 * radius);
             const lo = radius * 0.3, hi = radius * 1.3, t = radius * 0.09;
             b.both([lo * c - t * n, lo * n + t * c, z], [hi * c - t * n, hi * n + t * c, z],
                    [hi * c + t * n, hi * n - t * c, z], [lo * c + t * n, lo * n - t * c, z], PAINT.dark);

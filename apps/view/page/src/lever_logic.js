@@ -102,5 +102,5 @@ export function quantity(value, unit = '', digits = 3) {
     if (size !== 0 && (size < 1e-3 || size >= 1e6)) text = v.toExponential(digits - 1);
     else text = v.toFixed(Math.max(0, digits - 1 - Math.max(0, Math.floor(Math.log10(size || 1)))));
     if (/^-0(\.0*)?$/.test(text)) text = text.slice(1);
-    return (text + ' ' + prefix + unit).trim().replace('-', '−');
+    return (text + ' ' + prefix + unit).trim().replaceAll('-', '−');
 }

@@ -13,15 +13,18 @@ export class Levers {
         this.active = 0;
     }
 
-    setScene(scene, live) {
+    /// first: groups that come first, such as ships.
+    setScene(scene, live, first = []) {
         const kept = this.levers[this.active]?.def.name;
         this.panel.replaceChildren(el('h2', {textContent: 'Levers'}));
         this.levers = [];
         const shown = scene.inputs.map((def, index) => ({...def, index})).filter(i => i.kind !== 'inner' && i.mine);
         document.body.classList.toggle('levers-none', !shown.length || !live);
         if (!shown.length) return;
-        const closed = new Set(memory.get(`closed.${scene.name}`, shown.length > 14 ? defaultClosed(shown) : []));
-        for (const [group, members] of groupLevers(shown)) {
+        const rank = ([g]) => first.includes(g) ? 0 : 1;
+        const groups = [...groupLevers(shown)].sort((a, b) => rank(a) - rank(b));
+        const closed = new Set(memory.get(`closed.${scene.name}`, shown.length > 14 ? groups.slice(2).map(([g]) => g) : []));
+        for (const [group, members] of groups) {
             const box = el('details', {className: 'lever-group', open: !closed.has(group)}, el('summary', {textContent: readable(group)}));
             box.addEventListener('toggle', () => {
                 if (box.open) closed.delete(group);
@@ -159,9 +162,4 @@ export class Levers {
     deflection(at) {
         return toDeflection(this.levers[at].range, this.levers[at].value);
     }
-}
-
-/// Of many groups the first two are open.
-function defaultClosed(inputs) {
-    return [...groupLevers(inputs).keys()].slice(2);
 }

@@ -22,7 +22,7 @@ const kRanges = [0.25, 0.5, 1];
 
 class App {
     constructor() {
-        this.stage = new Stage($('canvas'), $('labels'));
+        this.stage = new Stage($('canvas'), $('labels'), new URLSearchParams(location.search).get('quality') ?? '');
         this.levers = new Levers($('levers'), (input, value) => this.link.send({type: 'set', input, value}));
         this.pads = new Gamepads(this.levers, c => this.command(c));
         this.inspector = new Inspector($('plots'), this);
@@ -81,12 +81,12 @@ class App {
         $('title').textContent = readable(scene.name);
         $('title').title = scene.description ?? '';
         this.stage.setScene(scene);
-        this.levers.setScene(scene, scene.mode === 'live');
+        this.levers.setScene(scene, scene.mode === 'live', this.stage.bodies.bodies.filter(b => b.role === 'ship').map(b => b.name.split('/')[0]));
         this.plots.setScene(scene);
         if (first) this.inspector.clear();
         const names = this.levers.levers.map(l => l.def.name);
         this.pads.setMapping(memory.get(`pad.${scene.name}`, defaultMapping(names)));
-        $('subject').replaceChildren(...this.stage.subjects().map(b => el('option', {value: b.id, textContent: readable(b.name)})));
+        $('subject').replaceChildren(...this.stage.subjects().map(b => el('option', {value: b.id, textContent: readable(b.name.replace(/\/hull$/, ''))})));
         if (this.stage.subjectBody) $('subject').value = this.stage.subjectBody.id;
         $('pull').hidden = !this.mayControl;
         $('pull').setAttribute('aria-pressed', 'false');
@@ -94,6 +94,7 @@ class App {
         for (const id of ['play', 'step', 'rate']) $(id).disabled = !this.mayRun;
         document.querySelector('[data-panel="restore"]').hidden = scene.mode === 'recording';
         this.paintCamera();
+        this.inset();
         this.paintLink({state: 'open'});
         this.stage.reference = scene.wires.some(w => w.breaking_load > 0) ? 0 : 1;
         this.paintLegend();
@@ -191,8 +192,10 @@ class App {
     }
 
     setPanel(id, open) {
-        if (id === 'plots') showPlots(open);
-        else $(id).hidden = !open;
+        if (id === 'plots') {
+            showPlots(open);
+            this.inset();
+        } else $(id).hidden = !open;
         document.querySelector(`[data-panel="${id}"]`).setAttribute('aria-expanded', String(open));
     }
 
@@ -245,6 +248,14 @@ class App {
     resize() {
         const v = $('view'), ratio = Math.min(2, window.devicePixelRatio || 1);
         this.stage.resize(Math.max(1, v.clientWidth), Math.max(1, v.clientHeight), ratio);
+        this.inset();
+    }
+
+    /// The middle of the picture is where no panel covers it.
+    inset() {
+        const wide = $('view').clientWidth, of = box => box.offsetParent !== null || !box.hidden && getComputedStyle(box).display !== 'none' ? box.getBoundingClientRect() : null;
+        const left = of($('levers')), right = of($('plots'));
+        this.stage.inset(left && left.width < 0.5 * wide ? left.right : 0, right && right.width < 0.5 * wide ? wide - right.left : 0);
     }
 
     tick(now) {

@@ -4,11 +4,11 @@
 import {Build} from './build.js';
 
 const PAINT = {
-    bottom: 0x8a2f25, hull: 0x1f3a5f, line: 0xf2f2ee, deck: 0x59705f, wood: 0x8d7a58,
+    bottom: 0x8a2f25, hull: 0x27507f, line: 0xf2f2ee, deck: 0x59705f, wood: 0x8d7a58,
     house: 0xf1f2ee, glass: 0x16222d, funnel: 0xd9822b, steel: 0x7d868d, dark: 0x31383e,
     yellow: 0xe7b416, barge: 0x54606a,
 };
-export const HULLS = [0x1f3a5f, 0xb5481f, 0x1d5a4c, 0x5a2740];
+export const HULLS = [0x27507f, 0xc2501f, 0x1f6a58, 0x6a2b4a];
 
 /// Half-breadth of the deck over the half-breadth of the box, at ξ from stern −1 to bow 1.
 export function deckLine(xi) {
@@ -156,7 +156,7 @@ export function ship({half, deck: deckHeight = null, break: breakAt = null, wate
         b.box([-0.93 * hx, s * hy * 0.93 - 0.35 * u, low], [(split - 0.05) * hx, s * hy * 0.93 + 0.35 * u, low + 1.15 * u], PAINT.steel);
     }
     b.cylinder([0.86 * hx, 0, high], [0.86 * hx, 0, high + 1.1 * u], 0.9 * u, 10, PAINT.steel);
-    return {build: b, bridge: [bridge1 - 0.8 * u, 0, top + 0.68 * h], low, high};
+    return {build: b, bridge: [bridge0 + 0.4 * u, 0, roof + 1.1 * u], low, high};
 }
 
 function mast(b, x, z, u) {

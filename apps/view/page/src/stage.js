@@ -16,23 +16,33 @@ import {Wires} from './wires.js';
 
 export const FORCE = {contact: 0x9b2fae, joint: 0x0a7d5a};
 
+/// Whether pictures are drawn by the processor.
+function softwareGl() {
+    const gl = document.createElement('canvas').getContext('webgl2'), info = gl?.getExtension('WEBGL_debug_renderer_info');
+    const name = info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : '';
+    gl?.getExtension('WEBGL_lose_context')?.loseContext();
+    return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
+
 export class Stage {
-    constructor(canvas, labelLayer) {
+    /// quality: 'high', 'low', or '': by the machine.
+    constructor(canvas, labelLayer, quality = '') {
         this.canvas = canvas;
-        this.renderer = new WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: false, powerPreference: 'high-performance'});
+        this.low = quality === 'low' || quality !== 'high' && softwareGl();
+        this.renderer = new WebGLRenderer({canvas, antialias: !this.low, powerPreference: 'high-performance'});
         this.renderer.shadowMap.enabled = true;
         this.renderer.shadowMap.type = PCFShadowMap;
         this.renderer.shadowMap.autoUpdate = false;
         this.renderer.toneMapping = ACESFilmicToneMapping;
-        this.renderer.toneMappingExposure = 1.0;
+        this.renderer.toneMappingExposure = 1.15;
         this.scene = new Scene();
         this.scene.fog = new Fog(HORIZON, 500, 9000);
         this.camera = new PerspectiveCamera(42, 1, 0.5, 20000);
         this.rig = new CameraRig(this.camera, canvas);
         this.bodies = new Bodies(this.scene);
         this.wires = new Wires();
-        this.water = new Water();
-        this.seabed = new Seabed();
+        this.water = new Water(this.low);
+        this.seabed = new Seabed(this.low);
         this.light = makeLight();
         this.arrows = new Arrows(this.scene);
         this.labels = new Labels(labelLayer);
@@ -142,6 +152,14 @@ export class Stage {
         this.renderer.setPixelRatio(ratio);
         this.renderer.setSize(width, height, false);
         this.camera.aspect = width / height;
+        this.inset(this.left ?? 0, this.right ?? 0);
+    }
+
+    /// Pixels that panels cover at the left and right: the picture's middle is between them.
+    inset(left, right) {
+        this.left = left;
+        this.right = right;
+        this.camera.setViewOffset(this.width, this.height, (right - left) / 2, 0, this.width, this.height);
         this.camera.updateProjectionMatrix();
     }
 
@@ -164,7 +182,7 @@ export class Stage {
         const eye = camera.position, pixel = 2 * Math.tan(camera.fov * Math.PI / 360) / this.height;
         const under = this.afloat && eye.z < this.level - 0.3;
         this.water.mesh.visible = this.afloat && this.show.water;
-        this.water.material.uniforms.opacity.value = this.show.clear ? 0.55 : 0.97;
+        this.water.material.uniforms.opacity.value = this.show.clear ? 0.42 : 0.97;
         const factor = frame && this.factorInput >= 0 ? frame.inputs[this.factorInput] : this.info?.sea?.waves_factor ?? 1;
         this.water.update(frame?.time ?? 0, this.level, eye, factor);
         this.seabed.mesh.visible = this.show.seabed;

@@ -1,27 +1,63 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Sky, light, sea surface and seabed.
 import {
-    BackSide, BufferAttribute, BufferGeometry, Color, DirectionalLight, Group, HemisphereLight, Mesh,
-    ShaderMaterial, SphereGeometry, UniformsLib, UniformsUtils, Vector3, Vector4, DoubleSide,
+    BackSide, BufferAttribute, BufferGeometry, Color, DataTexture, DirectionalLight, Group, HemisphereLight,
+    LinearFilter, LinearMipmapLinearFilter, Mesh, RepeatWrapping, RGBAFormat, ShaderMaterial, SphereGeometry, UniformsLib, UniformsUtils, Vector3, Vector4, DoubleSide,
 } from 'three';
 
 export const HORIZON = new Color(0xc3d5e0);
-const ZENITH = new Color(0x4d86bd), DEEP = new Color(0x0e3a52), SAND = new Color(0xb7a583);
+const ZENITH = new Color(0x3f7fc0), DEEP = new Color(0x0b3550), SAND = new Color(0xb7a583);
 export const SUN = new Vector3(0.55, -0.5, 0.62).normalize();
-export const kWaves = 48;  // components that the surface is drawn with, the largest first
+export const kWaves = 40;  // components that the surface is drawn with, the largest first
 
-const noise = `
-float hash(vec2 p) { return fract(sin(dot(p, vec2(127.1, 311.7))) * 43758.5453); }
-float noise(vec2 p) {
-    vec2 i = floor(p), f = fract(p); f = f * f * (3.0 - 2.0 * f);
-    return mix(mix(hash(i), hash(i + vec2(1, 0)), f.x),
-               mix(hash(i + vec2(0, 1)), hash(i + vec2(1, 1)), f.x), f.y);
-}`;
+/// A tile of smooth noise, periodic: red and green its slope, blue its height, each about ½.
+export function noiseTile(size = 128) {
+    const height = new Float32Array(size * size);
+    let seed = 20240607;
+    const random = () => {   // Numerical Recipes' quick generator: the same tile each time
+        seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
+        return seed / 4294967296;
+    };
+    for (const [cells, weight] of [[4, 0.5], [9, 0.3], [21, 0.17], [47, 0.08]]) {
+        const grid = Float32Array.from({length: cells * cells}, random);
+        for (let j = 0; j < size; ++j)
+            for (let i = 0; i < size; ++i) {
+                const x = i * cells / size, y = j * cells / size, a = Math.floor(x), b = Math.floor(y);
+                const ease = t => t * t * t * (t * (6 * t - 15) + 10), u = ease(x - a), v = ease(y - b);
+                const g = (p, q) => grid[(q % cells) * cells + p % cells];
+                height[j * size + i] += weight * ((g(a, b) * (1 - u) + g(a + 1, b) * u) * (1 - v) + (g(a, b + 1) * (1 - u) + g(a + 1, b + 1) * u) * v - 0.5);
+            }
+    }
+    const out = new Uint8Array(4 * size * size), h = (i, j) => height[((j + size) % size) * size + (i + size) % size];
+    const byte = v => Math.max(0, Math.min(255, Math.round(127.5 + 127.5 * v)));
+    for (let j = 0; j < size; ++j)
+        for (let i = 0; i < size; ++i) {
+            const slope = size / 20;
+            out.set([byte(slope * (h(i + 1, j) - h(i - 1, j))), byte(slope * (h(i, j + 1) - h(i, j - 1))), byte(1.6 * h(i, j)), 255], 4 * (j * size + i));
+        }
+    return out;
+}
+
+function noiseTexture() {
+    const size = 128, t = new DataTexture(noiseTile(size), size, size, RGBAFormat);
+    t.wrapS = t.wrapT = RepeatWrapping;
+    t.minFilter = LinearMipmapLinearFilter;
+    t.magFilter = LinearFilter;
+    t.generateMipmaps = true;
+    t.anisotropy = 4;
+    t.needsUpdate = true;
+    return t;
+}
+const tile = {value: null};
+const noise = `uniform sampler2D tile;
+float noise(vec2 p) { return texture2D(tile, p * 0.11).b; }
+vec2 ripple(vec2 p) { return texture2D(tile, p * 0.11).rg - 0.5; }`;
 
 export function makeSky() {
+    tile.value ??= noiseTexture();
     const material = new ShaderMaterial({
         side: BackSide, depthWrite: false, fog: false,
-        uniforms: {zenith: {value: ZENITH}, horizon: {value: HORIZON}, sun: {value: SUN}},
+        uniforms: {zenith: {value: ZENITH}, horizon: {value: HORIZON}, sun: {value: SUN}, tile},
         vertexShader: `varying vec3 way;
 void main() {
     way = position;
@@ -33,9 +69,9 @@ void main() {
     vec3 d = normalize(way);
     float up = max(d.z, 0.0);
     vec3 c = mix(horizon, zenith, pow(up, 0.55));
-    vec2 q = d.xy / (0.18 + up) * 1.3;
-    float cloud = smoothstep(0.52, 0.85, 0.6 * noise(q) + 0.3 * noise(q * 2.3) + 0.1 * noise(q * 5.1));
-    c = mix(c, vec3(0.94, 0.96, 0.97), 0.55 * cloud * smoothstep(0.02, 0.25, up));
+    vec2 q = d.xy / (0.14 + up) * 0.9;
+    float cloud = smoothstep(0.48, 0.8, 0.62 * noise(q) + 0.38 * noise(q * 2.7 + 3.0));
+    c = mix(c, vec3(0.95, 0.97, 0.98), 0.75 * cloud * smoothstep(0.01, 0.2, up));
     float s = max(dot(d, sun), 0.0);
     c += vec3(1.0, 0.9, 0.7) * (0.25 * pow(s, 24.0) + 1.5 * pow(s, 900.0));
     gl_FragColor = vec4(c, 1.0);
@@ -54,8 +90,8 @@ export function makeLight() {
     sky.position.set(0, 0, 1);
     sun.castShadow = true;
     sun.shadow.mapSize.set(1024, 1024);
-    sun.shadow.bias = -0.0006;
-    sun.shadow.normalBias = 0.35;
+    sun.shadow.bias = -0.0004;
+    sun.shadow.normalBias = 0.25;
     group.add(sky, sun, sun.target);
     group.sun = sun;
     return group;
@@ -73,8 +109,8 @@ export function aimSun(light, at, reach) {
 }
 
 /// Rings about the eye: fine near it, to `far` metres. Vertices in units of 1 m, scaled by script.
-function rings(far, inner) {
-    const spokes = 96, count = 76, position = [0, 0, 0], index = [];
+function rings(far, inner, spokes = 96, count = 76) {
+    const position = [0, 0, 0], index = [];
     for (let i = 0; i < count; ++i) {
         const r = inner * (far / inner) ** (i / (count - 1));
         for (let k = 0; k < spokes; ++k)
@@ -107,7 +143,8 @@ export function waveHeight(waves, t, x, y) {
 }
 
 export class Water {
-    constructor() {
+    /// low: with half of the detail, for processors that draw.
+    constructor(low = false) {
         this.waves = [];
         const uniforms = UniformsUtils.merge([UniformsLib.fog, {
             count: {value: 0}, wave: {value: Array.from({length: kWaves}, () => new Vector4())},
@@ -115,11 +152,12 @@ export class Water {
             opacity: {value: 0.62}, below: {value: 0},
             horizon: {value: HORIZON}, zenith: {value: ZENITH}, deep: {value: DEEP}, sun: {value: SUN},
         }]);
+        uniforms.tile = tile;
         this.material = new ShaderMaterial({
-            uniforms, transparent: true, depthWrite: false, fog: true, side: DoubleSide,
+            uniforms, defines: low ? {LOW: 1} : {}, transparent: true, depthWrite: false, fog: true, side: DoubleSide,
             vertexShader: waterVertex, fragmentShader: waterFragment,
         });
-        this.mesh = new Mesh(rings(14000, 1.2), this.material);
+        this.mesh = new Mesh(low ? rings(14000, 1.2, 64, 52) : rings(14000, 1.2), this.material);
         this.mesh.frustumCulled = false;
         this.mesh.renderOrder = 5;
     }
@@ -174,19 +212,22 @@ varying vec3 at; varying vec3 tilt;
 ${noise}
 void main() {
     vec3 v = eye - at; float far = length(v); v /= far;
-    float calm = 1.0 / (1.0 + far * far * 4e-5);
+    float calm = 1.0 / (1.0 + far * far * 1.2e-5);
     vec2 p = at.xy;
-    vec2 r = vec2(noise(p * 0.55 + vec2(time * 0.7, time * 0.3)) - 0.5, noise(p * 0.55 + vec2(7.0 - time * 0.4, time * 0.6)) - 0.5)
-           + 0.6 * vec2(noise(p * 1.7 + vec2(-time * 1.1, time * 0.8)) - 0.5, noise(p * 1.7 + vec2(3.0 + time, -time * 0.9)) - 0.5);
-    vec2 swell = vec2(noise(p * 0.045 + time * 0.05) - 0.5, noise(p * 0.045 + 9.0 - time * 0.04) - 0.5);
-    vec3 n = normalize(tilt + vec3(0.11 * calm * r + (0.03 + 0.05 * calm) * swell, 0.0));
+    vec2 swell = ripple(p * 0.035 + time * vec2(0.012, -0.009));
+#ifdef LOW
+    vec2 r = 2.0 * ripple(p * 0.6 + vec2(time * 0.4, time * 0.2));
+#else
+    vec2 r = ripple(p * 0.9 + vec2(time * 0.62, time * 0.31)) + ripple(p * 0.37 + vec2(-time * 0.21, time * 0.34));
+#endif
+    vec3 n = normalize(tilt + vec3((0.05 + 0.22 * calm) * r + 0.14 * swell, 0.0));
     if (below > 0.5) n = -n;
-    float c = clamp(dot(n, v), 0.0, 1.0), f = 0.02 + 0.98 * pow(1.0 - c, 5.0);
+    float c = clamp(dot(n, v), 0.0, 1.0), q = 1.0 - c, f = 0.02 + 0.98 * q * q * q * q * q;
     vec3 m = reflect(-v, n); m.z = abs(m.z);
-    vec3 sky = mix(horizon, zenith, pow(clamp(m.z, 0.0, 1.0), 0.55));
+    vec3 sky = mix(horizon, zenith, sqrt(clamp(m.z, 0.0, 1.0)));
     float lit = 0.75 + 0.5 * dot(n, sun);
-    vec3 body = mix(deep, vec3(0.03, 0.27, 0.33), 0.35 + 1.2 * (n.x * sun.x + n.y * sun.y)) * lit;
-    float glint = pow(max(dot(m, sun), 0.0), 220.0) * (0.3 + 0.9 * calm);
+    vec3 body = mix(deep, vec3(0.02, 0.25, 0.32), clamp(0.4 + 2.2 * (n.x * sun.x + n.y * sun.y), 0.0, 1.0)) * lit;
+    float glint = pow(max(dot(m, sun), 0.0), 160.0) * 0.9;
     vec3 colour = mix(body, sky, f) + vec3(1.0, 0.92, 0.75) * glint;
     float alpha = mix(opacity, 1.0, max(f, smoothstep(400.0, 5000.0, far)));
     if (below > 0.5) { colour = mix(vec3(0.16, 0.42, 0.5), vec3(0.4, 0.62, 0.68), c); alpha = 0.75; }
@@ -196,11 +237,13 @@ void main() {
 }`;
 
 export class Seabed {
-    constructor() {
+    constructor(low = false) {
+        const uniforms = UniformsUtils.merge([UniformsLib.fog, {
+            eye: {value: new Vector3()}, sand: {value: SAND}, deep: {value: DEEP}, depth: {value: 100}, wet: {value: 1},
+        }]);
+        uniforms.tile = tile;
         this.material = new ShaderMaterial({
-            fog: true, uniforms: UniformsUtils.merge([UniformsLib.fog, {
-                eye: {value: new Vector3()}, sand: {value: SAND}, deep: {value: DEEP}, depth: {value: 100}, wet: {value: 1},
-            }]),
+            fog: true, uniforms, defines: low ? {LOW: 1} : {},
             vertexShader: `varying vec3 at;
 #include <fog_pars_vertex>
 void main() { vec4 w = modelMatrix * vec4(position, 1.0); at = w.xyz; vec4 mvPosition = viewMatrix * w;
@@ -217,7 +260,10 @@ float grid(vec2 p, float s) {
 }
 void main() {
     float far = distance(eye, at);
-    float g = 0.5 * noise(at.xy * 0.03) + 0.3 * noise(at.xy * 0.13) + 0.2 * noise(at.xy * 0.6 + sin(at.yx * 0.2));
+    float g = noise(at.xy * 0.02);
+#ifndef LOW
+    g = 0.6 * g + 0.4 * noise(at.xy * 0.31);
+#endif
     vec3 c = sand * (0.72 + 0.45 * g);
     c = mix(c, vec3(0.95), 0.25 * grid(at.xy, 100.0));
     float murk = wet * (1.0 - exp(-depth / 160.0));
@@ -228,7 +274,7 @@ void main() {
     #include <fog_fragment>
 }`,
         });
-        this.mesh = new Mesh(rings(9000, 10), this.material);
+        this.mesh = new Mesh(rings(9000, 10, 48, 24), this.material);
         this.mesh.frustumCulled = false;
         this.mesh.renderOrder = -1;
     }

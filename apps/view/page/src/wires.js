@@ -36,7 +36,7 @@ ${colourShader}
 void paint(vec3 at) {
     hue = tension(share);
     if (chosen > 0.5) hue = mix(hue, vec3(1.0), 0.55);
-    wet = murk * 0.45 * (1.0 - exp(-max(level - at.z, 0.0) / 60.0));
+    wet = murk * 0.22 * (1.0 - exp(-max(level - at.z, 0.0) / 60.0));
 }`;
 
 const tubeVertex = `${head}
